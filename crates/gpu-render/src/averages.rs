@@ -3,10 +3,9 @@
 use capwalk_boundary::pool;
 use capwalk_gpu::GpuError;
 use capwalk_render::tiles::{Averages, SamplePlace};
-use capwalk_render::{RenderOptions, Tracer, Watch, average_elsewhere};
+use capwalk_render::{RenderOptions, Watch, average_elsewhere};
 use rayon::prelude::*;
 
-use crate::camera_rays::write_camera_ray;
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
 use crate::part_size::PartSize;
@@ -18,11 +17,13 @@ use crate::unsupported::unsupported_options;
 pub const MOST_PATHS: usize = 1 << 18;
 
 /// What takes samples, and how many at a time at most.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Task<'a> {
     pub kernels: &'static PathKernels,
-    /// How textures change.
+    /// What changes.
     pub changes: &'a [u32],
+    /// Writes the camera's ray of a sample, and returns its weight.
+    pub write_ray: &'a (dyn Fn(&SamplePlace, &mut [u32]) -> f64 + Sync),
     pub most: usize,
 }
 
@@ -46,7 +47,6 @@ impl DeviceScene<'_> {
         options: &RenderOptions,
         watch: &dyn Watch,
     ) -> Result<Averages, DeviceError> {
-        let tracer = Tracer::primal(self.prepared);
         let most_words = (self.gpu.largest_buffer() / 4) as usize;
         let by_input = most_words.saturating_sub(task.changes.len()) / task.kernels.ray;
         let by_state = most_words / task.kernels.path;
@@ -58,7 +58,7 @@ impl DeviceScene<'_> {
                 let rest = &places[taken.len()..];
                 let some = &rest[..rest.len().min(size.get())];
                 let before = self.gpu.busy();
-                match self.take::<N>(&tracer, some, size.get(), task, &mut paths, watch) {
+                match self.take::<N>(some, size.get(), task, &mut paths, watch) {
                     Ok(Some(samples)) => taken.extend(samples),
                     Ok(None) => return Ok(None),
                     Err(GpuError::OutOfMemory { .. }) if size.halve() => {
@@ -77,7 +77,6 @@ impl DeviceScene<'_> {
     /// The numbers of some samples; `None` if the watch stopped the work.
     fn take<'p, const N: usize>(
         &'p self,
-        tracer: &Tracer,
         places: &[SamplePlace],
         room: usize,
         task: Task,
@@ -96,7 +95,7 @@ impl DeviceScene<'_> {
         let mut rays = vec![0; words * places.len()];
         let weights = (places, rays.par_chunks_exact_mut(words))
             .into_par_iter()
-            .map(|(place, ray)| write_camera_ray(tracer, &self.frame, place, ray));
+            .map(|(place, ray)| (task.write_ray)(place, ray));
         let weights: Vec<f64> = weights.collect();
         let Followed::ToTheEnd(_) = paths.follow(&rays, watch)? else {
             return Ok(None);

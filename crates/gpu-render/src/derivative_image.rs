@@ -1,17 +1,21 @@
 //! Derivative images from a device, in forward mode.
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
-use capwalk_diff::{GradientOptions, GradientWork, Wanted};
+use capwalk_boundary::{Field, Viewpoint};
+use capwalk_diff::{Forward, GradientOptions, GradientWork, Method, Wanted};
 use capwalk_geometry::buffers::NONE;
-use capwalk_render::{GradientImage, Watch};
+use capwalk_math::Vec3;
+use capwalk_render::{GradientImage, MotionFacts, SceneEval, Tracer, Watch};
 use capwalk_scene::Tangent;
 
 use crate::averages::{MOST_PATHS, Task};
+use crate::camera_rays::write_moving_ray;
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
 use crate::render_kernels::FORWARD;
-use crate::texture_records::{Shown, float};
+use crate::texture_records::float;
 use crate::unsupported::unsupported_derivative;
 
 impl DeviceScene<'_> {
@@ -39,15 +43,24 @@ impl DeviceScene<'_> {
         if let Some(unsupported) = unsupported_derivative(self.prepared, &Wanted::by(tangent)) {
             return Err(unsupported.into());
         }
-        let changes = changes(&self.textures, tangent);
+        let scene = self.prepared.scene();
+        let boundaries = self.prepared.boundaries_if(Wanted::by(tangent).moves());
+        let field = Field::new(self.prepared.accel(), boundaries, Method::EDGES);
+        let eval = Forward::new(field, tangent);
+        let changes = self.changes(&eval, tangent);
         self.check_room_of_numbers(changes.len())?;
+        let facts = Arc::new(MotionFacts::of(scene));
+        let tracer = Tracer::moving(self.prepared, field, options.walk, &facts);
+        let write_ray = |place: &_, words: &mut [u32]| {
+            write_moving_ray(&tracer, &self.frame, &eval, place, words)
+        };
         let task = Task {
             kernels: &FORWARD,
             changes: &changes,
+            write_ray: &write_ray,
             most,
         };
         let averages = self.average::<6>(task, &options.sampling(), watch)?;
-        let scene = self.prepared.scene();
         Ok(GradientImage {
             value: averages.estimate(scene, 0),
             gradient: averages.estimate(scene, 3),
@@ -55,16 +68,26 @@ impl DeviceScene<'_> {
             statistics: averages.statistics,
         })
     }
-}
 
-/// How the texels of each texture change, as `colours.slang` reads it.
-fn changes(textures: &[Shown], tangent: &Tangent) -> Vec<u32> {
-    let mut words = vec![NONE; 2 * textures.len()];
-    for (number, shown) in textures.iter().enumerate() {
-        if let Some(change) = &tangent.textures[shown.numbers.0 as usize] {
-            words[2 * number] = words.len() as u32;
-            words.extend(change.iter().map(|x| float(shown.scale * x)));
+    /// What changes, as `changes.slang` reads it: where the motion of the triangles is and whether boundaries
+    /// move, the texels of each texture, and that motion.
+    fn changes(&self, eval: &Forward, tangent: &Tangent) -> Vec<u32> {
+        let origin = Viewpoint::towards_surfaces(Vec3::zero(), Vec3::zero(), 0);
+        let boundaries_move = !eval.is_still(&origin);
+        let first = 2;
+        let mut words = vec![NONE; first + 2 * self.textures.len()];
+        words[1] = boundaries_move.into();
+        for (number, shown) in self.textures.iter().enumerate() {
+            if let Some(change) = &tangent.textures[shown.numbers.0 as usize] {
+                words[first + 2 * number] = words.len() as u32;
+                words.extend(change.iter().map(|x| float(shown.scale * x)));
+            }
         }
+        let motion = self.motion_records(eval);
+        if !motion.is_empty() {
+            words[0] = words.len() as u32;
+            words.extend(motion);
+        }
+        words
     }
-    words
 }

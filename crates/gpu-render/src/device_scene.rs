@@ -21,6 +21,8 @@ pub struct DeviceScene<'a> {
     pub(crate) frame: LocalFrame,
     /// Nodes, starts of leaves, triangles, their numbers, and records.
     arrays: [DeviceArray; 5],
+    /// The number of each triangle's face.
+    pub(crate) faces: Vec<u32>,
     /// The textures, by their numbers.
     pub(crate) textures: Vec<Shown>,
 }
@@ -36,13 +38,14 @@ impl<'a> DeviceScene<'a> {
             frame,
             nodes,
             leaf_starts,
-            mut faces,
+            faces,
             primitives,
             words: records,
             textures,
         } = SceneRecords::new(prepared, gpu.precision());
         // Kernels read four at a time.
-        faces.resize(faces.len().next_multiple_of(4), 0);
+        let mut padded = faces.clone();
+        padded.resize(faces.len().next_multiple_of(4), 0);
         let single: Vec<f32>;
         let primitives: &[u8] = match gpu.precision() {
             Precision::Double => bytemuck::cast_slice(&primitives),
@@ -69,7 +72,7 @@ impl<'a> DeviceScene<'a> {
             words(&nodes)?,
             words(&leaf_starts)?,
             upload(primitives)?,
-            words(&faces)?,
+            words(&padded)?,
             words(&records)?,
         ];
         Ok(Self {
@@ -77,6 +80,7 @@ impl<'a> DeviceScene<'a> {
             prepared,
             frame,
             arrays,
+            faces,
             textures,
         })
     }

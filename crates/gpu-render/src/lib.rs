@@ -37,6 +37,7 @@ mod environment_records;
 mod fixed_point;
 mod images;
 mod lobe_records;
+mod motion_records;
 mod part_size;
 mod paths;
 mod render_kernels;

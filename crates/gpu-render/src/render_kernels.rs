@@ -62,12 +62,13 @@ pub const DIFFUSE_IMAGE: PathKernels = PathKernels {
     ..IMAGE
 };
 
-/// Images with their derivative: behind the list is the light of a path, then its derivative.
+/// Images with their derivative: behind the list is the light of a path, then its derivative. Rays
+/// end with the derivatives of where they start and of their directions.
 pub const FORWARD: PathKernels = PathKernels {
     begin: compiled!("begin_forward"),
     go_on: compiled!("go_on_forward"),
-    ray: 9,
-    path: 21,
+    ray: 15,
+    path: 27,
     vertex: 0,
 };
 
@@ -100,7 +101,9 @@ mod tests {
                 ("paths", include_str!("kernels/paths.slang")),
                 ("rays", RAYS_SOURCE),
                 ("numbers", include_str!("kernels/numbers.slang")),
+                ("changes", include_str!("kernels/changes.slang")),
                 ("surfaces", include_str!("kernels/surfaces.slang")),
+                ("motion", include_str!("kernels/motion.slang")),
                 ("colours", include_str!("kernels/colours.slang")),
                 ("fresnel", include_str!("kernels/fresnel.slang")),
                 ("microfacets", include_str!("kernels/microfacets.slang")),

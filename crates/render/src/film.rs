@@ -74,16 +74,31 @@ impl Tracer<'_> {
         }
     }
 
-    /// The camera's ray of a sample of the primal image, and its weight in the pixel.
-    pub fn camera_ray(&self, pixel: [u32; 2], stream: &Stream) -> (ViewRay<f64>, f64) {
+    /// The camera's ray of a sample through a film point that stays, and its weight in the pixel.
+    pub fn camera_ray<R: Real, W: SceneEval<R>>(
+        &self,
+        eval: &W,
+        pixel: [u32; 2],
+        stream: &Stream,
+    ) -> (ViewRay<R>, f64) {
         let draw = Draw {
             stream,
             counts: &Counts::default(),
         };
         let support = self.supports.pixel(pixel);
-        let view = self.view(&Primal(self.accel), draw);
-        let s = support.sample(0.0, 0.0, stream.pair(FILM));
-        (view.ray(view.direction(s)), support.weight_over_pdf(s))
+        self.fixed_film_point(&self.view(eval, draw), &support, draw)
+    }
+
+    /// The ray through a film point that stays, sampled by the filter, and its weight.
+    fn fixed_film_point<R: Real>(
+        &self,
+        view: &View<R>,
+        support: &Support,
+        draw: Draw,
+    ) -> (ViewRay<R>, f64) {
+        let s = support.sample(0.0, 0.0, draw.stream.pair(FILM));
+        let ray = view.ray(view.direction(s.map(R::constant)));
+        (ray, support.weight_over_pdf(s))
     }
 
     /// What the camera sees from a point sampled on its lens.
@@ -102,11 +117,8 @@ impl Tracer<'_> {
         support: &Support,
         draw: Draw,
     ) -> Rgb<R> {
-        // Sample the film point by the filter.
-        let s = support.sample(0.0, 0.0, draw.stream.pair(FILM));
-        let ray = view.ray(view.direction(s.map(R::constant)));
-        let weight = R::constant(support.weight_over_pdf(s));
-        self.weighted(eval, ray, weight, draw)
+        let (ray, weight) = self.fixed_film_point(view, support, draw);
+        self.weighted(eval, ray, R::constant(weight), draw)
     }
 
     /// A sample of the radiance along a camera ray, times its weight in the pixel.

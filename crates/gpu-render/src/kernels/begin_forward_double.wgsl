@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: f20877a0612af4bc
-// result: be14c678ba1d1482
+// source: 1bc301507596729c
+// result: c6970623e3710f45
 
 struct Launch_std140_0
 {
@@ -25,6 +25,88 @@ struct Launch_std140_0
 @binding(3) @group(0) var<storage, read> rough_0 : array<vec4<u32>>;
 
 @binding(6) @group(0) var<storage, read_write> paths_0 : array<u32>;
+
+struct DiffPair_float_0
+{
+     primal_0 : f32,
+     differential_0 : f32,
+};
+
+fn _d_sqrt_0( dpx_0 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S1 : DiffPair_float_0 = DiffPair_float_0( sqrt(dpx_0.primal_0), 0.5f / sqrt(max(1.00000001168609742e-07f, dpx_0.primal_0)) * dpx_0.differential_0 );
+    return _S1;
+}
+
+struct DiffPair_vectorx3Cfloatx2C2x3E_0
+{
+     primal_0 : vec2<f32>,
+     differential_0 : vec2<f32>,
+};
+
+fn s_fwd_length_impl_0( dpx_1 : DiffPair_vectorx3Cfloatx2C2x3E_0) -> DiffPair_float_0
+{
+    var _S2 : f32 = dpx_1.primal_0[i32(0)];
+    var _S3 : f32 = dpx_1.differential_0[i32(0)] * dpx_1.primal_0[i32(0)];
+    var _S4 : f32 = dpx_1.primal_0[i32(1)];
+    var _S5 : f32 = dpx_1.differential_0[i32(1)] * dpx_1.primal_0[i32(1)];
+    var _S6 : DiffPair_float_0 = DiffPair_float_0( _S2 * _S2 + _S4 * _S4, _S3 + _S3 + (_S5 + _S5) );
+    var _S7 : DiffPair_float_0 = _d_sqrt_0(_S6);
+    var _S8 : DiffPair_float_0 = DiffPair_float_0( _S7.primal_0, _S7.differential_0 );
+    return _S8;
+}
+
+fn _d_min_0( dpx_2 : DiffPair_float_0,  dpy_0 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S9 : f32 = min(dpx_2.primal_0, dpy_0.primal_0);
+    var _S10 : f32;
+    if((dpx_2.primal_0) < (dpy_0.primal_0))
+    {
+        _S10 = dpx_2.differential_0;
+    }
+    else
+    {
+        if((dpx_2.primal_0) > (dpy_0.primal_0))
+        {
+            _S10 = dpy_0.differential_0;
+        }
+        else
+        {
+            _S10 = 0.5f * (dpx_2.differential_0 + dpy_0.differential_0);
+        }
+    }
+    var _S11 : DiffPair_float_0 = DiffPair_float_0( _S9, _S10 );
+    return _S11;
+}
+
+fn _d_max_0( dpx_3 : DiffPair_float_0,  dpy_1 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S12 : f32 = max(dpx_3.primal_0, dpy_1.primal_0);
+    var _S13 : f32;
+    if((dpx_3.primal_0) > (dpy_1.primal_0))
+    {
+        _S13 = dpx_3.differential_0;
+    }
+    else
+    {
+        if((dpx_3.primal_0) < (dpy_1.primal_0))
+        {
+            _S13 = dpy_1.differential_0;
+        }
+        else
+        {
+            _S13 = 0.5f * (dpx_3.differential_0 + dpy_1.differential_0);
+        }
+    }
+    var _S14 : DiffPair_float_0 = DiffPair_float_0( _S12, _S13 );
+    return _S14;
+}
+
+fn _d_abs_0( dpx_4 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S15 : DiffPair_float_0 = DiffPair_float_0( abs(dpx_4.primal_0), select(select(-1.0f, 0.0f, (dpx_4.primal_0) == 0.0f), 1.0f, (dpx_4.primal_0) > 0.0f) * dpx_4.differential_0 );
+    return _S15;
+}
 
 struct Colour_0
 {
@@ -64,23 +146,23 @@ fn word_0( at_0 : u32) -> u32
 
 fn component_0( v_0 : vec3<f64>,  axis_0 : u32) -> f64
 {
-    var _S1 : f64;
+    var _S16 : f64;
     if(axis_0 == u32(0))
     {
-        _S1 = v_0.x;
+        _S16 = v_0.x;
     }
     else
     {
         if(axis_0 == u32(1))
         {
-            _S1 = v_0.y;
+            _S16 = v_0.y;
         }
         else
         {
-            _S1 = v_0.z;
+            _S16 = v_0.z;
         }
     }
-    return _S1;
+    return _S16;
 }
 
 fn limit_at_0( which_0 : u32) -> f64
@@ -105,7 +187,7 @@ struct RayView_0
 
 fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_1 : u32) -> f32
 {
-    var _S2 : u32 = u32(14) * node_1 + slot_1 / u32(4);
+    var _S17 : u32 = u32(14) * node_1 + slot_1 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_1 : u32 = u32(0);
@@ -118,36 +200,36 @@ fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_1 : u32
         {
             break;
         }
-        var _S3 : u32 = axis_1;
-        var _S4 : u32 = _S2 + u32(2) * axis_1;
-        var _S5 : u32 = slot_1 % u32(4);
-        var low_0 : f32 = (bitcast<f32>((nodes_0[_S4][_S5])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S4 + u32(6)][_S5])));
-        var _S6 : bool = (view_0.inverse_0[axis_1]) < 0.0f;
-        var _S7 : f32;
-        if(_S6)
+        var _S18 : u32 = axis_1;
+        var _S19 : u32 = _S17 + u32(2) * axis_1;
+        var _S20 : u32 = slot_1 % u32(4);
+        var low_0 : f32 = (bitcast<f32>((nodes_0[_S19][_S20])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S19 + u32(6)][_S20])));
+        var _S21 : bool = (view_0.inverse_0[axis_1]) < 0.0f;
+        var _S22 : f32;
+        if(_S21)
         {
-            _S7 = high_0;
+            _S22 = high_0;
         }
         else
         {
-            _S7 = low_0;
+            _S22 = low_0;
         }
-        var _S8 : f32 = max(near_0, _S7 * view_0.inverse_0[_S3] - view_0.offset_near_0[axis_1]);
-        var _S9 : f32;
-        if(_S6)
+        var _S23 : f32 = max(near_0, _S22 * view_0.inverse_0[_S18] - view_0.offset_near_0[axis_1]);
+        var _S24 : f32;
+        if(_S21)
         {
-            _S9 = low_0;
+            _S24 = low_0;
         }
         else
         {
-            _S9 = high_0;
+            _S24 = high_0;
         }
-        var _S10 : f32 = min(far_0, _S9 * view_0.inverse_0[_S3] - view_0.offset_far_0[axis_1]);
-        var _S11 : u32 = axis_1 + u32(1);
-        near_0 = _S8;
-        far_0 = _S10;
-        axis_1 = _S11;
+        var _S25 : f32 = min(far_0, _S24 * view_0.inverse_0[_S18] - view_0.offset_far_0[axis_1]);
+        var _S26 : u32 = axis_1 + u32(1);
+        near_0 = _S23;
+        far_0 = _S25;
+        axis_1 = _S26;
     }
     if(near_0 <= far_0)
     {
@@ -172,7 +254,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S12 : u32 = k_1;
+        var _S27 : u32 = k_1;
         if((bounds_0[k_1]) > limit_2)
         {
             k_1 = k_1 + u32(1);
@@ -189,24 +271,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S13 : u32 = j_0;
-            var _S14 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S12]))
+            var _S28 : u32 = j_0;
+            var _S29 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S27]))
             {
-                _S14 = true;
+                _S29 = true;
             }
             else
             {
-                if((bounds_0[_S13]) == (bounds_0[_S12]))
+                if((bounds_0[_S28]) == (bounds_0[_S27]))
                 {
-                    _S14 = j_0 < k_1;
+                    _S29 = j_0 < k_1;
                 }
                 else
                 {
-                    _S14 = false;
+                    _S29 = false;
                 }
             }
-            if(_S14)
+            if(_S29)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -231,16 +313,16 @@ fn crossed_0( view_1 : RayView_0,  limit_3 : f32,  node_2 : u32) -> u32
         {
             break;
         }
-        var _S15 : f32;
+        var _S30 : f32;
         if((ray_child_0(node_2, slot_2)) == u32(4294967295))
         {
-            _S15 = 3.00000000549775576e+38f;
+            _S30 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S15 = ray_bound_0(view_1, limit_3, node_2, slot_2);
+            _S30 = ray_bound_0(view_1, limit_3, node_2, slot_2);
         }
-        bounds_1[slot_2] = _S15;
+        bounds_1[slot_2] = _S30;
         slot_2 = slot_2 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -295,46 +377,46 @@ fn intersect_0( ray_1 : Ray_0,  axes_2 : u32,  at_3 : u32) -> Crossing_0
     var a_0 : vec3<f64> = corner_0(ray_1, axes_2, at_3);
     var b_0 : vec3<f64> = corner_0(ray_1, axes_2, at_3 + u32(3));
     var c_0 : vec3<f64> = corner_0(ray_1, axes_2, at_3 + u32(6));
-    var _S16 : f64 = c_0.x;
-    var _S17 : f64 = b_0.y;
-    var cx_by_0 : f64 = rounded_0(_S16 * _S17, ray_1.largest_1);
-    var _S18 : f64 = c_0.y;
-    var _S19 : f64 = b_0.x;
-    var cy_bx_0 : f64 = rounded_0(_S18 * _S19, ray_1.largest_1);
-    var _S20 : f64 = a_0.x;
-    var ax_cy_0 : f64 = rounded_0(_S20 * _S18, ray_1.largest_1);
-    var _S21 : f64 = a_0.y;
-    var ay_cx_0 : f64 = rounded_0(_S21 * _S16, ray_1.largest_1);
-    var bx_ay_0 : f64 = rounded_0(_S19 * _S21, ray_1.largest_1);
-    var by_ax_0 : f64 = rounded_0(_S17 * _S20, ray_1.largest_1);
+    var _S31 : f64 = c_0.x;
+    var _S32 : f64 = b_0.y;
+    var cx_by_0 : f64 = rounded_0(_S31 * _S32, ray_1.largest_1);
+    var _S33 : f64 = c_0.y;
+    var _S34 : f64 = b_0.x;
+    var cy_bx_0 : f64 = rounded_0(_S33 * _S34, ray_1.largest_1);
+    var _S35 : f64 = a_0.x;
+    var ax_cy_0 : f64 = rounded_0(_S35 * _S33, ray_1.largest_1);
+    var _S36 : f64 = a_0.y;
+    var ay_cx_0 : f64 = rounded_0(_S36 * _S31, ray_1.largest_1);
+    var bx_ay_0 : f64 = rounded_0(_S34 * _S36, ray_1.largest_1);
+    var by_ax_0 : f64 = rounded_0(_S32 * _S35, ray_1.largest_1);
     var u_0 : f64 = cx_by_0 - cy_bx_0;
     var v_2 : f64 = ax_cy_0 - ay_cx_0;
     var w_1 : f64 = bx_ay_0 - by_ax_0;
-    var _S22 : f64 = min(min(u_0, v_2), w_1);
-    var _S23 : f64 = max(max(u_0, v_2), w_1);
-    var _S24 : bool;
-    if(_S22 < 0.0lf)
+    var _S37 : f64 = min(min(u_0, v_2), w_1);
+    var _S38 : f64 = max(max(u_0, v_2), w_1);
+    var _S39 : bool;
+    if(_S37 < 0.0lf)
     {
-        _S24 = _S23 > 0.0lf;
+        _S39 = _S38 > 0.0lf;
     }
     else
     {
-        _S24 = false;
+        _S39 = false;
     }
-    if(_S24)
+    if(_S39)
     {
         return crossing_0;
     }
     var determinant_0 : f64 = u_0 + v_2 + w_1;
-    if(_S22 <= 0.0lf)
+    if(_S37 <= 0.0lf)
     {
-        _S24 = _S23 >= 0.0lf;
+        _S39 = _S38 >= 0.0lf;
     }
     else
     {
-        _S24 = false;
+        _S39 = false;
     }
-    if(_S24)
+    if(_S39)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -348,13 +430,13 @@ fn intersect_0( ray_1 : Ray_0,  axes_2 : u32,  at_3 : u32) -> Crossing_0
     var t_1 : f64 = (rounded_0(u_0 * a_0.z, ray_1.largest_1) + rounded_0(v_2 * b_0.z, ray_1.largest_1) + rounded_0(w_1 * c_0.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_1)
     {
-        _S24 = t_1 <= (ray_1.t_max_0);
+        _S39 = t_1 <= (ray_1.t_max_0);
     }
     else
     {
-        _S24 = false;
+        _S39 = false;
     }
-    crossing_0.is_hit_0 = _S24;
+    crossing_0.is_hit_0 = _S39;
     crossing_0.t_0 = t_1;
     crossing_0.v_1 = v_2 / determinant_0;
     crossing_0.w_0 = w_1 / determinant_0;
@@ -376,7 +458,7 @@ struct Found_0
 
 fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S25 : bool;
+    var _S40 : bool;
     var found_0 : Found_0;
     found_0.face_1 = u32(4294967295);
     found_0.triangle_1 = u32(4294967295);
@@ -408,31 +490,31 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_0[level_0];
-        var _S26 : u32 = way_0[level_0].y;
-        if(_S26 == u32(0))
+        var _S41 : u32 = way_0[level_0].y;
+        if(_S41 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S27 : u32 = level_0 - u32(1);
+            var _S42 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S27;
+            level_0 = _S42;
             continue;
         }
-        var slot_3 : u32 = ((_S26 & (u32(15)))) - u32(1);
-        way_0[level_0][i32(1)] = (_S26 >> (u32(4)));
-        var _S28 : bool;
+        var slot_3 : u32 = ((_S41 & (u32(15)))) - u32(1);
+        way_0[level_0][i32(1)] = (_S41 >> (u32(4)));
+        var _S43 : bool;
         if(!is_new_1)
         {
-            _S28 = (ray_bound_0(view_2, limit_4, here_0.x, slot_3)) > limit_4;
+            _S43 = (ray_bound_0(view_2, limit_4, here_0.x, slot_3)) > limit_4;
         }
         else
         {
-            _S28 = false;
+            _S43 = false;
         }
-        if(_S28)
+        if(_S43)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -441,20 +523,20 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_0.x, slot_3);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S29 : u32 = level_0 + u32(1);
+            var _S44 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S29;
+            level_0 = _S44;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S30 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S31 : u32 = leaf_starts_0[leaf_0];
+        var _S45 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S46 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_0 : u32 = _S31;
+        var i_0 : u32 = _S46;
         for(;;)
         {
-            if(i_0 < _S30)
+            if(i_0 < _S45)
             {
             }
             else
@@ -469,23 +551,23 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_1) == u32(4294967295))
             {
-                _S25 = true;
+                _S40 = true;
             }
             else
             {
-                _S25 = (crossing_1.t_0) < ((*ray_2).t_max_0);
+                _S40 = (crossing_1.t_0) < ((*ray_2).t_max_0);
             }
-            var _S32 : bool;
-            if(_S25)
+            var _S47 : bool;
+            if(_S40)
             {
-                _S32 = true;
+                _S47 = true;
             }
             else
             {
-                _S32 = (face_0(i_0)) < (found_0.face_1);
+                _S47 = (face_0(i_0)) < (found_0.face_1);
             }
             var limit_6 : f32;
-            if(_S32)
+            if(_S47)
             {
                 found_0.face_1 = face_0(i_0);
                 found_0.triangle_1 = i_0;
@@ -503,13 +585,13 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S25 = (found_0.face_1) != u32(4294967295);
+            _S40 = (found_0.face_1) != u32(4294967295);
         }
         else
         {
-            _S25 = false;
+            _S40 = false;
         }
-        if(_S25)
+        if(_S40)
         {
             break;
         }
@@ -523,34 +605,34 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_1 : vec3<f64>,  direction_0 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_2 : ptr<function, f32>) -> Found_0
 {
     var size_0 : vec3<f32> = abs(vec3<f32>(direction_0));
-    var _S33 : f32 = size_0.x;
-    var _S34 : f32 = size_0.y;
-    var _S35 : bool;
-    if(_S33 >= _S34)
+    var _S48 : f32 = size_0.x;
+    var _S49 : f32 = size_0.y;
+    var _S50 : bool;
+    if(_S48 >= _S49)
     {
-        _S35 = _S33 >= (size_0.z);
+        _S50 = _S48 >= (size_0.z);
     }
     else
     {
-        _S35 = false;
+        _S50 = false;
     }
-    var _S36 : i32;
-    if(_S35)
+    var _S51 : i32;
+    if(_S50)
     {
-        _S36 = i32(0);
+        _S51 = i32(0);
     }
     else
     {
-        if(_S34 >= (size_0.z))
+        if(_S49 >= (size_0.z))
         {
-            _S36 = i32(1);
+            _S51 = i32(1);
         }
         else
         {
-            _S36 = i32(2);
+            _S51 = i32(2);
         }
     }
-    var z_1 : u32 = u32(_S36);
+    var z_1 : u32 = u32(_S51);
     var x_0 : u32 = (z_1 + u32(1)) % u32(3);
     var y_0 : u32 = (z_1 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
@@ -561,13 +643,13 @@ fn cast_0( origin_1 : vec3<f64>,  direction_0 : vec3<f64>,  t_min_1 : f64,  t_ma
     ray_3.shear_y_0 = component_0(direction_0, y_0) / along_0;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S37 : f64 = abs(along_0);
-    ray_3.local_per_t_0 = _S37;
+    var _S52 : f64 = abs(along_0);
+    ray_3.local_per_t_0 = _S52;
     ray_3.enter_0 = 0.0lf;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
     var view_3 : RayView_0;
-    var _S38 : vec3<f32> = vec3<f32>(direction_0 / vec3<f64>(_S37));
+    var _S53 : vec3<f32> = vec3<f32>(direction_0 / vec3<f64>(_S52));
     var axis_2 : u32 = u32(0);
     for(;;)
     {
@@ -578,17 +660,17 @@ fn cast_0( origin_1 : vec3<f64>,  direction_0 : vec3<f64>,  t_min_1 : f64,  t_ma
         {
             break;
         }
-        var _S39 : f32 = max(abs(_S38[axis_2]), 8.67361737988403547e-19f);
-        var _S40 : f32;
-        if((_S38[axis_2]) < 0.0f)
+        var _S54 : f32 = max(abs(_S53[axis_2]), 8.67361737988403547e-19f);
+        var _S55 : f32;
+        if((_S53[axis_2]) < 0.0f)
         {
-            _S40 = -1.0f / _S39;
+            _S55 = -1.0f / _S54;
         }
         else
         {
-            _S40 = 1.0f / _S39;
+            _S55 = 1.0f / _S54;
         }
-        view_3.inverse_0[axis_2] = _S40;
+        view_3.inverse_0[axis_2] = _S55;
         axis_2 = axis_2 + u32(1);
     }
     var offset_0 : vec3<f32> = vec3<f32>(origin_1) * view_3.inverse_0;
@@ -608,60 +690,138 @@ struct Place_0
      triangle_2 : u32,
      v_4 : f32,
      w_3 : f32,
+     v_change_0 : f32,
+     w_change_0 : f32,
 };
 
-fn place_of_0( found_2 : Found_0) -> Place_0
+fn place_at_0( triangle_3 : u32,  v_5 : f32,  w_4 : f32) -> Place_0
 {
     var place_0 : Place_0;
-    place_0.triangle_2 = found_2.triangle_1;
-    place_0.v_4 = f32(found_2.v_3);
-    place_0.w_3 = f32(found_2.w_2);
+    place_0.triangle_2 = triangle_3;
+    place_0.v_4 = v_5;
+    place_0.w_3 = w_4;
+    place_0.w_change_0 = 0.0f;
+    place_0.v_change_0 = 0.0f;
     return place_0;
 }
 
-fn triangle_record_0( triangle_3 : u32) -> u32
+fn place_of_0( found_2 : Found_0) -> Place_0
 {
-    return word_0(u32(9)) + u32(5) * triangle_3;
+    return place_at_0(found_2.triangle_1, f32(found_2.v_3), f32(found_2.w_2));
 }
 
-fn shape_of_0( triangle_4 : u32) -> u32
+struct Vector_0
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_4));
+     value_2 : vec3<f32>,
+     change_0 : vec3<f32>,
+};
+
+fn changing_0( value_3 : vec3<f32>,  change_1 : vec3<f32>) -> Vector_0
+{
+    var vector_0 : Vector_0;
+    vector_0.value_2 = value_3;
+    vector_0.change_0 = change_1;
+    return vector_0;
 }
 
-fn cross_of_0( triangle_5 : u32) -> vec3<f32>
+fn change_of_0( vector_1 : Vector_0) -> vec3<f32>
 {
-    var at_4 : u32 = u32(9) * triangle_5;
-    var a_1 : vec3<f64> = primitive_vector_0(at_4);
-    return cross(vec3<f32>(primitive_vector_0(at_4 + u32(3)) - a_1), vec3<f32>(primitive_vector_0(at_4 + u32(6)) - a_1));
+    return vector_1.change_0;
 }
 
-fn emitter_seen_0( found_3 : Found_0,  direction_1 : vec3<f32>) -> u32
+fn change_word_0( at_4 : u32) -> u32
+{
+    return input_0[u32(15) * launch_0.room_0 + at_4];
+}
+
+fn is_moving_0() -> bool
+{
+    return (change_word_0(u32(0))) != u32(4294967295);
+}
+
+fn motion_of_0( triangle_4 : u32) -> u32
+{
+    return change_word_0(u32(0)) + u32(21) * triangle_4;
+}
+
+fn change_vector_0( at_5 : u32) -> vec3<f32>
+{
+    return (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_5), change_word_0(at_5 + u32(1)), change_word_0(at_5 + u32(2))))));
+}
+
+fn at_place_0( a_1 : vec3<f32>,  b_1 : vec3<f32>,  c_1 : vec3<f32>,  place_1 : Place_0) -> vec3<f32>
+{
+    return a_1 + (b_1 - a_1) * vec3<f32>(place_1.v_4) + (c_1 - a_1) * vec3<f32>(place_1.w_3);
+}
+
+fn move_place_0( place_2 : ptr<function, Place_0>,  position_change_0 : ptr<function, vec3<f32>>,  direction_1 : vec3<f32>,  drift_0 : vec3<f32>)
+{
+    (*position_change_0) = drift_0;
+    if(!is_moving_0())
+    {
+        return;
+    }
+    var at_6 : u32 = motion_of_0((*place_2).triangle_2);
+    var corner_1 : u32 = u32(9) * (*place_2).triangle_2;
+    var of_material_0 : vec3<f32> = at_place_0(change_vector_0(at_6), change_vector_0(at_6 + u32(3)), change_vector_0(at_6 + u32(6)), (*place_2));
+    var a_2 : vec3<f64> = primitive_vector_0(corner_1);
+    var _S56 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_2);
+    var _S57 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_2);
+    var across_0 : vec3<f32> = cross(_S56, _S57);
+    var _S58 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S58);
+    var slip_0 : vec3<f32> = drift_0 - of_material_0;
+    var slip_1 : vec3<f32> = slip_0 - direction_1 * vec3<f32>((dot(normal_0, slip_0) / dot(normal_0, direction_1)));
+    (*position_change_0) = of_material_0 + slip_1;
+    var scale_0 : f32 = 1.0f / (dot(normal_0, normal_0) * _S58);
+    (*place_2).v_change_0 = dot(cross(slip_1, _S57), normal_0) * scale_0;
+    (*place_2).w_change_0 = dot(cross(_S56, slip_1), normal_0) * scale_0;
+    return;
+}
+
+fn triangle_record_0( triangle_5 : u32) -> u32
+{
+    return word_0(u32(9)) + u32(5) * triangle_5;
+}
+
+fn shape_of_0( triangle_6 : u32) -> u32
+{
+    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_6));
+}
+
+fn cross_of_0( triangle_7 : u32) -> vec3<f32>
+{
+    var at_7 : u32 = u32(9) * triangle_7;
+    var a_3 : vec3<f64> = primitive_vector_0(at_7);
+    return cross(vec3<f32>(primitive_vector_0(at_7 + u32(3)) - a_3), vec3<f32>(primitive_vector_0(at_7 + u32(6)) - a_3));
+}
+
+fn emitter_seen_0( found_3 : Found_0,  direction_2 : vec3<f32>) -> u32
 {
     if((found_3.face_1) == u32(4294967295))
     {
         return word_0(u32(8));
     }
     var emitter_0 : u32 = word_0(shape_of_0(found_3.triangle_1) + u32(4));
-    var _S41 : bool;
+    var _S59 : bool;
     if(emitter_0 != u32(4294967295))
     {
-        _S41 = (dot(cross_of_0(found_3.triangle_1), direction_1)) < 0.0f;
+        _S59 = (dot(cross_of_0(found_3.triangle_1), direction_2)) < 0.0f;
     }
     else
     {
-        _S41 = false;
+        _S59 = false;
     }
-    var _S42 : u32;
-    if(_S41)
+    var _S60 : u32;
+    if(_S59)
     {
-        _S42 = emitter_0;
+        _S60 = emitter_0;
     }
     else
     {
-        _S42 = u32(4294967295);
+        _S60 = u32(4294967295);
     }
-    return _S42;
+    return _S60;
 }
 
 fn emitter_record_0( emitter_1 : u32) -> u32
@@ -674,20 +834,20 @@ fn is_map_0( record_0 : u32) -> bool
     return (word_0(record_0)) == u32(2);
 }
 
-fn number_0( at_5 : u32) -> f32
+fn number_0( at_8 : u32) -> f32
 {
-    return (bitcast<f32>((scene_0[at_5])));
+    return (bitcast<f32>((scene_0[at_8])));
 }
 
-fn vector_at_0( at_6 : u32) -> vec3<f32>
+fn vector_at_0( at_9 : u32) -> vec3<f32>
 {
-    return vec3<f32>(number_0(at_6), number_0(at_6 + u32(1)), number_0(at_6 + u32(2)));
+    return vec3<f32>(number_0(at_9), number_0(at_9 + u32(1)), number_0(at_9 + u32(2)));
 }
 
-fn x2A_0( a_2 : Colour_0,  b_1 : vec3<f32>) -> Colour_0
+fn x2A_0( a_4 : Colour_0,  b_2 : vec3<f32>) -> Colour_0
 {
     var product_1 : Colour_0;
-    product_1.value_0 = a_2.value_0 * b_1;
+    product_1.value_0 = a_4.value_0 * b_2;
     var k_2 : u32 = u32(0);
     for(;;)
     {
@@ -698,36 +858,53 @@ fn x2A_0( a_2 : Colour_0,  b_1 : vec3<f32>) -> Colour_0
         {
             break;
         }
-        product_1.changes_0[k_2] = a_2.changes_0[k_2] * b_1;
+        product_1.changes_0[k_2] = a_4.changes_0[k_2] * b_2;
         k_2 = k_2 + u32(1);
     }
     return product_1;
 }
 
-fn angle_of_0( x_1 : f32,  y_1 : f32) -> f32
+fn value_of_0( vector_2 : Vector_0) -> vec3<f32>
 {
-    var _S43 : f32 = abs(x_1);
-    var _S44 : f32 = abs(y_1);
-    var _S45 : f32 = min(_S43, _S44);
-    var _S46 : f32 = max(_S43, _S44);
-    var is_steep_0 : bool = _S45 > (0.41421356797218323f * _S46);
+    return vector_2.value_2;
+}
+
+fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S61 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0, dpx_5.differential_0 );
+    var _S62 : DiffPair_float_0 = _d_abs_0(_S61);
+    var _S63 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0, dpy_2.differential_0 );
+    var _S64 : DiffPair_float_0 = _d_abs_0(_S63);
+    var _S65 : DiffPair_float_0 = DiffPair_float_0( _S62.primal_0, _S62.differential_0 );
+    var _S66 : DiffPair_float_0 = DiffPair_float_0( _S64.primal_0, _S64.differential_0 );
+    var _S67 : DiffPair_float_0 = _d_min_0(_S65, _S66);
+    var _S68 : DiffPair_float_0 = _d_max_0(_S65, _S66);
+    var is_steep_0 : bool = (_S67.primal_0) > (0.41421356797218323f * _S68.primal_0);
     var above_0 : f32;
+    var s_diff_above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S45 - _S46;
+        var _S69 : f32 = _S67.differential_0 - _S68.differential_0;
+        above_0 = _S67.primal_0 - _S68.primal_0;
+        s_diff_above_0 = _S69;
     }
     else
     {
-        above_0 = _S45;
+        above_0 = _S67.primal_0;
+        s_diff_above_0 = _S67.differential_0;
     }
     var below_0 : f32;
+    var s_diff_below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S45 + _S46;
+        var _S70 : f32 = _S67.differential_0 + _S68.differential_0;
+        below_0 = _S67.primal_0 + _S68.primal_0;
+        s_diff_below_0 = _S70;
     }
     else
     {
-        below_0 = _S46;
+        below_0 = _S68.primal_0;
+        s_diff_below_0 = _S68.differential_0;
     }
     if(below_0 > 0.0f)
     {
@@ -735,10 +912,19 @@ fn angle_of_0( x_1 : f32,  y_1 : f32) -> f32
     else
     {
         below_0 = 1.0f;
+        s_diff_below_0 = 0.0f;
     }
     var t_3 : f32 = above_0 / below_0;
+    var s_diff_t_0 : f32 = (s_diff_above_0 * below_0 - above_0 * s_diff_below_0) / (below_0 * below_0);
     var z_2 : f32 = t_3 * t_3;
-    var angle_0 : f32 = (((0.08053744584321976f * z_2 - 0.13877685368061066f) * z_2 + 0.19977711141109467f) * z_2 - 0.33332949876785278f) * z_2 * t_3 + t_3;
+    var _S71 : f32 = s_diff_t_0 * t_3;
+    var s_diff_z_0 : f32 = _S71 + _S71;
+    var _S72 : f32 = 0.08053744584321976f * z_2 - 0.13877685368061066f;
+    var _S73 : f32 = _S72 * z_2 + 0.19977711141109467f;
+    var tail_0 : f32 = _S73 * z_2 - 0.33332949876785278f;
+    var _S74 : f32 = tail_0 * z_2;
+    var angle_0 : f32 = _S74 * t_3 + t_3;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_2 + s_diff_z_0 * _S72) * z_2 + s_diff_z_0 * _S73) * z_2 + s_diff_z_0 * tail_0) * t_3 + s_diff_t_0 * _S74 + s_diff_t_0;
     var angle_1 : f32;
     if(is_steep_0)
     {
@@ -748,35 +934,69 @@ fn angle_of_0( x_1 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S44 > _S43)
+    var s_diff_angle_1 : f32;
+    if((_S64.primal_0) > (_S62.primal_0))
     {
+        var _S75 : f32 = 0.0f - s_diff_angle_0;
         angle_1 = 1.57079637050628662f - angle_1;
+        s_diff_angle_1 = _S75;
     }
-    if(x_1 < 0.0f)
+    else
     {
+        s_diff_angle_1 = s_diff_angle_0;
+    }
+    if((dpx_5.primal_0) < 0.0f)
+    {
+        var _S76 : f32 = 0.0f - s_diff_angle_1;
         angle_1 = 3.14159274101257324f - angle_1;
+        s_diff_angle_1 = _S76;
     }
-    if(y_1 < 0.0f)
+    if((dpy_2.primal_0) < 0.0f)
     {
+        var _S77 : f32 = - s_diff_angle_1;
         above_0 = - angle_1;
+        s_diff_above_0 = _S77;
     }
     else
     {
         above_0 = angle_1;
+        s_diff_above_0 = s_diff_angle_1;
     }
-    return above_0;
+    var _S78 : DiffPair_float_0 = DiffPair_float_0( above_0, s_diff_above_0 );
+    return _S78;
 }
 
-fn map_place_0( map_0 : u32,  direction_2 : vec3<f32>) -> vec2<f32>
+struct DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S47 : u32 = map_0 + u32(2);
-    var d_0 : vec3<f32> = vector_at_0(_S47) * vec3<f32>(direction_2.x) + vector_at_0(_S47 + u32(3)) * vec3<f32>(direction_2.y) + vector_at_0(_S47 + u32(6)) * vec3<f32>(direction_2.z);
-    return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
+     primal_0 : vec3<f32>,
+     differential_0 : vec3<f32>,
+};
+
+fn s_fwd_map_place_0( map_0 : u32,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
+{
+    var _S79 : u32 = map_0 + u32(2);
+    var _S80 : vec3<f32> = vector_at_0(_S79);
+    var _S81 : vec3<f32> = vector_at_0(_S79 + u32(3));
+    var _S82 : vec3<f32> = vector_at_0(_S79 + u32(6));
+    var d_0 : vec3<f32> = _S80 * vec3<f32>(dpdirection_0.primal_0.x) + _S81 * vec3<f32>(dpdirection_0.primal_0.y) + _S82 * vec3<f32>(dpdirection_0.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_0.differential_0.x) * _S80 + vec3<f32>(dpdirection_0.differential_0.y) * _S81 + vec3<f32>(dpdirection_0.differential_0.z) * _S82;
+    var _S83 : DiffPair_float_0 = DiffPair_float_0( - d_0.z, - s_diff_d_0.z );
+    var _S84 : DiffPair_float_0 = DiffPair_float_0( d_0.x, s_diff_d_0.x );
+    var _S85 : DiffPair_float_0 = s_fwd_angle_of_0(_S83, _S84);
+    var _S86 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_0.xz, s_diff_d_0.xz );
+    var _S87 : DiffPair_float_0 = s_fwd_length_impl_0(_S86);
+    var _S88 : DiffPair_float_0 = DiffPair_float_0( d_0.y, s_diff_d_0.y );
+    var _S89 : DiffPair_float_0 = DiffPair_float_0( _S87.primal_0, _S87.differential_0 );
+    var _S90 : DiffPair_float_0 = s_fwd_angle_of_0(_S88, _S89);
+    var width_0 : f32 = f32(word_0(map_0));
+    var _S91 : f32 = f32(word_0(map_0 + u32(1))) - 1.0f;
+    var _S92 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S85.primal_0 * 0.15915493667125702f * width_0 - 0.5f, _S90.primal_0 * 0.31830987334251404f * _S91), vec2<f32>(_S85.differential_0 * 0.15915493667125702f * width_0, _S90.differential_0 * 0.31830987334251404f * _S91) );
+    return _S92;
 }
 
-fn floor_of_0( x_2 : f32) -> i32
+fn floor_of_0( x_1 : f32) -> i32
 {
-    return i32(floor(clamp(x_2, -1.0e+09f, 1.0e+09f)));
+    return i32(floor(clamp(x_1, -1.0e+09f, 1.0e+09f)));
 }
 
 fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -820,37 +1040,50 @@ struct Lookup_0
      count_0 : u32,
      texels_0 : vec4<u32>,
      weights_0 : vec4<f32>,
+     changes_1 : vec4<f32>,
 };
 
-fn between_0( texels_1 : vec4<u32>,  way_1 : vec2<f32>) -> Lookup_0
+struct Point_0
 {
+     value_4 : vec2<f32>,
+     change_2 : vec2<f32>,
+};
+
+fn between_0( texels_1 : vec4<u32>,  place_3 : Point_0) -> Lookup_0
+{
+    var way_1 : vec2<f32> = place_3.value_4 - floor(place_3.value_4);
     var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_1;
     var lookup_0 : Lookup_0;
     lookup_0.count_0 = u32(4);
     lookup_0.texels_0 = texels_1;
-    var _S48 : f32 = back_0.x;
-    var _S49 : f32 = back_0.y;
-    var _S50 : f32 = way_1.x;
-    var _S51 : f32 = way_1.y;
-    lookup_0.weights_0 = vec4<f32>(_S48 * _S49, _S50 * _S49, _S48 * _S51, _S50 * _S51);
+    var _S93 : f32 = back_0.x;
+    var _S94 : f32 = back_0.y;
+    var _S95 : f32 = way_1.x;
+    var _S96 : f32 = way_1.y;
+    lookup_0.weights_0 = vec4<f32>(_S93 * _S94, _S95 * _S94, _S93 * _S96, _S95 * _S96);
+    lookup_0.changes_1 = vec4<f32>(- _S94, _S94, - _S96, _S96) * vec4<f32>(place_3.change_2.x) + vec4<f32>(- _S93, - _S95, _S93, _S95) * vec4<f32>(place_3.change_2.y);
     return lookup_0;
 }
 
-fn in_map_0( map_1 : u32,  direction_3 : vec3<f32>) -> Lookup_0
+fn in_map_0( map_1 : u32,  direction_3 : Vector_0) -> Lookup_0
 {
-    var place_1 : vec2<f32> = map_place_0(map_1, direction_3);
-    var x_3 : i32 = floor_of_0(place_1.x);
-    var y_2 : i32 = floor_of_0(place_1.y);
-    var width_0 : i32 = i32(word_0(map_1));
+    var _S97 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_3), change_of_0(direction_3) );
+    var _S98 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(map_1, _S97);
+    var point_0 : Point_0;
+    point_0.change_2 = _S98.differential_0;
+    point_0.value_4 = _S98.primal_0;
+    var x_2 : i32 = floor_of_0(_S98.primal_0.x);
+    var y_1 : i32 = floor_of_0(_S98.primal_0.y);
+    var width_1 : i32 = i32(word_0(map_1));
     var height_0 : i32 = i32(word_0(map_1 + u32(1)));
-    var left_0 : u32 = wrapped_0(x_3, width_0, u32(0));
-    var right_0 : u32 = wrapped_0(x_3 + i32(1), width_0, u32(0));
-    var _S52 : u32 = wrapped_0(y_2, height_0, u32(2));
-    var _S53 : u32 = u32(width_0);
-    var first_1 : u32 = _S52 * _S53;
-    var _S54 : u32 = wrapped_0(y_2 + i32(1), height_0, u32(2));
-    var second_0 : u32 = _S54 * _S53;
-    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), place_1 - floor(place_1));
+    var left_0 : u32 = wrapped_0(x_2, width_1, u32(0));
+    var right_0 : u32 = wrapped_0(x_2 + i32(1), width_1, u32(0));
+    var _S99 : u32 = wrapped_0(y_1, height_0, u32(2));
+    var _S100 : u32 = u32(width_1);
+    var first_1 : u32 = _S99 * _S100;
+    var _S101 : u32 = wrapped_0(y_1 + i32(1), height_0, u32(2));
+    var second_0 : u32 = _S101 * _S100;
+    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), point_0);
 }
 
 fn one_texel_0( texel_0 : u32) -> Lookup_0
@@ -859,44 +1092,69 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_1.count_0 = u32(1);
     lookup_1.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_1.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    lookup_1.changes_1 = vec4<f32>(0.0f);
     return lookup_1;
 }
 
-fn uv_of_0( place_2 : Place_0) -> vec2<f32>
+struct Corners2_0
 {
-    var uvs_0 : u32 = word_0(shape_of_0(place_2.triangle_2) + u32(1));
-    if(uvs_0 == u32(4294967295))
-    {
-        return vec2<f32>(place_2.v_4, place_2.w_3);
-    }
-    var at_7 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_2.triangle_2) + u32(1));
-    return vec2<f32>(number_0(at_7), number_0(at_7 + u32(1))) * vec2<f32>((1.0f - place_2.v_4 - place_2.w_3)) + vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3))) * vec2<f32>(place_2.v_4) + vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5))) * vec2<f32>(place_2.w_3);
+     a_5 : vec2<f32>,
+     b_3 : vec2<f32>,
+     c_2 : vec2<f32>,
+};
+
+fn Corners2_x24init_0( a_6 : vec2<f32>,  b_4 : vec2<f32>,  c_3 : vec2<f32>) -> Corners2_0
+{
+    var _S102 : Corners2_0;
+    _S102.a_5 = a_6;
+    _S102.b_3 = b_4;
+    _S102.c_2 = c_3;
+    return _S102;
 }
 
-fn in_bitmap_0( texture_0 : u32,  uv_0 : vec2<f32>) -> Lookup_0
+fn uvs_of_0( triangle_8 : u32) -> Corners2_0
 {
-    var width_1 : i32 = i32(word_0(texture_0 + u32(2)));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_at_0 : u32 = word_0(shape_of_0(triangle_8) + u32(1));
+    if(uvs_at_0 == u32(4294967295))
+    {
+        return uvs_0;
+    }
+    var at_10 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_8) + u32(1));
+    uvs_0.a_5 = vec2<f32>(number_0(at_10), number_0(at_10 + u32(1)));
+    uvs_0.b_3 = vec2<f32>(number_0(at_10 + u32(2)), number_0(at_10 + u32(3)));
+    uvs_0.c_2 = vec2<f32>(number_0(at_10 + u32(4)), number_0(at_10 + u32(5)));
+    return uvs_0;
+}
+
+fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
+{
+    var width_2 : i32 = i32(word_0(texture_0 + u32(2)));
     var height_1 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
-    var place_3 : vec2<f32> = uv_0 * vec2<f32>(f32(width_1), f32(height_1));
+    var size_1 : vec2<f32> = vec2<f32>(f32(width_2), f32(height_1));
+    var place_4 : vec2<f32> = uv_0.value_4 * size_1;
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
-        var row_0 : u32 = wrapped_0(floor_of_0(place_3.y), height_1, wrap_1);
-        var _S55 : u32 = row_0 * u32(width_1);
-        var _S56 : u32 = wrapped_0(floor_of_0(place_3.x), width_1, wrap_1);
-        return one_texel_0(_S55 + _S56);
+        var row_0 : u32 = wrapped_0(floor_of_0(place_4.y), height_1, wrap_1);
+        var _S103 : u32 = row_0 * u32(width_2);
+        var _S104 : u32 = wrapped_0(floor_of_0(place_4.x), width_2, wrap_1);
+        return one_texel_0(_S103 + _S104);
     }
-    var place_4 : vec2<f32> = place_3 - vec2<f32>(0.5f);
-    var x_4 : i32 = floor_of_0(place_4.x);
-    var y_3 : i32 = floor_of_0(place_4.y);
-    var _S57 : u32 = wrapped_0(y_3, height_1, wrap_1);
-    var _S58 : u32 = u32(width_1);
-    var first_2 : u32 = _S57 * _S58;
-    var _S59 : u32 = wrapped_0(y_3 + i32(1), height_1, wrap_1);
-    var second_1 : u32 = _S59 * _S58;
-    var left_1 : u32 = wrapped_0(x_4, width_1, wrap_1);
-    var right_1 : u32 = wrapped_0(x_4 + i32(1), width_1, wrap_1);
-    return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), place_4 - floor(place_4));
+    var centred_0 : Point_0;
+    var _S105 : vec2<f32> = place_4 - vec2<f32>(0.5f);
+    centred_0.value_4 = _S105;
+    centred_0.change_2 = uv_0.change_2 * size_1;
+    var x_3 : i32 = floor_of_0(_S105.x);
+    var y_2 : i32 = floor_of_0(_S105.y);
+    var _S106 : u32 = wrapped_0(y_2, height_1, wrap_1);
+    var _S107 : u32 = u32(width_2);
+    var first_2 : u32 = _S106 * _S107;
+    var _S108 : u32 = wrapped_0(y_2 + i32(1), height_1, wrap_1);
+    var second_1 : u32 = _S108 * _S107;
+    var left_1 : u32 = wrapped_0(x_3, width_2, wrap_1);
+    var right_1 : u32 = wrapped_0(x_3 + i32(1), width_2, wrap_1);
+    return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), centred_0);
 }
 
 fn lookup_at_0( texture_1 : u32,  place_5 : Place_0) -> Lookup_0
@@ -917,36 +1175,42 @@ fn lookup_at_0( texture_1 : u32,  place_5 : Place_0) -> Lookup_0
         lookup_2.count_0 = u32(3);
         lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
         lookup_2.weights_0 = vec4<f32>(1.0f - place_5.v_4 - place_5.w_3, place_5.v_4, place_5.w_3, 0.0f);
+        lookup_2.changes_1 = vec4<f32>(- place_5.v_change_0 - place_5.w_change_0, place_5.v_change_0, place_5.w_change_0, 0.0f);
         return lookup_2;
     }
+    var uvs_1 : Corners2_0 = uvs_of_0(place_5.triangle_2);
     var rows_0 : u32 = texture_1 + u32(6);
-    var _S60 : vec3<f32> = vec3<f32>(uv_of_0(place_5), 1.0f);
-    var uv_1 : vec2<f32> = vec2<f32>(dot(_S60, vector_at_0(rows_0)), dot(_S60, vector_at_0(rows_0 + u32(3))));
+    var uv_1 : Point_0;
+    var _S109 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_5.v_4 - place_5.w_3)) + uvs_1.b_3 * vec2<f32>(place_5.v_4) + uvs_1.c_2 * vec2<f32>(place_5.w_3), 1.0f);
+    var _S110 : u32 = rows_0 + u32(3);
+    uv_1.value_4 = vec2<f32>(dot(_S109, vector_at_0(rows_0)), dot(_S109, vector_at_0(_S110)));
+    var _S111 : vec3<f32> = vec3<f32>((uvs_1.b_3 - uvs_1.a_5) * vec2<f32>(place_5.v_change_0) + (uvs_1.c_2 - uvs_1.a_5) * vec2<f32>(place_5.w_change_0), 0.0f);
+    uv_1.change_2 = vec2<f32>(dot(_S111, vector_at_0(rows_0)), dot(_S111, vector_at_0(_S110)));
     if(kind_0 == u32(1))
     {
-        var _S61 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S61;
+        var _S112 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S112;
     }
-    var half_of_period_0 : vec2<f32> = uv_1 - floor(uv_1);
-    var _S62 : i32;
+    var half_of_period_0 : vec2<f32> = uv_1.value_4 - floor(uv_1.value_4);
+    var _S113 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S62 = i32(1);
+        _S113 = i32(1);
     }
     else
     {
-        _S62 = i32(0);
+        _S113 = i32(0);
     }
-    return one_texel_0(u32(_S62));
+    return one_texel_0(u32(_S113));
 }
 
-fn texture_value_0( texture_2 : u32,  lookup_3 : Lookup_0) -> vec3<f32>
+fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S63 : u32 = word_0(texture_2 + u32(1));
-    var _S64 : u32 = texture_2 + u32(13);
-    var _S65 : vec3<f32> = vec3<f32>(0.0f);
+    var _S114 : u32 = word_0(texture_2 + u32(1));
+    var _S115 : u32 = texture_2 + u32(13);
+    var _S116 : vec3<f32> = vec3<f32>(0.0f);
     var k_3 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S65;
+    var value_5 : vec3<f32> = _S116;
     for(;;)
     {
         if(k_3 < (lookup_3.count_0))
@@ -956,42 +1220,38 @@ fn texture_value_0( texture_2 : u32,  lookup_3 : Lookup_0) -> vec3<f32>
         {
             break;
         }
-        var at_8 : u32 = _S64 + _S63 * lookup_3.texels_0[k_3];
-        var _S66 : vec3<f32>;
-        if(_S63 == u32(1))
+        var at_11 : u32 = _S115 + _S114 * lookup_3.texels_0[k_3];
+        var _S117 : vec3<f32>;
+        if(_S114 == u32(1))
         {
-            _S66 = vec3<f32>(number_0(at_8));
+            _S117 = vec3<f32>(number_0(at_11));
         }
         else
         {
-            _S66 = vector_at_0(at_8);
+            _S117 = vector_at_0(at_11);
         }
-        var value_3 : vec3<f32> = value_2 + _S66 * vec3<f32>(lookup_3.weights_0[k_3]);
+        var value_6 : vec3<f32> = value_5 + _S117 * vec3<f32>(weights_1[k_3]);
         k_3 = k_3 + u32(1);
-        value_2 = value_3;
+        value_5 = value_6;
     }
-    return value_2;
-}
-
-fn change_word_0( at_9 : u32) -> u32
-{
-    return input_0[u32(9) * launch_0.room_0 + at_9];
+    return value_5;
 }
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(2) * word_0(texture_3 + u32(12)));
+    return change_word_0(u32(2) + u32(2) * word_0(texture_3 + u32(12)));
 }
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0) -> Colour_0
 {
-    var colour_2 : Colour_0 = constant_0(texture_value_0(texture_4, lookup_4));
+    var colour_2 : Colour_0 = constant_0(weighted_texels_0(texture_4, lookup_4, lookup_4.weights_0));
+    colour_2.changes_0[i32(0)] = weighted_texels_0(texture_4, lookup_4, lookup_4.changes_1);
     var first_3 : u32 = numbers_of_0(texture_4);
     if(first_3 == u32(4294967295))
     {
         return colour_2;
     }
-    var _S67 : u32 = word_0(texture_4 + u32(1));
+    var _S118 : bool = (word_0(texture_4 + u32(1))) == u32(1);
     var k_4 : u32 = u32(0);
     for(;;)
     {
@@ -1002,24 +1262,35 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0) -> Colour_0
         {
             break;
         }
-        var at_10 : u32 = first_3 + _S67 * lookup_4.texels_0[k_4];
-        var change_0 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_10)))));
-        if(_S67 == u32(3))
+        var _S119 : i32;
+        if(_S118)
         {
-            var _S68 : vec2<f32> = (bitcast<vec2<f32>>((vec2<u32>(change_word_0(at_10 + u32(1)), change_word_0(at_10 + u32(2))))));
-            change_0.y = _S68.x;
-            change_0.z = _S68.y;
+            _S119 = i32(1);
         }
-        colour_2.changes_0[i32(0)] = colour_2.changes_0[i32(0)] + change_0 * vec3<f32>(lookup_4.weights_0[k_4]);
+        else
+        {
+            _S119 = i32(3);
+        }
+        var at_12 : u32 = first_3 + u32(_S119) * lookup_4.texels_0[k_4];
+        var change_3 : vec3<f32>;
+        if(_S118)
+        {
+            change_3 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_12)))));
+        }
+        else
+        {
+            change_3 = change_vector_0(at_12);
+        }
+        colour_2.changes_0[i32(0)] = colour_2.changes_0[i32(0)] + change_3 * vec3<f32>(lookup_4.weights_0[k_4]);
         k_4 = k_4 + u32(1);
     }
     return colour_2;
 }
 
-fn x2A_1( a_3 : Colour_0,  b_2 : Colour_0) -> Colour_0
+fn x2A_1( a_7 : Colour_0,  b_5 : Colour_0) -> Colour_0
 {
     var product_2 : Colour_0;
-    product_2.value_0 = a_3.value_0 * b_2.value_0;
+    product_2.value_0 = a_7.value_0 * b_5.value_0;
     var k_5 : u32 = u32(0);
     for(;;)
     {
@@ -1030,36 +1301,36 @@ fn x2A_1( a_3 : Colour_0,  b_2 : Colour_0) -> Colour_0
         {
             break;
         }
-        product_2.changes_0[k_5] = a_3.changes_0[k_5] * b_2.value_0 + a_3.value_0 * b_2.changes_0[k_5];
+        product_2.changes_0[k_5] = a_7.changes_0[k_5] * b_5.value_0 + a_7.value_0 * b_5.changes_0[k_5];
         k_5 = k_5 + u32(1);
     }
     return product_2;
 }
 
-fn arriving_0( emitter_2 : u32,  place_6 : Place_0,  direction_4 : vec3<f32>,  factor_0 : Colour_0,  importance_0 : vec3<f32>) -> Colour_0
+fn arriving_0( emitter_2 : u32,  place_6 : Place_0,  direction_4 : Vector_0,  factor_0 : Colour_0,  importance_0 : vec3<f32>) -> Colour_0
 {
     var record_2 : u32 = emitter_record_0(emitter_2);
     var texture_5 : u32 = word_0(record_2 + u32(1));
-    var _S69 : Colour_0;
+    var _S120 : Colour_0;
     var texture_6 : u32;
     var lookup_5 : Lookup_0;
     if(is_map_0(record_2))
     {
-        var _S70 : Colour_0 = x2A_0(factor_0, vector_at_0(texture_5 + u32(11)));
-        var _S71 : Lookup_0 = in_map_0(texture_5, direction_4);
-        var _S72 : u32 = word_0(texture_5 + u32(14));
-        _S69 = _S70;
-        texture_6 = _S72;
-        lookup_5 = _S71;
+        var _S121 : Colour_0 = x2A_0(factor_0, vector_at_0(texture_5 + u32(11)));
+        var _S122 : Lookup_0 = in_map_0(texture_5, direction_4);
+        var _S123 : u32 = word_0(texture_5 + u32(14));
+        _S120 = _S121;
+        texture_6 = _S123;
+        lookup_5 = _S122;
     }
     else
     {
-        var _S73 : Lookup_0 = lookup_at_0(texture_5, place_6);
-        _S69 = factor_0;
+        var _S124 : Lookup_0 = lookup_at_0(texture_5, place_6);
+        _S120 = factor_0;
         texture_6 = texture_5;
-        lookup_5 = _S73;
+        lookup_5 = _S124;
     }
-    return x2A_1(_S69, looked_up_0(texture_6, lookup_5));
+    return x2A_1(_S120, looked_up_0(texture_6, lookup_5));
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1070,81 +1341,94 @@ fn reaches_0( segments_0 : u32) -> bool
 struct Path_0
 {
      throughput_0 : Colour_0,
-     direction_5 : vec3<f32>,
+     direction_5 : Vector_0,
      place_7 : Place_0,
      key_0 : vec2<u32>,
      light_0 : Colour_0,
+     drift_1 : vec3<f32>,
 };
 
 fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
-    var at_11 : u32 = u32(9) * number_of_path_0;
-    var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11], input_0[at_11 + u32(1)], input_0[at_11 + u32(2)]))));
-    (*path_0).direction_5 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(3)], input_0[at_11 + u32(4)], input_0[at_11 + u32(5)]))));
-    (*path_0).key_0 = vec2<u32>(input_0[at_11 + u32(7)], input_0[at_11 + u32(8)]);
+    var at_13 : u32 = u32(15) * number_of_path_0;
+    var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13], input_0[at_13 + u32(1)], input_0[at_13 + u32(2)]))));
+    var direction_6 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(3)], input_0[at_13 + u32(4)], input_0[at_13 + u32(5)]))));
+    (*path_0).key_0 = vec2<u32>(input_0[at_13 + u32(7)], input_0[at_13 + u32(8)]);
     var one_0 : Colour_0 = constant_0(vec3<f32>(1.0f));
     (*path_0).throughput_0 = carried_0(one_0);
     var importance_1 : vec3<f32> = vec3<f32>(0.0f);
-    var t_4 : f32;
-    var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_11 + u32(6)])));
+    var t_4 : f32 = 0.0f;
+    var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_13 + u32(6)])));
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0lf;
     found_4.w_2 = 0.0lf;
-    var _S74 : bool;
+    var _S125 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S74 = (word_0(u32(13))) != u32(0);
+        _S125 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S74 = false;
+        _S125 = false;
     }
-    if(_S74)
+    if(_S125)
     {
-        found_4 = cast_0(vec3<f64>(origin_2), vec3<f64>((*path_0).direction_5), 0.0lf, f64(length_of_ray_0), false, &(t_4));
+        var _S126 : Found_0 = cast_0(vec3<f64>(origin_2), vec3<f64>(direction_6), 0.0lf, f64(length_of_ray_0), false, &(t_4));
+        found_4 = _S126;
     }
-    (*path_0).place_7 = place_of_0(found_4);
-    var _S75 : Colour_0 = constant_0(importance_1);
-    var emitter_3 : u32 = emitter_seen_0(found_4, (*path_0).direction_5);
+    var _S127 : Place_0 = place_of_0(found_4);
+    (*path_0).place_7 = _S127;
+    var seen_0 : Place_0 = _S127;
+    var origin_change_0 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(9)], input_0[at_13 + u32(10)], input_0[at_13 + u32(11)]))));
+    var _S128 : Vector_0 = changing_0(direction_6, (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(12)], input_0[at_13 + u32(13)], input_0[at_13 + u32(14)])))));
+    (*path_0).direction_5 = _S128;
+    (*path_0).drift_1 = origin_change_0 + change_of_0(_S128) * vec3<f32>(t_4);
+    var unused_0 : vec3<f32>;
+    if((found_4.face_1) != u32(4294967295))
+    {
+        move_place_0(&(seen_0), &(unused_0), direction_6, (*path_0).drift_1);
+    }
+    var _S129 : Colour_0 = constant_0(importance_1);
+    var emitter_3 : u32 = emitter_seen_0(found_4, direction_6);
     if(emitter_3 != u32(4294967295))
     {
-        _S74 = (word_0(u32(4))) != u32(0);
+        _S125 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S74 = false;
+        _S125 = false;
     }
     var light_1 : Colour_0;
-    if(_S74)
+    if(_S125)
     {
-        var _S76 : Colour_0 = arriving_0(emitter_3, (*path_0).place_7, (*path_0).direction_5, one_0, importance_1);
-        light_1 = _S76;
+        var _S130 : Colour_0 = arriving_0(emitter_3, seen_0, (*path_0).direction_5, one_0, importance_1);
+        light_1 = _S130;
     }
     else
     {
-        light_1 = _S75;
+        light_1 = _S129;
     }
     (*path_0).light_0 = light_1;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S74 = reaches_0(u32(2));
+        _S125 = reaches_0(u32(2));
     }
     else
     {
-        _S74 = false;
+        _S125 = false;
     }
-    return _S74;
+    return _S125;
 }
 
-fn set_word_0( path_1 : u32,  which_1 : u32,  value_4 : u32)
+fn set_word_0( path_1 : u32,  which_1 : u32,  value_7 : u32)
 {
-    paths_0[which_1 * launch_0.room_0 + path_1] = value_4;
+    paths_0[which_1 * launch_0.room_0 + path_1] = value_7;
     return;
 }
 
-fn set_vector_0( path_2 : u32,  which_2 : ptr<function, u32>,  value_5 : vec3<f32>)
+fn set_vector_0( path_2 : u32,  which_2 : ptr<function, u32>,  value_8 : vec3<f32>)
 {
     var axis_3 : u32 = u32(0);
     for(;;)
@@ -1156,14 +1440,14 @@ fn set_vector_0( path_2 : u32,  which_2 : ptr<function, u32>,  value_5 : vec3<f3
         {
             break;
         }
-        set_word_0(path_2, (*which_2) + axis_3, (bitcast<u32>((value_5[axis_3]))));
+        set_word_0(path_2, (*which_2) + axis_3, (bitcast<u32>((value_8[axis_3]))));
         axis_3 = axis_3 + u32(1);
     }
     (*which_2) = (*which_2) + u32(3);
     return;
 }
 
-fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_6 : vec3<f32>)
+fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_9 : vec3<f32>)
 {
     var axis_4 : u32 = u32(0);
     for(;;)
@@ -1175,7 +1459,7 @@ fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_6 : vec3<f3
         {
             break;
         }
-        set_word_0(path_3, (*which_3) + axis_4, (bitcast<u32>((value_6[axis_4]))));
+        set_word_0(path_3, (*which_3) + axis_4, (bitcast<u32>((value_9[axis_4]))));
         axis_4 = axis_4 + u32(1);
     }
     (*which_3) = (*which_3) + u32(3);
@@ -1212,13 +1496,15 @@ fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_8 : Place_0)
 
 fn store_0( number_of_path_1 : u32,  path_6 : Path_0)
 {
-    var at_12 : u32 = u32(1);
-    set_colour_0(number_of_path_1, &(at_12), path_6.light_0);
-    set_colour_0(number_of_path_1, &(at_12), path_6.throughput_0);
-    set_vector_0(number_of_path_1, &(at_12), path_6.direction_5);
-    set_place_0(number_of_path_1, &(at_12), path_6.place_7);
-    set_word_0(number_of_path_1, at_12, path_6.key_0.x);
-    set_word_0(number_of_path_1, at_12 + u32(1), path_6.key_0.y);
+    var at_14 : u32 = u32(1);
+    set_colour_0(number_of_path_1, &(at_14), path_6.light_0);
+    set_colour_0(number_of_path_1, &(at_14), path_6.throughput_0);
+    set_vector_0(number_of_path_1, &(at_14), value_of_0(path_6.direction_5));
+    set_vector_0(number_of_path_1, &(at_14), change_of_0(path_6.direction_5));
+    set_vector_0(number_of_path_1, &(at_14), path_6.drift_1);
+    set_place_0(number_of_path_1, &(at_14), path_6.place_7);
+    set_word_0(number_of_path_1, at_14, path_6.key_0.x);
+    set_word_0(number_of_path_1, at_14 + u32(1), path_6.key_0.y);
     return;
 }
 
@@ -1234,15 +1520,15 @@ fn begin_forward(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_7 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_2, &(path_7));
     store_0(number_of_path_2, path_7);
-    var _S77 : u32;
+    var _S131 : u32;
     if(goes_on_0)
     {
-        _S77 = number_of_path_2;
+        _S131 = number_of_path_2;
     }
     else
     {
-        _S77 = u32(4294967295);
+        _S131 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), _S77);
+    set_word_0(number_of_path_2, u32(0), _S131);
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 793a9b83036d5ecc
-// result: a6baeacc26cc9f8b
+// source: 5bc055aa5ffc7eac
+// result: bb62c2ce791e016d
 
 struct Launch_std140_0
 {
@@ -589,28 +589,33 @@ struct Place_0
      w_3 : f32,
 };
 
-fn place_of_0( found_2 : Found_0) -> Place_0
+fn place_at_0( triangle_3 : u32,  v_5 : f32,  w_4 : f32) -> Place_0
 {
     var place_0 : Place_0;
-    place_0.triangle_2 = found_2.triangle_1;
-    place_0.v_4 = found_2.v_3;
-    place_0.w_3 = found_2.w_2;
+    place_0.triangle_2 = triangle_3;
+    place_0.v_4 = v_5;
+    place_0.w_3 = w_4;
     return place_0;
 }
 
-fn triangle_record_0( triangle_3 : u32) -> u32
+fn place_of_0( found_2 : Found_0) -> Place_0
 {
-    return word_0(u32(9)) + u32(5) * triangle_3;
+    return place_at_0(found_2.triangle_1, found_2.v_3, found_2.w_2);
 }
 
-fn shape_of_0( triangle_4 : u32) -> u32
+fn triangle_record_0( triangle_4 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_4));
+    return word_0(u32(9)) + u32(5) * triangle_4;
 }
 
-fn cross_of_0( triangle_5 : u32) -> vec3<f32>
+fn shape_of_0( triangle_5 : u32) -> u32
 {
-    var at_4 : u32 = u32(9) * triangle_5;
+    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_5));
+}
+
+fn cross_of_0( triangle_6 : u32) -> vec3<f32>
+{
+    var at_4 : u32 = u32(9) * triangle_6;
     var a_1 : vec3<f32> = primitive_vector_0(at_4);
     return cross(primitive_vector_0(at_4 + u32(3)) - a_1, primitive_vector_0(at_4 + u32(6)) - a_1);
 }
@@ -781,8 +786,14 @@ struct Lookup_0
      weights_0 : vec4<f32>,
 };
 
-fn between_0( texels_1 : vec4<u32>,  way_1 : vec2<f32>) -> Lookup_0
+struct Point_0
 {
+     value_1 : vec2<f32>,
+};
+
+fn between_0( texels_1 : vec4<u32>,  place_1 : Point_0) -> Lookup_0
+{
+    var way_1 : vec2<f32> = place_1.value_1 - floor(place_1.value_1);
     var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_1;
     var lookup_0 : Lookup_0;
     lookup_0.count_0 = u32(4);
@@ -797,9 +808,11 @@ fn between_0( texels_1 : vec4<u32>,  way_1 : vec2<f32>) -> Lookup_0
 
 fn in_map_0( map_1 : u32,  direction_3 : vec3<f32>) -> Lookup_0
 {
-    var place_1 : vec2<f32> = map_place_0(map_1, direction_3);
-    var x_3 : i32 = floor_of_0(place_1.x);
-    var y_2 : i32 = floor_of_0(place_1.y);
+    var place_2 : vec2<f32> = map_place_0(map_1, direction_3);
+    var point_0 : Point_0;
+    point_0.value_1 = place_2;
+    var x_3 : i32 = floor_of_0(place_2.x);
+    var y_2 : i32 = floor_of_0(place_2.y);
     var width_0 : i32 = i32(word_0(map_1));
     var height_0 : i32 = i32(word_0(map_1 + u32(1)));
     var left_0 : u32 = wrapped_0(x_3, width_0, u32(0));
@@ -809,7 +822,7 @@ fn in_map_0( map_1 : u32,  direction_3 : vec3<f32>) -> Lookup_0
     var first_1 : u32 = _S52 * _S53;
     var _S54 : u32 = wrapped_0(y_2 + i32(1), height_0, u32(2));
     var second_0 : u32 = _S54 * _S53;
-    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), place_1 - floor(place_1));
+    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), point_0);
 }
 
 fn one_texel_0( texel_0 : u32) -> Lookup_0
@@ -821,51 +834,73 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     return lookup_1;
 }
 
-fn uv_of_0( place_2 : Place_0) -> vec2<f32>
+struct Corners2_0
 {
-    var uvs_0 : u32 = word_0(shape_of_0(place_2.triangle_2) + u32(1));
-    if(uvs_0 == u32(4294967295))
-    {
-        return vec2<f32>(place_2.v_4, place_2.w_3);
-    }
-    var at_7 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_2.triangle_2) + u32(1));
-    return vec2<f32>(number_0(at_7), number_0(at_7 + u32(1))) * vec2<f32>((1.0f - place_2.v_4 - place_2.w_3)) + vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3))) * vec2<f32>(place_2.v_4) + vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5))) * vec2<f32>(place_2.w_3);
+     a_2 : vec2<f32>,
+     b_1 : vec2<f32>,
+     c_1 : vec2<f32>,
+};
+
+fn Corners2_x24init_0( a_3 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
+{
+    var _S55 : Corners2_0;
+    _S55.a_2 = a_3;
+    _S55.b_1 = b_2;
+    _S55.c_1 = c_2;
+    return _S55;
 }
 
-fn in_bitmap_0( texture_0 : u32,  uv_0 : vec2<f32>) -> Lookup_0
+fn uvs_of_0( triangle_7 : u32) -> Corners2_0
+{
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_at_0 : u32 = word_0(shape_of_0(triangle_7) + u32(1));
+    if(uvs_at_0 == u32(4294967295))
+    {
+        return uvs_0;
+    }
+    var at_7 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_7) + u32(1));
+    uvs_0.a_2 = vec2<f32>(number_0(at_7), number_0(at_7 + u32(1)));
+    uvs_0.b_1 = vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3)));
+    uvs_0.c_1 = vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5)));
+    return uvs_0;
+}
+
+fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
 {
     var width_1 : i32 = i32(word_0(texture_0 + u32(2)));
     var height_1 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
-    var place_3 : vec2<f32> = uv_0 * vec2<f32>(f32(width_1), f32(height_1));
+    var place_3 : vec2<f32> = uv_0.value_1 * vec2<f32>(f32(width_1), f32(height_1));
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_3.y), height_1, wrap_1);
-        var _S55 : u32 = row_0 * u32(width_1);
-        var _S56 : u32 = wrapped_0(floor_of_0(place_3.x), width_1, wrap_1);
-        return one_texel_0(_S55 + _S56);
+        var _S56 : u32 = row_0 * u32(width_1);
+        var _S57 : u32 = wrapped_0(floor_of_0(place_3.x), width_1, wrap_1);
+        return one_texel_0(_S56 + _S57);
     }
-    var place_4 : vec2<f32> = place_3 - vec2<f32>(0.5f);
-    var x_4 : i32 = floor_of_0(place_4.x);
-    var y_3 : i32 = floor_of_0(place_4.y);
-    var _S57 : u32 = wrapped_0(y_3, height_1, wrap_1);
-    var _S58 : u32 = u32(width_1);
-    var first_2 : u32 = _S57 * _S58;
-    var _S59 : u32 = wrapped_0(y_3 + i32(1), height_1, wrap_1);
-    var second_1 : u32 = _S59 * _S58;
+    var centred_0 : Point_0;
+    var _S58 : vec2<f32> = place_3 - vec2<f32>(0.5f);
+    centred_0.value_1 = _S58;
+    var x_4 : i32 = floor_of_0(_S58.x);
+    var y_3 : i32 = floor_of_0(_S58.y);
+    var _S59 : u32 = wrapped_0(y_3, height_1, wrap_1);
+    var _S60 : u32 = u32(width_1);
+    var first_2 : u32 = _S59 * _S60;
+    var _S61 : u32 = wrapped_0(y_3 + i32(1), height_1, wrap_1);
+    var second_1 : u32 = _S61 * _S60;
     var left_1 : u32 = wrapped_0(x_4, width_1, wrap_1);
     var right_1 : u32 = wrapped_0(x_4 + i32(1), width_1, wrap_1);
-    return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), place_4 - floor(place_4));
+    return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), centred_0);
 }
 
-fn lookup_at_0( texture_1 : u32,  place_5 : Place_0) -> Lookup_0
+fn lookup_at_0( texture_1 : u32,  place_4 : Place_0) -> Lookup_0
 {
     var kind_0 : u32 = word_0(texture_1);
     if(kind_0 == u32(0))
     {
         return one_texel_0(u32(0));
     }
-    var record_1 : u32 = triangle_record_0(place_5.triangle_2) + u32(1);
+    var record_1 : u32 = triangle_record_0(place_4.triangle_2) + u32(1);
     if(kind_0 == u32(4))
     {
         return one_texel_0(word_0(record_1));
@@ -875,37 +910,39 @@ fn lookup_at_0( texture_1 : u32,  place_5 : Place_0) -> Lookup_0
         var lookup_2 : Lookup_0;
         lookup_2.count_0 = u32(3);
         lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
-        lookup_2.weights_0 = vec4<f32>(1.0f - place_5.v_4 - place_5.w_3, place_5.v_4, place_5.w_3, 0.0f);
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_4.v_4 - place_4.w_3, place_4.v_4, place_4.w_3, 0.0f);
         return lookup_2;
     }
+    var uvs_1 : Corners2_0 = uvs_of_0(place_4.triangle_2);
     var rows_0 : u32 = texture_1 + u32(6);
-    var _S60 : vec3<f32> = vec3<f32>(uv_of_0(place_5), 1.0f);
-    var uv_1 : vec2<f32> = vec2<f32>(dot(_S60, vector_at_0(rows_0)), dot(_S60, vector_at_0(rows_0 + u32(3))));
+    var uv_1 : Point_0;
+    var _S62 : vec3<f32> = vec3<f32>(uvs_1.a_2 * vec2<f32>((1.0f - place_4.v_4 - place_4.w_3)) + uvs_1.b_1 * vec2<f32>(place_4.v_4) + uvs_1.c_1 * vec2<f32>(place_4.w_3), 1.0f);
+    uv_1.value_1 = vec2<f32>(dot(_S62, vector_at_0(rows_0)), dot(_S62, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
     {
-        var _S61 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S61;
+        var _S63 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S63;
     }
-    var half_of_period_0 : vec2<f32> = uv_1 - floor(uv_1);
-    var _S62 : i32;
+    var half_of_period_0 : vec2<f32> = uv_1.value_1 - floor(uv_1.value_1);
+    var _S64 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S62 = i32(1);
+        _S64 = i32(1);
     }
     else
     {
-        _S62 = i32(0);
+        _S64 = i32(0);
     }
-    return one_texel_0(u32(_S62));
+    return one_texel_0(u32(_S64));
 }
 
-fn texture_value_0( texture_2 : u32,  lookup_3 : Lookup_0) -> vec3<f32>
+fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S63 : u32 = word_0(texture_2 + u32(1));
-    var _S64 : u32 = texture_2 + u32(13);
-    var _S65 : vec3<f32> = vec3<f32>(0.0f);
+    var _S65 : u32 = word_0(texture_2 + u32(1));
+    var _S66 : u32 = texture_2 + u32(13);
+    var _S67 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_1 : vec3<f32> = _S65;
+    var value_2 : vec3<f32> = _S67;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -915,52 +952,52 @@ fn texture_value_0( texture_2 : u32,  lookup_3 : Lookup_0) -> vec3<f32>
         {
             break;
         }
-        var at_8 : u32 = _S64 + _S63 * lookup_3.texels_0[k_1];
-        var _S66 : vec3<f32>;
-        if(_S63 == u32(1))
+        var at_8 : u32 = _S66 + _S65 * lookup_3.texels_0[k_1];
+        var _S68 : vec3<f32>;
+        if(_S65 == u32(1))
         {
-            _S66 = vec3<f32>(number_0(at_8));
+            _S68 = vec3<f32>(number_0(at_8));
         }
         else
         {
-            _S66 = vector_at_0(at_8);
+            _S68 = vector_at_0(at_8);
         }
-        var value_2 : vec3<f32> = value_1 + _S66 * vec3<f32>(lookup_3.weights_0[k_1]);
+        var value_3 : vec3<f32> = value_2 + _S68 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
-        value_1 = value_2;
+        value_2 = value_3;
     }
-    return value_1;
+    return value_2;
 }
 
 fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0) -> vec3<f32>
 {
-    return constant_0(texture_value_0(texture_3, lookup_4));
+    return constant_0(weighted_texels_0(texture_3, lookup_4, lookup_4.weights_0));
 }
 
-fn arriving_0( emitter_2 : u32,  place_6 : Place_0,  direction_4 : vec3<f32>,  factor_0 : vec3<f32>,  importance_0 : vec3<f32>) -> vec3<f32>
+fn arriving_0( emitter_2 : u32,  place_5 : Place_0,  direction_4 : vec3<f32>,  factor_0 : vec3<f32>,  importance_0 : vec3<f32>) -> vec3<f32>
 {
     var record_2 : u32 = emitter_record_0(emitter_2);
     var texture_4 : u32 = word_0(record_2 + u32(1));
-    var _S67 : vec3<f32>;
+    var _S69 : vec3<f32>;
     var texture_5 : u32;
     var lookup_5 : Lookup_0;
     if(is_map_0(record_2))
     {
-        var _S68 : vec3<f32> = factor_0 * vector_at_0(texture_4 + u32(11));
-        var _S69 : Lookup_0 = in_map_0(texture_4, direction_4);
-        var _S70 : u32 = word_0(texture_4 + u32(14));
-        _S67 = _S68;
-        texture_5 = _S70;
-        lookup_5 = _S69;
+        var _S70 : vec3<f32> = factor_0 * vector_at_0(texture_4 + u32(11));
+        var _S71 : Lookup_0 = in_map_0(texture_4, direction_4);
+        var _S72 : u32 = word_0(texture_4 + u32(14));
+        _S69 = _S70;
+        texture_5 = _S72;
+        lookup_5 = _S71;
     }
     else
     {
-        var _S71 : Lookup_0 = lookup_at_0(texture_4, place_6);
-        _S67 = factor_0;
+        var _S73 : Lookup_0 = lookup_at_0(texture_4, place_5);
+        _S69 = factor_0;
         texture_5 = texture_4;
-        lookup_5 = _S71;
+        lookup_5 = _S73;
     }
-    return _S67 * looked_up_0(texture_5, lookup_5);
+    return _S69 * looked_up_0(texture_5, lookup_5);
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -972,7 +1009,7 @@ struct Path_0
 {
      throughput_0 : vec3<f32>,
      direction_5 : vec3<f32>,
-     place_7 : Place_0,
+     place_6 : Place_0,
      key_0 : vec2<u32>,
      light_0 : vec3<f32>,
 };
@@ -981,71 +1018,73 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
     var at_9 : u32 = u32(9) * number_of_path_0;
     var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_9], input_0[at_9 + u32(1)], input_0[at_9 + u32(2)]))));
-    (*path_0).direction_5 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_9 + u32(3)], input_0[at_9 + u32(4)], input_0[at_9 + u32(5)]))));
+    var direction_6 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_9 + u32(3)], input_0[at_9 + u32(4)], input_0[at_9 + u32(5)]))));
     (*path_0).key_0 = vec2<u32>(input_0[at_9 + u32(7)], input_0[at_9 + u32(8)]);
     var one_0 : vec3<f32> = constant_0(vec3<f32>(1.0f));
     (*path_0).throughput_0 = carried_0(one_0);
     var importance_1 : vec3<f32> = vec3<f32>(0.0f);
-    var t_4 : f32;
+    var t_4 : f32 = 0.0f;
     var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_9 + u32(6)])));
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0f;
     found_4.w_2 = 0.0f;
-    var _S72 : bool;
+    var _S74 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S72 = (word_0(u32(13))) != u32(0);
+        _S74 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S72 = false;
+        _S74 = false;
     }
-    if(_S72)
+    if(_S74)
     {
-        found_4 = cast_0(origin_2, (*path_0).direction_5, 0.0f, length_of_ray_0, false, &(t_4));
+        found_4 = cast_0(origin_2, direction_6, 0.0f, length_of_ray_0, false, &(t_4));
     }
-    (*path_0).place_7 = place_of_0(found_4);
-    var _S73 : vec3<f32> = constant_0(importance_1);
-    var emitter_3 : u32 = emitter_seen_0(found_4, (*path_0).direction_5);
+    var _S75 : Place_0 = place_of_0(found_4);
+    (*path_0).place_6 = _S75;
+    (*path_0).direction_5 = direction_6;
+    var _S76 : vec3<f32> = constant_0(importance_1);
+    var emitter_3 : u32 = emitter_seen_0(found_4, direction_6);
     if(emitter_3 != u32(4294967295))
     {
-        _S72 = (word_0(u32(4))) != u32(0);
+        _S74 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S72 = false;
+        _S74 = false;
     }
     var light_1 : vec3<f32>;
-    if(_S72)
+    if(_S74)
     {
-        var _S74 : vec3<f32> = arriving_0(emitter_3, (*path_0).place_7, (*path_0).direction_5, one_0, importance_1);
-        light_1 = _S74;
+        var _S77 : vec3<f32> = arriving_0(emitter_3, _S75, (*path_0).direction_5, one_0, importance_1);
+        light_1 = _S77;
     }
     else
     {
-        light_1 = _S73;
+        light_1 = _S76;
     }
     (*path_0).light_0 = light_1;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S72 = reaches_0(u32(2));
+        _S74 = reaches_0(u32(2));
     }
     else
     {
-        _S72 = false;
+        _S74 = false;
     }
-    return _S72;
+    return _S74;
 }
 
-fn set_word_0( path_1 : u32,  which_1 : u32,  value_3 : u32)
+fn set_word_0( path_1 : u32,  which_1 : u32,  value_4 : u32)
 {
-    paths_0[which_1 * launch_0.room_0 + path_1] = value_3;
+    paths_0[which_1 * launch_0.room_0 + path_1] = value_4;
     return;
 }
 
-fn set_vector_0( path_2 : u32,  which_2 : ptr<function, u32>,  value_4 : vec3<f32>)
+fn set_vector_0( path_2 : u32,  which_2 : ptr<function, u32>,  value_5 : vec3<f32>)
 {
     var axis_3 : u32 = u32(0);
     for(;;)
@@ -1057,14 +1096,14 @@ fn set_vector_0( path_2 : u32,  which_2 : ptr<function, u32>,  value_4 : vec3<f3
         {
             break;
         }
-        set_word_0(path_2, (*which_2) + axis_3, (bitcast<u32>((value_4[axis_3]))));
+        set_word_0(path_2, (*which_2) + axis_3, (bitcast<u32>((value_5[axis_3]))));
         axis_3 = axis_3 + u32(1);
     }
     (*which_2) = (*which_2) + u32(3);
     return;
 }
 
-fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_5 : vec3<f32>)
+fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_6 : vec3<f32>)
 {
     var axis_4 : u32 = u32(0);
     for(;;)
@@ -1076,7 +1115,7 @@ fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_5 : vec3<f3
         {
             break;
         }
-        set_word_0(path_3, (*which_3) + axis_4, (bitcast<u32>((value_5[axis_4]))));
+        set_word_0(path_3, (*which_3) + axis_4, (bitcast<u32>((value_6[axis_4]))));
         axis_4 = axis_4 + u32(1);
     }
     (*which_3) = (*which_3) + u32(3);
@@ -1089,11 +1128,16 @@ fn set_colour_0( path_4 : u32,  which_4 : ptr<function, u32>,  colour_1 : vec3<f
     return;
 }
 
-fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_8 : Place_0)
+fn value_of_0( colour_2 : vec3<f32>) -> vec3<f32>
 {
-    set_word_0(path_5, (*which_5), place_8.triangle_2);
-    set_word_0(path_5, (*which_5) + u32(1), (bitcast<u32>((place_8.v_4))));
-    set_word_0(path_5, (*which_5) + u32(2), (bitcast<u32>((place_8.w_3))));
+    return colour_2;
+}
+
+fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_7 : Place_0)
+{
+    set_word_0(path_5, (*which_5), place_7.triangle_2);
+    set_word_0(path_5, (*which_5) + u32(1), (bitcast<u32>((place_7.v_4))));
+    set_word_0(path_5, (*which_5) + u32(2), (bitcast<u32>((place_7.w_3))));
     (*which_5) = (*which_5) + u32(3);
     return;
 }
@@ -1103,8 +1147,8 @@ fn store_0( number_of_path_1 : u32,  path_6 : Path_0)
     var at_10 : u32 = u32(1);
     set_colour_0(number_of_path_1, &(at_10), path_6.light_0);
     set_colour_0(number_of_path_1, &(at_10), path_6.throughput_0);
-    set_vector_0(number_of_path_1, &(at_10), path_6.direction_5);
-    set_place_0(number_of_path_1, &(at_10), path_6.place_7);
+    set_vector_0(number_of_path_1, &(at_10), value_of_0(path_6.direction_5));
+    set_place_0(number_of_path_1, &(at_10), path_6.place_6);
     set_word_0(number_of_path_1, at_10, path_6.key_0.x);
     set_word_0(number_of_path_1, at_10 + u32(1), path_6.key_0.y);
     return;
@@ -1122,15 +1166,15 @@ fn begin_paths(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_7 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_2, &(path_7));
     store_0(number_of_path_2, path_7);
-    var _S75 : u32;
+    var _S78 : u32;
     if(goes_on_0)
     {
-        _S75 = number_of_path_2;
+        _S78 = number_of_path_2;
     }
     else
     {
-        _S75 = u32(4294967295);
+        _S78 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), _S75);
+    set_word_0(number_of_path_2, u32(0), _S78);
     return;
 }

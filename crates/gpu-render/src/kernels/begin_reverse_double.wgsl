@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: b69f99b2b0d21cad
-// result: b3b184a5bf2d2bb1
+// source: e9851084466382ed
+// result: b683fd662002d69f
 
 struct Launch_std140_0
 {
@@ -612,28 +612,33 @@ struct Place_0
      w_3 : f32,
 };
 
-fn place_of_0( found_2 : Found_0) -> Place_0
+fn place_at_0( triangle_3 : u32,  v_5 : f32,  w_4 : f32) -> Place_0
 {
     var place_0 : Place_0;
-    place_0.triangle_2 = found_2.triangle_1;
-    place_0.v_4 = f32(found_2.v_3);
-    place_0.w_3 = f32(found_2.w_2);
+    place_0.triangle_2 = triangle_3;
+    place_0.v_4 = v_5;
+    place_0.w_3 = w_4;
     return place_0;
 }
 
-fn triangle_record_0( triangle_3 : u32) -> u32
+fn place_of_0( found_2 : Found_0) -> Place_0
 {
-    return word_0(u32(9)) + u32(5) * triangle_3;
+    return place_at_0(found_2.triangle_1, f32(found_2.v_3), f32(found_2.w_2));
 }
 
-fn shape_of_0( triangle_4 : u32) -> u32
+fn triangle_record_0( triangle_4 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_4));
+    return word_0(u32(9)) + u32(5) * triangle_4;
 }
 
-fn cross_of_0( triangle_5 : u32) -> vec3<f32>
+fn shape_of_0( triangle_5 : u32) -> u32
 {
-    var at_4 : u32 = u32(9) * triangle_5;
+    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_5));
+}
+
+fn cross_of_0( triangle_6 : u32) -> vec3<f32>
+{
+    var at_4 : u32 = u32(9) * triangle_6;
     var a_1 : vec3<f64> = primitive_vector_0(at_4);
     return cross(vec3<f32>(primitive_vector_0(at_4 + u32(3)) - a_1), vec3<f32>(primitive_vector_0(at_4 + u32(6)) - a_1));
 }
@@ -824,8 +829,14 @@ struct Lookup_0
      weights_0 : vec4<f32>,
 };
 
-fn between_0( texels_1 : vec4<u32>,  way_1 : vec2<f32>) -> Lookup_0
+struct Point_0
 {
+     value_2 : vec2<f32>,
+};
+
+fn between_0( texels_1 : vec4<u32>,  place_1 : Point_0) -> Lookup_0
+{
+    var way_1 : vec2<f32> = place_1.value_2 - floor(place_1.value_2);
     var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_1;
     var lookup_0 : Lookup_0;
     lookup_0.count_0 = u32(4);
@@ -840,9 +851,11 @@ fn between_0( texels_1 : vec4<u32>,  way_1 : vec2<f32>) -> Lookup_0
 
 fn in_map_0( map_1 : u32,  direction_3 : vec3<f32>) -> Lookup_0
 {
-    var place_1 : vec2<f32> = map_place_0(map_1, direction_3);
-    var x_3 : i32 = floor_of_0(place_1.x);
-    var y_2 : i32 = floor_of_0(place_1.y);
+    var place_2 : vec2<f32> = map_place_0(map_1, direction_3);
+    var point_0 : Point_0;
+    point_0.value_2 = place_2;
+    var x_3 : i32 = floor_of_0(place_2.x);
+    var y_2 : i32 = floor_of_0(place_2.y);
     var width_0 : i32 = i32(word_0(map_1));
     var height_0 : i32 = i32(word_0(map_1 + u32(1)));
     var left_0 : u32 = wrapped_0(x_3, width_0, u32(0));
@@ -852,7 +865,7 @@ fn in_map_0( map_1 : u32,  direction_3 : vec3<f32>) -> Lookup_0
     var first_1 : u32 = _S52 * _S53;
     var _S54 : u32 = wrapped_0(y_2 + i32(1), height_0, u32(2));
     var second_0 : u32 = _S54 * _S53;
-    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), place_1 - floor(place_1));
+    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), point_0);
 }
 
 fn one_texel_0( texel_0 : u32) -> Lookup_0
@@ -864,51 +877,73 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     return lookup_1;
 }
 
-fn uv_of_0( place_2 : Place_0) -> vec2<f32>
+struct Corners2_0
 {
-    var uvs_0 : u32 = word_0(shape_of_0(place_2.triangle_2) + u32(1));
-    if(uvs_0 == u32(4294967295))
-    {
-        return vec2<f32>(place_2.v_4, place_2.w_3);
-    }
-    var at_7 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_2.triangle_2) + u32(1));
-    return vec2<f32>(number_0(at_7), number_0(at_7 + u32(1))) * vec2<f32>((1.0f - place_2.v_4 - place_2.w_3)) + vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3))) * vec2<f32>(place_2.v_4) + vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5))) * vec2<f32>(place_2.w_3);
+     a_3 : vec2<f32>,
+     b_2 : vec2<f32>,
+     c_1 : vec2<f32>,
+};
+
+fn Corners2_x24init_0( a_4 : vec2<f32>,  b_3 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
+{
+    var _S55 : Corners2_0;
+    _S55.a_3 = a_4;
+    _S55.b_2 = b_3;
+    _S55.c_1 = c_2;
+    return _S55;
 }
 
-fn in_bitmap_0( texture_0 : u32,  uv_0 : vec2<f32>) -> Lookup_0
+fn uvs_of_0( triangle_7 : u32) -> Corners2_0
+{
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_at_0 : u32 = word_0(shape_of_0(triangle_7) + u32(1));
+    if(uvs_at_0 == u32(4294967295))
+    {
+        return uvs_0;
+    }
+    var at_7 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_7) + u32(1));
+    uvs_0.a_3 = vec2<f32>(number_0(at_7), number_0(at_7 + u32(1)));
+    uvs_0.b_2 = vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3)));
+    uvs_0.c_1 = vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5)));
+    return uvs_0;
+}
+
+fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
 {
     var width_1 : i32 = i32(word_0(texture_0 + u32(2)));
     var height_1 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
-    var place_3 : vec2<f32> = uv_0 * vec2<f32>(f32(width_1), f32(height_1));
+    var place_3 : vec2<f32> = uv_0.value_2 * vec2<f32>(f32(width_1), f32(height_1));
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_3.y), height_1, wrap_1);
-        var _S55 : u32 = row_0 * u32(width_1);
-        var _S56 : u32 = wrapped_0(floor_of_0(place_3.x), width_1, wrap_1);
-        return one_texel_0(_S55 + _S56);
+        var _S56 : u32 = row_0 * u32(width_1);
+        var _S57 : u32 = wrapped_0(floor_of_0(place_3.x), width_1, wrap_1);
+        return one_texel_0(_S56 + _S57);
     }
-    var place_4 : vec2<f32> = place_3 - vec2<f32>(0.5f);
-    var x_4 : i32 = floor_of_0(place_4.x);
-    var y_3 : i32 = floor_of_0(place_4.y);
-    var _S57 : u32 = wrapped_0(y_3, height_1, wrap_1);
-    var _S58 : u32 = u32(width_1);
-    var first_2 : u32 = _S57 * _S58;
-    var _S59 : u32 = wrapped_0(y_3 + i32(1), height_1, wrap_1);
-    var second_1 : u32 = _S59 * _S58;
+    var centred_0 : Point_0;
+    var _S58 : vec2<f32> = place_3 - vec2<f32>(0.5f);
+    centred_0.value_2 = _S58;
+    var x_4 : i32 = floor_of_0(_S58.x);
+    var y_3 : i32 = floor_of_0(_S58.y);
+    var _S59 : u32 = wrapped_0(y_3, height_1, wrap_1);
+    var _S60 : u32 = u32(width_1);
+    var first_2 : u32 = _S59 * _S60;
+    var _S61 : u32 = wrapped_0(y_3 + i32(1), height_1, wrap_1);
+    var second_1 : u32 = _S61 * _S60;
     var left_1 : u32 = wrapped_0(x_4, width_1, wrap_1);
     var right_1 : u32 = wrapped_0(x_4 + i32(1), width_1, wrap_1);
-    return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), place_4 - floor(place_4));
+    return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), centred_0);
 }
 
-fn lookup_at_0( texture_1 : u32,  place_5 : Place_0) -> Lookup_0
+fn lookup_at_0( texture_1 : u32,  place_4 : Place_0) -> Lookup_0
 {
     var kind_0 : u32 = word_0(texture_1);
     if(kind_0 == u32(0))
     {
         return one_texel_0(u32(0));
     }
-    var record_1 : u32 = triangle_record_0(place_5.triangle_2) + u32(1);
+    var record_1 : u32 = triangle_record_0(place_4.triangle_2) + u32(1);
     if(kind_0 == u32(4))
     {
         return one_texel_0(word_0(record_1));
@@ -918,28 +953,30 @@ fn lookup_at_0( texture_1 : u32,  place_5 : Place_0) -> Lookup_0
         var lookup_2 : Lookup_0;
         lookup_2.count_0 = u32(3);
         lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
-        lookup_2.weights_0 = vec4<f32>(1.0f - place_5.v_4 - place_5.w_3, place_5.v_4, place_5.w_3, 0.0f);
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_4.v_4 - place_4.w_3, place_4.v_4, place_4.w_3, 0.0f);
         return lookup_2;
     }
+    var uvs_1 : Corners2_0 = uvs_of_0(place_4.triangle_2);
     var rows_0 : u32 = texture_1 + u32(6);
-    var _S60 : vec3<f32> = vec3<f32>(uv_of_0(place_5), 1.0f);
-    var uv_1 : vec2<f32> = vec2<f32>(dot(_S60, vector_at_0(rows_0)), dot(_S60, vector_at_0(rows_0 + u32(3))));
+    var uv_1 : Point_0;
+    var _S62 : vec3<f32> = vec3<f32>(uvs_1.a_3 * vec2<f32>((1.0f - place_4.v_4 - place_4.w_3)) + uvs_1.b_2 * vec2<f32>(place_4.v_4) + uvs_1.c_1 * vec2<f32>(place_4.w_3), 1.0f);
+    uv_1.value_2 = vec2<f32>(dot(_S62, vector_at_0(rows_0)), dot(_S62, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
     {
-        var _S61 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S61;
+        var _S63 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S63;
     }
-    var half_of_period_0 : vec2<f32> = uv_1 - floor(uv_1);
-    var _S62 : i32;
+    var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
+    var _S64 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S62 = i32(1);
+        _S64 = i32(1);
     }
     else
     {
-        _S62 = i32(0);
+        _S64 = i32(0);
     }
-    return one_texel_0(u32(_S62));
+    return one_texel_0(u32(_S64));
 }
 
 fn change_word_0( at_8 : u32) -> u32
@@ -952,61 +989,66 @@ fn numbers_of_0( texture_2 : u32) -> u32
     return change_word_0(u32(2) * word_0(texture_2 + u32(12)));
 }
 
+fn units_of_0( texture_3 : u32) -> f32
+{
+    return (bitcast<f32>((change_word_0(u32(2) * word_0(texture_3 + u32(12)) + u32(1)))));
+}
+
 fn add_word_0( sum_0 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
 {
-    var _S63 : u32 = u32(2) + u32(4) * sum_0;
-    var _S64 : u32 = number_1;
+    var _S65 : u32 = u32(2) + u32(4) * sum_0;
+    var _S66 : u32 = number_1;
     var k_3 : u32 = word_of_sum_0;
     for(;;)
     {
-        var _S65 : bool;
+        var _S67 : bool;
         if(k_3 < u32(4))
         {
-            _S65 = _S64 != u32(0);
+            _S67 = _S66 != u32(0);
         }
         else
         {
-            _S65 = false;
+            _S67 = false;
         }
-        if(_S65)
+        if(_S67)
         {
         }
         else
         {
             break;
         }
-        var _S66 : u32;
+        var _S68 : u32;
         if(is_negative_0)
         {
-            _S66 = u32(0) - _S64;
+            _S68 = u32(0) - _S66;
         }
         else
         {
-            _S66 = _S64;
+            _S68 = _S66;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S63 + k_3]), _S66);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S65 + k_3]), _S68);
         var overflows_0 : bool;
         if(is_negative_0)
         {
-            overflows_0 = before_0 < _S64;
+            overflows_0 = before_0 < _S66;
         }
         else
         {
-            overflows_0 = (before_0 + _S64) < before_0;
+            overflows_0 = (before_0 + _S66) < before_0;
         }
-        var _S67 : i32;
+        var _S69 : i32;
         if(overflows_0)
         {
-            _S67 = i32(1);
+            _S69 = i32(1);
         }
         else
         {
-            _S67 = i32(0);
+            _S69 = i32(0);
         }
-        var _S68 : u32 = u32(_S67);
-        var _S69 : u32 = k_3 + u32(1);
-        _S64 = _S68;
-        k_3 = _S69;
+        var _S70 : u32 = u32(_S69);
+        var _S71 : u32 = k_3 + u32(1);
+        _S66 = _S70;
+        k_3 = _S71;
     }
     return;
 }
@@ -1015,14 +1057,14 @@ fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32,  units_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S70 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S72 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * units_0;
     var size_1 : f32 = abs(scaled_0);
     if(size_1 > 7.73712524553362672e+25f)
     {
-        var _S71 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S73 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
     var is_negative_1 : bool = scaled_0 < 0.0f;
@@ -1030,16 +1072,16 @@ fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32,  units_0 : f32)
     var size_2 : f32 = size_1;
     for(;;)
     {
-        var _S72 : bool;
+        var _S74 : bool;
         if(highest_0 < u32(2))
         {
-            _S72 = size_2 >= 4.294967296e+09f;
+            _S74 = size_2 >= 4.294967296e+09f;
         }
         else
         {
-            _S72 = false;
+            _S74 = false;
         }
-        if(_S72)
+        if(_S74)
         {
         }
         else
@@ -1050,24 +1092,24 @@ fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32,  units_0 : f32)
         highest_0 = highest_0 + u32(1);
         size_2 = size_3;
     }
-    var _S73 : bool = highest_0 == u32(0);
-    var _S74 : f32;
-    if(_S73)
+    var _S75 : bool = highest_0 == u32(0);
+    var _S76 : f32;
+    if(_S75)
     {
-        _S74 = size_2 + 0.5f;
+        _S76 = size_2 + 0.5f;
     }
     else
     {
-        _S74 = size_2;
+        _S76 = size_2;
     }
-    var whole_0 : u32 = u32(_S74);
+    var whole_0 : u32 = u32(_S76);
     add_word_0(sum_1, highest_0, whole_0, is_negative_1);
-    if(_S73)
+    if(_S75)
     {
         return;
     }
     var rest_0 : f32 = (size_2 - f32(whole_0)) * 4.294967296e+09f;
-    var _S75 : u32 = highest_0 - u32(1);
+    var _S77 : u32 = highest_0 - u32(1);
     if(highest_0 == u32(1))
     {
         size_2 = rest_0 + 0.5f;
@@ -1076,19 +1118,19 @@ fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32,  units_0 : f32)
     {
         size_2 = rest_0;
     }
-    add_word_0(sum_1, _S75, u32(size_2), is_negative_1);
+    add_word_0(sum_1, _S77, u32(size_2), is_negative_1);
     return;
 }
 
-fn add_to_texels_0( texture_3 : u32,  lookup_3 : Lookup_0,  derivative_1 : vec3<f32>)
+fn add_to_texels_0( texture_4 : u32,  lookup_3 : Lookup_0,  derivative_1 : vec3<f32>)
 {
-    var first_3 : u32 = numbers_of_0(texture_3);
+    var first_3 : u32 = numbers_of_0(texture_4);
     if(first_3 == u32(4294967295))
     {
         return;
     }
-    var _S76 : f32 = (bitcast<f32>((change_word_0(u32(2) * word_0(texture_3 + u32(12)) + u32(1)))));
-    var _S77 : u32 = word_0(texture_3 + u32(1));
+    var _S78 : f32 = units_of_0(texture_4);
+    var _S79 : u32 = word_0(texture_4 + u32(1));
     var k_4 : u32 = u32(0);
     for(;;)
     {
@@ -1099,11 +1141,11 @@ fn add_to_texels_0( texture_3 : u32,  lookup_3 : Lookup_0,  derivative_1 : vec3<
         {
             break;
         }
-        var at_9 : u32 = first_3 + _S77 * lookup_3.texels_0[k_4];
+        var at_9 : u32 = first_3 + _S79 * lookup_3.texels_0[k_4];
         var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_3.weights_0[k_4]);
-        if(_S77 == u32(1))
+        if(_S79 == u32(1))
         {
-            add_to_sum_0(at_9, own_0.x + own_0.y + own_0.z, _S76);
+            add_to_sum_0(at_9, own_0.x + own_0.y + own_0.z, _S78);
             k_4 = k_4 + u32(1);
             continue;
         }
@@ -1117,7 +1159,7 @@ fn add_to_texels_0( texture_3 : u32,  lookup_3 : Lookup_0,  derivative_1 : vec3<
             {
                 break;
             }
-            add_to_sum_0(at_9 + axis_3, own_0[axis_3], _S76);
+            add_to_sum_0(at_9 + axis_3, own_0[axis_3], _S78);
             axis_3 = axis_3 + u32(1);
         }
         k_4 = k_4 + u32(1);
@@ -1125,13 +1167,13 @@ fn add_to_texels_0( texture_3 : u32,  lookup_3 : Lookup_0,  derivative_1 : vec3<
     return;
 }
 
-fn texture_value_0( texture_4 : u32,  lookup_4 : Lookup_0) -> vec3<f32>
+fn weighted_texels_0( texture_5 : u32,  lookup_4 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S78 : u32 = word_0(texture_4 + u32(1));
-    var _S79 : u32 = texture_4 + u32(13);
-    var _S80 : vec3<f32> = vec3<f32>(0.0f);
+    var _S80 : u32 = word_0(texture_5 + u32(1));
+    var _S81 : u32 = texture_5 + u32(13);
+    var _S82 : vec3<f32> = vec3<f32>(0.0f);
     var k_5 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S80;
+    var value_3 : vec3<f32> = _S82;
     for(;;)
     {
         if(k_5 < (lookup_4.count_0))
@@ -1141,47 +1183,47 @@ fn texture_value_0( texture_4 : u32,  lookup_4 : Lookup_0) -> vec3<f32>
         {
             break;
         }
-        var at_10 : u32 = _S79 + _S78 * lookup_4.texels_0[k_5];
-        var _S81 : vec3<f32>;
-        if(_S78 == u32(1))
+        var at_10 : u32 = _S81 + _S80 * lookup_4.texels_0[k_5];
+        var _S83 : vec3<f32>;
+        if(_S80 == u32(1))
         {
-            _S81 = vec3<f32>(number_0(at_10));
+            _S83 = vec3<f32>(number_0(at_10));
         }
         else
         {
-            _S81 = vector_at_0(at_10);
+            _S83 = vector_at_0(at_10);
         }
-        var value_3 : vec3<f32> = value_2 + _S81 * vec3<f32>(lookup_4.weights_0[k_5]);
+        var value_4 : vec3<f32> = value_3 + _S83 * vec3<f32>(weights_1[k_5]);
         k_5 = k_5 + u32(1);
-        value_2 = value_3;
+        value_3 = value_4;
     }
-    return value_2;
+    return value_3;
 }
 
-fn arriving_0( emitter_2 : u32,  place_6 : Place_0,  direction_4 : vec3<f32>,  factor_0 : Colour_0,  importance_0 : vec3<f32>) -> Colour_0
+fn arriving_0( emitter_2 : u32,  place_5 : Place_0,  direction_4 : vec3<f32>,  factor_0 : Colour_0,  importance_0 : vec3<f32>) -> Colour_0
 {
     var record_2 : u32 = emitter_record_0(emitter_2);
-    var texture_5 : u32 = word_0(record_2 + u32(1));
-    var texture_6 : u32;
+    var texture_6 : u32 = word_0(record_2 + u32(1));
+    var texture_7 : u32;
     var lookup_5 : Lookup_0;
-    var _S82 : Colour_0;
+    var _S84 : Colour_0;
     if(is_map_0(record_2))
     {
-        var _S83 : Colour_0 = x2A_0(factor_0, vector_at_0(texture_5 + u32(11)));
-        var _S84 : Lookup_0 = in_map_0(texture_5, direction_4);
-        texture_6 = word_0(texture_5 + u32(14));
-        lookup_5 = _S84;
-        _S82 = _S83;
+        var _S85 : Colour_0 = x2A_0(factor_0, vector_at_0(texture_6 + u32(11)));
+        var _S86 : Lookup_0 = in_map_0(texture_6, direction_4);
+        texture_7 = word_0(texture_6 + u32(14));
+        lookup_5 = _S86;
+        _S84 = _S85;
     }
     else
     {
-        var _S85 : Lookup_0 = lookup_at_0(texture_5, place_6);
-        texture_6 = texture_5;
-        lookup_5 = _S85;
-        _S82 = factor_0;
+        var _S87 : Lookup_0 = lookup_at_0(texture_6, place_5);
+        texture_7 = texture_6;
+        lookup_5 = _S87;
+        _S84 = factor_0;
     }
-    add_to_texels_0(texture_6, lookup_5, importance_0 * _S82.value_0);
-    return x2A_0(_S82, texture_value_0(texture_6, lookup_5));
+    add_to_texels_0(texture_7, lookup_5, importance_0 * _S84.value_0);
+    return x2A_0(_S84, weighted_texels_0(texture_7, lookup_5, lookup_5.weights_0));
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1193,7 +1235,7 @@ struct Path_0
 {
      throughput_0 : vec3<f32>,
      direction_5 : vec3<f32>,
-     place_7 : Place_0,
+     place_6 : Place_0,
      key_0 : vec2<u32>,
      adjoint_0 : vec3<f32>,
 };
@@ -1202,64 +1244,66 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
     var at_11 : u32 = u32(12) * number_of_path_0;
     var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11], input_0[at_11 + u32(1)], input_0[at_11 + u32(2)]))));
-    (*path_0).direction_5 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(3)], input_0[at_11 + u32(4)], input_0[at_11 + u32(5)]))));
+    var direction_6 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(3)], input_0[at_11 + u32(4)], input_0[at_11 + u32(5)]))));
     (*path_0).key_0 = vec2<u32>(input_0[at_11 + u32(7)], input_0[at_11 + u32(8)]);
     var one_0 : Colour_0 = constant_0(vec3<f32>(1.0f));
     (*path_0).throughput_0 = carried_0(one_0);
-    var _S86 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(9)], input_0[at_11 + u32(10)], input_0[at_11 + u32(11)]))));
-    (*path_0).adjoint_0 = _S86;
-    var t_4 : f32;
+    var _S88 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(9)], input_0[at_11 + u32(10)], input_0[at_11 + u32(11)]))));
+    (*path_0).adjoint_0 = _S88;
+    var t_4 : f32 = 0.0f;
     var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_11 + u32(6)])));
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0lf;
     found_4.w_2 = 0.0lf;
-    var _S87 : bool;
+    var _S89 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S87 = (word_0(u32(13))) != u32(0);
+        _S89 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S87 = false;
+        _S89 = false;
     }
-    if(_S87)
+    if(_S89)
     {
-        found_4 = cast_0(vec3<f64>(origin_2), vec3<f64>((*path_0).direction_5), 0.0lf, f64(length_of_ray_0), false, &(t_4));
+        found_4 = cast_0(vec3<f64>(origin_2), vec3<f64>(direction_6), 0.0lf, f64(length_of_ray_0), false, &(t_4));
     }
-    (*path_0).place_7 = place_of_0(found_4);
-    var emitter_3 : u32 = emitter_seen_0(found_4, (*path_0).direction_5);
+    var _S90 : Place_0 = place_of_0(found_4);
+    (*path_0).place_6 = _S90;
+    (*path_0).direction_5 = direction_6;
+    var emitter_3 : u32 = emitter_seen_0(found_4, direction_6);
     if(emitter_3 != u32(4294967295))
     {
-        _S87 = (word_0(u32(4))) != u32(0);
+        _S89 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S87 = false;
+        _S89 = false;
     }
-    if(_S87)
+    if(_S89)
     {
-        var _S88 : Colour_0 = arriving_0(emitter_3, (*path_0).place_7, (*path_0).direction_5, one_0, _S86);
+        var _S91 : Colour_0 = arriving_0(emitter_3, _S90, (*path_0).direction_5, one_0, _S88);
     }
     if((found_4.face_1) != u32(4294967295))
     {
-        _S87 = reaches_0(u32(2));
+        _S89 = reaches_0(u32(2));
     }
     else
     {
-        _S87 = false;
+        _S89 = false;
     }
-    return _S87;
+    return _S89;
 }
 
-fn set_word_0( path_1 : u32,  which_1 : u32,  value_4 : u32)
+fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
 {
-    paths_0[which_1 * launch_0.room_0 + path_1] = value_4;
+    paths_0[which_1 * launch_0.room_0 + path_1] = value_5;
     return;
 }
 
-fn set_vector_0( path_2 : u32,  which_2 : ptr<function, u32>,  value_5 : vec3<f32>)
+fn set_vector_0( path_2 : u32,  which_2 : ptr<function, u32>,  value_6 : vec3<f32>)
 {
     var axis_4 : u32 = u32(0);
     for(;;)
@@ -1271,14 +1315,14 @@ fn set_vector_0( path_2 : u32,  which_2 : ptr<function, u32>,  value_5 : vec3<f3
         {
             break;
         }
-        set_word_0(path_2, (*which_2) + axis_4, (bitcast<u32>((value_5[axis_4]))));
+        set_word_0(path_2, (*which_2) + axis_4, (bitcast<u32>((value_6[axis_4]))));
         axis_4 = axis_4 + u32(1);
     }
     (*which_2) = (*which_2) + u32(3);
     return;
 }
 
-fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_6 : vec3<f32>)
+fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_7 : vec3<f32>)
 {
     var axis_5 : u32 = u32(0);
     for(;;)
@@ -1290,18 +1334,23 @@ fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_6 : vec3<f3
         {
             break;
         }
-        set_word_0(path_3, (*which_3) + axis_5, (bitcast<u32>((value_6[axis_5]))));
+        set_word_0(path_3, (*which_3) + axis_5, (bitcast<u32>((value_7[axis_5]))));
         axis_5 = axis_5 + u32(1);
     }
     (*which_3) = (*which_3) + u32(3);
     return;
 }
 
-fn set_place_0( path_4 : u32,  which_4 : ptr<function, u32>,  place_8 : Place_0)
+fn value_of_0( colour_2 : vec3<f32>) -> vec3<f32>
 {
-    set_word_0(path_4, (*which_4), place_8.triangle_2);
-    set_word_0(path_4, (*which_4) + u32(1), (bitcast<u32>((place_8.v_4))));
-    set_word_0(path_4, (*which_4) + u32(2), (bitcast<u32>((place_8.w_3))));
+    return colour_2;
+}
+
+fn set_place_0( path_4 : u32,  which_4 : ptr<function, u32>,  place_7 : Place_0)
+{
+    set_word_0(path_4, (*which_4), place_7.triangle_2);
+    set_word_0(path_4, (*which_4) + u32(1), (bitcast<u32>((place_7.v_4))));
+    set_word_0(path_4, (*which_4) + u32(2), (bitcast<u32>((place_7.w_3))));
     (*which_4) = (*which_4) + u32(3);
     return;
 }
@@ -1311,8 +1360,8 @@ fn store_0( number_of_path_1 : u32,  path_5 : Path_0)
     var at_12 : u32 = u32(1);
     set_vector_0(number_of_path_1, &(at_12), path_5.adjoint_0);
     set_vector_0(number_of_path_1, &(at_12), path_5.throughput_0);
-    set_vector_0(number_of_path_1, &(at_12), path_5.direction_5);
-    set_place_0(number_of_path_1, &(at_12), path_5.place_7);
+    set_vector_0(number_of_path_1, &(at_12), value_of_0(path_5.direction_5));
+    set_place_0(number_of_path_1, &(at_12), path_5.place_6);
     set_word_0(number_of_path_1, at_12, path_5.key_0.x);
     set_word_0(number_of_path_1, at_12 + u32(1), path_5.key_0.y);
     return;
@@ -1332,15 +1381,15 @@ fn begin_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     store_0(number_of_path_2, path_6);
     var beyond_0 : u32 = u32(15);
     set_vector_1(number_of_path_2, &(beyond_0), vec3<f32>(0.0f));
-    var _S89 : u32;
+    var _S92 : u32;
     if(goes_on_0)
     {
-        _S89 = number_of_path_2;
+        _S92 = number_of_path_2;
     }
     else
     {
-        _S89 = u32(4294967295);
+        _S92 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), _S89);
+    set_word_0(number_of_path_2, u32(0), _S92);
     return;
 }

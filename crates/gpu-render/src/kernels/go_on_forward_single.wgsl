@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: f20877a0612af4bc
-// result: 60f2f73986d0ee86
+// source: 1bc301507596729c
+// result: f6aa92bba807f4ad
 
 struct Launch_std140_0
 {
@@ -26,6 +26,165 @@ struct Launch_std140_0
 
 @binding(3) @group(0) var<storage, read> rough_0 : array<vec4<u32>>;
 
+struct DiffPair_float_0
+{
+     primal_0 : f32,
+     differential_0 : f32,
+};
+
+struct DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+     primal_0 : vec3<f32>,
+     differential_0 : vec3<f32>,
+};
+
+fn _d_sqrt_0( dpx_0 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S1 : DiffPair_float_0 = DiffPair_float_0( sqrt(dpx_0.primal_0), 0.5f / sqrt(max(1.00000001168609742e-07f, dpx_0.primal_0)) * dpx_0.differential_0 );
+    return _S1;
+}
+
+fn s_fwd_length_impl_0( dpx_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
+{
+    var _S2 : f32 = dpx_1.primal_0[i32(0)];
+    var _S3 : f32 = dpx_1.differential_0[i32(0)] * dpx_1.primal_0[i32(0)];
+    var _S4 : f32 = dpx_1.primal_0[i32(1)];
+    var _S5 : f32 = dpx_1.differential_0[i32(1)] * dpx_1.primal_0[i32(1)];
+    var _S6 : f32 = dpx_1.primal_0[i32(2)];
+    var _S7 : f32 = dpx_1.differential_0[i32(2)] * dpx_1.primal_0[i32(2)];
+    var _S8 : DiffPair_float_0 = DiffPair_float_0( _S2 * _S2 + _S4 * _S4 + _S6 * _S6, _S3 + _S3 + (_S5 + _S5) + (_S7 + _S7) );
+    var _S9 : DiffPair_float_0 = _d_sqrt_0(_S8);
+    var _S10 : DiffPair_float_0 = DiffPair_float_0( _S9.primal_0, _S9.differential_0 );
+    return _S10;
+}
+
+fn s_fwd_normalize_impl_0( dpx_2 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+    var _S11 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpx_2.primal_0, dpx_2.differential_0 );
+    var _S12 : DiffPair_float_0 = s_fwd_length_impl_0(_S11);
+    var _S13 : vec3<f32> = vec3<f32>((1.0f / _S12.primal_0));
+    var _S14 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpx_2.primal_0 * _S13, dpx_2.differential_0 * _S13 + vec3<f32>(((0.0f - _S12.differential_0) / (_S12.primal_0 * _S12.primal_0))) * dpx_2.primal_0 );
+    return _S14;
+}
+
+struct DiffPair_vectorx3Cfloatx2C2x3E_0
+{
+     primal_0 : vec2<f32>,
+     differential_0 : vec2<f32>,
+};
+
+fn s_fwd_length_impl_1( dpx_3 : DiffPair_vectorx3Cfloatx2C2x3E_0) -> DiffPair_float_0
+{
+    var _S15 : f32 = dpx_3.primal_0[i32(0)];
+    var _S16 : f32 = dpx_3.differential_0[i32(0)] * dpx_3.primal_0[i32(0)];
+    var _S17 : f32 = dpx_3.primal_0[i32(1)];
+    var _S18 : f32 = dpx_3.differential_0[i32(1)] * dpx_3.primal_0[i32(1)];
+    var _S19 : DiffPair_float_0 = DiffPair_float_0( _S15 * _S15 + _S17 * _S17, _S16 + _S16 + (_S18 + _S18) );
+    var _S20 : DiffPair_float_0 = _d_sqrt_0(_S19);
+    var _S21 : DiffPair_float_0 = DiffPair_float_0( _S20.primal_0, _S20.differential_0 );
+    return _S21;
+}
+
+fn _d_dot_0( dpx_4 : DiffPair_vectorx3Cfloatx2C2x3E_0,  dpy_0 : DiffPair_vectorx3Cfloatx2C2x3E_0) -> DiffPair_float_0
+{
+    var _S22 : DiffPair_float_0 = DiffPair_float_0( dpx_4.primal_0[i32(0)] * dpy_0.primal_0[i32(0)] + dpx_4.primal_0[i32(1)] * dpy_0.primal_0[i32(1)], dpx_4.primal_0[i32(0)] * dpy_0.differential_0[i32(0)] + dpy_0.primal_0[i32(0)] * dpx_4.differential_0[i32(0)] + dpx_4.primal_0[i32(1)] * dpy_0.differential_0[i32(1)] + dpy_0.primal_0[i32(1)] * dpx_4.differential_0[i32(1)] );
+    return _S22;
+}
+
+fn _d_max_0( dpx_5 : DiffPair_float_0,  dpy_1 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S23 : f32 = max(dpx_5.primal_0, dpy_1.primal_0);
+    var _S24 : f32;
+    if((dpx_5.primal_0) > (dpy_1.primal_0))
+    {
+        _S24 = dpx_5.differential_0;
+    }
+    else
+    {
+        if((dpx_5.primal_0) < (dpy_1.primal_0))
+        {
+            _S24 = dpy_1.differential_0;
+        }
+        else
+        {
+            _S24 = 0.5f * (dpx_5.differential_0 + dpy_1.differential_0);
+        }
+    }
+    var _S25 : DiffPair_float_0 = DiffPair_float_0( _S23, _S24 );
+    return _S25;
+}
+
+fn _d_max_vector_0( dpx_6 : DiffPair_vectorx3Cfloatx2C2x3E_0,  dpy_2 : DiffPair_vectorx3Cfloatx2C2x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
+{
+    var _S26 : DiffPair_float_0 = DiffPair_float_0( dpx_6.primal_0[i32(0)], dpx_6.differential_0[i32(0)] );
+    var _S27 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0[i32(0)], dpy_2.differential_0[i32(0)] );
+    var dp_elem_0 : DiffPair_float_0 = _d_max_0(_S26, _S27);
+    var result_0 : vec2<f32>;
+    result_0[i32(0)] = dp_elem_0.primal_0;
+    var d_result_0 : vec2<f32>;
+    d_result_0[i32(0)] = dp_elem_0.differential_0;
+    var _S28 : DiffPair_float_0 = DiffPair_float_0( dpx_6.primal_0[i32(1)], dpx_6.differential_0[i32(1)] );
+    var _S29 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0[i32(1)], dpy_2.differential_0[i32(1)] );
+    var dp_elem_1 : DiffPair_float_0 = _d_max_0(_S28, _S29);
+    result_0[i32(1)] = dp_elem_1.primal_0;
+    d_result_0[i32(1)] = dp_elem_1.differential_0;
+    var _S30 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( result_0, d_result_0 );
+    return _S30;
+}
+
+fn _d_min_0( dpx_7 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S31 : f32 = min(dpx_7.primal_0, dpy_3.primal_0);
+    var _S32 : f32;
+    if((dpx_7.primal_0) < (dpy_3.primal_0))
+    {
+        _S32 = dpx_7.differential_0;
+    }
+    else
+    {
+        if((dpx_7.primal_0) > (dpy_3.primal_0))
+        {
+            _S32 = dpy_3.differential_0;
+        }
+        else
+        {
+            _S32 = 0.5f * (dpx_7.differential_0 + dpy_3.differential_0);
+        }
+    }
+    var _S33 : DiffPair_float_0 = DiffPair_float_0( _S31, _S32 );
+    return _S33;
+}
+
+fn _d_dot_1( dpx_8 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpy_4 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
+{
+    var _S34 : DiffPair_float_0 = DiffPair_float_0( dpx_8.primal_0[i32(0)] * dpy_4.primal_0[i32(0)] + dpx_8.primal_0[i32(1)] * dpy_4.primal_0[i32(1)] + dpx_8.primal_0[i32(2)] * dpy_4.primal_0[i32(2)], dpx_8.primal_0[i32(0)] * dpy_4.differential_0[i32(0)] + dpy_4.primal_0[i32(0)] * dpx_8.differential_0[i32(0)] + dpx_8.primal_0[i32(1)] * dpy_4.differential_0[i32(1)] + dpy_4.primal_0[i32(1)] * dpx_8.differential_0[i32(1)] + dpx_8.primal_0[i32(2)] * dpy_4.differential_0[i32(2)] + dpy_4.primal_0[i32(2)] * dpx_8.differential_0[i32(2)] );
+    return _S34;
+}
+
+fn _d_abs_0( dpx_9 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S35 : DiffPair_float_0 = DiffPair_float_0( abs(dpx_9.primal_0), select(select(-1.0f, 0.0f, (dpx_9.primal_0) == 0.0f), 1.0f, (dpx_9.primal_0) > 0.0f) * dpx_9.differential_0 );
+    return _S35;
+}
+
+fn _d_cross_0( a_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  b_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+    var _S36 : f32 = a_0.primal_0.y;
+    var _S37 : f32 = b_0.primal_0.z;
+    var _S38 : f32 = a_0.primal_0.z;
+    var _S39 : f32 = b_0.primal_0.y;
+    var _S40 : f32 = a_0.differential_0.y;
+    var _S41 : f32 = b_0.differential_0.z;
+    var _S42 : f32 = a_0.differential_0.z;
+    var _S43 : f32 = b_0.differential_0.y;
+    var _S44 : f32 = b_0.primal_0.x;
+    var _S45 : f32 = a_0.primal_0.x;
+    var _S46 : f32 = b_0.differential_0.x;
+    var _S47 : f32 = a_0.differential_0.x;
+    var _S48 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S36 * _S37 - _S38 * _S39, _S38 * _S44 - _S45 * _S37, _S45 * _S39 - _S36 * _S44), vec3<f32>(_S40 * _S37 + _S36 * _S41 - _S42 * _S39 - _S38 * _S43, _S42 * _S44 + _S38 * _S46 - _S47 * _S37 - _S45 * _S41, _S47 * _S39 + _S45 * _S43 - _S40 * _S44 - _S36 * _S46) );
+    return _S48;
+}
+
 fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
 {
     return paths_0[which_0 * launch_0.room_0 + path_0];
@@ -33,16 +192,16 @@ fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
 
 fn path_vector_0( path_1 : u32,  which_1 : ptr<function, u32>) -> vec3<f32>
 {
-    var _S1 : u32 = (*which_1) + u32(3);
-    (*which_1) = _S1;
-    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_1, _S1 - u32(3)), path_word_0(path_1, _S1 - u32(2)), path_word_0(path_1, _S1 - u32(1))))));
+    var _S49 : u32 = (*which_1) + u32(3);
+    (*which_1) = _S49;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_1, _S49 - u32(3)), path_word_0(path_1, _S49 - u32(2)), path_word_0(path_1, _S49 - u32(1))))));
 }
 
 fn path_vector_1( path_2 : u32,  which_2 : ptr<function, u32>) -> vec3<f32>
 {
-    var _S2 : u32 = (*which_2) + u32(3);
-    (*which_2) = _S2;
-    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_2, _S2 - u32(3)), path_word_0(path_2, _S2 - u32(2)), path_word_0(path_2, _S2 - u32(1))))));
+    var _S50 : u32 = (*which_2) + u32(3);
+    (*which_2) = _S50;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_2, _S50 - u32(3)), path_word_0(path_2, _S50 - u32(2)), path_word_0(path_2, _S50 - u32(1))))));
 }
 
 struct Colour_0
@@ -54,8 +213,8 @@ struct Colour_0
 fn path_colour_0( path_3 : u32,  which_3 : ptr<function, u32>) -> Colour_0
 {
     var colour_0 : Colour_0;
-    var _S3 : vec3<f32> = path_vector_1(path_3, &((*which_3)));
-    colour_0.value_0 = _S3;
+    var _S51 : vec3<f32> = path_vector_1(path_3, &((*which_3)));
+    colour_0.value_0 = _S51;
     var k_0 : u32 = u32(0);
     for(;;)
     {
@@ -66,11 +225,25 @@ fn path_colour_0( path_3 : u32,  which_3 : ptr<function, u32>) -> Colour_0
         {
             break;
         }
-        var _S4 : vec3<f32> = path_vector_1(path_3, &((*which_3)));
-        colour_0.changes_0[k_0] = _S4;
+        var _S52 : vec3<f32> = path_vector_1(path_3, &((*which_3)));
+        colour_0.changes_0[k_0] = _S52;
         k_0 = k_0 + u32(1);
     }
     return colour_0;
+}
+
+struct Vector_0
+{
+     value_1 : vec3<f32>,
+     change_0 : vec3<f32>,
+};
+
+fn changing_0( value_2 : vec3<f32>,  change_1 : vec3<f32>) -> Vector_0
+{
+    var vector_0 : Vector_0;
+    vector_0.value_1 = value_2;
+    vector_0.change_0 = change_1;
+    return vector_0;
 }
 
 struct Place_0
@@ -78,47 +251,61 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_change_0 : f32,
+     w_change_0 : f32,
 };
+
+fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+{
+    var place_0 : Place_0;
+    place_0.triangle_0 = triangle_1;
+    place_0.v_0 = v_1;
+    place_0.w_0 = w_1;
+    place_0.w_change_0 = 0.0f;
+    place_0.v_change_0 = 0.0f;
+    return place_0;
+}
 
 fn path_place_0( path_4 : u32,  which_4 : ptr<function, u32>) -> Place_0
 {
-    var place_0 : Place_0;
-    place_0.triangle_0 = path_word_0(path_4, (*which_4));
-    place_0.v_0 = (bitcast<f32>((path_word_0(path_4, (*which_4) + u32(1)))));
-    place_0.w_0 = (bitcast<f32>((path_word_0(path_4, (*which_4) + u32(2)))));
-    (*which_4) = (*which_4) + u32(3);
-    return place_0;
+    var _S53 : u32 = (*which_4) + u32(3);
+    (*which_4) = _S53;
+    return place_at_0(path_word_0(path_4, _S53 - u32(3)), (bitcast<f32>((path_word_0(path_4, _S53 - u32(2))))), (bitcast<f32>((path_word_0(path_4, _S53 - u32(1))))));
 }
 
 struct Path_0
 {
      throughput_0 : Colour_0,
-     direction_0 : vec3<f32>,
+     direction_0 : Vector_0,
      place_1 : Place_0,
      key_0 : vec2<u32>,
      light_0 : Colour_0,
+     drift_0 : vec3<f32>,
 };
 
 fn load_0( number_of_path_0 : u32) -> Path_0
 {
     var at_0 : u32 = u32(1);
     var path_5 : Path_0;
-    var _S5 : Colour_0 = path_colour_0(number_of_path_0, &(at_0));
-    path_5.light_0 = _S5;
-    var _S6 : Colour_0 = path_colour_0(number_of_path_0, &(at_0));
-    path_5.throughput_0 = _S6;
-    var _S7 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
-    path_5.direction_0 = _S7;
-    var _S8 : Place_0 = path_place_0(number_of_path_0, &(at_0));
-    path_5.place_1 = _S8;
+    var _S54 : Colour_0 = path_colour_0(number_of_path_0, &(at_0));
+    path_5.light_0 = _S54;
+    var _S55 : Colour_0 = path_colour_0(number_of_path_0, &(at_0));
+    path_5.throughput_0 = _S55;
+    var direction_1 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
+    var _S56 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
+    path_5.direction_0 = changing_0(direction_1, _S56);
+    var _S57 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
+    path_5.drift_0 = _S57;
+    var _S58 : Place_0 = path_place_0(number_of_path_0, &(at_0));
+    path_5.place_1 = _S58;
     path_5.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_0), path_word_0(number_of_path_0, at_0 + u32(1)));
     return path_5;
 }
 
-fn constant_0( value_1 : vec3<f32>) -> Colour_0
+fn constant_0( value_3 : vec3<f32>) -> Colour_0
 {
     var colour_1 : Colour_0;
-    colour_1.value_0 = value_1;
+    colour_1.value_0 = value_3;
     var k_1 : u32 = u32(0);
     for(;;)
     {
@@ -144,9 +331,9 @@ struct Reflected_0
 fn nothing_reflected_0() -> Reflected_0
 {
     var reflected_0 : Reflected_0;
-    var _S9 : Colour_0 = constant_0(vec3<f32>(0.0f));
-    reflected_0.direct_0 = _S9;
-    reflected_0.onward_0 = _S9;
+    var _S59 : Colour_0 = constant_0(vec3<f32>(0.0f));
+    reflected_0.direct_0 = _S59;
+    reflected_0.onward_0 = _S59;
     return reflected_0;
 }
 
@@ -160,14 +347,19 @@ fn vertex_numbers_0( depth_1 : u32) -> u32
     return word_0(u32(7)) + depth_1 * (u32(3) * word_0(u32(2)) + u32(3) * word_0(u32(3)) + u32(1));
 }
 
-fn triangle_record_0( triangle_1 : u32) -> u32
+fn value_of_0( vector_1 : Vector_0) -> vec3<f32>
 {
-    return word_0(u32(9)) + u32(5) * triangle_1;
+    return vector_1.value_1;
 }
 
-fn shape_of_0( triangle_2 : u32) -> u32
+fn triangle_record_0( triangle_2 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_2));
+    return word_0(u32(9)) + u32(5) * triangle_2;
+}
+
+fn shape_of_0( triangle_3 : u32) -> u32
+{
+    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_3));
 }
 
 fn primitive_vector_0( at_2 : u32) -> vec3<f32>
@@ -178,20 +370,20 @@ fn primitive_vector_0( at_2 : u32) -> vec3<f32>
 fn position_of_0( place_2 : Place_0) -> vec3<f32>
 {
     var at_3 : u32 = u32(9) * place_2.triangle_0;
-    var a_0 : vec3<f32> = primitive_vector_0(at_3);
-    return a_0 + (primitive_vector_0(at_3 + u32(3)) - a_0) * vec3<f32>(place_2.v_0) + (primitive_vector_0(at_3 + u32(6)) - a_0) * vec3<f32>(place_2.w_0);
+    var a_1 : vec3<f32> = primitive_vector_0(at_3);
+    return a_1 + (primitive_vector_0(at_3 + u32(3)) - a_1) * vec3<f32>(place_2.v_0) + (primitive_vector_0(at_3 + u32(6)) - a_1) * vec3<f32>(place_2.w_0);
 }
 
-fn cross_of_0( triangle_3 : u32) -> vec3<f32>
+fn cross_of_0( triangle_4 : u32) -> vec3<f32>
 {
-    var at_4 : u32 = u32(9) * triangle_3;
-    var a_1 : vec3<f32> = primitive_vector_0(at_4);
-    return cross(primitive_vector_0(at_4 + u32(3)) - a_1, primitive_vector_0(at_4 + u32(6)) - a_1);
+    var at_4 : u32 = u32(9) * triangle_4;
+    var a_2 : vec3<f32> = primitive_vector_0(at_4);
+    return cross(primitive_vector_0(at_4 + u32(3)) - a_2, primitive_vector_0(at_4 + u32(6)) - a_2);
 }
 
-fn unit_0( v_1 : vec3<f32>) -> vec3<f32>
+fn unit_0( v_2 : vec3<f32>) -> vec3<f32>
 {
-    return normalize(v_1 / vec3<f32>(max(max(abs(v_1.x), abs(v_1.y)), abs(v_1.z))));
+    return normalize(v_2 / vec3<f32>(max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z))));
 }
 
 fn number_0( at_5 : u32) -> f32
@@ -213,21 +405,23 @@ struct Surface_0
      face_normal_0 : vec3<f32>,
      outward_0 : vec3<f32>,
      is_front_0 : bool,
+     position_change_0 : vec3<f32>,
+     outward_change_0 : vec3<f32>,
 };
 
-fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
+fn surface_at_0( place_4 : Place_0,  direction_2 : vec3<f32>) -> Surface_0
 {
     var surface_0 : Surface_0;
     surface_0.place_3 = place_4;
     surface_0.shape_0 = shape_of_0(place_4.triangle_0);
-    var _S10 : vec3<f32> = position_of_0(place_4);
-    surface_0.exact_0 = _S10;
-    surface_0.position_0 = _S10;
-    var _S11 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
-    surface_0.face_normal_0 = _S11;
-    surface_0.outward_0 = _S11;
+    var _S60 : vec3<f32> = position_of_0(place_4);
+    surface_0.exact_0 = _S60;
+    surface_0.position_0 = _S60;
+    var _S61 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
+    surface_0.face_normal_0 = _S61;
+    surface_0.outward_0 = _S61;
     var seen_0 : f32;
-    if((dot(_S11, direction_1)) > 0.0f)
+    if((dot(_S61, direction_2)) > 0.0f)
     {
         seen_0 = -1.0f;
     }
@@ -239,83 +433,168 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
     if(normals_0 != u32(4294967295))
     {
         var record_0 : u32 = triangle_record_0(place_4.triangle_0) + u32(2);
-        var a_2 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0));
-        var b_0 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0 + u32(1)));
+        var a_3 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0));
+        var b_1 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0 + u32(1)));
         var c_0 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0 + u32(2)));
-        if((dot(a_2 + b_0 + c_0, surface_0.face_normal_0)) < 0.0f)
+        if((dot(a_3 + b_1 + c_0, surface_0.face_normal_0)) < 0.0f)
         {
             seen_0 = - seen_0;
         }
-        surface_0.outward_0 = normalize(a_2 + (b_0 - a_2) * vec3<f32>(place_4.v_0) + (c_0 - a_2) * vec3<f32>(place_4.w_0));
+        surface_0.outward_0 = normalize(a_3 + (b_1 - a_3) * vec3<f32>(place_4.v_0) + (c_0 - a_3) * vec3<f32>(place_4.w_0));
     }
     surface_0.is_front_0 = seen_0 > 0.0f;
+    var _S62 : vec3<f32> = vec3<f32>(0.0f);
+    surface_0.outward_change_0 = _S62;
+    surface_0.position_change_0 = _S62;
     return surface_0;
 }
 
-fn material_of_0( surface_1 : Surface_0) -> u32
+fn change_word_0( at_7 : u32) -> u32
 {
-    var _S12 : u32;
-    if(surface_1.is_front_0)
-    {
-        _S12 = u32(2);
-    }
-    else
-    {
-        _S12 = u32(3);
-    }
-    return word_0(surface_1.shape_0 + _S12);
+    return input_0[u32(15) * launch_0.room_0 + at_7];
 }
 
-struct Axes_0
+fn is_moving_0() -> bool
 {
-     s_0 : vec3<f32>,
-     t_0 : vec3<f32>,
-     n_0 : vec3<f32>,
-};
+    return (change_word_0(u32(0))) != u32(4294967295);
+}
 
-fn axes_at_0( surface_2 : Surface_0) -> Axes_0
+fn motion_of_0( triangle_5 : u32) -> u32
 {
-    var axes_0 : Axes_0;
-    var _S13 : vec3<f32>;
+    return change_word_0(u32(0)) + u32(21) * triangle_5;
+}
+
+fn change_vector_0( at_8 : u32) -> vec3<f32>
+{
+    return (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_8), change_word_0(at_8 + u32(1)), change_word_0(at_8 + u32(2))))));
+}
+
+fn at_place_0( a_4 : vec3<f32>,  b_2 : vec3<f32>,  c_1 : vec3<f32>,  place_5 : Place_0) -> vec3<f32>
+{
+    return a_4 + (b_2 - a_4) * vec3<f32>(place_5.v_0) + (c_1 - a_4) * vec3<f32>(place_5.w_0);
+}
+
+fn move_place_0( place_6 : ptr<function, Place_0>,  position_change_1 : ptr<function, vec3<f32>>,  direction_3 : vec3<f32>,  drift_1 : vec3<f32>)
+{
+    (*position_change_1) = drift_1;
+    if(!is_moving_0())
+    {
+        return;
+    }
+    var at_9 : u32 = motion_of_0((*place_6).triangle_0);
+    var corner_0 : u32 = u32(9) * (*place_6).triangle_0;
+    var of_material_0 : vec3<f32> = at_place_0(change_vector_0(at_9), change_vector_0(at_9 + u32(3)), change_vector_0(at_9 + u32(6)), (*place_6));
+    var a_5 : vec3<f32> = primitive_vector_0(corner_0);
+    var ab_0 : vec3<f32> = primitive_vector_0(corner_0 + u32(3)) - a_5;
+    var ac_0 : vec3<f32> = primitive_vector_0(corner_0 + u32(6)) - a_5;
+    var across_0 : vec3<f32> = cross(ab_0, ac_0);
+    var _S63 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S63);
+    var slip_0 : vec3<f32> = drift_1 - of_material_0;
+    var slip_1 : vec3<f32> = slip_0 - direction_3 * vec3<f32>((dot(normal_0, slip_0) / dot(normal_0, direction_3)));
+    (*position_change_1) = of_material_0 + slip_1;
+    var scale_0 : f32 = 1.0f / (dot(normal_0, normal_0) * _S63);
+    (*place_6).v_change_0 = dot(cross(slip_1, ac_0), normal_0) * scale_0;
+    (*place_6).w_change_0 = dot(cross(ab_0, slip_1), normal_0) * scale_0;
+    return;
+}
+
+fn move_place_1( place_7 : ptr<function, Place_0>,  position_change_2 : ptr<function, vec3<f32>>,  direction_4 : vec3<f32>,  drift_2 : vec3<f32>)
+{
+    (*position_change_2) = drift_2;
+    if(!is_moving_0())
+    {
+        return;
+    }
+    var at_10 : u32 = motion_of_0((*place_7).triangle_0);
+    var corner_1 : u32 = u32(9) * (*place_7).triangle_0;
+    var of_material_1 : vec3<f32> = at_place_0(change_vector_0(at_10), change_vector_0(at_10 + u32(3)), change_vector_0(at_10 + u32(6)), (*place_7));
+    var a_6 : vec3<f32> = primitive_vector_0(corner_1);
+    var ab_1 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_6;
+    var ac_1 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_6;
+    var across_1 : vec3<f32> = cross(ab_1, ac_1);
+    var _S64 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
+    var normal_1 : vec3<f32> = across_1 / vec3<f32>(_S64);
+    var slip_2 : vec3<f32> = drift_2 - of_material_1;
+    var slip_3 : vec3<f32> = slip_2 - direction_4 * vec3<f32>((dot(normal_1, slip_2) / dot(normal_1, direction_4)));
+    (*position_change_2) = of_material_1 + slip_3;
+    var scale_1 : f32 = 1.0f / (dot(normal_1, normal_1) * _S64);
+    (*place_7).v_change_0 = dot(cross(slip_3, ac_1), normal_1) * scale_1;
+    (*place_7).w_change_0 = dot(cross(ab_1, slip_3), normal_1) * scale_1;
+    return;
+}
+
+fn change_of_unit_0( vector_2 : vec3<f32>,  change_2 : vec3<f32>,  size_0 : f32) -> vec3<f32>
+{
+    return (change_2 - vector_2 * vec3<f32>(dot(vector_2, change_2))) / vec3<f32>(size_0);
+}
+
+fn move_surface_0( surface_1 : ptr<function, Surface_0>,  direction_5 : vec3<f32>,  drift_3 : vec3<f32>)
+{
+    var _S65 : Place_0 = (*surface_1).place_3;
+    var _S66 : vec3<f32> = (*surface_1).position_change_0;
+    move_place_1(&(_S65), &(_S66), direction_5, drift_3);
+    (*surface_1).place_3 = _S65;
+    (*surface_1).position_change_0 = _S66;
+    if(!is_moving_0())
+    {
+        return;
+    }
+    var place_8 : Place_0 = (*surface_1).place_3;
+    var at_11 : u32 = motion_of_0((*surface_1).place_3.triangle_0);
+    var normals_1 : u32 = word_0((*surface_1).shape_0);
+    if(normals_1 == u32(4294967295))
+    {
+        var corner_2 : u32 = u32(9) * place_8.triangle_0;
+        var a_7 : vec3<f32> = primitive_vector_0(corner_2);
+        var ab_2 : vec3<f32> = primitive_vector_0(corner_2 + u32(3)) - a_7;
+        var ac_2 : vec3<f32> = primitive_vector_0(corner_2 + u32(6)) - a_7;
+        var a_change_0 : vec3<f32> = change_vector_0(at_11);
+        (*surface_1).outward_change_0 = change_of_unit_0((*surface_1).outward_0, cross(change_vector_0(at_11 + u32(3)) - a_change_0, ac_2) + cross(ab_2, change_vector_0(at_11 + u32(6)) - a_change_0), length(cross(ab_2, ac_2)));
+        return;
+    }
+    var record_1 : u32 = triangle_record_0(place_8.triangle_0) + u32(2);
+    var a_8 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_1));
+    var ab_3 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_1 + u32(1))) - a_8;
+    var ac_3 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_1 + u32(2))) - a_8;
+    var at_12 : u32 = at_11 + u32(9);
+    (*surface_1).outward_change_0 = change_of_unit_0((*surface_1).outward_0, at_place_0(change_vector_0(at_12), change_vector_0(at_12 + u32(3)), change_vector_0(at_12 + u32(6)), place_8) + (ab_3 * vec3<f32>(place_8.v_change_0) + ac_3 * vec3<f32>(place_8.w_change_0)), length(a_8 + ab_3 * vec3<f32>(place_8.v_0) + ac_3 * vec3<f32>(place_8.w_0)));
+    return;
+}
+
+fn material_of_0( surface_2 : Surface_0) -> u32
+{
+    var _S67 : u32;
     if(surface_2.is_front_0)
     {
-        _S13 = surface_2.outward_0;
+        _S67 = u32(2);
     }
     else
     {
-        _S13 = (vec3<f32>(0) - surface_2.outward_0);
+        _S67 = u32(3);
     }
-    axes_0.n_0 = _S13;
-    var tangents_0 : u32 = word_0(surface_2.shape_0 + u32(5));
-    if(tangents_0 != u32(4294967295))
-    {
-        var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
-        var across_0 : vec3<f32> = tangent_0 - surface_2.outward_0 * vec3<f32>(dot(surface_2.outward_0, tangent_0));
-        if((dot(across_0, across_0)) > 0.0f)
-        {
-            var _S14 : vec3<f32> = normalize(across_0);
-            axes_0.s_0 = _S14;
-            axes_0.t_0 = cross(surface_2.outward_0, _S14);
-            return axes_0;
-        }
-    }
-    var _S15 : f32 = surface_2.outward_0.z;
-    var sign_0 : f32;
-    if(_S15 < 0.0f)
-    {
-        sign_0 = -1.0f;
-    }
-    else
-    {
-        sign_0 = 1.0f;
-    }
-    var a_3 : f32 = -1.0f / (sign_0 + _S15);
-    var _S16 : f32 = surface_2.outward_0.x;
-    var _S17 : f32 = surface_2.outward_0.y;
-    var b_1 : f32 = _S16 * _S17 * a_3;
-    axes_0.s_0 = vec3<f32>(1.0f + sign_0 * _S16 * _S16 * a_3, sign_0 * b_1, - sign_0 * _S16);
-    axes_0.t_0 = vec3<f32>(b_1, sign_0 + _S17 * _S17 * a_3, - _S17);
-    return axes_0;
+    return word_0(surface_2.shape_0 + _S67);
+}
+
+struct Numbers_0
+{
+     diffuse_reflectance_0 : vec3<f32>,
+     specular_reflectance_0 : vec3<f32>,
+     eta_0 : vec3<f32>,
+     k_2 : vec3<f32>,
+     alpha_0 : vec2<f32>,
+};
+
+fn no_numbers_0() -> Numbers_0
+{
+    var numbers_0 : Numbers_0;
+    var _S68 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_0.k_2 = _S68;
+    numbers_0.eta_0 = _S68;
+    numbers_0.specular_reflectance_0 = _S68;
+    numbers_0.diffuse_reflectance_0 = _S68;
+    numbers_0.alpha_0 = vec2<f32>(0.0f);
+    return numbers_0;
 }
 
 struct Lookup_0
@@ -323,6 +602,7 @@ struct Lookup_0
      count_0 : u32,
      texels_0 : vec4<u32>,
      weights_0 : vec4<f32>,
+     changes_1 : vec4<f32>,
 };
 
 fn one_texel_0( texel_0 : u32) -> Lookup_0
@@ -331,18 +611,39 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    lookup_0.changes_1 = vec4<f32>(0.0f);
     return lookup_0;
 }
 
-fn uv_of_0( place_5 : Place_0) -> vec2<f32>
+struct Corners2_0
 {
-    var uvs_0 : u32 = word_0(shape_of_0(place_5.triangle_0) + u32(1));
-    if(uvs_0 == u32(4294967295))
+     a_9 : vec2<f32>,
+     b_3 : vec2<f32>,
+     c_2 : vec2<f32>,
+};
+
+fn Corners2_x24init_0( a_10 : vec2<f32>,  b_4 : vec2<f32>,  c_3 : vec2<f32>) -> Corners2_0
+{
+    var _S69 : Corners2_0;
+    _S69.a_9 = a_10;
+    _S69.b_3 = b_4;
+    _S69.c_2 = c_3;
+    return _S69;
+}
+
+fn uvs_of_0( triangle_6 : u32) -> Corners2_0
+{
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_at_0 : u32 = word_0(shape_of_0(triangle_6) + u32(1));
+    if(uvs_at_0 == u32(4294967295))
     {
-        return vec2<f32>(place_5.v_0, place_5.w_0);
+        return uvs_0;
     }
-    var at_7 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_5.triangle_0) + u32(1));
-    return vec2<f32>(number_0(at_7), number_0(at_7 + u32(1))) * vec2<f32>((1.0f - place_5.v_0 - place_5.w_0)) + vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3))) * vec2<f32>(place_5.v_0) + vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5))) * vec2<f32>(place_5.w_0);
+    var at_13 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_6) + u32(1));
+    uvs_0.a_9 = vec2<f32>(number_0(at_13), number_0(at_13 + u32(1)));
+    uvs_0.b_3 = vec2<f32>(number_0(at_13 + u32(2)), number_0(at_13 + u32(3)));
+    uvs_0.c_2 = vec2<f32>(number_0(at_13 + u32(4)), number_0(at_13 + u32(5)));
+    return uvs_0;
 }
 
 fn floor_of_0( x_0 : f32) -> i32
@@ -350,20 +651,20 @@ fn floor_of_0( x_0 : f32) -> i32
     return i32(floor(clamp(x_0, -1.0e+09f, 1.0e+09f)));
 }
 
-fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
+fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
 {
     if(wrap_0 == u32(2))
     {
-        return u32(clamp(i_0, i32(0), n_1 - i32(1)));
+        return u32(clamp(i_0, i32(0), n_0 - i32(1)));
     }
     var period_0 : i32;
     if(wrap_0 == u32(1))
     {
-        period_0 = i32(2) * n_1;
+        period_0 = i32(2) * n_0;
     }
     else
     {
-        period_0 = n_1;
+        period_0 = n_0;
     }
     var inside_0 : i32 = i_0 % period_0;
     var inside_1 : i32;
@@ -375,181 +676,206 @@ fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
     {
         inside_1 = inside_0;
     }
-    if(inside_1 < n_1)
+    if(inside_1 < n_0)
     {
         period_0 = inside_1;
     }
     else
     {
-        period_0 = i32(2) * n_1 - i32(1) - inside_1;
+        period_0 = i32(2) * n_0 - i32(1) - inside_1;
     }
     return u32(period_0);
 }
 
-fn between_0( texels_1 : vec4<u32>,  way_0 : vec2<f32>) -> Lookup_0
+struct Point_0
 {
+     value_4 : vec2<f32>,
+     change_3 : vec2<f32>,
+};
+
+fn between_0( texels_1 : vec4<u32>,  place_9 : Point_0) -> Lookup_0
+{
+    var way_0 : vec2<f32> = place_9.value_4 - floor(place_9.value_4);
     var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S18 : f32 = back_0.x;
-    var _S19 : f32 = back_0.y;
-    var _S20 : f32 = way_0.x;
-    var _S21 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S18 * _S19, _S20 * _S19, _S18 * _S21, _S20 * _S21);
+    var _S70 : f32 = back_0.x;
+    var _S71 : f32 = back_0.y;
+    var _S72 : f32 = way_0.x;
+    var _S73 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S70 * _S71, _S72 * _S71, _S70 * _S73, _S72 * _S73);
+    lookup_1.changes_1 = vec4<f32>(- _S71, _S71, - _S73, _S73) * vec4<f32>(place_9.change_3.x) + vec4<f32>(- _S70, - _S72, _S70, _S72) * vec4<f32>(place_9.change_3.y);
     return lookup_1;
 }
 
-fn in_bitmap_0( texture_0 : u32,  uv_0 : vec2<f32>) -> Lookup_0
+fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
 {
     var width_0 : i32 = i32(word_0(texture_0 + u32(2)));
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
-    var place_6 : vec2<f32> = uv_0 * vec2<f32>(f32(width_0), f32(height_0));
+    var size_1 : vec2<f32> = vec2<f32>(f32(width_0), f32(height_0));
+    var place_10 : vec2<f32> = uv_0.value_4 * size_1;
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
-        var row_0 : u32 = wrapped_0(floor_of_0(place_6.y), height_0, wrap_1);
-        var _S22 : u32 = row_0 * u32(width_0);
-        var _S23 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
-        return one_texel_0(_S22 + _S23);
+        var row_0 : u32 = wrapped_0(floor_of_0(place_10.y), height_0, wrap_1);
+        var _S74 : u32 = row_0 * u32(width_0);
+        var _S75 : u32 = wrapped_0(floor_of_0(place_10.x), width_0, wrap_1);
+        return one_texel_0(_S74 + _S75);
     }
-    var place_7 : vec2<f32> = place_6 - vec2<f32>(0.5f);
-    var x_1 : i32 = floor_of_0(place_7.x);
-    var y_0 : i32 = floor_of_0(place_7.y);
-    var _S24 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S25 : u32 = u32(width_0);
-    var first_1 : u32 = _S24 * _S25;
-    var _S26 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S26 * _S25;
+    var centred_0 : Point_0;
+    var _S76 : vec2<f32> = place_10 - vec2<f32>(0.5f);
+    centred_0.value_4 = _S76;
+    centred_0.change_3 = uv_0.change_3 * size_1;
+    var x_1 : i32 = floor_of_0(_S76.x);
+    var y_0 : i32 = floor_of_0(_S76.y);
+    var _S77 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S78 : u32 = u32(width_0);
+    var first_1 : u32 = _S77 * _S78;
+    var _S79 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S79 * _S78;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
-    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), place_7 - floor(place_7));
+    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
 }
 
-fn lookup_at_0( texture_1 : u32,  place_8 : Place_0) -> Lookup_0
+fn lookup_at_0( texture_1 : u32,  place_11 : Place_0) -> Lookup_0
 {
     var kind_0 : u32 = word_0(texture_1);
     if(kind_0 == u32(0))
     {
         return one_texel_0(u32(0));
     }
-    var record_1 : u32 = triangle_record_0(place_8.triangle_0) + u32(1);
+    var record_2 : u32 = triangle_record_0(place_11.triangle_0) + u32(1);
     if(kind_0 == u32(4))
     {
-        return one_texel_0(word_0(record_1));
+        return one_texel_0(word_0(record_2));
     }
     if(kind_0 == u32(3))
     {
         var lookup_2 : Lookup_0;
         lookup_2.count_0 = u32(3);
-        lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
-        lookup_2.weights_0 = vec4<f32>(1.0f - place_8.v_0 - place_8.w_0, place_8.v_0, place_8.w_0, 0.0f);
+        lookup_2.texels_0 = vec4<u32>(word_0(record_2 + u32(1)), word_0(record_2 + u32(2)), word_0(record_2 + u32(3)), u32(0));
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_11.v_0 - place_11.w_0, place_11.v_0, place_11.w_0, 0.0f);
+        lookup_2.changes_1 = vec4<f32>(- place_11.v_change_0 - place_11.w_change_0, place_11.v_change_0, place_11.w_change_0, 0.0f);
         return lookup_2;
     }
+    var uvs_1 : Corners2_0 = uvs_of_0(place_11.triangle_0);
     var rows_0 : u32 = texture_1 + u32(6);
-    var _S27 : vec3<f32> = vec3<f32>(uv_of_0(place_8), 1.0f);
-    var uv_1 : vec2<f32> = vec2<f32>(dot(_S27, vector_at_0(rows_0)), dot(_S27, vector_at_0(rows_0 + u32(3))));
+    var uv_1 : Point_0;
+    var _S80 : vec3<f32> = vec3<f32>(uvs_1.a_9 * vec2<f32>((1.0f - place_11.v_0 - place_11.w_0)) + uvs_1.b_3 * vec2<f32>(place_11.v_0) + uvs_1.c_2 * vec2<f32>(place_11.w_0), 1.0f);
+    var _S81 : u32 = rows_0 + u32(3);
+    uv_1.value_4 = vec2<f32>(dot(_S80, vector_at_0(rows_0)), dot(_S80, vector_at_0(_S81)));
+    var _S82 : vec3<f32> = vec3<f32>((uvs_1.b_3 - uvs_1.a_9) * vec2<f32>(place_11.v_change_0) + (uvs_1.c_2 - uvs_1.a_9) * vec2<f32>(place_11.w_change_0), 0.0f);
+    uv_1.change_3 = vec2<f32>(dot(_S82, vector_at_0(rows_0)), dot(_S82, vector_at_0(_S81)));
     if(kind_0 == u32(1))
     {
-        var _S28 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S28;
+        var _S83 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S83;
     }
-    var half_of_period_0 : vec2<f32> = uv_1 - floor(uv_1);
-    var _S29 : i32;
+    var half_of_period_0 : vec2<f32> = uv_1.value_4 - floor(uv_1.value_4);
+    var _S84 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S29 = i32(1);
+        _S84 = i32(1);
     }
     else
     {
-        _S29 = i32(0);
+        _S84 = i32(0);
     }
-    return one_texel_0(u32(_S29));
+    return one_texel_0(u32(_S84));
 }
 
-fn texture_value_0( texture_2 : u32,  lookup_3 : Lookup_0) -> vec3<f32>
+fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S30 : u32 = word_0(texture_2 + u32(1));
-    var _S31 : u32 = texture_2 + u32(13);
-    var _S32 : vec3<f32> = vec3<f32>(0.0f);
-    var k_2 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S32;
+    var _S85 : u32 = word_0(texture_2 + u32(1));
+    var _S86 : u32 = texture_2 + u32(13);
+    var _S87 : vec3<f32> = vec3<f32>(0.0f);
+    var k_3 : u32 = u32(0);
+    var value_5 : vec3<f32> = _S87;
     for(;;)
     {
-        if(k_2 < (lookup_3.count_0))
+        if(k_3 < (lookup_3.count_0))
         {
         }
         else
         {
             break;
         }
-        var at_8 : u32 = _S31 + _S30 * lookup_3.texels_0[k_2];
-        var _S33 : vec3<f32>;
-        if(_S30 == u32(1))
+        var at_14 : u32 = _S86 + _S85 * lookup_3.texels_0[k_3];
+        var _S88 : vec3<f32>;
+        if(_S85 == u32(1))
         {
-            _S33 = vec3<f32>(number_0(at_8));
+            _S88 = vec3<f32>(number_0(at_14));
         }
         else
         {
-            _S33 = vector_at_0(at_8);
+            _S88 = vector_at_0(at_14);
         }
-        var value_3 : vec3<f32> = value_2 + _S33 * vec3<f32>(lookup_3.weights_0[k_2]);
-        k_2 = k_2 + u32(1);
-        value_2 = value_3;
+        var value_6 : vec3<f32> = value_5 + _S88 * vec3<f32>(weights_1[k_3]);
+        k_3 = k_3 + u32(1);
+        value_5 = value_6;
     }
-    return value_2;
-}
-
-fn change_word_0( at_9 : u32) -> u32
-{
-    return input_0[u32(9) * launch_0.room_0 + at_9];
+    return value_5;
 }
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(2) * word_0(texture_3 + u32(12)));
+    return change_word_0(u32(2) + u32(2) * word_0(texture_3 + u32(12)));
 }
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0) -> Colour_0
 {
-    var colour_2 : Colour_0 = constant_0(texture_value_0(texture_4, lookup_4));
+    var colour_2 : Colour_0 = constant_0(weighted_texels_0(texture_4, lookup_4, lookup_4.weights_0));
+    colour_2.changes_0[i32(0)] = weighted_texels_0(texture_4, lookup_4, lookup_4.changes_1);
     var first_2 : u32 = numbers_of_0(texture_4);
     if(first_2 == u32(4294967295))
     {
         return colour_2;
     }
-    var _S34 : u32 = word_0(texture_4 + u32(1));
-    var k_3 : u32 = u32(0);
+    var _S89 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var k_4 : u32 = u32(0);
     for(;;)
     {
-        if(k_3 < (lookup_4.count_0))
+        if(k_4 < (lookup_4.count_0))
         {
         }
         else
         {
             break;
         }
-        var at_10 : u32 = first_2 + _S34 * lookup_4.texels_0[k_3];
-        var change_0 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_10)))));
-        if(_S34 == u32(3))
+        var _S90 : i32;
+        if(_S89)
         {
-            var _S35 : vec2<f32> = (bitcast<vec2<f32>>((vec2<u32>(change_word_0(at_10 + u32(1)), change_word_0(at_10 + u32(2))))));
-            change_0.y = _S35.x;
-            change_0.z = _S35.y;
+            _S90 = i32(1);
         }
-        colour_2.changes_0[i32(0)] = colour_2.changes_0[i32(0)] + change_0 * vec3<f32>(lookup_4.weights_0[k_3]);
-        k_3 = k_3 + u32(1);
+        else
+        {
+            _S90 = i32(3);
+        }
+        var at_15 : u32 = first_2 + u32(_S90) * lookup_4.texels_0[k_4];
+        var change_4 : vec3<f32>;
+        if(_S89)
+        {
+            change_4 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_15)))));
+        }
+        else
+        {
+            change_4 = change_vector_0(at_15);
+        }
+        colour_2.changes_0[i32(0)] = colour_2.changes_0[i32(0)] + change_4 * vec3<f32>(lookup_4.weights_0[k_4]);
+        k_4 = k_4 + u32(1);
     }
     return colour_2;
 }
 
-fn colour_at_0( texture_5 : u32,  place_9 : Place_0,  slot_0 : u32) -> Colour_0
+fn colour_at_0( texture_5 : u32,  place_12 : Place_0,  slot_0 : u32) -> Colour_0
 {
-    var _S36 : Lookup_0 = lookup_at_0(texture_5, place_9);
-    return looked_up_0(texture_5, _S36);
+    var _S91 : Lookup_0 = lookup_at_0(texture_5, place_12);
+    return looked_up_0(texture_5, _S91);
 }
 
-fn value_of_0( colour_3 : Colour_0) -> vec3<f32>
+fn value_of_1( colour_3 : Colour_0) -> vec3<f32>
 {
     return colour_3.value_0;
 }
@@ -559,131 +885,292 @@ fn luminance_0( colour_4 : vec3<f32>) -> f32
     return dot(colour_4, vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f));
 }
 
-struct Microfacets_0
+fn s_fwd_luminance_0( dpcolour_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
 {
-     distribution_0 : u32,
-     alpha_0 : vec2<f32>,
-};
+    var _S92 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpcolour_0.primal_0, dpcolour_0.differential_0 );
+    var _S93 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f), vec3<f32>(0.0f, 0.0f, 0.0f) );
+    var _S94 : DiffPair_float_0 = _d_dot_1(_S92, _S93);
+    var _S95 : DiffPair_float_0 = DiffPair_float_0( _S94.primal_0, _S94.differential_0 );
+    return _S95;
+}
+
+fn set_slot_0( numbers_1 : ptr<function, Numbers_0>,  slot_1 : u32,  value_7 : vec3<f32>)
+{
+    switch(slot_1)
+    {
+    case u32(0):
+        {
+            (*numbers_1).diffuse_reflectance_0 = value_7;
+            break;
+        }
+    case u32(1):
+        {
+            (*numbers_1).specular_reflectance_0 = value_7;
+            break;
+        }
+    case u32(2):
+        {
+            (*numbers_1).eta_0 = value_7;
+            break;
+        }
+    case u32(3):
+        {
+            (*numbers_1).k_2 = value_7;
+            break;
+        }
+    case u32(4):
+        {
+            (*numbers_1).alpha_0[i32(0)] = luminance_0(value_7);
+            break;
+        }
+    default :
+        {
+            (*numbers_1).alpha_0[i32(1)] = luminance_0(value_7);
+            break;
+        }
+    }
+    return;
+}
 
 struct Lobe_0
 {
+     record_3 : u32,
      kind_1 : u32,
-     diffuse_reflectance_0 : Colour_0,
-     specular_reflectance_0 : Colour_0,
-     eta_0 : vec3<f32>,
-     k_4 : vec3<f32>,
-     coat_eta_0 : f32,
-     microfacets_0 : Microfacets_0,
-     record_2 : u32,
+     distribution_0 : u32,
+     numbers_2 : Numbers_0,
+     changes_2 : array<Numbers_0, i32(1)>,
 };
 
-fn lobe_at_0( record_3 : u32,  place_10 : Place_0) -> Lobe_0
+fn lobe_at_0( record_4 : u32,  place_13 : Place_0) -> Lobe_0
 {
     var lobe_0 : Lobe_0;
-    var _S37 : u32 = word_0(record_3);
-    lobe_0.kind_1 = _S37;
-    lobe_0.record_2 = record_3;
-    var _S38 : Colour_0 = constant_0(vec3<f32>(0.0f));
-    lobe_0.specular_reflectance_0 = _S38;
-    lobe_0.diffuse_reflectance_0 = _S38;
-    var _S39 : vec3<f32> = vec3<f32>(1.0f);
-    lobe_0.k_4 = _S39;
-    lobe_0.eta_0 = _S39;
-    lobe_0.microfacets_0.distribution_0 = u32(1);
-    var _S40 : vec2<f32> = vec2<f32>(0.00009999999747379f);
-    lobe_0.microfacets_0.alpha_0 = _S40;
-    lobe_0.coat_eta_0 = 1.0f;
-    if(_S37 == u32(0))
-    {
-        var _S41 : Colour_0 = colour_at_0(word_0(record_3 + u32(5)), place_10, u32(0));
-        lobe_0.diffuse_reflectance_0 = _S41;
-        return lobe_0;
-    }
-    lobe_0.microfacets_0.distribution_0 = word_0(record_3 + u32(1));
-    var alpha_1 : vec2<f32> = vec2<f32>(0.0f);
-    var _S42 : u32 = word_0(record_3 + u32(4));
-    var slot_1 : u32 = u32(0);
+    lobe_0.record_3 = record_4;
+    lobe_0.kind_1 = word_0(record_4);
+    lobe_0.distribution_0 = word_0(record_4 + u32(1));
+    var _S96 : Numbers_0 = no_numbers_0();
+    lobe_0.numbers_2 = _S96;
+    var k_5 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S42)
+        if(k_5 < u32(1))
         {
         }
         else
         {
             break;
         }
-        var texture_6 : u32 = word_0(record_3 + u32(5) + slot_1);
+        lobe_0.changes_2[k_5] = _S96;
+        k_5 = k_5 + u32(1);
+    }
+    var _S97 : u32 = word_0(record_4 + u32(4));
+    var slot_2 : u32 = u32(0);
+    for(;;)
+    {
+        if(slot_2 < _S97)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var texture_6 : u32 = word_0(record_4 + u32(5) + slot_2);
         if(texture_6 == u32(4294967295))
         {
-            slot_1 = slot_1 + u32(1);
+            slot_2 = slot_2 + u32(1);
             continue;
         }
-        var colour_5 : Colour_0 = colour_at_0(texture_6, place_10, slot_1);
-        var value_4 : vec3<f32> = value_of_0(colour_5);
-        switch(slot_1)
+        var colour_5 : Colour_0 = colour_at_0(texture_6, place_13, slot_2);
+        var _S98 : vec3<f32> = value_of_1(colour_5);
+        var _S99 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S99), slot_2, _S98);
+        lobe_0.numbers_2 = _S99;
+        k_5 = u32(0);
+        for(;;)
         {
-        case u32(0):
+            if(k_5 < u32(1))
             {
-                lobe_0.diffuse_reflectance_0 = colour_5;
+            }
+            else
+            {
                 break;
             }
-        case u32(1):
-            {
-                lobe_0.specular_reflectance_0 = colour_5;
-                break;
-            }
-        case u32(2):
-            {
-                lobe_0.eta_0 = value_4;
-                break;
-            }
-        case u32(3):
-            {
-                lobe_0.k_4 = value_4;
-                break;
-            }
-        case u32(4):
-            {
-                alpha_1[i32(0)] = luminance_0(value_4);
-                break;
-            }
-        default :
-            {
-                alpha_1[i32(1)] = luminance_0(value_4);
-                break;
-            }
+            var _S100 : Numbers_0 = lobe_0.changes_2[k_5];
+            set_slot_0(&(_S100), slot_2, colour_5.changes_0[k_5]);
+            lobe_0.changes_2[k_5] = _S100;
+            k_5 = k_5 + u32(1);
         }
-        slot_1 = slot_1 + u32(1);
+        slot_2 = slot_2 + u32(1);
     }
-    lobe_0.microfacets_0.alpha_0 = max(alpha_1, _S40);
-    lobe_0.coat_eta_0 = luminance_0(lobe_0.eta_0) / luminance_0(lobe_0.k_4);
     return lobe_0;
 }
 
-fn to_local_0( axes_1 : Axes_0,  v_2 : vec3<f32>) -> vec3<f32>
+struct Axes_0
 {
-    return vec3<f32>(dot(axes_1.s_0, v_2), dot(axes_1.t_0, v_2), dot(axes_1.n_0, v_2));
+     s_0 : vec3<f32>,
+     t_0 : vec3<f32>,
+     n_1 : vec3<f32>,
+};
+
+struct DiffPair_Axes_0
+{
+     primal_0 : Axes_0,
+     differential_0 : Axes_0,
+};
+
+fn s_fwd_axes_of_0( dpn_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dptangent_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_1 : bool) -> DiffPair_Axes_0
+{
+    var _S101 : vec3<f32>;
+    var _S102 : vec3<f32>;
+    if(is_front_1)
+    {
+        _S101 = dpn_0.primal_0;
+        _S102 = dpn_0.differential_0;
+    }
+    else
+    {
+        var _S103 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
+        _S101 = (vec3<f32>(0) - dpn_0.primal_0);
+        _S102 = _S103;
+    }
+    var _S104 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
+    var _S105 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
+    var _S106 : DiffPair_float_0 = _d_dot_1(_S104, _S105);
+    var _S107 : vec3<f32> = vec3<f32>(_S106.primal_0);
+    var _S108 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S107, dptangent_0.differential_0 - (dpn_0.differential_0 * _S107 + vec3<f32>(_S106.differential_0) * dpn_0.primal_0) );
+    if((_d_dot_1(_S108, _S108).primal_0) > 0.0f)
+    {
+        var _S109 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S108);
+        var _S110 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S109.primal_0, _S109.differential_0 );
+        var _S111 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S104, _S110);
+        var _S112 : Axes_0 = Axes_0( _S109.primal_0, _S111.primal_0, _S101 );
+        var _S113 : Axes_0 = Axes_0( _S109.differential_0, _S111.differential_0, _S102 );
+        var _S114 : DiffPair_Axes_0 = DiffPair_Axes_0( _S112, _S113 );
+        return _S114;
+    }
+    var _S115 : f32 = dpn_0.primal_0.z;
+    var _S116 : f32 = dpn_0.differential_0.z;
+    var sign_0 : f32;
+    if(_S115 < 0.0f)
+    {
+        sign_0 = -1.0f;
+    }
+    else
+    {
+        sign_0 = 1.0f;
+    }
+    var _S117 : f32 = sign_0 + _S115;
+    var a_11 : f32 = -1.0f / _S117;
+    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S116) / (_S117 * _S117);
+    var _S118 : f32 = dpn_0.primal_0.x;
+    var _S119 : f32 = dpn_0.differential_0.x;
+    var _S120 : f32 = dpn_0.primal_0.y;
+    var _S121 : f32 = dpn_0.differential_0.y;
+    var _S122 : f32 = _S118 * _S120;
+    var b_5 : f32 = _S122 * a_11;
+    var s_diff_b_0 : f32 = (_S119 * _S120 + _S121 * _S118) * a_11 + s_diff_a_0 * _S122;
+    var _S123 : f32 = sign_0 * _S118;
+    var _S124 : f32 = _S123 * _S118;
+    var _S125 : f32 = - sign_0;
+    var _S126 : f32 = _S120 * _S120;
+    var _S127 : f32 = _S121 * _S120;
+    var _S128 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S124 * a_11, sign_0 * b_5, _S125 * _S118), vec3<f32>(b_5, sign_0 + _S126 * a_11, - _S120), _S101 );
+    var _S129 : Axes_0 = Axes_0( vec3<f32>((_S119 * sign_0 * _S118 + _S119 * _S123) * a_11 + s_diff_a_0 * _S124, s_diff_b_0 * sign_0, _S119 * _S125), vec3<f32>(s_diff_b_0, (_S127 + _S127) * a_11 + s_diff_a_0 * _S126, - _S121), _S102 );
+    var _S130 : DiffPair_Axes_0 = DiffPair_Axes_0( _S128, _S129 );
+    return _S130;
+}
+
+fn change_of_0( vector_3 : Vector_0) -> vec3<f32>
+{
+    return vector_3.change_0;
+}
+
+fn to_local_0( axes_0 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(dot(axes_0.s_0, v_3), dot(axes_0.t_0, v_3), dot(axes_0.n_1, v_3));
+}
+
+fn s_fwd_to_local_0( dpaxes_0 : DiffPair_Axes_0,  dpv_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+    var _S131 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
+    var _S132 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
+    var _S133 : DiffPair_float_0 = _d_dot_1(_S131, _S132);
+    var _S134 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
+    var _S135 : DiffPair_float_0 = _d_dot_1(_S134, _S132);
+    var _S136 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
+    var _S137 : DiffPair_float_0 = _d_dot_1(_S136, _S132);
+    var _S138 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S133.primal_0, _S135.primal_0, _S137.primal_0), vec3<f32>(_S133.differential_0, _S135.differential_0, _S137.differential_0) );
+    return _S138;
+}
+
+fn s_fwd_towards_viewer_0( dpaxes_1 : DiffPair_Axes_0,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+    var _S139 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
+    var _S140 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
+    var _S141 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S139, _S140);
+    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S141.primal_0);
+    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S141.differential_0);
+    var _S142 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
+    var _S143 : DiffPair_float_0 = _d_abs_0(_S142);
+    var _S144 : DiffPair_float_0 = DiffPair_float_0( _S143.primal_0, _S143.differential_0 );
+    var _S145 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
+    var _S146 : DiffPair_float_0 = _d_max_0(_S144, _S145);
+    var _S147 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S146.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S146.differential_0) );
+    return _S147;
 }
 
 struct Vertex_0
 {
      surface_3 : Surface_0,
-     axes_2 : Axes_0,
+     axes_1 : Axes_0,
      lobe_1 : Lobe_0,
-     wi_0 : vec3<f32>,
+     wi_1 : Vector_0,
+     axes_change_0 : Axes_0,
 };
 
-fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_2 : vec3<f32>) -> Vertex_0
+fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_6 : Vector_0) -> Vertex_0
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S43 : Axes_0 = axes_at_0(surface_4);
-    vertex_0.axes_2 = _S43;
-    var _S44 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S44;
-    var _S45 : vec3<f32> = to_local_0(_S43, (vec3<f32>(0) - direction_2));
-    vertex_0.wi_0 = _S45;
-    vertex_0.wi_0[i32(2)] = max(abs(_S45.z), 9.999999960041972e-13f);
+    var _S148 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S148;
+    var _S149 : vec3<f32> = vec3<f32>(0.0f);
+    var tangents_0 : u32 = word_0(surface_4.shape_0 + u32(5));
+    var _S150 : bool = tangents_0 != u32(4294967295);
+    var tangent_0 : vec3<f32>;
+    if(_S150)
+    {
+        tangent_0 = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_4.place_3.triangle_0) + u32(1)));
+    }
+    else
+    {
+        tangent_0 = _S149;
+    }
+    var _S151 : bool;
+    if(_S150)
+    {
+        _S151 = is_moving_0();
+    }
+    else
+    {
+        _S151 = false;
+    }
+    var tangent_change_0 : vec3<f32>;
+    if(_S151)
+    {
+        tangent_change_0 = change_vector_0(motion_of_0(surface_4.place_3.triangle_0) + u32(18));
+    }
+    else
+    {
+        tangent_change_0 = _S149;
+    }
+    var _S152 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_4.outward_0, surface_4.outward_change_0 );
+    var _S153 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_0, tangent_change_0 );
+    var _S154 : DiffPair_Axes_0 = s_fwd_axes_of_0(_S152, _S153, surface_4.is_front_0);
+    vertex_0.axes_1 = _S154.primal_0;
+    vertex_0.axes_change_0 = _S154.differential_0;
+    var _S155 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_6), change_of_0(direction_6) );
+    var _S156 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(_S154, _S155);
+    vertex_0.wi_1 = changing_0(_S156.primal_0, _S156.differential_0);
     return vertex_0;
 }
 
@@ -697,9 +1184,9 @@ fn emitter_record_0( emitter_0 : u32) -> u32
     return word_0(u32(11)) + u32(12) * emitter_0;
 }
 
-fn is_area_0( record_4 : u32) -> bool
+fn is_area_0( record_5 : u32) -> bool
 {
-    return (word_0(record_4)) == u32(0);
+    return (word_0(record_5)) == u32(0);
 }
 
 fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
@@ -745,35 +1232,35 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_0, 0.0f) / squared_0;
     }
-    var _S46 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S46 * _S46 / (2.0f * (_S46 - max(lowest_0, -1.0f)) * squared_0);
+    var _S157 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S157 * _S157 / (2.0f * (_S157 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S47 : bool;
+    var _S158 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S47 = true;
+        _S158 = true;
     }
     else
     {
-        _S47 = (word_0(u32(2))) == u32(0);
+        _S158 = (word_0(u32(2))) == u32(0);
     }
-    if(_S47)
+    if(_S158)
     {
         return false;
     }
-    var record_5 : u32 = emitter_record_0(u32(0));
-    if(is_area_0(record_5))
+    var record_6 : u32 = emitter_record_0(u32(0));
+    if(is_area_0(record_6))
     {
-        _S47 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
+        _S158 = (node_seen_0(word_0(record_6 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S47 = false;
+        _S158 = false;
     }
-    return _S47;
+    return _S158;
 }
 
 fn has_smooth_0( lobe_2 : Lobe_0) -> bool
@@ -781,7 +1268,7 @@ fn has_smooth_0( lobe_2 : Lobe_0) -> bool
     return (lobe_2.kind_1) != u32(1);
 }
 
-fn largest_cosine_0( position_2 : vec3<f32>,  normal_0 : vec3<f32>,  centre_0 : vec3<f32>,  radius_1 : f32) -> f32
+fn largest_cosine_0( position_2 : vec3<f32>,  normal_2 : vec3<f32>,  centre_0 : vec3<f32>,  radius_1 : f32) -> f32
 {
     var offset_1 : vec3<f32> = centre_0 - position_2;
     var distance_1 : f32 = length(offset_1);
@@ -789,7 +1276,7 @@ fn largest_cosine_0( position_2 : vec3<f32>,  normal_0 : vec3<f32>,  centre_0 : 
     {
         return 1.0f;
     }
-    var cosine_1 : f32 = dot(offset_1, normal_0) / distance_1;
+    var cosine_1 : f32 = dot(offset_1, normal_2) / distance_1;
     var sine_ball_0 : f32 = radius_1 / distance_1;
     var cosine_ball_0 : f32 = sqrt(max(1.0f - sine_ball_0 * sine_ball_0, 0.0f));
     if(cosine_1 >= cosine_ball_0)
@@ -799,90 +1286,90 @@ fn largest_cosine_0( position_2 : vec3<f32>,  normal_0 : vec3<f32>,  centre_0 : 
     return max(cosine_1 * cosine_ball_0 + sqrt(max(1.0f - cosine_1 * cosine_1, 0.0f)) * sine_ball_0 + 9.99999997475242708e-07f, 0.0f);
 }
 
-fn emitter_view_0( emitter_1 : u32,  position_3 : vec3<f32>,  normal_1 : vec3<f32>) -> f32
+fn emitter_view_0( emitter_1 : u32,  position_3 : vec3<f32>,  normal_3 : vec3<f32>) -> f32
 {
-    var record_6 : u32 = emitter_record_0(emitter_1);
-    if(!is_area_0(record_6))
+    var record_7 : u32 = emitter_record_0(emitter_1);
+    if(!is_area_0(record_7))
     {
         return 3.14159274101257324f;
     }
-    return node_seen_0(word_0(record_6 + u32(5)), position_3) * largest_cosine_0(position_3, normal_1, vector_at_0(record_6 + u32(8)), number_0(record_6 + u32(11)));
+    return node_seen_0(word_0(record_7 + u32(5)), position_3) * largest_cosine_0(position_3, normal_3, vector_at_0(record_7 + u32(8)), number_0(record_7 + u32(11)));
 }
 
 struct Choice_0
 {
      position_4 : vec3<f32>,
-     normal_2 : vec3<f32>,
+     normal_4 : vec3<f32>,
      all_0 : f32,
      lit_0 : f32,
 };
 
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
-    var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_4, choice_0.normal_2);
-    var _S48 : f32;
+    var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_4, choice_0.normal_4);
+    var _S159 : f32;
     if(view_0 > 0.0f)
     {
-        _S48 = 1.0f;
+        _S159 = 1.0f;
     }
     else
     {
-        _S48 = 0.0f;
+        _S159 = 0.0f;
     }
-    (*can_light_0) = _S48;
+    (*can_light_0) = _S159;
     return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
 }
 
 fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
 {
-    var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_2);
-    var _S49 : f32;
+    var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_4);
+    var _S160 : f32;
     if(view_1 > 0.0f)
     {
-        _S49 = 1.0f;
+        _S160 = 1.0f;
     }
     else
     {
-        _S49 = 0.0f;
+        _S160 = 0.0f;
     }
-    (*can_light_1) = _S49;
+    (*can_light_1) = _S160;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
-fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) -> Choice_0
+fn choice_at_0( position_5 : vec3<f32>,  normal_5 : vec3<f32>,  alike_0 : bool) -> Choice_0
 {
     var choice_2 : Choice_0;
     choice_2.position_4 = position_5;
-    choice_2.normal_2 = normal_3;
+    choice_2.normal_4 = normal_5;
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
     var count_1 : u32 = word_0(u32(6));
-    var _S50 : bool;
+    var _S161 : bool;
     if(alike_0)
     {
-        _S50 = true;
+        _S161 = true;
     }
     else
     {
-        _S50 = (word_0(u32(5))) != u32(0);
+        _S161 = (word_0(u32(5))) != u32(0);
     }
-    if(_S50)
+    if(_S161)
     {
-        _S50 = true;
+        _S161 = true;
     }
     else
     {
-        _S50 = count_1 < u32(2);
+        _S161 = count_1 < u32(2);
     }
-    if(_S50)
+    if(_S161)
     {
-        _S50 = true;
+        _S161 = true;
     }
     else
     {
-        _S50 = count_1 > u32(32);
+        _S161 = count_1 > u32(32);
     }
-    if(_S50)
+    if(_S161)
     {
         return choice_2;
     }
@@ -897,67 +1384,67 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
             break;
         }
         var can_light_2 : f32;
-        var _S51 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S51;
+        var _S162 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S162;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S50 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S161 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S50 = false;
+        _S161 = false;
     }
-    if(!_S50)
+    if(!_S161)
     {
         choice_2.all_0 = 0.0f;
     }
     return choice_2;
 }
 
-fn product_0( a_4 : u32,  b_2 : u32) -> vec2<u32>
+fn product_0( a_12 : u32,  b_6 : u32) -> vec2<u32>
 {
-    var a0_0 : u32 = (a_4 & (u32(65535)));
-    var a1_0 : u32 = (a_4 >> (u32(16)));
-    var b0_0 : u32 = (b_2 & (u32(65535)));
-    var b1_0 : u32 = (b_2 >> (u32(16)));
+    var a0_0 : u32 = (a_12 & (u32(65535)));
+    var a1_0 : u32 = (a_12 >> (u32(16)));
+    var b0_0 : u32 = (b_6 & (u32(65535)));
+    var b1_0 : u32 = (b_6 >> (u32(16)));
     var low_0 : u32 = a0_0 * b0_0;
     var middle_0 : u32 = a1_0 * b0_0 + ((low_0 >> (u32(16))));
     var rest_0 : u32 = ((middle_0 & (u32(65535)))) + a0_0 * b1_0;
     return vec2<u32>((((rest_0 << (u32(16)))) | (((low_0 & (u32(65535)))))), a1_0 * b1_0 + ((middle_0 >> (u32(16)))) + ((rest_0 >> (u32(16)))));
 }
 
-fn times_0( a_5 : vec2<u32>,  b_3 : vec2<u32>) -> vec2<u32>
+fn times_0( a_13 : vec2<u32>,  b_7 : vec2<u32>) -> vec2<u32>
 {
-    var _S52 : u32 = a_5.x;
-    var _S53 : u32 = b_3.x;
-    var low_1 : vec2<u32> = product_0(_S52, _S53);
-    return vec2<u32>(low_1.x, low_1.y + _S52 * b_3.y + a_5.y * _S53);
+    var _S163 : u32 = a_13.x;
+    var _S164 : u32 = b_7.x;
+    var low_1 : vec2<u32> = product_0(_S163, _S164);
+    return vec2<u32>(low_1.x, low_1.y + _S163 * b_7.y + a_13.y * _S164);
 }
 
-fn plus_0( a_6 : vec2<u32>,  b_4 : vec2<u32>) -> vec2<u32>
+fn plus_0( a_14 : vec2<u32>,  b_8 : vec2<u32>) -> vec2<u32>
 {
-    var _S54 : u32 = a_6.x;
-    var low_2 : u32 = _S54 + b_4.x;
-    var _S55 : u32 = a_6.y + b_4.y;
-    var _S56 : i32;
-    if(low_2 < _S54)
+    var _S165 : u32 = a_14.x;
+    var low_2 : u32 = _S165 + b_8.x;
+    var _S166 : u32 = a_14.y + b_8.y;
+    var _S167 : i32;
+    if(low_2 < _S165)
     {
-        _S56 = i32(1);
+        _S167 = i32(1);
     }
     else
     {
-        _S56 = i32(0);
+        _S167 = i32(0);
     }
-    return vec2<u32>(low_2, _S55 + u32(_S56));
+    return vec2<u32>(low_2, _S166 + u32(_S167));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S57 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S57 << ((u32(32) - by_0)))))), (_S57 >> (by_0)))));
+    var _S168 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S168 << ((u32(32) - by_0)))))), (_S168 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -996,9 +1483,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S58 : f32 = f32(count_2);
-        (*probability_0) = 1.0f / _S58;
-        return min(u32(u_0 * _S58), count_2 - u32(1));
+        var _S169 : f32 = f32(count_2);
+        (*probability_0) = 1.0f / _S169;
+        return min(u32(u_0 * _S169), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
@@ -1029,9 +1516,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S59 : u32 = i_2 + u32(1);
+        var _S170 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S59;
+        i_2 = _S170;
         rest_1 = rest_2;
     }
     return found_0;
@@ -1044,28 +1531,28 @@ fn limit_at_0( which_5 : u32) -> f32
 
 fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 {
-    var _S60 : f32 = abs(x_4);
-    var _S61 : f32 = abs(y_1);
-    var _S62 : f32 = min(_S60, _S61);
-    var _S63 : f32 = max(_S60, _S61);
-    var is_steep_0 : bool = _S62 > (0.41421356797218323f * _S63);
+    var _S171 : f32 = abs(x_4);
+    var _S172 : f32 = abs(y_1);
+    var _S173 : f32 = min(_S171, _S172);
+    var _S174 : f32 = max(_S171, _S172);
+    var is_steep_0 : bool = _S173 > (0.41421356797218323f * _S174);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S62 - _S63;
+        above_0 = _S173 - _S174;
     }
     else
     {
-        above_0 = _S62;
+        above_0 = _S173;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S62 + _S63;
+        below_0 = _S173 + _S174;
     }
     else
     {
-        below_0 = _S63;
+        below_0 = _S174;
     }
     if(below_0 > 0.0f)
     {
@@ -1086,7 +1573,7 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S61 > _S60)
+    if(_S172 > _S171)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -1105,82 +1592,179 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
     return above_0;
 }
 
-fn solid_angle_of_0( a_7 : vec3<f32>,  b_5 : vec3<f32>,  c_1 : vec3<f32>) -> f32
+fn s_fwd_angle_of_0( dpx_10 : DiffPair_float_0,  dpy_5 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var la_0 : f32 = length(a_7);
-    var lb_0 : f32 = length(b_5);
-    var lc_0 : f32 = length(c_1);
-    var normal_4 : vec3<f32> = cross(b_5 - a_7, c_1 - a_7);
-    var volume_0 : f32 = - dot(a_7, normal_4);
-    if(!(volume_0 > (9.99999997475242708e-07f * max(max(la_0, lb_0), lc_0) * length(normal_4))))
+    var _S175 : DiffPair_float_0 = DiffPair_float_0( dpx_10.primal_0, dpx_10.differential_0 );
+    var _S176 : DiffPair_float_0 = _d_abs_0(_S175);
+    var _S177 : DiffPair_float_0 = DiffPair_float_0( dpy_5.primal_0, dpy_5.differential_0 );
+    var _S178 : DiffPair_float_0 = _d_abs_0(_S177);
+    var _S179 : DiffPair_float_0 = DiffPair_float_0( _S176.primal_0, _S176.differential_0 );
+    var _S180 : DiffPair_float_0 = DiffPair_float_0( _S178.primal_0, _S178.differential_0 );
+    var _S181 : DiffPair_float_0 = _d_min_0(_S179, _S180);
+    var _S182 : DiffPair_float_0 = _d_max_0(_S179, _S180);
+    var is_steep_1 : bool = (_S181.primal_0) > (0.41421356797218323f * _S182.primal_0);
+    var above_1 : f32;
+    var s_diff_above_0 : f32;
+    if(is_steep_1)
+    {
+        var _S183 : f32 = _S181.differential_0 - _S182.differential_0;
+        above_1 = _S181.primal_0 - _S182.primal_0;
+        s_diff_above_0 = _S183;
+    }
+    else
+    {
+        above_1 = _S181.primal_0;
+        s_diff_above_0 = _S181.differential_0;
+    }
+    var below_1 : f32;
+    var s_diff_below_0 : f32;
+    if(is_steep_1)
+    {
+        var _S184 : f32 = _S181.differential_0 + _S182.differential_0;
+        below_1 = _S181.primal_0 + _S182.primal_0;
+        s_diff_below_0 = _S184;
+    }
+    else
+    {
+        below_1 = _S182.primal_0;
+        s_diff_below_0 = _S182.differential_0;
+    }
+    if(below_1 > 0.0f)
+    {
+    }
+    else
+    {
+        below_1 = 1.0f;
+        s_diff_below_0 = 0.0f;
+    }
+    var t_2 : f32 = above_1 / below_1;
+    var s_diff_t_0 : f32 = (s_diff_above_0 * below_1 - above_1 * s_diff_below_0) / (below_1 * below_1);
+    var z_1 : f32 = t_2 * t_2;
+    var _S185 : f32 = s_diff_t_0 * t_2;
+    var s_diff_z_0 : f32 = _S185 + _S185;
+    var _S186 : f32 = 0.08053744584321976f * z_1 - 0.13877685368061066f;
+    var _S187 : f32 = _S186 * z_1 + 0.19977711141109467f;
+    var tail_0 : f32 = _S187 * z_1 - 0.33332949876785278f;
+    var _S188 : f32 = tail_0 * z_1;
+    var angle_2 : f32 = _S188 * t_2 + t_2;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_1 + s_diff_z_0 * _S186) * z_1 + s_diff_z_0 * _S187) * z_1 + s_diff_z_0 * tail_0) * t_2 + s_diff_t_0 * _S188 + s_diff_t_0;
+    var angle_3 : f32;
+    if(is_steep_1)
+    {
+        angle_3 = angle_2 + 0.78539818525314331f;
+    }
+    else
+    {
+        angle_3 = angle_2;
+    }
+    var s_diff_angle_1 : f32;
+    if((_S178.primal_0) > (_S176.primal_0))
+    {
+        var _S189 : f32 = 0.0f - s_diff_angle_0;
+        angle_3 = 1.57079637050628662f - angle_3;
+        s_diff_angle_1 = _S189;
+    }
+    else
+    {
+        s_diff_angle_1 = s_diff_angle_0;
+    }
+    if((dpx_10.primal_0) < 0.0f)
+    {
+        var _S190 : f32 = 0.0f - s_diff_angle_1;
+        angle_3 = 3.14159274101257324f - angle_3;
+        s_diff_angle_1 = _S190;
+    }
+    if((dpy_5.primal_0) < 0.0f)
+    {
+        var _S191 : f32 = - s_diff_angle_1;
+        above_1 = - angle_3;
+        s_diff_above_0 = _S191;
+    }
+    else
+    {
+        above_1 = angle_3;
+        s_diff_above_0 = s_diff_angle_1;
+    }
+    var _S192 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
+    return _S192;
+}
+
+fn solid_angle_of_0( a_15 : vec3<f32>,  b_9 : vec3<f32>,  c_4 : vec3<f32>) -> f32
+{
+    var la_0 : f32 = length(a_15);
+    var lb_0 : f32 = length(b_9);
+    var lc_0 : f32 = length(c_4);
+    var normal_6 : vec3<f32> = cross(b_9 - a_15, c_4 - a_15);
+    var volume_0 : f32 = - dot(a_15, normal_6);
+    if(!(volume_0 > (9.99999997475242708e-07f * max(max(la_0, lb_0), lc_0) * length(normal_6))))
     {
         return 0.0f;
     }
-    return 2.0f * angle_of_0(la_0 * lb_0 * lc_0 + dot(a_7, b_5) * lc_0 + dot(b_5, c_1) * la_0 + dot(c_1, a_7) * lb_0, volume_0);
+    return 2.0f * angle_of_0(la_0 * lb_0 * lc_0 + dot(a_15, b_9) * lc_0 + dot(b_9, c_4) * la_0 + dot(c_4, a_15) * lb_0, volume_0);
 }
 
-fn complex_product_0( a_8 : vec2<f32>,  b_6 : vec2<f32>) -> vec2<f32>
+fn complex_product_0( a_16 : vec2<f32>,  b_10 : vec2<f32>) -> vec2<f32>
 {
-    var _S64 : f32 = a_8.x;
-    var _S65 : f32 = b_6.x;
-    var _S66 : f32 = a_8.y;
-    var _S67 : f32 = b_6.y;
-    return vec2<f32>(_S64 * _S65 - _S66 * _S67, _S64 * _S67 + _S66 * _S65);
+    var _S193 : f32 = a_16.x;
+    var _S194 : f32 = b_10.x;
+    var _S195 : f32 = a_16.y;
+    var _S196 : f32 = b_10.y;
+    return vec2<f32>(_S193 * _S194 - _S195 * _S196, _S193 * _S196 + _S195 * _S194);
 }
 
 struct SeenRectangle_0
 {
      x_5 : vec2<f32>,
      y_2 : vec2<f32>,
-     z_1 : f32,
+     z_2 : f32,
      solid_angle_0 : f32,
      start_0 : vec2<f32>,
      inverse_to_line_0 : vec2<f32>,
 };
 
-fn seen_rectangle_0( at_11 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
+fn seen_rectangle_0( at_16 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
 {
-    var offset_2 : vec3<f32> = vector_at_0(at_11) - viewpoint_1;
-    var x0_0 : f32 = dot(vector_at_0(at_11 + u32(3)), offset_2);
-    var y0_0 : f32 = dot(vector_at_0(at_11 + u32(6)), offset_2);
-    var x1_0 : f32 = x0_0 + number_0(at_11 + u32(12));
-    var y1_0 : f32 = y0_0 + number_0(at_11 + u32(13));
+    var offset_2 : vec3<f32> = vector_at_0(at_16) - viewpoint_1;
+    var x0_0 : f32 = dot(vector_at_0(at_16 + u32(3)), offset_2);
+    var y0_0 : f32 = dot(vector_at_0(at_16 + u32(6)), offset_2);
+    var x1_0 : f32 = x0_0 + number_0(at_16 + u32(12));
+    var y1_0 : f32 = y0_0 + number_0(at_16 + u32(13));
     var seen_1 : SeenRectangle_0;
     seen_1.x_5 = vec2<f32>(x0_0, x1_0);
     seen_1.y_2 = vec2<f32>(y0_0, y1_0);
-    var _S68 : f32 = - dot(vector_at_0(at_11 + u32(9)), offset_2);
-    seen_1.z_1 = _S68;
-    var a_9 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S68);
-    var b_7 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S68);
-    var c_2 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S68);
-    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S68);
-    var _S69 : f32 = length(a_9);
-    var _S70 : f32 = length(c_2);
-    var _S71 : f32;
-    if(_S68 > (9.99999997475242708e-07f * max(max(_S69, length(b_7)), max(_S70, length(d_0)))))
+    var _S197 : f32 = - dot(vector_at_0(at_16 + u32(9)), offset_2);
+    seen_1.z_2 = _S197;
+    var a_17 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S197);
+    var b_11 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S197);
+    var c_5 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S197);
+    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S197);
+    var _S198 : f32 = length(a_17);
+    var _S199 : f32 = length(c_5);
+    var _S200 : f32;
+    if(_S197 > (9.99999997475242708e-07f * max(max(_S198, length(b_11)), max(_S199, length(d_0)))))
     {
-        _S71 = solid_angle_of_0(a_9, c_2, b_7) + solid_angle_of_0(d_0, b_7, c_2);
+        _S200 = solid_angle_of_0(a_17, c_5, b_11) + solid_angle_of_0(d_0, b_11, c_5);
     }
     else
     {
-        _S71 = 0.0f;
+        _S200 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S71;
-    var z2_0 : f32 = seen_1.z_1 * seen_1.z_1;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S70), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S69));
+    seen_1.solid_angle_0 = _S200;
+    var z2_0 : f32 = seen_1.z_2 * seen_1.z_2;
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_2 * _S199), vec2<f32>(- x0_0 * y0_0, seen_1.z_2 * _S198));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_2 * seen_1.y_2 + vec2<f32>(z2_0));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_0) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
     return seen_1;
 }
 
-fn sine_cosine_0( angle_2 : f32) -> vec2<f32>
+fn sine_cosine_0( angle_4 : f32) -> vec2<f32>
 {
-    var quarters_0 : f32 = floor(angle_2 * 0.63661974668502808f + 0.5f);
-    var x_6 : f32 = angle_2 - quarters_0 * 1.5703125f - quarters_0 * 0.00048375129699707f - quarters_0 * 7.54979012640433211e-08f;
-    var z_2 : f32 = x_6 * x_6;
-    var sine_1 : f32 = ((-0.00019515295571182f * z_2 + 0.00833216123282909f) * z_2 - 0.16666655242443085f) * z_2 * x_6 + x_6;
-    var cosine_2 : f32 = ((0.00002443315679557f * z_2 - 0.00138873164542019f) * z_2 + 0.04166664555668831f) * z_2 * z_2 - 0.5f * z_2 + 1.0f;
+    var quarters_0 : f32 = floor(angle_4 * 0.63661974668502808f + 0.5f);
+    var x_6 : f32 = angle_4 - quarters_0 * 1.5703125f - quarters_0 * 0.00048375129699707f - quarters_0 * 7.54979012640433211e-08f;
+    var z_3 : f32 = x_6 * x_6;
+    var sine_1 : f32 = ((-0.00019515295571182f * z_3 + 0.00833216123282909f) * z_3 - 0.16666655242443085f) * z_3 * x_6 + x_6;
+    var cosine_2 : f32 = ((0.00002443315679557f * z_3 - 0.00138873164542019f) * z_3 + 0.04166664555668831f) * z_3 * z_3 - 0.5f * z_3 + 1.0f;
     var quarter_0 : i32 = (i32(quarters_0) & (i32(3)));
     var turned_0 : vec2<f32>;
     if(((quarter_0 & (i32(1)))) != i32(0))
@@ -1204,32 +1788,32 @@ fn sine_cosine_0( angle_2 : f32) -> vec2<f32>
 fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
-    var at_12 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S72 : f32 = seen_2.y_2.x;
-    var _S73 : f32 = seen_2.inverse_to_line_0.x;
-    var _S74 : f32 = seen_2.y_2.y;
-    var n_2 : f32 = - at_12.x * _S72 * _S73 - _S74 * seen_2.inverse_to_line_0.y;
-    var _S75 : f32 = at_12.y;
-    var flat_0 : f32 = _S75 * seen_2.z_1 * _S73;
-    var size_0 : f32 = seen_2.z_1 * abs(_S75) / sqrt(max(n_2 * n_2 - flat_0 * flat_0, 0.0f));
-    var _S76 : f32;
-    if((n_2 * _S75) < 0.0f)
+    var at_17 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
+    var _S201 : f32 = seen_2.y_2.x;
+    var _S202 : f32 = seen_2.inverse_to_line_0.x;
+    var _S203 : f32 = seen_2.y_2.y;
+    var n_2 : f32 = - at_17.x * _S201 * _S202 - _S203 * seen_2.inverse_to_line_0.y;
+    var _S204 : f32 = at_17.y;
+    var flat_0 : f32 = _S204 * seen_2.z_2 * _S202;
+    var size_2 : f32 = seen_2.z_2 * abs(_S204) / sqrt(max(n_2 * n_2 - flat_0 * flat_0, 0.0f));
+    var _S205 : f32;
+    if((n_2 * _S204) < 0.0f)
     {
-        _S76 = - size_0;
+        _S205 = - size_2;
     }
     else
     {
-        _S76 = size_0;
+        _S205 = size_2;
     }
-    var x_7 : f32 = clamp(_S76, seen_2.x_5.x, seen_2.x_5.y);
-    var squared_1 : f32 = x_7 * x_7 + seen_2.z_1 * seen_2.z_1;
+    var x_7 : f32 = clamp(_S205, seen_2.x_5.x, seen_2.x_5.y);
+    var squared_1 : f32 = x_7 * x_7 + seen_2.z_2 * seen_2.z_2;
     var h_0 : vec2<f32> = seen_2.y_2 / sqrt(vec2<f32>(squared_1) + seen_2.y_2 * seen_2.y_2);
-    var _S77 : f32 = h_0.x;
-    var sine_2 : f32 = _S77 + u_1.y * (h_0.y - _S77);
-    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S72, _S74));
+    var _S206 : f32 = h_0.x;
+    var sine_2 : f32 = _S206 + u_1.y * (h_0.y - _S206);
+    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S201, _S203));
 }
 
-fn rectangle_face_0( at_13 : u32,  place_11 : vec2<f32>,  weights_1 : ptr<function, vec2<f32>>) -> u32
+fn rectangle_face_0( at_18 : u32,  place_14 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
 {
     var best_0 : f32 = -1.00000001504746622e+30f;
     var found_2 : u32 = u32(0);
@@ -1243,17 +1827,17 @@ fn rectangle_face_0( at_13 : u32,  place_11 : vec2<f32>,  weights_1 : ptr<functi
         {
             break;
         }
-        var row_1 : u32 = at_13 + u32(14) + u32(6) * face_0;
-        var _S78 : f32 = place_11.x;
-        var _S79 : f32 = place_11.y;
-        var v_3 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S78 + number_0(row_1 + u32(2)) * _S79;
-        var w_1 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S78 + number_0(row_1 + u32(5)) * _S79;
-        var _S80 : f32 = min(min(v_3, w_1), 1.0f - v_3 - w_1);
-        if(_S80 > best_0)
+        var row_1 : u32 = at_18 + u32(14) + u32(6) * face_0;
+        var _S207 : f32 = place_14.x;
+        var _S208 : f32 = place_14.y;
+        var v_4 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S207 + number_0(row_1 + u32(2)) * _S208;
+        var w_2 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S207 + number_0(row_1 + u32(5)) * _S208;
+        var _S209 : f32 = min(min(v_4, w_2), 1.0f - v_4 - w_2);
+        if(_S209 > best_0)
         {
-            (*weights_1)[i32(0)] = clamp(v_3, 0.0f, 1.0f);
-            (*weights_1)[i32(1)] = clamp(w_1, 0.0f, 1.0f - (*weights_1).x);
-            best_0 = _S80;
+            (*weights_2)[i32(0)] = clamp(v_4, 0.0f, 1.0f);
+            (*weights_2)[i32(1)] = clamp(w_2, 0.0f, 1.0f - (*weights_2).x);
+            best_0 = _S209;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -1261,9 +1845,9 @@ fn rectangle_face_0( at_13 : u32,  place_11 : vec2<f32>,  weights_1 : ptr<functi
     return found_2;
 }
 
-fn emitter_triangle_0( record_7 : u32,  face_1 : u32) -> u32
+fn emitter_triangle_0( record_8 : u32,  face_1 : u32) -> u32
 {
-    return word_0(word_0(u32(12)) + word_0(record_7 + u32(3)) + face_1);
+    return word_0(word_0(u32(12)) + word_0(record_8 + u32(3)) + face_1);
 }
 
 fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f32
@@ -1273,101 +1857,99 @@ fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f32
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S81 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S82 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S81, _S82);
-    var sum_0 : f32 = _S81 + _S82;
-    var _S83 : vec2<f32>;
+    var _S210 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S211 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S210, _S211);
+    var sum_0 : f32 = _S210 + _S211;
+    var _S212 : vec2<f32>;
     if(sum_0 > 0.0f)
     {
-        _S83 = seen_3 / vec2<f32>(sum_0);
+        _S212 = seen_3 / vec2<f32>(sum_0);
     }
     else
     {
-        _S83 = vec2<f32>(0.0f);
+        _S212 = vec2<f32>(0.0f);
     }
-    return _S83;
+    return _S212;
 }
 
 struct Corners_0
 {
-     a_10 : vec3<f32>,
-     b_8 : vec3<f32>,
-     c_3 : vec3<f32>,
+     a_18 : vec3<f32>,
+     b_12 : vec3<f32>,
+     c_6 : vec3<f32>,
 };
 
-fn corners_from_0( record_8 : u32,  face_2 : u32,  viewpoint_3 : vec3<f32>) -> Corners_0
+fn corners_from_0( record_9 : u32,  face_2 : u32,  viewpoint_3 : vec3<f32>) -> Corners_0
 {
-    var at_14 : u32 = u32(9) * emitter_triangle_0(record_8, face_2);
+    var at_19 : u32 = u32(9) * emitter_triangle_0(record_9, face_2);
     var corners_0 : Corners_0;
-    corners_0.a_10 = primitive_vector_0(at_14) - viewpoint_3;
-    corners_0.b_8 = primitive_vector_0(at_14 + u32(3)) - viewpoint_3;
-    corners_0.c_3 = primitive_vector_0(at_14 + u32(6)) - viewpoint_3;
+    corners_0.a_18 = primitive_vector_0(at_19) - viewpoint_3;
+    corners_0.b_12 = primitive_vector_0(at_19 + u32(3)) - viewpoint_3;
+    corners_0.c_6 = primitive_vector_0(at_19 + u32(6)) - viewpoint_3;
     return corners_0;
 }
 
-fn face_solid_angle_0( record_9 : u32,  face_3 : u32,  viewpoint_4 : vec3<f32>) -> f32
+fn face_solid_angle_0( record_10 : u32,  face_3 : u32,  viewpoint_4 : vec3<f32>) -> f32
 {
-    var corners_1 : Corners_0 = corners_from_0(record_9, face_3, viewpoint_4);
-    return solid_angle_of_0(corners_1.a_10, corners_1.b_8, corners_1.c_3);
+    var corners_1 : Corners_0 = corners_from_0(record_10, face_3, viewpoint_4);
+    return solid_angle_of_0(corners_1.a_18, corners_1.b_12, corners_1.c_6);
 }
 
-fn unit_across_0( v_4 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
+fn unit_across_0( v_5 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 {
-    return normalize(v_4 - axis_1 * vec3<f32>(dot(v_4, axis_1)));
+    return normalize(v_5 - axis_1 * vec3<f32>(dot(v_5, axis_1)));
 }
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_3 : f32) -> vec3<f32>
 {
-    var _S84 : f32 = clamp(cosine_3, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S84) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S84) * (1.0f + _S84)));
+    var _S213 : f32 = clamp(cosine_3, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S213) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S213) * (1.0f + _S213)));
 }
 
-fn triangle_direction_0( a_11 : vec3<f32>,  b_9 : vec3<f32>,  c_4 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
+fn triangle_direction_0( a_19 : vec3<f32>,  b_13 : vec3<f32>,  c_7 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S85 : vec3<f32> = normalize(a_11);
-    var _S86 : vec3<f32> = normalize(b_9);
-    var _S87 : vec3<f32> = normalize(c_4);
-    var ab_0 : vec3<f32> = normalize(cross(_S85, _S86));
-    var ca_0 : vec3<f32> = normalize(cross(_S87, _S85));
-    var sine_alpha_0 : f32 = length(cross(ab_0, ca_0));
-    var cosine_alpha_0 : f32 = - dot(ab_0, ca_0);
+    var _S214 : vec3<f32> = normalize(a_19);
+    var _S215 : vec3<f32> = normalize(b_13);
+    var _S216 : vec3<f32> = normalize(c_7);
+    var ab_4 : vec3<f32> = normalize(cross(_S214, _S215));
+    var ca_0 : vec3<f32> = normalize(cross(_S216, _S214));
+    var sine_alpha_0 : f32 = length(cross(ab_4, ca_0));
+    var cosine_alpha_0 : f32 = - dot(ab_4, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S88 : f32 = part_0.x;
-    var _S89 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S88 * cosine_alpha_0 - _S89 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S89 * cosine_alpha_0 + _S88 * sine_alpha_0;
+    var _S217 : f32 = part_0.x;
+    var _S218 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S217 * cosine_alpha_0 - _S218 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S218 * cosine_alpha_0 + _S217 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S85, _S86);
-    var between_1 : vec3<f32> = along_0(_S85, _S87, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S86, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S86)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S214, _S215);
+    var between_1 : vec3<f32> = along_0(_S214, _S216, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S215, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S215)));
 }
 
-fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_2 : f32,  direction_3 : vec3<f32>) -> f32
+fn density_of_0( solid_angle_1 : f32,  normal_7 : vec3<f32>,  distance_2 : f32,  direction_7 : vec3<f32>) -> f32
 {
     if(!(solid_angle_1 < 0.00100000004749745f))
     {
         return 1.0f;
     }
-    return solid_angle_1 * 2.0f * distance_2 * distance_2 / abs(dot(normal_5, direction_3));
+    return solid_angle_1 * 2.0f * distance_2 * distance_2 / abs(dot(normal_7, direction_7));
 }
 
 struct EmitterPoint_0
 {
-     place_12 : Place_0,
+     place_15 : Place_0,
      pdf_0 : f32,
 };
 
-fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dimension_3 : u32) -> EmitterPoint_0
+fn area_point_0( record_11 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dimension_3 : u32) -> EmitterPoint_0
 {
     var total_0 : f32;
     var point_0 : EmitterPoint_0;
     point_0.pdf_0 = 0.0f;
-    point_0.place_12.triangle_0 = u32(0);
-    point_0.place_12.v_0 = 0.0f;
-    point_0.place_12.w_0 = 0.0f;
+    point_0.place_15 = place_at_0(u32(0), 0.0f, 0.0f);
     var second_1 : f32 = random_0(key_4, dimension_3 + u32(1));
-    var rectangle_0 : u32 = word_0(record_10 + u32(4));
+    var rectangle_0 : u32 = word_0(record_11 + u32(4));
     if(rectangle_0 != u32(4294967295))
     {
         var seen_4 : SeenRectangle_0 = seen_rectangle_0(rectangle_0, from_1.position_0);
@@ -1377,19 +1959,19 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if((seen_4.solid_angle_0) >= 0.00100000004749745f)
         {
-            var weights_2 : vec2<f32>;
-            var face_4 : u32 = rectangle_face_0(rectangle_0, rectangle_place_0(seen_4, vec2<f32>(random_0(key_4, dimension_3), second_1)) - vec2<f32>(seen_4.x_5.x, seen_4.y_2.x), &(weights_2));
-            point_0.place_12.triangle_0 = emitter_triangle_0(record_10, face_4);
-            point_0.place_12.v_0 = weights_2.x;
-            point_0.place_12.w_0 = weights_2.y;
+            var weights_3 : vec2<f32>;
+            var face_4 : u32 = rectangle_face_0(rectangle_0, rectangle_place_0(seen_4, vec2<f32>(random_0(key_4, dimension_3), second_1)) - vec2<f32>(seen_4.x_5.x, seen_4.y_2.x), &(weights_3));
+            point_0.place_15.triangle_0 = emitter_triangle_0(record_11, face_4);
+            point_0.place_15.v_0 = weights_3.x;
+            point_0.place_15.w_0 = weights_3.y;
             point_0.pdf_0 = 1.0f / seen_4.solid_angle_0;
             return point_0;
         }
     }
-    var _S90 : f32 = precise_random_0(key_4, dimension_3);
-    var nodes_at_1 : u32 = word_0(record_10 + u32(5));
+    var _S219 : f32 = precise_random_0(key_4, dimension_3);
+    var nodes_at_1 : u32 = word_0(record_11 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f32 = _S90;
+    var u_3 : f32 = _S219;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -1401,16 +1983,16 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S91 : f32 = shares_0.x;
-        var _S92 : f32 = shares_0.y;
-        if(!((_S91 + _S92) > 0.0f))
+        var _S220 : f32 = shares_0.x;
+        var _S221 : f32 = shares_0.y;
+        if(!((_S220 + _S221) > 0.0f))
         {
             return point_0;
         }
         var is_second_0 : bool;
-        if(u_3 >= _S91)
+        if(u_3 >= _S220)
         {
-            is_second_0 = _S92 > 0.0f;
+            is_second_0 = _S221 > 0.0f;
         }
         else
         {
@@ -1418,171 +2000,193 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S91) / _S92;
+            u_3 = (u_3 - _S220) / _S221;
         }
         else
         {
-            u_3 = min(u_3 / _S91, 1.0f);
+            u_3 = min(u_3 / _S220, 1.0f);
         }
         if(is_second_0)
         {
-            total_0 = _S92;
+            total_0 = _S221;
         }
         else
         {
-            total_0 = _S91;
+            total_0 = _S220;
         }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S93 : i32;
+        var _S222 : i32;
         if(is_second_0)
         {
-            _S93 = i32(3);
+            _S222 = i32(3);
         }
         else
         {
-            _S93 = i32(2);
+            _S222 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S93));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S222));
         chosen_0 = chosen_1;
     }
     var first_3 : u32 = word_0(node_2);
-    var _S94 : u32 = word_0(node_2 + u32(1));
-    var _S95 : u32 = word_0(record_10 + u32(6));
-    var k_5 : u32 = first_3;
+    var _S223 : u32 = word_0(node_2 + u32(1));
+    var _S224 : u32 = word_0(record_11 + u32(6));
+    var k_6 : u32 = first_3;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_5 < _S94)
+        if(k_6 < _S223)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S95 + k_5), from_1.exact_0);
-        k_5 = k_5 + u32(1);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_11, word_0(_S224 + k_6), from_1.exact_0);
+        k_6 = k_6 + u32(1);
         total_0 = total_1;
     }
-    var _S96 : f32 = u_3 * total_0;
+    var _S225 : f32 = u_3 * total_0;
     var face_5 : u32 = u32(4294967295);
-    var angle_3 : f32 = 0.0f;
+    var angle_5 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
-    k_5 = first_3;
-    var rest_3 : f32 = _S96;
+    k_6 = first_3;
+    var rest_3 : f32 = _S225;
     for(;;)
     {
-        if(k_5 < _S94)
+        if(k_6 < _S223)
         {
         }
         else
         {
             break;
         }
-        var _S97 : u32 = _S95 + k_5;
-        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S97), from_1.exact_0);
+        var _S226 : u32 = _S224 + k_6;
+        var own_1 : f32 = face_solid_angle_0(record_11, word_0(_S226), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
-            k_5 = k_5 + u32(1);
+            k_6 = k_6 + u32(1);
             continue;
         }
-        var _S98 : u32 = word_0(_S97);
-        var _S99 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S227 : u32 = word_0(_S226);
+        var _S228 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S98;
-            angle_3 = own_1;
-            inside_2 = _S99;
+            face_5 = _S227;
+            angle_5 = own_1;
+            inside_2 = _S228;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S98;
-        angle_3 = own_1;
-        inside_2 = _S99;
+        face_5 = _S227;
+        angle_5 = own_1;
+        inside_2 = _S228;
         rest_3 = rest_4;
-        k_5 = k_5 + u32(1);
+        k_6 = k_6 + u32(1);
     }
     if(face_5 == u32(4294967295))
     {
         return point_0;
     }
-    var corners_2 : Corners_0 = corners_from_0(record_10, face_5, from_1.exact_0);
-    var ab_1 : vec3<f32> = corners_2.b_8 - corners_2.a_10;
-    var ac_0 : vec3<f32> = corners_2.c_3 - corners_2.a_10;
-    var normal_6 : vec3<f32> = cross(ab_1, ac_0);
-    point_0.place_12.triangle_0 = emitter_triangle_0(record_10, face_5);
-    if(angle_3 < 0.00100000004749745f)
+    var corners_2 : Corners_0 = corners_from_0(record_11, face_5, from_1.exact_0);
+    var ab_5 : vec3<f32> = corners_2.b_12 - corners_2.a_18;
+    var ac_4 : vec3<f32> = corners_2.c_6 - corners_2.a_18;
+    var normal_8 : vec3<f32> = cross(ab_5, ac_4);
+    point_0.place_15.triangle_0 = emitter_triangle_0(record_11, face_5);
+    if(angle_5 < 0.00100000004749745f)
     {
         var root_0 : f32 = sqrt(inside_2);
-        point_0.place_12.v_0 = root_0 * (1.0f - second_1);
-        point_0.place_12.w_0 = root_0 * second_1;
+        point_0.place_15.v_0 = root_0 * (1.0f - second_1);
+        point_0.place_15.w_0 = root_0 * second_1;
     }
     else
     {
-        var direction_4 : vec3<f32> = triangle_direction_0(corners_2.a_10, corners_2.b_8, corners_2.c_3, angle_3, vec2<f32>(inside_2, second_1));
-        var within_0 : vec3<f32> = direction_4 * vec3<f32>((dot(corners_2.a_10, normal_6) / dot(direction_4, normal_6))) - corners_2.a_10;
-        var squared_2 : f32 = dot(normal_6, normal_6);
-        var _S100 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
-        point_0.place_12.v_0 = _S100;
-        point_0.place_12.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S100);
+        var direction_8 : vec3<f32> = triangle_direction_0(corners_2.a_18, corners_2.b_12, corners_2.c_6, angle_5, vec2<f32>(inside_2, second_1));
+        var within_0 : vec3<f32> = direction_8 * vec3<f32>((dot(corners_2.a_18, normal_8) / dot(direction_8, normal_8))) - corners_2.a_18;
+        var squared_2 : f32 = dot(normal_8, normal_8);
+        var _S229 : f32 = clamp(dot(cross(within_0, ac_4), normal_8) / squared_2, 0.0f, 1.0f);
+        point_0.place_15.v_0 = _S229;
+        point_0.place_15.w_0 = clamp(dot(cross(ab_5, within_0), normal_8) / squared_2, 0.0f, 1.0f - _S229);
     }
-    var offset_3 : vec3<f32> = corners_2.a_10 + ab_1 * vec3<f32>(point_0.place_12.v_0) + ac_0 * vec3<f32>(point_0.place_12.w_0);
+    var offset_3 : vec3<f32> = corners_2.a_18 + ab_5 * vec3<f32>(point_0.place_15.v_0) + ac_4 * vec3<f32>(point_0.place_15.w_0);
     var distance_3 : f32 = length(offset_3);
     if(!(distance_3 > 0.0f))
     {
         return point_0;
     }
-    point_0.pdf_0 = chosen_0 / total_0 * density_of_0(angle_3, normal_6, distance_3, offset_3 / vec3<f32>(distance_3));
+    point_0.pdf_0 = chosen_0 / total_0 * density_of_0(angle_5, normal_8, distance_3, offset_3 / vec3<f32>(distance_3));
     return point_0;
 }
 
-fn is_map_0( record_11 : u32) -> bool
+fn is_map_0( record_12 : u32) -> bool
 {
-    return (word_0(record_11)) == u32(2);
+    return (word_0(record_12)) == u32(2);
 }
 
 fn uniform_direction_0( u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S101 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S101 * (1.0f - _S101))));
-    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S101);
+    var _S230 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S230 * (1.0f - _S230))));
+    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S230);
 }
 
-fn map_place_0( map_0 : u32,  direction_5 : vec3<f32>) -> vec2<f32>
+fn map_place_0( map_0 : u32,  direction_9 : vec3<f32>) -> vec2<f32>
 {
-    var _S102 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S102) * vec3<f32>(direction_5.x) + vector_at_0(_S102 + u32(3)) * vec3<f32>(direction_5.y) + vector_at_0(_S102 + u32(6)) * vec3<f32>(direction_5.z);
+    var _S231 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S231) * vec3<f32>(direction_9.x) + vector_at_0(_S231 + u32(3)) * vec3<f32>(direction_9.y) + vector_at_0(_S231 + u32(6)) * vec3<f32>(direction_9.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
-fn cell_pdf_0( map_1 : u32,  cell_0 : u32) -> f32
+fn s_fwd_map_place_0( map_1 : u32,  dpdirection_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    return 0.00397887360304594f + 0.94999998807907104f * number_0(word_0(map_1 + u32(17)) + cell_0);
+    var _S232 : u32 = map_1 + u32(2);
+    var _S233 : vec3<f32> = vector_at_0(_S232);
+    var _S234 : vec3<f32> = vector_at_0(_S232 + u32(3));
+    var _S235 : vec3<f32> = vector_at_0(_S232 + u32(6));
+    var d_2 : vec3<f32> = _S233 * vec3<f32>(dpdirection_1.primal_0.x) + _S234 * vec3<f32>(dpdirection_1.primal_0.y) + _S235 * vec3<f32>(dpdirection_1.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S233 + vec3<f32>(dpdirection_1.differential_0.y) * _S234 + vec3<f32>(dpdirection_1.differential_0.z) * _S235;
+    var _S236 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
+    var _S237 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
+    var _S238 : DiffPair_float_0 = s_fwd_angle_of_0(_S236, _S237);
+    var _S239 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
+    var _S240 : DiffPair_float_0 = s_fwd_length_impl_1(_S239);
+    var _S241 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
+    var _S242 : DiffPair_float_0 = DiffPair_float_0( _S240.primal_0, _S240.differential_0 );
+    var _S243 : DiffPair_float_0 = s_fwd_angle_of_0(_S241, _S242);
+    var width_1 : f32 = f32(word_0(map_1));
+    var _S244 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
+    var _S245 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S238.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S243.primal_0 * 0.31830987334251404f * _S244), vec2<f32>(_S238.differential_0 * 0.15915493667125702f * width_1, _S243.differential_0 * 0.31830987334251404f * _S244) );
+    return _S245;
 }
 
-fn map_pdf_0( map_2 : u32,  direction_6 : vec3<f32>) -> f32
+fn cell_pdf_0( map_2 : u32,  cell_0 : u32) -> f32
 {
-    if((word_0(map_2 + u32(15))) == u32(4294967295))
+    return 0.00397887360304594f + 0.94999998807907104f * number_0(word_0(map_2 + u32(17)) + cell_0);
+}
+
+fn map_pdf_0( map_3 : u32,  direction_10 : vec3<f32>) -> f32
+{
+    if((word_0(map_3 + u32(15))) == u32(4294967295))
     {
         return 0.07957746833562851f;
     }
-    var place_13 : vec2<f32> = map_place_0(map_2, direction_6);
-    var width_1 : u32 = word_0(map_2);
-    var column_0 : u32 = wrapped_0(floor_of_0(place_13.x), i32(width_1), u32(0));
-    return cell_pdf_0(map_2, u32(clamp(floor_of_0(place_13.y), i32(0), i32(word_0(map_2 + u32(1))) - i32(2))) * width_1 + column_0);
+    var place_16 : vec2<f32> = map_place_0(map_3, direction_10);
+    var width_2 : u32 = word_0(map_3);
+    var column_0 : u32 = wrapped_0(floor_of_0(place_16.x), i32(width_2), u32(0));
+    return cell_pdf_0(map_3, u32(clamp(floor_of_0(place_16.y), i32(0), i32(word_0(map_3 + u32(1))) - i32(2))) * width_2 + column_0);
 }
 
-fn sum_at_0( at_15 : u32) -> f32
+fn sum_at_0( at_20 : u32) -> f32
 {
-    return number_0(at_15) + number_0(at_15 + u32(1));
+    return number_0(at_20) + number_0(at_20 + u32(1));
 }
 
 fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr<function, f32>) -> u32
 {
-    var _S103 : u32 = count_3 - u32(1);
-    var total_2 : f32 = sum_at_0(sums_0 + u32(2) * _S103);
+    var _S246 : u32 = count_3 - u32(1);
+    var total_2 : f32 = sum_at_0(sums_0 + u32(2) * _S246);
     var target_0 : f32 = u_5 * total_2;
     var low_3 : u32 = u32(0);
-    var high_0 : u32 = _S103;
+    var high_0 : u32 = _S246;
     for(;;)
     {
         if(low_3 < high_0)
@@ -1594,16 +2198,16 @@ fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
         var sum_1 : f32 = sum_at_0(sums_0 + u32(2) * middle_1);
-        var _S104 : bool;
+        var _S247 : bool;
         if(sum_1 <= target_0)
         {
-            _S104 = sum_1 < total_2;
+            _S247 = sum_1 < total_2;
         }
         else
         {
-            _S104 = false;
+            _S247 = false;
         }
-        if(_S104)
+        if(_S247)
         {
             low_3 = middle_1 + u32(1);
         }
@@ -1612,71 +2216,71 @@ fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr
             high_0 = middle_1;
         }
     }
-    var below_1 : f32;
+    var below_2 : f32;
     if(low_3 > u32(0))
     {
-        below_1 = sum_at_0(sums_0 + u32(2) * (low_3 - u32(1)));
+        below_2 = sum_at_0(sums_0 + u32(2) * (low_3 - u32(1)));
     }
     else
     {
-        below_1 = 0.0f;
+        below_2 = 0.0f;
     }
-    (*through_0) = clamp((target_0 - below_1) / (sum_at_0(sums_0 + u32(2) * low_3) - below_1), 0.0f, 1.0f);
+    (*through_0) = clamp((target_0 - below_2) / (sum_at_0(sums_0 + u32(2) * low_3) - below_2), 0.0f, 1.0f);
     return low_3;
 }
 
-fn cell_direction_0( map_3 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,  down_0 : f32) -> vec3<f32>
+fn cell_direction_0( map_4 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,  down_0 : f32) -> vec3<f32>
 {
-    var turns_0 : f32 = (f32(column_1) + 0.5f + along_1) / f32(word_0(map_3));
+    var turns_0 : f32 = (f32(column_1) + 0.5f + along_1) / f32(word_0(map_4));
     var azimuth_0 : vec2<f32> = sine_cosine_0(6.28318548202514648f * (turns_0 - floor(turns_0 + 0.5f)));
-    var last_0 : u32 = word_0(map_3 + u32(1)) - u32(1);
+    var last_0 : u32 = word_0(map_4 + u32(1)) - u32(1);
     var is_lower_0 : bool = (u32(2) * row_2) >= last_0;
     var rows_1 : vec2<f32>;
     if(is_lower_0)
     {
-        var _S105 : u32 = last_0 - row_2;
-        rows_1 = vec2<f32>(f32(_S105), f32(_S105 - u32(1)));
+        var _S248 : u32 = last_0 - row_2;
+        rows_1 = vec2<f32>(f32(_S248), f32(_S248 - u32(1)));
     }
     else
     {
         rows_1 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
     }
-    var _S106 : f32 = f32(last_0);
-    var _S107 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S106)).x;
-    var _S108 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S106)).x;
-    var off_0 : f32 = 2.0f * mix(_S107 * _S107, _S108 * _S108, down_0);
+    var _S249 : f32 = f32(last_0);
+    var _S250 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S249)).x;
+    var _S251 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S249)).x;
+    var off_0 : f32 = 2.0f * mix(_S250 * _S250, _S251 * _S251, down_0);
     var sine_3 : f32 = sqrt(off_0 * (2.0f - off_0));
-    var _S109 : f32 = azimuth_0.x * sine_3;
-    var _S110 : f32;
+    var _S252 : f32 = azimuth_0.x * sine_3;
+    var _S253 : f32;
     if(is_lower_0)
     {
-        _S110 = off_0 - 1.0f;
+        _S253 = off_0 - 1.0f;
     }
     else
     {
-        _S110 = 1.0f - off_0;
+        _S253 = 1.0f - off_0;
     }
-    var local_0 : vec3<f32> = vec3<f32>(_S109, _S110, - azimuth_0.y * sine_3);
-    var _S111 : u32 = map_3 + u32(2);
-    return vec3<f32>(dot(vector_at_0(_S111), local_0), dot(vector_at_0(_S111 + u32(3)), local_0), dot(vector_at_0(_S111 + u32(6)), local_0));
+    var local_0 : vec3<f32> = vec3<f32>(_S252, _S253, - azimuth_0.y * sine_3);
+    var _S254 : u32 = map_4 + u32(2);
+    return vec3<f32>(dot(vector_at_0(_S254), local_0), dot(vector_at_0(_S254 + u32(3)), local_0), dot(vector_at_0(_S254 + u32(6)), local_0));
 }
 
-fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : ptr<function, f32>) -> vec3<f32>
+fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : ptr<function, f32>) -> vec3<f32>
 {
     var u_6 : f32 = precise_random_0(key_5, dimension_4);
     var rest_5 : f32 = u_6 * 20.0f - 1.0f;
-    var _S112 : u32 = map_4 + u32(15);
-    var is_black_0 : bool = (word_0(_S112)) == u32(4294967295);
-    var _S113 : bool;
+    var _S255 : u32 = map_5 + u32(15);
+    var is_black_0 : bool = (word_0(_S255)) == u32(4294967295);
+    var _S256 : bool;
     if(is_black_0)
     {
-        _S113 = true;
+        _S256 = true;
     }
     else
     {
-        _S113 = rest_5 < 0.0f;
+        _S256 = rest_5 < 0.0f;
     }
-    if(_S113)
+    if(_S256)
     {
         var share_0 : f32;
         if(is_black_0)
@@ -1687,19 +2291,19 @@ fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
         {
             share_0 = 0.05000000074505806f;
         }
-        var direction_7 : vec3<f32> = uniform_direction_0(vec2<f32>(u_6 / share_0, random_0(key_5, dimension_4 + u32(1))));
-        var _S114 : f32 = map_pdf_0(map_4, direction_7);
-        (*pdf_1) = _S114;
-        return direction_7;
+        var direction_11 : vec3<f32> = uniform_direction_0(vec2<f32>(u_6 / share_0, random_0(key_5, dimension_4 + u32(1))));
+        var _S257 : f32 = map_pdf_0(map_5, direction_11);
+        (*pdf_1) = _S257;
+        return direction_11;
     }
     var rest_6 : f32 = rest_5 / 19.0f;
-    var width_2 : u32 = word_0(map_4);
+    var width_3 : u32 = word_0(map_5);
     var down_1 : f32;
-    var row_3 : u32 = chosen_interval_0(word_0(_S112), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
+    var row_3 : u32 = chosen_interval_0(word_0(_S255), word_0(map_5 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
     var along_2 : f32;
-    var column_2 : u32 = chosen_interval_0(word_0(map_4 + u32(16)) + u32(2) * width_2 * row_3, width_2, rest_6, &(along_2));
-    (*pdf_1) = cell_pdf_0(map_4, row_3 * width_2 + column_2);
-    return cell_direction_0(map_4, column_2, row_3, along_2, down_1);
+    var column_2 : u32 = chosen_interval_0(word_0(map_5 + u32(16)) + u32(2) * width_3 * row_3, width_3, rest_6, &(along_2));
+    (*pdf_1) = cell_pdf_0(map_5, row_3 * width_3 + column_2);
+    return cell_direction_0(map_5, column_2, row_3, along_2, down_1);
 }
 
 fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
@@ -1709,40 +2313,40 @@ fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
 
 fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
 {
-    var _S115 : f32 = u_7.x;
-    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S115));
-    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S115));
+    var _S258 : f32 = u_7.x;
+    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S258));
+    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S258));
 }
 
-fn to_world_0( axes_3 : Axes_0,  v_5 : vec3<f32>) -> vec3<f32>
+fn to_world_0( axes_2 : Axes_0,  v_6 : vec3<f32>) -> vec3<f32>
 {
-    return axes_3.s_0 * vec3<f32>(v_5.x) + axes_3.t_0 * vec3<f32>(v_5.y) + axes_3.n_0 * vec3<f32>(v_5.z);
+    return axes_2.s_0 * vec3<f32>(v_6.x) + axes_2.t_0 * vec3<f32>(v_6.y) + axes_2.n_1 * vec3<f32>(v_6.z);
 }
 
-fn component_0( v_6 : vec3<f32>,  axis_2 : u32) -> f32
+fn component_0( v_7 : vec3<f32>,  axis_2 : u32) -> f32
 {
-    var _S116 : f32;
+    var _S259 : f32;
     if(axis_2 == u32(0))
     {
-        _S116 = v_6.x;
+        _S259 = v_7.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S116 = v_6.y;
+            _S259 = v_7.y;
         }
         else
         {
-            _S116 = v_6.z;
+            _S259 = v_7.z;
         }
     }
-    return _S116;
+    return _S259;
 }
 
-fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
+fn ray_child_0( node_3 : u32,  slot_3 : u32) -> u32
 {
-    return nodes_0[u32(14) * node_3 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
+    return nodes_0[u32(14) * node_3 + u32(12) + slot_3 / u32(4)][slot_3 % u32(4)];
 }
 
 struct RayView_0
@@ -1752,12 +2356,12 @@ struct RayView_0
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
      margin_0 : f32,
-     axes_4 : u32,
+     axes_3 : u32,
 };
 
-fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
+fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_4 : u32) -> f32
 {
-    var _S117 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S260 : u32 = u32(14) * node_4 + slot_4 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -1770,36 +2374,36 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S118 : u32 = axis_3;
-        var _S119 : u32 = _S117 + u32(2) * axis_3;
-        var _S120 : u32 = slot_3 % u32(4);
-        var low_4 : f32 = (bitcast<f32>((nodes_0[_S119][_S120])));
-        var high_1 : f32 = (bitcast<f32>((nodes_0[_S119 + u32(6)][_S120])));
-        var _S121 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
-        var _S122 : f32;
-        if(_S121)
+        var _S261 : u32 = axis_3;
+        var _S262 : u32 = _S260 + u32(2) * axis_3;
+        var _S263 : u32 = slot_4 % u32(4);
+        var low_4 : f32 = (bitcast<f32>((nodes_0[_S262][_S263])));
+        var high_1 : f32 = (bitcast<f32>((nodes_0[_S262 + u32(6)][_S263])));
+        var _S264 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
+        var _S265 : f32;
+        if(_S264)
         {
-            _S122 = high_1;
+            _S265 = high_1;
         }
         else
         {
-            _S122 = low_4;
+            _S265 = low_4;
         }
-        var _S123 : f32 = max(near_0, _S122 * view_2.inverse_0[_S118] - view_2.offset_near_0[axis_3]);
-        var _S124 : f32;
-        if(_S121)
+        var _S266 : f32 = max(near_0, _S265 * view_2.inverse_0[_S261] - view_2.offset_near_0[axis_3]);
+        var _S267 : f32;
+        if(_S264)
         {
-            _S124 = low_4;
+            _S267 = low_4;
         }
         else
         {
-            _S124 = high_1;
+            _S267 = high_1;
         }
-        var _S125 : f32 = min(far_0, _S124 * view_2.inverse_0[_S118] - view_2.offset_far_0[axis_3]);
-        var _S126 : u32 = axis_3 + u32(1);
-        near_0 = _S123;
-        far_0 = _S125;
-        axis_3 = _S126;
+        var _S268 : f32 = min(far_0, _S267 * view_2.inverse_0[_S261] - view_2.offset_far_0[axis_3]);
+        var _S269 : u32 = axis_3 + u32(1);
+        near_0 = _S266;
+        far_0 = _S268;
+        axis_3 = _S269;
     }
     if(near_0 <= far_0)
     {
@@ -1813,21 +2417,21 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
 
 fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 {
-    var k_6 : u32 = u32(0);
+    var k_7 : u32 = u32(0);
     var order_0 : u32 = u32(0);
     for(;;)
     {
-        if(k_6 < u32(8))
+        if(k_7 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S127 : u32 = k_6;
-        if((bounds_0[k_6]) > limit_2)
+        var _S270 : u32 = k_7;
+        if((bounds_0[k_7]) > limit_2)
         {
-            k_6 = k_6 + u32(1);
+            k_7 = k_7 + u32(1);
             continue;
         }
         var j_0 : u32 = u32(0);
@@ -1841,31 +2445,31 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S128 : u32 = j_0;
-            var _S129 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S127]))
+            var _S271 : u32 = j_0;
+            var _S272 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S270]))
             {
-                _S129 = true;
+                _S272 = true;
             }
             else
             {
-                if((bounds_0[_S128]) == (bounds_0[_S127]))
+                if((bounds_0[_S271]) == (bounds_0[_S270]))
                 {
-                    _S129 = j_0 < k_6;
+                    _S272 = j_0 < k_7;
                 }
                 else
                 {
-                    _S129 = false;
+                    _S272 = false;
                 }
             }
-            if(_S129)
+            if(_S272)
             {
                 rank_0 = rank_0 + u32(1);
             }
             j_0 = j_0 + u32(1);
         }
-        order_0 = (order_0 | ((((k_6 + u32(1)) << ((u32(4) * rank_0))))));
-        k_6 = k_6 + u32(1);
+        order_0 = (order_0 | ((((k_7 + u32(1)) << ((u32(4) * rank_0))))));
+        k_7 = k_7 + u32(1);
     }
     return order_0;
 }
@@ -1873,27 +2477,27 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
-    var slot_4 : u32 = u32(0);
+    var slot_5 : u32 = u32(0);
     for(;;)
     {
-        if(slot_4 < u32(8))
+        if(slot_5 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S130 : f32;
-        if((ray_child_0(node_5, slot_4)) == u32(4294967295))
+        var _S273 : f32;
+        if((ray_child_0(node_5, slot_5)) == u32(4294967295))
         {
-            _S130 = 3.00000000549775576e+38f;
+            _S273 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S130 = ray_bound_0(view_3, limit_3, node_5, slot_4);
+            _S273 = ray_bound_0(view_3, limit_3, node_5, slot_5);
         }
-        bounds_1[slot_4] = _S130;
-        slot_4 = slot_4 + u32(1);
+        bounds_1[slot_5] = _S273;
+        slot_5 = slot_5 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
@@ -1917,71 +2521,71 @@ struct Ray_0
      largest_1 : f32,
 };
 
-fn corner_0( ray_0 : Ray_0,  axes_5 : u32,  at_16 : u32) -> vec3<f32>
+fn corner_3( ray_0 : Ray_0,  axes_4 : u32,  at_21 : u32) -> vec3<f32>
 {
-    var relative_0 : vec3<f32> = primitive_vector_0(at_16) - ray_0.origin_0;
-    var z_3 : f32 = component_0(relative_0, (axes_5 >> (u32(4))));
-    return vec3<f32>(component_0(relative_0, (axes_5 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_3, ray_0.largest_1), component_0(relative_0, (((axes_5 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_3, ray_0.largest_1), z_3);
+    var relative_0 : vec3<f32> = primitive_vector_0(at_21) - ray_0.origin_0;
+    var z_4 : f32 = component_0(relative_0, (axes_4 >> (u32(4))));
+    return vec3<f32>(component_0(relative_0, (axes_4 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_4, ray_0.largest_1), component_0(relative_0, (((axes_4 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_4, ray_0.largest_1), z_4);
 }
 
 struct Crossing_0
 {
      is_hit_0 : bool,
-     t_2 : f32,
-     v_7 : f32,
-     w_2 : f32,
+     t_3 : f32,
+     v_8 : f32,
+     w_3 : f32,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_17 : u32) -> Crossing_0
+fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_22 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
-    crossing_0.t_2 = 0.0f;
-    crossing_0.v_7 = 0.0f;
-    crossing_0.w_2 = 0.0f;
-    var a_12 : vec3<f32> = corner_0(ray_1, axes_6, at_17);
-    var b_10 : vec3<f32> = corner_0(ray_1, axes_6, at_17 + u32(3));
-    var c_5 : vec3<f32> = corner_0(ray_1, axes_6, at_17 + u32(6));
-    var _S131 : f32 = c_5.x;
-    var _S132 : f32 = b_10.y;
-    var cx_by_0 : f32 = rounded_0(_S131 * _S132, ray_1.largest_1);
-    var _S133 : f32 = c_5.y;
-    var _S134 : f32 = b_10.x;
-    var cy_bx_0 : f32 = rounded_0(_S133 * _S134, ray_1.largest_1);
-    var _S135 : f32 = a_12.x;
-    var ax_cy_0 : f32 = rounded_0(_S135 * _S133, ray_1.largest_1);
-    var _S136 : f32 = a_12.y;
-    var ay_cx_0 : f32 = rounded_0(_S136 * _S131, ray_1.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S134 * _S136, ray_1.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S132 * _S135, ray_1.largest_1);
+    crossing_0.t_3 = 0.0f;
+    crossing_0.v_8 = 0.0f;
+    crossing_0.w_3 = 0.0f;
+    var a_20 : vec3<f32> = corner_3(ray_1, axes_5, at_22);
+    var b_14 : vec3<f32> = corner_3(ray_1, axes_5, at_22 + u32(3));
+    var c_8 : vec3<f32> = corner_3(ray_1, axes_5, at_22 + u32(6));
+    var _S274 : f32 = c_8.x;
+    var _S275 : f32 = b_14.y;
+    var cx_by_0 : f32 = rounded_0(_S274 * _S275, ray_1.largest_1);
+    var _S276 : f32 = c_8.y;
+    var _S277 : f32 = b_14.x;
+    var cy_bx_0 : f32 = rounded_0(_S276 * _S277, ray_1.largest_1);
+    var _S278 : f32 = a_20.x;
+    var ax_cy_0 : f32 = rounded_0(_S278 * _S276, ray_1.largest_1);
+    var _S279 : f32 = a_20.y;
+    var ay_cx_0 : f32 = rounded_0(_S279 * _S274, ray_1.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S277 * _S279, ray_1.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S275 * _S278, ray_1.largest_1);
     var u_8 : f32 = cx_by_0 - cy_bx_0;
-    var v_8 : f32 = ax_cy_0 - ay_cx_0;
-    var w_3 : f32 = bx_ay_0 - by_ax_0;
-    var _S137 : f32 = min(min(u_8, v_8), w_3);
-    var _S138 : f32 = max(max(u_8, v_8), w_3);
-    var _S139 : bool;
-    if(_S137 < 0.0f)
+    var v_9 : f32 = ax_cy_0 - ay_cx_0;
+    var w_4 : f32 = bx_ay_0 - by_ax_0;
+    var _S280 : f32 = min(min(u_8, v_9), w_4);
+    var _S281 : f32 = max(max(u_8, v_9), w_4);
+    var _S282 : bool;
+    if(_S280 < 0.0f)
     {
-        _S139 = _S138 > 0.0f;
+        _S282 = _S281 > 0.0f;
     }
     else
     {
-        _S139 = false;
+        _S282 = false;
     }
-    if(_S139)
+    if(_S282)
     {
         return crossing_0;
     }
-    var determinant_0 : f32 = u_8 + v_8 + w_3;
-    if(_S137 <= 0.0f)
+    var determinant_0 : f32 = u_8 + v_9 + w_4;
+    if(_S280 <= 0.0f)
     {
-        _S139 = _S138 >= 0.0f;
+        _S282 = _S281 >= 0.0f;
     }
     else
     {
-        _S139 = false;
+        _S282 = false;
     }
-    if(_S139)
+    if(_S282)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -1992,43 +2596,43 @@ fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_17 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_3 : f32 = (rounded_0(u_8 * a_12.z, ray_1.largest_1) + rounded_0(v_8 * b_10.z, ray_1.largest_1) + rounded_0(w_3 * c_5.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
-    if((ray_1.t_min_0) <= t_3)
+    var t_4 : f32 = (rounded_0(u_8 * a_20.z, ray_1.largest_1) + rounded_0(v_9 * b_14.z, ray_1.largest_1) + rounded_0(w_4 * c_8.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
+    if((ray_1.t_min_0) <= t_4)
     {
-        _S139 = t_3 <= (ray_1.t_max_0);
+        _S282 = t_4 <= (ray_1.t_max_0);
     }
     else
     {
-        _S139 = false;
+        _S282 = false;
     }
-    crossing_0.is_hit_0 = _S139;
-    crossing_0.t_2 = t_3;
-    crossing_0.v_7 = v_8 / determinant_0;
-    crossing_0.w_2 = w_3 / determinant_0;
+    crossing_0.is_hit_0 = _S282;
+    crossing_0.t_3 = t_4;
+    crossing_0.v_8 = v_9 / determinant_0;
+    crossing_0.w_3 = w_4 / determinant_0;
     return crossing_0;
 }
 
-fn face_6( triangle_4 : u32) -> u32
+fn face_6( triangle_7 : u32) -> u32
 {
-    return rough_0[triangle_4 / u32(4)][triangle_4 % u32(4)];
+    return rough_0[triangle_7 / u32(4)][triangle_7 % u32(4)];
 }
 
 struct Found_0
 {
      face_7 : u32,
-     triangle_5 : u32,
-     v_9 : f32,
-     w_4 : f32,
+     triangle_8 : u32,
+     v_10 : f32,
+     w_5 : f32,
 };
 
 fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S140 : bool;
+    var _S283 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
-    found_3.triangle_5 = u32(4294967295);
-    found_3.v_9 = 0.0f;
-    found_3.w_4 = 0.0f;
+    found_3.triangle_8 = u32(4294967295);
+    found_3.v_10 = 0.0f;
+    found_3.w_5 = 0.0f;
     if(!((view_4.limit_0) >= 0.0f))
     {
         return found_3;
@@ -2055,60 +2659,60 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_1[level_0];
-        var _S141 : u32 = way_1[level_0].y;
-        if(_S141 == u32(0))
+        var _S284 : u32 = way_1[level_0].y;
+        if(_S284 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S142 : u32 = level_0 - u32(1);
+            var _S285 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S142;
+            level_0 = _S285;
             continue;
         }
-        var slot_5 : u32 = ((_S141 & (u32(15)))) - u32(1);
-        way_1[level_0][i32(1)] = (_S141 >> (u32(4)));
-        var _S143 : bool;
+        var slot_6 : u32 = ((_S284 & (u32(15)))) - u32(1);
+        way_1[level_0][i32(1)] = (_S284 >> (u32(4)));
+        var _S286 : bool;
         if(!is_new_1)
         {
-            _S143 = (ray_bound_0(view_4, limit_4, here_0.x, slot_5)) > limit_4;
+            _S286 = (ray_bound_0(view_4, limit_4, here_0.x, slot_6)) > limit_4;
         }
         else
         {
-            _S143 = false;
+            _S286 = false;
         }
-        if(_S143)
+        if(_S286)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
             continue;
         }
-        var child_0 : u32 = ray_child_0(here_0.x, slot_5);
+        var child_0 : u32 = ray_child_0(here_0.x, slot_6);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S144 : u32 = level_0 + u32(1);
+            var _S287 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S144;
+            level_0 = _S287;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S145 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S146 : u32 = leaf_starts_0[leaf_0];
+        var _S288 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S289 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S146;
+        var i_3 : u32 = _S289;
         for(;;)
         {
-            if(i_3 < _S145)
+            if(i_3 < _S288)
             {
             }
             else
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_4.axes_4, u32(9) * i_3);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_4.axes_3, u32(9) * i_3);
             if(!crossing_1.is_hit_0)
             {
                 i_3 = i_3 + u32(1);
@@ -2116,30 +2720,30 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S140 = true;
+                _S283 = true;
             }
             else
             {
-                _S140 = (crossing_1.t_2) < ((*ray_2).t_max_0);
+                _S283 = (crossing_1.t_3) < ((*ray_2).t_max_0);
             }
-            var _S147 : bool;
-            if(_S140)
+            var _S290 : bool;
+            if(_S283)
             {
-                _S147 = true;
+                _S290 = true;
             }
             else
             {
-                _S147 = (face_6(i_3)) < (found_3.face_7);
+                _S290 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S147)
+            if(_S290)
             {
                 found_3.face_7 = face_6(i_3);
-                found_3.triangle_5 = i_3;
-                (*ray_2).t_max_0 = crossing_1.t_2;
-                found_3.v_9 = crossing_1.v_7;
-                found_3.w_4 = crossing_1.w_2;
-                limit_6 = min(limit_5, crossing_1.t_2 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_4.margin_0);
+                found_3.triangle_8 = i_3;
+                (*ray_2).t_max_0 = crossing_1.t_3;
+                found_3.v_10 = crossing_1.v_8;
+                found_3.w_5 = crossing_1.w_3;
+                limit_6 = min(limit_5, crossing_1.t_3 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_4.margin_0);
             }
             else
             {
@@ -2150,13 +2754,13 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S140 = (found_3.face_7) != u32(4294967295);
+            _S283 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S140 = false;
+            _S283 = false;
         }
-        if(_S140)
+        if(_S283)
         {
             break;
         }
@@ -2167,54 +2771,54 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_3;
 }
 
-fn cast_0( origin_1 : vec3<f32>,  direction_8 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_1 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_5 : ptr<function, f32>) -> Found_0
 {
-    var size_1 : vec3<f32> = abs(direction_8);
-    var _S148 : f32 = size_1.x;
-    var _S149 : f32 = size_1.y;
-    var _S150 : bool;
-    if(_S148 >= _S149)
+    var size_3 : vec3<f32> = abs(direction_12);
+    var _S291 : f32 = size_3.x;
+    var _S292 : f32 = size_3.y;
+    var _S293 : bool;
+    if(_S291 >= _S292)
     {
-        _S150 = _S148 >= (size_1.z);
+        _S293 = _S291 >= (size_3.z);
     }
     else
     {
-        _S150 = false;
+        _S293 = false;
     }
-    var _S151 : i32;
-    if(_S150)
+    var _S294 : i32;
+    if(_S293)
     {
-        _S151 = i32(0);
+        _S294 = i32(0);
     }
     else
     {
-        if(_S149 >= (size_1.z))
+        if(_S292 >= (size_3.z))
         {
-            _S151 = i32(1);
+            _S294 = i32(1);
         }
         else
         {
-            _S151 = i32(2);
+            _S294 = i32(2);
         }
     }
-    var z_4 : u32 = u32(_S151);
-    var x_8 : u32 = (z_4 + u32(1)) % u32(3);
-    var y_3 : u32 = (z_4 + u32(2)) % u32(3);
+    var z_5 : u32 = u32(_S294);
+    var x_8 : u32 = (z_5 + u32(1)) % u32(3);
+    var y_3 : u32 = (z_5 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
     ray_3.origin_0 = origin_1;
-    var along_3 : f32 = component_0(direction_8, z_4);
+    var along_3 : f32 = component_0(direction_12, z_5);
     ray_3.inverse_z_0 = 1.0f / along_3;
-    ray_3.shear_x_0 = component_0(direction_8, x_8) / along_3;
-    ray_3.shear_y_0 = component_0(direction_8, y_3) / along_3;
+    ray_3.shear_x_0 = component_0(direction_12, x_8) / along_3;
+    ray_3.shear_y_0 = component_0(direction_12, y_3) / along_3;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S152 : f32 = abs(along_3);
-    ray_3.local_per_t_0 = _S152;
+    var _S295 : f32 = abs(along_3);
+    ray_3.local_per_t_0 = _S295;
     ray_3.enter_0 = 0.0f;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
     var view_5 : RayView_0;
-    var _S153 : vec3<f32> = direction_8 / vec3<f32>(_S152);
+    var _S296 : vec3<f32> = direction_12 / vec3<f32>(_S295);
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -2225,17 +2829,17 @@ fn cast_0( origin_1 : vec3<f32>,  direction_8 : vec3<f32>,  t_min_1 : f32,  t_ma
         {
             break;
         }
-        var _S154 : f32 = max(abs(_S153[axis_4]), 8.67361737988403547e-19f);
-        var _S155 : f32;
-        if((_S153[axis_4]) < 0.0f)
+        var _S297 : f32 = max(abs(_S296[axis_4]), 8.67361737988403547e-19f);
+        var _S298 : f32;
+        if((_S296[axis_4]) < 0.0f)
         {
-            _S155 = -1.0f / _S154;
+            _S298 = -1.0f / _S297;
         }
         else
         {
-            _S155 = 1.0f / _S154;
+            _S298 = 1.0f / _S297;
         }
-        view_5.inverse_0[axis_4] = _S155;
+        view_5.inverse_0[axis_4] = _S298;
         axis_4 = axis_4 + u32(1);
     }
     var offset_4 : vec3<f32> = origin_1 * view_5.inverse_0;
@@ -2244,60 +2848,60 @@ fn cast_0( origin_1 : vec3<f32>,  direction_8 : vec3<f32>,  t_min_1 : f32,  t_ma
     view_5.offset_far_0 = offset_4 - wider_0;
     view_5.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
     view_5.margin_0 = 3.814697265625e-06f;
-    view_5.axes_4 = (((x_8 | (((y_3 << (u32(2))))))) | (((z_4 << (u32(4))))));
+    view_5.axes_3 = (((x_8 | (((y_3 << (u32(2))))))) | (((z_5 << (u32(4))))));
     var found_4 : Found_0 = first_found_0(view_5, &(ray_3), any_1);
-    (*t_4) = ray_3.t_max_0;
+    (*t_5) = ray_3.t_max_0;
     return found_4;
 }
 
-fn cast_1( origin_2 : vec3<f32>,  direction_9 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_2 : bool,  t_5 : ptr<function, f32>) -> Found_0
+fn cast_1( origin_2 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_2 : bool,  t_6 : ptr<function, f32>) -> Found_0
 {
-    var size_2 : vec3<f32> = abs(direction_9);
-    var _S156 : f32 = size_2.x;
-    var _S157 : f32 = size_2.y;
-    var _S158 : bool;
-    if(_S156 >= _S157)
+    var size_4 : vec3<f32> = abs(direction_13);
+    var _S299 : f32 = size_4.x;
+    var _S300 : f32 = size_4.y;
+    var _S301 : bool;
+    if(_S299 >= _S300)
     {
-        _S158 = _S156 >= (size_2.z);
+        _S301 = _S299 >= (size_4.z);
     }
     else
     {
-        _S158 = false;
+        _S301 = false;
     }
-    var _S159 : i32;
-    if(_S158)
+    var _S302 : i32;
+    if(_S301)
     {
-        _S159 = i32(0);
+        _S302 = i32(0);
     }
     else
     {
-        if(_S157 >= (size_2.z))
+        if(_S300 >= (size_4.z))
         {
-            _S159 = i32(1);
+            _S302 = i32(1);
         }
         else
         {
-            _S159 = i32(2);
+            _S302 = i32(2);
         }
     }
-    var z_5 : u32 = u32(_S159);
-    var x_9 : u32 = (z_5 + u32(1)) % u32(3);
-    var y_4 : u32 = (z_5 + u32(2)) % u32(3);
+    var z_6 : u32 = u32(_S302);
+    var x_9 : u32 = (z_6 + u32(1)) % u32(3);
+    var y_4 : u32 = (z_6 + u32(2)) % u32(3);
     var ray_4 : Ray_0;
     ray_4.origin_0 = origin_2;
-    var along_4 : f32 = component_0(direction_9, z_5);
+    var along_4 : f32 = component_0(direction_13, z_6);
     ray_4.inverse_z_0 = 1.0f / along_4;
-    ray_4.shear_x_0 = component_0(direction_9, x_9) / along_4;
-    ray_4.shear_y_0 = component_0(direction_9, y_4) / along_4;
+    ray_4.shear_x_0 = component_0(direction_13, x_9) / along_4;
+    ray_4.shear_y_0 = component_0(direction_13, y_4) / along_4;
     ray_4.t_min_0 = t_min_2;
     ray_4.t_max_0 = t_max_2;
-    var _S160 : f32 = abs(along_4);
-    ray_4.local_per_t_0 = _S160;
+    var _S303 : f32 = abs(along_4);
+    ray_4.local_per_t_0 = _S303;
     ray_4.enter_0 = 0.0f;
     ray_4.edge_on_0 = limit_at_0(u32(0));
     ray_4.largest_1 = limit_at_0(u32(1));
     var view_6 : RayView_0;
-    var _S161 : vec3<f32> = direction_9 / vec3<f32>(_S160);
+    var _S304 : vec3<f32> = direction_13 / vec3<f32>(_S303);
     var axis_5 : u32 = u32(0);
     for(;;)
     {
@@ -2308,17 +2912,17 @@ fn cast_1( origin_2 : vec3<f32>,  direction_9 : vec3<f32>,  t_min_2 : f32,  t_ma
         {
             break;
         }
-        var _S162 : f32 = max(abs(_S161[axis_5]), 8.67361737988403547e-19f);
-        var _S163 : f32;
-        if((_S161[axis_5]) < 0.0f)
+        var _S305 : f32 = max(abs(_S304[axis_5]), 8.67361737988403547e-19f);
+        var _S306 : f32;
+        if((_S304[axis_5]) < 0.0f)
         {
-            _S163 = -1.0f / _S162;
+            _S306 = -1.0f / _S305;
         }
         else
         {
-            _S163 = 1.0f / _S162;
+            _S306 = 1.0f / _S305;
         }
-        view_6.inverse_0[axis_5] = _S163;
+        view_6.inverse_0[axis_5] = _S306;
         axis_5 = axis_5 + u32(1);
     }
     var offset_5 : vec3<f32> = origin_2 * view_6.inverse_0;
@@ -2327,49 +2931,139 @@ fn cast_1( origin_2 : vec3<f32>,  direction_9 : vec3<f32>,  t_min_2 : f32,  t_ma
     view_6.offset_far_0 = offset_5 - wider_1;
     view_6.limit_0 = min(t_max_2 * ray_4.local_per_t_0, 8.0f) + 3.814697265625e-06f;
     view_6.margin_0 = 3.814697265625e-06f;
-    view_6.axes_4 = (((x_9 | (((y_4 << (u32(2))))))) | (((z_5 << (u32(4))))));
+    view_6.axes_3 = (((x_9 | (((y_4 << (u32(2))))))) | (((z_6 << (u32(4))))));
     var found_5 : Found_0 = first_found_0(view_6, &(ray_4), any_2);
-    (*t_5) = ray_4.t_max_0;
+    (*t_6) = ray_4.t_max_0;
     return found_5;
 }
 
-fn x2A_0( a_13 : Colour_0,  b_11 : vec3<f32>) -> Colour_0
+fn turns_1( vertex_1 : Vertex_0) -> bool
 {
-    var product_2 : Colour_0;
-    product_2.value_0 = a_13.value_0 * b_11;
-    var k_7 : u32 = u32(0);
-    for(;;)
+    var _S307 : bool;
+    if((change_word_0(u32(1))) != u32(0))
     {
-        if(k_7 < u32(1))
-        {
-        }
-        else
-        {
-            break;
-        }
-        product_2.changes_0[k_7] = a_13.changes_0[k_7] * b_11;
-        k_7 = k_7 + u32(1);
+        _S307 = true;
     }
-    return product_2;
+    else
+    {
+        _S307 = (any(((vertex_1.surface_3.position_change_0) != vec3<f32>(0.0f))));
+    }
+    return _S307;
 }
 
-fn x2A_1( a_14 : Colour_0,  b_12 : f32) -> Colour_0
+fn turning_0( vertex_2 : Vertex_0,  direction_14 : vec3<f32>) -> vec3<f32>
 {
-    return x2A_0(a_14, vec3<f32>(b_12));
+    var _S308 : vec3<f32>;
+    if(turns_1(vertex_2))
+    {
+        _S308 = vertex_2.axes_change_0.n_1 * vec3<f32>(dot(vertex_2.axes_1.n_1, direction_14)) - vertex_2.axes_1.n_1 * vec3<f32>(dot(vertex_2.axes_change_0.n_1, direction_14));
+    }
+    else
+    {
+        _S308 = vec3<f32>(0.0f);
+    }
+    return _S308;
+}
+
+fn still_0( value_8 : vec3<f32>) -> Vector_0
+{
+    return changing_0(value_8, vec3<f32>(0.0f));
+}
+
+fn towards_emitter_0( vertex_3 : Vertex_0,  direction_15 : vec3<f32>,  record_13 : u32) -> Vector_0
+{
+    var _S309 : Vector_0;
+    if((word_0(record_13)) == u32(1))
+    {
+        _S309 = changing_0(direction_15, turning_0(vertex_3, direction_15));
+    }
+    else
+    {
+        _S309 = still_0(direction_15);
+    }
+    return _S309;
+}
+
+fn local_change_0( vertex_4 : Vertex_0,  direction_16 : Vector_0) -> vec3<f32>
+{
+    return to_local_0(vertex_4.axes_change_0, value_of_0(direction_16)) + to_local_0(vertex_4.axes_1, change_of_0(direction_16));
+}
+
+struct Mirrored_0
+{
+     cosine_4 : f32,
+     pdf_2 : f32,
+     scattered_0 : f32,
+};
+
+struct DiffPair_Mirrored_0
+{
+     primal_0 : Mirrored_0,
+     differential_0 : Mirrored_0,
+};
+
+fn s_fwd_Mirrored_x24init_0( dpcosine_0 : DiffPair_float_0,  dppdf_0 : DiffPair_float_0,  dpscattered_0 : DiffPair_float_0) -> DiffPair_Mirrored_0
+{
+    var _S310 : Mirrored_0 = Mirrored_0( dpcosine_0.primal_0, dppdf_0.primal_0, dpscattered_0.primal_0 );
+    var _S311 : Mirrored_0 = Mirrored_0( dpcosine_0.differential_0, dppdf_0.differential_0, dpscattered_0.differential_0 );
+    var _S312 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S310, _S311 );
+    return _S312;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S164 : bool;
+    var _S313 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S164 = true;
+        _S313 = true;
     }
     else
     {
-        _S164 = (lobe_3.kind_1) == u32(4);
+        _S313 = (lobe_3.kind_1) == u32(4);
     }
-    return _S164;
+    return _S313;
+}
+
+struct Microfacets_0
+{
+     distribution_1 : u32,
+     alpha_1 : vec2<f32>,
+};
+
+fn facets_of_0( lobe_4 : Lobe_0,  numbers_3 : Numbers_0) -> Microfacets_0
+{
+    var facets_0 : Microfacets_0;
+    facets_0.distribution_1 = lobe_4.distribution_0;
+    facets_0.alpha_1 = max(numbers_3.alpha_0, vec2<f32>(0.00009999999747379f));
+    return facets_0;
+}
+
+struct Microfacets_Differential_0
+{
+     alpha_2 : vec2<f32>,
+};
+
+struct DiffPair_Microfacets_0
+{
+     primal_0 : Microfacets_0,
+     differential_0 : Microfacets_Differential_0,
+};
+
+struct DiffPair_Numbers_0
+{
+     primal_0 : Numbers_0,
+     differential_0 : Numbers_0,
+};
+
+fn s_fwd_facets_of_0( lobe_5 : Lobe_0,  dpnumbers_0 : DiffPair_Numbers_0) -> DiffPair_Microfacets_0
+{
+    var _S314 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( dpnumbers_0.primal_0.alpha_0, dpnumbers_0.differential_0.alpha_0 );
+    var _S315 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(0.00009999999747379f), vec2<f32>(0.0f) );
+    var _S316 : DiffPair_vectorx3Cfloatx2C2x3E_0 = _d_max_vector_0(_S314, _S315);
+    var _S317 : Microfacets_0 = Microfacets_0( lobe_5.distribution_0, _S316.primal_0 );
+    var _S318 : Microfacets_Differential_0 = Microfacets_Differential_0( _S316.differential_0 );
+    var _S319 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S317, _S318 );
+    return _S319;
 }
 
 fn exponential_0( x_10 : f32) -> f32
@@ -2383,200 +3077,419 @@ fn exponential_0( x_10 : f32) -> f32
     return ((((((0.00019875691214111f * r_0 + 0.00139819993637502f) * r_0 + 0.00833345204591751f) * r_0 + 0.04166579619050026f) * r_0 + 0.1666666567325592f) * r_0 + 0.5f) * r_0 * r_0 + r_0 + 1.0f) * (bitcast<f32>(((u32(i32(power_0) + i32(127)) << (u32(23))))));
 }
 
-fn density_0( facets_0 : Microfacets_0,  m_0 : vec3<f32>) -> f32
+fn s_fwd_exponential_0( dpx_11 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S165 : f32 = m_0.z;
-    if(_S165 <= 0.0f)
+    if((dpx_11.primal_0) < -87.0f)
     {
-        return 0.0f;
+        var _S320 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+        return _S320;
     }
-    var scale_0 : f32 = 3.14159274101257324f * facets_0.alpha_0.x * facets_0.alpha_0.y;
-    var slope_0 : vec2<f32> = m_0.xy / facets_0.alpha_0;
-    var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S165 * _S165;
-    if((facets_0.distribution_0) == u32(1))
+    var power_1 : f32 = floor(dpx_11.primal_0 * 1.4426950216293335f + 0.5f);
+    var r_1 : f32 = dpx_11.primal_0 - power_1 * 0.693359375f + power_1 * 0.00021219444170129f;
+    var _S321 : f32 = 0.00019875691214111f * r_1 + 0.00139819993637502f;
+    var _S322 : f32 = _S321 * r_1 + 0.00833345204591751f;
+    var tail_1 : f32 = _S322 * r_1 + 0.04166579619050026f;
+    var _S323 : f32 = tail_1 * r_1 + 0.1666666567325592f;
+    var tail_2 : f32 = _S323 * r_1 + 0.5f;
+    var _S324 : f32 = tail_2 * r_1;
+    var _S325 : f32 = (bitcast<f32>(((u32(i32(power_1) + i32(127)) << (u32(23))))));
+    var _S326 : DiffPair_float_0 = DiffPair_float_0( (_S324 * r_1 + r_1 + 1.0f) * _S325, ((((((dpx_11.differential_0 * 0.00019875691214111f * r_1 + dpx_11.differential_0 * _S321) * r_1 + dpx_11.differential_0 * _S322) * r_1 + dpx_11.differential_0 * tail_1) * r_1 + dpx_11.differential_0 * _S323) * r_1 + dpx_11.differential_0 * tail_2) * r_1 + dpx_11.differential_0 * _S324 + dpx_11.differential_0) * _S325 );
+    return _S326;
+}
+
+fn s_fwd_density_0( dpfacets_0 : DiffPair_Microfacets_0,  dpm_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
+{
+    var _S327 : f32 = dpm_0.primal_0.z;
+    var _S328 : f32 = dpm_0.differential_0.z;
+    if(_S327 <= 0.0f)
     {
-        var sum_2 : f32 = spread_0 + cos2_0;
-        return 1.0f / (scale_0 * sum_2 * sum_2);
+        var _S329 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+        return _S329;
     }
-    var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S166 : f32;
+    var _S330 : f32 = 3.14159274101257324f * dpfacets_0.primal_0.alpha_1.x;
+    var _S331 : f32 = dpfacets_0.primal_0.alpha_1.y;
+    var scale_2 : f32 = _S330 * _S331;
+    var s_diff_scale_0 : f32 = dpfacets_0.differential_0.alpha_2.x * 3.14159274101257324f * _S331 + dpfacets_0.differential_0.alpha_2.y * _S330;
+    var _S332 : vec2<f32> = dpm_0.primal_0.xy;
+    var _S333 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S332 / dpfacets_0.primal_0.alpha_1, (dpm_0.differential_0.xy * dpfacets_0.primal_0.alpha_1 - _S332 * dpfacets_0.differential_0.alpha_2) / (dpfacets_0.primal_0.alpha_1 * dpfacets_0.primal_0.alpha_1) );
+    var _S334 : DiffPair_float_0 = _d_dot_0(_S333, _S333);
+    var cos2_0 : f32 = _S327 * _S327;
+    var _S335 : f32 = _S328 * _S327;
+    var s_diff_cos2_0 : f32 = _S335 + _S335;
+    if((dpfacets_0.primal_0.distribution_1) == u32(1))
+    {
+        var sum_2 : f32 = _S334.primal_0 + cos2_0;
+        var s_diff_sum_0 : f32 = _S334.differential_0 + s_diff_cos2_0;
+        var _S336 : f32 = scale_2 * sum_2;
+        var _S337 : f32 = _S336 * sum_2;
+        var _S338 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S337, (0.0f - ((s_diff_scale_0 * sum_2 + s_diff_sum_0 * scale_2) * sum_2 + s_diff_sum_0 * _S336)) / (_S337 * _S337) );
+        return _S338;
+    }
+    var exponent_0 : f32 = _S334.primal_0 / cos2_0;
+    var s_diff_exponent_0 : f32 = (_S334.differential_0 * cos2_0 - _S334.primal_0 * s_diff_cos2_0) / (cos2_0 * cos2_0);
+    var _S339 : f32;
+    var _S340 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S166 = 0.0f;
+        _S339 = 0.0f;
+        _S340 = 0.0f;
     }
     else
     {
-        _S166 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        var _S341 : DiffPair_float_0 = DiffPair_float_0( - exponent_0, - s_diff_exponent_0 );
+        var _S342 : DiffPair_float_0 = s_fwd_exponential_0(_S341);
+        var _S343 : f32 = scale_2 * cos2_0;
+        var _S344 : f32 = _S343 * cos2_0;
+        var _S345 : f32 = (_S342.differential_0 * _S344 - _S342.primal_0 * ((s_diff_scale_0 * cos2_0 + s_diff_cos2_0 * scale_2) * cos2_0 + s_diff_cos2_0 * _S343)) / (_S344 * _S344);
+        _S339 = _S342.primal_0 / _S344;
+        _S340 = _S345;
     }
-    return _S166;
+    var _S346 : DiffPair_float_0 = DiffPair_float_0( _S339, _S340 );
+    return _S346;
 }
 
 fn error_function_plus_one_0( x_11 : f32) -> vec2<f32>
 {
-    var _S167 : f32 = min(abs(x_11), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S167 * _S167);
-    var place_14 : f32 = (_S167 - 2.0f) / (_S167 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_14 - 0.00127731403335929f) * place_14 + 0.00131371302995831f) * place_14 + 0.008666617795825f) * place_14 - 0.00805134233087301f) * place_14 - 0.05421232059597969f) * place_14 + 0.1640533059835434f) * place_14 - 0.16603080928325653f) * place_14 - 0.09276388585567474f) * place_14 + 1.27697837352752686f) / (1.0f + 2.0f * _S167);
-    var _S168 : f32;
+    var _S347 : f32 = min(abs(x_11), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S347 * _S347);
+    var place_17 : f32 = (_S347 - 2.0f) / (_S347 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_17 - 0.00127731403335929f) * place_17 + 0.00131371302995831f) * place_17 + 0.008666617795825f) * place_17 - 0.00805134233087301f) * place_17 - 0.05421232059597969f) * place_17 + 0.1640533059835434f) * place_17 - 0.16603080928325653f) * place_17 - 0.09276388585567474f) * place_17 + 1.27697837352752686f) / (1.0f + 2.0f * _S347);
+    var _S348 : f32;
     if(x_11 < 0.0f)
     {
-        _S168 = complement_0;
+        _S348 = complement_0;
     }
     else
     {
-        _S168 = 2.0f - complement_0;
+        _S348 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S168, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S348, 1.128379225730896f * gaussian_0);
 }
 
-fn visible_over_cos_0( facets_1 : Microfacets_0,  w_5 : vec3<f32>) -> f32
+fn error_function_changed_0( x_12 : DiffPair_float_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var stretched_0 : vec2<f32> = w_5.xy * facets_1.alpha_0;
+    var both_0 : vec2<f32> = error_function_plus_one_0(x_12.primal_0);
+    var _S349 : f32 = both_0.y;
+    var _S350 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( both_0, vec2<f32>(_S349, -2.0f * x_12.primal_0 * _S349) * vec2<f32>(x_12.differential_0) );
+    return _S350;
+}
+
+fn visible_over_cos_0( facets_1 : Microfacets_0,  w_6 : vec3<f32>) -> f32
+{
+    var stretched_0 : vec2<f32> = w_6.xy * facets_1.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S169 : f32 = w_5.z;
-    var z2_1 : f32 = _S169 * _S169;
-    if((facets_1.distribution_0) == u32(1))
+    var _S351 : f32 = w_6.z;
+    var z2_1 : f32 = _S351 * _S351;
+    if((facets_1.distribution_1) == u32(1))
     {
-        return 2.0f / (_S169 + sqrt(z2_1 + spread2_0));
+        return 2.0f / (_S351 + sqrt(z2_1 + spread2_0));
     }
     if(z2_1 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S169;
+        return 1.0f / _S351;
     }
-    var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S169 / spread_1);
-    return 2.0f / (_S169 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var spread_0 : f32 = sqrt(spread2_0);
+    var both_1 : vec2<f32> = error_function_plus_one_0(_S351 / spread_0);
+    return 2.0f / (_S351 * both_1.x + 0.5f * spread_0 * both_1.y);
 }
 
-struct Mirrored_0
+fn s_fwd_visible_over_cos_0( dpfacets_1 : DiffPair_Microfacets_0,  dpw_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
 {
-     cosine_4 : f32,
-     pdf_2 : f32,
-     scattered_0 : f32,
-};
-
-fn mirrored_0( facets_2 : Microfacets_0,  wi_1 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
-{
-    var h_1 : vec3<f32> = normalize(wi_1 + wo_0);
-    var mirrored_1 : Mirrored_0;
-    mirrored_1.cosine_4 = dot(wi_1, h_1);
-    var _S170 : f32 = 0.25f * density_0(facets_2, h_1) * visible_over_cos_0(facets_2, wi_1);
-    mirrored_1.pdf_2 = _S170;
-    mirrored_1.scattered_0 = _S170 * visible_over_cos_0(facets_2, wo_0) * wo_0.z;
-    return mirrored_1;
+    var _S352 : vec2<f32> = dpw_0.primal_0.xy;
+    var _S353 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S352 * dpfacets_1.primal_0.alpha_1, dpw_0.differential_0.xy * dpfacets_1.primal_0.alpha_1 + dpfacets_1.differential_0.alpha_2 * _S352 );
+    var _S354 : DiffPair_float_0 = _d_dot_0(_S353, _S353);
+    var _S355 : f32 = dpw_0.primal_0.z;
+    var _S356 : f32 = dpw_0.differential_0.z;
+    var z2_2 : f32 = _S355 * _S355;
+    var _S357 : f32 = _S356 * _S355;
+    var s_diff_z2_0 : f32 = _S357 + _S357;
+    if((dpfacets_1.primal_0.distribution_1) == u32(1))
+    {
+        var _S358 : DiffPair_float_0 = DiffPair_float_0( z2_2 + _S354.primal_0, s_diff_z2_0 + _S354.differential_0 );
+        var _S359 : DiffPair_float_0 = _d_sqrt_0(_S358);
+        var _S360 : f32 = _S355 + _S359.primal_0;
+        var _S361 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S360, (0.0f - 2.0f * (_S356 + _S359.differential_0)) / (_S360 * _S360) );
+        return _S361;
+    }
+    if(z2_2 >= (36.0f * _S354.primal_0))
+    {
+        var _S362 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S355, (0.0f - _S356) / z2_2 );
+        return _S362;
+    }
+    var _S363 : DiffPair_float_0 = DiffPair_float_0( _S354.primal_0, _S354.differential_0 );
+    var _S364 : DiffPair_float_0 = _d_sqrt_0(_S363);
+    var _S365 : DiffPair_float_0 = DiffPair_float_0( _S355 / _S364.primal_0, (_S356 * _S364.primal_0 - _S355 * _S364.differential_0) / (_S364.primal_0 * _S364.primal_0) );
+    var _S366 : DiffPair_vectorx3Cfloatx2C2x3E_0 = error_function_changed_0(_S365);
+    var _S367 : f32 = _S366.primal_0.x;
+    var _S368 : f32 = 0.5f * _S364.primal_0;
+    var _S369 : f32 = _S366.primal_0.y;
+    var _S370 : f32 = _S355 * _S367 + _S368 * _S369;
+    var _S371 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S370, (0.0f - 2.0f * (_S356 * _S367 + _S366.differential_0.x * _S355 + (_S364.differential_0 * 0.5f * _S369 + _S366.differential_0.y * _S368))) / (_S370 * _S370) );
+    return _S371;
 }
 
-fn fresnel_conductor_channel_0( cosine_5 : f32,  eta_1 : f32,  k_8 : f32) -> f32
+fn s_fwd_mirrored_0( dpfacets_2 : DiffPair_Microfacets_0,  dpwi_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Mirrored_0
 {
-    var cos2_1 : f32 = cosine_5 * cosine_5;
+    var _S372 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_0.primal_0 + dpwo_0.primal_0, dpwi_0.differential_0 + dpwo_0.differential_0 );
+    var _S373 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S372);
+    var _S374 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_0.primal_0, dpwi_0.differential_0 );
+    var _S375 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S373.primal_0, _S373.differential_0 );
+    var _S376 : DiffPair_float_0 = _d_dot_1(_S374, _S375);
+    var _S377 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( dpfacets_2.primal_0, dpfacets_2.differential_0 );
+    var _S378 : DiffPair_float_0 = s_fwd_density_0(_S377, _S375);
+    var _S379 : f32 = 0.25f * _S378.primal_0;
+    var _S380 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S377, _S374);
+    var _S381 : f32 = _S379 * _S380.primal_0;
+    var _S382 : f32 = _S378.differential_0 * 0.25f * _S380.primal_0 + _S380.differential_0 * _S379;
+    var _S383 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_0.primal_0, dpwo_0.differential_0 );
+    var _S384 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S377, _S383);
+    var _S385 : f32 = _S381 * _S384.primal_0;
+    var _S386 : f32 = dpwo_0.primal_0.z;
+    var _S387 : Mirrored_0 = Mirrored_0( _S376.primal_0, _S381, _S385 * _S386 );
+    var _S388 : Mirrored_0 = Mirrored_0( _S376.differential_0, _S382, (_S382 * _S384.primal_0 + _S384.differential_0 * _S381) * _S386 + dpwo_0.differential_0.z * _S385 );
+    var _S389 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S387, _S388 );
+    return _S389;
+}
+
+fn s_fwd_fresnel_conductor_channel_0( dpcosine_1 : DiffPair_float_0,  dpeta_0 : DiffPair_float_0,  dpk_0 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S390 : f32 = dpcosine_1.primal_0;
+    var cos2_1 : f32 = _S390 * _S390;
+    var _S391 : f32 = dpcosine_1.differential_0 * dpcosine_1.primal_0;
+    var s_diff_cos2_1 : f32 = _S391 + _S391;
     var sin2_0 : f32 = 1.0f - cos2_1;
-    var real_0 : f32 = eta_1 * eta_1 - k_8 * k_8 - sin2_0;
-    var product_3 : f32 = eta_1 * k_8;
-    var modulus_0 : f32 = sqrt(real_0 * real_0 + 4.0f * (product_3 * product_3));
-    if(modulus_0 == 0.0f)
+    var s_diff_sin2_0 : f32 = 0.0f - s_diff_cos2_1;
+    var _S392 : f32 = dpeta_0.differential_0 * dpeta_0.primal_0;
+    var _S393 : f32 = dpk_0.differential_0 * dpk_0.primal_0;
+    var real_0 : f32 = dpeta_0.primal_0 * dpeta_0.primal_0 - dpk_0.primal_0 * dpk_0.primal_0 - sin2_0;
+    var s_diff_real_0 : f32 = _S392 + _S392 - (_S393 + _S393) - s_diff_sin2_0;
+    var product_2 : f32 = dpeta_0.primal_0 * dpk_0.primal_0;
+    var s_diff_product_0 : f32 = dpeta_0.differential_0 * dpk_0.primal_0 + dpk_0.differential_0 * dpeta_0.primal_0;
+    var _S394 : f32 = s_diff_real_0 * real_0;
+    var _S395 : f32 = s_diff_product_0 * product_2;
+    var _S396 : DiffPair_float_0 = DiffPair_float_0( real_0 * real_0 + 4.0f * (product_2 * product_2), _S394 + _S394 + (_S395 + _S395) * 4.0f );
+    var _S397 : DiffPair_float_0 = _d_sqrt_0(_S396);
+    if((_S397.primal_0) == 0.0f)
     {
-        return 1.0f;
+        var _S398 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
+        return _S398;
     }
-    var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
-    var smaller_0 : f32 = product_3 / larger_0;
-    var _S171 : bool = real_0 < 0.0f;
-    var a_15 : f32;
-    if(_S171)
+    var _S399 : DiffPair_float_0 = DiffPair_float_0( real_0, s_diff_real_0 );
+    var _S400 : DiffPair_float_0 = _d_abs_0(_S399);
+    var _S401 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (_S397.primal_0 + _S400.primal_0), (_S397.differential_0 + _S400.differential_0) * 0.5f );
+    var _S402 : DiffPair_float_0 = _d_sqrt_0(_S401);
+    var smaller_0 : f32 = product_2 / _S402.primal_0;
+    var s_diff_smaller_0 : f32 = (s_diff_product_0 * _S402.primal_0 - product_2 * _S402.differential_0) / (_S402.primal_0 * _S402.primal_0);
+    var _S403 : bool = real_0 < 0.0f;
+    var a_21 : f32;
+    var s_diff_a_1 : f32;
+    if(_S403)
     {
-        a_15 = smaller_0;
+        a_21 = smaller_0;
+        s_diff_a_1 = s_diff_smaller_0;
     }
     else
     {
-        a_15 = larger_0;
+        a_21 = _S402.primal_0;
+        s_diff_a_1 = _S402.differential_0;
     }
-    var b_13 : f32;
-    if(_S171)
+    var b_15 : f32;
+    var s_diff_b_1 : f32;
+    if(_S403)
     {
-        b_13 = larger_0;
+        b_15 = _S402.primal_0;
+        s_diff_b_1 = _S402.differential_0;
     }
     else
     {
-        b_13 = smaller_0;
+        b_15 = smaller_0;
+        s_diff_b_1 = s_diff_smaller_0;
     }
-    var less_0 : f32 = a_15 - cosine_5;
-    var more_0 : f32 = a_15 + cosine_5;
-    var _S172 : f32 = b_13 * b_13;
-    var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S172) / (more_0 * more_0 + _S172) * p_sum_0 / (p_sum_0 + 2.0f * a_15 * cosine_5 * sin2_0);
+    var less_0 : f32 = a_21 - dpcosine_1.primal_0;
+    var more_0 : f32 = a_21 + dpcosine_1.primal_0;
+    var _S404 : f32 = (s_diff_a_1 - dpcosine_1.differential_0) * less_0;
+    var _S405 : f32 = b_15 * b_15;
+    var _S406 : f32 = s_diff_b_1 * b_15;
+    var _S407 : f32 = _S406 + _S406;
+    var _S408 : f32 = less_0 * less_0 + _S405;
+    var _S409 : f32 = (s_diff_a_1 + dpcosine_1.differential_0) * more_0;
+    var _S410 : f32 = more_0 * more_0 + _S405;
+    var senkrecht_0 : f32 = _S408 / _S410;
+    var _S411 : f32 = s_diff_sin2_0 * sin2_0;
+    var p_sum_0 : f32 = _S397.primal_0 * cos2_1 + sin2_0 * sin2_0;
+    var s_diff_p_sum_0 : f32 = _S397.differential_0 * cos2_1 + s_diff_cos2_1 * _S397.primal_0 + (_S411 + _S411);
+    var _S412 : f32 = senkrecht_0 * p_sum_0;
+    var _S413 : f32 = 2.0f * a_21;
+    var _S414 : f32 = _S413 * dpcosine_1.primal_0;
+    var _S415 : f32 = p_sum_0 + _S414 * sin2_0;
+    var _S416 : DiffPair_float_0 = DiffPair_float_0( _S412 / _S415, ((((_S404 + _S404 + _S407) * _S410 - _S408 * (_S409 + _S409 + _S407)) / (_S410 * _S410) * p_sum_0 + s_diff_p_sum_0 * senkrecht_0) * _S415 - _S412 * (s_diff_p_sum_0 + ((s_diff_a_1 * 2.0f * dpcosine_1.primal_0 + dpcosine_1.differential_0 * _S413) * sin2_0 + s_diff_sin2_0 * _S414))) / (_S415 * _S415) );
+    return _S416;
 }
 
-fn fresnel_conductor_0( cosine_6 : f32,  eta_2 : vec3<f32>,  k_9 : vec3<f32>) -> vec3<f32>
+fn s_fwd_fresnel_conductor_0( dpcosine_2 : DiffPair_float_0,  dpeta_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpk_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    return vec3<f32>(fresnel_conductor_channel_0(cosine_6, eta_2.x, k_9.x), fresnel_conductor_channel_0(cosine_6, eta_2.y, k_9.y), fresnel_conductor_channel_0(cosine_6, eta_2.z, k_9.z));
+    var _S417 : DiffPair_float_0 = DiffPair_float_0( dpcosine_2.primal_0, dpcosine_2.differential_0 );
+    var _S418 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.x, dpeta_1.differential_0.x );
+    var _S419 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.x, dpk_1.differential_0.x );
+    var _S420 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S417, _S418, _S419);
+    var _S421 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.y, dpeta_1.differential_0.y );
+    var _S422 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.y, dpk_1.differential_0.y );
+    var _S423 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S417, _S421, _S422);
+    var _S424 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.z, dpeta_1.differential_0.z );
+    var _S425 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.z, dpk_1.differential_0.z );
+    var _S426 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S417, _S424, _S425);
+    var _S427 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S420.primal_0, _S423.primal_0, _S426.primal_0), vec3<f32>(_S420.differential_0, _S423.differential_0, _S426.differential_0) );
+    return _S427;
 }
 
-fn fresnel_dielectric_0( cosine_7 : f32,  eta_3 : f32) -> f32
+fn coat_eta_0( numbers_4 : Numbers_0) -> f32
 {
-    var eta2_0 : f32 = eta_3 * eta_3;
-    var cos2_2 : f32 = cosine_7 * cosine_7;
-    var denser_0 : f32 = (eta_3 - 1.0f) * (eta_3 + 1.0f);
+    return luminance_0(numbers_4.eta_0) / luminance_0(numbers_4.k_2);
+}
+
+fn s_fwd_coat_eta_0( dpnumbers_1 : DiffPair_Numbers_0) -> DiffPair_float_0
+{
+    var _S428 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_1.primal_0.eta_0, dpnumbers_1.differential_0.eta_0 );
+    var _S429 : DiffPair_float_0 = s_fwd_luminance_0(_S428);
+    var _S430 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_1.primal_0.k_2, dpnumbers_1.differential_0.k_2 );
+    var _S431 : DiffPair_float_0 = s_fwd_luminance_0(_S430);
+    var _S432 : DiffPair_float_0 = DiffPair_float_0( _S429.primal_0 / _S431.primal_0, (_S429.differential_0 * _S431.primal_0 - _S429.primal_0 * _S431.differential_0) / (_S431.primal_0 * _S431.primal_0) );
+    return _S432;
+}
+
+fn fresnel_dielectric_0( cosine_5 : f32,  eta_1 : f32) -> f32
+{
+    var eta2_0 : f32 = eta_1 * eta_1;
+    var cos2_2 : f32 = cosine_5 * cosine_5;
+    var denser_0 : f32 = (eta_1 - 1.0f) * (eta_1 + 1.0f);
     var squared_3 : f32 = denser_0 + cos2_2;
     if(squared_3 <= 0.0f)
     {
         return 1.0f;
     }
     var refracted_0 : f32 = sqrt(squared_3);
-    var s_sum_0 : f32 = cosine_7 + refracted_0;
-    var p_sum_1 : f32 = eta2_0 * cosine_7 + refracted_0;
-    var senkrecht_0 : f32 = denser_0 / (s_sum_0 * s_sum_0);
+    var s_sum_0 : f32 = cosine_5 + refracted_0;
+    var p_sum_1 : f32 = eta2_0 * cosine_5 + refracted_0;
+    var senkrecht_1 : f32 = denser_0 / (s_sum_0 * s_sum_0);
     var parallel_0 : f32 = denser_0 * ((eta2_0 + 1.0f) * cos2_2 - 1.0f) / (p_sum_1 * p_sum_1);
-    return 0.5f * (senkrecht_0 * senkrecht_0 + parallel_0 * parallel_0);
+    return 0.5f * (senkrecht_1 * senkrecht_1 + parallel_0 * parallel_0);
 }
 
-fn transmittance_0( lobe_4 : Lobe_0,  cosine_8 : f32) -> f32
+fn s_fwd_fresnel_dielectric_0( dpcosine_3 : DiffPair_float_0,  dpeta_2 : DiffPair_float_0) -> DiffPair_float_0
 {
-    if((lobe_4.kind_1) == u32(3))
+    var _S433 : f32 = dpeta_2.primal_0;
+    var eta2_1 : f32 = _S433 * _S433;
+    var _S434 : f32 = dpeta_2.differential_0 * dpeta_2.primal_0;
+    var s_diff_eta2_0 : f32 = _S434 + _S434;
+    var cos2_3 : f32 = dpcosine_3.primal_0 * dpcosine_3.primal_0;
+    var _S435 : f32 = dpcosine_3.differential_0 * dpcosine_3.primal_0;
+    var s_diff_cos2_2 : f32 = _S435 + _S435;
+    var _S436 : f32 = dpeta_2.primal_0 - 1.0f;
+    var _S437 : f32 = dpeta_2.primal_0 + 1.0f;
+    var denser_1 : f32 = _S436 * _S437;
+    var s_diff_denser_0 : f32 = dpeta_2.differential_0 * _S437 + dpeta_2.differential_0 * _S436;
+    var squared_4 : f32 = denser_1 + cos2_3;
+    var s_diff_squared_0 : f32 = s_diff_denser_0 + s_diff_cos2_2;
+    if(squared_4 <= 0.0f)
     {
-        return 1.0f - fresnel_dielectric_0(cosine_8, lobe_4.coat_eta_0);
+        var _S438 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
+        return _S438;
     }
-    var place_15 : f32 = cosine_8 * 63.0f;
-    var _S173 : u32 = min(u32(place_15), u32(62));
-    var at_18 : u32 = word_0(lobe_4.record_2 + u32(3)) + _S173;
-    return mix(number_0(at_18), number_0(at_18 + u32(1)), place_15 - f32(_S173));
+    var _S439 : DiffPair_float_0 = DiffPair_float_0( squared_4, s_diff_squared_0 );
+    var _S440 : DiffPair_float_0 = _d_sqrt_0(_S439);
+    var s_sum_1 : f32 = dpcosine_3.primal_0 + _S440.primal_0;
+    var p_sum_2 : f32 = eta2_1 * dpcosine_3.primal_0 + _S440.primal_0;
+    var _S441 : f32 = s_sum_1 * s_sum_1;
+    var _S442 : f32 = (dpcosine_3.differential_0 + _S440.differential_0) * s_sum_1;
+    var senkrecht_2 : f32 = denser_1 / _S441;
+    var _S443 : f32 = eta2_1 + 1.0f;
+    var _S444 : f32 = _S443 * cos2_3 - 1.0f;
+    var _S445 : f32 = denser_1 * _S444;
+    var _S446 : f32 = p_sum_2 * p_sum_2;
+    var _S447 : f32 = (s_diff_eta2_0 * dpcosine_3.primal_0 + dpcosine_3.differential_0 * eta2_1 + _S440.differential_0) * p_sum_2;
+    var parallel_1 : f32 = _S445 / _S446;
+    var _S448 : f32 = (s_diff_denser_0 * _S441 - denser_1 * (_S442 + _S442)) / (_S441 * _S441) * senkrecht_2;
+    var _S449 : f32 = ((s_diff_denser_0 * _S444 + (s_diff_eta2_0 * cos2_3 + s_diff_cos2_2 * _S443) * denser_1) * _S446 - _S445 * (_S447 + _S447)) / (_S446 * _S446) * parallel_1;
+    var _S450 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (senkrecht_2 * senkrecht_2 + parallel_1 * parallel_1), (_S448 + _S448 + (_S449 + _S449)) * 0.5f );
+    return _S450;
 }
 
-fn fresnel_diffuse_0( eta_4 : f32) -> f32
+fn transmittance_0( lobe_6 : Lobe_0,  eta_2 : f32,  cosine_6 : f32) -> f32
 {
-    var inverse_1 : f32 = 1.0f / eta_4;
-    if(eta_4 < 1.0f)
+    if((lobe_6.kind_1) == u32(3))
     {
-        return (-1.43990004062652588f * eta_4 + 0.70990002155303955f) * eta_4 + 0.66809999942779541f + 0.06360000371932983f * inverse_1;
+        return 1.0f - fresnel_dielectric_0(cosine_6, eta_2);
     }
-    return ((((-1.36881005764007568f * inverse_1 + 4.98553991317749023f) * inverse_1 - 7.80988979339599609f) * inverse_1 + 6.75334978103637695f) * inverse_1 - 3.47930002212524414f) * inverse_1 + 0.91931700706481934f;
+    var place_18 : f32 = cosine_6 * 63.0f;
+    var _S451 : u32 = min(u32(place_18), u32(62));
+    var at_23 : u32 = word_0(lobe_6.record_3 + u32(3)) + _S451;
+    var here_1 : f32 = number_0(at_23);
+    return here_1 + (number_0(at_23 + u32(1)) - here_1) * (place_18 - f32(_S451));
 }
 
-fn function_0( x_12 : Colour_0,  value_5 : vec3<f32>,  derivative_0 : vec3<f32>) -> Colour_0
+fn s_fwd_transmittance_0( lobe_7 : Lobe_0,  dpeta_3 : DiffPair_float_0,  dpcosine_4 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var result_0 : Colour_0 = x2A_0(x_12, derivative_0);
-    result_0.value_0 = value_5;
-    return result_0;
+    if((lobe_7.kind_1) == u32(3))
+    {
+        var _S452 : DiffPair_float_0 = DiffPair_float_0( dpcosine_4.primal_0, dpcosine_4.differential_0 );
+        var _S453 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0, dpeta_3.differential_0 );
+        var _S454 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S452, _S453);
+        var _S455 : DiffPair_float_0 = DiffPair_float_0( 1.0f - _S454.primal_0, 0.0f - _S454.differential_0 );
+        return _S455;
+    }
+    var place_19 : f32 = dpcosine_4.primal_0 * 63.0f;
+    var _S456 : u32 = min(u32(place_19), u32(62));
+    var at_24 : u32 = word_0(lobe_7.record_3 + u32(3)) + _S456;
+    var here_2 : f32 = number_0(at_24);
+    var _S457 : f32 = number_0(at_24 + u32(1)) - here_2;
+    var _S458 : DiffPair_float_0 = DiffPair_float_0( here_2 + _S457 * (place_19 - f32(_S456)), dpcosine_4.differential_0 * 63.0f * _S457 );
+    return _S458;
 }
 
-fn base_0( lobe_5 : Lobe_0) -> Colour_0
+fn s_fwd_fresnel_diffuse_0( dpeta_4 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var inverse_1 : f32 = 1.0f / dpeta_4.primal_0;
+    var s_diff_inverse_0 : f32 = (0.0f - dpeta_4.differential_0) / (dpeta_4.primal_0 * dpeta_4.primal_0);
+    if((dpeta_4.primal_0) < 1.0f)
+    {
+        var _S459 : f32 = -1.43990004062652588f * dpeta_4.primal_0 + 0.70990002155303955f;
+        var _S460 : DiffPair_float_0 = DiffPair_float_0( _S459 * dpeta_4.primal_0 + 0.66809999942779541f + 0.06360000371932983f * inverse_1, dpeta_4.differential_0 * -1.43990004062652588f * dpeta_4.primal_0 + dpeta_4.differential_0 * _S459 + s_diff_inverse_0 * 0.06360000371932983f );
+        return _S460;
+    }
+    var _S461 : f32 = -1.36881005764007568f * inverse_1 + 4.98553991317749023f;
+    var _S462 : f32 = _S461 * inverse_1 - 7.80988979339599609f;
+    var sum_3 : f32 = _S462 * inverse_1 + 6.75334978103637695f;
+    var _S463 : f32 = sum_3 * inverse_1 - 3.47930002212524414f;
+    var _S464 : DiffPair_float_0 = DiffPair_float_0( _S463 * inverse_1 + 0.91931700706481934f, (((s_diff_inverse_0 * -1.36881005764007568f * inverse_1 + s_diff_inverse_0 * _S461) * inverse_1 + s_diff_inverse_0 * _S462) * inverse_1 + s_diff_inverse_0 * sum_3) * inverse_1 + s_diff_inverse_0 * _S463 );
+    return _S464;
+}
+
+fn s_fwd_base_0( lobe_8 : Lobe_0,  dpeta_5 : DiffPair_float_0,  dpdiffuse_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
     var internal_reflectance_0 : f32;
-    if((lobe_5.kind_1) == u32(3))
+    var s_diff_internal_reflectance_0 : f32;
+    if((lobe_8.kind_1) == u32(3))
     {
-        internal_reflectance_0 = fresnel_diffuse_0(1.0f / lobe_5.coat_eta_0);
+        var _S465 : DiffPair_float_0 = DiffPair_float_0( 1.0f / dpeta_5.primal_0, (0.0f - dpeta_5.differential_0) / (dpeta_5.primal_0 * dpeta_5.primal_0) );
+        var _S466 : DiffPair_float_0 = s_fwd_fresnel_diffuse_0(_S465);
+        internal_reflectance_0 = _S466.primal_0;
+        s_diff_internal_reflectance_0 = _S466.differential_0;
     }
     else
     {
-        internal_reflectance_0 = number_0(word_0(lobe_5.record_2 + u32(3)) + u32(64));
+        internal_reflectance_0 = number_0(word_0(lobe_8.record_3 + u32(3)) + u32(64));
+        s_diff_internal_reflectance_0 = 0.0f;
     }
-    if((word_0(lobe_5.record_2 + u32(2))) == u32(0))
+    if((word_0(lobe_8.record_3 + u32(2))) == u32(0))
     {
-        return x2A_1(lobe_5.diffuse_reflectance_0, 1.0f / (1.0f - internal_reflectance_0));
+        var _S467 : f32 = 1.0f - internal_reflectance_0;
+        var _S468 : vec3<f32> = vec3<f32>((1.0f / _S467));
+        var _S469 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 * _S468, dpdiffuse_0.differential_0 * _S468 + vec3<f32>(((0.0f - (0.0f - s_diff_internal_reflectance_0)) / (_S467 * _S467))) * dpdiffuse_0.primal_0 );
+        return _S469;
     }
-    var _S174 : vec3<f32> = value_of_0(lobe_5.diffuse_reflectance_0);
-    var _S175 : vec3<f32> = vec3<f32>(1.0f);
-    var factor_0 : vec3<f32> = _S175 / (_S175 - _S174 * vec3<f32>(internal_reflectance_0));
-    return function_0(lobe_5.diffuse_reflectance_0, _S174 * factor_0, factor_0 * factor_0);
+    var _S470 : vec3<f32> = vec3<f32>(1.0f) - dpdiffuse_0.primal_0 * vec3<f32>(internal_reflectance_0);
+    var _S471 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 / _S470, (dpdiffuse_0.differential_0 * _S470 - dpdiffuse_0.primal_0 * (vec3<f32>(0.0f) - (dpdiffuse_0.differential_0 * vec3<f32>(internal_reflectance_0) + vec3<f32>(s_diff_internal_reflectance_0) * dpdiffuse_0.primal_0))) / (_S470 * _S470) );
+    return _S471;
 }
 
 fn choice_weight_0( colour_6 : vec3<f32>) -> f32
@@ -2584,89 +3497,167 @@ fn choice_weight_0( colour_6 : vec3<f32>) -> f32
     return max((colour_6.x + colour_6.y + colour_6.z) / 3.0f, 0.05000000074505806f);
 }
 
-fn base_probability_0( lobe_6 : Lobe_0,  enters_0 : f32) -> f32
+fn base_probability_0( numbers_5 : Numbers_0,  enters_0 : f32) -> f32
 {
-    var of_base_0 : f32 = enters_0 * choice_weight_0(value_of_0(lobe_6.diffuse_reflectance_0));
-    return of_base_0 / (of_base_0 + (1.0f - enters_0) * choice_weight_0(value_of_0(lobe_6.specular_reflectance_0)));
+    var of_base_0 : f32 = enters_0 * choice_weight_0(numbers_5.diffuse_reflectance_0);
+    return of_base_0 / (of_base_0 + (1.0f - enters_0) * choice_weight_0(numbers_5.specular_reflectance_0));
 }
 
-fn x2B_0( a_16 : Colour_0,  b_14 : Colour_0) -> Colour_0
+struct Scattering_0
 {
-    var sum_3 : Colour_0;
-    sum_3.value_0 = a_16.value_0 + b_14.value_0;
-    var k_10 : u32 = u32(0);
+     value_9 : vec3<f32>,
+     pdf_3 : f32,
+};
+
+struct Scattering_Differential_0
+{
+     value_10 : vec3<f32>,
+};
+
+struct DiffPair_Scattering_0
+{
+     primal_0 : Scattering_0,
+     differential_0 : Scattering_Differential_0,
+};
+
+fn s_fwd_scattering_0( lobe_9 : Lobe_0,  dpnumbers_2 : DiffPair_Numbers_0,  dpwi_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Scattering_0
+{
+    var _S472 : f32 = dpwo_1.primal_0.z;
+    var _S473 : f32 = dpwo_1.differential_0.z;
+    var by_cosine_0 : f32 = _S472 * 0.31830987334251404f;
+    var _S474 : f32 = _S473 * 0.31830987334251404f;
+    if((lobe_9.kind_1) == u32(0))
+    {
+        var _S475 : vec3<f32> = vec3<f32>(by_cosine_0);
+        var _S476 : Scattering_0 = Scattering_0( dpnumbers_2.primal_0.diffuse_reflectance_0 * _S475, by_cosine_0 );
+        var _S477 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_2.differential_0.diffuse_reflectance_0 * _S475 + vec3<f32>(_S474) * dpnumbers_2.primal_0.diffuse_reflectance_0 );
+        var _S478 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S476, _S477 );
+        return _S478;
+    }
+    var _S479 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+    var _S480 : DiffPair_Mirrored_0 = s_fwd_Mirrored_x24init_0(_S479, _S479, _S479);
+    var by_facets_0 : Mirrored_0;
+    var s_diff_by_facets_0 : Mirrored_0;
+    if(is_rough_0(lobe_9))
+    {
+        var _S481 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
+        var _S482 : DiffPair_Microfacets_0 = s_fwd_facets_of_0(lobe_9, _S481);
+        var _S483 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S482.primal_0, _S482.differential_0 );
+        var _S484 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_1.primal_0, dpwi_1.differential_0 );
+        var _S485 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_1.primal_0, dpwo_1.differential_0 );
+        var _S486 : DiffPair_Mirrored_0 = s_fwd_mirrored_0(_S483, _S484, _S485);
+        by_facets_0 = _S486.primal_0;
+        s_diff_by_facets_0 = _S486.differential_0;
+    }
+    else
+    {
+        by_facets_0 = _S480.primal_0;
+        s_diff_by_facets_0 = _S480.differential_0;
+    }
+    if((lobe_9.kind_1) == u32(2))
+    {
+        var _S487 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_4, s_diff_by_facets_0.cosine_4 );
+        var _S488 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.eta_0, dpnumbers_2.differential_0.eta_0 );
+        var _S489 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.k_2, dpnumbers_2.differential_0.k_2 );
+        var _S490 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S487, _S488, _S489);
+        var _S491 : vec3<f32> = vec3<f32>(by_facets_0.scattered_0);
+        var _S492 : vec3<f32> = _S490.primal_0 * _S491;
+        var _S493 : Scattering_0 = Scattering_0( dpnumbers_2.primal_0.specular_reflectance_0 * _S492, by_facets_0.pdf_2 );
+        var _S494 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_2.differential_0.specular_reflectance_0 * _S492 + (_S490.differential_0 * _S491 + vec3<f32>(s_diff_by_facets_0.scattered_0) * _S490.primal_0) * dpnumbers_2.primal_0.specular_reflectance_0 );
+        var _S495 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S493, _S494 );
+        return _S495;
+    }
+    var _S496 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
+    var _S497 : DiffPair_float_0 = s_fwd_coat_eta_0(_S496);
+    var _S498 : DiffPair_float_0 = DiffPair_float_0( _S497.primal_0, _S497.differential_0 );
+    var _S499 : DiffPair_float_0 = DiffPair_float_0( dpwi_1.primal_0.z, dpwi_1.differential_0.z );
+    var _S500 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_9, _S498, _S499);
+    var _S501 : DiffPair_float_0 = DiffPair_float_0( _S472, _S473 );
+    var _S502 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_9, _S498, _S501);
+    var _S503 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.diffuse_reflectance_0, dpnumbers_2.differential_0.diffuse_reflectance_0 );
+    var _S504 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_base_0(lobe_9, _S498, _S503);
+    var _S505 : f32 = _S500.primal_0 * _S502.primal_0;
+    var _S506 : f32 = _S505 * by_cosine_0;
+    var _S507 : f32 = _S497.primal_0 * _S497.primal_0;
+    var _S508 : f32 = _S497.differential_0 * _S497.primal_0;
+    var _S509 : vec3<f32> = vec3<f32>((_S506 / _S507));
+    var _S510 : vec3<f32> = _S504.primal_0 * _S509;
+    var _S511 : vec3<f32> = _S504.differential_0 * _S509 + vec3<f32>(((((_S500.differential_0 * _S502.primal_0 + _S502.differential_0 * _S500.primal_0) * by_cosine_0 + _S474 * _S505) * _S507 - _S506 * (_S508 + _S508)) / (_S507 * _S507))) * _S504.primal_0;
+    var probability_1 : f32 = base_probability_0(dpnumbers_2.primal_0, _S500.primal_0);
+    var _S512 : f32 = probability_1 * by_cosine_0;
+    var scattering_0 : Scattering_0;
+    var s_diff_scattering_0 : Scattering_Differential_0;
+    if((lobe_9.kind_1) == u32(4))
+    {
+        var _S513 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_4, s_diff_by_facets_0.cosine_4 );
+        var _S514 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S513, _S498);
+        var _S515 : vec3<f32> = vec3<f32>((_S514.primal_0 * by_facets_0.scattered_0));
+        var _S516 : vec3<f32> = _S511 + (dpnumbers_2.differential_0.specular_reflectance_0 * _S515 + vec3<f32>((_S514.differential_0 * by_facets_0.scattered_0 + s_diff_by_facets_0.scattered_0 * _S514.primal_0)) * dpnumbers_2.primal_0.specular_reflectance_0);
+        var _S517 : f32 = _S512 + (1.0f - probability_1) * by_facets_0.pdf_2;
+        scattering_0.value_9 = _S510 + dpnumbers_2.primal_0.specular_reflectance_0 * _S515;
+        scattering_0.pdf_3 = _S517;
+        s_diff_scattering_0.value_10 = _S516;
+    }
+    else
+    {
+        scattering_0.value_9 = _S510;
+        scattering_0.pdf_3 = _S512;
+        s_diff_scattering_0.value_10 = _S511;
+    }
+    var _S518 : DiffPair_Scattering_0 = DiffPair_Scattering_0( scattering_0, s_diff_scattering_0 );
+    return _S518;
+}
+
+struct Scattered_0
+{
+     value_11 : Colour_0,
+     pdf_4 : f32,
+};
+
+fn eval_and_pdf_0( lobe_10 : Lobe_0,  wi_2 : Vector_0,  wo_0 : Vector_0) -> Scattered_0
+{
+    var scattered_1 : Scattered_0;
+    scattered_1.value_11 = constant_0(vec3<f32>(0.0f));
+    scattered_1.pdf_4 = 0.0f;
+    var _S519 : vec3<f32> = value_of_0(wo_0);
+    var _S520 : bool;
+    if((_S519.z) <= 0.0f)
+    {
+        _S520 = true;
+    }
+    else
+    {
+        _S520 = !has_smooth_0(lobe_10);
+    }
+    if(_S520)
+    {
+        return scattered_1;
+    }
+    var _S521 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(wi_2), change_of_0(wi_2) );
+    var _S522 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S519, change_of_0(wo_0) );
+    var k_8 : u32 = u32(0);
     for(;;)
     {
-        if(k_10 < u32(1))
+        if(k_8 < u32(1))
         {
         }
         else
         {
             break;
         }
-        sum_3.changes_0[k_10] = a_16.changes_0[k_10] + b_14.changes_0[k_10];
-        k_10 = k_10 + u32(1);
-    }
-    return sum_3;
-}
-
-struct Scattered_0
-{
-     value_6 : Colour_0,
-     pdf_3 : f32,
-};
-
-fn eval_and_pdf_0( lobe_7 : Lobe_0,  wi_2 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattered_0
-{
-    var scattered_1 : Scattered_0;
-    scattered_1.value_6 = constant_0(vec3<f32>(0.0f));
-    scattered_1.pdf_3 = 0.0f;
-    var _S176 : f32 = wo_1.z;
-    var _S177 : bool;
-    if(_S176 <= 0.0f)
-    {
-        _S177 = true;
-    }
-    else
-    {
-        _S177 = !has_smooth_0(lobe_7);
-    }
-    if(_S177)
-    {
-        return scattered_1;
-    }
-    var by_cosine_0 : f32 = _S176 * 0.31830987334251404f;
-    if((lobe_7.kind_1) == u32(0))
-    {
-        scattered_1.value_6 = x2A_1(lobe_7.diffuse_reflectance_0, by_cosine_0);
-        scattered_1.pdf_3 = by_cosine_0;
-        return scattered_1;
-    }
-    var by_facets_0 : Mirrored_0;
-    by_facets_0.scattered_0 = 0.0f;
-    by_facets_0.pdf_2 = 0.0f;
-    by_facets_0.cosine_4 = 0.0f;
-    if(is_rough_0(lobe_7))
-    {
-        by_facets_0 = mirrored_0(lobe_7.microfacets_0, wi_2, wo_1);
-    }
-    if((lobe_7.kind_1) == u32(2))
-    {
-        scattered_1.value_6 = x2A_0(lobe_7.specular_reflectance_0, fresnel_conductor_0(by_facets_0.cosine_4, lobe_7.eta_0, lobe_7.k_4) * vec3<f32>(by_facets_0.scattered_0));
-        scattered_1.pdf_3 = by_facets_0.pdf_2;
-        return scattered_1;
-    }
-    var enters_1 : f32 = transmittance_0(lobe_7, wi_2.z);
-    var _S178 : f32 = lobe_7.coat_eta_0;
-    scattered_1.value_6 = x2A_1(base_0(lobe_7), enters_1 * transmittance_0(lobe_7, _S176) * by_cosine_0 / (_S178 * _S178));
-    var probability_1 : f32 = base_probability_0(lobe_7, enters_1);
-    scattered_1.pdf_3 = probability_1 * by_cosine_0;
-    if((lobe_7.kind_1) == u32(4))
-    {
-        scattered_1.value_6 = x2B_0(scattered_1.value_6, x2A_1(lobe_7.specular_reflectance_0, fresnel_dielectric_0(by_facets_0.cosine_4, lobe_7.coat_eta_0) * by_facets_0.scattered_0));
-        scattered_1.pdf_3 = scattered_1.pdf_3 + (1.0f - probability_1) * by_facets_0.pdf_2;
+        var _S523 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_10.numbers_2, lobe_10.changes_2[k_8] );
+        var _S524 : DiffPair_Scattering_0 = s_fwd_scattering_0(lobe_10, _S523, _S521, _S522);
+        scattered_1.value_11.value_0 = _S524.primal_0.value_9;
+        scattered_1.value_11.changes_0[k_8] = _S524.differential_0.value_10;
+        scattered_1.pdf_4 = _S524.primal_0.pdf_3;
+        k_8 = k_8 + u32(1);
     }
     return scattered_1;
+}
+
+fn scattered_to_0( vertex_5 : Vertex_0,  wo_1 : vec3<f32>,  direction_17 : Vector_0) -> Scattered_0
+{
+    return eval_and_pdf_0(vertex_5.lobe_1, vertex_5.wi_1, changing_0(wo_1, local_change_0(vertex_5, direction_17)));
 }
 
 fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
@@ -2679,27 +3670,206 @@ fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
     return 1.0f / (own_2 * (1.0f + ratio_0 * ratio_0));
 }
 
-fn in_map_0( map_5 : u32,  direction_10 : vec3<f32>) -> Lookup_0
+fn x2A_0( a_22 : Colour_0,  b_16 : vec3<f32>) -> Colour_0
 {
-    var place_16 : vec2<f32> = map_place_0(map_5, direction_10);
-    var x_13 : i32 = floor_of_0(place_16.x);
-    var y_5 : i32 = floor_of_0(place_16.y);
-    var width_3 : i32 = i32(word_0(map_5));
-    var height_1 : i32 = i32(word_0(map_5 + u32(1)));
-    var left_1 : u32 = wrapped_0(x_13, width_3, u32(0));
-    var right_1 : u32 = wrapped_0(x_13 + i32(1), width_3, u32(0));
-    var _S179 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S180 : u32 = u32(width_3);
-    var first_4 : u32 = _S179 * _S180;
-    var _S181 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S181 * _S180;
-    return between_0(vec4<u32>(first_4 + left_1, first_4 + right_1, second_2 + left_1, second_2 + right_1), place_16 - floor(place_16));
+    var product_3 : Colour_0;
+    product_3.value_0 = a_22.value_0 * b_16;
+    var k_9 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_9 < u32(1))
+        {
+        }
+        else
+        {
+            break;
+        }
+        product_3.changes_0[k_9] = a_22.changes_0[k_9] * b_16;
+        k_9 = k_9 + u32(1);
+    }
+    return product_3;
 }
 
-fn x2A_2( a_17 : Colour_0,  b_15 : Colour_0) -> Colour_0
+fn x2A_1( a_23 : Colour_0,  b_17 : f32) -> Colour_0
+{
+    return x2A_0(a_23, vec3<f32>(b_17));
+}
+
+fn drift_at_0( vertex_6 : Vertex_0,  direction_18 : Vector_0,  t_7 : f32) -> vec3<f32>
+{
+    return vertex_6.surface_3.position_change_0 + change_of_0(direction_18) * vec3<f32>(t_7);
+}
+
+fn met_0( vertex_7 : Vertex_0,  direction_19 : Vector_0,  t_8 : f32,  place_20 : Place_0) -> Place_0
+{
+    var _S525 : Place_0 = place_20;
+    var unused_0 : vec3<f32>;
+    move_place_0(&(_S525), &(unused_0), value_of_0(direction_19), drift_at_0(vertex_7, direction_19, t_8));
+    return _S525;
+}
+
+fn in_map_0( map_6 : u32,  direction_20 : Vector_0) -> Lookup_0
+{
+    var _S526 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_20), change_of_0(direction_20) );
+    var _S527 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(map_6, _S526);
+    var point_1 : Point_0;
+    point_1.change_3 = _S527.differential_0;
+    point_1.value_4 = _S527.primal_0;
+    var x_13 : i32 = floor_of_0(_S527.primal_0.x);
+    var y_5 : i32 = floor_of_0(_S527.primal_0.y);
+    var width_4 : i32 = i32(word_0(map_6));
+    var height_1 : i32 = i32(word_0(map_6 + u32(1)));
+    var left_1 : u32 = wrapped_0(x_13, width_4, u32(0));
+    var right_1 : u32 = wrapped_0(x_13 + i32(1), width_4, u32(0));
+    var _S528 : u32 = wrapped_0(y_5, height_1, u32(2));
+    var _S529 : u32 = u32(width_4);
+    var first_4 : u32 = _S528 * _S529;
+    var _S530 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S530 * _S529;
+    return between_0(vec4<u32>(first_4 + left_1, first_4 + right_1, second_2 + left_1, second_2 + right_1), point_1);
+}
+
+fn x2A_2( a_24 : Colour_0,  b_18 : Colour_0) -> Colour_0
 {
     var product_4 : Colour_0;
-    product_4.value_0 = a_17.value_0 * b_15.value_0;
+    product_4.value_0 = a_24.value_0 * b_18.value_0;
+    var k_10 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_10 < u32(1))
+        {
+        }
+        else
+        {
+            break;
+        }
+        product_4.changes_0[k_10] = a_24.changes_0[k_10] * b_18.value_0 + a_24.value_0 * b_18.changes_0[k_10];
+        k_10 = k_10 + u32(1);
+    }
+    return product_4;
+}
+
+fn arriving_0( emitter_5 : u32,  place_21 : Place_0,  direction_21 : Vector_0,  factor_0 : Colour_0,  importance_0 : vec3<f32>) -> Colour_0
+{
+    var record_14 : u32 = emitter_record_0(emitter_5);
+    var texture_7 : u32 = word_0(record_14 + u32(1));
+    var _S531 : Colour_0;
+    var texture_8 : u32;
+    var lookup_5 : Lookup_0;
+    if(is_map_0(record_14))
+    {
+        var _S532 : Colour_0 = x2A_0(factor_0, vector_at_0(texture_7 + u32(11)));
+        var _S533 : Lookup_0 = in_map_0(texture_7, direction_21);
+        var _S534 : u32 = word_0(texture_7 + u32(14));
+        _S531 = _S532;
+        texture_8 = _S534;
+        lookup_5 = _S533;
+    }
+    else
+    {
+        var _S535 : Lookup_0 = lookup_at_0(texture_7, place_21);
+        _S531 = factor_0;
+        texture_8 = texture_7;
+        lookup_5 = _S535;
+    }
+    return x2A_2(_S531, looked_up_0(texture_8, lookup_5));
+}
+
+fn light_from_emitter_0( vertex_8 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_5 : u32,  bsdf_samples_0 : f32,  importance_1 : vec3<f32>) -> Colour_0
+{
+    var none_0 : Colour_0 = constant_0(vec3<f32>(0.0f));
+    var probability_2 : f32;
+    var emitter_6 : u32 = chosen_emitter_0(choice_5, random_0(key_7, first_5), &(probability_2));
+    if(probability_2 == 0.0f)
+    {
+        return none_0;
+    }
+    var record_15 : u32 = emitter_record_0(emitter_6);
+    var point_2 : EmitterPoint_0;
+    var nearest_0 : f32 = limit_at_0(u32(2));
+    var direction_22 : vec3<f32>;
+    var way_2 : vec3<f32>;
+    var farthest_0 : f32;
+    var distance_4 : f32;
+    var nearest_1 : f32;
+    if(is_area_0(record_15))
+    {
+        point_2 = area_point_0(record_15, vertex_8.surface_3, key_7, first_5 + u32(1));
+        if(!((point_2.pdf_0) > 0.0f))
+        {
+            return none_0;
+        }
+        var way_3 : vec3<f32> = position_of_0(point_2.place_15) - vertex_8.surface_3.exact_0;
+        var distance_5 : f32 = length(way_3);
+        var nearest_2 : f32 = nearest_0 / distance_5;
+        var _S536 : f32 = limit_at_0(u32(3));
+        direction_22 = way_3 / vec3<f32>(distance_5);
+        way_2 = way_3;
+        farthest_0 = _S536;
+        distance_4 = distance_5;
+        nearest_1 = nearest_2;
+    }
+    else
+    {
+        if(is_map_0(record_15))
+        {
+            var _S537 : u32 = word_0(record_15 + u32(1));
+            var _S538 : u32 = first_5 + u32(1);
+            var _S539 : f32 = point_2.pdf_0;
+            var _S540 : vec3<f32> = sample_map_0(_S537, key_7, _S538, &(_S539));
+            point_2.pdf_0 = _S539;
+            direction_22 = _S540;
+        }
+        else
+        {
+            var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_5 + u32(1)));
+            var _S541 : vec3<f32> = normalize(to_world_0(vertex_8.axes_1, local_1));
+            point_2.pdf_0 = local_1.z * 0.31830987334251404f;
+            direction_22 = _S541;
+        }
+        point_2.place_15 = vertex_8.surface_3.place_3;
+        var _S542 : f32 = limit_at_0(u32(1));
+        way_2 = direction_22;
+        farthest_0 = _S542;
+        distance_4 = 0.0f;
+        nearest_1 = nearest_0;
+    }
+    var wo_2 : vec3<f32> = to_local_0(vertex_8.axes_1, direction_22);
+    if((wo_2.z) <= 0.0f)
+    {
+        return none_0;
+    }
+    var unused_1 : f32;
+    if((cast_0(vertex_8.surface_3.exact_0, way_2, nearest_1, farthest_0, true, &(unused_1)).face_7) != u32(4294967295))
+    {
+        return none_0;
+    }
+    var own_3 : f32 = f32(word_0(u32(2))) * probability_2 * point_2.pdf_0;
+    if(!(own_3 > 0.0f))
+    {
+        return none_0;
+    }
+    var moving_0 : Vector_0 = towards_emitter_0(vertex_8, direction_22, record_15);
+    var scattered_2 : Scattered_0 = scattered_to_0(vertex_8, wo_2, moving_0);
+    var factor_1 : Colour_0 = x2A_1(scattered_2.value_11, weight_over_0(own_3, bsdf_samples_0 * scattered_2.pdf_4));
+    var place_22 : Place_0 = point_2.place_15;
+    var place_23 : Place_0;
+    if(is_area_0(record_15))
+    {
+        place_23 = met_0(vertex_8, moving_0, distance_4, place_22);
+    }
+    else
+    {
+        place_23 = place_22;
+    }
+    var _S543 : Colour_0 = arriving_0(emitter_6, place_23, moving_0, factor_1, importance_1);
+    return _S543;
+}
+
+fn x2B_0( a_25 : Colour_0,  b_19 : Colour_0) -> Colour_0
+{
+    var sum_4 : Colour_0;
+    sum_4.value_0 = a_25.value_0 + b_19.value_0;
     var k_11 : u32 = u32(0);
     for(;;)
     {
@@ -2710,157 +3880,55 @@ fn x2A_2( a_17 : Colour_0,  b_15 : Colour_0) -> Colour_0
         {
             break;
         }
-        product_4.changes_0[k_11] = a_17.changes_0[k_11] * b_15.value_0 + a_17.value_0 * b_15.changes_0[k_11];
+        sum_4.changes_0[k_11] = a_25.changes_0[k_11] + b_19.changes_0[k_11];
         k_11 = k_11 + u32(1);
     }
-    return product_4;
-}
-
-fn arriving_0( emitter_5 : u32,  place_17 : Place_0,  direction_11 : vec3<f32>,  factor_1 : Colour_0,  importance_0 : vec3<f32>) -> Colour_0
-{
-    var record_12 : u32 = emitter_record_0(emitter_5);
-    var texture_7 : u32 = word_0(record_12 + u32(1));
-    var _S182 : Colour_0;
-    var texture_8 : u32;
-    var lookup_5 : Lookup_0;
-    if(is_map_0(record_12))
-    {
-        var _S183 : Colour_0 = x2A_0(factor_1, vector_at_0(texture_7 + u32(11)));
-        var _S184 : Lookup_0 = in_map_0(texture_7, direction_11);
-        var _S185 : u32 = word_0(texture_7 + u32(14));
-        _S182 = _S183;
-        texture_8 = _S185;
-        lookup_5 = _S184;
-    }
-    else
-    {
-        var _S186 : Lookup_0 = lookup_at_0(texture_7, place_17);
-        _S182 = factor_1;
-        texture_8 = texture_7;
-        lookup_5 = _S186;
-    }
-    return x2A_2(_S182, looked_up_0(texture_8, lookup_5));
-}
-
-fn light_from_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_5 : u32,  bsdf_samples_0 : f32,  importance_1 : vec3<f32>) -> Colour_0
-{
-    var none_0 : Colour_0 = constant_0(vec3<f32>(0.0f));
-    var probability_2 : f32;
-    var emitter_6 : u32 = chosen_emitter_0(choice_5, random_0(key_7, first_5), &(probability_2));
-    if(probability_2 == 0.0f)
-    {
-        return none_0;
-    }
-    var record_13 : u32 = emitter_record_0(emitter_6);
-    var point_1 : EmitterPoint_0;
-    var nearest_0 : f32 = limit_at_0(u32(2));
-    var direction_12 : vec3<f32>;
-    var way_2 : vec3<f32>;
-    var farthest_0 : f32;
-    var nearest_1 : f32;
-    if(is_area_0(record_13))
-    {
-        point_1 = area_point_0(record_13, vertex_1.surface_3, key_7, first_5 + u32(1));
-        if(!((point_1.pdf_0) > 0.0f))
-        {
-            return none_0;
-        }
-        var way_3 : vec3<f32> = position_of_0(point_1.place_12) - vertex_1.surface_3.exact_0;
-        var distance_4 : f32 = length(way_3);
-        var nearest_2 : f32 = nearest_0 / distance_4;
-        var _S187 : f32 = limit_at_0(u32(3));
-        direction_12 = way_3 / vec3<f32>(distance_4);
-        way_2 = way_3;
-        farthest_0 = _S187;
-        nearest_1 = nearest_2;
-    }
-    else
-    {
-        if(is_map_0(record_13))
-        {
-            var _S188 : u32 = word_0(record_13 + u32(1));
-            var _S189 : u32 = first_5 + u32(1);
-            var _S190 : f32 = point_1.pdf_0;
-            var _S191 : vec3<f32> = sample_map_0(_S188, key_7, _S189, &(_S190));
-            point_1.pdf_0 = _S190;
-            direction_12 = _S191;
-        }
-        else
-        {
-            var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_5 + u32(1)));
-            var _S192 : vec3<f32> = normalize(to_world_0(vertex_1.axes_2, local_1));
-            point_1.pdf_0 = local_1.z * 0.31830987334251404f;
-            direction_12 = _S192;
-        }
-        point_1.place_12 = vertex_1.surface_3.place_3;
-        var _S193 : f32 = limit_at_0(u32(1));
-        way_2 = direction_12;
-        farthest_0 = _S193;
-        nearest_1 = nearest_0;
-    }
-    var wo_2 : vec3<f32> = to_local_0(vertex_1.axes_2, direction_12);
-    if((wo_2.z) <= 0.0f)
-    {
-        return none_0;
-    }
-    var unused_0 : f32;
-    if((cast_0(vertex_1.surface_3.exact_0, way_2, nearest_1, farthest_0, true, &(unused_0)).face_7) != u32(4294967295))
-    {
-        return none_0;
-    }
-    var own_3 : f32 = f32(word_0(u32(2))) * probability_2 * point_1.pdf_0;
-    if(!(own_3 > 0.0f))
-    {
-        return none_0;
-    }
-    var scattered_2 : Scattered_0 = eval_and_pdf_0(vertex_1.lobe_1, vertex_1.wi_0, wo_2);
-    var _S194 : Colour_0 = arriving_0(emitter_6, point_1.place_12, direction_12, x2A_1(scattered_2.value_6, weight_over_0(own_3, bsdf_samples_0 * scattered_2.pdf_3)), importance_1);
-    return _S194;
+    return sum_4;
 }
 
 struct Stretched_0
 {
      sine_4 : f32,
-     cosine_9 : f32,
+     cosine_7 : f32,
      around_0 : vec2<f32>,
      length_0 : f32,
 };
 
-fn stretched_1( facets_3 : Microfacets_0,  wi_3 : vec3<f32>) -> Stretched_0
+fn stretched_1( facets_2 : Microfacets_0,  wi_3 : vec3<f32>) -> Stretched_0
 {
-    var longer_0 : vec3<f32> = vec3<f32>(wi_3.xy * facets_3.alpha_0, wi_3.z);
+    var longer_0 : vec3<f32> = vec3<f32>(wi_3.xy * facets_2.alpha_1, wi_3.z);
     var view_7 : Stretched_0;
-    var _S195 : f32 = length(longer_0);
-    view_7.length_0 = _S195;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S195);
-    var _S196 : vec2<f32> = longer_1.xy;
-    var _S197 : f32 = length(_S196);
-    view_7.sine_4 = _S197;
-    view_7.cosine_9 = longer_1.z;
-    var _S198 : vec2<f32>;
-    if(_S197 > 0.0f)
+    var _S544 : f32 = length(longer_0);
+    view_7.length_0 = _S544;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S544);
+    var _S545 : vec2<f32> = longer_1.xy;
+    var _S546 : f32 = length(_S545);
+    view_7.sine_4 = _S546;
+    view_7.cosine_7 = longer_1.z;
+    var _S547 : vec2<f32>;
+    if(_S546 > 0.0f)
     {
-        _S198 = _S196 / vec2<f32>(view_7.sine_4);
+        _S547 = _S545 / vec2<f32>(view_7.sine_4);
     }
     else
     {
-        _S198 = vec2<f32>(1.0f, 0.0f);
+        _S547 = vec2<f32>(1.0f, 0.0f);
     }
-    view_7.around_0 = _S198;
+    view_7.around_0 = _S547;
     return view_7;
 }
 
 fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
 {
-    var _S199 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S199);
+    var _S548 : f32 = u_9.x;
+    var radius_2 : f32 = sqrt(_S548);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
-    var across_1 : f32 = radius_2 * turn_3.y;
+    var across_2 : f32 = radius_2 * turn_3.y;
     var along_5 : f32 = radius_2 * turn_3.x;
-    var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_9);
+    var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_7);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S200 : f32 = 1.0f - _S199;
-    var edge_0 : f32 = sqrt(_S200 + along_5 * along_5);
+    var _S549 : f32 = 1.0f - _S548;
+    var edge_0 : f32 = sqrt(_S549 + along_5 * along_5);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
     var from_top_0 : f32 = edge_0 - along_5;
     var from_bottom_0 : f32 = edge_0 + along_5;
@@ -2868,68 +3936,68 @@ fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_5 > 0.0f)
     {
-        from_top_1 = _S200 / from_bottom_0;
+        from_top_1 = _S549 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S201 : f32 = _S200 / from_top_0;
+        var _S550 : f32 = _S549 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S201;
+        from_bottom_1 = _S550;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
-    return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_9, across_1, max(towards_0 * view_8.cosine_9 + up_0 * view_8.sine_4, 0.0f));
+    return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_7, across_2, max(towards_0 * view_8.cosine_7 + up_0 * view_8.sine_4, 0.0f));
 }
 
 fn logarithm_0( x_14 : f32) -> f32
 {
     var bits_0 : u32 = (bitcast<u32>((x_14)));
-    var power_1 : f32 = f32(i32((bits_0 >> (u32(23)))) - i32(126));
-    var m_1 : f32 = (bitcast<f32>(((((bits_0 & (u32(8388607)))) | (u32(1056964608))))));
-    var m_2 : f32;
-    var power_2 : f32;
-    if(m_1 < 0.70710676908493042f)
+    var power_2 : f32 = f32(i32((bits_0 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((bits_0 & (u32(8388607)))) | (u32(1056964608))))));
+    var m_1 : f32;
+    var power_3 : f32;
+    if(m_0 < 0.70710676908493042f)
     {
-        var power_3 : f32 = power_1 - 1.0f;
-        m_2 = m_1 + m_1;
-        power_2 = power_3;
+        var power_4 : f32 = power_2 - 1.0f;
+        m_1 = m_0 + m_0;
+        power_3 = power_4;
     }
     else
     {
-        m_2 = m_1;
-        power_2 = power_1;
+        m_1 = m_0;
+        power_3 = power_2;
     }
-    var m_3 : f32 = m_2 - 1.0f;
-    var z_6 : f32 = m_3 * m_3;
-    return m_3 + (((((((((0.07037683576345444f * m_3 - 0.11514610052108765f) * m_3 + 0.11676998436450958f) * m_3 - 0.12420140951871872f) * m_3 + 0.14249323308467865f) * m_3 - 0.16668057441711426f) * m_3 + 0.20000714063644409f) * m_3 - 0.24999994039535522f) * m_3 + 0.33333331346511841f) * m_3 * z_6 - 0.00021219444170129f * power_2 - 0.5f * z_6) + 0.693359375f * power_2;
+    var m_2 : f32 = m_1 - 1.0f;
+    var z_7 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * z_7 - 0.00021219444170129f * power_3 - 0.5f * z_7) + 0.693359375f * power_3;
 }
 
 fn error_function_inverse_0( p_0 : f32) -> f32
 {
-    var w_6 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
-    if(w_6 < 5.0f)
+    var w_7 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
+    if(w_7 < 5.0f)
     {
-        var w_7 : f32 = w_6 - 2.5f;
-        return ((((((((2.81022636272609816e-08f * w_7 + 3.43273939051869093e-07f) * w_7 - 3.52338770426285919e-06f) * w_7 - 4.39150653619435616e-06f) * w_7 + 0.00021858086984139f) * w_7 - 0.00125372502952814f) * w_7 - 0.00417768163606524f) * w_7 + 0.24664072692394257f) * w_7 + 1.50140941143035889f) * p_0;
+        var w_8 : f32 = w_7 - 2.5f;
+        return ((((((((2.81022636272609816e-08f * w_8 + 3.43273939051869093e-07f) * w_8 - 3.52338770426285919e-06f) * w_8 - 4.39150653619435616e-06f) * w_8 + 0.00021858086984139f) * w_8 - 0.00125372502952814f) * w_8 - 0.00417768163606524f) * w_8 + 0.24664072692394257f) * w_8 + 1.50140941143035889f) * p_0;
     }
-    var w_8 : f32 = sqrt(w_6) - 3.0f;
-    return ((((((((-0.0002002142573474f * w_8 + 0.00010095055768033f) * w_8 + 0.00134934321977198f) * w_8 - 0.00367342843674123f) * w_8 + 0.00573950773105025f) * w_8 - 0.00762246130034328f) * w_8 + 0.00943887047469616f) * w_8 + 1.00167405605316162f) * w_8 + 2.8329768180847168f) * p_0;
+    var w_9 : f32 = sqrt(w_7) - 3.0f;
+    return ((((((((-0.0002002142573474f * w_9 + 0.00010095055768033f) * w_9 + 0.00134934321977198f) * w_9 - 0.00367342843674123f) * w_9 + 0.00573950773105025f) * w_9 - 0.00762246130034328f) * w_9 + 0.00943887047469616f) * w_9 + 1.00167405605316162f) * w_9 + 2.8329768180847168f) * p_0;
 }
 
 fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>) -> vec3<f32>
 {
     var steepest_0 : f32;
-    if((view_9.sine_4 * 6.0f) > (view_9.cosine_9))
+    if((view_9.sine_4 * 6.0f) > (view_9.cosine_7))
     {
-        steepest_0 = view_9.cosine_9 / view_9.sine_4;
+        steepest_0 = view_9.cosine_7 / view_9.sine_4;
     }
     else
     {
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S202 : f32 = max(view_9.cosine_9, view_9.sine_4);
-    var slope_1 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S202 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S202, -6.0f, 0.5f * steepest_0);
+    var _S551 : f32 = max(view_9.cosine_7, view_9.sine_4);
+    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S551 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S551, -6.0f, 0.5f * steepest_0);
     var low_5 : f32 = -6.0f;
     var high_2 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -2942,31 +4010,31 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         {
             break;
         }
-        var both_1 : vec2<f32> = error_function_plus_one_0(slope_1);
-        var _S203 : f32 = both_1.y;
-        var error_0 : f32 = view_9.cosine_9 * both_1.x + 0.5f * view_9.sine_4 * _S203 - target_1;
-        var own_4 : f32 = _S203 * (view_9.cosine_9 - slope_1 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_1 * own_4 - _S203 * view_9.sine_4;
+        var both_2 : vec2<f32> = error_function_plus_one_0(slope_0);
+        var _S552 : f32 = both_2.y;
+        var error_0 : f32 = view_9.cosine_7 * both_2.x + 0.5f * view_9.sine_4 * _S552 - target_1;
+        var own_4 : f32 = _S552 * (view_9.cosine_7 - slope_0 * view_9.sine_4);
+        var bend_0 : f32 = -2.0f * slope_0 * own_4 - _S552 * view_9.sine_4;
         if(error_0 > 0.0f)
         {
-            high_2 = slope_1;
+            high_2 = slope_0;
         }
         else
         {
-            low_5 = slope_1;
+            low_5 = slope_0;
         }
-        var next_0 : f32 = slope_1 - error_0 * own_4 / (own_4 * own_4 - 0.5f * error_0 * bend_0);
-        var _S204 : bool;
+        var next_0 : f32 = slope_0 - error_0 * own_4 / (own_4 * own_4 - 0.5f * error_0 * bend_0);
+        var _S553 : bool;
         if(next_0 >= low_5)
         {
-            _S204 = next_0 <= high_2;
+            _S553 = next_0 <= high_2;
         }
         else
         {
-            _S204 = false;
+            _S553 = false;
         }
         var next_1 : f32;
-        if(!_S204)
+        if(!_S553)
         {
             next_1 = 0.5f * (low_5 + high_2);
         }
@@ -2974,36 +4042,36 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         {
             next_1 = next_0;
         }
-        if((abs(next_1 - slope_1)) < 0.00030000001424924f)
+        if((abs(next_1 - slope_0)) < 0.00030000001424924f)
         {
-            slope_1 = next_1;
+            slope_0 = next_1;
             break;
         }
-        var _S205 : u32 = step_0 + u32(1);
-        slope_1 = next_1;
-        step_0 = _S205;
+        var _S554 : u32 = step_0 + u32(1);
+        slope_0 = next_1;
+        step_0 = _S554;
     }
-    return vec3<f32>(- slope_1, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
+    return vec3<f32>(- slope_0, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
 
-fn mirrored_at_facet_0( facets_4 : Microfacets_0,  wi_4 : vec3<f32>,  u_11 : vec2<f32>) -> vec3<f32>
+fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_4 : vec3<f32>,  u_11 : vec2<f32>) -> vec3<f32>
 {
-    var view_10 : Stretched_0 = stretched_1(facets_4, wi_4);
-    var normal_7 : vec3<f32>;
-    if((facets_4.distribution_0) == u32(1))
+    var view_10 : Stretched_0 = stretched_1(facets_3, wi_4);
+    var normal_9 : vec3<f32>;
+    if((facets_3.distribution_1) == u32(1))
     {
-        normal_7 = ggx_normal_0(view_10, u_11);
+        normal_9 = ggx_normal_0(view_10, u_11);
     }
     else
     {
-        normal_7 = beckmann_normal_0(view_10, visible_over_cos_0(facets_4, wi_4), u_11);
+        normal_9 = beckmann_normal_0(view_10, visible_over_cos_0(facets_3, wi_4), u_11);
     }
-    var _S206 : f32 = view_10.around_0.x;
-    var _S207 : f32 = normal_7.x;
-    var _S208 : f32 = view_10.around_0.y;
-    var _S209 : f32 = normal_7.y;
-    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S206 * _S207 - _S208 * _S209, _S208 * _S207 + _S206 * _S209) * facets_4.alpha_0, normal_7.z));
-    return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_4, normal_8))) - wi_4);
+    var _S555 : f32 = view_10.around_0.x;
+    var _S556 : f32 = normal_9.x;
+    var _S557 : f32 = view_10.around_0.y;
+    var _S558 : f32 = normal_9.y;
+    var normal_10 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S555 * _S556 - _S557 * _S558, _S557 * _S556 + _S555 * _S558) * facets_3.alpha_1, normal_9.z));
+    return normalize(normal_10 * vec3<f32>((2.0f * dot(wi_4, normal_10))) - wi_4);
 }
 
 struct Drawn_0
@@ -3013,17 +4081,17 @@ struct Drawn_0
      probability_3 : f32,
 };
 
-fn draw_0( lobe_8 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
+fn draw_0( lobe_11 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
 {
-    var _S210 : bool = (lobe_8.kind_1) == u32(0);
+    var _S559 : bool = (lobe_11.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S210)
+    if(_S559)
     {
         has_base_0 = true;
     }
     else
     {
-        has_base_0 = (lobe_8.kind_1) == u32(3);
+        has_base_0 = (lobe_11.kind_1) == u32(3);
     }
     if(has_base_0)
     {
@@ -3031,10 +4099,10 @@ fn draw_0( lobe_8 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
     }
     else
     {
-        has_base_0 = (lobe_8.kind_1) == u32(4);
+        has_base_0 = (lobe_11.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S210)
+    if(_S559)
     {
         of_base_1 = 1.0f;
     }
@@ -3042,18 +4110,18 @@ fn draw_0( lobe_8 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
     {
         of_base_1 = 0.0f;
     }
-    var _S211 : bool;
-    if((lobe_8.kind_1) == u32(3))
+    var _S560 : bool;
+    if((lobe_11.kind_1) == u32(3))
     {
-        _S211 = true;
+        _S560 = true;
     }
     else
     {
-        _S211 = (lobe_8.kind_1) == u32(4);
+        _S560 = (lobe_11.kind_1) == u32(4);
     }
-    if(_S211)
+    if(_S560)
     {
-        of_base_1 = base_probability_0(lobe_8, transmittance_0(lobe_8, wi_5.z));
+        of_base_1 = base_probability_0(lobe_11.numbers_2, transmittance_0(lobe_11, coat_eta_0(lobe_11.numbers_2), wi_5.z));
     }
     var drawn_0 : Drawn_0;
     drawn_0.is_specular_0 = false;
@@ -3072,9 +4140,9 @@ fn draw_0( lobe_8 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
     }
     else
     {
-        if(is_rough_0(lobe_8))
+        if(is_rough_0(lobe_11))
         {
-            drawn_0.wo_3 = mirrored_at_facet_0(lobe_8.microfacets_0, wi_5, u_12);
+            drawn_0.wo_3 = mirrored_at_facet_0(facets_of_0(lobe_11, lobe_11.numbers_2), wi_5, u_12);
         }
         else
         {
@@ -3086,81 +4154,113 @@ fn draw_0( lobe_8 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
     return drawn_0;
 }
 
-fn specular_0( lobe_9 : Lobe_0,  wi_6 : vec3<f32>) -> Colour_0
+fn specular_direction_0( vertex_9 : Vertex_0,  direction_23 : vec3<f32>,  wo_4 : vec3<f32>) -> Vector_0
 {
-    var reflectance_0 : vec3<f32>;
-    if((lobe_9.kind_1) == u32(1))
-    {
-        reflectance_0 = fresnel_conductor_0(wi_6.z, lobe_9.eta_0, lobe_9.k_4);
-    }
-    else
-    {
-        reflectance_0 = vec3<f32>(fresnel_dielectric_0(wi_6.z, lobe_9.coat_eta_0));
-    }
-    return x2A_0(lobe_9.specular_reflectance_0, reflectance_0);
+    var change_5 : vec3<f32> = change_of_0(vertex_9.wi_1);
+    return changing_0(direction_23, to_world_0(vertex_9.axes_change_0, wo_4) + to_world_0(vertex_9.axes_1, vec3<f32>((vec2<f32>(0) - change_5.xy), change_5.z)));
 }
 
-fn first_from_0( position_6 : vec3<f32>,  direction_13 : vec3<f32>,  t_6 : ptr<function, f32>) -> Found_0
+fn s_fwd_specular_fraction_0( lobe_12 : Lobe_0,  dpnumbers_3 : DiffPair_Numbers_0,  dpwi_2 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S212 : Found_0 = cast_1(position_6, direction_13, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_6)));
-    return _S212;
+    if((lobe_12.kind_1) == u32(1))
+    {
+        var _S561 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
+        var _S562 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.eta_0, dpnumbers_3.differential_0.eta_0 );
+        var _S563 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.k_2, dpnumbers_3.differential_0.k_2 );
+        var _S564 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S561, _S562, _S563);
+        var _S565 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S564.primal_0, dpnumbers_3.differential_0.specular_reflectance_0 * _S564.primal_0 + _S564.differential_0 * dpnumbers_3.primal_0.specular_reflectance_0 );
+        return _S565;
+    }
+    var _S566 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_3.primal_0, dpnumbers_3.differential_0 );
+    var _S567 : DiffPair_float_0 = s_fwd_coat_eta_0(_S566);
+    var _S568 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
+    var _S569 : DiffPair_float_0 = DiffPair_float_0( _S567.primal_0, _S567.differential_0 );
+    var _S570 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S568, _S569);
+    var _S571 : vec3<f32> = vec3<f32>(_S570.primal_0);
+    var _S572 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S571, dpnumbers_3.differential_0.specular_reflectance_0 * _S571 + vec3<f32>(_S570.differential_0) * dpnumbers_3.primal_0.specular_reflectance_0 );
+    return _S572;
+}
+
+fn specular_0( lobe_13 : Lobe_0,  wi_6 : Vector_0) -> Colour_0
+{
+    var fraction_0 : Colour_0;
+    var k_12 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_12 < u32(1))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S573 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_13.numbers_2, lobe_13.changes_2[k_12] );
+        var _S574 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(wi_6), change_of_0(wi_6) );
+        var _S575 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_specular_fraction_0(lobe_13, _S573, _S574);
+        fraction_0.value_0 = _S575.primal_0;
+        fraction_0.changes_0[k_12] = _S575.differential_0;
+        k_12 = k_12 + u32(1);
+    }
+    return fraction_0;
+}
+
+fn first_from_0( position_6 : vec3<f32>,  direction_24 : vec3<f32>,  t_9 : ptr<function, f32>) -> Found_0
+{
+    var _S576 : Found_0 = cast_1(position_6, direction_24, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_9)));
+    return _S576;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
 {
-    var place_18 : Place_0;
-    place_18.triangle_0 = found_6.triangle_5;
-    place_18.v_0 = found_6.v_9;
-    place_18.w_0 = found_6.w_4;
-    return place_18;
+    return place_at_0(found_6.triangle_8, found_6.v_10, found_6.w_5);
 }
 
-fn emitter_seen_0( found_7 : Found_0,  direction_14 : vec3<f32>) -> u32
+fn emitter_seen_0( found_7 : Found_0,  direction_25 : vec3<f32>) -> u32
 {
     if((found_7.face_7) == u32(4294967295))
     {
         return word_0(u32(8));
     }
-    var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_5) + u32(4));
-    var _S213 : bool;
+    var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_8) + u32(4));
+    var _S577 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S213 = (dot(cross_of_0(found_7.triangle_5), direction_14)) < 0.0f;
+        _S577 = (dot(cross_of_0(found_7.triangle_8), direction_25)) < 0.0f;
     }
     else
     {
-        _S213 = false;
+        _S577 = false;
     }
-    var _S214 : u32;
-    if(_S213)
+    var _S578 : u32;
+    if(_S577)
     {
-        _S214 = emitter_7;
+        _S578 = emitter_7;
     }
     else
     {
-        _S214 = u32(4294967295);
+        _S578 = u32(4294967295);
     }
-    return _S214;
+    return _S578;
 }
 
-fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_15 : vec3<f32>,  distance_5 : f32) -> f32
+fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_26 : vec3<f32>,  distance_6 : f32) -> f32
 {
     var own_5 : f32;
-    var rectangle_1 : u32 = word_0(record_14 + u32(4));
+    var rectangle_1 : u32 = word_0(record_16 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S215 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S215.solid_angle_0) > 0.0f))
+        var _S579 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S579.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S215.solid_angle_0) >= 0.00100000004749745f)
+        if((_S579.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S215.solid_angle_0;
+            return 1.0f / _S579.solid_angle_0;
         }
     }
-    var _S216 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
-    var nodes_at_2 : u32 = word_0(record_14 + u32(5));
+    var _S580 : u32 = word_0(word_0(record_16 + u32(7)) + face_8);
+    var nodes_at_2 : u32 = word_0(record_16 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
     for(;;)
@@ -3173,7 +4273,7 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S216 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S580 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_5 = shares_1.y;
@@ -3183,81 +4283,83 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             own_5 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_5;
-        var _S217 : i32;
+        var _S581 : i32;
         if(is_second_1)
         {
-            _S217 = i32(3);
+            _S581 = i32(3);
         }
         else
         {
-            _S217 = i32(2);
+            _S581 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S217));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S581));
         chosen_2 = chosen_3;
     }
-    var _S218 : u32 = word_0(record_14 + u32(6));
-    var _S219 : u32 = word_0(node_6);
+    var _S582 : u32 = word_0(record_16 + u32(6));
+    var _S583 : u32 = word_0(node_6);
     own_5 = 0.0f;
-    var k_12 : u32 = _S219;
+    var k_13 : u32 = _S583;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
-        if(k_12 < (word_0(node_6 + u32(1))))
+        if(k_13 < (word_0(node_6 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_14, word_0(_S218 + k_12), from_2.exact_0);
-        var total_4 : f32 = total_3 + angle_4;
-        if(k_12 == _S216)
+        var angle_6 : f32 = face_solid_angle_0(record_16, word_0(_S582 + k_13), from_2.exact_0);
+        var total_4 : f32 = total_3 + angle_6;
+        if(k_13 == _S580)
         {
-            own_5 = angle_4;
+            own_5 = angle_6;
         }
-        k_12 = k_12 + u32(1);
+        k_13 = k_13 + u32(1);
         total_3 = total_4;
     }
     if(!(own_5 > 0.0f))
     {
         return 0.0f;
     }
-    return chosen_2 / total_3 * density_of_0(own_5, cross_of_0(emitter_triangle_0(record_14, face_8)), distance_5, direction_15);
+    return chosen_2 / total_3 * density_of_0(own_5, cross_of_0(emitter_triangle_0(record_16, face_8)), distance_6, direction_26);
 }
 
-fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  vertex_2 : Vertex_0,  direction_16 : vec3<f32>,  t_7 : f32) -> f32
+fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  vertex_10 : Vertex_0,  direction_27 : vec3<f32>,  t_10 : f32) -> f32
 {
-    var record_15 : u32 = emitter_record_0(emitter_8);
-    if(is_map_0(record_15))
+    var record_17 : u32 = emitter_record_0(emitter_8);
+    if(is_map_0(record_17))
     {
-        var _S220 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_16);
-        return _S220;
+        var _S584 : f32 = map_pdf_0(word_0(record_17 + u32(1)), direction_27);
+        return _S584;
     }
-    if(!is_area_0(record_15))
+    if(!is_area_0(record_17))
     {
-        return max(dot(vertex_2.axes_2.n_0, direction_16), 0.0f) * 0.31830987334251404f;
+        return max(dot(vertex_10.axes_1.n_1, direction_27), 0.0f) * 0.31830987334251404f;
     }
-    return area_pdf_0(record_15, found_8.face_7 - word_0(record_15 + u32(3)), vertex_2.surface_3, direction_16, t_7);
+    return area_pdf_0(record_17, found_8.face_7 - word_0(record_17 + u32(3)), vertex_10.surface_3, direction_27, t_10);
 }
 
 fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_2 : vec3<f32>) -> bool
 {
     var depth_2 : u32 = launch_0.depth_0;
     var first_6 : u32 = vertex_numbers_0(launch_0.depth_0);
-    var surface_5 : Surface_0 = surface_at_0((*path_6).place_1, (*path_6).direction_0);
+    var incoming_0 : vec3<f32> = value_of_0((*path_6).direction_0);
+    var surface_5 : Surface_0 = surface_at_0((*path_6).place_1, incoming_0);
+    move_surface_0(&(surface_5), incoming_0, (*path_6).drift_0);
     var material_1 : u32 = material_of_0(surface_5);
     if(material_1 == u32(4294967295))
     {
         return false;
     }
-    var vertex_3 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_6).direction_0);
+    var vertex_11 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_6).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S221 : u32 = word_0(u32(3));
-    var _S222 : bool = !reaches_0(depth_2 + u32(3));
+    var _S585 : u32 = word_0(u32(3));
+    var _S586 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S222)
+    if(_S586)
     {
-        goes_on_0 = (vertex_3.lobe_1.kind_1) == u32(0);
+        goes_on_0 = (vertex_11.lobe_1.kind_1) == u32(0);
     }
     else
     {
@@ -3278,10 +4380,10 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     else
     {
-        bsdf_samples_1 = _S221;
+        bsdf_samples_1 = _S585;
     }
     var on_emitters_0 : u32;
-    if(has_smooth_0(vertex_3.lobe_1))
+    if(has_smooth_0(vertex_11.lobe_1))
     {
         on_emitters_0 = emitter_samples_0;
     }
@@ -3289,7 +4391,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S223 : Choice_0 = choice_at_0(surface_5.position_0, vertex_3.axes_2.n_0, on_emitters_0 == u32(0));
+    var _S587 : Choice_0 = choice_at_0(surface_5.position_0, vertex_11.axes_1.n_1, on_emitters_0 == u32(0));
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -3300,99 +4402,137 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         {
             break;
         }
-        var _S224 : Colour_0 = light_from_emitter_0(vertex_3, _S223, (*path_6).key_0, first_6 + u32(3) * i_4, f32(bsdf_samples_1), importance_2);
-        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S224);
+        var _S588 : Colour_0 = light_from_emitter_0(vertex_11, _S587, (*path_6).key_0, first_6 + u32(3) * i_4, f32(bsdf_samples_1), importance_2);
+        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S588);
         i_4 = i_4 + u32(1);
     }
     var first_7 : u32 = first_6 + u32(3) * emitter_samples_0;
     goes_on_0 = false;
     var next_2 : Place_0 = (*path_6).place_1;
-    var next_direction_0 : vec3<f32> = (*path_6).direction_0;
-    var k_13 : u32 = u32(0);
+    var next_direction_0 : Vector_0 = (*path_6).direction_0;
+    var next_distance_0 : f32 = 0.0f;
+    var k_14 : u32 = u32(0);
     for(;;)
     {
-        if(k_13 < bsdf_samples_1)
+        if(k_14 < bsdf_samples_1)
         {
         }
         else
         {
             break;
         }
-        var own_first_0 : u32 = first_7 + u32(3) * k_13;
-        var drawn_1 : Drawn_0 = draw_0(vertex_3.lobe_1, vertex_3.wi_0, random_0((*path_6).key_0, own_first_0), random_pair_0((*path_6).key_0, own_first_0 + u32(1)));
-        var scattered_3 : Scattered_0;
+        var own_first_0 : u32 = first_7 + u32(3) * k_14;
+        var drawn_1 : Drawn_0 = draw_0(vertex_11.lobe_1, value_of_0(vertex_11.wi_1), random_0((*path_6).key_0, own_first_0), random_pair_0((*path_6).key_0, own_first_0 + u32(1)));
+        var direction_28 : vec3<f32> = normalize(to_world_0(vertex_11.axes_1, drawn_1.wo_3));
+        var moving_1 : Vector_0;
         if(drawn_1.is_specular_0)
         {
-            scattered_3.value_6 = specular_0(vertex_3.lobe_1, vertex_3.wi_0);
-            scattered_3.pdf_3 = drawn_1.probability_3;
+            moving_1 = specular_direction_0(vertex_11, direction_28, drawn_1.wo_3);
         }
         else
         {
-            scattered_3 = eval_and_pdf_0(vertex_3.lobe_1, vertex_3.wi_0, drawn_1.wo_3);
+            moving_1 = changing_0(direction_28, turning_0(vertex_11, direction_28));
         }
-        if(!((scattered_3.pdf_3) > 0.0f))
+        var scattered_3 : Scattered_0;
+        if(drawn_1.is_specular_0)
         {
-            k_13 = k_13 + u32(1);
+            scattered_3.value_11 = specular_0(vertex_11.lobe_1, vertex_11.wi_1);
+            scattered_3.pdf_4 = drawn_1.probability_3;
+        }
+        else
+        {
+            scattered_3 = scattered_to_0(vertex_11, drawn_1.wo_3, moving_1);
+        }
+        if(!((scattered_3.pdf_4) > 0.0f))
+        {
+            k_14 = k_14 + u32(1);
             continue;
         }
-        var direction_17 : vec3<f32> = normalize(to_world_0(vertex_3.axes_2, drawn_1.wo_3));
-        var t_8 : f32;
-        var found_9 : Found_0 = first_from_0(surface_5.exact_0, direction_17, &(t_8));
+        var t_11 : f32;
+        var found_9 : Found_0 = first_from_0(surface_5.exact_0, direction_28, &(t_11));
         var goes_on_1 : bool;
         var next_3 : Place_0;
-        var next_direction_1 : vec3<f32>;
-        if(k_13 == u32(0))
+        var next_direction_1 : Vector_0;
+        var next_distance_1 : f32;
+        if(k_14 == u32(0))
         {
-            var _S225 : bool = (found_9.face_7) != u32(4294967295);
-            var _S226 : Place_0 = place_of_0(found_9);
-            (*reflected_1).onward_0 = x2A_1(scattered_3.value_6, 1.0f / scattered_3.pdf_3);
-            goes_on_1 = _S225;
-            next_3 = _S226;
-            next_direction_1 = direction_17;
+            var _S589 : bool = (found_9.face_7) != u32(4294967295);
+            var _S590 : Place_0 = place_of_0(found_9);
+            (*reflected_1).onward_0 = x2A_1(scattered_3.value_11, 1.0f / scattered_3.pdf_4);
+            goes_on_1 = _S589;
+            next_3 = _S590;
+            next_direction_1 = moving_1;
+            next_distance_1 = t_11;
         }
         else
         {
             goes_on_1 = goes_on_0;
             next_3 = next_2;
             next_direction_1 = next_direction_0;
+            next_distance_1 = next_distance_0;
         }
-        var emitter_9 : u32 = emitter_seen_0(found_9, direction_17);
+        var emitter_9 : u32 = emitter_seen_0(found_9, direction_28);
         if(emitter_9 == u32(4294967295))
         {
             goes_on_0 = goes_on_1;
             next_2 = next_3;
             next_direction_0 = next_direction_1;
-            k_13 = k_13 + u32(1);
+            next_distance_0 = next_distance_1;
+            k_14 = k_14 + u32(1);
             continue;
         }
-        var own_6 : f32 = f32(bsdf_samples_1) * scattered_3.pdf_3;
-        var _S227 : bool;
-        if(!drawn_1.is_specular_0)
+        var own_6 : f32 = f32(bsdf_samples_1) * scattered_3.pdf_4;
+        var _S591 : bool = !drawn_1.is_specular_0;
+        var _S592 : bool;
+        if(_S591)
         {
-            _S227 = emitter_samples_0 != u32(0);
+            _S592 = emitter_samples_0 != u32(0);
         }
         else
         {
-            _S227 = false;
+            _S592 = false;
         }
         var other_1 : f32;
-        if(_S227)
+        if(_S592)
         {
-            var pdf_4 : f32 = emitter_pdf_0(emitter_9, found_9, vertex_3, direction_17, t_8);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S223) * pdf_4;
+            var pdf_5 : f32 = emitter_pdf_0(emitter_9, found_9, vertex_11, direction_28, t_11);
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S587) * pdf_5;
         }
         else
         {
             other_1 = 0.0f;
         }
-        var _S228 : Colour_0 = arriving_0(emitter_9, place_of_0(found_9), direction_17, x2A_1(scattered_3.value_6, weight_over_0(own_6, other_1)), importance_2);
-        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S228);
+        var moving_2 : Vector_0;
+        if(_S591)
+        {
+            var moving_3 : Vector_0 = towards_emitter_0(vertex_11, direction_28, emitter_record_0(emitter_9));
+            scattered_3 = scattered_to_0(vertex_11, drawn_1.wo_3, moving_3);
+            moving_2 = moving_3;
+        }
+        else
+        {
+            moving_2 = moving_1;
+        }
+        var factor_2 : Colour_0 = x2A_1(scattered_3.value_11, weight_over_0(own_6, other_1));
+        var place_24 : Place_0 = place_of_0(found_9);
+        var place_25 : Place_0;
+        if((found_9.face_7) != u32(4294967295))
+        {
+            place_25 = met_0(vertex_11, moving_2, t_11, place_24);
+        }
+        else
+        {
+            place_25 = place_24;
+        }
+        var _S593 : Colour_0 = arriving_0(emitter_9, place_25, moving_2, factor_2, importance_2);
+        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S593);
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
-        k_13 = k_13 + u32(1);
+        next_distance_0 = next_distance_1;
+        k_14 = k_14 + u32(1);
     }
-    if(_S222)
+    if(_S586)
     {
         goes_on_0 = true;
     }
@@ -3404,13 +4544,13 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     {
         return false;
     }
-    var throughput_1 : vec3<f32> = value_of_0((*path_6).throughput_0) * value_of_0((*reflected_1).onward_0);
-    var _S229 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    var _S230 : u32 = depth_2 + u32(1);
-    if(_S230 >= (word_0(u32(1))))
+    var throughput_1 : vec3<f32> = value_of_1((*path_6).throughput_0) * value_of_1((*reflected_1).onward_0);
+    var _S594 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    var _S595 : u32 = depth_2 + u32(1);
+    if(_S595 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S229, 0.05000000074505806f, 0.94999998807907104f);
-        if((random_0((*path_6).key_0, vertex_numbers_0(_S230) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S594, 0.05000000074505806f, 0.94999998807907104f);
+        if((random_0((*path_6).key_0, vertex_numbers_0(_S595) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -3418,16 +4558,17 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     (*path_6).place_1 = next_2;
     (*path_6).direction_0 = next_direction_0;
+    (*path_6).drift_0 = drift_at_0(vertex_11, next_direction_0, next_distance_0);
     return true;
 }
 
-fn set_word_0( path_7 : u32,  which_6 : u32,  value_7 : u32)
+fn set_word_0( path_7 : u32,  which_6 : u32,  value_12 : u32)
 {
-    paths_0[which_6 * launch_0.room_0 + path_7] = value_7;
+    paths_0[which_6 * launch_0.room_0 + path_7] = value_12;
     return;
 }
 
-fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_8 : vec3<f32>)
+fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_13 : vec3<f32>)
 {
     var axis_6 : u32 = u32(0);
     for(;;)
@@ -3439,14 +4580,14 @@ fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_8 : vec3<f3
         {
             break;
         }
-        set_word_0(path_8, (*which_7) + axis_6, (bitcast<u32>((value_8[axis_6]))));
+        set_word_0(path_8, (*which_7) + axis_6, (bitcast<u32>((value_13[axis_6]))));
         axis_6 = axis_6 + u32(1);
     }
     (*which_7) = (*which_7) + u32(3);
     return;
 }
 
-fn set_vector_1( path_9 : u32,  which_8 : ptr<function, u32>,  value_9 : vec3<f32>)
+fn set_vector_1( path_9 : u32,  which_8 : ptr<function, u32>,  value_14 : vec3<f32>)
 {
     var axis_7 : u32 = u32(0);
     for(;;)
@@ -3458,7 +4599,7 @@ fn set_vector_1( path_9 : u32,  which_8 : ptr<function, u32>,  value_9 : vec3<f3
         {
             break;
         }
-        set_word_0(path_9, (*which_8) + axis_7, (bitcast<u32>((value_9[axis_7]))));
+        set_word_0(path_9, (*which_8) + axis_7, (bitcast<u32>((value_14[axis_7]))));
         axis_7 = axis_7 + u32(1);
     }
     (*which_8) = (*which_8) + u32(3);
@@ -3468,67 +4609,69 @@ fn set_vector_1( path_9 : u32,  which_8 : ptr<function, u32>,  value_9 : vec3<f3
 fn set_colour_0( path_10 : u32,  which_9 : ptr<function, u32>,  colour_7 : Colour_0)
 {
     set_vector_1(path_10, &((*which_9)), colour_7.value_0);
-    var k_14 : u32 = u32(0);
+    var k_15 : u32 = u32(0);
     for(;;)
     {
-        if(k_14 < u32(1))
+        if(k_15 < u32(1))
         {
         }
         else
         {
             break;
         }
-        set_vector_1(path_10, &((*which_9)), colour_7.changes_0[k_14]);
-        k_14 = k_14 + u32(1);
+        set_vector_1(path_10, &((*which_9)), colour_7.changes_0[k_15]);
+        k_15 = k_15 + u32(1);
     }
     return;
 }
 
-fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_19 : Place_0)
+fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_26 : Place_0)
 {
-    set_word_0(path_11, (*which_10), place_19.triangle_0);
-    set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_19.v_0))));
-    set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_19.w_0))));
+    set_word_0(path_11, (*which_10), place_26.triangle_0);
+    set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_26.v_0))));
+    set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_26.w_0))));
     (*which_10) = (*which_10) + u32(3);
     return;
 }
 
 fn store_0( number_of_path_1 : u32,  path_12 : Path_0)
 {
-    var at_19 : u32 = u32(1);
-    set_colour_0(number_of_path_1, &(at_19), path_12.light_0);
-    set_colour_0(number_of_path_1, &(at_19), path_12.throughput_0);
-    set_vector_0(number_of_path_1, &(at_19), path_12.direction_0);
-    set_place_0(number_of_path_1, &(at_19), path_12.place_1);
-    set_word_0(number_of_path_1, at_19, path_12.key_0.x);
-    set_word_0(number_of_path_1, at_19 + u32(1), path_12.key_0.y);
+    var at_25 : u32 = u32(1);
+    set_colour_0(number_of_path_1, &(at_25), path_12.light_0);
+    set_colour_0(number_of_path_1, &(at_25), path_12.throughput_0);
+    set_vector_0(number_of_path_1, &(at_25), value_of_0(path_12.direction_0));
+    set_vector_0(number_of_path_1, &(at_25), change_of_0(path_12.direction_0));
+    set_vector_0(number_of_path_1, &(at_25), path_12.drift_0);
+    set_place_0(number_of_path_1, &(at_25), path_12.place_1);
+    set_word_0(number_of_path_1, at_25, path_12.key_0.x);
+    set_word_0(number_of_path_1, at_25 + u32(1), path_12.key_0.y);
     return;
 }
 
 fn take_thread_further_0( thread_0 : u32)
 {
-    var at_20 : u32 = launch_0.first_0 + thread_0;
-    if(at_20 >= (launch_0.end_0))
+    var at_26 : u32 = launch_0.first_0 + thread_0;
+    if(at_26 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_2 : u32 = input_0[at_20];
+    var number_of_path_2 : u32 = input_0[at_26];
     var path_13 : Path_0 = load_0(number_of_path_2);
     var reflected_2 : Reflected_0 = nothing_reflected_0();
     var goes_on_2 : bool = take_further_0(&(path_13), &(reflected_2), vec3<f32>(0.0f));
     path_13.light_0 = x2B_0(path_13.light_0, x2A_2(path_13.throughput_0, reflected_2.direct_0));
     path_13.throughput_0 = x2A_2(path_13.throughput_0, reflected_2.onward_0);
     store_0(number_of_path_2, path_13);
-    var _S231 : u32;
+    var _S596 : u32;
     if(goes_on_2)
     {
-        _S231 = number_of_path_2;
+        _S596 = number_of_path_2;
     }
     else
     {
-        _S231 = u32(4294967295);
+        _S596 = u32(4294967295);
     }
-    set_word_0(at_20, u32(0), _S231);
+    set_word_0(at_26, u32(0), _S596);
     return;
 }
 

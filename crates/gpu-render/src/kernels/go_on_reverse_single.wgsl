@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: b69f99b2b0d21cad
-// result: e2133dfb756d7ce8
+// source: e9851084466382ed
+// result: 1236da9277d8b5ef
 
 struct Launch_std140_0
 {
@@ -28,6 +28,112 @@ struct Launch_std140_0
 
 @binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
 
+struct DiffPair_float_0
+{
+     primal_0 : f32,
+     differential_0 : f32,
+};
+
+struct DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+     primal_0 : vec3<f32>,
+     differential_0 : vec3<f32>,
+};
+
+fn _d_sqrt_0( dpx_0 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S1 : DiffPair_float_0 = DiffPair_float_0( sqrt(dpx_0.primal_0), 0.5f / sqrt(max(1.00000001168609742e-07f, dpx_0.primal_0)) * dpx_0.differential_0 );
+    return _S1;
+}
+
+fn s_fwd_length_impl_0( dpx_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
+{
+    var _S2 : f32 = dpx_1.primal_0[i32(0)];
+    var _S3 : f32 = dpx_1.differential_0[i32(0)] * dpx_1.primal_0[i32(0)];
+    var _S4 : f32 = dpx_1.primal_0[i32(1)];
+    var _S5 : f32 = dpx_1.differential_0[i32(1)] * dpx_1.primal_0[i32(1)];
+    var _S6 : f32 = dpx_1.primal_0[i32(2)];
+    var _S7 : f32 = dpx_1.differential_0[i32(2)] * dpx_1.primal_0[i32(2)];
+    var _S8 : DiffPair_float_0 = DiffPair_float_0( _S2 * _S2 + _S4 * _S4 + _S6 * _S6, _S3 + _S3 + (_S5 + _S5) + (_S7 + _S7) );
+    var _S9 : DiffPair_float_0 = _d_sqrt_0(_S8);
+    var _S10 : DiffPair_float_0 = DiffPair_float_0( _S9.primal_0, _S9.differential_0 );
+    return _S10;
+}
+
+fn s_fwd_normalize_impl_0( dpx_2 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+    var _S11 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpx_2.primal_0, dpx_2.differential_0 );
+    var _S12 : DiffPair_float_0 = s_fwd_length_impl_0(_S11);
+    var _S13 : vec3<f32> = vec3<f32>((1.0f / _S12.primal_0));
+    var _S14 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpx_2.primal_0 * _S13, dpx_2.differential_0 * _S13 + vec3<f32>(((0.0f - _S12.differential_0) / (_S12.primal_0 * _S12.primal_0))) * dpx_2.primal_0 );
+    return _S14;
+}
+
+struct DiffPair_vectorx3Cfloatx2C2x3E_0
+{
+     primal_0 : vec2<f32>,
+     differential_0 : vec2<f32>,
+};
+
+fn _d_dot_0( dpx_3 : DiffPair_vectorx3Cfloatx2C2x3E_0,  dpy_0 : DiffPair_vectorx3Cfloatx2C2x3E_0) -> DiffPair_float_0
+{
+    var _S15 : DiffPair_float_0 = DiffPair_float_0( dpx_3.primal_0[i32(0)] * dpy_0.primal_0[i32(0)] + dpx_3.primal_0[i32(1)] * dpy_0.primal_0[i32(1)], dpx_3.primal_0[i32(0)] * dpy_0.differential_0[i32(0)] + dpy_0.primal_0[i32(0)] * dpx_3.differential_0[i32(0)] + dpx_3.primal_0[i32(1)] * dpy_0.differential_0[i32(1)] + dpy_0.primal_0[i32(1)] * dpx_3.differential_0[i32(1)] );
+    return _S15;
+}
+
+fn _d_max_0( dpx_4 : DiffPair_float_0,  dpy_1 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S16 : f32 = max(dpx_4.primal_0, dpy_1.primal_0);
+    var _S17 : f32;
+    if((dpx_4.primal_0) > (dpy_1.primal_0))
+    {
+        _S17 = dpx_4.differential_0;
+    }
+    else
+    {
+        if((dpx_4.primal_0) < (dpy_1.primal_0))
+        {
+            _S17 = dpy_1.differential_0;
+        }
+        else
+        {
+            _S17 = 0.5f * (dpx_4.differential_0 + dpy_1.differential_0);
+        }
+    }
+    var _S18 : DiffPair_float_0 = DiffPair_float_0( _S16, _S17 );
+    return _S18;
+}
+
+fn _d_max_vector_0( dpx_5 : DiffPair_vectorx3Cfloatx2C2x3E_0,  dpy_2 : DiffPair_vectorx3Cfloatx2C2x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
+{
+    var _S19 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0[i32(0)], dpx_5.differential_0[i32(0)] );
+    var _S20 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0[i32(0)], dpy_2.differential_0[i32(0)] );
+    var dp_elem_0 : DiffPair_float_0 = _d_max_0(_S19, _S20);
+    var result_0 : vec2<f32>;
+    result_0[i32(0)] = dp_elem_0.primal_0;
+    var d_result_0 : vec2<f32>;
+    d_result_0[i32(0)] = dp_elem_0.differential_0;
+    var _S21 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0[i32(1)], dpx_5.differential_0[i32(1)] );
+    var _S22 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0[i32(1)], dpy_2.differential_0[i32(1)] );
+    var dp_elem_1 : DiffPair_float_0 = _d_max_0(_S21, _S22);
+    result_0[i32(1)] = dp_elem_1.primal_0;
+    d_result_0[i32(1)] = dp_elem_1.differential_0;
+    var _S23 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( result_0, d_result_0 );
+    return _S23;
+}
+
+fn _d_dot_1( dpx_6 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpy_3 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
+{
+    var _S24 : DiffPair_float_0 = DiffPair_float_0( dpx_6.primal_0[i32(0)] * dpy_3.primal_0[i32(0)] + dpx_6.primal_0[i32(1)] * dpy_3.primal_0[i32(1)] + dpx_6.primal_0[i32(2)] * dpy_3.primal_0[i32(2)], dpx_6.primal_0[i32(0)] * dpy_3.differential_0[i32(0)] + dpy_3.primal_0[i32(0)] * dpx_6.differential_0[i32(0)] + dpx_6.primal_0[i32(1)] * dpy_3.differential_0[i32(1)] + dpy_3.primal_0[i32(1)] * dpx_6.differential_0[i32(1)] + dpx_6.primal_0[i32(2)] * dpy_3.differential_0[i32(2)] + dpy_3.primal_0[i32(2)] * dpx_6.differential_0[i32(2)] );
+    return _S24;
+}
+
+fn _d_abs_0( dpx_7 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S25 : DiffPair_float_0 = DiffPair_float_0( abs(dpx_7.primal_0), select(select(-1.0f, 0.0f, (dpx_7.primal_0) == 0.0f), 1.0f, (dpx_7.primal_0) > 0.0f) * dpx_7.differential_0 );
+    return _S25;
+}
+
 fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
 {
     return paths_0[which_0 * launch_0.room_0 + path_0];
@@ -35,9 +141,9 @@ fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
 
 fn path_vector_0( path_1 : u32,  which_1 : ptr<function, u32>) -> vec3<f32>
 {
-    var _S1 : u32 = (*which_1) + u32(3);
-    (*which_1) = _S1;
-    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_1, _S1 - u32(3)), path_word_0(path_1, _S1 - u32(2)), path_word_0(path_1, _S1 - u32(1))))));
+    var _S26 : u32 = (*which_1) + u32(3);
+    (*which_1) = _S26;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_1, _S26 - u32(3)), path_word_0(path_1, _S26 - u32(2)), path_word_0(path_1, _S26 - u32(1))))));
 }
 
 struct Place_0
@@ -47,14 +153,20 @@ struct Place_0
      w_0 : f32,
 };
 
-fn path_place_0( path_2 : u32,  which_2 : ptr<function, u32>) -> Place_0
+fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
 {
     var place_0 : Place_0;
-    place_0.triangle_0 = path_word_0(path_2, (*which_2));
-    place_0.v_0 = (bitcast<f32>((path_word_0(path_2, (*which_2) + u32(1)))));
-    place_0.w_0 = (bitcast<f32>((path_word_0(path_2, (*which_2) + u32(2)))));
-    (*which_2) = (*which_2) + u32(3);
+    place_0.triangle_0 = triangle_1;
+    place_0.v_0 = v_1;
+    place_0.w_0 = w_1;
     return place_0;
+}
+
+fn path_place_0( path_2 : u32,  which_2 : ptr<function, u32>) -> Place_0
+{
+    var _S27 : u32 = (*which_2) + u32(3);
+    (*which_2) = _S27;
+    return place_at_0(path_word_0(path_2, _S27 - u32(3)), (bitcast<f32>((path_word_0(path_2, _S27 - u32(2))))), (bitcast<f32>((path_word_0(path_2, _S27 - u32(1))))));
 }
 
 struct Path_0
@@ -70,14 +182,14 @@ fn load_0( number_of_path_0 : u32) -> Path_0
 {
     var at_0 : u32 = u32(1);
     var path_3 : Path_0;
-    var _S2 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
-    path_3.adjoint_0 = _S2;
-    var _S3 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
-    path_3.throughput_0 = _S3;
-    var _S4 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
-    path_3.direction_0 = _S4;
-    var _S5 : Place_0 = path_place_0(number_of_path_0, &(at_0));
-    path_3.place_1 = _S5;
+    var _S28 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
+    path_3.adjoint_0 = _S28;
+    var _S29 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
+    path_3.throughput_0 = _S29;
+    var direction_1 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
+    path_3.direction_0 = direction_1;
+    var _S30 : Place_0 = path_place_0(number_of_path_0, &(at_0));
+    path_3.place_1 = _S30;
     path_3.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_0), path_word_0(number_of_path_0, at_0 + u32(1)));
     return path_3;
 }
@@ -87,14 +199,14 @@ fn word_0( at_1 : u32) -> u32
     return scene_0[at_1];
 }
 
-fn triangle_record_0( triangle_1 : u32) -> u32
+fn triangle_record_0( triangle_2 : u32) -> u32
 {
-    return word_0(u32(9)) + u32(5) * triangle_1;
+    return word_0(u32(9)) + u32(5) * triangle_2;
 }
 
-fn shape_of_0( triangle_2 : u32) -> u32
+fn shape_of_0( triangle_3 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_2));
+    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_3));
 }
 
 fn primitive_vector_0( at_2 : u32) -> vec3<f32>
@@ -109,16 +221,16 @@ fn position_of_0( place_2 : Place_0) -> vec3<f32>
     return a_0 + (primitive_vector_0(at_3 + u32(3)) - a_0) * vec3<f32>(place_2.v_0) + (primitive_vector_0(at_3 + u32(6)) - a_0) * vec3<f32>(place_2.w_0);
 }
 
-fn cross_of_0( triangle_3 : u32) -> vec3<f32>
+fn cross_of_0( triangle_4 : u32) -> vec3<f32>
 {
-    var at_4 : u32 = u32(9) * triangle_3;
+    var at_4 : u32 = u32(9) * triangle_4;
     var a_1 : vec3<f32> = primitive_vector_0(at_4);
     return cross(primitive_vector_0(at_4 + u32(3)) - a_1, primitive_vector_0(at_4 + u32(6)) - a_1);
 }
 
-fn unit_0( v_1 : vec3<f32>) -> vec3<f32>
+fn unit_0( v_2 : vec3<f32>) -> vec3<f32>
 {
-    return normalize(v_1 / vec3<f32>(max(max(abs(v_1.x), abs(v_1.y)), abs(v_1.z))));
+    return normalize(v_2 / vec3<f32>(max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z))));
 }
 
 fn number_0( at_5 : u32) -> f32
@@ -142,19 +254,19 @@ struct Surface_0
      is_front_0 : bool,
 };
 
-fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
+fn surface_at_0( place_4 : Place_0,  direction_2 : vec3<f32>) -> Surface_0
 {
     var surface_0 : Surface_0;
     surface_0.place_3 = place_4;
     surface_0.shape_0 = shape_of_0(place_4.triangle_0);
-    var _S6 : vec3<f32> = position_of_0(place_4);
-    surface_0.exact_0 = _S6;
-    surface_0.position_0 = _S6;
-    var _S7 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
-    surface_0.face_normal_0 = _S7;
-    surface_0.outward_0 = _S7;
+    var _S31 : vec3<f32> = position_of_0(place_4);
+    surface_0.exact_0 = _S31;
+    surface_0.position_0 = _S31;
+    var _S32 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
+    surface_0.face_normal_0 = _S32;
+    surface_0.outward_0 = _S32;
     var seen_0 : f32;
-    if((dot(_S7, direction_1)) > 0.0f)
+    if((dot(_S32, direction_2)) > 0.0f)
     {
         seen_0 = -1.0f;
     }
@@ -181,16 +293,16 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
 
 fn material_of_0( surface_1 : Surface_0) -> u32
 {
-    var _S8 : u32;
+    var _S33 : u32;
     if(surface_1.is_front_0)
     {
-        _S8 = u32(2);
+        _S33 = u32(2);
     }
     else
     {
-        _S8 = u32(3);
+        _S33 = u32(3);
     }
-    return word_0(surface_1.shape_0 + _S8);
+    return word_0(surface_1.shape_0 + _S33);
 }
 
 struct Colour_0
@@ -228,9 +340,9 @@ struct Reflected_0
 fn nothing_reflected_0() -> Reflected_0
 {
     var reflected_0 : Reflected_0;
-    var _S9 : Colour_0 = constant_0(vec3<f32>(0.0f));
-    reflected_0.direct_0 = _S9;
-    reflected_0.onward_0 = _S9;
+    var _S34 : Colour_0 = constant_0(vec3<f32>(0.0f));
+    reflected_0.direct_0 = _S34;
+    reflected_0.onward_0 = _S34;
     return reflected_0;
 }
 
@@ -239,56 +351,30 @@ fn vertex_numbers_0( depth_1 : u32) -> u32
     return word_0(u32(7)) + depth_1 * (u32(3) * word_0(u32(2)) + u32(3) * word_0(u32(3)) + u32(1));
 }
 
-struct Axes_0
+fn value_of_0( colour_1 : vec3<f32>) -> vec3<f32>
 {
-     s_0 : vec3<f32>,
-     t_0 : vec3<f32>,
-     n_0 : vec3<f32>,
+    return colour_1;
+}
+
+struct Numbers_0
+{
+     diffuse_reflectance_0 : vec3<f32>,
+     specular_reflectance_0 : vec3<f32>,
+     eta_0 : vec3<f32>,
+     k_1 : vec3<f32>,
+     alpha_0 : vec2<f32>,
 };
 
-fn axes_at_0( surface_2 : Surface_0) -> Axes_0
+fn no_numbers_0() -> Numbers_0
 {
-    var axes_0 : Axes_0;
-    var _S10 : vec3<f32>;
-    if(surface_2.is_front_0)
-    {
-        _S10 = surface_2.outward_0;
-    }
-    else
-    {
-        _S10 = (vec3<f32>(0) - surface_2.outward_0);
-    }
-    axes_0.n_0 = _S10;
-    var tangents_0 : u32 = word_0(surface_2.shape_0 + u32(5));
-    if(tangents_0 != u32(4294967295))
-    {
-        var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
-        var across_0 : vec3<f32> = tangent_0 - surface_2.outward_0 * vec3<f32>(dot(surface_2.outward_0, tangent_0));
-        if((dot(across_0, across_0)) > 0.0f)
-        {
-            var _S11 : vec3<f32> = normalize(across_0);
-            axes_0.s_0 = _S11;
-            axes_0.t_0 = cross(surface_2.outward_0, _S11);
-            return axes_0;
-        }
-    }
-    var _S12 : f32 = surface_2.outward_0.z;
-    var sign_0 : f32;
-    if(_S12 < 0.0f)
-    {
-        sign_0 = -1.0f;
-    }
-    else
-    {
-        sign_0 = 1.0f;
-    }
-    var a_3 : f32 = -1.0f / (sign_0 + _S12);
-    var _S13 : f32 = surface_2.outward_0.x;
-    var _S14 : f32 = surface_2.outward_0.y;
-    var b_1 : f32 = _S13 * _S14 * a_3;
-    axes_0.s_0 = vec3<f32>(1.0f + sign_0 * _S13 * _S13 * a_3, sign_0 * b_1, - sign_0 * _S13);
-    axes_0.t_0 = vec3<f32>(b_1, sign_0 + _S14 * _S14 * a_3, - _S14);
-    return axes_0;
+    var numbers_0 : Numbers_0;
+    var _S35 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_0.k_1 = _S35;
+    numbers_0.eta_0 = _S35;
+    numbers_0.specular_reflectance_0 = _S35;
+    numbers_0.diffuse_reflectance_0 = _S35;
+    numbers_0.alpha_0 = vec2<f32>(0.0f);
+    return numbers_0;
 }
 
 struct Lookup_0
@@ -307,15 +393,35 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     return lookup_0;
 }
 
-fn uv_of_0( place_5 : Place_0) -> vec2<f32>
+struct Corners2_0
 {
-    var uvs_0 : u32 = word_0(shape_of_0(place_5.triangle_0) + u32(1));
-    if(uvs_0 == u32(4294967295))
+     a_3 : vec2<f32>,
+     b_1 : vec2<f32>,
+     c_1 : vec2<f32>,
+};
+
+fn Corners2_x24init_0( a_4 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
+{
+    var _S36 : Corners2_0;
+    _S36.a_3 = a_4;
+    _S36.b_1 = b_2;
+    _S36.c_1 = c_2;
+    return _S36;
+}
+
+fn uvs_of_0( triangle_5 : u32) -> Corners2_0
+{
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_at_0 : u32 = word_0(shape_of_0(triangle_5) + u32(1));
+    if(uvs_at_0 == u32(4294967295))
     {
-        return vec2<f32>(place_5.v_0, place_5.w_0);
+        return uvs_0;
     }
-    var at_7 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_5.triangle_0) + u32(1));
-    return vec2<f32>(number_0(at_7), number_0(at_7 + u32(1))) * vec2<f32>((1.0f - place_5.v_0 - place_5.w_0)) + vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3))) * vec2<f32>(place_5.v_0) + vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5))) * vec2<f32>(place_5.w_0);
+    var at_7 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_5) + u32(1));
+    uvs_0.a_3 = vec2<f32>(number_0(at_7), number_0(at_7 + u32(1)));
+    uvs_0.b_1 = vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3)));
+    uvs_0.c_1 = vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5)));
+    return uvs_0;
 }
 
 fn floor_of_0( x_0 : f32) -> i32
@@ -323,20 +429,20 @@ fn floor_of_0( x_0 : f32) -> i32
     return i32(floor(clamp(x_0, -1.0e+09f, 1.0e+09f)));
 }
 
-fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
+fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
 {
     if(wrap_0 == u32(2))
     {
-        return u32(clamp(i_0, i32(0), n_1 - i32(1)));
+        return u32(clamp(i_0, i32(0), n_0 - i32(1)));
     }
     var period_0 : i32;
     if(wrap_0 == u32(1))
     {
-        period_0 = i32(2) * n_1;
+        period_0 = i32(2) * n_0;
     }
     else
     {
-        period_0 = n_1;
+        period_0 = n_0;
     }
     var inside_0 : i32 = i_0 % period_0;
     var inside_1 : i32;
@@ -348,65 +454,73 @@ fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
     {
         inside_1 = inside_0;
     }
-    if(inside_1 < n_1)
+    if(inside_1 < n_0)
     {
         period_0 = inside_1;
     }
     else
     {
-        period_0 = i32(2) * n_1 - i32(1) - inside_1;
+        period_0 = i32(2) * n_0 - i32(1) - inside_1;
     }
     return u32(period_0);
 }
 
-fn between_0( texels_1 : vec4<u32>,  way_0 : vec2<f32>) -> Lookup_0
+struct Point_0
 {
+     value_2 : vec2<f32>,
+};
+
+fn between_0( texels_1 : vec4<u32>,  place_5 : Point_0) -> Lookup_0
+{
+    var way_0 : vec2<f32> = place_5.value_2 - floor(place_5.value_2);
     var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S15 : f32 = back_0.x;
-    var _S16 : f32 = back_0.y;
-    var _S17 : f32 = way_0.x;
-    var _S18 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S15 * _S16, _S17 * _S16, _S15 * _S18, _S17 * _S18);
+    var _S37 : f32 = back_0.x;
+    var _S38 : f32 = back_0.y;
+    var _S39 : f32 = way_0.x;
+    var _S40 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S37 * _S38, _S39 * _S38, _S37 * _S40, _S39 * _S40);
     return lookup_1;
 }
 
-fn in_bitmap_0( texture_0 : u32,  uv_0 : vec2<f32>) -> Lookup_0
+fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
 {
     var width_0 : i32 = i32(word_0(texture_0 + u32(2)));
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
-    var place_6 : vec2<f32> = uv_0 * vec2<f32>(f32(width_0), f32(height_0));
+    var place_6 : vec2<f32> = uv_0.value_2 * vec2<f32>(f32(width_0), f32(height_0));
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_6.y), height_0, wrap_1);
-        var _S19 : u32 = row_0 * u32(width_0);
-        var _S20 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
-        return one_texel_0(_S19 + _S20);
+        var _S41 : u32 = row_0 * u32(width_0);
+        var _S42 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
+        return one_texel_0(_S41 + _S42);
     }
-    var place_7 : vec2<f32> = place_6 - vec2<f32>(0.5f);
-    var x_1 : i32 = floor_of_0(place_7.x);
-    var y_0 : i32 = floor_of_0(place_7.y);
-    var _S21 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S22 : u32 = u32(width_0);
-    var first_1 : u32 = _S21 * _S22;
-    var _S23 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S23 * _S22;
+    var centred_0 : Point_0;
+    var _S43 : vec2<f32> = place_6 - vec2<f32>(0.5f);
+    centred_0.value_2 = _S43;
+    var x_1 : i32 = floor_of_0(_S43.x);
+    var y_0 : i32 = floor_of_0(_S43.y);
+    var _S44 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S45 : u32 = u32(width_0);
+    var first_1 : u32 = _S44 * _S45;
+    var _S46 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S46 * _S45;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
-    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), place_7 - floor(place_7));
+    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
 }
 
-fn lookup_at_0( texture_1 : u32,  place_8 : Place_0) -> Lookup_0
+fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
 {
     var kind_0 : u32 = word_0(texture_1);
     if(kind_0 == u32(0))
     {
         return one_texel_0(u32(0));
     }
-    var record_1 : u32 = triangle_record_0(place_8.triangle_0) + u32(1);
+    var record_1 : u32 = triangle_record_0(place_7.triangle_0) + u32(1);
     if(kind_0 == u32(4))
     {
         return one_texel_0(word_0(record_1));
@@ -416,214 +530,296 @@ fn lookup_at_0( texture_1 : u32,  place_8 : Place_0) -> Lookup_0
         var lookup_2 : Lookup_0;
         lookup_2.count_0 = u32(3);
         lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
-        lookup_2.weights_0 = vec4<f32>(1.0f - place_8.v_0 - place_8.w_0, place_8.v_0, place_8.w_0, 0.0f);
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_7.v_0 - place_7.w_0, place_7.v_0, place_7.w_0, 0.0f);
         return lookup_2;
     }
+    var uvs_1 : Corners2_0 = uvs_of_0(place_7.triangle_0);
     var rows_0 : u32 = texture_1 + u32(6);
-    var _S24 : vec3<f32> = vec3<f32>(uv_of_0(place_8), 1.0f);
-    var uv_1 : vec2<f32> = vec2<f32>(dot(_S24, vector_at_0(rows_0)), dot(_S24, vector_at_0(rows_0 + u32(3))));
+    var uv_1 : Point_0;
+    var _S47 : vec3<f32> = vec3<f32>(uvs_1.a_3 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_1 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
+    uv_1.value_2 = vec2<f32>(dot(_S47, vector_at_0(rows_0)), dot(_S47, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
     {
-        var _S25 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S25;
+        var _S48 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S48;
     }
-    var half_of_period_0 : vec2<f32> = uv_1 - floor(uv_1);
-    var _S26 : i32;
+    var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
+    var _S49 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S26 = i32(1);
+        _S49 = i32(1);
     }
     else
     {
-        _S26 = i32(0);
+        _S49 = i32(0);
     }
-    return one_texel_0(u32(_S26));
+    return one_texel_0(u32(_S49));
 }
 
-fn texture_value_0( texture_2 : u32,  lookup_3 : Lookup_0) -> vec3<f32>
+fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S27 : u32 = word_0(texture_2 + u32(1));
-    var _S28 : u32 = texture_2 + u32(13);
-    var _S29 : vec3<f32> = vec3<f32>(0.0f);
-    var k_1 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S29;
+    var _S50 : u32 = word_0(texture_2 + u32(1));
+    var _S51 : u32 = texture_2 + u32(13);
+    var _S52 : vec3<f32> = vec3<f32>(0.0f);
+    var k_2 : u32 = u32(0);
+    var value_3 : vec3<f32> = _S52;
     for(;;)
     {
-        if(k_1 < (lookup_3.count_0))
+        if(k_2 < (lookup_3.count_0))
         {
         }
         else
         {
             break;
         }
-        var at_8 : u32 = _S28 + _S27 * lookup_3.texels_0[k_1];
-        var _S30 : vec3<f32>;
-        if(_S27 == u32(1))
+        var at_8 : u32 = _S51 + _S50 * lookup_3.texels_0[k_2];
+        var _S53 : vec3<f32>;
+        if(_S50 == u32(1))
         {
-            _S30 = vec3<f32>(number_0(at_8));
+            _S53 = vec3<f32>(number_0(at_8));
         }
         else
         {
-            _S30 = vector_at_0(at_8);
+            _S53 = vector_at_0(at_8);
         }
-        var value_3 : vec3<f32> = value_2 + _S30 * vec3<f32>(lookup_3.weights_0[k_1]);
-        k_1 = k_1 + u32(1);
-        value_2 = value_3;
+        var value_4 : vec3<f32> = value_3 + _S53 * vec3<f32>(weights_1[k_2]);
+        k_2 = k_2 + u32(1);
+        value_3 = value_4;
     }
-    return value_2;
+    return value_3;
 }
 
 fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0) -> Colour_0
 {
-    return constant_0(texture_value_0(texture_3, lookup_4));
+    return constant_0(weighted_texels_0(texture_3, lookup_4, lookup_4.weights_0));
 }
 
-fn colour_at_0( texture_4 : u32,  place_9 : Place_0,  slot_0 : u32) -> Colour_0
+fn colour_at_0( texture_4 : u32,  place_8 : Place_0,  slot_0 : u32) -> Colour_0
 {
-    var _S31 : Lookup_0 = lookup_at_0(texture_4, place_9);
-    var colour_1 : Colour_0 = looked_up_0(texture_4, _S31);
+    var _S54 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    var colour_2 : Colour_0 = looked_up_0(texture_4, _S54);
     if(slot_0 < u32(2))
     {
-        colour_1.changes_0[slot_0] = vec3<f32>(1.0f);
+        colour_2.changes_0[slot_0] = vec3<f32>(1.0f);
     }
-    return colour_1;
+    return colour_2;
 }
 
-fn value_of_0( colour_2 : Colour_0) -> vec3<f32>
+fn value_of_1( colour_3 : Colour_0) -> vec3<f32>
 {
-    return colour_2.value_0;
+    return colour_3.value_0;
 }
 
-fn luminance_0( colour_3 : vec3<f32>) -> f32
+fn luminance_0( colour_4 : vec3<f32>) -> f32
 {
-    return dot(colour_3, vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f));
+    return dot(colour_4, vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f));
 }
 
-struct Microfacets_0
+fn s_fwd_luminance_0( dpcolour_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
 {
-     distribution_0 : u32,
-     alpha_0 : vec2<f32>,
-};
+    var _S55 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpcolour_0.primal_0, dpcolour_0.differential_0 );
+    var _S56 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f), vec3<f32>(0.0f, 0.0f, 0.0f) );
+    var _S57 : DiffPair_float_0 = _d_dot_1(_S55, _S56);
+    var _S58 : DiffPair_float_0 = DiffPair_float_0( _S57.primal_0, _S57.differential_0 );
+    return _S58;
+}
+
+fn set_slot_0( numbers_1 : ptr<function, Numbers_0>,  slot_1 : u32,  value_5 : vec3<f32>)
+{
+    switch(slot_1)
+    {
+    case u32(0):
+        {
+            (*numbers_1).diffuse_reflectance_0 = value_5;
+            break;
+        }
+    case u32(1):
+        {
+            (*numbers_1).specular_reflectance_0 = value_5;
+            break;
+        }
+    case u32(2):
+        {
+            (*numbers_1).eta_0 = value_5;
+            break;
+        }
+    case u32(3):
+        {
+            (*numbers_1).k_1 = value_5;
+            break;
+        }
+    case u32(4):
+        {
+            (*numbers_1).alpha_0[i32(0)] = luminance_0(value_5);
+            break;
+        }
+    default :
+        {
+            (*numbers_1).alpha_0[i32(1)] = luminance_0(value_5);
+            break;
+        }
+    }
+    return;
+}
 
 struct Lobe_0
 {
-     kind_1 : u32,
-     diffuse_reflectance_0 : Colour_0,
-     specular_reflectance_0 : Colour_0,
-     eta_0 : vec3<f32>,
-     k_2 : vec3<f32>,
-     coat_eta_0 : f32,
-     microfacets_0 : Microfacets_0,
      record_2 : u32,
+     kind_1 : u32,
+     distribution_0 : u32,
+     numbers_2 : Numbers_0,
+     changes_1 : array<Numbers_0, i32(2)>,
 };
 
-fn lobe_at_0( record_3 : u32,  place_10 : Place_0) -> Lobe_0
+fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
 {
     var lobe_0 : Lobe_0;
-    var _S32 : u32 = word_0(record_3);
-    lobe_0.kind_1 = _S32;
     lobe_0.record_2 = record_3;
-    var _S33 : Colour_0 = constant_0(vec3<f32>(0.0f));
-    lobe_0.specular_reflectance_0 = _S33;
-    lobe_0.diffuse_reflectance_0 = _S33;
-    var _S34 : vec3<f32> = vec3<f32>(1.0f);
-    lobe_0.k_2 = _S34;
-    lobe_0.eta_0 = _S34;
-    lobe_0.microfacets_0.distribution_0 = u32(1);
-    var _S35 : vec2<f32> = vec2<f32>(0.00009999999747379f);
-    lobe_0.microfacets_0.alpha_0 = _S35;
-    lobe_0.coat_eta_0 = 1.0f;
-    if(_S32 == u32(0))
-    {
-        var _S36 : Colour_0 = colour_at_0(word_0(record_3 + u32(5)), place_10, u32(0));
-        lobe_0.diffuse_reflectance_0 = _S36;
-        return lobe_0;
-    }
-    lobe_0.microfacets_0.distribution_0 = word_0(record_3 + u32(1));
-    var alpha_1 : vec2<f32> = vec2<f32>(0.0f);
-    var _S37 : u32 = word_0(record_3 + u32(4));
-    var slot_1 : u32 = u32(0);
+    lobe_0.kind_1 = word_0(record_3);
+    lobe_0.distribution_0 = word_0(record_3 + u32(1));
+    var _S59 : Numbers_0 = no_numbers_0();
+    lobe_0.numbers_2 = _S59;
+    var k_3 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S37)
+        if(k_3 < u32(2))
         {
         }
         else
         {
             break;
         }
-        var texture_5 : u32 = word_0(record_3 + u32(5) + slot_1);
+        lobe_0.changes_1[k_3] = _S59;
+        k_3 = k_3 + u32(1);
+    }
+    var _S60 : u32 = word_0(record_3 + u32(4));
+    var slot_2 : u32 = u32(0);
+    for(;;)
+    {
+        if(slot_2 < _S60)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var texture_5 : u32 = word_0(record_3 + u32(5) + slot_2);
         if(texture_5 == u32(4294967295))
         {
-            slot_1 = slot_1 + u32(1);
+            slot_2 = slot_2 + u32(1);
             continue;
         }
-        var colour_4 : Colour_0 = colour_at_0(texture_5, place_10, slot_1);
-        var value_4 : vec3<f32> = value_of_0(colour_4);
-        switch(slot_1)
+        var colour_5 : Colour_0 = colour_at_0(texture_5, place_9, slot_2);
+        var _S61 : vec3<f32> = value_of_1(colour_5);
+        var _S62 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S62), slot_2, _S61);
+        lobe_0.numbers_2 = _S62;
+        k_3 = u32(0);
+        for(;;)
         {
-        case u32(0):
+            if(k_3 < u32(2))
             {
-                lobe_0.diffuse_reflectance_0 = colour_4;
+            }
+            else
+            {
                 break;
             }
-        case u32(1):
-            {
-                lobe_0.specular_reflectance_0 = colour_4;
-                break;
-            }
-        case u32(2):
-            {
-                lobe_0.eta_0 = value_4;
-                break;
-            }
-        case u32(3):
-            {
-                lobe_0.k_2 = value_4;
-                break;
-            }
-        case u32(4):
-            {
-                alpha_1[i32(0)] = luminance_0(value_4);
-                break;
-            }
-        default :
-            {
-                alpha_1[i32(1)] = luminance_0(value_4);
-                break;
-            }
+            var _S63 : Numbers_0 = lobe_0.changes_1[k_3];
+            set_slot_0(&(_S63), slot_2, colour_5.changes_0[k_3]);
+            lobe_0.changes_1[k_3] = _S63;
+            k_3 = k_3 + u32(1);
         }
-        slot_1 = slot_1 + u32(1);
+        slot_2 = slot_2 + u32(1);
     }
-    lobe_0.microfacets_0.alpha_0 = max(alpha_1, _S35);
-    lobe_0.coat_eta_0 = luminance_0(lobe_0.eta_0) / luminance_0(lobe_0.k_2);
     return lobe_0;
 }
 
-fn to_local_0( axes_1 : Axes_0,  v_2 : vec3<f32>) -> vec3<f32>
+struct Axes_0
 {
-    return vec3<f32>(dot(axes_1.s_0, v_2), dot(axes_1.t_0, v_2), dot(axes_1.n_0, v_2));
+     s_0 : vec3<f32>,
+     t_0 : vec3<f32>,
+     n_1 : vec3<f32>,
+};
+
+fn axes_of_0( n_2 : vec3<f32>,  tangent_0 : vec3<f32>,  is_front_1 : bool) -> Axes_0
+{
+    var axes_0 : Axes_0;
+    var _S64 : vec3<f32>;
+    if(is_front_1)
+    {
+        _S64 = n_2;
+    }
+    else
+    {
+        _S64 = (vec3<f32>(0) - n_2);
+    }
+    axes_0.n_1 = _S64;
+    var across_0 : vec3<f32> = tangent_0 - n_2 * vec3<f32>(dot(n_2, tangent_0));
+    if((dot(across_0, across_0)) > 0.0f)
+    {
+        var _S65 : vec3<f32> = normalize(across_0);
+        axes_0.s_0 = _S65;
+        axes_0.t_0 = cross(n_2, _S65);
+        return axes_0;
+    }
+    var _S66 : f32 = n_2.z;
+    var sign_0 : f32;
+    if(_S66 < 0.0f)
+    {
+        sign_0 = -1.0f;
+    }
+    else
+    {
+        sign_0 = 1.0f;
+    }
+    var a_5 : f32 = -1.0f / (sign_0 + _S66);
+    var _S67 : f32 = n_2.x;
+    var _S68 : f32 = n_2.y;
+    var b_3 : f32 = _S67 * _S68 * a_5;
+    axes_0.s_0 = vec3<f32>(1.0f + sign_0 * _S67 * _S67 * a_5, sign_0 * b_3, - sign_0 * _S67);
+    axes_0.t_0 = vec3<f32>(b_3, sign_0 + _S68 * _S68 * a_5, - _S68);
+    return axes_0;
+}
+
+fn to_local_0( axes_1 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(dot(axes_1.s_0, v_3), dot(axes_1.t_0, v_3), dot(axes_1.n_1, v_3));
+}
+
+fn towards_viewer_0( axes_2 : Axes_0,  direction_3 : vec3<f32>) -> vec3<f32>
+{
+    var wi_0 : vec3<f32> = (vec3<f32>(0) - to_local_0(axes_2, direction_3));
+    return vec3<f32>(wi_0.x, wi_0.y, max(abs(wi_0.z), 9.999999960041972e-13f));
 }
 
 struct Vertex_0
 {
-     surface_3 : Surface_0,
-     axes_2 : Axes_0,
+     surface_2 : Surface_0,
+     axes_3 : Axes_0,
      lobe_1 : Lobe_0,
-     wi_0 : vec3<f32>,
+     wi_1 : vec3<f32>,
 };
 
-fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_2 : vec3<f32>) -> Vertex_0
+fn vertex_at_0( surface_3 : Surface_0,  material_0 : u32,  direction_4 : vec3<f32>) -> Vertex_0
 {
     var vertex_0 : Vertex_0;
-    vertex_0.surface_3 = surface_4;
-    var _S38 : Axes_0 = axes_at_0(surface_4);
-    vertex_0.axes_2 = _S38;
-    var _S39 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S39;
-    var _S40 : vec3<f32> = to_local_0(_S38, (vec3<f32>(0) - direction_2));
-    vertex_0.wi_0 = _S40;
-    vertex_0.wi_0[i32(2)] = max(abs(_S40.z), 9.999999960041972e-13f);
+    vertex_0.surface_2 = surface_3;
+    var _S69 : Lobe_0 = lobe_at_0(material_0, surface_3.place_3);
+    vertex_0.lobe_1 = _S69;
+    var _S70 : vec3<f32> = vec3<f32>(0.0f);
+    var tangents_0 : u32 = word_0(surface_3.shape_0 + u32(5));
+    var tangent_1 : vec3<f32>;
+    if(tangents_0 != u32(4294967295))
+    {
+        tangent_1 = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_3.place_3.triangle_0) + u32(1)));
+    }
+    else
+    {
+        tangent_1 = _S70;
+    }
+    var _S71 : Axes_0 = axes_of_0(surface_3.outward_0, tangent_1, surface_3.is_front_0);
+    vertex_0.axes_3 = _S71;
+    vertex_0.wi_1 = towards_viewer_0(_S71, direction_4);
     return vertex_0;
 }
 
@@ -685,35 +881,35 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_0, 0.0f) / squared_0;
     }
-    var _S41 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S41 * _S41 / (2.0f * (_S41 - max(lowest_0, -1.0f)) * squared_0);
+    var _S72 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S72 * _S72 / (2.0f * (_S72 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S42 : bool;
+    var _S73 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S42 = true;
+        _S73 = true;
     }
     else
     {
-        _S42 = (word_0(u32(2))) == u32(0);
+        _S73 = (word_0(u32(2))) == u32(0);
     }
-    if(_S42)
+    if(_S73)
     {
         return false;
     }
     var record_5 : u32 = emitter_record_0(u32(0));
     if(is_area_0(record_5))
     {
-        _S42 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
+        _S73 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S42 = false;
+        _S73 = false;
     }
-    return _S42;
+    return _S73;
 }
 
 fn has_smooth_0( lobe_2 : Lobe_0) -> bool
@@ -760,32 +956,32 @@ struct Choice_0
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_4, choice_0.normal_2);
-    var _S43 : f32;
+    var _S74 : f32;
     if(view_0 > 0.0f)
     {
-        _S43 = 1.0f;
+        _S74 = 1.0f;
     }
     else
     {
-        _S43 = 0.0f;
+        _S74 = 0.0f;
     }
-    (*can_light_0) = _S43;
+    (*can_light_0) = _S74;
     return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
 }
 
 fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
 {
     var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_2);
-    var _S44 : f32;
+    var _S75 : f32;
     if(view_1 > 0.0f)
     {
-        _S44 = 1.0f;
+        _S75 = 1.0f;
     }
     else
     {
-        _S44 = 0.0f;
+        _S75 = 0.0f;
     }
-    (*can_light_1) = _S44;
+    (*can_light_1) = _S75;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -797,32 +993,32 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
     var count_1 : u32 = word_0(u32(6));
-    var _S45 : bool;
+    var _S76 : bool;
     if(alike_0)
     {
-        _S45 = true;
+        _S76 = true;
     }
     else
     {
-        _S45 = (word_0(u32(5))) != u32(0);
+        _S76 = (word_0(u32(5))) != u32(0);
     }
-    if(_S45)
+    if(_S76)
     {
-        _S45 = true;
+        _S76 = true;
     }
     else
     {
-        _S45 = count_1 < u32(2);
+        _S76 = count_1 < u32(2);
     }
-    if(_S45)
+    if(_S76)
     {
-        _S45 = true;
+        _S76 = true;
     }
     else
     {
-        _S45 = count_1 > u32(32);
+        _S76 = count_1 > u32(32);
     }
-    if(_S45)
+    if(_S76)
     {
         return choice_2;
     }
@@ -837,67 +1033,67 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
             break;
         }
         var can_light_2 : f32;
-        var _S46 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S46;
+        var _S77 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S77;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S45 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S76 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S45 = false;
+        _S76 = false;
     }
-    if(!_S45)
+    if(!_S76)
     {
         choice_2.all_0 = 0.0f;
     }
     return choice_2;
 }
 
-fn product_0( a_4 : u32,  b_2 : u32) -> vec2<u32>
+fn product_0( a_6 : u32,  b_4 : u32) -> vec2<u32>
 {
-    var a0_0 : u32 = (a_4 & (u32(65535)));
-    var a1_0 : u32 = (a_4 >> (u32(16)));
-    var b0_0 : u32 = (b_2 & (u32(65535)));
-    var b1_0 : u32 = (b_2 >> (u32(16)));
+    var a0_0 : u32 = (a_6 & (u32(65535)));
+    var a1_0 : u32 = (a_6 >> (u32(16)));
+    var b0_0 : u32 = (b_4 & (u32(65535)));
+    var b1_0 : u32 = (b_4 >> (u32(16)));
     var low_0 : u32 = a0_0 * b0_0;
     var middle_0 : u32 = a1_0 * b0_0 + ((low_0 >> (u32(16))));
     var rest_0 : u32 = ((middle_0 & (u32(65535)))) + a0_0 * b1_0;
     return vec2<u32>((((rest_0 << (u32(16)))) | (((low_0 & (u32(65535)))))), a1_0 * b1_0 + ((middle_0 >> (u32(16)))) + ((rest_0 >> (u32(16)))));
 }
 
-fn times_0( a_5 : vec2<u32>,  b_3 : vec2<u32>) -> vec2<u32>
+fn times_0( a_7 : vec2<u32>,  b_5 : vec2<u32>) -> vec2<u32>
 {
-    var _S47 : u32 = a_5.x;
-    var _S48 : u32 = b_3.x;
-    var low_1 : vec2<u32> = product_0(_S47, _S48);
-    return vec2<u32>(low_1.x, low_1.y + _S47 * b_3.y + a_5.y * _S48);
+    var _S78 : u32 = a_7.x;
+    var _S79 : u32 = b_5.x;
+    var low_1 : vec2<u32> = product_0(_S78, _S79);
+    return vec2<u32>(low_1.x, low_1.y + _S78 * b_5.y + a_7.y * _S79);
 }
 
-fn plus_0( a_6 : vec2<u32>,  b_4 : vec2<u32>) -> vec2<u32>
+fn plus_0( a_8 : vec2<u32>,  b_6 : vec2<u32>) -> vec2<u32>
 {
-    var _S49 : u32 = a_6.x;
-    var low_2 : u32 = _S49 + b_4.x;
-    var _S50 : u32 = a_6.y + b_4.y;
-    var _S51 : i32;
-    if(low_2 < _S49)
+    var _S80 : u32 = a_8.x;
+    var low_2 : u32 = _S80 + b_6.x;
+    var _S81 : u32 = a_8.y + b_6.y;
+    var _S82 : i32;
+    if(low_2 < _S80)
     {
-        _S51 = i32(1);
+        _S82 = i32(1);
     }
     else
     {
-        _S51 = i32(0);
+        _S82 = i32(0);
     }
-    return vec2<u32>(low_2, _S50 + u32(_S51));
+    return vec2<u32>(low_2, _S81 + u32(_S82));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S52 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S52 << ((u32(32) - by_0)))))), (_S52 >> (by_0)))));
+    var _S83 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S83 << ((u32(32) - by_0)))))), (_S83 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -936,9 +1132,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S53 : f32 = f32(count_2);
-        (*probability_0) = 1.0f / _S53;
-        return min(u32(u_0 * _S53), count_2 - u32(1));
+        var _S84 : f32 = f32(count_2);
+        (*probability_0) = 1.0f / _S84;
+        return min(u32(u_0 * _S84), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
@@ -969,9 +1165,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S54 : u32 = i_2 + u32(1);
+        var _S85 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S54;
+        i_2 = _S85;
         rest_1 = rest_2;
     }
     return found_0;
@@ -984,28 +1180,28 @@ fn limit_at_0( which_3 : u32) -> f32
 
 fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 {
-    var _S55 : f32 = abs(x_4);
-    var _S56 : f32 = abs(y_1);
-    var _S57 : f32 = min(_S55, _S56);
-    var _S58 : f32 = max(_S55, _S56);
-    var is_steep_0 : bool = _S57 > (0.41421356797218323f * _S58);
+    var _S86 : f32 = abs(x_4);
+    var _S87 : f32 = abs(y_1);
+    var _S88 : f32 = min(_S86, _S87);
+    var _S89 : f32 = max(_S86, _S87);
+    var is_steep_0 : bool = _S88 > (0.41421356797218323f * _S89);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S57 - _S58;
+        above_0 = _S88 - _S89;
     }
     else
     {
-        above_0 = _S57;
+        above_0 = _S88;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S57 + _S58;
+        below_0 = _S88 + _S89;
     }
     else
     {
-        below_0 = _S58;
+        below_0 = _S89;
     }
     if(below_0 > 0.0f)
     {
@@ -1026,7 +1222,7 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S56 > _S55)
+    if(_S87 > _S86)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -1045,27 +1241,27 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
     return above_0;
 }
 
-fn solid_angle_of_0( a_7 : vec3<f32>,  b_5 : vec3<f32>,  c_1 : vec3<f32>) -> f32
+fn solid_angle_of_0( a_9 : vec3<f32>,  b_7 : vec3<f32>,  c_3 : vec3<f32>) -> f32
 {
-    var la_0 : f32 = length(a_7);
-    var lb_0 : f32 = length(b_5);
-    var lc_0 : f32 = length(c_1);
-    var normal_4 : vec3<f32> = cross(b_5 - a_7, c_1 - a_7);
-    var volume_0 : f32 = - dot(a_7, normal_4);
+    var la_0 : f32 = length(a_9);
+    var lb_0 : f32 = length(b_7);
+    var lc_0 : f32 = length(c_3);
+    var normal_4 : vec3<f32> = cross(b_7 - a_9, c_3 - a_9);
+    var volume_0 : f32 = - dot(a_9, normal_4);
     if(!(volume_0 > (9.99999997475242708e-07f * max(max(la_0, lb_0), lc_0) * length(normal_4))))
     {
         return 0.0f;
     }
-    return 2.0f * angle_of_0(la_0 * lb_0 * lc_0 + dot(a_7, b_5) * lc_0 + dot(b_5, c_1) * la_0 + dot(c_1, a_7) * lb_0, volume_0);
+    return 2.0f * angle_of_0(la_0 * lb_0 * lc_0 + dot(a_9, b_7) * lc_0 + dot(b_7, c_3) * la_0 + dot(c_3, a_9) * lb_0, volume_0);
 }
 
-fn complex_product_0( a_8 : vec2<f32>,  b_6 : vec2<f32>) -> vec2<f32>
+fn complex_product_0( a_10 : vec2<f32>,  b_8 : vec2<f32>) -> vec2<f32>
 {
-    var _S59 : f32 = a_8.x;
-    var _S60 : f32 = b_6.x;
-    var _S61 : f32 = a_8.y;
-    var _S62 : f32 = b_6.y;
-    return vec2<f32>(_S59 * _S60 - _S61 * _S62, _S59 * _S62 + _S61 * _S60);
+    var _S90 : f32 = a_10.x;
+    var _S91 : f32 = b_8.x;
+    var _S92 : f32 = a_10.y;
+    var _S93 : f32 = b_8.y;
+    return vec2<f32>(_S90 * _S91 - _S92 * _S93, _S90 * _S93 + _S92 * _S91);
 }
 
 struct SeenRectangle_0
@@ -1088,26 +1284,26 @@ fn seen_rectangle_0( at_9 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
     var seen_1 : SeenRectangle_0;
     seen_1.x_5 = vec2<f32>(x0_0, x1_0);
     seen_1.y_2 = vec2<f32>(y0_0, y1_0);
-    var _S63 : f32 = - dot(vector_at_0(at_9 + u32(9)), offset_2);
-    seen_1.z_1 = _S63;
-    var a_9 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S63);
-    var b_7 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S63);
-    var c_2 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S63);
-    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S63);
-    var _S64 : f32 = length(a_9);
-    var _S65 : f32 = length(c_2);
-    var _S66 : f32;
-    if(_S63 > (9.99999997475242708e-07f * max(max(_S64, length(b_7)), max(_S65, length(d_0)))))
+    var _S94 : f32 = - dot(vector_at_0(at_9 + u32(9)), offset_2);
+    seen_1.z_1 = _S94;
+    var a_11 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S94);
+    var b_9 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S94);
+    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S94);
+    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S94);
+    var _S95 : f32 = length(a_11);
+    var _S96 : f32 = length(c_4);
+    var _S97 : f32;
+    if(_S94 > (9.99999997475242708e-07f * max(max(_S95, length(b_9)), max(_S96, length(d_0)))))
     {
-        _S66 = solid_angle_of_0(a_9, c_2, b_7) + solid_angle_of_0(d_0, b_7, c_2);
+        _S97 = solid_angle_of_0(a_11, c_4, b_9) + solid_angle_of_0(d_0, b_9, c_4);
     }
     else
     {
-        _S66 = 0.0f;
+        _S97 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S66;
+    seen_1.solid_angle_0 = _S97;
     var z2_0 : f32 = seen_1.z_1 * seen_1.z_1;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S65), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S64));
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S96), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S95));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_2 * seen_1.y_2 + vec2<f32>(z2_0));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_0) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
@@ -1145,31 +1341,31 @@ fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
     var at_10 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S67 : f32 = seen_2.y_2.x;
-    var _S68 : f32 = seen_2.inverse_to_line_0.x;
-    var _S69 : f32 = seen_2.y_2.y;
-    var n_2 : f32 = - at_10.x * _S67 * _S68 - _S69 * seen_2.inverse_to_line_0.y;
-    var _S70 : f32 = at_10.y;
-    var flat_0 : f32 = _S70 * seen_2.z_1 * _S68;
-    var size_0 : f32 = seen_2.z_1 * abs(_S70) / sqrt(max(n_2 * n_2 - flat_0 * flat_0, 0.0f));
-    var _S71 : f32;
-    if((n_2 * _S70) < 0.0f)
+    var _S98 : f32 = seen_2.y_2.x;
+    var _S99 : f32 = seen_2.inverse_to_line_0.x;
+    var _S100 : f32 = seen_2.y_2.y;
+    var n_3 : f32 = - at_10.x * _S98 * _S99 - _S100 * seen_2.inverse_to_line_0.y;
+    var _S101 : f32 = at_10.y;
+    var flat_0 : f32 = _S101 * seen_2.z_1 * _S99;
+    var size_0 : f32 = seen_2.z_1 * abs(_S101) / sqrt(max(n_3 * n_3 - flat_0 * flat_0, 0.0f));
+    var _S102 : f32;
+    if((n_3 * _S101) < 0.0f)
     {
-        _S71 = - size_0;
+        _S102 = - size_0;
     }
     else
     {
-        _S71 = size_0;
+        _S102 = size_0;
     }
-    var x_7 : f32 = clamp(_S71, seen_2.x_5.x, seen_2.x_5.y);
+    var x_7 : f32 = clamp(_S102, seen_2.x_5.x, seen_2.x_5.y);
     var squared_1 : f32 = x_7 * x_7 + seen_2.z_1 * seen_2.z_1;
     var h_0 : vec2<f32> = seen_2.y_2 / sqrt(vec2<f32>(squared_1) + seen_2.y_2 * seen_2.y_2);
-    var _S72 : f32 = h_0.x;
-    var sine_2 : f32 = _S72 + u_1.y * (h_0.y - _S72);
-    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S67, _S69));
+    var _S103 : f32 = h_0.x;
+    var sine_2 : f32 = _S103 + u_1.y * (h_0.y - _S103);
+    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S98, _S100));
 }
 
-fn rectangle_face_0( at_11 : u32,  place_11 : vec2<f32>,  weights_1 : ptr<function, vec2<f32>>) -> u32
+fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
 {
     var best_0 : f32 = -1.00000001504746622e+30f;
     var found_2 : u32 = u32(0);
@@ -1184,16 +1380,16 @@ fn rectangle_face_0( at_11 : u32,  place_11 : vec2<f32>,  weights_1 : ptr<functi
             break;
         }
         var row_1 : u32 = at_11 + u32(14) + u32(6) * face_0;
-        var _S73 : f32 = place_11.x;
-        var _S74 : f32 = place_11.y;
-        var v_3 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S73 + number_0(row_1 + u32(2)) * _S74;
-        var w_1 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S73 + number_0(row_1 + u32(5)) * _S74;
-        var _S75 : f32 = min(min(v_3, w_1), 1.0f - v_3 - w_1);
-        if(_S75 > best_0)
+        var _S104 : f32 = place_10.x;
+        var _S105 : f32 = place_10.y;
+        var v_4 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S104 + number_0(row_1 + u32(2)) * _S105;
+        var w_2 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S104 + number_0(row_1 + u32(5)) * _S105;
+        var _S106 : f32 = min(min(v_4, w_2), 1.0f - v_4 - w_2);
+        if(_S106 > best_0)
         {
-            (*weights_1)[i32(0)] = clamp(v_3, 0.0f, 1.0f);
-            (*weights_1)[i32(1)] = clamp(w_1, 0.0f, 1.0f - (*weights_1).x);
-            best_0 = _S75;
+            (*weights_2)[i32(0)] = clamp(v_4, 0.0f, 1.0f);
+            (*weights_2)[i32(1)] = clamp(w_2, 0.0f, 1.0f - (*weights_2).x);
+            best_0 = _S106;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -1213,88 +1409,88 @@ fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f32
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S76 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S77 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S76, _S77);
-    var sum_0 : f32 = _S76 + _S77;
-    var _S78 : vec2<f32>;
+    var _S107 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S108 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S107, _S108);
+    var sum_0 : f32 = _S107 + _S108;
+    var _S109 : vec2<f32>;
     if(sum_0 > 0.0f)
     {
-        _S78 = seen_3 / vec2<f32>(sum_0);
+        _S109 = seen_3 / vec2<f32>(sum_0);
     }
     else
     {
-        _S78 = vec2<f32>(0.0f);
+        _S109 = vec2<f32>(0.0f);
     }
-    return _S78;
+    return _S109;
 }
 
 struct Corners_0
 {
-     a_10 : vec3<f32>,
-     b_8 : vec3<f32>,
-     c_3 : vec3<f32>,
+     a_12 : vec3<f32>,
+     b_10 : vec3<f32>,
+     c_5 : vec3<f32>,
 };
 
 fn corners_from_0( record_8 : u32,  face_2 : u32,  viewpoint_3 : vec3<f32>) -> Corners_0
 {
     var at_12 : u32 = u32(9) * emitter_triangle_0(record_8, face_2);
     var corners_0 : Corners_0;
-    corners_0.a_10 = primitive_vector_0(at_12) - viewpoint_3;
-    corners_0.b_8 = primitive_vector_0(at_12 + u32(3)) - viewpoint_3;
-    corners_0.c_3 = primitive_vector_0(at_12 + u32(6)) - viewpoint_3;
+    corners_0.a_12 = primitive_vector_0(at_12) - viewpoint_3;
+    corners_0.b_10 = primitive_vector_0(at_12 + u32(3)) - viewpoint_3;
+    corners_0.c_5 = primitive_vector_0(at_12 + u32(6)) - viewpoint_3;
     return corners_0;
 }
 
 fn face_solid_angle_0( record_9 : u32,  face_3 : u32,  viewpoint_4 : vec3<f32>) -> f32
 {
     var corners_1 : Corners_0 = corners_from_0(record_9, face_3, viewpoint_4);
-    return solid_angle_of_0(corners_1.a_10, corners_1.b_8, corners_1.c_3);
+    return solid_angle_of_0(corners_1.a_12, corners_1.b_10, corners_1.c_5);
 }
 
-fn unit_across_0( v_4 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
+fn unit_across_0( v_5 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 {
-    return normalize(v_4 - axis_1 * vec3<f32>(dot(v_4, axis_1)));
+    return normalize(v_5 - axis_1 * vec3<f32>(dot(v_5, axis_1)));
 }
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_3 : f32) -> vec3<f32>
 {
-    var _S79 : f32 = clamp(cosine_3, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S79) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S79) * (1.0f + _S79)));
+    var _S110 : f32 = clamp(cosine_3, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S110) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S110) * (1.0f + _S110)));
 }
 
-fn triangle_direction_0( a_11 : vec3<f32>,  b_9 : vec3<f32>,  c_4 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
+fn triangle_direction_0( a_13 : vec3<f32>,  b_11 : vec3<f32>,  c_6 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S80 : vec3<f32> = normalize(a_11);
-    var _S81 : vec3<f32> = normalize(b_9);
-    var _S82 : vec3<f32> = normalize(c_4);
-    var ab_0 : vec3<f32> = normalize(cross(_S80, _S81));
-    var ca_0 : vec3<f32> = normalize(cross(_S82, _S80));
+    var _S111 : vec3<f32> = normalize(a_13);
+    var _S112 : vec3<f32> = normalize(b_11);
+    var _S113 : vec3<f32> = normalize(c_6);
+    var ab_0 : vec3<f32> = normalize(cross(_S111, _S112));
+    var ca_0 : vec3<f32> = normalize(cross(_S113, _S111));
     var sine_alpha_0 : f32 = length(cross(ab_0, ca_0));
     var cosine_alpha_0 : f32 = - dot(ab_0, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S83 : f32 = part_0.x;
-    var _S84 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S83 * cosine_alpha_0 - _S84 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S84 * cosine_alpha_0 + _S83 * sine_alpha_0;
+    var _S114 : f32 = part_0.x;
+    var _S115 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S114 * cosine_alpha_0 - _S115 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S115 * cosine_alpha_0 + _S114 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S80, _S81);
-    var between_1 : vec3<f32> = along_0(_S80, _S82, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S81, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S81)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S111, _S112);
+    var between_1 : vec3<f32> = along_0(_S111, _S113, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S112, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S112)));
 }
 
-fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_2 : f32,  direction_3 : vec3<f32>) -> f32
+fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_2 : f32,  direction_5 : vec3<f32>) -> f32
 {
     if(!(solid_angle_1 < 0.00100000004749745f))
     {
         return 1.0f;
     }
-    return solid_angle_1 * 2.0f * distance_2 * distance_2 / abs(dot(normal_5, direction_3));
+    return solid_angle_1 * 2.0f * distance_2 * distance_2 / abs(dot(normal_5, direction_5));
 }
 
 struct EmitterPoint_0
 {
-     place_12 : Place_0,
+     place_11 : Place_0,
      pdf_0 : f32,
 };
 
@@ -1303,9 +1499,7 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
     var total_0 : f32;
     var point_0 : EmitterPoint_0;
     point_0.pdf_0 = 0.0f;
-    point_0.place_12.triangle_0 = u32(0);
-    point_0.place_12.v_0 = 0.0f;
-    point_0.place_12.w_0 = 0.0f;
+    point_0.place_11 = place_at_0(u32(0), 0.0f, 0.0f);
     var second_1 : f32 = random_0(key_4, dimension_3 + u32(1));
     var rectangle_0 : u32 = word_0(record_10 + u32(4));
     if(rectangle_0 != u32(4294967295))
@@ -1317,19 +1511,19 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if((seen_4.solid_angle_0) >= 0.00100000004749745f)
         {
-            var weights_2 : vec2<f32>;
-            var face_4 : u32 = rectangle_face_0(rectangle_0, rectangle_place_0(seen_4, vec2<f32>(random_0(key_4, dimension_3), second_1)) - vec2<f32>(seen_4.x_5.x, seen_4.y_2.x), &(weights_2));
-            point_0.place_12.triangle_0 = emitter_triangle_0(record_10, face_4);
-            point_0.place_12.v_0 = weights_2.x;
-            point_0.place_12.w_0 = weights_2.y;
+            var weights_3 : vec2<f32>;
+            var face_4 : u32 = rectangle_face_0(rectangle_0, rectangle_place_0(seen_4, vec2<f32>(random_0(key_4, dimension_3), second_1)) - vec2<f32>(seen_4.x_5.x, seen_4.y_2.x), &(weights_3));
+            point_0.place_11.triangle_0 = emitter_triangle_0(record_10, face_4);
+            point_0.place_11.v_0 = weights_3.x;
+            point_0.place_11.w_0 = weights_3.y;
             point_0.pdf_0 = 1.0f / seen_4.solid_angle_0;
             return point_0;
         }
     }
-    var _S85 : f32 = precise_random_0(key_4, dimension_3);
+    var _S116 : f32 = precise_random_0(key_4, dimension_3);
     var nodes_at_1 : u32 = word_0(record_10 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f32 = _S85;
+    var u_3 : f32 = _S116;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -1341,16 +1535,16 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S86 : f32 = shares_0.x;
-        var _S87 : f32 = shares_0.y;
-        if(!((_S86 + _S87) > 0.0f))
+        var _S117 : f32 = shares_0.x;
+        var _S118 : f32 = shares_0.y;
+        if(!((_S117 + _S118) > 0.0f))
         {
             return point_0;
         }
         var is_second_0 : bool;
-        if(u_3 >= _S86)
+        if(u_3 >= _S117)
         {
-            is_second_0 = _S87 > 0.0f;
+            is_second_0 = _S118 > 0.0f;
         }
         else
         {
@@ -1358,114 +1552,114 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S86) / _S87;
+            u_3 = (u_3 - _S117) / _S118;
         }
         else
         {
-            u_3 = min(u_3 / _S86, 1.0f);
+            u_3 = min(u_3 / _S117, 1.0f);
         }
         if(is_second_0)
         {
-            total_0 = _S87;
+            total_0 = _S118;
         }
         else
         {
-            total_0 = _S86;
+            total_0 = _S117;
         }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S88 : i32;
+        var _S119 : i32;
         if(is_second_0)
         {
-            _S88 = i32(3);
+            _S119 = i32(3);
         }
         else
         {
-            _S88 = i32(2);
+            _S119 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S88));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S119));
         chosen_0 = chosen_1;
     }
     var first_2 : u32 = word_0(node_2);
-    var _S89 : u32 = word_0(node_2 + u32(1));
-    var _S90 : u32 = word_0(record_10 + u32(6));
-    var k_3 : u32 = first_2;
+    var _S120 : u32 = word_0(node_2 + u32(1));
+    var _S121 : u32 = word_0(record_10 + u32(6));
+    var k_4 : u32 = first_2;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_3 < _S89)
+        if(k_4 < _S120)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S90 + k_3), from_1.exact_0);
-        k_3 = k_3 + u32(1);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S121 + k_4), from_1.exact_0);
+        k_4 = k_4 + u32(1);
         total_0 = total_1;
     }
-    var _S91 : f32 = u_3 * total_0;
+    var _S122 : f32 = u_3 * total_0;
     var face_5 : u32 = u32(4294967295);
     var angle_3 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
-    k_3 = first_2;
-    var rest_3 : f32 = _S91;
+    k_4 = first_2;
+    var rest_3 : f32 = _S122;
     for(;;)
     {
-        if(k_3 < _S89)
+        if(k_4 < _S120)
         {
         }
         else
         {
             break;
         }
-        var _S92 : u32 = _S90 + k_3;
-        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S92), from_1.exact_0);
+        var _S123 : u32 = _S121 + k_4;
+        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S123), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
-            k_3 = k_3 + u32(1);
+            k_4 = k_4 + u32(1);
             continue;
         }
-        var _S93 : u32 = word_0(_S92);
-        var _S94 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S124 : u32 = word_0(_S123);
+        var _S125 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S93;
+            face_5 = _S124;
             angle_3 = own_1;
-            inside_2 = _S94;
+            inside_2 = _S125;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S93;
+        face_5 = _S124;
         angle_3 = own_1;
-        inside_2 = _S94;
+        inside_2 = _S125;
         rest_3 = rest_4;
-        k_3 = k_3 + u32(1);
+        k_4 = k_4 + u32(1);
     }
     if(face_5 == u32(4294967295))
     {
         return point_0;
     }
     var corners_2 : Corners_0 = corners_from_0(record_10, face_5, from_1.exact_0);
-    var ab_1 : vec3<f32> = corners_2.b_8 - corners_2.a_10;
-    var ac_0 : vec3<f32> = corners_2.c_3 - corners_2.a_10;
+    var ab_1 : vec3<f32> = corners_2.b_10 - corners_2.a_12;
+    var ac_0 : vec3<f32> = corners_2.c_5 - corners_2.a_12;
     var normal_6 : vec3<f32> = cross(ab_1, ac_0);
-    point_0.place_12.triangle_0 = emitter_triangle_0(record_10, face_5);
+    point_0.place_11.triangle_0 = emitter_triangle_0(record_10, face_5);
     if(angle_3 < 0.00100000004749745f)
     {
         var root_0 : f32 = sqrt(inside_2);
-        point_0.place_12.v_0 = root_0 * (1.0f - second_1);
-        point_0.place_12.w_0 = root_0 * second_1;
+        point_0.place_11.v_0 = root_0 * (1.0f - second_1);
+        point_0.place_11.w_0 = root_0 * second_1;
     }
     else
     {
-        var direction_4 : vec3<f32> = triangle_direction_0(corners_2.a_10, corners_2.b_8, corners_2.c_3, angle_3, vec2<f32>(inside_2, second_1));
-        var within_0 : vec3<f32> = direction_4 * vec3<f32>((dot(corners_2.a_10, normal_6) / dot(direction_4, normal_6))) - corners_2.a_10;
+        var direction_6 : vec3<f32> = triangle_direction_0(corners_2.a_12, corners_2.b_10, corners_2.c_5, angle_3, vec2<f32>(inside_2, second_1));
+        var within_0 : vec3<f32> = direction_6 * vec3<f32>((dot(corners_2.a_12, normal_6) / dot(direction_6, normal_6))) - corners_2.a_12;
         var squared_2 : f32 = dot(normal_6, normal_6);
-        var _S95 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
-        point_0.place_12.v_0 = _S95;
-        point_0.place_12.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S95);
+        var _S126 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
+        point_0.place_11.v_0 = _S126;
+        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S126);
     }
-    var offset_3 : vec3<f32> = corners_2.a_10 + ab_1 * vec3<f32>(point_0.place_12.v_0) + ac_0 * vec3<f32>(point_0.place_12.w_0);
+    var offset_3 : vec3<f32> = corners_2.a_12 + ab_1 * vec3<f32>(point_0.place_11.v_0) + ac_0 * vec3<f32>(point_0.place_11.w_0);
     var distance_3 : f32 = length(offset_3);
     if(!(distance_3 > 0.0f))
     {
@@ -1482,15 +1676,15 @@ fn is_map_0( record_11 : u32) -> bool
 
 fn uniform_direction_0( u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S96 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S96 * (1.0f - _S96))));
-    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S96);
+    var _S127 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S127 * (1.0f - _S127))));
+    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S127);
 }
 
-fn map_place_0( map_0 : u32,  direction_5 : vec3<f32>) -> vec2<f32>
+fn map_place_0( map_0 : u32,  direction_7 : vec3<f32>) -> vec2<f32>
 {
-    var _S97 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S97) * vec3<f32>(direction_5.x) + vector_at_0(_S97 + u32(3)) * vec3<f32>(direction_5.y) + vector_at_0(_S97 + u32(6)) * vec3<f32>(direction_5.z);
+    var _S128 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S128) * vec3<f32>(direction_7.x) + vector_at_0(_S128 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S128 + u32(6)) * vec3<f32>(direction_7.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -1499,16 +1693,16 @@ fn cell_pdf_0( map_1 : u32,  cell_0 : u32) -> f32
     return 0.00397887360304594f + 0.94999998807907104f * number_0(word_0(map_1 + u32(17)) + cell_0);
 }
 
-fn map_pdf_0( map_2 : u32,  direction_6 : vec3<f32>) -> f32
+fn map_pdf_0( map_2 : u32,  direction_8 : vec3<f32>) -> f32
 {
     if((word_0(map_2 + u32(15))) == u32(4294967295))
     {
         return 0.07957746833562851f;
     }
-    var place_13 : vec2<f32> = map_place_0(map_2, direction_6);
+    var place_12 : vec2<f32> = map_place_0(map_2, direction_8);
     var width_1 : u32 = word_0(map_2);
-    var column_0 : u32 = wrapped_0(floor_of_0(place_13.x), i32(width_1), u32(0));
-    return cell_pdf_0(map_2, u32(clamp(floor_of_0(place_13.y), i32(0), i32(word_0(map_2 + u32(1))) - i32(2))) * width_1 + column_0);
+    var column_0 : u32 = wrapped_0(floor_of_0(place_12.x), i32(width_1), u32(0));
+    return cell_pdf_0(map_2, u32(clamp(floor_of_0(place_12.y), i32(0), i32(word_0(map_2 + u32(1))) - i32(2))) * width_1 + column_0);
 }
 
 fn sum_at_0( at_13 : u32) -> f32
@@ -1518,11 +1712,11 @@ fn sum_at_0( at_13 : u32) -> f32
 
 fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr<function, f32>) -> u32
 {
-    var _S98 : u32 = count_3 - u32(1);
-    var total_2 : f32 = sum_at_0(sums_1 + u32(2) * _S98);
+    var _S129 : u32 = count_3 - u32(1);
+    var total_2 : f32 = sum_at_0(sums_1 + u32(2) * _S129);
     var target_0 : f32 = u_5 * total_2;
     var low_3 : u32 = u32(0);
-    var high_0 : u32 = _S98;
+    var high_0 : u32 = _S129;
     for(;;)
     {
         if(low_3 < high_0)
@@ -1534,16 +1728,16 @@ fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
         var sum_1 : f32 = sum_at_0(sums_1 + u32(2) * middle_1);
-        var _S99 : bool;
+        var _S130 : bool;
         if(sum_1 <= target_0)
         {
-            _S99 = sum_1 < total_2;
+            _S130 = sum_1 < total_2;
         }
         else
         {
-            _S99 = false;
+            _S130 = false;
         }
-        if(_S99)
+        if(_S130)
         {
             low_3 = middle_1 + u32(1);
         }
@@ -1574,49 +1768,49 @@ fn cell_direction_0( map_3 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,
     var rows_1 : vec2<f32>;
     if(is_lower_0)
     {
-        var _S100 : u32 = last_0 - row_2;
-        rows_1 = vec2<f32>(f32(_S100), f32(_S100 - u32(1)));
+        var _S131 : u32 = last_0 - row_2;
+        rows_1 = vec2<f32>(f32(_S131), f32(_S131 - u32(1)));
     }
     else
     {
         rows_1 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
     }
-    var _S101 : f32 = f32(last_0);
-    var _S102 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S101)).x;
-    var _S103 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S101)).x;
-    var off_0 : f32 = 2.0f * mix(_S102 * _S102, _S103 * _S103, down_0);
+    var _S132 : f32 = f32(last_0);
+    var _S133 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S132)).x;
+    var _S134 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S132)).x;
+    var off_0 : f32 = 2.0f * mix(_S133 * _S133, _S134 * _S134, down_0);
     var sine_3 : f32 = sqrt(off_0 * (2.0f - off_0));
-    var _S104 : f32 = azimuth_0.x * sine_3;
-    var _S105 : f32;
+    var _S135 : f32 = azimuth_0.x * sine_3;
+    var _S136 : f32;
     if(is_lower_0)
     {
-        _S105 = off_0 - 1.0f;
+        _S136 = off_0 - 1.0f;
     }
     else
     {
-        _S105 = 1.0f - off_0;
+        _S136 = 1.0f - off_0;
     }
-    var local_0 : vec3<f32> = vec3<f32>(_S104, _S105, - azimuth_0.y * sine_3);
-    var _S106 : u32 = map_3 + u32(2);
-    return vec3<f32>(dot(vector_at_0(_S106), local_0), dot(vector_at_0(_S106 + u32(3)), local_0), dot(vector_at_0(_S106 + u32(6)), local_0));
+    var local_0 : vec3<f32> = vec3<f32>(_S135, _S136, - azimuth_0.y * sine_3);
+    var _S137 : u32 = map_3 + u32(2);
+    return vec3<f32>(dot(vector_at_0(_S137), local_0), dot(vector_at_0(_S137 + u32(3)), local_0), dot(vector_at_0(_S137 + u32(6)), local_0));
 }
 
 fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : ptr<function, f32>) -> vec3<f32>
 {
     var u_6 : f32 = precise_random_0(key_5, dimension_4);
     var rest_5 : f32 = u_6 * 20.0f - 1.0f;
-    var _S107 : u32 = map_4 + u32(15);
-    var is_black_0 : bool = (word_0(_S107)) == u32(4294967295);
-    var _S108 : bool;
+    var _S138 : u32 = map_4 + u32(15);
+    var is_black_0 : bool = (word_0(_S138)) == u32(4294967295);
+    var _S139 : bool;
     if(is_black_0)
     {
-        _S108 = true;
+        _S139 = true;
     }
     else
     {
-        _S108 = rest_5 < 0.0f;
+        _S139 = rest_5 < 0.0f;
     }
-    if(_S108)
+    if(_S139)
     {
         var share_0 : f32;
         if(is_black_0)
@@ -1627,15 +1821,15 @@ fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
         {
             share_0 = 0.05000000074505806f;
         }
-        var direction_7 : vec3<f32> = uniform_direction_0(vec2<f32>(u_6 / share_0, random_0(key_5, dimension_4 + u32(1))));
-        var _S109 : f32 = map_pdf_0(map_4, direction_7);
-        (*pdf_1) = _S109;
-        return direction_7;
+        var direction_9 : vec3<f32> = uniform_direction_0(vec2<f32>(u_6 / share_0, random_0(key_5, dimension_4 + u32(1))));
+        var _S140 : f32 = map_pdf_0(map_4, direction_9);
+        (*pdf_1) = _S140;
+        return direction_9;
     }
     var rest_6 : f32 = rest_5 / 19.0f;
     var width_2 : u32 = word_0(map_4);
     var down_1 : f32;
-    var row_3 : u32 = chosen_interval_0(word_0(_S107), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
+    var row_3 : u32 = chosen_interval_0(word_0(_S138), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
     var along_2 : f32;
     var column_2 : u32 = chosen_interval_0(word_0(map_4 + u32(16)) + u32(2) * width_2 * row_3, width_2, rest_6, &(along_2));
     (*pdf_1) = cell_pdf_0(map_4, row_3 * width_2 + column_2);
@@ -1649,40 +1843,40 @@ fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
 
 fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
 {
-    var _S110 : f32 = u_7.x;
-    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S110));
-    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S110));
+    var _S141 : f32 = u_7.x;
+    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S141));
+    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S141));
 }
 
-fn to_world_0( axes_3 : Axes_0,  v_5 : vec3<f32>) -> vec3<f32>
+fn to_world_0( axes_4 : Axes_0,  v_6 : vec3<f32>) -> vec3<f32>
 {
-    return axes_3.s_0 * vec3<f32>(v_5.x) + axes_3.t_0 * vec3<f32>(v_5.y) + axes_3.n_0 * vec3<f32>(v_5.z);
+    return axes_4.s_0 * vec3<f32>(v_6.x) + axes_4.t_0 * vec3<f32>(v_6.y) + axes_4.n_1 * vec3<f32>(v_6.z);
 }
 
-fn component_0( v_6 : vec3<f32>,  axis_2 : u32) -> f32
+fn component_0( v_7 : vec3<f32>,  axis_2 : u32) -> f32
 {
-    var _S111 : f32;
+    var _S142 : f32;
     if(axis_2 == u32(0))
     {
-        _S111 = v_6.x;
+        _S142 = v_7.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S111 = v_6.y;
+            _S142 = v_7.y;
         }
         else
         {
-            _S111 = v_6.z;
+            _S142 = v_7.z;
         }
     }
-    return _S111;
+    return _S142;
 }
 
-fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
+fn ray_child_0( node_3 : u32,  slot_3 : u32) -> u32
 {
-    return nodes_0[u32(14) * node_3 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
+    return nodes_0[u32(14) * node_3 + u32(12) + slot_3 / u32(4)][slot_3 % u32(4)];
 }
 
 struct RayView_0
@@ -1692,12 +1886,12 @@ struct RayView_0
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
      margin_0 : f32,
-     axes_4 : u32,
+     axes_5 : u32,
 };
 
-fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
+fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_4 : u32) -> f32
 {
-    var _S112 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S143 : u32 = u32(14) * node_4 + slot_4 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -1710,36 +1904,36 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S113 : u32 = axis_3;
-        var _S114 : u32 = _S112 + u32(2) * axis_3;
-        var _S115 : u32 = slot_3 % u32(4);
-        var low_4 : f32 = (bitcast<f32>((nodes_0[_S114][_S115])));
-        var high_1 : f32 = (bitcast<f32>((nodes_0[_S114 + u32(6)][_S115])));
-        var _S116 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
-        var _S117 : f32;
-        if(_S116)
+        var _S144 : u32 = axis_3;
+        var _S145 : u32 = _S143 + u32(2) * axis_3;
+        var _S146 : u32 = slot_4 % u32(4);
+        var low_4 : f32 = (bitcast<f32>((nodes_0[_S145][_S146])));
+        var high_1 : f32 = (bitcast<f32>((nodes_0[_S145 + u32(6)][_S146])));
+        var _S147 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
+        var _S148 : f32;
+        if(_S147)
         {
-            _S117 = high_1;
+            _S148 = high_1;
         }
         else
         {
-            _S117 = low_4;
+            _S148 = low_4;
         }
-        var _S118 : f32 = max(near_0, _S117 * view_2.inverse_0[_S113] - view_2.offset_near_0[axis_3]);
-        var _S119 : f32;
-        if(_S116)
+        var _S149 : f32 = max(near_0, _S148 * view_2.inverse_0[_S144] - view_2.offset_near_0[axis_3]);
+        var _S150 : f32;
+        if(_S147)
         {
-            _S119 = low_4;
+            _S150 = low_4;
         }
         else
         {
-            _S119 = high_1;
+            _S150 = high_1;
         }
-        var _S120 : f32 = min(far_0, _S119 * view_2.inverse_0[_S113] - view_2.offset_far_0[axis_3]);
-        var _S121 : u32 = axis_3 + u32(1);
-        near_0 = _S118;
-        far_0 = _S120;
-        axis_3 = _S121;
+        var _S151 : f32 = min(far_0, _S150 * view_2.inverse_0[_S144] - view_2.offset_far_0[axis_3]);
+        var _S152 : u32 = axis_3 + u32(1);
+        near_0 = _S149;
+        far_0 = _S151;
+        axis_3 = _S152;
     }
     if(near_0 <= far_0)
     {
@@ -1753,21 +1947,21 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
 
 fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 {
-    var k_4 : u32 = u32(0);
+    var k_5 : u32 = u32(0);
     var order_0 : u32 = u32(0);
     for(;;)
     {
-        if(k_4 < u32(8))
+        if(k_5 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S122 : u32 = k_4;
-        if((bounds_0[k_4]) > limit_2)
+        var _S153 : u32 = k_5;
+        if((bounds_0[k_5]) > limit_2)
         {
-            k_4 = k_4 + u32(1);
+            k_5 = k_5 + u32(1);
             continue;
         }
         var j_0 : u32 = u32(0);
@@ -1781,31 +1975,31 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S123 : u32 = j_0;
-            var _S124 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S122]))
+            var _S154 : u32 = j_0;
+            var _S155 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S153]))
             {
-                _S124 = true;
+                _S155 = true;
             }
             else
             {
-                if((bounds_0[_S123]) == (bounds_0[_S122]))
+                if((bounds_0[_S154]) == (bounds_0[_S153]))
                 {
-                    _S124 = j_0 < k_4;
+                    _S155 = j_0 < k_5;
                 }
                 else
                 {
-                    _S124 = false;
+                    _S155 = false;
                 }
             }
-            if(_S124)
+            if(_S155)
             {
                 rank_0 = rank_0 + u32(1);
             }
             j_0 = j_0 + u32(1);
         }
-        order_0 = (order_0 | ((((k_4 + u32(1)) << ((u32(4) * rank_0))))));
-        k_4 = k_4 + u32(1);
+        order_0 = (order_0 | ((((k_5 + u32(1)) << ((u32(4) * rank_0))))));
+        k_5 = k_5 + u32(1);
     }
     return order_0;
 }
@@ -1813,27 +2007,27 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
-    var slot_4 : u32 = u32(0);
+    var slot_5 : u32 = u32(0);
     for(;;)
     {
-        if(slot_4 < u32(8))
+        if(slot_5 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S125 : f32;
-        if((ray_child_0(node_5, slot_4)) == u32(4294967295))
+        var _S156 : f32;
+        if((ray_child_0(node_5, slot_5)) == u32(4294967295))
         {
-            _S125 = 3.00000000549775576e+38f;
+            _S156 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S125 = ray_bound_0(view_3, limit_3, node_5, slot_4);
+            _S156 = ray_bound_0(view_3, limit_3, node_5, slot_5);
         }
-        bounds_1[slot_4] = _S125;
-        slot_4 = slot_4 + u32(1);
+        bounds_1[slot_5] = _S156;
+        slot_5 = slot_5 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
@@ -1857,71 +2051,71 @@ struct Ray_0
      largest_1 : f32,
 };
 
-fn corner_0( ray_0 : Ray_0,  axes_5 : u32,  at_14 : u32) -> vec3<f32>
+fn corner_0( ray_0 : Ray_0,  axes_6 : u32,  at_14 : u32) -> vec3<f32>
 {
     var relative_0 : vec3<f32> = primitive_vector_0(at_14) - ray_0.origin_0;
-    var z_3 : f32 = component_0(relative_0, (axes_5 >> (u32(4))));
-    return vec3<f32>(component_0(relative_0, (axes_5 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_3, ray_0.largest_1), component_0(relative_0, (((axes_5 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_3, ray_0.largest_1), z_3);
+    var z_3 : f32 = component_0(relative_0, (axes_6 >> (u32(4))));
+    return vec3<f32>(component_0(relative_0, (axes_6 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_3, ray_0.largest_1), component_0(relative_0, (((axes_6 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_3, ray_0.largest_1), z_3);
 }
 
 struct Crossing_0
 {
      is_hit_0 : bool,
      t_2 : f32,
-     v_7 : f32,
-     w_2 : f32,
+     v_8 : f32,
+     w_3 : f32,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_15 : u32) -> Crossing_0
+fn intersect_0( ray_1 : Ray_0,  axes_7 : u32,  at_15 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_2 = 0.0f;
-    crossing_0.v_7 = 0.0f;
-    crossing_0.w_2 = 0.0f;
-    var a_12 : vec3<f32> = corner_0(ray_1, axes_6, at_15);
-    var b_10 : vec3<f32> = corner_0(ray_1, axes_6, at_15 + u32(3));
-    var c_5 : vec3<f32> = corner_0(ray_1, axes_6, at_15 + u32(6));
-    var _S126 : f32 = c_5.x;
-    var _S127 : f32 = b_10.y;
-    var cx_by_0 : f32 = rounded_0(_S126 * _S127, ray_1.largest_1);
-    var _S128 : f32 = c_5.y;
-    var _S129 : f32 = b_10.x;
-    var cy_bx_0 : f32 = rounded_0(_S128 * _S129, ray_1.largest_1);
-    var _S130 : f32 = a_12.x;
-    var ax_cy_0 : f32 = rounded_0(_S130 * _S128, ray_1.largest_1);
-    var _S131 : f32 = a_12.y;
-    var ay_cx_0 : f32 = rounded_0(_S131 * _S126, ray_1.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S129 * _S131, ray_1.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S127 * _S130, ray_1.largest_1);
+    crossing_0.v_8 = 0.0f;
+    crossing_0.w_3 = 0.0f;
+    var a_14 : vec3<f32> = corner_0(ray_1, axes_7, at_15);
+    var b_12 : vec3<f32> = corner_0(ray_1, axes_7, at_15 + u32(3));
+    var c_7 : vec3<f32> = corner_0(ray_1, axes_7, at_15 + u32(6));
+    var _S157 : f32 = c_7.x;
+    var _S158 : f32 = b_12.y;
+    var cx_by_0 : f32 = rounded_0(_S157 * _S158, ray_1.largest_1);
+    var _S159 : f32 = c_7.y;
+    var _S160 : f32 = b_12.x;
+    var cy_bx_0 : f32 = rounded_0(_S159 * _S160, ray_1.largest_1);
+    var _S161 : f32 = a_14.x;
+    var ax_cy_0 : f32 = rounded_0(_S161 * _S159, ray_1.largest_1);
+    var _S162 : f32 = a_14.y;
+    var ay_cx_0 : f32 = rounded_0(_S162 * _S157, ray_1.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S160 * _S162, ray_1.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S158 * _S161, ray_1.largest_1);
     var u_8 : f32 = cx_by_0 - cy_bx_0;
-    var v_8 : f32 = ax_cy_0 - ay_cx_0;
-    var w_3 : f32 = bx_ay_0 - by_ax_0;
-    var _S132 : f32 = min(min(u_8, v_8), w_3);
-    var _S133 : f32 = max(max(u_8, v_8), w_3);
-    var _S134 : bool;
-    if(_S132 < 0.0f)
+    var v_9 : f32 = ax_cy_0 - ay_cx_0;
+    var w_4 : f32 = bx_ay_0 - by_ax_0;
+    var _S163 : f32 = min(min(u_8, v_9), w_4);
+    var _S164 : f32 = max(max(u_8, v_9), w_4);
+    var _S165 : bool;
+    if(_S163 < 0.0f)
     {
-        _S134 = _S133 > 0.0f;
+        _S165 = _S164 > 0.0f;
     }
     else
     {
-        _S134 = false;
+        _S165 = false;
     }
-    if(_S134)
+    if(_S165)
     {
         return crossing_0;
     }
-    var determinant_0 : f32 = u_8 + v_8 + w_3;
-    if(_S132 <= 0.0f)
+    var determinant_0 : f32 = u_8 + v_9 + w_4;
+    if(_S163 <= 0.0f)
     {
-        _S134 = _S133 >= 0.0f;
+        _S165 = _S164 >= 0.0f;
     }
     else
     {
-        _S134 = false;
+        _S165 = false;
     }
-    if(_S134)
+    if(_S165)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -1932,43 +2126,43 @@ fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_15 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_3 : f32 = (rounded_0(u_8 * a_12.z, ray_1.largest_1) + rounded_0(v_8 * b_10.z, ray_1.largest_1) + rounded_0(w_3 * c_5.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
+    var t_3 : f32 = (rounded_0(u_8 * a_14.z, ray_1.largest_1) + rounded_0(v_9 * b_12.z, ray_1.largest_1) + rounded_0(w_4 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_3)
     {
-        _S134 = t_3 <= (ray_1.t_max_0);
+        _S165 = t_3 <= (ray_1.t_max_0);
     }
     else
     {
-        _S134 = false;
+        _S165 = false;
     }
-    crossing_0.is_hit_0 = _S134;
+    crossing_0.is_hit_0 = _S165;
     crossing_0.t_2 = t_3;
-    crossing_0.v_7 = v_8 / determinant_0;
-    crossing_0.w_2 = w_3 / determinant_0;
+    crossing_0.v_8 = v_9 / determinant_0;
+    crossing_0.w_3 = w_4 / determinant_0;
     return crossing_0;
 }
 
-fn face_6( triangle_4 : u32) -> u32
+fn face_6( triangle_6 : u32) -> u32
 {
-    return rough_0[triangle_4 / u32(4)][triangle_4 % u32(4)];
+    return rough_0[triangle_6 / u32(4)][triangle_6 % u32(4)];
 }
 
 struct Found_0
 {
      face_7 : u32,
-     triangle_5 : u32,
-     v_9 : f32,
-     w_4 : f32,
+     triangle_7 : u32,
+     v_10 : f32,
+     w_5 : f32,
 };
 
 fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S135 : bool;
+    var _S166 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
-    found_3.triangle_5 = u32(4294967295);
-    found_3.v_9 = 0.0f;
-    found_3.w_4 = 0.0f;
+    found_3.triangle_7 = u32(4294967295);
+    found_3.v_10 = 0.0f;
+    found_3.w_5 = 0.0f;
     if(!((view_4.limit_0) >= 0.0f))
     {
         return found_3;
@@ -1995,60 +2189,60 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_1[level_0];
-        var _S136 : u32 = way_1[level_0].y;
-        if(_S136 == u32(0))
+        var _S167 : u32 = way_1[level_0].y;
+        if(_S167 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S137 : u32 = level_0 - u32(1);
+            var _S168 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S137;
+            level_0 = _S168;
             continue;
         }
-        var slot_5 : u32 = ((_S136 & (u32(15)))) - u32(1);
-        way_1[level_0][i32(1)] = (_S136 >> (u32(4)));
-        var _S138 : bool;
+        var slot_6 : u32 = ((_S167 & (u32(15)))) - u32(1);
+        way_1[level_0][i32(1)] = (_S167 >> (u32(4)));
+        var _S169 : bool;
         if(!is_new_1)
         {
-            _S138 = (ray_bound_0(view_4, limit_4, here_0.x, slot_5)) > limit_4;
+            _S169 = (ray_bound_0(view_4, limit_4, here_0.x, slot_6)) > limit_4;
         }
         else
         {
-            _S138 = false;
+            _S169 = false;
         }
-        if(_S138)
+        if(_S169)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
             continue;
         }
-        var child_0 : u32 = ray_child_0(here_0.x, slot_5);
+        var child_0 : u32 = ray_child_0(here_0.x, slot_6);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S139 : u32 = level_0 + u32(1);
+            var _S170 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S139;
+            level_0 = _S170;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S140 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S141 : u32 = leaf_starts_0[leaf_0];
+        var _S171 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S172 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S141;
+        var i_3 : u32 = _S172;
         for(;;)
         {
-            if(i_3 < _S140)
+            if(i_3 < _S171)
             {
             }
             else
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_4.axes_4, u32(9) * i_3);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_4.axes_5, u32(9) * i_3);
             if(!crossing_1.is_hit_0)
             {
                 i_3 = i_3 + u32(1);
@@ -2056,29 +2250,29 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S135 = true;
+                _S166 = true;
             }
             else
             {
-                _S135 = (crossing_1.t_2) < ((*ray_2).t_max_0);
+                _S166 = (crossing_1.t_2) < ((*ray_2).t_max_0);
             }
-            var _S142 : bool;
-            if(_S135)
+            var _S173 : bool;
+            if(_S166)
             {
-                _S142 = true;
+                _S173 = true;
             }
             else
             {
-                _S142 = (face_6(i_3)) < (found_3.face_7);
+                _S173 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S142)
+            if(_S173)
             {
                 found_3.face_7 = face_6(i_3);
-                found_3.triangle_5 = i_3;
+                found_3.triangle_7 = i_3;
                 (*ray_2).t_max_0 = crossing_1.t_2;
-                found_3.v_9 = crossing_1.v_7;
-                found_3.w_4 = crossing_1.w_2;
+                found_3.v_10 = crossing_1.v_8;
+                found_3.w_5 = crossing_1.w_3;
                 limit_6 = min(limit_5, crossing_1.t_2 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_4.margin_0);
             }
             else
@@ -2090,13 +2284,13 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S135 = (found_3.face_7) != u32(4294967295);
+            _S166 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S135 = false;
+            _S166 = false;
         }
-        if(_S135)
+        if(_S166)
         {
             break;
         }
@@ -2107,54 +2301,54 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_3;
 }
 
-fn cast_0( origin_1 : vec3<f32>,  direction_8 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_1 : vec3<f32>,  direction_10 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
 {
-    var size_1 : vec3<f32> = abs(direction_8);
-    var _S143 : f32 = size_1.x;
-    var _S144 : f32 = size_1.y;
-    var _S145 : bool;
-    if(_S143 >= _S144)
+    var size_1 : vec3<f32> = abs(direction_10);
+    var _S174 : f32 = size_1.x;
+    var _S175 : f32 = size_1.y;
+    var _S176 : bool;
+    if(_S174 >= _S175)
     {
-        _S145 = _S143 >= (size_1.z);
+        _S176 = _S174 >= (size_1.z);
     }
     else
     {
-        _S145 = false;
+        _S176 = false;
     }
-    var _S146 : i32;
-    if(_S145)
+    var _S177 : i32;
+    if(_S176)
     {
-        _S146 = i32(0);
+        _S177 = i32(0);
     }
     else
     {
-        if(_S144 >= (size_1.z))
+        if(_S175 >= (size_1.z))
         {
-            _S146 = i32(1);
+            _S177 = i32(1);
         }
         else
         {
-            _S146 = i32(2);
+            _S177 = i32(2);
         }
     }
-    var z_4 : u32 = u32(_S146);
+    var z_4 : u32 = u32(_S177);
     var x_8 : u32 = (z_4 + u32(1)) % u32(3);
     var y_3 : u32 = (z_4 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
     ray_3.origin_0 = origin_1;
-    var along_3 : f32 = component_0(direction_8, z_4);
+    var along_3 : f32 = component_0(direction_10, z_4);
     ray_3.inverse_z_0 = 1.0f / along_3;
-    ray_3.shear_x_0 = component_0(direction_8, x_8) / along_3;
-    ray_3.shear_y_0 = component_0(direction_8, y_3) / along_3;
+    ray_3.shear_x_0 = component_0(direction_10, x_8) / along_3;
+    ray_3.shear_y_0 = component_0(direction_10, y_3) / along_3;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S147 : f32 = abs(along_3);
-    ray_3.local_per_t_0 = _S147;
+    var _S178 : f32 = abs(along_3);
+    ray_3.local_per_t_0 = _S178;
     ray_3.enter_0 = 0.0f;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
     var view_5 : RayView_0;
-    var _S148 : vec3<f32> = direction_8 / vec3<f32>(_S147);
+    var _S179 : vec3<f32> = direction_10 / vec3<f32>(_S178);
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -2165,17 +2359,17 @@ fn cast_0( origin_1 : vec3<f32>,  direction_8 : vec3<f32>,  t_min_1 : f32,  t_ma
         {
             break;
         }
-        var _S149 : f32 = max(abs(_S148[axis_4]), 8.67361737988403547e-19f);
-        var _S150 : f32;
-        if((_S148[axis_4]) < 0.0f)
+        var _S180 : f32 = max(abs(_S179[axis_4]), 8.67361737988403547e-19f);
+        var _S181 : f32;
+        if((_S179[axis_4]) < 0.0f)
         {
-            _S150 = -1.0f / _S149;
+            _S181 = -1.0f / _S180;
         }
         else
         {
-            _S150 = 1.0f / _S149;
+            _S181 = 1.0f / _S180;
         }
-        view_5.inverse_0[axis_4] = _S150;
+        view_5.inverse_0[axis_4] = _S181;
         axis_4 = axis_4 + u32(1);
     }
     var offset_4 : vec3<f32> = origin_1 * view_5.inverse_0;
@@ -2184,60 +2378,60 @@ fn cast_0( origin_1 : vec3<f32>,  direction_8 : vec3<f32>,  t_min_1 : f32,  t_ma
     view_5.offset_far_0 = offset_4 - wider_0;
     view_5.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
     view_5.margin_0 = 3.814697265625e-06f;
-    view_5.axes_4 = (((x_8 | (((y_3 << (u32(2))))))) | (((z_4 << (u32(4))))));
+    view_5.axes_5 = (((x_8 | (((y_3 << (u32(2))))))) | (((z_4 << (u32(4))))));
     var found_4 : Found_0 = first_found_0(view_5, &(ray_3), any_1);
     (*t_4) = ray_3.t_max_0;
     return found_4;
 }
 
-fn cast_1( origin_2 : vec3<f32>,  direction_9 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_2 : bool,  t_5 : ptr<function, f32>) -> Found_0
+fn cast_1( origin_2 : vec3<f32>,  direction_11 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_2 : bool,  t_5 : ptr<function, f32>) -> Found_0
 {
-    var size_2 : vec3<f32> = abs(direction_9);
-    var _S151 : f32 = size_2.x;
-    var _S152 : f32 = size_2.y;
-    var _S153 : bool;
-    if(_S151 >= _S152)
+    var size_2 : vec3<f32> = abs(direction_11);
+    var _S182 : f32 = size_2.x;
+    var _S183 : f32 = size_2.y;
+    var _S184 : bool;
+    if(_S182 >= _S183)
     {
-        _S153 = _S151 >= (size_2.z);
+        _S184 = _S182 >= (size_2.z);
     }
     else
     {
-        _S153 = false;
+        _S184 = false;
     }
-    var _S154 : i32;
-    if(_S153)
+    var _S185 : i32;
+    if(_S184)
     {
-        _S154 = i32(0);
+        _S185 = i32(0);
     }
     else
     {
-        if(_S152 >= (size_2.z))
+        if(_S183 >= (size_2.z))
         {
-            _S154 = i32(1);
+            _S185 = i32(1);
         }
         else
         {
-            _S154 = i32(2);
+            _S185 = i32(2);
         }
     }
-    var z_5 : u32 = u32(_S154);
+    var z_5 : u32 = u32(_S185);
     var x_9 : u32 = (z_5 + u32(1)) % u32(3);
     var y_4 : u32 = (z_5 + u32(2)) % u32(3);
     var ray_4 : Ray_0;
     ray_4.origin_0 = origin_2;
-    var along_4 : f32 = component_0(direction_9, z_5);
+    var along_4 : f32 = component_0(direction_11, z_5);
     ray_4.inverse_z_0 = 1.0f / along_4;
-    ray_4.shear_x_0 = component_0(direction_9, x_9) / along_4;
-    ray_4.shear_y_0 = component_0(direction_9, y_4) / along_4;
+    ray_4.shear_x_0 = component_0(direction_11, x_9) / along_4;
+    ray_4.shear_y_0 = component_0(direction_11, y_4) / along_4;
     ray_4.t_min_0 = t_min_2;
     ray_4.t_max_0 = t_max_2;
-    var _S155 : f32 = abs(along_4);
-    ray_4.local_per_t_0 = _S155;
+    var _S186 : f32 = abs(along_4);
+    ray_4.local_per_t_0 = _S186;
     ray_4.enter_0 = 0.0f;
     ray_4.edge_on_0 = limit_at_0(u32(0));
     ray_4.largest_1 = limit_at_0(u32(1));
     var view_6 : RayView_0;
-    var _S156 : vec3<f32> = direction_9 / vec3<f32>(_S155);
+    var _S187 : vec3<f32> = direction_11 / vec3<f32>(_S186);
     var axis_5 : u32 = u32(0);
     for(;;)
     {
@@ -2248,17 +2442,17 @@ fn cast_1( origin_2 : vec3<f32>,  direction_9 : vec3<f32>,  t_min_2 : f32,  t_ma
         {
             break;
         }
-        var _S157 : f32 = max(abs(_S156[axis_5]), 8.67361737988403547e-19f);
-        var _S158 : f32;
-        if((_S156[axis_5]) < 0.0f)
+        var _S188 : f32 = max(abs(_S187[axis_5]), 8.67361737988403547e-19f);
+        var _S189 : f32;
+        if((_S187[axis_5]) < 0.0f)
         {
-            _S158 = -1.0f / _S157;
+            _S189 = -1.0f / _S188;
         }
         else
         {
-            _S158 = 1.0f / _S157;
+            _S189 = 1.0f / _S188;
         }
-        view_6.inverse_0[axis_5] = _S158;
+        view_6.inverse_0[axis_5] = _S189;
         axis_5 = axis_5 + u32(1);
     }
     var offset_5 : vec3<f32> = origin_2 * view_6.inverse_0;
@@ -2267,49 +2461,126 @@ fn cast_1( origin_2 : vec3<f32>,  direction_9 : vec3<f32>,  t_min_2 : f32,  t_ma
     view_6.offset_far_0 = offset_5 - wider_1;
     view_6.limit_0 = min(t_max_2 * ray_4.local_per_t_0, 8.0f) + 3.814697265625e-06f;
     view_6.margin_0 = 3.814697265625e-06f;
-    view_6.axes_4 = (((x_9 | (((y_4 << (u32(2))))))) | (((z_5 << (u32(4))))));
+    view_6.axes_5 = (((x_9 | (((y_4 << (u32(2))))))) | (((z_5 << (u32(4))))));
     var found_5 : Found_0 = first_found_0(view_6, &(ray_4), any_2);
     (*t_5) = ray_4.t_max_0;
     return found_5;
 }
 
-fn x2A_0( a_13 : Colour_0,  b_11 : vec3<f32>) -> Colour_0
+fn turning_0( vertex_1 : Vertex_0,  direction_12 : vec3<f32>) -> vec3<f32>
 {
-    var product_2 : Colour_0;
-    product_2.value_0 = a_13.value_0 * b_11;
-    var k_5 : u32 = u32(0);
-    for(;;)
-    {
-        if(k_5 < u32(2))
-        {
-        }
-        else
-        {
-            break;
-        }
-        product_2.changes_0[k_5] = a_13.changes_0[k_5] * b_11;
-        k_5 = k_5 + u32(1);
-    }
-    return product_2;
+    return vec3<f32>(0.0f);
 }
 
-fn x2A_1( a_14 : Colour_0,  b_12 : f32) -> Colour_0
+fn changing_0( value_6 : vec3<f32>,  change_0 : vec3<f32>) -> vec3<f32>
 {
-    return x2A_0(a_14, vec3<f32>(b_12));
+    return value_6;
+}
+
+fn still_0( value_7 : vec3<f32>) -> vec3<f32>
+{
+    return changing_0(value_7, vec3<f32>(0.0f));
+}
+
+fn towards_emitter_0( vertex_2 : Vertex_0,  direction_13 : vec3<f32>,  record_12 : u32) -> vec3<f32>
+{
+    var _S190 : vec3<f32>;
+    if((word_0(record_12)) == u32(1))
+    {
+        _S190 = changing_0(direction_13, turning_0(vertex_2, direction_13));
+    }
+    else
+    {
+        _S190 = still_0(direction_13);
+    }
+    return _S190;
+}
+
+fn local_change_0( vertex_3 : Vertex_0,  direction_14 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(0.0f);
+}
+
+fn change_of_0( vector_0 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(0.0f);
+}
+
+struct Mirrored_0
+{
+     cosine_4 : f32,
+     pdf_2 : f32,
+     scattered_0 : f32,
+};
+
+struct DiffPair_Mirrored_0
+{
+     primal_0 : Mirrored_0,
+     differential_0 : Mirrored_0,
+};
+
+fn s_fwd_Mirrored_x24init_0( dpcosine_0 : DiffPair_float_0,  dppdf_0 : DiffPair_float_0,  dpscattered_0 : DiffPair_float_0) -> DiffPair_Mirrored_0
+{
+    var _S191 : Mirrored_0 = Mirrored_0( dpcosine_0.primal_0, dppdf_0.primal_0, dpscattered_0.primal_0 );
+    var _S192 : Mirrored_0 = Mirrored_0( dpcosine_0.differential_0, dppdf_0.differential_0, dpscattered_0.differential_0 );
+    var _S193 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S191, _S192 );
+    return _S193;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S159 : bool;
+    var _S194 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S159 = true;
+        _S194 = true;
     }
     else
     {
-        _S159 = (lobe_3.kind_1) == u32(4);
+        _S194 = (lobe_3.kind_1) == u32(4);
     }
-    return _S159;
+    return _S194;
+}
+
+struct Microfacets_0
+{
+     distribution_1 : u32,
+     alpha_1 : vec2<f32>,
+};
+
+fn facets_of_0( lobe_4 : Lobe_0,  numbers_3 : Numbers_0) -> Microfacets_0
+{
+    var facets_0 : Microfacets_0;
+    facets_0.distribution_1 = lobe_4.distribution_0;
+    facets_0.alpha_1 = max(numbers_3.alpha_0, vec2<f32>(0.00009999999747379f));
+    return facets_0;
+}
+
+struct Microfacets_Differential_0
+{
+     alpha_2 : vec2<f32>,
+};
+
+struct DiffPair_Microfacets_0
+{
+     primal_0 : Microfacets_0,
+     differential_0 : Microfacets_Differential_0,
+};
+
+struct DiffPair_Numbers_0
+{
+     primal_0 : Numbers_0,
+     differential_0 : Numbers_0,
+};
+
+fn s_fwd_facets_of_0( lobe_5 : Lobe_0,  dpnumbers_0 : DiffPair_Numbers_0) -> DiffPair_Microfacets_0
+{
+    var _S195 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( dpnumbers_0.primal_0.alpha_0, dpnumbers_0.differential_0.alpha_0 );
+    var _S196 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(0.00009999999747379f), vec2<f32>(0.0f) );
+    var _S197 : DiffPair_vectorx3Cfloatx2C2x3E_0 = _d_max_vector_0(_S195, _S196);
+    var _S198 : Microfacets_0 = Microfacets_0( lobe_5.distribution_0, _S197.primal_0 );
+    var _S199 : Microfacets_Differential_0 = Microfacets_Differential_0( _S197.differential_0 );
+    var _S200 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S198, _S199 );
+    return _S200;
 }
 
 fn exponential_0( x_10 : f32) -> f32
@@ -2323,290 +2594,587 @@ fn exponential_0( x_10 : f32) -> f32
     return ((((((0.00019875691214111f * r_0 + 0.00139819993637502f) * r_0 + 0.00833345204591751f) * r_0 + 0.04166579619050026f) * r_0 + 0.1666666567325592f) * r_0 + 0.5f) * r_0 * r_0 + r_0 + 1.0f) * (bitcast<f32>(((u32(i32(power_0) + i32(127)) << (u32(23))))));
 }
 
-fn density_0( facets_0 : Microfacets_0,  m_0 : vec3<f32>) -> f32
+fn s_fwd_exponential_0( dpx_8 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S160 : f32 = m_0.z;
-    if(_S160 <= 0.0f)
+    if((dpx_8.primal_0) < -87.0f)
     {
-        return 0.0f;
+        var _S201 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+        return _S201;
     }
-    var scale_0 : f32 = 3.14159274101257324f * facets_0.alpha_0.x * facets_0.alpha_0.y;
-    var slope_0 : vec2<f32> = m_0.xy / facets_0.alpha_0;
-    var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S160 * _S160;
-    if((facets_0.distribution_0) == u32(1))
+    var power_1 : f32 = floor(dpx_8.primal_0 * 1.4426950216293335f + 0.5f);
+    var r_1 : f32 = dpx_8.primal_0 - power_1 * 0.693359375f + power_1 * 0.00021219444170129f;
+    var _S202 : f32 = 0.00019875691214111f * r_1 + 0.00139819993637502f;
+    var _S203 : f32 = _S202 * r_1 + 0.00833345204591751f;
+    var tail_0 : f32 = _S203 * r_1 + 0.04166579619050026f;
+    var _S204 : f32 = tail_0 * r_1 + 0.1666666567325592f;
+    var tail_1 : f32 = _S204 * r_1 + 0.5f;
+    var _S205 : f32 = tail_1 * r_1;
+    var _S206 : f32 = (bitcast<f32>(((u32(i32(power_1) + i32(127)) << (u32(23))))));
+    var _S207 : DiffPair_float_0 = DiffPair_float_0( (_S205 * r_1 + r_1 + 1.0f) * _S206, ((((((dpx_8.differential_0 * 0.00019875691214111f * r_1 + dpx_8.differential_0 * _S202) * r_1 + dpx_8.differential_0 * _S203) * r_1 + dpx_8.differential_0 * tail_0) * r_1 + dpx_8.differential_0 * _S204) * r_1 + dpx_8.differential_0 * tail_1) * r_1 + dpx_8.differential_0 * _S205 + dpx_8.differential_0) * _S206 );
+    return _S207;
+}
+
+fn s_fwd_density_0( dpfacets_0 : DiffPair_Microfacets_0,  dpm_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
+{
+    var _S208 : f32 = dpm_0.primal_0.z;
+    var _S209 : f32 = dpm_0.differential_0.z;
+    if(_S208 <= 0.0f)
     {
-        var sum_2 : f32 = spread_0 + cos2_0;
-        return 1.0f / (scale_0 * sum_2 * sum_2);
+        var _S210 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+        return _S210;
     }
-    var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S161 : f32;
+    var _S211 : f32 = 3.14159274101257324f * dpfacets_0.primal_0.alpha_1.x;
+    var _S212 : f32 = dpfacets_0.primal_0.alpha_1.y;
+    var scale_0 : f32 = _S211 * _S212;
+    var s_diff_scale_0 : f32 = dpfacets_0.differential_0.alpha_2.x * 3.14159274101257324f * _S212 + dpfacets_0.differential_0.alpha_2.y * _S211;
+    var _S213 : vec2<f32> = dpm_0.primal_0.xy;
+    var _S214 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S213 / dpfacets_0.primal_0.alpha_1, (dpm_0.differential_0.xy * dpfacets_0.primal_0.alpha_1 - _S213 * dpfacets_0.differential_0.alpha_2) / (dpfacets_0.primal_0.alpha_1 * dpfacets_0.primal_0.alpha_1) );
+    var _S215 : DiffPair_float_0 = _d_dot_0(_S214, _S214);
+    var cos2_0 : f32 = _S208 * _S208;
+    var _S216 : f32 = _S209 * _S208;
+    var s_diff_cos2_0 : f32 = _S216 + _S216;
+    if((dpfacets_0.primal_0.distribution_1) == u32(1))
+    {
+        var sum_2 : f32 = _S215.primal_0 + cos2_0;
+        var s_diff_sum_0 : f32 = _S215.differential_0 + s_diff_cos2_0;
+        var _S217 : f32 = scale_0 * sum_2;
+        var _S218 : f32 = _S217 * sum_2;
+        var _S219 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S218, (0.0f - ((s_diff_scale_0 * sum_2 + s_diff_sum_0 * scale_0) * sum_2 + s_diff_sum_0 * _S217)) / (_S218 * _S218) );
+        return _S219;
+    }
+    var exponent_0 : f32 = _S215.primal_0 / cos2_0;
+    var s_diff_exponent_0 : f32 = (_S215.differential_0 * cos2_0 - _S215.primal_0 * s_diff_cos2_0) / (cos2_0 * cos2_0);
+    var _S220 : f32;
+    var _S221 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S161 = 0.0f;
+        _S220 = 0.0f;
+        _S221 = 0.0f;
     }
     else
     {
-        _S161 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        var _S222 : DiffPair_float_0 = DiffPair_float_0( - exponent_0, - s_diff_exponent_0 );
+        var _S223 : DiffPair_float_0 = s_fwd_exponential_0(_S222);
+        var _S224 : f32 = scale_0 * cos2_0;
+        var _S225 : f32 = _S224 * cos2_0;
+        var _S226 : f32 = (_S223.differential_0 * _S225 - _S223.primal_0 * ((s_diff_scale_0 * cos2_0 + s_diff_cos2_0 * scale_0) * cos2_0 + s_diff_cos2_0 * _S224)) / (_S225 * _S225);
+        _S220 = _S223.primal_0 / _S225;
+        _S221 = _S226;
     }
-    return _S161;
+    var _S227 : DiffPair_float_0 = DiffPair_float_0( _S220, _S221 );
+    return _S227;
 }
 
 fn error_function_plus_one_0( x_11 : f32) -> vec2<f32>
 {
-    var _S162 : f32 = min(abs(x_11), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S162 * _S162);
-    var place_14 : f32 = (_S162 - 2.0f) / (_S162 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_14 - 0.00127731403335929f) * place_14 + 0.00131371302995831f) * place_14 + 0.008666617795825f) * place_14 - 0.00805134233087301f) * place_14 - 0.05421232059597969f) * place_14 + 0.1640533059835434f) * place_14 - 0.16603080928325653f) * place_14 - 0.09276388585567474f) * place_14 + 1.27697837352752686f) / (1.0f + 2.0f * _S162);
-    var _S163 : f32;
+    var _S228 : f32 = min(abs(x_11), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S228 * _S228);
+    var place_13 : f32 = (_S228 - 2.0f) / (_S228 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_13 - 0.00127731403335929f) * place_13 + 0.00131371302995831f) * place_13 + 0.008666617795825f) * place_13 - 0.00805134233087301f) * place_13 - 0.05421232059597969f) * place_13 + 0.1640533059835434f) * place_13 - 0.16603080928325653f) * place_13 - 0.09276388585567474f) * place_13 + 1.27697837352752686f) / (1.0f + 2.0f * _S228);
+    var _S229 : f32;
     if(x_11 < 0.0f)
     {
-        _S163 = complement_0;
+        _S229 = complement_0;
     }
     else
     {
-        _S163 = 2.0f - complement_0;
+        _S229 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S163, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S229, 1.128379225730896f * gaussian_0);
 }
 
-fn visible_over_cos_0( facets_1 : Microfacets_0,  w_5 : vec3<f32>) -> f32
+fn error_function_changed_0( x_12 : DiffPair_float_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var stretched_0 : vec2<f32> = w_5.xy * facets_1.alpha_0;
+    var both_0 : vec2<f32> = error_function_plus_one_0(x_12.primal_0);
+    var _S230 : f32 = both_0.y;
+    var _S231 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( both_0, vec2<f32>(_S230, -2.0f * x_12.primal_0 * _S230) * vec2<f32>(x_12.differential_0) );
+    return _S231;
+}
+
+fn visible_over_cos_0( facets_1 : Microfacets_0,  w_6 : vec3<f32>) -> f32
+{
+    var stretched_0 : vec2<f32> = w_6.xy * facets_1.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S164 : f32 = w_5.z;
-    var z2_1 : f32 = _S164 * _S164;
-    if((facets_1.distribution_0) == u32(1))
+    var _S232 : f32 = w_6.z;
+    var z2_1 : f32 = _S232 * _S232;
+    if((facets_1.distribution_1) == u32(1))
     {
-        return 2.0f / (_S164 + sqrt(z2_1 + spread2_0));
+        return 2.0f / (_S232 + sqrt(z2_1 + spread2_0));
     }
     if(z2_1 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S164;
+        return 1.0f / _S232;
     }
-    var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S164 / spread_1);
-    return 2.0f / (_S164 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var spread_0 : f32 = sqrt(spread2_0);
+    var both_1 : vec2<f32> = error_function_plus_one_0(_S232 / spread_0);
+    return 2.0f / (_S232 * both_1.x + 0.5f * spread_0 * both_1.y);
 }
 
-struct Mirrored_0
+fn s_fwd_visible_over_cos_0( dpfacets_1 : DiffPair_Microfacets_0,  dpw_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
 {
-     cosine_4 : f32,
-     pdf_2 : f32,
-     scattered_0 : f32,
-};
-
-fn mirrored_0( facets_2 : Microfacets_0,  wi_1 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
-{
-    var h_1 : vec3<f32> = normalize(wi_1 + wo_0);
-    var mirrored_1 : Mirrored_0;
-    mirrored_1.cosine_4 = dot(wi_1, h_1);
-    var _S165 : f32 = 0.25f * density_0(facets_2, h_1) * visible_over_cos_0(facets_2, wi_1);
-    mirrored_1.pdf_2 = _S165;
-    mirrored_1.scattered_0 = _S165 * visible_over_cos_0(facets_2, wo_0) * wo_0.z;
-    return mirrored_1;
-}
-
-fn fresnel_conductor_channel_0( cosine_5 : f32,  eta_1 : f32,  k_6 : f32) -> f32
-{
-    var cos2_1 : f32 = cosine_5 * cosine_5;
-    var sin2_0 : f32 = 1.0f - cos2_1;
-    var real_0 : f32 = eta_1 * eta_1 - k_6 * k_6 - sin2_0;
-    var product_3 : f32 = eta_1 * k_6;
-    var modulus_0 : f32 = sqrt(real_0 * real_0 + 4.0f * (product_3 * product_3));
-    if(modulus_0 == 0.0f)
+    var _S233 : vec2<f32> = dpw_0.primal_0.xy;
+    var _S234 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S233 * dpfacets_1.primal_0.alpha_1, dpw_0.differential_0.xy * dpfacets_1.primal_0.alpha_1 + dpfacets_1.differential_0.alpha_2 * _S233 );
+    var _S235 : DiffPair_float_0 = _d_dot_0(_S234, _S234);
+    var _S236 : f32 = dpw_0.primal_0.z;
+    var _S237 : f32 = dpw_0.differential_0.z;
+    var z2_2 : f32 = _S236 * _S236;
+    var _S238 : f32 = _S237 * _S236;
+    var s_diff_z2_0 : f32 = _S238 + _S238;
+    if((dpfacets_1.primal_0.distribution_1) == u32(1))
     {
-        return 1.0f;
+        var _S239 : DiffPair_float_0 = DiffPair_float_0( z2_2 + _S235.primal_0, s_diff_z2_0 + _S235.differential_0 );
+        var _S240 : DiffPair_float_0 = _d_sqrt_0(_S239);
+        var _S241 : f32 = _S236 + _S240.primal_0;
+        var _S242 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S241, (0.0f - 2.0f * (_S237 + _S240.differential_0)) / (_S241 * _S241) );
+        return _S242;
     }
-    var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
-    var smaller_0 : f32 = product_3 / larger_0;
-    var _S166 : bool = real_0 < 0.0f;
+    if(z2_2 >= (36.0f * _S235.primal_0))
+    {
+        var _S243 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S236, (0.0f - _S237) / z2_2 );
+        return _S243;
+    }
+    var _S244 : DiffPair_float_0 = DiffPair_float_0( _S235.primal_0, _S235.differential_0 );
+    var _S245 : DiffPair_float_0 = _d_sqrt_0(_S244);
+    var _S246 : DiffPair_float_0 = DiffPair_float_0( _S236 / _S245.primal_0, (_S237 * _S245.primal_0 - _S236 * _S245.differential_0) / (_S245.primal_0 * _S245.primal_0) );
+    var _S247 : DiffPair_vectorx3Cfloatx2C2x3E_0 = error_function_changed_0(_S246);
+    var _S248 : f32 = _S247.primal_0.x;
+    var _S249 : f32 = 0.5f * _S245.primal_0;
+    var _S250 : f32 = _S247.primal_0.y;
+    var _S251 : f32 = _S236 * _S248 + _S249 * _S250;
+    var _S252 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S251, (0.0f - 2.0f * (_S237 * _S248 + _S247.differential_0.x * _S236 + (_S245.differential_0 * 0.5f * _S250 + _S247.differential_0.y * _S249))) / (_S251 * _S251) );
+    return _S252;
+}
+
+fn s_fwd_mirrored_0( dpfacets_2 : DiffPair_Microfacets_0,  dpwi_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Mirrored_0
+{
+    var _S253 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_0.primal_0 + dpwo_0.primal_0, dpwi_0.differential_0 + dpwo_0.differential_0 );
+    var _S254 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S253);
+    var _S255 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_0.primal_0, dpwi_0.differential_0 );
+    var _S256 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S254.primal_0, _S254.differential_0 );
+    var _S257 : DiffPair_float_0 = _d_dot_1(_S255, _S256);
+    var _S258 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( dpfacets_2.primal_0, dpfacets_2.differential_0 );
+    var _S259 : DiffPair_float_0 = s_fwd_density_0(_S258, _S256);
+    var _S260 : f32 = 0.25f * _S259.primal_0;
+    var _S261 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S258, _S255);
+    var _S262 : f32 = _S260 * _S261.primal_0;
+    var _S263 : f32 = _S259.differential_0 * 0.25f * _S261.primal_0 + _S261.differential_0 * _S260;
+    var _S264 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_0.primal_0, dpwo_0.differential_0 );
+    var _S265 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S258, _S264);
+    var _S266 : f32 = _S262 * _S265.primal_0;
+    var _S267 : f32 = dpwo_0.primal_0.z;
+    var _S268 : Mirrored_0 = Mirrored_0( _S257.primal_0, _S262, _S266 * _S267 );
+    var _S269 : Mirrored_0 = Mirrored_0( _S257.differential_0, _S263, (_S263 * _S265.primal_0 + _S265.differential_0 * _S262) * _S267 + dpwo_0.differential_0.z * _S266 );
+    var _S270 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S268, _S269 );
+    return _S270;
+}
+
+fn s_fwd_fresnel_conductor_channel_0( dpcosine_1 : DiffPair_float_0,  dpeta_0 : DiffPair_float_0,  dpk_0 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S271 : f32 = dpcosine_1.primal_0;
+    var cos2_1 : f32 = _S271 * _S271;
+    var _S272 : f32 = dpcosine_1.differential_0 * dpcosine_1.primal_0;
+    var s_diff_cos2_1 : f32 = _S272 + _S272;
+    var sin2_0 : f32 = 1.0f - cos2_1;
+    var s_diff_sin2_0 : f32 = 0.0f - s_diff_cos2_1;
+    var _S273 : f32 = dpeta_0.differential_0 * dpeta_0.primal_0;
+    var _S274 : f32 = dpk_0.differential_0 * dpk_0.primal_0;
+    var real_0 : f32 = dpeta_0.primal_0 * dpeta_0.primal_0 - dpk_0.primal_0 * dpk_0.primal_0 - sin2_0;
+    var s_diff_real_0 : f32 = _S273 + _S273 - (_S274 + _S274) - s_diff_sin2_0;
+    var product_2 : f32 = dpeta_0.primal_0 * dpk_0.primal_0;
+    var s_diff_product_0 : f32 = dpeta_0.differential_0 * dpk_0.primal_0 + dpk_0.differential_0 * dpeta_0.primal_0;
+    var _S275 : f32 = s_diff_real_0 * real_0;
+    var _S276 : f32 = s_diff_product_0 * product_2;
+    var _S277 : DiffPair_float_0 = DiffPair_float_0( real_0 * real_0 + 4.0f * (product_2 * product_2), _S275 + _S275 + (_S276 + _S276) * 4.0f );
+    var _S278 : DiffPair_float_0 = _d_sqrt_0(_S277);
+    if((_S278.primal_0) == 0.0f)
+    {
+        var _S279 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
+        return _S279;
+    }
+    var _S280 : DiffPair_float_0 = DiffPair_float_0( real_0, s_diff_real_0 );
+    var _S281 : DiffPair_float_0 = _d_abs_0(_S280);
+    var _S282 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (_S278.primal_0 + _S281.primal_0), (_S278.differential_0 + _S281.differential_0) * 0.5f );
+    var _S283 : DiffPair_float_0 = _d_sqrt_0(_S282);
+    var smaller_0 : f32 = product_2 / _S283.primal_0;
+    var s_diff_smaller_0 : f32 = (s_diff_product_0 * _S283.primal_0 - product_2 * _S283.differential_0) / (_S283.primal_0 * _S283.primal_0);
+    var _S284 : bool = real_0 < 0.0f;
     var a_15 : f32;
-    if(_S166)
+    var s_diff_a_0 : f32;
+    if(_S284)
     {
         a_15 = smaller_0;
+        s_diff_a_0 = s_diff_smaller_0;
     }
     else
     {
-        a_15 = larger_0;
+        a_15 = _S283.primal_0;
+        s_diff_a_0 = _S283.differential_0;
     }
     var b_13 : f32;
-    if(_S166)
+    var s_diff_b_0 : f32;
+    if(_S284)
     {
-        b_13 = larger_0;
+        b_13 = _S283.primal_0;
+        s_diff_b_0 = _S283.differential_0;
     }
     else
     {
         b_13 = smaller_0;
+        s_diff_b_0 = s_diff_smaller_0;
     }
-    var less_0 : f32 = a_15 - cosine_5;
-    var more_0 : f32 = a_15 + cosine_5;
-    var _S167 : f32 = b_13 * b_13;
-    var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S167) / (more_0 * more_0 + _S167) * p_sum_0 / (p_sum_0 + 2.0f * a_15 * cosine_5 * sin2_0);
+    var less_0 : f32 = a_15 - dpcosine_1.primal_0;
+    var more_0 : f32 = a_15 + dpcosine_1.primal_0;
+    var _S285 : f32 = (s_diff_a_0 - dpcosine_1.differential_0) * less_0;
+    var _S286 : f32 = b_13 * b_13;
+    var _S287 : f32 = s_diff_b_0 * b_13;
+    var _S288 : f32 = _S287 + _S287;
+    var _S289 : f32 = less_0 * less_0 + _S286;
+    var _S290 : f32 = (s_diff_a_0 + dpcosine_1.differential_0) * more_0;
+    var _S291 : f32 = more_0 * more_0 + _S286;
+    var senkrecht_0 : f32 = _S289 / _S291;
+    var _S292 : f32 = s_diff_sin2_0 * sin2_0;
+    var p_sum_0 : f32 = _S278.primal_0 * cos2_1 + sin2_0 * sin2_0;
+    var s_diff_p_sum_0 : f32 = _S278.differential_0 * cos2_1 + s_diff_cos2_1 * _S278.primal_0 + (_S292 + _S292);
+    var _S293 : f32 = senkrecht_0 * p_sum_0;
+    var _S294 : f32 = 2.0f * a_15;
+    var _S295 : f32 = _S294 * dpcosine_1.primal_0;
+    var _S296 : f32 = p_sum_0 + _S295 * sin2_0;
+    var _S297 : DiffPair_float_0 = DiffPair_float_0( _S293 / _S296, ((((_S285 + _S285 + _S288) * _S291 - _S289 * (_S290 + _S290 + _S288)) / (_S291 * _S291) * p_sum_0 + s_diff_p_sum_0 * senkrecht_0) * _S296 - _S293 * (s_diff_p_sum_0 + ((s_diff_a_0 * 2.0f * dpcosine_1.primal_0 + dpcosine_1.differential_0 * _S294) * sin2_0 + s_diff_sin2_0 * _S295))) / (_S296 * _S296) );
+    return _S297;
 }
 
-fn fresnel_conductor_0( cosine_6 : f32,  eta_2 : vec3<f32>,  k_7 : vec3<f32>) -> vec3<f32>
+fn s_fwd_fresnel_conductor_0( dpcosine_2 : DiffPair_float_0,  dpeta_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpk_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    return vec3<f32>(fresnel_conductor_channel_0(cosine_6, eta_2.x, k_7.x), fresnel_conductor_channel_0(cosine_6, eta_2.y, k_7.y), fresnel_conductor_channel_0(cosine_6, eta_2.z, k_7.z));
+    var _S298 : DiffPair_float_0 = DiffPair_float_0( dpcosine_2.primal_0, dpcosine_2.differential_0 );
+    var _S299 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.x, dpeta_1.differential_0.x );
+    var _S300 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.x, dpk_1.differential_0.x );
+    var _S301 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S298, _S299, _S300);
+    var _S302 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.y, dpeta_1.differential_0.y );
+    var _S303 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.y, dpk_1.differential_0.y );
+    var _S304 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S298, _S302, _S303);
+    var _S305 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.z, dpeta_1.differential_0.z );
+    var _S306 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.z, dpk_1.differential_0.z );
+    var _S307 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S298, _S305, _S306);
+    var _S308 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S301.primal_0, _S304.primal_0, _S307.primal_0), vec3<f32>(_S301.differential_0, _S304.differential_0, _S307.differential_0) );
+    return _S308;
 }
 
-fn fresnel_dielectric_0( cosine_7 : f32,  eta_3 : f32) -> f32
+fn coat_eta_0( numbers_4 : Numbers_0) -> f32
 {
-    var eta2_0 : f32 = eta_3 * eta_3;
-    var cos2_2 : f32 = cosine_7 * cosine_7;
-    var denser_0 : f32 = (eta_3 - 1.0f) * (eta_3 + 1.0f);
+    return luminance_0(numbers_4.eta_0) / luminance_0(numbers_4.k_1);
+}
+
+fn s_fwd_coat_eta_0( dpnumbers_1 : DiffPair_Numbers_0) -> DiffPair_float_0
+{
+    var _S309 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_1.primal_0.eta_0, dpnumbers_1.differential_0.eta_0 );
+    var _S310 : DiffPair_float_0 = s_fwd_luminance_0(_S309);
+    var _S311 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_1.primal_0.k_1, dpnumbers_1.differential_0.k_1 );
+    var _S312 : DiffPair_float_0 = s_fwd_luminance_0(_S311);
+    var _S313 : DiffPair_float_0 = DiffPair_float_0( _S310.primal_0 / _S312.primal_0, (_S310.differential_0 * _S312.primal_0 - _S310.primal_0 * _S312.differential_0) / (_S312.primal_0 * _S312.primal_0) );
+    return _S313;
+}
+
+fn fresnel_dielectric_0( cosine_5 : f32,  eta_1 : f32) -> f32
+{
+    var eta2_0 : f32 = eta_1 * eta_1;
+    var cos2_2 : f32 = cosine_5 * cosine_5;
+    var denser_0 : f32 = (eta_1 - 1.0f) * (eta_1 + 1.0f);
     var squared_3 : f32 = denser_0 + cos2_2;
     if(squared_3 <= 0.0f)
     {
         return 1.0f;
     }
     var refracted_0 : f32 = sqrt(squared_3);
-    var s_sum_0 : f32 = cosine_7 + refracted_0;
-    var p_sum_1 : f32 = eta2_0 * cosine_7 + refracted_0;
-    var senkrecht_0 : f32 = denser_0 / (s_sum_0 * s_sum_0);
+    var s_sum_0 : f32 = cosine_5 + refracted_0;
+    var p_sum_1 : f32 = eta2_0 * cosine_5 + refracted_0;
+    var senkrecht_1 : f32 = denser_0 / (s_sum_0 * s_sum_0);
     var parallel_0 : f32 = denser_0 * ((eta2_0 + 1.0f) * cos2_2 - 1.0f) / (p_sum_1 * p_sum_1);
-    return 0.5f * (senkrecht_0 * senkrecht_0 + parallel_0 * parallel_0);
+    return 0.5f * (senkrecht_1 * senkrecht_1 + parallel_0 * parallel_0);
 }
 
-fn transmittance_0( lobe_4 : Lobe_0,  cosine_8 : f32) -> f32
+fn s_fwd_fresnel_dielectric_0( dpcosine_3 : DiffPair_float_0,  dpeta_2 : DiffPair_float_0) -> DiffPair_float_0
 {
-    if((lobe_4.kind_1) == u32(3))
+    var _S314 : f32 = dpeta_2.primal_0;
+    var eta2_1 : f32 = _S314 * _S314;
+    var _S315 : f32 = dpeta_2.differential_0 * dpeta_2.primal_0;
+    var s_diff_eta2_0 : f32 = _S315 + _S315;
+    var cos2_3 : f32 = dpcosine_3.primal_0 * dpcosine_3.primal_0;
+    var _S316 : f32 = dpcosine_3.differential_0 * dpcosine_3.primal_0;
+    var s_diff_cos2_2 : f32 = _S316 + _S316;
+    var _S317 : f32 = dpeta_2.primal_0 - 1.0f;
+    var _S318 : f32 = dpeta_2.primal_0 + 1.0f;
+    var denser_1 : f32 = _S317 * _S318;
+    var s_diff_denser_0 : f32 = dpeta_2.differential_0 * _S318 + dpeta_2.differential_0 * _S317;
+    var squared_4 : f32 = denser_1 + cos2_3;
+    var s_diff_squared_0 : f32 = s_diff_denser_0 + s_diff_cos2_2;
+    if(squared_4 <= 0.0f)
     {
-        return 1.0f - fresnel_dielectric_0(cosine_8, lobe_4.coat_eta_0);
+        var _S319 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
+        return _S319;
     }
-    var place_15 : f32 = cosine_8 * 63.0f;
-    var _S168 : u32 = min(u32(place_15), u32(62));
-    var at_16 : u32 = word_0(lobe_4.record_2 + u32(3)) + _S168;
-    return mix(number_0(at_16), number_0(at_16 + u32(1)), place_15 - f32(_S168));
+    var _S320 : DiffPair_float_0 = DiffPair_float_0( squared_4, s_diff_squared_0 );
+    var _S321 : DiffPair_float_0 = _d_sqrt_0(_S320);
+    var s_sum_1 : f32 = dpcosine_3.primal_0 + _S321.primal_0;
+    var p_sum_2 : f32 = eta2_1 * dpcosine_3.primal_0 + _S321.primal_0;
+    var _S322 : f32 = s_sum_1 * s_sum_1;
+    var _S323 : f32 = (dpcosine_3.differential_0 + _S321.differential_0) * s_sum_1;
+    var senkrecht_2 : f32 = denser_1 / _S322;
+    var _S324 : f32 = eta2_1 + 1.0f;
+    var _S325 : f32 = _S324 * cos2_3 - 1.0f;
+    var _S326 : f32 = denser_1 * _S325;
+    var _S327 : f32 = p_sum_2 * p_sum_2;
+    var _S328 : f32 = (s_diff_eta2_0 * dpcosine_3.primal_0 + dpcosine_3.differential_0 * eta2_1 + _S321.differential_0) * p_sum_2;
+    var parallel_1 : f32 = _S326 / _S327;
+    var _S329 : f32 = (s_diff_denser_0 * _S322 - denser_1 * (_S323 + _S323)) / (_S322 * _S322) * senkrecht_2;
+    var _S330 : f32 = ((s_diff_denser_0 * _S325 + (s_diff_eta2_0 * cos2_3 + s_diff_cos2_2 * _S324) * denser_1) * _S327 - _S326 * (_S328 + _S328)) / (_S327 * _S327) * parallel_1;
+    var _S331 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (senkrecht_2 * senkrecht_2 + parallel_1 * parallel_1), (_S329 + _S329 + (_S330 + _S330)) * 0.5f );
+    return _S331;
 }
 
-fn fresnel_diffuse_0( eta_4 : f32) -> f32
+fn transmittance_0( lobe_6 : Lobe_0,  eta_2 : f32,  cosine_6 : f32) -> f32
 {
-    var inverse_1 : f32 = 1.0f / eta_4;
-    if(eta_4 < 1.0f)
+    if((lobe_6.kind_1) == u32(3))
     {
-        return (-1.43990004062652588f * eta_4 + 0.70990002155303955f) * eta_4 + 0.66809999942779541f + 0.06360000371932983f * inverse_1;
+        return 1.0f - fresnel_dielectric_0(cosine_6, eta_2);
     }
-    return ((((-1.36881005764007568f * inverse_1 + 4.98553991317749023f) * inverse_1 - 7.80988979339599609f) * inverse_1 + 6.75334978103637695f) * inverse_1 - 3.47930002212524414f) * inverse_1 + 0.91931700706481934f;
+    var place_14 : f32 = cosine_6 * 63.0f;
+    var _S332 : u32 = min(u32(place_14), u32(62));
+    var at_16 : u32 = word_0(lobe_6.record_2 + u32(3)) + _S332;
+    var here_1 : f32 = number_0(at_16);
+    return here_1 + (number_0(at_16 + u32(1)) - here_1) * (place_14 - f32(_S332));
 }
 
-fn function_0( x_12 : Colour_0,  value_5 : vec3<f32>,  derivative_0 : vec3<f32>) -> Colour_0
+fn s_fwd_transmittance_0( lobe_7 : Lobe_0,  dpeta_3 : DiffPair_float_0,  dpcosine_4 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var result_0 : Colour_0 = x2A_0(x_12, derivative_0);
-    result_0.value_0 = value_5;
-    return result_0;
+    if((lobe_7.kind_1) == u32(3))
+    {
+        var _S333 : DiffPair_float_0 = DiffPair_float_0( dpcosine_4.primal_0, dpcosine_4.differential_0 );
+        var _S334 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0, dpeta_3.differential_0 );
+        var _S335 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S333, _S334);
+        var _S336 : DiffPair_float_0 = DiffPair_float_0( 1.0f - _S335.primal_0, 0.0f - _S335.differential_0 );
+        return _S336;
+    }
+    var place_15 : f32 = dpcosine_4.primal_0 * 63.0f;
+    var _S337 : u32 = min(u32(place_15), u32(62));
+    var at_17 : u32 = word_0(lobe_7.record_2 + u32(3)) + _S337;
+    var here_2 : f32 = number_0(at_17);
+    var _S338 : f32 = number_0(at_17 + u32(1)) - here_2;
+    var _S339 : DiffPair_float_0 = DiffPair_float_0( here_2 + _S338 * (place_15 - f32(_S337)), dpcosine_4.differential_0 * 63.0f * _S338 );
+    return _S339;
 }
 
-fn base_0( lobe_5 : Lobe_0) -> Colour_0
+fn s_fwd_fresnel_diffuse_0( dpeta_4 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var inverse_1 : f32 = 1.0f / dpeta_4.primal_0;
+    var s_diff_inverse_0 : f32 = (0.0f - dpeta_4.differential_0) / (dpeta_4.primal_0 * dpeta_4.primal_0);
+    if((dpeta_4.primal_0) < 1.0f)
+    {
+        var _S340 : f32 = -1.43990004062652588f * dpeta_4.primal_0 + 0.70990002155303955f;
+        var _S341 : DiffPair_float_0 = DiffPair_float_0( _S340 * dpeta_4.primal_0 + 0.66809999942779541f + 0.06360000371932983f * inverse_1, dpeta_4.differential_0 * -1.43990004062652588f * dpeta_4.primal_0 + dpeta_4.differential_0 * _S340 + s_diff_inverse_0 * 0.06360000371932983f );
+        return _S341;
+    }
+    var _S342 : f32 = -1.36881005764007568f * inverse_1 + 4.98553991317749023f;
+    var _S343 : f32 = _S342 * inverse_1 - 7.80988979339599609f;
+    var sum_3 : f32 = _S343 * inverse_1 + 6.75334978103637695f;
+    var _S344 : f32 = sum_3 * inverse_1 - 3.47930002212524414f;
+    var _S345 : DiffPair_float_0 = DiffPair_float_0( _S344 * inverse_1 + 0.91931700706481934f, (((s_diff_inverse_0 * -1.36881005764007568f * inverse_1 + s_diff_inverse_0 * _S342) * inverse_1 + s_diff_inverse_0 * _S343) * inverse_1 + s_diff_inverse_0 * sum_3) * inverse_1 + s_diff_inverse_0 * _S344 );
+    return _S345;
+}
+
+fn s_fwd_base_0( lobe_8 : Lobe_0,  dpeta_5 : DiffPair_float_0,  dpdiffuse_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
     var internal_reflectance_0 : f32;
-    if((lobe_5.kind_1) == u32(3))
+    var s_diff_internal_reflectance_0 : f32;
+    if((lobe_8.kind_1) == u32(3))
     {
-        internal_reflectance_0 = fresnel_diffuse_0(1.0f / lobe_5.coat_eta_0);
+        var _S346 : DiffPair_float_0 = DiffPair_float_0( 1.0f / dpeta_5.primal_0, (0.0f - dpeta_5.differential_0) / (dpeta_5.primal_0 * dpeta_5.primal_0) );
+        var _S347 : DiffPair_float_0 = s_fwd_fresnel_diffuse_0(_S346);
+        internal_reflectance_0 = _S347.primal_0;
+        s_diff_internal_reflectance_0 = _S347.differential_0;
     }
     else
     {
-        internal_reflectance_0 = number_0(word_0(lobe_5.record_2 + u32(3)) + u32(64));
+        internal_reflectance_0 = number_0(word_0(lobe_8.record_2 + u32(3)) + u32(64));
+        s_diff_internal_reflectance_0 = 0.0f;
     }
-    if((word_0(lobe_5.record_2 + u32(2))) == u32(0))
+    if((word_0(lobe_8.record_2 + u32(2))) == u32(0))
     {
-        return x2A_1(lobe_5.diffuse_reflectance_0, 1.0f / (1.0f - internal_reflectance_0));
+        var _S348 : f32 = 1.0f - internal_reflectance_0;
+        var _S349 : vec3<f32> = vec3<f32>((1.0f / _S348));
+        var _S350 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 * _S349, dpdiffuse_0.differential_0 * _S349 + vec3<f32>(((0.0f - (0.0f - s_diff_internal_reflectance_0)) / (_S348 * _S348))) * dpdiffuse_0.primal_0 );
+        return _S350;
     }
-    var _S169 : vec3<f32> = value_of_0(lobe_5.diffuse_reflectance_0);
-    var _S170 : vec3<f32> = vec3<f32>(1.0f);
-    var factor_0 : vec3<f32> = _S170 / (_S170 - _S169 * vec3<f32>(internal_reflectance_0));
-    return function_0(lobe_5.diffuse_reflectance_0, _S169 * factor_0, factor_0 * factor_0);
+    var _S351 : vec3<f32> = vec3<f32>(1.0f) - dpdiffuse_0.primal_0 * vec3<f32>(internal_reflectance_0);
+    var _S352 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 / _S351, (dpdiffuse_0.differential_0 * _S351 - dpdiffuse_0.primal_0 * (vec3<f32>(0.0f) - (dpdiffuse_0.differential_0 * vec3<f32>(internal_reflectance_0) + vec3<f32>(s_diff_internal_reflectance_0) * dpdiffuse_0.primal_0))) / (_S351 * _S351) );
+    return _S352;
 }
 
-fn choice_weight_0( colour_5 : vec3<f32>) -> f32
+fn choice_weight_0( colour_6 : vec3<f32>) -> f32
 {
-    return max((colour_5.x + colour_5.y + colour_5.z) / 3.0f, 0.05000000074505806f);
+    return max((colour_6.x + colour_6.y + colour_6.z) / 3.0f, 0.05000000074505806f);
 }
 
-fn base_probability_0( lobe_6 : Lobe_0,  enters_0 : f32) -> f32
+fn base_probability_0( numbers_5 : Numbers_0,  enters_0 : f32) -> f32
 {
-    var of_base_0 : f32 = enters_0 * choice_weight_0(value_of_0(lobe_6.diffuse_reflectance_0));
-    return of_base_0 / (of_base_0 + (1.0f - enters_0) * choice_weight_0(value_of_0(lobe_6.specular_reflectance_0)));
+    var of_base_0 : f32 = enters_0 * choice_weight_0(numbers_5.diffuse_reflectance_0);
+    return of_base_0 / (of_base_0 + (1.0f - enters_0) * choice_weight_0(numbers_5.specular_reflectance_0));
 }
 
-fn x2B_0( a_16 : Colour_0,  b_14 : Colour_0) -> Colour_0
+struct Scattering_0
 {
-    var sum_3 : Colour_0;
-    sum_3.value_0 = a_16.value_0 + b_14.value_0;
-    var k_8 : u32 = u32(0);
+     value_8 : vec3<f32>,
+     pdf_3 : f32,
+};
+
+struct Scattering_Differential_0
+{
+     value_9 : vec3<f32>,
+};
+
+struct DiffPair_Scattering_0
+{
+     primal_0 : Scattering_0,
+     differential_0 : Scattering_Differential_0,
+};
+
+fn s_fwd_scattering_0( lobe_9 : Lobe_0,  dpnumbers_2 : DiffPair_Numbers_0,  dpwi_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Scattering_0
+{
+    var _S353 : f32 = dpwo_1.primal_0.z;
+    var _S354 : f32 = dpwo_1.differential_0.z;
+    var by_cosine_0 : f32 = _S353 * 0.31830987334251404f;
+    var _S355 : f32 = _S354 * 0.31830987334251404f;
+    if((lobe_9.kind_1) == u32(0))
+    {
+        var _S356 : vec3<f32> = vec3<f32>(by_cosine_0);
+        var _S357 : Scattering_0 = Scattering_0( dpnumbers_2.primal_0.diffuse_reflectance_0 * _S356, by_cosine_0 );
+        var _S358 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_2.differential_0.diffuse_reflectance_0 * _S356 + vec3<f32>(_S355) * dpnumbers_2.primal_0.diffuse_reflectance_0 );
+        var _S359 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S357, _S358 );
+        return _S359;
+    }
+    var _S360 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+    var _S361 : DiffPair_Mirrored_0 = s_fwd_Mirrored_x24init_0(_S360, _S360, _S360);
+    var by_facets_0 : Mirrored_0;
+    var s_diff_by_facets_0 : Mirrored_0;
+    if(is_rough_0(lobe_9))
+    {
+        var _S362 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
+        var _S363 : DiffPair_Microfacets_0 = s_fwd_facets_of_0(lobe_9, _S362);
+        var _S364 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S363.primal_0, _S363.differential_0 );
+        var _S365 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_1.primal_0, dpwi_1.differential_0 );
+        var _S366 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_1.primal_0, dpwo_1.differential_0 );
+        var _S367 : DiffPair_Mirrored_0 = s_fwd_mirrored_0(_S364, _S365, _S366);
+        by_facets_0 = _S367.primal_0;
+        s_diff_by_facets_0 = _S367.differential_0;
+    }
+    else
+    {
+        by_facets_0 = _S361.primal_0;
+        s_diff_by_facets_0 = _S361.differential_0;
+    }
+    if((lobe_9.kind_1) == u32(2))
+    {
+        var _S368 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_4, s_diff_by_facets_0.cosine_4 );
+        var _S369 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.eta_0, dpnumbers_2.differential_0.eta_0 );
+        var _S370 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.k_1, dpnumbers_2.differential_0.k_1 );
+        var _S371 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S368, _S369, _S370);
+        var _S372 : vec3<f32> = vec3<f32>(by_facets_0.scattered_0);
+        var _S373 : vec3<f32> = _S371.primal_0 * _S372;
+        var _S374 : Scattering_0 = Scattering_0( dpnumbers_2.primal_0.specular_reflectance_0 * _S373, by_facets_0.pdf_2 );
+        var _S375 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_2.differential_0.specular_reflectance_0 * _S373 + (_S371.differential_0 * _S372 + vec3<f32>(s_diff_by_facets_0.scattered_0) * _S371.primal_0) * dpnumbers_2.primal_0.specular_reflectance_0 );
+        var _S376 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S374, _S375 );
+        return _S376;
+    }
+    var _S377 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
+    var _S378 : DiffPair_float_0 = s_fwd_coat_eta_0(_S377);
+    var _S379 : DiffPair_float_0 = DiffPair_float_0( _S378.primal_0, _S378.differential_0 );
+    var _S380 : DiffPair_float_0 = DiffPair_float_0( dpwi_1.primal_0.z, dpwi_1.differential_0.z );
+    var _S381 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_9, _S379, _S380);
+    var _S382 : DiffPair_float_0 = DiffPair_float_0( _S353, _S354 );
+    var _S383 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_9, _S379, _S382);
+    var _S384 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.diffuse_reflectance_0, dpnumbers_2.differential_0.diffuse_reflectance_0 );
+    var _S385 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_base_0(lobe_9, _S379, _S384);
+    var _S386 : f32 = _S381.primal_0 * _S383.primal_0;
+    var _S387 : f32 = _S386 * by_cosine_0;
+    var _S388 : f32 = _S378.primal_0 * _S378.primal_0;
+    var _S389 : f32 = _S378.differential_0 * _S378.primal_0;
+    var _S390 : vec3<f32> = vec3<f32>((_S387 / _S388));
+    var _S391 : vec3<f32> = _S385.primal_0 * _S390;
+    var _S392 : vec3<f32> = _S385.differential_0 * _S390 + vec3<f32>(((((_S381.differential_0 * _S383.primal_0 + _S383.differential_0 * _S381.primal_0) * by_cosine_0 + _S355 * _S386) * _S388 - _S387 * (_S389 + _S389)) / (_S388 * _S388))) * _S385.primal_0;
+    var probability_1 : f32 = base_probability_0(dpnumbers_2.primal_0, _S381.primal_0);
+    var _S393 : f32 = probability_1 * by_cosine_0;
+    var scattering_0 : Scattering_0;
+    var s_diff_scattering_0 : Scattering_Differential_0;
+    if((lobe_9.kind_1) == u32(4))
+    {
+        var _S394 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_4, s_diff_by_facets_0.cosine_4 );
+        var _S395 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S394, _S379);
+        var _S396 : vec3<f32> = vec3<f32>((_S395.primal_0 * by_facets_0.scattered_0));
+        var _S397 : vec3<f32> = _S392 + (dpnumbers_2.differential_0.specular_reflectance_0 * _S396 + vec3<f32>((_S395.differential_0 * by_facets_0.scattered_0 + s_diff_by_facets_0.scattered_0 * _S395.primal_0)) * dpnumbers_2.primal_0.specular_reflectance_0);
+        var _S398 : f32 = _S393 + (1.0f - probability_1) * by_facets_0.pdf_2;
+        scattering_0.value_8 = _S391 + dpnumbers_2.primal_0.specular_reflectance_0 * _S396;
+        scattering_0.pdf_3 = _S398;
+        s_diff_scattering_0.value_9 = _S397;
+    }
+    else
+    {
+        scattering_0.value_8 = _S391;
+        scattering_0.pdf_3 = _S393;
+        s_diff_scattering_0.value_9 = _S392;
+    }
+    var _S399 : DiffPair_Scattering_0 = DiffPair_Scattering_0( scattering_0, s_diff_scattering_0 );
+    return _S399;
+}
+
+struct Scattered_0
+{
+     value_10 : Colour_0,
+     pdf_4 : f32,
+};
+
+fn eval_and_pdf_0( lobe_10 : Lobe_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -> Scattered_0
+{
+    var scattered_1 : Scattered_0;
+    scattered_1.value_10 = constant_0(vec3<f32>(0.0f));
+    scattered_1.pdf_4 = 0.0f;
+    var _S400 : vec3<f32> = value_of_0(wo_0);
+    var _S401 : bool;
+    if((_S400.z) <= 0.0f)
+    {
+        _S401 = true;
+    }
+    else
+    {
+        _S401 = !has_smooth_0(lobe_10);
+    }
+    if(_S401)
+    {
+        return scattered_1;
+    }
+    var _S402 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(wi_2), change_of_0(wi_2) );
+    var _S403 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S400, change_of_0(wo_0) );
+    var k_6 : u32 = u32(0);
     for(;;)
     {
-        if(k_8 < u32(2))
+        if(k_6 < u32(2))
         {
         }
         else
         {
             break;
         }
-        sum_3.changes_0[k_8] = a_16.changes_0[k_8] + b_14.changes_0[k_8];
-        k_8 = k_8 + u32(1);
-    }
-    return sum_3;
-}
-
-struct Scattered_0
-{
-     value_6 : Colour_0,
-     pdf_3 : f32,
-};
-
-fn eval_and_pdf_0( lobe_7 : Lobe_0,  wi_2 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattered_0
-{
-    var scattered_1 : Scattered_0;
-    scattered_1.value_6 = constant_0(vec3<f32>(0.0f));
-    scattered_1.pdf_3 = 0.0f;
-    var _S171 : f32 = wo_1.z;
-    var _S172 : bool;
-    if(_S171 <= 0.0f)
-    {
-        _S172 = true;
-    }
-    else
-    {
-        _S172 = !has_smooth_0(lobe_7);
-    }
-    if(_S172)
-    {
-        return scattered_1;
-    }
-    var by_cosine_0 : f32 = _S171 * 0.31830987334251404f;
-    if((lobe_7.kind_1) == u32(0))
-    {
-        scattered_1.value_6 = x2A_1(lobe_7.diffuse_reflectance_0, by_cosine_0);
-        scattered_1.pdf_3 = by_cosine_0;
-        return scattered_1;
-    }
-    var by_facets_0 : Mirrored_0;
-    by_facets_0.scattered_0 = 0.0f;
-    by_facets_0.pdf_2 = 0.0f;
-    by_facets_0.cosine_4 = 0.0f;
-    if(is_rough_0(lobe_7))
-    {
-        by_facets_0 = mirrored_0(lobe_7.microfacets_0, wi_2, wo_1);
-    }
-    if((lobe_7.kind_1) == u32(2))
-    {
-        scattered_1.value_6 = x2A_0(lobe_7.specular_reflectance_0, fresnel_conductor_0(by_facets_0.cosine_4, lobe_7.eta_0, lobe_7.k_2) * vec3<f32>(by_facets_0.scattered_0));
-        scattered_1.pdf_3 = by_facets_0.pdf_2;
-        return scattered_1;
-    }
-    var enters_1 : f32 = transmittance_0(lobe_7, wi_2.z);
-    var _S173 : f32 = lobe_7.coat_eta_0;
-    scattered_1.value_6 = x2A_1(base_0(lobe_7), enters_1 * transmittance_0(lobe_7, _S171) * by_cosine_0 / (_S173 * _S173));
-    var probability_1 : f32 = base_probability_0(lobe_7, enters_1);
-    scattered_1.pdf_3 = probability_1 * by_cosine_0;
-    if((lobe_7.kind_1) == u32(4))
-    {
-        scattered_1.value_6 = x2B_0(scattered_1.value_6, x2A_1(lobe_7.specular_reflectance_0, fresnel_dielectric_0(by_facets_0.cosine_4, lobe_7.coat_eta_0) * by_facets_0.scattered_0));
-        scattered_1.pdf_3 = scattered_1.pdf_3 + (1.0f - probability_1) * by_facets_0.pdf_2;
+        var _S404 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_10.numbers_2, lobe_10.changes_1[k_6] );
+        var _S405 : DiffPair_Scattering_0 = s_fwd_scattering_0(lobe_10, _S404, _S402, _S403);
+        scattered_1.value_10.value_0 = _S405.primal_0.value_8;
+        scattered_1.value_10.changes_0[k_6] = _S405.differential_0.value_9;
+        scattered_1.pdf_4 = _S405.primal_0.pdf_3;
+        k_6 = k_6 + u32(1);
     }
     return scattered_1;
+}
+
+fn scattered_to_0( vertex_4 : Vertex_0,  wo_1 : vec3<f32>,  direction_15 : vec3<f32>) -> Scattered_0
+{
+    return eval_and_pdf_0(vertex_4.lobe_1, vertex_4.wi_1, changing_0(wo_1, local_change_0(vertex_4, direction_15)));
 }
 
 fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
@@ -2619,26 +3187,58 @@ fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
     return 1.0f / (own_2 * (1.0f + ratio_0 * ratio_0));
 }
 
-fn in_map_0( map_5 : u32,  direction_10 : vec3<f32>) -> Lookup_0
+fn x2A_0( a_16 : Colour_0,  b_14 : vec3<f32>) -> Colour_0
 {
-    var place_16 : vec2<f32> = map_place_0(map_5, direction_10);
-    var x_13 : i32 = floor_of_0(place_16.x);
-    var y_5 : i32 = floor_of_0(place_16.y);
+    var product_3 : Colour_0;
+    product_3.value_0 = a_16.value_0 * b_14;
+    var k_7 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_7 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        product_3.changes_0[k_7] = a_16.changes_0[k_7] * b_14;
+        k_7 = k_7 + u32(1);
+    }
+    return product_3;
+}
+
+fn x2A_1( a_17 : Colour_0,  b_15 : f32) -> Colour_0
+{
+    return x2A_0(a_17, vec3<f32>(b_15));
+}
+
+fn met_0( vertex_5 : Vertex_0,  direction_16 : vec3<f32>,  t_6 : f32,  place_16 : Place_0) -> Place_0
+{
+    return place_16;
+}
+
+fn in_map_0( map_5 : u32,  direction_17 : vec3<f32>) -> Lookup_0
+{
+    var place_17 : vec2<f32> = map_place_0(map_5, direction_17);
+    var point_1 : Point_0;
+    point_1.value_2 = place_17;
+    var x_13 : i32 = floor_of_0(place_17.x);
+    var y_5 : i32 = floor_of_0(place_17.y);
     var width_3 : i32 = i32(word_0(map_5));
     var height_1 : i32 = i32(word_0(map_5 + u32(1)));
     var left_1 : u32 = wrapped_0(x_13, width_3, u32(0));
     var right_1 : u32 = wrapped_0(x_13 + i32(1), width_3, u32(0));
-    var _S174 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S175 : u32 = u32(width_3);
-    var first_3 : u32 = _S174 * _S175;
-    var _S176 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S176 * _S175;
-    return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), place_16 - floor(place_16));
+    var _S406 : u32 = wrapped_0(y_5, height_1, u32(2));
+    var _S407 : u32 = u32(width_3);
+    var first_3 : u32 = _S406 * _S407;
+    var _S408 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S408 * _S407;
+    return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), point_1);
 }
 
-fn change_word_0( at_17 : u32) -> u32
+fn change_word_0( at_18 : u32) -> u32
 {
-    return input_0[u32(12) * launch_0.room_0 + at_17];
+    return input_0[u32(12) * launch_0.room_0 + at_18];
 }
 
 fn numbers_of_0( texture_6 : u32) -> u32
@@ -2646,77 +3246,82 @@ fn numbers_of_0( texture_6 : u32) -> u32
     return change_word_0(u32(2) * word_0(texture_6 + u32(12)));
 }
 
+fn units_of_0( texture_7 : u32) -> f32
+{
+    return (bitcast<f32>((change_word_0(u32(2) * word_0(texture_7 + u32(12)) + u32(1)))));
+}
+
 fn add_word_0( sum_4 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
 {
-    var _S177 : u32 = u32(2) + u32(4) * sum_4;
-    var _S178 : u32 = number_1;
-    var k_9 : u32 = word_of_sum_0;
+    var _S409 : u32 = u32(2) + u32(4) * sum_4;
+    var _S410 : u32 = number_1;
+    var k_8 : u32 = word_of_sum_0;
     for(;;)
     {
-        var _S179 : bool;
-        if(k_9 < u32(4))
+        var _S411 : bool;
+        if(k_8 < u32(4))
         {
-            _S179 = _S178 != u32(0);
+            _S411 = _S410 != u32(0);
         }
         else
         {
-            _S179 = false;
+            _S411 = false;
         }
-        if(_S179)
+        if(_S411)
         {
         }
         else
         {
             break;
         }
-        var _S180 : u32;
+        var _S412 : u32;
         if(is_negative_0)
         {
-            _S180 = u32(0) - _S178;
+            _S412 = u32(0) - _S410;
         }
         else
         {
-            _S180 = _S178;
+            _S412 = _S410;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S177 + k_9]), _S180);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S409 + k_8]), _S412);
         var overflows_0 : bool;
         if(is_negative_0)
         {
-            overflows_0 = before_0 < _S178;
+            overflows_0 = before_0 < _S410;
         }
         else
         {
-            overflows_0 = (before_0 + _S178) < before_0;
+            overflows_0 = (before_0 + _S410) < before_0;
         }
-        var _S181 : i32;
+        var _S413 : i32;
         if(overflows_0)
         {
-            _S181 = i32(1);
+            _S413 = i32(1);
         }
         else
         {
-            _S181 = i32(0);
+            _S413 = i32(0);
         }
-        var _S182 : u32 = u32(_S181);
-        var _S183 : u32 = k_9 + u32(1);
-        _S178 = _S182;
-        k_9 = _S183;
+        var _S414 : u32 = u32(_S413);
+        var _S415 : u32 = k_8 + u32(1);
+        _S410 = _S414;
+        k_8 = _S415;
     }
     return;
 }
 
-fn add_to_sum_0( sum_5 : u32,  derivative_1 : f32,  units_0 : f32)
+fn add_to_sum_0( sum_5 : u32,  derivative_0 : f32,  units_0 : f32)
 {
-    if(!((abs(derivative_1)) < 3.00000000549775576e+38f))
+    if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S184 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S416 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
-    var scaled_0 : f32 = derivative_1 * units_0;
+    var scaled_0 : f32 = derivative_0 * units_0;
     var size_3 : f32 = abs(scaled_0);
     if(size_3 > 7.73712524553362672e+25f)
     {
-        var _S185 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S417 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
     var is_negative_1 : bool = scaled_0 < 0.0f;
@@ -2724,16 +3329,16 @@ fn add_to_sum_0( sum_5 : u32,  derivative_1 : f32,  units_0 : f32)
     var size_4 : f32 = size_3;
     for(;;)
     {
-        var _S186 : bool;
+        var _S418 : bool;
         if(highest_1 < u32(2))
         {
-            _S186 = size_4 >= 4.294967296e+09f;
+            _S418 = size_4 >= 4.294967296e+09f;
         }
         else
         {
-            _S186 = false;
+            _S418 = false;
         }
-        if(_S186)
+        if(_S418)
         {
         }
         else
@@ -2744,24 +3349,24 @@ fn add_to_sum_0( sum_5 : u32,  derivative_1 : f32,  units_0 : f32)
         highest_1 = highest_1 + u32(1);
         size_4 = size_5;
     }
-    var _S187 : bool = highest_1 == u32(0);
-    var _S188 : f32;
-    if(_S187)
+    var _S419 : bool = highest_1 == u32(0);
+    var _S420 : f32;
+    if(_S419)
     {
-        _S188 = size_4 + 0.5f;
+        _S420 = size_4 + 0.5f;
     }
     else
     {
-        _S188 = size_4;
+        _S420 = size_4;
     }
-    var whole_0 : u32 = u32(_S188);
+    var whole_0 : u32 = u32(_S420);
     add_word_0(sum_5, highest_1, whole_0, is_negative_1);
-    if(_S187)
+    if(_S419)
     {
         return;
     }
     var rest_7 : f32 = (size_4 - f32(whole_0)) * 4.294967296e+09f;
-    var _S189 : u32 = highest_1 - u32(1);
+    var _S421 : u32 = highest_1 - u32(1);
     if(highest_1 == u32(1))
     {
         size_4 = rest_7 + 0.5f;
@@ -2770,35 +3375,35 @@ fn add_to_sum_0( sum_5 : u32,  derivative_1 : f32,  units_0 : f32)
     {
         size_4 = rest_7;
     }
-    add_word_0(sum_5, _S189, u32(size_4), is_negative_1);
+    add_word_0(sum_5, _S421, u32(size_4), is_negative_1);
     return;
 }
 
-fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
+fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
 {
-    var first_4 : u32 = numbers_of_0(texture_7);
+    var first_4 : u32 = numbers_of_0(texture_8);
     if(first_4 == u32(4294967295))
     {
         return;
     }
-    var _S190 : f32 = (bitcast<f32>((change_word_0(u32(2) * word_0(texture_7 + u32(12)) + u32(1)))));
-    var _S191 : u32 = word_0(texture_7 + u32(1));
-    var k_10 : u32 = u32(0);
+    var _S422 : f32 = units_of_0(texture_8);
+    var _S423 : u32 = word_0(texture_8 + u32(1));
+    var k_9 : u32 = u32(0);
     for(;;)
     {
-        if(k_10 < (lookup_5.count_0))
+        if(k_9 < (lookup_5.count_0))
         {
         }
         else
         {
             break;
         }
-        var at_18 : u32 = first_4 + _S191 * lookup_5.texels_0[k_10];
-        var own_3 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_10]);
-        if(_S191 == u32(1))
+        var at_19 : u32 = first_4 + _S423 * lookup_5.texels_0[k_9];
+        var own_3 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_0[k_9]);
+        if(_S423 == u32(1))
         {
-            add_to_sum_0(at_18, own_3.x + own_3.y + own_3.z, _S190);
-            k_10 = k_10 + u32(1);
+            add_to_sum_0(at_19, own_3.x + own_3.y + own_3.z, _S422);
+            k_9 = k_9 + u32(1);
             continue;
         }
         var axis_6 : u32 = u32(0);
@@ -2811,41 +3416,41 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
             {
                 break;
             }
-            add_to_sum_0(at_18 + axis_6, own_3[axis_6], _S190);
+            add_to_sum_0(at_19 + axis_6, own_3[axis_6], _S422);
             axis_6 = axis_6 + u32(1);
         }
-        k_10 = k_10 + u32(1);
+        k_9 = k_9 + u32(1);
     }
     return;
 }
 
-fn arriving_0( emitter_5 : u32,  place_17 : Place_0,  direction_11 : vec3<f32>,  factor_1 : Colour_0,  importance_0 : vec3<f32>) -> Colour_0
+fn arriving_0( emitter_5 : u32,  place_18 : Place_0,  direction_18 : vec3<f32>,  factor_0 : Colour_0,  importance_0 : vec3<f32>) -> Colour_0
 {
-    var record_12 : u32 = emitter_record_0(emitter_5);
-    var texture_8 : u32 = word_0(record_12 + u32(1));
-    var texture_9 : u32;
+    var record_13 : u32 = emitter_record_0(emitter_5);
+    var texture_9 : u32 = word_0(record_13 + u32(1));
+    var texture_10 : u32;
     var lookup_6 : Lookup_0;
-    var _S192 : Colour_0;
-    if(is_map_0(record_12))
+    var _S424 : Colour_0;
+    if(is_map_0(record_13))
     {
-        var _S193 : Colour_0 = x2A_0(factor_1, vector_at_0(texture_8 + u32(11)));
-        var _S194 : Lookup_0 = in_map_0(texture_8, direction_11);
-        texture_9 = word_0(texture_8 + u32(14));
-        lookup_6 = _S194;
-        _S192 = _S193;
+        var _S425 : Colour_0 = x2A_0(factor_0, vector_at_0(texture_9 + u32(11)));
+        var _S426 : Lookup_0 = in_map_0(texture_9, direction_18);
+        texture_10 = word_0(texture_9 + u32(14));
+        lookup_6 = _S426;
+        _S424 = _S425;
     }
     else
     {
-        var _S195 : Lookup_0 = lookup_at_0(texture_8, place_17);
-        texture_9 = texture_8;
-        lookup_6 = _S195;
-        _S192 = factor_1;
+        var _S427 : Lookup_0 = lookup_at_0(texture_9, place_18);
+        texture_10 = texture_9;
+        lookup_6 = _S427;
+        _S424 = factor_0;
     }
-    add_to_texels_0(texture_9, lookup_6, importance_0 * _S192.value_0);
-    return x2A_0(_S192, texture_value_0(texture_9, lookup_6));
+    add_to_texels_0(texture_10, lookup_6, importance_0 * _S424.value_0);
+    return x2A_0(_S424, weighted_texels_0(texture_10, lookup_6, lookup_6.weights_0));
 }
 
-fn light_from_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_5 : u32,  bsdf_samples_0 : f32,  importance_1 : vec3<f32>) -> Colour_0
+fn light_from_emitter_0( vertex_6 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_5 : u32,  bsdf_samples_0 : f32,  importance_1 : vec3<f32>) -> Colour_0
 {
     var none_0 : Colour_0 = constant_0(vec3<f32>(0.0f));
     var probability_2 : f32;
@@ -2854,116 +3459,151 @@ fn light_from_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec
     {
         return none_0;
     }
-    var record_13 : u32 = emitter_record_0(emitter_6);
-    var point_1 : EmitterPoint_0;
+    var record_14 : u32 = emitter_record_0(emitter_6);
+    var point_2 : EmitterPoint_0;
     var nearest_0 : f32 = limit_at_0(u32(2));
-    var direction_12 : vec3<f32>;
+    var direction_19 : vec3<f32>;
     var way_2 : vec3<f32>;
     var farthest_0 : f32;
+    var distance_4 : f32;
     var nearest_1 : f32;
-    if(is_area_0(record_13))
+    if(is_area_0(record_14))
     {
-        point_1 = area_point_0(record_13, vertex_1.surface_3, key_7, first_5 + u32(1));
-        if(!((point_1.pdf_0) > 0.0f))
+        point_2 = area_point_0(record_14, vertex_6.surface_2, key_7, first_5 + u32(1));
+        if(!((point_2.pdf_0) > 0.0f))
         {
             return none_0;
         }
-        var way_3 : vec3<f32> = position_of_0(point_1.place_12) - vertex_1.surface_3.exact_0;
-        var distance_4 : f32 = length(way_3);
-        var nearest_2 : f32 = nearest_0 / distance_4;
-        var _S196 : f32 = limit_at_0(u32(3));
-        direction_12 = way_3 / vec3<f32>(distance_4);
+        var way_3 : vec3<f32> = position_of_0(point_2.place_11) - vertex_6.surface_2.exact_0;
+        var distance_5 : f32 = length(way_3);
+        var nearest_2 : f32 = nearest_0 / distance_5;
+        var _S428 : f32 = limit_at_0(u32(3));
+        direction_19 = way_3 / vec3<f32>(distance_5);
         way_2 = way_3;
-        farthest_0 = _S196;
+        farthest_0 = _S428;
+        distance_4 = distance_5;
         nearest_1 = nearest_2;
     }
     else
     {
-        if(is_map_0(record_13))
+        if(is_map_0(record_14))
         {
-            var _S197 : u32 = word_0(record_13 + u32(1));
-            var _S198 : u32 = first_5 + u32(1);
-            var _S199 : f32 = point_1.pdf_0;
-            var _S200 : vec3<f32> = sample_map_0(_S197, key_7, _S198, &(_S199));
-            point_1.pdf_0 = _S199;
-            direction_12 = _S200;
+            var _S429 : u32 = word_0(record_14 + u32(1));
+            var _S430 : u32 = first_5 + u32(1);
+            var _S431 : f32 = point_2.pdf_0;
+            var _S432 : vec3<f32> = sample_map_0(_S429, key_7, _S430, &(_S431));
+            point_2.pdf_0 = _S431;
+            direction_19 = _S432;
         }
         else
         {
             var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_5 + u32(1)));
-            var _S201 : vec3<f32> = normalize(to_world_0(vertex_1.axes_2, local_1));
-            point_1.pdf_0 = local_1.z * 0.31830987334251404f;
-            direction_12 = _S201;
+            var _S433 : vec3<f32> = normalize(to_world_0(vertex_6.axes_3, local_1));
+            point_2.pdf_0 = local_1.z * 0.31830987334251404f;
+            direction_19 = _S433;
         }
-        point_1.place_12 = vertex_1.surface_3.place_3;
-        var _S202 : f32 = limit_at_0(u32(1));
-        way_2 = direction_12;
-        farthest_0 = _S202;
+        point_2.place_11 = vertex_6.surface_2.place_3;
+        var _S434 : f32 = limit_at_0(u32(1));
+        way_2 = direction_19;
+        farthest_0 = _S434;
+        distance_4 = 0.0f;
         nearest_1 = nearest_0;
     }
-    var wo_2 : vec3<f32> = to_local_0(vertex_1.axes_2, direction_12);
+    var wo_2 : vec3<f32> = to_local_0(vertex_6.axes_3, direction_19);
     if((wo_2.z) <= 0.0f)
     {
         return none_0;
     }
     var unused_0 : f32;
-    if((cast_0(vertex_1.surface_3.exact_0, way_2, nearest_1, farthest_0, true, &(unused_0)).face_7) != u32(4294967295))
+    if((cast_0(vertex_6.surface_2.exact_0, way_2, nearest_1, farthest_0, true, &(unused_0)).face_7) != u32(4294967295))
     {
         return none_0;
     }
-    var own_4 : f32 = f32(word_0(u32(2))) * probability_2 * point_1.pdf_0;
+    var own_4 : f32 = f32(word_0(u32(2))) * probability_2 * point_2.pdf_0;
     if(!(own_4 > 0.0f))
     {
         return none_0;
     }
-    var scattered_2 : Scattered_0 = eval_and_pdf_0(vertex_1.lobe_1, vertex_1.wi_0, wo_2);
-    var _S203 : Colour_0 = arriving_0(emitter_6, point_1.place_12, direction_12, x2A_1(scattered_2.value_6, weight_over_0(own_4, bsdf_samples_0 * scattered_2.pdf_3)), importance_1);
-    return _S203;
+    var moving_0 : vec3<f32> = towards_emitter_0(vertex_6, direction_19, record_14);
+    var scattered_2 : Scattered_0 = scattered_to_0(vertex_6, wo_2, moving_0);
+    var factor_1 : Colour_0 = x2A_1(scattered_2.value_10, weight_over_0(own_4, bsdf_samples_0 * scattered_2.pdf_4));
+    var place_19 : Place_0 = point_2.place_11;
+    var place_20 : Place_0;
+    if(is_area_0(record_14))
+    {
+        place_20 = met_0(vertex_6, moving_0, distance_4, place_19);
+    }
+    else
+    {
+        place_20 = place_19;
+    }
+    var _S435 : Colour_0 = arriving_0(emitter_6, place_20, moving_0, factor_1, importance_1);
+    return _S435;
+}
+
+fn x2B_0( a_18 : Colour_0,  b_16 : Colour_0) -> Colour_0
+{
+    var sum_6 : Colour_0;
+    sum_6.value_0 = a_18.value_0 + b_16.value_0;
+    var k_10 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_10 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        sum_6.changes_0[k_10] = a_18.changes_0[k_10] + b_16.changes_0[k_10];
+        k_10 = k_10 + u32(1);
+    }
+    return sum_6;
 }
 
 struct Stretched_0
 {
      sine_4 : f32,
-     cosine_9 : f32,
+     cosine_7 : f32,
      around_0 : vec2<f32>,
      length_0 : f32,
 };
 
-fn stretched_1( facets_3 : Microfacets_0,  wi_3 : vec3<f32>) -> Stretched_0
+fn stretched_1( facets_2 : Microfacets_0,  wi_3 : vec3<f32>) -> Stretched_0
 {
-    var longer_0 : vec3<f32> = vec3<f32>(wi_3.xy * facets_3.alpha_0, wi_3.z);
+    var longer_0 : vec3<f32> = vec3<f32>(wi_3.xy * facets_2.alpha_1, wi_3.z);
     var view_7 : Stretched_0;
-    var _S204 : f32 = length(longer_0);
-    view_7.length_0 = _S204;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S204);
-    var _S205 : vec2<f32> = longer_1.xy;
-    var _S206 : f32 = length(_S205);
-    view_7.sine_4 = _S206;
-    view_7.cosine_9 = longer_1.z;
-    var _S207 : vec2<f32>;
-    if(_S206 > 0.0f)
+    var _S436 : f32 = length(longer_0);
+    view_7.length_0 = _S436;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S436);
+    var _S437 : vec2<f32> = longer_1.xy;
+    var _S438 : f32 = length(_S437);
+    view_7.sine_4 = _S438;
+    view_7.cosine_7 = longer_1.z;
+    var _S439 : vec2<f32>;
+    if(_S438 > 0.0f)
     {
-        _S207 = _S205 / vec2<f32>(view_7.sine_4);
+        _S439 = _S437 / vec2<f32>(view_7.sine_4);
     }
     else
     {
-        _S207 = vec2<f32>(1.0f, 0.0f);
+        _S439 = vec2<f32>(1.0f, 0.0f);
     }
-    view_7.around_0 = _S207;
+    view_7.around_0 = _S439;
     return view_7;
 }
 
 fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
 {
-    var _S208 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S208);
+    var _S440 : f32 = u_9.x;
+    var radius_2 : f32 = sqrt(_S440);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
     var across_1 : f32 = radius_2 * turn_3.y;
     var along_5 : f32 = radius_2 * turn_3.x;
-    var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_9);
+    var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_7);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S209 : f32 = 1.0f - _S208;
-    var edge_0 : f32 = sqrt(_S209 + along_5 * along_5);
+    var _S441 : f32 = 1.0f - _S440;
+    var edge_0 : f32 = sqrt(_S441 + along_5 * along_5);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
     var from_top_0 : f32 = edge_0 - along_5;
     var from_bottom_0 : f32 = edge_0 + along_5;
@@ -2971,68 +3611,68 @@ fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_5 > 0.0f)
     {
-        from_top_1 = _S209 / from_bottom_0;
+        from_top_1 = _S441 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S210 : f32 = _S209 / from_top_0;
+        var _S442 : f32 = _S441 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S210;
+        from_bottom_1 = _S442;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
-    return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_9, across_1, max(towards_0 * view_8.cosine_9 + up_0 * view_8.sine_4, 0.0f));
+    return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_7, across_1, max(towards_0 * view_8.cosine_7 + up_0 * view_8.sine_4, 0.0f));
 }
 
 fn logarithm_0( x_14 : f32) -> f32
 {
     var bits_0 : u32 = (bitcast<u32>((x_14)));
-    var power_1 : f32 = f32(i32((bits_0 >> (u32(23)))) - i32(126));
-    var m_1 : f32 = (bitcast<f32>(((((bits_0 & (u32(8388607)))) | (u32(1056964608))))));
-    var m_2 : f32;
-    var power_2 : f32;
-    if(m_1 < 0.70710676908493042f)
+    var power_2 : f32 = f32(i32((bits_0 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((bits_0 & (u32(8388607)))) | (u32(1056964608))))));
+    var m_1 : f32;
+    var power_3 : f32;
+    if(m_0 < 0.70710676908493042f)
     {
-        var power_3 : f32 = power_1 - 1.0f;
-        m_2 = m_1 + m_1;
-        power_2 = power_3;
+        var power_4 : f32 = power_2 - 1.0f;
+        m_1 = m_0 + m_0;
+        power_3 = power_4;
     }
     else
     {
-        m_2 = m_1;
-        power_2 = power_1;
+        m_1 = m_0;
+        power_3 = power_2;
     }
-    var m_3 : f32 = m_2 - 1.0f;
-    var z_6 : f32 = m_3 * m_3;
-    return m_3 + (((((((((0.07037683576345444f * m_3 - 0.11514610052108765f) * m_3 + 0.11676998436450958f) * m_3 - 0.12420140951871872f) * m_3 + 0.14249323308467865f) * m_3 - 0.16668057441711426f) * m_3 + 0.20000714063644409f) * m_3 - 0.24999994039535522f) * m_3 + 0.33333331346511841f) * m_3 * z_6 - 0.00021219444170129f * power_2 - 0.5f * z_6) + 0.693359375f * power_2;
+    var m_2 : f32 = m_1 - 1.0f;
+    var z_6 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * z_6 - 0.00021219444170129f * power_3 - 0.5f * z_6) + 0.693359375f * power_3;
 }
 
 fn error_function_inverse_0( p_0 : f32) -> f32
 {
-    var w_6 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
-    if(w_6 < 5.0f)
+    var w_7 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
+    if(w_7 < 5.0f)
     {
-        var w_7 : f32 = w_6 - 2.5f;
-        return ((((((((2.81022636272609816e-08f * w_7 + 3.43273939051869093e-07f) * w_7 - 3.52338770426285919e-06f) * w_7 - 4.39150653619435616e-06f) * w_7 + 0.00021858086984139f) * w_7 - 0.00125372502952814f) * w_7 - 0.00417768163606524f) * w_7 + 0.24664072692394257f) * w_7 + 1.50140941143035889f) * p_0;
+        var w_8 : f32 = w_7 - 2.5f;
+        return ((((((((2.81022636272609816e-08f * w_8 + 3.43273939051869093e-07f) * w_8 - 3.52338770426285919e-06f) * w_8 - 4.39150653619435616e-06f) * w_8 + 0.00021858086984139f) * w_8 - 0.00125372502952814f) * w_8 - 0.00417768163606524f) * w_8 + 0.24664072692394257f) * w_8 + 1.50140941143035889f) * p_0;
     }
-    var w_8 : f32 = sqrt(w_6) - 3.0f;
-    return ((((((((-0.0002002142573474f * w_8 + 0.00010095055768033f) * w_8 + 0.00134934321977198f) * w_8 - 0.00367342843674123f) * w_8 + 0.00573950773105025f) * w_8 - 0.00762246130034328f) * w_8 + 0.00943887047469616f) * w_8 + 1.00167405605316162f) * w_8 + 2.8329768180847168f) * p_0;
+    var w_9 : f32 = sqrt(w_7) - 3.0f;
+    return ((((((((-0.0002002142573474f * w_9 + 0.00010095055768033f) * w_9 + 0.00134934321977198f) * w_9 - 0.00367342843674123f) * w_9 + 0.00573950773105025f) * w_9 - 0.00762246130034328f) * w_9 + 0.00943887047469616f) * w_9 + 1.00167405605316162f) * w_9 + 2.8329768180847168f) * p_0;
 }
 
 fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>) -> vec3<f32>
 {
     var steepest_0 : f32;
-    if((view_9.sine_4 * 6.0f) > (view_9.cosine_9))
+    if((view_9.sine_4 * 6.0f) > (view_9.cosine_7))
     {
-        steepest_0 = view_9.cosine_9 / view_9.sine_4;
+        steepest_0 = view_9.cosine_7 / view_9.sine_4;
     }
     else
     {
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S211 : f32 = max(view_9.cosine_9, view_9.sine_4);
-    var slope_1 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S211 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S211, -6.0f, 0.5f * steepest_0);
+    var _S443 : f32 = max(view_9.cosine_7, view_9.sine_4);
+    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S443 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S443, -6.0f, 0.5f * steepest_0);
     var low_5 : f32 = -6.0f;
     var high_2 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -3045,31 +3685,31 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         {
             break;
         }
-        var both_1 : vec2<f32> = error_function_plus_one_0(slope_1);
-        var _S212 : f32 = both_1.y;
-        var error_0 : f32 = view_9.cosine_9 * both_1.x + 0.5f * view_9.sine_4 * _S212 - target_1;
-        var own_5 : f32 = _S212 * (view_9.cosine_9 - slope_1 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_1 * own_5 - _S212 * view_9.sine_4;
+        var both_2 : vec2<f32> = error_function_plus_one_0(slope_0);
+        var _S444 : f32 = both_2.y;
+        var error_0 : f32 = view_9.cosine_7 * both_2.x + 0.5f * view_9.sine_4 * _S444 - target_1;
+        var own_5 : f32 = _S444 * (view_9.cosine_7 - slope_0 * view_9.sine_4);
+        var bend_0 : f32 = -2.0f * slope_0 * own_5 - _S444 * view_9.sine_4;
         if(error_0 > 0.0f)
         {
-            high_2 = slope_1;
+            high_2 = slope_0;
         }
         else
         {
-            low_5 = slope_1;
+            low_5 = slope_0;
         }
-        var next_0 : f32 = slope_1 - error_0 * own_5 / (own_5 * own_5 - 0.5f * error_0 * bend_0);
-        var _S213 : bool;
+        var next_0 : f32 = slope_0 - error_0 * own_5 / (own_5 * own_5 - 0.5f * error_0 * bend_0);
+        var _S445 : bool;
         if(next_0 >= low_5)
         {
-            _S213 = next_0 <= high_2;
+            _S445 = next_0 <= high_2;
         }
         else
         {
-            _S213 = false;
+            _S445 = false;
         }
         var next_1 : f32;
-        if(!_S213)
+        if(!_S445)
         {
             next_1 = 0.5f * (low_5 + high_2);
         }
@@ -3077,35 +3717,35 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         {
             next_1 = next_0;
         }
-        if((abs(next_1 - slope_1)) < 0.00030000001424924f)
+        if((abs(next_1 - slope_0)) < 0.00030000001424924f)
         {
-            slope_1 = next_1;
+            slope_0 = next_1;
             break;
         }
-        var _S214 : u32 = step_0 + u32(1);
-        slope_1 = next_1;
-        step_0 = _S214;
+        var _S446 : u32 = step_0 + u32(1);
+        slope_0 = next_1;
+        step_0 = _S446;
     }
-    return vec3<f32>(- slope_1, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
+    return vec3<f32>(- slope_0, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
 
-fn mirrored_at_facet_0( facets_4 : Microfacets_0,  wi_4 : vec3<f32>,  u_11 : vec2<f32>) -> vec3<f32>
+fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_4 : vec3<f32>,  u_11 : vec2<f32>) -> vec3<f32>
 {
-    var view_10 : Stretched_0 = stretched_1(facets_4, wi_4);
+    var view_10 : Stretched_0 = stretched_1(facets_3, wi_4);
     var normal_7 : vec3<f32>;
-    if((facets_4.distribution_0) == u32(1))
+    if((facets_3.distribution_1) == u32(1))
     {
         normal_7 = ggx_normal_0(view_10, u_11);
     }
     else
     {
-        normal_7 = beckmann_normal_0(view_10, visible_over_cos_0(facets_4, wi_4), u_11);
+        normal_7 = beckmann_normal_0(view_10, visible_over_cos_0(facets_3, wi_4), u_11);
     }
-    var _S215 : f32 = view_10.around_0.x;
-    var _S216 : f32 = normal_7.x;
-    var _S217 : f32 = view_10.around_0.y;
-    var _S218 : f32 = normal_7.y;
-    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S215 * _S216 - _S217 * _S218, _S217 * _S216 + _S215 * _S218) * facets_4.alpha_0, normal_7.z));
+    var _S447 : f32 = view_10.around_0.x;
+    var _S448 : f32 = normal_7.x;
+    var _S449 : f32 = view_10.around_0.y;
+    var _S450 : f32 = normal_7.y;
+    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S447 * _S448 - _S449 * _S450, _S449 * _S448 + _S447 * _S450) * facets_3.alpha_1, normal_7.z));
     return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_4, normal_8))) - wi_4);
 }
 
@@ -3116,17 +3756,17 @@ struct Drawn_0
      probability_3 : f32,
 };
 
-fn draw_0( lobe_8 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
+fn draw_0( lobe_11 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
 {
-    var _S219 : bool = (lobe_8.kind_1) == u32(0);
+    var _S451 : bool = (lobe_11.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S219)
+    if(_S451)
     {
         has_base_0 = true;
     }
     else
     {
-        has_base_0 = (lobe_8.kind_1) == u32(3);
+        has_base_0 = (lobe_11.kind_1) == u32(3);
     }
     if(has_base_0)
     {
@@ -3134,10 +3774,10 @@ fn draw_0( lobe_8 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
     }
     else
     {
-        has_base_0 = (lobe_8.kind_1) == u32(4);
+        has_base_0 = (lobe_11.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S219)
+    if(_S451)
     {
         of_base_1 = 1.0f;
     }
@@ -3145,18 +3785,18 @@ fn draw_0( lobe_8 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
     {
         of_base_1 = 0.0f;
     }
-    var _S220 : bool;
-    if((lobe_8.kind_1) == u32(3))
+    var _S452 : bool;
+    if((lobe_11.kind_1) == u32(3))
     {
-        _S220 = true;
+        _S452 = true;
     }
     else
     {
-        _S220 = (lobe_8.kind_1) == u32(4);
+        _S452 = (lobe_11.kind_1) == u32(4);
     }
-    if(_S220)
+    if(_S452)
     {
-        of_base_1 = base_probability_0(lobe_8, transmittance_0(lobe_8, wi_5.z));
+        of_base_1 = base_probability_0(lobe_11.numbers_2, transmittance_0(lobe_11, coat_eta_0(lobe_11.numbers_2), wi_5.z));
     }
     var drawn_0 : Drawn_0;
     drawn_0.is_specular_0 = false;
@@ -3175,9 +3815,9 @@ fn draw_0( lobe_8 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
     }
     else
     {
-        if(is_rough_0(lobe_8))
+        if(is_rough_0(lobe_11))
         {
-            drawn_0.wo_3 = mirrored_at_facet_0(lobe_8.microfacets_0, wi_5, u_12);
+            drawn_0.wo_3 = mirrored_at_facet_0(facets_of_0(lobe_11, lobe_11.numbers_2), wi_5, u_12);
         }
         else
         {
@@ -3189,81 +3829,112 @@ fn draw_0( lobe_8 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
     return drawn_0;
 }
 
-fn specular_0( lobe_9 : Lobe_0,  wi_6 : vec3<f32>) -> Colour_0
+fn specular_direction_0( vertex_7 : Vertex_0,  direction_20 : vec3<f32>,  wo_4 : vec3<f32>) -> vec3<f32>
 {
-    var reflectance_0 : vec3<f32>;
-    if((lobe_9.kind_1) == u32(1))
-    {
-        reflectance_0 = fresnel_conductor_0(wi_6.z, lobe_9.eta_0, lobe_9.k_2);
-    }
-    else
-    {
-        reflectance_0 = vec3<f32>(fresnel_dielectric_0(wi_6.z, lobe_9.coat_eta_0));
-    }
-    return x2A_0(lobe_9.specular_reflectance_0, reflectance_0);
+    return direction_20;
 }
 
-fn first_from_0( position_6 : vec3<f32>,  direction_13 : vec3<f32>,  t_6 : ptr<function, f32>) -> Found_0
+fn s_fwd_specular_fraction_0( lobe_12 : Lobe_0,  dpnumbers_3 : DiffPair_Numbers_0,  dpwi_2 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S221 : Found_0 = cast_1(position_6, direction_13, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_6)));
-    return _S221;
+    if((lobe_12.kind_1) == u32(1))
+    {
+        var _S453 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
+        var _S454 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.eta_0, dpnumbers_3.differential_0.eta_0 );
+        var _S455 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.k_1, dpnumbers_3.differential_0.k_1 );
+        var _S456 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S453, _S454, _S455);
+        var _S457 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S456.primal_0, dpnumbers_3.differential_0.specular_reflectance_0 * _S456.primal_0 + _S456.differential_0 * dpnumbers_3.primal_0.specular_reflectance_0 );
+        return _S457;
+    }
+    var _S458 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_3.primal_0, dpnumbers_3.differential_0 );
+    var _S459 : DiffPair_float_0 = s_fwd_coat_eta_0(_S458);
+    var _S460 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
+    var _S461 : DiffPair_float_0 = DiffPair_float_0( _S459.primal_0, _S459.differential_0 );
+    var _S462 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S460, _S461);
+    var _S463 : vec3<f32> = vec3<f32>(_S462.primal_0);
+    var _S464 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S463, dpnumbers_3.differential_0.specular_reflectance_0 * _S463 + vec3<f32>(_S462.differential_0) * dpnumbers_3.primal_0.specular_reflectance_0 );
+    return _S464;
+}
+
+fn specular_0( lobe_13 : Lobe_0,  wi_6 : vec3<f32>) -> Colour_0
+{
+    var fraction_0 : Colour_0;
+    var k_11 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_11 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S465 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_13.numbers_2, lobe_13.changes_1[k_11] );
+        var _S466 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(wi_6), change_of_0(wi_6) );
+        var _S467 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_specular_fraction_0(lobe_13, _S465, _S466);
+        fraction_0.value_0 = _S467.primal_0;
+        fraction_0.changes_0[k_11] = _S467.differential_0;
+        k_11 = k_11 + u32(1);
+    }
+    return fraction_0;
+}
+
+fn first_from_0( position_6 : vec3<f32>,  direction_21 : vec3<f32>,  t_7 : ptr<function, f32>) -> Found_0
+{
+    var _S468 : Found_0 = cast_1(position_6, direction_21, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_7)));
+    return _S468;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
 {
-    var place_18 : Place_0;
-    place_18.triangle_0 = found_6.triangle_5;
-    place_18.v_0 = found_6.v_9;
-    place_18.w_0 = found_6.w_4;
-    return place_18;
+    return place_at_0(found_6.triangle_7, found_6.v_10, found_6.w_5);
 }
 
-fn emitter_seen_0( found_7 : Found_0,  direction_14 : vec3<f32>) -> u32
+fn emitter_seen_0( found_7 : Found_0,  direction_22 : vec3<f32>) -> u32
 {
     if((found_7.face_7) == u32(4294967295))
     {
         return word_0(u32(8));
     }
-    var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_5) + u32(4));
-    var _S222 : bool;
+    var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_7) + u32(4));
+    var _S469 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S222 = (dot(cross_of_0(found_7.triangle_5), direction_14)) < 0.0f;
+        _S469 = (dot(cross_of_0(found_7.triangle_7), direction_22)) < 0.0f;
     }
     else
     {
-        _S222 = false;
+        _S469 = false;
     }
-    var _S223 : u32;
-    if(_S222)
+    var _S470 : u32;
+    if(_S469)
     {
-        _S223 = emitter_7;
+        _S470 = emitter_7;
     }
     else
     {
-        _S223 = u32(4294967295);
+        _S470 = u32(4294967295);
     }
-    return _S223;
+    return _S470;
 }
 
-fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_15 : vec3<f32>,  distance_5 : f32) -> f32
+fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_23 : vec3<f32>,  distance_6 : f32) -> f32
 {
     var own_6 : f32;
-    var rectangle_1 : u32 = word_0(record_14 + u32(4));
+    var rectangle_1 : u32 = word_0(record_15 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S224 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S224.solid_angle_0) > 0.0f))
+        var _S471 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S471.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S224.solid_angle_0) >= 0.00100000004749745f)
+        if((_S471.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S224.solid_angle_0;
+            return 1.0f / _S471.solid_angle_0;
         }
     }
-    var _S225 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
-    var nodes_at_2 : u32 = word_0(record_14 + u32(5));
+    var _S472 : u32 = word_0(word_0(record_15 + u32(7)) + face_8);
+    var nodes_at_2 : u32 = word_0(record_15 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
     for(;;)
@@ -3276,7 +3947,7 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S225 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S472 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_6 = shares_1.y;
@@ -3286,86 +3957,81 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             own_6 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_6;
-        var _S226 : i32;
+        var _S473 : i32;
         if(is_second_1)
         {
-            _S226 = i32(3);
+            _S473 = i32(3);
         }
         else
         {
-            _S226 = i32(2);
+            _S473 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S226));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S473));
         chosen_2 = chosen_3;
     }
-    var _S227 : u32 = word_0(record_14 + u32(6));
-    var _S228 : u32 = word_0(node_6);
+    var _S474 : u32 = word_0(record_15 + u32(6));
+    var _S475 : u32 = word_0(node_6);
     own_6 = 0.0f;
-    var k_11 : u32 = _S228;
+    var k_12 : u32 = _S475;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
-        if(k_11 < (word_0(node_6 + u32(1))))
+        if(k_12 < (word_0(node_6 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_14, word_0(_S227 + k_11), from_2.exact_0);
+        var angle_4 : f32 = face_solid_angle_0(record_15, word_0(_S474 + k_12), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_4;
-        if(k_11 == _S225)
+        if(k_12 == _S472)
         {
             own_6 = angle_4;
         }
-        k_11 = k_11 + u32(1);
+        k_12 = k_12 + u32(1);
         total_3 = total_4;
     }
     if(!(own_6 > 0.0f))
     {
         return 0.0f;
     }
-    return chosen_2 / total_3 * density_of_0(own_6, cross_of_0(emitter_triangle_0(record_14, face_8)), distance_5, direction_15);
+    return chosen_2 / total_3 * density_of_0(own_6, cross_of_0(emitter_triangle_0(record_15, face_8)), distance_6, direction_23);
 }
 
-fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  vertex_2 : Vertex_0,  direction_16 : vec3<f32>,  t_7 : f32) -> f32
+fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  vertex_8 : Vertex_0,  direction_24 : vec3<f32>,  t_8 : f32) -> f32
 {
-    var record_15 : u32 = emitter_record_0(emitter_8);
-    if(is_map_0(record_15))
+    var record_16 : u32 = emitter_record_0(emitter_8);
+    if(is_map_0(record_16))
     {
-        var _S229 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_16);
-        return _S229;
+        var _S476 : f32 = map_pdf_0(word_0(record_16 + u32(1)), direction_24);
+        return _S476;
     }
-    if(!is_area_0(record_15))
+    if(!is_area_0(record_16))
     {
-        return max(dot(vertex_2.axes_2.n_0, direction_16), 0.0f) * 0.31830987334251404f;
+        return max(dot(vertex_8.axes_3.n_1, direction_24), 0.0f) * 0.31830987334251404f;
     }
-    return area_pdf_0(record_15, found_8.face_7 - word_0(record_15 + u32(3)), vertex_2.surface_3, direction_16, t_7);
-}
-
-fn value_of_1( colour_6 : vec3<f32>) -> vec3<f32>
-{
-    return colour_6;
+    return area_pdf_0(record_16, found_8.face_7 - word_0(record_16 + u32(3)), vertex_8.surface_2, direction_24, t_8);
 }
 
 fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_2 : vec3<f32>) -> bool
 {
     var depth_2 : u32 = launch_0.depth_0;
     var first_6 : u32 = vertex_numbers_0(launch_0.depth_0);
-    var surface_5 : Surface_0 = surface_at_0((*path_4).place_1, (*path_4).direction_0);
-    var material_1 : u32 = material_of_0(surface_5);
+    var surface_4 : Surface_0 = surface_at_0((*path_4).place_1, value_of_0((*path_4).direction_0));
+    var material_1 : u32 = material_of_0(surface_4);
     if(material_1 == u32(4294967295))
     {
         return false;
     }
-    var vertex_3 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_4).direction_0);
+    var vertex_9 : Vertex_0 = vertex_at_0(surface_4, material_1, (*path_4).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S230 : u32 = word_0(u32(3));
-    var _S231 : bool = !reaches_0(depth_2 + u32(3));
+    var _S477 : u32 = word_0(u32(3));
+    var _S478 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S231)
+    if(_S478)
     {
-        goes_on_0 = (vertex_3.lobe_1.kind_1) == u32(0);
+        goes_on_0 = (vertex_9.lobe_1.kind_1) == u32(0);
     }
     else
     {
@@ -3373,7 +4039,7 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     if(goes_on_0)
     {
-        goes_on_0 = is_sampled_well_0(surface_5.position_0);
+        goes_on_0 = is_sampled_well_0(surface_4.position_0);
     }
     else
     {
@@ -3386,10 +4052,10 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     else
     {
-        bsdf_samples_1 = _S230;
+        bsdf_samples_1 = _S477;
     }
     var on_emitters_0 : u32;
-    if(has_smooth_0(vertex_3.lobe_1))
+    if(has_smooth_0(vertex_9.lobe_1))
     {
         on_emitters_0 = emitter_samples_0;
     }
@@ -3397,7 +4063,7 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S232 : Choice_0 = choice_at_0(surface_5.position_0, vertex_3.axes_2.n_0, on_emitters_0 == u32(0));
+    var _S479 : Choice_0 = choice_at_0(surface_4.position_0, vertex_9.axes_3.n_1, on_emitters_0 == u32(0));
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -3408,55 +4074,64 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         {
             break;
         }
-        var _S233 : Colour_0 = light_from_emitter_0(vertex_3, _S232, (*path_4).key_0, first_6 + u32(3) * i_4, f32(bsdf_samples_1), importance_2);
-        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S233);
+        var _S480 : Colour_0 = light_from_emitter_0(vertex_9, _S479, (*path_4).key_0, first_6 + u32(3) * i_4, f32(bsdf_samples_1), importance_2);
+        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S480);
         i_4 = i_4 + u32(1);
     }
     var first_7 : u32 = first_6 + u32(3) * emitter_samples_0;
     goes_on_0 = false;
     var next_2 : Place_0 = (*path_4).place_1;
     var next_direction_0 : vec3<f32> = (*path_4).direction_0;
-    var k_12 : u32 = u32(0);
+    var k_13 : u32 = u32(0);
     for(;;)
     {
-        if(k_12 < bsdf_samples_1)
+        if(k_13 < bsdf_samples_1)
         {
         }
         else
         {
             break;
         }
-        var own_first_0 : u32 = first_7 + u32(3) * k_12;
-        var drawn_1 : Drawn_0 = draw_0(vertex_3.lobe_1, vertex_3.wi_0, random_0((*path_4).key_0, own_first_0), random_pair_0((*path_4).key_0, own_first_0 + u32(1)));
-        var scattered_3 : Scattered_0;
+        var own_first_0 : u32 = first_7 + u32(3) * k_13;
+        var drawn_1 : Drawn_0 = draw_0(vertex_9.lobe_1, value_of_0(vertex_9.wi_1), random_0((*path_4).key_0, own_first_0), random_pair_0((*path_4).key_0, own_first_0 + u32(1)));
+        var direction_25 : vec3<f32> = normalize(to_world_0(vertex_9.axes_3, drawn_1.wo_3));
+        var moving_1 : vec3<f32>;
         if(drawn_1.is_specular_0)
         {
-            scattered_3.value_6 = specular_0(vertex_3.lobe_1, vertex_3.wi_0);
-            scattered_3.pdf_3 = drawn_1.probability_3;
+            moving_1 = specular_direction_0(vertex_9, direction_25, drawn_1.wo_3);
         }
         else
         {
-            scattered_3 = eval_and_pdf_0(vertex_3.lobe_1, vertex_3.wi_0, drawn_1.wo_3);
+            moving_1 = changing_0(direction_25, turning_0(vertex_9, direction_25));
         }
-        if(!((scattered_3.pdf_3) > 0.0f))
+        var scattered_3 : Scattered_0;
+        if(drawn_1.is_specular_0)
         {
-            k_12 = k_12 + u32(1);
+            scattered_3.value_10 = specular_0(vertex_9.lobe_1, vertex_9.wi_1);
+            scattered_3.pdf_4 = drawn_1.probability_3;
+        }
+        else
+        {
+            scattered_3 = scattered_to_0(vertex_9, drawn_1.wo_3, moving_1);
+        }
+        if(!((scattered_3.pdf_4) > 0.0f))
+        {
+            k_13 = k_13 + u32(1);
             continue;
         }
-        var direction_17 : vec3<f32> = normalize(to_world_0(vertex_3.axes_2, drawn_1.wo_3));
-        var t_8 : f32;
-        var found_9 : Found_0 = first_from_0(surface_5.exact_0, direction_17, &(t_8));
+        var t_9 : f32;
+        var found_9 : Found_0 = first_from_0(surface_4.exact_0, direction_25, &(t_9));
         var goes_on_1 : bool;
         var next_3 : Place_0;
         var next_direction_1 : vec3<f32>;
-        if(k_12 == u32(0))
+        if(k_13 == u32(0))
         {
-            var _S234 : bool = (found_9.face_7) != u32(4294967295);
-            var _S235 : Place_0 = place_of_0(found_9);
-            (*reflected_1).onward_0 = x2A_1(scattered_3.value_6, 1.0f / scattered_3.pdf_3);
-            goes_on_1 = _S234;
-            next_3 = _S235;
-            next_direction_1 = direction_17;
+            var _S481 : bool = (found_9.face_7) != u32(4294967295);
+            var _S482 : Place_0 = place_of_0(found_9);
+            (*reflected_1).onward_0 = x2A_1(scattered_3.value_10, 1.0f / scattered_3.pdf_4);
+            goes_on_1 = _S481;
+            next_3 = _S482;
+            next_direction_1 = moving_1;
         }
         else
         {
@@ -3464,43 +4139,64 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
             next_3 = next_2;
             next_direction_1 = next_direction_0;
         }
-        var emitter_9 : u32 = emitter_seen_0(found_9, direction_17);
+        var emitter_9 : u32 = emitter_seen_0(found_9, direction_25);
         if(emitter_9 == u32(4294967295))
         {
             goes_on_0 = goes_on_1;
             next_2 = next_3;
             next_direction_0 = next_direction_1;
-            k_12 = k_12 + u32(1);
+            k_13 = k_13 + u32(1);
             continue;
         }
-        var own_7 : f32 = f32(bsdf_samples_1) * scattered_3.pdf_3;
-        var _S236 : bool;
-        if(!drawn_1.is_specular_0)
+        var own_7 : f32 = f32(bsdf_samples_1) * scattered_3.pdf_4;
+        var _S483 : bool = !drawn_1.is_specular_0;
+        var _S484 : bool;
+        if(_S483)
         {
-            _S236 = emitter_samples_0 != u32(0);
+            _S484 = emitter_samples_0 != u32(0);
         }
         else
         {
-            _S236 = false;
+            _S484 = false;
         }
         var other_1 : f32;
-        if(_S236)
+        if(_S484)
         {
-            var pdf_4 : f32 = emitter_pdf_0(emitter_9, found_9, vertex_3, direction_17, t_8);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S232) * pdf_4;
+            var pdf_5 : f32 = emitter_pdf_0(emitter_9, found_9, vertex_9, direction_25, t_9);
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S479) * pdf_5;
         }
         else
         {
             other_1 = 0.0f;
         }
-        var _S237 : Colour_0 = arriving_0(emitter_9, place_of_0(found_9), direction_17, x2A_1(scattered_3.value_6, weight_over_0(own_7, other_1)), importance_2);
-        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S237);
+        var moving_2 : vec3<f32>;
+        if(_S483)
+        {
+            moving_2 = towards_emitter_0(vertex_9, direction_25, emitter_record_0(emitter_9));
+        }
+        else
+        {
+            moving_2 = moving_1;
+        }
+        var factor_2 : Colour_0 = x2A_1(scattered_3.value_10, weight_over_0(own_7, other_1));
+        var place_21 : Place_0 = place_of_0(found_9);
+        var place_22 : Place_0;
+        if((found_9.face_7) != u32(4294967295))
+        {
+            place_22 = met_0(vertex_9, moving_2, t_9, place_21);
+        }
+        else
+        {
+            place_22 = place_21;
+        }
+        var _S485 : Colour_0 = arriving_0(emitter_9, place_22, moving_2, factor_2, importance_2);
+        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S485);
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
-        k_12 = k_12 + u32(1);
+        k_13 = k_13 + u32(1);
     }
-    if(_S231)
+    if(_S478)
     {
         goes_on_0 = true;
     }
@@ -3512,13 +4208,13 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     {
         return false;
     }
-    var throughput_1 : vec3<f32> = value_of_1((*path_4).throughput_0) * value_of_0((*reflected_1).onward_0);
-    var _S238 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    var _S239 : u32 = depth_2 + u32(1);
-    if(_S239 >= (word_0(u32(1))))
+    var throughput_1 : vec3<f32> = value_of_0((*path_4).throughput_0) * value_of_1((*reflected_1).onward_0);
+    var _S486 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    var _S487 : u32 = depth_2 + u32(1);
+    if(_S487 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S238, 0.05000000074505806f, 0.94999998807907104f);
-        if((random_0((*path_4).key_0, vertex_numbers_0(_S239) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S486, 0.05000000074505806f, 0.94999998807907104f);
+        if((random_0((*path_4).key_0, vertex_numbers_0(_S487) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -3534,13 +4230,13 @@ fn kept_at_0() -> u32
     return u32(18) + u32(25) * launch_0.depth_0;
 }
 
-fn set_word_0( path_5 : u32,  which_4 : u32,  value_7 : u32)
+fn set_word_0( path_5 : u32,  which_4 : u32,  value_11 : u32)
 {
-    paths_0[which_4 * launch_0.room_0 + path_5] = value_7;
+    paths_0[which_4 * launch_0.room_0 + path_5] = value_11;
     return;
 }
 
-fn set_vector_0( path_6 : u32,  which_5 : ptr<function, u32>,  value_8 : vec3<f32>)
+fn set_vector_0( path_6 : u32,  which_5 : ptr<function, u32>,  value_12 : vec3<f32>)
 {
     var axis_7 : u32 = u32(0);
     for(;;)
@@ -3552,14 +4248,14 @@ fn set_vector_0( path_6 : u32,  which_5 : ptr<function, u32>,  value_8 : vec3<f3
         {
             break;
         }
-        set_word_0(path_6, (*which_5) + axis_7, (bitcast<u32>((value_8[axis_7]))));
+        set_word_0(path_6, (*which_5) + axis_7, (bitcast<u32>((value_12[axis_7]))));
         axis_7 = axis_7 + u32(1);
     }
     (*which_5) = (*which_5) + u32(3);
     return;
 }
 
-fn set_vector_1( path_7 : u32,  which_6 : ptr<function, u32>,  value_9 : vec3<f32>)
+fn set_vector_1( path_7 : u32,  which_6 : ptr<function, u32>,  value_13 : vec3<f32>)
 {
     var axis_8 : u32 = u32(0);
     for(;;)
@@ -3571,14 +4267,14 @@ fn set_vector_1( path_7 : u32,  which_6 : ptr<function, u32>,  value_9 : vec3<f3
         {
             break;
         }
-        set_word_0(path_7, (*which_6) + axis_8, (bitcast<u32>((value_9[axis_8]))));
+        set_word_0(path_7, (*which_6) + axis_8, (bitcast<u32>((value_13[axis_8]))));
         axis_8 = axis_8 + u32(1);
     }
     (*which_6) = (*which_6) + u32(3);
     return;
 }
 
-fn set_vector_2( path_8 : u32,  which_7 : ptr<function, u32>,  value_10 : vec3<f32>)
+fn set_vector_2( path_8 : u32,  which_7 : ptr<function, u32>,  value_14 : vec3<f32>)
 {
     var axis_9 : u32 = u32(0);
     for(;;)
@@ -3590,27 +4286,27 @@ fn set_vector_2( path_8 : u32,  which_7 : ptr<function, u32>,  value_10 : vec3<f
         {
             break;
         }
-        set_word_0(path_8, (*which_7) + axis_9, (bitcast<u32>((value_10[axis_9]))));
+        set_word_0(path_8, (*which_7) + axis_9, (bitcast<u32>((value_14[axis_9]))));
         axis_9 = axis_9 + u32(1);
     }
     (*which_7) = (*which_7) + u32(3);
     return;
 }
 
-fn set_place_0( path_9 : u32,  which_8 : ptr<function, u32>,  place_19 : Place_0)
+fn set_place_0( path_9 : u32,  which_8 : ptr<function, u32>,  place_23 : Place_0)
 {
-    set_word_0(path_9, (*which_8), place_19.triangle_0);
-    set_word_0(path_9, (*which_8) + u32(1), (bitcast<u32>((place_19.v_0))));
-    set_word_0(path_9, (*which_8) + u32(2), (bitcast<u32>((place_19.w_0))));
+    set_word_0(path_9, (*which_8), place_23.triangle_0);
+    set_word_0(path_9, (*which_8) + u32(1), (bitcast<u32>((place_23.v_0))));
+    set_word_0(path_9, (*which_8) + u32(2), (bitcast<u32>((place_23.w_0))));
     (*which_8) = (*which_8) + u32(3);
     return;
 }
 
-fn set_place_1( path_10 : u32,  which_9 : ptr<function, u32>,  place_20 : Place_0)
+fn set_place_1( path_10 : u32,  which_9 : ptr<function, u32>,  place_24 : Place_0)
 {
-    set_word_0(path_10, (*which_9), place_20.triangle_0);
-    set_word_0(path_10, (*which_9) + u32(1), (bitcast<u32>((place_20.v_0))));
-    set_word_0(path_10, (*which_9) + u32(2), (bitcast<u32>((place_20.w_0))));
+    set_word_0(path_10, (*which_9), place_24.triangle_0);
+    set_word_0(path_10, (*which_9) + u32(1), (bitcast<u32>((place_24.v_0))));
+    set_word_0(path_10, (*which_9) + u32(2), (bitcast<u32>((place_24.w_0))));
     (*which_9) = (*which_9) + u32(3);
     return;
 }
@@ -3618,31 +4314,31 @@ fn set_place_1( path_10 : u32,  which_9 : ptr<function, u32>,  place_20 : Place_
 fn set_colour_0( path_11 : u32,  which_10 : ptr<function, u32>,  colour_7 : Colour_0)
 {
     set_vector_2(path_11, &((*which_10)), colour_7.value_0);
-    var k_13 : u32 = u32(0);
+    var k_14 : u32 = u32(0);
     for(;;)
     {
-        if(k_13 < u32(2))
+        if(k_14 < u32(2))
         {
         }
         else
         {
             break;
         }
-        set_vector_2(path_11, &((*which_10)), colour_7.changes_0[k_13]);
-        k_13 = k_13 + u32(1);
+        set_vector_2(path_11, &((*which_10)), colour_7.changes_0[k_14]);
+        k_14 = k_14 + u32(1);
     }
     return;
 }
 
 fn store_0( number_of_path_1 : u32,  path_12 : Path_0)
 {
-    var at_19 : u32 = u32(1);
-    set_vector_0(number_of_path_1, &(at_19), path_12.adjoint_0);
-    set_vector_0(number_of_path_1, &(at_19), path_12.throughput_0);
-    set_vector_0(number_of_path_1, &(at_19), path_12.direction_0);
-    set_place_0(number_of_path_1, &(at_19), path_12.place_1);
-    set_word_0(number_of_path_1, at_19, path_12.key_0.x);
-    set_word_0(number_of_path_1, at_19 + u32(1), path_12.key_0.y);
+    var at_20 : u32 = u32(1);
+    set_vector_0(number_of_path_1, &(at_20), path_12.adjoint_0);
+    set_vector_0(number_of_path_1, &(at_20), path_12.throughput_0);
+    set_vector_0(number_of_path_1, &(at_20), value_of_0(path_12.direction_0));
+    set_place_0(number_of_path_1, &(at_20), path_12.place_1);
+    set_word_0(number_of_path_1, at_20, path_12.key_0.x);
+    set_word_0(number_of_path_1, at_20 + u32(1), path_12.key_0.y);
     return;
 }
 
@@ -3650,37 +4346,37 @@ fn store_0( number_of_path_1 : u32,  path_12 : Path_0)
 @workgroup_size(64, 1, 1)
 fn go_on_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
 {
-    var at_20 : u32 = launch_0.first_0 + thread_0.x;
-    if(at_20 >= (launch_0.end_0))
+    var at_21 : u32 = launch_0.first_0 + thread_0.x;
+    if(at_21 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_2 : u32 = input_0[at_20];
+    var number_of_path_2 : u32 = input_0[at_21];
     var path_13 : Path_0 = load_0(number_of_path_2);
     var importance_3 : vec3<f32> = path_13.adjoint_0 * path_13.throughput_0;
-    var place_21 : Place_0 = path_13.place_1;
+    var place_25 : Place_0 = path_13.place_1;
     var material_2 : u32 = material_of_0(surface_at_0(path_13.place_1, path_13.direction_0));
     var reflected_2 : Reflected_0 = nothing_reflected_0();
     var goes_on_2 : bool = take_further_0(&(path_13), &(reflected_2), importance_3);
     var kept_0 : u32 = kept_at_0();
     set_vector_1(number_of_path_2, &(kept_0), importance_3);
-    set_place_1(number_of_path_2, &(kept_0), place_21);
-    var _S240 : u32 = kept_0;
+    set_place_1(number_of_path_2, &(kept_0), place_25);
+    var _S488 : u32 = kept_0;
     kept_0 = kept_0 + u32(1);
-    set_word_0(number_of_path_2, _S240, material_2);
+    set_word_0(number_of_path_2, _S488, material_2);
     set_colour_0(number_of_path_2, &(kept_0), reflected_2.direct_0);
     set_colour_0(number_of_path_2, &(kept_0), reflected_2.onward_0);
     path_13.throughput_0 = path_13.throughput_0 * reflected_2.onward_0.value_0;
     store_0(number_of_path_2, path_13);
-    var _S241 : u32;
+    var _S489 : u32;
     if(goes_on_2)
     {
-        _S241 = number_of_path_2;
+        _S489 = number_of_path_2;
     }
     else
     {
-        _S241 = u32(4294967295);
+        _S489 = u32(4294967295);
     }
-    set_word_0(at_20, u32(0), _S241);
+    set_word_0(at_21, u32(0), _S489);
     return;
 }

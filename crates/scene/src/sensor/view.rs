@@ -54,6 +54,17 @@ pub struct ViewRay<R> {
     pub range: [f64; 2],
 }
 
+impl<R: Real> ViewRay<R> {
+    /// The ray without its derivative.
+    pub fn value(&self) -> ViewRay<f64> {
+        ViewRay {
+            origin: self.origin.value(),
+            direction: self.direction.value(),
+            range: self.range,
+        }
+    }
+}
+
 impl Sensor {
     /// What it sees from the middle of its lens.
     pub fn view(&self, film: &Film) -> View<f64> {
