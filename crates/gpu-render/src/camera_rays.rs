@@ -3,7 +3,7 @@
 use capwalk_boundary::Stream;
 use capwalk_diff::Forward;
 use capwalk_geometry::LocalFrame;
-use capwalk_math::{Real, Vec3};
+use capwalk_math::Vec3;
 use capwalk_render::tiles::SamplePlace;
 use capwalk_render::{Primal, Tracer};
 use capwalk_scene::sensor::view::ViewRay;

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use capwalk_boundary::{Field, Viewpoint};
+use capwalk_boundary::{Boundaries, Field, Viewpoint};
 use capwalk_diff::{Forward, GradientOptions, GradientWork, Method, Wanted};
 use capwalk_geometry::buffers::NONE;
 use capwalk_math::Vec3;
@@ -43,8 +43,33 @@ impl DeviceScene<'_> {
         if let Some(unsupported) = unsupported_derivative(self.prepared, &Wanted::by(tangent)) {
             return Err(unsupported.into());
         }
-        let scene = self.prepared.scene();
         let boundaries = self.prepared.boundaries_if(Wanted::by(tangent).moves());
+        self.interior_and(boundaries, tangent, options, most, watch)
+    }
+
+    /// The interior term of the derivative alone (METHOD 8): how the light along sampled directions
+    /// changes, which stay or turn with the surface. What moves across them is left out, so that this
+    /// is the derivative of the image only where nothing does.
+    pub fn interior_term(
+        &self,
+        tangent: &Tangent,
+        options: &GradientOptions,
+        watch: &dyn Watch,
+    ) -> Result<GradientImage, DeviceError> {
+        let none = Boundaries::none(self.prepared.accel());
+        self.interior_and(&none, tangent, options, MOST_PATHS, watch)
+    }
+
+    /// The interior term and that of these boundaries.
+    fn interior_and(
+        &self,
+        boundaries: &Boundaries,
+        tangent: &Tangent,
+        options: &GradientOptions,
+        most: usize,
+        watch: &dyn Watch,
+    ) -> Result<GradientImage, DeviceError> {
+        let scene = self.prepared.scene();
         let field = Field::new(self.prepared.accel(), boundaries, Method::EDGES);
         let eval = Forward::new(field, tangent);
         let changes = self.changes(&eval, tangent);
@@ -69,8 +94,8 @@ impl DeviceScene<'_> {
         })
     }
 
-    /// What changes, as `changes.slang` reads it: where the motion of the triangles is and whether boundaries
-    /// move, the texels of each texture, and that motion.
+    /// What changes, as `changes.slang` reads it: where the motion of the triangles is and whether
+    /// boundaries move, the texels of each texture, and that motion.
     fn changes(&self, eval: &Forward, tangent: &Tangent) -> Vec<u32> {
         let origin = Viewpoint::towards_surfaces(Vec3::zero(), Vec3::zero(), 0);
         let boundaries_move = !eval.is_still(&origin);

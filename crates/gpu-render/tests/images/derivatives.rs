@@ -32,7 +32,7 @@ const ROUNDING: f64 = 2e-5;
 const FEWEST_SCENES: usize = 90;
 
 /// A number between zero and one for each number, always the same.
-fn numbers(seed: u64) -> impl FnMut() -> f64 {
+pub fn numbers(seed: u64) -> impl FnMut() -> f64 {
     let mut state = seed;
     move || {
         state = state
@@ -43,7 +43,7 @@ fn numbers(seed: u64) -> impl FnMut() -> f64 {
 }
 
 /// All texels of colours become larger, which has no derivative that cancels another one.
-fn all_texels(scene: &Scene) -> Tangent {
+pub fn all_texels(scene: &Scene) -> Tangent {
     let is_other =
         |slot: &Slot| !matches!(slot.quantity, Quantity::Reflectance | Quantity::Radiance);
     let of_shape = |shape: &Arc<Shape>| {

@@ -7,6 +7,7 @@ mod derivatives;
 mod device;
 mod faults;
 mod materials;
+mod motion;
 mod parts;
 mod scenes;
 mod unsupported;

@@ -1,0 +1,114 @@
+//! The interior term of what moves beside the processor's, sample by sample.
+
+use std::sync::Arc;
+
+use capwalk_boundary::{Boundaries, Counts, Draw, Field, Method, Sampler};
+use capwalk_diff::{Forward, GradientOptions};
+use capwalk_gpu::Precision;
+use capwalk_gpu_render::{DeviceScene, unsupported};
+use capwalk_math::{Rgb, Vec3};
+use capwalk_render::{MotionFacts, PreparedScene, RenderOptions, Tracer, Unwatched};
+use capwalk_scene::{Bsdf, Image, Scene, ShadingNormals, ShapeVectors, Tangent};
+
+use crate::agreement::SMALL_EMITTERS;
+use crate::beside::different;
+use crate::derivatives::{all_texels, numbers};
+use crate::{device, scenes};
+
+/// Samples differ if their derivatives do by more than this, relatively.
+const DIFFERENT: f64 = 5e-4;
+
+/// The share of samples that may.
+const MOST_DIFFERENT: f64 = 0.01;
+
+/// Scenes that can be compared.
+const FEWEST_SCENES: usize = 80;
+
+/// Every vertex moves on its own, given normals turn, the sensor moves and turns, and texels change.
+fn everything(scene: &Scene) -> Tangent {
+    let mut next = numbers(3);
+    let mut vector = move || Vec3::new(next(), next(), next()) - Vec3::splat(0.5);
+    let mut tangent = all_texels(scene);
+    for (shape, vectors) in scene.shapes.iter().zip(&mut tangent.shapes) {
+        let size = shape.mesh.bounds();
+        let size = (size.1 - size.0).length();
+        let vertices = shape.mesh.positions.iter().map(|_| vector() * (0.1 * size));
+        let mut of_shape = ShapeVectors {
+            vertices: vertices.collect(),
+            normals: None,
+        };
+        if let ShadingNormals::Given(normals) = &shape.normals {
+            let turned = normals.iter().map(|&n| vector().reject_from(n));
+            of_shape.normals = Some(turned.collect());
+        }
+        *vectors = Some(of_shape);
+    }
+    tangent.sensor.translation = vector() * 0.1;
+    tangent.sensor.rotation = vector() * 0.1;
+    tangent
+}
+
+/// The processor's samples of the interior term, one of each pixel.
+fn on_processor(prepared: &PreparedScene, tangent: &Tangent, options: &GradientOptions) -> Image {
+    let scene = prepared.scene();
+    let boundaries = Boundaries::none(prepared.accel());
+    let field = Field::new(prepared.accel(), &boundaries, Method::EDGES);
+    let eval = Forward::new(field, tangent);
+    let facts = Arc::new(MotionFacts::of(scene));
+    let tracer = Tracer::moving(prepared, field, options.walk, &facts);
+    let sampler = Sampler::new(&scene.settings, options.seed, 1);
+    let [width, height] = scene.film.crop_size;
+    let sample = |pixel: u32| {
+        let (stream, counts) = (sampler.stream(u64::from(pixel), 0), Counts::default());
+        let draw = Draw {
+            stream: &stream,
+            counts: &counts,
+        };
+        let light: Rgb<_> = tracer.pixel(&eval, [pixel % width, pixel / width], draw);
+        light.tangent(0)
+    };
+    Image {
+        width: width as usize,
+        height: height as usize,
+        pixels: (0..width * height).map(sample).collect(),
+    }
+}
+
+/// In all scenes that the device can render but those with mirrors, where the processor walks.
+#[test]
+fn interior_terms_are_the_processors() {
+    let Some(gpu) = device::open(Precision::Double) else {
+        return;
+    };
+    let mut compared = 0;
+    for (name, mut scene) in scenes::all() {
+        let is_mirror = |bsdf: &Bsdf| matches!(bsdf, Bsdf::Conductor(_) | Bsdf::Plastic(_));
+        let has_mirrors = scene
+            .materials
+            .iter()
+            .any(|material| is_mirror(&material.bsdf));
+        if SMALL_EMITTERS.contains(&&*name) || has_mirrors {
+            continue;
+        }
+        if scene.film.crop_size[0] > 40 {
+            scene.film.resize([40, 30]);
+        }
+        let prepared = PreparedScene::new(scene);
+        if unsupported(&prepared).is_some() || prepared.accel().view.is_parallel() {
+            continue;
+        }
+        let tangent = everything(prepared.scene());
+        let options = GradientOptions::new(RenderOptions::new(1, 7));
+        let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
+        let ours = on_device.interior_term(&tangent, &options, &Unwatched);
+        let ours = ours.expect("supported").gradient.mean;
+        let theirs = on_processor(&prepared, &tangent, &options);
+        let (count, all) = different(&ours, &theirs, DIFFERENT);
+        assert!(
+            count as f64 <= MOST_DIFFERENT * all as f64,
+            "{name}: {count} of {all} samples differ"
+        );
+        compared += 1;
+    }
+    assert!(compared >= FEWEST_SCENES, "{compared} scenes");
+}
