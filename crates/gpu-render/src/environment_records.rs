@@ -16,7 +16,7 @@ pub fn add_environment_map(
     textures: &mut TextureRecords,
     words: &mut Vec<u32>,
 ) -> u32 {
-    let texels = textures.add(scene, data, None, words);
+    let texels = [data, scale].map(|id| textures.add(scene, id, None, words));
     let table = table.map_or([NONE; 3], |table| {
         let rows = add_sums(table.row_sums(), words);
         let cells = add_sums(table.cell_sums(), words);
@@ -29,8 +29,7 @@ pub fn add_environment_map(
     for row in map.world_from_map.rows {
         words.extend(row.to_array().map(float));
     }
-    words.extend(scene.texture(scale).texel(0).to_array().map(float));
-    words.push(texels);
+    words.extend(texels);
     words.extend(table);
     at
 }

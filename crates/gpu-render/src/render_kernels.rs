@@ -79,7 +79,7 @@ pub const REVERSE: PathKernels = PathKernels {
     go_on: compiled!("go_on_reverse"),
     ray: 12,
     path: 18,
-    vertex: 25,
+    vertex: 20,
 };
 
 /// Takes what arrives behind the vertices of a list back by one.
@@ -113,6 +113,7 @@ mod tests {
                     include_str!("kernels/environment_map.slang"),
                 ),
                 ("sums", include_str!("kernels/sums.slang")),
+                ("back", include_str!("kernels/back.slang")),
                 ("emitters", include_str!("kernels/emitters.slang")),
             ] {
                 source = source.replace(&format!("#include \"{name}.slang\"\n"), content);

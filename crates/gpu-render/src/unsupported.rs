@@ -49,29 +49,24 @@ pub fn unsupported_derivative(prepared: &PreparedScene, wanted: &Wanted) -> Opti
     })
 }
 
-/// The first number that is wanted and neither a colour of a material nor what an emitter sends.
+/// The first number that is wanted and of which the kernels have no derivative: those of coats that
+/// are rough, through which light passes by a table.
 fn other_number(scene: &Scene, wanted: &Wanted) -> Option<String> {
-    let is_other =
-        |slot: &Slot| !matches!(slot.quantity, Quantity::Reflectance | Quantity::Radiance);
+    let is_other = |slot: &Slot| slot.quantity != Quantity::Reflectance;
     let is_wanted = |id: TextureId| wanted.textures[id.0 as usize];
-    let material = scene.shapes.iter().find_map(|shape| {
-        let mut slots = scene.slots_below(shape.bsdf).into_iter().filter(is_other);
+    scene.shapes.iter().find_map(|shape| {
+        let coats = scene.materials_below(shape.bsdf).into_iter();
+        let coats =
+            coats.filter(|&id| matches!(scene.material(id).bsdf, Bsdf::RoughPlastic { .. }));
+        let mut slots = coats
+            .flat_map(|id| scene.material(id).bsdf.slots())
+            .filter(is_other);
         let slot = slots.find(|slot| is_wanted(scene.numbers_of(slot.texture, shape)))?;
         Some(format!(
             "\"{}\" of the material of shape \"{}\" changes",
             slot.name, shape.id
         ))
-    });
-    let emitter = || {
-        let mut slots = scene
-            .emitters
-            .iter()
-            .flat_map(Emitter::slots)
-            .filter(is_other);
-        let slot = slots.find(|slot| is_wanted(slot.texture))?;
-        Some(format!("\"{}\" of an emitter changes", slot.name))
-    };
-    material.or_else(emitter)
+    })
 }
 
 fn of_scene(prepared: &PreparedScene) -> Option<String> {

@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 1bc301507596729c
-// result: 9e89e7e13a09699c
+// source: aa5341c278182d44
+// result: 626f746a9448f56e
 
 struct Launch_std140_0
 {
@@ -108,35 +108,23 @@ fn _d_abs_0( dpx_4 : DiffPair_float_0) -> DiffPair_float_0
     return _S15;
 }
 
-struct Colour_0
+struct Vector_0
 {
      value_0 : vec3<f32>,
-     changes_0 : array<vec3<f32>, i32(1)>,
+     change_0 : vec3<f32>,
 };
 
-fn constant_0( value_1 : vec3<f32>) -> Colour_0
+fn changing_0( value_1 : vec3<f32>,  change_1 : vec3<f32>) -> Vector_0
 {
-    var colour_0 : Colour_0;
-    colour_0.value_0 = value_1;
-    var k_0 : u32 = u32(0);
-    for(;;)
-    {
-        if(k_0 < u32(1))
-        {
-        }
-        else
-        {
-            break;
-        }
-        colour_0.changes_0[k_0] = vec3<f32>(0.0f);
-        k_0 = k_0 + u32(1);
-    }
-    return colour_0;
+    var vector_0 : Vector_0;
+    vector_0.value_0 = value_1;
+    vector_0.change_0 = change_1;
+    return vector_0;
 }
 
-fn carried_0( colour_1 : Colour_0) -> Colour_0
+fn still_0( value_2 : vec3<f32>) -> Vector_0
 {
-    return colour_1;
+    return changing_0(value_2, vec3<f32>(0.0f));
 }
 
 fn word_0( at_0 : u32) -> u32
@@ -243,21 +231,21 @@ fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_1 : u32
 
 fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 {
-    var k_1 : u32 = u32(0);
+    var k_0 : u32 = u32(0);
     var order_0 : u32 = u32(0);
     for(;;)
     {
-        if(k_1 < u32(8))
+        if(k_0 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S27 : u32 = k_1;
-        if((bounds_0[k_1]) > limit_2)
+        var _S27 : u32 = k_0;
+        if((bounds_0[k_0]) > limit_2)
         {
-            k_1 = k_1 + u32(1);
+            k_0 = k_0 + u32(1);
             continue;
         }
         var j_0 : u32 = u32(0);
@@ -281,7 +269,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 if((bounds_0[_S28]) == (bounds_0[_S27]))
                 {
-                    _S29 = j_0 < k_1;
+                    _S29 = j_0 < k_0;
                 }
                 else
                 {
@@ -294,8 +282,8 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             }
             j_0 = j_0 + u32(1);
         }
-        order_0 = (order_0 | ((((k_1 + u32(1)) << ((u32(4) * rank_0))))));
-        k_1 = k_1 + u32(1);
+        order_0 = (order_0 | ((((k_0 + u32(1)) << ((u32(4) * rank_0))))));
+        k_0 = k_0 + u32(1);
     }
     return order_0;
 }
@@ -710,20 +698,6 @@ fn place_of_0( found_2 : Found_0) -> Place_0
     return place_at_0(found_2.triangle_1, found_2.v_3, found_2.w_2);
 }
 
-struct Vector_0
-{
-     value_2 : vec3<f32>,
-     change_0 : vec3<f32>,
-};
-
-fn changing_0( value_3 : vec3<f32>,  change_1 : vec3<f32>) -> Vector_0
-{
-    var vector_0 : Vector_0;
-    vector_0.value_2 = value_3;
-    vector_0.change_0 = change_1;
-    return vector_0;
-}
-
 fn change_of_0( vector_1 : Vector_0) -> vec3<f32>
 {
     return vector_1.change_0;
@@ -834,164 +808,63 @@ fn is_map_0( record_0 : u32) -> bool
     return (word_0(record_0)) == u32(2);
 }
 
+struct Lookup_0
+{
+     count_0 : u32,
+     texels_0 : vec4<u32>,
+     weights_0 : vec4<f32>,
+     changes_0 : vec4<f32>,
+};
+
+fn one_texel_0( texel_0 : u32) -> Lookup_0
+{
+    var lookup_0 : Lookup_0;
+    lookup_0.count_0 = u32(1);
+    lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
+    lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    lookup_0.changes_0 = vec4<f32>(0.0f);
+    return lookup_0;
+}
+
+struct Corners2_0
+{
+     a_4 : vec2<f32>,
+     b_2 : vec2<f32>,
+     c_2 : vec2<f32>,
+};
+
+fn Corners2_x24init_0( a_5 : vec2<f32>,  b_3 : vec2<f32>,  c_3 : vec2<f32>) -> Corners2_0
+{
+    var _S59 : Corners2_0;
+    _S59.a_4 = a_5;
+    _S59.b_2 = b_3;
+    _S59.c_2 = c_3;
+    return _S59;
+}
+
 fn number_0( at_8 : u32) -> f32
 {
     return (bitcast<f32>((scene_0[at_8])));
 }
 
-fn vector_at_0( at_9 : u32) -> vec3<f32>
+fn uvs_of_0( triangle_8 : u32) -> Corners2_0
 {
-    return vec3<f32>(number_0(at_9), number_0(at_9 + u32(1)), number_0(at_9 + u32(2)));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_at_0 : u32 = word_0(shape_of_0(triangle_8) + u32(1));
+    if(uvs_at_0 == u32(4294967295))
+    {
+        return uvs_0;
+    }
+    var at_9 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_8) + u32(1));
+    uvs_0.a_4 = vec2<f32>(number_0(at_9), number_0(at_9 + u32(1)));
+    uvs_0.b_2 = vec2<f32>(number_0(at_9 + u32(2)), number_0(at_9 + u32(3)));
+    uvs_0.c_2 = vec2<f32>(number_0(at_9 + u32(4)), number_0(at_9 + u32(5)));
+    return uvs_0;
 }
 
-fn x2A_0( a_4 : Colour_0,  b_2 : vec3<f32>) -> Colour_0
+fn vector_at_0( at_10 : u32) -> vec3<f32>
 {
-    var product_1 : Colour_0;
-    product_1.value_0 = a_4.value_0 * b_2;
-    var k_2 : u32 = u32(0);
-    for(;;)
-    {
-        if(k_2 < u32(1))
-        {
-        }
-        else
-        {
-            break;
-        }
-        product_1.changes_0[k_2] = a_4.changes_0[k_2] * b_2;
-        k_2 = k_2 + u32(1);
-    }
-    return product_1;
-}
-
-fn value_of_0( vector_2 : Vector_0) -> vec3<f32>
-{
-    return vector_2.value_2;
-}
-
-fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> DiffPair_float_0
-{
-    var _S59 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0, dpx_5.differential_0 );
-    var _S60 : DiffPair_float_0 = _d_abs_0(_S59);
-    var _S61 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0, dpy_2.differential_0 );
-    var _S62 : DiffPair_float_0 = _d_abs_0(_S61);
-    var _S63 : DiffPair_float_0 = DiffPair_float_0( _S60.primal_0, _S60.differential_0 );
-    var _S64 : DiffPair_float_0 = DiffPair_float_0( _S62.primal_0, _S62.differential_0 );
-    var _S65 : DiffPair_float_0 = _d_min_0(_S63, _S64);
-    var _S66 : DiffPair_float_0 = _d_max_0(_S63, _S64);
-    var is_steep_0 : bool = (_S65.primal_0) > (0.41421356797218323f * _S66.primal_0);
-    var above_0 : f32;
-    var s_diff_above_0 : f32;
-    if(is_steep_0)
-    {
-        var _S67 : f32 = _S65.differential_0 - _S66.differential_0;
-        above_0 = _S65.primal_0 - _S66.primal_0;
-        s_diff_above_0 = _S67;
-    }
-    else
-    {
-        above_0 = _S65.primal_0;
-        s_diff_above_0 = _S65.differential_0;
-    }
-    var below_0 : f32;
-    var s_diff_below_0 : f32;
-    if(is_steep_0)
-    {
-        var _S68 : f32 = _S65.differential_0 + _S66.differential_0;
-        below_0 = _S65.primal_0 + _S66.primal_0;
-        s_diff_below_0 = _S68;
-    }
-    else
-    {
-        below_0 = _S66.primal_0;
-        s_diff_below_0 = _S66.differential_0;
-    }
-    if(below_0 > 0.0f)
-    {
-    }
-    else
-    {
-        below_0 = 1.0f;
-        s_diff_below_0 = 0.0f;
-    }
-    var t_3 : f32 = above_0 / below_0;
-    var s_diff_t_0 : f32 = (s_diff_above_0 * below_0 - above_0 * s_diff_below_0) / (below_0 * below_0);
-    var z_2 : f32 = t_3 * t_3;
-    var _S69 : f32 = s_diff_t_0 * t_3;
-    var s_diff_z_0 : f32 = _S69 + _S69;
-    var _S70 : f32 = 0.08053744584321976f * z_2 - 0.13877685368061066f;
-    var _S71 : f32 = _S70 * z_2 + 0.19977711141109467f;
-    var tail_0 : f32 = _S71 * z_2 - 0.33332949876785278f;
-    var _S72 : f32 = tail_0 * z_2;
-    var angle_0 : f32 = _S72 * t_3 + t_3;
-    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_2 + s_diff_z_0 * _S70) * z_2 + s_diff_z_0 * _S71) * z_2 + s_diff_z_0 * tail_0) * t_3 + s_diff_t_0 * _S72 + s_diff_t_0;
-    var angle_1 : f32;
-    if(is_steep_0)
-    {
-        angle_1 = angle_0 + 0.78539818525314331f;
-    }
-    else
-    {
-        angle_1 = angle_0;
-    }
-    var s_diff_angle_1 : f32;
-    if((_S62.primal_0) > (_S60.primal_0))
-    {
-        var _S73 : f32 = 0.0f - s_diff_angle_0;
-        angle_1 = 1.57079637050628662f - angle_1;
-        s_diff_angle_1 = _S73;
-    }
-    else
-    {
-        s_diff_angle_1 = s_diff_angle_0;
-    }
-    if((dpx_5.primal_0) < 0.0f)
-    {
-        var _S74 : f32 = 0.0f - s_diff_angle_1;
-        angle_1 = 3.14159274101257324f - angle_1;
-        s_diff_angle_1 = _S74;
-    }
-    if((dpy_2.primal_0) < 0.0f)
-    {
-        var _S75 : f32 = - s_diff_angle_1;
-        above_0 = - angle_1;
-        s_diff_above_0 = _S75;
-    }
-    else
-    {
-        above_0 = angle_1;
-        s_diff_above_0 = s_diff_angle_1;
-    }
-    var _S76 : DiffPair_float_0 = DiffPair_float_0( above_0, s_diff_above_0 );
-    return _S76;
-}
-
-struct DiffPair_vectorx3Cfloatx2C3x3E_0
-{
-     primal_0 : vec3<f32>,
-     differential_0 : vec3<f32>,
-};
-
-fn s_fwd_map_place_0( map_0 : u32,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
-{
-    var _S77 : u32 = map_0 + u32(2);
-    var _S78 : vec3<f32> = vector_at_0(_S77);
-    var _S79 : vec3<f32> = vector_at_0(_S77 + u32(3));
-    var _S80 : vec3<f32> = vector_at_0(_S77 + u32(6));
-    var d_0 : vec3<f32> = _S78 * vec3<f32>(dpdirection_0.primal_0.x) + _S79 * vec3<f32>(dpdirection_0.primal_0.y) + _S80 * vec3<f32>(dpdirection_0.primal_0.z);
-    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_0.differential_0.x) * _S78 + vec3<f32>(dpdirection_0.differential_0.y) * _S79 + vec3<f32>(dpdirection_0.differential_0.z) * _S80;
-    var _S81 : DiffPair_float_0 = DiffPair_float_0( - d_0.z, - s_diff_d_0.z );
-    var _S82 : DiffPair_float_0 = DiffPair_float_0( d_0.x, s_diff_d_0.x );
-    var _S83 : DiffPair_float_0 = s_fwd_angle_of_0(_S81, _S82);
-    var _S84 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_0.xz, s_diff_d_0.xz );
-    var _S85 : DiffPair_float_0 = s_fwd_length_impl_0(_S84);
-    var _S86 : DiffPair_float_0 = DiffPair_float_0( d_0.y, s_diff_d_0.y );
-    var _S87 : DiffPair_float_0 = DiffPair_float_0( _S85.primal_0, _S85.differential_0 );
-    var _S88 : DiffPair_float_0 = s_fwd_angle_of_0(_S86, _S87);
-    var width_0 : f32 = f32(word_0(map_0));
-    var _S89 : f32 = f32(word_0(map_0 + u32(1))) - 1.0f;
-    var _S90 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S83.primal_0 * 0.15915493667125702f * width_0 - 0.5f, _S88.primal_0 * 0.31830987334251404f * _S89), vec2<f32>(_S83.differential_0 * 0.15915493667125702f * width_0, _S88.differential_0 * 0.31830987334251404f * _S89) );
-    return _S90;
+    return vec3<f32>(number_0(at_10), number_0(at_10 + u32(1)), number_0(at_10 + u32(2)));
 }
 
 fn floor_of_0( x_1 : f32) -> i32
@@ -1035,126 +908,56 @@ fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
     return u32(period_0);
 }
 
-struct Lookup_0
-{
-     count_0 : u32,
-     texels_0 : vec4<u32>,
-     weights_0 : vec4<f32>,
-     changes_1 : vec4<f32>,
-};
-
 struct Point_0
 {
-     value_4 : vec2<f32>,
+     value_3 : vec2<f32>,
      change_2 : vec2<f32>,
 };
 
 fn between_0( texels_1 : vec4<u32>,  place_3 : Point_0) -> Lookup_0
 {
-    var way_1 : vec2<f32> = place_3.value_4 - floor(place_3.value_4);
+    var way_1 : vec2<f32> = place_3.value_3 - floor(place_3.value_3);
     var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_1;
-    var lookup_0 : Lookup_0;
-    lookup_0.count_0 = u32(4);
-    lookup_0.texels_0 = texels_1;
-    var _S91 : f32 = back_0.x;
-    var _S92 : f32 = back_0.y;
-    var _S93 : f32 = way_1.x;
-    var _S94 : f32 = way_1.y;
-    lookup_0.weights_0 = vec4<f32>(_S91 * _S92, _S93 * _S92, _S91 * _S94, _S93 * _S94);
-    lookup_0.changes_1 = vec4<f32>(- _S92, _S92, - _S94, _S94) * vec4<f32>(place_3.change_2.x) + vec4<f32>(- _S91, - _S93, _S91, _S93) * vec4<f32>(place_3.change_2.y);
-    return lookup_0;
-}
-
-fn in_map_0( map_1 : u32,  direction_3 : Vector_0) -> Lookup_0
-{
-    var _S95 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_3), change_of_0(direction_3) );
-    var _S96 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(map_1, _S95);
-    var point_0 : Point_0;
-    point_0.change_2 = _S96.differential_0;
-    point_0.value_4 = _S96.primal_0;
-    var x_2 : i32 = floor_of_0(_S96.primal_0.x);
-    var y_1 : i32 = floor_of_0(_S96.primal_0.y);
-    var width_1 : i32 = i32(word_0(map_1));
-    var height_0 : i32 = i32(word_0(map_1 + u32(1)));
-    var left_0 : u32 = wrapped_0(x_2, width_1, u32(0));
-    var right_0 : u32 = wrapped_0(x_2 + i32(1), width_1, u32(0));
-    var _S97 : u32 = wrapped_0(y_1, height_0, u32(2));
-    var _S98 : u32 = u32(width_1);
-    var first_1 : u32 = _S97 * _S98;
-    var _S99 : u32 = wrapped_0(y_1 + i32(1), height_0, u32(2));
-    var second_0 : u32 = _S99 * _S98;
-    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), point_0);
-}
-
-fn one_texel_0( texel_0 : u32) -> Lookup_0
-{
     var lookup_1 : Lookup_0;
-    lookup_1.count_0 = u32(1);
-    lookup_1.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
-    lookup_1.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    lookup_1.changes_1 = vec4<f32>(0.0f);
+    lookup_1.count_0 = u32(4);
+    lookup_1.texels_0 = texels_1;
+    var _S60 : f32 = back_0.x;
+    var _S61 : f32 = back_0.y;
+    var _S62 : f32 = way_1.x;
+    var _S63 : f32 = way_1.y;
+    lookup_1.weights_0 = vec4<f32>(_S60 * _S61, _S62 * _S61, _S60 * _S63, _S62 * _S63);
+    lookup_1.changes_0 = vec4<f32>(- _S61, _S61, - _S63, _S63) * vec4<f32>(place_3.change_2.x) + vec4<f32>(- _S60, - _S62, _S60, _S62) * vec4<f32>(place_3.change_2.y);
     return lookup_1;
-}
-
-struct Corners2_0
-{
-     a_5 : vec2<f32>,
-     b_3 : vec2<f32>,
-     c_2 : vec2<f32>,
-};
-
-fn Corners2_x24init_0( a_6 : vec2<f32>,  b_4 : vec2<f32>,  c_3 : vec2<f32>) -> Corners2_0
-{
-    var _S100 : Corners2_0;
-    _S100.a_5 = a_6;
-    _S100.b_3 = b_4;
-    _S100.c_2 = c_3;
-    return _S100;
-}
-
-fn uvs_of_0( triangle_8 : u32) -> Corners2_0
-{
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
-    var uvs_at_0 : u32 = word_0(shape_of_0(triangle_8) + u32(1));
-    if(uvs_at_0 == u32(4294967295))
-    {
-        return uvs_0;
-    }
-    var at_10 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_8) + u32(1));
-    uvs_0.a_5 = vec2<f32>(number_0(at_10), number_0(at_10 + u32(1)));
-    uvs_0.b_3 = vec2<f32>(number_0(at_10 + u32(2)), number_0(at_10 + u32(3)));
-    uvs_0.c_2 = vec2<f32>(number_0(at_10 + u32(4)), number_0(at_10 + u32(5)));
-    return uvs_0;
 }
 
 fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
 {
-    var width_2 : i32 = i32(word_0(texture_0 + u32(2)));
-    var height_1 : i32 = i32(word_0(texture_0 + u32(3)));
+    var width_0 : i32 = i32(word_0(texture_0 + u32(2)));
+    var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
-    var size_1 : vec2<f32> = vec2<f32>(f32(width_2), f32(height_1));
-    var place_4 : vec2<f32> = uv_0.value_4 * size_1;
+    var size_1 : vec2<f32> = vec2<f32>(f32(width_0), f32(height_0));
+    var place_4 : vec2<f32> = uv_0.value_3 * size_1;
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
-        var row_0 : u32 = wrapped_0(floor_of_0(place_4.y), height_1, wrap_1);
-        var _S101 : u32 = row_0 * u32(width_2);
-        var _S102 : u32 = wrapped_0(floor_of_0(place_4.x), width_2, wrap_1);
-        return one_texel_0(_S101 + _S102);
+        var row_0 : u32 = wrapped_0(floor_of_0(place_4.y), height_0, wrap_1);
+        var _S64 : u32 = row_0 * u32(width_0);
+        var _S65 : u32 = wrapped_0(floor_of_0(place_4.x), width_0, wrap_1);
+        return one_texel_0(_S64 + _S65);
     }
     var centred_0 : Point_0;
-    var _S103 : vec2<f32> = place_4 - vec2<f32>(0.5f);
-    centred_0.value_4 = _S103;
+    var _S66 : vec2<f32> = place_4 - vec2<f32>(0.5f);
+    centred_0.value_3 = _S66;
     centred_0.change_2 = uv_0.change_2 * size_1;
-    var x_3 : i32 = floor_of_0(_S103.x);
-    var y_2 : i32 = floor_of_0(_S103.y);
-    var _S104 : u32 = wrapped_0(y_2, height_1, wrap_1);
-    var _S105 : u32 = u32(width_2);
-    var first_2 : u32 = _S104 * _S105;
-    var _S106 : u32 = wrapped_0(y_2 + i32(1), height_1, wrap_1);
-    var second_1 : u32 = _S106 * _S105;
-    var left_1 : u32 = wrapped_0(x_3, width_2, wrap_1);
-    var right_1 : u32 = wrapped_0(x_3 + i32(1), width_2, wrap_1);
-    return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), centred_0);
+    var x_2 : i32 = floor_of_0(_S66.x);
+    var y_1 : i32 = floor_of_0(_S66.y);
+    var _S67 : u32 = wrapped_0(y_1, height_0, wrap_1);
+    var _S68 : u32 = u32(width_0);
+    var first_1 : u32 = _S67 * _S68;
+    var _S69 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S69 * _S68;
+    var left_0 : u32 = wrapped_0(x_2, width_0, wrap_1);
+    var right_0 : u32 = wrapped_0(x_2 + i32(1), width_0, wrap_1);
+    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
 }
 
 fn lookup_at_0( texture_1 : u32,  place_5 : Place_0) -> Lookup_0
@@ -1175,66 +978,66 @@ fn lookup_at_0( texture_1 : u32,  place_5 : Place_0) -> Lookup_0
         lookup_2.count_0 = u32(3);
         lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
         lookup_2.weights_0 = vec4<f32>(1.0f - place_5.v_4 - place_5.w_3, place_5.v_4, place_5.w_3, 0.0f);
-        lookup_2.changes_1 = vec4<f32>(- place_5.v_change_0 - place_5.w_change_0, place_5.v_change_0, place_5.w_change_0, 0.0f);
+        lookup_2.changes_0 = vec4<f32>(- place_5.v_change_0 - place_5.w_change_0, place_5.v_change_0, place_5.w_change_0, 0.0f);
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_5.triangle_2);
     var rows_0 : u32 = texture_1 + u32(6);
     var uv_1 : Point_0;
-    var _S107 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_5.v_4 - place_5.w_3)) + uvs_1.b_3 * vec2<f32>(place_5.v_4) + uvs_1.c_2 * vec2<f32>(place_5.w_3), 1.0f);
-    var _S108 : u32 = rows_0 + u32(3);
-    uv_1.value_4 = vec2<f32>(dot(_S107, vector_at_0(rows_0)), dot(_S107, vector_at_0(_S108)));
-    var _S109 : vec3<f32> = vec3<f32>((uvs_1.b_3 - uvs_1.a_5) * vec2<f32>(place_5.v_change_0) + (uvs_1.c_2 - uvs_1.a_5) * vec2<f32>(place_5.w_change_0), 0.0f);
-    uv_1.change_2 = vec2<f32>(dot(_S109, vector_at_0(rows_0)), dot(_S109, vector_at_0(_S108)));
+    var _S70 : vec3<f32> = vec3<f32>(uvs_1.a_4 * vec2<f32>((1.0f - place_5.v_4 - place_5.w_3)) + uvs_1.b_2 * vec2<f32>(place_5.v_4) + uvs_1.c_2 * vec2<f32>(place_5.w_3), 1.0f);
+    var _S71 : u32 = rows_0 + u32(3);
+    uv_1.value_3 = vec2<f32>(dot(_S70, vector_at_0(rows_0)), dot(_S70, vector_at_0(_S71)));
+    var _S72 : vec3<f32> = vec3<f32>((uvs_1.b_2 - uvs_1.a_4) * vec2<f32>(place_5.v_change_0) + (uvs_1.c_2 - uvs_1.a_4) * vec2<f32>(place_5.w_change_0), 0.0f);
+    uv_1.change_2 = vec2<f32>(dot(_S72, vector_at_0(rows_0)), dot(_S72, vector_at_0(_S71)));
     if(kind_0 == u32(1))
     {
-        var _S110 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S110;
+        var _S73 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S73;
     }
-    var half_of_period_0 : vec2<f32> = uv_1.value_4 - floor(uv_1.value_4);
-    var _S111 : i32;
+    var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
+    var _S74 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S111 = i32(1);
+        _S74 = i32(1);
     }
     else
     {
-        _S111 = i32(0);
+        _S74 = i32(0);
     }
-    return one_texel_0(u32(_S111));
+    return one_texel_0(u32(_S74));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S112 : u32 = word_0(texture_2 + u32(1));
-    var _S113 : u32 = texture_2 + u32(13);
-    var _S114 : vec3<f32> = vec3<f32>(0.0f);
-    var k_3 : u32 = u32(0);
-    var value_5 : vec3<f32> = _S114;
+    var _S75 : u32 = word_0(texture_2 + u32(1));
+    var _S76 : u32 = texture_2 + u32(13);
+    var _S77 : vec3<f32> = vec3<f32>(0.0f);
+    var k_1 : u32 = u32(0);
+    var value_4 : vec3<f32> = _S77;
     for(;;)
     {
-        if(k_3 < (lookup_3.count_0))
+        if(k_1 < (lookup_3.count_0))
         {
         }
         else
         {
             break;
         }
-        var at_11 : u32 = _S113 + _S112 * lookup_3.texels_0[k_3];
-        var _S115 : vec3<f32>;
-        if(_S112 == u32(1))
+        var at_11 : u32 = _S76 + _S75 * lookup_3.texels_0[k_1];
+        var _S78 : vec3<f32>;
+        if(_S75 == u32(1))
         {
-            _S115 = vec3<f32>(number_0(at_11));
+            _S78 = vec3<f32>(number_0(at_11));
         }
         else
         {
-            _S115 = vector_at_0(at_11);
+            _S78 = vector_at_0(at_11);
         }
-        var value_6 : vec3<f32> = value_5 + _S115 * vec3<f32>(weights_1[k_3]);
-        k_3 = k_3 + u32(1);
-        value_5 = value_6;
+        var value_5 : vec3<f32> = value_4 + _S78 * vec3<f32>(weights_1[k_1]);
+        k_1 = k_1 + u32(1);
+        value_4 = value_5;
     }
-    return value_5;
+    return value_4;
 }
 
 fn numbers_of_0( texture_3 : u32) -> u32
@@ -1242,95 +1045,222 @@ fn numbers_of_0( texture_3 : u32) -> u32
     return change_word_0(u32(2) + u32(2) * word_0(texture_3 + u32(12)));
 }
 
-fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0) -> Colour_0
+fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0) -> Vector_0
 {
-    var colour_2 : Colour_0 = constant_0(weighted_texels_0(texture_4, lookup_4, lookup_4.weights_0));
-    colour_2.changes_0[i32(0)] = weighted_texels_0(texture_4, lookup_4, lookup_4.changes_1);
-    var first_3 : u32 = numbers_of_0(texture_4);
-    if(first_3 == u32(4294967295))
+    var value_6 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.weights_0);
+    var change_3 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.changes_0);
+    var first_2 : u32 = numbers_of_0(texture_4);
+    if(first_2 == u32(4294967295))
     {
-        return colour_2;
+        return changing_0(value_6, change_3);
     }
-    var _S116 : bool = (word_0(texture_4 + u32(1))) == u32(1);
-    var k_4 : u32 = u32(0);
+    var _S79 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var k_2 : u32 = u32(0);
+    var change_4 : vec3<f32> = change_3;
     for(;;)
     {
-        if(k_4 < (lookup_4.count_0))
+        if(k_2 < (lookup_4.count_0))
         {
         }
         else
         {
             break;
         }
-        var _S117 : i32;
-        if(_S116)
+        var _S80 : i32;
+        if(_S79)
         {
-            _S117 = i32(1);
+            _S80 = i32(1);
         }
         else
         {
-            _S117 = i32(3);
+            _S80 = i32(3);
         }
-        var at_12 : u32 = first_3 + u32(_S117) * lookup_4.texels_0[k_4];
-        var change_3 : vec3<f32>;
-        if(_S116)
+        var at_12 : u32 = first_2 + u32(_S80) * lookup_4.texels_0[k_2];
+        var of_texel_0 : vec3<f32>;
+        if(_S79)
         {
-            change_3 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_12)))));
+            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_12)))));
         }
         else
         {
-            change_3 = change_vector_0(at_12);
+            of_texel_0 = change_vector_0(at_12);
         }
-        colour_2.changes_0[i32(0)] = colour_2.changes_0[i32(0)] + change_3 * vec3<f32>(lookup_4.weights_0[k_4]);
-        k_4 = k_4 + u32(1);
+        var change_5 : vec3<f32> = change_4 + of_texel_0 * vec3<f32>(lookup_4.weights_0[k_2]);
+        k_2 = k_2 + u32(1);
+        change_4 = change_5;
     }
-    return colour_2;
+    return changing_0(value_6, change_4);
 }
 
-fn x2A_1( a_7 : Colour_0,  b_5 : Colour_0) -> Colour_0
+fn value_of_0( vector_2 : Vector_0) -> vec3<f32>
 {
-    var product_2 : Colour_0;
-    product_2.value_0 = a_7.value_0 * b_5.value_0;
-    var k_5 : u32 = u32(0);
-    for(;;)
-    {
-        if(k_5 < u32(1))
-        {
-        }
-        else
-        {
-            break;
-        }
-        product_2.changes_0[k_5] = a_7.changes_0[k_5] * b_5.value_0 + a_7.value_0 * b_5.changes_0[k_5];
-        k_5 = k_5 + u32(1);
-    }
-    return product_2;
+    return vector_2.value_0;
 }
 
-fn arriving_0( emitter_2 : u32,  place_6 : Place_0,  direction_4 : Vector_0,  factor_0 : Colour_0,  importance_0 : vec3<f32>) -> Colour_0
+fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var record_2 : u32 = emitter_record_0(emitter_2);
-    var texture_5 : u32 = word_0(record_2 + u32(1));
-    var _S118 : Colour_0;
-    var texture_6 : u32;
-    var lookup_5 : Lookup_0;
-    if(is_map_0(record_2))
+    var _S81 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0, dpx_5.differential_0 );
+    var _S82 : DiffPair_float_0 = _d_abs_0(_S81);
+    var _S83 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0, dpy_2.differential_0 );
+    var _S84 : DiffPair_float_0 = _d_abs_0(_S83);
+    var _S85 : DiffPair_float_0 = DiffPair_float_0( _S82.primal_0, _S82.differential_0 );
+    var _S86 : DiffPair_float_0 = DiffPair_float_0( _S84.primal_0, _S84.differential_0 );
+    var _S87 : DiffPair_float_0 = _d_min_0(_S85, _S86);
+    var _S88 : DiffPair_float_0 = _d_max_0(_S85, _S86);
+    var is_steep_0 : bool = (_S87.primal_0) > (0.41421356797218323f * _S88.primal_0);
+    var above_0 : f32;
+    var s_diff_above_0 : f32;
+    if(is_steep_0)
     {
-        var _S119 : Colour_0 = x2A_0(factor_0, vector_at_0(texture_5 + u32(11)));
-        var _S120 : Lookup_0 = in_map_0(texture_5, direction_4);
-        var _S121 : u32 = word_0(texture_5 + u32(14));
-        _S118 = _S119;
-        texture_6 = _S121;
-        lookup_5 = _S120;
+        var _S89 : f32 = _S87.differential_0 - _S88.differential_0;
+        above_0 = _S87.primal_0 - _S88.primal_0;
+        s_diff_above_0 = _S89;
     }
     else
     {
-        var _S122 : Lookup_0 = lookup_at_0(texture_5, place_6);
-        _S118 = factor_0;
-        texture_6 = texture_5;
-        lookup_5 = _S122;
+        above_0 = _S87.primal_0;
+        s_diff_above_0 = _S87.differential_0;
     }
-    return x2A_1(_S118, looked_up_0(texture_6, lookup_5));
+    var below_0 : f32;
+    var s_diff_below_0 : f32;
+    if(is_steep_0)
+    {
+        var _S90 : f32 = _S87.differential_0 + _S88.differential_0;
+        below_0 = _S87.primal_0 + _S88.primal_0;
+        s_diff_below_0 = _S90;
+    }
+    else
+    {
+        below_0 = _S88.primal_0;
+        s_diff_below_0 = _S88.differential_0;
+    }
+    if(below_0 > 0.0f)
+    {
+    }
+    else
+    {
+        below_0 = 1.0f;
+        s_diff_below_0 = 0.0f;
+    }
+    var t_3 : f32 = above_0 / below_0;
+    var s_diff_t_0 : f32 = (s_diff_above_0 * below_0 - above_0 * s_diff_below_0) / (below_0 * below_0);
+    var z_2 : f32 = t_3 * t_3;
+    var _S91 : f32 = s_diff_t_0 * t_3;
+    var s_diff_z_0 : f32 = _S91 + _S91;
+    var _S92 : f32 = 0.08053744584321976f * z_2 - 0.13877685368061066f;
+    var _S93 : f32 = _S92 * z_2 + 0.19977711141109467f;
+    var tail_0 : f32 = _S93 * z_2 - 0.33332949876785278f;
+    var _S94 : f32 = tail_0 * z_2;
+    var angle_0 : f32 = _S94 * t_3 + t_3;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_2 + s_diff_z_0 * _S92) * z_2 + s_diff_z_0 * _S93) * z_2 + s_diff_z_0 * tail_0) * t_3 + s_diff_t_0 * _S94 + s_diff_t_0;
+    var angle_1 : f32;
+    if(is_steep_0)
+    {
+        angle_1 = angle_0 + 0.78539818525314331f;
+    }
+    else
+    {
+        angle_1 = angle_0;
+    }
+    var s_diff_angle_1 : f32;
+    if((_S84.primal_0) > (_S82.primal_0))
+    {
+        var _S95 : f32 = 0.0f - s_diff_angle_0;
+        angle_1 = 1.57079637050628662f - angle_1;
+        s_diff_angle_1 = _S95;
+    }
+    else
+    {
+        s_diff_angle_1 = s_diff_angle_0;
+    }
+    if((dpx_5.primal_0) < 0.0f)
+    {
+        var _S96 : f32 = 0.0f - s_diff_angle_1;
+        angle_1 = 3.14159274101257324f - angle_1;
+        s_diff_angle_1 = _S96;
+    }
+    if((dpy_2.primal_0) < 0.0f)
+    {
+        var _S97 : f32 = - s_diff_angle_1;
+        above_0 = - angle_1;
+        s_diff_above_0 = _S97;
+    }
+    else
+    {
+        above_0 = angle_1;
+        s_diff_above_0 = s_diff_angle_1;
+    }
+    var _S98 : DiffPair_float_0 = DiffPair_float_0( above_0, s_diff_above_0 );
+    return _S98;
+}
+
+struct DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+     primal_0 : vec3<f32>,
+     differential_0 : vec3<f32>,
+};
+
+fn s_fwd_map_place_0( map_0 : u32,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
+{
+    var _S99 : u32 = map_0 + u32(2);
+    var _S100 : vec3<f32> = vector_at_0(_S99);
+    var _S101 : vec3<f32> = vector_at_0(_S99 + u32(3));
+    var _S102 : vec3<f32> = vector_at_0(_S99 + u32(6));
+    var d_0 : vec3<f32> = _S100 * vec3<f32>(dpdirection_0.primal_0.x) + _S101 * vec3<f32>(dpdirection_0.primal_0.y) + _S102 * vec3<f32>(dpdirection_0.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_0.differential_0.x) * _S100 + vec3<f32>(dpdirection_0.differential_0.y) * _S101 + vec3<f32>(dpdirection_0.differential_0.z) * _S102;
+    var _S103 : DiffPair_float_0 = DiffPair_float_0( - d_0.z, - s_diff_d_0.z );
+    var _S104 : DiffPair_float_0 = DiffPair_float_0( d_0.x, s_diff_d_0.x );
+    var _S105 : DiffPair_float_0 = s_fwd_angle_of_0(_S103, _S104);
+    var _S106 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_0.xz, s_diff_d_0.xz );
+    var _S107 : DiffPair_float_0 = s_fwd_length_impl_0(_S106);
+    var _S108 : DiffPair_float_0 = DiffPair_float_0( d_0.y, s_diff_d_0.y );
+    var _S109 : DiffPair_float_0 = DiffPair_float_0( _S107.primal_0, _S107.differential_0 );
+    var _S110 : DiffPair_float_0 = s_fwd_angle_of_0(_S108, _S109);
+    var width_1 : f32 = f32(word_0(map_0));
+    var _S111 : f32 = f32(word_0(map_0 + u32(1))) - 1.0f;
+    var _S112 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S105.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S110.primal_0 * 0.31830987334251404f * _S111), vec2<f32>(_S105.differential_0 * 0.15915493667125702f * width_1, _S110.differential_0 * 0.31830987334251404f * _S111) );
+    return _S112;
+}
+
+fn in_map_0( map_1 : u32,  direction_3 : Vector_0) -> Lookup_0
+{
+    var _S113 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_3), change_of_0(direction_3) );
+    var _S114 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(map_1, _S113);
+    var point_0 : Point_0;
+    point_0.change_2 = _S114.differential_0;
+    point_0.value_3 = _S114.primal_0;
+    var x_3 : i32 = floor_of_0(_S114.primal_0.x);
+    var y_2 : i32 = floor_of_0(_S114.primal_0.y);
+    var width_2 : i32 = i32(word_0(map_1));
+    var height_1 : i32 = i32(word_0(map_1 + u32(1)));
+    var left_1 : u32 = wrapped_0(x_3, width_2, u32(0));
+    var right_1 : u32 = wrapped_0(x_3 + i32(1), width_2, u32(0));
+    var _S115 : u32 = wrapped_0(y_2, height_1, u32(2));
+    var _S116 : u32 = u32(width_2);
+    var first_3 : u32 = _S115 * _S116;
+    var _S117 : u32 = wrapped_0(y_2 + i32(1), height_1, u32(2));
+    var second_1 : u32 = _S117 * _S116;
+    return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_1 + left_1, second_1 + right_1), point_0);
+}
+
+fn x2A_0( a_6 : Vector_0,  b_4 : Vector_0) -> Vector_0
+{
+    return changing_0(a_6.value_0 * b_4.value_0, a_6.change_0 * b_4.value_0 + a_6.value_0 * b_4.change_0);
+}
+
+fn emitted_0( emitter_2 : u32,  place_6 : Place_0,  direction_4 : Vector_0,  importance_0 : vec3<f32>) -> Vector_0
+{
+    var record_2 : u32 = emitter_record_0(emitter_2);
+    var texture_5 : u32 = word_0(record_2 + u32(1));
+    if(!is_map_0(record_2))
+    {
+        var lookup_5 : Lookup_0 = lookup_at_0(texture_5, place_6);
+        return looked_up_0(texture_5, lookup_5);
+    }
+    var texels_2 : u32 = word_0(texture_5 + u32(11));
+    var scale_1 : u32 = word_0(texture_5 + u32(12));
+    var lookup_6 : Lookup_0 = in_map_0(texture_5, direction_4);
+    return x2A_0(looked_up_0(texels_2, lookup_6), looked_up_0(scale_1, one_texel_0(u32(0))));
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1340,11 +1270,11 @@ fn reaches_0( segments_0 : u32) -> bool
 
 struct Path_0
 {
-     throughput_0 : Colour_0,
+     throughput_0 : Vector_0,
      direction_5 : Vector_0,
      place_7 : Place_0,
      key_0 : vec2<u32>,
-     light_0 : Colour_0,
+     light_0 : Vector_0,
      drift_1 : vec3<f32>,
 };
 
@@ -1354,8 +1284,7 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
     var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13], input_0[at_13 + u32(1)], input_0[at_13 + u32(2)]))));
     var direction_6 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(3)], input_0[at_13 + u32(4)], input_0[at_13 + u32(5)]))));
     (*path_0).key_0 = vec2<u32>(input_0[at_13 + u32(7)], input_0[at_13 + u32(8)]);
-    var one_0 : Colour_0 = constant_0(vec3<f32>(1.0f));
-    (*path_0).throughput_0 = carried_0(one_0);
+    (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
     var importance_1 : vec3<f32> = vec3<f32>(0.0f);
     var t_4 : f32 = 0.0f;
     var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_13 + u32(6)])));
@@ -1364,62 +1293,62 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0f;
     found_4.w_2 = 0.0f;
-    var _S123 : bool;
+    var _S118 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S123 = (word_0(u32(13))) != u32(0);
+        _S118 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S123 = false;
+        _S118 = false;
     }
-    if(_S123)
+    if(_S118)
     {
-        var _S124 : Found_0 = cast_0(origin_2, direction_6, 0.0f, length_of_ray_0, false, &(t_4));
-        found_4 = _S124;
+        var _S119 : Found_0 = cast_0(origin_2, direction_6, 0.0f, length_of_ray_0, false, &(t_4));
+        found_4 = _S119;
     }
-    var _S125 : Place_0 = place_of_0(found_4);
-    (*path_0).place_7 = _S125;
-    var seen_0 : Place_0 = _S125;
+    var _S120 : Place_0 = place_of_0(found_4);
+    (*path_0).place_7 = _S120;
+    var seen_0 : Place_0 = _S120;
     var origin_change_0 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(9)], input_0[at_13 + u32(10)], input_0[at_13 + u32(11)]))));
-    var _S126 : Vector_0 = changing_0(direction_6, (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(12)], input_0[at_13 + u32(13)], input_0[at_13 + u32(14)])))));
-    (*path_0).direction_5 = _S126;
-    (*path_0).drift_1 = origin_change_0 + change_of_0(_S126) * vec3<f32>(t_4);
+    var _S121 : Vector_0 = changing_0(direction_6, (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(12)], input_0[at_13 + u32(13)], input_0[at_13 + u32(14)])))));
+    (*path_0).direction_5 = _S121;
+    (*path_0).drift_1 = origin_change_0 + change_of_0(_S121) * vec3<f32>(t_4);
     var unused_0 : vec3<f32>;
     if((found_4.face_1) != u32(4294967295))
     {
         move_place_0(&(seen_0), &(unused_0), direction_6, (*path_0).drift_1);
     }
-    var _S127 : Colour_0 = constant_0(importance_1);
+    var _S122 : Vector_0 = still_0(importance_1);
     var emitter_3 : u32 = emitter_seen_0(found_4, direction_6);
     if(emitter_3 != u32(4294967295))
     {
-        _S123 = (word_0(u32(4))) != u32(0);
+        _S118 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S123 = false;
+        _S118 = false;
     }
-    var light_1 : Colour_0;
-    if(_S123)
+    var light_1 : Vector_0;
+    if(_S118)
     {
-        var _S128 : Colour_0 = arriving_0(emitter_3, seen_0, (*path_0).direction_5, one_0, importance_1);
-        light_1 = _S128;
+        var _S123 : Vector_0 = emitted_0(emitter_3, seen_0, (*path_0).direction_5, importance_1);
+        light_1 = _S123;
     }
     else
     {
-        light_1 = _S127;
+        light_1 = _S122;
     }
     (*path_0).light_0 = light_1;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S123 = reaches_0(u32(2));
+        _S118 = reaches_0(u32(2));
     }
     else
     {
-        _S123 = false;
+        _S118 = false;
     }
-    return _S123;
+    return _S118;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_7 : u32)
@@ -1466,22 +1395,10 @@ fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_9 : vec3<f3
     return;
 }
 
-fn set_colour_0( path_4 : u32,  which_4 : ptr<function, u32>,  colour_3 : Colour_0)
+fn set_changing_0( path_4 : u32,  which_4 : ptr<function, u32>,  vector_3 : Vector_0)
 {
-    set_vector_1(path_4, &((*which_4)), colour_3.value_0);
-    var k_6 : u32 = u32(0);
-    for(;;)
-    {
-        if(k_6 < u32(1))
-        {
-        }
-        else
-        {
-            break;
-        }
-        set_vector_1(path_4, &((*which_4)), colour_3.changes_0[k_6]);
-        k_6 = k_6 + u32(1);
-    }
+    set_vector_1(path_4, &((*which_4)), value_of_0(vector_3));
+    set_vector_1(path_4, &((*which_4)), change_of_0(vector_3));
     return;
 }
 
@@ -1497,10 +1414,9 @@ fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_8 : Place_0)
 fn store_0( number_of_path_1 : u32,  path_6 : Path_0)
 {
     var at_14 : u32 = u32(1);
-    set_colour_0(number_of_path_1, &(at_14), path_6.light_0);
-    set_colour_0(number_of_path_1, &(at_14), path_6.throughput_0);
-    set_vector_0(number_of_path_1, &(at_14), value_of_0(path_6.direction_5));
-    set_vector_0(number_of_path_1, &(at_14), change_of_0(path_6.direction_5));
+    set_changing_0(number_of_path_1, &(at_14), path_6.light_0);
+    set_changing_0(number_of_path_1, &(at_14), path_6.throughput_0);
+    set_changing_0(number_of_path_1, &(at_14), path_6.direction_5);
     set_vector_0(number_of_path_1, &(at_14), path_6.drift_1);
     set_place_0(number_of_path_1, &(at_14), path_6.place_7);
     set_word_0(number_of_path_1, at_14, path_6.key_0.x);
@@ -1520,15 +1436,15 @@ fn begin_forward(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_7 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_2, &(path_7));
     store_0(number_of_path_2, path_7);
-    var _S129 : u32;
+    var _S124 : u32;
     if(goes_on_0)
     {
-        _S129 = number_of_path_2;
+        _S124 = number_of_path_2;
     }
     else
     {
-        _S129 = u32(4294967295);
+        _S124 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), _S129);
+    set_word_0(number_of_path_2, u32(0), _S124);
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 5bc055aa5ffc7eac
-// result: bb62c2ce791e016d
+// source: 5fd78078688c45e4
+// result: 37eaf1cd2941cf29
 
 struct Launch_std140_0
 {
@@ -26,14 +26,14 @@ struct Launch_std140_0
 
 @binding(6) @group(0) var<storage, read_write> paths_0 : array<u32>;
 
-fn constant_0( value_0 : vec3<f32>) -> vec3<f32>
+fn changing_0( value_0 : vec3<f32>,  change_0 : vec3<f32>) -> vec3<f32>
 {
     return value_0;
 }
 
-fn carried_0( colour_0 : vec3<f32>) -> vec3<f32>
+fn still_0( value_1 : vec3<f32>) -> vec3<f32>
 {
-    return colour_0;
+    return changing_0(value_1, vec3<f32>(0.0f));
 }
 
 fn word_0( at_0 : u32) -> u32
@@ -658,89 +658,66 @@ fn is_map_0( record_0 : u32) -> bool
     return (word_0(record_0)) == u32(2);
 }
 
+struct Lookup_0
+{
+     count_0 : u32,
+     texels_0 : vec4<u32>,
+     weights_0 : vec4<f32>,
+};
+
+fn one_texel_0( texel_0 : u32) -> Lookup_0
+{
+    var lookup_0 : Lookup_0;
+    lookup_0.count_0 = u32(1);
+    lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
+    lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    return lookup_0;
+}
+
+struct Corners2_0
+{
+     a_2 : vec2<f32>,
+     b_1 : vec2<f32>,
+     c_1 : vec2<f32>,
+};
+
+fn Corners2_x24init_0( a_3 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
+{
+    var _S43 : Corners2_0;
+    _S43.a_2 = a_3;
+    _S43.b_1 = b_2;
+    _S43.c_1 = c_2;
+    return _S43;
+}
+
 fn number_0( at_5 : u32) -> f32
 {
     return (bitcast<f32>((scene_0[at_5])));
 }
 
-fn vector_at_0( at_6 : u32) -> vec3<f32>
+fn uvs_of_0( triangle_7 : u32) -> Corners2_0
 {
-    return vec3<f32>(number_0(at_6), number_0(at_6 + u32(1)), number_0(at_6 + u32(2)));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_at_0 : u32 = word_0(shape_of_0(triangle_7) + u32(1));
+    if(uvs_at_0 == u32(4294967295))
+    {
+        return uvs_0;
+    }
+    var at_6 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_7) + u32(1));
+    uvs_0.a_2 = vec2<f32>(number_0(at_6), number_0(at_6 + u32(1)));
+    uvs_0.b_1 = vec2<f32>(number_0(at_6 + u32(2)), number_0(at_6 + u32(3)));
+    uvs_0.c_1 = vec2<f32>(number_0(at_6 + u32(4)), number_0(at_6 + u32(5)));
+    return uvs_0;
 }
 
-fn angle_of_0( x_1 : f32,  y_1 : f32) -> f32
+fn vector_at_0( at_7 : u32) -> vec3<f32>
 {
-    var _S43 : f32 = abs(x_1);
-    var _S44 : f32 = abs(y_1);
-    var _S45 : f32 = min(_S43, _S44);
-    var _S46 : f32 = max(_S43, _S44);
-    var is_steep_0 : bool = _S45 > (0.41421356797218323f * _S46);
-    var above_0 : f32;
-    if(is_steep_0)
-    {
-        above_0 = _S45 - _S46;
-    }
-    else
-    {
-        above_0 = _S45;
-    }
-    var below_0 : f32;
-    if(is_steep_0)
-    {
-        below_0 = _S45 + _S46;
-    }
-    else
-    {
-        below_0 = _S46;
-    }
-    if(below_0 > 0.0f)
-    {
-    }
-    else
-    {
-        below_0 = 1.0f;
-    }
-    var t_3 : f32 = above_0 / below_0;
-    var z_2 : f32 = t_3 * t_3;
-    var angle_0 : f32 = (((0.08053744584321976f * z_2 - 0.13877685368061066f) * z_2 + 0.19977711141109467f) * z_2 - 0.33332949876785278f) * z_2 * t_3 + t_3;
-    var angle_1 : f32;
-    if(is_steep_0)
-    {
-        angle_1 = angle_0 + 0.78539818525314331f;
-    }
-    else
-    {
-        angle_1 = angle_0;
-    }
-    if(_S44 > _S43)
-    {
-        angle_1 = 1.57079637050628662f - angle_1;
-    }
-    if(x_1 < 0.0f)
-    {
-        angle_1 = 3.14159274101257324f - angle_1;
-    }
-    if(y_1 < 0.0f)
-    {
-        above_0 = - angle_1;
-    }
-    else
-    {
-        above_0 = angle_1;
-    }
-    return above_0;
+    return vec3<f32>(number_0(at_7), number_0(at_7 + u32(1)), number_0(at_7 + u32(2)));
 }
 
-fn map_place_0( map_0 : u32,  direction_2 : vec3<f32>) -> vec2<f32>
+fn floor_of_0( x_1 : f32) -> i32
 {
-    var _S47 : u32 = map_0 + u32(2);
-    var d_0 : vec3<f32> = vector_at_0(_S47) * vec3<f32>(direction_2.x) + vector_at_0(_S47 + u32(3)) * vec3<f32>(direction_2.y) + vector_at_0(_S47 + u32(6)) * vec3<f32>(direction_2.z);
-    return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
-}
-
-fn floor_of_0( x_2 : f32) -> i32
-{
-    return i32(floor(clamp(x_2, -1.0e+09f, 1.0e+09f)));
+    return i32(floor(clamp(x_1, -1.0e+09f, 1.0e+09f)));
 }
 
 fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -779,128 +756,62 @@ fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
     return u32(period_0);
 }
 
-struct Lookup_0
-{
-     count_0 : u32,
-     texels_0 : vec4<u32>,
-     weights_0 : vec4<f32>,
-};
-
 struct Point_0
 {
-     value_1 : vec2<f32>,
+     value_2 : vec2<f32>,
 };
 
 fn between_0( texels_1 : vec4<u32>,  place_1 : Point_0) -> Lookup_0
 {
-    var way_1 : vec2<f32> = place_1.value_1 - floor(place_1.value_1);
+    var way_1 : vec2<f32> = place_1.value_2 - floor(place_1.value_2);
     var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_1;
-    var lookup_0 : Lookup_0;
-    lookup_0.count_0 = u32(4);
-    lookup_0.texels_0 = texels_1;
-    var _S48 : f32 = back_0.x;
-    var _S49 : f32 = back_0.y;
-    var _S50 : f32 = way_1.x;
-    var _S51 : f32 = way_1.y;
-    lookup_0.weights_0 = vec4<f32>(_S48 * _S49, _S50 * _S49, _S48 * _S51, _S50 * _S51);
-    return lookup_0;
-}
-
-fn in_map_0( map_1 : u32,  direction_3 : vec3<f32>) -> Lookup_0
-{
-    var place_2 : vec2<f32> = map_place_0(map_1, direction_3);
-    var point_0 : Point_0;
-    point_0.value_1 = place_2;
-    var x_3 : i32 = floor_of_0(place_2.x);
-    var y_2 : i32 = floor_of_0(place_2.y);
-    var width_0 : i32 = i32(word_0(map_1));
-    var height_0 : i32 = i32(word_0(map_1 + u32(1)));
-    var left_0 : u32 = wrapped_0(x_3, width_0, u32(0));
-    var right_0 : u32 = wrapped_0(x_3 + i32(1), width_0, u32(0));
-    var _S52 : u32 = wrapped_0(y_2, height_0, u32(2));
-    var _S53 : u32 = u32(width_0);
-    var first_1 : u32 = _S52 * _S53;
-    var _S54 : u32 = wrapped_0(y_2 + i32(1), height_0, u32(2));
-    var second_0 : u32 = _S54 * _S53;
-    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), point_0);
-}
-
-fn one_texel_0( texel_0 : u32) -> Lookup_0
-{
     var lookup_1 : Lookup_0;
-    lookup_1.count_0 = u32(1);
-    lookup_1.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
-    lookup_1.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    lookup_1.count_0 = u32(4);
+    lookup_1.texels_0 = texels_1;
+    var _S44 : f32 = back_0.x;
+    var _S45 : f32 = back_0.y;
+    var _S46 : f32 = way_1.x;
+    var _S47 : f32 = way_1.y;
+    lookup_1.weights_0 = vec4<f32>(_S44 * _S45, _S46 * _S45, _S44 * _S47, _S46 * _S47);
     return lookup_1;
-}
-
-struct Corners2_0
-{
-     a_2 : vec2<f32>,
-     b_1 : vec2<f32>,
-     c_1 : vec2<f32>,
-};
-
-fn Corners2_x24init_0( a_3 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
-{
-    var _S55 : Corners2_0;
-    _S55.a_2 = a_3;
-    _S55.b_1 = b_2;
-    _S55.c_1 = c_2;
-    return _S55;
-}
-
-fn uvs_of_0( triangle_7 : u32) -> Corners2_0
-{
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
-    var uvs_at_0 : u32 = word_0(shape_of_0(triangle_7) + u32(1));
-    if(uvs_at_0 == u32(4294967295))
-    {
-        return uvs_0;
-    }
-    var at_7 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_7) + u32(1));
-    uvs_0.a_2 = vec2<f32>(number_0(at_7), number_0(at_7 + u32(1)));
-    uvs_0.b_1 = vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5)));
-    return uvs_0;
 }
 
 fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
 {
-    var width_1 : i32 = i32(word_0(texture_0 + u32(2)));
-    var height_1 : i32 = i32(word_0(texture_0 + u32(3)));
+    var width_0 : i32 = i32(word_0(texture_0 + u32(2)));
+    var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
-    var place_3 : vec2<f32> = uv_0.value_1 * vec2<f32>(f32(width_1), f32(height_1));
+    var place_2 : vec2<f32> = uv_0.value_2 * vec2<f32>(f32(width_0), f32(height_0));
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
-        var row_0 : u32 = wrapped_0(floor_of_0(place_3.y), height_1, wrap_1);
-        var _S56 : u32 = row_0 * u32(width_1);
-        var _S57 : u32 = wrapped_0(floor_of_0(place_3.x), width_1, wrap_1);
-        return one_texel_0(_S56 + _S57);
+        var row_0 : u32 = wrapped_0(floor_of_0(place_2.y), height_0, wrap_1);
+        var _S48 : u32 = row_0 * u32(width_0);
+        var _S49 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
+        return one_texel_0(_S48 + _S49);
     }
     var centred_0 : Point_0;
-    var _S58 : vec2<f32> = place_3 - vec2<f32>(0.5f);
-    centred_0.value_1 = _S58;
-    var x_4 : i32 = floor_of_0(_S58.x);
-    var y_3 : i32 = floor_of_0(_S58.y);
-    var _S59 : u32 = wrapped_0(y_3, height_1, wrap_1);
-    var _S60 : u32 = u32(width_1);
-    var first_2 : u32 = _S59 * _S60;
-    var _S61 : u32 = wrapped_0(y_3 + i32(1), height_1, wrap_1);
-    var second_1 : u32 = _S61 * _S60;
-    var left_1 : u32 = wrapped_0(x_4, width_1, wrap_1);
-    var right_1 : u32 = wrapped_0(x_4 + i32(1), width_1, wrap_1);
-    return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), centred_0);
+    var _S50 : vec2<f32> = place_2 - vec2<f32>(0.5f);
+    centred_0.value_2 = _S50;
+    var x_2 : i32 = floor_of_0(_S50.x);
+    var y_1 : i32 = floor_of_0(_S50.y);
+    var _S51 : u32 = wrapped_0(y_1, height_0, wrap_1);
+    var _S52 : u32 = u32(width_0);
+    var first_1 : u32 = _S51 * _S52;
+    var _S53 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S53 * _S52;
+    var left_0 : u32 = wrapped_0(x_2, width_0, wrap_1);
+    var right_0 : u32 = wrapped_0(x_2 + i32(1), width_0, wrap_1);
+    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
 }
 
-fn lookup_at_0( texture_1 : u32,  place_4 : Place_0) -> Lookup_0
+fn lookup_at_0( texture_1 : u32,  place_3 : Place_0) -> Lookup_0
 {
     var kind_0 : u32 = word_0(texture_1);
     if(kind_0 == u32(0))
     {
         return one_texel_0(u32(0));
     }
-    var record_1 : u32 = triangle_record_0(place_4.triangle_2) + u32(1);
+    var record_1 : u32 = triangle_record_0(place_3.triangle_2) + u32(1);
     if(kind_0 == u32(4))
     {
         return one_texel_0(word_0(record_1));
@@ -910,39 +821,39 @@ fn lookup_at_0( texture_1 : u32,  place_4 : Place_0) -> Lookup_0
         var lookup_2 : Lookup_0;
         lookup_2.count_0 = u32(3);
         lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
-        lookup_2.weights_0 = vec4<f32>(1.0f - place_4.v_4 - place_4.w_3, place_4.v_4, place_4.w_3, 0.0f);
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_3.v_4 - place_3.w_3, place_3.v_4, place_3.w_3, 0.0f);
         return lookup_2;
     }
-    var uvs_1 : Corners2_0 = uvs_of_0(place_4.triangle_2);
+    var uvs_1 : Corners2_0 = uvs_of_0(place_3.triangle_2);
     var rows_0 : u32 = texture_1 + u32(6);
     var uv_1 : Point_0;
-    var _S62 : vec3<f32> = vec3<f32>(uvs_1.a_2 * vec2<f32>((1.0f - place_4.v_4 - place_4.w_3)) + uvs_1.b_1 * vec2<f32>(place_4.v_4) + uvs_1.c_1 * vec2<f32>(place_4.w_3), 1.0f);
-    uv_1.value_1 = vec2<f32>(dot(_S62, vector_at_0(rows_0)), dot(_S62, vector_at_0(rows_0 + u32(3))));
+    var _S54 : vec3<f32> = vec3<f32>(uvs_1.a_2 * vec2<f32>((1.0f - place_3.v_4 - place_3.w_3)) + uvs_1.b_1 * vec2<f32>(place_3.v_4) + uvs_1.c_1 * vec2<f32>(place_3.w_3), 1.0f);
+    uv_1.value_2 = vec2<f32>(dot(_S54, vector_at_0(rows_0)), dot(_S54, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
     {
-        var _S63 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S63;
+        var _S55 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S55;
     }
-    var half_of_period_0 : vec2<f32> = uv_1.value_1 - floor(uv_1.value_1);
-    var _S64 : i32;
+    var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
+    var _S56 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S64 = i32(1);
+        _S56 = i32(1);
     }
     else
     {
-        _S64 = i32(0);
+        _S56 = i32(0);
     }
-    return one_texel_0(u32(_S64));
+    return one_texel_0(u32(_S56));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S65 : u32 = word_0(texture_2 + u32(1));
-    var _S66 : u32 = texture_2 + u32(13);
-    var _S67 : vec3<f32> = vec3<f32>(0.0f);
+    var _S57 : u32 = word_0(texture_2 + u32(1));
+    var _S58 : u32 = texture_2 + u32(13);
+    var _S59 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S67;
+    var value_3 : vec3<f32> = _S59;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -952,52 +863,130 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S66 + _S65 * lookup_3.texels_0[k_1];
-        var _S68 : vec3<f32>;
-        if(_S65 == u32(1))
+        var at_8 : u32 = _S58 + _S57 * lookup_3.texels_0[k_1];
+        var _S60 : vec3<f32>;
+        if(_S57 == u32(1))
         {
-            _S68 = vec3<f32>(number_0(at_8));
+            _S60 = vec3<f32>(number_0(at_8));
         }
         else
         {
-            _S68 = vector_at_0(at_8);
+            _S60 = vector_at_0(at_8);
         }
-        var value_3 : vec3<f32> = value_2 + _S68 * vec3<f32>(weights_1[k_1]);
+        var value_4 : vec3<f32> = value_3 + _S60 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
-        value_2 = value_3;
+        value_3 = value_4;
     }
-    return value_2;
+    return value_3;
 }
 
 fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0) -> vec3<f32>
 {
-    return constant_0(weighted_texels_0(texture_3, lookup_4, lookup_4.weights_0));
+    return weighted_texels_0(texture_3, lookup_4, lookup_4.weights_0);
 }
 
-fn arriving_0( emitter_2 : u32,  place_5 : Place_0,  direction_4 : vec3<f32>,  factor_0 : vec3<f32>,  importance_0 : vec3<f32>) -> vec3<f32>
+fn angle_of_0( x_3 : f32,  y_2 : f32) -> f32
 {
-    var record_2 : u32 = emitter_record_0(emitter_2);
-    var texture_4 : u32 = word_0(record_2 + u32(1));
-    var _S69 : vec3<f32>;
-    var texture_5 : u32;
-    var lookup_5 : Lookup_0;
-    if(is_map_0(record_2))
+    var _S61 : f32 = abs(x_3);
+    var _S62 : f32 = abs(y_2);
+    var _S63 : f32 = min(_S61, _S62);
+    var _S64 : f32 = max(_S61, _S62);
+    var is_steep_0 : bool = _S63 > (0.41421356797218323f * _S64);
+    var above_0 : f32;
+    if(is_steep_0)
     {
-        var _S70 : vec3<f32> = factor_0 * vector_at_0(texture_4 + u32(11));
-        var _S71 : Lookup_0 = in_map_0(texture_4, direction_4);
-        var _S72 : u32 = word_0(texture_4 + u32(14));
-        _S69 = _S70;
-        texture_5 = _S72;
-        lookup_5 = _S71;
+        above_0 = _S63 - _S64;
     }
     else
     {
-        var _S73 : Lookup_0 = lookup_at_0(texture_4, place_5);
-        _S69 = factor_0;
-        texture_5 = texture_4;
-        lookup_5 = _S73;
+        above_0 = _S63;
     }
-    return _S69 * looked_up_0(texture_5, lookup_5);
+    var below_0 : f32;
+    if(is_steep_0)
+    {
+        below_0 = _S63 + _S64;
+    }
+    else
+    {
+        below_0 = _S64;
+    }
+    if(below_0 > 0.0f)
+    {
+    }
+    else
+    {
+        below_0 = 1.0f;
+    }
+    var t_3 : f32 = above_0 / below_0;
+    var z_2 : f32 = t_3 * t_3;
+    var angle_0 : f32 = (((0.08053744584321976f * z_2 - 0.13877685368061066f) * z_2 + 0.19977711141109467f) * z_2 - 0.33332949876785278f) * z_2 * t_3 + t_3;
+    var angle_1 : f32;
+    if(is_steep_0)
+    {
+        angle_1 = angle_0 + 0.78539818525314331f;
+    }
+    else
+    {
+        angle_1 = angle_0;
+    }
+    if(_S62 > _S61)
+    {
+        angle_1 = 1.57079637050628662f - angle_1;
+    }
+    if(x_3 < 0.0f)
+    {
+        angle_1 = 3.14159274101257324f - angle_1;
+    }
+    if(y_2 < 0.0f)
+    {
+        above_0 = - angle_1;
+    }
+    else
+    {
+        above_0 = angle_1;
+    }
+    return above_0;
+}
+
+fn map_place_0( map_0 : u32,  direction_2 : vec3<f32>) -> vec2<f32>
+{
+    var _S65 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S65) * vec3<f32>(direction_2.x) + vector_at_0(_S65 + u32(3)) * vec3<f32>(direction_2.y) + vector_at_0(_S65 + u32(6)) * vec3<f32>(direction_2.z);
+    return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
+}
+
+fn in_map_0( map_1 : u32,  direction_3 : vec3<f32>) -> Lookup_0
+{
+    var place_4 : vec2<f32> = map_place_0(map_1, direction_3);
+    var point_0 : Point_0;
+    point_0.value_2 = place_4;
+    var x_4 : i32 = floor_of_0(place_4.x);
+    var y_3 : i32 = floor_of_0(place_4.y);
+    var width_1 : i32 = i32(word_0(map_1));
+    var height_1 : i32 = i32(word_0(map_1 + u32(1)));
+    var left_1 : u32 = wrapped_0(x_4, width_1, u32(0));
+    var right_1 : u32 = wrapped_0(x_4 + i32(1), width_1, u32(0));
+    var _S66 : u32 = wrapped_0(y_3, height_1, u32(2));
+    var _S67 : u32 = u32(width_1);
+    var first_2 : u32 = _S66 * _S67;
+    var _S68 : u32 = wrapped_0(y_3 + i32(1), height_1, u32(2));
+    var second_1 : u32 = _S68 * _S67;
+    return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), point_0);
+}
+
+fn emitted_0( emitter_2 : u32,  place_5 : Place_0,  direction_4 : vec3<f32>,  importance_0 : vec3<f32>) -> vec3<f32>
+{
+    var record_2 : u32 = emitter_record_0(emitter_2);
+    var texture_4 : u32 = word_0(record_2 + u32(1));
+    if(!is_map_0(record_2))
+    {
+        var lookup_5 : Lookup_0 = lookup_at_0(texture_4, place_5);
+        return looked_up_0(texture_4, lookup_5);
+    }
+    var texels_2 : u32 = word_0(texture_4 + u32(11));
+    var scale_0 : u32 = word_0(texture_4 + u32(12));
+    var lookup_6 : Lookup_0 = in_map_0(texture_4, direction_4);
+    return looked_up_0(texels_2, lookup_6) * looked_up_0(scale_0, one_texel_0(u32(0)));
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1020,8 +1009,7 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
     var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_9], input_0[at_9 + u32(1)], input_0[at_9 + u32(2)]))));
     var direction_6 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_9 + u32(3)], input_0[at_9 + u32(4)], input_0[at_9 + u32(5)]))));
     (*path_0).key_0 = vec2<u32>(input_0[at_9 + u32(7)], input_0[at_9 + u32(8)]);
-    var one_0 : vec3<f32> = constant_0(vec3<f32>(1.0f));
-    (*path_0).throughput_0 = carried_0(one_0);
+    (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
     var importance_1 : vec3<f32> = vec3<f32>(0.0f);
     var t_4 : f32 = 0.0f;
     var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_9 + u32(6)])));
@@ -1030,61 +1018,66 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0f;
     found_4.w_2 = 0.0f;
-    var _S74 : bool;
+    var _S69 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S74 = (word_0(u32(13))) != u32(0);
+        _S69 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S74 = false;
+        _S69 = false;
     }
-    if(_S74)
+    if(_S69)
     {
         found_4 = cast_0(origin_2, direction_6, 0.0f, length_of_ray_0, false, &(t_4));
     }
-    var _S75 : Place_0 = place_of_0(found_4);
-    (*path_0).place_6 = _S75;
+    var _S70 : Place_0 = place_of_0(found_4);
+    (*path_0).place_6 = _S70;
     (*path_0).direction_5 = direction_6;
-    var _S76 : vec3<f32> = constant_0(importance_1);
+    var _S71 : vec3<f32> = still_0(importance_1);
     var emitter_3 : u32 = emitter_seen_0(found_4, direction_6);
     if(emitter_3 != u32(4294967295))
     {
-        _S74 = (word_0(u32(4))) != u32(0);
+        _S69 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S74 = false;
+        _S69 = false;
     }
     var light_1 : vec3<f32>;
-    if(_S74)
+    if(_S69)
     {
-        var _S77 : vec3<f32> = arriving_0(emitter_3, _S75, (*path_0).direction_5, one_0, importance_1);
-        light_1 = _S77;
+        var _S72 : vec3<f32> = emitted_0(emitter_3, _S70, (*path_0).direction_5, importance_1);
+        light_1 = _S72;
     }
     else
     {
-        light_1 = _S76;
+        light_1 = _S71;
     }
     (*path_0).light_0 = light_1;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S74 = reaches_0(u32(2));
+        _S69 = reaches_0(u32(2));
     }
     else
     {
-        _S74 = false;
+        _S69 = false;
     }
-    return _S74;
+    return _S69;
 }
 
-fn set_word_0( path_1 : u32,  which_1 : u32,  value_4 : u32)
+fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
 {
-    paths_0[which_1 * launch_0.room_0 + path_1] = value_4;
+    return vector_0;
+}
+
+fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
+{
+    paths_0[which_1 * launch_0.room_0 + path_1] = value_5;
     return;
 }
 
-fn set_vector_0( path_2 : u32,  which_2 : ptr<function, u32>,  value_5 : vec3<f32>)
+fn set_vector_0( path_2 : u32,  which_2 : ptr<function, u32>,  value_6 : vec3<f32>)
 {
     var axis_3 : u32 = u32(0);
     for(;;)
@@ -1096,61 +1089,37 @@ fn set_vector_0( path_2 : u32,  which_2 : ptr<function, u32>,  value_5 : vec3<f3
         {
             break;
         }
-        set_word_0(path_2, (*which_2) + axis_3, (bitcast<u32>((value_5[axis_3]))));
+        set_word_0(path_2, (*which_2) + axis_3, (bitcast<u32>((value_6[axis_3]))));
         axis_3 = axis_3 + u32(1);
     }
     (*which_2) = (*which_2) + u32(3);
     return;
 }
 
-fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_6 : vec3<f32>)
+fn set_changing_0( path_3 : u32,  which_3 : ptr<function, u32>,  vector_1 : vec3<f32>)
 {
-    var axis_4 : u32 = u32(0);
-    for(;;)
-    {
-        if(axis_4 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        set_word_0(path_3, (*which_3) + axis_4, (bitcast<u32>((value_6[axis_4]))));
-        axis_4 = axis_4 + u32(1);
-    }
-    (*which_3) = (*which_3) + u32(3);
+    set_vector_0(path_3, &((*which_3)), value_of_0(vector_1));
     return;
 }
 
-fn set_colour_0( path_4 : u32,  which_4 : ptr<function, u32>,  colour_1 : vec3<f32>)
+fn set_place_0( path_4 : u32,  which_4 : ptr<function, u32>,  place_7 : Place_0)
 {
-    set_vector_1(path_4, &((*which_4)), colour_1);
+    set_word_0(path_4, (*which_4), place_7.triangle_2);
+    set_word_0(path_4, (*which_4) + u32(1), (bitcast<u32>((place_7.v_4))));
+    set_word_0(path_4, (*which_4) + u32(2), (bitcast<u32>((place_7.w_3))));
+    (*which_4) = (*which_4) + u32(3);
     return;
 }
 
-fn value_of_0( colour_2 : vec3<f32>) -> vec3<f32>
-{
-    return colour_2;
-}
-
-fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_7 : Place_0)
-{
-    set_word_0(path_5, (*which_5), place_7.triangle_2);
-    set_word_0(path_5, (*which_5) + u32(1), (bitcast<u32>((place_7.v_4))));
-    set_word_0(path_5, (*which_5) + u32(2), (bitcast<u32>((place_7.w_3))));
-    (*which_5) = (*which_5) + u32(3);
-    return;
-}
-
-fn store_0( number_of_path_1 : u32,  path_6 : Path_0)
+fn store_0( number_of_path_1 : u32,  path_5 : Path_0)
 {
     var at_10 : u32 = u32(1);
-    set_colour_0(number_of_path_1, &(at_10), path_6.light_0);
-    set_colour_0(number_of_path_1, &(at_10), path_6.throughput_0);
-    set_vector_0(number_of_path_1, &(at_10), value_of_0(path_6.direction_5));
-    set_place_0(number_of_path_1, &(at_10), path_6.place_6);
-    set_word_0(number_of_path_1, at_10, path_6.key_0.x);
-    set_word_0(number_of_path_1, at_10 + u32(1), path_6.key_0.y);
+    set_changing_0(number_of_path_1, &(at_10), path_5.light_0);
+    set_changing_0(number_of_path_1, &(at_10), path_5.throughput_0);
+    set_changing_0(number_of_path_1, &(at_10), path_5.direction_5);
+    set_place_0(number_of_path_1, &(at_10), path_5.place_6);
+    set_word_0(number_of_path_1, at_10, path_5.key_0.x);
+    set_word_0(number_of_path_1, at_10 + u32(1), path_5.key_0.y);
     return;
 }
 
@@ -1163,18 +1132,18 @@ fn begin_paths(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     {
         return;
     }
-    var path_7 : Path_0;
-    var goes_on_0 : bool = begin_0(number_of_path_2, &(path_7));
-    store_0(number_of_path_2, path_7);
-    var _S78 : u32;
+    var path_6 : Path_0;
+    var goes_on_0 : bool = begin_0(number_of_path_2, &(path_6));
+    store_0(number_of_path_2, path_6);
+    var _S73 : u32;
     if(goes_on_0)
     {
-        _S78 = number_of_path_2;
+        _S73 = number_of_path_2;
     }
     else
     {
-        _S78 = u32(4294967295);
+        _S73 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), _S78);
+    set_word_0(number_of_path_2, u32(0), _S73);
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: e9851084466382ed
-// result: 66fd80c0639bf48c
+// source: 15109e13297a9d56
+// result: fef9c379d4612b7c
 
 struct Launch_std140_0
 {
@@ -28,35 +28,14 @@ struct Launch_std140_0
 
 @binding(6) @group(0) var<storage, read_write> paths_0 : array<u32>;
 
-struct Colour_0
+fn changing_0( value_0 : vec3<f32>,  change_0 : vec3<f32>) -> vec3<f32>
 {
-     value_0 : vec3<f32>,
-     changes_0 : array<vec3<f32>, i32(2)>,
-};
-
-fn constant_0( value_1 : vec3<f32>) -> Colour_0
-{
-    var colour_0 : Colour_0;
-    colour_0.value_0 = value_1;
-    var k_0 : u32 = u32(0);
-    for(;;)
-    {
-        if(k_0 < u32(2))
-        {
-        }
-        else
-        {
-            break;
-        }
-        colour_0.changes_0[k_0] = vec3<f32>(0.0f);
-        k_0 = k_0 + u32(1);
-    }
-    return colour_0;
+    return value_0;
 }
 
-fn carried_0( colour_1 : Colour_0) -> vec3<f32>
+fn still_0( value_1 : vec3<f32>) -> vec3<f32>
 {
-    return colour_1.value_0;
+    return changing_0(value_1, vec3<f32>(0.0f));
 }
 
 fn word_0( at_0 : u32) -> u32
@@ -163,21 +142,21 @@ fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_1 : u32
 
 fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 {
-    var k_1 : u32 = u32(0);
+    var k_0 : u32 = u32(0);
     var order_0 : u32 = u32(0);
     for(;;)
     {
-        if(k_1 < u32(8))
+        if(k_0 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S12 : u32 = k_1;
-        if((bounds_0[k_1]) > limit_2)
+        var _S12 : u32 = k_0;
+        if((bounds_0[k_0]) > limit_2)
         {
-            k_1 = k_1 + u32(1);
+            k_0 = k_0 + u32(1);
             continue;
         }
         var j_0 : u32 = u32(0);
@@ -201,7 +180,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 if((bounds_0[_S13]) == (bounds_0[_S12]))
                 {
-                    _S14 = j_0 < k_1;
+                    _S14 = j_0 < k_0;
                 }
                 else
                 {
@@ -214,8 +193,8 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             }
             j_0 = j_0 + u32(1);
         }
-        order_0 = (order_0 | ((((k_1 + u32(1)) << ((u32(4) * rank_0))))));
-        k_1 = k_1 + u32(1);
+        order_0 = (order_0 | ((((k_0 + u32(1)) << ((u32(4) * rank_0))))));
+        k_0 = k_0 + u32(1);
     }
     return order_0;
 }
@@ -681,109 +660,66 @@ fn is_map_0( record_0 : u32) -> bool
     return (word_0(record_0)) == u32(2);
 }
 
+struct Lookup_0
+{
+     count_0 : u32,
+     texels_0 : vec4<u32>,
+     weights_0 : vec4<f32>,
+};
+
+fn one_texel_0( texel_0 : u32) -> Lookup_0
+{
+    var lookup_0 : Lookup_0;
+    lookup_0.count_0 = u32(1);
+    lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
+    lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    return lookup_0;
+}
+
+struct Corners2_0
+{
+     a_2 : vec2<f32>,
+     b_1 : vec2<f32>,
+     c_1 : vec2<f32>,
+};
+
+fn Corners2_x24init_0( a_3 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
+{
+    var _S43 : Corners2_0;
+    _S43.a_2 = a_3;
+    _S43.b_1 = b_2;
+    _S43.c_1 = c_2;
+    return _S43;
+}
+
 fn number_0( at_5 : u32) -> f32
 {
     return (bitcast<f32>((scene_0[at_5])));
 }
 
-fn vector_at_0( at_6 : u32) -> vec3<f32>
+fn uvs_of_0( triangle_7 : u32) -> Corners2_0
 {
-    return vec3<f32>(number_0(at_6), number_0(at_6 + u32(1)), number_0(at_6 + u32(2)));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_at_0 : u32 = word_0(shape_of_0(triangle_7) + u32(1));
+    if(uvs_at_0 == u32(4294967295))
+    {
+        return uvs_0;
+    }
+    var at_6 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_7) + u32(1));
+    uvs_0.a_2 = vec2<f32>(number_0(at_6), number_0(at_6 + u32(1)));
+    uvs_0.b_1 = vec2<f32>(number_0(at_6 + u32(2)), number_0(at_6 + u32(3)));
+    uvs_0.c_1 = vec2<f32>(number_0(at_6 + u32(4)), number_0(at_6 + u32(5)));
+    return uvs_0;
 }
 
-fn x2A_0( a_2 : Colour_0,  b_1 : vec3<f32>) -> Colour_0
+fn vector_at_0( at_7 : u32) -> vec3<f32>
 {
-    var product_1 : Colour_0;
-    product_1.value_0 = a_2.value_0 * b_1;
-    var k_2 : u32 = u32(0);
-    for(;;)
-    {
-        if(k_2 < u32(2))
-        {
-        }
-        else
-        {
-            break;
-        }
-        product_1.changes_0[k_2] = a_2.changes_0[k_2] * b_1;
-        k_2 = k_2 + u32(1);
-    }
-    return product_1;
+    return vec3<f32>(number_0(at_7), number_0(at_7 + u32(1)), number_0(at_7 + u32(2)));
 }
 
-fn angle_of_0( x_1 : f32,  y_1 : f32) -> f32
+fn floor_of_0( x_1 : f32) -> i32
 {
-    var _S43 : f32 = abs(x_1);
-    var _S44 : f32 = abs(y_1);
-    var _S45 : f32 = min(_S43, _S44);
-    var _S46 : f32 = max(_S43, _S44);
-    var is_steep_0 : bool = _S45 > (0.41421356797218323f * _S46);
-    var above_0 : f32;
-    if(is_steep_0)
-    {
-        above_0 = _S45 - _S46;
-    }
-    else
-    {
-        above_0 = _S45;
-    }
-    var below_0 : f32;
-    if(is_steep_0)
-    {
-        below_0 = _S45 + _S46;
-    }
-    else
-    {
-        below_0 = _S46;
-    }
-    if(below_0 > 0.0f)
-    {
-    }
-    else
-    {
-        below_0 = 1.0f;
-    }
-    var t_3 : f32 = above_0 / below_0;
-    var z_2 : f32 = t_3 * t_3;
-    var angle_0 : f32 = (((0.08053744584321976f * z_2 - 0.13877685368061066f) * z_2 + 0.19977711141109467f) * z_2 - 0.33332949876785278f) * z_2 * t_3 + t_3;
-    var angle_1 : f32;
-    if(is_steep_0)
-    {
-        angle_1 = angle_0 + 0.78539818525314331f;
-    }
-    else
-    {
-        angle_1 = angle_0;
-    }
-    if(_S44 > _S43)
-    {
-        angle_1 = 1.57079637050628662f - angle_1;
-    }
-    if(x_1 < 0.0f)
-    {
-        angle_1 = 3.14159274101257324f - angle_1;
-    }
-    if(y_1 < 0.0f)
-    {
-        above_0 = - angle_1;
-    }
-    else
-    {
-        above_0 = angle_1;
-    }
-    return above_0;
-}
-
-fn map_place_0( map_0 : u32,  direction_2 : vec3<f32>) -> vec2<f32>
-{
-    var _S47 : u32 = map_0 + u32(2);
-    var d_0 : vec3<f32> = vector_at_0(_S47) * vec3<f32>(direction_2.x) + vector_at_0(_S47 + u32(3)) * vec3<f32>(direction_2.y) + vector_at_0(_S47 + u32(6)) * vec3<f32>(direction_2.z);
-    return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
-}
-
-fn floor_of_0( x_2 : f32) -> i32
-{
-    return i32(floor(clamp(x_2, -1.0e+09f, 1.0e+09f)));
+    return i32(floor(clamp(x_1, -1.0e+09f, 1.0e+09f)));
 }
 
 fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -822,13 +758,6 @@ fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
     return u32(period_0);
 }
 
-struct Lookup_0
-{
-     count_0 : u32,
-     texels_0 : vec4<u32>,
-     weights_0 : vec4<f32>,
-};
-
 struct Point_0
 {
      value_2 : vec2<f32>,
@@ -838,112 +767,53 @@ fn between_0( texels_1 : vec4<u32>,  place_1 : Point_0) -> Lookup_0
 {
     var way_1 : vec2<f32> = place_1.value_2 - floor(place_1.value_2);
     var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_1;
-    var lookup_0 : Lookup_0;
-    lookup_0.count_0 = u32(4);
-    lookup_0.texels_0 = texels_1;
-    var _S48 : f32 = back_0.x;
-    var _S49 : f32 = back_0.y;
-    var _S50 : f32 = way_1.x;
-    var _S51 : f32 = way_1.y;
-    lookup_0.weights_0 = vec4<f32>(_S48 * _S49, _S50 * _S49, _S48 * _S51, _S50 * _S51);
-    return lookup_0;
-}
-
-fn in_map_0( map_1 : u32,  direction_3 : vec3<f32>) -> Lookup_0
-{
-    var place_2 : vec2<f32> = map_place_0(map_1, direction_3);
-    var point_0 : Point_0;
-    point_0.value_2 = place_2;
-    var x_3 : i32 = floor_of_0(place_2.x);
-    var y_2 : i32 = floor_of_0(place_2.y);
-    var width_0 : i32 = i32(word_0(map_1));
-    var height_0 : i32 = i32(word_0(map_1 + u32(1)));
-    var left_0 : u32 = wrapped_0(x_3, width_0, u32(0));
-    var right_0 : u32 = wrapped_0(x_3 + i32(1), width_0, u32(0));
-    var _S52 : u32 = wrapped_0(y_2, height_0, u32(2));
-    var _S53 : u32 = u32(width_0);
-    var first_1 : u32 = _S52 * _S53;
-    var _S54 : u32 = wrapped_0(y_2 + i32(1), height_0, u32(2));
-    var second_0 : u32 = _S54 * _S53;
-    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), point_0);
-}
-
-fn one_texel_0( texel_0 : u32) -> Lookup_0
-{
     var lookup_1 : Lookup_0;
-    lookup_1.count_0 = u32(1);
-    lookup_1.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
-    lookup_1.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    lookup_1.count_0 = u32(4);
+    lookup_1.texels_0 = texels_1;
+    var _S44 : f32 = back_0.x;
+    var _S45 : f32 = back_0.y;
+    var _S46 : f32 = way_1.x;
+    var _S47 : f32 = way_1.y;
+    lookup_1.weights_0 = vec4<f32>(_S44 * _S45, _S46 * _S45, _S44 * _S47, _S46 * _S47);
     return lookup_1;
-}
-
-struct Corners2_0
-{
-     a_3 : vec2<f32>,
-     b_2 : vec2<f32>,
-     c_1 : vec2<f32>,
-};
-
-fn Corners2_x24init_0( a_4 : vec2<f32>,  b_3 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
-{
-    var _S55 : Corners2_0;
-    _S55.a_3 = a_4;
-    _S55.b_2 = b_3;
-    _S55.c_1 = c_2;
-    return _S55;
-}
-
-fn uvs_of_0( triangle_7 : u32) -> Corners2_0
-{
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
-    var uvs_at_0 : u32 = word_0(shape_of_0(triangle_7) + u32(1));
-    if(uvs_at_0 == u32(4294967295))
-    {
-        return uvs_0;
-    }
-    var at_7 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_7) + u32(1));
-    uvs_0.a_3 = vec2<f32>(number_0(at_7), number_0(at_7 + u32(1)));
-    uvs_0.b_2 = vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5)));
-    return uvs_0;
 }
 
 fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
 {
-    var width_1 : i32 = i32(word_0(texture_0 + u32(2)));
-    var height_1 : i32 = i32(word_0(texture_0 + u32(3)));
+    var width_0 : i32 = i32(word_0(texture_0 + u32(2)));
+    var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
-    var place_3 : vec2<f32> = uv_0.value_2 * vec2<f32>(f32(width_1), f32(height_1));
+    var place_2 : vec2<f32> = uv_0.value_2 * vec2<f32>(f32(width_0), f32(height_0));
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
-        var row_0 : u32 = wrapped_0(floor_of_0(place_3.y), height_1, wrap_1);
-        var _S56 : u32 = row_0 * u32(width_1);
-        var _S57 : u32 = wrapped_0(floor_of_0(place_3.x), width_1, wrap_1);
-        return one_texel_0(_S56 + _S57);
+        var row_0 : u32 = wrapped_0(floor_of_0(place_2.y), height_0, wrap_1);
+        var _S48 : u32 = row_0 * u32(width_0);
+        var _S49 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
+        return one_texel_0(_S48 + _S49);
     }
     var centred_0 : Point_0;
-    var _S58 : vec2<f32> = place_3 - vec2<f32>(0.5f);
-    centred_0.value_2 = _S58;
-    var x_4 : i32 = floor_of_0(_S58.x);
-    var y_3 : i32 = floor_of_0(_S58.y);
-    var _S59 : u32 = wrapped_0(y_3, height_1, wrap_1);
-    var _S60 : u32 = u32(width_1);
-    var first_2 : u32 = _S59 * _S60;
-    var _S61 : u32 = wrapped_0(y_3 + i32(1), height_1, wrap_1);
-    var second_1 : u32 = _S61 * _S60;
-    var left_1 : u32 = wrapped_0(x_4, width_1, wrap_1);
-    var right_1 : u32 = wrapped_0(x_4 + i32(1), width_1, wrap_1);
-    return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), centred_0);
+    var _S50 : vec2<f32> = place_2 - vec2<f32>(0.5f);
+    centred_0.value_2 = _S50;
+    var x_2 : i32 = floor_of_0(_S50.x);
+    var y_1 : i32 = floor_of_0(_S50.y);
+    var _S51 : u32 = wrapped_0(y_1, height_0, wrap_1);
+    var _S52 : u32 = u32(width_0);
+    var first_1 : u32 = _S51 * _S52;
+    var _S53 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S53 * _S52;
+    var left_0 : u32 = wrapped_0(x_2, width_0, wrap_1);
+    var right_0 : u32 = wrapped_0(x_2 + i32(1), width_0, wrap_1);
+    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
 }
 
-fn lookup_at_0( texture_1 : u32,  place_4 : Place_0) -> Lookup_0
+fn lookup_at_0( texture_1 : u32,  place_3 : Place_0) -> Lookup_0
 {
     var kind_0 : u32 = word_0(texture_1);
     if(kind_0 == u32(0))
     {
         return one_texel_0(u32(0));
     }
-    var record_1 : u32 = triangle_record_0(place_4.triangle_2) + u32(1);
+    var record_1 : u32 = triangle_record_0(place_3.triangle_2) + u32(1);
     if(kind_0 == u32(4))
     {
         return one_texel_0(word_0(record_1));
@@ -953,30 +823,30 @@ fn lookup_at_0( texture_1 : u32,  place_4 : Place_0) -> Lookup_0
         var lookup_2 : Lookup_0;
         lookup_2.count_0 = u32(3);
         lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
-        lookup_2.weights_0 = vec4<f32>(1.0f - place_4.v_4 - place_4.w_3, place_4.v_4, place_4.w_3, 0.0f);
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_3.v_4 - place_3.w_3, place_3.v_4, place_3.w_3, 0.0f);
         return lookup_2;
     }
-    var uvs_1 : Corners2_0 = uvs_of_0(place_4.triangle_2);
+    var uvs_1 : Corners2_0 = uvs_of_0(place_3.triangle_2);
     var rows_0 : u32 = texture_1 + u32(6);
     var uv_1 : Point_0;
-    var _S62 : vec3<f32> = vec3<f32>(uvs_1.a_3 * vec2<f32>((1.0f - place_4.v_4 - place_4.w_3)) + uvs_1.b_2 * vec2<f32>(place_4.v_4) + uvs_1.c_1 * vec2<f32>(place_4.w_3), 1.0f);
-    uv_1.value_2 = vec2<f32>(dot(_S62, vector_at_0(rows_0)), dot(_S62, vector_at_0(rows_0 + u32(3))));
+    var _S54 : vec3<f32> = vec3<f32>(uvs_1.a_2 * vec2<f32>((1.0f - place_3.v_4 - place_3.w_3)) + uvs_1.b_1 * vec2<f32>(place_3.v_4) + uvs_1.c_1 * vec2<f32>(place_3.w_3), 1.0f);
+    uv_1.value_2 = vec2<f32>(dot(_S54, vector_at_0(rows_0)), dot(_S54, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
     {
-        var _S63 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S63;
+        var _S55 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S55;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
-    var _S64 : i32;
+    var _S56 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S64 = i32(1);
+        _S56 = i32(1);
     }
     else
     {
-        _S64 = i32(0);
+        _S56 = i32(0);
     }
-    return one_texel_0(u32(_S64));
+    return one_texel_0(u32(_S56));
 }
 
 fn change_word_0( at_8 : u32) -> u32
@@ -996,59 +866,59 @@ fn units_of_0( texture_3 : u32) -> f32
 
 fn add_word_0( sum_0 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
 {
-    var _S65 : u32 = u32(2) + u32(4) * sum_0;
-    var _S66 : u32 = number_1;
-    var k_3 : u32 = word_of_sum_0;
+    var _S57 : u32 = u32(2) + u32(4) * sum_0;
+    var _S58 : u32 = number_1;
+    var k_1 : u32 = word_of_sum_0;
     for(;;)
     {
-        var _S67 : bool;
-        if(k_3 < u32(4))
+        var _S59 : bool;
+        if(k_1 < u32(4))
         {
-            _S67 = _S66 != u32(0);
+            _S59 = _S58 != u32(0);
         }
         else
         {
-            _S67 = false;
+            _S59 = false;
         }
-        if(_S67)
+        if(_S59)
         {
         }
         else
         {
             break;
         }
-        var _S68 : u32;
+        var _S60 : u32;
         if(is_negative_0)
         {
-            _S68 = u32(0) - _S66;
+            _S60 = u32(0) - _S58;
         }
         else
         {
-            _S68 = _S66;
+            _S60 = _S58;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S65 + k_3]), _S68);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S57 + k_1]), _S60);
         var overflows_0 : bool;
         if(is_negative_0)
         {
-            overflows_0 = before_0 < _S66;
+            overflows_0 = before_0 < _S58;
         }
         else
         {
-            overflows_0 = (before_0 + _S66) < before_0;
+            overflows_0 = (before_0 + _S58) < before_0;
         }
-        var _S69 : i32;
+        var _S61 : i32;
         if(overflows_0)
         {
-            _S69 = i32(1);
+            _S61 = i32(1);
         }
         else
         {
-            _S69 = i32(0);
+            _S61 = i32(0);
         }
-        var _S70 : u32 = u32(_S69);
-        var _S71 : u32 = k_3 + u32(1);
-        _S66 = _S70;
-        k_3 = _S71;
+        var _S62 : u32 = u32(_S61);
+        var _S63 : u32 = k_1 + u32(1);
+        _S58 = _S62;
+        k_1 = _S63;
     }
     return;
 }
@@ -1057,14 +927,14 @@ fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32,  units_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S72 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S64 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * units_0;
     var size_1 : f32 = abs(scaled_0);
     if(size_1 > 7.73712524553362672e+25f)
     {
-        var _S73 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S65 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
     var is_negative_1 : bool = scaled_0 < 0.0f;
@@ -1072,16 +942,16 @@ fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32,  units_0 : f32)
     var size_2 : f32 = size_1;
     for(;;)
     {
-        var _S74 : bool;
+        var _S66 : bool;
         if(highest_0 < u32(2))
         {
-            _S74 = size_2 >= 4.294967296e+09f;
+            _S66 = size_2 >= 4.294967296e+09f;
         }
         else
         {
-            _S74 = false;
+            _S66 = false;
         }
-        if(_S74)
+        if(_S66)
         {
         }
         else
@@ -1092,24 +962,24 @@ fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32,  units_0 : f32)
         highest_0 = highest_0 + u32(1);
         size_2 = size_3;
     }
-    var _S75 : bool = highest_0 == u32(0);
-    var _S76 : f32;
-    if(_S75)
+    var _S67 : bool = highest_0 == u32(0);
+    var _S68 : f32;
+    if(_S67)
     {
-        _S76 = size_2 + 0.5f;
+        _S68 = size_2 + 0.5f;
     }
     else
     {
-        _S76 = size_2;
+        _S68 = size_2;
     }
-    var whole_0 : u32 = u32(_S76);
+    var whole_0 : u32 = u32(_S68);
     add_word_0(sum_1, highest_0, whole_0, is_negative_1);
-    if(_S75)
+    if(_S67)
     {
         return;
     }
     var rest_0 : f32 = (size_2 - f32(whole_0)) * 4.294967296e+09f;
-    var _S77 : u32 = highest_0 - u32(1);
+    var _S69 : u32 = highest_0 - u32(1);
     if(highest_0 == u32(1))
     {
         size_2 = rest_0 + 0.5f;
@@ -1118,35 +988,35 @@ fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32,  units_0 : f32)
     {
         size_2 = rest_0;
     }
-    add_word_0(sum_1, _S77, u32(size_2), is_negative_1);
+    add_word_0(sum_1, _S69, u32(size_2), is_negative_1);
     return;
 }
 
 fn add_to_texels_0( texture_4 : u32,  lookup_3 : Lookup_0,  derivative_1 : vec3<f32>)
 {
-    var first_3 : u32 = numbers_of_0(texture_4);
-    if(first_3 == u32(4294967295))
+    var first_2 : u32 = numbers_of_0(texture_4);
+    if(first_2 == u32(4294967295))
     {
         return;
     }
-    var _S78 : f32 = units_of_0(texture_4);
-    var _S79 : u32 = word_0(texture_4 + u32(1));
-    var k_4 : u32 = u32(0);
+    var _S70 : f32 = units_of_0(texture_4);
+    var _S71 : u32 = word_0(texture_4 + u32(1));
+    var k_2 : u32 = u32(0);
     for(;;)
     {
-        if(k_4 < (lookup_3.count_0))
+        if(k_2 < (lookup_3.count_0))
         {
         }
         else
         {
             break;
         }
-        var at_9 : u32 = first_3 + _S79 * lookup_3.texels_0[k_4];
-        var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_3.weights_0[k_4]);
-        if(_S79 == u32(1))
+        var at_9 : u32 = first_2 + _S71 * lookup_3.texels_0[k_2];
+        var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_3.weights_0[k_2]);
+        if(_S71 == u32(1))
         {
-            add_to_sum_0(at_9, own_0.x + own_0.y + own_0.z, _S78);
-            k_4 = k_4 + u32(1);
+            add_to_sum_0(at_9, own_0.x + own_0.y + own_0.z, _S70);
+            k_2 = k_2 + u32(1);
             continue;
         }
         var axis_3 : u32 = u32(0);
@@ -1159,71 +1029,160 @@ fn add_to_texels_0( texture_4 : u32,  lookup_3 : Lookup_0,  derivative_1 : vec3<
             {
                 break;
             }
-            add_to_sum_0(at_9 + axis_3, own_0[axis_3], _S78);
+            add_to_sum_0(at_9 + axis_3, own_0[axis_3], _S70);
             axis_3 = axis_3 + u32(1);
         }
-        k_4 = k_4 + u32(1);
+        k_2 = k_2 + u32(1);
     }
     return;
 }
 
 fn weighted_texels_0( texture_5 : u32,  lookup_4 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S80 : u32 = word_0(texture_5 + u32(1));
-    var _S81 : u32 = texture_5 + u32(13);
-    var _S82 : vec3<f32> = vec3<f32>(0.0f);
-    var k_5 : u32 = u32(0);
-    var value_3 : vec3<f32> = _S82;
+    var _S72 : u32 = word_0(texture_5 + u32(1));
+    var _S73 : u32 = texture_5 + u32(13);
+    var _S74 : vec3<f32> = vec3<f32>(0.0f);
+    var k_3 : u32 = u32(0);
+    var value_3 : vec3<f32> = _S74;
     for(;;)
     {
-        if(k_5 < (lookup_4.count_0))
+        if(k_3 < (lookup_4.count_0))
         {
         }
         else
         {
             break;
         }
-        var at_10 : u32 = _S81 + _S80 * lookup_4.texels_0[k_5];
-        var _S83 : vec3<f32>;
-        if(_S80 == u32(1))
+        var at_10 : u32 = _S73 + _S72 * lookup_4.texels_0[k_3];
+        var _S75 : vec3<f32>;
+        if(_S72 == u32(1))
         {
-            _S83 = vec3<f32>(number_0(at_10));
+            _S75 = vec3<f32>(number_0(at_10));
         }
         else
         {
-            _S83 = vector_at_0(at_10);
+            _S75 = vector_at_0(at_10);
         }
-        var value_4 : vec3<f32> = value_3 + _S83 * vec3<f32>(weights_1[k_5]);
-        k_5 = k_5 + u32(1);
+        var value_4 : vec3<f32> = value_3 + _S75 * vec3<f32>(weights_1[k_3]);
+        k_3 = k_3 + u32(1);
         value_3 = value_4;
     }
     return value_3;
 }
 
-fn arriving_0( emitter_2 : u32,  place_5 : Place_0,  direction_4 : vec3<f32>,  factor_0 : Colour_0,  importance_0 : vec3<f32>) -> Colour_0
+fn looked_up_0( texture_6 : u32,  lookup_5 : Lookup_0) -> vec3<f32>
 {
-    var record_2 : u32 = emitter_record_0(emitter_2);
-    var texture_6 : u32 = word_0(record_2 + u32(1));
-    var texture_7 : u32;
-    var lookup_5 : Lookup_0;
-    var _S84 : Colour_0;
-    if(is_map_0(record_2))
+    return weighted_texels_0(texture_6, lookup_5, lookup_5.weights_0);
+}
+
+fn angle_of_0( x_3 : f32,  y_2 : f32) -> f32
+{
+    var _S76 : f32 = abs(x_3);
+    var _S77 : f32 = abs(y_2);
+    var _S78 : f32 = min(_S76, _S77);
+    var _S79 : f32 = max(_S76, _S77);
+    var is_steep_0 : bool = _S78 > (0.41421356797218323f * _S79);
+    var above_0 : f32;
+    if(is_steep_0)
     {
-        var _S85 : Colour_0 = x2A_0(factor_0, vector_at_0(texture_6 + u32(11)));
-        var _S86 : Lookup_0 = in_map_0(texture_6, direction_4);
-        texture_7 = word_0(texture_6 + u32(14));
-        lookup_5 = _S86;
-        _S84 = _S85;
+        above_0 = _S78 - _S79;
     }
     else
     {
-        var _S87 : Lookup_0 = lookup_at_0(texture_6, place_5);
-        texture_7 = texture_6;
-        lookup_5 = _S87;
-        _S84 = factor_0;
+        above_0 = _S78;
     }
-    add_to_texels_0(texture_7, lookup_5, importance_0 * _S84.value_0);
-    return x2A_0(_S84, weighted_texels_0(texture_7, lookup_5, lookup_5.weights_0));
+    var below_0 : f32;
+    if(is_steep_0)
+    {
+        below_0 = _S78 + _S79;
+    }
+    else
+    {
+        below_0 = _S79;
+    }
+    if(below_0 > 0.0f)
+    {
+    }
+    else
+    {
+        below_0 = 1.0f;
+    }
+    var t_3 : f32 = above_0 / below_0;
+    var z_2 : f32 = t_3 * t_3;
+    var angle_0 : f32 = (((0.08053744584321976f * z_2 - 0.13877685368061066f) * z_2 + 0.19977711141109467f) * z_2 - 0.33332949876785278f) * z_2 * t_3 + t_3;
+    var angle_1 : f32;
+    if(is_steep_0)
+    {
+        angle_1 = angle_0 + 0.78539818525314331f;
+    }
+    else
+    {
+        angle_1 = angle_0;
+    }
+    if(_S77 > _S76)
+    {
+        angle_1 = 1.57079637050628662f - angle_1;
+    }
+    if(x_3 < 0.0f)
+    {
+        angle_1 = 3.14159274101257324f - angle_1;
+    }
+    if(y_2 < 0.0f)
+    {
+        above_0 = - angle_1;
+    }
+    else
+    {
+        above_0 = angle_1;
+    }
+    return above_0;
+}
+
+fn map_place_0( map_0 : u32,  direction_2 : vec3<f32>) -> vec2<f32>
+{
+    var _S80 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S80) * vec3<f32>(direction_2.x) + vector_at_0(_S80 + u32(3)) * vec3<f32>(direction_2.y) + vector_at_0(_S80 + u32(6)) * vec3<f32>(direction_2.z);
+    return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
+}
+
+fn in_map_0( map_1 : u32,  direction_3 : vec3<f32>) -> Lookup_0
+{
+    var place_4 : vec2<f32> = map_place_0(map_1, direction_3);
+    var point_0 : Point_0;
+    point_0.value_2 = place_4;
+    var x_4 : i32 = floor_of_0(place_4.x);
+    var y_3 : i32 = floor_of_0(place_4.y);
+    var width_1 : i32 = i32(word_0(map_1));
+    var height_1 : i32 = i32(word_0(map_1 + u32(1)));
+    var left_1 : u32 = wrapped_0(x_4, width_1, u32(0));
+    var right_1 : u32 = wrapped_0(x_4 + i32(1), width_1, u32(0));
+    var _S81 : u32 = wrapped_0(y_3, height_1, u32(2));
+    var _S82 : u32 = u32(width_1);
+    var first_3 : u32 = _S81 * _S82;
+    var _S83 : u32 = wrapped_0(y_3 + i32(1), height_1, u32(2));
+    var second_1 : u32 = _S83 * _S82;
+    return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_1 + left_1, second_1 + right_1), point_0);
+}
+
+fn emitted_0( emitter_2 : u32,  place_5 : Place_0,  direction_4 : vec3<f32>,  importance_0 : vec3<f32>) -> vec3<f32>
+{
+    var record_2 : u32 = emitter_record_0(emitter_2);
+    var texture_7 : u32 = word_0(record_2 + u32(1));
+    if(!is_map_0(record_2))
+    {
+        var lookup_6 : Lookup_0 = lookup_at_0(texture_7, place_5);
+        add_to_texels_0(texture_7, lookup_6, importance_0);
+        return looked_up_0(texture_7, lookup_6);
+    }
+    var texels_2 : u32 = word_0(texture_7 + u32(11));
+    var scale_0 : u32 = word_0(texture_7 + u32(12));
+    var lookup_7 : Lookup_0 = in_map_0(texture_7, direction_4);
+    var seen_0 : vec3<f32> = looked_up_0(texels_2, lookup_7);
+    var _S84 : Lookup_0 = one_texel_0(u32(0));
+    var factor_0 : vec3<f32> = looked_up_0(scale_0, _S84);
+    add_to_texels_0(texels_2, lookup_7, importance_0 * factor_0);
+    add_to_texels_0(scale_0, _S84, importance_0 * seen_0);
+    return seen_0 * factor_0;
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1246,10 +1205,9 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
     var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11], input_0[at_11 + u32(1)], input_0[at_11 + u32(2)]))));
     var direction_6 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(3)], input_0[at_11 + u32(4)], input_0[at_11 + u32(5)]))));
     (*path_0).key_0 = vec2<u32>(input_0[at_11 + u32(7)], input_0[at_11 + u32(8)]);
-    var one_0 : Colour_0 = constant_0(vec3<f32>(1.0f));
-    (*path_0).throughput_0 = carried_0(one_0);
-    var _S88 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(9)], input_0[at_11 + u32(10)], input_0[at_11 + u32(11)]))));
-    (*path_0).adjoint_0 = _S88;
+    (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
+    var _S85 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(9)], input_0[at_11 + u32(10)], input_0[at_11 + u32(11)]))));
+    (*path_0).adjoint_0 = _S85;
     var t_4 : f32 = 0.0f;
     var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_11 + u32(6)])));
     var found_4 : Found_0;
@@ -1257,44 +1215,44 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0f;
     found_4.w_2 = 0.0f;
-    var _S89 : bool;
+    var _S86 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S89 = (word_0(u32(13))) != u32(0);
+        _S86 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S89 = false;
+        _S86 = false;
     }
-    if(_S89)
+    if(_S86)
     {
         found_4 = cast_0(origin_2, direction_6, 0.0f, length_of_ray_0, false, &(t_4));
     }
-    var _S90 : Place_0 = place_of_0(found_4);
-    (*path_0).place_6 = _S90;
+    var _S87 : Place_0 = place_of_0(found_4);
+    (*path_0).place_6 = _S87;
     (*path_0).direction_5 = direction_6;
     var emitter_3 : u32 = emitter_seen_0(found_4, direction_6);
     if(emitter_3 != u32(4294967295))
     {
-        _S89 = (word_0(u32(4))) != u32(0);
+        _S86 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S89 = false;
+        _S86 = false;
     }
-    if(_S89)
+    if(_S86)
     {
-        var _S91 : Colour_0 = arriving_0(emitter_3, _S90, (*path_0).direction_5, one_0, _S88);
+        var _S88 : vec3<f32> = emitted_0(emitter_3, _S87, (*path_0).direction_5, _S85);
     }
     if((found_4.face_1) != u32(4294967295))
     {
-        _S89 = reaches_0(u32(2));
+        _S86 = reaches_0(u32(2));
     }
     else
     {
-        _S89 = false;
+        _S86 = false;
     }
-    return _S89;
+    return _S86;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
@@ -1341,29 +1299,54 @@ fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_7 : vec3<f3
     return;
 }
 
-fn value_of_0( colour_2 : vec3<f32>) -> vec3<f32>
+fn set_vector_2( path_4 : u32,  which_4 : ptr<function, u32>,  value_8 : vec3<f32>)
 {
-    return colour_2;
-}
-
-fn set_place_0( path_4 : u32,  which_4 : ptr<function, u32>,  place_7 : Place_0)
-{
-    set_word_0(path_4, (*which_4), place_7.triangle_2);
-    set_word_0(path_4, (*which_4) + u32(1), (bitcast<u32>((place_7.v_4))));
-    set_word_0(path_4, (*which_4) + u32(2), (bitcast<u32>((place_7.w_3))));
+    var axis_6 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_6 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_4, (*which_4) + axis_6, (bitcast<u32>((value_8[axis_6]))));
+        axis_6 = axis_6 + u32(1);
+    }
     (*which_4) = (*which_4) + u32(3);
     return;
 }
 
-fn store_0( number_of_path_1 : u32,  path_5 : Path_0)
+fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
+{
+    return vector_0;
+}
+
+fn set_changing_0( path_5 : u32,  which_5 : ptr<function, u32>,  vector_1 : vec3<f32>)
+{
+    set_vector_2(path_5, &((*which_5)), value_of_0(vector_1));
+    return;
+}
+
+fn set_place_0( path_6 : u32,  which_6 : ptr<function, u32>,  place_7 : Place_0)
+{
+    set_word_0(path_6, (*which_6), place_7.triangle_2);
+    set_word_0(path_6, (*which_6) + u32(1), (bitcast<u32>((place_7.v_4))));
+    set_word_0(path_6, (*which_6) + u32(2), (bitcast<u32>((place_7.w_3))));
+    (*which_6) = (*which_6) + u32(3);
+    return;
+}
+
+fn store_0( number_of_path_1 : u32,  path_7 : Path_0)
 {
     var at_12 : u32 = u32(1);
-    set_vector_0(number_of_path_1, &(at_12), path_5.adjoint_0);
-    set_vector_0(number_of_path_1, &(at_12), path_5.throughput_0);
-    set_vector_0(number_of_path_1, &(at_12), value_of_0(path_5.direction_5));
-    set_place_0(number_of_path_1, &(at_12), path_5.place_6);
-    set_word_0(number_of_path_1, at_12, path_5.key_0.x);
-    set_word_0(number_of_path_1, at_12 + u32(1), path_5.key_0.y);
+    set_vector_0(number_of_path_1, &(at_12), path_7.adjoint_0);
+    set_changing_0(number_of_path_1, &(at_12), path_7.throughput_0);
+    set_changing_0(number_of_path_1, &(at_12), path_7.direction_5);
+    set_place_0(number_of_path_1, &(at_12), path_7.place_6);
+    set_word_0(number_of_path_1, at_12, path_7.key_0.x);
+    set_word_0(number_of_path_1, at_12 + u32(1), path_7.key_0.y);
     return;
 }
 
@@ -1376,20 +1359,20 @@ fn begin_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     {
         return;
     }
-    var path_6 : Path_0;
-    var goes_on_0 : bool = begin_0(number_of_path_2, &(path_6));
-    store_0(number_of_path_2, path_6);
+    var path_8 : Path_0;
+    var goes_on_0 : bool = begin_0(number_of_path_2, &(path_8));
+    store_0(number_of_path_2, path_8);
     var beyond_0 : u32 = u32(15);
     set_vector_1(number_of_path_2, &(beyond_0), vec3<f32>(0.0f));
-    var _S92 : u32;
+    var _S89 : u32;
     if(goes_on_0)
     {
-        _S92 = number_of_path_2;
+        _S89 = number_of_path_2;
     }
     else
     {
-        _S92 = u32(4294967295);
+        _S89 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), _S92);
+    set_word_0(number_of_path_2, u32(0), _S89);
     return;
 }

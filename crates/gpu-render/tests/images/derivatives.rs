@@ -8,7 +8,7 @@ use capwalk_gpu::Precision;
 use capwalk_gpu_render::{DeviceError, DeviceScene, unsupported};
 use capwalk_math::Rgb;
 use capwalk_render::{Estimate, Grid, PreparedScene, RenderOptions, Unwatched};
-use capwalk_scene::{Emitter, Gradient, Image, Quantity, Scene, Shape, Slot, Tangent, TextureId};
+use capwalk_scene::{Bsdf, Gradient, Image, Quantity, Scene, Shape, Slot, Tangent, TextureId};
 
 use crate::agreement::SMALL_EMITTERS;
 use crate::beside::different;
@@ -42,23 +42,19 @@ pub fn numbers(seed: u64) -> impl FnMut() -> f64 {
     }
 }
 
-/// All texels of colours become larger, which has no derivative that cancels another one.
+/// All texels become larger, which has no derivative that cancels another one, but for those of
+/// which the device has no derivative.
 pub fn all_texels(scene: &Scene) -> Tangent {
-    let is_other =
-        |slot: &Slot| !matches!(slot.quantity, Quantity::Reflectance | Quantity::Radiance);
+    let is_other = |slot: &Slot| slot.quantity != Quantity::Reflectance;
     let of_shape = |shape: &Arc<Shape>| {
-        let others = scene.slots_below(shape.bsdf).into_iter().filter(is_other);
+        let materials = scene.materials_below(shape.bsdf).into_iter();
+        let materials = materials.map(|id| &scene.material(id).bsdf);
+        let coats = materials.filter(|bsdf| matches!(bsdf, Bsdf::RoughPlastic { .. }));
+        let others = coats.flat_map(Bsdf::slots).filter(is_other);
         let ids = others.map(|slot| scene.numbers_of(slot.texture, shape));
         ids.collect::<Vec<_>>()
     };
-    let of_emitters = scene.emitters.iter().flat_map(Emitter::slots);
-    let of_emitters = of_emitters.filter(is_other).map(|slot| slot.texture);
-    let others: Vec<TextureId> = scene
-        .shapes
-        .iter()
-        .flat_map(of_shape)
-        .chain(of_emitters)
-        .collect();
+    let others: Vec<TextureId> = scene.shapes.iter().flat_map(of_shape).collect();
     let mut next = numbers(1);
     let mut tangent = Tangent::zero(scene);
     for (id, (change, texture)) in (0..).zip(tangent.textures.iter_mut().zip(&scene.textures)) {
