@@ -85,6 +85,15 @@ def wgsl(library, source, entry, precision):
     real = "float" if precision == "single" else "half"
     code = slang(library, source, entry, precision, "wgsl", real)
     code = re.sub(r"^enable .*\n", "", code, flags=re.M)
+    for sign in re.finditer(r"\(vec\d<f\d+>\(0\) - ", code):
+        # Slang 2026.12 writes `-(a + b)` of vectors as `0 - a + b`.
+        depth, rest = 0, code[sign.end():]
+        for at, letter in enumerate(rest):
+            depth += (letter == "(") - (letter == ")")
+            if depth < 0:
+                break
+            if depth == 0 and re.match(r" [+-] ", rest[at:]):
+                sys.exit(f"error: {entry}: Slang loses the parentheses of a negated sum, `{rest[:at + 20]}`: write `-a - b`")
     code = re.sub(r"(subgroupShuffle\(\w+, )i32\(", r"\1u32(", code)
     if precision == "single":
         return code

@@ -133,7 +133,7 @@ impl Wanted {
     }
 
     /// True if the shading normals of a shape depend on something wanted.
-    pub(crate) fn normals_of(&self, scene: &Scene, shape: usize) -> bool {
+    pub fn normals_of(&self, scene: &Scene, shape: usize) -> bool {
         match scene.shapes[shape].normals {
             ShadingNormals::Face => false,
             ShadingNormals::Given(_) => self.normals[shape],

@@ -99,12 +99,12 @@ impl DeviceScene<'_> {
     fn changes(&self, eval: &Forward, tangent: &Tangent) -> Vec<u32> {
         let origin = Viewpoint::towards_surfaces(Vec3::zero(), Vec3::zero(), 0);
         let boundaries_move = !eval.is_still(&origin);
-        let first = 2;
-        let mut words = vec![NONE; first + 2 * self.textures.len()];
+        let first = 3;
+        let mut words = vec![NONE; first + self.textures.len()];
         words[1] = boundaries_move.into();
         for (number, shown) in self.textures.iter().enumerate() {
             if let Some(change) = &tangent.textures[shown.numbers.0 as usize] {
-                words[first + 2 * number] = words.len() as u32;
+                words[first + number] = words.len() as u32;
                 words.extend(change.iter().map(|x| float(shown.scale * x)));
             }
         }

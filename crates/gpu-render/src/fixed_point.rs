@@ -1,10 +1,10 @@
 //! Sums in fixed point, which are the same in every order: `sums.slang` adds them up.
 
-use capwalk_diff::Wanted;
+use capwalk_boundary::{Accel, Boundaries};
+use capwalk_diff::{Adjoint, Target, Wanted};
 use capwalk_geometry::buffers::NONE;
-use capwalk_scene::{
-    Emitter, EmitterVectors, Gradient, Pattern, Scene, SensorVectors, ShapeVectors,
-};
+use capwalk_math::Vec3;
+use capwalk_scene::{Emitter, Gradient, Pattern, Scene};
 
 use crate::texture_records::Shown;
 
@@ -21,10 +21,18 @@ const DIGITS: i32 = 80;
 /// If any is larger, units are larger by so many binary digits, and everything is done again.
 const FEWER_DIGITS: i32 = 20;
 
-/// The derivatives with respect to the texels that are asked for.
+/// The derivatives that are asked for.
 #[derive(Debug)]
-pub struct TexelSums {
+pub struct Sums<'a> {
+    accel: &'a Accel,
+    boundaries: &'a Boundaries,
+    wanted: &'a Wanted,
     textures: Vec<TextureSums>,
+    /// Where those with respect to points of the boundaries start, three for each, in local units; if
+    /// anything moves.
+    points: Option<usize>,
+    /// The same of each shape's normals.
+    normals: Vec<Option<usize>>,
     /// How many sums there are.
     pub count: usize,
     /// A unit is two to minus this.
@@ -50,31 +58,73 @@ pub struct PartSums {
     pub non_finite: u32,
 }
 
-impl TexelSums {
-    /// Those that are wanted of these textures, of a loss whose derivatives with respect to pixels
+impl PartSums {
+    /// What the words of a device say.
+    pub fn read(words: &[u32]) -> Self {
+        let (counts, sums) = words.split_at(COUNTS);
+        let sums = sums.as_chunks::<WORDS>().0.iter();
+        let sum = |words: &[u32; WORDS]| {
+            let from_highest = words.iter().rev();
+            from_highest.fold(0, |sum: u128, &word| sum << 32 | u128::from(word)) as i128
+        };
+        Self {
+            sums: sums.map(sum).collect(),
+            too_large: counts[0],
+            non_finite: counts[1],
+        }
+    }
+}
+
+impl<'a> Sums<'a> {
+    /// Those that are wanted, with these textures, of a loss whose derivatives with respect to pixels
     /// are near one at most. Units are chosen by what derivatives are expected: as large as that,
     /// times the brightest radiance if that is above one.
-    pub fn new(scene: &Scene, shown: &[Shown], wanted: &Wanted) -> Self {
+    pub fn new(
+        accel: &'a Accel,
+        boundaries: &'a Boundaries,
+        shown: &[Shown],
+        wanted: &'a Wanted,
+    ) -> Self {
+        let scene = &*accel.scene;
         let brightness: f64 = scene
             .emitters
             .iter()
             .map(|e| brightest(scene, e))
             .fold(0.0, f64::max);
         let mut count = 0;
+        let mut room = |sums: usize| {
+            count += sums;
+            Some(count - sums)
+        };
         let textures = shown.iter().map(|&shown| {
             let id = shown.numbers;
             let is_wanted = wanted.textures[id.0 as usize];
-            let first = is_wanted.then_some(count);
-            if is_wanted {
-                count += scene.texture(id).data.len();
+            let first = is_wanted.then(|| room(scene.texture(id).data.len()));
+            TextureSums {
+                shown,
+                first: first.flatten(),
             }
-            TextureSums { shown, first }
         });
         let textures = textures.collect();
+        let points = wanted.shapes.contains(&true);
+        let points = points.then(|| room(3 * boundaries.point_count())).flatten();
+        let shapes = scene.shapes.iter().enumerate();
+        let normals = shapes.map(|(i, shape)| {
+            let normals = shape.normals.per_vertex()?;
+            wanted
+                .normals_of(scene, i)
+                .then(|| room(3 * normals.len()))?
+        });
+        let normals = normals.collect();
         // Units that single precision has, whatever is expected.
         let exponent = brightness.max(1.0).log2().ceil().clamp(0.0, 120.0);
         Self {
+            accel,
+            boundaries,
+            wanted,
             textures,
+            points,
+            normals,
             count,
             digits: DIGITS - exponent as i32,
         }
@@ -85,13 +135,22 @@ impl TexelSums {
         COUNTS + WORDS * self.count
     }
 
-    /// Where the sums of each texture are and how many units are one, as `colours.slang` reads it.
+    /// What is asked for, as `changes.slang` reads it.
     pub fn changes(&self) -> Vec<u32> {
-        let of = |texture: &TextureSums| {
-            let first = texture.first.map_or(NONE, |first| first as u32);
-            [first, 2_f32.powi(self.digits).to_bits()]
-        };
-        self.textures.iter().flat_map(of).collect()
+        let word = |first: Option<usize>| first.map_or(NONE, |first| first as u32);
+        let moves = self.points.is_some() || self.normals.iter().any(Option::is_some);
+        let units = 2_f32.powi(self.digits).to_bits();
+        let mut words = vec![NONE, self.wanted.geometry().into(), units];
+        words.extend(self.textures.iter().map(|texture| word(texture.first)));
+        if moves {
+            words[0] = words.len() as u32;
+            for (shape, normals) in self.normals.iter().enumerate() {
+                let first = 3 * self.accel.first_vertex[shape] as usize;
+                let points = self.points.filter(|_| self.wanted.shapes[shape]);
+                words.extend([word(points.map(|at| at + first)), word(*normals)]);
+            }
+        }
+        words
     }
 
     /// Makes room for derivatives that were too large.
@@ -99,40 +158,47 @@ impl TexelSums {
         self.digits -= FEWER_DIGITS;
     }
 
-    /// What the words of a device say.
-    pub fn read(&self, words: &[u32]) -> PartSums {
-        let (counts, sums) = words.split_at(COUNTS);
-        let sums = sums.as_chunks::<WORDS>().0.iter();
-        let sum = |words: &[u32; WORDS]| {
-            let from_highest = words.iter().rev();
-            from_highest.fold(0, |sum: u128, &word| sum << 32 | u128::from(word)) as i128
+    /// The gradient that these sums are so many times, with this length of a local unit, inverse.
+    pub fn gradient(&self, sums: &[i128], times: f64, inverse_scale: f64) -> Gradient {
+        let unit = 2_f64.powi(-self.digits) / times;
+        let vector = |at: usize| Vec3::from([0, 1, 2].map(|axis| sums[at + axis] as f64 * unit));
+        let scene = &*self.accel.scene;
+        // Textures by numbers, not by texels.
+        let no_texels = Wanted {
+            textures: vec![false; scene.textures.len()],
+            ..self.wanted.clone()
         };
-        PartSums {
-            sums: sums.map(sum).collect(),
-            too_large: counts[0],
-            non_finite: counts[1],
-        }
-    }
-
-    /// The gradient that these sums are so many times.
-    pub fn gradient(&self, scene: &Scene, wanted: &Wanted, sums: &[i128], times: f64) -> Gradient {
-        let data = scene.textures.iter().zip(&wanted.textures);
-        let data = data.map(|(texture, &wanted)| wanted.then(|| vec![0.0; texture.data.len()]));
-        let mut data: Vec<Option<Vec<f64>>> = data.collect();
-        for texture in &self.textures {
-            let (Some(first), Some(numbers)) =
-                (texture.first, &mut data[texture.shown.numbers.0 as usize])
-            else {
-                continue;
-            };
-            let unit = texture.shown.scale * 2_f64.powi(-self.digits) / times;
-            for (number, &sum) in numbers.iter_mut().zip(&sums[first..]) {
-                *number += sum as f64 * unit;
+        let mut adjoint = Adjoint::zero(scene, self.boundaries, &no_texels);
+        if let Some(first) = self.points {
+            for point in 0..self.boundaries.point_count() {
+                let covector = vector(first + 3 * point) * inverse_scale;
+                adjoint.add(Target::Point(point as u32), covector);
             }
         }
-        let shapes: Vec<Option<ShapeVectors>> = vec![None; scene.shapes.len()];
-        let emitters = vec![EmitterVectors::default(); scene.emitters.len()];
-        Gradient::new(shapes, data, emitters, SensorVectors::default())
+        for (shape, first) in self.normals.iter().enumerate() {
+            let normals = scene.shapes[shape].normals.per_vertex();
+            let (Some(first), Some(normals)) = (first, normals) else {
+                continue;
+            };
+            for normal in 0..normals.len() {
+                let target = Target::Normal(shape, normal as u32);
+                adjoint.add(target, vector(first + 3 * normal));
+            }
+        }
+        let mut gradient = adjoint.gradient(self.accel, self.boundaries, &no_texels);
+        let data = scene.textures.iter().zip(&self.wanted.textures);
+        let data = data.map(|(texture, &wanted)| wanted.then(|| vec![0.0; texture.data.len()]));
+        gradient.textures = data.collect();
+        for texture in &self.textures {
+            let id = texture.shown.numbers.0 as usize;
+            let (Some(first), Some(numbers)) = (texture.first, &mut gradient.textures[id]) else {
+                continue;
+            };
+            for (number, &sum) in numbers.iter_mut().zip(&sums[first..]) {
+                *number += sum as f64 * (texture.shown.scale * unit);
+            }
+        }
+        gradient
     }
 }
 
@@ -159,16 +225,11 @@ mod tests {
     /// Words of 128 bits, the lowest first, with their sign.
     #[test]
     fn sums_are_read_with_their_sign() {
-        let none = TexelSums {
-            textures: Vec::new(),
-            count: 2,
-            digits: 0,
-        };
         let minus_three = [u32::MAX - 2, u32::MAX, u32::MAX, u32::MAX];
         let large = [5, 0, 7, 0];
         let words = [&[4, 9][..], &minus_three, &large].concat();
-        assert_eq!(words.len(), none.words());
-        let read = none.read(&words);
+        assert_eq!(words.len(), COUNTS + 2 * WORDS);
+        let read = PartSums::read(&words);
         assert_eq!(read.sums, [-3, (7 << 64) + 5]);
         assert_eq!((read.too_large, read.non_finite), (4, 9));
     }

@@ -78,8 +78,8 @@ pub const REVERSE: PathKernels = PathKernels {
     begin: compiled!("begin_reverse"),
     go_on: compiled!("go_on_reverse"),
     ray: 12,
-    path: 18,
-    vertex: 20,
+    path: 24,
+    vertex: 27,
 };
 
 /// Takes what arrives behind the vertices of a list back by one.

@@ -1,6 +1,6 @@
 //! The gradient of a loss with respect to texels from a device, in reverse mode.
 
-use capwalk_boundary::{Sampler, Stream, pool};
+use capwalk_boundary::{Boundaries, Sampler, Stream, pool};
 use capwalk_diff::{Backward, BackwardWork, GradientOptions, Wanted};
 use capwalk_gpu::GpuError;
 use capwalk_render::tiles::{self, SamplePlace};
@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use crate::camera_rays::write_camera_ray;
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
-use crate::fixed_point::{PartSums, TexelSums};
+use crate::fixed_point::{PartSums, Sums};
 use crate::part_size::PartSize;
 use crate::paths::{Followed, Paths};
 use crate::render_kernels::REVERSE;
@@ -59,8 +59,32 @@ impl DeviceScene<'_> {
         if let Some(unsupported) = unsupported.or_else(|| unsupported_options(&sampling)) {
             return Err(unsupported.into());
         }
-        let scene = self.prepared.scene();
-        let mut sums = TexelSums::new(scene, &self.textures, wanted);
+        let boundaries = self.prepared.boundaries_if(wanted.moves());
+        self.interior_and_back(boundaries, adjoint, wanted, options, most, watch)
+    }
+
+    /// The interior term of the gradient alone, see [`DeviceScene::interior_term`].
+    pub fn interior_term_back(
+        &self,
+        adjoint: &Image,
+        wanted: &Wanted,
+        options: &GradientOptions,
+        watch: &dyn Watch,
+    ) -> Result<Backward, DeviceError> {
+        let none = Boundaries::none(self.prepared.accel());
+        self.interior_and_back(&none, adjoint, wanted, options, MOST_WITH_VERTICES, watch)
+    }
+
+    fn interior_and_back(
+        &self,
+        boundaries: &Boundaries,
+        adjoint: &Image,
+        wanted: &Wanted,
+        options: &GradientOptions,
+        most: usize,
+        watch: &dyn Watch,
+    ) -> Result<Backward, DeviceError> {
+        let mut sums = Sums::new(self.prepared.accel(), boundaries, &self.textures, wanted);
         self.check_room_of_numbers(sums.words())?;
         // A power of two that leaves derivatives with respect to pixels near one.
         let pixels = adjoint.pixels.iter().flat_map(|pixel| pixel.to_array());
@@ -74,7 +98,6 @@ impl DeviceScene<'_> {
                 scene: self,
                 adjoint,
                 unit: exponent.exp2(),
-                wanted,
                 options,
                 sums: &sums,
                 most,
@@ -94,9 +117,8 @@ struct Job<'a> {
     adjoint: &'a Image,
     /// What the adjoint is divided by on the device.
     unit: f64,
-    wanted: &'a Wanted,
     options: &'a GradientOptions,
-    sums: &'a TexelSums,
+    sums: &'a Sums<'a>,
     most: usize,
     watch: &'a dyn Watch,
 }
@@ -197,7 +219,8 @@ impl<'a> Job<'a> {
             taken += whole as u32;
             if whole > 0 || (batches.is_empty() && batch + 1 == grid.batches) {
                 let times = whole.max(1) as f64;
-                let gradient = self.sums.gradient(scene, self.wanted, &sum, times);
+                let inverse_scale = self.scene.frame.inverse_scale;
+                let gradient = self.sums.gradient(&sum, times, inverse_scale);
                 let gradient = gradient.scaled(self.unit);
                 batches.push((gradient, (whole.max(1) * pixels) as u64));
             }
@@ -255,7 +278,7 @@ impl<'a> Job<'a> {
         match paths.follow(&rays, self.watch)? {
             Followed::ToTheEnd(lists) if paths.go_back(&lists, self.watch)? => {
                 let words = paths.sums(self.sums.words())?;
-                Ok(Outcome::Done(self.sums.read(&words)))
+                Ok(Outcome::Done(PartSums::read(&words)))
             }
             Followed::ToTheEnd(_) | Followed::Stopped => Ok(Outcome::Stopped),
             Followed::NoLevel => Ok(Outcome::NoLevel),

@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: aa5341c278182d44
-// result: 626f746a9448f56e
+// source: 88440e34aba924d3
+// result: e5e5b03b2c53c6e9
 
 struct Launch_std140_0
 {
@@ -678,8 +678,7 @@ struct Place_0
      triangle_2 : u32,
      v_4 : f32,
      w_3 : f32,
-     v_change_0 : f32,
-     w_change_0 : f32,
+     change_2 : vec2<f32>,
 };
 
 fn place_at_0( triangle_3 : u32,  v_5 : f32,  w_4 : f32) -> Place_0
@@ -688,8 +687,7 @@ fn place_at_0( triangle_3 : u32,  v_5 : f32,  w_4 : f32) -> Place_0
     place_0.triangle_2 = triangle_3;
     place_0.v_4 = v_5;
     place_0.w_3 = w_4;
-    place_0.w_change_0 = 0.0f;
-    place_0.v_change_0 = 0.0f;
+    place_0.change_2 = vec2<f32>(0.0f);
     return place_0;
 }
 
@@ -747,9 +745,7 @@ fn move_place_0( place_2 : ptr<function, Place_0>,  position_change_0 : ptr<func
     var slip_0 : vec3<f32> = drift_0 - of_material_0;
     var slip_1 : vec3<f32> = slip_0 - direction_1 * vec3<f32>((dot(normal_0, slip_0) / dot(normal_0, direction_1)));
     (*position_change_0) = of_material_0 + slip_1;
-    var scale_0 : f32 = 1.0f / (dot(normal_0, normal_0) * _S56);
-    (*place_2).v_change_0 = dot(cross(slip_1, ac_0), normal_0) * scale_0;
-    (*place_2).w_change_0 = dot(cross(ab_0, slip_1), normal_0) * scale_0;
+    (*place_2).change_2 = vec2<f32>(dot(slip_1, cross(ac_0, normal_0)), dot(slip_1, cross(normal_0, ab_0))) * vec2<f32>((1.0f / (dot(normal_0, normal_0) * _S56)));
     return;
 }
 
@@ -813,7 +809,8 @@ struct Lookup_0
      count_0 : u32,
      texels_0 : vec4<u32>,
      weights_0 : vec4<f32>,
-     changes_0 : vec4<f32>,
+     by_first_0 : vec4<f32>,
+     by_second_0 : vec4<f32>,
 };
 
 fn one_texel_0( texel_0 : u32) -> Lookup_0
@@ -822,7 +819,9 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    lookup_0.changes_0 = vec4<f32>(0.0f);
+    var _S59 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S59;
+    lookup_0.by_first_0 = _S59;
     return lookup_0;
 }
 
@@ -835,11 +834,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_5 : vec2<f32>,  b_3 : vec2<f32>,  c_3 : vec2<f32>) -> Corners2_0
 {
-    var _S59 : Corners2_0;
-    _S59.a_4 = a_5;
-    _S59.b_2 = b_3;
-    _S59.c_2 = c_3;
-    return _S59;
+    var _S60 : Corners2_0;
+    _S60.a_4 = a_5;
+    _S60.b_2 = b_3;
+    _S60.c_2 = c_3;
+    return _S60;
 }
 
 fn number_0( at_8 : u32) -> f32
@@ -911,7 +910,8 @@ fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
 struct Point_0
 {
      value_3 : vec2<f32>,
-     change_2 : vec2<f32>,
+     by_first_1 : vec2<f32>,
+     by_second_1 : vec2<f32>,
 };
 
 fn between_0( texels_1 : vec4<u32>,  place_3 : Point_0) -> Lookup_0
@@ -921,12 +921,15 @@ fn between_0( texels_1 : vec4<u32>,  place_3 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S60 : f32 = back_0.x;
-    var _S61 : f32 = back_0.y;
-    var _S62 : f32 = way_1.x;
-    var _S63 : f32 = way_1.y;
-    lookup_1.weights_0 = vec4<f32>(_S60 * _S61, _S62 * _S61, _S60 * _S63, _S62 * _S63);
-    lookup_1.changes_0 = vec4<f32>(- _S61, _S61, - _S63, _S63) * vec4<f32>(place_3.change_2.x) + vec4<f32>(- _S60, - _S62, _S60, _S62) * vec4<f32>(place_3.change_2.y);
+    var _S61 : f32 = back_0.x;
+    var _S62 : f32 = back_0.y;
+    var _S63 : f32 = way_1.x;
+    var _S64 : f32 = way_1.y;
+    lookup_1.weights_0 = vec4<f32>(_S61 * _S62, _S63 * _S62, _S61 * _S64, _S63 * _S64);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S62, _S62, - _S64, _S64);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S61, - _S63, _S61, _S63);
+    lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_3.by_first_1.x) + by_y_0 * vec4<f32>(place_3.by_first_1.y);
+    lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_3.by_second_1.x) + by_y_0 * vec4<f32>(place_3.by_second_1.y);
     return lookup_1;
 }
 
@@ -940,21 +943,22 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_4.y), height_0, wrap_1);
-        var _S64 : u32 = row_0 * u32(width_0);
-        var _S65 : u32 = wrapped_0(floor_of_0(place_4.x), width_0, wrap_1);
-        return one_texel_0(_S64 + _S65);
+        var _S65 : u32 = row_0 * u32(width_0);
+        var _S66 : u32 = wrapped_0(floor_of_0(place_4.x), width_0, wrap_1);
+        return one_texel_0(_S65 + _S66);
     }
     var centred_0 : Point_0;
-    var _S66 : vec2<f32> = place_4 - vec2<f32>(0.5f);
-    centred_0.value_3 = _S66;
-    centred_0.change_2 = uv_0.change_2 * size_1;
-    var x_2 : i32 = floor_of_0(_S66.x);
-    var y_1 : i32 = floor_of_0(_S66.y);
-    var _S67 : u32 = wrapped_0(y_1, height_0, wrap_1);
-    var _S68 : u32 = u32(width_0);
-    var first_1 : u32 = _S67 * _S68;
-    var _S69 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S69 * _S68;
+    var _S67 : vec2<f32> = place_4 - vec2<f32>(0.5f);
+    centred_0.value_3 = _S67;
+    centred_0.by_first_1 = uv_0.by_first_1 * size_1;
+    centred_0.by_second_1 = uv_0.by_second_1 * size_1;
+    var x_2 : i32 = floor_of_0(_S67.x);
+    var y_1 : i32 = floor_of_0(_S67.y);
+    var _S68 : u32 = wrapped_0(y_1, height_0, wrap_1);
+    var _S69 : u32 = u32(width_0);
+    var first_1 : u32 = _S68 * _S69;
+    var _S70 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S70 * _S69;
     var left_0 : u32 = wrapped_0(x_2, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_2 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -978,42 +982,48 @@ fn lookup_at_0( texture_1 : u32,  place_5 : Place_0) -> Lookup_0
         lookup_2.count_0 = u32(3);
         lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
         lookup_2.weights_0 = vec4<f32>(1.0f - place_5.v_4 - place_5.w_3, place_5.v_4, place_5.w_3, 0.0f);
-        lookup_2.changes_0 = vec4<f32>(- place_5.v_change_0 - place_5.w_change_0, place_5.v_change_0, place_5.w_change_0, 0.0f);
+        lookup_2.by_first_0 = vec4<f32>(-1.0f, 1.0f, 0.0f, 0.0f);
+        lookup_2.by_second_0 = vec4<f32>(-1.0f, 0.0f, 1.0f, 0.0f);
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_5.triangle_2);
     var rows_0 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
+    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S70 : vec3<f32> = vec3<f32>(uvs_1.a_4 * vec2<f32>((1.0f - place_5.v_4 - place_5.w_3)) + uvs_1.b_2 * vec2<f32>(place_5.v_4) + uvs_1.c_2 * vec2<f32>(place_5.w_3), 1.0f);
-    var _S71 : u32 = rows_0 + u32(3);
-    uv_1.value_3 = vec2<f32>(dot(_S70, vector_at_0(rows_0)), dot(_S70, vector_at_0(_S71)));
-    var _S72 : vec3<f32> = vec3<f32>((uvs_1.b_2 - uvs_1.a_4) * vec2<f32>(place_5.v_change_0) + (uvs_1.c_2 - uvs_1.a_4) * vec2<f32>(place_5.w_change_0), 0.0f);
-    uv_1.change_2 = vec2<f32>(dot(_S72, vector_at_0(rows_0)), dot(_S72, vector_at_0(_S71)));
+    var _S71 : vec3<f32> = vec3<f32>(uvs_1.a_4 * vec2<f32>((1.0f - place_5.v_4 - place_5.w_3)) + uvs_1.b_2 * vec2<f32>(place_5.v_4) + uvs_1.c_2 * vec2<f32>(place_5.w_3), 1.0f);
+    uv_1.value_3 = vec2<f32>(dot(_S71, to_u_0), dot(_S71, to_v_0));
+    var by_v_0 : vec2<f32> = uvs_1.b_2 - uvs_1.a_4;
+    var by_w_0 : vec2<f32> = uvs_1.c_2 - uvs_1.a_4;
+    var _S72 : vec2<f32> = to_u_0.xy;
+    var _S73 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S72), dot(by_v_0, _S73));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S72), dot(by_w_0, _S73));
     if(kind_0 == u32(1))
     {
-        var _S73 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S73;
+        var _S74 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S74;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
-    var _S74 : i32;
+    var _S75 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S74 = i32(1);
+        _S75 = i32(1);
     }
     else
     {
-        _S74 = i32(0);
+        _S75 = i32(0);
     }
-    return one_texel_0(u32(_S74));
+    return one_texel_0(u32(_S75));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S75 : u32 = word_0(texture_2 + u32(1));
-    var _S76 : u32 = texture_2 + u32(13);
-    var _S77 : vec3<f32> = vec3<f32>(0.0f);
+    var _S76 : u32 = word_0(texture_2 + u32(1));
+    var _S77 : u32 = texture_2 + u32(13);
+    var _S78 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S77;
+    var value_4 : vec3<f32> = _S78;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1023,17 +1033,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_11 : u32 = _S76 + _S75 * lookup_3.texels_0[k_1];
-        var _S78 : vec3<f32>;
-        if(_S75 == u32(1))
+        var at_11 : u32 = _S77 + _S76 * lookup_3.texels_0[k_1];
+        var _S79 : vec3<f32>;
+        if(_S76 == u32(1))
         {
-            _S78 = vec3<f32>(number_0(at_11));
+            _S79 = vec3<f32>(number_0(at_11));
         }
         else
         {
-            _S78 = vector_at_0(at_11);
+            _S79 = vector_at_0(at_11);
         }
-        var value_5 : vec3<f32> = value_4 + _S78 * vec3<f32>(weights_1[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S79 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -1042,19 +1052,19 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(2) + u32(2) * word_0(texture_3 + u32(12)));
+    return change_word_0(u32(3) + word_0(texture_3 + u32(12)));
 }
 
-fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0) -> Vector_0
+fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
 {
     var value_6 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.weights_0);
-    var change_3 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.changes_0);
+    var change_3 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.by_first_0 * vec4<f32>(place_change_0.x) + lookup_4.by_second_0 * vec4<f32>(place_change_0.y));
     var first_2 : u32 = numbers_of_0(texture_4);
     if(first_2 == u32(4294967295))
     {
         return changing_0(value_6, change_3);
     }
-    var _S79 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var _S80 : bool = (word_0(texture_4 + u32(1))) == u32(1);
     var k_2 : u32 = u32(0);
     var change_4 : vec3<f32> = change_3;
     for(;;)
@@ -1066,18 +1076,18 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0) -> Vector_0
         {
             break;
         }
-        var _S80 : i32;
-        if(_S79)
+        var _S81 : i32;
+        if(_S80)
         {
-            _S80 = i32(1);
+            _S81 = i32(1);
         }
         else
         {
-            _S80 = i32(3);
+            _S81 = i32(3);
         }
-        var at_12 : u32 = first_2 + u32(_S80) * lookup_4.texels_0[k_2];
+        var at_12 : u32 = first_2 + u32(_S81) * lookup_4.texels_0[k_2];
         var of_texel_0 : vec3<f32>;
-        if(_S79)
+        if(_S80)
         {
             of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_12)))));
         }
@@ -1092,47 +1102,36 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0) -> Vector_0
     return changing_0(value_6, change_4);
 }
 
-fn value_of_0( vector_2 : Vector_0) -> vec3<f32>
+fn shown_0( texture_5 : u32,  place_6 : Place_0) -> Vector_0
 {
-    return vector_2.value_0;
+    var _S82 : Lookup_0 = lookup_at_0(texture_5, place_6);
+    return looked_up_0(texture_5, _S82, place_6.change_2);
 }
 
-fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> DiffPair_float_0
+fn angle_of_0( x_3 : f32,  y_2 : f32) -> f32
 {
-    var _S81 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0, dpx_5.differential_0 );
-    var _S82 : DiffPair_float_0 = _d_abs_0(_S81);
-    var _S83 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0, dpy_2.differential_0 );
-    var _S84 : DiffPair_float_0 = _d_abs_0(_S83);
-    var _S85 : DiffPair_float_0 = DiffPair_float_0( _S82.primal_0, _S82.differential_0 );
-    var _S86 : DiffPair_float_0 = DiffPair_float_0( _S84.primal_0, _S84.differential_0 );
-    var _S87 : DiffPair_float_0 = _d_min_0(_S85, _S86);
-    var _S88 : DiffPair_float_0 = _d_max_0(_S85, _S86);
-    var is_steep_0 : bool = (_S87.primal_0) > (0.41421356797218323f * _S88.primal_0);
+    var _S83 : f32 = abs(x_3);
+    var _S84 : f32 = abs(y_2);
+    var _S85 : f32 = min(_S83, _S84);
+    var _S86 : f32 = max(_S83, _S84);
+    var is_steep_0 : bool = _S85 > (0.41421356797218323f * _S86);
     var above_0 : f32;
-    var s_diff_above_0 : f32;
     if(is_steep_0)
     {
-        var _S89 : f32 = _S87.differential_0 - _S88.differential_0;
-        above_0 = _S87.primal_0 - _S88.primal_0;
-        s_diff_above_0 = _S89;
+        above_0 = _S85 - _S86;
     }
     else
     {
-        above_0 = _S87.primal_0;
-        s_diff_above_0 = _S87.differential_0;
+        above_0 = _S85;
     }
     var below_0 : f32;
-    var s_diff_below_0 : f32;
     if(is_steep_0)
     {
-        var _S90 : f32 = _S87.differential_0 + _S88.differential_0;
-        below_0 = _S87.primal_0 + _S88.primal_0;
-        s_diff_below_0 = _S90;
+        below_0 = _S85 + _S86;
     }
     else
     {
-        below_0 = _S88.primal_0;
-        s_diff_below_0 = _S88.differential_0;
+        below_0 = _S86;
     }
     if(below_0 > 0.0f)
     {
@@ -1140,19 +1139,10 @@ fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> Dif
     else
     {
         below_0 = 1.0f;
-        s_diff_below_0 = 0.0f;
     }
     var t_3 : f32 = above_0 / below_0;
-    var s_diff_t_0 : f32 = (s_diff_above_0 * below_0 - above_0 * s_diff_below_0) / (below_0 * below_0);
     var z_2 : f32 = t_3 * t_3;
-    var _S91 : f32 = s_diff_t_0 * t_3;
-    var s_diff_z_0 : f32 = _S91 + _S91;
-    var _S92 : f32 = 0.08053744584321976f * z_2 - 0.13877685368061066f;
-    var _S93 : f32 = _S92 * z_2 + 0.19977711141109467f;
-    var tail_0 : f32 = _S93 * z_2 - 0.33332949876785278f;
-    var _S94 : f32 = tail_0 * z_2;
-    var angle_0 : f32 = _S94 * t_3 + t_3;
-    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_2 + s_diff_z_0 * _S92) * z_2 + s_diff_z_0 * _S93) * z_2 + s_diff_z_0 * tail_0) * t_3 + s_diff_t_0 * _S94 + s_diff_t_0;
+    var angle_0 : f32 = (((0.08053744584321976f * z_2 - 0.13877685368061066f) * z_2 + 0.19977711141109467f) * z_2 - 0.33332949876785278f) * z_2 * t_3 + t_3;
     var angle_1 : f32;
     if(is_steep_0)
     {
@@ -1162,12 +1152,96 @@ fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> Dif
     {
         angle_1 = angle_0;
     }
-    var s_diff_angle_1 : f32;
-    if((_S84.primal_0) > (_S82.primal_0))
+    if(_S84 > _S83)
     {
-        var _S95 : f32 = 0.0f - s_diff_angle_0;
         angle_1 = 1.57079637050628662f - angle_1;
-        s_diff_angle_1 = _S95;
+    }
+    if(x_3 < 0.0f)
+    {
+        angle_1 = 3.14159274101257324f - angle_1;
+    }
+    if(y_2 < 0.0f)
+    {
+        above_0 = - angle_1;
+    }
+    else
+    {
+        above_0 = angle_1;
+    }
+    return above_0;
+}
+
+fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S87 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0, dpx_5.differential_0 );
+    var _S88 : DiffPair_float_0 = _d_abs_0(_S87);
+    var _S89 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0, dpy_2.differential_0 );
+    var _S90 : DiffPair_float_0 = _d_abs_0(_S89);
+    var _S91 : DiffPair_float_0 = DiffPair_float_0( _S88.primal_0, _S88.differential_0 );
+    var _S92 : DiffPair_float_0 = DiffPair_float_0( _S90.primal_0, _S90.differential_0 );
+    var _S93 : DiffPair_float_0 = _d_min_0(_S91, _S92);
+    var _S94 : DiffPair_float_0 = _d_max_0(_S91, _S92);
+    var is_steep_1 : bool = (_S93.primal_0) > (0.41421356797218323f * _S94.primal_0);
+    var above_1 : f32;
+    var s_diff_above_0 : f32;
+    if(is_steep_1)
+    {
+        var _S95 : f32 = _S93.differential_0 - _S94.differential_0;
+        above_1 = _S93.primal_0 - _S94.primal_0;
+        s_diff_above_0 = _S95;
+    }
+    else
+    {
+        above_1 = _S93.primal_0;
+        s_diff_above_0 = _S93.differential_0;
+    }
+    var below_1 : f32;
+    var s_diff_below_0 : f32;
+    if(is_steep_1)
+    {
+        var _S96 : f32 = _S93.differential_0 + _S94.differential_0;
+        below_1 = _S93.primal_0 + _S94.primal_0;
+        s_diff_below_0 = _S96;
+    }
+    else
+    {
+        below_1 = _S94.primal_0;
+        s_diff_below_0 = _S94.differential_0;
+    }
+    if(below_1 > 0.0f)
+    {
+    }
+    else
+    {
+        below_1 = 1.0f;
+        s_diff_below_0 = 0.0f;
+    }
+    var t_4 : f32 = above_1 / below_1;
+    var s_diff_t_0 : f32 = (s_diff_above_0 * below_1 - above_1 * s_diff_below_0) / (below_1 * below_1);
+    var z_3 : f32 = t_4 * t_4;
+    var _S97 : f32 = s_diff_t_0 * t_4;
+    var s_diff_z_0 : f32 = _S97 + _S97;
+    var _S98 : f32 = 0.08053744584321976f * z_3 - 0.13877685368061066f;
+    var _S99 : f32 = _S98 * z_3 + 0.19977711141109467f;
+    var tail_0 : f32 = _S99 * z_3 - 0.33332949876785278f;
+    var _S100 : f32 = tail_0 * z_3;
+    var angle_2 : f32 = _S100 * t_4 + t_4;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_3 + s_diff_z_0 * _S98) * z_3 + s_diff_z_0 * _S99) * z_3 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S100 + s_diff_t_0;
+    var angle_3 : f32;
+    if(is_steep_1)
+    {
+        angle_3 = angle_2 + 0.78539818525314331f;
+    }
+    else
+    {
+        angle_3 = angle_2;
+    }
+    var s_diff_angle_1 : f32;
+    if((_S90.primal_0) > (_S88.primal_0))
+    {
+        var _S101 : f32 = 0.0f - s_diff_angle_0;
+        angle_3 = 1.57079637050628662f - angle_3;
+        s_diff_angle_1 = _S101;
     }
     else
     {
@@ -1175,23 +1249,30 @@ fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> Dif
     }
     if((dpx_5.primal_0) < 0.0f)
     {
-        var _S96 : f32 = 0.0f - s_diff_angle_1;
-        angle_1 = 3.14159274101257324f - angle_1;
-        s_diff_angle_1 = _S96;
+        var _S102 : f32 = 0.0f - s_diff_angle_1;
+        angle_3 = 3.14159274101257324f - angle_3;
+        s_diff_angle_1 = _S102;
     }
     if((dpy_2.primal_0) < 0.0f)
     {
-        var _S97 : f32 = - s_diff_angle_1;
-        above_0 = - angle_1;
-        s_diff_above_0 = _S97;
+        var _S103 : f32 = - s_diff_angle_1;
+        above_1 = - angle_3;
+        s_diff_above_0 = _S103;
     }
     else
     {
-        above_0 = angle_1;
+        above_1 = angle_3;
         s_diff_above_0 = s_diff_angle_1;
     }
-    var _S98 : DiffPair_float_0 = DiffPair_float_0( above_0, s_diff_above_0 );
-    return _S98;
+    var _S104 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
+    return _S104;
+}
+
+fn map_place_0( map_0 : u32,  direction_3 : vec3<f32>) -> vec2<f32>
+{
+    var _S105 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S105) * vec3<f32>(direction_3.x) + vector_at_0(_S105 + u32(3)) * vec3<f32>(direction_3.y) + vector_at_0(_S105 + u32(6)) * vec3<f32>(direction_3.z);
+    return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
 struct DiffPair_vectorx3Cfloatx2C3x3E_0
@@ -1200,46 +1281,51 @@ struct DiffPair_vectorx3Cfloatx2C3x3E_0
      differential_0 : vec3<f32>,
 };
 
-fn s_fwd_map_place_0( map_0 : u32,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
+fn s_fwd_map_place_0( map_1 : u32,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var _S99 : u32 = map_0 + u32(2);
-    var _S100 : vec3<f32> = vector_at_0(_S99);
-    var _S101 : vec3<f32> = vector_at_0(_S99 + u32(3));
-    var _S102 : vec3<f32> = vector_at_0(_S99 + u32(6));
-    var d_0 : vec3<f32> = _S100 * vec3<f32>(dpdirection_0.primal_0.x) + _S101 * vec3<f32>(dpdirection_0.primal_0.y) + _S102 * vec3<f32>(dpdirection_0.primal_0.z);
-    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_0.differential_0.x) * _S100 + vec3<f32>(dpdirection_0.differential_0.y) * _S101 + vec3<f32>(dpdirection_0.differential_0.z) * _S102;
-    var _S103 : DiffPair_float_0 = DiffPair_float_0( - d_0.z, - s_diff_d_0.z );
-    var _S104 : DiffPair_float_0 = DiffPair_float_0( d_0.x, s_diff_d_0.x );
-    var _S105 : DiffPair_float_0 = s_fwd_angle_of_0(_S103, _S104);
-    var _S106 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_0.xz, s_diff_d_0.xz );
-    var _S107 : DiffPair_float_0 = s_fwd_length_impl_0(_S106);
-    var _S108 : DiffPair_float_0 = DiffPair_float_0( d_0.y, s_diff_d_0.y );
-    var _S109 : DiffPair_float_0 = DiffPair_float_0( _S107.primal_0, _S107.differential_0 );
-    var _S110 : DiffPair_float_0 = s_fwd_angle_of_0(_S108, _S109);
-    var width_1 : f32 = f32(word_0(map_0));
-    var _S111 : f32 = f32(word_0(map_0 + u32(1))) - 1.0f;
-    var _S112 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S105.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S110.primal_0 * 0.31830987334251404f * _S111), vec2<f32>(_S105.differential_0 * 0.15915493667125702f * width_1, _S110.differential_0 * 0.31830987334251404f * _S111) );
-    return _S112;
+    var _S106 : u32 = map_1 + u32(2);
+    var _S107 : vec3<f32> = vector_at_0(_S106);
+    var _S108 : vec3<f32> = vector_at_0(_S106 + u32(3));
+    var _S109 : vec3<f32> = vector_at_0(_S106 + u32(6));
+    var d_1 : vec3<f32> = _S107 * vec3<f32>(dpdirection_0.primal_0.x) + _S108 * vec3<f32>(dpdirection_0.primal_0.y) + _S109 * vec3<f32>(dpdirection_0.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_0.differential_0.x) * _S107 + vec3<f32>(dpdirection_0.differential_0.y) * _S108 + vec3<f32>(dpdirection_0.differential_0.z) * _S109;
+    var _S110 : DiffPair_float_0 = DiffPair_float_0( - d_1.z, - s_diff_d_0.z );
+    var _S111 : DiffPair_float_0 = DiffPair_float_0( d_1.x, s_diff_d_0.x );
+    var _S112 : DiffPair_float_0 = s_fwd_angle_of_0(_S110, _S111);
+    var _S113 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_1.xz, s_diff_d_0.xz );
+    var _S114 : DiffPair_float_0 = s_fwd_length_impl_0(_S113);
+    var _S115 : DiffPair_float_0 = DiffPair_float_0( d_1.y, s_diff_d_0.y );
+    var _S116 : DiffPair_float_0 = DiffPair_float_0( _S114.primal_0, _S114.differential_0 );
+    var _S117 : DiffPair_float_0 = s_fwd_angle_of_0(_S115, _S116);
+    var width_1 : f32 = f32(word_0(map_1));
+    var _S118 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
+    var _S119 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S112.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S117.primal_0 * 0.31830987334251404f * _S118), vec2<f32>(_S112.differential_0 * 0.15915493667125702f * width_1, _S117.differential_0 * 0.31830987334251404f * _S118) );
+    return _S119;
 }
 
-fn in_map_0( map_1 : u32,  direction_3 : Vector_0) -> Lookup_0
+fn value_of_0( vector_2 : Vector_0) -> vec3<f32>
 {
-    var _S113 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_3), change_of_0(direction_3) );
-    var _S114 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(map_1, _S113);
+    return vector_2.value_0;
+}
+
+fn in_map_0( map_2 : u32,  direction_4 : vec3<f32>) -> Lookup_0
+{
+    var place_7 : vec2<f32> = map_place_0(map_2, direction_4);
     var point_0 : Point_0;
-    point_0.change_2 = _S114.differential_0;
-    point_0.value_3 = _S114.primal_0;
-    var x_3 : i32 = floor_of_0(_S114.primal_0.x);
-    var y_2 : i32 = floor_of_0(_S114.primal_0.y);
-    var width_2 : i32 = i32(word_0(map_1));
-    var height_1 : i32 = i32(word_0(map_1 + u32(1)));
-    var left_1 : u32 = wrapped_0(x_3, width_2, u32(0));
-    var right_1 : u32 = wrapped_0(x_3 + i32(1), width_2, u32(0));
-    var _S115 : u32 = wrapped_0(y_2, height_1, u32(2));
-    var _S116 : u32 = u32(width_2);
-    var first_3 : u32 = _S115 * _S116;
-    var _S117 : u32 = wrapped_0(y_2 + i32(1), height_1, u32(2));
-    var second_1 : u32 = _S117 * _S116;
+    point_0.value_3 = place_7;
+    point_0.by_first_1 = vec2<f32>(1.0f, 0.0f);
+    point_0.by_second_1 = vec2<f32>(0.0f, 1.0f);
+    var x_4 : i32 = floor_of_0(place_7.x);
+    var y_3 : i32 = floor_of_0(place_7.y);
+    var width_2 : i32 = i32(word_0(map_2));
+    var height_1 : i32 = i32(word_0(map_2 + u32(1)));
+    var left_1 : u32 = wrapped_0(x_4, width_2, u32(0));
+    var right_1 : u32 = wrapped_0(x_4 + i32(1), width_2, u32(0));
+    var _S120 : u32 = wrapped_0(y_3, height_1, u32(2));
+    var _S121 : u32 = u32(width_2);
+    var first_3 : u32 = _S120 * _S121;
+    var _S122 : u32 = wrapped_0(y_3 + i32(1), height_1, u32(2));
+    var second_1 : u32 = _S122 * _S121;
     return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_1 + left_1, second_1 + right_1), point_0);
 }
 
@@ -1248,19 +1334,21 @@ fn x2A_0( a_6 : Vector_0,  b_4 : Vector_0) -> Vector_0
     return changing_0(a_6.value_0 * b_4.value_0, a_6.change_0 * b_4.value_0 + a_6.value_0 * b_4.change_0);
 }
 
-fn emitted_0( emitter_2 : u32,  place_6 : Place_0,  direction_4 : Vector_0,  importance_0 : vec3<f32>) -> Vector_0
+fn emitted_0( emitter_2 : u32,  place_8 : Place_0,  direction_5 : Vector_0) -> Vector_0
 {
     var record_2 : u32 = emitter_record_0(emitter_2);
-    var texture_5 : u32 = word_0(record_2 + u32(1));
+    var texture_6 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var lookup_5 : Lookup_0 = lookup_at_0(texture_5, place_6);
-        return looked_up_0(texture_5, lookup_5);
+        var _S123 : Vector_0 = shown_0(texture_6, place_8);
+        return _S123;
     }
-    var texels_2 : u32 = word_0(texture_5 + u32(11));
-    var scale_1 : u32 = word_0(texture_5 + u32(12));
-    var lookup_6 : Lookup_0 = in_map_0(texture_5, direction_4);
-    return x2A_0(looked_up_0(texels_2, lookup_6), looked_up_0(scale_1, one_texel_0(u32(0))));
+    var _S124 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_5.value_0, direction_5.change_0 );
+    var _S125 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_6, _S124);
+    var factor_0 : Vector_0 = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
+    var _S126 : u32 = word_0(texture_6 + u32(11));
+    var _S127 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_5));
+    return x2A_0(looked_up_0(_S126, _S127, _S125.differential_0), factor_0);
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1271,8 +1359,8 @@ fn reaches_0( segments_0 : u32) -> bool
 struct Path_0
 {
      throughput_0 : Vector_0,
-     direction_5 : Vector_0,
-     place_7 : Place_0,
+     direction_6 : Vector_0,
+     place_9 : Place_0,
      key_0 : vec2<u32>,
      light_0 : Vector_0,
      drift_1 : vec3<f32>,
@@ -1282,73 +1370,72 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
     var at_13 : u32 = u32(15) * number_of_path_0;
     var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13], input_0[at_13 + u32(1)], input_0[at_13 + u32(2)]))));
-    var direction_6 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(3)], input_0[at_13 + u32(4)], input_0[at_13 + u32(5)]))));
+    var direction_7 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(3)], input_0[at_13 + u32(4)], input_0[at_13 + u32(5)]))));
     (*path_0).key_0 = vec2<u32>(input_0[at_13 + u32(7)], input_0[at_13 + u32(8)]);
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
-    var importance_1 : vec3<f32> = vec3<f32>(0.0f);
-    var t_4 : f32 = 0.0f;
+    var t_5 : f32 = 0.0f;
     var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_13 + u32(6)])));
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0f;
     found_4.w_2 = 0.0f;
-    var _S118 : bool;
+    var _S128 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S118 = (word_0(u32(13))) != u32(0);
+        _S128 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S118 = false;
+        _S128 = false;
     }
-    if(_S118)
+    if(_S128)
     {
-        var _S119 : Found_0 = cast_0(origin_2, direction_6, 0.0f, length_of_ray_0, false, &(t_4));
-        found_4 = _S119;
+        var _S129 : Found_0 = cast_0(origin_2, direction_7, 0.0f, length_of_ray_0, false, &(t_5));
+        found_4 = _S129;
     }
-    var _S120 : Place_0 = place_of_0(found_4);
-    (*path_0).place_7 = _S120;
-    var seen_0 : Place_0 = _S120;
+    var _S130 : Place_0 = place_of_0(found_4);
+    (*path_0).place_9 = _S130;
+    var seen_0 : Place_0 = _S130;
     var origin_change_0 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(9)], input_0[at_13 + u32(10)], input_0[at_13 + u32(11)]))));
-    var _S121 : Vector_0 = changing_0(direction_6, (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(12)], input_0[at_13 + u32(13)], input_0[at_13 + u32(14)])))));
-    (*path_0).direction_5 = _S121;
-    (*path_0).drift_1 = origin_change_0 + change_of_0(_S121) * vec3<f32>(t_4);
+    var _S131 : Vector_0 = changing_0(direction_7, (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(12)], input_0[at_13 + u32(13)], input_0[at_13 + u32(14)])))));
+    (*path_0).direction_6 = _S131;
+    (*path_0).drift_1 = origin_change_0 + change_of_0(_S131) * vec3<f32>(t_5);
     var unused_0 : vec3<f32>;
     if((found_4.face_1) != u32(4294967295))
     {
-        move_place_0(&(seen_0), &(unused_0), direction_6, (*path_0).drift_1);
+        move_place_0(&(seen_0), &(unused_0), direction_7, (*path_0).drift_1);
     }
-    var _S122 : Vector_0 = still_0(importance_1);
-    var emitter_3 : u32 = emitter_seen_0(found_4, direction_6);
+    var _S132 : Vector_0 = still_0(vec3<f32>(0.0f));
+    var emitter_3 : u32 = emitter_seen_0(found_4, direction_7);
     if(emitter_3 != u32(4294967295))
     {
-        _S118 = (word_0(u32(4))) != u32(0);
+        _S128 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S118 = false;
+        _S128 = false;
     }
     var light_1 : Vector_0;
-    if(_S118)
+    if(_S128)
     {
-        var _S123 : Vector_0 = emitted_0(emitter_3, seen_0, (*path_0).direction_5, importance_1);
-        light_1 = _S123;
+        var _S133 : Vector_0 = emitted_0(emitter_3, seen_0, (*path_0).direction_6);
+        light_1 = _S133;
     }
     else
     {
-        light_1 = _S122;
+        light_1 = _S132;
     }
     (*path_0).light_0 = light_1;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S118 = reaches_0(u32(2));
+        _S128 = reaches_0(u32(2));
     }
     else
     {
-        _S118 = false;
+        _S128 = false;
     }
-    return _S118;
+    return _S128;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_7 : u32)
@@ -1402,11 +1489,11 @@ fn set_changing_0( path_4 : u32,  which_4 : ptr<function, u32>,  vector_3 : Vect
     return;
 }
 
-fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_8 : Place_0)
+fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_10 : Place_0)
 {
-    set_word_0(path_5, (*which_5), place_8.triangle_2);
-    set_word_0(path_5, (*which_5) + u32(1), (bitcast<u32>((place_8.v_4))));
-    set_word_0(path_5, (*which_5) + u32(2), (bitcast<u32>((place_8.w_3))));
+    set_word_0(path_5, (*which_5), place_10.triangle_2);
+    set_word_0(path_5, (*which_5) + u32(1), (bitcast<u32>((place_10.v_4))));
+    set_word_0(path_5, (*which_5) + u32(2), (bitcast<u32>((place_10.w_3))));
     (*which_5) = (*which_5) + u32(3);
     return;
 }
@@ -1416,9 +1503,9 @@ fn store_0( number_of_path_1 : u32,  path_6 : Path_0)
     var at_14 : u32 = u32(1);
     set_changing_0(number_of_path_1, &(at_14), path_6.light_0);
     set_changing_0(number_of_path_1, &(at_14), path_6.throughput_0);
-    set_changing_0(number_of_path_1, &(at_14), path_6.direction_5);
+    set_changing_0(number_of_path_1, &(at_14), path_6.direction_6);
     set_vector_0(number_of_path_1, &(at_14), path_6.drift_1);
-    set_place_0(number_of_path_1, &(at_14), path_6.place_7);
+    set_place_0(number_of_path_1, &(at_14), path_6.place_9);
     set_word_0(number_of_path_1, at_14, path_6.key_0.x);
     set_word_0(number_of_path_1, at_14 + u32(1), path_6.key_0.y);
     return;
@@ -1436,15 +1523,15 @@ fn begin_forward(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_7 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_2, &(path_7));
     store_0(number_of_path_2, path_7);
-    var _S124 : u32;
+    var _S134 : u32;
     if(goes_on_0)
     {
-        _S124 = number_of_path_2;
+        _S134 = number_of_path_2;
     }
     else
     {
-        _S124 = u32(4294967295);
+        _S134 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), _S124);
+    set_word_0(number_of_path_2, u32(0), _S134);
     return;
 }

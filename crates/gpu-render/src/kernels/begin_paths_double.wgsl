@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 5fd78078688c45e4
-// result: 34de90436a557458
+// source: c25d80457b182df3
+// result: 7702de2d2e2777b1
 
 struct Launch_std140_0
 {
@@ -880,35 +880,46 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
     return value_3;
 }
 
-fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0) -> vec3<f32>
+fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> vec3<f32>
 {
     return weighted_texels_0(texture_3, lookup_4, lookup_4.weights_0);
 }
 
+fn shown_0( texture_4 : u32,  place_4 : Place_0) -> vec3<f32>
+{
+    var _S61 : Lookup_0 = lookup_at_0(texture_4, place_4);
+    return looked_up_0(texture_4, _S61, vec2<f32>(0.0f));
+}
+
+fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
+{
+    return vector_0;
+}
+
 fn angle_of_0( x_3 : f32,  y_2 : f32) -> f32
 {
-    var _S61 : f32 = abs(x_3);
-    var _S62 : f32 = abs(y_2);
-    var _S63 : f32 = min(_S61, _S62);
-    var _S64 : f32 = max(_S61, _S62);
-    var is_steep_0 : bool = _S63 > (0.41421356797218323f * _S64);
+    var _S62 : f32 = abs(x_3);
+    var _S63 : f32 = abs(y_2);
+    var _S64 : f32 = min(_S62, _S63);
+    var _S65 : f32 = max(_S62, _S63);
+    var is_steep_0 : bool = _S64 > (0.41421356797218323f * _S65);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S63 - _S64;
+        above_0 = _S64 - _S65;
     }
     else
     {
-        above_0 = _S63;
+        above_0 = _S64;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S63 + _S64;
+        below_0 = _S64 + _S65;
     }
     else
     {
-        below_0 = _S64;
+        below_0 = _S65;
     }
     if(below_0 > 0.0f)
     {
@@ -929,7 +940,7 @@ fn angle_of_0( x_3 : f32,  y_2 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S62 > _S61)
+    if(_S63 > _S62)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -950,43 +961,44 @@ fn angle_of_0( x_3 : f32,  y_2 : f32) -> f32
 
 fn map_place_0( map_0 : u32,  direction_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S65 : u32 = map_0 + u32(2);
-    var d_0 : vec3<f32> = vector_at_0(_S65) * vec3<f32>(direction_2.x) + vector_at_0(_S65 + u32(3)) * vec3<f32>(direction_2.y) + vector_at_0(_S65 + u32(6)) * vec3<f32>(direction_2.z);
+    var _S66 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S66) * vec3<f32>(direction_2.x) + vector_at_0(_S66 + u32(3)) * vec3<f32>(direction_2.y) + vector_at_0(_S66 + u32(6)) * vec3<f32>(direction_2.z);
     return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
 fn in_map_0( map_1 : u32,  direction_3 : vec3<f32>) -> Lookup_0
 {
-    var place_4 : vec2<f32> = map_place_0(map_1, direction_3);
+    var place_5 : vec2<f32> = map_place_0(map_1, direction_3);
     var point_0 : Point_0;
-    point_0.value_2 = place_4;
-    var x_4 : i32 = floor_of_0(place_4.x);
-    var y_3 : i32 = floor_of_0(place_4.y);
+    point_0.value_2 = place_5;
+    var x_4 : i32 = floor_of_0(place_5.x);
+    var y_3 : i32 = floor_of_0(place_5.y);
     var width_1 : i32 = i32(word_0(map_1));
     var height_1 : i32 = i32(word_0(map_1 + u32(1)));
     var left_1 : u32 = wrapped_0(x_4, width_1, u32(0));
     var right_1 : u32 = wrapped_0(x_4 + i32(1), width_1, u32(0));
-    var _S66 : u32 = wrapped_0(y_3, height_1, u32(2));
-    var _S67 : u32 = u32(width_1);
-    var first_2 : u32 = _S66 * _S67;
-    var _S68 : u32 = wrapped_0(y_3 + i32(1), height_1, u32(2));
-    var second_1 : u32 = _S68 * _S67;
+    var _S67 : u32 = wrapped_0(y_3, height_1, u32(2));
+    var _S68 : u32 = u32(width_1);
+    var first_2 : u32 = _S67 * _S68;
+    var _S69 : u32 = wrapped_0(y_3 + i32(1), height_1, u32(2));
+    var second_1 : u32 = _S69 * _S68;
     return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), point_0);
 }
 
-fn emitted_0( emitter_2 : u32,  place_5 : Place_0,  direction_4 : vec3<f32>,  importance_0 : vec3<f32>) -> vec3<f32>
+fn emitted_0( emitter_2 : u32,  place_6 : Place_0,  direction_4 : vec3<f32>) -> vec3<f32>
 {
     var record_2 : u32 = emitter_record_0(emitter_2);
-    var texture_4 : u32 = word_0(record_2 + u32(1));
+    var texture_5 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var lookup_5 : Lookup_0 = lookup_at_0(texture_4, place_5);
-        return looked_up_0(texture_4, lookup_5);
+        var _S70 : vec3<f32> = shown_0(texture_5, place_6);
+        return _S70;
     }
-    var texels_2 : u32 = word_0(texture_4 + u32(11));
-    var scale_0 : u32 = word_0(texture_4 + u32(12));
-    var lookup_6 : Lookup_0 = in_map_0(texture_4, direction_4);
-    return looked_up_0(texels_2, lookup_6) * looked_up_0(scale_0, one_texel_0(u32(0)));
+    var change_1 : vec2<f32> = vec2<f32>(0.0f);
+    var factor_0 : vec3<f32> = looked_up_0(word_0(texture_5 + u32(12)), one_texel_0(u32(0)), change_1);
+    var _S71 : u32 = word_0(texture_5 + u32(11));
+    var _S72 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_4));
+    return looked_up_0(_S71, _S72, change_1) * factor_0;
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -998,7 +1010,7 @@ struct Path_0
 {
      throughput_0 : vec3<f32>,
      direction_5 : vec3<f32>,
-     place_6 : Place_0,
+     place_7 : Place_0,
      key_0 : vec2<u32>,
      light_0 : vec3<f32>,
 };
@@ -1010,7 +1022,6 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
     var direction_6 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_9 + u32(3)], input_0[at_9 + u32(4)], input_0[at_9 + u32(5)]))));
     (*path_0).key_0 = vec2<u32>(input_0[at_9 + u32(7)], input_0[at_9 + u32(8)]);
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
-    var importance_1 : vec3<f32> = vec3<f32>(0.0f);
     var t_4 : f32 = 0.0f;
     var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_9 + u32(6)])));
     var found_4 : Found_0;
@@ -1018,57 +1029,52 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0lf;
     found_4.w_2 = 0.0lf;
-    var _S69 : bool;
+    var _S73 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S69 = (word_0(u32(13))) != u32(0);
+        _S73 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S69 = false;
+        _S73 = false;
     }
-    if(_S69)
+    if(_S73)
     {
         found_4 = cast_0(vec3<f64>(origin_2), vec3<f64>(direction_6), 0.0lf, f64(length_of_ray_0), false, &(t_4));
     }
-    var _S70 : Place_0 = place_of_0(found_4);
-    (*path_0).place_6 = _S70;
+    var _S74 : Place_0 = place_of_0(found_4);
+    (*path_0).place_7 = _S74;
     (*path_0).direction_5 = direction_6;
-    var _S71 : vec3<f32> = still_0(importance_1);
+    var _S75 : vec3<f32> = still_0(vec3<f32>(0.0f));
     var emitter_3 : u32 = emitter_seen_0(found_4, direction_6);
     if(emitter_3 != u32(4294967295))
     {
-        _S69 = (word_0(u32(4))) != u32(0);
+        _S73 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S69 = false;
+        _S73 = false;
     }
     var light_1 : vec3<f32>;
-    if(_S69)
+    if(_S73)
     {
-        var _S72 : vec3<f32> = emitted_0(emitter_3, _S70, (*path_0).direction_5, importance_1);
-        light_1 = _S72;
+        var _S76 : vec3<f32> = emitted_0(emitter_3, _S74, (*path_0).direction_5);
+        light_1 = _S76;
     }
     else
     {
-        light_1 = _S71;
+        light_1 = _S75;
     }
     (*path_0).light_0 = light_1;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S69 = reaches_0(u32(2));
+        _S73 = reaches_0(u32(2));
     }
     else
     {
-        _S69 = false;
+        _S73 = false;
     }
-    return _S69;
-}
-
-fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
-{
-    return vector_0;
+    return _S73;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
@@ -1102,11 +1108,11 @@ fn set_changing_0( path_3 : u32,  which_3 : ptr<function, u32>,  vector_1 : vec3
     return;
 }
 
-fn set_place_0( path_4 : u32,  which_4 : ptr<function, u32>,  place_7 : Place_0)
+fn set_place_0( path_4 : u32,  which_4 : ptr<function, u32>,  place_8 : Place_0)
 {
-    set_word_0(path_4, (*which_4), place_7.triangle_2);
-    set_word_0(path_4, (*which_4) + u32(1), (bitcast<u32>((place_7.v_4))));
-    set_word_0(path_4, (*which_4) + u32(2), (bitcast<u32>((place_7.w_3))));
+    set_word_0(path_4, (*which_4), place_8.triangle_2);
+    set_word_0(path_4, (*which_4) + u32(1), (bitcast<u32>((place_8.v_4))));
+    set_word_0(path_4, (*which_4) + u32(2), (bitcast<u32>((place_8.w_3))));
     (*which_4) = (*which_4) + u32(3);
     return;
 }
@@ -1117,7 +1123,7 @@ fn store_0( number_of_path_1 : u32,  path_5 : Path_0)
     set_changing_0(number_of_path_1, &(at_10), path_5.light_0);
     set_changing_0(number_of_path_1, &(at_10), path_5.throughput_0);
     set_changing_0(number_of_path_1, &(at_10), path_5.direction_5);
-    set_place_0(number_of_path_1, &(at_10), path_5.place_6);
+    set_place_0(number_of_path_1, &(at_10), path_5.place_7);
     set_word_0(number_of_path_1, at_10, path_5.key_0.x);
     set_word_0(number_of_path_1, at_10 + u32(1), path_5.key_0.y);
     return;
@@ -1135,15 +1141,15 @@ fn begin_paths(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_6 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_2, &(path_6));
     store_0(number_of_path_2, path_6);
-    var _S73 : u32;
+    var _S77 : u32;
     if(goes_on_0)
     {
-        _S73 = number_of_path_2;
+        _S77 = number_of_path_2;
     }
     else
     {
-        _S73 = u32(4294967295);
+        _S77 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), _S73);
+    set_word_0(number_of_path_2, u32(0), _S77);
     return;
 }

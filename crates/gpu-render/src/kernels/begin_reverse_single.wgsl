@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 15109e13297a9d56
-// result: fef9c379d4612b7c
+// source: ae58d923a27ce7f6
+// result: 43734138a870e2fb
 
 struct Launch_std140_0
 {
@@ -28,6 +28,610 @@ struct Launch_std140_0
 
 @binding(6) @group(0) var<storage, read_write> paths_0 : array<u32>;
 
+struct s_bwdCallableCtx_sqrt_0
+{
+     _S1 : f32,
+};
+
+struct DiffPair_float_0
+{
+     primal_0 : f32,
+     differential_0 : f32,
+};
+
+fn _d_sqrt_0( dpx_0 : ptr<function, DiffPair_float_0>,  dOut_0 : f32)
+{
+    var _S2 : f32 = 0.5f / sqrt(max(1.00000001168609742e-07f, (*dpx_0).primal_0)) * dOut_0;
+    (*dpx_0).primal_0 = (*dpx_0).primal_0;
+    (*dpx_0).differential_0 = _S2;
+    return;
+}
+
+fn s_bwdProp_sqrt_0( ctx_0 : s_bwdCallableCtx_sqrt_0,  d_x_0 : ptr<function, f32>,  d_out_0 : f32)
+{
+    var _S3 : DiffPair_float_0;
+    _S3.primal_0 = ctx_0._S1;
+    _d_sqrt_0(&(_S3), d_out_0);
+    (*d_x_0) = _S3.differential_0;
+    return;
+}
+
+struct Tuple_0
+{
+     value0_0 : f32,
+};
+
+fn s_apply_max_0( x_0 : f32,  y_0 : f32) -> Tuple_0
+{
+    var _S4 : Tuple_0 = Tuple_0( max(x_0, y_0) );
+    return _S4;
+}
+
+struct s_bwdCallableCtx_max_0
+{
+     _S5 : f32,
+     _S6 : f32,
+};
+
+fn _d_max_0( dpx_1 : ptr<function, DiffPair_float_0>,  dpy_0 : ptr<function, DiffPair_float_0>,  dOut_1 : f32)
+{
+    var _S7 : DiffPair_float_0 = (*dpx_1);
+    var _S8 : f32;
+    if(((*dpx_1).primal_0) > ((*dpy_0).primal_0))
+    {
+        _S8 = dOut_1;
+    }
+    else
+    {
+        if(((*dpx_1).primal_0) < ((*dpy_0).primal_0))
+        {
+            _S8 = 0.0f;
+        }
+        else
+        {
+            _S8 = 0.5f * dOut_1;
+        }
+    }
+    (*dpx_1).primal_0 = _S7.primal_0;
+    (*dpx_1).differential_0 = _S8;
+    var _S9 : DiffPair_float_0 = (*dpy_0);
+    if(((*dpy_0).primal_0) > (_S7.primal_0))
+    {
+        _S8 = dOut_1;
+    }
+    else
+    {
+        if(((*dpy_0).primal_0) < ((*dpx_1).primal_0))
+        {
+            _S8 = 0.0f;
+        }
+        else
+        {
+            _S8 = 0.5f * dOut_1;
+        }
+    }
+    (*dpy_0).primal_0 = _S9.primal_0;
+    (*dpy_0).differential_0 = _S8;
+    return;
+}
+
+fn s_bwdProp_max_0( ctx_1 : s_bwdCallableCtx_max_0,  d_x_1 : ptr<function, f32>,  d_y_0 : ptr<function, f32>,  d_out_1 : f32)
+{
+    var _S10 : DiffPair_float_0;
+    _S10.primal_0 = ctx_1._S5;
+    var _S11 : DiffPair_float_0;
+    _S11.primal_0 = ctx_1._S6;
+    _d_max_0(&(_S10), &(_S11), d_out_1);
+    (*d_x_1) = _S10.differential_0;
+    (*d_y_0) = _S11.differential_0;
+    return;
+}
+
+struct Tuple_1
+{
+     value0_1 : f32,
+};
+
+fn s_apply_min_0( x_1 : f32,  y_1 : f32) -> Tuple_1
+{
+    var _S12 : Tuple_1 = Tuple_1( min(x_1, y_1) );
+    return _S12;
+}
+
+struct s_bwdCallableCtx_min_0
+{
+     _S13 : f32,
+     _S14 : f32,
+};
+
+fn _d_min_0( dpx_2 : ptr<function, DiffPair_float_0>,  dpy_1 : ptr<function, DiffPair_float_0>,  dOut_2 : f32)
+{
+    var _S15 : DiffPair_float_0 = (*dpx_2);
+    var _S16 : f32;
+    if(((*dpx_2).primal_0) < ((*dpy_1).primal_0))
+    {
+        _S16 = dOut_2;
+    }
+    else
+    {
+        if(((*dpx_2).primal_0) > ((*dpy_1).primal_0))
+        {
+            _S16 = 0.0f;
+        }
+        else
+        {
+            _S16 = 0.5f * dOut_2;
+        }
+    }
+    (*dpx_2).primal_0 = _S15.primal_0;
+    (*dpx_2).differential_0 = _S16;
+    var _S17 : DiffPair_float_0 = (*dpy_1);
+    if(((*dpy_1).primal_0) < (_S15.primal_0))
+    {
+        _S16 = dOut_2;
+    }
+    else
+    {
+        if(((*dpy_1).primal_0) > ((*dpx_2).primal_0))
+        {
+            _S16 = 0.0f;
+        }
+        else
+        {
+            _S16 = 0.5f * dOut_2;
+        }
+    }
+    (*dpy_1).primal_0 = _S17.primal_0;
+    (*dpy_1).differential_0 = _S16;
+    return;
+}
+
+fn s_bwdProp_min_0( ctx_2 : s_bwdCallableCtx_min_0,  d_x_2 : ptr<function, f32>,  d_y_1 : ptr<function, f32>,  d_out_2 : f32)
+{
+    var _S18 : DiffPair_float_0;
+    _S18.primal_0 = ctx_2._S13;
+    var _S19 : DiffPair_float_0;
+    _S19.primal_0 = ctx_2._S14;
+    _d_min_0(&(_S18), &(_S19), d_out_2);
+    (*d_x_2) = _S18.differential_0;
+    (*d_y_1) = _S19.differential_0;
+    return;
+}
+
+struct Tuple_2
+{
+     value0_2 : f32,
+};
+
+fn s_apply_abs_0( x_2 : f32) -> Tuple_2
+{
+    var _S20 : Tuple_2 = Tuple_2( abs(x_2) );
+    return _S20;
+}
+
+struct s_bwdCallableCtx_abs_0
+{
+     _S21 : f32,
+};
+
+fn _d_abs_0( dpx_3 : ptr<function, DiffPair_float_0>,  dOut_3 : f32)
+{
+    var _S22 : f32 = select(select(-1.0f, 0.0f, ((*dpx_3).primal_0) == 0.0f), 1.0f, ((*dpx_3).primal_0) > 0.0f) * dOut_3;
+    (*dpx_3).primal_0 = (*dpx_3).primal_0;
+    (*dpx_3).differential_0 = _S22;
+    return;
+}
+
+fn s_bwdProp_abs_0( ctx_3 : s_bwdCallableCtx_abs_0,  d_x_3 : ptr<function, f32>,  d_out_3 : f32)
+{
+    var _S23 : DiffPair_float_0;
+    _S23.primal_0 = ctx_3._S21;
+    _d_abs_0(&(_S23), d_out_3);
+    (*d_x_3) = _S23.differential_0;
+    return;
+}
+
+struct Tuple_3
+{
+     value0_3 : f32,
+};
+
+fn s_apply_length_0( x_3 : vec2<f32>) -> Tuple_3
+{
+    var _S24 : Tuple_3 = Tuple_3( length(x_3) );
+    return _S24;
+}
+
+struct s_bwdCallableCtx_length_0
+{
+     _S25 : vec2<f32>,
+};
+
+struct DiffPair_vectorx3Cfloatx2C2x3E_0
+{
+     primal_0 : vec2<f32>,
+     differential_0 : vec2<f32>,
+};
+
+struct s_paramCtx_s_bwdCallableCtx_length_impl_0
+{
+     value0_4 : vec2<f32>,
+};
+
+struct s_bwdCallableCtx_length_impl_0
+{
+     value0_5 : s_paramCtx_s_bwdCallableCtx_length_impl_0,
+};
+
+fn s_bwdProp_length_impl_0( _S26 : s_bwdCallableCtx_length_impl_0,  _S27 : ptr<function, vec2<f32>>,  _S28 : f32)
+{
+    var _S29 : f32 = _S26.value0_5.value0_4[i32(0)];
+    var _S30 : f32 = _S26.value0_5.value0_4[i32(1)];
+    var _S31 : s_bwdCallableCtx_sqrt_0;
+    _S31._S1 = _S29 * _S29 + _S30 * _S30;
+    var _S32 : f32 = 0.0f;
+    s_bwdProp_sqrt_0(_S31, &(_S32), _S28);
+    var _S33 : f32 = _S26.value0_5.value0_4[i32(1)] * _S32;
+    var _S34 : f32 = _S33 + _S33;
+    var _S35 : f32 = _S26.value0_5.value0_4[i32(0)] * _S32;
+    var _S36 : f32 = _S35 + _S35;
+    var _S37 : vec2<f32> = vec2<f32>(0.0f);
+    _S37[i32(1)] = _S34;
+    _S37[i32(0)] = _S36;
+    (*_S27) = _S37;
+    return;
+}
+
+fn _S38( _S39 : ptr<function, DiffPair_vectorx3Cfloatx2C2x3E_0>,  _S40 : f32)
+{
+    var _S41 : s_paramCtx_s_bwdCallableCtx_length_impl_0;
+    _S41.value0_4 = (*_S39).primal_0;
+    var _S42 : s_bwdCallableCtx_length_impl_0 = s_bwdCallableCtx_length_impl_0( _S41 );
+    var _S43 : vec2<f32> = (*_S39).differential_0;
+    s_bwdProp_length_impl_0(_S42, &(_S43), _S40);
+    (*_S39).differential_0 = _S43;
+    return;
+}
+
+fn s_bwdProp_length_0( ctx_4 : s_bwdCallableCtx_length_0,  d_x_4 : ptr<function, vec2<f32>>,  d_out_4 : f32)
+{
+    var _S44 : DiffPair_vectorx3Cfloatx2C2x3E_0;
+    _S44.primal_0 = ctx_4._S25;
+    _S38(&(_S44), d_out_4);
+    (*d_x_4) = _S44.differential_0;
+    return;
+}
+
+struct DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+     primal_0 : vec3<f32>,
+     differential_0 : vec3<f32>,
+};
+
+struct s_minCtx_s_bwdCallableCtx_map_place_0
+{
+     value0_6 : vec3<f32>,
+     value1_0 : vec3<f32>,
+     value2_0 : vec3<f32>,
+     value3_0 : u32,
+     value4_0 : u32,
+};
+
+struct Tuple_4
+{
+     value0_7 : vec2<f32>,
+     value1_1 : s_minCtx_s_bwdCallableCtx_map_place_0,
+};
+
+fn number_0( at_0 : u32) -> f32
+{
+    return (bitcast<f32>((scene_0[at_0])));
+}
+
+fn vector_at_0( at_1 : u32) -> vec3<f32>
+{
+    return vec3<f32>(number_0(at_1), number_0(at_1 + u32(1)), number_0(at_1 + u32(2)));
+}
+
+struct Tuple_5
+{
+     value0_8 : f32,
+};
+
+fn s_apply_angle_of_0( _S45 : f32,  _S46 : f32) -> Tuple_5
+{
+    var _S47 : Tuple_2 = s_apply_abs_0(_S45);
+    var _S48 : Tuple_2 = s_apply_abs_0(_S46);
+    var _S49 : Tuple_1 = s_apply_min_0(_S47.value0_2, _S48.value0_2);
+    var _S50 : Tuple_0 = s_apply_max_0(_S47.value0_2, _S48.value0_2);
+    var is_steep_0 : bool = (_S49.value0_1) > (0.41421356797218323f * _S50.value0_0);
+    var above_0 : f32;
+    if(is_steep_0)
+    {
+        above_0 = _S49.value0_1 - _S50.value0_0;
+    }
+    else
+    {
+        above_0 = _S49.value0_1;
+    }
+    var below_0 : f32;
+    if(is_steep_0)
+    {
+        below_0 = _S49.value0_1 + _S50.value0_0;
+    }
+    else
+    {
+        below_0 = _S50.value0_0;
+    }
+    if(below_0 > 0.0f)
+    {
+    }
+    else
+    {
+        below_0 = 1.0f;
+    }
+    var t_0 : f32 = above_0 / below_0;
+    var z_0 : f32 = t_0 * t_0;
+    var angle_0 : f32 = (((0.08053744584321976f * z_0 - 0.13877685368061066f) * z_0 + 0.19977711141109467f) * z_0 - 0.33332949876785278f) * z_0 * t_0 + t_0;
+    var angle_1 : f32;
+    if(is_steep_0)
+    {
+        angle_1 = angle_0 + 0.78539818525314331f;
+    }
+    else
+    {
+        angle_1 = angle_0;
+    }
+    if((_S48.value0_2) > (_S47.value0_2))
+    {
+        angle_1 = 1.57079637050628662f - angle_1;
+    }
+    if(_S45 < 0.0f)
+    {
+        angle_1 = 3.14159274101257324f - angle_1;
+    }
+    if(_S46 < 0.0f)
+    {
+        above_0 = - angle_1;
+    }
+    else
+    {
+        above_0 = angle_1;
+    }
+    var _S51 : Tuple_5;
+    _S51.value0_8 = above_0;
+    return _S51;
+}
+
+fn word_0( at_2 : u32) -> u32
+{
+    return scene_0[at_2];
+}
+
+fn s_apply_map_place_0( map_0 : u32,  _S52 : vec3<f32>) -> Tuple_4
+{
+    var _S53 : vec3<f32> = vec3<f32>(0.0f);
+    var _S54 : s_minCtx_s_bwdCallableCtx_map_place_0;
+    _S54.value0_6 = _S53;
+    _S54.value1_0 = _S53;
+    _S54.value2_0 = _S53;
+    _S54.value3_0 = u32(0);
+    _S54.value4_0 = u32(0);
+    var _S55 : u32 = map_0 + u32(2);
+    var _S56 : vec3<f32> = vector_at_0(_S55);
+    _S54.value0_6 = _S56;
+    var _S57 : vec3<f32> = _S56 * vec3<f32>(_S52.x);
+    var _S58 : vec3<f32> = vector_at_0(_S55 + u32(3));
+    _S54.value1_0 = _S58;
+    var _S59 : vec3<f32> = _S57 + _S58 * vec3<f32>(_S52.y);
+    var _S60 : vec3<f32> = vector_at_0(_S55 + u32(6));
+    _S54.value2_0 = _S60;
+    var d_0 : vec3<f32> = _S59 + _S60 * vec3<f32>(_S52.z);
+    var _S61 : Tuple_5 = s_apply_angle_of_0(- d_0.z, d_0.x);
+    var _S62 : Tuple_5 = s_apply_angle_of_0(d_0.y, s_apply_length_0(d_0.xz).value0_3);
+    var _S63 : u32 = word_0(map_0);
+    _S54.value3_0 = _S63;
+    var width_0 : f32 = f32(_S63);
+    var _S64 : u32 = word_0(map_0 + u32(1));
+    _S54.value4_0 = _S64;
+    var _S65 : Tuple_4;
+    _S65.value0_7 = vec2<f32>(_S61.value0_8 * 0.15915493667125702f * width_0 - 0.5f, _S62.value0_8 * 0.31830987334251404f * (f32(_S64) - 1.0f));
+    _S65.value1_1 = _S54;
+    return _S65;
+}
+
+struct s_paramCtx_s_bwdCallableCtx_map_place_0
+{
+     value0_9 : vec3<f32>,
+};
+
+struct s_bwdCallableCtx_map_place_0
+{
+     value0_10 : s_paramCtx_s_bwdCallableCtx_map_place_0,
+     value1_2 : s_minCtx_s_bwdCallableCtx_map_place_0,
+};
+
+struct s_paramCtx_s_bwdCallableCtx_angle_of_0
+{
+     value0_11 : f32,
+     value1_3 : f32,
+};
+
+struct s_bwdCallableCtx_angle_of_0
+{
+     value0_12 : s_paramCtx_s_bwdCallableCtx_angle_of_0,
+};
+
+fn s_bwdProp_angle_of_0( _S66 : s_bwdCallableCtx_angle_of_0,  _S67 : ptr<function, f32>,  _S68 : ptr<function, f32>,  _S69 : f32)
+{
+    var _S70 : Tuple_2 = s_apply_abs_0(_S66.value0_12.value0_11);
+    var _S71 : s_bwdCallableCtx_abs_0;
+    _S71._S21 = _S66.value0_12.value0_11;
+    var _S72 : s_bwdCallableCtx_abs_0 = _S71;
+    var _S73 : Tuple_2 = s_apply_abs_0(_S66.value0_12.value1_3);
+    var _S74 : s_bwdCallableCtx_abs_0;
+    _S74._S21 = _S66.value0_12.value1_3;
+    var _S75 : s_bwdCallableCtx_abs_0 = _S74;
+    var _S76 : Tuple_1 = s_apply_min_0(_S70.value0_2, _S73.value0_2);
+    var _S77 : s_bwdCallableCtx_min_0;
+    _S77._S13 = _S70.value0_2;
+    _S77._S14 = _S73.value0_2;
+    var _S78 : s_bwdCallableCtx_min_0 = _S77;
+    var _S79 : Tuple_0 = s_apply_max_0(_S70.value0_2, _S73.value0_2);
+    var _S80 : s_bwdCallableCtx_max_0;
+    _S80._S5 = _S70.value0_2;
+    _S80._S6 = _S73.value0_2;
+    var _S81 : s_bwdCallableCtx_max_0 = _S80;
+    var is_steep_1 : bool = (_S76.value0_1) > (0.41421356797218323f * _S79.value0_0);
+    var above_1 : f32;
+    if(is_steep_1)
+    {
+        above_1 = _S76.value0_1 - _S79.value0_0;
+    }
+    else
+    {
+        above_1 = _S76.value0_1;
+    }
+    var below_1 : f32;
+    if(is_steep_1)
+    {
+        below_1 = _S76.value0_1 + _S79.value0_0;
+    }
+    else
+    {
+        below_1 = _S79.value0_0;
+    }
+    var _S82 : bool = below_1 > 0.0f;
+    if(_S82)
+    {
+    }
+    else
+    {
+        below_1 = 1.0f;
+    }
+    var t_1 : f32 = above_1 / below_1;
+    var _S83 : f32 = below_1 * below_1;
+    var z_1 : f32 = t_1 * t_1;
+    var _S84 : f32 = 0.08053744584321976f * z_1 - 0.13877685368061066f;
+    var _S85 : f32 = _S84 * z_1 + 0.19977711141109467f;
+    var tail_0 : f32 = _S85 * z_1 - 0.33332949876785278f;
+    var _S86 : f32 = tail_0 * z_1;
+    var _S87 : bool = (_S73.value0_2) > (_S70.value0_2);
+    var _S88 : bool = (_S66.value0_12.value0_11) < 0.0f;
+    var _S89 : f32;
+    if((_S66.value0_12.value1_3) < 0.0f)
+    {
+        _S89 = - _S69;
+    }
+    else
+    {
+        _S89 = _S69;
+    }
+    if(_S88)
+    {
+        _S89 = - _S89;
+    }
+    if(_S87)
+    {
+        _S89 = - _S89;
+    }
+    var _S90 : f32 = t_1 * _S89;
+    var s_diff_tail_T_0 : f32 = z_1 * _S90;
+    var _S91 : f32 = z_1 * s_diff_tail_T_0;
+    var _S92 : f32 = t_1 * (tail_0 * _S90 + _S85 * s_diff_tail_T_0 + _S84 * _S91 + 0.08053744584321976f * (z_1 * _S91));
+    var _S93 : f32 = (_S89 + _S86 * _S89 + _S92 + _S92) / _S83;
+    var _S94 : f32 = above_1 * - _S93;
+    var _S95 : f32 = below_1 * _S93;
+    if(_S82)
+    {
+        above_1 = _S94;
+    }
+    else
+    {
+        above_1 = 0.0f;
+    }
+    if(is_steep_1)
+    {
+        below_1 = above_1;
+    }
+    else
+    {
+        below_1 = 0.0f;
+    }
+    if(is_steep_1)
+    {
+        var _S96 : f32 = _S95 + below_1;
+        above_1 = - _S95 + above_1;
+        below_1 = _S96;
+    }
+    else
+    {
+        below_1 = _S95 + below_1;
+    }
+    var _S97 : f32 = 0.0f;
+    var _S98 : f32 = 0.0f;
+    s_bwdProp_max_0(_S81, &(_S97), &(_S98), above_1);
+    var _S99 : f32 = 0.0f;
+    var _S100 : f32 = 0.0f;
+    s_bwdProp_min_0(_S78, &(_S99), &(_S100), below_1);
+    var _S101 : f32 = _S98 + _S100;
+    var _S102 : f32 = 0.0f;
+    s_bwdProp_abs_0(_S75, &(_S102), _S101);
+    var _S103 : f32 = _S97 + _S99;
+    var _S104 : f32 = 0.0f;
+    s_bwdProp_abs_0(_S72, &(_S104), _S103);
+    (*_S67) = _S104;
+    (*_S68) = _S102;
+    return;
+}
+
+fn s_bwdProp_map_place_0( _S105 : s_bwdCallableCtx_map_place_0,  _S106 : ptr<function, vec3<f32>>,  _S107 : vec2<f32>)
+{
+    var d_1 : vec3<f32> = _S105.value1_2.value0_6 * vec3<f32>(_S105.value0_10.value0_9.x) + _S105.value1_2.value1_0 * vec3<f32>(_S105.value0_10.value0_9.y) + _S105.value1_2.value2_0 * vec3<f32>(_S105.value0_10.value0_9.z);
+    var _S108 : f32 = d_1.x;
+    var _S109 : s_paramCtx_s_bwdCallableCtx_angle_of_0;
+    _S109.value0_11 = - d_1.z;
+    _S109.value1_3 = _S108;
+    var _S110 : s_bwdCallableCtx_angle_of_0 = s_bwdCallableCtx_angle_of_0( _S109 );
+    var _S111 : f32 = d_1.y;
+    var _S112 : vec2<f32> = d_1.xz;
+    var _S113 : Tuple_3 = s_apply_length_0(_S112);
+    var _S114 : s_bwdCallableCtx_length_0;
+    _S114._S25 = _S112;
+    var _S115 : s_paramCtx_s_bwdCallableCtx_angle_of_0;
+    _S115.value0_11 = _S111;
+    _S115.value1_3 = _S113.value0_3;
+    var _S116 : s_bwdCallableCtx_angle_of_0 = s_bwdCallableCtx_angle_of_0( _S115 );
+    var _S117 : f32 = 0.31830987334251404f * ((f32(_S105.value1_2.value4_0) - 1.0f) * _S107[i32(1)]);
+    var _S118 : f32 = 0.15915493667125702f * (f32(_S105.value1_2.value3_0) * _S107[i32(0)]);
+    var _S119 : f32 = 0.0f;
+    var _S120 : f32 = 0.0f;
+    s_bwdProp_angle_of_0(_S116, &(_S119), &(_S120), _S117);
+    var _S121 : vec2<f32> = vec2<f32>(0.0f);
+    s_bwdProp_length_0(_S114, &(_S121), _S120);
+    var _S122 : f32 = 0.0f;
+    var _S123 : f32 = 0.0f;
+    s_bwdProp_angle_of_0(_S110, &(_S122), &(_S123), _S118);
+    var s_diff_d_T_0 : vec3<f32> = vec3<f32>(_S121[i32(0)] + _S123, _S119, _S121[i32(1)] + - _S122);
+    var _S124 : vec3<f32> = _S105.value1_2.value2_0 * s_diff_d_T_0;
+    var _S125 : vec3<f32> = _S105.value1_2.value1_0 * s_diff_d_T_0;
+    var _S126 : vec3<f32> = _S105.value1_2.value0_6 * s_diff_d_T_0;
+    (*_S106) = vec3<f32>(_S126[i32(0)] + _S126[i32(1)] + _S126[i32(2)], _S125[i32(0)] + _S125[i32(1)] + _S125[i32(2)], _S124[i32(0)] + _S124[i32(1)] + _S124[i32(2)]);
+    return;
+}
+
+fn _S127( _S128 : u32,  _S129 : ptr<function, DiffPair_vectorx3Cfloatx2C3x3E_0>,  _S130 : vec2<f32>)
+{
+    var _S131 : Tuple_4 = s_apply_map_place_0(_S128, (*_S129).primal_0);
+    var _S132 : s_paramCtx_s_bwdCallableCtx_map_place_0;
+    _S132.value0_9 = (*_S129).primal_0;
+    var _S133 : s_bwdCallableCtx_map_place_0 = s_bwdCallableCtx_map_place_0( _S132, _S131.value1_1 );
+    var _S134 : vec3<f32> = (*_S129).differential_0;
+    s_bwdProp_map_place_0(_S133, &(_S134), _S130);
+    (*_S129).differential_0 = _S134;
+    return;
+}
+
 fn changing_0( value_0 : vec3<f32>,  change_0 : vec3<f32>) -> vec3<f32>
 {
     return value_0;
@@ -38,30 +642,25 @@ fn still_0( value_1 : vec3<f32>) -> vec3<f32>
     return changing_0(value_1, vec3<f32>(0.0f));
 }
 
-fn word_0( at_0 : u32) -> u32
-{
-    return scene_0[at_0];
-}
-
 fn component_0( v_0 : vec3<f32>,  axis_0 : u32) -> f32
 {
-    var _S1 : f32;
+    var _S135 : f32;
     if(axis_0 == u32(0))
     {
-        _S1 = v_0.x;
+        _S135 = v_0.x;
     }
     else
     {
         if(axis_0 == u32(1))
         {
-            _S1 = v_0.y;
+            _S135 = v_0.y;
         }
         else
         {
-            _S1 = v_0.z;
+            _S135 = v_0.z;
         }
     }
-    return _S1;
+    return _S135;
 }
 
 fn limit_at_0( which_0 : u32) -> f32
@@ -86,7 +685,7 @@ struct RayView_0
 
 fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_1 : u32) -> f32
 {
-    var _S2 : u32 = u32(14) * node_1 + slot_1 / u32(4);
+    var _S136 : u32 = u32(14) * node_1 + slot_1 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_1 : u32 = u32(0);
@@ -99,36 +698,36 @@ fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_1 : u32
         {
             break;
         }
-        var _S3 : u32 = axis_1;
-        var _S4 : u32 = _S2 + u32(2) * axis_1;
-        var _S5 : u32 = slot_1 % u32(4);
-        var low_0 : f32 = (bitcast<f32>((nodes_0[_S4][_S5])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S4 + u32(6)][_S5])));
-        var _S6 : bool = (view_0.inverse_0[axis_1]) < 0.0f;
-        var _S7 : f32;
-        if(_S6)
+        var _S137 : u32 = axis_1;
+        var _S138 : u32 = _S136 + u32(2) * axis_1;
+        var _S139 : u32 = slot_1 % u32(4);
+        var low_0 : f32 = (bitcast<f32>((nodes_0[_S138][_S139])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S138 + u32(6)][_S139])));
+        var _S140 : bool = (view_0.inverse_0[axis_1]) < 0.0f;
+        var _S141 : f32;
+        if(_S140)
         {
-            _S7 = high_0;
+            _S141 = high_0;
         }
         else
         {
-            _S7 = low_0;
+            _S141 = low_0;
         }
-        var _S8 : f32 = max(near_0, _S7 * view_0.inverse_0[_S3] - view_0.offset_near_0[axis_1]);
-        var _S9 : f32;
-        if(_S6)
+        var _S142 : f32 = max(near_0, _S141 * view_0.inverse_0[_S137] - view_0.offset_near_0[axis_1]);
+        var _S143 : f32;
+        if(_S140)
         {
-            _S9 = low_0;
+            _S143 = low_0;
         }
         else
         {
-            _S9 = high_0;
+            _S143 = high_0;
         }
-        var _S10 : f32 = min(far_0, _S9 * view_0.inverse_0[_S3] - view_0.offset_far_0[axis_1]);
-        var _S11 : u32 = axis_1 + u32(1);
-        near_0 = _S8;
-        far_0 = _S10;
-        axis_1 = _S11;
+        var _S144 : f32 = min(far_0, _S143 * view_0.inverse_0[_S137] - view_0.offset_far_0[axis_1]);
+        var _S145 : u32 = axis_1 + u32(1);
+        near_0 = _S142;
+        far_0 = _S144;
+        axis_1 = _S145;
     }
     if(near_0 <= far_0)
     {
@@ -153,7 +752,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S12 : u32 = k_0;
+        var _S146 : u32 = k_0;
         if((bounds_0[k_0]) > limit_2)
         {
             k_0 = k_0 + u32(1);
@@ -170,24 +769,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S13 : u32 = j_0;
-            var _S14 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S12]))
+            var _S147 : u32 = j_0;
+            var _S148 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S146]))
             {
-                _S14 = true;
+                _S148 = true;
             }
             else
             {
-                if((bounds_0[_S13]) == (bounds_0[_S12]))
+                if((bounds_0[_S147]) == (bounds_0[_S146]))
                 {
-                    _S14 = j_0 < k_0;
+                    _S148 = j_0 < k_0;
                 }
                 else
                 {
-                    _S14 = false;
+                    _S148 = false;
                 }
             }
-            if(_S14)
+            if(_S148)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -212,24 +811,24 @@ fn crossed_0( view_1 : RayView_0,  limit_3 : f32,  node_2 : u32) -> u32
         {
             break;
         }
-        var _S15 : f32;
+        var _S149 : f32;
         if((ray_child_0(node_2, slot_2)) == u32(4294967295))
         {
-            _S15 = 3.00000000549775576e+38f;
+            _S149 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S15 = ray_bound_0(view_1, limit_3, node_2, slot_2);
+            _S149 = ray_bound_0(view_1, limit_3, node_2, slot_2);
         }
-        bounds_1[slot_2] = _S15;
+        bounds_1[slot_2] = _S149;
         slot_2 = slot_2 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn primitive_vector_0( at_1 : u32) -> vec3<f32>
+fn primitive_vector_0( at_3 : u32) -> vec3<f32>
 {
-    return vec3<f32>(primitives_0[at_1], primitives_0[at_1 + u32(1)], primitives_0[at_1 + u32(2)]);
+    return vec3<f32>(primitives_0[at_3], primitives_0[at_3 + u32(1)], primitives_0[at_3 + u32(2)]);
 }
 
 fn rounded_0( product_0 : f32,  largest_0 : f32) -> f32
@@ -251,71 +850,71 @@ struct Ray_0
      largest_1 : f32,
 };
 
-fn corner_0( ray_0 : Ray_0,  axes_1 : u32,  at_2 : u32) -> vec3<f32>
+fn corner_0( ray_0 : Ray_0,  axes_1 : u32,  at_4 : u32) -> vec3<f32>
 {
-    var relative_0 : vec3<f32> = primitive_vector_0(at_2) - ray_0.origin_0;
-    var z_0 : f32 = component_0(relative_0, (axes_1 >> (u32(4))));
-    return vec3<f32>(component_0(relative_0, (axes_1 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_0, ray_0.largest_1), component_0(relative_0, (((axes_1 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_0, ray_0.largest_1), z_0);
+    var relative_0 : vec3<f32> = primitive_vector_0(at_4) - ray_0.origin_0;
+    var z_2 : f32 = component_0(relative_0, (axes_1 >> (u32(4))));
+    return vec3<f32>(component_0(relative_0, (axes_1 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_2, ray_0.largest_1), component_0(relative_0, (((axes_1 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_2, ray_0.largest_1), z_2);
 }
 
 struct Crossing_0
 {
      is_hit_0 : bool,
-     t_0 : f32,
+     t_2 : f32,
      v_1 : f32,
      w_0 : f32,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_2 : u32,  at_3 : u32) -> Crossing_0
+fn intersect_0( ray_1 : Ray_0,  axes_2 : u32,  at_5 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
-    crossing_0.t_0 = 0.0f;
+    crossing_0.t_2 = 0.0f;
     crossing_0.v_1 = 0.0f;
     crossing_0.w_0 = 0.0f;
-    var a_0 : vec3<f32> = corner_0(ray_1, axes_2, at_3);
-    var b_0 : vec3<f32> = corner_0(ray_1, axes_2, at_3 + u32(3));
-    var c_0 : vec3<f32> = corner_0(ray_1, axes_2, at_3 + u32(6));
-    var _S16 : f32 = c_0.x;
-    var _S17 : f32 = b_0.y;
-    var cx_by_0 : f32 = rounded_0(_S16 * _S17, ray_1.largest_1);
-    var _S18 : f32 = c_0.y;
-    var _S19 : f32 = b_0.x;
-    var cy_bx_0 : f32 = rounded_0(_S18 * _S19, ray_1.largest_1);
-    var _S20 : f32 = a_0.x;
-    var ax_cy_0 : f32 = rounded_0(_S20 * _S18, ray_1.largest_1);
-    var _S21 : f32 = a_0.y;
-    var ay_cx_0 : f32 = rounded_0(_S21 * _S16, ray_1.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S19 * _S21, ray_1.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S17 * _S20, ray_1.largest_1);
+    var a_0 : vec3<f32> = corner_0(ray_1, axes_2, at_5);
+    var b_0 : vec3<f32> = corner_0(ray_1, axes_2, at_5 + u32(3));
+    var c_0 : vec3<f32> = corner_0(ray_1, axes_2, at_5 + u32(6));
+    var _S150 : f32 = c_0.x;
+    var _S151 : f32 = b_0.y;
+    var cx_by_0 : f32 = rounded_0(_S150 * _S151, ray_1.largest_1);
+    var _S152 : f32 = c_0.y;
+    var _S153 : f32 = b_0.x;
+    var cy_bx_0 : f32 = rounded_0(_S152 * _S153, ray_1.largest_1);
+    var _S154 : f32 = a_0.x;
+    var ax_cy_0 : f32 = rounded_0(_S154 * _S152, ray_1.largest_1);
+    var _S155 : f32 = a_0.y;
+    var ay_cx_0 : f32 = rounded_0(_S155 * _S150, ray_1.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S153 * _S155, ray_1.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S151 * _S154, ray_1.largest_1);
     var u_0 : f32 = cx_by_0 - cy_bx_0;
     var v_2 : f32 = ax_cy_0 - ay_cx_0;
     var w_1 : f32 = bx_ay_0 - by_ax_0;
-    var _S22 : f32 = min(min(u_0, v_2), w_1);
-    var _S23 : f32 = max(max(u_0, v_2), w_1);
-    var _S24 : bool;
-    if(_S22 < 0.0f)
+    var _S156 : f32 = min(min(u_0, v_2), w_1);
+    var _S157 : f32 = max(max(u_0, v_2), w_1);
+    var _S158 : bool;
+    if(_S156 < 0.0f)
     {
-        _S24 = _S23 > 0.0f;
+        _S158 = _S157 > 0.0f;
     }
     else
     {
-        _S24 = false;
+        _S158 = false;
     }
-    if(_S24)
+    if(_S158)
     {
         return crossing_0;
     }
     var determinant_0 : f32 = u_0 + v_2 + w_1;
-    if(_S22 <= 0.0f)
+    if(_S156 <= 0.0f)
     {
-        _S24 = _S23 >= 0.0f;
+        _S158 = _S157 >= 0.0f;
     }
     else
     {
-        _S24 = false;
+        _S158 = false;
     }
-    if(_S24)
+    if(_S158)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -326,17 +925,17 @@ fn intersect_0( ray_1 : Ray_0,  axes_2 : u32,  at_3 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_1 : f32 = (rounded_0(u_0 * a_0.z, ray_1.largest_1) + rounded_0(v_2 * b_0.z, ray_1.largest_1) + rounded_0(w_1 * c_0.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
-    if((ray_1.t_min_0) <= t_1)
+    var t_3 : f32 = (rounded_0(u_0 * a_0.z, ray_1.largest_1) + rounded_0(v_2 * b_0.z, ray_1.largest_1) + rounded_0(w_1 * c_0.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
+    if((ray_1.t_min_0) <= t_3)
     {
-        _S24 = t_1 <= (ray_1.t_max_0);
+        _S158 = t_3 <= (ray_1.t_max_0);
     }
     else
     {
-        _S24 = false;
+        _S158 = false;
     }
-    crossing_0.is_hit_0 = _S24;
-    crossing_0.t_0 = t_1;
+    crossing_0.is_hit_0 = _S158;
+    crossing_0.t_2 = t_3;
     crossing_0.v_1 = v_2 / determinant_0;
     crossing_0.w_0 = w_1 / determinant_0;
     return crossing_0;
@@ -357,7 +956,7 @@ struct Found_0
 
 fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S25 : bool;
+    var _S159 : bool;
     var found_0 : Found_0;
     found_0.face_1 = u32(4294967295);
     found_0.triangle_1 = u32(4294967295);
@@ -389,31 +988,31 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_0[level_0];
-        var _S26 : u32 = way_0[level_0].y;
-        if(_S26 == u32(0))
+        var _S160 : u32 = way_0[level_0].y;
+        if(_S160 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S27 : u32 = level_0 - u32(1);
+            var _S161 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S27;
+            level_0 = _S161;
             continue;
         }
-        var slot_3 : u32 = ((_S26 & (u32(15)))) - u32(1);
-        way_0[level_0][i32(1)] = (_S26 >> (u32(4)));
-        var _S28 : bool;
+        var slot_3 : u32 = ((_S160 & (u32(15)))) - u32(1);
+        way_0[level_0][i32(1)] = (_S160 >> (u32(4)));
+        var _S162 : bool;
         if(!is_new_1)
         {
-            _S28 = (ray_bound_0(view_2, limit_4, here_0.x, slot_3)) > limit_4;
+            _S162 = (ray_bound_0(view_2, limit_4, here_0.x, slot_3)) > limit_4;
         }
         else
         {
-            _S28 = false;
+            _S162 = false;
         }
-        if(_S28)
+        if(_S162)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -422,20 +1021,20 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_0.x, slot_3);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S29 : u32 = level_0 + u32(1);
+            var _S163 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S29;
+            level_0 = _S163;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S30 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S31 : u32 = leaf_starts_0[leaf_0];
+        var _S164 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S165 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_0 : u32 = _S31;
+        var i_0 : u32 = _S165;
         for(;;)
         {
-            if(i_0 < _S30)
+            if(i_0 < _S164)
             {
             }
             else
@@ -450,30 +1049,30 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_1) == u32(4294967295))
             {
-                _S25 = true;
+                _S159 = true;
             }
             else
             {
-                _S25 = (crossing_1.t_0) < ((*ray_2).t_max_0);
+                _S159 = (crossing_1.t_2) < ((*ray_2).t_max_0);
             }
-            var _S32 : bool;
-            if(_S25)
+            var _S166 : bool;
+            if(_S159)
             {
-                _S32 = true;
+                _S166 = true;
             }
             else
             {
-                _S32 = (face_0(i_0)) < (found_0.face_1);
+                _S166 = (face_0(i_0)) < (found_0.face_1);
             }
             var limit_6 : f32;
-            if(_S32)
+            if(_S166)
             {
                 found_0.face_1 = face_0(i_0);
                 found_0.triangle_1 = i_0;
-                (*ray_2).t_max_0 = crossing_1.t_0;
+                (*ray_2).t_max_0 = crossing_1.t_2;
                 found_0.v_3 = crossing_1.v_1;
                 found_0.w_2 = crossing_1.w_0;
-                limit_6 = min(limit_5, crossing_1.t_0 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_2.margin_0);
+                limit_6 = min(limit_5, crossing_1.t_2 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_2.margin_0);
             }
             else
             {
@@ -484,13 +1083,13 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S25 = (found_0.face_1) != u32(4294967295);
+            _S159 = (found_0.face_1) != u32(4294967295);
         }
         else
         {
-            _S25 = false;
+            _S159 = false;
         }
-        if(_S25)
+        if(_S159)
         {
             break;
         }
@@ -501,54 +1100,54 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_0;
 }
 
-fn cast_0( origin_1 : vec3<f32>,  direction_0 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_2 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_1 : vec3<f32>,  direction_0 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
 {
     var size_0 : vec3<f32> = abs(direction_0);
-    var _S33 : f32 = size_0.x;
-    var _S34 : f32 = size_0.y;
-    var _S35 : bool;
-    if(_S33 >= _S34)
+    var _S167 : f32 = size_0.x;
+    var _S168 : f32 = size_0.y;
+    var _S169 : bool;
+    if(_S167 >= _S168)
     {
-        _S35 = _S33 >= (size_0.z);
+        _S169 = _S167 >= (size_0.z);
     }
     else
     {
-        _S35 = false;
+        _S169 = false;
     }
-    var _S36 : i32;
-    if(_S35)
+    var _S170 : i32;
+    if(_S169)
     {
-        _S36 = i32(0);
+        _S170 = i32(0);
     }
     else
     {
-        if(_S34 >= (size_0.z))
+        if(_S168 >= (size_0.z))
         {
-            _S36 = i32(1);
+            _S170 = i32(1);
         }
         else
         {
-            _S36 = i32(2);
+            _S170 = i32(2);
         }
     }
-    var z_1 : u32 = u32(_S36);
-    var x_0 : u32 = (z_1 + u32(1)) % u32(3);
-    var y_0 : u32 = (z_1 + u32(2)) % u32(3);
+    var z_3 : u32 = u32(_S170);
+    var x_4 : u32 = (z_3 + u32(1)) % u32(3);
+    var y_2 : u32 = (z_3 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
     ray_3.origin_0 = origin_1;
-    var along_0 : f32 = component_0(direction_0, z_1);
+    var along_0 : f32 = component_0(direction_0, z_3);
     ray_3.inverse_z_0 = 1.0f / along_0;
-    ray_3.shear_x_0 = component_0(direction_0, x_0) / along_0;
-    ray_3.shear_y_0 = component_0(direction_0, y_0) / along_0;
+    ray_3.shear_x_0 = component_0(direction_0, x_4) / along_0;
+    ray_3.shear_y_0 = component_0(direction_0, y_2) / along_0;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S37 : f32 = abs(along_0);
-    ray_3.local_per_t_0 = _S37;
+    var _S171 : f32 = abs(along_0);
+    ray_3.local_per_t_0 = _S171;
     ray_3.enter_0 = 0.0f;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
     var view_3 : RayView_0;
-    var _S38 : vec3<f32> = direction_0 / vec3<f32>(_S37);
+    var _S172 : vec3<f32> = direction_0 / vec3<f32>(_S171);
     var axis_2 : u32 = u32(0);
     for(;;)
     {
@@ -559,17 +1158,17 @@ fn cast_0( origin_1 : vec3<f32>,  direction_0 : vec3<f32>,  t_min_1 : f32,  t_ma
         {
             break;
         }
-        var _S39 : f32 = max(abs(_S38[axis_2]), 8.67361737988403547e-19f);
-        var _S40 : f32;
-        if((_S38[axis_2]) < 0.0f)
+        var _S173 : f32 = max(abs(_S172[axis_2]), 8.67361737988403547e-19f);
+        var _S174 : f32;
+        if((_S172[axis_2]) < 0.0f)
         {
-            _S40 = -1.0f / _S39;
+            _S174 = -1.0f / _S173;
         }
         else
         {
-            _S40 = 1.0f / _S39;
+            _S174 = 1.0f / _S173;
         }
-        view_3.inverse_0[axis_2] = _S40;
+        view_3.inverse_0[axis_2] = _S174;
         axis_2 = axis_2 + u32(1);
     }
     var offset_0 : vec3<f32> = origin_1 * view_3.inverse_0;
@@ -578,9 +1177,9 @@ fn cast_0( origin_1 : vec3<f32>,  direction_0 : vec3<f32>,  t_min_1 : f32,  t_ma
     view_3.offset_far_0 = offset_0 - wider_0;
     view_3.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
     view_3.margin_0 = 3.814697265625e-06f;
-    view_3.axes_0 = (((x_0 | (((y_0 << (u32(2))))))) | (((z_1 << (u32(4))))));
+    view_3.axes_0 = (((x_4 | (((y_2 << (u32(2))))))) | (((z_3 << (u32(4))))));
     var found_1 : Found_0 = first_found_0(view_3, &(ray_3), any_1);
-    (*t_2) = ray_3.t_max_0;
+    (*t_4) = ray_3.t_max_0;
     return found_1;
 }
 
@@ -617,9 +1216,9 @@ fn shape_of_0( triangle_5 : u32) -> u32
 
 fn cross_of_0( triangle_6 : u32) -> vec3<f32>
 {
-    var at_4 : u32 = u32(9) * triangle_6;
-    var a_1 : vec3<f32> = primitive_vector_0(at_4);
-    return cross(primitive_vector_0(at_4 + u32(3)) - a_1, primitive_vector_0(at_4 + u32(6)) - a_1);
+    var at_6 : u32 = u32(9) * triangle_6;
+    var a_1 : vec3<f32> = primitive_vector_0(at_6);
+    return cross(primitive_vector_0(at_6 + u32(3)) - a_1, primitive_vector_0(at_6 + u32(6)) - a_1);
 }
 
 fn emitter_seen_0( found_3 : Found_0,  direction_1 : vec3<f32>) -> u32
@@ -629,25 +1228,25 @@ fn emitter_seen_0( found_3 : Found_0,  direction_1 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_0 : u32 = word_0(shape_of_0(found_3.triangle_1) + u32(4));
-    var _S41 : bool;
+    var _S175 : bool;
     if(emitter_0 != u32(4294967295))
     {
-        _S41 = (dot(cross_of_0(found_3.triangle_1), direction_1)) < 0.0f;
+        _S175 = (dot(cross_of_0(found_3.triangle_1), direction_1)) < 0.0f;
     }
     else
     {
-        _S41 = false;
+        _S175 = false;
     }
-    var _S42 : u32;
-    if(_S41)
+    var _S176 : u32;
+    if(_S175)
     {
-        _S42 = emitter_0;
+        _S176 = emitter_0;
     }
     else
     {
-        _S42 = u32(4294967295);
+        _S176 = u32(4294967295);
     }
-    return _S42;
+    return _S176;
 }
 
 fn emitter_record_0( emitter_1 : u32) -> u32
@@ -665,6 +1264,8 @@ struct Lookup_0
      count_0 : u32,
      texels_0 : vec4<u32>,
      weights_0 : vec4<f32>,
+     by_first_0 : vec4<f32>,
+     by_second_0 : vec4<f32>,
 };
 
 fn one_texel_0( texel_0 : u32) -> Lookup_0
@@ -673,6 +1274,9 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    var _S177 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S177;
+    lookup_0.by_first_0 = _S177;
     return lookup_0;
 }
 
@@ -685,16 +1289,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_3 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
 {
-    var _S43 : Corners2_0;
-    _S43.a_2 = a_3;
-    _S43.b_1 = b_2;
-    _S43.c_1 = c_2;
-    return _S43;
-}
-
-fn number_0( at_5 : u32) -> f32
-{
-    return (bitcast<f32>((scene_0[at_5])));
+    var _S178 : Corners2_0;
+    _S178.a_2 = a_3;
+    _S178.b_1 = b_2;
+    _S178.c_1 = c_2;
+    return _S178;
 }
 
 fn uvs_of_0( triangle_7 : u32) -> Corners2_0
@@ -705,21 +1304,16 @@ fn uvs_of_0( triangle_7 : u32) -> Corners2_0
     {
         return uvs_0;
     }
-    var at_6 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_7) + u32(1));
-    uvs_0.a_2 = vec2<f32>(number_0(at_6), number_0(at_6 + u32(1)));
-    uvs_0.b_1 = vec2<f32>(number_0(at_6 + u32(2)), number_0(at_6 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_6 + u32(4)), number_0(at_6 + u32(5)));
+    var at_7 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_7) + u32(1));
+    uvs_0.a_2 = vec2<f32>(number_0(at_7), number_0(at_7 + u32(1)));
+    uvs_0.b_1 = vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3)));
+    uvs_0.c_1 = vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5)));
     return uvs_0;
 }
 
-fn vector_at_0( at_7 : u32) -> vec3<f32>
+fn floor_of_0( x_5 : f32) -> i32
 {
-    return vec3<f32>(number_0(at_7), number_0(at_7 + u32(1)), number_0(at_7 + u32(2)));
-}
-
-fn floor_of_0( x_1 : f32) -> i32
-{
-    return i32(floor(clamp(x_1, -1.0e+09f, 1.0e+09f)));
+    return i32(floor(clamp(x_5, -1.0e+09f, 1.0e+09f)));
 }
 
 fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -761,6 +1355,8 @@ fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
 struct Point_0
 {
      value_2 : vec2<f32>,
+     by_first_1 : vec2<f32>,
+     by_second_1 : vec2<f32>,
 };
 
 fn between_0( texels_1 : vec4<u32>,  place_1 : Point_0) -> Lookup_0
@@ -770,39 +1366,46 @@ fn between_0( texels_1 : vec4<u32>,  place_1 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S44 : f32 = back_0.x;
-    var _S45 : f32 = back_0.y;
-    var _S46 : f32 = way_1.x;
-    var _S47 : f32 = way_1.y;
-    lookup_1.weights_0 = vec4<f32>(_S44 * _S45, _S46 * _S45, _S44 * _S47, _S46 * _S47);
+    var _S179 : f32 = back_0.x;
+    var _S180 : f32 = back_0.y;
+    var _S181 : f32 = way_1.x;
+    var _S182 : f32 = way_1.y;
+    lookup_1.weights_0 = vec4<f32>(_S179 * _S180, _S181 * _S180, _S179 * _S182, _S181 * _S182);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S180, _S180, - _S182, _S182);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S179, - _S181, _S179, _S181);
+    lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_1.by_first_1.x) + by_y_0 * vec4<f32>(place_1.by_first_1.y);
+    lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_1.by_second_1.x) + by_y_0 * vec4<f32>(place_1.by_second_1.y);
     return lookup_1;
 }
 
 fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
 {
-    var width_0 : i32 = i32(word_0(texture_0 + u32(2)));
+    var width_1 : i32 = i32(word_0(texture_0 + u32(2)));
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
-    var place_2 : vec2<f32> = uv_0.value_2 * vec2<f32>(f32(width_0), f32(height_0));
+    var size_1 : vec2<f32> = vec2<f32>(f32(width_1), f32(height_0));
+    var place_2 : vec2<f32> = uv_0.value_2 * size_1;
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_2.y), height_0, wrap_1);
-        var _S48 : u32 = row_0 * u32(width_0);
-        var _S49 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
-        return one_texel_0(_S48 + _S49);
+        var _S183 : u32 = row_0 * u32(width_1);
+        var _S184 : u32 = wrapped_0(floor_of_0(place_2.x), width_1, wrap_1);
+        return one_texel_0(_S183 + _S184);
     }
     var centred_0 : Point_0;
-    var _S50 : vec2<f32> = place_2 - vec2<f32>(0.5f);
-    centred_0.value_2 = _S50;
-    var x_2 : i32 = floor_of_0(_S50.x);
-    var y_1 : i32 = floor_of_0(_S50.y);
-    var _S51 : u32 = wrapped_0(y_1, height_0, wrap_1);
-    var _S52 : u32 = u32(width_0);
-    var first_1 : u32 = _S51 * _S52;
-    var _S53 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S53 * _S52;
-    var left_0 : u32 = wrapped_0(x_2, width_0, wrap_1);
-    var right_0 : u32 = wrapped_0(x_2 + i32(1), width_0, wrap_1);
+    var _S185 : vec2<f32> = place_2 - vec2<f32>(0.5f);
+    centred_0.value_2 = _S185;
+    centred_0.by_first_1 = uv_0.by_first_1 * size_1;
+    centred_0.by_second_1 = uv_0.by_second_1 * size_1;
+    var x_6 : i32 = floor_of_0(_S185.x);
+    var y_3 : i32 = floor_of_0(_S185.y);
+    var _S186 : u32 = wrapped_0(y_3, height_0, wrap_1);
+    var _S187 : u32 = u32(width_1);
+    var first_1 : u32 = _S186 * _S187;
+    var _S188 : u32 = wrapped_0(y_3 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S188 * _S187;
+    var left_0 : u32 = wrapped_0(x_6, width_1, wrap_1);
+    var right_0 : u32 = wrapped_0(x_6 + i32(1), width_1, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
 }
 
@@ -824,365 +1427,486 @@ fn lookup_at_0( texture_1 : u32,  place_3 : Place_0) -> Lookup_0
         lookup_2.count_0 = u32(3);
         lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
         lookup_2.weights_0 = vec4<f32>(1.0f - place_3.v_4 - place_3.w_3, place_3.v_4, place_3.w_3, 0.0f);
+        lookup_2.by_first_0 = vec4<f32>(-1.0f, 1.0f, 0.0f, 0.0f);
+        lookup_2.by_second_0 = vec4<f32>(-1.0f, 0.0f, 1.0f, 0.0f);
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_3.triangle_2);
     var rows_0 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
+    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S54 : vec3<f32> = vec3<f32>(uvs_1.a_2 * vec2<f32>((1.0f - place_3.v_4 - place_3.w_3)) + uvs_1.b_1 * vec2<f32>(place_3.v_4) + uvs_1.c_1 * vec2<f32>(place_3.w_3), 1.0f);
-    uv_1.value_2 = vec2<f32>(dot(_S54, vector_at_0(rows_0)), dot(_S54, vector_at_0(rows_0 + u32(3))));
+    var _S189 : vec3<f32> = vec3<f32>(uvs_1.a_2 * vec2<f32>((1.0f - place_3.v_4 - place_3.w_3)) + uvs_1.b_1 * vec2<f32>(place_3.v_4) + uvs_1.c_1 * vec2<f32>(place_3.w_3), 1.0f);
+    uv_1.value_2 = vec2<f32>(dot(_S189, to_u_0), dot(_S189, to_v_0));
+    var by_v_0 : vec2<f32> = uvs_1.b_1 - uvs_1.a_2;
+    var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_2;
+    var _S190 : vec2<f32> = to_u_0.xy;
+    var _S191 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S190), dot(by_v_0, _S191));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S190), dot(by_w_0, _S191));
     if(kind_0 == u32(1))
     {
-        var _S55 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S55;
+        var _S192 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S192;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
-    var _S56 : i32;
+    var _S193 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S56 = i32(1);
+        _S193 = i32(1);
     }
     else
     {
-        _S56 = i32(0);
+        _S193 = i32(0);
     }
-    return one_texel_0(u32(_S56));
+    return one_texel_0(u32(_S193));
 }
 
-fn change_word_0( at_8 : u32) -> u32
+fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    return input_0[u32(12) * launch_0.room_0 + at_8];
-}
-
-fn numbers_of_0( texture_2 : u32) -> u32
-{
-    return change_word_0(u32(2) * word_0(texture_2 + u32(12)));
-}
-
-fn units_of_0( texture_3 : u32) -> f32
-{
-    return (bitcast<f32>((change_word_0(u32(2) * word_0(texture_3 + u32(12)) + u32(1)))));
-}
-
-fn add_word_0( sum_0 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
-{
-    var _S57 : u32 = u32(2) + u32(4) * sum_0;
-    var _S58 : u32 = number_1;
-    var k_1 : u32 = word_of_sum_0;
+    var _S194 : u32 = word_0(texture_2 + u32(1));
+    var _S195 : u32 = texture_2 + u32(13);
+    var _S196 : vec3<f32> = vec3<f32>(0.0f);
+    var k_1 : u32 = u32(0);
+    var value_3 : vec3<f32> = _S196;
     for(;;)
     {
-        var _S59 : bool;
-        if(k_1 < u32(4))
-        {
-            _S59 = _S58 != u32(0);
-        }
-        else
-        {
-            _S59 = false;
-        }
-        if(_S59)
+        if(k_1 < (lookup_3.count_0))
         {
         }
         else
         {
             break;
         }
-        var _S60 : u32;
-        if(is_negative_0)
+        var at_8 : u32 = _S195 + _S194 * lookup_3.texels_0[k_1];
+        var _S197 : vec3<f32>;
+        if(_S194 == u32(1))
         {
-            _S60 = u32(0) - _S58;
+            _S197 = vec3<f32>(number_0(at_8));
         }
         else
         {
-            _S60 = _S58;
+            _S197 = vector_at_0(at_8);
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S57 + k_1]), _S60);
-        var overflows_0 : bool;
-        if(is_negative_0)
-        {
-            overflows_0 = before_0 < _S58;
-        }
-        else
-        {
-            overflows_0 = (before_0 + _S58) < before_0;
-        }
-        var _S61 : i32;
-        if(overflows_0)
-        {
-            _S61 = i32(1);
-        }
-        else
-        {
-            _S61 = i32(0);
-        }
-        var _S62 : u32 = u32(_S61);
-        var _S63 : u32 = k_1 + u32(1);
-        _S58 = _S62;
-        k_1 = _S63;
-    }
-    return;
-}
-
-fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32,  units_0 : f32)
-{
-    if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
-    {
-        var _S64 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
-        return;
-    }
-    var scaled_0 : f32 = derivative_0 * units_0;
-    var size_1 : f32 = abs(scaled_0);
-    if(size_1 > 7.73712524553362672e+25f)
-    {
-        var _S65 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
-        return;
-    }
-    var is_negative_1 : bool = scaled_0 < 0.0f;
-    var highest_0 : u32 = u32(0);
-    var size_2 : f32 = size_1;
-    for(;;)
-    {
-        var _S66 : bool;
-        if(highest_0 < u32(2))
-        {
-            _S66 = size_2 >= 4.294967296e+09f;
-        }
-        else
-        {
-            _S66 = false;
-        }
-        if(_S66)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var size_3 : f32 = size_2 * 2.32830643653869629e-10f;
-        highest_0 = highest_0 + u32(1);
-        size_2 = size_3;
-    }
-    var _S67 : bool = highest_0 == u32(0);
-    var _S68 : f32;
-    if(_S67)
-    {
-        _S68 = size_2 + 0.5f;
-    }
-    else
-    {
-        _S68 = size_2;
-    }
-    var whole_0 : u32 = u32(_S68);
-    add_word_0(sum_1, highest_0, whole_0, is_negative_1);
-    if(_S67)
-    {
-        return;
-    }
-    var rest_0 : f32 = (size_2 - f32(whole_0)) * 4.294967296e+09f;
-    var _S69 : u32 = highest_0 - u32(1);
-    if(highest_0 == u32(1))
-    {
-        size_2 = rest_0 + 0.5f;
-    }
-    else
-    {
-        size_2 = rest_0;
-    }
-    add_word_0(sum_1, _S69, u32(size_2), is_negative_1);
-    return;
-}
-
-fn add_to_texels_0( texture_4 : u32,  lookup_3 : Lookup_0,  derivative_1 : vec3<f32>)
-{
-    var first_2 : u32 = numbers_of_0(texture_4);
-    if(first_2 == u32(4294967295))
-    {
-        return;
-    }
-    var _S70 : f32 = units_of_0(texture_4);
-    var _S71 : u32 = word_0(texture_4 + u32(1));
-    var k_2 : u32 = u32(0);
-    for(;;)
-    {
-        if(k_2 < (lookup_3.count_0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var at_9 : u32 = first_2 + _S71 * lookup_3.texels_0[k_2];
-        var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_3.weights_0[k_2]);
-        if(_S71 == u32(1))
-        {
-            add_to_sum_0(at_9, own_0.x + own_0.y + own_0.z, _S70);
-            k_2 = k_2 + u32(1);
-            continue;
-        }
-        var axis_3 : u32 = u32(0);
-        for(;;)
-        {
-            if(axis_3 < u32(3))
-            {
-            }
-            else
-            {
-                break;
-            }
-            add_to_sum_0(at_9 + axis_3, own_0[axis_3], _S70);
-            axis_3 = axis_3 + u32(1);
-        }
-        k_2 = k_2 + u32(1);
-    }
-    return;
-}
-
-fn weighted_texels_0( texture_5 : u32,  lookup_4 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
-{
-    var _S72 : u32 = word_0(texture_5 + u32(1));
-    var _S73 : u32 = texture_5 + u32(13);
-    var _S74 : vec3<f32> = vec3<f32>(0.0f);
-    var k_3 : u32 = u32(0);
-    var value_3 : vec3<f32> = _S74;
-    for(;;)
-    {
-        if(k_3 < (lookup_4.count_0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var at_10 : u32 = _S73 + _S72 * lookup_4.texels_0[k_3];
-        var _S75 : vec3<f32>;
-        if(_S72 == u32(1))
-        {
-            _S75 = vec3<f32>(number_0(at_10));
-        }
-        else
-        {
-            _S75 = vector_at_0(at_10);
-        }
-        var value_4 : vec3<f32> = value_3 + _S75 * vec3<f32>(weights_1[k_3]);
-        k_3 = k_3 + u32(1);
+        var value_4 : vec3<f32> = value_3 + _S197 * vec3<f32>(weights_1[k_1]);
+        k_1 = k_1 + u32(1);
         value_3 = value_4;
     }
     return value_3;
 }
 
-fn looked_up_0( texture_6 : u32,  lookup_5 : Lookup_0) -> vec3<f32>
+fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> vec3<f32>
 {
-    return weighted_texels_0(texture_6, lookup_5, lookup_5.weights_0);
+    return weighted_texels_0(texture_3, lookup_4, lookup_4.weights_0);
 }
 
-fn angle_of_0( x_3 : f32,  y_2 : f32) -> f32
+fn shown_0( texture_4 : u32,  place_4 : Place_0) -> vec3<f32>
 {
-    var _S76 : f32 = abs(x_3);
-    var _S77 : f32 = abs(y_2);
-    var _S78 : f32 = min(_S76, _S77);
-    var _S79 : f32 = max(_S76, _S77);
-    var is_steep_0 : bool = _S78 > (0.41421356797218323f * _S79);
-    var above_0 : f32;
-    if(is_steep_0)
-    {
-        above_0 = _S78 - _S79;
-    }
-    else
-    {
-        above_0 = _S78;
-    }
-    var below_0 : f32;
-    if(is_steep_0)
-    {
-        below_0 = _S78 + _S79;
-    }
-    else
-    {
-        below_0 = _S79;
-    }
-    if(below_0 > 0.0f)
-    {
-    }
-    else
-    {
-        below_0 = 1.0f;
-    }
-    var t_3 : f32 = above_0 / below_0;
-    var z_2 : f32 = t_3 * t_3;
-    var angle_0 : f32 = (((0.08053744584321976f * z_2 - 0.13877685368061066f) * z_2 + 0.19977711141109467f) * z_2 - 0.33332949876785278f) * z_2 * t_3 + t_3;
-    var angle_1 : f32;
-    if(is_steep_0)
-    {
-        angle_1 = angle_0 + 0.78539818525314331f;
-    }
-    else
-    {
-        angle_1 = angle_0;
-    }
-    if(_S77 > _S76)
-    {
-        angle_1 = 1.57079637050628662f - angle_1;
-    }
-    if(x_3 < 0.0f)
-    {
-        angle_1 = 3.14159274101257324f - angle_1;
-    }
-    if(y_2 < 0.0f)
-    {
-        above_0 = - angle_1;
-    }
-    else
-    {
-        above_0 = angle_1;
-    }
-    return above_0;
+    var _S198 : Lookup_0 = lookup_at_0(texture_4, place_4);
+    return looked_up_0(texture_4, _S198, vec2<f32>(0.0f));
 }
 
-fn map_place_0( map_0 : u32,  direction_2 : vec3<f32>) -> vec2<f32>
+fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S80 : u32 = map_0 + u32(2);
-    var d_0 : vec3<f32> = vector_at_0(_S80) * vec3<f32>(direction_2.x) + vector_at_0(_S80 + u32(3)) * vec3<f32>(direction_2.y) + vector_at_0(_S80 + u32(6)) * vec3<f32>(direction_2.z);
-    return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
+    return vector_0;
 }
 
-fn in_map_0( map_1 : u32,  direction_3 : vec3<f32>) -> Lookup_0
+fn angle_of_0( x_7 : f32,  y_4 : f32) -> f32
 {
-    var place_4 : vec2<f32> = map_place_0(map_1, direction_3);
+    var _S199 : f32 = abs(x_7);
+    var _S200 : f32 = abs(y_4);
+    var _S201 : f32 = min(_S199, _S200);
+    var _S202 : f32 = max(_S199, _S200);
+    var is_steep_2 : bool = _S201 > (0.41421356797218323f * _S202);
+    var above_2 : f32;
+    if(is_steep_2)
+    {
+        above_2 = _S201 - _S202;
+    }
+    else
+    {
+        above_2 = _S201;
+    }
+    var below_2 : f32;
+    if(is_steep_2)
+    {
+        below_2 = _S201 + _S202;
+    }
+    else
+    {
+        below_2 = _S202;
+    }
+    if(below_2 > 0.0f)
+    {
+    }
+    else
+    {
+        below_2 = 1.0f;
+    }
+    var t_5 : f32 = above_2 / below_2;
+    var z_4 : f32 = t_5 * t_5;
+    var angle_2 : f32 = (((0.08053744584321976f * z_4 - 0.13877685368061066f) * z_4 + 0.19977711141109467f) * z_4 - 0.33332949876785278f) * z_4 * t_5 + t_5;
+    var angle_3 : f32;
+    if(is_steep_2)
+    {
+        angle_3 = angle_2 + 0.78539818525314331f;
+    }
+    else
+    {
+        angle_3 = angle_2;
+    }
+    if(_S200 > _S199)
+    {
+        angle_3 = 1.57079637050628662f - angle_3;
+    }
+    if(x_7 < 0.0f)
+    {
+        angle_3 = 3.14159274101257324f - angle_3;
+    }
+    if(y_4 < 0.0f)
+    {
+        above_2 = - angle_3;
+    }
+    else
+    {
+        above_2 = angle_3;
+    }
+    return above_2;
+}
+
+fn map_place_0( map_1 : u32,  direction_2 : vec3<f32>) -> vec2<f32>
+{
+    var _S203 : u32 = map_1 + u32(2);
+    var d_2 : vec3<f32> = vector_at_0(_S203) * vec3<f32>(direction_2.x) + vector_at_0(_S203 + u32(3)) * vec3<f32>(direction_2.y) + vector_at_0(_S203 + u32(6)) * vec3<f32>(direction_2.z);
+    return vec2<f32>(angle_of_0(- d_2.z, d_2.x) * 0.15915493667125702f * f32(word_0(map_1)) - 0.5f, angle_of_0(d_2.y, length(d_2.xz)) * 0.31830987334251404f * (f32(word_0(map_1 + u32(1))) - 1.0f));
+}
+
+fn in_map_0( map_2 : u32,  direction_3 : vec3<f32>) -> Lookup_0
+{
+    var place_5 : vec2<f32> = map_place_0(map_2, direction_3);
     var point_0 : Point_0;
-    point_0.value_2 = place_4;
-    var x_4 : i32 = floor_of_0(place_4.x);
-    var y_3 : i32 = floor_of_0(place_4.y);
-    var width_1 : i32 = i32(word_0(map_1));
-    var height_1 : i32 = i32(word_0(map_1 + u32(1)));
-    var left_1 : u32 = wrapped_0(x_4, width_1, u32(0));
-    var right_1 : u32 = wrapped_0(x_4 + i32(1), width_1, u32(0));
-    var _S81 : u32 = wrapped_0(y_3, height_1, u32(2));
-    var _S82 : u32 = u32(width_1);
-    var first_3 : u32 = _S81 * _S82;
-    var _S83 : u32 = wrapped_0(y_3 + i32(1), height_1, u32(2));
-    var second_1 : u32 = _S83 * _S82;
-    return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_1 + left_1, second_1 + right_1), point_0);
+    point_0.value_2 = place_5;
+    point_0.by_first_1 = vec2<f32>(1.0f, 0.0f);
+    point_0.by_second_1 = vec2<f32>(0.0f, 1.0f);
+    var x_8 : i32 = floor_of_0(place_5.x);
+    var y_5 : i32 = floor_of_0(place_5.y);
+    var width_2 : i32 = i32(word_0(map_2));
+    var height_1 : i32 = i32(word_0(map_2 + u32(1)));
+    var left_1 : u32 = wrapped_0(x_8, width_2, u32(0));
+    var right_1 : u32 = wrapped_0(x_8 + i32(1), width_2, u32(0));
+    var _S204 : u32 = wrapped_0(y_5, height_1, u32(2));
+    var _S205 : u32 = u32(width_2);
+    var first_2 : u32 = _S204 * _S205;
+    var _S206 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
+    var second_1 : u32 = _S206 * _S205;
+    return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), point_0);
 }
 
-fn emitted_0( emitter_2 : u32,  place_5 : Place_0,  direction_4 : vec3<f32>,  importance_0 : vec3<f32>) -> vec3<f32>
+fn emitted_0( emitter_2 : u32,  place_6 : Place_0,  direction_4 : vec3<f32>) -> vec3<f32>
 {
     var record_2 : u32 = emitter_record_0(emitter_2);
-    var texture_7 : u32 = word_0(record_2 + u32(1));
+    var texture_5 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var lookup_6 : Lookup_0 = lookup_at_0(texture_7, place_5);
-        add_to_texels_0(texture_7, lookup_6, importance_0);
-        return looked_up_0(texture_7, lookup_6);
+        var _S207 : vec3<f32> = shown_0(texture_5, place_6);
+        return _S207;
     }
-    var texels_2 : u32 = word_0(texture_7 + u32(11));
-    var scale_0 : u32 = word_0(texture_7 + u32(12));
-    var lookup_7 : Lookup_0 = in_map_0(texture_7, direction_4);
-    var seen_0 : vec3<f32> = looked_up_0(texels_2, lookup_7);
-    var _S84 : Lookup_0 = one_texel_0(u32(0));
-    var factor_0 : vec3<f32> = looked_up_0(scale_0, _S84);
-    add_to_texels_0(texels_2, lookup_7, importance_0 * factor_0);
-    add_to_texels_0(scale_0, _S84, importance_0 * seen_0);
-    return seen_0 * factor_0;
+    var change_1 : vec2<f32> = vec2<f32>(0.0f);
+    var factor_0 : vec3<f32> = looked_up_0(word_0(texture_5 + u32(12)), one_texel_0(u32(0)), change_1);
+    var _S208 : u32 = word_0(texture_5 + u32(11));
+    var _S209 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_4));
+    return looked_up_0(_S208, _S209, change_1) * factor_0;
+}
+
+fn change_word_0( at_9 : u32) -> u32
+{
+    return input_0[u32(12) * launch_0.room_0 + at_9];
+}
+
+fn numbers_of_0( texture_6 : u32) -> u32
+{
+    return change_word_0(u32(3) + word_0(texture_6 + u32(12)));
+}
+
+fn add_word_0( sum_0 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
+{
+    var _S210 : u32 = u32(2) + u32(4) * sum_0;
+    var _S211 : u32 = number_1;
+    var k_2 : u32 = word_of_sum_0;
+    for(;;)
+    {
+        var _S212 : bool;
+        if(k_2 < u32(4))
+        {
+            _S212 = _S211 != u32(0);
+        }
+        else
+        {
+            _S212 = false;
+        }
+        if(_S212)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S213 : u32;
+        if(is_negative_0)
+        {
+            _S213 = u32(0) - _S211;
+        }
+        else
+        {
+            _S213 = _S211;
+        }
+        var before_0 : u32 = atomicAdd(&(sums_0[_S210 + k_2]), _S213);
+        var overflows_0 : bool;
+        if(is_negative_0)
+        {
+            overflows_0 = before_0 < _S211;
+        }
+        else
+        {
+            overflows_0 = (before_0 + _S211) < before_0;
+        }
+        var _S214 : i32;
+        if(overflows_0)
+        {
+            _S214 = i32(1);
+        }
+        else
+        {
+            _S214 = i32(0);
+        }
+        var _S215 : u32 = u32(_S214);
+        var _S216 : u32 = k_2 + u32(1);
+        _S211 = _S215;
+        k_2 = _S216;
+    }
+    return;
+}
+
+fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32)
+{
+    if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
+    {
+        var _S217 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        return;
+    }
+    var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
+    var size_2 : f32 = abs(scaled_0);
+    if(size_2 > 7.73712524553362672e+25f)
+    {
+        var _S218 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        return;
+    }
+    var is_negative_1 : bool = scaled_0 < 0.0f;
+    var highest_0 : u32 = u32(0);
+    var size_3 : f32 = size_2;
+    for(;;)
+    {
+        var _S219 : bool;
+        if(highest_0 < u32(2))
+        {
+            _S219 = size_3 >= 4.294967296e+09f;
+        }
+        else
+        {
+            _S219 = false;
+        }
+        if(_S219)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var size_4 : f32 = size_3 * 2.32830643653869629e-10f;
+        highest_0 = highest_0 + u32(1);
+        size_3 = size_4;
+    }
+    var _S220 : bool = highest_0 == u32(0);
+    var _S221 : f32;
+    if(_S220)
+    {
+        _S221 = size_3 + 0.5f;
+    }
+    else
+    {
+        _S221 = size_3;
+    }
+    var whole_0 : u32 = u32(_S221);
+    add_word_0(sum_1, highest_0, whole_0, is_negative_1);
+    if(_S220)
+    {
+        return;
+    }
+    var rest_0 : f32 = (size_3 - f32(whole_0)) * 4.294967296e+09f;
+    var _S222 : u32 = highest_0 - u32(1);
+    if(highest_0 == u32(1))
+    {
+        size_3 = rest_0 + 0.5f;
+    }
+    else
+    {
+        size_3 = rest_0;
+    }
+    add_word_0(sum_1, _S222, u32(size_3), is_negative_1);
+    return;
+}
+
+fn add_to_sums_0( first_3 : u32,  derivative_1 : vec3<f32>)
+{
+    var axis_3 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_3 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        add_to_sum_0(first_3 + axis_3, derivative_1[axis_3]);
+        axis_3 = axis_3 + u32(1);
+    }
+    return;
+}
+
+fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
+{
+    var first_4 : u32 = numbers_of_0(texture_7);
+    if(first_4 == u32(4294967295))
+    {
+        return;
+    }
+    var _S223 : u32 = word_0(texture_7 + u32(1));
+    var k_3 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_3 < (lookup_5.count_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var at_10 : u32 = first_4 + _S223 * lookup_5.texels_0[k_3];
+        var own_0 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_3]);
+        if(_S223 == u32(1))
+        {
+            add_to_sum_0(at_10, own_0.x + own_0.y + own_0.z);
+            k_3 = k_3 + u32(1);
+            continue;
+        }
+        add_to_sums_0(at_10, own_0);
+        k_3 = k_3 + u32(1);
+    }
+    return;
+}
+
+fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f32>) -> vec2<f32>
+{
+    add_to_texels_0(texture_8, lookup_6, derivative_3);
+    return vec2<f32>(dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_first_0), derivative_3), dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_second_0), derivative_3));
+}
+
+fn is_area_0( record_3 : u32) -> bool
+{
+    return (word_0(record_3)) == u32(0);
+}
+
+fn is_moving_0() -> bool
+{
+    return (change_word_0(u32(0))) != u32(4294967295);
+}
+
+fn points_of_0( triangle_8 : u32) -> u32
+{
+    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_8)));
+}
+
+fn add_to_corners_0( sums_at_0 : u32,  triangle_9 : u32,  by_a_0 : vec3<f32>,  by_b_0 : vec3<f32>,  by_c_0 : vec3<f32>)
+{
+    if(sums_at_0 == u32(4294967295))
+    {
+        return;
+    }
+    var record_4 : u32 = triangle_record_0(triangle_9) + u32(2);
+    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_4), by_a_0);
+    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_4 + u32(1)), by_b_0);
+    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_4 + u32(2)), by_c_0);
+    return;
+}
+
+fn add_at_place_0( sums_at_1 : u32,  place_7 : Place_0,  derivative_4 : vec3<f32>)
+{
+    add_to_corners_0(sums_at_1, place_7.triangle_2, derivative_4 * vec3<f32>((1.0f - place_7.v_4 - place_7.w_3)), derivative_4 * vec3<f32>(place_7.v_4), derivative_4 * vec3<f32>(place_7.w_3));
+    return;
+}
+
+fn place_back_0( place_8 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_5 : vec3<f32>) -> vec3<f32>
+{
+    var corner_1 : u32 = u32(9) * place_8.triangle_2;
+    var a_4 : vec3<f32> = primitive_vector_0(corner_1);
+    var ab_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_4;
+    var ac_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_4;
+    var across_0 : vec3<f32> = cross(ab_0, ac_0);
+    var _S224 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S224);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_0) * vec3<f32>(by_place_0.x) + cross(normal_0, ab_0) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S224)));
+    var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_5, by_slip_0) / dot(normal_0, direction_5)));
+    add_at_place_0(points_of_0(place_8.triangle_2), place_8, by_position_0 - by_drift_0);
+    return by_drift_0;
+}
+
+fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_3 : u32,  place_9 : Place_0,  direction_6 : vec3<f32>,  t_6 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
+{
+    var record_5 : u32 = emitter_record_0(emitter_3);
+    var texture_9 : u32 = word_0(record_5 + u32(1));
+    if(!is_map_0(record_5))
+    {
+        var _S225 : Lookup_0 = lookup_at_0(texture_9, place_9);
+        var by_place_1 : vec2<f32> = lookup_back_0(texture_9, _S225, importance_0);
+        var _S226 : bool;
+        if(!is_area_0(record_5))
+        {
+            _S226 = true;
+        }
+        else
+        {
+            _S226 = !is_moving_0();
+        }
+        if(_S226)
+        {
+            _S226 = true;
+        }
+        else
+        {
+            _S226 = (all((by_place_1 == vec2<f32>(0.0f))));
+        }
+        if(_S226)
+        {
+            return vec3<f32>(0.0f);
+        }
+        var by_drift_1 : vec3<f32> = place_back_0(place_9, by_place_1, vec3<f32>(0.0f), direction_6);
+        (*by_start_0) = (*by_start_0) + by_drift_1;
+        return by_drift_1 * vec3<f32>(t_6);
+    }
+    var texels_2 : u32 = word_0(texture_9 + u32(11));
+    var scale_0 : u32 = word_0(texture_9 + u32(12));
+    var lookup_7 : Lookup_0 = in_map_0(texture_9, direction_6);
+    var _S227 : Lookup_0 = one_texel_0(u32(0));
+    var factor_1 : vec3<f32> = weighted_texels_0(scale_0, _S227, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
+    var _S228 : vec2<f32> = lookup_back_0(scale_0, _S227, importance_0 * weighted_texels_0(texels_2, lookup_7, lookup_7.weights_0));
+    var by_place_2 : vec2<f32> = lookup_back_0(texels_2, lookup_7, importance_0 * factor_1);
+    var _S229 : vec3<f32> = vec3<f32>(0.0f);
+    var moving_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
+    moving_0.primal_0 = direction_6;
+    moving_0.differential_0 = _S229;
+    _S127(texture_9, &(moving_0), by_place_2);
+    return moving_0.differential_0;
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1193,8 +1917,8 @@ fn reaches_0( segments_0 : u32) -> bool
 struct Path_0
 {
      throughput_0 : vec3<f32>,
-     direction_5 : vec3<f32>,
-     place_6 : Place_0,
+     direction_7 : vec3<f32>,
+     place_10 : Place_0,
      key_0 : vec2<u32>,
      adjoint_0 : vec3<f32>,
 };
@@ -1203,56 +1927,58 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
     var at_11 : u32 = u32(12) * number_of_path_0;
     var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11], input_0[at_11 + u32(1)], input_0[at_11 + u32(2)]))));
-    var direction_6 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(3)], input_0[at_11 + u32(4)], input_0[at_11 + u32(5)]))));
+    var direction_8 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(3)], input_0[at_11 + u32(4)], input_0[at_11 + u32(5)]))));
     (*path_0).key_0 = vec2<u32>(input_0[at_11 + u32(7)], input_0[at_11 + u32(8)]);
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
-    var _S85 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(9)], input_0[at_11 + u32(10)], input_0[at_11 + u32(11)]))));
-    (*path_0).adjoint_0 = _S85;
-    var t_4 : f32 = 0.0f;
+    (*path_0).adjoint_0 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(9)], input_0[at_11 + u32(10)], input_0[at_11 + u32(11)]))));
+    var t_7 : f32 = 0.0f;
     var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_11 + u32(6)])));
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0f;
     found_4.w_2 = 0.0f;
-    var _S86 : bool;
+    var _S230 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S86 = (word_0(u32(13))) != u32(0);
+        _S230 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S86 = false;
+        _S230 = false;
     }
-    if(_S86)
+    if(_S230)
     {
-        found_4 = cast_0(origin_2, direction_6, 0.0f, length_of_ray_0, false, &(t_4));
+        var _S231 : Found_0 = cast_0(origin_2, direction_8, 0.0f, length_of_ray_0, false, &(t_7));
+        found_4 = _S231;
     }
-    var _S87 : Place_0 = place_of_0(found_4);
-    (*path_0).place_6 = _S87;
-    (*path_0).direction_5 = direction_6;
-    var emitter_3 : u32 = emitter_seen_0(found_4, direction_6);
-    if(emitter_3 != u32(4294967295))
+    var _S232 : Place_0 = place_of_0(found_4);
+    (*path_0).place_10 = _S232;
+    (*path_0).direction_7 = direction_8;
+    var emitter_4 : u32 = emitter_seen_0(found_4, direction_8);
+    if(emitter_4 != u32(4294967295))
     {
-        _S86 = (word_0(u32(4))) != u32(0);
+        _S230 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S86 = false;
+        _S230 = false;
     }
-    if(_S86)
+    if(_S230)
     {
-        var _S88 : vec3<f32> = emitted_0(emitter_3, _S87, (*path_0).direction_5, _S85);
+        var _S233 : vec3<f32> = emitted_0(emitter_4, _S232, (*path_0).direction_7);
+        var by_start_1 : vec3<f32> = vec3<f32>(0.0f);
+        var _S234 : vec3<f32> = emitted_back_0(&(by_start_1), emitter_4, _S232, direction_8, t_7, (*path_0).adjoint_0);
     }
     if((found_4.face_1) != u32(4294967295))
     {
-        _S86 = reaches_0(u32(2));
+        _S230 = reaches_0(u32(2));
     }
     else
     {
-        _S86 = false;
+        _S230 = false;
     }
-    return _S86;
+    return _S230;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
@@ -1299,54 +2025,30 @@ fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_7 : vec3<f3
     return;
 }
 
-fn set_vector_2( path_4 : u32,  which_4 : ptr<function, u32>,  value_8 : vec3<f32>)
+fn set_changing_0( path_4 : u32,  which_4 : ptr<function, u32>,  vector_1 : vec3<f32>)
 {
-    var axis_6 : u32 = u32(0);
-    for(;;)
-    {
-        if(axis_6 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        set_word_0(path_4, (*which_4) + axis_6, (bitcast<u32>((value_8[axis_6]))));
-        axis_6 = axis_6 + u32(1);
-    }
-    (*which_4) = (*which_4) + u32(3);
+    set_vector_1(path_4, &((*which_4)), value_of_0(vector_1));
     return;
 }
 
-fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
+fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_11 : Place_0)
 {
-    return vector_0;
-}
-
-fn set_changing_0( path_5 : u32,  which_5 : ptr<function, u32>,  vector_1 : vec3<f32>)
-{
-    set_vector_2(path_5, &((*which_5)), value_of_0(vector_1));
+    set_word_0(path_5, (*which_5), place_11.triangle_2);
+    set_word_0(path_5, (*which_5) + u32(1), (bitcast<u32>((place_11.v_4))));
+    set_word_0(path_5, (*which_5) + u32(2), (bitcast<u32>((place_11.w_3))));
+    (*which_5) = (*which_5) + u32(3);
     return;
 }
 
-fn set_place_0( path_6 : u32,  which_6 : ptr<function, u32>,  place_7 : Place_0)
-{
-    set_word_0(path_6, (*which_6), place_7.triangle_2);
-    set_word_0(path_6, (*which_6) + u32(1), (bitcast<u32>((place_7.v_4))));
-    set_word_0(path_6, (*which_6) + u32(2), (bitcast<u32>((place_7.w_3))));
-    (*which_6) = (*which_6) + u32(3);
-    return;
-}
-
-fn store_0( number_of_path_1 : u32,  path_7 : Path_0)
+fn store_0( number_of_path_1 : u32,  path_6 : Path_0)
 {
     var at_12 : u32 = u32(1);
-    set_vector_0(number_of_path_1, &(at_12), path_7.adjoint_0);
-    set_changing_0(number_of_path_1, &(at_12), path_7.throughput_0);
-    set_changing_0(number_of_path_1, &(at_12), path_7.direction_5);
-    set_place_0(number_of_path_1, &(at_12), path_7.place_6);
-    set_word_0(number_of_path_1, at_12, path_7.key_0.x);
-    set_word_0(number_of_path_1, at_12 + u32(1), path_7.key_0.y);
+    set_vector_0(number_of_path_1, &(at_12), path_6.adjoint_0);
+    set_changing_0(number_of_path_1, &(at_12), path_6.throughput_0);
+    set_changing_0(number_of_path_1, &(at_12), path_6.direction_7);
+    set_place_0(number_of_path_1, &(at_12), path_6.place_10);
+    set_word_0(number_of_path_1, at_12, path_6.key_0.x);
+    set_word_0(number_of_path_1, at_12 + u32(1), path_6.key_0.y);
     return;
 }
 
@@ -1359,20 +2061,30 @@ fn begin_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     {
         return;
     }
-    var path_8 : Path_0;
-    var goes_on_0 : bool = begin_0(number_of_path_2, &(path_8));
-    store_0(number_of_path_2, path_8);
-    var beyond_0 : u32 = u32(15);
-    set_vector_1(number_of_path_2, &(beyond_0), vec3<f32>(0.0f));
-    var _S89 : u32;
+    var path_7 : Path_0;
+    var goes_on_0 : bool = begin_0(number_of_path_2, &(path_7));
+    store_0(number_of_path_2, path_7);
+    var word_1 : u32 = u32(15);
+    for(;;)
+    {
+        if(word_1 < u32(24))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(number_of_path_2, word_1, u32(0));
+        word_1 = word_1 + u32(1);
+    }
     if(goes_on_0)
     {
-        _S89 = number_of_path_2;
+        word_1 = number_of_path_2;
     }
     else
     {
-        _S89 = u32(4294967295);
+        word_1 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), _S89);
+    set_word_0(number_of_path_2, u32(0), word_1);
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 5fd78078688c45e4
-// result: 20d2035cada2f0c7
+// source: c25d80457b182df3
+// result: 143da3d138fcc782
 
 struct Launch_std140_0
 {
@@ -471,9 +471,15 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
     return value_4;
 }
 
-fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0) -> vec3<f32>
+fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> vec3<f32>
 {
     return weighted_texels_0(texture_3, lookup_4, lookup_4.weights_0);
+}
+
+fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
+{
+    var _S30 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S30, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -527,7 +533,7 @@ struct Lobe_0
      numbers_2 : Numbers_0,
 };
 
-fn lobe_at_0( record_3 : u32,  place_8 : Place_0) -> Lobe_0
+fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
 {
     var lobe_0 : Lobe_0;
     lobe_0.record_2 = record_3;
@@ -544,20 +550,41 @@ fn lobe_at_0( record_3 : u32,  place_8 : Place_0) -> Lobe_0
         {
             break;
         }
-        var texture_4 : u32 = word_0(record_3 + u32(5) + slot_1);
-        if(texture_4 == u32(4294967295))
+        var texture_5 : u32 = word_0(record_3 + u32(5) + slot_1);
+        if(texture_5 == u32(4294967295))
         {
             slot_1 = slot_1 + u32(1);
             continue;
         }
-        var _S30 : Lookup_0 = lookup_at_0(texture_4, place_8);
-        var _S31 : vec3<f32> = value_of_0(looked_up_0(texture_4, _S30));
+        var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
+        var _S31 : vec3<f32> = value_of_0(colour_1);
         var _S32 : Numbers_0 = lobe_0.numbers_2;
         set_slot_0(&(_S32), slot_1, _S31);
         lobe_0.numbers_2 = _S32;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
+}
+
+fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
+{
+    var tangents_0 : u32 = word_0(surface_2.shape_0 + u32(5));
+    if(tangents_0 == u32(4294967295))
+    {
+        return vec3<f32>(0.0f);
+    }
+    var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
+    var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
+    var _S33 : vec3<f32>;
+    if((dot(across_0, across_0)) > 0.0f)
+    {
+        _S33 = tangent_0;
+    }
+    else
+    {
+        _S33 = vec3<f32>(0.0f);
+    }
+    return _S33;
 }
 
 struct Axes_0
@@ -567,30 +594,41 @@ struct Axes_0
      n_1 : vec3<f32>,
 };
 
-fn axes_of_0( n_2 : vec3<f32>,  tangent_0 : vec3<f32>,  is_front_1 : bool) -> Axes_0
+fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S33 : vec3<f32>;
+    var _S34 : vec3<f32>;
     if(is_front_1)
     {
-        _S33 = n_2;
+        _S34 = n_2;
     }
     else
     {
-        _S33 = (vec3<f32>(0) - n_2);
+        _S34 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_1 = _S33;
-    var across_0 : vec3<f32> = tangent_0 - n_2 * vec3<f32>(dot(n_2, tangent_0));
-    if((dot(across_0, across_0)) > 0.0f)
+    axes_0.n_1 = _S34;
+    var _S35 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S35;
+    axes_0.t_0 = cross(n_2, _S35);
+    return axes_0;
+}
+
+fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
+{
+    var axes_1 : Axes_0;
+    var _S36 : vec3<f32>;
+    if(is_front_2)
     {
-        var _S34 : vec3<f32> = normalize(across_0);
-        axes_0.s_0 = _S34;
-        axes_0.t_0 = cross(n_2, _S34);
-        return axes_0;
+        _S36 = n_3;
     }
-    var _S35 : f32 = n_2.z;
+    else
+    {
+        _S36 = (vec3<f32>(0) - n_3);
+    }
+    axes_1.n_1 = _S36;
+    var _S37 : f32 = n_3.z;
     var sign_0 : f32;
-    if(_S35 < 0.0f)
+    if(_S37 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -598,54 +636,50 @@ fn axes_of_0( n_2 : vec3<f32>,  tangent_0 : vec3<f32>,  is_front_1 : bool) -> Ax
     {
         sign_0 = 1.0f;
     }
-    var a_5 : f32 = -1.0f / (sign_0 + _S35);
-    var _S36 : f32 = n_2.x;
-    var _S37 : f32 = n_2.y;
-    var b_3 : f32 = _S36 * _S37 * a_5;
-    axes_0.s_0 = vec3<f32>(1.0f + sign_0 * _S36 * _S36 * a_5, sign_0 * b_3, - sign_0 * _S36);
-    axes_0.t_0 = vec3<f32>(b_3, sign_0 + _S37 * _S37 * a_5, - _S37);
-    return axes_0;
+    var a_5 : f32 = -1.0f / (sign_0 + _S37);
+    var _S38 : f32 = n_3.x;
+    var _S39 : f32 = n_3.y;
+    var b_3 : f32 = _S38 * _S39 * a_5;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_0 * _S38 * _S38 * a_5, sign_0 * b_3, - sign_0 * _S38);
+    axes_1.t_0 = vec3<f32>(b_3, sign_0 + _S39 * _S39 * a_5, - _S39);
+    return axes_1;
 }
 
-fn to_local_0( axes_1 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
+fn to_local_0( axes_2 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
 {
-    return vec3<f32>(dot(axes_1.s_0, v_3), dot(axes_1.t_0, v_3), dot(axes_1.n_1, v_3));
+    return vec3<f32>(dot(axes_2.s_0, v_3), dot(axes_2.t_0, v_3), dot(axes_2.n_1, v_3));
 }
 
-fn towards_viewer_0( axes_2 : Axes_0,  direction_2 : vec3<f32>) -> vec3<f32>
+fn towards_viewer_0( axes_3 : Axes_0,  direction_2 : vec3<f32>) -> vec3<f32>
 {
-    var wi_0 : vec3<f32> = (vec3<f32>(0) - to_local_0(axes_2, direction_2));
+    var wi_0 : vec3<f32> = (vec3<f32>(0) - to_local_0(axes_3, direction_2));
     return vec3<f32>(wi_0.x, wi_0.y, max(abs(wi_0.z), 9.999999960041972e-13f));
 }
 
 struct Vertex_0
 {
-     surface_2 : Surface_0,
-     axes_3 : Axes_0,
+     surface_3 : Surface_0,
+     axes_4 : Axes_0,
      lobe_1 : Lobe_0,
      wi_1 : vec3<f32>,
 };
 
-fn vertex_at_0( surface_3 : Surface_0,  material_0 : u32,  direction_3 : vec3<f32>) -> Vertex_0
+fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_3 : vec3<f32>) -> Vertex_0
 {
     var vertex_0 : Vertex_0;
-    vertex_0.surface_2 = surface_3;
-    var _S38 : Lobe_0 = lobe_at_0(material_0, surface_3.place_3);
-    vertex_0.lobe_1 = _S38;
-    var _S39 : vec3<f32> = vec3<f32>(0.0f);
-    var tangents_0 : u32 = word_0(surface_3.shape_0 + u32(5));
-    var tangent_1 : vec3<f32>;
-    if(tangents_0 != u32(4294967295))
+    vertex_0.surface_3 = surface_4;
+    var _S40 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S40;
+    var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
+    if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
-        tangent_1 = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_3.place_3.triangle_0) + u32(1)));
+        vertex_0.axes_4 = axes_along_0(surface_4.outward_0, tangent_2, surface_4.is_front_0);
     }
     else
     {
-        tangent_1 = _S39;
+        vertex_0.axes_4 = axes_around_0(surface_4.outward_0, surface_4.is_front_0);
     }
-    var _S40 : Axes_0 = axes_of_0(surface_3.outward_0, tangent_1, surface_3.is_front_0);
-    vertex_0.axes_3 = _S40;
-    vertex_0.wi_1 = towards_viewer_0(_S40, direction_3);
+    vertex_0.wi_1 = towards_viewer_0(vertex_0.axes_4, direction_3);
     return vertex_0;
 }
 
@@ -1170,12 +1204,12 @@ fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
     var _S67 : f32 = seen_2.y_2.x;
     var _S68 : f32 = seen_2.inverse_to_line_0.x;
     var _S69 : f32 = seen_2.y_2.y;
-    var n_3 : f32 = - at_10.x * _S67 * _S68 - _S69 * seen_2.inverse_to_line_0.y;
+    var n_4 : f32 = - at_10.x * _S67 * _S68 - _S69 * seen_2.inverse_to_line_0.y;
     var _S70 : f32 = at_10.y;
     var flat_0 : f32 = _S70 * seen_2.z_1 * _S68;
-    var size_0 : f32 = seen_2.z_1 * abs(_S70) / sqrt(max(n_3 * n_3 - flat_0 * flat_0, 0.0f));
+    var size_0 : f32 = seen_2.z_1 * abs(_S70) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
     var _S71 : f32;
-    if((n_3 * _S70) < 0.0f)
+    if((n_4 * _S70) < 0.0f)
     {
         _S71 = - size_0;
     }
@@ -1191,7 +1225,7 @@ fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
     return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S67, _S69));
 }
 
-fn rectangle_face_0( at_11 : u32,  place_9 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
+fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
 {
     var best_0 : f32 = -1.00000001504746622e+30f;
     var found_2 : u32 = u32(0);
@@ -1206,8 +1240,8 @@ fn rectangle_face_0( at_11 : u32,  place_9 : vec2<f32>,  weights_2 : ptr<functio
             break;
         }
         var row_1 : u32 = at_11 + u32(14) + u32(6) * face_0;
-        var _S73 : f32 = place_9.x;
-        var _S74 : f32 = place_9.y;
+        var _S73 : f32 = place_10.x;
+        var _S74 : f32 = place_10.y;
         var v_4 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S73 + number_0(row_1 + u32(2)) * _S74;
         var w_2 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S73 + number_0(row_1 + u32(5)) * _S74;
         var _S75 : f32 = min(min(v_4, w_2), 1.0f - v_4 - w_2);
@@ -1316,7 +1350,7 @@ fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_2 : f32, 
 
 struct EmitterPoint_0
 {
-     place_10 : Place_0,
+     place_11 : Place_0,
      pdf_0 : f32,
 };
 
@@ -1325,7 +1359,7 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
     var total_0 : f32;
     var point_0 : EmitterPoint_0;
     point_0.pdf_0 = 0.0f;
-    point_0.place_10 = place_at_0(u32(0), 0.0f, 0.0f);
+    point_0.place_11 = place_at_0(u32(0), 0.0f, 0.0f);
     var second_1 : f32 = random_0(key_4, dimension_3 + u32(1));
     var rectangle_0 : u32 = word_0(record_10 + u32(4));
     if(rectangle_0 != u32(4294967295))
@@ -1339,9 +1373,9 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         {
             var weights_3 : vec2<f32>;
             var face_4 : u32 = rectangle_face_0(rectangle_0, rectangle_place_0(seen_4, vec2<f32>(random_0(key_4, dimension_3), second_1)) - vec2<f32>(seen_4.x_5.x, seen_4.y_2.x), &(weights_3));
-            point_0.place_10.triangle_0 = emitter_triangle_0(record_10, face_4);
-            point_0.place_10.v_0 = weights_3.x;
-            point_0.place_10.w_0 = weights_3.y;
+            point_0.place_11.triangle_0 = emitter_triangle_0(record_10, face_4);
+            point_0.place_11.v_0 = weights_3.x;
+            point_0.place_11.w_0 = weights_3.y;
             point_0.pdf_0 = 1.0f / seen_4.solid_angle_0;
             return point_0;
         }
@@ -1469,12 +1503,12 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
     var ab_1 : vec3<f32> = corners_2.b_10 - corners_2.a_12;
     var ac_0 : vec3<f32> = corners_2.c_5 - corners_2.a_12;
     var normal_6 : vec3<f32> = cross(ab_1, ac_0);
-    point_0.place_10.triangle_0 = emitter_triangle_0(record_10, face_5);
+    point_0.place_11.triangle_0 = emitter_triangle_0(record_10, face_5);
     if(angle_3 < 0.00100000004749745f)
     {
         var root_0 : f32 = sqrt(inside_2);
-        point_0.place_10.v_0 = root_0 * (1.0f - second_1);
-        point_0.place_10.w_0 = root_0 * second_1;
+        point_0.place_11.v_0 = root_0 * (1.0f - second_1);
+        point_0.place_11.w_0 = root_0 * second_1;
     }
     else
     {
@@ -1482,10 +1516,10 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         var within_0 : vec3<f32> = direction_5 * vec3<f32>((dot(corners_2.a_12, normal_6) / dot(direction_5, normal_6))) - corners_2.a_12;
         var squared_2 : f32 = dot(normal_6, normal_6);
         var _S95 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
-        point_0.place_10.v_0 = _S95;
-        point_0.place_10.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S95);
+        point_0.place_11.v_0 = _S95;
+        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S95);
     }
-    var offset_3 : vec3<f32> = corners_2.a_12 + ab_1 * vec3<f32>(point_0.place_10.v_0) + ac_0 * vec3<f32>(point_0.place_10.w_0);
+    var offset_3 : vec3<f32> = corners_2.a_12 + ab_1 * vec3<f32>(point_0.place_11.v_0) + ac_0 * vec3<f32>(point_0.place_11.w_0);
     var distance_3 : f32 = length(offset_3);
     if(!(distance_3 > 0.0f))
     {
@@ -1525,10 +1559,10 @@ fn map_pdf_0( map_2 : u32,  direction_7 : vec3<f32>) -> f32
     {
         return 0.07957746833562851f;
     }
-    var place_11 : vec2<f32> = map_place_0(map_2, direction_7);
+    var place_12 : vec2<f32> = map_place_0(map_2, direction_7);
     var width_1 : u32 = word_0(map_2);
-    var column_0 : u32 = wrapped_0(floor_of_0(place_11.x), i32(width_1), u32(0));
-    return cell_pdf_0(map_2, u32(clamp(floor_of_0(place_11.y), i32(0), i32(word_0(map_2 + u32(1))) - i32(2))) * width_1 + column_0);
+    var column_0 : u32 = wrapped_0(floor_of_0(place_12.x), i32(width_1), u32(0));
+    return cell_pdf_0(map_2, u32(clamp(floor_of_0(place_12.y), i32(0), i32(word_0(map_2 + u32(1))) - i32(2))) * width_1 + column_0);
 }
 
 fn sum_at_0( at_13 : u32) -> f32
@@ -1674,9 +1708,9 @@ fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
     return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S110));
 }
 
-fn to_world_0( axes_4 : Axes_0,  v_6 : vec3<f32>) -> vec3<f32>
+fn to_world_0( axes_5 : Axes_0,  v_6 : vec3<f32>) -> vec3<f32>
 {
-    return axes_4.s_0 * vec3<f32>(v_6.x) + axes_4.t_0 * vec3<f32>(v_6.y) + axes_4.n_1 * vec3<f32>(v_6.z);
+    return axes_5.s_0 * vec3<f32>(v_6.x) + axes_5.t_0 * vec3<f32>(v_6.y) + axes_5.n_1 * vec3<f32>(v_6.z);
 }
 
 fn component_0( v_7 : vec3<f32>,  axis_2 : u32) -> f32
@@ -1712,7 +1746,7 @@ struct RayView_0
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
      margin_0 : f32,
-     axes_5 : u32,
+     axes_6 : u32,
 };
 
 fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
@@ -1877,11 +1911,11 @@ struct Ray_0
      largest_1 : f32,
 };
 
-fn corner_0( ray_0 : Ray_0,  axes_6 : u32,  at_14 : u32) -> vec3<f32>
+fn corner_0( ray_0 : Ray_0,  axes_7 : u32,  at_14 : u32) -> vec3<f32>
 {
     var relative_0 : vec3<f32> = primitive_vector_0(at_14) - ray_0.origin_0;
-    var z_3 : f32 = component_0(relative_0, (axes_6 >> (u32(4))));
-    return vec3<f32>(component_0(relative_0, (axes_6 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_3, ray_0.largest_1), component_0(relative_0, (((axes_6 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_3, ray_0.largest_1), z_3);
+    var z_3 : f32 = component_0(relative_0, (axes_7 >> (u32(4))));
+    return vec3<f32>(component_0(relative_0, (axes_7 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_3, ray_0.largest_1), component_0(relative_0, (((axes_7 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_3, ray_0.largest_1), z_3);
 }
 
 struct Crossing_0
@@ -1892,16 +1926,16 @@ struct Crossing_0
      w_3 : f32,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_7 : u32,  at_15 : u32) -> Crossing_0
+fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_15 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_2 = 0.0f;
     crossing_0.v_8 = 0.0f;
     crossing_0.w_3 = 0.0f;
-    var a_14 : vec3<f32> = corner_0(ray_1, axes_7, at_15);
-    var b_12 : vec3<f32> = corner_0(ray_1, axes_7, at_15 + u32(3));
-    var c_7 : vec3<f32> = corner_0(ray_1, axes_7, at_15 + u32(6));
+    var a_14 : vec3<f32> = corner_0(ray_1, axes_8, at_15);
+    var b_12 : vec3<f32> = corner_0(ray_1, axes_8, at_15 + u32(3));
+    var c_7 : vec3<f32> = corner_0(ray_1, axes_8, at_15 + u32(6));
     var _S126 : f32 = c_7.x;
     var _S127 : f32 = b_12.y;
     var cx_by_0 : f32 = rounded_0(_S126 * _S127, ray_1.largest_1);
@@ -2068,7 +2102,7 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_4.axes_5, u32(9) * i_3);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_4.axes_6, u32(9) * i_3);
             if(!crossing_1.is_hit_0)
             {
                 i_3 = i_3 + u32(1);
@@ -2204,7 +2238,7 @@ fn cast_0( origin_1 : vec3<f32>,  direction_9 : vec3<f32>,  t_min_1 : f32,  t_ma
     view_5.offset_far_0 = offset_4 - wider_0;
     view_5.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
     view_5.margin_0 = 3.814697265625e-06f;
-    view_5.axes_5 = (((x_8 | (((y_3 << (u32(2))))))) | (((z_4 << (u32(4))))));
+    view_5.axes_6 = (((x_8 | (((y_3 << (u32(2))))))) | (((z_4 << (u32(4))))));
     var found_4 : Found_0 = first_found_0(view_5, &(ray_3), any_1);
     (*t_4) = ray_3.t_max_0;
     return found_4;
@@ -2287,7 +2321,7 @@ fn cast_1( origin_2 : vec3<f32>,  direction_10 : vec3<f32>,  t_min_2 : f32,  t_m
     view_6.offset_far_0 = offset_5 - wider_1;
     view_6.limit_0 = min(t_max_2 * ray_4.local_per_t_0, 8.0f) + 3.814697265625e-06f;
     view_6.margin_0 = 3.814697265625e-06f;
-    view_6.axes_5 = (((x_9 | (((y_4 << (u32(2))))))) | (((z_5 << (u32(4))))));
+    view_6.axes_6 = (((x_9 | (((y_4 << (u32(2))))))) | (((z_5 << (u32(4))))));
     var found_5 : Found_0 = first_found_0(view_6, &(ray_4), any_2);
     (*t_5) = ray_4.t_max_0;
     return found_5;
@@ -2405,8 +2439,8 @@ fn error_function_plus_one_0( x_11 : f32) -> vec2<f32>
 {
     var _S164 : f32 = min(abs(x_11), 6.0f);
     var gaussian_0 : f32 = exponential_0(- _S164 * _S164);
-    var place_12 : f32 = (_S164 - 2.0f) / (_S164 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S164);
+    var place_13 : f32 = (_S164 - 2.0f) / (_S164 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_13 - 0.00127731403335929f) * place_13 + 0.00131371302995831f) * place_13 + 0.008666617795825f) * place_13 - 0.00805134233087301f) * place_13 - 0.05421232059597969f) * place_13 + 0.1640533059835434f) * place_13 - 0.16603080928325653f) * place_13 - 0.09276388585567474f) * place_13 + 1.27697837352752686f) / (1.0f + 2.0f * _S164);
     var _S165 : f32;
     if(x_11 < 0.0f)
     {
@@ -2522,11 +2556,11 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_9 : f32) -> f32
     {
         return 1.0f - fresnel_dielectric_0(cosine_9, eta_4);
     }
-    var place_13 : f32 = cosine_9 * 63.0f;
-    var _S170 : u32 = min(u32(place_13), u32(62));
+    var place_14 : f32 = cosine_9 * 63.0f;
+    var _S170 : u32 = min(u32(place_14), u32(62));
     var at_16 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S170;
     var here_1 : f32 = number_0(at_16);
-    return here_1 + (number_0(at_16 + u32(1)) - here_1) * (place_13 - f32(_S170));
+    return here_1 + (number_0(at_16 + u32(1)) - here_1) * (place_14 - f32(_S170));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2557,9 +2591,9 @@ fn base_0( lobe_6 : Lobe_0,  eta_6 : f32,  diffuse_0 : vec3<f32>) -> vec3<f32>
     return diffuse_0 / (vec3<f32>(1.0f) - diffuse_0 * vec3<f32>(internal_reflectance_0));
 }
 
-fn choice_weight_0( colour_1 : vec3<f32>) -> f32
+fn choice_weight_0( colour_2 : vec3<f32>) -> f32
 {
-    return max((colour_1.x + colour_1.y + colour_1.z) / 3.0f, 0.05000000074505806f);
+    return max((colour_2.x + colour_2.y + colour_2.z) / 3.0f, 0.05000000074505806f);
 }
 
 fn base_probability_0( numbers_5 : Numbers_0,  enters_0 : f32) -> f32
@@ -2649,9 +2683,9 @@ fn scattered_to_0( vertex_4 : Vertex_0,  wo_3 : vec3<f32>,  direction_14 : vec3<
     return eval_and_pdf_0(vertex_4.lobe_1, vertex_4.wi_1, changing_0(wo_3, local_change_0(vertex_4, direction_14)));
 }
 
-fn met_0( vertex_5 : Vertex_0,  direction_15 : vec3<f32>,  t_6 : f32,  place_14 : Place_0) -> Place_0
+fn met_0( vertex_5 : Vertex_0,  direction_15 : vec3<f32>,  t_6 : f32,  place_15 : Place_0) -> Place_0
 {
-    return place_14;
+    return place_15;
 }
 
 fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
@@ -2666,11 +2700,11 @@ fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
 
 fn in_map_0( map_5 : u32,  direction_16 : vec3<f32>) -> Lookup_0
 {
-    var place_15 : vec2<f32> = map_place_0(map_5, direction_16);
+    var place_16 : vec2<f32> = map_place_0(map_5, direction_16);
     var point_1 : Point_0;
-    point_1.value_3 = place_15;
-    var x_12 : i32 = floor_of_0(place_15.x);
-    var y_5 : i32 = floor_of_0(place_15.y);
+    point_1.value_3 = place_16;
+    var x_12 : i32 = floor_of_0(place_16.x);
+    var y_5 : i32 = floor_of_0(place_16.y);
     var width_3 : i32 = i32(word_0(map_5));
     var height_1 : i32 = i32(word_0(map_5 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_3, u32(0));
@@ -2683,22 +2717,23 @@ fn in_map_0( map_5 : u32,  direction_16 : vec3<f32>) -> Lookup_0
     return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), point_1);
 }
 
-fn emitted_0( emitter_5 : u32,  place_16 : Place_0,  direction_17 : vec3<f32>,  importance_0 : vec3<f32>) -> vec3<f32>
+fn emitted_0( emitter_5 : u32,  place_17 : Place_0,  direction_17 : vec3<f32>) -> vec3<f32>
 {
     var record_13 : u32 = emitter_record_0(emitter_5);
-    var texture_5 : u32 = word_0(record_13 + u32(1));
+    var texture_6 : u32 = word_0(record_13 + u32(1));
     if(!is_map_0(record_13))
     {
-        var lookup_5 : Lookup_0 = lookup_at_0(texture_5, place_16);
-        return looked_up_0(texture_5, lookup_5);
+        var _S177 : vec3<f32> = shown_0(texture_6, place_17);
+        return _S177;
     }
-    var texels_2 : u32 = word_0(texture_5 + u32(11));
-    var scale_1 : u32 = word_0(texture_5 + u32(12));
-    var lookup_6 : Lookup_0 = in_map_0(texture_5, direction_17);
-    return looked_up_0(texels_2, lookup_6) * looked_up_0(scale_1, one_texel_0(u32(0)));
+    var change_1 : vec2<f32> = vec2<f32>(0.0f);
+    var factor_0 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
+    var _S178 : u32 = word_0(texture_6 + u32(11));
+    var _S179 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_17));
+    return looked_up_0(_S178, _S179, change_1) * factor_0;
 }
 
-fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_4 : u32,  bsdf_samples_0 : f32,  importance_1 : vec3<f32>)
+fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_4 : u32,  bsdf_samples_0 : f32,  importance_0 : vec3<f32>)
 {
     var probability_2 : f32;
     var emitter_6 : u32 = chosen_emitter_0(choice_5, random_0(key_7, first_4), &(probability_2));
@@ -2716,18 +2751,18 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6
     var nearest_1 : f32;
     if(is_area_0(record_14))
     {
-        point_2 = area_point_0(record_14, vertex_6.surface_2, key_7, first_4 + u32(1));
+        point_2 = area_point_0(record_14, vertex_6.surface_3, key_7, first_4 + u32(1));
         if(!((point_2.pdf_0) > 0.0f))
         {
             return;
         }
-        var way_3 : vec3<f32> = position_of_0(point_2.place_10) - vertex_6.surface_2.exact_0;
+        var way_3 : vec3<f32> = position_of_0(point_2.place_11) - vertex_6.surface_3.exact_0;
         var distance_5 : f32 = length(way_3);
         var nearest_2 : f32 = nearest_0 / distance_5;
-        var _S177 : f32 = limit_at_0(u32(3));
+        var _S180 : f32 = limit_at_0(u32(3));
         direction_18 = way_3 / vec3<f32>(distance_5);
         way_2 = way_3;
-        farthest_0 = _S177;
+        farthest_0 = _S180;
         distance_4 = distance_5;
         nearest_1 = nearest_2;
     }
@@ -2735,34 +2770,34 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6
     {
         if(is_map_0(record_14))
         {
-            var _S178 : u32 = word_0(record_14 + u32(1));
-            var _S179 : u32 = first_4 + u32(1);
-            var _S180 : f32 = point_2.pdf_0;
-            var _S181 : vec3<f32> = sample_map_0(_S178, key_7, _S179, &(_S180));
-            point_2.pdf_0 = _S180;
-            direction_18 = _S181;
+            var _S181 : u32 = word_0(record_14 + u32(1));
+            var _S182 : u32 = first_4 + u32(1);
+            var _S183 : f32 = point_2.pdf_0;
+            var _S184 : vec3<f32> = sample_map_0(_S181, key_7, _S182, &(_S183));
+            point_2.pdf_0 = _S183;
+            direction_18 = _S184;
         }
         else
         {
             var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_4 + u32(1)));
-            var _S182 : vec3<f32> = normalize(to_world_0(vertex_6.axes_3, local_1));
+            var _S185 : vec3<f32> = normalize(to_world_0(vertex_6.axes_4, local_1));
             point_2.pdf_0 = local_1.z * 0.31830987334251404f;
-            direction_18 = _S182;
+            direction_18 = _S185;
         }
-        point_2.place_10 = vertex_6.surface_2.place_3;
-        var _S183 : f32 = limit_at_0(u32(1));
+        point_2.place_11 = vertex_6.surface_3.place_3;
+        var _S186 : f32 = limit_at_0(u32(1));
         way_2 = direction_18;
-        farthest_0 = _S183;
+        farthest_0 = _S186;
         distance_4 = 0.0f;
         nearest_1 = nearest_0;
     }
-    var wo_4 : vec3<f32> = to_local_0(vertex_6.axes_3, direction_18);
+    var wo_4 : vec3<f32> = to_local_0(vertex_6.axes_4, direction_18);
     if((wo_4.z) <= 0.0f)
     {
         return;
     }
     var unused_0 : f32;
-    if((cast_0(vertex_6.surface_2.exact_0, way_2, nearest_1, farthest_0, true, &(unused_0)).face_7) != u32(4294967295))
+    if((cast_0(vertex_6.surface_3.exact_0, way_2, nearest_1, farthest_0, true, &(unused_0)).face_7) != u32(4294967295))
     {
         return;
     }
@@ -2773,19 +2808,19 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6
     }
     var moving_0 : vec3<f32> = towards_emitter_0(vertex_6, direction_18, record_14);
     var scattered_3 : Scattered_0 = scattered_to_0(vertex_6, wo_4, moving_0);
-    var place_17 : Place_0 = point_2.place_10;
-    var place_18 : Place_0;
+    var place_18 : Place_0 = point_2.place_11;
+    var place_19 : Place_0;
     if(is_area_0(record_14))
     {
-        place_18 = met_0(vertex_6, moving_0, distance_4, place_17);
+        place_19 = met_0(vertex_6, moving_0, distance_4, place_18);
     }
     else
     {
-        place_18 = place_17;
+        place_19 = place_18;
     }
-    var _S184 : vec3<f32> = vec3<f32>(weight_over_0(own_3, bsdf_samples_0 * scattered_3.pdf_5));
-    var _S185 : vec3<f32> = emitted_0(emitter_6, place_18, moving_0, importance_1 * value_of_0(scattered_3.value_8) * _S184);
-    (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_3.value_8 * (_S185 * _S184);
+    var weight_0 : f32 = weight_over_0(own_3, bsdf_samples_0 * scattered_3.pdf_5);
+    var _S187 : vec3<f32> = emitted_0(emitter_6, place_19, moving_0);
+    (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_3.value_8 * (_S187 * vec3<f32>(weight_0));
     return;
 }
 
@@ -2801,37 +2836,37 @@ fn stretched_1( facets_4 : Microfacets_0,  wi_5 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_5.xy * facets_4.alpha_1, wi_5.z);
     var view_7 : Stretched_0;
-    var _S186 : f32 = length(longer_0);
-    view_7.length_0 = _S186;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S186);
-    var _S187 : vec2<f32> = longer_1.xy;
-    var _S188 : f32 = length(_S187);
-    view_7.sine_4 = _S188;
+    var _S188 : f32 = length(longer_0);
+    view_7.length_0 = _S188;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S188);
+    var _S189 : vec2<f32> = longer_1.xy;
+    var _S190 : f32 = length(_S189);
+    view_7.sine_4 = _S190;
     view_7.cosine_10 = longer_1.z;
-    var _S189 : vec2<f32>;
-    if(_S188 > 0.0f)
+    var _S191 : vec2<f32>;
+    if(_S190 > 0.0f)
     {
-        _S189 = _S187 / vec2<f32>(view_7.sine_4);
+        _S191 = _S189 / vec2<f32>(view_7.sine_4);
     }
     else
     {
-        _S189 = vec2<f32>(1.0f, 0.0f);
+        _S191 = vec2<f32>(1.0f, 0.0f);
     }
-    view_7.around_0 = _S189;
+    view_7.around_0 = _S191;
     return view_7;
 }
 
 fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
 {
-    var _S190 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S190);
+    var _S192 : f32 = u_9.x;
+    var radius_2 : f32 = sqrt(_S192);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
     var across_1 : f32 = radius_2 * turn_3.y;
     var along_5 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_10);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S191 : f32 = 1.0f - _S190;
-    var edge_0 : f32 = sqrt(_S191 + along_5 * along_5);
+    var _S193 : f32 = 1.0f - _S192;
+    var edge_0 : f32 = sqrt(_S193 + along_5 * along_5);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
     var from_top_0 : f32 = edge_0 - along_5;
     var from_bottom_0 : f32 = edge_0 + along_5;
@@ -2839,14 +2874,14 @@ fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_5 > 0.0f)
     {
-        from_top_1 = _S191 / from_bottom_0;
+        from_top_1 = _S193 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S192 : f32 = _S191 / from_top_0;
+        var _S194 : f32 = _S193 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S192;
+        from_bottom_1 = _S194;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_10, across_1, max(towards_0 * view_8.cosine_10 + up_0 * view_8.sine_4, 0.0f));
@@ -2899,8 +2934,8 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S193 : f32 = max(view_9.cosine_10, view_9.sine_4);
-    var slope_1 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S193 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S193, -6.0f, 0.5f * steepest_0);
+    var _S195 : f32 = max(view_9.cosine_10, view_9.sine_4);
+    var slope_1 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S195 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S195, -6.0f, 0.5f * steepest_0);
     var low_5 : f32 = -6.0f;
     var high_2 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -2914,10 +2949,10 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             break;
         }
         var both_2 : vec2<f32> = error_function_plus_one_0(slope_1);
-        var _S194 : f32 = both_2.y;
-        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S194 - target_1;
-        var own_4 : f32 = _S194 * (view_9.cosine_10 - slope_1 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_1 * own_4 - _S194 * view_9.sine_4;
+        var _S196 : f32 = both_2.y;
+        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S196 - target_1;
+        var own_4 : f32 = _S196 * (view_9.cosine_10 - slope_1 * view_9.sine_4);
+        var bend_0 : f32 = -2.0f * slope_1 * own_4 - _S196 * view_9.sine_4;
         if(error_0 > 0.0f)
         {
             high_2 = slope_1;
@@ -2927,17 +2962,17 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             low_5 = slope_1;
         }
         var next_0 : f32 = slope_1 - error_0 * own_4 / (own_4 * own_4 - 0.5f * error_0 * bend_0);
-        var _S195 : bool;
+        var _S197 : bool;
         if(next_0 >= low_5)
         {
-            _S195 = next_0 <= high_2;
+            _S197 = next_0 <= high_2;
         }
         else
         {
-            _S195 = false;
+            _S197 = false;
         }
         var next_1 : f32;
-        if(!_S195)
+        if(!_S197)
         {
             next_1 = 0.5f * (low_5 + high_2);
         }
@@ -2950,9 +2985,9 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             slope_1 = next_1;
             break;
         }
-        var _S196 : u32 = step_0 + u32(1);
+        var _S198 : u32 = step_0 + u32(1);
         slope_1 = next_1;
-        step_0 = _S196;
+        step_0 = _S198;
     }
     return vec3<f32>(- slope_1, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -2969,11 +3004,11 @@ fn mirrored_at_facet_0( facets_5 : Microfacets_0,  wi_6 : vec3<f32>,  u_11 : vec
     {
         normal_7 = beckmann_normal_0(view_10, visible_over_cos_0(facets_5, wi_6), u_11);
     }
-    var _S197 : f32 = view_10.around_0.x;
-    var _S198 : f32 = normal_7.x;
-    var _S199 : f32 = view_10.around_0.y;
-    var _S200 : f32 = normal_7.y;
-    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S197 * _S198 - _S199 * _S200, _S199 * _S198 + _S197 * _S200) * facets_5.alpha_1, normal_7.z));
+    var _S199 : f32 = view_10.around_0.x;
+    var _S200 : f32 = normal_7.x;
+    var _S201 : f32 = view_10.around_0.y;
+    var _S202 : f32 = normal_7.y;
+    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S199 * _S200 - _S201 * _S202, _S201 * _S200 + _S199 * _S202) * facets_5.alpha_1, normal_7.z));
     return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_6, normal_8))) - wi_6);
 }
 
@@ -2986,9 +3021,9 @@ struct Drawn_0
 
 fn draw_0( lobe_9 : Lobe_0,  wi_7 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
 {
-    var _S201 : bool = (lobe_9.kind_1) == u32(0);
+    var _S203 : bool = (lobe_9.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S201)
+    if(_S203)
     {
         has_base_0 = true;
     }
@@ -3005,7 +3040,7 @@ fn draw_0( lobe_9 : Lobe_0,  wi_7 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
         has_base_0 = (lobe_9.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S201)
+    if(_S203)
     {
         of_base_1 = 1.0f;
     }
@@ -3013,16 +3048,16 @@ fn draw_0( lobe_9 : Lobe_0,  wi_7 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
     {
         of_base_1 = 0.0f;
     }
-    var _S202 : bool;
+    var _S204 : bool;
     if((lobe_9.kind_1) == u32(3))
     {
-        _S202 = true;
+        _S204 = true;
     }
     else
     {
-        _S202 = (lobe_9.kind_1) == u32(4);
+        _S204 = (lobe_9.kind_1) == u32(4);
     }
-    if(_S202)
+    if(_S204)
     {
         of_base_1 = base_probability_0(lobe_9.numbers_2, transmittance_0(lobe_9, coat_eta_0(lobe_9.numbers_2), wi_7.z));
     }
@@ -3078,8 +3113,8 @@ fn specular_0( lobe_11 : Lobe_0,  wi_9 : vec3<f32>) -> vec3<f32>
 
 fn first_from_0( position_6 : vec3<f32>,  direction_20 : vec3<f32>,  t_7 : ptr<function, f32>) -> Found_0
 {
-    var _S203 : Found_0 = cast_1(position_6, direction_20, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_7)));
-    return _S203;
+    var _S205 : Found_0 = cast_1(position_6, direction_20, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_7)));
+    return _S205;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
@@ -3094,25 +3129,25 @@ fn emitter_seen_0( found_7 : Found_0,  direction_21 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_7) + u32(4));
-    var _S204 : bool;
+    var _S206 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S204 = (dot(cross_of_0(found_7.triangle_7), direction_21)) < 0.0f;
+        _S206 = (dot(cross_of_0(found_7.triangle_7), direction_21)) < 0.0f;
     }
     else
     {
-        _S204 = false;
+        _S206 = false;
     }
-    var _S205 : u32;
-    if(_S204)
+    var _S207 : u32;
+    if(_S206)
     {
-        _S205 = emitter_7;
+        _S207 = emitter_7;
     }
     else
     {
-        _S205 = u32(4294967295);
+        _S207 = u32(4294967295);
     }
-    return _S205;
+    return _S207;
 }
 
 fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_22 : vec3<f32>,  distance_6 : f32) -> f32
@@ -3121,17 +3156,17 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
     var rectangle_1 : u32 = word_0(record_15 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S206 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S206.solid_angle_0) > 0.0f))
+        var _S208 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S208.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S206.solid_angle_0) >= 0.00100000004749745f)
+        if((_S208.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S206.solid_angle_0;
+            return 1.0f / _S208.solid_angle_0;
         }
     }
-    var _S207 : u32 = word_0(word_0(record_15 + u32(7)) + face_8);
+    var _S209 : u32 = word_0(word_0(record_15 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_15 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -3145,7 +3180,7 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S207 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S209 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_5 = shares_1.y;
@@ -3155,22 +3190,22 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             own_5 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_5;
-        var _S208 : i32;
+        var _S210 : i32;
         if(is_second_1)
         {
-            _S208 = i32(3);
+            _S210 = i32(3);
         }
         else
         {
-            _S208 = i32(2);
+            _S210 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S208));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S210));
         chosen_2 = chosen_3;
     }
-    var _S209 : u32 = word_0(record_15 + u32(6));
-    var _S210 : u32 = word_0(node_6);
+    var _S211 : u32 = word_0(record_15 + u32(6));
+    var _S212 : u32 = word_0(node_6);
     own_5 = 0.0f;
-    var k_6 : u32 = _S210;
+    var k_6 : u32 = _S212;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -3181,9 +3216,9 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_15, word_0(_S209 + k_6), from_2.exact_0);
+        var angle_4 : f32 = face_solid_angle_0(record_15, word_0(_S211 + k_6), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_4;
-        if(k_6 == _S207)
+        if(k_6 == _S209)
         {
             own_5 = angle_4;
         }
@@ -3202,32 +3237,32 @@ fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  vertex_8 : Vertex_0,  di
     var record_16 : u32 = emitter_record_0(emitter_8);
     if(is_map_0(record_16))
     {
-        var _S211 : f32 = map_pdf_0(word_0(record_16 + u32(1)), direction_23);
-        return _S211;
+        var _S213 : f32 = map_pdf_0(word_0(record_16 + u32(1)), direction_23);
+        return _S213;
     }
     if(!is_area_0(record_16))
     {
-        return max(dot(vertex_8.axes_3.n_1, direction_23), 0.0f) * 0.31830987334251404f;
+        return max(dot(vertex_8.axes_4.n_1, direction_23), 0.0f) * 0.31830987334251404f;
     }
-    return area_pdf_0(record_16, found_8.face_7 - word_0(record_16 + u32(3)), vertex_8.surface_2, direction_23, t_8);
+    return area_pdf_0(record_16, found_8.face_7 - word_0(record_16 + u32(3)), vertex_8.surface_3, direction_23, t_8);
 }
 
-fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, Reflected_0>,  importance_2 : vec3<f32>) -> bool
+fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, Reflected_0>,  importance_1 : vec3<f32>) -> bool
 {
     var depth_2 : u32 = launch_0.depth_0;
     var first_5 : u32 = vertex_numbers_0(launch_0.depth_0);
-    var surface_4 : Surface_0 = surface_at_0((*path_5).place_1, value_of_0((*path_5).direction_0));
-    var material_1 : u32 = material_of_0(surface_4);
+    var surface_5 : Surface_0 = surface_at_0((*path_5).place_1, value_of_0((*path_5).direction_0));
+    var material_1 : u32 = material_of_0(surface_5);
     if(material_1 == u32(4294967295))
     {
         return false;
     }
-    var vertex_9 : Vertex_0 = vertex_at_0(surface_4, material_1, (*path_5).direction_0);
+    var vertex_9 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_5).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S212 : u32 = word_0(u32(3));
-    var _S213 : bool = !reaches_0(depth_2 + u32(3));
+    var _S214 : u32 = word_0(u32(3));
+    var _S215 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S213)
+    if(_S215)
     {
         goes_on_0 = (vertex_9.lobe_1.kind_1) == u32(0);
     }
@@ -3237,7 +3272,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     if(goes_on_0)
     {
-        goes_on_0 = is_sampled_well_0(surface_4.position_0);
+        goes_on_0 = is_sampled_well_0(surface_5.position_0);
     }
     else
     {
@@ -3250,7 +3285,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     else
     {
-        bsdf_samples_1 = _S212;
+        bsdf_samples_1 = _S214;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_9.lobe_1))
@@ -3261,7 +3296,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S214 : Choice_0 = choice_at_0(surface_4.position_0, vertex_9.axes_3.n_1, on_emitters_0 == u32(0));
+    var _S216 : Choice_0 = choice_at_0(surface_5.position_0, vertex_9.axes_4.n_1, on_emitters_0 == u32(0));
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -3272,7 +3307,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         {
             break;
         }
-        add_light_from_emitter_0(&((*reflected_2)), vertex_9, _S214, (*path_5).key_0, first_5 + u32(3) * i_4, f32(bsdf_samples_1), importance_2);
+        add_light_from_emitter_0(&((*reflected_2)), vertex_9, _S216, (*path_5).key_0, first_5 + u32(3) * i_4, f32(bsdf_samples_1), importance_1);
         i_4 = i_4 + u32(1);
     }
     var first_6 : u32 = first_5 + u32(3) * emitter_samples_0;
@@ -3291,7 +3326,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         }
         var own_first_0 : u32 = first_6 + u32(3) * k_7;
         var drawn_1 : Drawn_0 = draw_0(vertex_9.lobe_1, value_of_0(vertex_9.wi_1), random_0((*path_5).key_0, own_first_0), random_pair_0((*path_5).key_0, own_first_0 + u32(1)));
-        var direction_24 : vec3<f32> = normalize(to_world_0(vertex_9.axes_3, drawn_1.wo_5));
+        var direction_24 : vec3<f32> = normalize(to_world_0(vertex_9.axes_4, drawn_1.wo_5));
         var moving_1 : vec3<f32>;
         if(drawn_1.is_specular_0)
         {
@@ -3317,17 +3352,17 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             continue;
         }
         var t_9 : f32;
-        var found_9 : Found_0 = first_from_0(surface_4.exact_0, direction_24, &(t_9));
+        var found_9 : Found_0 = first_from_0(surface_5.exact_0, direction_24, &(t_9));
         var goes_on_1 : bool;
         var next_3 : Place_0;
         var next_direction_1 : vec3<f32>;
         if(k_7 == u32(0))
         {
-            var _S215 : bool = (found_9.face_7) != u32(4294967295);
-            var _S216 : Place_0 = place_of_0(found_9);
+            var _S217 : bool = (found_9.face_7) != u32(4294967295);
+            var _S218 : Place_0 = place_of_0(found_9);
             (*reflected_2).onward_0 = scattered_4.value_8 * vec3<f32>((1.0f / scattered_4.pdf_5));
-            goes_on_1 = _S215;
-            next_3 = _S216;
+            goes_on_1 = _S217;
+            next_3 = _S218;
             next_direction_1 = moving_1;
         }
         else
@@ -3346,28 +3381,28 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             continue;
         }
         var own_6 : f32 = f32(bsdf_samples_1) * scattered_4.pdf_5;
-        var _S217 : bool = !drawn_1.is_specular_0;
-        var _S218 : bool;
-        if(_S217)
+        var _S219 : bool = !drawn_1.is_specular_0;
+        var _S220 : bool;
+        if(_S219)
         {
-            _S218 = emitter_samples_0 != u32(0);
+            _S220 = emitter_samples_0 != u32(0);
         }
         else
         {
-            _S218 = false;
+            _S220 = false;
         }
         var other_1 : f32;
-        if(_S218)
+        if(_S220)
         {
             var pdf_6 : f32 = emitter_pdf_0(emitter_9, found_9, vertex_9, direction_24, t_9);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S214) * pdf_6;
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S216) * pdf_6;
         }
         else
         {
             other_1 = 0.0f;
         }
         var moving_2 : vec3<f32>;
-        if(_S217)
+        if(_S219)
         {
             moving_2 = towards_emitter_0(vertex_9, direction_24, emitter_record_0(emitter_9));
         }
@@ -3375,25 +3410,25 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         {
             moving_2 = moving_1;
         }
-        var place_19 : Place_0 = place_of_0(found_9);
-        var place_20 : Place_0;
+        var place_20 : Place_0 = place_of_0(found_9);
+        var place_21 : Place_0;
         if((found_9.face_7) != u32(4294967295))
         {
-            place_20 = met_0(vertex_9, moving_2, t_9, place_19);
+            place_21 = met_0(vertex_9, moving_2, t_9, place_20);
         }
         else
         {
-            place_20 = place_19;
+            place_21 = place_20;
         }
-        var _S219 : vec3<f32> = vec3<f32>(weight_over_0(own_6, other_1));
-        var _S220 : vec3<f32> = emitted_0(emitter_9, place_20, moving_2, importance_2 * value_of_0(scattered_4.value_8) * _S219);
-        (*reflected_2).direct_0 = (*reflected_2).direct_0 + scattered_4.value_8 * (_S220 * _S219);
+        var weight_1 : f32 = weight_over_0(own_6, other_1);
+        var _S221 : vec3<f32> = emitted_0(emitter_9, place_21, moving_2);
+        (*reflected_2).direct_0 = (*reflected_2).direct_0 + scattered_4.value_8 * (_S221 * vec3<f32>(weight_1));
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
         k_7 = k_7 + u32(1);
     }
-    if(_S213)
+    if(_S215)
     {
         goes_on_0 = true;
     }
@@ -3406,16 +3441,16 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         return false;
     }
     var throughput_1 : vec3<f32> = value_of_0((*path_5).throughput_0) * value_of_0((*reflected_2).onward_0);
-    var _S221 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    if(!(_S221 > 0.0f))
+    var _S222 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    if(!(_S222 > 0.0f))
     {
         return false;
     }
-    var _S222 : u32 = depth_2 + u32(1);
-    if(_S222 >= (word_0(u32(1))))
+    var _S223 : u32 = depth_2 + u32(1);
+    if(_S223 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S221, 0.0f, 0.94999998807907104f);
-        if((random_0((*path_5).key_0, vertex_numbers_0(_S222) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S222, 0.0f, 0.94999998807907104f);
+        if((random_0((*path_5).key_0, vertex_numbers_0(_S223) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -3457,11 +3492,11 @@ fn set_changing_0( path_8 : u32,  which_7 : ptr<function, u32>,  vector_1 : vec3
     return;
 }
 
-fn set_place_0( path_9 : u32,  which_8 : ptr<function, u32>,  place_21 : Place_0)
+fn set_place_0( path_9 : u32,  which_8 : ptr<function, u32>,  place_22 : Place_0)
 {
-    set_word_0(path_9, (*which_8), place_21.triangle_0);
-    set_word_0(path_9, (*which_8) + u32(1), (bitcast<u32>((place_21.v_0))));
-    set_word_0(path_9, (*which_8) + u32(2), (bitcast<u32>((place_21.w_0))));
+    set_word_0(path_9, (*which_8), place_22.triangle_0);
+    set_word_0(path_9, (*which_8) + u32(1), (bitcast<u32>((place_22.v_0))));
+    set_word_0(path_9, (*which_8) + u32(2), (bitcast<u32>((place_22.w_0))));
     (*which_8) = (*which_8) + u32(3);
     return;
 }
@@ -3492,16 +3527,16 @@ fn take_thread_further_0( thread_0 : u32)
     path_11.light_0 = path_11.light_0 + path_11.throughput_0 * reflected_3.direct_0;
     path_11.throughput_0 = path_11.throughput_0 * reflected_3.onward_0;
     store_0(number_of_path_2, path_11);
-    var _S223 : u32;
+    var _S224 : u32;
     if(goes_on_2)
     {
-        _S223 = number_of_path_2;
+        _S224 = number_of_path_2;
     }
     else
     {
-        _S223 = u32(4294967295);
+        _S224 = u32(4294967295);
     }
-    set_word_0(at_18, u32(0), _S223);
+    set_word_0(at_18, u32(0), _S224);
     return;
 }
 

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 5fd78078688c45e4
-// result: ee055022a3abc807
+// source: c25d80457b182df3
+// result: a68ce16f1f12df9a
 
 struct Launch_std140_0
 {
@@ -471,9 +471,15 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
     return value_4;
 }
 
-fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0) -> vec3<f32>
+fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> vec3<f32>
 {
     return weighted_texels_0(texture_3, lookup_4, lookup_4.weights_0);
+}
+
+fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
+{
+    var _S30 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S30, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -527,38 +533,59 @@ struct Lobe_0
      numbers_2 : Numbers_0,
 };
 
-fn lobe_at_0( record_3 : u32,  place_8 : Place_0) -> Lobe_0
+fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
 {
     var lobe_0 : Lobe_0;
     lobe_0.record_2 = record_3;
     lobe_0.kind_1 = word_0(record_3);
     lobe_0.distribution_0 = word_0(record_3 + u32(1));
     lobe_0.numbers_2 = no_numbers_0();
-    var _S30 : u32 = word_0(record_3 + u32(4));
+    var _S31 : u32 = word_0(record_3 + u32(4));
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S30)
+        if(slot_1 < _S31)
         {
         }
         else
         {
             break;
         }
-        var texture_4 : u32 = word_0(record_3 + u32(5) + slot_1);
-        if(texture_4 == u32(4294967295))
+        var texture_5 : u32 = word_0(record_3 + u32(5) + slot_1);
+        if(texture_5 == u32(4294967295))
         {
             slot_1 = slot_1 + u32(1);
             continue;
         }
-        var _S31 : Lookup_0 = lookup_at_0(texture_4, place_8);
-        var _S32 : vec3<f32> = value_of_0(looked_up_0(texture_4, _S31));
+        var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
+        var _S32 : vec3<f32> = value_of_0(colour_1);
         var _S33 : Numbers_0 = lobe_0.numbers_2;
         set_slot_0(&(_S33), slot_1, _S32);
         lobe_0.numbers_2 = _S33;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
+}
+
+fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
+{
+    var tangents_0 : u32 = word_0(surface_2.shape_0 + u32(5));
+    if(tangents_0 == u32(4294967295))
+    {
+        return vec3<f32>(0.0f);
+    }
+    var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
+    var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
+    var _S34 : vec3<f32>;
+    if((dot(across_0, across_0)) > 0.0f)
+    {
+        _S34 = tangent_0;
+    }
+    else
+    {
+        _S34 = vec3<f32>(0.0f);
+    }
+    return _S34;
 }
 
 struct Axes_0
@@ -568,30 +595,41 @@ struct Axes_0
      n_1 : vec3<f32>,
 };
 
-fn axes_of_0( n_2 : vec3<f32>,  tangent_0 : vec3<f32>,  is_front_1 : bool) -> Axes_0
+fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S34 : vec3<f32>;
+    var _S35 : vec3<f32>;
     if(is_front_1)
     {
-        _S34 = n_2;
+        _S35 = n_2;
     }
     else
     {
-        _S34 = (vec3<f32>(0) - n_2);
+        _S35 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_1 = _S34;
-    var across_0 : vec3<f32> = tangent_0 - n_2 * vec3<f32>(dot(n_2, tangent_0));
-    if((dot(across_0, across_0)) > 0.0f)
+    axes_0.n_1 = _S35;
+    var _S36 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S36;
+    axes_0.t_0 = cross(n_2, _S36);
+    return axes_0;
+}
+
+fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
+{
+    var axes_1 : Axes_0;
+    var _S37 : vec3<f32>;
+    if(is_front_2)
     {
-        var _S35 : vec3<f32> = normalize(across_0);
-        axes_0.s_0 = _S35;
-        axes_0.t_0 = cross(n_2, _S35);
-        return axes_0;
+        _S37 = n_3;
     }
-    var _S36 : f32 = n_2.z;
+    else
+    {
+        _S37 = (vec3<f32>(0) - n_3);
+    }
+    axes_1.n_1 = _S37;
+    var _S38 : f32 = n_3.z;
     var sign_0 : f32;
-    if(_S36 < 0.0f)
+    if(_S38 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -599,54 +637,50 @@ fn axes_of_0( n_2 : vec3<f32>,  tangent_0 : vec3<f32>,  is_front_1 : bool) -> Ax
     {
         sign_0 = 1.0f;
     }
-    var a_5 : f32 = -1.0f / (sign_0 + _S36);
-    var _S37 : f32 = n_2.x;
-    var _S38 : f32 = n_2.y;
-    var b_3 : f32 = _S37 * _S38 * a_5;
-    axes_0.s_0 = vec3<f32>(1.0f + sign_0 * _S37 * _S37 * a_5, sign_0 * b_3, - sign_0 * _S37);
-    axes_0.t_0 = vec3<f32>(b_3, sign_0 + _S38 * _S38 * a_5, - _S38);
-    return axes_0;
+    var a_5 : f32 = -1.0f / (sign_0 + _S38);
+    var _S39 : f32 = n_3.x;
+    var _S40 : f32 = n_3.y;
+    var b_3 : f32 = _S39 * _S40 * a_5;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_0 * _S39 * _S39 * a_5, sign_0 * b_3, - sign_0 * _S39);
+    axes_1.t_0 = vec3<f32>(b_3, sign_0 + _S40 * _S40 * a_5, - _S40);
+    return axes_1;
 }
 
-fn to_local_0( axes_1 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
+fn to_local_0( axes_2 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
 {
-    return vec3<f32>(dot(axes_1.s_0, v_3), dot(axes_1.t_0, v_3), dot(axes_1.n_1, v_3));
+    return vec3<f32>(dot(axes_2.s_0, v_3), dot(axes_2.t_0, v_3), dot(axes_2.n_1, v_3));
 }
 
-fn towards_viewer_0( axes_2 : Axes_0,  direction_2 : vec3<f32>) -> vec3<f32>
+fn towards_viewer_0( axes_3 : Axes_0,  direction_2 : vec3<f32>) -> vec3<f32>
 {
-    var wi_0 : vec3<f32> = (vec3<f32>(0) - to_local_0(axes_2, direction_2));
+    var wi_0 : vec3<f32> = (vec3<f32>(0) - to_local_0(axes_3, direction_2));
     return vec3<f32>(wi_0.x, wi_0.y, max(abs(wi_0.z), 9.999999960041972e-13f));
 }
 
 struct Vertex_0
 {
-     surface_2 : Surface_0,
-     axes_3 : Axes_0,
+     surface_3 : Surface_0,
+     axes_4 : Axes_0,
      lobe_1 : Lobe_0,
      wi_1 : vec3<f32>,
 };
 
-fn vertex_at_0( surface_3 : Surface_0,  material_0 : u32,  direction_3 : vec3<f32>) -> Vertex_0
+fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_3 : vec3<f32>) -> Vertex_0
 {
     var vertex_0 : Vertex_0;
-    vertex_0.surface_2 = surface_3;
-    var _S39 : Lobe_0 = lobe_at_0(material_0, surface_3.place_3);
-    vertex_0.lobe_1 = _S39;
-    var _S40 : vec3<f32> = vec3<f32>(0.0f);
-    var tangents_0 : u32 = word_0(surface_3.shape_0 + u32(5));
-    var tangent_1 : vec3<f32>;
-    if(tangents_0 != u32(4294967295))
+    vertex_0.surface_3 = surface_4;
+    var _S41 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S41;
+    var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
+    if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
-        tangent_1 = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_3.place_3.triangle_0) + u32(1)));
+        vertex_0.axes_4 = axes_along_0(surface_4.outward_0, tangent_2, surface_4.is_front_0);
     }
     else
     {
-        tangent_1 = _S40;
+        vertex_0.axes_4 = axes_around_0(surface_4.outward_0, surface_4.is_front_0);
     }
-    var _S41 : Axes_0 = axes_of_0(surface_3.outward_0, tangent_1, surface_3.is_front_0);
-    vertex_0.axes_3 = _S41;
-    vertex_0.wi_1 = towards_viewer_0(_S41, direction_3);
+    vertex_0.wi_1 = towards_viewer_0(vertex_0.axes_4, direction_3);
     return vertex_0;
 }
 
@@ -1171,12 +1205,12 @@ fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
     var _S68 : f32 = seen_2.y_2.x;
     var _S69 : f32 = seen_2.inverse_to_line_0.x;
     var _S70 : f32 = seen_2.y_2.y;
-    var n_3 : f32 = - at_10.x * _S68 * _S69 - _S70 * seen_2.inverse_to_line_0.y;
+    var n_4 : f32 = - at_10.x * _S68 * _S69 - _S70 * seen_2.inverse_to_line_0.y;
     var _S71 : f32 = at_10.y;
     var flat_0 : f32 = _S71 * seen_2.z_1 * _S69;
-    var size_0 : f32 = seen_2.z_1 * abs(_S71) / sqrt(max(n_3 * n_3 - flat_0 * flat_0, 0.0f));
+    var size_0 : f32 = seen_2.z_1 * abs(_S71) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
     var _S72 : f32;
-    if((n_3 * _S71) < 0.0f)
+    if((n_4 * _S71) < 0.0f)
     {
         _S72 = - size_0;
     }
@@ -1192,7 +1226,7 @@ fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
     return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S68, _S70));
 }
 
-fn rectangle_face_0( at_11 : u32,  place_9 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
+fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
 {
     var best_0 : f32 = -1.00000001504746622e+30f;
     var found_2 : u32 = u32(0);
@@ -1207,8 +1241,8 @@ fn rectangle_face_0( at_11 : u32,  place_9 : vec2<f32>,  weights_2 : ptr<functio
             break;
         }
         var row_1 : u32 = at_11 + u32(14) + u32(6) * face_0;
-        var _S74 : f32 = place_9.x;
-        var _S75 : f32 = place_9.y;
+        var _S74 : f32 = place_10.x;
+        var _S75 : f32 = place_10.y;
         var v_4 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S74 + number_0(row_1 + u32(2)) * _S75;
         var w_2 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S74 + number_0(row_1 + u32(5)) * _S75;
         var _S76 : f32 = min(min(v_4, w_2), 1.0f - v_4 - w_2);
@@ -1319,7 +1353,7 @@ fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_2 : f32, 
 
 struct EmitterPoint_0
 {
-     place_10 : Place_0,
+     place_11 : Place_0,
      pdf_0 : f32,
 };
 
@@ -1328,7 +1362,7 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
     var total_0 : f32;
     var point_0 : EmitterPoint_0;
     point_0.pdf_0 = 0.0f;
-    point_0.place_10 = place_at_0(u32(0), 0.0f, 0.0f);
+    point_0.place_11 = place_at_0(u32(0), 0.0f, 0.0f);
     var second_1 : f32 = random_0(key_4, dimension_3 + u32(1));
     var rectangle_0 : u32 = word_0(record_10 + u32(4));
     if(rectangle_0 != u32(4294967295))
@@ -1342,9 +1376,9 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         {
             var weights_3 : vec2<f32>;
             var face_4 : u32 = rectangle_face_0(rectangle_0, rectangle_place_0(seen_4, vec2<f32>(random_0(key_4, dimension_3), second_1)) - vec2<f32>(seen_4.x_5.x, seen_4.y_2.x), &(weights_3));
-            point_0.place_10.triangle_0 = emitter_triangle_0(record_10, face_4);
-            point_0.place_10.v_0 = weights_3.x;
-            point_0.place_10.w_0 = weights_3.y;
+            point_0.place_11.triangle_0 = emitter_triangle_0(record_10, face_4);
+            point_0.place_11.v_0 = weights_3.x;
+            point_0.place_11.w_0 = weights_3.y;
             point_0.pdf_0 = 1.0f / seen_4.solid_angle_0;
             return point_0;
         }
@@ -1473,12 +1507,12 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
     var ab_1 : vec3<f32> = corners_2.b_10 - corners_2.a_12;
     var ac_0 : vec3<f32> = corners_2.c_5 - corners_2.a_12;
     var normal_6 : vec3<f32> = cross(ab_1, ac_0);
-    point_0.place_10.triangle_0 = emitter_triangle_0(record_10, face_5);
+    point_0.place_11.triangle_0 = emitter_triangle_0(record_10, face_5);
     if(angle_3 < 0.00100000004749745f)
     {
         var root_0 : f32 = sqrt(inside_2);
-        point_0.place_10.v_0 = root_0 * (1.0f - second_1);
-        point_0.place_10.w_0 = root_0 * second_1;
+        point_0.place_11.v_0 = root_0 * (1.0f - second_1);
+        point_0.place_11.w_0 = root_0 * second_1;
     }
     else
     {
@@ -1486,10 +1520,10 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         var within_0 : vec3<f32> = direction_5 * vec3<f32>((dot(corners_2.a_12, normal_6) / dot(direction_5, normal_6))) - corners_2.a_12;
         var squared_2 : f32 = dot(normal_6, normal_6);
         var _S98 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
-        point_0.place_10.v_0 = _S98;
-        point_0.place_10.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S98);
+        point_0.place_11.v_0 = _S98;
+        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S98);
     }
-    var offset_3 : vec3<f32> = corners_2.a_12 + ab_1 * vec3<f32>(point_0.place_10.v_0) + ac_0 * vec3<f32>(point_0.place_10.w_0);
+    var offset_3 : vec3<f32> = corners_2.a_12 + ab_1 * vec3<f32>(point_0.place_11.v_0) + ac_0 * vec3<f32>(point_0.place_11.w_0);
     var distance_3 : f32 = length(offset_3);
     if(!(distance_3 > 0.0f))
     {
@@ -1529,10 +1563,10 @@ fn map_pdf_0( map_2 : u32,  direction_7 : vec3<f32>) -> f32
     {
         return 0.07957746833562851f;
     }
-    var place_11 : vec2<f32> = map_place_0(map_2, direction_7);
+    var place_12 : vec2<f32> = map_place_0(map_2, direction_7);
     var width_1 : u32 = word_0(map_2);
-    var column_0 : u32 = wrapped_0(floor_of_0(place_11.x), i32(width_1), u32(0));
-    return cell_pdf_0(map_2, u32(clamp(floor_of_0(place_11.y), i32(0), i32(word_0(map_2 + u32(1))) - i32(2))) * width_1 + column_0);
+    var column_0 : u32 = wrapped_0(floor_of_0(place_12.x), i32(width_1), u32(0));
+    return cell_pdf_0(map_2, u32(clamp(floor_of_0(place_12.y), i32(0), i32(word_0(map_2 + u32(1))) - i32(2))) * width_1 + column_0);
 }
 
 fn sum_at_0( at_13 : u32) -> f64
@@ -1678,9 +1712,9 @@ fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
     return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S113));
 }
 
-fn to_world_0( axes_4 : Axes_0,  v_6 : vec3<f32>) -> vec3<f32>
+fn to_world_0( axes_5 : Axes_0,  v_6 : vec3<f32>) -> vec3<f32>
 {
-    return axes_4.s_0 * vec3<f32>(v_6.x) + axes_4.t_0 * vec3<f32>(v_6.y) + axes_4.n_1 * vec3<f32>(v_6.z);
+    return axes_5.s_0 * vec3<f32>(v_6.x) + axes_5.t_0 * vec3<f32>(v_6.y) + axes_5.n_1 * vec3<f32>(v_6.z);
 }
 
 fn component_0( v_7 : vec3<f64>,  axis_2 : u32) -> f64
@@ -1716,7 +1750,7 @@ struct RayView_0
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
      margin_0 : f32,
-     axes_5 : u32,
+     axes_6 : u32,
 };
 
 fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
@@ -1881,11 +1915,11 @@ struct Ray_0
      largest_1 : f64,
 };
 
-fn corner_0( ray_0 : Ray_0,  axes_6 : u32,  at_14 : u32) -> vec3<f64>
+fn corner_0( ray_0 : Ray_0,  axes_7 : u32,  at_14 : u32) -> vec3<f64>
 {
     var relative_0 : vec3<f64> = primitive_vector_0(at_14) - ray_0.origin_0;
-    var z_3 : f64 = component_0(relative_0, (axes_6 >> (u32(4))));
-    return vec3<f64>(component_0(relative_0, (axes_6 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_3, ray_0.largest_1), component_0(relative_0, (((axes_6 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_3, ray_0.largest_1), z_3);
+    var z_3 : f64 = component_0(relative_0, (axes_7 >> (u32(4))));
+    return vec3<f64>(component_0(relative_0, (axes_7 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_3, ray_0.largest_1), component_0(relative_0, (((axes_7 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_3, ray_0.largest_1), z_3);
 }
 
 struct Crossing_0
@@ -1896,16 +1930,16 @@ struct Crossing_0
      w_3 : f64,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_7 : u32,  at_15 : u32) -> Crossing_0
+fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_15 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_2 = 0.0lf;
     crossing_0.v_8 = 0.0lf;
     crossing_0.w_3 = 0.0lf;
-    var a_14 : vec3<f64> = corner_0(ray_1, axes_7, at_15);
-    var b_12 : vec3<f64> = corner_0(ray_1, axes_7, at_15 + u32(3));
-    var c_7 : vec3<f64> = corner_0(ray_1, axes_7, at_15 + u32(6));
+    var a_14 : vec3<f64> = corner_0(ray_1, axes_8, at_15);
+    var b_12 : vec3<f64> = corner_0(ray_1, axes_8, at_15 + u32(3));
+    var c_7 : vec3<f64> = corner_0(ray_1, axes_8, at_15 + u32(6));
     var _S129 : f64 = c_7.x;
     var _S130 : f64 = b_12.y;
     var cx_by_0 : f64 = rounded_0(_S129 * _S130, ray_1.largest_1);
@@ -2072,7 +2106,7 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_4.axes_5, u32(9) * i_3);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_4.axes_6, u32(9) * i_3);
             if(!crossing_1.is_hit_0)
             {
                 i_3 = i_3 + u32(1);
@@ -2208,7 +2242,7 @@ fn cast_0( origin_1 : vec3<f64>,  direction_9 : vec3<f64>,  t_min_1 : f64,  t_ma
     view_5.offset_far_0 = offset_4 - wider_0;
     view_5.limit_0 = min(f32(t_max_1 * ray_3.local_per_t_0), 8.0f) + 3.814697265625e-06f;
     view_5.margin_0 = 3.814697265625e-06f;
-    view_5.axes_5 = (((x_8 | (((y_3 << (u32(2))))))) | (((z_4 << (u32(4))))));
+    view_5.axes_6 = (((x_8 | (((y_3 << (u32(2))))))) | (((z_4 << (u32(4))))));
     var found_4 : Found_0 = first_found_0(view_5, &(ray_3), any_1);
     (*t_4) = f32(ray_3.t_max_0);
     return found_4;
@@ -2291,7 +2325,7 @@ fn cast_1( origin_2 : vec3<f64>,  direction_10 : vec3<f64>,  t_min_2 : f64,  t_m
     view_6.offset_far_0 = offset_5 - wider_1;
     view_6.limit_0 = min(f32(t_max_2 * ray_4.local_per_t_0), 8.0f) + 3.814697265625e-06f;
     view_6.margin_0 = 3.814697265625e-06f;
-    view_6.axes_5 = (((x_9 | (((y_4 << (u32(2))))))) | (((z_5 << (u32(4))))));
+    view_6.axes_6 = (((x_9 | (((y_4 << (u32(2))))))) | (((z_5 << (u32(4))))));
     var found_5 : Found_0 = first_found_0(view_6, &(ray_4), any_2);
     (*t_5) = f32(ray_4.t_max_0);
     return found_5;
@@ -2409,8 +2443,8 @@ fn error_function_plus_one_0( x_11 : f32) -> vec2<f32>
 {
     var _S167 : f32 = min(abs(x_11), 6.0f);
     var gaussian_0 : f32 = exponential_0(- _S167 * _S167);
-    var place_12 : f32 = (_S167 - 2.0f) / (_S167 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S167);
+    var place_13 : f32 = (_S167 - 2.0f) / (_S167 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_13 - 0.00127731403335929f) * place_13 + 0.00131371302995831f) * place_13 + 0.008666617795825f) * place_13 - 0.00805134233087301f) * place_13 - 0.05421232059597969f) * place_13 + 0.1640533059835434f) * place_13 - 0.16603080928325653f) * place_13 - 0.09276388585567474f) * place_13 + 1.27697837352752686f) / (1.0f + 2.0f * _S167);
     var _S168 : f32;
     if(x_11 < 0.0f)
     {
@@ -2526,11 +2560,11 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_9 : f32) -> f32
     {
         return 1.0f - fresnel_dielectric_0(cosine_9, eta_4);
     }
-    var place_13 : f32 = cosine_9 * 63.0f;
-    var _S173 : u32 = min(u32(place_13), u32(62));
+    var place_14 : f32 = cosine_9 * 63.0f;
+    var _S173 : u32 = min(u32(place_14), u32(62));
     var at_16 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S173;
     var here_1 : f32 = number_0(at_16);
-    return here_1 + (number_0(at_16 + u32(1)) - here_1) * (place_13 - f32(_S173));
+    return here_1 + (number_0(at_16 + u32(1)) - here_1) * (place_14 - f32(_S173));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2561,9 +2595,9 @@ fn base_0( lobe_6 : Lobe_0,  eta_6 : f32,  diffuse_0 : vec3<f32>) -> vec3<f32>
     return diffuse_0 / (vec3<f32>(1.0f) - diffuse_0 * vec3<f32>(internal_reflectance_0));
 }
 
-fn choice_weight_0( colour_1 : vec3<f32>) -> f32
+fn choice_weight_0( colour_2 : vec3<f32>) -> f32
 {
-    return max((colour_1.x + colour_1.y + colour_1.z) / 3.0f, 0.05000000074505806f);
+    return max((colour_2.x + colour_2.y + colour_2.z) / 3.0f, 0.05000000074505806f);
 }
 
 fn base_probability_0( numbers_5 : Numbers_0,  enters_0 : f32) -> f32
@@ -2653,9 +2687,9 @@ fn scattered_to_0( vertex_4 : Vertex_0,  wo_3 : vec3<f32>,  direction_14 : vec3<
     return eval_and_pdf_0(vertex_4.lobe_1, vertex_4.wi_1, changing_0(wo_3, local_change_0(vertex_4, direction_14)));
 }
 
-fn met_0( vertex_5 : Vertex_0,  direction_15 : vec3<f32>,  t_6 : f32,  place_14 : Place_0) -> Place_0
+fn met_0( vertex_5 : Vertex_0,  direction_15 : vec3<f32>,  t_6 : f32,  place_15 : Place_0) -> Place_0
 {
-    return place_14;
+    return place_15;
 }
 
 fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
@@ -2670,11 +2704,11 @@ fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
 
 fn in_map_0( map_5 : u32,  direction_16 : vec3<f32>) -> Lookup_0
 {
-    var place_15 : vec2<f32> = map_place_0(map_5, direction_16);
+    var place_16 : vec2<f32> = map_place_0(map_5, direction_16);
     var point_1 : Point_0;
-    point_1.value_3 = place_15;
-    var x_12 : i32 = floor_of_0(place_15.x);
-    var y_5 : i32 = floor_of_0(place_15.y);
+    point_1.value_3 = place_16;
+    var x_12 : i32 = floor_of_0(place_16.x);
+    var y_5 : i32 = floor_of_0(place_16.y);
     var width_3 : i32 = i32(word_0(map_5));
     var height_1 : i32 = i32(word_0(map_5 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_3, u32(0));
@@ -2687,22 +2721,23 @@ fn in_map_0( map_5 : u32,  direction_16 : vec3<f32>) -> Lookup_0
     return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), point_1);
 }
 
-fn emitted_0( emitter_5 : u32,  place_16 : Place_0,  direction_17 : vec3<f32>,  importance_0 : vec3<f32>) -> vec3<f32>
+fn emitted_0( emitter_5 : u32,  place_17 : Place_0,  direction_17 : vec3<f32>) -> vec3<f32>
 {
     var record_13 : u32 = emitter_record_0(emitter_5);
-    var texture_5 : u32 = word_0(record_13 + u32(1));
+    var texture_6 : u32 = word_0(record_13 + u32(1));
     if(!is_map_0(record_13))
     {
-        var lookup_5 : Lookup_0 = lookup_at_0(texture_5, place_16);
-        return looked_up_0(texture_5, lookup_5);
+        var _S180 : vec3<f32> = shown_0(texture_6, place_17);
+        return _S180;
     }
-    var texels_2 : u32 = word_0(texture_5 + u32(11));
-    var scale_1 : u32 = word_0(texture_5 + u32(12));
-    var lookup_6 : Lookup_0 = in_map_0(texture_5, direction_17);
-    return looked_up_0(texels_2, lookup_6) * looked_up_0(scale_1, one_texel_0(u32(0)));
+    var change_1 : vec2<f32> = vec2<f32>(0.0f);
+    var factor_0 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
+    var _S181 : u32 = word_0(texture_6 + u32(11));
+    var _S182 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_17));
+    return looked_up_0(_S181, _S182, change_1) * factor_0;
 }
 
-fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_4 : u32,  bsdf_samples_0 : f32,  importance_1 : vec3<f32>)
+fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_4 : u32,  bsdf_samples_0 : f32,  importance_0 : vec3<f32>)
 {
     var probability_2 : f32;
     var emitter_6 : u32 = chosen_emitter_0(choice_5, random_0(key_7, first_4), &(probability_2));
@@ -2720,19 +2755,19 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6
     var distance_4 : f32;
     if(is_area_0(record_14))
     {
-        point_2 = area_point_0(record_14, vertex_6.surface_2, key_7, first_4 + u32(1));
+        point_2 = area_point_0(record_14, vertex_6.surface_3, key_7, first_4 + u32(1));
         if(!((point_2.pdf_0) > 0.0f))
         {
             return;
         }
-        var way_3 : vec3<f64> = position_of_0(point_2.place_10) - vertex_6.surface_2.exact_0;
-        var _S180 : vec3<f32> = vec3<f32>(way_3);
-        var distance_5 : f32 = length(_S180);
+        var way_3 : vec3<f64> = position_of_0(point_2.place_11) - vertex_6.surface_3.exact_0;
+        var _S183 : vec3<f32> = vec3<f32>(way_3);
+        var distance_5 : f32 = length(_S183);
         var nearest_2 : f64 = nearest_0 / f64(distance_5);
-        var _S181 : f64 = limit_at_0(u32(3));
-        direction_18 = _S180 / vec3<f32>(distance_5);
+        var _S184 : f64 = limit_at_0(u32(3));
+        direction_18 = _S183 / vec3<f32>(distance_5);
         way_2 = way_3;
-        farthest_0 = _S181;
+        farthest_0 = _S184;
         distance_4 = distance_5;
         nearest_1 = nearest_2;
     }
@@ -2740,34 +2775,34 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6
     {
         if(is_map_0(record_14))
         {
-            var _S182 : u32 = word_0(record_14 + u32(1));
-            var _S183 : u32 = first_4 + u32(1);
-            var _S184 : f32 = point_2.pdf_0;
-            var _S185 : vec3<f32> = sample_map_0(_S182, key_7, _S183, &(_S184));
-            point_2.pdf_0 = _S184;
-            direction_18 = _S185;
+            var _S185 : u32 = word_0(record_14 + u32(1));
+            var _S186 : u32 = first_4 + u32(1);
+            var _S187 : f32 = point_2.pdf_0;
+            var _S188 : vec3<f32> = sample_map_0(_S185, key_7, _S186, &(_S187));
+            point_2.pdf_0 = _S187;
+            direction_18 = _S188;
         }
         else
         {
             var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_4 + u32(1)));
-            var _S186 : vec3<f32> = normalize(to_world_0(vertex_6.axes_3, local_1));
+            var _S189 : vec3<f32> = normalize(to_world_0(vertex_6.axes_4, local_1));
             point_2.pdf_0 = local_1.z * 0.31830987334251404f;
-            direction_18 = _S186;
+            direction_18 = _S189;
         }
-        point_2.place_10 = vertex_6.surface_2.place_3;
-        var _S187 : f64 = limit_at_0(u32(1));
+        point_2.place_11 = vertex_6.surface_3.place_3;
+        var _S190 : f64 = limit_at_0(u32(1));
         way_2 = vec3<f64>(direction_18);
-        farthest_0 = _S187;
+        farthest_0 = _S190;
         distance_4 = 0.0f;
         nearest_1 = nearest_0;
     }
-    var wo_4 : vec3<f32> = to_local_0(vertex_6.axes_3, direction_18);
+    var wo_4 : vec3<f32> = to_local_0(vertex_6.axes_4, direction_18);
     if((wo_4.z) <= 0.0f)
     {
         return;
     }
     var unused_0 : f32;
-    if((cast_0(vertex_6.surface_2.exact_0, way_2, nearest_1, farthest_0, true, &(unused_0)).face_7) != u32(4294967295))
+    if((cast_0(vertex_6.surface_3.exact_0, way_2, nearest_1, farthest_0, true, &(unused_0)).face_7) != u32(4294967295))
     {
         return;
     }
@@ -2778,19 +2813,19 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6
     }
     var moving_0 : vec3<f32> = towards_emitter_0(vertex_6, direction_18, record_14);
     var scattered_3 : Scattered_0 = scattered_to_0(vertex_6, wo_4, moving_0);
-    var place_17 : Place_0 = point_2.place_10;
-    var place_18 : Place_0;
+    var place_18 : Place_0 = point_2.place_11;
+    var place_19 : Place_0;
     if(is_area_0(record_14))
     {
-        place_18 = met_0(vertex_6, moving_0, distance_4, place_17);
+        place_19 = met_0(vertex_6, moving_0, distance_4, place_18);
     }
     else
     {
-        place_18 = place_17;
+        place_19 = place_18;
     }
-    var _S188 : vec3<f32> = vec3<f32>(weight_over_0(own_3, bsdf_samples_0 * scattered_3.pdf_5));
-    var _S189 : vec3<f32> = emitted_0(emitter_6, place_18, moving_0, importance_1 * value_of_0(scattered_3.value_8) * _S188);
-    (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_3.value_8 * (_S189 * _S188);
+    var weight_0 : f32 = weight_over_0(own_3, bsdf_samples_0 * scattered_3.pdf_5);
+    var _S191 : vec3<f32> = emitted_0(emitter_6, place_19, moving_0);
+    (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_3.value_8 * (_S191 * vec3<f32>(weight_0));
     return;
 }
 
@@ -2806,37 +2841,37 @@ fn stretched_1( facets_4 : Microfacets_0,  wi_5 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_5.xy * facets_4.alpha_1, wi_5.z);
     var view_7 : Stretched_0;
-    var _S190 : f32 = length(longer_0);
-    view_7.length_0 = _S190;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S190);
-    var _S191 : vec2<f32> = longer_1.xy;
-    var _S192 : f32 = length(_S191);
-    view_7.sine_4 = _S192;
+    var _S192 : f32 = length(longer_0);
+    view_7.length_0 = _S192;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S192);
+    var _S193 : vec2<f32> = longer_1.xy;
+    var _S194 : f32 = length(_S193);
+    view_7.sine_4 = _S194;
     view_7.cosine_10 = longer_1.z;
-    var _S193 : vec2<f32>;
-    if(_S192 > 0.0f)
+    var _S195 : vec2<f32>;
+    if(_S194 > 0.0f)
     {
-        _S193 = _S191 / vec2<f32>(view_7.sine_4);
+        _S195 = _S193 / vec2<f32>(view_7.sine_4);
     }
     else
     {
-        _S193 = vec2<f32>(1.0f, 0.0f);
+        _S195 = vec2<f32>(1.0f, 0.0f);
     }
-    view_7.around_0 = _S193;
+    view_7.around_0 = _S195;
     return view_7;
 }
 
 fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
 {
-    var _S194 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S194);
+    var _S196 : f32 = u_9.x;
+    var radius_2 : f32 = sqrt(_S196);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
     var across_1 : f32 = radius_2 * turn_3.y;
     var along_5 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_10);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S195 : f32 = 1.0f - _S194;
-    var edge_0 : f32 = sqrt(_S195 + along_5 * along_5);
+    var _S197 : f32 = 1.0f - _S196;
+    var edge_0 : f32 = sqrt(_S197 + along_5 * along_5);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
     var from_top_0 : f32 = edge_0 - along_5;
     var from_bottom_0 : f32 = edge_0 + along_5;
@@ -2844,14 +2879,14 @@ fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_5 > 0.0f)
     {
-        from_top_1 = _S195 / from_bottom_0;
+        from_top_1 = _S197 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S196 : f32 = _S195 / from_top_0;
+        var _S198 : f32 = _S197 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S196;
+        from_bottom_1 = _S198;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_10, across_1, max(towards_0 * view_8.cosine_10 + up_0 * view_8.sine_4, 0.0f));
@@ -2904,8 +2939,8 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S197 : f32 = max(view_9.cosine_10, view_9.sine_4);
-    var slope_1 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S197 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S197, -6.0f, 0.5f * steepest_0);
+    var _S199 : f32 = max(view_9.cosine_10, view_9.sine_4);
+    var slope_1 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S199 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S199, -6.0f, 0.5f * steepest_0);
     var low_5 : f32 = -6.0f;
     var high_2 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -2919,10 +2954,10 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             break;
         }
         var both_2 : vec2<f32> = error_function_plus_one_0(slope_1);
-        var _S198 : f32 = both_2.y;
-        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S198 - target_1;
-        var own_4 : f32 = _S198 * (view_9.cosine_10 - slope_1 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_1 * own_4 - _S198 * view_9.sine_4;
+        var _S200 : f32 = both_2.y;
+        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S200 - target_1;
+        var own_4 : f32 = _S200 * (view_9.cosine_10 - slope_1 * view_9.sine_4);
+        var bend_0 : f32 = -2.0f * slope_1 * own_4 - _S200 * view_9.sine_4;
         if(error_0 > 0.0f)
         {
             high_2 = slope_1;
@@ -2932,17 +2967,17 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             low_5 = slope_1;
         }
         var next_0 : f32 = slope_1 - error_0 * own_4 / (own_4 * own_4 - 0.5f * error_0 * bend_0);
-        var _S199 : bool;
+        var _S201 : bool;
         if(next_0 >= low_5)
         {
-            _S199 = next_0 <= high_2;
+            _S201 = next_0 <= high_2;
         }
         else
         {
-            _S199 = false;
+            _S201 = false;
         }
         var next_1 : f32;
-        if(!_S199)
+        if(!_S201)
         {
             next_1 = 0.5f * (low_5 + high_2);
         }
@@ -2955,9 +2990,9 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             slope_1 = next_1;
             break;
         }
-        var _S200 : u32 = step_0 + u32(1);
+        var _S202 : u32 = step_0 + u32(1);
         slope_1 = next_1;
-        step_0 = _S200;
+        step_0 = _S202;
     }
     return vec3<f32>(- slope_1, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -2974,11 +3009,11 @@ fn mirrored_at_facet_0( facets_5 : Microfacets_0,  wi_6 : vec3<f32>,  u_11 : vec
     {
         normal_7 = beckmann_normal_0(view_10, visible_over_cos_0(facets_5, wi_6), u_11);
     }
-    var _S201 : f32 = view_10.around_0.x;
-    var _S202 : f32 = normal_7.x;
-    var _S203 : f32 = view_10.around_0.y;
-    var _S204 : f32 = normal_7.y;
-    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S201 * _S202 - _S203 * _S204, _S203 * _S202 + _S201 * _S204) * facets_5.alpha_1, normal_7.z));
+    var _S203 : f32 = view_10.around_0.x;
+    var _S204 : f32 = normal_7.x;
+    var _S205 : f32 = view_10.around_0.y;
+    var _S206 : f32 = normal_7.y;
+    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S203 * _S204 - _S205 * _S206, _S205 * _S204 + _S203 * _S206) * facets_5.alpha_1, normal_7.z));
     return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_6, normal_8))) - wi_6);
 }
 
@@ -2991,9 +3026,9 @@ struct Drawn_0
 
 fn draw_0( lobe_9 : Lobe_0,  wi_7 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
 {
-    var _S205 : bool = (lobe_9.kind_1) == u32(0);
+    var _S207 : bool = (lobe_9.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S205)
+    if(_S207)
     {
         has_base_0 = true;
     }
@@ -3010,7 +3045,7 @@ fn draw_0( lobe_9 : Lobe_0,  wi_7 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
         has_base_0 = (lobe_9.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S205)
+    if(_S207)
     {
         of_base_1 = 1.0f;
     }
@@ -3018,16 +3053,16 @@ fn draw_0( lobe_9 : Lobe_0,  wi_7 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
     {
         of_base_1 = 0.0f;
     }
-    var _S206 : bool;
+    var _S208 : bool;
     if((lobe_9.kind_1) == u32(3))
     {
-        _S206 = true;
+        _S208 = true;
     }
     else
     {
-        _S206 = (lobe_9.kind_1) == u32(4);
+        _S208 = (lobe_9.kind_1) == u32(4);
     }
-    if(_S206)
+    if(_S208)
     {
         of_base_1 = base_probability_0(lobe_9.numbers_2, transmittance_0(lobe_9, coat_eta_0(lobe_9.numbers_2), wi_7.z));
     }
@@ -3083,8 +3118,8 @@ fn specular_0( lobe_11 : Lobe_0,  wi_9 : vec3<f32>) -> vec3<f32>
 
 fn first_from_0( position_6 : vec3<f64>,  direction_20 : vec3<f32>,  t_7 : ptr<function, f32>) -> Found_0
 {
-    var _S207 : Found_0 = cast_1(position_6, vec3<f64>(direction_20), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_7)));
-    return _S207;
+    var _S209 : Found_0 = cast_1(position_6, vec3<f64>(direction_20), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_7)));
+    return _S209;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
@@ -3099,25 +3134,25 @@ fn emitter_seen_0( found_7 : Found_0,  direction_21 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_7) + u32(4));
-    var _S208 : bool;
+    var _S210 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S208 = (dot(cross_of_0(found_7.triangle_7), direction_21)) < 0.0f;
+        _S210 = (dot(cross_of_0(found_7.triangle_7), direction_21)) < 0.0f;
     }
     else
     {
-        _S208 = false;
+        _S210 = false;
     }
-    var _S209 : u32;
-    if(_S208)
+    var _S211 : u32;
+    if(_S210)
     {
-        _S209 = emitter_7;
+        _S211 = emitter_7;
     }
     else
     {
-        _S209 = u32(4294967295);
+        _S211 = u32(4294967295);
     }
-    return _S209;
+    return _S211;
 }
 
 fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_22 : vec3<f32>,  distance_6 : f32) -> f32
@@ -3126,17 +3161,17 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
     var rectangle_1 : u32 = word_0(record_15 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S210 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S210.solid_angle_0) > 0.0f))
+        var _S212 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S212.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S210.solid_angle_0) >= 0.00100000004749745f)
+        if((_S212.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S210.solid_angle_0;
+            return 1.0f / _S212.solid_angle_0;
         }
     }
-    var _S211 : u32 = word_0(word_0(record_15 + u32(7)) + face_8);
+    var _S213 : u32 = word_0(word_0(record_15 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_15 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -3150,7 +3185,7 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S211 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S213 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_5 = shares_1.y;
@@ -3160,22 +3195,22 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             own_5 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_5;
-        var _S212 : i32;
+        var _S214 : i32;
         if(is_second_1)
         {
-            _S212 = i32(3);
+            _S214 = i32(3);
         }
         else
         {
-            _S212 = i32(2);
+            _S214 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S212));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S214));
         chosen_2 = chosen_3;
     }
-    var _S213 : u32 = word_0(record_15 + u32(6));
-    var _S214 : u32 = word_0(node_6);
+    var _S215 : u32 = word_0(record_15 + u32(6));
+    var _S216 : u32 = word_0(node_6);
     own_5 = 0.0f;
-    var k_6 : u32 = _S214;
+    var k_6 : u32 = _S216;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -3186,9 +3221,9 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_15, word_0(_S213 + k_6), from_2.exact_0);
+        var angle_4 : f32 = face_solid_angle_0(record_15, word_0(_S215 + k_6), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_4;
-        if(k_6 == _S211)
+        if(k_6 == _S213)
         {
             own_5 = angle_4;
         }
@@ -3207,32 +3242,32 @@ fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  vertex_8 : Vertex_0,  di
     var record_16 : u32 = emitter_record_0(emitter_8);
     if(is_map_0(record_16))
     {
-        var _S215 : f32 = map_pdf_0(word_0(record_16 + u32(1)), direction_23);
-        return _S215;
+        var _S217 : f32 = map_pdf_0(word_0(record_16 + u32(1)), direction_23);
+        return _S217;
     }
     if(!is_area_0(record_16))
     {
-        return max(dot(vertex_8.axes_3.n_1, direction_23), 0.0f) * 0.31830987334251404f;
+        return max(dot(vertex_8.axes_4.n_1, direction_23), 0.0f) * 0.31830987334251404f;
     }
-    return area_pdf_0(record_16, found_8.face_7 - word_0(record_16 + u32(3)), vertex_8.surface_2, direction_23, t_8);
+    return area_pdf_0(record_16, found_8.face_7 - word_0(record_16 + u32(3)), vertex_8.surface_3, direction_23, t_8);
 }
 
-fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, Reflected_0>,  importance_2 : vec3<f32>) -> bool
+fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, Reflected_0>,  importance_1 : vec3<f32>) -> bool
 {
     var depth_2 : u32 = launch_0.depth_0;
     var first_5 : u32 = vertex_numbers_0(launch_0.depth_0);
-    var surface_4 : Surface_0 = surface_at_0((*path_5).place_1, value_of_0((*path_5).direction_0));
-    var material_1 : u32 = material_of_0(surface_4);
+    var surface_5 : Surface_0 = surface_at_0((*path_5).place_1, value_of_0((*path_5).direction_0));
+    var material_1 : u32 = material_of_0(surface_5);
     if(material_1 == u32(4294967295))
     {
         return false;
     }
-    var vertex_9 : Vertex_0 = vertex_at_0(surface_4, material_1, (*path_5).direction_0);
+    var vertex_9 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_5).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S216 : u32 = word_0(u32(3));
-    var _S217 : bool = !reaches_0(depth_2 + u32(3));
+    var _S218 : u32 = word_0(u32(3));
+    var _S219 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S217)
+    if(_S219)
     {
         goes_on_0 = (vertex_9.lobe_1.kind_1) == u32(0);
     }
@@ -3242,7 +3277,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     if(goes_on_0)
     {
-        goes_on_0 = is_sampled_well_0(surface_4.position_0);
+        goes_on_0 = is_sampled_well_0(surface_5.position_0);
     }
     else
     {
@@ -3255,7 +3290,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     else
     {
-        bsdf_samples_1 = _S216;
+        bsdf_samples_1 = _S218;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_9.lobe_1))
@@ -3266,7 +3301,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S218 : Choice_0 = choice_at_0(surface_4.position_0, vertex_9.axes_3.n_1, on_emitters_0 == u32(0));
+    var _S220 : Choice_0 = choice_at_0(surface_5.position_0, vertex_9.axes_4.n_1, on_emitters_0 == u32(0));
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -3277,7 +3312,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         {
             break;
         }
-        add_light_from_emitter_0(&((*reflected_2)), vertex_9, _S218, (*path_5).key_0, first_5 + u32(3) * i_4, f32(bsdf_samples_1), importance_2);
+        add_light_from_emitter_0(&((*reflected_2)), vertex_9, _S220, (*path_5).key_0, first_5 + u32(3) * i_4, f32(bsdf_samples_1), importance_1);
         i_4 = i_4 + u32(1);
     }
     var first_6 : u32 = first_5 + u32(3) * emitter_samples_0;
@@ -3296,7 +3331,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         }
         var own_first_0 : u32 = first_6 + u32(3) * k_7;
         var drawn_1 : Drawn_0 = draw_0(vertex_9.lobe_1, value_of_0(vertex_9.wi_1), random_0((*path_5).key_0, own_first_0), random_pair_0((*path_5).key_0, own_first_0 + u32(1)));
-        var direction_24 : vec3<f32> = normalize(to_world_0(vertex_9.axes_3, drawn_1.wo_5));
+        var direction_24 : vec3<f32> = normalize(to_world_0(vertex_9.axes_4, drawn_1.wo_5));
         var moving_1 : vec3<f32>;
         if(drawn_1.is_specular_0)
         {
@@ -3322,17 +3357,17 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             continue;
         }
         var t_9 : f32;
-        var found_9 : Found_0 = first_from_0(surface_4.exact_0, direction_24, &(t_9));
+        var found_9 : Found_0 = first_from_0(surface_5.exact_0, direction_24, &(t_9));
         var goes_on_1 : bool;
         var next_3 : Place_0;
         var next_direction_1 : vec3<f32>;
         if(k_7 == u32(0))
         {
-            var _S219 : bool = (found_9.face_7) != u32(4294967295);
-            var _S220 : Place_0 = place_of_0(found_9);
+            var _S221 : bool = (found_9.face_7) != u32(4294967295);
+            var _S222 : Place_0 = place_of_0(found_9);
             (*reflected_2).onward_0 = scattered_4.value_8 * vec3<f32>((1.0f / scattered_4.pdf_5));
-            goes_on_1 = _S219;
-            next_3 = _S220;
+            goes_on_1 = _S221;
+            next_3 = _S222;
             next_direction_1 = moving_1;
         }
         else
@@ -3351,28 +3386,28 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             continue;
         }
         var own_6 : f32 = f32(bsdf_samples_1) * scattered_4.pdf_5;
-        var _S221 : bool = !drawn_1.is_specular_0;
-        var _S222 : bool;
-        if(_S221)
+        var _S223 : bool = !drawn_1.is_specular_0;
+        var _S224 : bool;
+        if(_S223)
         {
-            _S222 = emitter_samples_0 != u32(0);
+            _S224 = emitter_samples_0 != u32(0);
         }
         else
         {
-            _S222 = false;
+            _S224 = false;
         }
         var other_1 : f32;
-        if(_S222)
+        if(_S224)
         {
             var pdf_6 : f32 = emitter_pdf_0(emitter_9, found_9, vertex_9, direction_24, t_9);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S218) * pdf_6;
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S220) * pdf_6;
         }
         else
         {
             other_1 = 0.0f;
         }
         var moving_2 : vec3<f32>;
-        if(_S221)
+        if(_S223)
         {
             moving_2 = towards_emitter_0(vertex_9, direction_24, emitter_record_0(emitter_9));
         }
@@ -3380,25 +3415,25 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         {
             moving_2 = moving_1;
         }
-        var place_19 : Place_0 = place_of_0(found_9);
-        var place_20 : Place_0;
+        var place_20 : Place_0 = place_of_0(found_9);
+        var place_21 : Place_0;
         if((found_9.face_7) != u32(4294967295))
         {
-            place_20 = met_0(vertex_9, moving_2, t_9, place_19);
+            place_21 = met_0(vertex_9, moving_2, t_9, place_20);
         }
         else
         {
-            place_20 = place_19;
+            place_21 = place_20;
         }
-        var _S223 : vec3<f32> = vec3<f32>(weight_over_0(own_6, other_1));
-        var _S224 : vec3<f32> = emitted_0(emitter_9, place_20, moving_2, importance_2 * value_of_0(scattered_4.value_8) * _S223);
-        (*reflected_2).direct_0 = (*reflected_2).direct_0 + scattered_4.value_8 * (_S224 * _S223);
+        var weight_1 : f32 = weight_over_0(own_6, other_1);
+        var _S225 : vec3<f32> = emitted_0(emitter_9, place_21, moving_2);
+        (*reflected_2).direct_0 = (*reflected_2).direct_0 + scattered_4.value_8 * (_S225 * vec3<f32>(weight_1));
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
         k_7 = k_7 + u32(1);
     }
-    if(_S217)
+    if(_S219)
     {
         goes_on_0 = true;
     }
@@ -3411,16 +3446,16 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         return false;
     }
     var throughput_1 : vec3<f32> = value_of_0((*path_5).throughput_0) * value_of_0((*reflected_2).onward_0);
-    var _S225 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    if(!(_S225 > 0.0f))
+    var _S226 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    if(!(_S226 > 0.0f))
     {
         return false;
     }
-    var _S226 : u32 = depth_2 + u32(1);
-    if(_S226 >= (word_0(u32(1))))
+    var _S227 : u32 = depth_2 + u32(1);
+    if(_S227 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S225, 0.0f, 0.94999998807907104f);
-        if((random_0((*path_5).key_0, vertex_numbers_0(_S226) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S226, 0.0f, 0.94999998807907104f);
+        if((random_0((*path_5).key_0, vertex_numbers_0(_S227) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -3462,11 +3497,11 @@ fn set_changing_0( path_8 : u32,  which_7 : ptr<function, u32>,  vector_1 : vec3
     return;
 }
 
-fn set_place_0( path_9 : u32,  which_8 : ptr<function, u32>,  place_21 : Place_0)
+fn set_place_0( path_9 : u32,  which_8 : ptr<function, u32>,  place_22 : Place_0)
 {
-    set_word_0(path_9, (*which_8), place_21.triangle_0);
-    set_word_0(path_9, (*which_8) + u32(1), (bitcast<u32>((place_21.v_0))));
-    set_word_0(path_9, (*which_8) + u32(2), (bitcast<u32>((place_21.w_0))));
+    set_word_0(path_9, (*which_8), place_22.triangle_0);
+    set_word_0(path_9, (*which_8) + u32(1), (bitcast<u32>((place_22.v_0))));
+    set_word_0(path_9, (*which_8) + u32(2), (bitcast<u32>((place_22.w_0))));
     (*which_8) = (*which_8) + u32(3);
     return;
 }
@@ -3497,16 +3532,16 @@ fn take_thread_further_0( thread_0 : u32)
     path_11.light_0 = path_11.light_0 + path_11.throughput_0 * reflected_3.direct_0;
     path_11.throughput_0 = path_11.throughput_0 * reflected_3.onward_0;
     store_0(number_of_path_2, path_11);
-    var _S227 : u32;
+    var _S228 : u32;
     if(goes_on_2)
     {
-        _S227 = number_of_path_2;
+        _S228 = number_of_path_2;
     }
     else
     {
-        _S227 = u32(4294967295);
+        _S228 = u32(4294967295);
     }
-    set_word_0(at_18, u32(0), _S227);
+    set_word_0(at_18, u32(0), _S228);
     return;
 }
 

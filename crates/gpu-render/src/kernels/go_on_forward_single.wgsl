@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: aa5341c278182d44
-// result: 33302e34c939035a
+// source: 88440e34aba924d3
+// result: 1e353b0f39614ca0
 
 struct Launch_std140_0
 {
@@ -85,73 +85,73 @@ fn s_fwd_length_impl_1( dpx_3 : DiffPair_vectorx3Cfloatx2C2x3E_0) -> DiffPair_fl
     return _S21;
 }
 
-fn _d_dot_0( dpx_4 : DiffPair_vectorx3Cfloatx2C2x3E_0,  dpy_0 : DiffPair_vectorx3Cfloatx2C2x3E_0) -> DiffPair_float_0
+fn _d_max_0( dpx_4 : DiffPair_float_0,  dpy_0 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S22 : DiffPair_float_0 = DiffPair_float_0( dpx_4.primal_0[i32(0)] * dpy_0.primal_0[i32(0)] + dpx_4.primal_0[i32(1)] * dpy_0.primal_0[i32(1)], dpx_4.primal_0[i32(0)] * dpy_0.differential_0[i32(0)] + dpy_0.primal_0[i32(0)] * dpx_4.differential_0[i32(0)] + dpx_4.primal_0[i32(1)] * dpy_0.differential_0[i32(1)] + dpy_0.primal_0[i32(1)] * dpx_4.differential_0[i32(1)] );
-    return _S22;
-}
-
-fn _d_max_0( dpx_5 : DiffPair_float_0,  dpy_1 : DiffPair_float_0) -> DiffPair_float_0
-{
-    var _S23 : f32 = max(dpx_5.primal_0, dpy_1.primal_0);
-    var _S24 : f32;
-    if((dpx_5.primal_0) > (dpy_1.primal_0))
+    var _S22 : f32 = max(dpx_4.primal_0, dpy_0.primal_0);
+    var _S23 : f32;
+    if((dpx_4.primal_0) > (dpy_0.primal_0))
     {
-        _S24 = dpx_5.differential_0;
+        _S23 = dpx_4.differential_0;
     }
     else
     {
-        if((dpx_5.primal_0) < (dpy_1.primal_0))
+        if((dpx_4.primal_0) < (dpy_0.primal_0))
         {
-            _S24 = dpy_1.differential_0;
+            _S23 = dpy_0.differential_0;
         }
         else
         {
-            _S24 = 0.5f * (dpx_5.differential_0 + dpy_1.differential_0);
+            _S23 = 0.5f * (dpx_4.differential_0 + dpy_0.differential_0);
         }
     }
-    var _S25 : DiffPair_float_0 = DiffPair_float_0( _S23, _S24 );
-    return _S25;
+    var _S24 : DiffPair_float_0 = DiffPair_float_0( _S22, _S23 );
+    return _S24;
 }
 
-fn _d_max_vector_0( dpx_6 : DiffPair_vectorx3Cfloatx2C2x3E_0,  dpy_2 : DiffPair_vectorx3Cfloatx2C2x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
+fn _d_max_vector_0( dpx_5 : DiffPair_vectorx3Cfloatx2C2x3E_0,  dpy_1 : DiffPair_vectorx3Cfloatx2C2x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var _S26 : DiffPair_float_0 = DiffPair_float_0( dpx_6.primal_0[i32(0)], dpx_6.differential_0[i32(0)] );
-    var _S27 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0[i32(0)], dpy_2.differential_0[i32(0)] );
-    var dp_elem_0 : DiffPair_float_0 = _d_max_0(_S26, _S27);
+    var _S25 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0[i32(0)], dpx_5.differential_0[i32(0)] );
+    var _S26 : DiffPair_float_0 = DiffPair_float_0( dpy_1.primal_0[i32(0)], dpy_1.differential_0[i32(0)] );
+    var dp_elem_0 : DiffPair_float_0 = _d_max_0(_S25, _S26);
     var result_0 : vec2<f32>;
     result_0[i32(0)] = dp_elem_0.primal_0;
     var d_result_0 : vec2<f32>;
     d_result_0[i32(0)] = dp_elem_0.differential_0;
-    var _S28 : DiffPair_float_0 = DiffPair_float_0( dpx_6.primal_0[i32(1)], dpx_6.differential_0[i32(1)] );
-    var _S29 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0[i32(1)], dpy_2.differential_0[i32(1)] );
-    var dp_elem_1 : DiffPair_float_0 = _d_max_0(_S28, _S29);
+    var _S27 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0[i32(1)], dpx_5.differential_0[i32(1)] );
+    var _S28 : DiffPair_float_0 = DiffPair_float_0( dpy_1.primal_0[i32(1)], dpy_1.differential_0[i32(1)] );
+    var dp_elem_1 : DiffPair_float_0 = _d_max_0(_S27, _S28);
     result_0[i32(1)] = dp_elem_1.primal_0;
     d_result_0[i32(1)] = dp_elem_1.differential_0;
-    var _S30 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( result_0, d_result_0 );
-    return _S30;
+    var _S29 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( result_0, d_result_0 );
+    return _S29;
 }
 
-fn _d_min_0( dpx_7 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> DiffPair_float_0
+fn _d_min_0( dpx_6 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S31 : f32 = min(dpx_7.primal_0, dpy_3.primal_0);
-    var _S32 : f32;
-    if((dpx_7.primal_0) < (dpy_3.primal_0))
+    var _S30 : f32 = min(dpx_6.primal_0, dpy_2.primal_0);
+    var _S31 : f32;
+    if((dpx_6.primal_0) < (dpy_2.primal_0))
     {
-        _S32 = dpx_7.differential_0;
+        _S31 = dpx_6.differential_0;
     }
     else
     {
-        if((dpx_7.primal_0) > (dpy_3.primal_0))
+        if((dpx_6.primal_0) > (dpy_2.primal_0))
         {
-            _S32 = dpy_3.differential_0;
+            _S31 = dpy_2.differential_0;
         }
         else
         {
-            _S32 = 0.5f * (dpx_7.differential_0 + dpy_3.differential_0);
+            _S31 = 0.5f * (dpx_6.differential_0 + dpy_2.differential_0);
         }
     }
-    var _S33 : DiffPair_float_0 = DiffPair_float_0( _S31, _S32 );
+    var _S32 : DiffPair_float_0 = DiffPair_float_0( _S30, _S31 );
+    return _S32;
+}
+
+fn _d_dot_0( dpx_7 : DiffPair_vectorx3Cfloatx2C2x3E_0,  dpy_3 : DiffPair_vectorx3Cfloatx2C2x3E_0) -> DiffPair_float_0
+{
+    var _S33 : DiffPair_float_0 = DiffPair_float_0( dpx_7.primal_0[i32(0)] * dpy_3.primal_0[i32(0)] + dpx_7.primal_0[i32(1)] * dpy_3.primal_0[i32(1)], dpx_7.primal_0[i32(0)] * dpy_3.differential_0[i32(0)] + dpy_3.primal_0[i32(0)] * dpx_7.differential_0[i32(0)] + dpx_7.primal_0[i32(1)] * dpy_3.differential_0[i32(1)] + dpy_3.primal_0[i32(1)] * dpx_7.differential_0[i32(1)] );
     return _S33;
 }
 
@@ -230,8 +230,7 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
-     v_change_0 : f32,
-     w_change_0 : f32,
+     change_2 : vec2<f32>,
 };
 
 fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
@@ -240,8 +239,7 @@ fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
     place_0.triangle_0 = triangle_1;
     place_0.v_0 = v_1;
     place_0.w_0 = w_1;
-    place_0.w_change_0 = 0.0f;
-    place_0.v_change_0 = 0.0f;
+    place_0.change_2 = vec2<f32>(0.0f);
     return place_0;
 }
 
@@ -456,9 +454,7 @@ fn move_place_0( place_6 : ptr<function, Place_0>,  position_change_1 : ptr<func
     var slip_0 : vec3<f32> = drift_1 - of_material_0;
     var slip_1 : vec3<f32> = slip_0 - direction_2 * vec3<f32>((dot(normal_0, slip_0) / dot(normal_0, direction_2)));
     (*position_change_1) = of_material_0 + slip_1;
-    var scale_0 : f32 = 1.0f / (dot(normal_0, normal_0) * _S62);
-    (*place_6).v_change_0 = dot(cross(slip_1, ac_0), normal_0) * scale_0;
-    (*place_6).w_change_0 = dot(cross(ab_0, slip_1), normal_0) * scale_0;
+    (*place_6).change_2 = vec2<f32>(dot(slip_1, cross(ac_0, normal_0)), dot(slip_1, cross(normal_0, ab_0))) * vec2<f32>((1.0f / (dot(normal_0, normal_0) * _S62)));
     return;
 }
 
@@ -481,15 +477,13 @@ fn move_place_1( place_7 : ptr<function, Place_0>,  position_change_2 : ptr<func
     var slip_2 : vec3<f32> = drift_2 - of_material_1;
     var slip_3 : vec3<f32> = slip_2 - direction_3 * vec3<f32>((dot(normal_1, slip_2) / dot(normal_1, direction_3)));
     (*position_change_2) = of_material_1 + slip_3;
-    var scale_1 : f32 = 1.0f / (dot(normal_1, normal_1) * _S63);
-    (*place_7).v_change_0 = dot(cross(slip_3, ac_1), normal_1) * scale_1;
-    (*place_7).w_change_0 = dot(cross(ab_1, slip_3), normal_1) * scale_1;
+    (*place_7).change_2 = vec2<f32>(dot(slip_3, cross(ac_1, normal_1)), dot(slip_3, cross(normal_1, ab_1))) * vec2<f32>((1.0f / (dot(normal_1, normal_1) * _S63)));
     return;
 }
 
-fn change_of_unit_0( vector_2 : vec3<f32>,  change_2 : vec3<f32>,  size_0 : f32) -> vec3<f32>
+fn change_of_unit_0( vector_2 : vec3<f32>,  change_3 : vec3<f32>,  size_0 : f32) -> vec3<f32>
 {
-    return (change_2 - vector_2 * vec3<f32>(dot(vector_2, change_2))) / vec3<f32>(size_0);
+    return (change_3 - vector_2 * vec3<f32>(dot(vector_2, change_3))) / vec3<f32>(size_0);
 }
 
 fn move_surface_0( surface_1 : ptr<function, Surface_0>,  direction_4 : vec3<f32>,  drift_3 : vec3<f32>)
@@ -521,7 +515,7 @@ fn move_surface_0( surface_1 : ptr<function, Surface_0>,  direction_4 : vec3<f32
     var ab_3 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_1 + u32(1))) - a_8;
     var ac_3 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_1 + u32(2))) - a_8;
     var at_12 : u32 = at_11 + u32(9);
-    (*surface_1).outward_change_0 = change_of_unit_0((*surface_1).outward_0, at_place_0(change_vector_0(at_12), change_vector_0(at_12 + u32(3)), change_vector_0(at_12 + u32(6)), place_8) + (ab_3 * vec3<f32>(place_8.v_change_0) + ac_3 * vec3<f32>(place_8.w_change_0)), length(a_8 + ab_3 * vec3<f32>(place_8.v_0) + ac_3 * vec3<f32>(place_8.w_0)));
+    (*surface_1).outward_change_0 = change_of_unit_0((*surface_1).outward_0, at_place_0(change_vector_0(at_12), change_vector_0(at_12 + u32(3)), change_vector_0(at_12 + u32(6)), place_8) + (ab_3 * vec3<f32>(place_8.change_2.x) + ac_3 * vec3<f32>(place_8.change_2.y)), length(a_8 + ab_3 * vec3<f32>(place_8.v_0) + ac_3 * vec3<f32>(place_8.w_0)));
     return;
 }
 
@@ -565,7 +559,8 @@ struct Lookup_0
      count_0 : u32,
      texels_0 : vec4<u32>,
      weights_0 : vec4<f32>,
-     changes_0 : vec4<f32>,
+     by_first_0 : vec4<f32>,
+     by_second_0 : vec4<f32>,
 };
 
 fn one_texel_0( texel_0 : u32) -> Lookup_0
@@ -574,7 +569,9 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    lookup_0.changes_0 = vec4<f32>(0.0f);
+    var _S68 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S68;
+    lookup_0.by_first_0 = _S68;
     return lookup_0;
 }
 
@@ -587,11 +584,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_10 : vec2<f32>,  b_4 : vec2<f32>,  c_3 : vec2<f32>) -> Corners2_0
 {
-    var _S68 : Corners2_0;
-    _S68.a_9 = a_10;
-    _S68.b_3 = b_4;
-    _S68.c_2 = c_3;
-    return _S68;
+    var _S69 : Corners2_0;
+    _S69.a_9 = a_10;
+    _S69.b_3 = b_4;
+    _S69.c_2 = c_3;
+    return _S69;
 }
 
 fn uvs_of_0( triangle_6 : u32) -> Corners2_0
@@ -653,7 +650,8 @@ fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
 struct Point_0
 {
      value_4 : vec2<f32>,
-     change_3 : vec2<f32>,
+     by_first_1 : vec2<f32>,
+     by_second_1 : vec2<f32>,
 };
 
 fn between_0( texels_1 : vec4<u32>,  place_9 : Point_0) -> Lookup_0
@@ -663,12 +661,15 @@ fn between_0( texels_1 : vec4<u32>,  place_9 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S69 : f32 = back_0.x;
-    var _S70 : f32 = back_0.y;
-    var _S71 : f32 = way_0.x;
-    var _S72 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S69 * _S70, _S71 * _S70, _S69 * _S72, _S71 * _S72);
-    lookup_1.changes_0 = vec4<f32>(- _S70, _S70, - _S72, _S72) * vec4<f32>(place_9.change_3.x) + vec4<f32>(- _S69, - _S71, _S69, _S71) * vec4<f32>(place_9.change_3.y);
+    var _S70 : f32 = back_0.x;
+    var _S71 : f32 = back_0.y;
+    var _S72 : f32 = way_0.x;
+    var _S73 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S70 * _S71, _S72 * _S71, _S70 * _S73, _S72 * _S73);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S71, _S71, - _S73, _S73);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S70, - _S72, _S70, _S72);
+    lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_9.by_first_1.x) + by_y_0 * vec4<f32>(place_9.by_first_1.y);
+    lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_9.by_second_1.x) + by_y_0 * vec4<f32>(place_9.by_second_1.y);
     return lookup_1;
 }
 
@@ -682,21 +683,22 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_10.y), height_0, wrap_1);
-        var _S73 : u32 = row_0 * u32(width_0);
-        var _S74 : u32 = wrapped_0(floor_of_0(place_10.x), width_0, wrap_1);
-        return one_texel_0(_S73 + _S74);
+        var _S74 : u32 = row_0 * u32(width_0);
+        var _S75 : u32 = wrapped_0(floor_of_0(place_10.x), width_0, wrap_1);
+        return one_texel_0(_S74 + _S75);
     }
     var centred_0 : Point_0;
-    var _S75 : vec2<f32> = place_10 - vec2<f32>(0.5f);
-    centred_0.value_4 = _S75;
-    centred_0.change_3 = uv_0.change_3 * size_1;
-    var x_1 : i32 = floor_of_0(_S75.x);
-    var y_0 : i32 = floor_of_0(_S75.y);
-    var _S76 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S77 : u32 = u32(width_0);
-    var first_1 : u32 = _S76 * _S77;
-    var _S78 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S78 * _S77;
+    var _S76 : vec2<f32> = place_10 - vec2<f32>(0.5f);
+    centred_0.value_4 = _S76;
+    centred_0.by_first_1 = uv_0.by_first_1 * size_1;
+    centred_0.by_second_1 = uv_0.by_second_1 * size_1;
+    var x_1 : i32 = floor_of_0(_S76.x);
+    var y_0 : i32 = floor_of_0(_S76.y);
+    var _S77 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S78 : u32 = u32(width_0);
+    var first_1 : u32 = _S77 * _S78;
+    var _S79 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S79 * _S78;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -720,42 +722,48 @@ fn lookup_at_0( texture_1 : u32,  place_11 : Place_0) -> Lookup_0
         lookup_2.count_0 = u32(3);
         lookup_2.texels_0 = vec4<u32>(word_0(record_2 + u32(1)), word_0(record_2 + u32(2)), word_0(record_2 + u32(3)), u32(0));
         lookup_2.weights_0 = vec4<f32>(1.0f - place_11.v_0 - place_11.w_0, place_11.v_0, place_11.w_0, 0.0f);
-        lookup_2.changes_0 = vec4<f32>(- place_11.v_change_0 - place_11.w_change_0, place_11.v_change_0, place_11.w_change_0, 0.0f);
+        lookup_2.by_first_0 = vec4<f32>(-1.0f, 1.0f, 0.0f, 0.0f);
+        lookup_2.by_second_0 = vec4<f32>(-1.0f, 0.0f, 1.0f, 0.0f);
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_11.triangle_0);
     var rows_0 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
+    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S79 : vec3<f32> = vec3<f32>(uvs_1.a_9 * vec2<f32>((1.0f - place_11.v_0 - place_11.w_0)) + uvs_1.b_3 * vec2<f32>(place_11.v_0) + uvs_1.c_2 * vec2<f32>(place_11.w_0), 1.0f);
-    var _S80 : u32 = rows_0 + u32(3);
-    uv_1.value_4 = vec2<f32>(dot(_S79, vector_at_0(rows_0)), dot(_S79, vector_at_0(_S80)));
-    var _S81 : vec3<f32> = vec3<f32>((uvs_1.b_3 - uvs_1.a_9) * vec2<f32>(place_11.v_change_0) + (uvs_1.c_2 - uvs_1.a_9) * vec2<f32>(place_11.w_change_0), 0.0f);
-    uv_1.change_3 = vec2<f32>(dot(_S81, vector_at_0(rows_0)), dot(_S81, vector_at_0(_S80)));
+    var _S80 : vec3<f32> = vec3<f32>(uvs_1.a_9 * vec2<f32>((1.0f - place_11.v_0 - place_11.w_0)) + uvs_1.b_3 * vec2<f32>(place_11.v_0) + uvs_1.c_2 * vec2<f32>(place_11.w_0), 1.0f);
+    uv_1.value_4 = vec2<f32>(dot(_S80, to_u_0), dot(_S80, to_v_0));
+    var by_v_0 : vec2<f32> = uvs_1.b_3 - uvs_1.a_9;
+    var by_w_0 : vec2<f32> = uvs_1.c_2 - uvs_1.a_9;
+    var _S81 : vec2<f32> = to_u_0.xy;
+    var _S82 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S81), dot(by_v_0, _S82));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S81), dot(by_w_0, _S82));
     if(kind_0 == u32(1))
     {
-        var _S82 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S82;
+        var _S83 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S83;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_4 - floor(uv_1.value_4);
-    var _S83 : i32;
+    var _S84 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S83 = i32(1);
+        _S84 = i32(1);
     }
     else
     {
-        _S83 = i32(0);
+        _S84 = i32(0);
     }
-    return one_texel_0(u32(_S83));
+    return one_texel_0(u32(_S84));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S84 : u32 = word_0(texture_2 + u32(1));
-    var _S85 : u32 = texture_2 + u32(13);
-    var _S86 : vec3<f32> = vec3<f32>(0.0f);
+    var _S85 : u32 = word_0(texture_2 + u32(1));
+    var _S86 : u32 = texture_2 + u32(13);
+    var _S87 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_5 : vec3<f32> = _S86;
+    var value_5 : vec3<f32> = _S87;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -765,17 +773,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_14 : u32 = _S85 + _S84 * lookup_3.texels_0[k_1];
-        var _S87 : vec3<f32>;
-        if(_S84 == u32(1))
+        var at_14 : u32 = _S86 + _S85 * lookup_3.texels_0[k_1];
+        var _S88 : vec3<f32>;
+        if(_S85 == u32(1))
         {
-            _S87 = vec3<f32>(number_0(at_14));
+            _S88 = vec3<f32>(number_0(at_14));
         }
         else
         {
-            _S87 = vector_at_0(at_14);
+            _S88 = vector_at_0(at_14);
         }
-        var value_6 : vec3<f32> = value_5 + _S87 * vec3<f32>(weights_1[k_1]);
+        var value_6 : vec3<f32> = value_5 + _S88 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_5 = value_6;
     }
@@ -784,19 +792,19 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(2) + u32(2) * word_0(texture_3 + u32(12)));
+    return change_word_0(u32(3) + word_0(texture_3 + u32(12)));
 }
 
-fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0) -> Vector_0
+fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
 {
     var value_7 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.weights_0);
-    var change_4 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.changes_0);
+    var change_4 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.by_first_0 * vec4<f32>(place_change_0.x) + lookup_4.by_second_0 * vec4<f32>(place_change_0.y));
     var first_2 : u32 = numbers_of_0(texture_4);
     if(first_2 == u32(4294967295))
     {
         return changing_0(value_7, change_4);
     }
-    var _S88 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var _S89 : bool = (word_0(texture_4 + u32(1))) == u32(1);
     var k_2 : u32 = u32(0);
     var change_5 : vec3<f32> = change_4;
     for(;;)
@@ -808,18 +816,18 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0) -> Vector_0
         {
             break;
         }
-        var _S89 : i32;
-        if(_S88)
+        var _S90 : i32;
+        if(_S89)
         {
-            _S89 = i32(1);
+            _S90 = i32(1);
         }
         else
         {
-            _S89 = i32(3);
+            _S90 = i32(3);
         }
-        var at_15 : u32 = first_2 + u32(_S89) * lookup_4.texels_0[k_2];
+        var at_15 : u32 = first_2 + u32(_S90) * lookup_4.texels_0[k_2];
         var of_texel_0 : vec3<f32>;
-        if(_S88)
+        if(_S89)
         {
             of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_15)))));
         }
@@ -834,6 +842,12 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0) -> Vector_0
     return changing_0(value_7, change_5);
 }
 
+fn shown_0( texture_5 : u32,  place_12 : Place_0) -> Vector_0
+{
+    var _S91 : Lookup_0 = lookup_at_0(texture_5, place_12);
+    return looked_up_0(texture_5, _S91, place_12.change_2);
+}
+
 fn luminance_0( colour_0 : vec3<f32>) -> f32
 {
     return dot(colour_0, vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f));
@@ -841,13 +855,13 @@ fn luminance_0( colour_0 : vec3<f32>) -> f32
 
 fn s_fwd_luminance_0( dpcolour_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
 {
-    var _S90 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpcolour_0.primal_0, dpcolour_0.differential_0 );
-    var _S91 : vec3<f32> = vec3<f32>(0.0f);
-    var _S92 : vec3<f32> = vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f);
-    var _S93 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S92, _S91 );
-    var _S94 : DiffPair_float_0 = _d_dot_1(_S90, _S93);
-    var _S95 : DiffPair_float_0 = DiffPair_float_0( _S94.primal_0, _S94.differential_0 );
-    return _S95;
+    var _S92 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpcolour_0.primal_0, dpcolour_0.differential_0 );
+    var _S93 : vec3<f32> = vec3<f32>(0.0f);
+    var _S94 : vec3<f32> = vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f);
+    var _S95 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S94, _S93 );
+    var _S96 : DiffPair_float_0 = _d_dot_1(_S92, _S95);
+    var _S97 : DiffPair_float_0 = DiffPair_float_0( _S96.primal_0, _S96.differential_0 );
+    return _S97;
 }
 
 fn set_slot_0( numbers_1 : ptr<function, Numbers_0>,  slot_0 : u32,  value_8 : vec3<f32>)
@@ -899,48 +913,68 @@ struct Lobe_0
      kind_1 : u32,
      distribution_0 : u32,
      numbers_2 : Numbers_0,
-     changes_1 : Numbers_0,
+     changes_0 : Numbers_0,
 };
 
-fn lobe_at_0( record_4 : u32,  place_12 : Place_0) -> Lobe_0
+fn lobe_at_0( record_4 : u32,  place_13 : Place_0) -> Lobe_0
 {
     var lobe_0 : Lobe_0;
     lobe_0.record_3 = record_4;
     lobe_0.kind_1 = word_0(record_4);
     lobe_0.distribution_0 = word_0(record_4 + u32(1));
-    var _S96 : Numbers_0 = no_numbers_0();
-    lobe_0.numbers_2 = _S96;
-    lobe_0.changes_1 = _S96;
-    var _S97 : u32 = word_0(record_4 + u32(4));
+    var _S98 : Numbers_0 = no_numbers_0();
+    lobe_0.numbers_2 = _S98;
+    lobe_0.changes_0 = _S98;
+    var _S99 : u32 = word_0(record_4 + u32(4));
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S97)
+        if(slot_1 < _S99)
         {
         }
         else
         {
             break;
         }
-        var texture_5 : u32 = word_0(record_4 + u32(5) + slot_1);
-        if(texture_5 == u32(4294967295))
+        var texture_6 : u32 = word_0(record_4 + u32(5) + slot_1);
+        if(texture_6 == u32(4294967295))
         {
             slot_1 = slot_1 + u32(1);
             continue;
         }
-        var _S98 : Lookup_0 = lookup_at_0(texture_5, place_12);
-        var colour_1 : Vector_0 = looked_up_0(texture_5, _S98);
-        var _S99 : vec3<f32> = value_of_0(colour_1);
-        var _S100 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S100), slot_1, _S99);
-        lobe_0.numbers_2 = _S100;
-        var _S101 : vec3<f32> = change_of_0(colour_1);
-        var _S102 : Numbers_0 = lobe_0.changes_1;
-        set_slot_0(&(_S102), slot_1, _S101);
-        lobe_0.changes_1 = _S102;
+        var colour_1 : Vector_0 = shown_0(texture_6, place_13);
+        var _S100 : vec3<f32> = value_of_0(colour_1);
+        var _S101 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S101), slot_1, _S100);
+        lobe_0.numbers_2 = _S101;
+        var _S102 : vec3<f32> = change_of_0(colour_1);
+        var _S103 : Numbers_0 = lobe_0.changes_0;
+        set_slot_0(&(_S103), slot_1, _S102);
+        lobe_0.changes_0 = _S103;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
+}
+
+fn tangent_at_0( surface_3 : Surface_0) -> vec3<f32>
+{
+    var tangents_0 : u32 = word_0(surface_3.shape_0 + u32(5));
+    if(tangents_0 == u32(4294967295))
+    {
+        return vec3<f32>(0.0f);
+    }
+    var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_3.place_3.triangle_0) + u32(1)));
+    var across_2 : vec3<f32> = cross(tangent_0, surface_3.outward_0);
+    var _S104 : vec3<f32>;
+    if((dot(across_2, across_2)) > 0.0f)
+    {
+        _S104 = tangent_0;
+    }
+    else
+    {
+        _S104 = vec3<f32>(0.0f);
+    }
+    return _S104;
 }
 
 struct Axes_0
@@ -956,40 +990,54 @@ struct DiffPair_Axes_0
      differential_0 : Axes_0,
 };
 
-fn s_fwd_axes_of_0( dpn_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dptangent_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_1 : bool) -> DiffPair_Axes_0
+fn s_fwd_axes_along_0( dpn_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dptangent_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_1 : bool) -> DiffPair_Axes_0
 {
-    var _S103 : vec3<f32>;
-    var _S104 : vec3<f32>;
+    var _S105 : vec3<f32>;
+    var _S106 : vec3<f32>;
     if(is_front_1)
     {
-        _S103 = dpn_0.primal_0;
-        _S104 = dpn_0.differential_0;
+        _S105 = dpn_0.primal_0;
+        _S106 = dpn_0.differential_0;
     }
     else
     {
-        var _S105 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
-        _S103 = (vec3<f32>(0) - dpn_0.primal_0);
-        _S104 = _S105;
+        var _S107 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
+        _S105 = (vec3<f32>(0) - dpn_0.primal_0);
+        _S106 = _S107;
     }
-    var _S106 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
-    var _S107 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
-    var _S108 : DiffPair_float_0 = _d_dot_1(_S106, _S107);
-    var _S109 : vec3<f32> = vec3<f32>(_S108.primal_0);
-    var _S110 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S109, dptangent_0.differential_0 - (dpn_0.differential_0 * _S109 + vec3<f32>(_S108.differential_0) * dpn_0.primal_0) );
-    if((_d_dot_1(_S110, _S110).primal_0) > 0.0f)
+    var _S108 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
+    var _S109 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
+    var _S110 : DiffPair_float_0 = _d_dot_1(_S108, _S109);
+    var _S111 : vec3<f32> = vec3<f32>(_S110.primal_0);
+    var _S112 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S111, dptangent_0.differential_0 - (dpn_0.differential_0 * _S111 + vec3<f32>(_S110.differential_0) * dpn_0.primal_0) );
+    var _S113 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S112);
+    var _S114 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S113.primal_0, _S113.differential_0 );
+    var _S115 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S108, _S114);
+    var _S116 : Axes_0 = Axes_0( _S113.primal_0, _S115.primal_0, _S105 );
+    var _S117 : Axes_0 = Axes_0( _S113.differential_0, _S115.differential_0, _S106 );
+    var _S118 : DiffPair_Axes_0 = DiffPair_Axes_0( _S116, _S117 );
+    return _S118;
+}
+
+fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_2 : bool) -> DiffPair_Axes_0
+{
+    var _S119 : vec3<f32>;
+    var _S120 : vec3<f32>;
+    if(is_front_2)
     {
-        var _S111 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S110);
-        var _S112 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S111.primal_0, _S111.differential_0 );
-        var _S113 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S106, _S112);
-        var _S114 : Axes_0 = Axes_0( _S111.primal_0, _S113.primal_0, _S103 );
-        var _S115 : Axes_0 = Axes_0( _S111.differential_0, _S113.differential_0, _S104 );
-        var _S116 : DiffPair_Axes_0 = DiffPair_Axes_0( _S114, _S115 );
-        return _S116;
+        _S119 = dpn_1.primal_0;
+        _S120 = dpn_1.differential_0;
     }
-    var _S117 : f32 = dpn_0.primal_0.z;
-    var _S118 : f32 = dpn_0.differential_0.z;
+    else
+    {
+        var _S121 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
+        _S119 = (vec3<f32>(0) - dpn_1.primal_0);
+        _S120 = _S121;
+    }
+    var _S122 : f32 = dpn_1.primal_0.z;
+    var _S123 : f32 = dpn_1.differential_0.z;
     var sign_0 : f32;
-    if(_S117 < 0.0f)
+    if(_S122 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -997,25 +1045,25 @@ fn s_fwd_axes_of_0( dpn_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dptangent_0 : Dif
     {
         sign_0 = 1.0f;
     }
-    var _S119 : f32 = sign_0 + _S117;
-    var a_11 : f32 = -1.0f / _S119;
-    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S118) / (_S119 * _S119);
-    var _S120 : f32 = dpn_0.primal_0.x;
-    var _S121 : f32 = dpn_0.differential_0.x;
-    var _S122 : f32 = dpn_0.primal_0.y;
-    var _S123 : f32 = dpn_0.differential_0.y;
-    var _S124 : f32 = _S120 * _S122;
-    var b_5 : f32 = _S124 * a_11;
-    var s_diff_b_0 : f32 = (_S121 * _S122 + _S123 * _S120) * a_11 + s_diff_a_0 * _S124;
-    var _S125 : f32 = sign_0 * _S120;
-    var _S126 : f32 = _S125 * _S120;
-    var _S127 : f32 = - sign_0;
-    var _S128 : f32 = _S122 * _S122;
-    var _S129 : f32 = _S123 * _S122;
-    var _S130 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S126 * a_11, sign_0 * b_5, _S127 * _S120), vec3<f32>(b_5, sign_0 + _S128 * a_11, - _S122), _S103 );
-    var _S131 : Axes_0 = Axes_0( vec3<f32>((_S121 * sign_0 * _S120 + _S121 * _S125) * a_11 + s_diff_a_0 * _S126, s_diff_b_0 * sign_0, _S121 * _S127), vec3<f32>(s_diff_b_0, (_S129 + _S129) * a_11 + s_diff_a_0 * _S128, - _S123), _S104 );
-    var _S132 : DiffPair_Axes_0 = DiffPair_Axes_0( _S130, _S131 );
-    return _S132;
+    var _S124 : f32 = sign_0 + _S122;
+    var a_11 : f32 = -1.0f / _S124;
+    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S123) / (_S124 * _S124);
+    var _S125 : f32 = dpn_1.primal_0.x;
+    var _S126 : f32 = dpn_1.differential_0.x;
+    var _S127 : f32 = dpn_1.primal_0.y;
+    var _S128 : f32 = dpn_1.differential_0.y;
+    var _S129 : f32 = _S125 * _S127;
+    var b_5 : f32 = _S129 * a_11;
+    var s_diff_b_0 : f32 = (_S126 * _S127 + _S128 * _S125) * a_11 + s_diff_a_0 * _S129;
+    var _S130 : f32 = sign_0 * _S125;
+    var _S131 : f32 = _S130 * _S125;
+    var _S132 : f32 = - sign_0;
+    var _S133 : f32 = _S127 * _S127;
+    var _S134 : f32 = _S128 * _S127;
+    var _S135 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S131 * a_11, sign_0 * b_5, _S132 * _S125), vec3<f32>(b_5, sign_0 + _S133 * a_11, - _S127), _S119 );
+    var _S136 : Axes_0 = Axes_0( vec3<f32>((_S126 * sign_0 * _S125 + _S126 * _S130) * a_11 + s_diff_a_0 * _S131, s_diff_b_0 * sign_0, _S126 * _S132), vec3<f32>(s_diff_b_0, (_S134 + _S134) * a_11 + s_diff_a_0 * _S133, - _S128), _S120 );
+    var _S137 : DiffPair_Axes_0 = DiffPair_Axes_0( _S135, _S136 );
+    return _S137;
 }
 
 fn to_local_0( axes_0 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
@@ -1025,86 +1073,75 @@ fn to_local_0( axes_0 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
 
 fn s_fwd_to_local_0( dpaxes_0 : DiffPair_Axes_0,  dpv_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S133 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
-    var _S134 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
-    var _S135 : DiffPair_float_0 = _d_dot_1(_S133, _S134);
-    var _S136 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
-    var _S137 : DiffPair_float_0 = _d_dot_1(_S136, _S134);
-    var _S138 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
-    var _S139 : DiffPair_float_0 = _d_dot_1(_S138, _S134);
-    var _S140 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S135.primal_0, _S137.primal_0, _S139.primal_0), vec3<f32>(_S135.differential_0, _S137.differential_0, _S139.differential_0) );
-    return _S140;
+    var _S138 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
+    var _S139 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
+    var _S140 : DiffPair_float_0 = _d_dot_1(_S138, _S139);
+    var _S141 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
+    var _S142 : DiffPair_float_0 = _d_dot_1(_S141, _S139);
+    var _S143 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
+    var _S144 : DiffPair_float_0 = _d_dot_1(_S143, _S139);
+    var _S145 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S140.primal_0, _S142.primal_0, _S144.primal_0), vec3<f32>(_S140.differential_0, _S142.differential_0, _S144.differential_0) );
+    return _S145;
 }
 
 fn s_fwd_towards_viewer_0( dpaxes_1 : DiffPair_Axes_0,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S141 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
-    var _S142 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
-    var _S143 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S141, _S142);
-    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S143.primal_0);
-    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S143.differential_0);
-    var _S144 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
-    var _S145 : DiffPair_float_0 = _d_abs_0(_S144);
-    var _S146 : DiffPair_float_0 = DiffPair_float_0( _S145.primal_0, _S145.differential_0 );
-    var _S147 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
-    var _S148 : DiffPair_float_0 = _d_max_0(_S146, _S147);
-    var _S149 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S148.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S148.differential_0) );
-    return _S149;
+    var _S146 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
+    var _S147 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
+    var _S148 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S146, _S147);
+    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S148.primal_0);
+    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S148.differential_0);
+    var _S149 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
+    var _S150 : DiffPair_float_0 = _d_abs_0(_S149);
+    var _S151 : DiffPair_float_0 = DiffPair_float_0( _S150.primal_0, _S150.differential_0 );
+    var _S152 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
+    var _S153 : DiffPair_float_0 = _d_max_0(_S151, _S152);
+    var _S154 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S153.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S153.differential_0) );
+    return _S154;
 }
 
 struct Vertex_0
 {
-     surface_3 : Surface_0,
+     surface_4 : Surface_0,
      axes_1 : Axes_0,
      lobe_1 : Lobe_0,
      wi_1 : Vector_0,
      axes_change_0 : Axes_0,
 };
 
-fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_5 : Vector_0) -> Vertex_0
+fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_5 : Vector_0) -> Vertex_0
 {
     var vertex_0 : Vertex_0;
-    vertex_0.surface_3 = surface_4;
-    var _S150 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S150;
-    var _S151 : vec3<f32> = vec3<f32>(0.0f);
-    var tangents_0 : u32 = word_0(surface_4.shape_0 + u32(5));
-    var _S152 : bool = tangents_0 != u32(4294967295);
-    var tangent_0 : vec3<f32>;
-    if(_S152)
-    {
-        tangent_0 = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_4.place_3.triangle_0) + u32(1)));
-    }
-    else
-    {
-        tangent_0 = _S151;
-    }
-    var _S153 : bool;
-    if(_S152)
-    {
-        _S153 = is_moving_0();
-    }
-    else
-    {
-        _S153 = false;
-    }
+    vertex_0.surface_4 = surface_5;
+    var _S155 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
+    vertex_0.lobe_1 = _S155;
+    var tangent_1 : vec3<f32> = tangent_at_0(surface_5);
+    var _S156 : vec3<f32> = vec3<f32>(0.0f);
     var tangent_change_0 : vec3<f32>;
-    if(_S153)
+    if(is_moving_0())
     {
-        tangent_change_0 = change_vector_0(motion_of_0(surface_4.place_3.triangle_0) + u32(18));
+        tangent_change_0 = change_vector_0(motion_of_0(surface_5.place_3.triangle_0) + u32(18));
     }
     else
     {
-        tangent_change_0 = _S151;
+        tangent_change_0 = _S156;
     }
-    var _S154 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_4.outward_0, surface_4.outward_change_0 );
-    var _S155 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_0, tangent_change_0 );
-    var _S156 : DiffPair_Axes_0 = s_fwd_axes_of_0(_S154, _S155, surface_4.is_front_0);
-    vertex_0.axes_1 = _S156.primal_0;
-    vertex_0.axes_change_0 = _S156.differential_0;
-    var _S157 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_5), change_of_0(direction_5) );
-    var _S158 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(_S156, _S157);
-    vertex_0.wi_1 = changing_0(_S158.primal_0, _S158.differential_0);
+    var _S157 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
+    var axes_2 : DiffPair_Axes_0;
+    if((any((tangent_1 != _S156))))
+    {
+        var _S158 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
+        axes_2 = s_fwd_axes_along_0(_S157, _S158, surface_5.is_front_0);
+    }
+    else
+    {
+        axes_2 = s_fwd_axes_around_0(_S157, surface_5.is_front_0);
+    }
+    vertex_0.axes_1 = axes_2.primal_0;
+    vertex_0.axes_change_0 = axes_2.differential_0;
+    var _S159 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_5), change_of_0(direction_5) );
+    var _S160 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S159);
+    vertex_0.wi_1 = changing_0(_S160.primal_0, _S160.differential_0);
     return vertex_0;
 }
 
@@ -1166,35 +1203,35 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_0, 0.0f) / squared_0;
     }
-    var _S159 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S159 * _S159 / (2.0f * (_S159 - max(lowest_0, -1.0f)) * squared_0);
+    var _S161 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S161 * _S161 / (2.0f * (_S161 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S160 : bool;
+    var _S162 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S160 = true;
+        _S162 = true;
     }
     else
     {
-        _S160 = (word_0(u32(2))) == u32(0);
+        _S162 = (word_0(u32(2))) == u32(0);
     }
-    if(_S160)
+    if(_S162)
     {
         return false;
     }
     var record_6 : u32 = emitter_record_0(u32(0));
     if(is_area_0(record_6))
     {
-        _S160 = (node_seen_0(word_0(record_6 + u32(5)), position_1)) < 1.0f;
+        _S162 = (node_seen_0(word_0(record_6 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S160 = false;
+        _S162 = false;
     }
-    return _S160;
+    return _S162;
 }
 
 fn has_smooth_0( lobe_2 : Lobe_0) -> bool
@@ -1241,32 +1278,32 @@ struct Choice_0
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_4, choice_0.normal_4);
-    var _S161 : f32;
+    var _S163 : f32;
     if(view_0 > 0.0f)
     {
-        _S161 = 1.0f;
+        _S163 = 1.0f;
     }
     else
     {
-        _S161 = 0.0f;
+        _S163 = 0.0f;
     }
-    (*can_light_0) = _S161;
+    (*can_light_0) = _S163;
     return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
 }
 
 fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
 {
     var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_4);
-    var _S162 : f32;
+    var _S164 : f32;
     if(view_1 > 0.0f)
     {
-        _S162 = 1.0f;
+        _S164 = 1.0f;
     }
     else
     {
-        _S162 = 0.0f;
+        _S164 = 0.0f;
     }
-    (*can_light_1) = _S162;
+    (*can_light_1) = _S164;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -1278,32 +1315,32 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_5 : vec3<f32>,  alike_0 : bool) 
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
     var count_1 : u32 = word_0(u32(6));
-    var _S163 : bool;
+    var _S165 : bool;
     if(alike_0)
     {
-        _S163 = true;
+        _S165 = true;
     }
     else
     {
-        _S163 = (word_0(u32(5))) != u32(0);
+        _S165 = (word_0(u32(5))) != u32(0);
     }
-    if(_S163)
+    if(_S165)
     {
-        _S163 = true;
+        _S165 = true;
     }
     else
     {
-        _S163 = count_1 < u32(2);
+        _S165 = count_1 < u32(2);
     }
-    if(_S163)
+    if(_S165)
     {
-        _S163 = true;
+        _S165 = true;
     }
     else
     {
-        _S163 = count_1 > u32(32);
+        _S165 = count_1 > u32(32);
     }
-    if(_S163)
+    if(_S165)
     {
         return choice_2;
     }
@@ -1318,20 +1355,20 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_5 : vec3<f32>,  alike_0 : bool) 
             break;
         }
         var can_light_2 : f32;
-        var _S164 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S164;
+        var _S166 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S166;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S163 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S165 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S163 = false;
+        _S165 = false;
     }
-    if(!_S163)
+    if(!_S165)
     {
         choice_2.all_0 = 0.0f;
     }
@@ -1352,33 +1389,33 @@ fn product_0( a_12 : u32,  b_6 : u32) -> vec2<u32>
 
 fn times_0( a_13 : vec2<u32>,  b_7 : vec2<u32>) -> vec2<u32>
 {
-    var _S165 : u32 = a_13.x;
-    var _S166 : u32 = b_7.x;
-    var low_1 : vec2<u32> = product_0(_S165, _S166);
-    return vec2<u32>(low_1.x, low_1.y + _S165 * b_7.y + a_13.y * _S166);
+    var _S167 : u32 = a_13.x;
+    var _S168 : u32 = b_7.x;
+    var low_1 : vec2<u32> = product_0(_S167, _S168);
+    return vec2<u32>(low_1.x, low_1.y + _S167 * b_7.y + a_13.y * _S168);
 }
 
 fn plus_0( a_14 : vec2<u32>,  b_8 : vec2<u32>) -> vec2<u32>
 {
-    var _S167 : u32 = a_14.x;
-    var low_2 : u32 = _S167 + b_8.x;
-    var _S168 : u32 = a_14.y + b_8.y;
-    var _S169 : i32;
-    if(low_2 < _S167)
+    var _S169 : u32 = a_14.x;
+    var low_2 : u32 = _S169 + b_8.x;
+    var _S170 : u32 = a_14.y + b_8.y;
+    var _S171 : i32;
+    if(low_2 < _S169)
     {
-        _S169 = i32(1);
+        _S171 = i32(1);
     }
     else
     {
-        _S169 = i32(0);
+        _S171 = i32(0);
     }
-    return vec2<u32>(low_2, _S168 + u32(_S169));
+    return vec2<u32>(low_2, _S170 + u32(_S171));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S170 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S170 << ((u32(32) - by_0)))))), (_S170 >> (by_0)))));
+    var _S172 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S172 << ((u32(32) - by_0)))))), (_S172 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -1417,9 +1454,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S171 : f32 = f32(count_2);
-        (*probability_0) = 1.0f / _S171;
-        return min(u32(u_0 * _S171), count_2 - u32(1));
+        var _S173 : f32 = f32(count_2);
+        (*probability_0) = 1.0f / _S173;
+        return min(u32(u_0 * _S173), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
@@ -1450,9 +1487,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S172 : u32 = i_2 + u32(1);
+        var _S174 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S172;
+        i_2 = _S174;
         rest_1 = rest_2;
     }
     return found_0;
@@ -1465,28 +1502,28 @@ fn limit_at_0( which_5 : u32) -> f32
 
 fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 {
-    var _S173 : f32 = abs(x_4);
-    var _S174 : f32 = abs(y_1);
-    var _S175 : f32 = min(_S173, _S174);
-    var _S176 : f32 = max(_S173, _S174);
-    var is_steep_0 : bool = _S175 > (0.41421356797218323f * _S176);
+    var _S175 : f32 = abs(x_4);
+    var _S176 : f32 = abs(y_1);
+    var _S177 : f32 = min(_S175, _S176);
+    var _S178 : f32 = max(_S175, _S176);
+    var is_steep_0 : bool = _S177 > (0.41421356797218323f * _S178);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S175 - _S176;
+        above_0 = _S177 - _S178;
     }
     else
     {
-        above_0 = _S175;
+        above_0 = _S177;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S175 + _S176;
+        below_0 = _S177 + _S178;
     }
     else
     {
-        below_0 = _S176;
+        below_0 = _S178;
     }
     if(below_0 > 0.0f)
     {
@@ -1507,7 +1544,7 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S174 > _S173)
+    if(_S176 > _S175)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -1528,40 +1565,40 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 
 fn s_fwd_angle_of_0( dpx_10 : DiffPair_float_0,  dpy_5 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S177 : DiffPair_float_0 = DiffPair_float_0( dpx_10.primal_0, dpx_10.differential_0 );
-    var _S178 : DiffPair_float_0 = _d_abs_0(_S177);
-    var _S179 : DiffPair_float_0 = DiffPair_float_0( dpy_5.primal_0, dpy_5.differential_0 );
+    var _S179 : DiffPair_float_0 = DiffPair_float_0( dpx_10.primal_0, dpx_10.differential_0 );
     var _S180 : DiffPair_float_0 = _d_abs_0(_S179);
-    var _S181 : DiffPair_float_0 = DiffPair_float_0( _S178.primal_0, _S178.differential_0 );
-    var _S182 : DiffPair_float_0 = DiffPair_float_0( _S180.primal_0, _S180.differential_0 );
-    var _S183 : DiffPair_float_0 = _d_min_0(_S181, _S182);
-    var _S184 : DiffPair_float_0 = _d_max_0(_S181, _S182);
-    var is_steep_1 : bool = (_S183.primal_0) > (0.41421356797218323f * _S184.primal_0);
+    var _S181 : DiffPair_float_0 = DiffPair_float_0( dpy_5.primal_0, dpy_5.differential_0 );
+    var _S182 : DiffPair_float_0 = _d_abs_0(_S181);
+    var _S183 : DiffPair_float_0 = DiffPair_float_0( _S180.primal_0, _S180.differential_0 );
+    var _S184 : DiffPair_float_0 = DiffPair_float_0( _S182.primal_0, _S182.differential_0 );
+    var _S185 : DiffPair_float_0 = _d_min_0(_S183, _S184);
+    var _S186 : DiffPair_float_0 = _d_max_0(_S183, _S184);
+    var is_steep_1 : bool = (_S185.primal_0) > (0.41421356797218323f * _S186.primal_0);
     var above_1 : f32;
     var s_diff_above_0 : f32;
     if(is_steep_1)
     {
-        var _S185 : f32 = _S183.differential_0 - _S184.differential_0;
-        above_1 = _S183.primal_0 - _S184.primal_0;
-        s_diff_above_0 = _S185;
+        var _S187 : f32 = _S185.differential_0 - _S186.differential_0;
+        above_1 = _S185.primal_0 - _S186.primal_0;
+        s_diff_above_0 = _S187;
     }
     else
     {
-        above_1 = _S183.primal_0;
-        s_diff_above_0 = _S183.differential_0;
+        above_1 = _S185.primal_0;
+        s_diff_above_0 = _S185.differential_0;
     }
     var below_1 : f32;
     var s_diff_below_0 : f32;
     if(is_steep_1)
     {
-        var _S186 : f32 = _S183.differential_0 + _S184.differential_0;
-        below_1 = _S183.primal_0 + _S184.primal_0;
-        s_diff_below_0 = _S186;
+        var _S188 : f32 = _S185.differential_0 + _S186.differential_0;
+        below_1 = _S185.primal_0 + _S186.primal_0;
+        s_diff_below_0 = _S188;
     }
     else
     {
-        below_1 = _S184.primal_0;
-        s_diff_below_0 = _S184.differential_0;
+        below_1 = _S186.primal_0;
+        s_diff_below_0 = _S186.differential_0;
     }
     if(below_1 > 0.0f)
     {
@@ -1574,14 +1611,14 @@ fn s_fwd_angle_of_0( dpx_10 : DiffPair_float_0,  dpy_5 : DiffPair_float_0) -> Di
     var t_2 : f32 = above_1 / below_1;
     var s_diff_t_0 : f32 = (s_diff_above_0 * below_1 - above_1 * s_diff_below_0) / (below_1 * below_1);
     var z_1 : f32 = t_2 * t_2;
-    var _S187 : f32 = s_diff_t_0 * t_2;
-    var s_diff_z_0 : f32 = _S187 + _S187;
-    var _S188 : f32 = 0.08053744584321976f * z_1 - 0.13877685368061066f;
-    var _S189 : f32 = _S188 * z_1 + 0.19977711141109467f;
-    var tail_0 : f32 = _S189 * z_1 - 0.33332949876785278f;
-    var _S190 : f32 = tail_0 * z_1;
-    var angle_2 : f32 = _S190 * t_2 + t_2;
-    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_1 + s_diff_z_0 * _S188) * z_1 + s_diff_z_0 * _S189) * z_1 + s_diff_z_0 * tail_0) * t_2 + s_diff_t_0 * _S190 + s_diff_t_0;
+    var _S189 : f32 = s_diff_t_0 * t_2;
+    var s_diff_z_0 : f32 = _S189 + _S189;
+    var _S190 : f32 = 0.08053744584321976f * z_1 - 0.13877685368061066f;
+    var _S191 : f32 = _S190 * z_1 + 0.19977711141109467f;
+    var tail_0 : f32 = _S191 * z_1 - 0.33332949876785278f;
+    var _S192 : f32 = tail_0 * z_1;
+    var angle_2 : f32 = _S192 * t_2 + t_2;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_1 + s_diff_z_0 * _S190) * z_1 + s_diff_z_0 * _S191) * z_1 + s_diff_z_0 * tail_0) * t_2 + s_diff_t_0 * _S192 + s_diff_t_0;
     var angle_3 : f32;
     if(is_steep_1)
     {
@@ -1592,11 +1629,11 @@ fn s_fwd_angle_of_0( dpx_10 : DiffPair_float_0,  dpy_5 : DiffPair_float_0) -> Di
         angle_3 = angle_2;
     }
     var s_diff_angle_1 : f32;
-    if((_S180.primal_0) > (_S178.primal_0))
+    if((_S182.primal_0) > (_S180.primal_0))
     {
-        var _S191 : f32 = 0.0f - s_diff_angle_0;
+        var _S193 : f32 = 0.0f - s_diff_angle_0;
         angle_3 = 1.57079637050628662f - angle_3;
-        s_diff_angle_1 = _S191;
+        s_diff_angle_1 = _S193;
     }
     else
     {
@@ -1604,23 +1641,23 @@ fn s_fwd_angle_of_0( dpx_10 : DiffPair_float_0,  dpy_5 : DiffPair_float_0) -> Di
     }
     if((dpx_10.primal_0) < 0.0f)
     {
-        var _S192 : f32 = 0.0f - s_diff_angle_1;
+        var _S194 : f32 = 0.0f - s_diff_angle_1;
         angle_3 = 3.14159274101257324f - angle_3;
-        s_diff_angle_1 = _S192;
+        s_diff_angle_1 = _S194;
     }
     if((dpy_5.primal_0) < 0.0f)
     {
-        var _S193 : f32 = - s_diff_angle_1;
+        var _S195 : f32 = - s_diff_angle_1;
         above_1 = - angle_3;
-        s_diff_above_0 = _S193;
+        s_diff_above_0 = _S195;
     }
     else
     {
         above_1 = angle_3;
         s_diff_above_0 = s_diff_angle_1;
     }
-    var _S194 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
-    return _S194;
+    var _S196 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
+    return _S196;
 }
 
 fn solid_angle_of_0( a_15 : vec3<f32>,  b_9 : vec3<f32>,  c_4 : vec3<f32>) -> f32
@@ -1639,11 +1676,11 @@ fn solid_angle_of_0( a_15 : vec3<f32>,  b_9 : vec3<f32>,  c_4 : vec3<f32>) -> f3
 
 fn complex_product_0( a_16 : vec2<f32>,  b_10 : vec2<f32>) -> vec2<f32>
 {
-    var _S195 : f32 = a_16.x;
-    var _S196 : f32 = b_10.x;
-    var _S197 : f32 = a_16.y;
-    var _S198 : f32 = b_10.y;
-    return vec2<f32>(_S195 * _S196 - _S197 * _S198, _S195 * _S198 + _S197 * _S196);
+    var _S197 : f32 = a_16.x;
+    var _S198 : f32 = b_10.x;
+    var _S199 : f32 = a_16.y;
+    var _S200 : f32 = b_10.y;
+    return vec2<f32>(_S197 * _S198 - _S199 * _S200, _S197 * _S200 + _S199 * _S198);
 }
 
 struct SeenRectangle_0
@@ -1666,26 +1703,26 @@ fn seen_rectangle_0( at_16 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
     var seen_1 : SeenRectangle_0;
     seen_1.x_5 = vec2<f32>(x0_0, x1_0);
     seen_1.y_2 = vec2<f32>(y0_0, y1_0);
-    var _S199 : f32 = - dot(vector_at_0(at_16 + u32(9)), offset_2);
-    seen_1.z_2 = _S199;
-    var a_17 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S199);
-    var b_11 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S199);
-    var c_5 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S199);
-    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S199);
-    var _S200 : f32 = length(a_17);
-    var _S201 : f32 = length(c_5);
-    var _S202 : f32;
-    if(_S199 > (9.99999997475242708e-07f * max(max(_S200, length(b_11)), max(_S201, length(d_0)))))
+    var _S201 : f32 = - dot(vector_at_0(at_16 + u32(9)), offset_2);
+    seen_1.z_2 = _S201;
+    var a_17 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S201);
+    var b_11 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S201);
+    var c_5 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S201);
+    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S201);
+    var _S202 : f32 = length(a_17);
+    var _S203 : f32 = length(c_5);
+    var _S204 : f32;
+    if(_S201 > (9.99999997475242708e-07f * max(max(_S202, length(b_11)), max(_S203, length(d_0)))))
     {
-        _S202 = solid_angle_of_0(a_17, c_5, b_11) + solid_angle_of_0(d_0, b_11, c_5);
+        _S204 = solid_angle_of_0(a_17, c_5, b_11) + solid_angle_of_0(d_0, b_11, c_5);
     }
     else
     {
-        _S202 = 0.0f;
+        _S204 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S202;
+    seen_1.solid_angle_0 = _S204;
     var z2_0 : f32 = seen_1.z_2 * seen_1.z_2;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_2 * _S201), vec2<f32>(- x0_0 * y0_0, seen_1.z_2 * _S200));
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_2 * _S203), vec2<f32>(- x0_0 * y0_0, seen_1.z_2 * _S202));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_2 * seen_1.y_2 + vec2<f32>(z2_0));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_0) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
@@ -1723,31 +1760,31 @@ fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
     var at_17 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S203 : f32 = seen_2.y_2.x;
-    var _S204 : f32 = seen_2.inverse_to_line_0.x;
-    var _S205 : f32 = seen_2.y_2.y;
-    var n_2 : f32 = - at_17.x * _S203 * _S204 - _S205 * seen_2.inverse_to_line_0.y;
-    var _S206 : f32 = at_17.y;
-    var flat_0 : f32 = _S206 * seen_2.z_2 * _S204;
-    var size_2 : f32 = seen_2.z_2 * abs(_S206) / sqrt(max(n_2 * n_2 - flat_0 * flat_0, 0.0f));
-    var _S207 : f32;
-    if((n_2 * _S206) < 0.0f)
+    var _S205 : f32 = seen_2.y_2.x;
+    var _S206 : f32 = seen_2.inverse_to_line_0.x;
+    var _S207 : f32 = seen_2.y_2.y;
+    var n_2 : f32 = - at_17.x * _S205 * _S206 - _S207 * seen_2.inverse_to_line_0.y;
+    var _S208 : f32 = at_17.y;
+    var flat_0 : f32 = _S208 * seen_2.z_2 * _S206;
+    var size_2 : f32 = seen_2.z_2 * abs(_S208) / sqrt(max(n_2 * n_2 - flat_0 * flat_0, 0.0f));
+    var _S209 : f32;
+    if((n_2 * _S208) < 0.0f)
     {
-        _S207 = - size_2;
+        _S209 = - size_2;
     }
     else
     {
-        _S207 = size_2;
+        _S209 = size_2;
     }
-    var x_7 : f32 = clamp(_S207, seen_2.x_5.x, seen_2.x_5.y);
+    var x_7 : f32 = clamp(_S209, seen_2.x_5.x, seen_2.x_5.y);
     var squared_1 : f32 = x_7 * x_7 + seen_2.z_2 * seen_2.z_2;
     var h_0 : vec2<f32> = seen_2.y_2 / sqrt(vec2<f32>(squared_1) + seen_2.y_2 * seen_2.y_2);
-    var _S208 : f32 = h_0.x;
-    var sine_2 : f32 = _S208 + u_1.y * (h_0.y - _S208);
-    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S203, _S205));
+    var _S210 : f32 = h_0.x;
+    var sine_2 : f32 = _S210 + u_1.y * (h_0.y - _S210);
+    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S205, _S207));
 }
 
-fn rectangle_face_0( at_18 : u32,  place_13 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
+fn rectangle_face_0( at_18 : u32,  place_14 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
 {
     var best_0 : f32 = -1.00000001504746622e+30f;
     var found_2 : u32 = u32(0);
@@ -1762,16 +1799,16 @@ fn rectangle_face_0( at_18 : u32,  place_13 : vec2<f32>,  weights_2 : ptr<functi
             break;
         }
         var row_1 : u32 = at_18 + u32(14) + u32(6) * face_0;
-        var _S209 : f32 = place_13.x;
-        var _S210 : f32 = place_13.y;
-        var v_4 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S209 + number_0(row_1 + u32(2)) * _S210;
-        var w_2 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S209 + number_0(row_1 + u32(5)) * _S210;
-        var _S211 : f32 = min(min(v_4, w_2), 1.0f - v_4 - w_2);
-        if(_S211 > best_0)
+        var _S211 : f32 = place_14.x;
+        var _S212 : f32 = place_14.y;
+        var v_4 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S211 + number_0(row_1 + u32(2)) * _S212;
+        var w_2 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S211 + number_0(row_1 + u32(5)) * _S212;
+        var _S213 : f32 = min(min(v_4, w_2), 1.0f - v_4 - w_2);
+        if(_S213 > best_0)
         {
             (*weights_2)[i32(0)] = clamp(v_4, 0.0f, 1.0f);
             (*weights_2)[i32(1)] = clamp(w_2, 0.0f, 1.0f - (*weights_2).x);
-            best_0 = _S211;
+            best_0 = _S213;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -1791,20 +1828,20 @@ fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f32
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S212 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S213 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S212, _S213);
-    var sum_0 : f32 = _S212 + _S213;
-    var _S214 : vec2<f32>;
+    var _S214 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S215 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S214, _S215);
+    var sum_0 : f32 = _S214 + _S215;
+    var _S216 : vec2<f32>;
     if(sum_0 > 0.0f)
     {
-        _S214 = seen_3 / vec2<f32>(sum_0);
+        _S216 = seen_3 / vec2<f32>(sum_0);
     }
     else
     {
-        _S214 = vec2<f32>(0.0f);
+        _S216 = vec2<f32>(0.0f);
     }
-    return _S214;
+    return _S216;
 }
 
 struct Corners_0
@@ -1837,28 +1874,28 @@ fn unit_across_0( v_5 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_3 : f32) -> vec3<f32>
 {
-    var _S215 : f32 = clamp(cosine_3, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S215) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S215) * (1.0f + _S215)));
+    var _S217 : f32 = clamp(cosine_3, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S217) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S217) * (1.0f + _S217)));
 }
 
 fn triangle_direction_0( a_19 : vec3<f32>,  b_13 : vec3<f32>,  c_7 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S216 : vec3<f32> = normalize(a_19);
-    var _S217 : vec3<f32> = normalize(b_13);
-    var _S218 : vec3<f32> = normalize(c_7);
-    var ab_4 : vec3<f32> = normalize(cross(_S216, _S217));
-    var ca_0 : vec3<f32> = normalize(cross(_S218, _S216));
+    var _S218 : vec3<f32> = normalize(a_19);
+    var _S219 : vec3<f32> = normalize(b_13);
+    var _S220 : vec3<f32> = normalize(c_7);
+    var ab_4 : vec3<f32> = normalize(cross(_S218, _S219));
+    var ca_0 : vec3<f32> = normalize(cross(_S220, _S218));
     var sine_alpha_0 : f32 = length(cross(ab_4, ca_0));
     var cosine_alpha_0 : f32 = - dot(ab_4, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S219 : f32 = part_0.x;
-    var _S220 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S219 * cosine_alpha_0 - _S220 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S220 * cosine_alpha_0 + _S219 * sine_alpha_0;
+    var _S221 : f32 = part_0.x;
+    var _S222 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S221 * cosine_alpha_0 - _S222 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S222 * cosine_alpha_0 + _S221 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S216, _S217);
-    var between_1 : vec3<f32> = along_0(_S216, _S218, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S217, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S217)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S218, _S219);
+    var between_1 : vec3<f32> = along_0(_S218, _S220, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S219, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S219)));
 }
 
 fn density_of_0( solid_angle_1 : f32,  normal_7 : vec3<f32>,  distance_2 : f32,  direction_6 : vec3<f32>) -> f32
@@ -1872,7 +1909,7 @@ fn density_of_0( solid_angle_1 : f32,  normal_7 : vec3<f32>,  distance_2 : f32, 
 
 struct EmitterPoint_0
 {
-     place_14 : Place_0,
+     place_15 : Place_0,
      pdf_0 : f32,
 };
 
@@ -1881,7 +1918,7 @@ fn area_point_0( record_11 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
     var total_0 : f32;
     var point_0 : EmitterPoint_0;
     point_0.pdf_0 = 0.0f;
-    point_0.place_14 = place_at_0(u32(0), 0.0f, 0.0f);
+    point_0.place_15 = place_at_0(u32(0), 0.0f, 0.0f);
     var second_1 : f32 = random_0(key_4, dimension_3 + u32(1));
     var rectangle_0 : u32 = word_0(record_11 + u32(4));
     if(rectangle_0 != u32(4294967295))
@@ -1895,17 +1932,17 @@ fn area_point_0( record_11 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         {
             var weights_3 : vec2<f32>;
             var face_4 : u32 = rectangle_face_0(rectangle_0, rectangle_place_0(seen_4, vec2<f32>(random_0(key_4, dimension_3), second_1)) - vec2<f32>(seen_4.x_5.x, seen_4.y_2.x), &(weights_3));
-            point_0.place_14.triangle_0 = emitter_triangle_0(record_11, face_4);
-            point_0.place_14.v_0 = weights_3.x;
-            point_0.place_14.w_0 = weights_3.y;
+            point_0.place_15.triangle_0 = emitter_triangle_0(record_11, face_4);
+            point_0.place_15.v_0 = weights_3.x;
+            point_0.place_15.w_0 = weights_3.y;
             point_0.pdf_0 = 1.0f / seen_4.solid_angle_0;
             return point_0;
         }
     }
-    var _S221 : f32 = precise_random_0(key_4, dimension_3);
+    var _S223 : f32 = precise_random_0(key_4, dimension_3);
     var nodes_at_1 : u32 = word_0(record_11 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f32 = _S221;
+    var u_3 : f32 = _S223;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -1917,16 +1954,16 @@ fn area_point_0( record_11 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S222 : f32 = shares_0.x;
-        var _S223 : f32 = shares_0.y;
-        if(!((_S222 + _S223) > 0.0f))
+        var _S224 : f32 = shares_0.x;
+        var _S225 : f32 = shares_0.y;
+        if(!((_S224 + _S225) > 0.0f))
         {
             return point_0;
         }
         var is_second_0 : bool;
-        if(u_3 >= _S222)
+        if(u_3 >= _S224)
         {
-            is_second_0 = _S223 > 0.0f;
+            is_second_0 = _S225 > 0.0f;
         }
         else
         {
@@ -1934,86 +1971,86 @@ fn area_point_0( record_11 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S222) / _S223;
+            u_3 = (u_3 - _S224) / _S225;
         }
         else
         {
-            u_3 = min(u_3 / _S222, 1.0f);
+            u_3 = min(u_3 / _S224, 1.0f);
         }
         if(is_second_0)
         {
-            total_0 = _S223;
+            total_0 = _S225;
         }
         else
         {
-            total_0 = _S222;
+            total_0 = _S224;
         }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S224 : i32;
+        var _S226 : i32;
         if(is_second_0)
         {
-            _S224 = i32(3);
+            _S226 = i32(3);
         }
         else
         {
-            _S224 = i32(2);
+            _S226 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S224));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S226));
         chosen_0 = chosen_1;
     }
     var first_3 : u32 = word_0(node_2);
-    var _S225 : u32 = word_0(node_2 + u32(1));
-    var _S226 : u32 = word_0(record_11 + u32(6));
+    var _S227 : u32 = word_0(node_2 + u32(1));
+    var _S228 : u32 = word_0(record_11 + u32(6));
     var k_3 : u32 = first_3;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_3 < _S225)
+        if(k_3 < _S227)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_11, word_0(_S226 + k_3), from_1.exact_0);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_11, word_0(_S228 + k_3), from_1.exact_0);
         k_3 = k_3 + u32(1);
         total_0 = total_1;
     }
-    var _S227 : f32 = u_3 * total_0;
+    var _S229 : f32 = u_3 * total_0;
     var face_5 : u32 = u32(4294967295);
     var angle_5 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
     k_3 = first_3;
-    var rest_3 : f32 = _S227;
+    var rest_3 : f32 = _S229;
     for(;;)
     {
-        if(k_3 < _S225)
+        if(k_3 < _S227)
         {
         }
         else
         {
             break;
         }
-        var _S228 : u32 = _S226 + k_3;
-        var own_1 : f32 = face_solid_angle_0(record_11, word_0(_S228), from_1.exact_0);
+        var _S230 : u32 = _S228 + k_3;
+        var own_1 : f32 = face_solid_angle_0(record_11, word_0(_S230), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
             k_3 = k_3 + u32(1);
             continue;
         }
-        var _S229 : u32 = word_0(_S228);
-        var _S230 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S231 : u32 = word_0(_S230);
+        var _S232 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S229;
+            face_5 = _S231;
             angle_5 = own_1;
-            inside_2 = _S230;
+            inside_2 = _S232;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S229;
+        face_5 = _S231;
         angle_5 = own_1;
-        inside_2 = _S230;
+        inside_2 = _S232;
         rest_3 = rest_4;
         k_3 = k_3 + u32(1);
     }
@@ -2025,23 +2062,23 @@ fn area_point_0( record_11 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
     var ab_5 : vec3<f32> = corners_2.b_12 - corners_2.a_18;
     var ac_4 : vec3<f32> = corners_2.c_6 - corners_2.a_18;
     var normal_8 : vec3<f32> = cross(ab_5, ac_4);
-    point_0.place_14.triangle_0 = emitter_triangle_0(record_11, face_5);
+    point_0.place_15.triangle_0 = emitter_triangle_0(record_11, face_5);
     if(angle_5 < 0.00100000004749745f)
     {
         var root_0 : f32 = sqrt(inside_2);
-        point_0.place_14.v_0 = root_0 * (1.0f - second_1);
-        point_0.place_14.w_0 = root_0 * second_1;
+        point_0.place_15.v_0 = root_0 * (1.0f - second_1);
+        point_0.place_15.w_0 = root_0 * second_1;
     }
     else
     {
         var direction_7 : vec3<f32> = triangle_direction_0(corners_2.a_18, corners_2.b_12, corners_2.c_6, angle_5, vec2<f32>(inside_2, second_1));
         var within_0 : vec3<f32> = direction_7 * vec3<f32>((dot(corners_2.a_18, normal_8) / dot(direction_7, normal_8))) - corners_2.a_18;
         var squared_2 : f32 = dot(normal_8, normal_8);
-        var _S231 : f32 = clamp(dot(cross(within_0, ac_4), normal_8) / squared_2, 0.0f, 1.0f);
-        point_0.place_14.v_0 = _S231;
-        point_0.place_14.w_0 = clamp(dot(cross(ab_5, within_0), normal_8) / squared_2, 0.0f, 1.0f - _S231);
+        var _S233 : f32 = clamp(dot(cross(within_0, ac_4), normal_8) / squared_2, 0.0f, 1.0f);
+        point_0.place_15.v_0 = _S233;
+        point_0.place_15.w_0 = clamp(dot(cross(ab_5, within_0), normal_8) / squared_2, 0.0f, 1.0f - _S233);
     }
-    var offset_3 : vec3<f32> = corners_2.a_18 + ab_5 * vec3<f32>(point_0.place_14.v_0) + ac_4 * vec3<f32>(point_0.place_14.w_0);
+    var offset_3 : vec3<f32> = corners_2.a_18 + ab_5 * vec3<f32>(point_0.place_15.v_0) + ac_4 * vec3<f32>(point_0.place_15.w_0);
     var distance_3 : f32 = length(offset_3);
     if(!(distance_3 > 0.0f))
     {
@@ -2058,38 +2095,38 @@ fn is_map_0( record_12 : u32) -> bool
 
 fn uniform_direction_0( u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S232 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S232 * (1.0f - _S232))));
-    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S232);
+    var _S234 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S234 * (1.0f - _S234))));
+    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S234);
 }
 
 fn map_place_0( map_0 : u32,  direction_8 : vec3<f32>) -> vec2<f32>
 {
-    var _S233 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S233) * vec3<f32>(direction_8.x) + vector_at_0(_S233 + u32(3)) * vec3<f32>(direction_8.y) + vector_at_0(_S233 + u32(6)) * vec3<f32>(direction_8.z);
+    var _S235 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S235) * vec3<f32>(direction_8.x) + vector_at_0(_S235 + u32(3)) * vec3<f32>(direction_8.y) + vector_at_0(_S235 + u32(6)) * vec3<f32>(direction_8.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
 fn s_fwd_map_place_0( map_1 : u32,  dpdirection_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var _S234 : u32 = map_1 + u32(2);
-    var _S235 : vec3<f32> = vector_at_0(_S234);
-    var _S236 : vec3<f32> = vector_at_0(_S234 + u32(3));
-    var _S237 : vec3<f32> = vector_at_0(_S234 + u32(6));
-    var d_2 : vec3<f32> = _S235 * vec3<f32>(dpdirection_1.primal_0.x) + _S236 * vec3<f32>(dpdirection_1.primal_0.y) + _S237 * vec3<f32>(dpdirection_1.primal_0.z);
-    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S235 + vec3<f32>(dpdirection_1.differential_0.y) * _S236 + vec3<f32>(dpdirection_1.differential_0.z) * _S237;
-    var _S238 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
-    var _S239 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
-    var _S240 : DiffPair_float_0 = s_fwd_angle_of_0(_S238, _S239);
-    var _S241 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
-    var _S242 : DiffPair_float_0 = s_fwd_length_impl_1(_S241);
-    var _S243 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
-    var _S244 : DiffPair_float_0 = DiffPair_float_0( _S242.primal_0, _S242.differential_0 );
-    var _S245 : DiffPair_float_0 = s_fwd_angle_of_0(_S243, _S244);
+    var _S236 : u32 = map_1 + u32(2);
+    var _S237 : vec3<f32> = vector_at_0(_S236);
+    var _S238 : vec3<f32> = vector_at_0(_S236 + u32(3));
+    var _S239 : vec3<f32> = vector_at_0(_S236 + u32(6));
+    var d_2 : vec3<f32> = _S237 * vec3<f32>(dpdirection_1.primal_0.x) + _S238 * vec3<f32>(dpdirection_1.primal_0.y) + _S239 * vec3<f32>(dpdirection_1.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S237 + vec3<f32>(dpdirection_1.differential_0.y) * _S238 + vec3<f32>(dpdirection_1.differential_0.z) * _S239;
+    var _S240 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
+    var _S241 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
+    var _S242 : DiffPair_float_0 = s_fwd_angle_of_0(_S240, _S241);
+    var _S243 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
+    var _S244 : DiffPair_float_0 = s_fwd_length_impl_1(_S243);
+    var _S245 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
+    var _S246 : DiffPair_float_0 = DiffPair_float_0( _S244.primal_0, _S244.differential_0 );
+    var _S247 : DiffPair_float_0 = s_fwd_angle_of_0(_S245, _S246);
     var width_1 : f32 = f32(word_0(map_1));
-    var _S246 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
-    var _S247 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S240.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S245.primal_0 * 0.31830987334251404f * _S246), vec2<f32>(_S240.differential_0 * 0.15915493667125702f * width_1, _S245.differential_0 * 0.31830987334251404f * _S246) );
-    return _S247;
+    var _S248 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
+    var _S249 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S242.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S247.primal_0 * 0.31830987334251404f * _S248), vec2<f32>(_S242.differential_0 * 0.15915493667125702f * width_1, _S247.differential_0 * 0.31830987334251404f * _S248) );
+    return _S249;
 }
 
 fn cell_pdf_0( map_2 : u32,  cell_0 : u32) -> f32
@@ -2103,10 +2140,10 @@ fn map_pdf_0( map_3 : u32,  direction_9 : vec3<f32>) -> f32
     {
         return 0.07957746833562851f;
     }
-    var place_15 : vec2<f32> = map_place_0(map_3, direction_9);
+    var place_16 : vec2<f32> = map_place_0(map_3, direction_9);
     var width_2 : u32 = word_0(map_3);
-    var column_0 : u32 = wrapped_0(floor_of_0(place_15.x), i32(width_2), u32(0));
-    return cell_pdf_0(map_3, u32(clamp(floor_of_0(place_15.y), i32(0), i32(word_0(map_3 + u32(1))) - i32(2))) * width_2 + column_0);
+    var column_0 : u32 = wrapped_0(floor_of_0(place_16.x), i32(width_2), u32(0));
+    return cell_pdf_0(map_3, u32(clamp(floor_of_0(place_16.y), i32(0), i32(word_0(map_3 + u32(1))) - i32(2))) * width_2 + column_0);
 }
 
 fn sum_at_0( at_20 : u32) -> f32
@@ -2116,11 +2153,11 @@ fn sum_at_0( at_20 : u32) -> f32
 
 fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr<function, f32>) -> u32
 {
-    var _S248 : u32 = count_3 - u32(1);
-    var total_2 : f32 = sum_at_0(sums_0 + u32(2) * _S248);
+    var _S250 : u32 = count_3 - u32(1);
+    var total_2 : f32 = sum_at_0(sums_0 + u32(2) * _S250);
     var target_0 : f32 = u_5 * total_2;
     var low_3 : u32 = u32(0);
-    var high_0 : u32 = _S248;
+    var high_0 : u32 = _S250;
     for(;;)
     {
         if(low_3 < high_0)
@@ -2132,16 +2169,16 @@ fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
         var sum_1 : f32 = sum_at_0(sums_0 + u32(2) * middle_1);
-        var _S249 : bool;
+        var _S251 : bool;
         if(sum_1 <= target_0)
         {
-            _S249 = sum_1 < total_2;
+            _S251 = sum_1 < total_2;
         }
         else
         {
-            _S249 = false;
+            _S251 = false;
         }
-        if(_S249)
+        if(_S251)
         {
             low_3 = middle_1 + u32(1);
         }
@@ -2172,49 +2209,49 @@ fn cell_direction_0( map_4 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,
     var rows_1 : vec2<f32>;
     if(is_lower_0)
     {
-        var _S250 : u32 = last_0 - row_2;
-        rows_1 = vec2<f32>(f32(_S250), f32(_S250 - u32(1)));
+        var _S252 : u32 = last_0 - row_2;
+        rows_1 = vec2<f32>(f32(_S252), f32(_S252 - u32(1)));
     }
     else
     {
         rows_1 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
     }
-    var _S251 : f32 = f32(last_0);
-    var _S252 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S251)).x;
-    var _S253 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S251)).x;
-    var off_0 : f32 = 2.0f * mix(_S252 * _S252, _S253 * _S253, down_0);
+    var _S253 : f32 = f32(last_0);
+    var _S254 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S253)).x;
+    var _S255 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S253)).x;
+    var off_0 : f32 = 2.0f * mix(_S254 * _S254, _S255 * _S255, down_0);
     var sine_3 : f32 = sqrt(off_0 * (2.0f - off_0));
-    var _S254 : f32 = azimuth_0.x * sine_3;
-    var _S255 : f32;
+    var _S256 : f32 = azimuth_0.x * sine_3;
+    var _S257 : f32;
     if(is_lower_0)
     {
-        _S255 = off_0 - 1.0f;
+        _S257 = off_0 - 1.0f;
     }
     else
     {
-        _S255 = 1.0f - off_0;
+        _S257 = 1.0f - off_0;
     }
-    var local_0 : vec3<f32> = vec3<f32>(_S254, _S255, - azimuth_0.y * sine_3);
-    var _S256 : u32 = map_4 + u32(2);
-    return vec3<f32>(dot(vector_at_0(_S256), local_0), dot(vector_at_0(_S256 + u32(3)), local_0), dot(vector_at_0(_S256 + u32(6)), local_0));
+    var local_0 : vec3<f32> = vec3<f32>(_S256, _S257, - azimuth_0.y * sine_3);
+    var _S258 : u32 = map_4 + u32(2);
+    return vec3<f32>(dot(vector_at_0(_S258), local_0), dot(vector_at_0(_S258 + u32(3)), local_0), dot(vector_at_0(_S258 + u32(6)), local_0));
 }
 
 fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : ptr<function, f32>) -> vec3<f32>
 {
     var u_6 : f32 = precise_random_0(key_5, dimension_4);
     var rest_5 : f32 = u_6 * 20.0f - 1.0f;
-    var _S257 : u32 = map_5 + u32(13);
-    var is_black_0 : bool = (word_0(_S257)) == u32(4294967295);
-    var _S258 : bool;
+    var _S259 : u32 = map_5 + u32(13);
+    var is_black_0 : bool = (word_0(_S259)) == u32(4294967295);
+    var _S260 : bool;
     if(is_black_0)
     {
-        _S258 = true;
+        _S260 = true;
     }
     else
     {
-        _S258 = rest_5 < 0.0f;
+        _S260 = rest_5 < 0.0f;
     }
-    if(_S258)
+    if(_S260)
     {
         var share_0 : f32;
         if(is_black_0)
@@ -2226,14 +2263,14 @@ fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
             share_0 = 0.05000000074505806f;
         }
         var direction_10 : vec3<f32> = uniform_direction_0(vec2<f32>(u_6 / share_0, random_0(key_5, dimension_4 + u32(1))));
-        var _S259 : f32 = map_pdf_0(map_5, direction_10);
-        (*pdf_1) = _S259;
+        var _S261 : f32 = map_pdf_0(map_5, direction_10);
+        (*pdf_1) = _S261;
         return direction_10;
     }
     var rest_6 : f32 = rest_5 / 19.0f;
     var width_3 : u32 = word_0(map_5);
     var down_1 : f32;
-    var row_3 : u32 = chosen_interval_0(word_0(_S257), word_0(map_5 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
+    var row_3 : u32 = chosen_interval_0(word_0(_S259), word_0(map_5 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
     var along_2 : f32;
     var column_2 : u32 = chosen_interval_0(word_0(map_5 + u32(14)) + u32(2) * width_3 * row_3, width_3, rest_6, &(along_2));
     (*pdf_1) = cell_pdf_0(map_5, row_3 * width_3 + column_2);
@@ -2247,35 +2284,35 @@ fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
 
 fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
 {
-    var _S260 : f32 = u_7.x;
-    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S260));
-    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S260));
+    var _S262 : f32 = u_7.x;
+    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S262));
+    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S262));
 }
 
-fn to_world_0( axes_2 : Axes_0,  v_6 : vec3<f32>) -> vec3<f32>
+fn to_world_0( axes_3 : Axes_0,  v_6 : vec3<f32>) -> vec3<f32>
 {
-    return axes_2.s_0 * vec3<f32>(v_6.x) + axes_2.t_0 * vec3<f32>(v_6.y) + axes_2.n_1 * vec3<f32>(v_6.z);
+    return axes_3.s_0 * vec3<f32>(v_6.x) + axes_3.t_0 * vec3<f32>(v_6.y) + axes_3.n_1 * vec3<f32>(v_6.z);
 }
 
 fn component_0( v_7 : vec3<f32>,  axis_2 : u32) -> f32
 {
-    var _S261 : f32;
+    var _S263 : f32;
     if(axis_2 == u32(0))
     {
-        _S261 = v_7.x;
+        _S263 = v_7.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S261 = v_7.y;
+            _S263 = v_7.y;
         }
         else
         {
-            _S261 = v_7.z;
+            _S263 = v_7.z;
         }
     }
-    return _S261;
+    return _S263;
 }
 
 fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
@@ -2290,12 +2327,12 @@ struct RayView_0
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
      margin_0 : f32,
-     axes_3 : u32,
+     axes_4 : u32,
 };
 
 fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S262 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S264 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -2308,36 +2345,36 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S263 : u32 = axis_3;
-        var _S264 : u32 = _S262 + u32(2) * axis_3;
-        var _S265 : u32 = slot_3 % u32(4);
-        var low_4 : f32 = (bitcast<f32>((nodes_0[_S264][_S265])));
-        var high_1 : f32 = (bitcast<f32>((nodes_0[_S264 + u32(6)][_S265])));
-        var _S266 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
-        var _S267 : f32;
-        if(_S266)
-        {
-            _S267 = high_1;
-        }
-        else
-        {
-            _S267 = low_4;
-        }
-        var _S268 : f32 = max(near_0, _S267 * view_2.inverse_0[_S263] - view_2.offset_near_0[axis_3]);
+        var _S265 : u32 = axis_3;
+        var _S266 : u32 = _S264 + u32(2) * axis_3;
+        var _S267 : u32 = slot_3 % u32(4);
+        var low_4 : f32 = (bitcast<f32>((nodes_0[_S266][_S267])));
+        var high_1 : f32 = (bitcast<f32>((nodes_0[_S266 + u32(6)][_S267])));
+        var _S268 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
         var _S269 : f32;
-        if(_S266)
-        {
-            _S269 = low_4;
-        }
-        else
+        if(_S268)
         {
             _S269 = high_1;
         }
-        var _S270 : f32 = min(far_0, _S269 * view_2.inverse_0[_S263] - view_2.offset_far_0[axis_3]);
-        var _S271 : u32 = axis_3 + u32(1);
-        near_0 = _S268;
-        far_0 = _S270;
-        axis_3 = _S271;
+        else
+        {
+            _S269 = low_4;
+        }
+        var _S270 : f32 = max(near_0, _S269 * view_2.inverse_0[_S265] - view_2.offset_near_0[axis_3]);
+        var _S271 : f32;
+        if(_S268)
+        {
+            _S271 = low_4;
+        }
+        else
+        {
+            _S271 = high_1;
+        }
+        var _S272 : f32 = min(far_0, _S271 * view_2.inverse_0[_S265] - view_2.offset_far_0[axis_3]);
+        var _S273 : u32 = axis_3 + u32(1);
+        near_0 = _S270;
+        far_0 = _S272;
+        axis_3 = _S273;
     }
     if(near_0 <= far_0)
     {
@@ -2362,7 +2399,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S272 : u32 = k_4;
+        var _S274 : u32 = k_4;
         if((bounds_0[k_4]) > limit_2)
         {
             k_4 = k_4 + u32(1);
@@ -2379,24 +2416,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S273 : u32 = j_0;
-            var _S274 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S272]))
+            var _S275 : u32 = j_0;
+            var _S276 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S274]))
             {
-                _S274 = true;
+                _S276 = true;
             }
             else
             {
-                if((bounds_0[_S273]) == (bounds_0[_S272]))
+                if((bounds_0[_S275]) == (bounds_0[_S274]))
                 {
-                    _S274 = j_0 < k_4;
+                    _S276 = j_0 < k_4;
                 }
                 else
                 {
-                    _S274 = false;
+                    _S276 = false;
                 }
             }
-            if(_S274)
+            if(_S276)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -2421,16 +2458,16 @@ fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S275 : f32;
+        var _S277 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S275 = 3.00000000549775576e+38f;
+            _S277 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S275 = ray_bound_0(view_3, limit_3, node_5, slot_4);
+            _S277 = ray_bound_0(view_3, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S275;
+        bounds_1[slot_4] = _S277;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -2455,11 +2492,11 @@ struct Ray_0
      largest_1 : f32,
 };
 
-fn corner_3( ray_0 : Ray_0,  axes_4 : u32,  at_21 : u32) -> vec3<f32>
+fn corner_3( ray_0 : Ray_0,  axes_5 : u32,  at_21 : u32) -> vec3<f32>
 {
     var relative_0 : vec3<f32> = primitive_vector_0(at_21) - ray_0.origin_0;
-    var z_4 : f32 = component_0(relative_0, (axes_4 >> (u32(4))));
-    return vec3<f32>(component_0(relative_0, (axes_4 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_4, ray_0.largest_1), component_0(relative_0, (((axes_4 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_4, ray_0.largest_1), z_4);
+    var z_4 : f32 = component_0(relative_0, (axes_5 >> (u32(4))));
+    return vec3<f32>(component_0(relative_0, (axes_5 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_4, ray_0.largest_1), component_0(relative_0, (((axes_5 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_4, ray_0.largest_1), z_4);
 }
 
 struct Crossing_0
@@ -2470,56 +2507,56 @@ struct Crossing_0
      w_3 : f32,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_22 : u32) -> Crossing_0
+fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_22 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_3 = 0.0f;
     crossing_0.v_8 = 0.0f;
     crossing_0.w_3 = 0.0f;
-    var a_20 : vec3<f32> = corner_3(ray_1, axes_5, at_22);
-    var b_14 : vec3<f32> = corner_3(ray_1, axes_5, at_22 + u32(3));
-    var c_8 : vec3<f32> = corner_3(ray_1, axes_5, at_22 + u32(6));
-    var _S276 : f32 = c_8.x;
-    var _S277 : f32 = b_14.y;
-    var cx_by_0 : f32 = rounded_0(_S276 * _S277, ray_1.largest_1);
-    var _S278 : f32 = c_8.y;
-    var _S279 : f32 = b_14.x;
-    var cy_bx_0 : f32 = rounded_0(_S278 * _S279, ray_1.largest_1);
-    var _S280 : f32 = a_20.x;
-    var ax_cy_0 : f32 = rounded_0(_S280 * _S278, ray_1.largest_1);
-    var _S281 : f32 = a_20.y;
-    var ay_cx_0 : f32 = rounded_0(_S281 * _S276, ray_1.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S279 * _S281, ray_1.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S277 * _S280, ray_1.largest_1);
+    var a_20 : vec3<f32> = corner_3(ray_1, axes_6, at_22);
+    var b_14 : vec3<f32> = corner_3(ray_1, axes_6, at_22 + u32(3));
+    var c_8 : vec3<f32> = corner_3(ray_1, axes_6, at_22 + u32(6));
+    var _S278 : f32 = c_8.x;
+    var _S279 : f32 = b_14.y;
+    var cx_by_0 : f32 = rounded_0(_S278 * _S279, ray_1.largest_1);
+    var _S280 : f32 = c_8.y;
+    var _S281 : f32 = b_14.x;
+    var cy_bx_0 : f32 = rounded_0(_S280 * _S281, ray_1.largest_1);
+    var _S282 : f32 = a_20.x;
+    var ax_cy_0 : f32 = rounded_0(_S282 * _S280, ray_1.largest_1);
+    var _S283 : f32 = a_20.y;
+    var ay_cx_0 : f32 = rounded_0(_S283 * _S278, ray_1.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S281 * _S283, ray_1.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S279 * _S282, ray_1.largest_1);
     var u_8 : f32 = cx_by_0 - cy_bx_0;
     var v_9 : f32 = ax_cy_0 - ay_cx_0;
     var w_4 : f32 = bx_ay_0 - by_ax_0;
-    var _S282 : f32 = min(min(u_8, v_9), w_4);
-    var _S283 : f32 = max(max(u_8, v_9), w_4);
-    var _S284 : bool;
-    if(_S282 < 0.0f)
+    var _S284 : f32 = min(min(u_8, v_9), w_4);
+    var _S285 : f32 = max(max(u_8, v_9), w_4);
+    var _S286 : bool;
+    if(_S284 < 0.0f)
     {
-        _S284 = _S283 > 0.0f;
+        _S286 = _S285 > 0.0f;
     }
     else
     {
-        _S284 = false;
+        _S286 = false;
     }
-    if(_S284)
+    if(_S286)
     {
         return crossing_0;
     }
     var determinant_0 : f32 = u_8 + v_9 + w_4;
-    if(_S282 <= 0.0f)
+    if(_S284 <= 0.0f)
     {
-        _S284 = _S283 >= 0.0f;
+        _S286 = _S285 >= 0.0f;
     }
     else
     {
-        _S284 = false;
+        _S286 = false;
     }
-    if(_S284)
+    if(_S286)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -2533,13 +2570,13 @@ fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_22 : u32) -> Crossing_0
     var t_4 : f32 = (rounded_0(u_8 * a_20.z, ray_1.largest_1) + rounded_0(v_9 * b_14.z, ray_1.largest_1) + rounded_0(w_4 * c_8.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_4)
     {
-        _S284 = t_4 <= (ray_1.t_max_0);
+        _S286 = t_4 <= (ray_1.t_max_0);
     }
     else
     {
-        _S284 = false;
+        _S286 = false;
     }
-    crossing_0.is_hit_0 = _S284;
+    crossing_0.is_hit_0 = _S286;
     crossing_0.t_3 = t_4;
     crossing_0.v_8 = v_9 / determinant_0;
     crossing_0.w_3 = w_4 / determinant_0;
@@ -2561,7 +2598,7 @@ struct Found_0
 
 fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S285 : bool;
+    var _S287 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
     found_3.triangle_8 = u32(4294967295);
@@ -2593,31 +2630,31 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_1[level_0];
-        var _S286 : u32 = way_1[level_0].y;
-        if(_S286 == u32(0))
+        var _S288 : u32 = way_1[level_0].y;
+        if(_S288 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S287 : u32 = level_0 - u32(1);
+            var _S289 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S287;
+            level_0 = _S289;
             continue;
         }
-        var slot_5 : u32 = ((_S286 & (u32(15)))) - u32(1);
-        way_1[level_0][i32(1)] = (_S286 >> (u32(4)));
-        var _S288 : bool;
+        var slot_5 : u32 = ((_S288 & (u32(15)))) - u32(1);
+        way_1[level_0][i32(1)] = (_S288 >> (u32(4)));
+        var _S290 : bool;
         if(!is_new_1)
         {
-            _S288 = (ray_bound_0(view_4, limit_4, here_0.x, slot_5)) > limit_4;
+            _S290 = (ray_bound_0(view_4, limit_4, here_0.x, slot_5)) > limit_4;
         }
         else
         {
-            _S288 = false;
+            _S290 = false;
         }
-        if(_S288)
+        if(_S290)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -2626,27 +2663,27 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_0.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S289 : u32 = level_0 + u32(1);
+            var _S291 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S289;
+            level_0 = _S291;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S290 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S291 : u32 = leaf_starts_0[leaf_0];
+        var _S292 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S293 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S291;
+        var i_3 : u32 = _S293;
         for(;;)
         {
-            if(i_3 < _S290)
+            if(i_3 < _S292)
             {
             }
             else
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_4.axes_3, u32(9) * i_3);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_4.axes_4, u32(9) * i_3);
             if(!crossing_1.is_hit_0)
             {
                 i_3 = i_3 + u32(1);
@@ -2654,23 +2691,23 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S285 = true;
+                _S287 = true;
             }
             else
             {
-                _S285 = (crossing_1.t_3) < ((*ray_2).t_max_0);
+                _S287 = (crossing_1.t_3) < ((*ray_2).t_max_0);
             }
-            var _S292 : bool;
-            if(_S285)
+            var _S294 : bool;
+            if(_S287)
             {
-                _S292 = true;
+                _S294 = true;
             }
             else
             {
-                _S292 = (face_6(i_3)) < (found_3.face_7);
+                _S294 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S292)
+            if(_S294)
             {
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_8 = i_3;
@@ -2688,13 +2725,13 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S285 = (found_3.face_7) != u32(4294967295);
+            _S287 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S285 = false;
+            _S287 = false;
         }
-        if(_S285)
+        if(_S287)
         {
             break;
         }
@@ -2708,34 +2745,34 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_1 : vec3<f32>,  direction_11 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_5 : ptr<function, f32>) -> Found_0
 {
     var size_3 : vec3<f32> = abs(direction_11);
-    var _S293 : f32 = size_3.x;
-    var _S294 : f32 = size_3.y;
-    var _S295 : bool;
-    if(_S293 >= _S294)
+    var _S295 : f32 = size_3.x;
+    var _S296 : f32 = size_3.y;
+    var _S297 : bool;
+    if(_S295 >= _S296)
     {
-        _S295 = _S293 >= (size_3.z);
+        _S297 = _S295 >= (size_3.z);
     }
     else
     {
-        _S295 = false;
+        _S297 = false;
     }
-    var _S296 : i32;
-    if(_S295)
+    var _S298 : i32;
+    if(_S297)
     {
-        _S296 = i32(0);
+        _S298 = i32(0);
     }
     else
     {
-        if(_S294 >= (size_3.z))
+        if(_S296 >= (size_3.z))
         {
-            _S296 = i32(1);
+            _S298 = i32(1);
         }
         else
         {
-            _S296 = i32(2);
+            _S298 = i32(2);
         }
     }
-    var z_5 : u32 = u32(_S296);
+    var z_5 : u32 = u32(_S298);
     var x_8 : u32 = (z_5 + u32(1)) % u32(3);
     var y_3 : u32 = (z_5 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
@@ -2746,13 +2783,13 @@ fn cast_0( origin_1 : vec3<f32>,  direction_11 : vec3<f32>,  t_min_1 : f32,  t_m
     ray_3.shear_y_0 = component_0(direction_11, y_3) / along_3;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S297 : f32 = abs(along_3);
-    ray_3.local_per_t_0 = _S297;
+    var _S299 : f32 = abs(along_3);
+    ray_3.local_per_t_0 = _S299;
     ray_3.enter_0 = 0.0f;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
     var view_5 : RayView_0;
-    var _S298 : vec3<f32> = direction_11 / vec3<f32>(_S297);
+    var _S300 : vec3<f32> = direction_11 / vec3<f32>(_S299);
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -2763,17 +2800,17 @@ fn cast_0( origin_1 : vec3<f32>,  direction_11 : vec3<f32>,  t_min_1 : f32,  t_m
         {
             break;
         }
-        var _S299 : f32 = max(abs(_S298[axis_4]), 8.67361737988403547e-19f);
-        var _S300 : f32;
-        if((_S298[axis_4]) < 0.0f)
+        var _S301 : f32 = max(abs(_S300[axis_4]), 8.67361737988403547e-19f);
+        var _S302 : f32;
+        if((_S300[axis_4]) < 0.0f)
         {
-            _S300 = -1.0f / _S299;
+            _S302 = -1.0f / _S301;
         }
         else
         {
-            _S300 = 1.0f / _S299;
+            _S302 = 1.0f / _S301;
         }
-        view_5.inverse_0[axis_4] = _S300;
+        view_5.inverse_0[axis_4] = _S302;
         axis_4 = axis_4 + u32(1);
     }
     var offset_4 : vec3<f32> = origin_1 * view_5.inverse_0;
@@ -2782,7 +2819,7 @@ fn cast_0( origin_1 : vec3<f32>,  direction_11 : vec3<f32>,  t_min_1 : f32,  t_m
     view_5.offset_far_0 = offset_4 - wider_0;
     view_5.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
     view_5.margin_0 = 3.814697265625e-06f;
-    view_5.axes_3 = (((x_8 | (((y_3 << (u32(2))))))) | (((z_5 << (u32(4))))));
+    view_5.axes_4 = (((x_8 | (((y_3 << (u32(2))))))) | (((z_5 << (u32(4))))));
     var found_4 : Found_0 = first_found_0(view_5, &(ray_3), any_1);
     (*t_5) = ray_3.t_max_0;
     return found_4;
@@ -2791,34 +2828,34 @@ fn cast_0( origin_1 : vec3<f32>,  direction_11 : vec3<f32>,  t_min_1 : f32,  t_m
 fn cast_1( origin_2 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_2 : bool,  t_6 : ptr<function, f32>) -> Found_0
 {
     var size_4 : vec3<f32> = abs(direction_12);
-    var _S301 : f32 = size_4.x;
-    var _S302 : f32 = size_4.y;
-    var _S303 : bool;
-    if(_S301 >= _S302)
+    var _S303 : f32 = size_4.x;
+    var _S304 : f32 = size_4.y;
+    var _S305 : bool;
+    if(_S303 >= _S304)
     {
-        _S303 = _S301 >= (size_4.z);
+        _S305 = _S303 >= (size_4.z);
     }
     else
     {
-        _S303 = false;
+        _S305 = false;
     }
-    var _S304 : i32;
-    if(_S303)
+    var _S306 : i32;
+    if(_S305)
     {
-        _S304 = i32(0);
+        _S306 = i32(0);
     }
     else
     {
-        if(_S302 >= (size_4.z))
+        if(_S304 >= (size_4.z))
         {
-            _S304 = i32(1);
+            _S306 = i32(1);
         }
         else
         {
-            _S304 = i32(2);
+            _S306 = i32(2);
         }
     }
-    var z_6 : u32 = u32(_S304);
+    var z_6 : u32 = u32(_S306);
     var x_9 : u32 = (z_6 + u32(1)) % u32(3);
     var y_4 : u32 = (z_6 + u32(2)) % u32(3);
     var ray_4 : Ray_0;
@@ -2829,13 +2866,13 @@ fn cast_1( origin_2 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_2 : f32,  t_m
     ray_4.shear_y_0 = component_0(direction_12, y_4) / along_4;
     ray_4.t_min_0 = t_min_2;
     ray_4.t_max_0 = t_max_2;
-    var _S305 : f32 = abs(along_4);
-    ray_4.local_per_t_0 = _S305;
+    var _S307 : f32 = abs(along_4);
+    ray_4.local_per_t_0 = _S307;
     ray_4.enter_0 = 0.0f;
     ray_4.edge_on_0 = limit_at_0(u32(0));
     ray_4.largest_1 = limit_at_0(u32(1));
     var view_6 : RayView_0;
-    var _S306 : vec3<f32> = direction_12 / vec3<f32>(_S305);
+    var _S308 : vec3<f32> = direction_12 / vec3<f32>(_S307);
     var axis_5 : u32 = u32(0);
     for(;;)
     {
@@ -2846,17 +2883,17 @@ fn cast_1( origin_2 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_2 : f32,  t_m
         {
             break;
         }
-        var _S307 : f32 = max(abs(_S306[axis_5]), 8.67361737988403547e-19f);
-        var _S308 : f32;
-        if((_S306[axis_5]) < 0.0f)
+        var _S309 : f32 = max(abs(_S308[axis_5]), 8.67361737988403547e-19f);
+        var _S310 : f32;
+        if((_S308[axis_5]) < 0.0f)
         {
-            _S308 = -1.0f / _S307;
+            _S310 = -1.0f / _S309;
         }
         else
         {
-            _S308 = 1.0f / _S307;
+            _S310 = 1.0f / _S309;
         }
-        view_6.inverse_0[axis_5] = _S308;
+        view_6.inverse_0[axis_5] = _S310;
         axis_5 = axis_5 + u32(1);
     }
     var offset_5 : vec3<f32> = origin_2 * view_6.inverse_0;
@@ -2865,7 +2902,7 @@ fn cast_1( origin_2 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_2 : f32,  t_m
     view_6.offset_far_0 = offset_5 - wider_1;
     view_6.limit_0 = min(t_max_2 * ray_4.local_per_t_0, 8.0f) + 3.814697265625e-06f;
     view_6.margin_0 = 3.814697265625e-06f;
-    view_6.axes_3 = (((x_9 | (((y_4 << (u32(2))))))) | (((z_6 << (u32(4))))));
+    view_6.axes_4 = (((x_9 | (((y_4 << (u32(2))))))) | (((z_6 << (u32(4))))));
     var found_5 : Found_0 = first_found_0(view_6, &(ray_4), any_2);
     (*t_6) = ray_4.t_max_0;
     return found_5;
@@ -2873,44 +2910,39 @@ fn cast_1( origin_2 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_2 : f32,  t_m
 
 fn turns_1( vertex_1 : Vertex_0) -> bool
 {
-    var _S309 : bool;
-    if((change_word_0(u32(1))) != u32(0))
+    if((any(((vertex_1.surface_4.position_change_0) != vec3<f32>(0.0f)))))
     {
-        _S309 = true;
+        return true;
     }
-    else
-    {
-        _S309 = (any(((vertex_1.surface_3.position_change_0) != vec3<f32>(0.0f))));
-    }
-    return _S309;
+    return (change_word_0(u32(1))) != u32(0);
 }
 
 fn turning_0( vertex_2 : Vertex_0,  direction_13 : vec3<f32>) -> vec3<f32>
 {
-    var _S310 : vec3<f32>;
+    var _S311 : vec3<f32>;
     if(turns_1(vertex_2))
     {
-        _S310 = vertex_2.axes_change_0.n_1 * vec3<f32>(dot(vertex_2.axes_1.n_1, direction_13)) - vertex_2.axes_1.n_1 * vec3<f32>(dot(vertex_2.axes_change_0.n_1, direction_13));
+        _S311 = vertex_2.axes_change_0.n_1 * vec3<f32>(dot(vertex_2.axes_1.n_1, direction_13)) - vertex_2.axes_1.n_1 * vec3<f32>(dot(vertex_2.axes_change_0.n_1, direction_13));
     }
     else
     {
-        _S310 = vec3<f32>(0.0f);
+        _S311 = vec3<f32>(0.0f);
     }
-    return _S310;
+    return _S311;
 }
 
 fn towards_emitter_0( vertex_3 : Vertex_0,  direction_14 : vec3<f32>,  record_13 : u32) -> Vector_0
 {
-    var _S311 : Vector_0;
+    var _S312 : Vector_0;
     if((word_0(record_13)) == u32(1))
     {
-        _S311 = changing_0(direction_14, turning_0(vertex_3, direction_14));
+        _S312 = changing_0(direction_14, turning_0(vertex_3, direction_14));
     }
     else
     {
-        _S311 = still_0(direction_14);
+        _S312 = still_0(direction_14);
     }
-    return _S311;
+    return _S312;
 }
 
 fn local_change_0( vertex_4 : Vertex_0,  direction_15 : Vector_0) -> vec3<f32>
@@ -2933,24 +2965,24 @@ struct DiffPair_Mirrored_0
 
 fn s_fwd_Mirrored_x24init_0( dpcosine_0 : DiffPair_float_0,  dppdf_0 : DiffPair_float_0,  dpscattered_0 : DiffPair_float_0) -> DiffPair_Mirrored_0
 {
-    var _S312 : Mirrored_0 = Mirrored_0( dpcosine_0.primal_0, dppdf_0.primal_0, dpscattered_0.primal_0 );
-    var _S313 : Mirrored_0 = Mirrored_0( dpcosine_0.differential_0, dppdf_0.differential_0, dpscattered_0.differential_0 );
-    var _S314 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S312, _S313 );
-    return _S314;
+    var _S313 : Mirrored_0 = Mirrored_0( dpcosine_0.primal_0, dppdf_0.primal_0, dpscattered_0.primal_0 );
+    var _S314 : Mirrored_0 = Mirrored_0( dpcosine_0.differential_0, dppdf_0.differential_0, dpscattered_0.differential_0 );
+    var _S315 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S313, _S314 );
+    return _S315;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S315 : bool;
+    var _S316 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S315 = true;
+        _S316 = true;
     }
     else
     {
-        _S315 = (lobe_3.kind_1) == u32(4);
+        _S316 = (lobe_3.kind_1) == u32(4);
     }
-    return _S315;
+    return _S316;
 }
 
 struct Microfacets_0
@@ -2986,13 +3018,13 @@ struct DiffPair_Numbers_0
 
 fn s_fwd_facets_of_0( lobe_5 : Lobe_0,  dpnumbers_0 : DiffPair_Numbers_0) -> DiffPair_Microfacets_0
 {
-    var _S316 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( dpnumbers_0.primal_0.alpha_0, dpnumbers_0.differential_0.alpha_0 );
-    var _S317 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(0.00009999999747379f), vec2<f32>(0.0f) );
-    var _S318 : DiffPair_vectorx3Cfloatx2C2x3E_0 = _d_max_vector_0(_S316, _S317);
-    var _S319 : Microfacets_0 = Microfacets_0( lobe_5.distribution_0, _S318.primal_0 );
-    var _S320 : Microfacets_Differential_0 = Microfacets_Differential_0( _S318.differential_0 );
-    var _S321 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S319, _S320 );
-    return _S321;
+    var _S317 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( dpnumbers_0.primal_0.alpha_0, dpnumbers_0.differential_0.alpha_0 );
+    var _S318 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(0.00009999999747379f), vec2<f32>(0.0f) );
+    var _S319 : DiffPair_vectorx3Cfloatx2C2x3E_0 = _d_max_vector_0(_S317, _S318);
+    var _S320 : Microfacets_0 = Microfacets_0( lobe_5.distribution_0, _S319.primal_0 );
+    var _S321 : Microfacets_Differential_0 = Microfacets_Differential_0( _S319.differential_0 );
+    var _S322 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S320, _S321 );
+    return _S322;
 }
 
 fn exponential_0( x_10 : f32) -> f32
@@ -3010,224 +3042,224 @@ fn s_fwd_exponential_0( dpx_11 : DiffPair_float_0) -> DiffPair_float_0
 {
     if((dpx_11.primal_0) < -87.0f)
     {
-        var _S322 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
-        return _S322;
+        var _S323 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+        return _S323;
     }
     var power_1 : f32 = floor(dpx_11.primal_0 * 1.4426950216293335f + 0.5f);
     var r_1 : f32 = dpx_11.primal_0 - power_1 * 0.693359375f + power_1 * 0.00021219444170129f;
-    var _S323 : f32 = 0.00019875691214111f * r_1 + 0.00139819993637502f;
-    var _S324 : f32 = _S323 * r_1 + 0.00833345204591751f;
-    var tail_1 : f32 = _S324 * r_1 + 0.04166579619050026f;
-    var _S325 : f32 = tail_1 * r_1 + 0.1666666567325592f;
-    var tail_2 : f32 = _S325 * r_1 + 0.5f;
-    var _S326 : f32 = tail_2 * r_1;
-    var _S327 : f32 = (bitcast<f32>(((u32(i32(power_1) + i32(127)) << (u32(23))))));
-    var _S328 : DiffPair_float_0 = DiffPair_float_0( (_S326 * r_1 + r_1 + 1.0f) * _S327, ((((((dpx_11.differential_0 * 0.00019875691214111f * r_1 + dpx_11.differential_0 * _S323) * r_1 + dpx_11.differential_0 * _S324) * r_1 + dpx_11.differential_0 * tail_1) * r_1 + dpx_11.differential_0 * _S325) * r_1 + dpx_11.differential_0 * tail_2) * r_1 + dpx_11.differential_0 * _S326 + dpx_11.differential_0) * _S327 );
-    return _S328;
+    var _S324 : f32 = 0.00019875691214111f * r_1 + 0.00139819993637502f;
+    var _S325 : f32 = _S324 * r_1 + 0.00833345204591751f;
+    var tail_1 : f32 = _S325 * r_1 + 0.04166579619050026f;
+    var _S326 : f32 = tail_1 * r_1 + 0.1666666567325592f;
+    var tail_2 : f32 = _S326 * r_1 + 0.5f;
+    var _S327 : f32 = tail_2 * r_1;
+    var _S328 : f32 = (bitcast<f32>(((u32(i32(power_1) + i32(127)) << (u32(23))))));
+    var _S329 : DiffPair_float_0 = DiffPair_float_0( (_S327 * r_1 + r_1 + 1.0f) * _S328, ((((((dpx_11.differential_0 * 0.00019875691214111f * r_1 + dpx_11.differential_0 * _S324) * r_1 + dpx_11.differential_0 * _S325) * r_1 + dpx_11.differential_0 * tail_1) * r_1 + dpx_11.differential_0 * _S326) * r_1 + dpx_11.differential_0 * tail_2) * r_1 + dpx_11.differential_0 * _S327 + dpx_11.differential_0) * _S328 );
+    return _S329;
 }
 
 fn s_fwd_density_0( dpfacets_0 : DiffPair_Microfacets_0,  dpm_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
 {
-    var _S329 : f32 = dpm_0.primal_0.z;
-    var _S330 : f32 = dpm_0.differential_0.z;
-    if(_S329 <= 0.0f)
+    var _S330 : f32 = dpm_0.primal_0.z;
+    var _S331 : f32 = dpm_0.differential_0.z;
+    if(_S330 <= 0.0f)
     {
-        var _S331 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
-        return _S331;
+        var _S332 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+        return _S332;
     }
-    var _S332 : f32 = 3.14159274101257324f * dpfacets_0.primal_0.alpha_1.x;
-    var _S333 : f32 = dpfacets_0.primal_0.alpha_1.y;
-    var scale_2 : f32 = _S332 * _S333;
-    var s_diff_scale_0 : f32 = dpfacets_0.differential_0.alpha_2.x * 3.14159274101257324f * _S333 + dpfacets_0.differential_0.alpha_2.y * _S332;
-    var _S334 : vec2<f32> = dpm_0.primal_0.xy;
-    var _S335 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S334 / dpfacets_0.primal_0.alpha_1, (dpm_0.differential_0.xy * dpfacets_0.primal_0.alpha_1 - _S334 * dpfacets_0.differential_0.alpha_2) / (dpfacets_0.primal_0.alpha_1 * dpfacets_0.primal_0.alpha_1) );
-    var _S336 : DiffPair_float_0 = _d_dot_0(_S335, _S335);
-    var cos2_0 : f32 = _S329 * _S329;
-    var _S337 : f32 = _S330 * _S329;
-    var s_diff_cos2_0 : f32 = _S337 + _S337;
+    var _S333 : f32 = 3.14159274101257324f * dpfacets_0.primal_0.alpha_1.x;
+    var _S334 : f32 = dpfacets_0.primal_0.alpha_1.y;
+    var scale_0 : f32 = _S333 * _S334;
+    var s_diff_scale_0 : f32 = dpfacets_0.differential_0.alpha_2.x * 3.14159274101257324f * _S334 + dpfacets_0.differential_0.alpha_2.y * _S333;
+    var _S335 : vec2<f32> = dpm_0.primal_0.xy;
+    var _S336 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S335 / dpfacets_0.primal_0.alpha_1, (dpm_0.differential_0.xy * dpfacets_0.primal_0.alpha_1 - _S335 * dpfacets_0.differential_0.alpha_2) / (dpfacets_0.primal_0.alpha_1 * dpfacets_0.primal_0.alpha_1) );
+    var _S337 : DiffPair_float_0 = _d_dot_0(_S336, _S336);
+    var cos2_0 : f32 = _S330 * _S330;
+    var _S338 : f32 = _S331 * _S330;
+    var s_diff_cos2_0 : f32 = _S338 + _S338;
     if((dpfacets_0.primal_0.distribution_1) == u32(1))
     {
-        var sum_2 : f32 = _S336.primal_0 + cos2_0;
-        var s_diff_sum_0 : f32 = _S336.differential_0 + s_diff_cos2_0;
-        var _S338 : f32 = scale_2 * sum_2;
-        var _S339 : f32 = _S338 * sum_2;
-        var _S340 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S339, (0.0f - ((s_diff_scale_0 * sum_2 + s_diff_sum_0 * scale_2) * sum_2 + s_diff_sum_0 * _S338)) / (_S339 * _S339) );
-        return _S340;
+        var sum_2 : f32 = _S337.primal_0 + cos2_0;
+        var s_diff_sum_0 : f32 = _S337.differential_0 + s_diff_cos2_0;
+        var _S339 : f32 = scale_0 * sum_2;
+        var _S340 : f32 = _S339 * sum_2;
+        var _S341 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S340, (0.0f - ((s_diff_scale_0 * sum_2 + s_diff_sum_0 * scale_0) * sum_2 + s_diff_sum_0 * _S339)) / (_S340 * _S340) );
+        return _S341;
     }
-    var exponent_0 : f32 = _S336.primal_0 / cos2_0;
-    var s_diff_exponent_0 : f32 = (_S336.differential_0 * cos2_0 - _S336.primal_0 * s_diff_cos2_0) / (cos2_0 * cos2_0);
-    var _S341 : f32;
+    var exponent_0 : f32 = _S337.primal_0 / cos2_0;
+    var s_diff_exponent_0 : f32 = (_S337.differential_0 * cos2_0 - _S337.primal_0 * s_diff_cos2_0) / (cos2_0 * cos2_0);
     var _S342 : f32;
+    var _S343 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S341 = 0.0f;
         _S342 = 0.0f;
+        _S343 = 0.0f;
     }
     else
     {
-        var _S343 : DiffPair_float_0 = DiffPair_float_0( - exponent_0, - s_diff_exponent_0 );
-        var _S344 : DiffPair_float_0 = s_fwd_exponential_0(_S343);
-        var _S345 : f32 = scale_2 * cos2_0;
-        var _S346 : f32 = _S345 * cos2_0;
-        var _S347 : f32 = (_S344.differential_0 * _S346 - _S344.primal_0 * ((s_diff_scale_0 * cos2_0 + s_diff_cos2_0 * scale_2) * cos2_0 + s_diff_cos2_0 * _S345)) / (_S346 * _S346);
-        _S341 = _S344.primal_0 / _S346;
-        _S342 = _S347;
+        var _S344 : DiffPair_float_0 = DiffPair_float_0( - exponent_0, - s_diff_exponent_0 );
+        var _S345 : DiffPair_float_0 = s_fwd_exponential_0(_S344);
+        var _S346 : f32 = scale_0 * cos2_0;
+        var _S347 : f32 = _S346 * cos2_0;
+        var _S348 : f32 = (_S345.differential_0 * _S347 - _S345.primal_0 * ((s_diff_scale_0 * cos2_0 + s_diff_cos2_0 * scale_0) * cos2_0 + s_diff_cos2_0 * _S346)) / (_S347 * _S347);
+        _S342 = _S345.primal_0 / _S347;
+        _S343 = _S348;
     }
-    var _S348 : DiffPair_float_0 = DiffPair_float_0( _S341, _S342 );
-    return _S348;
+    var _S349 : DiffPair_float_0 = DiffPair_float_0( _S342, _S343 );
+    return _S349;
 }
 
 fn error_function_plus_one_0( x_11 : f32) -> vec2<f32>
 {
-    var _S349 : f32 = min(abs(x_11), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S349 * _S349);
-    var place_16 : f32 = (_S349 - 2.0f) / (_S349 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_16 - 0.00127731403335929f) * place_16 + 0.00131371302995831f) * place_16 + 0.008666617795825f) * place_16 - 0.00805134233087301f) * place_16 - 0.05421232059597969f) * place_16 + 0.1640533059835434f) * place_16 - 0.16603080928325653f) * place_16 - 0.09276388585567474f) * place_16 + 1.27697837352752686f) / (1.0f + 2.0f * _S349);
-    var _S350 : f32;
+    var _S350 : f32 = min(abs(x_11), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S350 * _S350);
+    var place_17 : f32 = (_S350 - 2.0f) / (_S350 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_17 - 0.00127731403335929f) * place_17 + 0.00131371302995831f) * place_17 + 0.008666617795825f) * place_17 - 0.00805134233087301f) * place_17 - 0.05421232059597969f) * place_17 + 0.1640533059835434f) * place_17 - 0.16603080928325653f) * place_17 - 0.09276388585567474f) * place_17 + 1.27697837352752686f) / (1.0f + 2.0f * _S350);
+    var _S351 : f32;
     if(x_11 < 0.0f)
     {
-        _S350 = complement_0;
+        _S351 = complement_0;
     }
     else
     {
-        _S350 = 2.0f - complement_0;
+        _S351 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S350, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S351, 1.128379225730896f * gaussian_0);
 }
 
 fn error_function_changed_0( x_12 : DiffPair_float_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
     var both_0 : vec2<f32> = error_function_plus_one_0(x_12.primal_0);
-    var _S351 : f32 = both_0.y;
-    var _S352 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( both_0, vec2<f32>(_S351, -2.0f * x_12.primal_0 * _S351) * vec2<f32>(x_12.differential_0) );
-    return _S352;
+    var _S352 : f32 = both_0.y;
+    var _S353 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( both_0, vec2<f32>(_S352, -2.0f * x_12.primal_0 * _S352) * vec2<f32>(x_12.differential_0) );
+    return _S353;
 }
 
 fn visible_over_cos_0( facets_1 : Microfacets_0,  w_6 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_6.xy * facets_1.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S353 : f32 = w_6.z;
-    var z2_1 : f32 = _S353 * _S353;
+    var _S354 : f32 = w_6.z;
+    var z2_1 : f32 = _S354 * _S354;
     if((facets_1.distribution_1) == u32(1))
     {
-        return 2.0f / (_S353 + sqrt(z2_1 + spread2_0));
+        return 2.0f / (_S354 + sqrt(z2_1 + spread2_0));
     }
     if(z2_1 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S353;
+        return 1.0f / _S354;
     }
     var spread_0 : f32 = sqrt(spread2_0);
-    var both_1 : vec2<f32> = error_function_plus_one_0(_S353 / spread_0);
-    return 2.0f / (_S353 * both_1.x + 0.5f * spread_0 * both_1.y);
+    var both_1 : vec2<f32> = error_function_plus_one_0(_S354 / spread_0);
+    return 2.0f / (_S354 * both_1.x + 0.5f * spread_0 * both_1.y);
 }
 
 fn s_fwd_visible_over_cos_0( dpfacets_1 : DiffPair_Microfacets_0,  dpw_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
 {
-    var _S354 : vec2<f32> = dpw_0.primal_0.xy;
-    var _S355 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S354 * dpfacets_1.primal_0.alpha_1, dpw_0.differential_0.xy * dpfacets_1.primal_0.alpha_1 + dpfacets_1.differential_0.alpha_2 * _S354 );
-    var _S356 : DiffPair_float_0 = _d_dot_0(_S355, _S355);
-    var _S357 : f32 = dpw_0.primal_0.z;
-    var _S358 : f32 = dpw_0.differential_0.z;
-    var z2_2 : f32 = _S357 * _S357;
-    var _S359 : f32 = _S358 * _S357;
-    var s_diff_z2_0 : f32 = _S359 + _S359;
+    var _S355 : vec2<f32> = dpw_0.primal_0.xy;
+    var _S356 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S355 * dpfacets_1.primal_0.alpha_1, dpw_0.differential_0.xy * dpfacets_1.primal_0.alpha_1 + dpfacets_1.differential_0.alpha_2 * _S355 );
+    var _S357 : DiffPair_float_0 = _d_dot_0(_S356, _S356);
+    var _S358 : f32 = dpw_0.primal_0.z;
+    var _S359 : f32 = dpw_0.differential_0.z;
+    var z2_2 : f32 = _S358 * _S358;
+    var _S360 : f32 = _S359 * _S358;
+    var s_diff_z2_0 : f32 = _S360 + _S360;
     if((dpfacets_1.primal_0.distribution_1) == u32(1))
     {
-        var _S360 : DiffPair_float_0 = DiffPair_float_0( z2_2 + _S356.primal_0, s_diff_z2_0 + _S356.differential_0 );
-        var _S361 : DiffPair_float_0 = _d_sqrt_0(_S360);
-        var _S362 : f32 = _S357 + _S361.primal_0;
-        var _S363 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S362, (0.0f - 2.0f * (_S358 + _S361.differential_0)) / (_S362 * _S362) );
-        return _S363;
-    }
-    if(z2_2 >= (36.0f * _S356.primal_0))
-    {
-        var _S364 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S357, (0.0f - _S358) / z2_2 );
+        var _S361 : DiffPair_float_0 = DiffPair_float_0( z2_2 + _S357.primal_0, s_diff_z2_0 + _S357.differential_0 );
+        var _S362 : DiffPair_float_0 = _d_sqrt_0(_S361);
+        var _S363 : f32 = _S358 + _S362.primal_0;
+        var _S364 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S363, (0.0f - 2.0f * (_S359 + _S362.differential_0)) / (_S363 * _S363) );
         return _S364;
     }
-    var _S365 : DiffPair_float_0 = DiffPair_float_0( _S356.primal_0, _S356.differential_0 );
-    var _S366 : DiffPair_float_0 = _d_sqrt_0(_S365);
-    var _S367 : DiffPair_float_0 = DiffPair_float_0( _S357 / _S366.primal_0, (_S358 * _S366.primal_0 - _S357 * _S366.differential_0) / (_S366.primal_0 * _S366.primal_0) );
-    var _S368 : DiffPair_vectorx3Cfloatx2C2x3E_0 = error_function_changed_0(_S367);
-    var _S369 : f32 = _S368.primal_0.x;
-    var _S370 : f32 = 0.5f * _S366.primal_0;
-    var _S371 : f32 = _S368.primal_0.y;
-    var _S372 : f32 = _S357 * _S369 + _S370 * _S371;
-    var _S373 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S372, (0.0f - 2.0f * (_S358 * _S369 + _S368.differential_0.x * _S357 + (_S366.differential_0 * 0.5f * _S371 + _S368.differential_0.y * _S370))) / (_S372 * _S372) );
-    return _S373;
+    if(z2_2 >= (36.0f * _S357.primal_0))
+    {
+        var _S365 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S358, (0.0f - _S359) / z2_2 );
+        return _S365;
+    }
+    var _S366 : DiffPair_float_0 = DiffPair_float_0( _S357.primal_0, _S357.differential_0 );
+    var _S367 : DiffPair_float_0 = _d_sqrt_0(_S366);
+    var _S368 : DiffPair_float_0 = DiffPair_float_0( _S358 / _S367.primal_0, (_S359 * _S367.primal_0 - _S358 * _S367.differential_0) / (_S367.primal_0 * _S367.primal_0) );
+    var _S369 : DiffPair_vectorx3Cfloatx2C2x3E_0 = error_function_changed_0(_S368);
+    var _S370 : f32 = _S369.primal_0.x;
+    var _S371 : f32 = 0.5f * _S367.primal_0;
+    var _S372 : f32 = _S369.primal_0.y;
+    var _S373 : f32 = _S358 * _S370 + _S371 * _S372;
+    var _S374 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S373, (0.0f - 2.0f * (_S359 * _S370 + _S369.differential_0.x * _S358 + (_S367.differential_0 * 0.5f * _S372 + _S369.differential_0.y * _S371))) / (_S373 * _S373) );
+    return _S374;
 }
 
 fn s_fwd_mirrored_0( dpfacets_2 : DiffPair_Microfacets_0,  dpwi_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Mirrored_0
 {
-    var _S374 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_0.primal_0 + dpwo_0.primal_0, dpwi_0.differential_0 + dpwo_0.differential_0 );
-    var _S375 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S374);
-    var _S376 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_0.primal_0, dpwi_0.differential_0 );
-    var _S377 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S375.primal_0, _S375.differential_0 );
-    var _S378 : DiffPair_float_0 = _d_dot_1(_S376, _S377);
-    var _S379 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( dpfacets_2.primal_0, dpfacets_2.differential_0 );
-    var _S380 : DiffPair_float_0 = s_fwd_density_0(_S379, _S377);
-    var _S381 : f32 = 0.25f * _S380.primal_0;
-    var _S382 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S379, _S376);
-    var _S383 : f32 = _S381 * _S382.primal_0;
-    var _S384 : f32 = _S380.differential_0 * 0.25f * _S382.primal_0 + _S382.differential_0 * _S381;
-    var _S385 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_0.primal_0, dpwo_0.differential_0 );
-    var _S386 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S379, _S385);
-    var _S387 : f32 = _S383 * _S386.primal_0;
-    var _S388 : f32 = dpwo_0.primal_0.z;
-    var _S389 : Mirrored_0 = Mirrored_0( _S378.primal_0, _S383, _S387 * _S388 );
-    var _S390 : Mirrored_0 = Mirrored_0( _S378.differential_0, _S384, (_S384 * _S386.primal_0 + _S386.differential_0 * _S383) * _S388 + dpwo_0.differential_0.z * _S387 );
-    var _S391 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S389, _S390 );
-    return _S391;
+    var _S375 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_0.primal_0 + dpwo_0.primal_0, dpwi_0.differential_0 + dpwo_0.differential_0 );
+    var _S376 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S375);
+    var _S377 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_0.primal_0, dpwi_0.differential_0 );
+    var _S378 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S376.primal_0, _S376.differential_0 );
+    var _S379 : DiffPair_float_0 = _d_dot_1(_S377, _S378);
+    var _S380 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( dpfacets_2.primal_0, dpfacets_2.differential_0 );
+    var _S381 : DiffPair_float_0 = s_fwd_density_0(_S380, _S378);
+    var _S382 : f32 = 0.25f * _S381.primal_0;
+    var _S383 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S380, _S377);
+    var _S384 : f32 = _S382 * _S383.primal_0;
+    var _S385 : f32 = _S381.differential_0 * 0.25f * _S383.primal_0 + _S383.differential_0 * _S382;
+    var _S386 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_0.primal_0, dpwo_0.differential_0 );
+    var _S387 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S380, _S386);
+    var _S388 : f32 = _S384 * _S387.primal_0;
+    var _S389 : f32 = dpwo_0.primal_0.z;
+    var _S390 : Mirrored_0 = Mirrored_0( _S379.primal_0, _S384, _S388 * _S389 );
+    var _S391 : Mirrored_0 = Mirrored_0( _S379.differential_0, _S385, (_S385 * _S387.primal_0 + _S387.differential_0 * _S384) * _S389 + dpwo_0.differential_0.z * _S388 );
+    var _S392 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S390, _S391 );
+    return _S392;
 }
 
 fn s_fwd_fresnel_conductor_channel_0( dpcosine_1 : DiffPair_float_0,  dpeta_0 : DiffPair_float_0,  dpk_0 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S392 : f32 = dpcosine_1.primal_0;
-    var cos2_1 : f32 = _S392 * _S392;
-    var _S393 : f32 = dpcosine_1.differential_0 * dpcosine_1.primal_0;
-    var s_diff_cos2_1 : f32 = _S393 + _S393;
+    var _S393 : f32 = dpcosine_1.primal_0;
+    var cos2_1 : f32 = _S393 * _S393;
+    var _S394 : f32 = dpcosine_1.differential_0 * dpcosine_1.primal_0;
+    var s_diff_cos2_1 : f32 = _S394 + _S394;
     var sin2_0 : f32 = 1.0f - cos2_1;
     var s_diff_sin2_0 : f32 = 0.0f - s_diff_cos2_1;
-    var _S394 : f32 = dpeta_0.differential_0 * dpeta_0.primal_0;
-    var _S395 : f32 = dpk_0.differential_0 * dpk_0.primal_0;
+    var _S395 : f32 = dpeta_0.differential_0 * dpeta_0.primal_0;
+    var _S396 : f32 = dpk_0.differential_0 * dpk_0.primal_0;
     var real_0 : f32 = dpeta_0.primal_0 * dpeta_0.primal_0 - dpk_0.primal_0 * dpk_0.primal_0 - sin2_0;
-    var s_diff_real_0 : f32 = _S394 + _S394 - (_S395 + _S395) - s_diff_sin2_0;
+    var s_diff_real_0 : f32 = _S395 + _S395 - (_S396 + _S396) - s_diff_sin2_0;
     var product_2 : f32 = dpeta_0.primal_0 * dpk_0.primal_0;
     var s_diff_product_0 : f32 = dpeta_0.differential_0 * dpk_0.primal_0 + dpk_0.differential_0 * dpeta_0.primal_0;
-    var _S396 : f32 = s_diff_real_0 * real_0;
-    var _S397 : f32 = s_diff_product_0 * product_2;
-    var _S398 : DiffPair_float_0 = DiffPair_float_0( real_0 * real_0 + 4.0f * (product_2 * product_2), _S396 + _S396 + (_S397 + _S397) * 4.0f );
-    var _S399 : DiffPair_float_0 = _d_sqrt_0(_S398);
-    if((_S399.primal_0) == 0.0f)
+    var _S397 : f32 = s_diff_real_0 * real_0;
+    var _S398 : f32 = s_diff_product_0 * product_2;
+    var _S399 : DiffPair_float_0 = DiffPair_float_0( real_0 * real_0 + 4.0f * (product_2 * product_2), _S397 + _S397 + (_S398 + _S398) * 4.0f );
+    var _S400 : DiffPair_float_0 = _d_sqrt_0(_S399);
+    if((_S400.primal_0) == 0.0f)
     {
-        var _S400 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
-        return _S400;
+        var _S401 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
+        return _S401;
     }
-    var _S401 : DiffPair_float_0 = DiffPair_float_0( real_0, s_diff_real_0 );
-    var _S402 : DiffPair_float_0 = _d_abs_0(_S401);
-    var _S403 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (_S399.primal_0 + _S402.primal_0), (_S399.differential_0 + _S402.differential_0) * 0.5f );
-    var _S404 : DiffPair_float_0 = _d_sqrt_0(_S403);
-    var smaller_0 : f32 = product_2 / _S404.primal_0;
-    var s_diff_smaller_0 : f32 = (s_diff_product_0 * _S404.primal_0 - product_2 * _S404.differential_0) / (_S404.primal_0 * _S404.primal_0);
-    var _S405 : bool = real_0 < 0.0f;
+    var _S402 : DiffPair_float_0 = DiffPair_float_0( real_0, s_diff_real_0 );
+    var _S403 : DiffPair_float_0 = _d_abs_0(_S402);
+    var _S404 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (_S400.primal_0 + _S403.primal_0), (_S400.differential_0 + _S403.differential_0) * 0.5f );
+    var _S405 : DiffPair_float_0 = _d_sqrt_0(_S404);
+    var smaller_0 : f32 = product_2 / _S405.primal_0;
+    var s_diff_smaller_0 : f32 = (s_diff_product_0 * _S405.primal_0 - product_2 * _S405.differential_0) / (_S405.primal_0 * _S405.primal_0);
+    var _S406 : bool = real_0 < 0.0f;
     var a_21 : f32;
     var s_diff_a_1 : f32;
-    if(_S405)
+    if(_S406)
     {
         a_21 = smaller_0;
         s_diff_a_1 = s_diff_smaller_0;
     }
     else
     {
-        a_21 = _S404.primal_0;
-        s_diff_a_1 = _S404.differential_0;
+        a_21 = _S405.primal_0;
+        s_diff_a_1 = _S405.differential_0;
     }
     var b_15 : f32;
     var s_diff_b_1 : f32;
-    if(_S405)
+    if(_S406)
     {
-        b_15 = _S404.primal_0;
-        s_diff_b_1 = _S404.differential_0;
+        b_15 = _S405.primal_0;
+        s_diff_b_1 = _S405.differential_0;
     }
     else
     {
@@ -3236,39 +3268,39 @@ fn s_fwd_fresnel_conductor_channel_0( dpcosine_1 : DiffPair_float_0,  dpeta_0 : 
     }
     var less_0 : f32 = a_21 - dpcosine_1.primal_0;
     var more_0 : f32 = a_21 + dpcosine_1.primal_0;
-    var _S406 : f32 = (s_diff_a_1 - dpcosine_1.differential_0) * less_0;
-    var _S407 : f32 = b_15 * b_15;
-    var _S408 : f32 = s_diff_b_1 * b_15;
-    var _S409 : f32 = _S408 + _S408;
-    var _S410 : f32 = less_0 * less_0 + _S407;
-    var _S411 : f32 = (s_diff_a_1 + dpcosine_1.differential_0) * more_0;
-    var _S412 : f32 = more_0 * more_0 + _S407;
-    var senkrecht_0 : f32 = _S410 / _S412;
-    var _S413 : f32 = s_diff_sin2_0 * sin2_0;
-    var p_sum_0 : f32 = _S399.primal_0 * cos2_1 + sin2_0 * sin2_0;
-    var s_diff_p_sum_0 : f32 = _S399.differential_0 * cos2_1 + s_diff_cos2_1 * _S399.primal_0 + (_S413 + _S413);
-    var _S414 : f32 = senkrecht_0 * p_sum_0;
-    var _S415 : f32 = 2.0f * a_21;
-    var _S416 : f32 = _S415 * dpcosine_1.primal_0;
-    var _S417 : f32 = p_sum_0 + _S416 * sin2_0;
-    var _S418 : DiffPair_float_0 = DiffPair_float_0( _S414 / _S417, ((((_S406 + _S406 + _S409) * _S412 - _S410 * (_S411 + _S411 + _S409)) / (_S412 * _S412) * p_sum_0 + s_diff_p_sum_0 * senkrecht_0) * _S417 - _S414 * (s_diff_p_sum_0 + ((s_diff_a_1 * 2.0f * dpcosine_1.primal_0 + dpcosine_1.differential_0 * _S415) * sin2_0 + s_diff_sin2_0 * _S416))) / (_S417 * _S417) );
-    return _S418;
+    var _S407 : f32 = (s_diff_a_1 - dpcosine_1.differential_0) * less_0;
+    var _S408 : f32 = b_15 * b_15;
+    var _S409 : f32 = s_diff_b_1 * b_15;
+    var _S410 : f32 = _S409 + _S409;
+    var _S411 : f32 = less_0 * less_0 + _S408;
+    var _S412 : f32 = (s_diff_a_1 + dpcosine_1.differential_0) * more_0;
+    var _S413 : f32 = more_0 * more_0 + _S408;
+    var senkrecht_0 : f32 = _S411 / _S413;
+    var _S414 : f32 = s_diff_sin2_0 * sin2_0;
+    var p_sum_0 : f32 = _S400.primal_0 * cos2_1 + sin2_0 * sin2_0;
+    var s_diff_p_sum_0 : f32 = _S400.differential_0 * cos2_1 + s_diff_cos2_1 * _S400.primal_0 + (_S414 + _S414);
+    var _S415 : f32 = senkrecht_0 * p_sum_0;
+    var _S416 : f32 = 2.0f * a_21;
+    var _S417 : f32 = _S416 * dpcosine_1.primal_0;
+    var _S418 : f32 = p_sum_0 + _S417 * sin2_0;
+    var _S419 : DiffPair_float_0 = DiffPair_float_0( _S415 / _S418, ((((_S407 + _S407 + _S410) * _S413 - _S411 * (_S412 + _S412 + _S410)) / (_S413 * _S413) * p_sum_0 + s_diff_p_sum_0 * senkrecht_0) * _S418 - _S415 * (s_diff_p_sum_0 + ((s_diff_a_1 * 2.0f * dpcosine_1.primal_0 + dpcosine_1.differential_0 * _S416) * sin2_0 + s_diff_sin2_0 * _S417))) / (_S418 * _S418) );
+    return _S419;
 }
 
 fn s_fwd_fresnel_conductor_0( dpcosine_2 : DiffPair_float_0,  dpeta_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpk_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S419 : DiffPair_float_0 = DiffPair_float_0( dpcosine_2.primal_0, dpcosine_2.differential_0 );
-    var _S420 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.x, dpeta_1.differential_0.x );
-    var _S421 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.x, dpk_1.differential_0.x );
-    var _S422 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S419, _S420, _S421);
-    var _S423 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.y, dpeta_1.differential_0.y );
-    var _S424 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.y, dpk_1.differential_0.y );
-    var _S425 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S419, _S423, _S424);
-    var _S426 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.z, dpeta_1.differential_0.z );
-    var _S427 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.z, dpk_1.differential_0.z );
-    var _S428 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S419, _S426, _S427);
-    var _S429 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S422.primal_0, _S425.primal_0, _S428.primal_0), vec3<f32>(_S422.differential_0, _S425.differential_0, _S428.differential_0) );
-    return _S429;
+    var _S420 : DiffPair_float_0 = DiffPair_float_0( dpcosine_2.primal_0, dpcosine_2.differential_0 );
+    var _S421 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.x, dpeta_1.differential_0.x );
+    var _S422 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.x, dpk_1.differential_0.x );
+    var _S423 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S420, _S421, _S422);
+    var _S424 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.y, dpeta_1.differential_0.y );
+    var _S425 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.y, dpk_1.differential_0.y );
+    var _S426 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S420, _S424, _S425);
+    var _S427 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.z, dpeta_1.differential_0.z );
+    var _S428 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.z, dpk_1.differential_0.z );
+    var _S429 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S420, _S427, _S428);
+    var _S430 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S423.primal_0, _S426.primal_0, _S429.primal_0), vec3<f32>(_S423.differential_0, _S426.differential_0, _S429.differential_0) );
+    return _S430;
 }
 
 fn coat_eta_0( numbers_4 : Numbers_0) -> f32
@@ -3278,12 +3310,12 @@ fn coat_eta_0( numbers_4 : Numbers_0) -> f32
 
 fn s_fwd_coat_eta_0( dpnumbers_1 : DiffPair_Numbers_0) -> DiffPair_float_0
 {
-    var _S430 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_1.primal_0.eta_0, dpnumbers_1.differential_0.eta_0 );
-    var _S431 : DiffPair_float_0 = s_fwd_luminance_0(_S430);
-    var _S432 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_1.primal_0.k_0, dpnumbers_1.differential_0.k_0 );
-    var _S433 : DiffPair_float_0 = s_fwd_luminance_0(_S432);
-    var _S434 : DiffPair_float_0 = DiffPair_float_0( _S431.primal_0 / _S433.primal_0, (_S431.differential_0 * _S433.primal_0 - _S431.primal_0 * _S433.differential_0) / (_S433.primal_0 * _S433.primal_0) );
-    return _S434;
+    var _S431 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_1.primal_0.eta_0, dpnumbers_1.differential_0.eta_0 );
+    var _S432 : DiffPair_float_0 = s_fwd_luminance_0(_S431);
+    var _S433 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_1.primal_0.k_0, dpnumbers_1.differential_0.k_0 );
+    var _S434 : DiffPair_float_0 = s_fwd_luminance_0(_S433);
+    var _S435 : DiffPair_float_0 = DiffPair_float_0( _S432.primal_0 / _S434.primal_0, (_S432.differential_0 * _S434.primal_0 - _S432.primal_0 * _S434.differential_0) / (_S434.primal_0 * _S434.primal_0) );
+    return _S435;
 }
 
 fn fresnel_dielectric_0( cosine_5 : f32,  eta_1 : f32) -> f32
@@ -3306,41 +3338,41 @@ fn fresnel_dielectric_0( cosine_5 : f32,  eta_1 : f32) -> f32
 
 fn s_fwd_fresnel_dielectric_0( dpcosine_3 : DiffPair_float_0,  dpeta_2 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S435 : f32 = dpeta_2.primal_0;
-    var eta2_1 : f32 = _S435 * _S435;
-    var _S436 : f32 = dpeta_2.differential_0 * dpeta_2.primal_0;
-    var s_diff_eta2_0 : f32 = _S436 + _S436;
+    var _S436 : f32 = dpeta_2.primal_0;
+    var eta2_1 : f32 = _S436 * _S436;
+    var _S437 : f32 = dpeta_2.differential_0 * dpeta_2.primal_0;
+    var s_diff_eta2_0 : f32 = _S437 + _S437;
     var cos2_3 : f32 = dpcosine_3.primal_0 * dpcosine_3.primal_0;
-    var _S437 : f32 = dpcosine_3.differential_0 * dpcosine_3.primal_0;
-    var s_diff_cos2_2 : f32 = _S437 + _S437;
-    var _S438 : f32 = dpeta_2.primal_0 - 1.0f;
-    var _S439 : f32 = dpeta_2.primal_0 + 1.0f;
-    var denser_1 : f32 = _S438 * _S439;
-    var s_diff_denser_0 : f32 = dpeta_2.differential_0 * _S439 + dpeta_2.differential_0 * _S438;
+    var _S438 : f32 = dpcosine_3.differential_0 * dpcosine_3.primal_0;
+    var s_diff_cos2_2 : f32 = _S438 + _S438;
+    var _S439 : f32 = dpeta_2.primal_0 - 1.0f;
+    var _S440 : f32 = dpeta_2.primal_0 + 1.0f;
+    var denser_1 : f32 = _S439 * _S440;
+    var s_diff_denser_0 : f32 = dpeta_2.differential_0 * _S440 + dpeta_2.differential_0 * _S439;
     var squared_4 : f32 = denser_1 + cos2_3;
     var s_diff_squared_0 : f32 = s_diff_denser_0 + s_diff_cos2_2;
     if(squared_4 <= 0.0f)
     {
-        var _S440 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
-        return _S440;
+        var _S441 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
+        return _S441;
     }
-    var _S441 : DiffPair_float_0 = DiffPair_float_0( squared_4, s_diff_squared_0 );
-    var _S442 : DiffPair_float_0 = _d_sqrt_0(_S441);
-    var s_sum_1 : f32 = dpcosine_3.primal_0 + _S442.primal_0;
-    var p_sum_2 : f32 = eta2_1 * dpcosine_3.primal_0 + _S442.primal_0;
-    var _S443 : f32 = s_sum_1 * s_sum_1;
-    var _S444 : f32 = (dpcosine_3.differential_0 + _S442.differential_0) * s_sum_1;
-    var senkrecht_2 : f32 = denser_1 / _S443;
-    var _S445 : f32 = eta2_1 + 1.0f;
-    var _S446 : f32 = _S445 * cos2_3 - 1.0f;
-    var _S447 : f32 = denser_1 * _S446;
-    var _S448 : f32 = p_sum_2 * p_sum_2;
-    var _S449 : f32 = (s_diff_eta2_0 * dpcosine_3.primal_0 + dpcosine_3.differential_0 * eta2_1 + _S442.differential_0) * p_sum_2;
-    var parallel_1 : f32 = _S447 / _S448;
-    var _S450 : f32 = (s_diff_denser_0 * _S443 - denser_1 * (_S444 + _S444)) / (_S443 * _S443) * senkrecht_2;
-    var _S451 : f32 = ((s_diff_denser_0 * _S446 + (s_diff_eta2_0 * cos2_3 + s_diff_cos2_2 * _S445) * denser_1) * _S448 - _S447 * (_S449 + _S449)) / (_S448 * _S448) * parallel_1;
-    var _S452 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (senkrecht_2 * senkrecht_2 + parallel_1 * parallel_1), (_S450 + _S450 + (_S451 + _S451)) * 0.5f );
-    return _S452;
+    var _S442 : DiffPair_float_0 = DiffPair_float_0( squared_4, s_diff_squared_0 );
+    var _S443 : DiffPair_float_0 = _d_sqrt_0(_S442);
+    var s_sum_1 : f32 = dpcosine_3.primal_0 + _S443.primal_0;
+    var p_sum_2 : f32 = eta2_1 * dpcosine_3.primal_0 + _S443.primal_0;
+    var _S444 : f32 = s_sum_1 * s_sum_1;
+    var _S445 : f32 = (dpcosine_3.differential_0 + _S443.differential_0) * s_sum_1;
+    var senkrecht_2 : f32 = denser_1 / _S444;
+    var _S446 : f32 = eta2_1 + 1.0f;
+    var _S447 : f32 = _S446 * cos2_3 - 1.0f;
+    var _S448 : f32 = denser_1 * _S447;
+    var _S449 : f32 = p_sum_2 * p_sum_2;
+    var _S450 : f32 = (s_diff_eta2_0 * dpcosine_3.primal_0 + dpcosine_3.differential_0 * eta2_1 + _S443.differential_0) * p_sum_2;
+    var parallel_1 : f32 = _S448 / _S449;
+    var _S451 : f32 = (s_diff_denser_0 * _S444 - denser_1 * (_S445 + _S445)) / (_S444 * _S444) * senkrecht_2;
+    var _S452 : f32 = ((s_diff_denser_0 * _S447 + (s_diff_eta2_0 * cos2_3 + s_diff_cos2_2 * _S446) * denser_1) * _S449 - _S448 * (_S450 + _S450)) / (_S449 * _S449) * parallel_1;
+    var _S453 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (senkrecht_2 * senkrecht_2 + parallel_1 * parallel_1), (_S451 + _S451 + (_S452 + _S452)) * 0.5f );
+    return _S453;
 }
 
 fn transmittance_0( lobe_6 : Lobe_0,  eta_2 : f32,  cosine_6 : f32) -> f32
@@ -3349,30 +3381,30 @@ fn transmittance_0( lobe_6 : Lobe_0,  eta_2 : f32,  cosine_6 : f32) -> f32
     {
         return 1.0f - fresnel_dielectric_0(cosine_6, eta_2);
     }
-    var place_17 : f32 = cosine_6 * 63.0f;
-    var _S453 : u32 = min(u32(place_17), u32(62));
-    var at_23 : u32 = word_0(lobe_6.record_3 + u32(3)) + _S453;
+    var place_18 : f32 = cosine_6 * 63.0f;
+    var _S454 : u32 = min(u32(place_18), u32(62));
+    var at_23 : u32 = word_0(lobe_6.record_3 + u32(3)) + _S454;
     var here_1 : f32 = number_0(at_23);
-    return here_1 + (number_0(at_23 + u32(1)) - here_1) * (place_17 - f32(_S453));
+    return here_1 + (number_0(at_23 + u32(1)) - here_1) * (place_18 - f32(_S454));
 }
 
 fn s_fwd_transmittance_0( lobe_7 : Lobe_0,  dpeta_3 : DiffPair_float_0,  dpcosine_4 : DiffPair_float_0) -> DiffPair_float_0
 {
     if((lobe_7.kind_1) == u32(3))
     {
-        var _S454 : DiffPair_float_0 = DiffPair_float_0( dpcosine_4.primal_0, dpcosine_4.differential_0 );
-        var _S455 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0, dpeta_3.differential_0 );
-        var _S456 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S454, _S455);
-        var _S457 : DiffPair_float_0 = DiffPair_float_0( 1.0f - _S456.primal_0, 0.0f - _S456.differential_0 );
-        return _S457;
+        var _S455 : DiffPair_float_0 = DiffPair_float_0( dpcosine_4.primal_0, dpcosine_4.differential_0 );
+        var _S456 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0, dpeta_3.differential_0 );
+        var _S457 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S455, _S456);
+        var _S458 : DiffPair_float_0 = DiffPair_float_0( 1.0f - _S457.primal_0, 0.0f - _S457.differential_0 );
+        return _S458;
     }
-    var place_18 : f32 = dpcosine_4.primal_0 * 63.0f;
-    var _S458 : u32 = min(u32(place_18), u32(62));
-    var at_24 : u32 = word_0(lobe_7.record_3 + u32(3)) + _S458;
+    var place_19 : f32 = dpcosine_4.primal_0 * 63.0f;
+    var _S459 : u32 = min(u32(place_19), u32(62));
+    var at_24 : u32 = word_0(lobe_7.record_3 + u32(3)) + _S459;
     var here_2 : f32 = number_0(at_24);
-    var _S459 : f32 = number_0(at_24 + u32(1)) - here_2;
-    var _S460 : DiffPair_float_0 = DiffPair_float_0( here_2 + _S459 * (place_18 - f32(_S458)), dpcosine_4.differential_0 * 63.0f * _S459 );
-    return _S460;
+    var _S460 : f32 = number_0(at_24 + u32(1)) - here_2;
+    var _S461 : DiffPair_float_0 = DiffPair_float_0( here_2 + _S460 * (place_19 - f32(_S459)), dpcosine_4.differential_0 * 63.0f * _S460 );
+    return _S461;
 }
 
 fn s_fwd_fresnel_diffuse_0( dpeta_4 : DiffPair_float_0) -> DiffPair_float_0
@@ -3381,16 +3413,16 @@ fn s_fwd_fresnel_diffuse_0( dpeta_4 : DiffPair_float_0) -> DiffPair_float_0
     var s_diff_inverse_0 : f32 = (0.0f - dpeta_4.differential_0) / (dpeta_4.primal_0 * dpeta_4.primal_0);
     if((dpeta_4.primal_0) < 1.0f)
     {
-        var _S461 : f32 = -1.43990004062652588f * dpeta_4.primal_0 + 0.70990002155303955f;
-        var _S462 : DiffPair_float_0 = DiffPair_float_0( _S461 * dpeta_4.primal_0 + 0.66809999942779541f + 0.06360000371932983f * inverse_1, dpeta_4.differential_0 * -1.43990004062652588f * dpeta_4.primal_0 + dpeta_4.differential_0 * _S461 + s_diff_inverse_0 * 0.06360000371932983f );
-        return _S462;
+        var _S462 : f32 = -1.43990004062652588f * dpeta_4.primal_0 + 0.70990002155303955f;
+        var _S463 : DiffPair_float_0 = DiffPair_float_0( _S462 * dpeta_4.primal_0 + 0.66809999942779541f + 0.06360000371932983f * inverse_1, dpeta_4.differential_0 * -1.43990004062652588f * dpeta_4.primal_0 + dpeta_4.differential_0 * _S462 + s_diff_inverse_0 * 0.06360000371932983f );
+        return _S463;
     }
-    var _S463 : f32 = -1.36881005764007568f * inverse_1 + 4.98553991317749023f;
-    var _S464 : f32 = _S463 * inverse_1 - 7.80988979339599609f;
-    var sum_3 : f32 = _S464 * inverse_1 + 6.75334978103637695f;
-    var _S465 : f32 = sum_3 * inverse_1 - 3.47930002212524414f;
-    var _S466 : DiffPair_float_0 = DiffPair_float_0( _S465 * inverse_1 + 0.91931700706481934f, (((s_diff_inverse_0 * -1.36881005764007568f * inverse_1 + s_diff_inverse_0 * _S463) * inverse_1 + s_diff_inverse_0 * _S464) * inverse_1 + s_diff_inverse_0 * sum_3) * inverse_1 + s_diff_inverse_0 * _S465 );
-    return _S466;
+    var _S464 : f32 = -1.36881005764007568f * inverse_1 + 4.98553991317749023f;
+    var _S465 : f32 = _S464 * inverse_1 - 7.80988979339599609f;
+    var sum_3 : f32 = _S465 * inverse_1 + 6.75334978103637695f;
+    var _S466 : f32 = sum_3 * inverse_1 - 3.47930002212524414f;
+    var _S467 : DiffPair_float_0 = DiffPair_float_0( _S466 * inverse_1 + 0.91931700706481934f, (((s_diff_inverse_0 * -1.36881005764007568f * inverse_1 + s_diff_inverse_0 * _S464) * inverse_1 + s_diff_inverse_0 * _S465) * inverse_1 + s_diff_inverse_0 * sum_3) * inverse_1 + s_diff_inverse_0 * _S466 );
+    return _S467;
 }
 
 fn s_fwd_base_0( lobe_8 : Lobe_0,  dpeta_5 : DiffPair_float_0,  dpdiffuse_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
@@ -3399,10 +3431,10 @@ fn s_fwd_base_0( lobe_8 : Lobe_0,  dpeta_5 : DiffPair_float_0,  dpdiffuse_0 : Di
     var s_diff_internal_reflectance_0 : f32;
     if((lobe_8.kind_1) == u32(3))
     {
-        var _S467 : DiffPair_float_0 = DiffPair_float_0( 1.0f / dpeta_5.primal_0, (0.0f - dpeta_5.differential_0) / (dpeta_5.primal_0 * dpeta_5.primal_0) );
-        var _S468 : DiffPair_float_0 = s_fwd_fresnel_diffuse_0(_S467);
-        internal_reflectance_0 = _S468.primal_0;
-        s_diff_internal_reflectance_0 = _S468.differential_0;
+        var _S468 : DiffPair_float_0 = DiffPair_float_0( 1.0f / dpeta_5.primal_0, (0.0f - dpeta_5.differential_0) / (dpeta_5.primal_0 * dpeta_5.primal_0) );
+        var _S469 : DiffPair_float_0 = s_fwd_fresnel_diffuse_0(_S468);
+        internal_reflectance_0 = _S469.primal_0;
+        s_diff_internal_reflectance_0 = _S469.differential_0;
     }
     else
     {
@@ -3411,14 +3443,14 @@ fn s_fwd_base_0( lobe_8 : Lobe_0,  dpeta_5 : DiffPair_float_0,  dpdiffuse_0 : Di
     }
     if((word_0(lobe_8.record_3 + u32(2))) == u32(0))
     {
-        var _S469 : f32 = 1.0f - internal_reflectance_0;
-        var _S470 : vec3<f32> = vec3<f32>((1.0f / _S469));
-        var _S471 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 * _S470, dpdiffuse_0.differential_0 * _S470 + vec3<f32>(((0.0f - (0.0f - s_diff_internal_reflectance_0)) / (_S469 * _S469))) * dpdiffuse_0.primal_0 );
-        return _S471;
+        var _S470 : f32 = 1.0f - internal_reflectance_0;
+        var _S471 : vec3<f32> = vec3<f32>((1.0f / _S470));
+        var _S472 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 * _S471, dpdiffuse_0.differential_0 * _S471 + vec3<f32>(((0.0f - (0.0f - s_diff_internal_reflectance_0)) / (_S470 * _S470))) * dpdiffuse_0.primal_0 );
+        return _S472;
     }
-    var _S472 : vec3<f32> = vec3<f32>(1.0f) - dpdiffuse_0.primal_0 * vec3<f32>(internal_reflectance_0);
-    var _S473 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 / _S472, (dpdiffuse_0.differential_0 * _S472 - dpdiffuse_0.primal_0 * (vec3<f32>(0.0f) - (dpdiffuse_0.differential_0 * vec3<f32>(internal_reflectance_0) + vec3<f32>(s_diff_internal_reflectance_0) * dpdiffuse_0.primal_0))) / (_S472 * _S472) );
-    return _S473;
+    var _S473 : vec3<f32> = vec3<f32>(1.0f) - dpdiffuse_0.primal_0 * vec3<f32>(internal_reflectance_0);
+    var _S474 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 / _S473, (dpdiffuse_0.differential_0 * _S473 - dpdiffuse_0.primal_0 * (vec3<f32>(0.0f) - (dpdiffuse_0.differential_0 * vec3<f32>(internal_reflectance_0) + vec3<f32>(s_diff_internal_reflectance_0) * dpdiffuse_0.primal_0))) / (_S473 * _S473) );
+    return _S474;
 }
 
 fn choice_weight_0( colour_2 : vec3<f32>) -> f32
@@ -3451,90 +3483,90 @@ struct DiffPair_Scattering_0
 
 fn s_fwd_scattering_0( lobe_9 : Lobe_0,  dpnumbers_2 : DiffPair_Numbers_0,  dpwi_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Scattering_0
 {
-    var _S474 : f32 = dpwo_1.primal_0.z;
-    var _S475 : f32 = dpwo_1.differential_0.z;
-    var by_cosine_0 : f32 = _S474 * 0.31830987334251404f;
-    var _S476 : f32 = _S475 * 0.31830987334251404f;
+    var _S475 : f32 = dpwo_1.primal_0.z;
+    var _S476 : f32 = dpwo_1.differential_0.z;
+    var by_cosine_0 : f32 = _S475 * 0.31830987334251404f;
+    var _S477 : f32 = _S476 * 0.31830987334251404f;
     if((lobe_9.kind_1) == u32(0))
     {
-        var _S477 : vec3<f32> = vec3<f32>(by_cosine_0);
-        var _S478 : Scattering_0 = Scattering_0( dpnumbers_2.primal_0.diffuse_reflectance_0 * _S477, by_cosine_0 );
-        var _S479 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_2.differential_0.diffuse_reflectance_0 * _S477 + vec3<f32>(_S476) * dpnumbers_2.primal_0.diffuse_reflectance_0 );
-        var _S480 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S478, _S479 );
-        return _S480;
+        var _S478 : vec3<f32> = vec3<f32>(by_cosine_0);
+        var _S479 : Scattering_0 = Scattering_0( dpnumbers_2.primal_0.diffuse_reflectance_0 * _S478, by_cosine_0 );
+        var _S480 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_2.differential_0.diffuse_reflectance_0 * _S478 + vec3<f32>(_S477) * dpnumbers_2.primal_0.diffuse_reflectance_0 );
+        var _S481 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S479, _S480 );
+        return _S481;
     }
-    var _S481 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
-    var _S482 : DiffPair_Mirrored_0 = s_fwd_Mirrored_x24init_0(_S481, _S481, _S481);
+    var _S482 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+    var _S483 : DiffPair_Mirrored_0 = s_fwd_Mirrored_x24init_0(_S482, _S482, _S482);
     var by_facets_0 : Mirrored_0;
     var s_diff_by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_9))
     {
-        var _S483 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
-        var _S484 : DiffPair_Microfacets_0 = s_fwd_facets_of_0(lobe_9, _S483);
-        var _S485 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S484.primal_0, _S484.differential_0 );
-        var _S486 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_1.primal_0, dpwi_1.differential_0 );
-        var _S487 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_1.primal_0, dpwo_1.differential_0 );
-        var _S488 : DiffPair_Mirrored_0 = s_fwd_mirrored_0(_S485, _S486, _S487);
-        by_facets_0 = _S488.primal_0;
-        s_diff_by_facets_0 = _S488.differential_0;
+        var _S484 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
+        var _S485 : DiffPair_Microfacets_0 = s_fwd_facets_of_0(lobe_9, _S484);
+        var _S486 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S485.primal_0, _S485.differential_0 );
+        var _S487 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_1.primal_0, dpwi_1.differential_0 );
+        var _S488 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_1.primal_0, dpwo_1.differential_0 );
+        var _S489 : DiffPair_Mirrored_0 = s_fwd_mirrored_0(_S486, _S487, _S488);
+        by_facets_0 = _S489.primal_0;
+        s_diff_by_facets_0 = _S489.differential_0;
     }
     else
     {
-        by_facets_0 = _S482.primal_0;
-        s_diff_by_facets_0 = _S482.differential_0;
+        by_facets_0 = _S483.primal_0;
+        s_diff_by_facets_0 = _S483.differential_0;
     }
     if((lobe_9.kind_1) == u32(2))
     {
-        var _S489 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_4, s_diff_by_facets_0.cosine_4 );
-        var _S490 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.eta_0, dpnumbers_2.differential_0.eta_0 );
-        var _S491 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.k_0, dpnumbers_2.differential_0.k_0 );
-        var _S492 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S489, _S490, _S491);
-        var _S493 : vec3<f32> = vec3<f32>(by_facets_0.scattered_0);
-        var _S494 : vec3<f32> = _S492.primal_0 * _S493;
-        var _S495 : Scattering_0 = Scattering_0( dpnumbers_2.primal_0.specular_reflectance_0 * _S494, by_facets_0.pdf_2 );
-        var _S496 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_2.differential_0.specular_reflectance_0 * _S494 + (_S492.differential_0 * _S493 + vec3<f32>(s_diff_by_facets_0.scattered_0) * _S492.primal_0) * dpnumbers_2.primal_0.specular_reflectance_0 );
-        var _S497 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S495, _S496 );
-        return _S497;
+        var _S490 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_4, s_diff_by_facets_0.cosine_4 );
+        var _S491 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.eta_0, dpnumbers_2.differential_0.eta_0 );
+        var _S492 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.k_0, dpnumbers_2.differential_0.k_0 );
+        var _S493 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S490, _S491, _S492);
+        var _S494 : vec3<f32> = vec3<f32>(by_facets_0.scattered_0);
+        var _S495 : vec3<f32> = _S493.primal_0 * _S494;
+        var _S496 : Scattering_0 = Scattering_0( dpnumbers_2.primal_0.specular_reflectance_0 * _S495, by_facets_0.pdf_2 );
+        var _S497 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_2.differential_0.specular_reflectance_0 * _S495 + (_S493.differential_0 * _S494 + vec3<f32>(s_diff_by_facets_0.scattered_0) * _S493.primal_0) * dpnumbers_2.primal_0.specular_reflectance_0 );
+        var _S498 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S496, _S497 );
+        return _S498;
     }
-    var _S498 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
-    var _S499 : DiffPair_float_0 = s_fwd_coat_eta_0(_S498);
-    var _S500 : DiffPair_float_0 = DiffPair_float_0( _S499.primal_0, _S499.differential_0 );
-    var _S501 : DiffPair_float_0 = DiffPair_float_0( dpwi_1.primal_0.z, dpwi_1.differential_0.z );
-    var _S502 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_9, _S500, _S501);
-    var _S503 : DiffPair_float_0 = DiffPair_float_0( _S474, _S475 );
-    var _S504 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_9, _S500, _S503);
-    var _S505 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.diffuse_reflectance_0, dpnumbers_2.differential_0.diffuse_reflectance_0 );
-    var _S506 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_base_0(lobe_9, _S500, _S505);
-    var _S507 : f32 = _S502.primal_0 * _S504.primal_0;
-    var _S508 : f32 = _S507 * by_cosine_0;
-    var _S509 : f32 = _S499.primal_0 * _S499.primal_0;
-    var _S510 : f32 = _S499.differential_0 * _S499.primal_0;
-    var _S511 : vec3<f32> = vec3<f32>((_S508 / _S509));
-    var _S512 : vec3<f32> = _S506.primal_0 * _S511;
-    var _S513 : vec3<f32> = _S506.differential_0 * _S511 + vec3<f32>(((((_S502.differential_0 * _S504.primal_0 + _S504.differential_0 * _S502.primal_0) * by_cosine_0 + _S476 * _S507) * _S509 - _S508 * (_S510 + _S510)) / (_S509 * _S509))) * _S506.primal_0;
-    var probability_1 : f32 = base_probability_0(dpnumbers_2.primal_0, _S502.primal_0);
-    var _S514 : f32 = probability_1 * by_cosine_0;
+    var _S499 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
+    var _S500 : DiffPair_float_0 = s_fwd_coat_eta_0(_S499);
+    var _S501 : DiffPair_float_0 = DiffPair_float_0( _S500.primal_0, _S500.differential_0 );
+    var _S502 : DiffPair_float_0 = DiffPair_float_0( dpwi_1.primal_0.z, dpwi_1.differential_0.z );
+    var _S503 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_9, _S501, _S502);
+    var _S504 : DiffPair_float_0 = DiffPair_float_0( _S475, _S476 );
+    var _S505 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_9, _S501, _S504);
+    var _S506 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.diffuse_reflectance_0, dpnumbers_2.differential_0.diffuse_reflectance_0 );
+    var _S507 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_base_0(lobe_9, _S501, _S506);
+    var _S508 : f32 = _S503.primal_0 * _S505.primal_0;
+    var _S509 : f32 = _S508 * by_cosine_0;
+    var _S510 : f32 = _S500.primal_0 * _S500.primal_0;
+    var _S511 : f32 = _S500.differential_0 * _S500.primal_0;
+    var _S512 : vec3<f32> = vec3<f32>((_S509 / _S510));
+    var _S513 : vec3<f32> = _S507.primal_0 * _S512;
+    var _S514 : vec3<f32> = _S507.differential_0 * _S512 + vec3<f32>(((((_S503.differential_0 * _S505.primal_0 + _S505.differential_0 * _S503.primal_0) * by_cosine_0 + _S477 * _S508) * _S510 - _S509 * (_S511 + _S511)) / (_S510 * _S510))) * _S507.primal_0;
+    var probability_1 : f32 = base_probability_0(dpnumbers_2.primal_0, _S503.primal_0);
+    var _S515 : f32 = probability_1 * by_cosine_0;
     var scattering_0 : Scattering_0;
     var s_diff_scattering_0 : Scattering_Differential_0;
     if((lobe_9.kind_1) == u32(4))
     {
-        var _S515 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_4, s_diff_by_facets_0.cosine_4 );
-        var _S516 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S515, _S500);
-        var _S517 : vec3<f32> = vec3<f32>((_S516.primal_0 * by_facets_0.scattered_0));
-        var _S518 : vec3<f32> = _S513 + (dpnumbers_2.differential_0.specular_reflectance_0 * _S517 + vec3<f32>((_S516.differential_0 * by_facets_0.scattered_0 + s_diff_by_facets_0.scattered_0 * _S516.primal_0)) * dpnumbers_2.primal_0.specular_reflectance_0);
-        var _S519 : f32 = _S514 + (1.0f - probability_1) * by_facets_0.pdf_2;
-        scattering_0.value_9 = _S512 + dpnumbers_2.primal_0.specular_reflectance_0 * _S517;
-        scattering_0.pdf_3 = _S519;
-        s_diff_scattering_0.value_10 = _S518;
+        var _S516 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_4, s_diff_by_facets_0.cosine_4 );
+        var _S517 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S516, _S501);
+        var _S518 : vec3<f32> = vec3<f32>((_S517.primal_0 * by_facets_0.scattered_0));
+        var _S519 : vec3<f32> = _S514 + (dpnumbers_2.differential_0.specular_reflectance_0 * _S518 + vec3<f32>((_S517.differential_0 * by_facets_0.scattered_0 + s_diff_by_facets_0.scattered_0 * _S517.primal_0)) * dpnumbers_2.primal_0.specular_reflectance_0);
+        var _S520 : f32 = _S515 + (1.0f - probability_1) * by_facets_0.pdf_2;
+        scattering_0.value_9 = _S513 + dpnumbers_2.primal_0.specular_reflectance_0 * _S518;
+        scattering_0.pdf_3 = _S520;
+        s_diff_scattering_0.value_10 = _S519;
     }
     else
     {
-        scattering_0.value_9 = _S512;
-        scattering_0.pdf_3 = _S514;
-        s_diff_scattering_0.value_10 = _S513;
+        scattering_0.value_9 = _S513;
+        scattering_0.pdf_3 = _S515;
+        s_diff_scattering_0.value_10 = _S514;
     }
-    var _S520 : DiffPair_Scattering_0 = DiffPair_Scattering_0( scattering_0, s_diff_scattering_0 );
-    return _S520;
+    var _S521 : DiffPair_Scattering_0 = DiffPair_Scattering_0( scattering_0, s_diff_scattering_0 );
+    return _S521;
 }
 
 struct Scattered_0
@@ -3548,25 +3580,25 @@ fn eval_and_pdf_0( lobe_10 : Lobe_0,  wi_2 : Vector_0,  wo_0 : Vector_0) -> Scat
     var scattered_1 : Scattered_0;
     scattered_1.value_11 = still_0(vec3<f32>(0.0f));
     scattered_1.pdf_4 = 0.0f;
-    var _S521 : bool;
+    var _S522 : bool;
     if((value_of_0(wo_0).z) <= 0.0f)
     {
-        _S521 = true;
+        _S522 = true;
     }
     else
     {
-        _S521 = !has_smooth_0(lobe_10);
+        _S522 = !has_smooth_0(lobe_10);
     }
-    if(_S521)
+    if(_S522)
     {
         return scattered_1;
     }
-    var _S522 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_10.numbers_2, lobe_10.changes_1 );
-    var _S523 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_2.value_0, wi_2.change_0 );
-    var _S524 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wo_0.value_0, wo_0.change_0 );
-    var _S525 : DiffPair_Scattering_0 = s_fwd_scattering_0(lobe_10, _S522, _S523, _S524);
-    scattered_1.value_11 = changing_0(_S525.primal_0.value_9, _S525.differential_0.value_10);
-    scattered_1.pdf_4 = _S525.primal_0.pdf_3;
+    var _S523 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_10.numbers_2, lobe_10.changes_0 );
+    var _S524 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_2.value_0, wi_2.change_0 );
+    var _S525 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wo_0.value_0, wo_0.change_0 );
+    var _S526 : DiffPair_Scattering_0 = s_fwd_scattering_0(lobe_10, _S523, _S524, _S525);
+    scattered_1.value_11 = changing_0(_S526.primal_0.value_9, _S526.differential_0.value_10);
+    scattered_1.pdf_4 = _S526.primal_0.pdf_3;
     return scattered_1;
 }
 
@@ -3577,15 +3609,15 @@ fn scattered_to_0( vertex_5 : Vertex_0,  wo_1 : vec3<f32>,  direction_16 : Vecto
 
 fn drift_at_0( vertex_6 : Vertex_0,  direction_17 : Vector_0,  t_7 : f32) -> vec3<f32>
 {
-    return vertex_6.surface_3.position_change_0 + change_of_0(direction_17) * vec3<f32>(t_7);
+    return vertex_6.surface_4.position_change_0 + change_of_0(direction_17) * vec3<f32>(t_7);
 }
 
-fn met_0( vertex_7 : Vertex_0,  direction_18 : Vector_0,  t_8 : f32,  place_19 : Place_0) -> Place_0
+fn met_0( vertex_7 : Vertex_0,  direction_18 : Vector_0,  t_8 : f32,  place_20 : Place_0) -> Place_0
 {
-    var _S526 : Place_0 = place_19;
+    var _S527 : Place_0 = place_20;
     var unused_0 : vec3<f32>;
-    move_place_0(&(_S526), &(unused_0), value_of_0(direction_18), drift_at_0(vertex_7, direction_18, t_8));
-    return _S526;
+    move_place_0(&(_S527), &(unused_0), value_of_0(direction_18), drift_at_0(vertex_7, direction_18, t_8));
+    return _S527;
 }
 
 fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
@@ -3598,24 +3630,24 @@ fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
     return 1.0f / (own_2 * (1.0f + ratio_0 * ratio_0));
 }
 
-fn in_map_0( map_6 : u32,  direction_19 : Vector_0) -> Lookup_0
+fn in_map_0( map_6 : u32,  direction_19 : vec3<f32>) -> Lookup_0
 {
-    var _S527 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_19), change_of_0(direction_19) );
-    var _S528 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(map_6, _S527);
+    var place_21 : vec2<f32> = map_place_0(map_6, direction_19);
     var point_1 : Point_0;
-    point_1.change_3 = _S528.differential_0;
-    point_1.value_4 = _S528.primal_0;
-    var x_13 : i32 = floor_of_0(_S528.primal_0.x);
-    var y_5 : i32 = floor_of_0(_S528.primal_0.y);
+    point_1.value_4 = place_21;
+    point_1.by_first_1 = vec2<f32>(1.0f, 0.0f);
+    point_1.by_second_1 = vec2<f32>(0.0f, 1.0f);
+    var x_13 : i32 = floor_of_0(place_21.x);
+    var y_5 : i32 = floor_of_0(place_21.y);
     var width_4 : i32 = i32(word_0(map_6));
     var height_1 : i32 = i32(word_0(map_6 + u32(1)));
     var left_1 : u32 = wrapped_0(x_13, width_4, u32(0));
     var right_1 : u32 = wrapped_0(x_13 + i32(1), width_4, u32(0));
-    var _S529 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S530 : u32 = u32(width_4);
-    var first_4 : u32 = _S529 * _S530;
-    var _S531 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S531 * _S530;
+    var _S528 : u32 = wrapped_0(y_5, height_1, u32(2));
+    var _S529 : u32 = u32(width_4);
+    var first_4 : u32 = _S528 * _S529;
+    var _S530 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S530 * _S529;
     return between_0(vec4<u32>(first_4 + left_1, first_4 + right_1, second_2 + left_1, second_2 + right_1), point_1);
 }
 
@@ -3624,25 +3656,27 @@ fn x2A_0( a_22 : Vector_0,  b_16 : Vector_0) -> Vector_0
     return changing_0(a_22.value_0 * b_16.value_0, a_22.change_0 * b_16.value_0 + a_22.value_0 * b_16.change_0);
 }
 
-fn emitted_0( emitter_5 : u32,  place_20 : Place_0,  direction_20 : Vector_0,  importance_0 : vec3<f32>) -> Vector_0
+fn emitted_0( emitter_5 : u32,  place_22 : Place_0,  direction_20 : Vector_0) -> Vector_0
 {
     var record_14 : u32 = emitter_record_0(emitter_5);
-    var texture_6 : u32 = word_0(record_14 + u32(1));
+    var texture_7 : u32 = word_0(record_14 + u32(1));
     if(!is_map_0(record_14))
     {
-        var lookup_5 : Lookup_0 = lookup_at_0(texture_6, place_20);
-        return looked_up_0(texture_6, lookup_5);
+        var _S531 : Vector_0 = shown_0(texture_7, place_22);
+        return _S531;
     }
-    var texels_2 : u32 = word_0(texture_6 + u32(11));
-    var scale_3 : u32 = word_0(texture_6 + u32(12));
-    var lookup_6 : Lookup_0 = in_map_0(texture_6, direction_20);
-    return x2A_0(looked_up_0(texels_2, lookup_6), looked_up_0(scale_3, one_texel_0(u32(0))));
+    var _S532 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_20.value_0, direction_20.change_0 );
+    var _S533 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S532);
+    var factor_0 : Vector_0 = looked_up_0(word_0(texture_7 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
+    var _S534 : u32 = word_0(texture_7 + u32(11));
+    var _S535 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_20));
+    return x2A_0(looked_up_0(_S534, _S535, _S533.differential_0), factor_0);
 }
 
 fn x2A_1( a_23 : Vector_0,  b_17 : f32) -> Vector_0
 {
-    var _S532 : vec3<f32> = vec3<f32>(b_17);
-    return changing_0(a_23.value_0 * _S532, a_23.change_0 * _S532);
+    var _S536 : vec3<f32> = vec3<f32>(b_17);
+    return changing_0(a_23.value_0 * _S536, a_23.change_0 * _S536);
 }
 
 fn x2B_0( a_24 : Vector_0,  b_18 : Vector_0) -> Vector_0
@@ -3650,7 +3684,7 @@ fn x2B_0( a_24 : Vector_0,  b_18 : Vector_0) -> Vector_0
     return changing_0(a_24.value_0 + b_18.value_0, a_24.change_0 + b_18.change_0);
 }
 
-fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_8 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_5 : u32,  bsdf_samples_0 : f32,  importance_1 : vec3<f32>)
+fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_8 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_5 : u32,  bsdf_samples_0 : f32,  importance_0 : vec3<f32>)
 {
     var probability_2 : f32;
     var emitter_6 : u32 = chosen_emitter_0(choice_5, random_0(key_7, first_5), &(probability_2));
@@ -3668,18 +3702,18 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_8
     var nearest_1 : f32;
     if(is_area_0(record_15))
     {
-        point_2 = area_point_0(record_15, vertex_8.surface_3, key_7, first_5 + u32(1));
+        point_2 = area_point_0(record_15, vertex_8.surface_4, key_7, first_5 + u32(1));
         if(!((point_2.pdf_0) > 0.0f))
         {
             return;
         }
-        var way_3 : vec3<f32> = position_of_0(point_2.place_14) - vertex_8.surface_3.exact_0;
+        var way_3 : vec3<f32> = position_of_0(point_2.place_15) - vertex_8.surface_4.exact_0;
         var distance_5 : f32 = length(way_3);
         var nearest_2 : f32 = nearest_0 / distance_5;
-        var _S533 : f32 = limit_at_0(u32(3));
+        var _S537 : f32 = limit_at_0(u32(3));
         direction_21 = way_3 / vec3<f32>(distance_5);
         way_2 = way_3;
-        farthest_0 = _S533;
+        farthest_0 = _S537;
         distance_4 = distance_5;
         nearest_1 = nearest_2;
     }
@@ -3687,24 +3721,24 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_8
     {
         if(is_map_0(record_15))
         {
-            var _S534 : u32 = word_0(record_15 + u32(1));
-            var _S535 : u32 = first_5 + u32(1);
-            var _S536 : f32 = point_2.pdf_0;
-            var _S537 : vec3<f32> = sample_map_0(_S534, key_7, _S535, &(_S536));
-            point_2.pdf_0 = _S536;
-            direction_21 = _S537;
+            var _S538 : u32 = word_0(record_15 + u32(1));
+            var _S539 : u32 = first_5 + u32(1);
+            var _S540 : f32 = point_2.pdf_0;
+            var _S541 : vec3<f32> = sample_map_0(_S538, key_7, _S539, &(_S540));
+            point_2.pdf_0 = _S540;
+            direction_21 = _S541;
         }
         else
         {
             var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_5 + u32(1)));
-            var _S538 : vec3<f32> = normalize(to_world_0(vertex_8.axes_1, local_1));
+            var _S542 : vec3<f32> = normalize(to_world_0(vertex_8.axes_1, local_1));
             point_2.pdf_0 = local_1.z * 0.31830987334251404f;
-            direction_21 = _S538;
+            direction_21 = _S542;
         }
-        point_2.place_14 = vertex_8.surface_3.place_3;
-        var _S539 : f32 = limit_at_0(u32(1));
+        point_2.place_15 = vertex_8.surface_4.place_3;
+        var _S543 : f32 = limit_at_0(u32(1));
         way_2 = direction_21;
-        farthest_0 = _S539;
+        farthest_0 = _S543;
         distance_4 = 0.0f;
         nearest_1 = nearest_0;
     }
@@ -3714,7 +3748,7 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_8
         return;
     }
     var unused_1 : f32;
-    if((cast_0(vertex_8.surface_3.exact_0, way_2, nearest_1, farthest_0, true, &(unused_1)).face_7) != u32(4294967295))
+    if((cast_0(vertex_8.surface_4.exact_0, way_2, nearest_1, farthest_0, true, &(unused_1)).face_7) != u32(4294967295))
     {
         return;
     }
@@ -3725,19 +3759,19 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_8
     }
     var moving_0 : Vector_0 = towards_emitter_0(vertex_8, direction_21, record_15);
     var scattered_2 : Scattered_0 = scattered_to_0(vertex_8, wo_2, moving_0);
-    var place_21 : Place_0 = point_2.place_14;
-    var place_22 : Place_0;
+    var place_23 : Place_0 = point_2.place_15;
+    var place_24 : Place_0;
     if(is_area_0(record_15))
     {
-        place_22 = met_0(vertex_8, moving_0, distance_4, place_21);
+        place_24 = met_0(vertex_8, moving_0, distance_4, place_23);
     }
     else
     {
-        place_22 = place_21;
+        place_24 = place_23;
     }
     var weight_0 : f32 = weight_over_0(own_3, bsdf_samples_0 * scattered_2.pdf_4);
-    var _S540 : Vector_0 = emitted_0(emitter_6, place_22, moving_0, importance_1 * value_of_0(scattered_2.value_11) * vec3<f32>(weight_0));
-    (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, x2A_0(scattered_2.value_11, x2A_1(_S540, weight_0)));
+    var _S544 : Vector_0 = emitted_0(emitter_6, place_24, moving_0);
+    (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, x2A_0(scattered_2.value_11, x2A_1(_S544, weight_0)));
     return;
 }
 
@@ -3753,37 +3787,37 @@ fn stretched_1( facets_2 : Microfacets_0,  wi_3 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_3.xy * facets_2.alpha_1, wi_3.z);
     var view_7 : Stretched_0;
-    var _S541 : f32 = length(longer_0);
-    view_7.length_0 = _S541;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S541);
-    var _S542 : vec2<f32> = longer_1.xy;
-    var _S543 : f32 = length(_S542);
-    view_7.sine_4 = _S543;
+    var _S545 : f32 = length(longer_0);
+    view_7.length_0 = _S545;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S545);
+    var _S546 : vec2<f32> = longer_1.xy;
+    var _S547 : f32 = length(_S546);
+    view_7.sine_4 = _S547;
     view_7.cosine_7 = longer_1.z;
-    var _S544 : vec2<f32>;
-    if(_S543 > 0.0f)
+    var _S548 : vec2<f32>;
+    if(_S547 > 0.0f)
     {
-        _S544 = _S542 / vec2<f32>(view_7.sine_4);
+        _S548 = _S546 / vec2<f32>(view_7.sine_4);
     }
     else
     {
-        _S544 = vec2<f32>(1.0f, 0.0f);
+        _S548 = vec2<f32>(1.0f, 0.0f);
     }
-    view_7.around_0 = _S544;
+    view_7.around_0 = _S548;
     return view_7;
 }
 
 fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
 {
-    var _S545 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S545);
+    var _S549 : f32 = u_9.x;
+    var radius_2 : f32 = sqrt(_S549);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
-    var across_2 : f32 = radius_2 * turn_3.y;
+    var across_3 : f32 = radius_2 * turn_3.y;
     var along_5 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_7);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S546 : f32 = 1.0f - _S545;
-    var edge_0 : f32 = sqrt(_S546 + along_5 * along_5);
+    var _S550 : f32 = 1.0f - _S549;
+    var edge_0 : f32 = sqrt(_S550 + along_5 * along_5);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
     var from_top_0 : f32 = edge_0 - along_5;
     var from_bottom_0 : f32 = edge_0 + along_5;
@@ -3791,17 +3825,17 @@ fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_5 > 0.0f)
     {
-        from_top_1 = _S546 / from_bottom_0;
+        from_top_1 = _S550 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S547 : f32 = _S546 / from_top_0;
+        var _S551 : f32 = _S550 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S547;
+        from_bottom_1 = _S551;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
-    return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_7, across_2, max(towards_0 * view_8.cosine_7 + up_0 * view_8.sine_4, 0.0f));
+    return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_7, across_3, max(towards_0 * view_8.cosine_7 + up_0 * view_8.sine_4, 0.0f));
 }
 
 fn logarithm_0( x_14 : f32) -> f32
@@ -3851,8 +3885,8 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S548 : f32 = max(view_9.cosine_7, view_9.sine_4);
-    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S548 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S548, -6.0f, 0.5f * steepest_0);
+    var _S552 : f32 = max(view_9.cosine_7, view_9.sine_4);
+    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S552 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S552, -6.0f, 0.5f * steepest_0);
     var low_5 : f32 = -6.0f;
     var high_2 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -3866,10 +3900,10 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             break;
         }
         var both_2 : vec2<f32> = error_function_plus_one_0(slope_0);
-        var _S549 : f32 = both_2.y;
-        var error_0 : f32 = view_9.cosine_7 * both_2.x + 0.5f * view_9.sine_4 * _S549 - target_1;
-        var own_4 : f32 = _S549 * (view_9.cosine_7 - slope_0 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_0 * own_4 - _S549 * view_9.sine_4;
+        var _S553 : f32 = both_2.y;
+        var error_0 : f32 = view_9.cosine_7 * both_2.x + 0.5f * view_9.sine_4 * _S553 - target_1;
+        var own_4 : f32 = _S553 * (view_9.cosine_7 - slope_0 * view_9.sine_4);
+        var bend_0 : f32 = -2.0f * slope_0 * own_4 - _S553 * view_9.sine_4;
         if(error_0 > 0.0f)
         {
             high_2 = slope_0;
@@ -3879,17 +3913,17 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             low_5 = slope_0;
         }
         var next_0 : f32 = slope_0 - error_0 * own_4 / (own_4 * own_4 - 0.5f * error_0 * bend_0);
-        var _S550 : bool;
+        var _S554 : bool;
         if(next_0 >= low_5)
         {
-            _S550 = next_0 <= high_2;
+            _S554 = next_0 <= high_2;
         }
         else
         {
-            _S550 = false;
+            _S554 = false;
         }
         var next_1 : f32;
-        if(!_S550)
+        if(!_S554)
         {
             next_1 = 0.5f * (low_5 + high_2);
         }
@@ -3902,9 +3936,9 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             slope_0 = next_1;
             break;
         }
-        var _S551 : u32 = step_0 + u32(1);
+        var _S555 : u32 = step_0 + u32(1);
         slope_0 = next_1;
-        step_0 = _S551;
+        step_0 = _S555;
     }
     return vec3<f32>(- slope_0, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -3921,11 +3955,11 @@ fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_4 : vec3<f32>,  u_11 : vec
     {
         normal_9 = beckmann_normal_0(view_10, visible_over_cos_0(facets_3, wi_4), u_11);
     }
-    var _S552 : f32 = view_10.around_0.x;
-    var _S553 : f32 = normal_9.x;
-    var _S554 : f32 = view_10.around_0.y;
-    var _S555 : f32 = normal_9.y;
-    var normal_10 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S552 * _S553 - _S554 * _S555, _S554 * _S553 + _S552 * _S555) * facets_3.alpha_1, normal_9.z));
+    var _S556 : f32 = view_10.around_0.x;
+    var _S557 : f32 = normal_9.x;
+    var _S558 : f32 = view_10.around_0.y;
+    var _S559 : f32 = normal_9.y;
+    var normal_10 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S556 * _S557 - _S558 * _S559, _S558 * _S557 + _S556 * _S559) * facets_3.alpha_1, normal_9.z));
     return normalize(normal_10 * vec3<f32>((2.0f * dot(wi_4, normal_10))) - wi_4);
 }
 
@@ -3938,9 +3972,9 @@ struct Drawn_0
 
 fn draw_0( lobe_11 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
 {
-    var _S556 : bool = (lobe_11.kind_1) == u32(0);
+    var _S560 : bool = (lobe_11.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S556)
+    if(_S560)
     {
         has_base_0 = true;
     }
@@ -3957,7 +3991,7 @@ fn draw_0( lobe_11 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f3
         has_base_0 = (lobe_11.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S556)
+    if(_S560)
     {
         of_base_1 = 1.0f;
     }
@@ -3965,16 +3999,16 @@ fn draw_0( lobe_11 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f3
     {
         of_base_1 = 0.0f;
     }
-    var _S557 : bool;
+    var _S561 : bool;
     if((lobe_11.kind_1) == u32(3))
     {
-        _S557 = true;
+        _S561 = true;
     }
     else
     {
-        _S557 = (lobe_11.kind_1) == u32(4);
+        _S561 = (lobe_11.kind_1) == u32(4);
     }
-    if(_S557)
+    if(_S561)
     {
         of_base_1 = base_probability_0(lobe_11.numbers_2, transmittance_0(lobe_11, coat_eta_0(lobe_11.numbers_2), wi_5.z));
     }
@@ -4019,35 +4053,35 @@ fn s_fwd_specular_fraction_0( lobe_12 : Lobe_0,  dpnumbers_3 : DiffPair_Numbers_
 {
     if((lobe_12.kind_1) == u32(1))
     {
-        var _S558 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
-        var _S559 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.eta_0, dpnumbers_3.differential_0.eta_0 );
-        var _S560 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.k_0, dpnumbers_3.differential_0.k_0 );
-        var _S561 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S558, _S559, _S560);
-        var _S562 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S561.primal_0, dpnumbers_3.differential_0.specular_reflectance_0 * _S561.primal_0 + _S561.differential_0 * dpnumbers_3.primal_0.specular_reflectance_0 );
-        return _S562;
+        var _S562 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
+        var _S563 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.eta_0, dpnumbers_3.differential_0.eta_0 );
+        var _S564 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.k_0, dpnumbers_3.differential_0.k_0 );
+        var _S565 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S562, _S563, _S564);
+        var _S566 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S565.primal_0, dpnumbers_3.differential_0.specular_reflectance_0 * _S565.primal_0 + _S565.differential_0 * dpnumbers_3.primal_0.specular_reflectance_0 );
+        return _S566;
     }
-    var _S563 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_3.primal_0, dpnumbers_3.differential_0 );
-    var _S564 : DiffPair_float_0 = s_fwd_coat_eta_0(_S563);
-    var _S565 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
-    var _S566 : DiffPair_float_0 = DiffPair_float_0( _S564.primal_0, _S564.differential_0 );
-    var _S567 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S565, _S566);
-    var _S568 : vec3<f32> = vec3<f32>(_S567.primal_0);
-    var _S569 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S568, dpnumbers_3.differential_0.specular_reflectance_0 * _S568 + vec3<f32>(_S567.differential_0) * dpnumbers_3.primal_0.specular_reflectance_0 );
-    return _S569;
+    var _S567 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_3.primal_0, dpnumbers_3.differential_0 );
+    var _S568 : DiffPair_float_0 = s_fwd_coat_eta_0(_S567);
+    var _S569 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
+    var _S570 : DiffPair_float_0 = DiffPair_float_0( _S568.primal_0, _S568.differential_0 );
+    var _S571 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S569, _S570);
+    var _S572 : vec3<f32> = vec3<f32>(_S571.primal_0);
+    var _S573 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S572, dpnumbers_3.differential_0.specular_reflectance_0 * _S572 + vec3<f32>(_S571.differential_0) * dpnumbers_3.primal_0.specular_reflectance_0 );
+    return _S573;
 }
 
 fn specular_0( lobe_13 : Lobe_0,  wi_6 : Vector_0) -> Vector_0
 {
-    var _S570 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_13.numbers_2, lobe_13.changes_1 );
-    var _S571 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_6.value_0, wi_6.change_0 );
-    var _S572 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_specular_fraction_0(lobe_13, _S570, _S571);
-    return changing_0(_S572.primal_0, _S572.differential_0);
+    var _S574 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_13.numbers_2, lobe_13.changes_0 );
+    var _S575 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_6.value_0, wi_6.change_0 );
+    var _S576 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_specular_fraction_0(lobe_13, _S574, _S575);
+    return changing_0(_S576.primal_0, _S576.differential_0);
 }
 
 fn first_from_0( position_6 : vec3<f32>,  direction_23 : vec3<f32>,  t_9 : ptr<function, f32>) -> Found_0
 {
-    var _S573 : Found_0 = cast_1(position_6, direction_23, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_9)));
-    return _S573;
+    var _S577 : Found_0 = cast_1(position_6, direction_23, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_9)));
+    return _S577;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
@@ -4062,25 +4096,25 @@ fn emitter_seen_0( found_7 : Found_0,  direction_24 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_8) + u32(4));
-    var _S574 : bool;
+    var _S578 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S574 = (dot(cross_of_0(found_7.triangle_8), direction_24)) < 0.0f;
+        _S578 = (dot(cross_of_0(found_7.triangle_8), direction_24)) < 0.0f;
     }
     else
     {
-        _S574 = false;
+        _S578 = false;
     }
-    var _S575 : u32;
-    if(_S574)
+    var _S579 : u32;
+    if(_S578)
     {
-        _S575 = emitter_7;
+        _S579 = emitter_7;
     }
     else
     {
-        _S575 = u32(4294967295);
+        _S579 = u32(4294967295);
     }
-    return _S575;
+    return _S579;
 }
 
 fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_25 : vec3<f32>,  distance_6 : f32) -> f32
@@ -4089,17 +4123,17 @@ fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
     var rectangle_1 : u32 = word_0(record_16 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S576 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S576.solid_angle_0) > 0.0f))
+        var _S580 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S580.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S576.solid_angle_0) >= 0.00100000004749745f)
+        if((_S580.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S576.solid_angle_0;
+            return 1.0f / _S580.solid_angle_0;
         }
     }
-    var _S577 : u32 = word_0(word_0(record_16 + u32(7)) + face_8);
+    var _S581 : u32 = word_0(word_0(record_16 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_16 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -4113,7 +4147,7 @@ fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S577 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S581 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_5 = shares_1.y;
@@ -4123,22 +4157,22 @@ fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             own_5 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_5;
-        var _S578 : i32;
+        var _S582 : i32;
         if(is_second_1)
         {
-            _S578 = i32(3);
+            _S582 = i32(3);
         }
         else
         {
-            _S578 = i32(2);
+            _S582 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S578));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S582));
         chosen_2 = chosen_3;
     }
-    var _S579 : u32 = word_0(record_16 + u32(6));
-    var _S580 : u32 = word_0(node_6);
+    var _S583 : u32 = word_0(record_16 + u32(6));
+    var _S584 : u32 = word_0(node_6);
     own_5 = 0.0f;
-    var k_5 : u32 = _S580;
+    var k_5 : u32 = _S584;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -4149,9 +4183,9 @@ fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
         {
             break;
         }
-        var angle_6 : f32 = face_solid_angle_0(record_16, word_0(_S579 + k_5), from_2.exact_0);
+        var angle_6 : f32 = face_solid_angle_0(record_16, word_0(_S583 + k_5), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_6;
-        if(k_5 == _S577)
+        if(k_5 == _S581)
         {
             own_5 = angle_6;
         }
@@ -4170,34 +4204,34 @@ fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  vertex_10 : Vertex_0,  d
     var record_17 : u32 = emitter_record_0(emitter_8);
     if(is_map_0(record_17))
     {
-        var _S581 : f32 = map_pdf_0(word_0(record_17 + u32(1)), direction_26);
-        return _S581;
+        var _S585 : f32 = map_pdf_0(word_0(record_17 + u32(1)), direction_26);
+        return _S585;
     }
     if(!is_area_0(record_17))
     {
         return max(dot(vertex_10.axes_1.n_1, direction_26), 0.0f) * 0.31830987334251404f;
     }
-    return area_pdf_0(record_17, found_8.face_7 - word_0(record_17 + u32(3)), vertex_10.surface_3, direction_26, t_10);
+    return area_pdf_0(record_17, found_8.face_7 - word_0(record_17 + u32(3)), vertex_10.surface_4, direction_26, t_10);
 }
 
-fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, Reflected_0>,  importance_2 : vec3<f32>) -> bool
+fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, Reflected_0>,  importance_1 : vec3<f32>) -> bool
 {
     var depth_2 : u32 = launch_0.depth_0;
     var first_6 : u32 = vertex_numbers_0(launch_0.depth_0);
     var incoming_0 : vec3<f32> = value_of_0((*path_6).direction_0);
-    var surface_5 : Surface_0 = surface_at_0((*path_6).place_1, incoming_0);
-    move_surface_0(&(surface_5), incoming_0, (*path_6).drift_0);
-    var material_1 : u32 = material_of_0(surface_5);
+    var surface_6 : Surface_0 = surface_at_0((*path_6).place_1, incoming_0);
+    move_surface_0(&(surface_6), incoming_0, (*path_6).drift_0);
+    var material_1 : u32 = material_of_0(surface_6);
     if(material_1 == u32(4294967295))
     {
         return false;
     }
-    var vertex_11 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_6).direction_0);
+    var vertex_11 : Vertex_0 = vertex_at_0(surface_6, material_1, (*path_6).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S582 : u32 = word_0(u32(3));
-    var _S583 : bool = !reaches_0(depth_2 + u32(3));
+    var _S586 : u32 = word_0(u32(3));
+    var _S587 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S583)
+    if(_S587)
     {
         goes_on_0 = (vertex_11.lobe_1.kind_1) == u32(0);
     }
@@ -4207,7 +4241,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     if(goes_on_0)
     {
-        goes_on_0 = is_sampled_well_0(surface_5.position_0);
+        goes_on_0 = is_sampled_well_0(surface_6.position_0);
     }
     else
     {
@@ -4220,7 +4254,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     else
     {
-        bsdf_samples_1 = _S582;
+        bsdf_samples_1 = _S586;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_11.lobe_1))
@@ -4231,7 +4265,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S584 : Choice_0 = choice_at_0(surface_5.position_0, vertex_11.axes_1.n_1, on_emitters_0 == u32(0));
+    var _S588 : Choice_0 = choice_at_0(surface_6.position_0, vertex_11.axes_1.n_1, on_emitters_0 == u32(0));
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -4242,7 +4276,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         {
             break;
         }
-        add_light_from_emitter_0(&((*reflected_2)), vertex_11, _S584, (*path_6).key_0, first_6 + u32(3) * i_4, f32(bsdf_samples_1), importance_2);
+        add_light_from_emitter_0(&((*reflected_2)), vertex_11, _S588, (*path_6).key_0, first_6 + u32(3) * i_4, f32(bsdf_samples_1), importance_1);
         i_4 = i_4 + u32(1);
     }
     var first_7 : u32 = first_6 + u32(3) * emitter_samples_0;
@@ -4288,18 +4322,18 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             continue;
         }
         var t_11 : f32;
-        var found_9 : Found_0 = first_from_0(surface_5.exact_0, direction_27, &(t_11));
+        var found_9 : Found_0 = first_from_0(surface_6.exact_0, direction_27, &(t_11));
         var goes_on_1 : bool;
         var next_3 : Place_0;
         var next_direction_1 : Vector_0;
         var next_distance_1 : f32;
         if(k_6 == u32(0))
         {
-            var _S585 : bool = (found_9.face_7) != u32(4294967295);
-            var _S586 : Place_0 = place_of_0(found_9);
+            var _S589 : bool = (found_9.face_7) != u32(4294967295);
+            var _S590 : Place_0 = place_of_0(found_9);
             (*reflected_2).onward_0 = x2A_1(scattered_3.value_11, 1.0f / scattered_3.pdf_4);
-            goes_on_1 = _S585;
-            next_3 = _S586;
+            goes_on_1 = _S589;
+            next_3 = _S590;
             next_direction_1 = moving_1;
             next_distance_1 = t_11;
         }
@@ -4321,28 +4355,28 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             continue;
         }
         var own_6 : f32 = f32(bsdf_samples_1) * scattered_3.pdf_4;
-        var _S587 : bool = !drawn_1.is_specular_0;
-        var _S588 : bool;
-        if(_S587)
+        var _S591 : bool = !drawn_1.is_specular_0;
+        var _S592 : bool;
+        if(_S591)
         {
-            _S588 = emitter_samples_0 != u32(0);
+            _S592 = emitter_samples_0 != u32(0);
         }
         else
         {
-            _S588 = false;
+            _S592 = false;
         }
         var other_1 : f32;
-        if(_S588)
+        if(_S592)
         {
             var pdf_5 : f32 = emitter_pdf_0(emitter_9, found_9, vertex_11, direction_27, t_11);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S584) * pdf_5;
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S588) * pdf_5;
         }
         else
         {
             other_1 = 0.0f;
         }
         var moving_2 : Vector_0;
-        if(_S587)
+        if(_S591)
         {
             var moving_3 : Vector_0 = towards_emitter_0(vertex_11, direction_27, emitter_record_0(emitter_9));
             scattered_3 = scattered_to_0(vertex_11, drawn_1.wo_3, moving_3);
@@ -4352,26 +4386,26 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         {
             moving_2 = moving_1;
         }
-        var place_23 : Place_0 = place_of_0(found_9);
-        var place_24 : Place_0;
+        var place_25 : Place_0 = place_of_0(found_9);
+        var place_26 : Place_0;
         if((found_9.face_7) != u32(4294967295))
         {
-            place_24 = met_0(vertex_11, moving_2, t_11, place_23);
+            place_26 = met_0(vertex_11, moving_2, t_11, place_25);
         }
         else
         {
-            place_24 = place_23;
+            place_26 = place_25;
         }
         var weight_1 : f32 = weight_over_0(own_6, other_1);
-        var _S589 : Vector_0 = emitted_0(emitter_9, place_24, moving_2, importance_2 * value_of_0(scattered_3.value_11) * vec3<f32>(weight_1));
-        (*reflected_2).direct_0 = x2B_0((*reflected_2).direct_0, x2A_0(scattered_3.value_11, x2A_1(_S589, weight_1)));
+        var _S593 : Vector_0 = emitted_0(emitter_9, place_26, moving_2);
+        (*reflected_2).direct_0 = x2B_0((*reflected_2).direct_0, x2A_0(scattered_3.value_11, x2A_1(_S593, weight_1)));
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
         next_distance_0 = next_distance_1;
         k_6 = k_6 + u32(1);
     }
-    if(_S583)
+    if(_S587)
     {
         goes_on_0 = true;
     }
@@ -4384,12 +4418,12 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         return false;
     }
     var throughput_1 : vec3<f32> = value_of_0((*path_6).throughput_0) * value_of_0((*reflected_2).onward_0);
-    var _S590 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    var _S591 : u32 = depth_2 + u32(1);
-    if(_S591 >= (word_0(u32(1))))
+    var _S594 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    var _S595 : u32 = depth_2 + u32(1);
+    if(_S595 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S590, 0.05000000074505806f, 0.94999998807907104f);
-        if((random_0((*path_6).key_0, vertex_numbers_0(_S591) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S594, 0.05000000074505806f, 0.94999998807907104f);
+        if((random_0((*path_6).key_0, vertex_numbers_0(_S595) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -4452,11 +4486,11 @@ fn set_changing_0( path_10 : u32,  which_9 : ptr<function, u32>,  vector_4 : Vec
     return;
 }
 
-fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_25 : Place_0)
+fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_27 : Place_0)
 {
-    set_word_0(path_11, (*which_10), place_25.triangle_0);
-    set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_25.v_0))));
-    set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_25.w_0))));
+    set_word_0(path_11, (*which_10), place_27.triangle_0);
+    set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_27.v_0))));
+    set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_27.w_0))));
     (*which_10) = (*which_10) + u32(3);
     return;
 }
@@ -4488,16 +4522,16 @@ fn take_thread_further_0( thread_0 : u32)
     path_13.light_0 = x2B_0(path_13.light_0, x2A_0(path_13.throughput_0, reflected_3.direct_0));
     path_13.throughput_0 = x2A_0(path_13.throughput_0, reflected_3.onward_0);
     store_0(number_of_path_2, path_13);
-    var _S592 : u32;
+    var _S596 : u32;
     if(goes_on_2)
     {
-        _S592 = number_of_path_2;
+        _S596 = number_of_path_2;
     }
     else
     {
-        _S592 = u32(4294967295);
+        _S596 = u32(4294967295);
     }
-    set_word_0(at_26, u32(0), _S592);
+    set_word_0(at_26, u32(0), _S596);
     return;
 }
 

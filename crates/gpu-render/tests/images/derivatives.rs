@@ -65,7 +65,7 @@ pub fn all_texels(scene: &Scene) -> Tangent {
 }
 
 /// The derivative of a loss by every channel of every pixel: of both signs.
-fn adjoint(scene: &Scene) -> Image {
+pub fn adjoint(scene: &Scene) -> Image {
     let [width, height] = scene.film.crop_size.map(|n| n as usize);
     let mut next = numbers(2);
     let pixels = (0..width * height).map(|_| Rgb::new(next(), next(), next()) - Rgb::splat(0.25));
