@@ -6,6 +6,7 @@ use capwalk_render::tiles::{Averages, SamplePlace};
 use capwalk_render::{RenderOptions, Tracer, Watch, average_elsewhere};
 use rayon::prelude::*;
 
+use crate::camera_edges::CameraEdges;
 use crate::camera_rays::write_camera_ray;
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
@@ -18,11 +19,13 @@ use crate::unsupported::unsupported_options;
 pub const MOST_PATHS: usize = 1 << 18;
 
 /// What takes samples, and how many at a time at most.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Task<'a> {
     pub kernels: &'static PathKernels,
     /// How textures change.
     pub changes: &'a [u32],
+    /// Edges whose terms are added to the last three numbers.
+    pub edges: Option<&'a CameraEdges<'a>>,
     pub most: usize,
 }
 
@@ -61,11 +64,11 @@ impl DeviceScene<'_> {
                 match self.take::<N>(&tracer, some, size.get(), task, &mut paths, watch) {
                     Ok(Some(samples)) => taken.extend(samples),
                     Ok(None) => return Ok(None),
-                    Err(GpuError::OutOfMemory { .. }) if size.halve() => {
+                    Err(DeviceError::Gpu(GpuError::OutOfMemory { .. })) if size.halve() => {
                         paths = None;
                         continue;
                     }
-                    Err(error) => return Err(error.into()),
+                    Err(error) => return Err(error),
                 }
                 size.follow(self.gpu.busy().saturating_sub(before), some.len());
             }
@@ -83,7 +86,7 @@ impl DeviceScene<'_> {
         task: Task,
         paths: &mut Option<Paths<'p>>,
         watch: &dyn Watch,
-    ) -> Result<Option<Vec<[f64; N]>>, GpuError> {
+    ) -> Result<Option<Vec<[f64; N]>>, DeviceError> {
         let paths = match paths {
             Some(paths) if paths.room() >= room => paths,
             other => {
@@ -103,6 +106,16 @@ impl DeviceScene<'_> {
         };
         let numbers = paths.numbers(places.len())?.into_iter().zip(weights);
         let weighted = |(numbers, weight): ([f32; N], f64)| numbers.map(|x| f64::from(x) * weight);
-        Ok(Some(numbers.map(weighted).collect()))
+        let mut samples: Vec<[f64; N]> = numbers.map(weighted).collect();
+        if let Some(edges) = task.edges {
+            let Some(terms) = edges.terms(self, places, room, watch)? else {
+                return Ok(None);
+            };
+            for (sample, term) in samples.iter_mut().zip(terms) {
+                let derivative = sample[N - 3..].iter_mut().zip(term);
+                derivative.for_each(|(number, term)| *number += term);
+            }
+        }
+        Ok(Some(samples))
     }
 }

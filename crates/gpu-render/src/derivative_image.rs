@@ -8,6 +8,7 @@ use capwalk_render::{GradientImage, Watch};
 use capwalk_scene::Tangent;
 
 use crate::averages::{MOST_PATHS, Task};
+use crate::camera_edges::{CameraEdges, unsupported_motion};
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
 use crate::render_kernels::FORWARD;
@@ -36,14 +37,22 @@ impl DeviceScene<'_> {
         watch: &dyn Watch,
     ) -> Result<GradientImage, DeviceError> {
         GradientWork::new(self.prepared, Cow::Borrowed(tangent), *options).check()?;
-        if let Some(unsupported) = unsupported_derivative(self.prepared, &Wanted::by(tangent)) {
+        let (prepared, wanted) = (self.prepared, Wanted::by(tangent));
+        let unsupported = match wanted.moves() {
+            true => unsupported_motion(prepared, &wanted, self.gpu.precision()),
+            false => unsupported_derivative(prepared, &wanted),
+        };
+        if let Some(unsupported) = unsupported {
             return Err(unsupported.into());
         }
         let changes = changes(&self.textures, tangent);
         self.check_room_of_numbers(changes.len())?;
+        let edges = (wanted.moves()).then(|| CameraEdges::new(prepared, tangent, options));
+        let edges = edges.flatten();
         let task = Task {
             kernels: &FORWARD,
             changes: &changes,
+            edges: edges.as_ref(),
             most,
         };
         let averages = self.average::<6>(task, &options.sampling(), watch)?;

@@ -32,6 +32,7 @@ impl DeviceScene<'_> {
         let task = Task {
             kernels,
             changes: &[],
+            edges: None,
             most,
         };
         let averages = self.average::<3>(task, options, watch)?;

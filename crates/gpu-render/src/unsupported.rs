@@ -50,7 +50,7 @@ pub fn unsupported_derivative(prepared: &PreparedScene, wanted: &Wanted) -> Opti
 }
 
 /// The first number that is wanted and neither a colour of a material nor what an emitter sends.
-fn other_number(scene: &Scene, wanted: &Wanted) -> Option<String> {
+pub fn other_number(scene: &Scene, wanted: &Wanted) -> Option<String> {
     let is_other =
         |slot: &Slot| !matches!(slot.quantity, Quantity::Reflectance | Quantity::Radiance);
     let is_wanted = |id: TextureId| wanted.textures[id.0 as usize];
