@@ -5,10 +5,11 @@ use capwalk_diff::{GradientOptions, Method};
 use capwalk_gpu::Precision;
 use capwalk_gpu_render::{DeviceError, DeviceScene};
 use capwalk_math::{Rgb, Vec3};
-use capwalk_render::{GradientImage, PreparedScene, RenderOptions, Unwatched};
+use capwalk_render::{GradientImage, PreparedScene, RenderOptions, Unwatched, Watch};
 use capwalk_scene::{Scene, ShapeVectors, Tangent};
 
 use crate::beside::different;
+use crate::faults::Impatient;
 use crate::{device, scenes};
 
 /// Where light is emitted and not scattered, derivatives differ by no more than this, relatively:
@@ -302,6 +303,37 @@ fn parts_of_any_size_give_the_same_bits() {
     for most in [3, 71, 250] {
         assert!(parts(most) == whole, "{most}");
     }
+}
+
+/// Work that is stopped at any stage gives whole samples, with their terms.
+#[test]
+fn samples_are_whole_where_work_is_stopped() {
+    let Some(gpu) = device::open(Precision::Double) else {
+        return;
+    };
+    let scene = scene(PATHS, "perspective", "box", &lit_room(DIFFUSE));
+    let tangent = moving(&scene, &["block"]);
+    let prepared = PreparedScene::new(scene);
+    let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
+    let image = |watch: &dyn Watch| {
+        let image = on_device.gradient_in_parts(&tangent, &options(1), 97, watch);
+        image.expect("supported")
+    };
+    let whole = image(&Unwatched).gradient.mean;
+    let mut with_derivative = 0;
+    for until in 0.. {
+        let image = image(&Impatient::new(until));
+        let counts = image.statistics.samples_per_pixel.iter();
+        let pixels = image.gradient.mean.pixels.iter().zip(&whole.pixels);
+        for (&count, (&pixel, &expected)) in counts.zip(pixels) {
+            assert!(count == 0 || pixel == expected, "{until}");
+            with_derivative += u32::from(count > 0 && pixel != Rgb::zero());
+        }
+        if image.statistics.complete {
+            break;
+        }
+    }
+    assert!(with_derivative > 0);
 }
 
 /// With what it is, before a sample is taken.
