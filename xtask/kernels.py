@@ -27,6 +27,7 @@ ENTRIES = {
     "render": ["begin_paths", "go_on", "go_on_diffuse"],
     "forward": ["begin_forward", "go_on_forward"],
     "reverse": ["begin_reverse", "go_on_reverse", "go_back"],
+    "hits": ["begin_at_hits"],
 }
 # Where files are that sources include.
 SHARED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "crates", "gpu", "src", "kernels")

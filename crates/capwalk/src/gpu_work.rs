@@ -5,7 +5,9 @@ use capwalk_diff::{
     Watch,
 };
 use capwalk_gpu::{GpuError, Precision};
-use capwalk_gpu_render::{DeviceError, DeviceScene, unsupported, unsupported_derivative};
+use capwalk_gpu_render::{
+    DeviceError, DeviceScene, Unsupported, unsupported, unsupported_derivative,
+};
 use capwalk_scene::{Image, Tangent};
 
 use crate::device::{Device, DeviceFailure, Found};
@@ -19,7 +21,10 @@ pub fn image(
     options: &RenderOptions,
     watch: &dyn Watch,
 ) -> Result<Found<Rendering>, Error> {
-    found(prepared, device, None, |scene| scene.render(options, watch))
+    let missing = || unsupported(prepared);
+    found(prepared, device, missing, |scene| {
+        scene.render(options, watch)
+    })
 }
 
 /// The derivative of an image along a tangent, see [`found`].
@@ -31,7 +36,11 @@ pub fn gradient(
     watch: &dyn Watch,
 ) -> Result<Found<GradientImage>, Error> {
     let wanted = Wanted::by(tangent);
-    found(prepared, device, Some(&wanted), |scene| {
+    let missing = || {
+        let scene = unsupported(prepared);
+        scene.or_else(|| unsupported_derivative(prepared, &wanted, false))
+    };
+    found(prepared, device, missing, |scene| {
         scene.gradient(tangent, options, watch)
     })
 }
@@ -44,18 +53,21 @@ pub fn backward(
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<Found<Backward>, Error> {
-    found(prepared, device, Some(wanted), |scene| {
+    let missing = || {
+        let scene = unsupported(prepared);
+        scene.or_else(|| unsupported_derivative(prepared, wanted, true))
+    };
+    found(prepared, device, missing, |scene| {
         scene.backward(adjoint, wanted, options, watch)
     })
 }
 
-/// What the GPU that is found computes, with derivatives with respect to what is wanted, if any are.
-/// The processor, for [`Device::Cpu`], and for [`Device::Auto`] where there is none, or where it has
+/// What the GPU that is found computes, unless something is missing there. The processor, for [`Device::Cpu`], and for [`Device::Auto`] where there is none, or where it has
 /// not all that is needed.
 fn found<T>(
     prepared: &PreparedScene,
     device: Device,
-    wanted: Option<&Wanted>,
+    missing: impl FnOnce() -> Option<Unsupported>,
     compute: impl FnOnce(&DeviceScene) -> Result<T, DeviceError>,
 ) -> Result<Found<T>, Error> {
     if device == Device::Cpu {
@@ -64,8 +76,7 @@ fn found<T>(
     let may_fall_back = device == Device::Auto;
     let on_processor = |remark: Option<String>| Ok(Found::Processor { remark });
     // Whether there is a GPU or not.
-    let missing = unsupported(prepared).or_else(|| unsupported_derivative(prepared, wanted?));
-    if let Some(missing) = missing {
+    if let Some(missing) = missing() {
         return match (may_fall_back, shared_gpu()) {
             (false, _) => Err(failure(missing.into())),
             // Where there is software only, the processor is what is meant.

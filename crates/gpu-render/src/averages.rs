@@ -6,6 +6,7 @@ use capwalk_render::tiles::{Averages, SamplePlace};
 use capwalk_render::{RenderOptions, Watch, average_elsewhere};
 use rayon::prelude::*;
 
+use crate::camera_edges::CameraEdges;
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
 use crate::part_size::PartSize;
@@ -24,6 +25,8 @@ pub struct Task<'a> {
     pub changes: &'a [u32],
     /// Writes the camera's ray of a sample, and returns its weight.
     pub write_ray: &'a (dyn Fn(&SamplePlace, &mut [u32]) -> f64 + Sync),
+    /// Edges whose terms are added to the last three numbers.
+    pub edges: Option<&'a CameraEdges<'a>>,
     pub most: usize,
 }
 
@@ -61,11 +64,11 @@ impl DeviceScene<'_> {
                 match self.take::<N>(some, size.get(), task, &mut paths, watch) {
                     Ok(Some(samples)) => taken.extend(samples),
                     Ok(None) => return Ok(None),
-                    Err(GpuError::OutOfMemory { .. }) if size.halve() => {
+                    Err(DeviceError::Gpu(GpuError::OutOfMemory { .. })) if size.halve() => {
                         paths = None;
                         continue;
                     }
-                    Err(error) => return Err(error.into()),
+                    Err(error) => return Err(error),
                 }
                 size.follow(self.gpu.busy().saturating_sub(before), some.len());
             }
@@ -82,7 +85,7 @@ impl DeviceScene<'_> {
         task: Task,
         paths: &mut Option<Paths<'p>>,
         watch: &dyn Watch,
-    ) -> Result<Option<Vec<[f64; N]>>, GpuError> {
+    ) -> Result<Option<Vec<[f64; N]>>, DeviceError> {
         let paths = match paths {
             Some(paths) if paths.room() >= room => paths,
             other => {
@@ -102,6 +105,16 @@ impl DeviceScene<'_> {
         };
         let numbers = paths.numbers(places.len())?.into_iter().zip(weights);
         let weighted = |(numbers, weight): ([f32; N], f64)| numbers.map(|x| f64::from(x) * weight);
-        Ok(Some(numbers.map(weighted).collect()))
+        let mut samples: Vec<[f64; N]> = numbers.map(weighted).collect();
+        if let Some(edges) = task.edges {
+            let Some(terms) = edges.terms(self, places, room, watch)? else {
+                return Ok(None);
+            };
+            for (sample, term) in samples.iter_mut().zip(terms) {
+                let derivative = sample[N - 3..].iter_mut().zip(term);
+                derivative.for_each(|(number, term)| *number += term);
+            }
+        }
+        Ok(Some(samples))
     }
 }

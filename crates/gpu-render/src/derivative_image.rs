@@ -6,22 +6,25 @@ use std::sync::Arc;
 use capwalk_boundary::{Boundaries, Field, Viewpoint};
 use capwalk_diff::{Forward, GradientOptions, GradientWork, Method, Wanted};
 use capwalk_geometry::buffers::NONE;
+use capwalk_gpu::Precision;
 use capwalk_math::Vec3;
 use capwalk_render::{GradientImage, MotionFacts, SceneEval, Tracer, Watch};
 use capwalk_scene::Tangent;
 
 use crate::averages::{MOST_PATHS, Task};
+use crate::camera_edges::CameraEdges;
 use crate::camera_rays::write_moving_ray;
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
 use crate::render_kernels::FORWARD;
 use crate::texture_records::float;
-use crate::unsupported::unsupported_derivative;
+use crate::unsupported::{Unsupported, unsupported_derivative};
 
 impl DeviceScene<'_> {
     /// The derivative of the image for a unit change along `tangent`, with the image, as
-    /// [`capwalk_diff::gradient`] has them: of its samples, with its refusals. An error if anything
-    /// moves. If `watch` stops the work, what was done is returned.
+    /// [`capwalk_diff::gradient`] has them, with its refusals: where anything moves by
+    /// [`Method::EDGES`], whatever the options say. If `watch` stops the work, what was done is
+    /// returned.
     pub fn gradient(
         &self,
         tangent: &Tangent,
@@ -40,11 +43,16 @@ impl DeviceScene<'_> {
         watch: &dyn Watch,
     ) -> Result<GradientImage, DeviceError> {
         GradientWork::new(self.prepared, Cow::Borrowed(tangent), *options).check()?;
-        if let Some(unsupported) = unsupported_derivative(self.prepared, &Wanted::by(tangent)) {
+        let wanted = Wanted::by(tangent);
+        if let Some(unsupported) = unsupported_derivative(self.prepared, &wanted, false) {
             return Err(unsupported.into());
         }
-        let boundaries = self.prepared.boundaries_if(Wanted::by(tangent).moves());
-        self.interior_and(boundaries, tangent, options, most, watch)
+        if wanted.moves() && self.gpu.precision() == Precision::Single {
+            let what = "the device has single precision alone, and something moves".to_owned();
+            return Err(Unsupported { what }.into());
+        }
+        let boundaries = self.prepared.boundaries_if(wanted.moves());
+        self.interior_and(Some(boundaries), tangent, options, most, watch)
     }
 
     /// The interior term of the derivative alone (METHOD 8): how the light along sampled directions
@@ -56,22 +64,30 @@ impl DeviceScene<'_> {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<GradientImage, DeviceError> {
-        let none = Boundaries::none(self.prepared.accel());
-        self.interior_and(&none, tangent, options, MOST_PATHS, watch)
+        self.interior_and(None, tangent, options, MOST_PATHS, watch)
     }
 
-    /// The interior term and that of these boundaries.
+    /// The interior term and those of boundaries, if any are to be seen.
     fn interior_and(
         &self,
-        boundaries: &Boundaries,
+        boundaries: Option<&Boundaries>,
         tangent: &Tangent,
         options: &GradientOptions,
         most: usize,
         watch: &dyn Watch,
     ) -> Result<GradientImage, DeviceError> {
         let scene = self.prepared.scene();
-        let field = Field::new(self.prepared.accel(), boundaries, Method::EDGES);
+        let none = self.prepared.boundaries_if(false);
+        let field = Field::new(
+            self.prepared.accel(),
+            boundaries.unwrap_or(none),
+            Method::EDGES,
+        );
         let eval = Forward::new(field, tangent);
+        let eval = match options.blind {
+            true => eval.blind(),
+            false => eval,
+        };
         let changes = self.changes(&eval, tangent);
         self.check_room_of_numbers(changes.len())?;
         let facts = Arc::new(MotionFacts::of(scene));
@@ -79,10 +95,12 @@ impl DeviceScene<'_> {
         let write_ray = |place: &_, words: &mut [u32]| {
             write_moving_ray(&tracer, &self.frame, &eval, place, words)
         };
+        let edges = boundaries.and_then(|_| CameraEdges::new(&tracer, &eval));
         let task = Task {
             kernels: &FORWARD,
             changes: &changes,
             write_ray: &write_ray,
+            edges: edges.as_ref(),
             most,
         };
         let averages = self.average::<6>(task, &options.sampling(), watch)?;

@@ -37,6 +37,7 @@ impl DeviceScene<'_> {
             kernels,
             changes: &[],
             write_ray: &write_ray,
+            edges: None,
             most,
         };
         let averages = self.average::<3>(task, options, watch)?;

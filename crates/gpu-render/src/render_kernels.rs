@@ -1,5 +1,5 @@
 //! The kernels as `cargo xtask kernels` compiled them from `kernels/render.slang`,
-//! `kernels/forward.slang` and `kernels/reverse.slang`.
+//! `kernels/hits.slang`, `kernels/forward.slang` and `kernels/reverse.slang`.
 
 use capwalk_gpu::CompiledKernel;
 
@@ -27,7 +27,7 @@ pub struct PathKernels {
     pub begin: CompiledKernel,
     /// Takes the paths of a list further by a segment.
     pub go_on: CompiledKernel,
-    /// Words of a camera's ray.
+    /// Words of what a path begins with, which is a camera's ray or what one hits.
     pub ray: usize,
     /// Words of a path: the first one lists the paths that go on.
     pub path: usize,
@@ -60,6 +60,19 @@ pub const IMAGE: PathKernels = PathKernels {
 pub const DIFFUSE_IMAGE: PathKernels = PathKernels {
     go_on: compiled!("go_on_diffuse"),
     ..IMAGE
+};
+
+/// Images of paths that begin at what a camera's ray hits.
+pub const IMAGE_FROM_HITS: PathKernels = PathKernels {
+    begin: compiled!("begin_at_hits"),
+    ray: 8,
+    ..IMAGE
+};
+
+/// The same for scenes of [`DIFFUSE_IMAGE`].
+pub const DIFFUSE_IMAGE_FROM_HITS: PathKernels = PathKernels {
+    go_on: DIFFUSE_IMAGE.go_on,
+    ..IMAGE_FROM_HITS
 };
 
 /// Images with their derivative: behind the list is the light of a path, then its derivative. Rays
@@ -121,10 +134,12 @@ mod tests {
             source
         };
         let image = [IMAGE.begin, IMAGE.go_on, DIFFUSE_IMAGE.go_on];
+        let hits = [IMAGE_FROM_HITS.begin];
         let forward = [FORWARD.begin, FORWARD.go_on];
         let reverse = [REVERSE.begin, REVERSE.go_on, GO_BACK];
         for (source, kernels) in [
             (include_str!("kernels/render.slang"), &image[..]),
+            (include_str!("kernels/hits.slang"), &hits[..]),
             (include_str!("kernels/forward.slang"), &forward[..]),
             (include_str!("kernels/reverse.slang"), &reverse[..]),
         ] {

@@ -55,7 +55,7 @@ impl DeviceScene<'_> {
     ) -> Result<Backward, DeviceError> {
         BackwardWork::new(self.prepared, adjoint, wanted.clone(), *options).check()?;
         let sampling = options.sampling();
-        let unsupported = unsupported_derivative(self.prepared, wanted);
+        let unsupported = unsupported_derivative(self.prepared, wanted, true);
         if let Some(unsupported) = unsupported.or_else(|| unsupported_options(&sampling)) {
             return Err(unsupported.into());
         }
@@ -71,8 +71,8 @@ impl DeviceScene<'_> {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<Backward, DeviceError> {
-        let none = Boundaries::none(self.prepared.accel());
-        self.interior_and_back(&none, adjoint, wanted, options, MOST_WITH_VERTICES, watch)
+        let none = self.prepared.boundaries_if(false);
+        self.interior_and_back(none, adjoint, wanted, options, MOST_WITH_VERTICES, watch)
     }
 
     fn interior_and_back(

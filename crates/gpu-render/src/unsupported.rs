@@ -1,5 +1,6 @@
 //! What the device's renderer does not have.
 
+use capwalk_boundary::may_be_specular;
 use capwalk_diff::Wanted;
 use capwalk_render::{PreparedScene, RenderOptions};
 use capwalk_scene::{
@@ -30,23 +31,57 @@ pub fn unsupported_options(options: &RenderOptions) -> Option<Unsupported> {
     })
 }
 
-/// The first thing of a derivative that the device's renderer does not have. It has those with respect
-/// to texels: the colours of materials, and what emitters send.
-pub fn unsupported_derivative(prepared: &PreparedScene, wanted: &Wanted) -> Option<Unsupported> {
+/// The first thing of a derivative that the device's renderer does not have, in forward mode or, if
+/// `is_reverse`, in reverse mode. It has those with respect to the numbers of materials, but for
+/// rough coats, to what emitters send, and in forward mode to what moves.
+pub fn unsupported_derivative(
+    prepared: &PreparedScene,
+    wanted: &Wanted,
+    is_reverse: bool,
+) -> Option<Unsupported> {
     let scene = prepared.scene();
-    let moving = (0..scene.shapes.len()).find(|&i| wanted.shapes[i] || wanted.normals[i]);
-    let moving = moving.map(|i| format!("shape \"{}\" moves", scene.shapes[i].id));
-    let others = || {
-        wanted
-            .moves()
-            .then(|| "the sensor or an emitter moves".to_owned())
+    let moves = || match is_reverse {
+        true => what_moves(scene, wanted),
+        false => in_motion(prepared, wanted),
     };
-    let what = moving
-        .or_else(others)
-        .or_else(|| other_number(scene, wanted))?;
+    let what = wanted.moves().then(moves).flatten();
+    let what = what.or_else(|| other_number(scene, wanted))?;
     Some(Unsupported {
         what: format!("{what}, and derivatives with respect to that are asked for"),
     })
+}
+
+/// The first thing that moves.
+fn what_moves(scene: &Scene, wanted: &Wanted) -> Option<String> {
+    let mut shapes = scene.shapes.iter().enumerate();
+    let shape = shapes.find(|&(i, _)| wanted.shapes[i] || wanted.normals[i]);
+    let others = || "the sensor or an emitter moves".to_owned();
+    Some(shape.map_or_else(others, |(_, shape)| format!("shape \"{}\" moves", shape.id)))
+}
+
+/// The first thing that the kernels do not have where something moves.
+fn in_motion(prepared: &PreparedScene, wanted: &Wanted) -> Option<String> {
+    let scene = prepared.scene();
+    let moving = what_moves(scene, wanted)?;
+    let view = &prepared.accel().view;
+    let parallel = view
+        .is_parallel()
+        .then(|| "the sensor's rays are parallel".to_owned());
+    let specular = || {
+        let mut shapes = scene.shapes.iter();
+        let shape = shapes.find(|shape| may_be_specular(scene, shape.bsdf))?;
+        let id = &shape.id;
+        Some(format!(
+            "the material of shape \"{id}\" is perfectly specular"
+        ))
+    };
+    // There the film moves under rays that stay, and its points with it.
+    let film = || {
+        let is_alone = wanted.film && !wanted.geometry();
+        is_alone.then(|| "the field of view or the focus distance changes alone".to_owned())
+    };
+    let what = parallel.or_else(specular).or_else(film)?;
+    Some(format!("{what}, {moving}"))
 }
 
 /// The first number that is wanted and of which the kernels have no derivative: those of coats that

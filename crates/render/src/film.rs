@@ -103,7 +103,7 @@ impl Tracer<'_> {
 
     /// What the camera sees from a point sampled on its lens.
     #[inline]
-    fn view<R: Real, W: SceneEval<R>>(&self, eval: &W, draw: Draw) -> View<R> {
+    pub(crate) fn view<R: Real, W: SceneEval<R>>(&self, eval: &W, draw: Draw) -> View<R> {
         let has_lens = self.accel.scene.sensor.model.has_lens();
         eval.view(has_lens.then(|| uniform_disk(draw.stream.pair(LENS))))
     }

@@ -58,6 +58,7 @@ pub use options::{RenderOptions, Silent, Unwatched, Watch};
 pub use ordered_sum::{Accumulate, CannotMerge, OrderedSum};
 pub use part_error::PartError;
 pub use partial::{Along, Partial};
+pub use pixel_silhouette_term::{CameraEdge, TooManyImages};
 pub use plan::{FIRST_VERTEX, LightSampling, Plan};
 pub use prepared::PreparedScene;
 pub use radiance::{Emitted, SpecularChain};

@@ -10,8 +10,9 @@
 //! radiance on either side of an edge, `ṡ` the velocity of its projection on the film,
 //! and `n` the normal of the projection, from behind to before.
 
-use capwalk_boundary::{Draw, MirrorImage, moving_image};
+use capwalk_boundary::{Counts, Draw, MirrorImage, Stream, moving_image};
 use capwalk_math::{Real, Rgb};
+use capwalk_scene::sensor::view::ViewRay;
 
 use crate::camera::Camera;
 use crate::pixel::Support;
@@ -19,7 +20,47 @@ use crate::pixel_silhouettes::silhouettes;
 use crate::scene_eval::{Primal, SceneEval};
 use crate::tracer::{EDGE_NUMBERS, Tracer};
 
+/// A point on an edge that the camera sees, in a sample of a pixel. It gives the number
+/// `(light behind - light before) * weight * flow`, a sample of the boundary term.
+#[derive(Clone, Copy, Debug)]
+pub struct CameraEdge<R> {
+    /// The rays beside it, behind the edge and before it. They are so close to it that only double
+    /// precision tells what they hit.
+    pub sides: [ViewRay<f64>; 2],
+    /// The filter, times film area per solid angle.
+    pub weight: f64,
+    /// `ṡ·n` in the solid angle over the density of the point: a number of value zero, with a
+    /// derivative.
+    pub flow: R,
+}
+
+/// There are too many images in mirrors to gather the edges of all of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooManyImages;
+
 impl Tracer<'_> {
+    /// A point on an edge that the camera sees in a pixel, drawn with the random numbers of a
+    /// sample; `None` if there is none, it is hidden, or nothing moves there. For devices that
+    /// follow the rays beside it themselves, with the sample's random numbers for both.
+    pub fn camera_edge<R: Real, W: SceneEval<R>>(
+        &self,
+        eval: &W,
+        pixel: [u32; 2],
+        stream: &Stream,
+    ) -> Result<Option<CameraEdge<R>>, TooManyImages> {
+        let draw = Draw {
+            stream,
+            counts: &Counts::default(),
+        };
+        let moving = self.view(eval, draw);
+        let camera = Camera {
+            primal: moving.value(),
+            moving,
+        };
+        let support = self.supports.pixel(pixel);
+        self.draw_camera_edge(eval, &camera, pixel, &support, draw)
+    }
+
     /// A sample of this term for one pixel: a number of value zero, with a derivative. `None` if
     /// there are too many images in mirrors to gather edges of all of them.
     pub(super) fn pixel_silhouette_term<R: Real, W: SceneEval<R>>(
@@ -30,6 +71,26 @@ impl Tracer<'_> {
         support: &Support,
         draw: Draw,
     ) -> Option<Rgb<R>> {
+        let drawn = self.draw_camera_edge(eval, camera, pixel, support, draw);
+        let Some(edge) = drawn.ok()? else {
+            return Some(Rgb::zero());
+        };
+        // Trace both sides with the same random numbers, so that their noise cancels.
+        let [behind, before] = edge
+            .sides
+            .map(|ray| self.radiance(&Primal(self.accel), ray, draw));
+        Some(Rgb::constant((behind - before) * edge.weight) * edge.flow)
+    }
+
+    /// Draws a point on an edge that the camera sees.
+    fn draw_camera_edge<R: Real, W: SceneEval<R>>(
+        &self,
+        eval: &W,
+        camera: &Camera<R>,
+        pixel: [u32; 2],
+        support: &Support,
+        draw: Draw,
+    ) -> Result<Option<CameraEdge<R>>, TooManyImages> {
         let moving = self.moving.as_ref();
         let field = &moving.expect("only scenes that move have this term").field;
         let view = &camera.primal;
@@ -58,8 +119,8 @@ impl Tracer<'_> {
                 Some((point, mirrors))
             }))
         });
-        let Some((point, mirrors)) = found? else {
-            return Some(Rgb::zero());
+        let Some((point, mirrors)) = found.ok_or(TooManyImages)? else {
+            return Ok(None);
         };
         // Evaluate ṡ·n over the density: the motion of the edge against the ray of a fixed
         // film point, which moves with the camera.
@@ -73,13 +134,12 @@ impl Tracer<'_> {
         // Stop where nothing moves. A camera on the edge itself gives a NaN, which is not
         // constant and is counted with the sample.
         if flow.is_constant() {
-            return Some(Rgb::zero());
+            return Ok(None);
         }
-        let weight = support.weight(s) * view.film_area_per_solid_angle(point.direction);
-        // Trace both sides with the same random numbers, so that their noise cancels.
-        let [behind, before] = point
-            .sides()
-            .map(|direction| self.radiance(&Primal(accel), view.ray(direction), draw));
-        Some(Rgb::constant((behind - before) * weight) * flow)
+        Ok(Some(CameraEdge {
+            sides: point.sides().map(|direction| view.ray(direction)),
+            weight: support.weight(s) * view.film_area_per_solid_angle(point.direction),
+            flow,
+        }))
     }
 }

@@ -1,6 +1,6 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: ae58d923a27ce7f6
+// source: 9c0748cca67fd080
 // result: 52f1f5f43d7006cc
 
 struct Launch_std140_0

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: ae58d923a27ce7f6
-// result: 6ce8d68c2d8c6c96
+// source: 9c0748cca67fd080
+// result: 385cafd1c17eb151
 
 struct Launch_std140_0
 {
@@ -7949,21 +7949,28 @@ fn go_on_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     }
     set_word_0(number_of_path_2, _S1390, u32(_S1391));
     var _S1392 : u32 = kept_0;
-    var _S1393 : u32 = kept_0 + u32(1);
-    kept_0 = _S1393;
-    set_word_0(number_of_path_2, _S1392, (bitcast<u32>((reflected_3.factor_0))));
-    set_word_0(number_of_path_2, _S1393, (bitcast<u32>((reflected_3.distance_0))));
-    path_15.throughput_0 = path_15.throughput_0 * reflected_3.onward_0;
-    store_0(number_of_path_2, path_15);
-    var _S1394 : u32;
+    kept_0 = kept_0 + u32(1);
+    var _S1393 : u32;
     if(goes_on_2)
     {
-        _S1394 = number_of_path_2;
+        _S1393 = (bitcast<u32>((reflected_3.factor_0)));
     }
     else
     {
-        _S1394 = u32(4294967295);
+        _S1393 = u32(0);
     }
-    set_word_0(at_21, u32(0), _S1394);
+    set_word_0(number_of_path_2, _S1392, _S1393);
+    set_word_0(number_of_path_2, kept_0, (bitcast<u32>((reflected_3.distance_0))));
+    path_15.throughput_0 = path_15.throughput_0 * reflected_3.onward_0;
+    store_0(number_of_path_2, path_15);
+    if(goes_on_2)
+    {
+        _S1393 = number_of_path_2;
+    }
+    else
+    {
+        _S1393 = u32(4294967295);
+    }
+    set_word_0(at_21, u32(0), _S1393);
     return;
 }

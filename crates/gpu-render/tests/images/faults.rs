@@ -10,10 +10,21 @@ use capwalk_render::{PreparedScene, RenderOptions, Unwatched, Watch};
 use crate::{device, scenes};
 
 /// Stops the work after some calls that ask for it.
-struct Impatient {
+pub struct Impatient {
     asked: AtomicU64,
     until: u64,
     done: AtomicU64,
+}
+
+impl Impatient {
+    /// Stops it at the call behind so many.
+    pub fn new(until: u64) -> Self {
+        Self {
+            asked: AtomicU64::new(0),
+            until,
+            done: AtomicU64::new(0),
+        }
+    }
 }
 
 impl Watch for Impatient {
@@ -35,11 +46,7 @@ fn work_can_be_stopped() {
     let options = RenderOptions::new(16, 1);
     let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
     for (until, has_samples) in [(0, false), (1, false), (9, true)] {
-        let watch = Impatient {
-            asked: AtomicU64::new(0),
-            until,
-            done: AtomicU64::new(0),
-        };
+        let watch = Impatient::new(until);
         let rendering = on_device.render(&options, &watch).expect("no error");
         let statistics = rendering.statistics;
         assert!(!statistics.complete);

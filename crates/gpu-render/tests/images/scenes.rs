@@ -32,7 +32,8 @@ pub fn all() -> Vec<(String, Scene)> {
     files.iter().map(named).collect()
 }
 
-fn root() -> PathBuf {
+/// The folder of the scenes.
+pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests")
 }
 

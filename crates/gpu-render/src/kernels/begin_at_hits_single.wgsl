@@ -1,0 +1,608 @@
+// Compiled from hits.slang by `cargo xtask kernels`. Not to be edited.
+// compiler: Slang 2026.12 in slangpy 0.43.1
+// source: 7ab6b39d419c1caf
+// result: 3c133aa56aeefaf8
+
+struct Launch_std140_0
+{
+    @align(16) first_0 : u32,
+    @align(4) end_0 : u32,
+    @align(8) room_0 : u32,
+    @align(4) depth_0 : u32,
+};
+
+@binding(8) @group(0) var<uniform> launch_0 : Launch_std140_0;
+@binding(5) @group(0) var<storage, read> input_0 : array<u32>;
+
+@binding(4) @group(0) var<storage, read> scene_0 : array<u32>;
+
+@binding(2) @group(0) var<storage, read> primitives_0 : array<f32>;
+
+@binding(6) @group(0) var<storage, read_write> paths_0 : array<u32>;
+
+fn word_0( at_0 : u32) -> u32
+{
+    return scene_0[at_0];
+}
+
+struct Place_0
+{
+     triangle_0 : u32,
+     v_0 : f32,
+     w_0 : f32,
+};
+
+fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+{
+    var place_0 : Place_0;
+    place_0.triangle_0 = triangle_1;
+    place_0.v_0 = v_1;
+    place_0.w_0 = w_1;
+    return place_0;
+}
+
+struct Found_0
+{
+     face_0 : u32,
+     triangle_2 : u32,
+     v_2 : f32,
+     w_2 : f32,
+};
+
+fn place_of_0( found_0 : Found_0) -> Place_0
+{
+    return place_at_0(found_0.triangle_2, found_0.v_2, found_0.w_2);
+}
+
+fn changing_0( value_0 : vec3<f32>,  change_0 : vec3<f32>) -> vec3<f32>
+{
+    return value_0;
+}
+
+fn still_0( value_1 : vec3<f32>) -> vec3<f32>
+{
+    return changing_0(value_1, vec3<f32>(0.0f));
+}
+
+fn triangle_record_0( triangle_3 : u32) -> u32
+{
+    return word_0(u32(9)) + u32(5) * triangle_3;
+}
+
+fn shape_of_0( triangle_4 : u32) -> u32
+{
+    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_4));
+}
+
+fn primitive_vector_0( at_1 : u32) -> vec3<f32>
+{
+    return vec3<f32>(primitives_0[at_1], primitives_0[at_1 + u32(1)], primitives_0[at_1 + u32(2)]);
+}
+
+fn cross_of_0( triangle_5 : u32) -> vec3<f32>
+{
+    var at_2 : u32 = u32(9) * triangle_5;
+    var a_0 : vec3<f32> = primitive_vector_0(at_2);
+    return cross(primitive_vector_0(at_2 + u32(3)) - a_0, primitive_vector_0(at_2 + u32(6)) - a_0);
+}
+
+fn emitter_seen_0( found_1 : Found_0,  direction_0 : vec3<f32>) -> u32
+{
+    if((found_1.face_0) == u32(4294967295))
+    {
+        return word_0(u32(8));
+    }
+    var emitter_0 : u32 = word_0(shape_of_0(found_1.triangle_2) + u32(4));
+    var _S1 : bool;
+    if(emitter_0 != u32(4294967295))
+    {
+        _S1 = (dot(cross_of_0(found_1.triangle_2), direction_0)) < 0.0f;
+    }
+    else
+    {
+        _S1 = false;
+    }
+    var _S2 : u32;
+    if(_S1)
+    {
+        _S2 = emitter_0;
+    }
+    else
+    {
+        _S2 = u32(4294967295);
+    }
+    return _S2;
+}
+
+fn emitter_record_0( emitter_1 : u32) -> u32
+{
+    return word_0(u32(11)) + u32(12) * emitter_1;
+}
+
+fn is_map_0( record_0 : u32) -> bool
+{
+    return (word_0(record_0)) == u32(2);
+}
+
+struct Lookup_0
+{
+     count_0 : u32,
+     texels_0 : vec4<u32>,
+     weights_0 : vec4<f32>,
+};
+
+fn one_texel_0( texel_0 : u32) -> Lookup_0
+{
+    var lookup_0 : Lookup_0;
+    lookup_0.count_0 = u32(1);
+    lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
+    lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    return lookup_0;
+}
+
+struct Corners2_0
+{
+     a_1 : vec2<f32>,
+     b_0 : vec2<f32>,
+     c_0 : vec2<f32>,
+};
+
+fn Corners2_x24init_0( a_2 : vec2<f32>,  b_1 : vec2<f32>,  c_1 : vec2<f32>) -> Corners2_0
+{
+    var _S3 : Corners2_0;
+    _S3.a_1 = a_2;
+    _S3.b_0 = b_1;
+    _S3.c_0 = c_1;
+    return _S3;
+}
+
+fn number_0( at_3 : u32) -> f32
+{
+    return (bitcast<f32>((scene_0[at_3])));
+}
+
+fn uvs_of_0( triangle_6 : u32) -> Corners2_0
+{
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_at_0 : u32 = word_0(shape_of_0(triangle_6) + u32(1));
+    if(uvs_at_0 == u32(4294967295))
+    {
+        return uvs_0;
+    }
+    var at_4 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_6) + u32(1));
+    uvs_0.a_1 = vec2<f32>(number_0(at_4), number_0(at_4 + u32(1)));
+    uvs_0.b_0 = vec2<f32>(number_0(at_4 + u32(2)), number_0(at_4 + u32(3)));
+    uvs_0.c_0 = vec2<f32>(number_0(at_4 + u32(4)), number_0(at_4 + u32(5)));
+    return uvs_0;
+}
+
+fn vector_at_0( at_5 : u32) -> vec3<f32>
+{
+    return vec3<f32>(number_0(at_5), number_0(at_5 + u32(1)), number_0(at_5 + u32(2)));
+}
+
+fn floor_of_0( x_0 : f32) -> i32
+{
+    return i32(floor(clamp(x_0, -1.0e+09f, 1.0e+09f)));
+}
+
+fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
+{
+    if(wrap_0 == u32(2))
+    {
+        return u32(clamp(i_0, i32(0), n_0 - i32(1)));
+    }
+    var period_0 : i32;
+    if(wrap_0 == u32(1))
+    {
+        period_0 = i32(2) * n_0;
+    }
+    else
+    {
+        period_0 = n_0;
+    }
+    var inside_0 : i32 = i_0 % period_0;
+    var inside_1 : i32;
+    if(inside_0 < i32(0))
+    {
+        inside_1 = inside_0 + period_0;
+    }
+    else
+    {
+        inside_1 = inside_0;
+    }
+    if(inside_1 < n_0)
+    {
+        period_0 = inside_1;
+    }
+    else
+    {
+        period_0 = i32(2) * n_0 - i32(1) - inside_1;
+    }
+    return u32(period_0);
+}
+
+struct Point_0
+{
+     value_2 : vec2<f32>,
+};
+
+fn between_0( texels_1 : vec4<u32>,  place_1 : Point_0) -> Lookup_0
+{
+    var way_0 : vec2<f32> = place_1.value_2 - floor(place_1.value_2);
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
+    var lookup_1 : Lookup_0;
+    lookup_1.count_0 = u32(4);
+    lookup_1.texels_0 = texels_1;
+    var _S4 : f32 = back_0.x;
+    var _S5 : f32 = back_0.y;
+    var _S6 : f32 = way_0.x;
+    var _S7 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S4 * _S5, _S6 * _S5, _S4 * _S7, _S6 * _S7);
+    return lookup_1;
+}
+
+fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
+{
+    var width_0 : i32 = i32(word_0(texture_0 + u32(2)));
+    var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
+    var wrap_1 : u32 = word_0(texture_0 + u32(5));
+    var place_2 : vec2<f32> = uv_0.value_2 * vec2<f32>(f32(width_0), f32(height_0));
+    if((word_0(texture_0 + u32(4))) == u32(0))
+    {
+        var row_0 : u32 = wrapped_0(floor_of_0(place_2.y), height_0, wrap_1);
+        var _S8 : u32 = row_0 * u32(width_0);
+        var _S9 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
+        return one_texel_0(_S8 + _S9);
+    }
+    var centred_0 : Point_0;
+    var _S10 : vec2<f32> = place_2 - vec2<f32>(0.5f);
+    centred_0.value_2 = _S10;
+    var x_1 : i32 = floor_of_0(_S10.x);
+    var y_0 : i32 = floor_of_0(_S10.y);
+    var _S11 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S12 : u32 = u32(width_0);
+    var first_1 : u32 = _S11 * _S12;
+    var _S13 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S13 * _S12;
+    var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
+    var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
+    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
+}
+
+fn lookup_at_0( texture_1 : u32,  place_3 : Place_0) -> Lookup_0
+{
+    var kind_0 : u32 = word_0(texture_1);
+    if(kind_0 == u32(0))
+    {
+        return one_texel_0(u32(0));
+    }
+    var record_1 : u32 = triangle_record_0(place_3.triangle_0) + u32(1);
+    if(kind_0 == u32(4))
+    {
+        return one_texel_0(word_0(record_1));
+    }
+    if(kind_0 == u32(3))
+    {
+        var lookup_2 : Lookup_0;
+        lookup_2.count_0 = u32(3);
+        lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_3.v_0 - place_3.w_0, place_3.v_0, place_3.w_0, 0.0f);
+        return lookup_2;
+    }
+    var uvs_1 : Corners2_0 = uvs_of_0(place_3.triangle_0);
+    var rows_0 : u32 = texture_1 + u32(6);
+    var uv_1 : Point_0;
+    var _S14 : vec3<f32> = vec3<f32>(uvs_1.a_1 * vec2<f32>((1.0f - place_3.v_0 - place_3.w_0)) + uvs_1.b_0 * vec2<f32>(place_3.v_0) + uvs_1.c_0 * vec2<f32>(place_3.w_0), 1.0f);
+    uv_1.value_2 = vec2<f32>(dot(_S14, vector_at_0(rows_0)), dot(_S14, vector_at_0(rows_0 + u32(3))));
+    if(kind_0 == u32(1))
+    {
+        var _S15 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S15;
+    }
+    var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
+    var _S16 : i32;
+    if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
+    {
+        _S16 = i32(1);
+    }
+    else
+    {
+        _S16 = i32(0);
+    }
+    return one_texel_0(u32(_S16));
+}
+
+fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
+{
+    var _S17 : u32 = word_0(texture_2 + u32(1));
+    var _S18 : u32 = texture_2 + u32(13);
+    var _S19 : vec3<f32> = vec3<f32>(0.0f);
+    var k_0 : u32 = u32(0);
+    var value_3 : vec3<f32> = _S19;
+    for(;;)
+    {
+        if(k_0 < (lookup_3.count_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var at_6 : u32 = _S18 + _S17 * lookup_3.texels_0[k_0];
+        var _S20 : vec3<f32>;
+        if(_S17 == u32(1))
+        {
+            _S20 = vec3<f32>(number_0(at_6));
+        }
+        else
+        {
+            _S20 = vector_at_0(at_6);
+        }
+        var value_4 : vec3<f32> = value_3 + _S20 * vec3<f32>(weights_1[k_0]);
+        k_0 = k_0 + u32(1);
+        value_3 = value_4;
+    }
+    return value_3;
+}
+
+fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> vec3<f32>
+{
+    return weighted_texels_0(texture_3, lookup_4, lookup_4.weights_0);
+}
+
+fn shown_0( texture_4 : u32,  place_4 : Place_0) -> vec3<f32>
+{
+    var _S21 : Lookup_0 = lookup_at_0(texture_4, place_4);
+    return looked_up_0(texture_4, _S21, vec2<f32>(0.0f));
+}
+
+fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
+{
+    return vector_0;
+}
+
+fn angle_of_0( x_2 : f32,  y_1 : f32) -> f32
+{
+    var _S22 : f32 = abs(x_2);
+    var _S23 : f32 = abs(y_1);
+    var _S24 : f32 = min(_S22, _S23);
+    var _S25 : f32 = max(_S22, _S23);
+    var is_steep_0 : bool = _S24 > (0.41421356797218323f * _S25);
+    var above_0 : f32;
+    if(is_steep_0)
+    {
+        above_0 = _S24 - _S25;
+    }
+    else
+    {
+        above_0 = _S24;
+    }
+    var below_0 : f32;
+    if(is_steep_0)
+    {
+        below_0 = _S24 + _S25;
+    }
+    else
+    {
+        below_0 = _S25;
+    }
+    if(below_0 > 0.0f)
+    {
+    }
+    else
+    {
+        below_0 = 1.0f;
+    }
+    var t_0 : f32 = above_0 / below_0;
+    var z_0 : f32 = t_0 * t_0;
+    var angle_0 : f32 = (((0.08053744584321976f * z_0 - 0.13877685368061066f) * z_0 + 0.19977711141109467f) * z_0 - 0.33332949876785278f) * z_0 * t_0 + t_0;
+    var angle_1 : f32;
+    if(is_steep_0)
+    {
+        angle_1 = angle_0 + 0.78539818525314331f;
+    }
+    else
+    {
+        angle_1 = angle_0;
+    }
+    if(_S23 > _S22)
+    {
+        angle_1 = 1.57079637050628662f - angle_1;
+    }
+    else
+    {
+    }
+    if(x_2 < 0.0f)
+    {
+        angle_1 = 3.14159274101257324f - angle_1;
+    }
+    else
+    {
+    }
+    if(y_1 < 0.0f)
+    {
+        above_0 = - angle_1;
+    }
+    else
+    {
+        above_0 = angle_1;
+    }
+    return above_0;
+}
+
+fn map_place_0( map_0 : u32,  direction_1 : vec3<f32>) -> vec2<f32>
+{
+    var _S26 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S26) * vec3<f32>(direction_1.x) + vector_at_0(_S26 + u32(3)) * vec3<f32>(direction_1.y) + vector_at_0(_S26 + u32(6)) * vec3<f32>(direction_1.z);
+    return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
+}
+
+fn in_map_0( map_1 : u32,  direction_2 : vec3<f32>) -> Lookup_0
+{
+    var place_5 : vec2<f32> = map_place_0(map_1, direction_2);
+    var point_0 : Point_0;
+    point_0.value_2 = place_5;
+    var x_3 : i32 = floor_of_0(place_5.x);
+    var y_2 : i32 = floor_of_0(place_5.y);
+    var width_1 : i32 = i32(word_0(map_1));
+    var height_1 : i32 = i32(word_0(map_1 + u32(1)));
+    var left_1 : u32 = wrapped_0(x_3, width_1, u32(0));
+    var right_1 : u32 = wrapped_0(x_3 + i32(1), width_1, u32(0));
+    var _S27 : u32 = wrapped_0(y_2, height_1, u32(2));
+    var _S28 : u32 = u32(width_1);
+    var first_2 : u32 = _S27 * _S28;
+    var _S29 : u32 = wrapped_0(y_2 + i32(1), height_1, u32(2));
+    var second_1 : u32 = _S29 * _S28;
+    return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), point_0);
+}
+
+fn emitted_0( emitter_2 : u32,  place_6 : Place_0,  direction_3 : vec3<f32>) -> vec3<f32>
+{
+    var record_2 : u32 = emitter_record_0(emitter_2);
+    var texture_5 : u32 = word_0(record_2 + u32(1));
+    if(!is_map_0(record_2))
+    {
+        var _S30 : vec3<f32> = shown_0(texture_5, place_6);
+        return _S30;
+    }
+    var change_1 : vec2<f32> = vec2<f32>(0.0f);
+    var factor_0 : vec3<f32> = looked_up_0(word_0(texture_5 + u32(12)), one_texel_0(u32(0)), change_1);
+    var _S31 : u32 = word_0(texture_5 + u32(11));
+    var _S32 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_3));
+    return looked_up_0(_S31, _S32, change_1) * factor_0;
+}
+
+fn set_word_0( path_0 : u32,  which_0 : u32,  value_5 : u32)
+{
+    paths_0[which_0 * launch_0.room_0 + path_0] = value_5;
+    return;
+}
+
+fn set_vector_0( path_1 : u32,  which_1 : ptr<function, u32>,  value_6 : vec3<f32>)
+{
+    var axis_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_0 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_1, (*which_1) + axis_0, (bitcast<u32>((value_6[axis_0]))));
+        axis_0 = axis_0 + u32(1);
+    }
+    (*which_1) = (*which_1) + u32(3);
+    return;
+}
+
+fn set_changing_0( path_2 : u32,  which_2 : ptr<function, u32>,  vector_1 : vec3<f32>)
+{
+    set_vector_0(path_2, &((*which_2)), value_of_0(vector_1));
+    return;
+}
+
+fn set_place_0( path_3 : u32,  which_3 : ptr<function, u32>,  place_7 : Place_0)
+{
+    set_word_0(path_3, (*which_3), place_7.triangle_0);
+    set_word_0(path_3, (*which_3) + u32(1), (bitcast<u32>((place_7.v_0))));
+    set_word_0(path_3, (*which_3) + u32(2), (bitcast<u32>((place_7.w_0))));
+    (*which_3) = (*which_3) + u32(3);
+    return;
+}
+
+struct Path_0
+{
+     throughput_0 : vec3<f32>,
+     direction_4 : vec3<f32>,
+     place_8 : Place_0,
+     key_0 : vec2<u32>,
+     light_0 : vec3<f32>,
+};
+
+fn store_0( number_of_path_0 : u32,  path_4 : Path_0)
+{
+    var at_7 : u32 = u32(1);
+    set_changing_0(number_of_path_0, &(at_7), path_4.light_0);
+    set_changing_0(number_of_path_0, &(at_7), path_4.throughput_0);
+    set_changing_0(number_of_path_0, &(at_7), path_4.direction_4);
+    set_place_0(number_of_path_0, &(at_7), path_4.place_8);
+    set_word_0(number_of_path_0, at_7, path_4.key_0.x);
+    set_word_0(number_of_path_0, at_7 + u32(1), path_4.key_0.y);
+    return;
+}
+
+fn reaches_0( segments_0 : u32) -> bool
+{
+    return segments_0 <= (word_0(u32(0)));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn begin_at_hits(@builtin(global_invocation_id) thread_0 : vec3<u32>)
+{
+    var number_of_path_1 : u32 = launch_0.first_0 + thread_0.x;
+    if(number_of_path_1 >= (launch_0.end_0))
+    {
+        return;
+    }
+    var at_8 : u32 = u32(8) * number_of_path_1;
+    var found_2 : Found_0;
+    var _S33 : u32 = input_0[at_8];
+    found_2.face_0 = _S33;
+    var _S34 : u32;
+    if(_S33 == u32(4294967295))
+    {
+        _S34 = u32(0);
+    }
+    else
+    {
+        _S34 = word_0(word_0(u32(12)) + found_2.face_0);
+    }
+    found_2.triangle_2 = _S34;
+    found_2.v_2 = (bitcast<f32>((input_0[at_8 + u32(1)])));
+    found_2.w_2 = (bitcast<f32>((input_0[at_8 + u32(2)])));
+    var path_5 : Path_0;
+    path_5.place_8 = place_of_0(found_2);
+    var _S35 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_8 + u32(3)], input_0[at_8 + u32(4)], input_0[at_8 + u32(5)]))));
+    path_5.direction_4 = _S35;
+    path_5.key_0 = vec2<u32>(input_0[at_8 + u32(6)], input_0[at_8 + u32(7)]);
+    path_5.throughput_0 = still_0(vec3<f32>(1.0f));
+    path_5.light_0 = still_0(vec3<f32>(0.0f));
+    var emitter_3 : u32 = emitter_seen_0(found_2, _S35);
+    var _S36 : bool;
+    if(emitter_3 != u32(4294967295))
+    {
+        _S36 = (word_0(u32(4))) != u32(0);
+    }
+    else
+    {
+        _S36 = false;
+    }
+    if(_S36)
+    {
+        var _S37 : vec3<f32> = emitted_0(emitter_3, path_5.place_8, path_5.direction_4);
+        path_5.light_0 = _S37;
+    }
+    store_0(number_of_path_1, path_5);
+    if((found_2.face_0) != u32(4294967295))
+    {
+        _S36 = reaches_0(u32(2));
+    }
+    else
+    {
+        _S36 = false;
+    }
+    if(_S36)
+    {
+        _S34 = number_of_path_1;
+    }
+    else
+    {
+        _S34 = u32(4294967295);
+    }
+    set_word_0(number_of_path_1, u32(0), _S34);
+    return;
+}
