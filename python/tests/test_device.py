@@ -119,10 +119,24 @@ def test_derivatives_by_colours_are_those_of_the_processor(scene: cw.Scene, adap
     assert np.allclose(gpu, cpu, rtol=1e-3) and not np.array_equal(gpu, cpu)
     # The same samples, backwards and forwards.
     assert np.isclose(gpu.sum(), (adjoint * slopes[1].gradient).sum(), rtol=1e-4)
-    # What moves is for the processor.
+    # In reverse mode, what moves is for the processor.
     with pytest.raises(cw.ArgumentError, match='shape "box" moves'):
-        cw.gradient(scene, "box.translate.x", device="gpu")
-    assert cw.gradient(scene, "box.translate.x", spp=1, device="auto").device == "cpu"
+        cw.backward(scene, adjoint, ["box.vertices"], device="gpu")
+    auto = cw.backward(scene, adjoint, ["box.vertices"], spp=1, device="auto")
+    assert auto.device == "cpu"
+
+
+def test_derivatives_by_what_moves_agree_with_the_processor(scene: cw.Scene, adapter: str) -> None:
+    cpu, gpu = (
+        cw.gradient(scene, "box.translate.x", spp=64, method="edges", device=device)
+        for device in ("cpu", "gpu")
+    )
+    assert (cpu.device, gpu.device) == ("cpu", adapter)
+    errors = np.hypot(cpu.stderr, gpu.stderr)
+    z = (gpu.gradient - cpu.gradient)[errors > 0] / errors[errors > 0]
+    assert len(z) > 0 and abs(z.mean()) * np.sqrt(len(z)) < 5 and z.std() < 1.3
+    with pytest.raises(cw.ArgumentError, match="walk"):
+        cw.gradient(scene, "box.translate.x", method="walk", device="gpu")
 
 
 def test_what_a_gpu_does_not_have_is_refused_by_name(scene: cw.Scene, built: None) -> None:

@@ -32,8 +32,7 @@ pub struct OnDevice<T> {
     pub adapter: Option<String>,
     /// Why it was the processor, where a GPU was there and could have been meant.
     pub remark: Option<String>,
-    /// The method of a derivative. A GPU has those with respect to colours and texels alone, where
-    /// all methods are one.
+    /// The method of a derivative. A GPU has edges alone, and where nothing moves all methods are one.
     pub chosen: Option<Chosen>,
 }
 

@@ -1,7 +1,7 @@
 //! Images and derivatives on a device.
 
 use capwalk_diff::{
-    Chosen, GradientImage, GradientOptions, Method, RenderOptions, Rendering, Watch,
+    Chosen, GradientImage, GradientOptions, Method, RenderOptions, Rendering, Wanted, Watch,
 };
 use capwalk_scene::Image;
 
@@ -40,8 +40,8 @@ impl Prepared {
     }
 
     /// [`Prepared::gradient`] on a device, see [`Prepared::render_on`]. A GPU has derivatives with
-    /// respect to the colours of materials and to what emitters send; [`Device::Auto`] takes the
-    /// processor for others.
+    /// respect to the numbers of materials, to what emitters send, and to what moves, by
+    /// [`Method::EDGES`]; [`Device::Auto`] takes the processor for what it has not.
     ///
     /// ```
     /// # use capwalk::{Device, GradientOptions, Prepared, Unwatched};
@@ -63,13 +63,15 @@ impl Prepared {
         let tangent = direction.tangent(self.scene(), self.registry())?;
         let work = self.gradient_work(&*tangent, options)?;
         let found = gpu_work::gradient(self.prepared_scene(), device, &tangent, options, watch)?;
-        or_else(found, Some(options), || {
+        let there = by_method(options, Wanted::by(&tangent).moves());
+        or_else(found, Some(there), || {
             let chosen = work.chosen(watch)?;
             Ok((work.whole(watch)?, Some(chosen)))
         })
     }
 
-    /// [`Prepared::backward`] on a device, see [`Prepared::gradient_on`].
+    /// [`Prepared::backward`] on a device, see [`Prepared::gradient_on`]; of what moves, only the
+    /// processor has it.
     pub fn backward_on<N: AsRef<str>>(
         &self,
         device: Device,
@@ -88,18 +90,29 @@ impl Prepared {
             },
             Found::Processor { remark } => Found::Processor { remark },
         };
-        or_else(found, Some(options), || {
+        or_else(found, Some(by_method(options, false)), || {
             let chosen = work.chosen(watch)?;
             Ok((work.whole(watch)?, Some(chosen)))
         })
     }
 }
 
+/// The options with the method that a GPU has. Where nothing moves all methods are one, and the
+/// choice of the processor is the walk.
+fn by_method(options: &GradientOptions, moves: bool) -> GradientOptions {
+    let method = match options.method {
+        Method::Auto if moves => Method::EDGES,
+        Method::Auto => Method::Walk,
+        method => method,
+    };
+    GradientOptions { method, ..*options }
+}
+
 /// What a GPU computed, by these options if it is a derivative, or else the processor, which may have
-/// chosen a method. Where nothing moves all methods are one, and the choice of both is the walk.
+/// chosen a method.
 fn or_else<T>(
     found: Found<T>,
-    options: Option<&GradientOptions>,
+    options: Option<GradientOptions>,
     on_processor: impl FnOnce() -> Result<(T, Option<Chosen>), Error>,
 ) -> Result<OnDevice<T>, Error> {
     match found {
@@ -107,14 +120,8 @@ fn or_else<T>(
             result,
             adapter: Some(adapter),
             remark: None,
-            chosen: options.map(|&options| Chosen {
-                options: GradientOptions {
-                    method: match options.method {
-                        Method::Auto => Method::Walk,
-                        method => method,
-                    },
-                    ..options
-                },
+            chosen: options.map(|options| Chosen {
+                options,
                 trials: Vec::new(),
             }),
         }),

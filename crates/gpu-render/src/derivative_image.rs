@@ -23,8 +23,7 @@ use crate::unsupported::{Unsupported, unsupported_derivative};
 impl DeviceScene<'_> {
     /// The derivative of the image for a unit change along `tangent`, with the image, as
     /// [`capwalk_diff::gradient`] has them, with its refusals: where anything moves by
-    /// [`Method::EDGES`], whatever the options say. If `watch` stops the work, what was done is
-    /// returned.
+    /// [`Method::EDGES`]. If `watch` stops the work, what was done is returned.
     pub fn gradient(
         &self,
         tangent: &Tangent,
@@ -44,7 +43,9 @@ impl DeviceScene<'_> {
     ) -> Result<GradientImage, DeviceError> {
         GradientWork::new(self.prepared, Cow::Borrowed(tangent), *options).check()?;
         let wanted = Wanted::by(tangent);
-        if let Some(unsupported) = unsupported_derivative(self.prepared, &wanted, false) {
+        if let Some(unsupported) =
+            unsupported_derivative(self.prepared, &wanted, &options.method, false)
+        {
             return Err(unsupported.into());
         }
         if wanted.moves() && self.gpu.precision() == Precision::Single {

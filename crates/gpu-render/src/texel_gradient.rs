@@ -55,7 +55,7 @@ impl DeviceScene<'_> {
     ) -> Result<Backward, DeviceError> {
         BackwardWork::new(self.prepared, adjoint, wanted.clone(), *options).check()?;
         let sampling = options.sampling();
-        let unsupported = unsupported_derivative(self.prepared, wanted, true);
+        let unsupported = unsupported_derivative(self.prepared, wanted, &options.method, true);
         if let Some(unsupported) = unsupported.or_else(|| unsupported_options(&sampling)) {
             return Err(unsupported.into());
         }

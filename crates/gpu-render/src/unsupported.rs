@@ -1,7 +1,7 @@
 //! What the device's renderer does not have.
 
 use capwalk_boundary::may_be_specular;
-use capwalk_diff::Wanted;
+use capwalk_diff::{Gathers, Method, Wanted};
 use capwalk_render::{PreparedScene, RenderOptions};
 use capwalk_scene::{
     Bsdf, BsdfId, Emitter, Integrator, Quantity, SamplerKind, Scene, Slot, TextureId,
@@ -31,18 +31,19 @@ pub fn unsupported_options(options: &RenderOptions) -> Option<Unsupported> {
     })
 }
 
-/// The first thing of a derivative that the device's renderer does not have, in forward mode or, if
-/// `is_reverse`, in reverse mode. It has those with respect to the numbers of materials, but for
-/// rough coats, to what emitters send, and in forward mode to what moves.
+/// The first thing of a derivative that the device's renderer does not have, by a method, in forward
+/// mode or, if `is_reverse`, in reverse mode. It has those with respect to the numbers of materials,
+/// but for rough coats, to what emitters send, and in forward mode to what moves, by edges.
 pub fn unsupported_derivative(
     prepared: &PreparedScene,
     wanted: &Wanted,
+    method: &Method,
     is_reverse: bool,
 ) -> Option<Unsupported> {
     let scene = prepared.scene();
     let moves = || match is_reverse {
         true => what_moves(scene, wanted),
-        false => in_motion(prepared, wanted),
+        false => in_motion(prepared, wanted, method),
     };
     let what = wanted.moves().then(moves).flatten();
     let what = what.or_else(|| other_number(scene, wanted))?;
@@ -60,7 +61,7 @@ fn what_moves(scene: &Scene, wanted: &Wanted) -> Option<String> {
 }
 
 /// The first thing that the kernels do not have where something moves.
-fn in_motion(prepared: &PreparedScene, wanted: &Wanted) -> Option<String> {
+fn in_motion(prepared: &PreparedScene, wanted: &Wanted, method: &Method) -> Option<String> {
     let scene = prepared.scene();
     let moving = what_moves(scene, wanted)?;
     let view = &prepared.accel().view;
@@ -80,7 +81,16 @@ fn in_motion(prepared: &PreparedScene, wanted: &Wanted) -> Option<String> {
         let is_alone = wanted.film && !wanted.geometry();
         is_alone.then(|| "the field of view or the focus distance changes alone".to_owned())
     };
-    let what = parallel.or_else(specular).or_else(film)?;
+    let walks = || {
+        let along = |gathers: Gathers| Gathers::ALL.without(gathers).is_nowhere();
+        let is_by_edges = match method {
+            Method::Auto => true,
+            Method::Edges(gathers) => along(*gathers),
+            _ => false,
+        };
+        (!is_by_edges).then(|| "directions are to walk".to_owned())
+    };
+    let what = parallel.or_else(specular).or_else(film).or_else(walks)?;
     Some(format!("{what}, {moving}"))
 }
 

@@ -35,7 +35,7 @@ fn images_come_from_the_device_that_is_asked_for() {
     assert!(!capwalk.folder.join("glass.exr").exists());
 }
 
-/// Derivatives with respect to colours and to what emitters send; what moves is named.
+/// Derivatives with respect to colours, to what emitters send, and in forward mode to what moves.
 #[test]
 fn derivatives_come_from_the_device_that_is_asked_for() {
     let capwalk = Capwalk::new("device_derivatives");
@@ -71,10 +71,27 @@ fn derivatives_come_from_the_device_that_is_asked_for() {
         });
         assert!((a - b).abs() <= 1e-4 * b, "{a} {b}");
     }
-    let moving = format!("{gradient} leaf.translate.x --device gpu -o moving.exr");
-    assert_has(
-        &capwalk.error(&moving),
-        &["shape \"leaf\" moves", "not on the GPU", "--device cpu"],
-    );
-    assert!(!capwalk.folder.join("moving.exr").exists());
+    // What moves, by edges; in reverse mode it is named.
+    let moving = "gradient leaf --spp 64 --size 16x12 --json --method edges -p leaf.translate.x";
+    let [cpu, gpu] = ["cpu", "gpu"]
+        .map(|device| capwalk.json(&format!("{moving} --device {device} -o moving.exr")));
+    // Variances are those of a pixel, the means those of 192 pixels.
+    let variance = [&gpu, &cpu].map(|json| json["variance_per_sample"].as_f64().expect("one"));
+    let error = (variance.iter().sum::<f64>() / (64.0 * 192.0)).sqrt();
+    for channel in 0..3 {
+        let [a, b] = [&gpu, &cpu].map(|json| json["mean_gradient"][channel].as_f64().expect("one"));
+        assert!((a - b).abs() < 5.0 * error && a < -0.01, "{a} {b} {error}");
+    }
+    let walks = moving.replace("edges", "walk");
+    let backward = backward.replace("--json", "-p leaf.vertices -o moving.npz");
+    for (command, expected) in [
+        (walks.as_str(), "walk"),
+        (&backward, "shape \"leaf\" moves"),
+    ] {
+        assert_has(
+            &capwalk.error(&format!("{command} --device gpu")),
+            &[expected, "not on the GPU", "--device cpu"],
+        );
+    }
+    assert!(!capwalk.folder.join("moving.npz").exists());
 }
