@@ -98,6 +98,11 @@ impl Wanted {
         rays_move || self.shapes.contains(&true) || self.emitters.contains(&true)
     }
 
+    /// True if anything of the sensor is wanted.
+    pub fn sensor(&self) -> bool {
+        self.sensor_origin || self.sensor_axes || self.aperture || self.film
+    }
+
     /// True if anything may move that a boundary is seen from, lies on, or is projected by.
     pub fn moves(&self) -> bool {
         self.geometry() || self.film || self.normals.contains(&true)
@@ -105,7 +110,7 @@ impl Wanted {
 
     /// For every point of the boundaries, whether it depends on a shape or a light that is
     /// wanted.
-    pub(crate) fn points(&self, accel: &Accel, boundaries: &Boundaries) -> Vec<bool> {
+    pub fn points(&self, accel: &Accel, boundaries: &Boundaries) -> Vec<bool> {
         let vertices = 0..accel.mesh.positions.len() as u32;
         let mut points: Vec<bool> = vertices.map(|i| self.vertices(accel, i)).collect();
         let emitters = accel.scene.emitters.iter().zip(&self.emitters);

@@ -42,3 +42,4 @@ pub use forward_eval::Forward;
 pub use options::{AllowMissing, GradientOptions};
 pub use refused::refusal;
 pub use reverse::{Backward, BackwardWork, BatchSums, backward};
+pub use reverse_eval::Reverse;

@@ -3,7 +3,7 @@
 use capwalk_boundary::pool;
 use capwalk_gpu::GpuError;
 use capwalk_render::tiles::{Averages, SamplePlace};
-use capwalk_render::{RenderOptions, Watch, average_elsewhere};
+use capwalk_render::{CameraEdge, RenderOptions, TooManyImages, Watch, average_elsewhere};
 use rayon::prelude::*;
 
 use crate::camera_edges::CameraEdges;
@@ -17,6 +17,10 @@ use crate::unsupported::unsupported_options;
 /// Most samples that are on the device at a time: enough for a GPU to be busy.
 pub const MOST_PATHS: usize = 1 << 18;
 
+/// Draws the edge that the camera sees in a sample, with the derivative of its flow.
+pub type DrawEdge<'a> =
+    dyn Fn(&SamplePlace) -> Result<Option<CameraEdge<f64>>, TooManyImages> + Sync + 'a;
+
 /// What takes samples, and how many at a time at most.
 #[derive(Clone, Copy)]
 pub struct Task<'a> {
@@ -25,8 +29,9 @@ pub struct Task<'a> {
     pub changes: &'a [u32],
     /// Writes the camera's ray of a sample, and returns its weight.
     pub write_ray: &'a (dyn Fn(&SamplePlace, &mut [u32]) -> f64 + Sync),
-    /// Edges whose terms are added to the last three numbers.
-    pub edges: Option<&'a CameraEdges<'a>>,
+    /// The edges that the camera sees, which are added to the last three numbers, and how the flow
+    /// across that of a sample changes.
+    pub edges: Option<(&'a CameraEdges<'a>, &'a DrawEdge<'a>)>,
     pub most: usize,
 }
 
@@ -106,12 +111,13 @@ impl DeviceScene<'_> {
         let numbers = paths.numbers(places.len())?.into_iter().zip(weights);
         let weighted = |(numbers, weight): ([f32; N], f64)| numbers.map(|x| f64::from(x) * weight);
         let mut samples: Vec<[f64; N]> = numbers.map(weighted).collect();
-        if let Some(edges) = task.edges {
-            let Some(terms) = edges.terms(self, places, room, watch)? else {
+        if let Some((edges, draw)) = task.edges {
+            let Some(drawn) = edges.of(self, places, draw, room, watch)? else {
                 return Ok(None);
             };
-            for (sample, term) in samples.iter_mut().zip(terms) {
-                let derivative = sample[N - 3..].iter_mut().zip(term);
+            for edge in drawn {
+                let term = (edge.jump * edge.flow).to_array();
+                let derivative = samples[edge.sample][N - 3..].iter_mut().zip(term);
                 derivative.for_each(|(number, term)| *number += term);
             }
         }

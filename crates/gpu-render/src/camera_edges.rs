@@ -5,12 +5,11 @@
 //! beside them to their first hits. The device follows the paths that go on from there, with the
 //! kernels of images.
 
-use capwalk_diff::Forward;
 use capwalk_geometry::buffers::NONE;
 use capwalk_geometry::ray::Ray;
 use capwalk_math::Rgb;
 use capwalk_render::tiles::SamplePlace;
-use capwalk_render::{SceneEval, Tracer, Watch};
+use capwalk_render::{CameraEdge, TooManyImages, Tracer, Watch};
 use capwalk_scene::sensor::view::ViewRay;
 use rayon::prelude::*;
 
@@ -28,81 +27,78 @@ const HIT_WORDS: usize = 8;
 /// The edges that the camera sees of a scene that moves.
 pub struct CameraEdges<'a> {
     tracer: &'a Tracer<'a>,
-    eval: &'a Forward<'a>,
     kernels: &'static PathKernels,
 }
 
 /// One that a sample has drawn.
-struct DrawnEdge {
+pub struct DrawnEdge<T> {
     /// The number of the sample.
-    sample: usize,
-    /// What the light behind the edge less that before it is multiplied by.
-    factors: [f64; 2],
-    /// What the rays behind it and before it hit.
-    hits: [[u32; HIT_WORDS]; 2],
+    pub sample: usize,
+    /// How the flow across it changes.
+    pub flow: T,
+    /// The light behind the edge less that before it, times the weight of the point in the pixel.
+    pub jump: Rgb,
 }
 
 impl<'a> CameraEdges<'a> {
-    /// Those that move; `None` if nothing moves against the camera's rays.
-    pub fn new(tracer: &'a Tracer<'a>, eval: &'a Forward<'a>) -> Option<Self> {
-        eval.moves().then(|| Self {
+    /// Those that rays of a tracer see.
+    pub fn new(tracer: &'a Tracer<'a>) -> Self {
+        Self {
             tracer,
-            eval,
             kernels: match only_diffuse(&tracer.accel.scene) {
                 true => &DIFFUSE_IMAGE_FROM_HITS,
                 false => &IMAGE_FROM_HITS,
             },
-        })
+        }
     }
 
-    /// What each of some samples adds to its derivative, with at most so many paths on the device at
-    /// a time, at least two; `None` if the watch stopped the work.
-    pub fn terms(
+    /// The edges of some samples, of each one or none, with at most so many paths on the device at a
+    /// time, at least two; `None` if the watch stopped the work. `draw` draws the edge of a sample,
+    /// and says how its flow changes.
+    pub fn of<T: Send>(
         &self,
         scene: &DeviceScene,
         places: &[SamplePlace],
+        draw: impl Fn(&SamplePlace) -> Result<Option<CameraEdge<T>>, TooManyImages> + Sync,
         room: usize,
         watch: &dyn Watch,
-    ) -> Result<Option<Vec<[f64; 3]>>, DeviceError> {
+    ) -> Result<Option<Vec<DrawnEdge<T>>>, DeviceError> {
         // Draw the edges, and keep the samples that have one.
-        let drawn = places.par_iter().enumerate();
-        let drawn = drawn.filter_map(|(sample, place)| self.draw(sample, place).transpose());
-        let drawn: Vec<DrawnEdge> = drawn.collect::<Result<_, Unsupported>>()?;
-        let mut terms = vec![[0.0; 3]; places.len()];
+        let drawn = places.par_iter().enumerate().filter_map(|(sample, place)| {
+            let edge = draw(place).transpose()?;
+            Some(edge.map(|edge| {
+                let hits = edge.sides.map(|ray| self.hit(&ray, place));
+                (sample, edge.flow, edge.weight, hits)
+            }))
+        });
+        let drawn = drawn.collect::<Result<Vec<_>, TooManyImages>>();
+        let drawn = drawn.map_err(|_| Unsupported {
+            what: "mirrors have too many images".to_owned(),
+        })?;
         if drawn.is_empty() {
-            return Ok(Some(terms));
+            return Ok(Some(Vec::new()));
         }
         // Follow the paths on both sides of as many as there is room for.
         let most = (room / 2).clamp(1, drawn.len());
         let paths = scene.paths(self.kernels, [2 * most, 0], &[], 0)?;
-        for some in drawn.chunks(most) {
-            let hits: Vec<_> = some.iter().flat_map(|edge| edge.hits).collect();
-            let Followed::ToTheEnd(_) = paths.follow(hits.as_flattened(), watch)? else {
+        let hits: Vec<_> = drawn.iter().flat_map(|&(.., hits)| hits).collect();
+        let mut light: Vec<[f32; 3]> = Vec::with_capacity(hits.len());
+        for some in hits.chunks(2 * most) {
+            let Followed::ToTheEnd(_) = paths.follow(some.as_flattened(), watch)? else {
                 return Ok(None);
             };
-            let light = paths.numbers::<3>(2 * some.len())?;
-            for (edge, sides) in some.iter().zip(light.as_chunks::<2>().0) {
-                let [behind, before] = sides.map(|light| Rgb::from(light.map(f64::from)));
-                let [weight, flow] = edge.factors;
-                terms[edge.sample] = ((behind - before) * weight * flow).to_array();
-            }
+            light.extend(paths.numbers::<3>(some.len())?);
         }
-        Ok(Some(terms))
-    }
-
-    /// Draws the edge of a sample, if it has one.
-    fn draw(&self, sample: usize, place: &SamplePlace) -> Result<Option<DrawnEdge>, Unsupported> {
-        let edge = self
-            .tracer
-            .camera_edge(self.eval, place.pixel, &place.stream);
-        let edge = edge.map_err(|_| Unsupported {
-            what: "mirrors have too many images".to_owned(),
-        })?;
-        Ok(edge.map(|edge| DrawnEdge {
-            sample,
-            factors: [edge.weight, edge.flow.tangent[0]],
-            hits: edge.sides.map(|ray| self.hit(&ray, place)),
-        }))
+        let pairs = drawn.into_iter().zip(light.as_chunks::<2>().0);
+        let edges = pairs.map(|((sample, flow, weight, _), sides)| {
+            let [behind, before] = sides.map(|light| Rgb::from(light.map(f64::from)));
+            DrawnEdge {
+                sample,
+                flow,
+                jump: (behind - before) * weight,
+            }
+        });
+        Ok(Some(edges.collect()))
     }
 
     /// What a ray hits. The processor finds it, in double precision: both rays beside an edge have the

@@ -23,7 +23,7 @@ pub struct CameraRay {
     start: Vec3,
     direction: Vec3,
     /// How far the start is from the origin.
-    enter: f64,
+    pub enter: f64,
     /// How long it is; negative if it misses the tree.
     length: f64,
 }
@@ -51,7 +51,7 @@ impl CameraRay {
                 false => Vec3::zero(),
             },
             direction,
-            enter,
+            enter: if is_inside { enter } else { 0.0 },
             length: match is_inside {
                 true => (until - enter).min(ENDLESS),
                 false => -1.0,

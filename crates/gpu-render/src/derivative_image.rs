@@ -8,6 +8,7 @@ use capwalk_diff::{Forward, GradientOptions, GradientWork, Method, Wanted};
 use capwalk_geometry::buffers::NONE;
 use capwalk_gpu::Precision;
 use capwalk_math::Vec3;
+use capwalk_render::tiles::SamplePlace;
 use capwalk_render::{GradientImage, MotionFacts, SceneEval, Tracer, Watch};
 use capwalk_scene::Tangent;
 
@@ -96,12 +97,17 @@ impl DeviceScene<'_> {
         let write_ray = |place: &_, words: &mut [u32]| {
             write_moving_ray(&tracer, &self.frame, &eval, place, words)
         };
-        let edges = boundaries.and_then(|_| CameraEdges::new(&tracer, &eval));
+        let edges = CameraEdges::new(&tracer);
+        let draw = |place: &SamplePlace| {
+            let edge = tracer.camera_edge(&eval, place.pixel, &place.stream)?;
+            Ok(edge.map(|edge| edge.map_flow(|flow| flow.tangent[0])))
+        };
+        let has_edges = boundaries.is_some() && eval.moves();
         let task = Task {
             kernels: &FORWARD,
             changes: &changes,
             write_ray: &write_ray,
-            edges: edges.as_ref(),
+            edges: has_edges.then_some((&edges, &draw)),
             most,
         };
         let averages = self.average::<6>(task, &options.sampling(), watch)?;

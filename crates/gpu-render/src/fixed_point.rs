@@ -18,6 +18,12 @@ const WORDS: usize = 4;
 /// room in a sum (`LARGEST_DERIVATIVE`).
 const DIGITS: i32 = 80;
 
+/// What has room, in units, see `sums.slang`.
+const LARGEST_DERIVATIVE: f64 = (1_u128 << 86) as f64;
+
+/// The sensor's position, the images of its axes, and its other numbers.
+const SENSOR_VECTORS: usize = 5;
+
 /// If any is larger, units are larger by so many binary digits, and everything is done again.
 const FEWER_DIGITS: i32 = 20;
 
@@ -33,6 +39,10 @@ pub struct Sums<'a> {
     points: Option<usize>,
     /// The same of each shape's normals.
     normals: Vec<Option<usize>>,
+    /// The same of the sensor's five vectors.
+    sensor: Option<usize>,
+    /// Local units in one of the world.
+    inverse_scale: f64,
     /// How many sums there are.
     pub count: usize,
     /// A unit is two to minus this.
@@ -84,6 +94,7 @@ impl<'a> Sums<'a> {
         boundaries: &'a Boundaries,
         shown: &[Shown],
         wanted: &'a Wanted,
+        inverse_scale: f64,
     ) -> Self {
         let scene = &*accel.scene;
         let brightness: f64 = scene
@@ -116,6 +127,7 @@ impl<'a> Sums<'a> {
                 .then(|| room(3 * normals.len()))?
         });
         let normals = normals.collect();
+        let sensor = wanted.sensor().then(|| room(3 * SENSOR_VECTORS)).flatten();
         // Units that single precision has, whatever is expected.
         let exponent = brightness.max(1.0).log2().ceil().clamp(0.0, 120.0);
         Self {
@@ -125,6 +137,8 @@ impl<'a> Sums<'a> {
             textures,
             points,
             normals,
+            sensor,
+            inverse_scale,
             count,
             digits: DIGITS - exponent as i32,
         }
@@ -158,8 +172,38 @@ impl<'a> Sums<'a> {
         self.digits -= FEWER_DIGITS;
     }
 
-    /// The gradient that these sums are so many times, with this length of a local unit, inverse.
-    pub fn gradient(&self, sums: &[i128], times: f64, inverse_scale: f64) -> Gradient {
+    /// Adds a derivative with respect to a vector of the world to sums, to which the device adds others.
+    /// One that is too large, or not finite, is counted instead.
+    pub fn add(&self, to: &mut PartSums, target: Target, covector: Vec3) {
+        let first = match target {
+            Target::Point(point) => self.points.map(|first| first + 3 * point as usize),
+            Target::Normal(shape, normal) => self.normals[shape].map(|at| at + 3 * normal as usize),
+            Target::Texel(..) => None,
+            Target::SensorOrigin => self.sensor,
+            Target::SensorAxis(axis) => self.sensor.map(|first| first + 3 * (1 + axis)),
+            Target::SensorOptics => self.sensor.map(|first| first + 3 * 4),
+        };
+        let Some(first) = first else {
+            return;
+        };
+        let covector = match target {
+            Target::Point(_) => covector / self.inverse_scale,
+            _ => covector,
+        };
+        for (sum, derivative) in to.sums[first..].iter_mut().zip(covector.to_array()) {
+            let units = (derivative * 2_f64.powi(self.digits)).round();
+            if !derivative.is_finite() {
+                to.non_finite += 1;
+            } else if units.abs() > LARGEST_DERIVATIVE {
+                to.too_large += 1;
+            } else {
+                *sum += units as i128;
+            }
+        }
+    }
+
+    /// The gradient that these sums are so many times.
+    pub fn gradient(&self, sums: &[i128], times: f64) -> Gradient {
         let unit = 2_f64.powi(-self.digits) / times;
         let vector = |at: usize| Vec3::from([0, 1, 2].map(|axis| sums[at + axis] as f64 * unit));
         let scene = &*self.accel.scene;
@@ -171,7 +215,7 @@ impl<'a> Sums<'a> {
         let mut adjoint = Adjoint::zero(scene, self.boundaries, &no_texels);
         if let Some(first) = self.points {
             for point in 0..self.boundaries.point_count() {
-                let covector = vector(first + 3 * point) * inverse_scale;
+                let covector = vector(first + 3 * point) * self.inverse_scale;
                 adjoint.add(Target::Point(point as u32), covector);
             }
         }
@@ -183,6 +227,14 @@ impl<'a> Sums<'a> {
             for normal in 0..normals.len() {
                 let target = Target::Normal(shape, normal as u32);
                 adjoint.add(target, vector(first + 3 * normal));
+            }
+        }
+        if let Some(first) = self.sensor {
+            let axes = [0, 1, 2].map(Target::SensorAxis);
+            let targets = [Target::SensorOrigin].into_iter().chain(axes);
+            let targets = targets.chain([Target::SensorOptics]);
+            for (i, target) in targets.enumerate() {
+                adjoint.add(target, vector(first + 3 * i));
             }
         }
         let mut gradient = adjoint.gradient(self.accel, self.boundaries, &no_texels);

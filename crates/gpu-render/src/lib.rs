@@ -28,6 +28,7 @@
 //! What a scene may have is not all yet: see [`unsupported()`].
 
 mod averages;
+mod camera_back;
 mod camera_edges;
 mod camera_rays;
 mod derivative_image;

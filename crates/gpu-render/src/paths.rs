@@ -100,12 +100,22 @@ impl<'a> Paths<'a> {
 
     /// The first numbers of each path: its light and what comes with it.
     pub fn numbers<const N: usize>(&self, count: usize) -> Result<Vec<[f32; N]>, GpuError> {
-        // One array for each behind that of the list, as long as there is room for paths.
-        let mut arrays = vec![0_f32; N * self.room + count];
+        // Behind the list.
+        self.numbers_from(1, count)
+    }
+
+    /// The numbers of each path from one of its words on.
+    pub fn numbers_from<const N: usize>(
+        &self,
+        first: usize,
+        count: usize,
+    ) -> Result<Vec<[f32; N]>, GpuError> {
+        // One array for each word, as long as there is room for paths.
+        let mut arrays = vec![0_f32; (first + N - 1) * self.room + count];
         self.gpu
             .read(&self.state, bytemuck::cast_slice_mut(&mut arrays))?;
         let of_path =
-            |path: usize| std::array::from_fn(|number| arrays[(number + 1) * self.room + path]);
+            |path: usize| std::array::from_fn(|word| arrays[(first + word) * self.room + path]);
         Ok((0..count).map(of_path).collect())
     }
 

@@ -91,7 +91,7 @@ pub const REVERSE: PathKernels = PathKernels {
     begin: compiled!("begin_reverse"),
     go_on: compiled!("go_on_reverse"),
     ray: 12,
-    path: 24,
+    path: 31,
     vertex: 27,
 };
 

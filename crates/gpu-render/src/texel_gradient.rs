@@ -1,13 +1,16 @@
 //! The gradient of a loss with respect to texels from a device, in reverse mode.
 
-use capwalk_boundary::{Boundaries, Sampler, Stream, pool};
-use capwalk_diff::{Backward, BackwardWork, GradientOptions, Wanted};
+use std::sync::Arc;
+
+use capwalk_boundary::{Boundaries, Field, Sampler, Stream, pool};
+use capwalk_diff::{Backward, BackwardWork, GradientOptions, Method, Wanted};
 use capwalk_gpu::GpuError;
 use capwalk_render::tiles::{self, SamplePlace};
-use capwalk_render::{Plan, Statistics, Tracer, Watch};
+use capwalk_render::{MotionFacts, Plan, Statistics, Tracer, Watch};
 use capwalk_scene::{Gradient, Image};
 use rayon::prelude::*;
 
+use crate::camera_back::CameraBack;
 use crate::camera_rays::write_camera_ray;
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
@@ -23,6 +26,10 @@ const MOST_WITH_VERTICES: usize = 1 << 16;
 
 /// Room for so many vertices of each path to begin with.
 const FEW_LEVELS: usize = 8;
+
+/// The first word of a path's derivatives with respect to the camera's ray (`BEYOND` of
+/// `reverse.slang`, less the light).
+const CAMERA_BACK: usize = 18;
 
 /// No sum on the device may have more derivatives than this, see `sums.slang`.
 const MOST_DERIVATIVES: usize = 1 << 24;
@@ -60,7 +67,7 @@ impl DeviceScene<'_> {
             return Err(unsupported.into());
         }
         let boundaries = self.prepared.boundaries_if(wanted.moves());
-        self.interior_and_back(boundaries, adjoint, wanted, options, most, watch)
+        self.interior_and_back(Some(boundaries), adjoint, wanted, options, most, watch)
     }
 
     /// The interior term of the gradient alone, see [`DeviceScene::interior_term`].
@@ -71,20 +78,31 @@ impl DeviceScene<'_> {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<Backward, DeviceError> {
-        let none = self.prepared.boundaries_if(false);
-        self.interior_and_back(none, adjoint, wanted, options, MOST_WITH_VERTICES, watch)
+        self.interior_and_back(None, adjoint, wanted, options, MOST_WITH_VERTICES, watch)
     }
 
     fn interior_and_back(
         &self,
-        boundaries: &Boundaries,
+        boundaries: Option<&Boundaries>,
         adjoint: &Image,
         wanted: &Wanted,
         options: &GradientOptions,
         most: usize,
         watch: &dyn Watch,
     ) -> Result<Backward, DeviceError> {
-        let mut sums = Sums::new(self.prepared.accel(), boundaries, &self.textures, wanted);
+        let accel = self.prepared.accel();
+        let none = self.prepared.boundaries_if(false);
+        let field = Field::new(accel, boundaries.unwrap_or(none), Method::EDGES);
+        let facts = Arc::new(MotionFacts::of(&accel.scene));
+        let tracer = Tracer::moving(self.prepared, field, options.walk, &facts);
+        let inverse_scale = self.frame.inverse_scale;
+        let mut sums = Sums::new(
+            accel,
+            boundaries.unwrap_or(none),
+            &self.textures,
+            wanted,
+            inverse_scale,
+        );
         self.check_room_of_numbers(sums.words())?;
         // A power of two that leaves derivatives with respect to pixels near one.
         let pixels = adjoint.pixels.iter().flat_map(|pixel| pixel.to_array());
@@ -96,6 +114,7 @@ impl DeviceScene<'_> {
         loop {
             let job = Job {
                 scene: self,
+                camera: CameraBack::new(&tracer, field, wanted, boundaries.is_some()),
                 adjoint,
                 unit: exponent.exp2(),
                 options,
@@ -114,6 +133,7 @@ impl DeviceScene<'_> {
 /// A gradient with sums of these units.
 struct Job<'a> {
     scene: &'a DeviceScene<'a>,
+    camera: CameraBack<'a>,
     adjoint: &'a Image,
     /// What the adjoint is divided by on the device.
     unit: f64,
@@ -132,7 +152,6 @@ enum Outcome {
 
 /// Where the samples are taken.
 struct Place<'a> {
-    tracer: Tracer<'a>,
     sampler: Sampler,
     size: PartSize,
     /// No part may be larger.
@@ -148,7 +167,6 @@ impl<'a> Job<'a> {
         let (scene, options) = (prepared.scene(), self.options);
         let deepest = Plan::new(scene).max_depth.unwrap_or(u32::MAX);
         let mut place = Place {
-            tracer: Tracer::primal(prepared),
             sampler: Sampler::new(&scene.settings, options.seed, options.spp),
             size: PartSize::new(self.most),
             most: self.most,
@@ -192,12 +210,12 @@ impl<'a> Job<'a> {
                         self.keep(&mut place, levels);
                         continue;
                     }
-                    Err(GpuError::OutOfMemory { .. }) if place.size.halve() => {
+                    Err(DeviceError::Gpu(GpuError::OutOfMemory { .. })) if place.size.halve() => {
                         place.most = place.size.get();
                         place.paths = None;
                         continue;
                     }
-                    Err(error) => return Err(error.into()),
+                    Err(error) => return Err(error),
                 };
                 if part.too_large > 0 {
                     return Ok(None);
@@ -219,8 +237,7 @@ impl<'a> Job<'a> {
             taken += whole as u32;
             if whole > 0 || (batches.is_empty() && batch + 1 == grid.batches) {
                 let times = whole.max(1) as f64;
-                let inverse_scale = self.scene.frame.inverse_scale;
-                let gradient = self.sums.gradient(&sum, times, inverse_scale);
+                let gradient = self.sums.gradient(&sum, times);
                 let gradient = gradient.scaled(self.unit);
                 batches.push((gradient, (whole.max(1) * pixels) as u64));
             }
@@ -250,7 +267,7 @@ impl<'a> Job<'a> {
         &self,
         samples: &[(usize, Stream)],
         place: &mut Place<'a>,
-    ) -> Result<Outcome, GpuError> {
+    ) -> Result<Outcome, DeviceError> {
         let room = place.size.get();
         let paths = match &mut place.paths {
             Some(paths) if paths.room() >= room => paths,
@@ -262,27 +279,42 @@ impl<'a> Job<'a> {
             }
         };
         let width = self.adjoint.width;
+        let place_of = |&(pixel, stream): &(usize, Stream)| SamplePlace {
+            pixel: [(pixel % width) as u32, (pixel / width) as u32],
+            stream,
+        };
+        let places: Vec<SamplePlace> = samples.iter().map(place_of).collect();
+        let adjoint = |sample: usize| self.adjoint.pixels[samples[sample].0] / self.unit;
         let mut rays = vec![0; REVERSE.ray * samples.len()];
-        let each = (samples, rays.par_chunks_exact_mut(REVERSE.ray)).into_par_iter();
-        each.for_each(|(&(pixel, stream), words)| {
-            let (ray, adjoint) = words.split_at_mut(REVERSE.ray - 3);
-            let sample = SamplePlace {
-                pixel: [(pixel % width) as u32, (pixel / width) as u32],
-                stream,
-            };
-            let weight = write_camera_ray(&place.tracer, &self.scene.frame, &sample, ray);
-            let of_pixel = self.adjoint.pixels[pixel] * (weight / self.unit);
-            adjoint.copy_from_slice(&of_pixel.to_array().map(float));
+        let each = (&places, rays.par_chunks_exact_mut(REVERSE.ray)).into_par_iter();
+        each.enumerate().for_each(|(sample, (place, words))| {
+            let (ray, by_light) = words.split_at_mut(REVERSE.ray - 3);
+            let weight = write_camera_ray(self.camera.tracer, &self.scene.frame, place, ray);
+            by_light.copy_from_slice(&(adjoint(sample) * weight).to_array().map(float));
         });
         paths.clear_sums(self.sums.words())?;
         match paths.follow(&rays, self.watch)? {
-            Followed::ToTheEnd(lists) if paths.go_back(&lists, self.watch)? => {
-                let words = paths.sums(self.sums.words())?;
-                Ok(Outcome::Done(PartSums::read(&words)))
-            }
-            Followed::ToTheEnd(_) | Followed::Stopped => Ok(Outcome::Stopped),
-            Followed::NoLevel => Ok(Outcome::NoLevel),
+            Followed::ToTheEnd(lists) if paths.go_back(&lists, self.watch)? => {}
+            Followed::ToTheEnd(_) | Followed::Stopped => return Ok(Outcome::Stopped),
+            Followed::NoLevel => return Ok(Outcome::NoLevel),
         }
+        let mut part = PartSums::read(&paths.sums(self.sums.words())?);
+        if self.camera.rays_are_wanted() {
+            let back = paths.numbers_from(CAMERA_BACK, places.len())?;
+            self.camera
+                .rays_back(&self.scene.frame, &places, &back, self.sums, &mut part);
+        }
+        let edges = self.camera.edges(self.scene, &places, room, self.watch)?;
+        let Some(edges) = edges else {
+            return Ok(Outcome::Stopped);
+        };
+        for edge in edges {
+            let by_flow = 3.0 * (adjoint(edge.sample) * edge.jump).mean();
+            for (target, covector) in edge.flow {
+                self.sums.add(&mut part, target, covector * by_flow);
+            }
+        }
+        Ok(Outcome::Done(part))
     }
 }
 

@@ -34,6 +34,17 @@ pub struct CameraEdge<R> {
     pub flow: R,
 }
 
+impl<R> CameraEdge<R> {
+    /// The same with something else in the place of the flow.
+    pub fn map_flow<T>(self, map: impl FnOnce(R) -> T) -> CameraEdge<T> {
+        CameraEdge {
+            sides: self.sides,
+            weight: self.weight,
+            flow: map(self.flow),
+        }
+    }
+}
+
 /// There are too many images in mirrors to gather the edges of all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooManyImages;

@@ -1,6 +1,6 @@
 // Compiled from hits.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 7ab6b39d419c1caf
+// source: e0f36339ea60b0a2
 // result: 3c133aa56aeefaf8
 
 struct Launch_std140_0

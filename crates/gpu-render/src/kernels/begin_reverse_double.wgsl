@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 9c0748cca67fd080
-// result: d42b84b39d1f8ba2
+// source: c14cf0939e2e6e38
+// result: 8083f3c75df8b9e2
 
 struct Launch_std140_0
 {
@@ -1914,23 +1914,34 @@ fn reaches_0( segments_0 : u32) -> bool
     return segments_0 <= (word_0(u32(0)));
 }
 
+struct ByRay_0
+{
+     drift_0 : vec3<f32>,
+     direction_7 : vec3<f32>,
+};
+
 struct Path_0
 {
      throughput_0 : vec3<f32>,
-     direction_7 : vec3<f32>,
+     direction_8 : vec3<f32>,
      place_10 : Place_0,
      key_0 : vec2<u32>,
      adjoint_0 : vec3<f32>,
+     distance_0 : f32,
+     by_ray_0 : ByRay_0,
 };
 
 fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
     var at_11 : u32 = u32(12) * number_of_path_0;
     var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11], input_0[at_11 + u32(1)], input_0[at_11 + u32(2)]))));
-    var direction_8 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(3)], input_0[at_11 + u32(4)], input_0[at_11 + u32(5)]))));
+    var direction_9 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(3)], input_0[at_11 + u32(4)], input_0[at_11 + u32(5)]))));
     (*path_0).key_0 = vec2<u32>(input_0[at_11 + u32(7)], input_0[at_11 + u32(8)]);
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
     (*path_0).adjoint_0 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(9)], input_0[at_11 + u32(10)], input_0[at_11 + u32(11)]))));
+    var _S232 : vec3<f32> = vec3<f32>(0.0f);
+    (*path_0).by_ray_0.direction_7 = _S232;
+    (*path_0).by_ray_0.drift_0 = _S232;
     var t_7 : f32 = 0.0f;
     var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_11 + u32(6)])));
     var found_4 : Found_0;
@@ -1938,47 +1949,59 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0lf;
     found_4.w_2 = 0.0lf;
-    var _S232 : bool;
+    var _S233 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S232 = (word_0(u32(13))) != u32(0);
+        _S233 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S232 = false;
+        _S233 = false;
     }
-    if(_S232)
+    if(_S233)
     {
-        var _S233 : Found_0 = cast_0(vec3<f64>(origin_2), vec3<f64>(direction_8), 0.0lf, f64(length_of_ray_0), false, &(t_7));
-        found_4 = _S233;
+        var _S234 : Found_0 = cast_0(vec3<f64>(origin_2), vec3<f64>(direction_9), 0.0lf, f64(length_of_ray_0), false, &(t_7));
+        found_4 = _S234;
     }
-    var _S234 : Place_0 = place_of_0(found_4);
-    (*path_0).place_10 = _S234;
-    (*path_0).direction_7 = direction_8;
-    var emitter_4 : u32 = emitter_seen_0(found_4, direction_8);
+    var _S235 : Place_0 = place_of_0(found_4);
+    (*path_0).place_10 = _S235;
+    (*path_0).direction_8 = direction_9;
+    var _S236 : f32;
+    if((found_4.face_1) != u32(4294967295))
+    {
+        _S236 = t_7;
+    }
+    else
+    {
+        _S236 = 0.0f;
+    }
+    (*path_0).distance_0 = _S236;
+    var emitter_4 : u32 = emitter_seen_0(found_4, direction_9);
     if(emitter_4 != u32(4294967295))
     {
-        _S232 = (word_0(u32(4))) != u32(0);
+        _S233 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S232 = false;
+        _S233 = false;
     }
-    if(_S232)
+    if(_S233)
     {
-        var _S235 : vec3<f32> = emitted_0(emitter_4, _S234, (*path_0).direction_7);
-        var by_start_1 : vec3<f32> = vec3<f32>(0.0f);
-        var _S236 : vec3<f32> = emitted_back_0(&(by_start_1), emitter_4, _S234, direction_8, t_7, (*path_0).adjoint_0);
+        var _S237 : vec3<f32> = emitted_0(emitter_4, _S235, (*path_0).direction_8);
+        var _S238 : vec3<f32> = (*path_0).by_ray_0.drift_0;
+        var _S239 : vec3<f32> = emitted_back_0(&(_S238), emitter_4, _S235, direction_9, t_7, (*path_0).adjoint_0);
+        (*path_0).by_ray_0.drift_0 = _S238;
+        (*path_0).by_ray_0.direction_7 = _S239;
     }
     if((found_4.face_1) != u32(4294967295))
     {
-        _S232 = reaches_0(u32(2));
+        _S233 = reaches_0(u32(2));
     }
     else
     {
-        _S232 = false;
+        _S233 = false;
     }
-    return _S232;
+    return _S233;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
@@ -2025,30 +2048,49 @@ fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_7 : vec3<f3
     return;
 }
 
-fn set_changing_0( path_4 : u32,  which_4 : ptr<function, u32>,  vector_1 : vec3<f32>)
+fn set_vector_2( path_4 : u32,  which_4 : ptr<function, u32>,  value_8 : vec3<f32>)
 {
-    set_vector_1(path_4, &((*which_4)), value_of_0(vector_1));
+    var axis_6 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_6 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_4, (*which_4) + axis_6, (bitcast<u32>((value_8[axis_6]))));
+        axis_6 = axis_6 + u32(1);
+    }
+    (*which_4) = (*which_4) + u32(3);
     return;
 }
 
-fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_11 : Place_0)
+fn set_changing_0( path_5 : u32,  which_5 : ptr<function, u32>,  vector_1 : vec3<f32>)
 {
-    set_word_0(path_5, (*which_5), place_11.triangle_2);
-    set_word_0(path_5, (*which_5) + u32(1), (bitcast<u32>((place_11.v_4))));
-    set_word_0(path_5, (*which_5) + u32(2), (bitcast<u32>((place_11.w_3))));
-    (*which_5) = (*which_5) + u32(3);
+    set_vector_2(path_5, &((*which_5)), value_of_0(vector_1));
     return;
 }
 
-fn store_0( number_of_path_1 : u32,  path_6 : Path_0)
+fn set_place_0( path_6 : u32,  which_6 : ptr<function, u32>,  place_11 : Place_0)
+{
+    set_word_0(path_6, (*which_6), place_11.triangle_2);
+    set_word_0(path_6, (*which_6) + u32(1), (bitcast<u32>((place_11.v_4))));
+    set_word_0(path_6, (*which_6) + u32(2), (bitcast<u32>((place_11.w_3))));
+    (*which_6) = (*which_6) + u32(3);
+    return;
+}
+
+fn store_0( number_of_path_1 : u32,  path_7 : Path_0)
 {
     var at_12 : u32 = u32(1);
-    set_vector_0(number_of_path_1, &(at_12), path_6.adjoint_0);
-    set_changing_0(number_of_path_1, &(at_12), path_6.throughput_0);
-    set_changing_0(number_of_path_1, &(at_12), path_6.direction_7);
-    set_place_0(number_of_path_1, &(at_12), path_6.place_10);
-    set_word_0(number_of_path_1, at_12, path_6.key_0.x);
-    set_word_0(number_of_path_1, at_12 + u32(1), path_6.key_0.y);
+    set_vector_0(number_of_path_1, &(at_12), path_7.adjoint_0);
+    set_changing_0(number_of_path_1, &(at_12), path_7.throughput_0);
+    set_changing_0(number_of_path_1, &(at_12), path_7.direction_8);
+    set_place_0(number_of_path_1, &(at_12), path_7.place_10);
+    set_word_0(number_of_path_1, at_12, path_7.key_0.x);
+    set_word_0(number_of_path_1, at_12 + u32(1), path_7.key_0.y);
     return;
 }
 
@@ -2061,30 +2103,34 @@ fn begin_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     {
         return;
     }
-    var path_7 : Path_0;
-    var goes_on_0 : bool = begin_0(number_of_path_2, &(path_7));
-    store_0(number_of_path_2, path_7);
-    var word_1 : u32 = u32(15);
+    var path_8 : Path_0;
+    var goes_on_0 : bool = begin_0(number_of_path_2, &(path_8));
+    store_0(number_of_path_2, path_8);
+    var which_7 : u32 = u32(15);
     for(;;)
     {
-        if(word_1 < u32(24))
+        if(which_7 < u32(24))
         {
         }
         else
         {
             break;
         }
-        set_word_0(number_of_path_2, word_1, u32(0));
-        word_1 = word_1 + u32(1);
+        set_word_0(number_of_path_2, which_7, u32(0));
+        which_7 = which_7 + u32(1);
     }
+    var camera_ray_0 : u32 = u32(24);
+    set_vector_1(number_of_path_2, &(camera_ray_0), path_8.by_ray_0.drift_0);
+    set_vector_1(number_of_path_2, &(camera_ray_0), path_8.by_ray_0.direction_7);
+    set_word_0(number_of_path_2, camera_ray_0, (bitcast<u32>((path_8.distance_0))));
     if(goes_on_0)
     {
-        word_1 = number_of_path_2;
+        which_7 = number_of_path_2;
     }
     else
     {
-        word_1 = u32(4294967295);
+        which_7 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), word_1);
+    set_word_0(number_of_path_2, u32(0), which_7);
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 9c0748cca67fd080
-// result: 52f1f5f43d7006cc
+// source: c14cf0939e2e6e38
+// result: 5521ba79402fe06e
 
 struct Launch_std140_0
 {
@@ -3387,7 +3387,7 @@ fn _S984( _S985 : Lobe_0,  _S986 : ptr<function, DiffPair_Numbers_0>,  _S987 : p
 
 fn kept_at_0() -> u32
 {
-    return u32(24) + u32(27) * launch_0.depth_0;
+    return u32(31) + u32(27) * launch_0.depth_0;
 }
 
 fn path_word_0( path_0 : u32,  which_0 : u32) -> u32

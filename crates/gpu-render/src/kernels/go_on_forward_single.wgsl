@@ -1,6 +1,6 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 88440e34aba924d3
+// source: b0623ca99cbb70b6
 // result: 1e353b0f39614ca0
 
 struct Launch_std140_0

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 9c0748cca67fd080
-// result: aecf325d2d89ea29
+// source: c14cf0939e2e6e38
+// result: f4bb00c400a1b07b
 
 struct Launch_std140_0
 {
@@ -3900,13 +3900,21 @@ fn path_place_0( path_4 : u32,  which_4 : ptr<function, u32>) -> Place_0
     return place_at_0(path_word_0(path_4, _S1115 - u32(3)), (bitcast<f32>((path_word_0(path_4, _S1115 - u32(2))))), (bitcast<f32>((path_word_0(path_4, _S1115 - u32(1))))));
 }
 
+struct ByRay_0
+{
+     drift_0 : vec3<f32>,
+     direction_0 : vec3<f32>,
+};
+
 struct Path_0
 {
      throughput_0 : vec3<f32>,
-     direction_0 : vec3<f32>,
+     direction_1 : vec3<f32>,
      place_3 : Place_0,
      key_0 : vec2<u32>,
      adjoint_0 : vec3<f32>,
+     distance_0 : f32,
+     by_ray_0 : ByRay_0,
 };
 
 fn load_0( number_of_path_0 : u32) -> Path_0
@@ -3915,12 +3923,16 @@ fn load_0( number_of_path_0 : u32) -> Path_0
     var path_5 : Path_0;
     var _S1116 : vec3<f32> = path_vector_0(number_of_path_0, &(at_4));
     path_5.adjoint_0 = _S1116;
-    var _S1117 : vec3<f32> = path_changing_0(number_of_path_0, &(at_4));
-    path_5.throughput_0 = _S1117;
+    path_5.distance_0 = 0.0f;
+    var _S1117 : vec3<f32> = vec3<f32>(0.0f);
+    path_5.by_ray_0.direction_0 = _S1117;
+    path_5.by_ray_0.drift_0 = _S1117;
     var _S1118 : vec3<f32> = path_changing_0(number_of_path_0, &(at_4));
-    path_5.direction_0 = _S1118;
-    var _S1119 : Place_0 = path_place_0(number_of_path_0, &(at_4));
-    path_5.place_3 = _S1119;
+    path_5.throughput_0 = _S1118;
+    var _S1119 : vec3<f32> = path_changing_0(number_of_path_0, &(at_4));
+    path_5.direction_1 = _S1119;
+    var _S1120 : Place_0 = path_place_0(number_of_path_0, &(at_4));
+    path_5.place_3 = _S1120;
     path_5.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_4), path_word_0(number_of_path_0, at_4 + u32(1)));
     return path_5;
 }
@@ -3935,12 +3947,6 @@ fn still_0( value_4 : vec3<f32>) -> vec3<f32>
     return changing_0(value_4, vec3<f32>(0.0f));
 }
 
-struct ByRay_0
-{
-     drift_0 : vec3<f32>,
-     direction_1 : vec3<f32>,
-};
-
 struct Reflected_0
 {
      direct_0 : vec3<f32>,
@@ -3948,23 +3954,23 @@ struct Reflected_0
      wo_0 : vec3<f32>,
      is_specular_0 : bool,
      factor_0 : f32,
-     distance_0 : f32,
-     by_ray_0 : ByRay_0,
+     distance_1 : f32,
+     by_ray_1 : ByRay_0,
 };
 
 fn nothing_reflected_0() -> Reflected_0
 {
     var reflected_0 : Reflected_0;
-    var _S1120 : vec3<f32> = vec3<f32>(0.0f);
-    var _S1121 : vec3<f32> = still_0(_S1120);
-    reflected_0.direct_0 = _S1121;
-    reflected_0.onward_0 = _S1121;
+    var _S1121 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1122 : vec3<f32> = still_0(_S1121);
+    reflected_0.direct_0 = _S1122;
+    reflected_0.onward_0 = _S1122;
     reflected_0.wo_0 = vec3<f32>(0.0f, 0.0f, 1.0f);
     reflected_0.is_specular_0 = false;
-    reflected_0.distance_0 = 0.0f;
+    reflected_0.distance_1 = 0.0f;
     reflected_0.factor_0 = 0.0f;
-    reflected_0.by_ray_0.direction_1 = _S1120;
-    reflected_0.by_ray_0.drift_0 = _S1120;
+    reflected_0.by_ray_1.direction_0 = _S1121;
+    reflected_0.by_ray_1.drift_0 = _S1121;
     return reflected_0;
 }
 
@@ -4028,14 +4034,14 @@ fn surface_at_0( place_6 : Place_0,  direction_2 : vec3<f32>) -> Surface_0
     var surface_0 : Surface_0;
     surface_0.place_5 = place_6;
     surface_0.shape_0 = shape_of_0(place_6.triangle_0);
-    var _S1122 : vec3<f32> = position_of_0(place_6);
-    surface_0.exact_0 = _S1122;
-    surface_0.position_0 = _S1122;
-    var _S1123 : vec3<f32> = unit_0(cross_of_0(place_6.triangle_0));
-    surface_0.face_normal_0 = _S1123;
-    surface_0.outward_0 = _S1123;
+    var _S1123 : vec3<f32> = position_of_0(place_6);
+    surface_0.exact_0 = _S1123;
+    surface_0.position_0 = _S1123;
+    var _S1124 : vec3<f32> = unit_0(cross_of_0(place_6.triangle_0));
+    surface_0.face_normal_0 = _S1124;
+    surface_0.outward_0 = _S1124;
     var seen_0 : f32;
-    if((dot(_S1123, direction_2)) > 0.0f)
+    if((dot(_S1124, direction_2)) > 0.0f)
     {
         seen_0 = -1.0f;
     }
@@ -4062,26 +4068,26 @@ fn surface_at_0( place_6 : Place_0,  direction_2 : vec3<f32>) -> Surface_0
 
 fn material_of_0( surface_1 : Surface_0) -> u32
 {
-    var _S1124 : u32;
+    var _S1125 : u32;
     if(surface_1.is_front_0)
     {
-        _S1124 = u32(2);
+        _S1125 = u32(2);
     }
     else
     {
-        _S1124 = u32(3);
+        _S1125 = u32(3);
     }
-    return word_0(surface_1.shape_0 + _S1124);
+    return word_0(surface_1.shape_0 + _S1125);
 }
 
 fn no_numbers_0() -> Numbers_0
 {
     var numbers_2 : Numbers_0;
-    var _S1125 : vec3<f32> = vec3<f32>(0.0f);
-    numbers_2.k_0 = _S1125;
-    numbers_2.eta_0 = _S1125;
-    numbers_2.specular_reflectance_0 = _S1125;
-    numbers_2.diffuse_reflectance_0 = _S1125;
+    var _S1126 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_2.k_0 = _S1126;
+    numbers_2.eta_0 = _S1126;
+    numbers_2.specular_reflectance_0 = _S1126;
+    numbers_2.diffuse_reflectance_0 = _S1126;
     numbers_2.alpha_0 = vec2<f32>(0.0f);
     return numbers_2;
 }
@@ -4101,9 +4107,9 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_1 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    var _S1126 : vec4<f32> = vec4<f32>(0.0f);
-    lookup_0.by_second_0 = _S1126;
-    lookup_0.by_first_0 = _S1126;
+    var _S1127 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S1127;
+    lookup_0.by_first_0 = _S1127;
     return lookup_0;
 }
 
@@ -4116,11 +4122,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_8 : vec2<f32>,  b_5 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
 {
-    var _S1127 : Corners2_0;
-    _S1127.a_7 = a_8;
-    _S1127.b_4 = b_5;
-    _S1127.c_1 = c_2;
-    return _S1127;
+    var _S1128 : Corners2_0;
+    _S1128.a_7 = a_8;
+    _S1128.b_4 = b_5;
+    _S1128.c_1 = c_2;
+    return _S1128;
 }
 
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
@@ -4193,13 +4199,13 @@ fn between_0( texels_1 : vec4<u32>,  place_7 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S1128 : f32 = back_0.x;
-    var _S1129 : f32 = back_0.y;
-    var _S1130 : f32 = way_0.x;
-    var _S1131 : f32 = way_0.y;
-    lookup_1.weights_1 = vec4<f32>(_S1128 * _S1129, _S1130 * _S1129, _S1128 * _S1131, _S1130 * _S1131);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S1129, _S1129, - _S1131, _S1131);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S1128, - _S1130, _S1128, _S1130);
+    var _S1129 : f32 = back_0.x;
+    var _S1130 : f32 = back_0.y;
+    var _S1131 : f32 = way_0.x;
+    var _S1132 : f32 = way_0.y;
+    lookup_1.weights_1 = vec4<f32>(_S1129 * _S1130, _S1131 * _S1130, _S1129 * _S1132, _S1131 * _S1132);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S1130, _S1130, - _S1132, _S1132);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S1129, - _S1131, _S1129, _S1131);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_7.by_first_1.x) + by_y_0 * vec4<f32>(place_7.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_7.by_second_1.x) + by_y_0 * vec4<f32>(place_7.by_second_1.y);
     return lookup_1;
@@ -4215,22 +4221,22 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_8.y), height_0, wrap_1);
-        var _S1132 : u32 = row_0 * u32(width_1);
-        var _S1133 : u32 = wrapped_0(floor_of_0(place_8.x), width_1, wrap_1);
-        return one_texel_0(_S1132 + _S1133);
+        var _S1133 : u32 = row_0 * u32(width_1);
+        var _S1134 : u32 = wrapped_0(floor_of_0(place_8.x), width_1, wrap_1);
+        return one_texel_0(_S1133 + _S1134);
     }
     var centred_0 : Point_0;
-    var _S1134 : vec2<f32> = place_8 - vec2<f32>(0.5f);
-    centred_0.value_5 = _S1134;
+    var _S1135 : vec2<f32> = place_8 - vec2<f32>(0.5f);
+    centred_0.value_5 = _S1135;
     centred_0.by_first_1 = uv_0.by_first_1 * size_0;
     centred_0.by_second_1 = uv_0.by_second_1 * size_0;
-    var x_15 : i32 = floor_of_0(_S1134.x);
-    var y_5 : i32 = floor_of_0(_S1134.y);
-    var _S1135 : u32 = wrapped_0(y_5, height_0, wrap_1);
-    var _S1136 : u32 = u32(width_1);
-    var first_1 : u32 = _S1135 * _S1136;
-    var _S1137 : u32 = wrapped_0(y_5 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S1137 * _S1136;
+    var x_15 : i32 = floor_of_0(_S1135.x);
+    var y_5 : i32 = floor_of_0(_S1135.y);
+    var _S1136 : u32 = wrapped_0(y_5, height_0, wrap_1);
+    var _S1137 : u32 = u32(width_1);
+    var first_1 : u32 = _S1136 * _S1137;
+    var _S1138 : u32 = wrapped_0(y_5 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S1138 * _S1137;
     var left_0 : u32 = wrapped_0(x_15, width_1, wrap_1);
     var right_0 : u32 = wrapped_0(x_15 + i32(1), width_1, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -4263,39 +4269,39 @@ fn lookup_at_0( texture_1 : u32,  place_9 : Place_0) -> Lookup_0
     var to_u_0 : vec3<f32> = vector_at_0(rows_0);
     var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S1138 : vec3<f32> = vec3<f32>(uvs_1.a_7 * vec2<f32>((1.0f - place_9.v_0 - place_9.w_0)) + uvs_1.b_4 * vec2<f32>(place_9.v_0) + uvs_1.c_1 * vec2<f32>(place_9.w_0), 1.0f);
-    uv_1.value_5 = vec2<f32>(dot(_S1138, to_u_0), dot(_S1138, to_v_0));
+    var _S1139 : vec3<f32> = vec3<f32>(uvs_1.a_7 * vec2<f32>((1.0f - place_9.v_0 - place_9.w_0)) + uvs_1.b_4 * vec2<f32>(place_9.v_0) + uvs_1.c_1 * vec2<f32>(place_9.w_0), 1.0f);
+    uv_1.value_5 = vec2<f32>(dot(_S1139, to_u_0), dot(_S1139, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_4 - uvs_1.a_7;
     var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_7;
-    var _S1139 : vec2<f32> = to_u_0.xy;
-    var _S1140 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S1139), dot(by_v_0, _S1140));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S1139), dot(by_w_0, _S1140));
+    var _S1140 : vec2<f32> = to_u_0.xy;
+    var _S1141 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S1140), dot(by_v_0, _S1141));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S1140), dot(by_w_0, _S1141));
     if(kind_1 == u32(1))
     {
-        var _S1141 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S1141;
+        var _S1142 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S1142;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_5 - floor(uv_1.value_5);
-    var _S1142 : i32;
+    var _S1143 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S1142 = i32(1);
+        _S1143 = i32(1);
     }
     else
     {
-        _S1142 = i32(0);
+        _S1143 = i32(0);
     }
-    return one_texel_0(u32(_S1142));
+    return one_texel_0(u32(_S1143));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f32>) -> vec3<f32>
 {
-    var _S1143 : u32 = word_0(texture_2 + u32(1));
-    var _S1144 : u32 = texture_2 + u32(13);
-    var _S1145 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1144 : u32 = word_0(texture_2 + u32(1));
+    var _S1145 : u32 = texture_2 + u32(13);
+    var _S1146 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_6 : vec3<f32> = _S1145;
+    var value_6 : vec3<f32> = _S1146;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -4305,17 +4311,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f
         {
             break;
         }
-        var at_9 : u32 = _S1144 + _S1143 * lookup_3.texels_0[k_1];
-        var _S1146 : vec3<f32>;
-        if(_S1143 == u32(1))
+        var at_9 : u32 = _S1145 + _S1144 * lookup_3.texels_0[k_1];
+        var _S1147 : vec3<f32>;
+        if(_S1144 == u32(1))
         {
-            _S1146 = vec3<f32>(number_0(at_9));
+            _S1147 = vec3<f32>(number_0(at_9));
         }
         else
         {
-            _S1146 = vector_at_0(at_9);
+            _S1147 = vector_at_0(at_9);
         }
-        var value_7 : vec3<f32> = value_6 + _S1146 * vec3<f32>(weights_2[k_1]);
+        var value_7 : vec3<f32> = value_6 + _S1147 * vec3<f32>(weights_2[k_1]);
         k_1 = k_1 + u32(1);
         value_6 = value_7;
     }
@@ -4329,8 +4335,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_10 : Place_0) -> vec3<f32>
 {
-    var _S1147 : Lookup_0 = lookup_at_0(texture_4, place_10);
-    return looked_up_0(texture_4, _S1147, vec2<f32>(0.0f));
+    var _S1148 : Lookup_0 = lookup_at_0(texture_4, place_10);
+    return looked_up_0(texture_4, _S1148, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_1 : vec3<f32>) -> f32
@@ -4383,11 +4389,11 @@ fn lobe_at_0( record_3 : u32,  place_11 : Place_0) -> Lobe_0
     lobe_5.kind_0 = word_0(record_3);
     lobe_5.distribution_0 = word_0(record_3 + u32(1));
     lobe_5.numbers_0 = no_numbers_0();
-    var _S1148 : u32 = word_0(record_3 + u32(4));
+    var _S1149 : u32 = word_0(record_3 + u32(4));
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S1148)
+        if(slot_1 < _S1149)
         {
         }
         else
@@ -4401,10 +4407,10 @@ fn lobe_at_0( record_3 : u32,  place_11 : Place_0) -> Lobe_0
             continue;
         }
         var colour_2 : vec3<f32> = shown_0(texture_5, place_11);
-        var _S1149 : vec3<f32> = value_of_0(colour_2);
-        var _S1150 : Numbers_0 = lobe_5.numbers_0;
-        set_slot_0(&(_S1150), slot_1, _S1149);
-        lobe_5.numbers_0 = _S1150;
+        var _S1150 : vec3<f32> = value_of_0(colour_2);
+        var _S1151 : Numbers_0 = lobe_5.numbers_0;
+        set_slot_0(&(_S1151), slot_1, _S1150);
+        lobe_5.numbers_0 = _S1151;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_5;
@@ -4419,53 +4425,53 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_5.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S1151 : vec3<f32>;
+    var _S1152 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S1151 = tangent_0;
+        _S1152 = tangent_0;
     }
     else
     {
-        _S1151 = vec3<f32>(0.0f);
+        _S1152 = vec3<f32>(0.0f);
     }
-    return _S1151;
+    return _S1152;
 }
 
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S1152 : vec3<f32>;
+    var _S1153 : vec3<f32>;
     if(is_front_1)
     {
-        _S1152 = n_2;
+        _S1153 = n_2;
     }
     else
     {
-        _S1152 = (vec3<f32>(0) - n_2);
+        _S1153 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_0 = _S1152;
-    var _S1153 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S1153;
-    axes_0.t_0 = cross(n_2, _S1153);
+    axes_0.n_0 = _S1153;
+    var _S1154 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S1154;
+    axes_0.t_0 = cross(n_2, _S1154);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S1154 : vec3<f32>;
+    var _S1155 : vec3<f32>;
     if(is_front_2)
     {
-        _S1154 = n_3;
+        _S1155 = n_3;
     }
     else
     {
-        _S1154 = (vec3<f32>(0) - n_3);
+        _S1155 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_0 = _S1154;
-    var _S1155 : f32 = n_3.z;
+    axes_1.n_0 = _S1155;
+    var _S1156 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S1155 < 0.0f)
+    if(_S1156 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -4473,12 +4479,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_1 = 1.0f;
     }
-    var a_9 : f32 = -1.0f / (sign_1 + _S1155);
-    var _S1156 : f32 = n_3.x;
-    var _S1157 : f32 = n_3.y;
-    var b_6 : f32 = _S1156 * _S1157 * a_9;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S1156 * _S1156 * a_9, sign_1 * b_6, - sign_1 * _S1156);
-    axes_1.t_0 = vec3<f32>(b_6, sign_1 + _S1157 * _S1157 * a_9, - _S1157);
+    var a_9 : f32 = -1.0f / (sign_1 + _S1156);
+    var _S1157 : f32 = n_3.x;
+    var _S1158 : f32 = n_3.y;
+    var b_6 : f32 = _S1157 * _S1158 * a_9;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S1157 * _S1157 * a_9, sign_1 * b_6, - sign_1 * _S1157);
+    axes_1.t_0 = vec3<f32>(b_6, sign_1 + _S1158 * _S1158 * a_9, - _S1158);
     return axes_1;
 }
 
@@ -4505,8 +4511,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_4 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S1158 : Lobe_0 = lobe_at_0(material_0, surface_4.place_5);
-    vertex_0.lobe_6 = _S1158;
+    var _S1159 : Lobe_0 = lobe_at_0(material_0, surface_4.place_5);
+    vertex_0.lobe_6 = _S1159;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -4544,14 +4550,14 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     var cosine_spread_0 : f32 = number_0(node_0 + u32(15));
     var sine_spread_0 : f32 = number_0(node_0 + u32(16));
     var squared_2 : f32 = dot(offset_0, offset_0);
-    var distance_1 : f32 = sqrt(squared_2);
-    if(distance_1 <= radius_0)
+    var distance_2 : f32 = sqrt(squared_2);
+    if(distance_2 <= radius_0)
     {
         return 0.25f * area_0 / max(radius_0 * radius_0, 1.00000000317107685e-30f);
     }
-    var cosine_1 : f32 = clamp(dot(axis_0, offset_0) / distance_1, -1.0f, 1.0f);
+    var cosine_1 : f32 = clamp(dot(axis_0, offset_0) / distance_2, -1.0f, 1.0f);
     var sine_0 : f32 = sqrt(1.0f - cosine_1 * cosine_1);
-    var tilt_0 : f32 = radius_0 / distance_1;
+    var tilt_0 : f32 = radius_0 / distance_2;
     var highest_0 : f32;
     if(cosine_1 >= cosine_spread_0)
     {
@@ -4576,37 +4582,37 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     }
     if(lowest_0 >= 0.0f)
     {
-        return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_1, 0.0f) / squared_2;
+        return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_2, 0.0f) / squared_2;
     }
-    var _S1159 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S1159 * _S1159 / (2.0f * (_S1159 - max(lowest_0, -1.0f)) * squared_2);
+    var _S1160 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S1160 * _S1160 / (2.0f * (_S1160 - max(lowest_0, -1.0f)) * squared_2);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S1160 : bool;
+    var _S1161 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S1160 = true;
+        _S1161 = true;
     }
     else
     {
-        _S1160 = (word_0(u32(2))) == u32(0);
+        _S1161 = (word_0(u32(2))) == u32(0);
     }
-    if(_S1160)
+    if(_S1161)
     {
         return false;
     }
     var record_5 : u32 = emitter_record_0(u32(0));
     if(is_area_0(record_5))
     {
-        _S1160 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
+        _S1161 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S1160 = false;
+        _S1161 = false;
     }
-    return _S1160;
+    return _S1161;
 }
 
 fn has_smooth_0( lobe_7 : Lobe_0) -> bool
@@ -4626,25 +4632,25 @@ fn nothing_pulled_0() -> Pulled_0
 {
     var pulled_0 : Pulled_0;
     pulled_0.numbers_4 = no_numbers_0();
-    var _S1161 : vec3<f32> = vec3<f32>(0.0f);
-    pulled_0.position_2 = _S1161;
-    pulled_0.wi_2 = _S1161;
-    pulled_0.axes_5.n_0 = _S1161;
-    pulled_0.axes_5.t_0 = _S1161;
-    pulled_0.axes_5.s_0 = _S1161;
+    var _S1162 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_2 = _S1162;
+    pulled_0.wi_2 = _S1162;
+    pulled_0.axes_5.n_0 = _S1162;
+    pulled_0.axes_5.t_0 = _S1162;
+    pulled_0.axes_5.s_0 = _S1162;
     return pulled_0;
 }
 
 fn largest_cosine_0( position_3 : vec3<f32>,  normal_0 : vec3<f32>,  centre_0 : vec3<f32>,  radius_1 : f32) -> f32
 {
     var offset_1 : vec3<f32> = centre_0 - position_3;
-    var distance_2 : f32 = length(offset_1);
-    if(distance_2 <= radius_1)
+    var distance_3 : f32 = length(offset_1);
+    if(distance_3 <= radius_1)
     {
         return 1.0f;
     }
-    var cosine_2 : f32 = dot(offset_1, normal_0) / distance_2;
-    var sine_ball_0 : f32 = radius_1 / distance_2;
+    var cosine_2 : f32 = dot(offset_1, normal_0) / distance_3;
+    var sine_ball_0 : f32 = radius_1 / distance_3;
     var cosine_ball_0 : f32 = sqrt(max(1.0f - sine_ball_0 * sine_ball_0, 0.0f));
     if(cosine_2 >= cosine_ball_0)
     {
@@ -4674,24 +4680,8 @@ struct Choice_0
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_5, choice_0.normal_2);
-    var _S1162 : f32;
-    if(view_0 > 0.0f)
-    {
-        _S1162 = 1.0f;
-    }
-    else
-    {
-        _S1162 = 0.0f;
-    }
-    (*can_light_0) = _S1162;
-    return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
-}
-
-fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
-{
-    var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_5, choice_1.normal_2);
     var _S1163 : f32;
-    if(view_1 > 0.0f)
+    if(view_0 > 0.0f)
     {
         _S1163 = 1.0f;
     }
@@ -4699,7 +4689,23 @@ fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<functio
     {
         _S1163 = 0.0f;
     }
-    (*can_light_1) = _S1163;
+    (*can_light_0) = _S1163;
+    return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
+}
+
+fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
+{
+    var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_5, choice_1.normal_2);
+    var _S1164 : f32;
+    if(view_1 > 0.0f)
+    {
+        _S1164 = 1.0f;
+    }
+    else
+    {
+        _S1164 = 0.0f;
+    }
+    (*can_light_1) = _S1164;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -4711,32 +4717,32 @@ fn choice_at_0( position_6 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
     var count_1 : u32 = word_0(u32(6));
-    var _S1164 : bool;
+    var _S1165 : bool;
     if(alike_0)
     {
-        _S1164 = true;
+        _S1165 = true;
     }
     else
     {
-        _S1164 = (word_0(u32(5))) != u32(0);
+        _S1165 = (word_0(u32(5))) != u32(0);
     }
-    if(_S1164)
+    if(_S1165)
     {
-        _S1164 = true;
+        _S1165 = true;
     }
     else
     {
-        _S1164 = count_1 < u32(2);
+        _S1165 = count_1 < u32(2);
     }
-    if(_S1164)
+    if(_S1165)
     {
-        _S1164 = true;
+        _S1165 = true;
     }
     else
     {
-        _S1164 = count_1 > u32(32);
+        _S1165 = count_1 > u32(32);
     }
-    if(_S1164)
+    if(_S1165)
     {
         return choice_2;
     }
@@ -4751,20 +4757,20 @@ fn choice_at_0( position_6 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
             break;
         }
         var can_light_2 : f32;
-        var _S1165 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S1165;
+        var _S1166 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S1166;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S1164 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S1165 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S1164 = false;
+        _S1165 = false;
     }
-    if(!_S1164)
+    if(!_S1165)
     {
         choice_2.all_0 = 0.0f;
     }
@@ -4785,33 +4791,33 @@ fn product_2( a_10 : u32,  b_7 : u32) -> vec2<u32>
 
 fn times_0( a_11 : vec2<u32>,  b_8 : vec2<u32>) -> vec2<u32>
 {
-    var _S1166 : u32 = a_11.x;
-    var _S1167 : u32 = b_8.x;
-    var low_1 : vec2<u32> = product_2(_S1166, _S1167);
-    return vec2<u32>(low_1.x, low_1.y + _S1166 * b_8.y + a_11.y * _S1167);
+    var _S1167 : u32 = a_11.x;
+    var _S1168 : u32 = b_8.x;
+    var low_1 : vec2<u32> = product_2(_S1167, _S1168);
+    return vec2<u32>(low_1.x, low_1.y + _S1167 * b_8.y + a_11.y * _S1168);
 }
 
 fn plus_0( a_12 : vec2<u32>,  b_9 : vec2<u32>) -> vec2<u32>
 {
-    var _S1168 : u32 = a_12.x;
-    var low_2 : u32 = _S1168 + b_9.x;
-    var _S1169 : u32 = a_12.y + b_9.y;
-    var _S1170 : i32;
-    if(low_2 < _S1168)
+    var _S1169 : u32 = a_12.x;
+    var low_2 : u32 = _S1169 + b_9.x;
+    var _S1170 : u32 = a_12.y + b_9.y;
+    var _S1171 : i32;
+    if(low_2 < _S1169)
     {
-        _S1170 = i32(1);
+        _S1171 = i32(1);
     }
     else
     {
-        _S1170 = i32(0);
+        _S1171 = i32(0);
     }
-    return vec2<u32>(low_2, _S1169 + u32(_S1170));
+    return vec2<u32>(low_2, _S1170 + u32(_S1171));
 }
 
 fn shifted_xor_0( x_16 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S1171 : u32 = x_16.y;
-    return (x_16 ^ (vec2<u32>(((((x_16.x) >> (by_0))) | (((_S1171 << ((u32(32) - by_0)))))), (_S1171 >> (by_0)))));
+    var _S1172 : u32 = x_16.y;
+    return (x_16 ^ (vec2<u32>(((((x_16.x) >> (by_0))) | (((_S1172 << ((u32(32) - by_0)))))), (_S1172 >> (by_0)))));
 }
 
 fn mix_0( x_17 : vec2<u32>) -> vec2<u32>
@@ -4850,9 +4856,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_2 : ptr<funct
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S1172 : f32 = f32(count_2);
-        (*probability_2) = 1.0f / _S1172;
-        return min(u32(u_0 * _S1172), count_2 - u32(1));
+        var _S1173 : f32 = f32(count_2);
+        (*probability_2) = 1.0f / _S1173;
+        return min(u32(u_0 * _S1173), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
@@ -4883,9 +4889,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_2 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S1173 : u32 = i_2 + u32(1);
+        var _S1174 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S1173;
+        i_2 = _S1174;
         rest_1 = rest_2;
     }
     return found_0;
@@ -4898,28 +4904,28 @@ fn limit_at_0( which_5 : u32) -> f32
 
 fn angle_of_0( x_18 : f32,  y_6 : f32) -> f32
 {
-    var _S1174 : f32 = abs(x_18);
-    var _S1175 : f32 = abs(y_6);
-    var _S1176 : f32 = min(_S1174, _S1175);
-    var _S1177 : f32 = max(_S1174, _S1175);
-    var is_steep_2 : bool = _S1176 > (0.41421356797218323f * _S1177);
+    var _S1175 : f32 = abs(x_18);
+    var _S1176 : f32 = abs(y_6);
+    var _S1177 : f32 = min(_S1175, _S1176);
+    var _S1178 : f32 = max(_S1175, _S1176);
+    var is_steep_2 : bool = _S1177 > (0.41421356797218323f * _S1178);
     var above_2 : f32;
     if(is_steep_2)
     {
-        above_2 = _S1176 - _S1177;
+        above_2 = _S1177 - _S1178;
     }
     else
     {
-        above_2 = _S1176;
+        above_2 = _S1177;
     }
     var below_2 : f32;
     if(is_steep_2)
     {
-        below_2 = _S1176 + _S1177;
+        below_2 = _S1177 + _S1178;
     }
     else
     {
-        below_2 = _S1177;
+        below_2 = _S1178;
     }
     if(below_2 > 0.0f)
     {
@@ -4940,7 +4946,7 @@ fn angle_of_0( x_18 : f32,  y_6 : f32) -> f32
     {
         angle_3 = angle_2;
     }
-    if(_S1175 > _S1174)
+    if(_S1176 > _S1175)
     {
         angle_3 = 1.57079637050628662f - angle_3;
     }
@@ -4975,11 +4981,11 @@ fn solid_angle_of_0( a_13 : vec3<f32>,  b_10 : vec3<f32>,  c_3 : vec3<f32>) -> f
 
 fn complex_product_0( a_14 : vec2<f32>,  b_11 : vec2<f32>) -> vec2<f32>
 {
-    var _S1178 : f32 = a_14.x;
-    var _S1179 : f32 = b_11.x;
-    var _S1180 : f32 = a_14.y;
-    var _S1181 : f32 = b_11.y;
-    return vec2<f32>(_S1178 * _S1179 - _S1180 * _S1181, _S1178 * _S1181 + _S1180 * _S1179);
+    var _S1179 : f32 = a_14.x;
+    var _S1180 : f32 = b_11.x;
+    var _S1181 : f32 = a_14.y;
+    var _S1182 : f32 = b_11.y;
+    return vec2<f32>(_S1179 * _S1180 - _S1181 * _S1182, _S1179 * _S1182 + _S1181 * _S1180);
 }
 
 struct SeenRectangle_0
@@ -5002,26 +5008,26 @@ fn seen_rectangle_0( at_10 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
     var seen_1 : SeenRectangle_0;
     seen_1.x_19 = vec2<f32>(x0_0, x1_0);
     seen_1.y_7 = vec2<f32>(y0_0, y1_0);
-    var _S1182 : f32 = - dot(vector_at_0(at_10 + u32(9)), offset_2);
-    seen_1.z_3 = _S1182;
-    var a_15 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S1182);
-    var b_12 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S1182);
-    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S1182);
-    var d_2 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S1182);
-    var _S1183 : f32 = length(a_15);
-    var _S1184 : f32 = length(c_4);
-    var _S1185 : f32;
-    if(_S1182 > (9.99999997475242708e-07f * max(max(_S1183, length(b_12)), max(_S1184, length(d_2)))))
+    var _S1183 : f32 = - dot(vector_at_0(at_10 + u32(9)), offset_2);
+    seen_1.z_3 = _S1183;
+    var a_15 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S1183);
+    var b_12 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S1183);
+    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S1183);
+    var d_2 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S1183);
+    var _S1184 : f32 = length(a_15);
+    var _S1185 : f32 = length(c_4);
+    var _S1186 : f32;
+    if(_S1183 > (9.99999997475242708e-07f * max(max(_S1184, length(b_12)), max(_S1185, length(d_2)))))
     {
-        _S1185 = solid_angle_of_0(a_15, c_4, b_12) + solid_angle_of_0(d_2, b_12, c_4);
+        _S1186 = solid_angle_of_0(a_15, c_4, b_12) + solid_angle_of_0(d_2, b_12, c_4);
     }
     else
     {
-        _S1185 = 0.0f;
+        _S1186 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S1185;
+    seen_1.solid_angle_0 = _S1186;
     var z2_2 : f32 = seen_1.z_3 * seen_1.z_3;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_3 * _S1184), vec2<f32>(- x0_0 * y0_0, seen_1.z_3 * _S1183));
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_3 * _S1185), vec2<f32>(- x0_0 * y0_0, seen_1.z_3 * _S1184));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_7 * seen_1.y_7 + vec2<f32>(z2_2));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_2) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
@@ -5059,28 +5065,28 @@ fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
     var at_11 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S1186 : f32 = seen_2.y_7.x;
-    var _S1187 : f32 = seen_2.inverse_to_line_0.x;
-    var _S1188 : f32 = seen_2.y_7.y;
-    var n_4 : f32 = - at_11.x * _S1186 * _S1187 - _S1188 * seen_2.inverse_to_line_0.y;
-    var _S1189 : f32 = at_11.y;
-    var flat_0 : f32 = _S1189 * seen_2.z_3 * _S1187;
-    var size_1 : f32 = seen_2.z_3 * abs(_S1189) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
-    var _S1190 : f32;
-    if((n_4 * _S1189) < 0.0f)
+    var _S1187 : f32 = seen_2.y_7.x;
+    var _S1188 : f32 = seen_2.inverse_to_line_0.x;
+    var _S1189 : f32 = seen_2.y_7.y;
+    var n_4 : f32 = - at_11.x * _S1187 * _S1188 - _S1189 * seen_2.inverse_to_line_0.y;
+    var _S1190 : f32 = at_11.y;
+    var flat_0 : f32 = _S1190 * seen_2.z_3 * _S1188;
+    var size_1 : f32 = seen_2.z_3 * abs(_S1190) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
+    var _S1191 : f32;
+    if((n_4 * _S1190) < 0.0f)
     {
-        _S1190 = - size_1;
+        _S1191 = - size_1;
     }
     else
     {
-        _S1190 = size_1;
+        _S1191 = size_1;
     }
-    var x_21 : f32 = clamp(_S1190, seen_2.x_19.x, seen_2.x_19.y);
+    var x_21 : f32 = clamp(_S1191, seen_2.x_19.x, seen_2.x_19.y);
     var squared_3 : f32 = x_21 * x_21 + seen_2.z_3 * seen_2.z_3;
     var h_0 : vec2<f32> = seen_2.y_7 / sqrt(vec2<f32>(squared_3) + seen_2.y_7 * seen_2.y_7);
-    var _S1191 : f32 = h_0.x;
-    var sine_2 : f32 = _S1191 + u_1.y * (h_0.y - _S1191);
-    return vec2<f32>(x_21, clamp(sine_2 * sqrt(squared_3 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S1186, _S1188));
+    var _S1192 : f32 = h_0.x;
+    var sine_2 : f32 = _S1192 + u_1.y * (h_0.y - _S1192);
+    return vec2<f32>(x_21, clamp(sine_2 * sqrt(squared_3 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S1187, _S1189));
 }
 
 fn rectangle_face_0( at_12 : u32,  place_12 : vec2<f32>,  weights_3 : ptr<function, vec2<f32>>) -> u32
@@ -5098,16 +5104,16 @@ fn rectangle_face_0( at_12 : u32,  place_12 : vec2<f32>,  weights_3 : ptr<functi
             break;
         }
         var row_1 : u32 = at_12 + u32(14) + u32(6) * face_0;
-        var _S1192 : f32 = place_12.x;
-        var _S1193 : f32 = place_12.y;
-        var v_4 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S1192 + number_0(row_1 + u32(2)) * _S1193;
-        var w_2 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S1192 + number_0(row_1 + u32(5)) * _S1193;
-        var _S1194 : f32 = min(min(v_4, w_2), 1.0f - v_4 - w_2);
-        if(_S1194 > best_0)
+        var _S1193 : f32 = place_12.x;
+        var _S1194 : f32 = place_12.y;
+        var v_4 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S1193 + number_0(row_1 + u32(2)) * _S1194;
+        var w_2 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S1193 + number_0(row_1 + u32(5)) * _S1194;
+        var _S1195 : f32 = min(min(v_4, w_2), 1.0f - v_4 - w_2);
+        if(_S1195 > best_0)
         {
             (*weights_3)[i32(0)] = clamp(v_4, 0.0f, 1.0f);
             (*weights_3)[i32(1)] = clamp(w_2, 0.0f, 1.0f - (*weights_3).x);
-            best_0 = _S1194;
+            best_0 = _S1195;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -5127,20 +5133,20 @@ fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f32
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S1195 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S1196 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S1195, _S1196);
-    var sum_3 : f32 = _S1195 + _S1196;
-    var _S1197 : vec2<f32>;
+    var _S1196 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S1197 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S1196, _S1197);
+    var sum_3 : f32 = _S1196 + _S1197;
+    var _S1198 : vec2<f32>;
     if(sum_3 > 0.0f)
     {
-        _S1197 = seen_3 / vec2<f32>(sum_3);
+        _S1198 = seen_3 / vec2<f32>(sum_3);
     }
     else
     {
-        _S1197 = vec2<f32>(0.0f);
+        _S1198 = vec2<f32>(0.0f);
     }
-    return _S1197;
+    return _S1198;
 }
 
 struct Corners_0
@@ -5173,37 +5179,37 @@ fn unit_across_0( v_5 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_4 : f32) -> vec3<f32>
 {
-    var _S1198 : f32 = clamp(cosine_4, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S1198) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S1198) * (1.0f + _S1198)));
+    var _S1199 : f32 = clamp(cosine_4, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S1199) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S1199) * (1.0f + _S1199)));
 }
 
 fn triangle_direction_0( a_17 : vec3<f32>,  b_14 : vec3<f32>,  c_6 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S1199 : vec3<f32> = normalize(a_17);
-    var _S1200 : vec3<f32> = normalize(b_14);
-    var _S1201 : vec3<f32> = normalize(c_6);
-    var ab_0 : vec3<f32> = normalize(cross(_S1199, _S1200));
-    var ca_0 : vec3<f32> = normalize(cross(_S1201, _S1199));
+    var _S1200 : vec3<f32> = normalize(a_17);
+    var _S1201 : vec3<f32> = normalize(b_14);
+    var _S1202 : vec3<f32> = normalize(c_6);
+    var ab_0 : vec3<f32> = normalize(cross(_S1200, _S1201));
+    var ca_0 : vec3<f32> = normalize(cross(_S1202, _S1200));
     var sine_alpha_0 : f32 = length(cross(ab_0, ca_0));
     var cosine_alpha_0 : f32 = - dot(ab_0, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S1202 : f32 = part_0.x;
-    var _S1203 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S1202 * cosine_alpha_0 - _S1203 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S1203 * cosine_alpha_0 + _S1202 * sine_alpha_0;
+    var _S1203 : f32 = part_0.x;
+    var _S1204 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S1203 * cosine_alpha_0 - _S1204 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S1204 * cosine_alpha_0 + _S1203 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S1199, _S1200);
-    var between_1 : vec3<f32> = along_0(_S1199, _S1201, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S1200, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S1200)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S1200, _S1201);
+    var between_1 : vec3<f32> = along_0(_S1200, _S1202, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S1201, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S1201)));
 }
 
-fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_3 : f32,  direction_5 : vec3<f32>) -> f32
+fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_4 : f32,  direction_5 : vec3<f32>) -> f32
 {
     if(!(solid_angle_1 < 0.00100000004749745f))
     {
         return 1.0f;
     }
-    return solid_angle_1 * 2.0f * distance_3 * distance_3 / abs(dot(normal_5, direction_5));
+    return solid_angle_1 * 2.0f * distance_4 * distance_4 / abs(dot(normal_5, direction_5));
 }
 
 struct EmitterPoint_0
@@ -5238,10 +5244,10 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             return point_0;
         }
     }
-    var _S1204 : f32 = precise_random_0(key_4, dimension_3);
+    var _S1205 : f32 = precise_random_0(key_4, dimension_3);
     var nodes_at_1 : u32 = word_0(record_10 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f32 = _S1204;
+    var u_3 : f32 = _S1205;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -5253,16 +5259,16 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S1205 : f32 = shares_0.x;
-        var _S1206 : f32 = shares_0.y;
-        if(!((_S1205 + _S1206) > 0.0f))
+        var _S1206 : f32 = shares_0.x;
+        var _S1207 : f32 = shares_0.y;
+        if(!((_S1206 + _S1207) > 0.0f))
         {
             return point_0;
         }
         var is_second_0 : bool;
-        if(u_3 >= _S1205)
+        if(u_3 >= _S1206)
         {
-            is_second_0 = _S1206 > 0.0f;
+            is_second_0 = _S1207 > 0.0f;
         }
         else
         {
@@ -5270,86 +5276,86 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S1205) / _S1206;
+            u_3 = (u_3 - _S1206) / _S1207;
         }
         else
         {
-            u_3 = min(u_3 / _S1205, 1.0f);
+            u_3 = min(u_3 / _S1206, 1.0f);
         }
         if(is_second_0)
+        {
+            total_0 = _S1207;
+        }
+        else
         {
             total_0 = _S1206;
         }
-        else
-        {
-            total_0 = _S1205;
-        }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S1207 : i32;
+        var _S1208 : i32;
         if(is_second_0)
         {
-            _S1207 = i32(3);
+            _S1208 = i32(3);
         }
         else
         {
-            _S1207 = i32(2);
+            _S1208 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S1207));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S1208));
         chosen_0 = chosen_1;
     }
     var first_2 : u32 = word_0(node_2);
-    var _S1208 : u32 = word_0(node_2 + u32(1));
-    var _S1209 : u32 = word_0(record_10 + u32(6));
+    var _S1209 : u32 = word_0(node_2 + u32(1));
+    var _S1210 : u32 = word_0(record_10 + u32(6));
     var k_2 : u32 = first_2;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_2 < _S1208)
+        if(k_2 < _S1209)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S1209 + k_2), from_1.exact_0);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S1210 + k_2), from_1.exact_0);
         k_2 = k_2 + u32(1);
         total_0 = total_1;
     }
-    var _S1210 : f32 = u_3 * total_0;
+    var _S1211 : f32 = u_3 * total_0;
     var face_5 : u32 = u32(4294967295);
     var angle_5 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
     k_2 = first_2;
-    var rest_3 : f32 = _S1210;
+    var rest_3 : f32 = _S1211;
     for(;;)
     {
-        if(k_2 < _S1208)
+        if(k_2 < _S1209)
         {
         }
         else
         {
             break;
         }
-        var _S1211 : u32 = _S1209 + k_2;
-        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S1211), from_1.exact_0);
+        var _S1212 : u32 = _S1210 + k_2;
+        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S1212), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
             k_2 = k_2 + u32(1);
             continue;
         }
-        var _S1212 : u32 = word_0(_S1211);
-        var _S1213 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S1213 : u32 = word_0(_S1212);
+        var _S1214 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S1212;
+            face_5 = _S1213;
             angle_5 = own_1;
-            inside_2 = _S1213;
+            inside_2 = _S1214;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S1212;
+        face_5 = _S1213;
         angle_5 = own_1;
-        inside_2 = _S1213;
+        inside_2 = _S1214;
         rest_3 = rest_4;
         k_2 = k_2 + u32(1);
     }
@@ -5373,17 +5379,17 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         var direction_6 : vec3<f32> = triangle_direction_0(corners_2.a_16, corners_2.b_13, corners_2.c_5, angle_5, vec2<f32>(inside_2, second_1));
         var within_0 : vec3<f32> = direction_6 * vec3<f32>((dot(corners_2.a_16, normal_6) / dot(direction_6, normal_6))) - corners_2.a_16;
         var squared_4 : f32 = dot(normal_6, normal_6);
-        var _S1214 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_4, 0.0f, 1.0f);
-        point_0.place_13.v_0 = _S1214;
-        point_0.place_13.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_4, 0.0f, 1.0f - _S1214);
+        var _S1215 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_4, 0.0f, 1.0f);
+        point_0.place_13.v_0 = _S1215;
+        point_0.place_13.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_4, 0.0f, 1.0f - _S1215);
     }
     var offset_3 : vec3<f32> = corners_2.a_16 + ab_1 * vec3<f32>(point_0.place_13.v_0) + ac_0 * vec3<f32>(point_0.place_13.w_0);
-    var distance_4 : f32 = length(offset_3);
-    if(!(distance_4 > 0.0f))
+    var distance_5 : f32 = length(offset_3);
+    if(!(distance_5 > 0.0f))
     {
         return point_0;
     }
-    point_0.pdf_2 = chosen_0 / total_0 * density_of_0(angle_5, normal_6, distance_4, offset_3 / vec3<f32>(distance_4));
+    point_0.pdf_2 = chosen_0 / total_0 * density_of_0(angle_5, normal_6, distance_5, offset_3 / vec3<f32>(distance_5));
     return point_0;
 }
 
@@ -5394,15 +5400,15 @@ fn is_map_0( record_11 : u32) -> bool
 
 fn uniform_direction_0( u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S1215 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S1215 * (1.0f - _S1215))));
-    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S1215);
+    var _S1216 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S1216 * (1.0f - _S1216))));
+    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S1216);
 }
 
 fn map_place_0( map_1 : u32,  direction_7 : vec3<f32>) -> vec2<f32>
 {
-    var _S1216 : u32 = map_1 + u32(2);
-    var d_3 : vec3<f32> = vector_at_0(_S1216) * vec3<f32>(direction_7.x) + vector_at_0(_S1216 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S1216 + u32(6)) * vec3<f32>(direction_7.z);
+    var _S1217 : u32 = map_1 + u32(2);
+    var d_3 : vec3<f32> = vector_at_0(_S1217) * vec3<f32>(direction_7.x) + vector_at_0(_S1217 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S1217 + u32(6)) * vec3<f32>(direction_7.z);
     return vec2<f32>(angle_of_0(- d_3.z, d_3.x) * 0.15915493667125702f * f32(word_0(map_1)) - 0.5f, angle_of_0(d_3.y, length(d_3.xz)) * 0.31830987334251404f * (f32(word_0(map_1 + u32(1))) - 1.0f));
 }
 
@@ -5430,11 +5436,11 @@ fn sum_at_0( at_14 : u32) -> f32
 
 fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr<function, f32>) -> u32
 {
-    var _S1217 : u32 = count_3 - u32(1);
-    var total_2 : f32 = sum_at_0(sums_1 + u32(2) * _S1217);
+    var _S1218 : u32 = count_3 - u32(1);
+    var total_2 : f32 = sum_at_0(sums_1 + u32(2) * _S1218);
     var target_0 : f32 = u_5 * total_2;
     var low_3 : u32 = u32(0);
-    var high_0 : u32 = _S1217;
+    var high_0 : u32 = _S1218;
     for(;;)
     {
         if(low_3 < high_0)
@@ -5446,16 +5452,16 @@ fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
         var sum_4 : f32 = sum_at_0(sums_1 + u32(2) * middle_1);
-        var _S1218 : bool;
+        var _S1219 : bool;
         if(sum_4 <= target_0)
         {
-            _S1218 = sum_4 < total_2;
+            _S1219 = sum_4 < total_2;
         }
         else
         {
-            _S1218 = false;
+            _S1219 = false;
         }
-        if(_S1218)
+        if(_S1219)
         {
             low_3 = middle_1 + u32(1);
         }
@@ -5486,49 +5492,49 @@ fn cell_direction_0( map_4 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,
     var rows_1 : vec2<f32>;
     if(is_lower_0)
     {
-        var _S1219 : u32 = last_0 - row_2;
-        rows_1 = vec2<f32>(f32(_S1219), f32(_S1219 - u32(1)));
+        var _S1220 : u32 = last_0 - row_2;
+        rows_1 = vec2<f32>(f32(_S1220), f32(_S1220 - u32(1)));
     }
     else
     {
         rows_1 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
     }
-    var _S1220 : f32 = f32(last_0);
-    var _S1221 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S1220)).x;
-    var _S1222 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S1220)).x;
-    var off_0 : f32 = 2.0f * mix(_S1221 * _S1221, _S1222 * _S1222, down_0);
+    var _S1221 : f32 = f32(last_0);
+    var _S1222 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S1221)).x;
+    var _S1223 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S1221)).x;
+    var off_0 : f32 = 2.0f * mix(_S1222 * _S1222, _S1223 * _S1223, down_0);
     var sine_3 : f32 = sqrt(off_0 * (2.0f - off_0));
-    var _S1223 : f32 = azimuth_0.x * sine_3;
-    var _S1224 : f32;
+    var _S1224 : f32 = azimuth_0.x * sine_3;
+    var _S1225 : f32;
     if(is_lower_0)
     {
-        _S1224 = off_0 - 1.0f;
+        _S1225 = off_0 - 1.0f;
     }
     else
     {
-        _S1224 = 1.0f - off_0;
+        _S1225 = 1.0f - off_0;
     }
-    var local_0 : vec3<f32> = vec3<f32>(_S1223, _S1224, - azimuth_0.y * sine_3);
-    var _S1225 : u32 = map_4 + u32(2);
-    return vec3<f32>(dot(vector_at_0(_S1225), local_0), dot(vector_at_0(_S1225 + u32(3)), local_0), dot(vector_at_0(_S1225 + u32(6)), local_0));
+    var local_0 : vec3<f32> = vec3<f32>(_S1224, _S1225, - azimuth_0.y * sine_3);
+    var _S1226 : u32 = map_4 + u32(2);
+    return vec3<f32>(dot(vector_at_0(_S1226), local_0), dot(vector_at_0(_S1226 + u32(3)), local_0), dot(vector_at_0(_S1226 + u32(6)), local_0));
 }
 
 fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_3 : ptr<function, f32>) -> vec3<f32>
 {
     var u_6 : f32 = precise_random_0(key_5, dimension_4);
     var rest_5 : f32 = u_6 * 20.0f - 1.0f;
-    var _S1226 : u32 = map_5 + u32(13);
-    var is_black_0 : bool = (word_0(_S1226)) == u32(4294967295);
-    var _S1227 : bool;
+    var _S1227 : u32 = map_5 + u32(13);
+    var is_black_0 : bool = (word_0(_S1227)) == u32(4294967295);
+    var _S1228 : bool;
     if(is_black_0)
     {
-        _S1227 = true;
+        _S1228 = true;
     }
     else
     {
-        _S1227 = rest_5 < 0.0f;
+        _S1228 = rest_5 < 0.0f;
     }
-    if(_S1227)
+    if(_S1228)
     {
         var share_0 : f32;
         if(is_black_0)
@@ -5540,14 +5546,14 @@ fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_3 : p
             share_0 = 0.05000000074505806f;
         }
         var direction_9 : vec3<f32> = uniform_direction_0(vec2<f32>(u_6 / share_0, random_0(key_5, dimension_4 + u32(1))));
-        var _S1228 : f32 = map_pdf_0(map_5, direction_9);
-        (*pdf_3) = _S1228;
+        var _S1229 : f32 = map_pdf_0(map_5, direction_9);
+        (*pdf_3) = _S1229;
         return direction_9;
     }
     var rest_6 : f32 = rest_5 / 19.0f;
     var width_3 : u32 = word_0(map_5);
     var down_1 : f32;
-    var row_3 : u32 = chosen_interval_0(word_0(_S1226), word_0(map_5 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
+    var row_3 : u32 = chosen_interval_0(word_0(_S1227), word_0(map_5 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
     var along_2 : f32;
     var column_2 : u32 = chosen_interval_0(word_0(map_5 + u32(14)) + u32(2) * width_3 * row_3, width_3, rest_6, &(along_2));
     (*pdf_3) = cell_pdf_0(map_5, row_3 * width_3 + column_2);
@@ -5561,9 +5567,9 @@ fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
 
 fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
 {
-    var _S1229 : f32 = u_7.x;
-    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S1229));
-    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S1229));
+    var _S1230 : f32 = u_7.x;
+    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S1230));
+    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S1230));
 }
 
 fn to_world_0( axes_6 : Axes_0,  v_6 : vec3<f32>) -> vec3<f32>
@@ -5573,23 +5579,23 @@ fn to_world_0( axes_6 : Axes_0,  v_6 : vec3<f32>) -> vec3<f32>
 
 fn component_0( v_7 : vec3<f32>,  axis_2 : u32) -> f32
 {
-    var _S1230 : f32;
+    var _S1231 : f32;
     if(axis_2 == u32(0))
     {
-        _S1230 = v_7.x;
+        _S1231 = v_7.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S1230 = v_7.y;
+            _S1231 = v_7.y;
         }
         else
         {
-            _S1230 = v_7.z;
+            _S1231 = v_7.z;
         }
     }
-    return _S1230;
+    return _S1231;
 }
 
 fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
@@ -5609,7 +5615,7 @@ struct RayView_0
 
 fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S1231 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S1232 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -5622,36 +5628,36 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S1232 : u32 = axis_3;
-        var _S1233 : u32 = _S1231 + u32(2) * axis_3;
-        var _S1234 : u32 = slot_3 % u32(4);
-        var low_4 : f32 = (bitcast<f32>((nodes_0[_S1233][_S1234])));
-        var high_1 : f32 = (bitcast<f32>((nodes_0[_S1233 + u32(6)][_S1234])));
-        var _S1235 : bool = (view_2.inverse_2[axis_3]) < 0.0f;
-        var _S1236 : f32;
-        if(_S1235)
+        var _S1233 : u32 = axis_3;
+        var _S1234 : u32 = _S1232 + u32(2) * axis_3;
+        var _S1235 : u32 = slot_3 % u32(4);
+        var low_4 : f32 = (bitcast<f32>((nodes_0[_S1234][_S1235])));
+        var high_1 : f32 = (bitcast<f32>((nodes_0[_S1234 + u32(6)][_S1235])));
+        var _S1236 : bool = (view_2.inverse_2[axis_3]) < 0.0f;
+        var _S1237 : f32;
+        if(_S1236)
         {
-            _S1236 = high_1;
+            _S1237 = high_1;
         }
         else
         {
-            _S1236 = low_4;
+            _S1237 = low_4;
         }
-        var _S1237 : f32 = max(near_0, _S1236 * view_2.inverse_2[_S1232] - view_2.offset_near_0[axis_3]);
-        var _S1238 : f32;
-        if(_S1235)
+        var _S1238 : f32 = max(near_0, _S1237 * view_2.inverse_2[_S1233] - view_2.offset_near_0[axis_3]);
+        var _S1239 : f32;
+        if(_S1236)
         {
-            _S1238 = low_4;
+            _S1239 = low_4;
         }
         else
         {
-            _S1238 = high_1;
+            _S1239 = high_1;
         }
-        var _S1239 : f32 = min(far_0, _S1238 * view_2.inverse_2[_S1232] - view_2.offset_far_0[axis_3]);
-        var _S1240 : u32 = axis_3 + u32(1);
-        near_0 = _S1237;
-        far_0 = _S1239;
-        axis_3 = _S1240;
+        var _S1240 : f32 = min(far_0, _S1239 * view_2.inverse_2[_S1233] - view_2.offset_far_0[axis_3]);
+        var _S1241 : u32 = axis_3 + u32(1);
+        near_0 = _S1238;
+        far_0 = _S1240;
+        axis_3 = _S1241;
     }
     if(near_0 <= far_0)
     {
@@ -5676,7 +5682,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S1241 : u32 = k_3;
+        var _S1242 : u32 = k_3;
         if((bounds_0[k_3]) > limit_2)
         {
             k_3 = k_3 + u32(1);
@@ -5693,24 +5699,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S1242 : u32 = j_0;
-            var _S1243 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S1241]))
+            var _S1243 : u32 = j_0;
+            var _S1244 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S1242]))
             {
-                _S1243 = true;
+                _S1244 = true;
             }
             else
             {
-                if((bounds_0[_S1242]) == (bounds_0[_S1241]))
+                if((bounds_0[_S1243]) == (bounds_0[_S1242]))
                 {
-                    _S1243 = j_0 < k_3;
+                    _S1244 = j_0 < k_3;
                 }
                 else
                 {
-                    _S1243 = false;
+                    _S1244 = false;
                 }
             }
-            if(_S1243)
+            if(_S1244)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -5735,16 +5741,16 @@ fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S1244 : f32;
+        var _S1245 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S1244 = 3.00000000549775576e+38f;
+            _S1245 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S1244 = ray_bound_0(view_3, limit_3, node_5, slot_4);
+            _S1245 = ray_bound_0(view_3, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S1244;
+        bounds_1[slot_4] = _S1245;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -5794,46 +5800,46 @@ fn intersect_0( ray_1 : Ray_0,  axes_9 : u32,  at_16 : u32) -> Crossing_0
     var a_18 : vec3<f32> = corner_0(ray_1, axes_9, at_16);
     var b_15 : vec3<f32> = corner_0(ray_1, axes_9, at_16 + u32(3));
     var c_7 : vec3<f32> = corner_0(ray_1, axes_9, at_16 + u32(6));
-    var _S1245 : f32 = c_7.x;
-    var _S1246 : f32 = b_15.y;
-    var cx_by_0 : f32 = rounded_0(_S1245 * _S1246, ray_1.largest_1);
-    var _S1247 : f32 = c_7.y;
-    var _S1248 : f32 = b_15.x;
-    var cy_bx_0 : f32 = rounded_0(_S1247 * _S1248, ray_1.largest_1);
-    var _S1249 : f32 = a_18.x;
-    var ax_cy_0 : f32 = rounded_0(_S1249 * _S1247, ray_1.largest_1);
-    var _S1250 : f32 = a_18.y;
-    var ay_cx_0 : f32 = rounded_0(_S1250 * _S1245, ray_1.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S1248 * _S1250, ray_1.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S1246 * _S1249, ray_1.largest_1);
+    var _S1246 : f32 = c_7.x;
+    var _S1247 : f32 = b_15.y;
+    var cx_by_0 : f32 = rounded_0(_S1246 * _S1247, ray_1.largest_1);
+    var _S1248 : f32 = c_7.y;
+    var _S1249 : f32 = b_15.x;
+    var cy_bx_0 : f32 = rounded_0(_S1248 * _S1249, ray_1.largest_1);
+    var _S1250 : f32 = a_18.x;
+    var ax_cy_0 : f32 = rounded_0(_S1250 * _S1248, ray_1.largest_1);
+    var _S1251 : f32 = a_18.y;
+    var ay_cx_0 : f32 = rounded_0(_S1251 * _S1246, ray_1.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S1249 * _S1251, ray_1.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S1247 * _S1250, ray_1.largest_1);
     var u_8 : f32 = cx_by_0 - cy_bx_0;
     var v_9 : f32 = ax_cy_0 - ay_cx_0;
     var w_4 : f32 = bx_ay_0 - by_ax_0;
-    var _S1251 : f32 = min(min(u_8, v_9), w_4);
-    var _S1252 : f32 = max(max(u_8, v_9), w_4);
-    var _S1253 : bool;
-    if(_S1251 < 0.0f)
+    var _S1252 : f32 = min(min(u_8, v_9), w_4);
+    var _S1253 : f32 = max(max(u_8, v_9), w_4);
+    var _S1254 : bool;
+    if(_S1252 < 0.0f)
     {
-        _S1253 = _S1252 > 0.0f;
+        _S1254 = _S1253 > 0.0f;
     }
     else
     {
-        _S1253 = false;
+        _S1254 = false;
     }
-    if(_S1253)
+    if(_S1254)
     {
         return crossing_0;
     }
     var determinant_0 : f32 = u_8 + v_9 + w_4;
-    if(_S1251 <= 0.0f)
+    if(_S1252 <= 0.0f)
     {
-        _S1253 = _S1252 >= 0.0f;
+        _S1254 = _S1253 >= 0.0f;
     }
     else
     {
-        _S1253 = false;
+        _S1254 = false;
     }
-    if(_S1253)
+    if(_S1254)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -5847,13 +5853,13 @@ fn intersect_0( ray_1 : Ray_0,  axes_9 : u32,  at_16 : u32) -> Crossing_0
     var t_5 : f32 = (rounded_0(u_8 * a_18.z, ray_1.largest_1) + rounded_0(v_9 * b_15.z, ray_1.largest_1) + rounded_0(w_4 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_5)
     {
-        _S1253 = t_5 <= (ray_1.t_max_0);
+        _S1254 = t_5 <= (ray_1.t_max_0);
     }
     else
     {
-        _S1253 = false;
+        _S1254 = false;
     }
-    crossing_0.is_hit_0 = _S1253;
+    crossing_0.is_hit_0 = _S1254;
     crossing_0.t_4 = t_5;
     crossing_0.v_8 = v_9 / determinant_0;
     crossing_0.w_3 = w_4 / determinant_0;
@@ -5875,7 +5881,7 @@ struct Found_0
 
 fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S1254 : bool;
+    var _S1255 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
     found_3.triangle_7 = u32(4294967295);
@@ -5907,31 +5913,31 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_1[level_0];
-        var _S1255 : u32 = way_1[level_0].y;
-        if(_S1255 == u32(0))
+        var _S1256 : u32 = way_1[level_0].y;
+        if(_S1256 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S1256 : u32 = level_0 - u32(1);
+            var _S1257 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S1256;
+            level_0 = _S1257;
             continue;
         }
-        var slot_5 : u32 = ((_S1255 & (u32(15)))) - u32(1);
-        way_1[level_0][i32(1)] = (_S1255 >> (u32(4)));
-        var _S1257 : bool;
+        var slot_5 : u32 = ((_S1256 & (u32(15)))) - u32(1);
+        way_1[level_0][i32(1)] = (_S1256 >> (u32(4)));
+        var _S1258 : bool;
         if(!is_new_1)
         {
-            _S1257 = (ray_bound_0(view_4, limit_4, here_1.x, slot_5)) > limit_4;
+            _S1258 = (ray_bound_0(view_4, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S1257 = false;
+            _S1258 = false;
         }
-        if(_S1257)
+        if(_S1258)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -5940,20 +5946,20 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S1258 : u32 = level_0 + u32(1);
+            var _S1259 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S1258;
+            level_0 = _S1259;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S1259 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S1260 : u32 = leaf_starts_0[leaf_0];
+        var _S1260 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S1261 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S1260;
+        var i_3 : u32 = _S1261;
         for(;;)
         {
-            if(i_3 < _S1259)
+            if(i_3 < _S1260)
             {
             }
             else
@@ -5968,23 +5974,23 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S1254 = true;
+                _S1255 = true;
             }
             else
             {
-                _S1254 = (crossing_1.t_4) < ((*ray_2).t_max_0);
+                _S1255 = (crossing_1.t_4) < ((*ray_2).t_max_0);
             }
-            var _S1261 : bool;
-            if(_S1254)
+            var _S1262 : bool;
+            if(_S1255)
             {
-                _S1261 = true;
+                _S1262 = true;
             }
             else
             {
-                _S1261 = (face_6(i_3)) < (found_3.face_7);
+                _S1262 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S1261)
+            if(_S1262)
             {
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_7 = i_3;
@@ -6002,13 +6008,13 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S1254 = (found_3.face_7) != u32(4294967295);
+            _S1255 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S1254 = false;
+            _S1255 = false;
         }
-        if(_S1254)
+        if(_S1255)
         {
             break;
         }
@@ -6022,34 +6028,34 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_1 : vec3<f32>,  direction_10 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_6 : ptr<function, f32>) -> Found_0
 {
     var size_2 : vec3<f32> = abs(direction_10);
-    var _S1262 : f32 = size_2.x;
-    var _S1263 : f32 = size_2.y;
-    var _S1264 : bool;
-    if(_S1262 >= _S1263)
+    var _S1263 : f32 = size_2.x;
+    var _S1264 : f32 = size_2.y;
+    var _S1265 : bool;
+    if(_S1263 >= _S1264)
     {
-        _S1264 = _S1262 >= (size_2.z);
+        _S1265 = _S1263 >= (size_2.z);
     }
     else
     {
-        _S1264 = false;
+        _S1265 = false;
     }
-    var _S1265 : i32;
-    if(_S1264)
+    var _S1266 : i32;
+    if(_S1265)
     {
-        _S1265 = i32(0);
+        _S1266 = i32(0);
     }
     else
     {
-        if(_S1263 >= (size_2.z))
+        if(_S1264 >= (size_2.z))
         {
-            _S1265 = i32(1);
+            _S1266 = i32(1);
         }
         else
         {
-            _S1265 = i32(2);
+            _S1266 = i32(2);
         }
     }
-    var z_6 : u32 = u32(_S1265);
+    var z_6 : u32 = u32(_S1266);
     var x_22 : u32 = (z_6 + u32(1)) % u32(3);
     var y_8 : u32 = (z_6 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
@@ -6060,13 +6066,13 @@ fn cast_0( origin_1 : vec3<f32>,  direction_10 : vec3<f32>,  t_min_1 : f32,  t_m
     ray_3.shear_y_0 = component_0(direction_10, y_8) / along_3;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S1266 : f32 = abs(along_3);
-    ray_3.local_per_t_0 = _S1266;
+    var _S1267 : f32 = abs(along_3);
+    ray_3.local_per_t_0 = _S1267;
     ray_3.enter_0 = 0.0f;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
     var view_5 : RayView_0;
-    var _S1267 : vec3<f32> = direction_10 / vec3<f32>(_S1266);
+    var _S1268 : vec3<f32> = direction_10 / vec3<f32>(_S1267);
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -6077,17 +6083,17 @@ fn cast_0( origin_1 : vec3<f32>,  direction_10 : vec3<f32>,  t_min_1 : f32,  t_m
         {
             break;
         }
-        var _S1268 : f32 = max(abs(_S1267[axis_4]), 8.67361737988403547e-19f);
-        var _S1269 : f32;
-        if((_S1267[axis_4]) < 0.0f)
+        var _S1269 : f32 = max(abs(_S1268[axis_4]), 8.67361737988403547e-19f);
+        var _S1270 : f32;
+        if((_S1268[axis_4]) < 0.0f)
         {
-            _S1269 = -1.0f / _S1268;
+            _S1270 = -1.0f / _S1269;
         }
         else
         {
-            _S1269 = 1.0f / _S1268;
+            _S1270 = 1.0f / _S1269;
         }
-        view_5.inverse_2[axis_4] = _S1269;
+        view_5.inverse_2[axis_4] = _S1270;
         axis_4 = axis_4 + u32(1);
     }
     var offset_4 : vec3<f32> = origin_1 * view_5.inverse_2;
@@ -6105,34 +6111,34 @@ fn cast_0( origin_1 : vec3<f32>,  direction_10 : vec3<f32>,  t_min_1 : f32,  t_m
 fn cast_1( origin_2 : vec3<f32>,  direction_11 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_2 : bool,  t_7 : ptr<function, f32>) -> Found_0
 {
     var size_3 : vec3<f32> = abs(direction_11);
-    var _S1270 : f32 = size_3.x;
-    var _S1271 : f32 = size_3.y;
-    var _S1272 : bool;
-    if(_S1270 >= _S1271)
+    var _S1271 : f32 = size_3.x;
+    var _S1272 : f32 = size_3.y;
+    var _S1273 : bool;
+    if(_S1271 >= _S1272)
     {
-        _S1272 = _S1270 >= (size_3.z);
+        _S1273 = _S1271 >= (size_3.z);
     }
     else
     {
-        _S1272 = false;
+        _S1273 = false;
     }
-    var _S1273 : i32;
-    if(_S1272)
+    var _S1274 : i32;
+    if(_S1273)
     {
-        _S1273 = i32(0);
+        _S1274 = i32(0);
     }
     else
     {
-        if(_S1271 >= (size_3.z))
+        if(_S1272 >= (size_3.z))
         {
-            _S1273 = i32(1);
+            _S1274 = i32(1);
         }
         else
         {
-            _S1273 = i32(2);
+            _S1274 = i32(2);
         }
     }
-    var z_7 : u32 = u32(_S1273);
+    var z_7 : u32 = u32(_S1274);
     var x_23 : u32 = (z_7 + u32(1)) % u32(3);
     var y_9 : u32 = (z_7 + u32(2)) % u32(3);
     var ray_4 : Ray_0;
@@ -6143,13 +6149,13 @@ fn cast_1( origin_2 : vec3<f32>,  direction_11 : vec3<f32>,  t_min_2 : f32,  t_m
     ray_4.shear_y_0 = component_0(direction_11, y_9) / along_4;
     ray_4.t_min_0 = t_min_2;
     ray_4.t_max_0 = t_max_2;
-    var _S1274 : f32 = abs(along_4);
-    ray_4.local_per_t_0 = _S1274;
+    var _S1275 : f32 = abs(along_4);
+    ray_4.local_per_t_0 = _S1275;
     ray_4.enter_0 = 0.0f;
     ray_4.edge_on_0 = limit_at_0(u32(0));
     ray_4.largest_1 = limit_at_0(u32(1));
     var view_6 : RayView_0;
-    var _S1275 : vec3<f32> = direction_11 / vec3<f32>(_S1274);
+    var _S1276 : vec3<f32> = direction_11 / vec3<f32>(_S1275);
     var axis_5 : u32 = u32(0);
     for(;;)
     {
@@ -6160,17 +6166,17 @@ fn cast_1( origin_2 : vec3<f32>,  direction_11 : vec3<f32>,  t_min_2 : f32,  t_m
         {
             break;
         }
-        var _S1276 : f32 = max(abs(_S1275[axis_5]), 8.67361737988403547e-19f);
-        var _S1277 : f32;
-        if((_S1275[axis_5]) < 0.0f)
+        var _S1277 : f32 = max(abs(_S1276[axis_5]), 8.67361737988403547e-19f);
+        var _S1278 : f32;
+        if((_S1276[axis_5]) < 0.0f)
         {
-            _S1277 = -1.0f / _S1276;
+            _S1278 = -1.0f / _S1277;
         }
         else
         {
-            _S1277 = 1.0f / _S1276;
+            _S1278 = 1.0f / _S1277;
         }
-        view_6.inverse_2[axis_5] = _S1277;
+        view_6.inverse_2[axis_5] = _S1278;
         axis_5 = axis_5 + u32(1);
     }
     var offset_5 : vec3<f32> = origin_2 * view_6.inverse_2;
@@ -6192,16 +6198,16 @@ fn turning_0( vertex_1 : Vertex_0,  direction_12 : vec3<f32>) -> vec3<f32>
 
 fn towards_emitter_0( vertex_2 : Vertex_0,  direction_13 : vec3<f32>,  record_12 : u32) -> vec3<f32>
 {
-    var _S1278 : vec3<f32>;
+    var _S1279 : vec3<f32>;
     if((word_0(record_12)) == u32(1))
     {
-        _S1278 = changing_0(direction_13, turning_0(vertex_2, direction_13));
+        _S1279 = changing_0(direction_13, turning_0(vertex_2, direction_13));
     }
     else
     {
-        _S1278 = still_0(direction_13);
+        _S1279 = still_0(direction_13);
     }
-    return _S1278;
+    return _S1279;
 }
 
 fn local_change_0( vertex_3 : Vertex_0,  direction_14 : vec3<f32>) -> vec3<f32>
@@ -6211,11 +6217,11 @@ fn local_change_0( vertex_3 : Vertex_0,  direction_14 : vec3<f32>) -> vec3<f32>
 
 fn Mirrored_x24init_0( cosine_5 : f32,  pdf_4 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S1279 : Mirrored_0;
-    _S1279.cosine_0 = cosine_5;
-    _S1279.pdf_1 = pdf_4;
-    _S1279.scattered_0 = scattered_1;
-    return _S1279;
+    var _S1280 : Mirrored_0;
+    _S1280.cosine_0 = cosine_5;
+    _S1280.pdf_1 = pdf_4;
+    _S1280.scattered_0 = scattered_1;
+    return _S1280;
 }
 
 fn facets_of_0( lobe_8 : Lobe_0,  numbers_5 : Numbers_0) -> Microfacets_0
@@ -6228,50 +6234,50 @@ fn facets_of_0( lobe_8 : Lobe_0,  numbers_5 : Numbers_0) -> Microfacets_0
 
 fn density_0( facets_1 : Microfacets_0,  m_0 : vec3<f32>) -> f32
 {
-    var _S1280 : f32 = m_0.z;
-    if(_S1280 <= 0.0f)
+    var _S1281 : f32 = m_0.z;
+    if(_S1281 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_2 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_3 : vec2<f32> = m_0.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_3, slope_3);
-    var cos2_6 : f32 = _S1280 * _S1280;
+    var cos2_6 : f32 = _S1281 * _S1281;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_5 : f32 = spread_0 + cos2_6;
         return 1.0f / (scale_2 * sum_5 * sum_5);
     }
     var exponent_2 : f32 = spread_0 / cos2_6;
-    var _S1281 : f32;
+    var _S1282 : f32;
     if(exponent_2 > 80.0f)
     {
-        _S1281 = 0.0f;
+        _S1282 = 0.0f;
     }
     else
     {
-        _S1281 = exponential_0(- exponent_2) / (scale_2 * cos2_6 * cos2_6);
+        _S1282 = exponential_0(- exponent_2) / (scale_2 * cos2_6 * cos2_6);
     }
-    return _S1281;
+    return _S1282;
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_6 : vec3<f32>) -> f32
 {
     var stretched_2 : vec2<f32> = w_6.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_2, stretched_2);
-    var _S1282 : f32 = w_6.z;
-    var z2_3 : f32 = _S1282 * _S1282;
+    var _S1283 : f32 = w_6.z;
+    var z2_3 : f32 = _S1283 * _S1283;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S1282 + sqrt(z2_3 + spread2_0));
+        return 2.0f / (_S1283 + sqrt(z2_3 + spread2_0));
     }
     if(z2_3 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S1282;
+        return 1.0f / _S1283;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S1282 / spread_1);
-    return 2.0f / (_S1282 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S1283 / spread_1);
+    return 2.0f / (_S1283 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_1 : vec3<f32>) -> Mirrored_0
@@ -6279,9 +6285,9 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_1 : vec3<f32>) -
     var h_1 : vec3<f32> = normalize(wi_3 + wo_1);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_0 = dot(wi_3, h_1);
-    var _S1283 : f32 = 0.25f * density_0(facets_3, h_1) * visible_over_cos_0(facets_3, wi_3);
-    mirrored_1.pdf_1 = _S1283;
-    mirrored_1.scattered_0 = _S1283 * visible_over_cos_0(facets_3, wo_1) * wo_1.z;
+    var _S1284 : f32 = 0.25f * density_0(facets_3, h_1) * visible_over_cos_0(facets_3, wi_3);
+    mirrored_1.pdf_1 = _S1284;
+    mirrored_1.scattered_0 = _S1284 * visible_over_cos_0(facets_3, wo_1) * wo_1.z;
     return mirrored_1;
 }
 
@@ -6298,9 +6304,9 @@ fn fresnel_conductor_channel_0( cosine_6 : f32,  eta_1 : f32,  k_4 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_2)));
     var smaller_2 : f32 = product_4 / larger_0;
-    var _S1284 : bool = real_2 < 0.0f;
+    var _S1285 : bool = real_2 < 0.0f;
     var a_19 : f32;
-    if(_S1284)
+    if(_S1285)
     {
         a_19 = smaller_2;
     }
@@ -6309,7 +6315,7 @@ fn fresnel_conductor_channel_0( cosine_6 : f32,  eta_1 : f32,  k_4 : f32) -> f32
         a_19 = larger_0;
     }
     var b_16 : f32;
-    if(_S1284)
+    if(_S1285)
     {
         b_16 = larger_0;
     }
@@ -6319,9 +6325,9 @@ fn fresnel_conductor_channel_0( cosine_6 : f32,  eta_1 : f32,  k_4 : f32) -> f32
     }
     var less_2 : f32 = a_19 - cosine_6;
     var more_2 : f32 = a_19 + cosine_6;
-    var _S1285 : f32 = b_16 * b_16;
+    var _S1286 : f32 = b_16 * b_16;
     var p_sum_4 : f32 = modulus_0 * cos2_7 + sin2_2 * sin2_2;
-    return (less_2 * less_2 + _S1285) / (more_2 * more_2 + _S1285) * p_sum_4 / (p_sum_4 + 2.0f * a_19 * cosine_6 * sin2_2);
+    return (less_2 * less_2 + _S1286) / (more_2 * more_2 + _S1286) * p_sum_4 / (p_sum_4 + 2.0f * a_19 * cosine_6 * sin2_2);
 }
 
 fn fresnel_conductor_0( cosine_7 : f32,  eta_2 : vec3<f32>,  k_5 : vec3<f32>) -> vec3<f32>
@@ -6359,10 +6365,10 @@ fn transmittance_0( lobe_9 : Lobe_0,  eta_4 : f32,  cosine_9 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_9, eta_4);
     }
     var place_15 : f32 = cosine_9 * 63.0f;
-    var _S1286 : u32 = min(u32(place_15), u32(62));
-    var at_17 : u32 = word_0(lobe_9.record_0 + u32(3)) + _S1286;
+    var _S1287 : u32 = min(u32(place_15), u32(62));
+    var at_17 : u32 = word_0(lobe_9.record_0 + u32(3)) + _S1287;
     var here_2 : f32 = number_0(at_17);
-    return here_2 + (number_0(at_17 + u32(1)) - here_2) * (place_15 - f32(_S1286));
+    return here_2 + (number_0(at_17 + u32(1)) - here_2) * (place_15 - f32(_S1287));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -6396,15 +6402,15 @@ fn base_0( lobe_10 : Lobe_0,  eta_6 : f32,  diffuse_0 : vec3<f32>) -> vec3<f32>
 fn scattering_1( lobe_11 : Lobe_0,  numbers_7 : Numbers_0,  wi_4 : vec3<f32>,  wo_2 : vec3<f32>) -> Scattering_0
 {
     var scattering_2 : Scattering_0;
-    var _S1287 : f32 = wo_2.z;
-    var by_cosine_2 : f32 = _S1287 * 0.31830987334251404f;
+    var _S1288 : f32 = wo_2.z;
+    var by_cosine_2 : f32 = _S1288 * 0.31830987334251404f;
     if((lobe_11.kind_0) == u32(0))
     {
         scattering_2.value_1 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_2);
         scattering_2.pdf_0 = by_cosine_2;
         return scattering_2;
     }
-    var _S1288 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S1289 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_2 : Mirrored_0;
     if(is_rough_0(lobe_11))
     {
@@ -6412,7 +6418,7 @@ fn scattering_1( lobe_11 : Lobe_0,  numbers_7 : Numbers_0,  wi_4 : vec3<f32>,  w
     }
     else
     {
-        by_facets_2 = _S1288;
+        by_facets_2 = _S1289;
     }
     if((lobe_11.kind_0) == u32(2))
     {
@@ -6422,7 +6428,7 @@ fn scattering_1( lobe_11 : Lobe_0,  numbers_7 : Numbers_0,  wi_4 : vec3<f32>,  w
     }
     var eta_7 : f32 = coat_eta_0(numbers_7);
     var enters_1 : f32 = transmittance_0(lobe_11, eta_7, wi_4.z);
-    scattering_2.value_1 = base_0(lobe_11, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_11, eta_7, _S1287) * by_cosine_2 / (eta_7 * eta_7)));
+    scattering_2.value_1 = base_0(lobe_11, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_11, eta_7, _S1288) * by_cosine_2 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_7, enters_1);
     scattering_2.pdf_0 = probability_3 * by_cosine_2;
     if((lobe_11.kind_0) == u32(4))
@@ -6444,16 +6450,16 @@ fn eval_and_pdf_0( lobe_12 : Lobe_0,  wi_5 : vec3<f32>,  wo_3 : vec3<f32>) -> Sc
     var scattered_2 : Scattered_0;
     scattered_2.value_9 = still_0(vec3<f32>(0.0f));
     scattered_2.pdf_5 = 0.0f;
-    var _S1289 : bool;
+    var _S1290 : bool;
     if((value_of_0(wo_3).z) <= 0.0f)
     {
-        _S1289 = true;
+        _S1290 = true;
     }
     else
     {
-        _S1289 = !has_smooth_0(lobe_12);
+        _S1290 = !has_smooth_0(lobe_12);
     }
-    if(_S1289)
+    if(_S1290)
     {
         return scattered_2;
     }
@@ -6496,11 +6502,11 @@ fn in_map_0( map_6 : u32,  direction_17 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_6 + u32(1)));
     var left_1 : u32 = wrapped_0(x_24, width_4, u32(0));
     var right_1 : u32 = wrapped_0(x_24 + i32(1), width_4, u32(0));
-    var _S1290 : u32 = wrapped_0(y_10, height_1, u32(2));
-    var _S1291 : u32 = u32(width_4);
-    var first_3 : u32 = _S1290 * _S1291;
-    var _S1292 : u32 = wrapped_0(y_10 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S1292 * _S1291;
+    var _S1291 : u32 = wrapped_0(y_10, height_1, u32(2));
+    var _S1292 : u32 = u32(width_4);
+    var first_3 : u32 = _S1291 * _S1292;
+    var _S1293 : u32 = wrapped_0(y_10 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S1293 * _S1292;
     return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), point_1);
 }
 
@@ -6510,14 +6516,14 @@ fn emitted_0( emitter_5 : u32,  place_18 : Place_0,  direction_18 : vec3<f32>) -
     var texture_6 : u32 = word_0(record_13 + u32(1));
     if(!is_map_0(record_13))
     {
-        var _S1293 : vec3<f32> = shown_0(texture_6, place_18);
-        return _S1293;
+        var _S1294 : vec3<f32> = shown_0(texture_6, place_18);
+        return _S1294;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_1 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S1294 : u32 = word_0(texture_6 + u32(11));
-    var _S1295 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_18));
-    return looked_up_0(_S1294, _S1295, change_1) * factor_1;
+    var _S1295 : u32 = word_0(texture_6 + u32(11));
+    var _S1296 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_18));
+    return looked_up_0(_S1295, _S1296, change_1) * factor_1;
 }
 
 fn change_word_0( at_18 : u32) -> u32
@@ -6532,59 +6538,59 @@ fn numbers_of_0( texture_7 : u32) -> u32
 
 fn add_word_0( sum_6 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
 {
-    var _S1296 : u32 = u32(2) + u32(4) * sum_6;
-    var _S1297 : u32 = number_1;
+    var _S1297 : u32 = u32(2) + u32(4) * sum_6;
+    var _S1298 : u32 = number_1;
     var k_6 : u32 = word_of_sum_0;
     for(;;)
     {
-        var _S1298 : bool;
+        var _S1299 : bool;
         if(k_6 < u32(4))
         {
-            _S1298 = _S1297 != u32(0);
+            _S1299 = _S1298 != u32(0);
         }
         else
         {
-            _S1298 = false;
+            _S1299 = false;
         }
-        if(_S1298)
+        if(_S1299)
         {
         }
         else
         {
             break;
         }
-        var _S1299 : u32;
+        var _S1300 : u32;
         if(is_negative_0)
         {
-            _S1299 = u32(0) - _S1297;
+            _S1300 = u32(0) - _S1298;
         }
         else
         {
-            _S1299 = _S1297;
+            _S1300 = _S1298;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S1296 + k_6]), _S1299);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S1297 + k_6]), _S1300);
         var overflows_0 : bool;
         if(is_negative_0)
         {
-            overflows_0 = before_0 < _S1297;
+            overflows_0 = before_0 < _S1298;
         }
         else
         {
-            overflows_0 = (before_0 + _S1297) < before_0;
+            overflows_0 = (before_0 + _S1298) < before_0;
         }
-        var _S1300 : i32;
+        var _S1301 : i32;
         if(overflows_0)
         {
-            _S1300 = i32(1);
+            _S1301 = i32(1);
         }
         else
         {
-            _S1300 = i32(0);
+            _S1301 = i32(0);
         }
-        var _S1301 : u32 = u32(_S1300);
-        var _S1302 : u32 = k_6 + u32(1);
-        _S1297 = _S1301;
-        k_6 = _S1302;
+        var _S1302 : u32 = u32(_S1301);
+        var _S1303 : u32 = k_6 + u32(1);
+        _S1298 = _S1302;
+        k_6 = _S1303;
     }
     return;
 }
@@ -6593,14 +6599,14 @@ fn add_to_sum_0( sum_7 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S1303 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S1304 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_4 : f32 = abs(scaled_0);
     if(size_4 > 7.73712524553362672e+25f)
     {
-        var _S1304 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S1305 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
     var is_negative_1 : bool = scaled_0 < 0.0f;
@@ -6608,16 +6614,16 @@ fn add_to_sum_0( sum_7 : u32,  derivative_0 : f32)
     var size_5 : f32 = size_4;
     for(;;)
     {
-        var _S1305 : bool;
+        var _S1306 : bool;
         if(highest_1 < u32(2))
         {
-            _S1305 = size_5 >= 4.294967296e+09f;
+            _S1306 = size_5 >= 4.294967296e+09f;
         }
         else
         {
-            _S1305 = false;
+            _S1306 = false;
         }
-        if(_S1305)
+        if(_S1306)
         {
         }
         else
@@ -6628,24 +6634,24 @@ fn add_to_sum_0( sum_7 : u32,  derivative_0 : f32)
         highest_1 = highest_1 + u32(1);
         size_5 = size_6;
     }
-    var _S1306 : bool = highest_1 == u32(0);
-    var _S1307 : f32;
-    if(_S1306)
+    var _S1307 : bool = highest_1 == u32(0);
+    var _S1308 : f32;
+    if(_S1307)
     {
-        _S1307 = size_5 + 0.5f;
+        _S1308 = size_5 + 0.5f;
     }
     else
     {
-        _S1307 = size_5;
+        _S1308 = size_5;
     }
-    var whole_0 : u32 = u32(_S1307);
+    var whole_0 : u32 = u32(_S1308);
     add_word_0(sum_7, highest_1, whole_0, is_negative_1);
-    if(_S1306)
+    if(_S1307)
     {
         return;
     }
     var rest_7 : f32 = (size_5 - f32(whole_0)) * 4.294967296e+09f;
-    var _S1308 : u32 = highest_1 - u32(1);
+    var _S1309 : u32 = highest_1 - u32(1);
     if(highest_1 == u32(1))
     {
         size_5 = rest_7 + 0.5f;
@@ -6654,7 +6660,7 @@ fn add_to_sum_0( sum_7 : u32,  derivative_0 : f32)
     {
         size_5 = rest_7;
     }
-    add_word_0(sum_7, _S1308, u32(size_5), is_negative_1);
+    add_word_0(sum_7, _S1309, u32(size_5), is_negative_1);
     return;
 }
 
@@ -6683,7 +6689,7 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
     {
         return;
     }
-    var _S1309 : u32 = word_0(texture_8 + u32(1));
+    var _S1310 : u32 = word_0(texture_8 + u32(1));
     var k_7 : u32 = u32(0);
     for(;;)
     {
@@ -6694,9 +6700,9 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         {
             break;
         }
-        var at_19 : u32 = first_5 + _S1309 * lookup_5.texels_0[k_7];
+        var at_19 : u32 = first_5 + _S1310 * lookup_5.texels_0[k_7];
         var own_3 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_1[k_7]);
-        if(_S1309 == u32(1))
+        if(_S1310 == u32(1))
         {
             add_to_sum_0(at_19, own_3.x + own_3.y + own_3.z);
             k_7 = k_7 + u32(1);
@@ -6750,9 +6756,9 @@ fn place_back_0( place_20 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : v
     var ab_2 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_20;
     var ac_1 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_20;
     var across_1 : vec3<f32> = cross(ab_2, ac_1);
-    var _S1310 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
-    var normal_7 : vec3<f32> = across_1 / vec3<f32>(_S1310);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_1, normal_7) * vec3<f32>(by_place_0.x) + cross(normal_7, ab_2) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_7, normal_7) * _S1310)));
+    var _S1311 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
+    var normal_7 : vec3<f32> = across_1 / vec3<f32>(_S1311);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_1, normal_7) * vec3<f32>(by_place_0.x) + cross(normal_7, ab_2) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_7, normal_7) * _S1311)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_7 * vec3<f32>((dot(direction_19, by_slip_0) / dot(normal_7, direction_19)));
     add_at_place_0(points_of_0(place_20.triangle_0), place_20, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -6764,26 +6770,26 @@ fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_6 : u32,  pla
     var texture_10 : u32 = word_0(record_15 + u32(1));
     if(!is_map_0(record_15))
     {
-        var _S1311 : Lookup_0 = lookup_at_0(texture_10, place_21);
-        var by_place_1 : vec2<f32> = lookup_back_0(texture_10, _S1311, importance_0);
-        var _S1312 : bool;
+        var _S1312 : Lookup_0 = lookup_at_0(texture_10, place_21);
+        var by_place_1 : vec2<f32> = lookup_back_0(texture_10, _S1312, importance_0);
+        var _S1313 : bool;
         if(!is_area_0(record_15))
         {
-            _S1312 = true;
+            _S1313 = true;
         }
         else
         {
-            _S1312 = !is_moving_0();
+            _S1313 = !is_moving_0();
         }
-        if(_S1312)
+        if(_S1313)
         {
-            _S1312 = true;
+            _S1313 = true;
         }
         else
         {
-            _S1312 = (all((by_place_1 == vec2<f32>(0.0f))));
+            _S1313 = (all((by_place_1 == vec2<f32>(0.0f))));
         }
-        if(_S1312)
+        if(_S1313)
         {
             return vec3<f32>(0.0f);
         }
@@ -6794,14 +6800,14 @@ fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_6 : u32,  pla
     var texels_2 : u32 = word_0(texture_10 + u32(11));
     var scale_3 : u32 = word_0(texture_10 + u32(12));
     var lookup_7 : Lookup_0 = in_map_0(texture_10, direction_20);
-    var _S1313 : Lookup_0 = one_texel_0(u32(0));
-    var factor_2 : vec3<f32> = weighted_texels_0(scale_3, _S1313, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
-    var _S1314 : vec2<f32> = lookup_back_0(scale_3, _S1313, importance_0 * weighted_texels_0(texels_2, lookup_7, lookup_7.weights_1));
+    var _S1314 : Lookup_0 = one_texel_0(u32(0));
+    var factor_2 : vec3<f32> = weighted_texels_0(scale_3, _S1314, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
+    var _S1315 : vec2<f32> = lookup_back_0(scale_3, _S1314, importance_0 * weighted_texels_0(texels_2, lookup_7, lookup_7.weights_1));
     var by_place_2 : vec2<f32> = lookup_back_0(texels_2, lookup_7, importance_0 * factor_2);
-    var _S1315 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1316 : vec3<f32> = vec3<f32>(0.0f);
     var moving_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     moving_0.primal_0 = direction_20;
-    moving_0.differential_0 = _S1315;
+    moving_0.differential_0 = _S1316;
     _S1105(texture_10, &(moving_0), by_place_2);
     return moving_0.differential_0;
 }
@@ -6825,17 +6831,17 @@ fn axes_back_0( axes_10 : ptr<function, Axes_0>,  local_1 : vec3<f32>,  world_0 
 
 fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_6 : Vertex_0,  wo_5 : vec3<f32>,  direction_21 : vec3<f32>,  is_specular_1 : bool,  by_value_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S1316 : Numbers_0 = no_numbers_0();
+    var _S1317 : Numbers_0 = no_numbers_0();
     var numbers_9 : DiffPair_Numbers_0;
     numbers_9.primal_0 = vertex_6.lobe_6.numbers_0;
-    numbers_9.differential_0 = _S1316;
-    var _S1317 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_9.differential_0 = _S1317;
+    var _S1318 : vec3<f32> = vec3<f32>(0.0f);
     var wi_7 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     wi_7.primal_0 = vertex_6.wi_1;
-    wi_7.differential_0 = _S1317;
+    wi_7.differential_0 = _S1318;
     var onward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     onward_1.primal_0 = wo_5;
-    onward_1.differential_0 = _S1317;
+    onward_1.differential_0 = _S1318;
     if(is_specular_1)
     {
         _S1014(vertex_6.lobe_6, &(numbers_9), &(wi_7), by_value_0);
@@ -6845,30 +6851,30 @@ fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_6 : Vertex_0,  
         var by_scattering_0 : Scattering_Differential_0;
         by_scattering_0.value_0 = by_value_0;
         _S956(vertex_6.lobe_6, &(numbers_9), &(wi_7), &(onward_1), by_scattering_0);
-        var _S1318 : Axes_0 = (*pulled_1).axes_5;
-        axes_back_0(&(_S1318), onward_1.differential_0, direction_21);
-        (*pulled_1).axes_5 = _S1318;
+        var _S1319 : Axes_0 = (*pulled_1).axes_5;
+        axes_back_0(&(_S1319), onward_1.differential_0, direction_21);
+        (*pulled_1).axes_5 = _S1319;
     }
     (*pulled_1).numbers_4 = Numbers_x24_syn_dadd_0((*pulled_1).numbers_4, numbers_9.differential_0);
     (*pulled_1).wi_2 = (*pulled_1).wi_2 + wi_7.differential_0;
-    var _S1319 : vec3<f32>;
+    var _S1320 : vec3<f32>;
     if(is_specular_1)
     {
-        _S1319 = _S1317;
+        _S1320 = _S1318;
     }
     else
     {
-        _S1319 = to_world_0(vertex_6.axes_4, onward_1.differential_0);
+        _S1320 = to_world_0(vertex_6.axes_4, onward_1.differential_0);
     }
-    return _S1319;
+    return _S1320;
 }
 
 fn specular_direction_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  wo_6 : vec3<f32>,  by_direction_0 : vec3<f32>)
 {
     var local_2 : vec3<f32> = to_local_0(vertex_7.axes_4, by_direction_0);
-    var _S1320 : Axes_0 = (*pulled_2).axes_5;
-    axes_back_0(&(_S1320), wo_6, by_direction_0);
-    (*pulled_2).axes_5 = _S1320;
+    var _S1321 : Axes_0 = (*pulled_2).axes_5;
+    axes_back_0(&(_S1321), wo_6, by_direction_0);
+    (*pulled_2).axes_5 = _S1321;
     (*pulled_2).wi_2 = (*pulled_2).wi_2 + vec3<f32>((vec2<f32>(0) - local_2.xy), local_2.z);
     return;
 }
@@ -6889,12 +6895,12 @@ fn turning_back_0( pulled_3 : ptr<function, Pulled_0>,  vertex_9 : Vertex_0,  di
 
 fn direct_back_0( pulled_4 : ptr<function, Pulled_0>,  vertex_10 : Vertex_0,  emitter_7 : u32,  place_22 : Place_0,  wo_7 : vec3<f32>,  direction_23 : vec3<f32>,  is_specular_2 : bool,  t_10 : f32,  scattered_3 : Scattered_0,  weight_0 : f32,  light_1 : vec3<f32>,  importance_1 : vec3<f32>)
 {
-    var _S1321 : vec3<f32> = importance_1 * scattered_3.value_9 * vec3<f32>(weight_0);
-    var _S1322 : vec3<f32> = (*pulled_4).position_2;
-    var by_direction_2 : vec3<f32> = emitted_back_0(&(_S1322), emitter_7, place_22, direction_23, t_10, _S1321);
-    (*pulled_4).position_2 = _S1322;
-    var _S1323 : vec3<f32> = scattered_back_0(&((*pulled_4)), vertex_10, wo_7, direction_23, is_specular_2, importance_1 * light_1);
-    var by_direction_3 : vec3<f32> = by_direction_2 + _S1323;
+    var _S1322 : vec3<f32> = importance_1 * scattered_3.value_9 * vec3<f32>(weight_0);
+    var _S1323 : vec3<f32> = (*pulled_4).position_2;
+    var by_direction_2 : vec3<f32> = emitted_back_0(&(_S1323), emitter_7, place_22, direction_23, t_10, _S1322);
+    (*pulled_4).position_2 = _S1323;
+    var _S1324 : vec3<f32> = scattered_back_0(&((*pulled_4)), vertex_10, wo_7, direction_23, is_specular_2, importance_1 * light_1);
+    var by_direction_3 : vec3<f32> = by_direction_2 + _S1324;
     if(is_specular_2)
     {
         specular_direction_back_0(&((*pulled_4)), vertex_10, wo_7, by_direction_3);
@@ -6923,7 +6929,7 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_1
     var direction_24 : vec3<f32>;
     var way_2 : vec3<f32>;
     var farthest_0 : f32;
-    var distance_5 : f32;
+    var distance_6 : f32;
     var nearest_1 : f32;
     if(is_area_0(record_16))
     {
@@ -6933,38 +6939,38 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_1
             return;
         }
         var way_3 : vec3<f32> = position_of_0(point_2.place_13) - vertex_11.surface_3.exact_0;
-        var distance_6 : f32 = length(way_3);
-        var nearest_2 : f32 = nearest_0 / distance_6;
-        var _S1324 : f32 = limit_at_0(u32(3));
-        direction_24 = way_3 / vec3<f32>(distance_6);
+        var distance_7 : f32 = length(way_3);
+        var nearest_2 : f32 = nearest_0 / distance_7;
+        var _S1325 : f32 = limit_at_0(u32(3));
+        direction_24 = way_3 / vec3<f32>(distance_7);
         way_2 = way_3;
-        farthest_0 = _S1324;
-        distance_5 = distance_6;
+        farthest_0 = _S1325;
+        distance_6 = distance_7;
         nearest_1 = nearest_2;
     }
     else
     {
         if(is_map_0(record_16))
         {
-            var _S1325 : u32 = word_0(record_16 + u32(1));
-            var _S1326 : u32 = first_6 + u32(1);
-            var _S1327 : f32 = point_2.pdf_2;
-            var _S1328 : vec3<f32> = sample_map_0(_S1325, key_7, _S1326, &(_S1327));
-            point_2.pdf_2 = _S1327;
-            direction_24 = _S1328;
+            var _S1326 : u32 = word_0(record_16 + u32(1));
+            var _S1327 : u32 = first_6 + u32(1);
+            var _S1328 : f32 = point_2.pdf_2;
+            var _S1329 : vec3<f32> = sample_map_0(_S1326, key_7, _S1327, &(_S1328));
+            point_2.pdf_2 = _S1328;
+            direction_24 = _S1329;
         }
         else
         {
             var local_3 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_6 + u32(1)));
-            var _S1329 : vec3<f32> = normalize(to_world_0(vertex_11.axes_4, local_3));
+            var _S1330 : vec3<f32> = normalize(to_world_0(vertex_11.axes_4, local_3));
             point_2.pdf_2 = local_3.z * 0.31830987334251404f;
-            direction_24 = _S1329;
+            direction_24 = _S1330;
         }
         point_2.place_13 = vertex_11.surface_3.place_5;
-        var _S1330 : f32 = limit_at_0(u32(1));
+        var _S1331 : f32 = limit_at_0(u32(1));
         way_2 = direction_24;
-        farthest_0 = _S1330;
-        distance_5 = 0.0f;
+        farthest_0 = _S1331;
+        distance_6 = 0.0f;
         nearest_1 = nearest_0;
     }
     var wo_8 : vec3<f32> = to_local_0(vertex_11.axes_4, direction_24);
@@ -6988,17 +6994,17 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_1
     var place_24 : Place_0;
     if(is_area_0(record_16))
     {
-        place_24 = met_0(vertex_11, moving_1, distance_5, place_23);
+        place_24 = met_0(vertex_11, moving_1, distance_6, place_23);
     }
     else
     {
         place_24 = place_23;
     }
     var weight_1 : f32 = weight_over_0(own_4, bsdf_samples_0 * scattered_4.pdf_5);
-    var _S1331 : vec3<f32> = emitted_0(emitter_8, place_24, moving_1);
-    var light_2 : vec3<f32> = _S1331 * vec3<f32>(weight_1);
+    var _S1332 : vec3<f32> = emitted_0(emitter_8, place_24, moving_1);
+    var light_2 : vec3<f32> = _S1332 * vec3<f32>(weight_1);
     (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_4.value_9 * light_2;
-    direct_back_0(&((*pulled_5)), vertex_11, emitter_8, place_24, wo_8, direction_24, false, distance_5, scattered_4, weight_1, light_2, importance_2);
+    direct_back_0(&((*pulled_5)), vertex_11, emitter_8, place_24, wo_8, direction_24, false, distance_6, scattered_4, weight_1, light_2, importance_2);
     return;
 }
 
@@ -7014,37 +7020,37 @@ fn stretched_3( facets_4 : Microfacets_0,  wi_8 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_8.xy * facets_4.alpha_1, wi_8.z);
     var view_7 : Stretched_0;
-    var _S1332 : f32 = length(longer_0);
-    view_7.length_0 = _S1332;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S1332);
-    var _S1333 : vec2<f32> = longer_1.xy;
-    var _S1334 : f32 = length(_S1333);
-    view_7.sine_4 = _S1334;
+    var _S1333 : f32 = length(longer_0);
+    view_7.length_0 = _S1333;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S1333);
+    var _S1334 : vec2<f32> = longer_1.xy;
+    var _S1335 : f32 = length(_S1334);
+    view_7.sine_4 = _S1335;
     view_7.cosine_10 = longer_1.z;
-    var _S1335 : vec2<f32>;
-    if(_S1334 > 0.0f)
+    var _S1336 : vec2<f32>;
+    if(_S1335 > 0.0f)
     {
-        _S1335 = _S1333 / vec2<f32>(view_7.sine_4);
+        _S1336 = _S1334 / vec2<f32>(view_7.sine_4);
     }
     else
     {
-        _S1335 = vec2<f32>(1.0f, 0.0f);
+        _S1336 = vec2<f32>(1.0f, 0.0f);
     }
-    view_7.around_0 = _S1335;
+    view_7.around_0 = _S1336;
     return view_7;
 }
 
 fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
 {
-    var _S1336 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S1336);
+    var _S1337 : f32 = u_9.x;
+    var radius_2 : f32 = sqrt(_S1337);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
     var across_2 : f32 = radius_2 * turn_3.y;
     var along_5 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_10);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S1337 : f32 = 1.0f - _S1336;
-    var edge_0 : f32 = sqrt(_S1337 + along_5 * along_5);
+    var _S1338 : f32 = 1.0f - _S1337;
+    var edge_0 : f32 = sqrt(_S1338 + along_5 * along_5);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
     var from_top_0 : f32 = edge_0 - along_5;
     var from_bottom_0 : f32 = edge_0 + along_5;
@@ -7052,14 +7058,14 @@ fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_5 > 0.0f)
     {
-        from_top_1 = _S1337 / from_bottom_0;
+        from_top_1 = _S1338 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S1338 : f32 = _S1337 / from_top_0;
+        var _S1339 : f32 = _S1338 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S1338;
+        from_bottom_1 = _S1339;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_10, across_2, max(towards_0 * view_8.cosine_10 + up_0 * view_8.sine_4, 0.0f));
@@ -7112,8 +7118,8 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S1339 : f32 = max(view_9.cosine_10, view_9.sine_4);
-    var slope_4 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S1339 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S1339, -6.0f, 0.5f * steepest_0);
+    var _S1340 : f32 = max(view_9.cosine_10, view_9.sine_4);
+    var slope_4 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S1340 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S1340, -6.0f, 0.5f * steepest_0);
     var low_5 : f32 = -6.0f;
     var high_2 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -7127,10 +7133,10 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             break;
         }
         var both_2 : vec2<f32> = error_function_plus_one_0(slope_4);
-        var _S1340 : f32 = both_2.y;
-        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S1340 - target_1;
-        var own_5 : f32 = _S1340 * (view_9.cosine_10 - slope_4 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_4 * own_5 - _S1340 * view_9.sine_4;
+        var _S1341 : f32 = both_2.y;
+        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S1341 - target_1;
+        var own_5 : f32 = _S1341 * (view_9.cosine_10 - slope_4 * view_9.sine_4);
+        var bend_0 : f32 = -2.0f * slope_4 * own_5 - _S1341 * view_9.sine_4;
         if(error_0 > 0.0f)
         {
             high_2 = slope_4;
@@ -7140,17 +7146,17 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             low_5 = slope_4;
         }
         var next_1 : f32 = slope_4 - error_0 * own_5 / (own_5 * own_5 - 0.5f * error_0 * bend_0);
-        var _S1341 : bool;
+        var _S1342 : bool;
         if(next_1 >= low_5)
         {
-            _S1341 = next_1 <= high_2;
+            _S1342 = next_1 <= high_2;
         }
         else
         {
-            _S1341 = false;
+            _S1342 = false;
         }
         var next_2 : f32;
-        if(!_S1341)
+        if(!_S1342)
         {
             next_2 = 0.5f * (low_5 + high_2);
         }
@@ -7163,9 +7169,9 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             slope_4 = next_2;
             break;
         }
-        var _S1342 : u32 = step_0 + u32(1);
+        var _S1343 : u32 = step_0 + u32(1);
         slope_4 = next_2;
-        step_0 = _S1342;
+        step_0 = _S1343;
     }
     return vec3<f32>(- slope_4, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -7182,11 +7188,11 @@ fn mirrored_at_facet_0( facets_5 : Microfacets_0,  wi_9 : vec3<f32>,  u_11 : vec
     {
         normal_8 = beckmann_normal_0(view_10, visible_over_cos_0(facets_5, wi_9), u_11);
     }
-    var _S1343 : f32 = view_10.around_0.x;
-    var _S1344 : f32 = normal_8.x;
-    var _S1345 : f32 = view_10.around_0.y;
-    var _S1346 : f32 = normal_8.y;
-    var normal_9 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S1343 * _S1344 - _S1345 * _S1346, _S1345 * _S1344 + _S1343 * _S1346) * facets_5.alpha_1, normal_8.z));
+    var _S1344 : f32 = view_10.around_0.x;
+    var _S1345 : f32 = normal_8.x;
+    var _S1346 : f32 = view_10.around_0.y;
+    var _S1347 : f32 = normal_8.y;
+    var normal_9 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S1344 * _S1345 - _S1346 * _S1347, _S1346 * _S1345 + _S1344 * _S1347) * facets_5.alpha_1, normal_8.z));
     return normalize(normal_9 * vec3<f32>((2.0f * dot(wi_9, normal_9))) - wi_9);
 }
 
@@ -7199,9 +7205,9 @@ struct Drawn_0
 
 fn draw_0( lobe_14 : Lobe_0,  wi_10 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
 {
-    var _S1347 : bool = (lobe_14.kind_0) == u32(0);
+    var _S1348 : bool = (lobe_14.kind_0) == u32(0);
     var has_base_0 : bool;
-    if(_S1347)
+    if(_S1348)
     {
         has_base_0 = true;
     }
@@ -7218,7 +7224,7 @@ fn draw_0( lobe_14 : Lobe_0,  wi_10 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f
         has_base_0 = (lobe_14.kind_0) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S1347)
+    if(_S1348)
     {
         of_base_1 = 1.0f;
     }
@@ -7226,16 +7232,16 @@ fn draw_0( lobe_14 : Lobe_0,  wi_10 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f
     {
         of_base_1 = 0.0f;
     }
-    var _S1348 : bool;
+    var _S1349 : bool;
     if((lobe_14.kind_0) == u32(3))
     {
-        _S1348 = true;
+        _S1349 = true;
     }
     else
     {
-        _S1348 = (lobe_14.kind_0) == u32(4);
+        _S1349 = (lobe_14.kind_0) == u32(4);
     }
-    if(_S1348)
+    if(_S1349)
     {
         of_base_1 = base_probability_0(lobe_14.numbers_0, transmittance_0(lobe_14, coat_eta_0(lobe_14.numbers_0), wi_10.z));
     }
@@ -7282,8 +7288,8 @@ fn specular_0( lobe_15 : Lobe_0,  wi_11 : vec3<f32>) -> vec3<f32>
 
 fn first_from_0( position_7 : vec3<f32>,  direction_26 : vec3<f32>,  t_11 : ptr<function, f32>) -> Found_0
 {
-    var _S1349 : Found_0 = cast_1(position_7, direction_26, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_11)));
-    return _S1349;
+    var _S1350 : Found_0 = cast_1(position_7, direction_26, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_11)));
+    return _S1350;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
@@ -7298,44 +7304,44 @@ fn emitter_seen_0( found_7 : Found_0,  direction_27 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_9 : u32 = word_0(shape_of_0(found_7.triangle_7) + u32(4));
-    var _S1350 : bool;
+    var _S1351 : bool;
     if(emitter_9 != u32(4294967295))
     {
-        _S1350 = (dot(cross_of_0(found_7.triangle_7), direction_27)) < 0.0f;
+        _S1351 = (dot(cross_of_0(found_7.triangle_7), direction_27)) < 0.0f;
     }
     else
     {
-        _S1350 = false;
+        _S1351 = false;
     }
-    var _S1351 : u32;
-    if(_S1350)
+    var _S1352 : u32;
+    if(_S1351)
     {
-        _S1351 = emitter_9;
+        _S1352 = emitter_9;
     }
     else
     {
-        _S1351 = u32(4294967295);
+        _S1352 = u32(4294967295);
     }
-    return _S1351;
+    return _S1352;
 }
 
-fn area_pdf_0( record_17 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_28 : vec3<f32>,  distance_7 : f32) -> f32
+fn area_pdf_0( record_17 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_28 : vec3<f32>,  distance_8 : f32) -> f32
 {
     var own_6 : f32;
     var rectangle_1 : u32 = word_0(record_17 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S1352 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S1352.solid_angle_0) > 0.0f))
+        var _S1353 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S1353.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S1352.solid_angle_0) >= 0.00100000004749745f)
+        if((_S1353.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S1352.solid_angle_0;
+            return 1.0f / _S1353.solid_angle_0;
         }
     }
-    var _S1353 : u32 = word_0(word_0(record_17 + u32(7)) + face_8);
+    var _S1354 : u32 = word_0(word_0(record_17 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_17 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -7349,7 +7355,7 @@ fn area_pdf_0( record_17 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S1353 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S1354 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_6 = shares_1.y;
@@ -7359,22 +7365,22 @@ fn area_pdf_0( record_17 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             own_6 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_6;
-        var _S1354 : i32;
+        var _S1355 : i32;
         if(is_second_1)
         {
-            _S1354 = i32(3);
+            _S1355 = i32(3);
         }
         else
         {
-            _S1354 = i32(2);
+            _S1355 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S1354));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S1355));
         chosen_2 = chosen_3;
     }
-    var _S1355 : u32 = word_0(record_17 + u32(6));
-    var _S1356 : u32 = word_0(node_6);
+    var _S1356 : u32 = word_0(record_17 + u32(6));
+    var _S1357 : u32 = word_0(node_6);
     own_6 = 0.0f;
-    var k_8 : u32 = _S1356;
+    var k_8 : u32 = _S1357;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -7385,9 +7391,9 @@ fn area_pdf_0( record_17 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
         {
             break;
         }
-        var angle_6 : f32 = face_solid_angle_0(record_17, word_0(_S1355 + k_8), from_2.exact_0);
+        var angle_6 : f32 = face_solid_angle_0(record_17, word_0(_S1356 + k_8), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_6;
-        if(k_8 == _S1353)
+        if(k_8 == _S1354)
         {
             own_6 = angle_6;
         }
@@ -7398,7 +7404,7 @@ fn area_pdf_0( record_17 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
     {
         return 0.0f;
     }
-    return chosen_2 / total_3 * density_of_0(own_6, cross_of_0(emitter_triangle_0(record_17, face_8)), distance_7, direction_28);
+    return chosen_2 / total_3 * density_of_0(own_6, cross_of_0(emitter_triangle_0(record_17, face_8)), distance_8, direction_28);
 }
 
 fn emitter_pdf_0( emitter_10 : u32,  found_8 : Found_0,  vertex_13 : Vertex_0,  direction_29 : vec3<f32>,  t_12 : f32) -> f32
@@ -7406,8 +7412,8 @@ fn emitter_pdf_0( emitter_10 : u32,  found_8 : Found_0,  vertex_13 : Vertex_0,  
     var record_18 : u32 = emitter_record_0(emitter_10);
     if(is_map_0(record_18))
     {
-        var _S1357 : f32 = map_pdf_0(word_0(record_18 + u32(1)), direction_29);
-        return _S1357;
+        var _S1358 : f32 = map_pdf_0(word_0(record_18 + u32(1)), direction_29);
+        return _S1358;
     }
     if(!is_area_0(record_18))
     {
@@ -7449,13 +7455,13 @@ fn slot_derivative_0( numbers_10 : Numbers_0,  slot_6 : u32) -> vec3<f32>
 
 fn numbers_back_0( material_1 : u32,  place_25 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
 {
-    var _S1358 : vec2<f32> = vec2<f32>(0.0f);
-    var _S1359 : u32 = word_0(material_1 + u32(4));
+    var _S1359 : vec2<f32> = vec2<f32>(0.0f);
+    var _S1360 : u32 = word_0(material_1 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_3 : vec2<f32> = _S1358;
+    var by_place_3 : vec2<f32> = _S1359;
     for(;;)
     {
-        if(slot_7 < _S1359)
+        if(slot_7 < _S1360)
         {
         }
         else
@@ -7468,9 +7474,9 @@ fn numbers_back_0( material_1 : u32,  place_25 : Place_0,  numbers_11 : Numbers_
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S1360 : Lookup_0 = lookup_at_0(texture_11, place_25);
-        var _S1361 : vec2<f32> = lookup_back_0(texture_11, _S1360, slot_derivative_0(numbers_11, slot_7));
-        by_place_3 = by_place_3 + _S1361;
+        var _S1361 : Lookup_0 = lookup_at_0(texture_11, place_25);
+        var _S1362 : vec2<f32> = lookup_back_0(texture_11, _S1361, slot_derivative_0(numbers_11, slot_7));
+        by_place_3 = by_place_3 + _S1362;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_3;
@@ -7492,16 +7498,16 @@ fn tangent_back_0( triangle_10 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : ve
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_10);
     var first_7 : vec2<f32> = uvs_2.b_4 - uvs_2.a_7;
     var second_3 : vec2<f32> = uvs_2.c_1 - uvs_2.a_7;
-    var _S1362 : f32 = second_3.y;
-    var _S1363 : f32 = first_7.y;
-    var scale_4 : f32 = 1.0f / (first_7.x * _S1362 - second_3.x * _S1363);
-    var of_ab_0 : f32 = _S1362 * scale_4;
-    var of_ac_0 : f32 = - _S1363 * scale_4;
+    var _S1363 : f32 = second_3.y;
+    var _S1364 : f32 = first_7.y;
+    var scale_4 : f32 = 1.0f / (first_7.x * _S1363 - second_3.x * _S1364);
+    var of_ab_0 : f32 = _S1363 * scale_4;
+    var of_ac_0 : f32 = - _S1364 * scale_4;
     var a_21 : vec3<f32> = primitive_vector_0(corner_2);
-    var _S1364 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S1365 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_6 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_2 + u32(3)) - a_21) * _S1364 + (primitive_vector_0(corner_2 + u32(6)) - a_21) * _S1365));
-    add_to_corners_0(points_0, triangle_10, derivative_6 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_6 * _S1364, derivative_6 * _S1365);
+    var _S1365 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S1366 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_6 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_2 + u32(3)) - a_21) * _S1365 + (primitive_vector_0(corner_2 + u32(6)) - a_21) * _S1366));
+    add_to_corners_0(points_0, triangle_10, derivative_6 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_6 * _S1365, derivative_6 * _S1366);
     return;
 }
 
@@ -7513,7 +7519,7 @@ fn normals_of_0( triangle_11 : u32) -> u32
 fn surface_back_0( surface_5 : Surface_0,  by_place_4 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_30 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_5.shape_0);
-    var _S1366 : vec2<f32>;
+    var _S1367 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_3 : u32 = u32(9) * surface_5.place_5.triangle_0;
@@ -7524,7 +7530,7 @@ fn surface_back_0( surface_5 : Surface_0,  by_place_4 : vec2<f32>,  by_position_
         var by_ab_0 : vec3<f32> = cross(ac_2, derivative_7);
         var by_ac_0 : vec3<f32> = cross(derivative_7, ab_3);
         add_to_corners_0(points_of_0(surface_5.place_5.triangle_0), surface_5.place_5.triangle_0, (vec3<f32>(0) - by_ab_0) - by_ac_0, by_ab_0, by_ac_0);
-        _S1366 = by_place_4;
+        _S1367 = by_place_4;
     }
     else
     {
@@ -7534,41 +7540,41 @@ fn surface_back_0( surface_5 : Surface_0,  by_place_4 : vec2<f32>,  by_position_
         var ac_3 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_19 + u32(2))) - a_23;
         var derivative_8 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(a_23 + ab_4 * vec3<f32>(surface_5.place_5.v_0) + ac_3 * vec3<f32>(surface_5.place_5.w_0)));
         add_at_place_0(normals_of_0(surface_5.place_5.triangle_0), surface_5.place_5, derivative_8);
-        _S1366 = by_place_4 + vec2<f32>(dot(ab_4, derivative_8), dot(ac_3, derivative_8));
+        _S1367 = by_place_4 + vec2<f32>(dot(ab_4, derivative_8), dot(ac_3, derivative_8));
     }
-    var _S1367 : vec3<f32> = place_back_0(surface_5.place_5, _S1366, by_position_1, direction_30);
-    return _S1367;
+    var _S1368 : vec3<f32> = place_back_0(surface_5.place_5, _S1367, by_position_1, direction_30);
+    return _S1368;
 }
 
 fn vertex_back_0( pulled_6 : Pulled_0,  vertex_14 : Vertex_0,  material_2 : u32,  direction_31 : vec3<f32>) -> ByRay_0
 {
-    var by_ray_1 : ByRay_0;
-    var _S1368 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_1 = _S1368;
-    by_ray_1.drift_0 = _S1368;
+    var by_ray_2 : ByRay_0;
+    var _S1369 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_2.direction_0 = _S1369;
+    by_ray_2.drift_0 = _S1369;
     var by_place_5 : vec2<f32> = numbers_back_0(material_2, vertex_14.surface_3.place_5, pulled_6.numbers_4);
     if(!is_moving_0())
     {
-        return by_ray_1;
+        return by_ray_2;
     }
-    var _S1369 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S1370 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_1 : DiffPair_Axes_0;
     towards_1.primal_0 = vertex_14.axes_4;
-    towards_1.differential_0 = _S1369;
+    towards_1.differential_0 = _S1370;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_31;
-    incoming_0.differential_0 = _S1368;
+    incoming_0.differential_0 = _S1369;
     _S220(&(towards_1), &(incoming_0), pulled_6.wi_2);
-    by_ray_1.direction_1 = incoming_0.differential_0;
+    by_ray_2.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_14.surface_3.outward_0;
-    outward_1.differential_0 = _S1368;
-    var _S1370 : vec3<f32> = tangent_at_0(vertex_14.surface_3);
+    outward_1.differential_0 = _S1369;
+    var _S1371 : vec3<f32> = tangent_at_0(vertex_14.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S1370;
-    tangent_4.differential_0 = _S1368;
+    tangent_4.primal_0 = _S1371;
+    tangent_4.differential_0 = _S1369;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_6.axes_5, towards_1.differential_0);
-    if((any((_S1370 != _S1368))))
+    if((any((_S1371 != _S1369))))
     {
         _S171(&(outward_1), &(tangent_4), vertex_14.surface_3.is_front_0, by_axes_0);
         tangent_back_0(vertex_14.surface_3.place_5.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -7577,28 +7583,28 @@ fn vertex_back_0( pulled_6 : Pulled_0,  vertex_14 : Vertex_0,  material_2 : u32,
     {
         _S140(&(outward_1), vertex_14.surface_3.is_front_0, by_axes_0);
     }
-    var _S1371 : vec3<f32> = surface_back_0(vertex_14.surface_3, by_place_5, pulled_6.position_2, outward_1.differential_0, direction_31);
-    by_ray_1.drift_0 = _S1371;
-    return by_ray_1;
+    var _S1372 : vec3<f32> = surface_back_0(vertex_14.surface_3, by_place_5, pulled_6.position_2, outward_1.differential_0, direction_31);
+    by_ray_2.drift_0 = _S1372;
+    return by_ray_2;
 }
 
 fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, Reflected_0>,  importance_3 : vec3<f32>) -> bool
 {
     var depth_2 : u32 = launch_0.depth_0;
     var first_8 : u32 = vertex_numbers_0(launch_0.depth_0);
-    var incoming_1 : vec3<f32> = value_of_0((*path_6).direction_0);
+    var incoming_1 : vec3<f32> = value_of_0((*path_6).direction_1);
     var surface_6 : Surface_0 = surface_at_0((*path_6).place_3, incoming_1);
     var material_3 : u32 = material_of_0(surface_6);
     if(material_3 == u32(4294967295))
     {
         return false;
     }
-    var vertex_15 : Vertex_0 = vertex_at_0(surface_6, material_3, (*path_6).direction_0);
+    var vertex_15 : Vertex_0 = vertex_at_0(surface_6, material_3, (*path_6).direction_1);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S1372 : u32 = word_0(u32(3));
-    var _S1373 : bool = !reaches_0(depth_2 + u32(3));
+    var _S1373 : u32 = word_0(u32(3));
+    var _S1374 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S1373)
+    if(_S1374)
     {
         goes_on_0 = (vertex_15.lobe_6.kind_0) == u32(0);
     }
@@ -7621,7 +7627,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     else
     {
-        bsdf_samples_1 = _S1372;
+        bsdf_samples_1 = _S1373;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_15.lobe_6))
@@ -7633,7 +7639,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         on_emitters_0 = u32(0);
     }
     var pulled_7 : Pulled_0 = nothing_pulled_0();
-    var _S1374 : Choice_0 = choice_at_0(surface_6.position_0, vertex_15.axes_4.n_0, on_emitters_0 == u32(0));
+    var _S1375 : Choice_0 = choice_at_0(surface_6.position_0, vertex_15.axes_4.n_0, on_emitters_0 == u32(0));
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -7644,13 +7650,13 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         {
             break;
         }
-        add_light_from_emitter_0(&((*reflected_2)), vertex_15, _S1374, (*path_6).key_0, first_8 + u32(3) * i_4, f32(bsdf_samples_1), importance_3, &(pulled_7));
+        add_light_from_emitter_0(&((*reflected_2)), vertex_15, _S1375, (*path_6).key_0, first_8 + u32(3) * i_4, f32(bsdf_samples_1), importance_3, &(pulled_7));
         i_4 = i_4 + u32(1);
     }
     var first_9 : u32 = first_8 + u32(3) * emitter_samples_0;
     goes_on_0 = false;
     var next_3 : Place_0 = (*path_6).place_3;
-    var next_direction_0 : vec3<f32> = (*path_6).direction_0;
+    var next_direction_0 : vec3<f32> = (*path_6).direction_1;
     var k_9 : u32 = u32(0);
     for(;;)
     {
@@ -7695,15 +7701,15 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         var next_direction_1 : vec3<f32>;
         if(k_9 == u32(0))
         {
-            var _S1375 : bool = (found_9.face_7) != u32(4294967295);
-            var _S1376 : Place_0 = place_of_0(found_9);
+            var _S1376 : bool = (found_9.face_7) != u32(4294967295);
+            var _S1377 : Place_0 = place_of_0(found_9);
             (*reflected_2).onward_0 = scattered_5.value_9 * vec3<f32>((1.0f / scattered_5.pdf_5));
             (*reflected_2).wo_0 = drawn_1.wo_9;
             (*reflected_2).is_specular_0 = drawn_1.is_specular_3;
             (*reflected_2).factor_0 = 1.0f / scattered_5.pdf_5;
-            (*reflected_2).distance_0 = t_13;
-            goes_on_1 = _S1375;
-            next_4 = _S1376;
+            (*reflected_2).distance_1 = t_13;
+            goes_on_1 = _S1376;
+            next_4 = _S1377;
             next_direction_1 = moving_2;
         }
         else
@@ -7722,28 +7728,28 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             continue;
         }
         var own_7 : f32 = f32(bsdf_samples_1) * scattered_5.pdf_5;
-        var _S1377 : bool = !drawn_1.is_specular_3;
-        var _S1378 : bool;
-        if(_S1377)
+        var _S1378 : bool = !drawn_1.is_specular_3;
+        var _S1379 : bool;
+        if(_S1378)
         {
-            _S1378 = emitter_samples_0 != u32(0);
+            _S1379 = emitter_samples_0 != u32(0);
         }
         else
         {
-            _S1378 = false;
+            _S1379 = false;
         }
         var other_1 : f32;
-        if(_S1378)
+        if(_S1379)
         {
             var pdf_6 : f32 = emitter_pdf_0(emitter_11, found_9, vertex_15, direction_32, t_13);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_11, _S1374) * pdf_6;
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_11, _S1375) * pdf_6;
         }
         else
         {
             other_1 = 0.0f;
         }
         var moving_3 : vec3<f32>;
-        if(_S1377)
+        if(_S1378)
         {
             moving_3 = towards_emitter_0(vertex_15, direction_32, emitter_record_0(emitter_11));
         }
@@ -7762,8 +7768,8 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             place_27 = place_26;
         }
         var weight_2 : f32 = weight_over_0(own_7, other_1);
-        var _S1379 : vec3<f32> = emitted_0(emitter_11, place_27, moving_3);
-        var light_3 : vec3<f32> = _S1379 * vec3<f32>(weight_2);
+        var _S1380 : vec3<f32> = emitted_0(emitter_11, place_27, moving_3);
+        var light_3 : vec3<f32> = _S1380 * vec3<f32>(weight_2);
         (*reflected_2).direct_0 = (*reflected_2).direct_0 + scattered_5.value_9 * light_3;
         direct_back_0(&(pulled_7), vertex_15, emitter_11, place_27, drawn_1.wo_9, direction_32, drawn_1.is_specular_3, t_13, scattered_5, weight_2, light_3, importance_3);
         goes_on_0 = goes_on_1;
@@ -7771,9 +7777,9 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         next_direction_0 = next_direction_1;
         k_9 = k_9 + u32(1);
     }
-    var _S1380 : ByRay_0 = vertex_back_0(pulled_7, vertex_15, material_3, incoming_1);
-    (*reflected_2).by_ray_0 = _S1380;
-    if(_S1373)
+    var _S1381 : ByRay_0 = vertex_back_0(pulled_7, vertex_15, material_3, incoming_1);
+    (*reflected_2).by_ray_1 = _S1381;
+    if(_S1374)
     {
         goes_on_0 = true;
     }
@@ -7786,12 +7792,12 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         return false;
     }
     var throughput_1 : vec3<f32> = value_of_0((*path_6).throughput_0) * value_of_0((*reflected_2).onward_0);
-    var _S1381 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    var _S1382 : u32 = depth_2 + u32(1);
-    if(_S1382 >= (word_0(u32(1))))
+    var _S1382 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    var _S1383 : u32 = depth_2 + u32(1);
+    if(_S1383 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S1381, 0.05000000074505806f, 0.94999998807907104f);
-        if((random_0((*path_6).key_0, vertex_numbers_0(_S1382) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S1382, 0.05000000074505806f, 0.94999998807907104f);
+        if((random_0((*path_6).key_0, vertex_numbers_0(_S1383) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -7799,13 +7805,13 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         (*reflected_2).factor_0 = (*reflected_2).factor_0 / survival_0;
     }
     (*path_6).place_3 = next_3;
-    (*path_6).direction_0 = next_direction_0;
+    (*path_6).direction_1 = next_direction_0;
     return true;
 }
 
 fn kept_at_0() -> u32
 {
-    return u32(24) + u32(27) * launch_0.depth_0;
+    return u32(31) + u32(27) * launch_0.depth_0;
 }
 
 fn set_word_0( path_7 : u32,  which_6 : u32,  value_10 : u32)
@@ -7900,7 +7906,7 @@ fn store_0( number_of_path_1 : u32,  path_14 : Path_0)
     var at_20 : u32 = u32(1);
     set_vector_0(number_of_path_1, &(at_20), path_14.adjoint_0);
     set_changing_0(number_of_path_1, &(at_20), path_14.throughput_0);
-    set_changing_0(number_of_path_1, &(at_20), path_14.direction_0);
+    set_changing_0(number_of_path_1, &(at_20), path_14.direction_1);
     set_place_0(number_of_path_1, &(at_20), path_14.place_3);
     set_word_0(number_of_path_1, at_20, path_14.key_0.x);
     set_word_0(number_of_path_1, at_20 + u32(1), path_14.key_0.y);
@@ -7919,7 +7925,7 @@ fn go_on_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var number_of_path_2 : u32 = input_0[at_21];
     var path_15 : Path_0 = load_0(number_of_path_2);
     var importance_4 : vec3<f32> = path_15.adjoint_0 * path_15.throughput_0;
-    var direction_33 : vec3<f32> = path_15.direction_0;
+    var direction_33 : vec3<f32> = path_15.direction_1;
     var place_30 : Place_0 = path_15.place_3;
     var reflected_3 : Reflected_0 = nothing_reflected_0();
     var goes_on_2 : bool = take_further_0(&(path_15), &(reflected_3), importance_4);
@@ -7930,43 +7936,43 @@ fn go_on_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     set_vector_1(number_of_path_2, &(kept_0), reflected_3.direct_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_3.onward_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_3.wo_0);
-    set_vector_1(number_of_path_2, &(kept_0), reflected_3.by_ray_0.drift_0);
-    set_vector_1(number_of_path_2, &(kept_0), reflected_3.by_ray_0.direction_1);
-    var _S1383 : u32 = kept_0;
+    set_vector_1(number_of_path_2, &(kept_0), reflected_3.by_ray_1.drift_0);
+    set_vector_1(number_of_path_2, &(kept_0), reflected_3.by_ray_1.direction_0);
+    var _S1384 : u32 = kept_0;
     kept_0 = kept_0 + u32(1);
-    var _S1384 : i32;
+    var _S1385 : i32;
     if(reflected_3.is_specular_0)
     {
-        _S1384 = i32(1);
+        _S1385 = i32(1);
     }
     else
     {
-        _S1384 = i32(0);
+        _S1385 = i32(0);
     }
-    set_word_0(number_of_path_2, _S1383, u32(_S1384));
-    var _S1385 : u32 = kept_0;
+    set_word_0(number_of_path_2, _S1384, u32(_S1385));
+    var _S1386 : u32 = kept_0;
     kept_0 = kept_0 + u32(1);
-    var _S1386 : u32;
+    var _S1387 : u32;
     if(goes_on_2)
     {
-        _S1386 = (bitcast<u32>((reflected_3.factor_0)));
+        _S1387 = (bitcast<u32>((reflected_3.factor_0)));
     }
     else
     {
-        _S1386 = u32(0);
+        _S1387 = u32(0);
     }
-    set_word_0(number_of_path_2, _S1385, _S1386);
-    set_word_0(number_of_path_2, kept_0, (bitcast<u32>((reflected_3.distance_0))));
+    set_word_0(number_of_path_2, _S1386, _S1387);
+    set_word_0(number_of_path_2, kept_0, (bitcast<u32>((reflected_3.distance_1))));
     path_15.throughput_0 = path_15.throughput_0 * reflected_3.onward_0;
     store_0(number_of_path_2, path_15);
     if(goes_on_2)
     {
-        _S1386 = number_of_path_2;
+        _S1387 = number_of_path_2;
     }
     else
     {
-        _S1386 = u32(4294967295);
+        _S1387 = u32(4294967295);
     }
-    set_word_0(at_21, u32(0), _S1386);
+    set_word_0(at_21, u32(0), _S1387);
     return;
 }

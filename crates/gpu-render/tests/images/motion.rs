@@ -137,7 +137,7 @@ fn interior_terms_are_the_same_in_both_modes() {
             continue;
         }
         let scene = prepared.scene();
-        let (tangent, adjoint) = (everything(scene), adjoint(scene));
+        let (tangent, adjoint) = (with_sensor(everything(scene)), adjoint(scene));
         let options = GradientOptions::new(RenderOptions::new(1, 7));
         let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
         let forward = on_device.interior_term(&tangent, &options, &Unwatched);
