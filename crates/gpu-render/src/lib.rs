@@ -39,12 +39,12 @@ mod environment_records;
 mod fixed_point;
 mod images;
 mod lobe_records;
+mod loss_gradient;
 mod motion_records;
 mod part_size;
 mod paths;
 mod render_kernels;
 mod scene_records;
-mod texel_gradient;
 mod texture_records;
 mod unsupported;
 
