@@ -26,6 +26,7 @@ ENTRIES = {
     "sampled": ["sample_edges"],
     "render": ["begin_paths", "go_on", "go_on_diffuse"],
     "forward": ["begin_forward", "go_on_forward"],
+    "boundary": ["cross_edges", "begin_sides", "add_sides"],
     "reverse": ["begin_reverse", "go_on_reverse", "go_back"],
 }
 # Where files are that sources include.

@@ -9,6 +9,7 @@ use rayon::prelude::*;
 use crate::camera_rays::write_camera_ray;
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
+use crate::edge_paths::{COLUMNS, DeviceEdges};
 use crate::part_size::PartSize;
 use crate::paths::{Followed, Paths};
 use crate::render_kernels::PathKernels;
@@ -24,6 +25,8 @@ pub struct Task<'a> {
     /// How textures change.
     pub changes: &'a [u32],
     pub most: usize,
+    /// The edges that paths cross, if the scene moves.
+    pub edges: Option<&'a DeviceEdges>,
 }
 
 impl DeviceScene<'_> {
@@ -50,7 +53,8 @@ impl DeviceScene<'_> {
         let most_words = (self.gpu.largest_buffer() / 4) as usize;
         let by_input = most_words.saturating_sub(task.changes.len()) / task.kernels.ray;
         let by_state = most_words / task.kernels.path;
-        let size = PartSize::new(task.most.min(by_input).min(by_state));
+        let by_array = by_input.min(by_state) / task.edges.map_or(1, |_| COLUMNS);
+        let size = PartSize::new(task.most.min(by_array));
         let mut paths = None;
         let take = |places: &[SamplePlace]| {
             let mut taken = Vec::with_capacity(places.len());
@@ -80,7 +84,7 @@ impl DeviceScene<'_> {
         tracer: &Tracer,
         places: &[SamplePlace],
         room: usize,
-        task: Task,
+        task: Task<'p>,
         paths: &mut Option<Paths<'p>>,
         watch: &dyn Watch,
     ) -> Result<Option<Vec<[f64; N]>>, GpuError> {
@@ -89,7 +93,10 @@ impl DeviceScene<'_> {
             other => {
                 *other = None;
                 let (kernels, changes) = (task.kernels, task.changes);
-                other.insert(self.paths(kernels, [room, 0], changes, 0)?)
+                other.insert(match task.edges {
+                    None => self.paths(kernels, [room, 0], changes, 0)?,
+                    Some(edges) => self.moving_paths(kernels, room, changes, edges)?,
+                })
             }
         };
         let words = task.kernels.ray;

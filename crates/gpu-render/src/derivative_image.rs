@@ -12,7 +12,7 @@ use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
 use crate::render_kernels::FORWARD;
 use crate::texture_records::{Shown, float};
-use crate::unsupported::unsupported_derivative;
+use crate::unsupported::unsupported_motion;
 
 impl DeviceScene<'_> {
     /// The derivative of the image for a unit change along `tangent`, with the image, as
@@ -36,15 +36,18 @@ impl DeviceScene<'_> {
         watch: &dyn Watch,
     ) -> Result<GradientImage, DeviceError> {
         GradientWork::new(self.prepared, Cow::Borrowed(tangent), *options).check()?;
-        if let Some(unsupported) = unsupported_derivative(self.prepared, &Wanted::by(tangent)) {
+        let wanted = Wanted::by(tangent);
+        if let Some(unsupported) = unsupported_motion(self.prepared, &wanted, &self.gpu) {
             return Err(unsupported.into());
         }
+        let edges = wanted.geometry().then(|| self.edges(tangent)).transpose()?;
         let changes = changes(&self.textures, tangent);
         self.check_room_of_numbers(changes.len())?;
         let task = Task {
             kernels: &FORWARD,
             changes: &changes,
             most,
+            edges: edges.as_ref(),
         };
         let averages = self.average::<6>(task, &options.sampling(), watch)?;
         let scene = self.prepared.scene();

@@ -5,10 +5,14 @@ use std::sync::Arc;
 use capwalk_geometry::LocalFrame;
 use capwalk_gpu::{DeviceArray, Gpu, GpuError, Precision};
 use capwalk_render::PreparedScene;
+use capwalk_scene::Tangent;
 
 use crate::device_error::DeviceError;
+use crate::edge_paths::DeviceEdges;
+use crate::edge_records::EdgeRecords;
+use crate::lobe_records::only_diffuse;
 use crate::paths::Paths;
-use crate::render_kernels::PathKernels;
+use crate::render_kernels::{DIFFUSE_IMAGE, IMAGE, PathKernels};
 use crate::scene_records::SceneRecords;
 use crate::texture_records::Shown;
 use crate::unsupported::{Unsupported, unsupported};
@@ -103,6 +107,29 @@ impl<'a> DeviceScene<'a> {
         sums: usize,
     ) -> Result<Paths<'_>, GpuError> {
         let scene = self.arrays.each_ref();
-        Paths::new(&self.gpu, scene, kernels, room_and_levels, changes, sums)
+        Paths::new(&self.gpu, scene, kernels, room_and_levels, changes, sums, None)
+    }
+
+    /// The same, for paths that cross the edges of a scene that moves.
+    pub(crate) fn moving_paths<'p>(
+        &'p self,
+        kernels: &'static PathKernels,
+        room: usize,
+        changes: &[u32],
+        edges: &'p DeviceEdges,
+    ) -> Result<Paths<'p>, GpuError> {
+        let (scene, room) = (self.arrays.each_ref(), [room, 0]);
+        Paths::new(&self.gpu, scene, kernels, room, changes, 0, Some(edges))
+    }
+
+    /// Uploads the edges of the scene, moving along a tangent.
+    pub(crate) fn edges(&self, tangent: &Tangent) -> Result<DeviceEdges, GpuError> {
+        let scene = SceneRecords::new(self.prepared, self.gpu.precision());
+        let edges = EdgeRecords::new(self.prepared, tangent, &self.frame);
+        let image = match only_diffuse(self.prepared.scene()) {
+            true => &DIFFUSE_IMAGE,
+            false => &IMAGE,
+        };
+        DeviceEdges::new(&self.gpu, scene.primitives, edges, image)
     }
 }

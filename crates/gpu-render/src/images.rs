@@ -33,6 +33,7 @@ impl DeviceScene<'_> {
             kernels,
             changes: &[],
             most,
+            edges: None,
         };
         let averages = self.average::<3>(task, options, watch)?;
         Ok(Rendering {

@@ -32,6 +32,8 @@ mod camera_rays;
 mod derivative_image;
 mod device_error;
 mod device_scene;
+mod edge_paths;
+mod edge_records;
 mod emitter_records;
 mod environment_records;
 mod fixed_point;

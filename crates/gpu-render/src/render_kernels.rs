@@ -1,5 +1,5 @@
 //! The kernels as `cargo xtask kernels` compiled them from `kernels/render.slang`,
-//! `kernels/forward.slang` and `kernels/reverse.slang`.
+//! `kernels/forward.slang`, `kernels/boundary.slang` and `kernels/reverse.slang`.
 
 use capwalk_gpu::CompiledKernel;
 
@@ -84,6 +84,15 @@ pub const REVERSE: PathKernels = PathKernels {
 /// Takes what arrives behind the vertices of a list back by one.
 pub const GO_BACK: CompiledKernel = compiled!("go_back");
 
+/// Boundary terms of light from emitters.
+pub const CROSS_EDGES: CompiledKernel = compiled!("cross_edges");
+
+/// Begins paths to both sides of edges.
+pub const BEGIN_SIDES: CompiledKernel = compiled!("begin_sides");
+
+/// Adds the difference of what they bring.
+pub const ADD_SIDES: CompiledKernel = compiled!("add_sides");
+
 #[cfg(test)]
 mod tests {
     use capwalk_gpu::RAYS_SOURCE;
@@ -97,6 +106,7 @@ mod tests {
             let mut source = source.to_owned();
             for (name, content) in [
                 ("render", include_str!("kernels/render.slang")),
+                ("edges", include_str!("kernels/edges.slang")),
                 ("paths", include_str!("kernels/paths.slang")),
                 ("rays", RAYS_SOURCE),
                 ("numbers", include_str!("kernels/numbers.slang")),
@@ -119,10 +129,12 @@ mod tests {
         let image = [IMAGE.begin, IMAGE.go_on, DIFFUSE_IMAGE.go_on];
         let forward = [FORWARD.begin, FORWARD.go_on];
         let reverse = [REVERSE.begin, REVERSE.go_on, GO_BACK];
+        let boundary = [CROSS_EDGES, BEGIN_SIDES, ADD_SIDES];
         for (source, kernels) in [
             (include_str!("kernels/render.slang"), &image[..]),
             (include_str!("kernels/forward.slang"), &forward[..]),
             (include_str!("kernels/reverse.slang"), &reverse[..]),
+            (include_str!("kernels/boundary.slang"), &boundary[..]),
         ] {
             let source = with_includes(source);
             for kernel in kernels {

@@ -1,6 +1,7 @@
 //! What the device's renderer does not have.
 
 use capwalk_diff::Wanted;
+use capwalk_gpu::{Gpu, Precision};
 use capwalk_render::{PreparedScene, RenderOptions};
 use capwalk_scene::{
     Bsdf, BsdfId, Emitter, Integrator, Quantity, SamplerKind, Scene, Slot, TextureId,
@@ -47,6 +48,24 @@ pub fn unsupported_derivative(prepared: &PreparedScene, wanted: &Wanted) -> Opti
     Some(Unsupported {
         what: format!("{what}, and derivatives with respect to that are asked for"),
     })
+}
+
+/// The same in forward mode, where vertices may move on devices with double precision.
+pub(crate) fn unsupported_motion(
+    prepared: &PreparedScene,
+    wanted: &Wanted,
+    gpu: &Gpu,
+) -> Option<Unsupported> {
+    let rests = Wanted {
+        shapes: vec![false; wanted.shapes.len()],
+        ..wanted.clone()
+    };
+    if wanted.shapes.contains(&true) && gpu.precision() == Precision::Single {
+        return Some(Unsupported {
+            what: "shapes move, which needs double precision".to_owned(),
+        });
+    }
+    unsupported_derivative(prepared, &rests)
 }
 
 /// The first number that is wanted and neither a colour of a material nor what an emitter sends.

@@ -5,6 +5,7 @@ mod agreement;
 mod beside;
 mod derivatives;
 mod device;
+mod edges;
 mod faults;
 mod materials;
 mod parts;
