@@ -1,18 +1,21 @@
 //! The edges of a scene that moves, as the kernels read them: `edges.slang` says which word is what.
 
-use capwalk_boundary::{AreaEmitter, Boundaries, EdgeSampler, Extent, Field, MANY_CORNERS, Method};
+use capwalk_boundary::{
+    AreaEmitter, Boundaries, EdgeSampler, Extent, Field, MANY_CORNERS, Method, Motion,
+};
 use capwalk_diff::Forward;
 use capwalk_geometry::edge::ON_PLANE;
-use capwalk_geometry::sampler_buffers::{BOUNDS, EDGE, FACTORS, NODE, NONE};
+use capwalk_geometry::sampler_buffers::{BOUNDS, EDGE, FACTORS, NONE, SamplerBuffers};
 use capwalk_geometry::{EdgeSelection, LocalFrame};
 use capwalk_math::Vec3;
 use capwalk_render::{Plan, PreparedScene, SceneEval};
 use capwalk_scene::Tangent;
 
+use crate::edge_subtrees::Subtrees;
 use crate::texture_records::float;
 
 /// Words of the header.
-const HEADER: usize = 4;
+const HEADER: usize = 6;
 
 /// How far outside of a window an edge counts as inside, over its distance, and the angle between an
 /// edge and the rays beside it, as on the processor.
@@ -67,9 +70,9 @@ impl EdgeRecords {
         let mut tree = |selection, is_needed| match is_needed {
             true => {
                 let sampler = boundaries.edge_sampler(accel, selection);
-                records.add_tree(sampler, boundaries, &eval, frame)
+                records.add_trees(sampler, boundaries, &eval, frame)
             }
-            false => NONE,
+            false => [NONE; 2],
         };
         let needs_silhouettes = surroundings || areas && !emits_partly;
         let silhouettes = tree(
@@ -82,50 +85,82 @@ impl EdgeRecords {
         );
         let before_emitters = u32::from(emits_partly);
         let windows = records.add_windows(&boundaries.area_emitters, frame, accel.scene.emitters.len());
-        records.words[..HEADER].copy_from_slice(&[silhouettes, all, before_emitters, windows]);
+        let [first, second] = [silhouettes, all];
+        let header = [first[0], second[0], first[1], second[1], before_emitters, windows];
+        records.words[..HEADER].copy_from_slice(&header);
         records
     }
 
-    /// Adds a tree, and returns where it starts; [`NONE`] if it has no edges.
-    fn add_tree(
+    /// Adds the tree of a sampler's edges, of all of them and of those alone that move; returns where
+    /// both start, [`NONE`] for one without edges.
+    fn add_trees(
         &mut self,
         sampler: &EdgeSampler,
         boundaries: &Boundaries,
         eval: &Forward,
         frame: &LocalFrame,
-    ) -> u32 {
+    ) -> [u32; 2] {
         let buffers = sampler.buffers();
-        if buffers.edges.is_empty() {
-            return NONE;
-        }
+        let moves = |edge: &u32| {
+            let mut points = boundaries.edge(*edge).vertices.into_iter();
+            points.any(|point| !eval.motion_of_point(point).is_still())
+        };
+        let moving: Vec<bool> = buffers.edges.iter().map(moves).collect();
+        let motions = sampler.motions(|point| eval.motion_of_point(point));
+        let all = vec![true; moving.len()];
+        let mut add = |kept: &[bool]| {
+            let tree = Subtrees::new(&buffers, kept)?;
+            Some(self.add_tree(&tree, &buffers, sampler, &motions, boundaries, eval, frame))
+        };
+        let whole = add(&all);
+        let part = if moving == all { whole } else { add(&moving) };
+        [whole, part].map(|tree| tree.unwrap_or(NONE))
+    }
+
+    /// Adds a tree, and returns where it starts.
+    #[allow(clippy::too_many_arguments, reason = "what is known of edges comes from many places")]
+    fn add_tree(
+        &mut self,
+        tree: &Subtrees,
+        buffers: &SamplerBuffers,
+        sampler: &EdgeSampler,
+        motions: &[Motion],
+        boundaries: &Boundaries,
+        eval: &Forward,
+        frame: &LocalFrame,
+    ) -> u32 {
         // The lists of edges that lie on others, by their places in the tree.
         let mut places = vec![NONE; boundaries.edges().len()];
-        for (place, &edge) in (0..).zip(&buffers.edges) {
-            places[edge as usize] = place;
+        for (place, &kept) in (0..).zip(&tree.edges) {
+            places[buffers.edges[kept] as usize] = place;
         }
-        let overlaps = buffers.edges.iter().map(|&edge| {
+        let overlaps = tree.edges.iter().map(|&kept| {
             let first = self.words.len() as u32;
-            let others = sampler.overlapping(edge);
-            self.words.extend(others.map(|other| places[other as usize]));
+            let others = sampler.overlapping(buffers.edges[kept]);
+            let others = others.map(|other| places[other as usize]);
+            self.words.extend(others.filter(|&place| place != NONE));
             [first, self.words.len() as u32]
         });
         let overlaps: Vec<_> = overlaps.collect();
 
         let edges_at = self.words.len() as u32;
         let factors = buffers.factors.as_chunks::<FACTORS>().0;
-        for ((&edge, factors), overlaps) in buffers.edges.iter().zip(factors).zip(overlaps) {
-            self.words.extend(factors.map(float));
-            for point in boundaries.edge(edge).vertices {
+        for (&kept, overlaps) in tree.edges.iter().zip(overlaps) {
+            self.words.extend(factors[kept].map(float));
+            for point in boundaries.edge(buffers.edges[kept]).vertices {
                 let velocity = eval.boundary_point(point).tangent(0) * frame.inverse_scale;
                 self.words.extend(velocity.to_array().map(float));
             }
             self.words.extend(overlaps);
         }
         let numbers_at = self.numbers.len() as u32;
-        for edge in buffers.ends_and_normals.as_chunks::<EDGE>().0 {
-            let [a, b, first, second] = [0, 3, 6, 9].map(|i| Vec3::new(edge[i], edge[i + 1], edge[i + 2]));
+        let numbers = buffers.ends_and_normals.as_chunks::<EDGE>().0;
+        for &kept in &tree.edges {
+            let edge = numbers[kept];
+            let vector = |i| Vec3::new(edge[i], edge[i + 1], edge[i + 2]);
+            let [a, b, first, second] = [0, 3, 6, 9].map(vector);
             let ends = [a, b].map(|end| frame.local_from_world(end));
-            // Of unit length, unless it is flat.
+            // Of unit length, unless the face has no area.
             let normals = [first, second].map(|cross| match cross.normalized() {
                 normal if normal.is_finite() => normal,
                 _ => Vec3::zero(),
@@ -136,28 +171,28 @@ impl EdgeRecords {
         }
 
         let nodes_at = self.words.len() as u32;
-        let motions = sampler.motions(|point| eval.motion_of_point(point));
-        let leaf = if buffers.all_edges { 12 } else { 32 };
-        let nodes = buffers.nodes.as_chunks::<NODE>().0.iter();
         let bounds = buffers.bounds.as_chunks::<BOUNDS>().0;
-        for ((node, bounds), motion) in nodes.zip(bounds).zip(motions) {
-            self.words.extend(node);
+        for node in &tree.nodes {
+            let (bounds, motion) = (bounds[node.source], motions[node.source]);
+            let local = |length: f64| float(length * frame.inverse_scale);
+            let halves = node.halves.map_or([NONE; 2], |halves| halves.map(|i| i as u32));
+            let (radius, count) = (bounds[3], node.edges.len().max(tree.leaf));
+            self.words.extend(halves);
+            self.words.extend([node.edges.start, node.edges.end].map(|i| i as u32));
             let centre = frame.local_from_world(Vec3::new(bounds[0], bounds[1], bounds[2]));
             self.words.extend(centre.to_array().map(float));
-            let local = |length: f64| float(length * frame.inverse_scale);
-            let radius = bounds[3];
             self.words.push(local(radius));
             self.words.extend(bounds[4..9].iter().copied().map(float));
             self.words.extend(bounds[9..12].iter().copied().map(local));
-            let count = (node[3] - node[2]).max(leaf);
-            self.words.push(local(radius * (f64::from(leaf) / f64::from(count)).sqrt()));
+            // On a surface, so many edges in a disk are in one smaller by the root.
+            self.words.push(local(radius * (tree.leaf as f64 / count as f64).sqrt()));
             self.words.extend(motion.velocity.to_array().map(local));
             self.words.push(local(motion.spread));
             self.words.extend(bounds[12..].iter().copied().map(float));
         }
-        let tree = self.words.len() as u32;
+        let at = self.words.len() as u32;
         self.words.extend([nodes_at, edges_at, numbers_at]);
-        tree
+        at
     }
 
     /// Adds the windows of area emitters, and returns where the list of all emitters' is.

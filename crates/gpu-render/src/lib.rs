@@ -34,6 +34,7 @@ mod device_error;
 mod device_scene;
 mod edge_paths;
 mod edge_records;
+mod edge_subtrees;
 mod emitter_records;
 mod environment_records;
 mod fixed_point;

@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 97caee9000798409
-// result: e38addb712139544
+// source: d3a341cecf2a6834
+// result: bd577c11c05d01e8
 
 struct Launch_std140_0
 {
@@ -675,7 +675,7 @@ struct VertexMotion_0
      rotation_0 : vec3<f32>,
 };
 
-fn motion_of_0( vertex_1 : Vertex_0) -> VertexMotion_0
+fn motion_of_0( path_6 : Path_0,  vertex_1 : Vertex_0) -> VertexMotion_0
 {
     var motion_0 : VertexMotion_0;
     var _S45 : vec3<f32> = vec3<f32>(0.0f);
@@ -692,6 +692,7 @@ fn has_smooth_0( lobe_2 : Lobe_0) -> bool
 struct ShadingPoint_0
 {
      vertex_2 : Vertex_0,
+     whole_0 : VertexMotion_0,
      motion_1 : VertexMotion_0,
      purpose_0 : u32,
      emitter_0 : u32,
@@ -703,9 +704,9 @@ struct ShadingPoint_0
      front_offset_0 : vec3<f32>,
 };
 
-fn shading_point_0( path_6 : Path_0,  at_11 : ptr<function, ShadingPoint_0>) -> bool
+fn shading_point_0( path_7 : Path_0,  at_11 : ptr<function, ShadingPoint_0>) -> bool
 {
-    var surface_5 : Surface_0 = surface_at_0(path_6.place_1, path_6.direction_0);
+    var surface_5 : Surface_0 = surface_at_0(path_7.place_1, path_7.direction_0);
     var material_1 : u32 = material_of_0(surface_5);
     var k_5 : u32;
     if(material_1 == u32(4294967295))
@@ -716,17 +717,19 @@ fn shading_point_0( path_6 : Path_0,  at_11 : ptr<function, ShadingPoint_0>) -> 
     {
         k_5 = material_1;
     }
-    var _S46 : Vertex_0 = vertex_at_0(surface_5, k_5, path_6.direction_0);
+    var _S46 : Vertex_0 = vertex_at_0(surface_5, k_5, path_7.direction_0);
     (*at_11).vertex_2 = _S46;
-    (*at_11).motion_1 = motion_of_0(_S46);
+    var _S47 : VertexMotion_0 = motion_of_0(path_7, _S46);
+    (*at_11).motion_1 = _S47;
+    (*at_11).whole_0 = _S47;
     (*at_11).planes_0 = u32(0);
     (*at_11).tree_0 = u32(0);
     (*at_11).emitter_0 = u32(0);
     (*at_11).purpose_0 = u32(0);
     (*at_11).has_creases_0 = false;
-    var _S47 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_11).front_offset_0 = _S47;
-    (*at_11).front_0 = _S47;
+    var _S48 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_11).front_offset_0 = _S48;
+    (*at_11).front_0 = _S48;
     k_5 = u32(0);
     for(;;)
     {
@@ -740,26 +743,26 @@ fn shading_point_0( path_6 : Path_0,  at_11 : ptr<function, ShadingPoint_0>) -> 
         (*at_11).inside_2[k_5] = surface_5.exact_0;
         k_5 = k_5 + u32(1);
     }
-    var _S48 : bool;
+    var _S49 : bool;
     if(material_1 != u32(4294967295))
     {
-        _S48 = has_smooth_0((*at_11).vertex_2.lobe_1);
+        _S49 = has_smooth_0((*at_11).vertex_2.lobe_1);
     }
     else
     {
-        _S48 = false;
+        _S49 = false;
     }
-    return _S48;
-}
-
-fn depth_of_launch_0() -> u32
-{
-    return ((launch_0.depth_0) & (u32(16777215)));
+    return _S49;
 }
 
 fn edge_word_0( at_12 : u32) -> u32
 {
     return edges_0[at_12];
+}
+
+fn depth_of_launch_0() -> u32
+{
+    return ((launch_0.depth_0) & (u32(16777215)));
 }
 
 fn numbers_for_0( purpose_1 : u32) -> u32
@@ -781,33 +784,33 @@ fn product_0( a_4 : u32,  b_2 : u32) -> vec2<u32>
 
 fn times_0( a_5 : vec2<u32>,  b_3 : vec2<u32>) -> vec2<u32>
 {
-    var _S49 : u32 = a_5.x;
-    var _S50 : u32 = b_3.x;
-    var low_1 : vec2<u32> = product_0(_S49, _S50);
-    return vec2<u32>(low_1.x, low_1.y + _S49 * b_3.y + a_5.y * _S50);
+    var _S50 : u32 = a_5.x;
+    var _S51 : u32 = b_3.x;
+    var low_1 : vec2<u32> = product_0(_S50, _S51);
+    return vec2<u32>(low_1.x, low_1.y + _S50 * b_3.y + a_5.y * _S51);
 }
 
 fn plus_0( a_6 : vec2<u32>,  b_4 : vec2<u32>) -> vec2<u32>
 {
-    var _S51 : u32 = a_6.x;
-    var low_2 : u32 = _S51 + b_4.x;
-    var _S52 : u32 = a_6.y + b_4.y;
-    var _S53 : i32;
-    if(low_2 < _S51)
+    var _S52 : u32 = a_6.x;
+    var low_2 : u32 = _S52 + b_4.x;
+    var _S53 : u32 = a_6.y + b_4.y;
+    var _S54 : i32;
+    if(low_2 < _S52)
     {
-        _S53 = i32(1);
+        _S54 = i32(1);
     }
     else
     {
-        _S53 = i32(0);
+        _S54 = i32(0);
     }
-    return vec2<u32>(low_2, _S52 + u32(_S53));
+    return vec2<u32>(low_2, _S53 + u32(_S54));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S54 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S54 << ((u32(32) - by_0)))))), (_S54 >> (by_0)))));
+    var _S55 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S55 << ((u32(32) - by_0)))))), (_S55 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -896,8 +899,8 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_1) / distance_1, 0.0f) / squared_0;
     }
-    var _S55 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S55 * _S55 / (2.0f * (_S55 - max(lowest_0, -1.0f)) * squared_0);
+    var _S56 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S56 * _S56 / (2.0f * (_S56 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn emitter_view_0( emitter_2 : u32,  position_2 : vec3<f32>,  normal_1 : vec3<f32>) -> f32
@@ -921,16 +924,16 @@ struct Choice_0
 fn light_of_0( emitter_3 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_3, choice_0.position_3, choice_0.normal_2);
-    var _S56 : f32;
+    var _S57 : f32;
     if(view_0 > 0.0f)
     {
-        _S56 = 1.0f;
+        _S57 = 1.0f;
     }
     else
     {
-        _S56 = 0.0f;
+        _S57 = 0.0f;
     }
-    (*can_light_0) = _S56;
+    (*can_light_0) = _S57;
     return view_0 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -941,13 +944,13 @@ fn chosen_area_emitter_0( vertex_3 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
     choice_1.normal_2 = vertex_3.axes_2.n_0;
     choice_1.all_0 = 0.0f;
     choice_1.lit_0 = 0.0f;
-    var _S57 : u32 = word_0(u32(6));
+    var _S58 : u32 = word_0(u32(6));
     var can_light_1 : f32;
     var i_1 : u32 = u32(0);
     var count_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S57)
+        if(i_1 < _S58)
         {
         }
         else
@@ -959,36 +962,36 @@ fn chosen_area_emitter_0( vertex_3 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S58 : u32 = count_1 + u32(1);
-        if(_S57 > u32(32))
+        var _S59 : u32 = count_1 + u32(1);
+        if(_S58 > u32(32))
         {
-            count_1 = _S58;
+            count_1 = _S59;
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S59 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
-        choice_1.all_0 = choice_1.all_0 + _S59;
+        var _S60 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
+        choice_1.all_0 = choice_1.all_0 + _S60;
         choice_1.lit_0 = choice_1.lit_0 + can_light_1;
-        count_1 = _S58;
+        count_1 = _S59;
         i_1 = i_1 + u32(1);
     }
     (*probability_0) = 0.0f;
-    var _S60 : bool;
+    var _S61 : bool;
     if((choice_1.all_0) > 0.0f)
     {
-        _S60 = (choice_1.all_0) < 3.00000000549775576e+38f;
+        _S61 = (choice_1.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S60 = false;
+        _S61 = false;
     }
-    var _S61 : bool = !_S60;
+    var _S62 : bool = !_S61;
     var chosen_0 : u32 = u32(0);
     i_1 = u32(0);
     var rest_1 : f32 = u_0;
     for(;;)
     {
-        if(i_1 < _S57)
+        if(i_1 < _S58)
         {
         }
         else
@@ -1000,16 +1003,16 @@ fn chosen_area_emitter_0( vertex_3 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S62 : f32 = 1.0f / f32(count_1);
+        var _S63 : f32 = 1.0f / f32(count_1);
         var own_0 : f32;
-        if(!_S61)
+        if(!_S62)
         {
             var light_1 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
             own_0 = 0.5f * can_light_1 / choice_1.lit_0 + 0.5f * light_1 / choice_1.all_0;
         }
         else
         {
-            own_0 = _S62;
+            own_0 = _S63;
         }
         var chosen_1 : u32;
         if(own_0 > 0.0f)
@@ -1061,15 +1064,15 @@ fn length_of_0( v_4 : vec3<f64>) -> f64
 
 fn open_window_0( at_16 : ptr<function, ShadingPoint_0>) -> bool
 {
-    var window_0 : u32 = edge_word_0(edge_word_0(u32(3)) + (*at_16).emitter_0);
+    var window_0 : u32 = edge_word_0(edge_word_0(u32(5)) + (*at_16).emitter_0);
     var corners_0 : u32 = u32(f32(edge_real_0(window_0)));
     var apex_0 : vec3<f64> = (*at_16).vertex_2.surface_3.exact_0;
     var before_0 : vec3<f64>;
     if(corners_0 > u32(0))
     {
-        var _S63 : u32 = window_0 + u32(1);
-        var normal_3 : vec3<f64> = edge_position_0(_S63);
-        var before_1 : vec3<f64> = edge_position_0(_S63 + u32(3) * corners_0) - apex_0;
+        var _S64 : u32 = window_0 + u32(1);
+        var normal_3 : vec3<f64> = edge_position_0(_S64);
+        var before_1 : vec3<f64> = edge_position_0(_S64 + u32(3) * corners_0) - apex_0;
         if((dot(normal_3, before_1)) >= 0.0lf)
         {
             return false;
@@ -1088,9 +1091,9 @@ fn open_window_0( at_16 : ptr<function, ShadingPoint_0>) -> bool
             }
             var offset_2 : vec3<f64> = edge_position_0(window_0 + u32(4) + u32(3) * k_6) - apex_0;
             (*at_16).inside_2[k_6] = exact_unit_0(cross(offset_2, before_0));
-            var _S64 : u32 = k_6 + u32(1);
+            var _S65 : u32 = k_6 + u32(1);
             before_0 = offset_2;
-            k_6 = _S64;
+            k_6 = _S65;
         }
         (*at_16).front_0 = vec3<f32>(normal_3);
         (*at_16).front_offset_0 = vec3<f32>(before_0);
@@ -1116,14 +1119,14 @@ fn open_window_0( at_16 : ptr<function, ShadingPoint_0>) -> bool
     var s_1 : vec3<f64> = exact_unit_0(cross(axis_1, before_0));
     var t_1 : vec3<f64> = cross(axis_1, s_1);
     (*at_16).planes_0 = u32(4);
-    var _S65 : vec3<f64> = axis_1 * vec3<f64>(sine_1);
-    var _S66 : vec3<f64> = vec3<f64>(cosine_2);
-    var _S67 : vec3<f64> = s_1 * _S66;
-    (*at_16).inside_2[i32(0)] = _S65 + _S67;
-    (*at_16).inside_2[i32(1)] = _S65 - _S67;
-    var _S68 : vec3<f64> = t_1 * _S66;
-    (*at_16).inside_2[i32(2)] = _S65 + _S68;
-    (*at_16).inside_2[i32(3)] = _S65 - _S68;
+    var _S66 : vec3<f64> = axis_1 * vec3<f64>(sine_1);
+    var _S67 : vec3<f64> = vec3<f64>(cosine_2);
+    var _S68 : vec3<f64> = s_1 * _S67;
+    (*at_16).inside_2[i32(0)] = _S66 + _S68;
+    (*at_16).inside_2[i32(1)] = _S66 - _S68;
+    var _S69 : vec3<f64> = t_1 * _S67;
+    (*at_16).inside_2[i32(2)] = _S66 + _S69;
+    (*at_16).inside_2[i32(3)] = _S66 - _S69;
     return true;
 }
 
@@ -1132,17 +1135,32 @@ fn is_map_0( record_6 : u32) -> bool
     return (word_0(record_6)) == u32(2);
 }
 
+fn rests_0( motion_2 : VertexMotion_0) -> bool
+{
+    var _S70 : vec3<f32> = vec3<f32>(0.0f);
+    var _S71 : bool;
+    if((all(((motion_2.velocity_0) == _S70))))
+    {
+        _S71 = (all(((motion_2.rotation_0) == _S70)));
+    }
+    else
+    {
+        _S71 = false;
+    }
+    return _S71;
+}
+
 fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_17 : ptr<function, ShadingPoint_0>) -> f32
 {
     var probability_1 : f32 = 1.0f;
     (*at_17).purpose_0 = purpose_2;
     (*at_17).planes_0 = u32(0);
-    var _S69 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_17).front_0 = _S69;
-    var _S70 : bool = purpose_2 == u32(2);
-    (*at_17).has_creases_0 = _S70;
+    var _S72 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_17).front_0 = _S72;
+    var _S73 : bool = purpose_2 == u32(2);
+    (*at_17).has_creases_0 = _S73;
     var tree_1 : u32;
-    if(_S70)
+    if(_S73)
     {
         tree_1 = u32(1);
     }
@@ -1150,82 +1168,96 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_17 : ptr<function, Shadin
     {
         tree_1 = u32(0);
     }
-    (*at_17).motion_1 = motion_of_0((*at_17).vertex_2);
+    (*at_17).motion_1 = (*at_17).whole_0;
     if(purpose_2 == u32(0))
     {
-        var tree_2 : u32 = edge_word_0(u32(2));
-        (*at_17).motion_1.rotation_0 = _S69;
-        var _S71 : u32 = chosen_area_emitter_0((*at_17).vertex_2, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
-        (*at_17).emitter_0 = _S71;
-        var _S72 : bool;
-        if(tree_2 == u32(4294967295))
+        var _S74 : u32 = edge_word_0(u32(4));
+        (*at_17).motion_1.rotation_0 = _S72;
+        var _S75 : u32 = chosen_area_emitter_0((*at_17).vertex_2, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
+        (*at_17).emitter_0 = _S75;
+        var _S76 : bool;
+        if(!(probability_1 > 0.0f))
         {
-            _S72 = true;
+            _S76 = true;
         }
         else
         {
-            _S72 = !(probability_1 > 0.0f);
+            var _S77 : bool = open_window_0(&((*at_17)));
+            _S76 = !_S77;
         }
-        if(_S72)
-        {
-            _S72 = true;
-        }
-        else
-        {
-            var _S73 : bool = open_window_0(&((*at_17)));
-            _S72 = !_S73;
-        }
-        if(_S72)
+        if(_S76)
         {
             return 0.0f;
         }
-        tree_1 = tree_2;
+        tree_1 = _S74;
     }
     else
     {
         if(purpose_2 == u32(1))
         {
-            var _S74 : u32 = word_0(u32(8));
-            (*at_17).emitter_0 = _S74;
-            if(_S74 == u32(4294967295))
+            var _S78 : u32 = word_0(u32(8));
+            (*at_17).emitter_0 = _S78;
+            if(_S78 == u32(4294967295))
             {
                 return 0.0f;
             }
             if(is_map_0(emitter_record_0((*at_17).emitter_0)))
             {
-                (*at_17).motion_1.rotation_0 = _S69;
+                (*at_17).motion_1.rotation_0 = _S72;
             }
         }
     }
-    var _S75 : u32 = edge_word_0(tree_1);
-    (*at_17).tree_0 = _S75;
-    var _S76 : f32;
-    if(_S75 == u32(4294967295))
+    if(rests_0((*at_17).motion_1))
     {
-        _S76 = 0.0f;
+        tree_1 = tree_1 + u32(2);
+    }
+    var _S79 : u32 = edge_word_0(tree_1);
+    (*at_17).tree_0 = _S79;
+    var _S80 : f32;
+    if(_S79 == u32(4294967295))
+    {
+        _S80 = 0.0f;
     }
     else
     {
-        _S76 = probability_1;
+        _S80 = probability_1;
     }
-    return _S76;
+    return _S80;
+}
+
+fn subtrees_of_0( at_18 : ShadingPoint_0) -> u32
+{
+    var count_2 : u32;
+    if((depth_of_launch_0()) == u32(0))
+    {
+        count_2 = u32(2);
+    }
+    else
+    {
+        count_2 = u32(1);
+    }
+    if((at_18.purpose_0) == u32(0))
+    {
+        count_2 = u32(4) * count_2;
+    }
+    return count_2;
 }
 
 fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f64
 {
     var bits_0 : vec2<u32> = random_bits_0(key_4, dimension_2);
-    var _S77 : u32 = bits_0.y;
-    return (f64((_S77 >> (u32(11)))) + f64((((_S77 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
+    var _S81 : u32 = bits_0.y;
+    return (f64((_S81 >> (u32(11)))) + f64((((_S81 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
-fn edge_number_0( at_18 : u32) -> f32
+fn edge_number_0( at_19 : u32) -> f32
 {
-    return (bitcast<f32>((edges_0[at_18])));
+    return (bitcast<f32>((edges_0[at_19])));
 }
 
-fn edge_vector_0( at_19 : u32) -> vec3<f32>
+fn edge_vector_0( at_20 : u32) -> vec3<f32>
 {
-    return vec3<f32>(edge_number_0(at_19), edge_number_0(at_19 + u32(1)), edge_number_0(at_19 + u32(2)));
+    return vec3<f32>(edge_number_0(at_20), edge_number_0(at_20 + u32(1)), edge_number_0(at_20 + u32(2)));
 }
 
 fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_3 : f32) -> bool
@@ -1249,25 +1281,25 @@ fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_3 : f32
     return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_3 + margin_1 + 3.99999998990097083e-06f));
 }
 
-fn is_outside_0( at_20 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
+fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
 {
     var k_7 : u32 = u32(0);
     for(;;)
     {
-        if(k_7 < (at_20.planes_0))
+        if(k_7 < (at_21.planes_0))
         {
         }
         else
         {
             break;
         }
-        if((dot(vec3<f32>(at_20.inside_2[k_7]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f))
+        if((dot(vec3<f32>(at_21.inside_2[k_7]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f))
         {
             return true;
         }
         k_7 = k_7 + u32(1);
     }
-    return (dot(at_20.front_0, offset_5 - at_20.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
+    return (dot(at_21.front_0, offset_5 - at_21.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
 }
 
 fn logarithm_0( x_4 : f32) -> f32
@@ -1295,16 +1327,16 @@ fn logarithm_0( x_4 : f32) -> f32
 
 fn direction_number_0( d_0 : vec3<f32>) -> u32
 {
-    var _S78 : i32;
+    var _S82 : i32;
     if((abs(d_0.y)) > (abs(d_0.x)))
     {
-        _S78 = i32(1);
+        _S82 = i32(1);
     }
     else
     {
-        _S78 = i32(0);
+        _S82 = i32(0);
     }
-    var axis_2 : u32 = u32(_S78);
+    var axis_2 : u32 = u32(_S82);
     var axis_3 : u32;
     if((abs(d_0.z)) > (abs(d_0[axis_2])))
     {
@@ -1314,44 +1346,44 @@ fn direction_number_0( d_0 : vec3<f32>) -> u32
     {
         axis_3 = axis_2;
     }
-    var _S79 : u32 = u32(8) * axis_3;
+    var _S83 : u32 = u32(8) * axis_3;
     if((d_0[axis_3]) < 0.0f)
     {
-        _S78 = i32(4);
+        _S82 = i32(4);
     }
     else
     {
-        _S78 = i32(0);
+        _S82 = i32(0);
     }
-    var _S80 : u32 = _S79 + u32(_S78);
+    var _S84 : u32 = _S83 + u32(_S82);
     if((d_0[(axis_3 + u32(1)) % u32(3)]) < 0.0f)
     {
-        _S78 = i32(2);
+        _S82 = i32(2);
     }
     else
     {
-        _S78 = i32(0);
+        _S82 = i32(0);
     }
-    var _S81 : u32 = _S80 + u32(_S78);
+    var _S85 : u32 = _S84 + u32(_S82);
     if((d_0[(axis_3 + u32(2)) % u32(3)]) < 0.0f)
     {
-        _S78 = i32(1);
+        _S82 = i32(1);
     }
     else
     {
-        _S78 = i32(0);
+        _S82 = i32(0);
     }
-    return _S81 + u32(_S78);
+    return _S85 + u32(_S82);
 }
 
-fn velocity_at_0( motion_2 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
+fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
 {
-    return motion_2.velocity_0 + cross(motion_2.rotation_0, offset_6);
+    return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
 }
 
-fn speed_of_0( at_21 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+fn speed_of_0( at_22 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
 {
-    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_21.motion_1, offset_7);
+    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_22.motion_1, offset_7);
     var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
     var sine_3 : f32 = edge_number_0(node_2 + u32(11));
     var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
@@ -1366,36 +1398,36 @@ fn speed_of_0( at_21 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  ra
     {
         speed_0 = length(relative_0);
     }
-    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_21.motion_1.rotation_0) * radius_3;
+    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_22.motion_1.rotation_0) * radius_3;
 }
 
-fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
+fn importance_of_0( at_23 : ShadingPoint_0,  node_3 : u32) -> f32
 {
     var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
-    var offset_8 : vec3<f32> = centre_1 - at_22.vertex_2.surface_3.position_0;
+    var offset_8 : vec3<f32> = centre_1 - at_23.vertex_2.surface_3.position_0;
     var radius_4 : f32 = edge_number_0(node_3 + u32(7));
     var distance_4 : f32 = length(offset_8);
-    var _S82 : bool;
-    if(!at_22.has_creases_0)
+    var _S86 : bool;
+    if(!at_23.has_creases_0)
     {
-        _S82 = !may_have_silhouette_0(node_3, offset_8, distance_4);
+        _S86 = !may_have_silhouette_0(node_3, offset_8, distance_4);
     }
     else
     {
-        _S82 = false;
+        _S86 = false;
     }
-    if(_S82)
+    if(_S86)
     {
         return 0.0f;
     }
-    if(is_outside_0(at_22, offset_8, radius_4))
+    if(is_outside_0(at_23, offset_8, radius_4))
     {
         return 0.0f;
     }
-    var cosine_5 : f32 = largest_cosine_0(at_22.vertex_2.surface_3.position_0, at_22.vertex_2.axes_2.n_0, centre_1, radius_4);
-    var _S83 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
+    var cosine_5 : f32 = largest_cosine_0(at_23.vertex_2.surface_3.position_0, at_23.vertex_2.axes_2.n_0, centre_1, radius_4);
+    var _S87 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
     var least_0 : f32 = edge_number_0(node_3 + u32(16));
-    var ratio_0 : f32 = _S83 / max(max(distance_4 * distance_4 - _S83, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
+    var ratio_0 : f32 = _S87 / max(max(distance_4 * distance_4 - _S87, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
     var visible_0 : f32;
     if(ratio_0 < 0.00100000004749745f)
     {
@@ -1405,7 +1437,7 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
     {
         visible_0 = logarithm_0(1.0f + ratio_0);
     }
-    var near_0 : f32 = visible_0 / _S83;
+    var near_0 : f32 = visible_0 / _S87;
     var visible_1 : f32 = edge_number_0(node_3 + u32(14));
     if(distance_4 > (edge_number_0(node_3 + u32(15))))
     {
@@ -1415,15 +1447,15 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
     {
         visible_0 = visible_1;
     }
-    return visible_0 * speed_of_0(at_22, node_3, offset_8, radius_4) * cosine_5 * near_0;
+    return visible_0 * speed_of_0(at_23, node_3, offset_8, radius_4) * cosine_5 * near_0;
 }
 
-fn descend_0( at_23 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+fn descend_0( at_24 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
 {
-    var nodes_at_0 : u32 = edge_word_0(at_23.tree_0);
+    var nodes_at_0 : u32 = edge_word_0(at_24.tree_0);
     (*leaf_0) = nodes_at_0;
     (*probability_2) = 1.0f;
-    var _S84 : f64 = u_1;
+    var _S88 : f64 = u_1;
     for(;;)
     {
         if((edge_word_0((*leaf_0))) != u32(4294967295))
@@ -1435,27 +1467,27 @@ fn descend_0( at_23 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>, 
         }
         var first_3 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
         var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
-        var of_first_0 : f32 = importance_of_0(at_23, first_3);
-        var of_second_0 : f32 = importance_of_0(at_23, second_1);
+        var of_first_0 : f32 = importance_of_0(at_24, first_3);
+        var of_second_0 : f32 = importance_of_0(at_24, second_1);
         var sum_0 : f32 = of_first_0 + of_second_0;
-        var _S85 : bool;
+        var _S89 : bool;
         if(sum_0 > 0.0f)
         {
-            _S85 = sum_0 < 3.00000000549775576e+38f;
+            _S89 = sum_0 < 3.00000000549775576e+38f;
         }
         else
         {
-            _S85 = false;
+            _S89 = false;
         }
-        if(!_S85)
+        if(!_S89)
         {
             return false;
         }
         var first_share_0 : f32 = of_first_0 / sum_0;
         var second_share_0 : f32 = of_second_0 / sum_0;
-        var _S86 : f64 = f64(first_share_0);
+        var _S90 : f64 = f64(first_share_0);
         var is_second_0 : bool;
-        if(_S84 >= _S86)
+        if(_S88 >= _S90)
         {
             is_second_0 = second_share_0 > 0.0f;
         }
@@ -1465,32 +1497,32 @@ fn descend_0( at_23 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>, 
         }
         if(is_second_0)
         {
-            _S84 = (_S84 - _S86) / f64(second_share_0);
+            _S88 = (_S88 - _S90) / f64(second_share_0);
         }
         else
         {
-            _S84 = min(_S84 / _S86, 1.0lf);
+            _S88 = min(_S88 / _S90, 1.0lf);
         }
-        var _S87 : f32;
+        var _S91 : f32;
         if(is_second_0)
         {
-            _S87 = second_share_0;
+            _S91 = second_share_0;
         }
         else
         {
-            _S87 = first_share_0;
+            _S91 = first_share_0;
         }
-        (*probability_2) = (*probability_2) * _S87;
-        var _S88 : u32;
+        (*probability_2) = (*probability_2) * _S91;
+        var _S92 : u32;
         if(is_second_0)
         {
-            _S88 = second_1;
+            _S92 = second_1;
         }
         else
         {
-            _S88 = first_3;
+            _S92 = first_3;
         }
-        (*leaf_0) = _S88;
+        (*leaf_0) = _S92;
     }
     return true;
 }
@@ -1501,27 +1533,12 @@ struct Edge_0
      numbers_0 : u32,
 };
 
-fn edge_at_0( at_24 : ShadingPoint_0,  place_11 : u32) -> Edge_0
+fn edge_at_0( at_25 : ShadingPoint_0,  place_11 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_7 = edge_word_0(at_24.tree_0 + u32(1)) + u32(10) * place_11;
-    edge_0.numbers_0 = edge_word_0(at_24.tree_0 + u32(2)) + u32(14) * place_11;
+    edge_0.record_7 = edge_word_0(at_25.tree_0 + u32(1)) + u32(10) * place_11;
+    edge_0.numbers_0 = edge_word_0(at_25.tree_0 + u32(2)) + u32(14) * place_11;
     return edge_0;
-}
-
-fn rests_0( motion_3 : VertexMotion_0) -> bool
-{
-    var _S89 : vec3<f32> = vec3<f32>(0.0f);
-    var _S90 : bool;
-    if((all(((motion_3.velocity_0) == _S89))))
-    {
-        _S90 = (all(((motion_3.rotation_0) == _S89)));
-    }
-    else
-    {
-        _S90 = false;
-    }
-    return _S90;
 }
 
 fn sum_of_sizes_0( v_5 : vec3<f64>) -> f64
@@ -1533,84 +1550,44 @@ fn side_seen_0( from_0 : vec3<f64>,  tolerance_0 : f64,  normal_4 : u32,  length
 {
     var height_1 : f64 = dot(edge_position_0(normal_4), from_0);
     var least_1 : f64 = tolerance_0 * edge_real_0(length_0);
-    var _S91 : i32;
+    var _S93 : i32;
     if(height_1 > least_1)
     {
-        _S91 = i32(1);
+        _S93 = i32(1);
     }
     else
     {
-        _S91 = i32(0);
+        _S93 = i32(0);
     }
-    var _S92 : i32;
+    var _S94 : i32;
     if(height_1 < (- least_1))
     {
-        _S92 = i32(1);
+        _S94 = i32(1);
     }
     else
     {
-        _S92 = i32(0);
+        _S94 = i32(0);
     }
-    return _S91 - _S92;
+    return _S93 - _S94;
 }
 
-fn is_silhouette_0( at_25 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+fn is_silhouette_0( at_26 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f64> = edge_position_0(edge_1.numbers_0);
-    var tolerance_1 : f64 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_25.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S93 : vec3<f64> = at_25.vertex_2.surface_3.exact_0 - start_0;
-    return (side_seen_0(_S93, tolerance_1, edge_1.numbers_0 + u32(6), edge_1.numbers_0 + u32(12)) * side_seen_0(_S93, tolerance_1, edge_1.numbers_0 + u32(9), edge_1.numbers_0 + u32(13))) <= i32(0);
+    var tolerance_1 : f64 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_26.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S95 : vec3<f64> = at_26.vertex_2.surface_3.exact_0 - start_0;
+    return (side_seen_0(_S95, tolerance_1, edge_1.numbers_0 + u32(6), edge_1.numbers_0 + u32(12)) * side_seen_0(_S95, tolerance_1, edge_1.numbers_0 + u32(9), edge_1.numbers_0 + u32(13))) <= i32(0);
 }
 
-fn factor_of_0( at_26 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+fn factor_of_0( at_27 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
-    var _S94 : u32 = edge_2.record_7 + u32(2);
-    var a_7 : vec3<f32> = edge_vector_0(_S94);
-    var b_5 : vec3<f32> = edge_vector_0(_S94 + u32(3));
-    var _S95 : bool;
-    if(rests_0(at_26.motion_1))
-    {
-        _S95 = (all((a_7 == vec3<f32>(0.0f))));
-    }
-    else
-    {
-        _S95 = false;
-    }
-    if(_S95)
-    {
-        _S95 = (all((b_5 == vec3<f32>(0.0f))));
-    }
-    else
-    {
-        _S95 = false;
-    }
-    if(_S95)
-    {
-        return 0.0f;
-    }
-    if(is_silhouette_0(at_26, edge_2))
-    {
-        return edge_number_0(edge_2.record_7);
-    }
-    var _S96 : f32;
-    if(at_26.has_creases_0)
-    {
-        _S96 = edge_number_0(edge_2.record_7 + u32(1));
-    }
-    else
-    {
-        _S96 = 0.0f;
-    }
-    return _S96;
-}
-
-fn is_clipped_0( at_27 : ShadingPoint_0,  a_8 : vec3<f64>,  b_6 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
-{
-    (*range_0) = vec2<f64>(0.0lf, 1.0lf);
+    var _S96 : u32 = edge_2.record_7 + u32(2);
+    var a_7 : vec3<f32> = edge_vector_0(_S96);
+    var b_5 : vec3<f32> = edge_vector_0(_S96 + u32(3));
     var _S97 : bool;
-    if((dot(at_27.front_0, vec3<f32>(a_8) - at_27.front_offset_0)) < -3.99999998990097083e-06f)
+    if(rests_0(at_27.motion_1))
     {
-        _S97 = (dot(at_27.front_0, vec3<f32>(b_6) - at_27.front_offset_0)) < -3.99999998990097083e-06f;
+        _S97 = (all((a_7 == vec3<f32>(0.0f))));
     }
     else
     {
@@ -1618,36 +1595,76 @@ fn is_clipped_0( at_27 : ShadingPoint_0,  a_8 : vec3<f64>,  b_6 : vec3<f64>,  ra
     }
     if(_S97)
     {
+        _S97 = (all((b_5 == vec3<f32>(0.0f))));
+    }
+    else
+    {
+        _S97 = false;
+    }
+    if(_S97)
+    {
+        return 0.0f;
+    }
+    if(is_silhouette_0(at_27, edge_2))
+    {
+        return edge_number_0(edge_2.record_7);
+    }
+    var _S98 : f32;
+    if(at_27.has_creases_0)
+    {
+        _S98 = edge_number_0(edge_2.record_7 + u32(1));
+    }
+    else
+    {
+        _S98 = 0.0f;
+    }
+    return _S98;
+}
+
+fn is_clipped_0( at_28 : ShadingPoint_0,  a_8 : vec3<f64>,  b_6 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
+{
+    (*range_0) = vec2<f64>(0.0lf, 1.0lf);
+    var _S99 : bool;
+    if((dot(at_28.front_0, vec3<f32>(a_8) - at_28.front_offset_0)) < -3.99999998990097083e-06f)
+    {
+        _S99 = (dot(at_28.front_0, vec3<f32>(b_6) - at_28.front_offset_0)) < -3.99999998990097083e-06f;
+    }
+    else
+    {
+        _S99 = false;
+    }
+    if(_S99)
+    {
         return true;
     }
-    var _S98 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_8, a_8), dot(b_6, b_6)));
+    var _S100 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_8, a_8), dot(b_6, b_6)));
     var k_8 : u32 = u32(0);
     for(;;)
     {
-        if(k_8 < (at_27.planes_0))
+        if(k_8 < (at_28.planes_0))
         {
         }
         else
         {
             break;
         }
-        var first_4 : f64 = dot(at_27.inside_2[k_8], a_8) + _S98;
-        var second_2 : f64 = dot(at_27.inside_2[k_8], b_6) + _S98;
-        var _S99 : bool = first_4 < 0.0lf;
-        if(_S99)
+        var first_4 : f64 = dot(at_28.inside_2[k_8], a_8) + _S100;
+        var second_2 : f64 = dot(at_28.inside_2[k_8], b_6) + _S100;
+        var _S101 : bool = first_4 < 0.0lf;
+        if(_S101)
         {
-            _S97 = second_2 < 0.0lf;
+            _S99 = second_2 < 0.0lf;
         }
         else
         {
-            _S97 = false;
+            _S99 = false;
         }
-        if(_S97)
+        if(_S99)
         {
             return true;
         }
         var crossing_0 : f64 = first_4 / (first_4 - second_2);
-        if(_S99)
+        if(_S101)
         {
             (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
         }
@@ -1678,54 +1695,54 @@ struct SeenEdge_0
      to_0 : vec3<f32>,
 };
 
-fn see_edge_0( at_28 : ShadingPoint_0,  place_12 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+fn see_edge_0( at_29 : ShadingPoint_0,  place_12 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S100 : Edge_0 = edge_at_0(at_28, place_12);
-    (*seen_1).edge_3 = _S100;
-    var _S101 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_0) - at_28.vertex_2.surface_3.exact_0;
-    (*seen_1).start_1 = _S101;
-    var end_1 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_0 + u32(3)) - at_28.vertex_2.surface_3.exact_0;
-    (*seen_1).along_1 = end_1 - _S101;
+    var _S102 : Edge_0 = edge_at_0(at_29, place_12);
+    (*seen_1).edge_3 = _S102;
+    var _S103 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_0) - at_29.vertex_2.surface_3.exact_0;
+    (*seen_1).start_1 = _S103;
+    var end_1 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_0 + u32(3)) - at_29.vertex_2.surface_3.exact_0;
+    (*seen_1).along_1 = end_1 - _S103;
     (*seen_1).far_0 = 1.0lf;
     (*seen_1).near_1 = 1.0lf;
     (*seen_1).chord_0 = 0.0f;
     (*seen_1).pieces_0 = 0.0f;
-    var _S102 : vec3<f32> = vec3<f32>(0.0f);
-    (*seen_1).to_0 = _S102;
-    (*seen_1).from_1 = _S102;
+    var _S104 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S104;
+    (*seen_1).from_1 = _S104;
     (*seen_1).range_1 = vec2<f64>(0.0lf, 1.0lf);
-    var _S103 : f32 = factor_of_0(at_28, _S100);
-    (*seen_1).factor_0 = _S103;
-    var _S104 : bool;
-    if(!(_S103 > 0.0f))
+    var _S105 : f32 = factor_of_0(at_29, _S102);
+    (*seen_1).factor_0 = _S105;
+    var _S106 : bool;
+    if(!(_S105 > 0.0f))
     {
-        _S104 = true;
+        _S106 = true;
     }
     else
     {
-        var _S105 : vec2<f64> = (*seen_1).range_1;
-        var _S106 : bool = is_clipped_0(at_28, (*seen_1).start_1, end_1, &(_S105));
-        (*seen_1).range_1 = _S105;
-        _S104 = _S106;
+        var _S107 : vec2<f64> = (*seen_1).range_1;
+        var _S108 : bool = is_clipped_0(at_29, (*seen_1).start_1, end_1, &(_S107));
+        (*seen_1).range_1 = _S107;
+        _S106 = _S108;
     }
-    if(_S104)
+    if(_S106)
     {
         return false;
     }
     var first_5 : vec3<f64> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f64>((*seen_1).range_1.x);
     var last_0 : vec3<f64> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f64>((*seen_1).range_1.y);
-    var _S107 : f64 = sqrt(dot(first_5, first_5));
-    (*seen_1).near_1 = _S107;
+    var _S109 : f64 = sqrt(dot(first_5, first_5));
+    (*seen_1).near_1 = _S109;
     (*seen_1).far_0 = sqrt(dot(last_0, last_0));
-    if(_S107 > 0.0lf)
+    if(_S109 > 0.0lf)
     {
-        _S104 = ((*seen_1).far_0) > 0.0lf;
+        _S106 = ((*seen_1).far_0) > 0.0lf;
     }
     else
     {
-        _S104 = false;
+        _S106 = false;
     }
-    if(!_S104)
+    if(!_S106)
     {
         return false;
     }
@@ -1733,7 +1750,7 @@ fn see_edge_0( at_28 : ShadingPoint_0,  place_12 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = vec3<f32>(last_0 / vec3<f64>((*seen_1).far_0));
     (*seen_1).chord_0 = f32(length_of_0(last_0 / vec3<f64>((*seen_1).far_0) - first_5 / vec3<f64>((*seen_1).near_1)));
     var longest_0 : f32;
-    if((at_28.vertex_2.lobe_1.kind_1) == u32(0))
+    if((at_29.vertex_2.lobe_1.kind_1) == u32(0))
     {
         longest_0 = 0.20000000298023224f;
     }
@@ -1777,16 +1794,16 @@ fn x2A_1( a_10 : Colour_0,  b_8 : f32) -> Colour_0
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S108 : bool;
+    var _S110 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S108 = true;
+        _S110 = true;
     }
     else
     {
-        _S108 = (lobe_3.kind_1) == u32(4);
+        _S110 = (lobe_3.kind_1) == u32(4);
     }
-    return _S108;
+    return _S110;
 }
 
 fn exponential_0( x_5 : f32) -> f32
@@ -1802,68 +1819,68 @@ fn exponential_0( x_5 : f32) -> f32
 
 fn density_0( facets_0 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S109 : f32 = m_3.z;
-    if(_S109 <= 0.0f)
+    var _S111 : f32 = m_3.z;
+    if(_S111 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_0.alpha_0.x * facets_0.alpha_0.y;
     var slope_0 : vec2<f32> = m_3.xy / facets_0.alpha_0;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S109 * _S109;
+    var cos2_0 : f32 = _S111 * _S111;
     if((facets_0.distribution_0) == u32(1))
     {
         var sum_1 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_1 * sum_1);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S110 : f32;
+    var _S112 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S110 = 0.0f;
+        _S112 = 0.0f;
     }
     else
     {
-        _S110 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S112 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S110;
+    return _S112;
 }
 
 fn error_function_plus_one_0( x_6 : f32) -> vec2<f32>
 {
-    var _S111 : f32 = min(abs(x_6), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S111 * _S111);
-    var place_13 : f32 = (_S111 - 2.0f) / (_S111 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_13 - 0.00127731403335929f) * place_13 + 0.00131371302995831f) * place_13 + 0.008666617795825f) * place_13 - 0.00805134233087301f) * place_13 - 0.05421232059597969f) * place_13 + 0.1640533059835434f) * place_13 - 0.16603080928325653f) * place_13 - 0.09276388585567474f) * place_13 + 1.27697837352752686f) / (1.0f + 2.0f * _S111);
-    var _S112 : f32;
+    var _S113 : f32 = min(abs(x_6), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S113 * _S113);
+    var place_13 : f32 = (_S113 - 2.0f) / (_S113 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_13 - 0.00127731403335929f) * place_13 + 0.00131371302995831f) * place_13 + 0.008666617795825f) * place_13 - 0.00805134233087301f) * place_13 - 0.05421232059597969f) * place_13 + 0.1640533059835434f) * place_13 - 0.16603080928325653f) * place_13 - 0.09276388585567474f) * place_13 + 1.27697837352752686f) / (1.0f + 2.0f * _S113);
+    var _S114 : f32;
     if(x_6 < 0.0f)
     {
-        _S112 = complement_0;
+        _S114 = complement_0;
     }
     else
     {
-        _S112 = 2.0f - complement_0;
+        _S114 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S112, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S114, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_1 : Microfacets_0,  w_1 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_1.xy * facets_1.alpha_0;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S113 : f32 = w_1.z;
-    var z2_0 : f32 = _S113 * _S113;
+    var _S115 : f32 = w_1.z;
+    var z2_0 : f32 = _S115 * _S115;
     if((facets_1.distribution_0) == u32(1))
     {
-        return 2.0f / (_S113 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S115 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S113;
+        return 1.0f / _S115;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S113 / spread_1);
-    return 2.0f / (_S113 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S115 / spread_1);
+    return 2.0f / (_S115 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 struct Mirrored_0
@@ -1878,9 +1895,9 @@ fn mirrored_0( facets_2 : Microfacets_0,  wi_1 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_0 : vec3<f32> = normalize(wi_1 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_6 = dot(wi_1, h_0);
-    var _S114 : f32 = 0.25f * density_0(facets_2, h_0) * visible_over_cos_0(facets_2, wi_1);
-    mirrored_1.pdf_0 = _S114;
-    mirrored_1.scattered_0 = _S114 * visible_over_cos_0(facets_2, wo_0) * wo_0.z;
+    var _S116 : f32 = 0.25f * density_0(facets_2, h_0) * visible_over_cos_0(facets_2, wi_1);
+    mirrored_1.pdf_0 = _S116;
+    mirrored_1.scattered_0 = _S116 * visible_over_cos_0(facets_2, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
@@ -1897,9 +1914,9 @@ fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_1 : f32,  k_10 : f32) -> f3
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_2 / larger_0;
-    var _S115 : bool = real_0 < 0.0f;
+    var _S117 : bool = real_0 < 0.0f;
     var a_11 : f32;
-    if(_S115)
+    if(_S117)
     {
         a_11 = smaller_0;
     }
@@ -1908,7 +1925,7 @@ fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_1 : f32,  k_10 : f32) -> f3
         a_11 = larger_0;
     }
     var b_9 : f32;
-    if(_S115)
+    if(_S117)
     {
         b_9 = larger_0;
     }
@@ -1918,9 +1935,9 @@ fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_1 : f32,  k_10 : f32) -> f3
     }
     var less_0 : f32 = a_11 - cosine_7;
     var more_0 : f32 = a_11 + cosine_7;
-    var _S116 : f32 = b_9 * b_9;
+    var _S118 : f32 = b_9 * b_9;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S116) / (more_0 * more_0 + _S116) * p_sum_0 / (p_sum_0 + 2.0f * a_11 * cosine_7 * sin2_0);
+    return (less_0 * less_0 + _S118) / (more_0 * more_0 + _S118) * p_sum_0 / (p_sum_0 + 2.0f * a_11 * cosine_7 * sin2_0);
 }
 
 fn fresnel_conductor_0( cosine_8 : f32,  eta_2 : vec3<f32>,  k_11 : vec3<f32>) -> vec3<f32>
@@ -1953,9 +1970,9 @@ fn transmittance_0( lobe_4 : Lobe_0,  cosine_10 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_10, lobe_4.coat_eta_0);
     }
     var place_14 : f32 = cosine_10 * 63.0f;
-    var _S117 : u32 = min(u32(place_14), u32(62));
-    var at_29 : u32 = word_0(lobe_4.record_2 + u32(3)) + _S117;
-    return mix(number_0(at_29), number_0(at_29 + u32(1)), place_14 - f32(_S117));
+    var _S119 : u32 = min(u32(place_14), u32(62));
+    var at_30 : u32 = word_0(lobe_4.record_2 + u32(3)) + _S119;
+    return mix(number_0(at_30), number_0(at_30 + u32(1)), place_14 - f32(_S119));
 }
 
 fn fresnel_diffuse_0( eta_4 : f32) -> f32
@@ -1990,10 +2007,10 @@ fn base_0( lobe_5 : Lobe_0) -> Colour_0
     {
         return x2A_1(lobe_5.diffuse_reflectance_0, 1.0f / (1.0f - internal_reflectance_0));
     }
-    var _S118 : vec3<f32> = value_of_0(lobe_5.diffuse_reflectance_0);
-    var _S119 : vec3<f32> = vec3<f32>(1.0f);
-    var factor_1 : vec3<f32> = _S119 / (_S119 - _S118 * vec3<f32>(internal_reflectance_0));
-    return function_0(lobe_5.diffuse_reflectance_0, _S118 * factor_1, factor_1 * factor_1);
+    var _S120 : vec3<f32> = value_of_0(lobe_5.diffuse_reflectance_0);
+    var _S121 : vec3<f32> = vec3<f32>(1.0f);
+    var factor_1 : vec3<f32> = _S121 / (_S121 - _S120 * vec3<f32>(internal_reflectance_0));
+    return function_0(lobe_5.diffuse_reflectance_0, _S120 * factor_1, factor_1 * factor_1);
 }
 
 fn choice_weight_0( colour_6 : vec3<f32>) -> f32
@@ -2038,21 +2055,21 @@ fn eval_and_pdf_0( lobe_7 : Lobe_0,  wi_2 : vec3<f32>,  wo_1 : vec3<f32>) -> Sca
     var scattered_1 : Scattered_0;
     scattered_1.value_6 = constant_0(vec3<f32>(0.0f));
     scattered_1.pdf_1 = 0.0f;
-    var _S120 : f32 = wo_1.z;
-    var _S121 : bool;
-    if(_S120 <= 0.0f)
+    var _S122 : f32 = wo_1.z;
+    var _S123 : bool;
+    if(_S122 <= 0.0f)
     {
-        _S121 = true;
+        _S123 = true;
     }
     else
     {
-        _S121 = !has_smooth_0(lobe_7);
+        _S123 = !has_smooth_0(lobe_7);
     }
-    if(_S121)
+    if(_S123)
     {
         return scattered_1;
     }
-    var by_cosine_0 : f32 = _S120 * 0.31830987334251404f;
+    var by_cosine_0 : f32 = _S122 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattered_1.value_6 = x2A_1(lobe_7.diffuse_reflectance_0, by_cosine_0);
@@ -2074,8 +2091,8 @@ fn eval_and_pdf_0( lobe_7 : Lobe_0,  wi_2 : vec3<f32>,  wo_1 : vec3<f32>) -> Sca
         return scattered_1;
     }
     var enters_1 : f32 = transmittance_0(lobe_7, wi_2.z);
-    var _S122 : f32 = lobe_7.coat_eta_0;
-    scattered_1.value_6 = x2A_1(base_0(lobe_7), enters_1 * transmittance_0(lobe_7, _S120) * by_cosine_0 / (_S122 * _S122));
+    var _S124 : f32 = lobe_7.coat_eta_0;
+    scattered_1.value_6 = x2A_1(base_0(lobe_7), enters_1 * transmittance_0(lobe_7, _S122) * by_cosine_0 / (_S124 * _S124));
     var probability_3 : f32 = base_probability_0(lobe_7, enters_1);
     scattered_1.pdf_1 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -2098,28 +2115,28 @@ fn largest_0( v_6 : vec3<f32>) -> f32
 
 fn angle_of_0( x_8 : f32,  y_1 : f32) -> f32
 {
-    var _S123 : f32 = abs(x_8);
-    var _S124 : f32 = abs(y_1);
-    var _S125 : f32 = min(_S123, _S124);
-    var _S126 : f32 = max(_S123, _S124);
-    var is_steep_0 : bool = _S125 > (0.41421356797218323f * _S126);
+    var _S125 : f32 = abs(x_8);
+    var _S126 : f32 = abs(y_1);
+    var _S127 : f32 = min(_S125, _S126);
+    var _S128 : f32 = max(_S125, _S126);
+    var is_steep_0 : bool = _S127 > (0.41421356797218323f * _S128);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S125 - _S126;
+        above_0 = _S127 - _S128;
     }
     else
     {
-        above_0 = _S125;
+        above_0 = _S127;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S125 + _S126;
+        below_0 = _S127 + _S128;
     }
     else
     {
-        below_0 = _S126;
+        below_0 = _S128;
     }
     if(below_0 > 0.0f)
     {
@@ -2140,7 +2157,7 @@ fn angle_of_0( x_8 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S124 > _S123)
+    if(_S126 > _S125)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -2161,8 +2178,8 @@ fn angle_of_0( x_8 : f32,  y_1 : f32) -> f32
 
 fn map_place_0( map_0 : u32,  direction_4 : vec3<f32>) -> vec2<f32>
 {
-    var _S127 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S127) * vec3<f32>(direction_4.x) + vector_at_0(_S127 + u32(3)) * vec3<f32>(direction_4.y) + vector_at_0(_S127 + u32(6)) * vec3<f32>(direction_4.z);
+    var _S129 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S129) * vec3<f32>(direction_4.x) + vector_at_0(_S129 + u32(3)) * vec3<f32>(direction_4.y) + vector_at_0(_S129 + u32(6)) * vec3<f32>(direction_4.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -2175,11 +2192,11 @@ fn in_map_0( map_1 : u32,  direction_5 : vec3<f32>) -> Lookup_0
     var height_2 : i32 = i32(word_0(map_1 + u32(1)));
     var left_1 : u32 = wrapped_0(x_9, width_1, u32(0));
     var right_1 : u32 = wrapped_0(x_9 + i32(1), width_1, u32(0));
-    var _S128 : u32 = wrapped_0(y_2, height_2, u32(2));
-    var _S129 : u32 = u32(width_1);
-    var first_6 : u32 = _S128 * _S129;
-    var _S130 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
-    var second_3 : u32 = _S130 * _S129;
+    var _S130 : u32 = wrapped_0(y_2, height_2, u32(2));
+    var _S131 : u32 = u32(width_1);
+    var first_6 : u32 = _S130 * _S131;
+    var _S132 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S132 * _S131;
     return between_0(vec4<u32>(first_6 + left_1, first_6 + right_1, second_3 + left_1, second_3 + right_1), place_15 - floor(place_15));
 }
 
@@ -2207,114 +2224,114 @@ fn arriving_0( emitter_4 : u32,  place_16 : Place_0,  direction_6 : vec3<f32>,  
 {
     var record_8 : u32 = emitter_record_0(emitter_4);
     var texture_7 : u32 = word_0(record_8 + u32(1));
-    var _S131 : Colour_0;
+    var _S133 : Colour_0;
     var texture_8 : u32;
     var lookup_5 : Lookup_0;
     if(is_map_0(record_8))
     {
-        var _S132 : Colour_0 = x2A_0(factor_2, vector_at_0(texture_7 + u32(11)));
-        var _S133 : Lookup_0 = in_map_0(texture_7, direction_6);
-        var _S134 : u32 = word_0(texture_7 + u32(14));
-        _S131 = _S132;
-        texture_8 = _S134;
-        lookup_5 = _S133;
-    }
-    else
-    {
-        var _S135 : Lookup_0 = lookup_at_0(texture_7, place_16);
-        _S131 = factor_2;
-        texture_8 = texture_7;
+        var _S134 : Colour_0 = x2A_0(factor_2, vector_at_0(texture_7 + u32(11)));
+        var _S135 : Lookup_0 = in_map_0(texture_7, direction_6);
+        var _S136 : u32 = word_0(texture_7 + u32(14));
+        _S133 = _S134;
+        texture_8 = _S136;
         lookup_5 = _S135;
     }
-    return x2A_2(_S131, looked_up_0(texture_8, lookup_5));
+    else
+    {
+        var _S137 : Lookup_0 = lookup_at_0(texture_7, place_16);
+        _S133 = factor_2;
+        texture_8 = texture_7;
+        lookup_5 = _S137;
+    }
+    return x2A_2(_S133, looked_up_0(texture_8, lookup_5));
 }
 
-fn light_from_0( at_30 : ShadingPoint_0,  direction_7 : vec3<f32>) -> f32
+fn light_from_0( at_31 : ShadingPoint_0,  direction_7 : vec3<f32>) -> f32
 {
-    var light_2 : f32 = largest_0(scattered_from_0(at_30.vertex_2, direction_7));
-    var _S136 : bool;
-    if((at_30.purpose_0) != u32(1))
+    var light_2 : f32 = largest_0(scattered_from_0(at_31.vertex_2, direction_7));
+    var _S138 : bool;
+    if((at_31.purpose_0) != u32(1))
     {
-        _S136 = true;
+        _S138 = true;
     }
     else
     {
-        _S136 = !(light_2 > 0.0f);
+        _S138 = !(light_2 > 0.0f);
     }
-    if(_S136)
+    if(_S138)
     {
         return light_2;
     }
-    var _S137 : Colour_0 = arriving_0(at_30.emitter_0, at_30.vertex_2.surface_3.place_3, direction_7, constant_0(vec3<f32>(1.0f)), vec3<f32>(0.0f));
-    return light_2 * largest_0(value_of_0(_S137));
+    var _S139 : Colour_0 = arriving_0(at_31.emitter_0, at_31.vertex_2.surface_3.place_3, direction_7, constant_0(vec3<f32>(1.0f)), vec3<f32>(0.0f));
+    return light_2 * largest_0(value_of_0(_S139));
 }
 
-fn weigh_0( at_31 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+fn weigh_0( at_32 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
 {
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var t_3 : f32 = f32(place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, f64(part_1)));
-    var _S138 : vec3<f32> = vec3<f32>(seen_2.start_1 + seen_2.along_1 * vec3<f64>(f64(t_3)));
-    var _S139 : u32 = seen_2.edge_3.record_7 + u32(2);
-    var speed_1 : f32 = abs(dot(mix(edge_vector_0(_S139), edge_vector_0(_S139 + u32(3)), vec3<f32>(t_3)) - velocity_at_0(at_31.motion_1, _S138), vec3<f32>(exact_unit_0(cross(seen_2.start_1, seen_2.along_1))))) / length(_S138);
+    var _S140 : vec3<f32> = vec3<f32>(seen_2.start_1 + seen_2.along_1 * vec3<f64>(f64(t_3)));
+    var _S141 : u32 = seen_2.edge_3.record_7 + u32(2);
+    var speed_1 : f32 = abs(dot(mix(edge_vector_0(_S141), edge_vector_0(_S141 + u32(3)), vec3<f32>(t_3)) - velocity_at_0(at_32.motion_1, _S140), vec3<f32>(exact_unit_0(cross(seen_2.start_1, seen_2.along_1))))) / length(_S140);
     var angle_2 : f32 = seen_2.factor_0 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S140 : f32 = light_from_0(at_31, normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1))));
-    var contribution_0 : f32 = angle_2 * _S140 * speed_1;
-    var _S141 : vec2<f32>;
+    var _S142 : f32 = light_from_0(at_32, normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1))));
+    var contribution_0 : f32 = angle_2 * _S142 * speed_1;
+    var _S143 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
     {
-        _S141 = vec2<f32>(contribution_0, angle_2);
+        _S143 = vec2<f32>(contribution_0, angle_2);
     }
     else
     {
-        _S141 = vec2<f32>(0.0f);
+        _S143 = vec2<f32>(0.0f);
     }
-    return _S141;
+    return _S143;
 }
 
-fn multiplicity_0( at_32 : ShadingPoint_0,  edge_4 : Edge_0,  direction_8 : vec3<f64>,  normal_5 : vec3<f64>) -> f32
+fn multiplicity_0( at_33 : ShadingPoint_0,  edge_4 : Edge_0,  direction_8 : vec3<f64>,  normal_5 : vec3<f64>) -> f32
 {
-    var _S142 : vec3<f64> = cross(normal_5, direction_8);
-    var _S143 : u32 = edge_4.record_7 + u32(8);
-    var k_14 : u32 = edge_word_0(_S143);
-    var count_2 : f32 = 1.0f;
+    var _S144 : vec3<f64> = cross(normal_5, direction_8);
+    var _S145 : u32 = edge_4.record_7 + u32(8);
+    var k_14 : u32 = edge_word_0(_S145);
+    var count_3 : f32 = 1.0f;
     for(;;)
     {
-        if(k_14 < (edge_word_0(_S143 + u32(1))))
+        if(k_14 < (edge_word_0(_S145 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var other_0 : Edge_0 = edge_at_0(at_32, edge_word_0(k_14));
-        if(!((factor_of_0(at_32, other_0)) > 0.0f))
+        var other_0 : Edge_0 = edge_at_0(at_33, edge_word_0(k_14));
+        if(!((factor_of_0(at_33, other_0)) > 0.0f))
         {
             k_14 = k_14 + u32(1);
             continue;
         }
-        var a_14 : vec3<f64> = edge_position_0(other_0.numbers_0) - at_32.vertex_2.surface_3.exact_0;
-        var way_1 : vec3<f64> = edge_position_0(other_0.numbers_0 + u32(3)) - at_32.vertex_2.surface_3.exact_0 - a_14;
-        var place_17 : f64 = - dot(a_14, _S142) / dot(way_1, _S142);
+        var a_14 : vec3<f64> = edge_position_0(other_0.numbers_0) - at_33.vertex_2.surface_3.exact_0;
+        var way_1 : vec3<f64> = edge_position_0(other_0.numbers_0 + u32(3)) - at_33.vertex_2.surface_3.exact_0 - a_14;
+        var place_17 : f64 = - dot(a_14, _S144) / dot(way_1, _S144);
         var there_0 : vec3<f64> = a_14 + way_1 * vec3<f64>(place_17);
-        var _S144 : bool;
+        var _S146 : bool;
         if(place_17 >= 0.0lf)
         {
-            _S144 = place_17 <= 1.0lf;
+            _S146 = place_17 <= 1.0lf;
         }
         else
         {
-            _S144 = false;
+            _S146 = false;
         }
-        var _S145 : bool;
-        if(_S144)
+        var _S147 : bool;
+        if(_S146)
         {
-            _S145 = (dot(there_0, direction_8)) > 0.0lf;
+            _S147 = (dot(there_0, direction_8)) > 0.0lf;
         }
         else
         {
-            _S145 = false;
+            _S147 = false;
         }
-        if(!_S145)
+        if(!_S147)
         {
             k_14 = k_14 + u32(1);
             continue;
@@ -2324,24 +2341,24 @@ fn multiplicity_0( at_32 : ShadingPoint_0,  edge_4 : Edge_0,  direction_8 : vec3
             k_14 = k_14 + u32(1);
             continue;
         }
-        var count_3 : f32;
+        var count_4 : f32;
         if(f32(abs(dot(normal_5, exact_unit_0(cross(a_14, way_1))))) > 0.99999898672103882f)
         {
-            count_3 = count_2 + 1.0f;
+            count_4 = count_3 + 1.0f;
         }
         else
         {
-            count_3 = count_2;
+            count_4 = count_3;
         }
-        count_2 = count_3;
+        count_3 = count_4;
         k_14 = k_14 + u32(1);
     }
-    return count_2;
+    return count_3;
 }
 
-fn face_normal_1( at_33 : ShadingPoint_0) -> vec3<f64>
+fn face_normal_1( at_34 : ShadingPoint_0) -> vec3<f64>
 {
-    var corners_1 : u32 = u32(9) * at_33.vertex_2.surface_3.place_3.triangle_0;
+    var corners_1 : u32 = u32(9) * at_34.vertex_2.surface_3.place_3.triangle_0;
     var a_15 : vec3<f64> = primitive_vector_0(corners_1);
     return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_15, primitive_vector_0(corners_1 + u32(6)) - a_15));
 }
@@ -2360,13 +2377,13 @@ struct EdgePoint_0
      is_in_horizon_0 : bool,
 };
 
-fn point_on_0( at_34 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f64,  part_of_all_0 : f32) -> EdgePoint_0
+fn point_on_0( at_35 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f64,  part_of_all_0 : f32) -> EdgePoint_0
 {
-    var _S146 : f64 = seen_3.range_1.x;
-    var _S147 : f64 = seen_3.range_1.y;
-    var _S148 : f64 = f64(seen_3.pieces_0);
-    var first_7 : f64 = place_between_0(_S146, _S147, seen_3.near_1, seen_3.far_0, f64(piece_1) / _S148);
-    var last_1 : f64 = place_between_0(_S146, _S147, seen_3.near_1, seen_3.far_0, f64(piece_1 + 1.0f) / _S148);
+    var _S148 : f64 = seen_3.range_1.x;
+    var _S149 : f64 = seen_3.range_1.y;
+    var _S150 : f64 = f64(seen_3.pieces_0);
+    var first_7 : f64 = place_between_0(_S148, _S149, seen_3.near_1, seen_3.far_0, f64(piece_1) / _S150);
+    var last_1 : f64 = place_between_0(_S148, _S149, seen_3.near_1, seen_3.far_0, f64(piece_1 + 1.0f) / _S150);
     var a_16 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(first_7);
     var b_12 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(last_1);
     var near_3 : f64 = length_of_0(a_16);
@@ -2378,48 +2395,48 @@ fn point_on_0( at_34 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     var t_4 : f64 = place_between_0(first_7, last_1, near_3, far_2, inside_3);
     var offset_9 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(t_4);
     var point_0 : EdgePoint_0;
-    var _S149 : f64 = length_of_0(offset_9);
-    point_0.distance_5 = _S149;
-    var _S150 : vec3<f64> = offset_9 / vec3<f64>(_S149);
-    point_0.direction_9 = _S150;
-    var _S151 : vec3<f64> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
-    point_0.normal_6 = _S151;
-    var _S152 : u32 = seen_3.edge_3.record_7 + u32(2);
-    point_0.flow_0 = f32(dot(vec3<f64>(mix(edge_vector_0(_S152), edge_vector_0(_S152 + u32(3)), vec3<f32>(f32(t_4))) - velocity_at_0(at_34.motion_1, vec3<f32>(offset_9))), _S151) / _S149 * angle_3) / (part_of_all_0 * multiplicity_0(at_34, seen_3.edge_3, _S150, _S151));
-    var face_0 : vec3<f64> = face_normal_1(at_34);
+    var _S151 : f64 = length_of_0(offset_9);
+    point_0.distance_5 = _S151;
+    var _S152 : vec3<f64> = offset_9 / vec3<f64>(_S151);
+    point_0.direction_9 = _S152;
+    var _S153 : vec3<f64> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_0.normal_6 = _S153;
+    var _S154 : u32 = seen_3.edge_3.record_7 + u32(2);
+    point_0.flow_0 = f32(dot(vec3<f64>(mix(edge_vector_0(_S154), edge_vector_0(_S154 + u32(3)), vec3<f32>(f32(t_4))) - velocity_at_0(at_35.motion_1, vec3<f32>(offset_9))), _S153) / _S151 * angle_3) / (part_of_all_0 * multiplicity_0(at_35, seen_3.edge_3, _S152, _S153));
+    var face_0 : vec3<f64> = face_normal_1(at_35);
     var least_2 : f64 = limit_at_0(u32(2));
-    var _S153 : bool;
+    var _S155 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
     {
-        _S153 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+        _S155 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
     }
     else
     {
-        _S153 = false;
+        _S155 = false;
     }
-    point_0.is_in_horizon_0 = _S153;
+    point_0.is_in_horizon_0 = _S155;
     return point_0;
 }
 
 fn component_0( v_7 : vec3<f64>,  axis_5 : u32) -> f64
 {
-    var _S154 : f64;
+    var _S156 : f64;
     if(axis_5 == u32(0))
     {
-        _S154 = v_7.x;
+        _S156 = v_7.x;
     }
     else
     {
         if(axis_5 == u32(1))
         {
-            _S154 = v_7.y;
+            _S156 = v_7.y;
         }
         else
         {
-            _S154 = v_7.z;
+            _S156 = v_7.z;
         }
     }
-    return _S154;
+    return _S156;
 }
 
 fn ray_child_0( node_4 : u32,  slot_2 : u32) -> u32
@@ -2439,7 +2456,7 @@ struct RayView_0
 
 fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32) -> f32
 {
-    var _S155 : u32 = u32(14) * node_5 + slot_3 / u32(4);
+    var _S157 : u32 = u32(14) * node_5 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -2452,36 +2469,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S156 : u32 = axis_6;
-        var _S157 : u32 = _S155 + u32(2) * axis_6;
-        var _S158 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S157][_S158])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S157 + u32(6)][_S158])));
-        var _S159 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S160 : f32;
-        if(_S159)
-        {
-            _S160 = high_0;
-        }
-        else
-        {
-            _S160 = low_3;
-        }
-        var _S161 : f32 = max(near_4, _S160 * view_1.inverse_1[_S156] - view_1.offset_near_0[axis_6]);
+        var _S158 : u32 = axis_6;
+        var _S159 : u32 = _S157 + u32(2) * axis_6;
+        var _S160 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S159][_S160])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S159 + u32(6)][_S160])));
+        var _S161 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
         var _S162 : f32;
-        if(_S159)
-        {
-            _S162 = low_3;
-        }
-        else
+        if(_S161)
         {
             _S162 = high_0;
         }
-        var _S163 : f32 = min(far_3, _S162 * view_1.inverse_1[_S156] - view_1.offset_far_0[axis_6]);
-        var _S164 : u32 = axis_6 + u32(1);
-        near_4 = _S161;
-        far_3 = _S163;
-        axis_6 = _S164;
+        else
+        {
+            _S162 = low_3;
+        }
+        var _S163 : f32 = max(near_4, _S162 * view_1.inverse_1[_S158] - view_1.offset_near_0[axis_6]);
+        var _S164 : f32;
+        if(_S161)
+        {
+            _S164 = low_3;
+        }
+        else
+        {
+            _S164 = high_0;
+        }
+        var _S165 : f32 = min(far_3, _S164 * view_1.inverse_1[_S158] - view_1.offset_far_0[axis_6]);
+        var _S166 : u32 = axis_6 + u32(1);
+        near_4 = _S163;
+        far_3 = _S165;
+        axis_6 = _S166;
     }
     if(near_4 <= far_3)
     {
@@ -2506,7 +2523,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S165 : u32 = k_15;
+        var _S167 : u32 = k_15;
         if((bounds_0[k_15]) > limit_2)
         {
             k_15 = k_15 + u32(1);
@@ -2523,24 +2540,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S166 : u32 = j_0;
-            var _S167 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S165]))
+            var _S168 : u32 = j_0;
+            var _S169 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S167]))
             {
-                _S167 = true;
+                _S169 = true;
             }
             else
             {
-                if((bounds_0[_S166]) == (bounds_0[_S165]))
+                if((bounds_0[_S168]) == (bounds_0[_S167]))
                 {
-                    _S167 = j_0 < k_15;
+                    _S169 = j_0 < k_15;
                 }
                 else
                 {
-                    _S167 = false;
+                    _S169 = false;
                 }
             }
-            if(_S167)
+            if(_S169)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -2565,16 +2582,16 @@ fn crossed_0( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
         {
             break;
         }
-        var _S168 : f32;
+        var _S170 : f32;
         if((ray_child_0(node_6, slot_4)) == u32(4294967295))
         {
-            _S168 = 3.00000000549775576e+38f;
+            _S170 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S168 = ray_bound_0(view_2, limit_3, node_6, slot_4);
+            _S170 = ray_bound_0(view_2, limit_3, node_6, slot_4);
         }
-        bounds_1[slot_4] = _S168;
+        bounds_1[slot_4] = _S170;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -2599,9 +2616,9 @@ struct Ray_0
      largest_2 : f64,
 };
 
-fn corner_0( ray_0 : Ray_0,  axes_4 : u32,  at_35 : u32) -> vec3<f64>
+fn corner_0( ray_0 : Ray_0,  axes_4 : u32,  at_36 : u32) -> vec3<f64>
 {
-    var relative_1 : vec3<f64> = primitive_vector_0(at_35) - ray_0.origin_0;
+    var relative_1 : vec3<f64> = primitive_vector_0(at_36) - ray_0.origin_0;
     var z_2 : f64 = component_0(relative_1, (axes_4 >> (u32(4))));
     return vec3<f64>(component_0(relative_1, (axes_4 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_2, ray_0.largest_2), component_0(relative_1, (((axes_4 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_2, ray_0.largest_2), z_2);
 }
@@ -2614,56 +2631,56 @@ struct Crossing_0
      w_2 : f64,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_36 : u32) -> Crossing_0
+fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_37 : u32) -> Crossing_0
 {
     var crossing_1 : Crossing_0;
     crossing_1.is_hit_0 = false;
     crossing_1.t_5 = 0.0lf;
     crossing_1.v_8 = 0.0lf;
     crossing_1.w_2 = 0.0lf;
-    var a_17 : vec3<f64> = corner_0(ray_1, axes_5, at_36);
-    var b_13 : vec3<f64> = corner_0(ray_1, axes_5, at_36 + u32(3));
-    var c_1 : vec3<f64> = corner_0(ray_1, axes_5, at_36 + u32(6));
-    var _S169 : f64 = c_1.x;
-    var _S170 : f64 = b_13.y;
-    var cx_by_0 : f64 = rounded_0(_S169 * _S170, ray_1.largest_2);
-    var _S171 : f64 = c_1.y;
-    var _S172 : f64 = b_13.x;
-    var cy_bx_0 : f64 = rounded_0(_S171 * _S172, ray_1.largest_2);
-    var _S173 : f64 = a_17.x;
-    var ax_cy_0 : f64 = rounded_0(_S173 * _S171, ray_1.largest_2);
-    var _S174 : f64 = a_17.y;
-    var ay_cx_0 : f64 = rounded_0(_S174 * _S169, ray_1.largest_2);
-    var bx_ay_0 : f64 = rounded_0(_S172 * _S174, ray_1.largest_2);
-    var by_ax_0 : f64 = rounded_0(_S170 * _S173, ray_1.largest_2);
+    var a_17 : vec3<f64> = corner_0(ray_1, axes_5, at_37);
+    var b_13 : vec3<f64> = corner_0(ray_1, axes_5, at_37 + u32(3));
+    var c_1 : vec3<f64> = corner_0(ray_1, axes_5, at_37 + u32(6));
+    var _S171 : f64 = c_1.x;
+    var _S172 : f64 = b_13.y;
+    var cx_by_0 : f64 = rounded_0(_S171 * _S172, ray_1.largest_2);
+    var _S173 : f64 = c_1.y;
+    var _S174 : f64 = b_13.x;
+    var cy_bx_0 : f64 = rounded_0(_S173 * _S174, ray_1.largest_2);
+    var _S175 : f64 = a_17.x;
+    var ax_cy_0 : f64 = rounded_0(_S175 * _S173, ray_1.largest_2);
+    var _S176 : f64 = a_17.y;
+    var ay_cx_0 : f64 = rounded_0(_S176 * _S171, ray_1.largest_2);
+    var bx_ay_0 : f64 = rounded_0(_S174 * _S176, ray_1.largest_2);
+    var by_ax_0 : f64 = rounded_0(_S172 * _S175, ray_1.largest_2);
     var u_2 : f64 = cx_by_0 - cy_bx_0;
     var v_9 : f64 = ax_cy_0 - ay_cx_0;
     var w_3 : f64 = bx_ay_0 - by_ax_0;
-    var _S175 : f64 = min(min(u_2, v_9), w_3);
-    var _S176 : f64 = max(max(u_2, v_9), w_3);
-    var _S177 : bool;
-    if(_S175 < 0.0lf)
+    var _S177 : f64 = min(min(u_2, v_9), w_3);
+    var _S178 : f64 = max(max(u_2, v_9), w_3);
+    var _S179 : bool;
+    if(_S177 < 0.0lf)
     {
-        _S177 = _S176 > 0.0lf;
+        _S179 = _S178 > 0.0lf;
     }
     else
     {
-        _S177 = false;
+        _S179 = false;
     }
-    if(_S177)
+    if(_S179)
     {
         return crossing_1;
     }
     var determinant_0 : f64 = u_2 + v_9 + w_3;
-    if(_S175 <= 0.0lf)
+    if(_S177 <= 0.0lf)
     {
-        _S177 = _S176 >= 0.0lf;
+        _S179 = _S178 >= 0.0lf;
     }
     else
     {
-        _S177 = false;
+        _S179 = false;
     }
-    if(_S177)
+    if(_S179)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -2677,13 +2694,13 @@ fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_36 : u32) -> Crossing_0
     var t_6 : f64 = (rounded_0(u_2 * a_17.z, ray_1.largest_2) + rounded_0(v_9 * b_13.z, ray_1.largest_2) + rounded_0(w_3 * c_1.z, ray_1.largest_2)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_6)
     {
-        _S177 = t_6 <= (ray_1.t_max_0);
+        _S179 = t_6 <= (ray_1.t_max_0);
     }
     else
     {
-        _S177 = false;
+        _S179 = false;
     }
-    crossing_1.is_hit_0 = _S177;
+    crossing_1.is_hit_0 = _S179;
     crossing_1.t_5 = t_6;
     crossing_1.v_8 = v_9 / determinant_0;
     crossing_1.w_2 = w_3 / determinant_0;
@@ -2705,7 +2722,7 @@ struct Found_0
 
 fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S178 : bool;
+    var _S180 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_5 = u32(4294967295);
@@ -2737,31 +2754,31 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_2[level_0];
-        var _S179 : u32 = way_2[level_0].y;
-        if(_S179 == u32(0))
+        var _S181 : u32 = way_2[level_0].y;
+        if(_S181 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S180 : u32 = level_0 - u32(1);
+            var _S182 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S180;
+            level_0 = _S182;
             continue;
         }
-        var slot_5 : u32 = ((_S179 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S179 >> (u32(4)));
-        var _S181 : bool;
+        var slot_5 : u32 = ((_S181 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S181 >> (u32(4)));
+        var _S183 : bool;
         if(!is_new_1)
         {
-            _S181 = (ray_bound_0(view_3, limit_4, here_0.x, slot_5)) > limit_4;
+            _S183 = (ray_bound_0(view_3, limit_4, here_0.x, slot_5)) > limit_4;
         }
         else
         {
-            _S181 = false;
+            _S183 = false;
         }
-        if(_S181)
+        if(_S183)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -2770,20 +2787,20 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_0.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S182 : u32 = level_0 + u32(1);
+            var _S184 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S182;
+            level_0 = _S184;
             continue;
         }
         var leaf_1 : u32 = (child_0 & (u32(2147483647)));
-        var _S183 : u32 = leaf_starts_0[leaf_1 + u32(1)];
-        var _S184 : u32 = leaf_starts_0[leaf_1];
+        var _S185 : u32 = leaf_starts_0[leaf_1 + u32(1)];
+        var _S186 : u32 = leaf_starts_0[leaf_1];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S184;
+        var i_2 : u32 = _S186;
         for(;;)
         {
-            if(i_2 < _S183)
+            if(i_2 < _S185)
             {
             }
             else
@@ -2798,23 +2815,23 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S178 = true;
+                _S180 = true;
             }
             else
             {
-                _S178 = (crossing_2.t_5) < ((*ray_2).t_max_0);
+                _S180 = (crossing_2.t_5) < ((*ray_2).t_max_0);
             }
-            var _S185 : bool;
-            if(_S178)
+            var _S187 : bool;
+            if(_S180)
             {
-                _S185 = true;
+                _S187 = true;
             }
             else
             {
-                _S185 = (face_1(i_2)) < (found_0.face_2);
+                _S187 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S185)
+            if(_S187)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_5 = i_2;
@@ -2832,13 +2849,13 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S178 = (found_0.face_2) != u32(4294967295);
+            _S180 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S178 = false;
+            _S180 = false;
         }
-        if(_S178)
+        if(_S180)
         {
             break;
         }
@@ -2852,34 +2869,34 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_1 : vec3<f64>,  direction_10 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_7 : ptr<function, f32>) -> Found_0
 {
     var size_0 : vec3<f32> = abs(vec3<f32>(direction_10));
-    var _S186 : f32 = size_0.x;
-    var _S187 : f32 = size_0.y;
-    var _S188 : bool;
-    if(_S186 >= _S187)
+    var _S188 : f32 = size_0.x;
+    var _S189 : f32 = size_0.y;
+    var _S190 : bool;
+    if(_S188 >= _S189)
     {
-        _S188 = _S186 >= (size_0.z);
+        _S190 = _S188 >= (size_0.z);
     }
     else
     {
-        _S188 = false;
+        _S190 = false;
     }
-    var _S189 : i32;
-    if(_S188)
+    var _S191 : i32;
+    if(_S190)
     {
-        _S189 = i32(0);
+        _S191 = i32(0);
     }
     else
     {
-        if(_S187 >= (size_0.z))
+        if(_S189 >= (size_0.z))
         {
-            _S189 = i32(1);
+            _S191 = i32(1);
         }
         else
         {
-            _S189 = i32(2);
+            _S191 = i32(2);
         }
     }
-    var z_3 : u32 = u32(_S189);
+    var z_3 : u32 = u32(_S191);
     var x_10 : u32 = (z_3 + u32(1)) % u32(3);
     var y_3 : u32 = (z_3 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
@@ -2890,13 +2907,13 @@ fn cast_0( origin_1 : vec3<f64>,  direction_10 : vec3<f64>,  t_min_1 : f64,  t_m
     ray_3.shear_y_0 = component_0(direction_10, y_3) / along_2;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S190 : f64 = abs(along_2);
-    ray_3.local_per_t_0 = _S190;
+    var _S192 : f64 = abs(along_2);
+    ray_3.local_per_t_0 = _S192;
     ray_3.enter_0 = 0.0lf;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_2 = limit_at_0(u32(1));
     var view_4 : RayView_0;
-    var _S191 : vec3<f32> = vec3<f32>(direction_10 / vec3<f64>(_S190));
+    var _S193 : vec3<f32> = vec3<f32>(direction_10 / vec3<f64>(_S192));
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -2907,17 +2924,17 @@ fn cast_0( origin_1 : vec3<f64>,  direction_10 : vec3<f64>,  t_min_1 : f64,  t_m
         {
             break;
         }
-        var _S192 : f32 = max(abs(_S191[axis_7]), 8.67361737988403547e-19f);
-        var _S193 : f32;
-        if((_S191[axis_7]) < 0.0f)
+        var _S194 : f32 = max(abs(_S193[axis_7]), 8.67361737988403547e-19f);
+        var _S195 : f32;
+        if((_S193[axis_7]) < 0.0f)
         {
-            _S193 = -1.0f / _S192;
+            _S195 = -1.0f / _S194;
         }
         else
         {
-            _S193 = 1.0f / _S192;
+            _S195 = 1.0f / _S194;
         }
-        view_4.inverse_1[axis_7] = _S193;
+        view_4.inverse_1[axis_7] = _S195;
         axis_7 = axis_7 + u32(1);
     }
     var offset_10 : vec3<f32> = vec3<f32>(origin_1) * view_4.inverse_1;
@@ -2940,7 +2957,7 @@ struct Side_0
      t_8 : f32,
 };
 
-fn look_0( at_37 : ShadingPoint_0,  point_1 : EdgePoint_0,  side_0 : u32) -> Side_0
+fn look_0( at_38 : ShadingPoint_0,  point_1 : EdgePoint_0,  side_0 : u32) -> Side_0
 {
     var step_0 : vec3<f64> = point_1.normal_6 * vec3<f64>(edge_real_0(u32(3)));
     var origin_2 : vec3<f64>;
@@ -2955,43 +2972,43 @@ fn look_0( at_37 : ShadingPoint_0,  point_1 : EdgePoint_0,  side_0 : u32) -> Sid
     var direction_12 : vec3<f64> = exact_unit_0(origin_2);
     if(point_1.is_in_horizon_0)
     {
-        var face_3 : vec3<f64> = face_normal_1(at_37);
+        var face_3 : vec3<f64> = face_normal_1(at_38);
         var height_3 : f64 = limit_at_0(u32(2));
-        var _S194 : f64;
+        var _S196 : f64;
         if((dot(direction_12, face_3)) < 0.0lf)
         {
-            _S194 = - height_3;
+            _S196 = - height_3;
         }
         else
         {
-            _S194 = height_3;
+            _S196 = height_3;
         }
-        origin_2 = at_37.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S194);
+        origin_2 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S196);
     }
     else
     {
-        origin_2 = at_37.vertex_2.surface_3.exact_0;
+        origin_2 = at_38.vertex_2.surface_3.exact_0;
     }
     var seen_4 : Side_0;
-    var _S195 : vec3<f32> = vec3<f32>(direction_12);
-    seen_4.direction_11 = _S195;
-    seen_4.scattered_2 = scattered_from_0(at_37.vertex_2, _S195);
-    var _S196 : f64 = limit_at_0(u32(2));
-    var _S197 : f64 = limit_at_0(u32(1));
-    var _S198 : f32 = seen_4.t_8;
-    var _S199 : Found_0 = cast_0(origin_2, direction_12, _S196, _S197, false, &(_S198));
-    seen_4.t_8 = _S198;
-    seen_4.found_2 = _S199;
+    var _S197 : vec3<f32> = vec3<f32>(direction_12);
+    seen_4.direction_11 = _S197;
+    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, _S197);
+    var _S198 : f64 = limit_at_0(u32(2));
+    var _S199 : f64 = limit_at_0(u32(1));
+    var _S200 : f32 = seen_4.t_8;
+    var _S201 : Found_0 = cast_0(origin_2, direction_12, _S198, _S199, false, &(_S200));
+    seen_4.t_8 = _S200;
+    seen_4.found_2 = _S201;
     return seen_4;
 }
 
-fn set_word_0( path_7 : u32,  which_6 : u32,  value_7 : u32)
+fn set_word_0( path_8 : u32,  which_6 : u32,  value_7 : u32)
 {
-    paths_0[which_6 * launch_0.room_0 + path_7] = value_7;
+    paths_0[which_6 * launch_0.room_0 + path_8] = value_7;
     return;
 }
 
-fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_8 : vec3<f32>)
+fn set_vector_0( path_9 : u32,  which_7 : ptr<function, u32>,  value_8 : vec3<f32>)
 {
     var axis_8 : u32 = u32(0);
     for(;;)
@@ -3003,7 +3020,7 @@ fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_8 : vec3<f3
         {
             break;
         }
-        set_word_0(path_8, (*which_7) + axis_8, (bitcast<u32>((value_8[axis_8]))));
+        set_word_0(path_9, (*which_7) + axis_8, (bitcast<u32>((value_8[axis_8]))));
         axis_8 = axis_8 + u32(1);
     }
     (*which_7) = (*which_7) + u32(3);
@@ -3026,32 +3043,32 @@ fn emitter_seen_0( found_4 : Found_0,  direction_13 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_5 : u32 = word_0(shape_of_0(found_4.triangle_5) + u32(4));
-    var _S200 : bool;
+    var _S202 : bool;
     if(emitter_5 != u32(4294967295))
     {
-        _S200 = (dot(cross_of_0(found_4.triangle_5), direction_13)) < 0.0f;
+        _S202 = (dot(cross_of_0(found_4.triangle_5), direction_13)) < 0.0f;
     }
     else
     {
-        _S200 = false;
+        _S202 = false;
     }
-    var _S201 : u32;
-    if(_S200)
+    var _S203 : u32;
+    if(_S202)
     {
-        _S201 = emitter_5;
+        _S203 = emitter_5;
     }
     else
     {
-        _S201 = u32(4294967295);
+        _S203 = u32(4294967295);
     }
-    return _S201;
+    return _S203;
 }
 
-fn jump_of_light_0( at_38 : ShadingPoint_0,  point_2 : EdgePoint_0) -> vec3<f32>
+fn jump_of_light_0( at_39 : ShadingPoint_0,  point_2 : EdgePoint_0) -> vec3<f32>
 {
-    var _S202 : vec3<f32> = vec3<f32>(0.0f);
+    var _S204 : vec3<f32> = vec3<f32>(0.0f);
     var side_1 : u32 = u32(0);
-    var jump_0 : vec3<f32> = _S202;
+    var jump_0 : vec3<f32> = _S204;
     for(;;)
     {
         if(side_1 < u32(2))
@@ -3061,76 +3078,118 @@ fn jump_of_light_0( at_38 : ShadingPoint_0,  point_2 : EdgePoint_0) -> vec3<f32>
         {
             break;
         }
-        var seen_5 : Side_0 = look_0(at_38, point_2, side_1);
-        var _S203 : bool;
+        var seen_5 : Side_0 = look_0(at_39, point_2, side_1);
+        var _S205 : bool;
         if(!((largest_0(seen_5.scattered_2)) > 0.0f))
         {
-            _S203 = true;
+            _S205 = true;
         }
         else
         {
-            _S203 = (emitter_seen_0(seen_5.found_2, seen_5.direction_11)) != (at_38.emitter_0);
+            _S205 = (emitter_seen_0(seen_5.found_2, seen_5.direction_11)) != (at_39.emitter_0);
         }
-        if(_S203)
+        if(_S205)
         {
             side_1 = side_1 + u32(1);
             continue;
         }
-        var light_3 : Colour_0 = arriving_0(at_38.emitter_0, place_of_0(seen_5.found_2), seen_5.direction_11, constant_0(seen_5.scattered_2), _S202);
-        var _S204 : vec3<f32>;
+        var light_3 : Colour_0 = arriving_0(at_39.emitter_0, place_of_0(seen_5.found_2), seen_5.direction_11, constant_0(seen_5.scattered_2), _S204);
+        var _S206 : vec3<f32>;
         if(side_1 == u32(0))
         {
-            _S204 = value_of_0(light_3);
+            _S206 = value_of_0(light_3);
         }
         else
         {
-            _S204 = (vec3<f32>(0) - value_of_0(light_3));
+            _S206 = (vec3<f32>(0) - value_of_0(light_3));
         }
-        jump_0 = jump_0 + _S204;
+        jump_0 = jump_0 + _S206;
         side_1 = side_1 + u32(1);
     }
     return jump_0;
 }
 
-fn sample_points_0( at_39 : ShadingPoint_0,  number_of_path_1 : u32,  path_9 : Path_0,  subtrees_0 : vec3<u32>,  points_0 : u32,  goes_on_0 : ptr<function, vec2<bool>>) -> vec3<f32>
+fn sample_points_0( at_40 : ShadingPoint_0,  number_of_path_1 : u32,  path_10 : Path_0,  subtrees_0 : vec3<u32>,  goes_on_0 : ptr<function, vec2<bool>>) -> vec3<f32>
 {
-    var _S205 : vec3<f32> = vec3<f32>(0.0f);
-    var numbers_1 : u32 = numbers_for_0(at_39.purpose_0) + u32(1);
-    var _S206 : f64 = precise_random_0(path_9.key_0, numbers_1);
+    var _S207 : vec3<f32> = vec3<f32>(0.0f);
+    var numbers_1 : u32 = numbers_for_0(at_40.purpose_0) + u32(1);
+    var _S208 : f64 = precise_random_0(path_10.key_0, numbers_1);
+    var _S209 : f64 = precise_random_0(path_10.key_0, numbers_1 + u32(1));
     var i_3 : u32 = subtrees_0.x;
-    var term_0 : vec3<f32> = _S205;
+    var term_0 : vec3<f32> = _S207;
     for(;;)
     {
-        if(i_3 < (subtrees_0.y))
+        var _S210 : u32 = subtrees_0.y;
+        if(i_3 < _S210)
         {
         }
         else
         {
             break;
         }
-        var _S207 : u32 = subtrees_0.z;
+        var other_1 : u32;
+        var unused_0 : f32;
+        var _S211 : u32 = subtrees_0.z;
+        var _S212 : f64 = f64(_S211);
+        var _S213 : f64 = _S209 + f64(0.6180340051651001f * f32(i_3));
+        var _S214 : u32 = i_3 + u32(1);
         var leaf_2 : u32;
         var probability_4 : f32;
-        var _S208 : bool = descend_0(at_39, (f64(i_3) + _S206) / f64(_S207), &(leaf_2), &(probability_4));
-        var term_1 : vec3<f32>;
-        if(!_S208)
+        var _S215 : bool = descend_0(at_40, (f64(i_3) + _S208) / _S212, &(leaf_2), &(probability_4));
+        if(!_S215)
         {
-            term_1 = term_0;
-            i_3 = i_3 + u32(1);
-            term_0 = term_1;
+            i_3 = _S214;
             continue;
         }
-        var _S209 : f32 = probability_4 * f32(_S207) * f32(points_0);
+        i_3 = _S214;
+        var same_0 : f32 = 1.0f;
+        for(;;)
+        {
+            var _S216 : bool;
+            if(i_3 < _S210)
+            {
+                var _S217 : bool = descend_0(at_40, (f64(i_3) + _S208) / _S212, &(other_1), &(unused_0));
+                _S216 = _S217;
+            }
+            else
+            {
+                _S216 = false;
+            }
+            var _S218 : bool;
+            if(_S216)
+            {
+                _S218 = other_1 == leaf_2;
+            }
+            else
+            {
+                _S218 = false;
+            }
+            if(_S218)
+            {
+            }
+            else
+            {
+                break;
+            }
+            var same_1 : f32 = same_0 + 1.0f;
+            i_3 = i_3 + u32(1);
+            same_0 = same_1;
+        }
+        var share_0 : f32 = same_0 / f32(_S211);
+        var _S219 : f32 = probability_4 / share_0;
+        var points_0 : u32 = u32(1);
         var least_3 : f32 = 0.0f;
         var total_0 : f32 = 0.0f;
         var step_1 : f64 = 0.0lf;
         var pass_0 : u32 = u32(0);
         var angles_0 : f32 = 0.0f;
         var contributions_0 : f32 = 0.0f;
+        var pieces_1 : f32 = 0.0f;
+        var over_all_0 : f32 = _S219;
+        var own_place_0 : f64 = _S213;
         var drawn_0 : u32 = u32(0);
         var cumulative_0 : f32 = 0.0f;
         var target_0 : f64 = 0.0lf;
-        var term_2 : vec3<f32> = term_0;
         for(;;)
         {
             if(pass_0 < u32(2))
@@ -3140,6 +3199,7 @@ fn sample_points_0( at_39 : ShadingPoint_0,  number_of_path_1 : u32,  path_9 : P
             {
                 break;
             }
+            var contributions_1 : f32;
             var target_1 : f64;
             if(pass_0 == u32(1))
             {
@@ -3149,12 +3209,38 @@ fn sample_points_0( at_39 : ShadingPoint_0,  number_of_path_1 : u32,  path_9 : P
                 }
                 var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
                 var total_1 : f32 = contributions_0 + least_4 * angles_0;
-                var step_2 : f64 = f64(total_1) / f64(points_0);
-                var _S210 : f64 = step_2 * precise_random_0(path_9.key_0, numbers_1 + u32(1) + i_3);
+                if((at_40.purpose_0) == u32(0))
+                {
+                    contributions_1 = share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
+                }
+                else
+                {
+                    contributions_1 = same_0;
+                }
+                var points_1 : u32 = u32(ceil(contributions_1));
+                var over_all_1 : f32 = over_all_0 * f32(points_1);
+                var step_2 : f64 = f64(total_1) / f64(points_1);
+                target_1 = own_place_0;
+                for(;;)
+                {
+                    if(target_1 >= 1.0lf)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    target_1 = target_1 - 1.0lf;
+                }
+                var _S220 : f64 = step_2 * target_1;
+                var _S221 : f64 = target_1;
+                points_0 = points_1;
                 least_3 = least_4;
                 total_0 = total_1;
                 step_1 = step_2;
-                target_1 = _S210;
+                target_1 = _S220;
+                over_all_0 = over_all_1;
+                own_place_0 = _S221;
             }
             else
             {
@@ -3162,23 +3248,24 @@ fn sample_points_0( at_39 : ShadingPoint_0,  number_of_path_1 : u32,  path_9 : P
             }
             var k_16 : u32 = edge_word_0(leaf_2 + u32(2));
             var drawn_1 : u32 = drawn_0;
-            var contributions_1 : f32 = contributions_0;
+            contributions_1 = contributions_0;
             var angles_1 : f32 = angles_0;
+            var pieces_2 : f32 = pieces_1;
             var cumulative_1 : f32 = cumulative_0;
             var target_2 : f64 = target_1;
-            var term_3 : vec3<f32> = term_2;
+            var term_1 : vec3<f32> = term_0;
             for(;;)
             {
-                var _S211 : bool;
+                var _S222 : bool;
                 if(k_16 < (edge_word_0(leaf_2 + u32(3))))
                 {
-                    _S211 = drawn_1 < points_0;
+                    _S222 = drawn_1 < points_0;
                 }
                 else
                 {
-                    _S211 = false;
+                    _S222 = false;
                 }
-                if(_S211)
+                if(_S222)
                 {
                 }
                 else
@@ -3186,36 +3273,41 @@ fn sample_points_0( at_39 : ShadingPoint_0,  number_of_path_1 : u32,  path_9 : P
                     break;
                 }
                 var seen_6 : SeenEdge_0;
-                var _S212 : bool = see_edge_0(at_39, k_16, &(seen_6));
+                var _S223 : bool = see_edge_0(at_40, k_16, &(seen_6));
                 var drawn_2 : u32;
+                var term_2 : vec3<f32>;
                 var contributions_2 : f32;
                 var angles_2 : f32;
+                var pieces_3 : f32;
                 var cumulative_2 : f32;
                 var target_3 : f64;
-                if(!_S212)
+                if(!_S223)
                 {
                     drawn_2 = drawn_1;
                     contributions_2 = contributions_1;
                     angles_2 = angles_1;
+                    pieces_3 = pieces_2;
                     cumulative_2 = cumulative_1;
                     target_3 = target_2;
-                    term_1 = term_3;
+                    term_2 = term_1;
                     k_16 = k_16 + u32(1);
                     drawn_1 = drawn_2;
                     contributions_1 = contributions_2;
                     angles_1 = angles_2;
+                    pieces_2 = pieces_3;
                     cumulative_1 = cumulative_2;
                     target_2 = target_3;
-                    term_3 = term_1;
+                    term_1 = term_2;
                     continue;
                 }
                 var piece_2 : f32 = 0.0f;
                 contributions_2 = contributions_1;
                 angles_2 = angles_1;
+                pieces_3 = pieces_2;
                 cumulative_2 = cumulative_1;
                 drawn_2 = drawn_1;
                 target_3 = target_2;
-                term_1 = term_3;
+                term_2 = term_1;
                 for(;;)
                 {
                     if(piece_2 < (seen_6.pieces_0))
@@ -3225,12 +3317,14 @@ fn sample_points_0( at_39 : ShadingPoint_0,  number_of_path_1 : u32,  path_9 : P
                     {
                         break;
                     }
-                    var weight_0 : vec2<f32> = weigh_0(at_39, seen_6, piece_2);
+                    var weight_0 : vec2<f32> = weigh_0(at_40, seen_6, piece_2);
                     if(pass_0 == u32(0))
                     {
                         var angles_3 : f32 = angles_2 + weight_0.y;
+                        var pieces_4 : f32 = pieces_3 + 1.0f;
                         contributions_2 = contributions_2 + weight_0.x;
                         angles_2 = angles_3;
+                        pieces_3 = pieces_4;
                         piece_2 = piece_2 + 1.0f;
                         continue;
                     }
@@ -3238,75 +3332,74 @@ fn sample_points_0( at_39 : ShadingPoint_0,  number_of_path_1 : u32,  path_9 : P
                     var cumulative_3 : f32 = cumulative_2 + own_1;
                     var drawn_3 : u32 = drawn_2;
                     var target_4 : f64 = target_3;
-                    var term_4 : vec3<f32> = term_1;
+                    var term_3 : vec3<f32> = term_2;
                     for(;;)
                     {
-                        var _S213 : bool;
+                        var _S224 : bool;
                         if(drawn_3 < points_0)
                         {
-                            _S213 = target_4 < f64(cumulative_3);
+                            _S224 = target_4 < f64(cumulative_3);
                         }
                         else
                         {
-                            _S213 = false;
+                            _S224 = false;
                         }
-                        if(_S213)
+                        if(_S224)
                         {
                         }
                         else
                         {
                             break;
                         }
-                        var point_3 : EdgePoint_0 = point_on_0(at_39, seen_6, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), _S209 * own_1 / total_0);
-                        var _S214 : u32 = drawn_3 + u32(1);
+                        var point_3 : EdgePoint_0 = point_on_0(at_40, seen_6, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_0 * own_1 / total_0);
+                        var _S225 : u32 = drawn_3 + u32(1);
                         var target_5 : f64 = target_4 + step_1;
-                        var _S215 : f32 = abs(point_3.flow_0);
-                        var _S216 : bool;
-                        if(_S215 > 0.0f)
+                        var _S226 : f32 = abs(point_3.flow_0);
+                        var _S227 : bool;
+                        if(_S226 > 0.0f)
                         {
-                            _S216 = _S215 < 3.00000000549775576e+38f;
+                            _S227 = _S226 < 3.00000000549775576e+38f;
                         }
                         else
                         {
-                            _S216 = false;
+                            _S227 = false;
                         }
-                        if(!_S216)
+                        if(!_S227)
                         {
-                            drawn_3 = _S214;
+                            drawn_3 = _S225;
                             target_4 = target_5;
                             continue;
                         }
-                        var _S217 : vec3<f32> = jump_of_light_0(at_39, point_3);
-                        var term_5 : vec3<f32> = term_4 + _S217 * vec3<f32>(point_3.flow_0);
-                        drawn_3 = _S214;
+                        var _S228 : vec3<f32> = jump_of_light_0(at_40, point_3);
+                        var term_4 : vec3<f32> = term_3 + _S228 * vec3<f32>(point_3.flow_0);
+                        drawn_3 = _S225;
                         target_4 = target_5;
-                        term_4 = term_5;
+                        term_3 = term_4;
                     }
                     cumulative_2 = cumulative_3;
                     drawn_2 = drawn_3;
                     target_3 = target_4;
-                    term_1 = term_4;
+                    term_2 = term_3;
                     piece_2 = piece_2 + 1.0f;
                 }
                 k_16 = k_16 + u32(1);
                 drawn_1 = drawn_2;
                 contributions_1 = contributions_2;
                 angles_1 = angles_2;
+                pieces_2 = pieces_3;
                 cumulative_1 = cumulative_2;
                 target_2 = target_3;
-                term_3 = term_1;
+                term_1 = term_2;
             }
             pass_0 = pass_0 + u32(1);
             angles_0 = angles_1;
             contributions_0 = contributions_1;
+            pieces_1 = pieces_2;
             drawn_0 = drawn_1;
             cumulative_0 = cumulative_1;
             target_0 = target_2;
-            term_2 = term_3;
+            term_0 = term_1;
         }
-        term_1 = term_2;
-        i_3 = i_3 + u32(1);
-        term_0 = term_1;
     }
     return term_0;
 }
@@ -3330,25 +3423,16 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         return;
     }
     var number_of_path_3 : u32 = input_0[listed_0];
-    var path_10 : Path_0 = load_0(number_of_path_3);
-    var at_40 : ShadingPoint_0;
-    var _S218 : bool = shading_point_0(path_10, &(at_40));
-    if(!_S218)
+    var path_11 : Path_0 = load_0(number_of_path_3);
+    var at_41 : ShadingPoint_0;
+    var _S229 : bool = shading_point_0(path_11, &(at_41));
+    if(!_S229)
     {
         return;
     }
-    var _S219 : u32;
-    if((depth_of_launch_0()) == u32(0))
-    {
-        _S219 = u32(2);
-    }
-    else
-    {
-        _S219 = u32(1);
-    }
-    var _S220 : vec3<f32> = vec3<f32>(0.0f);
+    var _S230 : vec3<f32> = vec3<f32>(0.0f);
     var purpose_3 : u32 = u32(0);
-    var term_6 : vec3<f32> = _S220;
+    var term_5 : vec3<f32> = _S230;
     for(;;)
     {
         if(purpose_3 <= u32(1))
@@ -3358,26 +3442,18 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         {
             break;
         }
-        var probability_5 : f32 = turn_to_0(purpose_3, path_10.key_0, &(at_40));
+        var probability_5 : f32 = turn_to_0(purpose_3, path_11.key_0, &(at_41));
         if(!(probability_5 > 0.0f))
         {
             purpose_3 = purpose_3 + u32(1);
             continue;
         }
-        var points_1 : u32;
-        if(purpose_3 == u32(0))
-        {
-            points_1 = u32(4);
-        }
-        else
-        {
-            points_1 = u32(1);
-        }
-        var unused_0 : vec2<bool> = vec2<bool>(false, false);
-        var _S221 : vec3<f32> = sample_points_0(at_40, number_of_path_3, path_10, vec3<u32>(u32(0), _S219, _S219), points_1, &(unused_0));
-        term_6 = term_6 + _S221 / vec3<f32>(probability_5);
+        var unused_1 : vec2<bool> = vec2<bool>(false, false);
+        var subtrees_1 : u32 = subtrees_of_0(at_41);
+        var _S231 : vec3<f32> = sample_points_0(at_41, number_of_path_3, path_11, vec3<u32>(u32(0), subtrees_1, subtrees_1), &(unused_1));
+        term_5 = term_5 + _S231 / vec3<f32>(probability_5);
         purpose_3 = purpose_3 + u32(1);
     }
-    add_change_0(number_of_path_3, path_10.throughput_0.value_0 * term_6);
+    add_change_0(number_of_path_3, path_11.throughput_0.value_0 * term_5);
     return;
 }

@@ -98,6 +98,14 @@ fn cases() -> Vec<(&'static str, Scene, Vec<&'static str>, Vec3)> {
     let large = || lamp("lamp", 1.0, LAMP, "2, 3, 2.5");
     let sky = || r#"<emitter type="constant"><rgb name="radiance" value="0.5, 0.7, 1"/></emitter>"#.to_owned();
     let map = || r#"<emitter type="envmap"><string name="filename" value="sky.exr"/></emitter>"#.to_owned();
+    let wall = |material: &str| format!(
+        r#"<shape type="rectangle" id="wall">
+    <transform name="to_world"><scale value="1.5"/><translate y="1.5" z="-1.8"/></transform>
+    <ref id="{material}"/>
+  </shape>"#
+    );
+    let smooth = r#"<shape type="sphere" id="block"><point name="center" x="0" y="1.3" z="-0.5"/><float name="radius" value="0.4"/><ref id="black"/></shape>"#.to_owned();
+    let ball_lamp = r#"<shape type="sphere" id="ball"><point name="center" x="0.3" y="3.2" z="-1.2"/><float name="radius" value="0.4"/><emitter type="area"><rgb name="radiance" value="9, 8, 7"/></emitter></shape>"#.to_owned();
     let one = vec!["block"];
     let of = |depth, floor: &str, things: &[String]| scene(depth, floor, &things.concat());
     vec![
@@ -114,6 +122,20 @@ fn cases() -> Vec<(&'static str, Scene, Vec<&'static str>, Vec3)> {
         ),
         ("sky", of(2, GREY, &[black(), sky()]), one.clone(), oblique),
         ("map", of(2, GREY, &[black(), map()]), one.clone(), oblique),
+        ("ball", of(2, GREY, &[smooth.clone(), large(), sky()]), one.clone(), oblique),
+        ("ball lamp", of(2, GREY, &[black(), ball_lamp.clone()]), one.clone(), oblique),
+        ("touching", of(2, GREY, &[black(), black().replace("\"block\"", "\"twin\""), large(), sky()]), vec!["block", "twin"], oblique),
+        ("touching one", of(2, GREY, &[block("block", "black", 0.2, [0.0, 1.2, -0.8]).replace("angle=\"25\"", "angle=\"0\""), block("twin", "black", 0.2, [0.4, 1.2, -0.8]).replace("angle=\"25\"", "angle=\"0\""), large(), sky()]), vec!["block"], oblique),
+        ("stands on the floor", of(2, GREY, &[block("block", "black", 0.3, [0.1, 0.3, -1.3]).replace("angle=\"25\"", "angle=\"0\""), small(), sky()]), one.clone(), oblique),
+        ("in a wall", of(3, GREY, &[block("block", "black", 0.4, [0.0, 1.2, -1.8]), wall("checks"), large()]), one.clone(), oblique),
+        ("bump", of(3, GREY, &[black(), r#"<shape type="sphere" id="bump"><point name="center" x="0" y="-0.6" z="0.4"/><float name="radius" value="1.0"/><ref id="metal"/></shape>"#.to_owned(), large()]), one.clone(), oblique),
+        ("bump 2", of(2, GREY, &[black(), r#"<shape type="sphere" id="bump"><point name="center" x="0" y="-0.6" z="0.4"/><float name="radius" value="1.0"/><ref id="metal"/></shape>"#.to_owned(), large()]), one.clone(), oblique),
+        ("bump grey", of(2, GREY, &[black(), r#"<shape type="sphere" id="bump"><point name="center" x="0" y="-0.6" z="0.4"/><float name="radius" value="1.0"/><ref id="grey"/></shape>"#.to_owned(), large()]), one.clone(), oblique),
+        ("checks slide", of(3, GREY, &[wall("checks"), large(), lamp("other", 0.15, [-0.8, 2.5, -0.6], "30, 50, 40")]), vec!["wall"], Vec3::new(0.5, 0.3, 0.0)),
+        ("wall behind", of(3, GREY, &[black(), wall("grey"), large()]), one.clone(), oblique),
+        ("wall of checks", of(3, GREY, &[black(), wall("checks"), small()]), one.clone(), oblique),
+        ("long paths", of(5, GREY, &[black(), wall("checks"), large(), sky()]), one.clone(), oblique),
+        ("metal wall", of(4, r#"<ref id="metal"/>"#, &[black(), wall("metal"), large()]), one.clone(), oblique),
         ("sky on metal", of(2, r#"<ref id="metal"/>"#, &[black(), sky()]), one.clone(), oblique),
     ]
 }
