@@ -107,7 +107,15 @@ impl<'a> DeviceScene<'a> {
         sums: usize,
     ) -> Result<Paths<'_>, GpuError> {
         let scene = self.arrays.each_ref();
-        Paths::new(&self.gpu, scene, kernels, room_and_levels, changes, sums, None)
+        Paths::new(
+            &self.gpu,
+            scene,
+            kernels,
+            room_and_levels,
+            changes,
+            sums,
+            None,
+        )
     }
 
     /// The same, for paths that cross the edges of a scene that moves.

@@ -84,9 +84,17 @@ impl EdgeRecords {
             crosses.surfaces || crosses.emitters && emits_partly,
         );
         let before_emitters = u32::from(emits_partly);
-        let windows = records.add_windows(&boundaries.area_emitters, frame, accel.scene.emitters.len());
+        let windows =
+            records.add_windows(&boundaries.area_emitters, frame, accel.scene.emitters.len());
         let [first, second] = [silhouettes, all];
-        let header = [first[0], second[0], first[1], second[1], before_emitters, windows];
+        let header = [
+            first[0],
+            second[0],
+            first[1],
+            second[1],
+            before_emitters,
+            windows,
+        ];
         records.words[..HEADER].copy_from_slice(&header);
         records
     }
@@ -118,7 +126,10 @@ impl EdgeRecords {
     }
 
     /// Adds a tree, and returns where it starts.
-    #[allow(clippy::too_many_arguments, reason = "what is known of edges comes from many places")]
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "what is known of edges comes from many places"
+    )]
     fn add_tree(
         &mut self,
         tree: &Subtrees,
@@ -175,17 +186,21 @@ impl EdgeRecords {
         for node in &tree.nodes {
             let (bounds, motion) = (bounds[node.source], motions[node.source]);
             let local = |length: f64| float(length * frame.inverse_scale);
-            let halves = node.halves.map_or([NONE; 2], |halves| halves.map(|i| i as u32));
+            let halves = node
+                .halves
+                .map_or([NONE; 2], |halves| halves.map(|i| i as u32));
             let (radius, count) = (bounds[3], node.edges.len().max(tree.leaf));
             self.words.extend(halves);
-            self.words.extend([node.edges.start, node.edges.end].map(|i| i as u32));
+            self.words
+                .extend([node.edges.start, node.edges.end].map(|i| i as u32));
             let centre = frame.local_from_world(Vec3::new(bounds[0], bounds[1], bounds[2]));
             self.words.extend(centre.to_array().map(float));
             self.words.push(local(radius));
             self.words.extend(bounds[4..9].iter().copied().map(float));
             self.words.extend(bounds[9..12].iter().copied().map(local));
             // On a surface, so many edges in a disk are in one smaller by the root.
-            self.words.push(local(radius * (tree.leaf as f64 / count as f64).sqrt()));
+            self.words
+                .push(local(radius * (tree.leaf as f64 / count as f64).sqrt()));
             self.words.extend(motion.velocity.to_array().map(local));
             self.words.push(local(motion.spread));
             self.words.extend(bounds[12..].iter().copied().map(float));
@@ -211,8 +226,10 @@ impl EdgeRecords {
                 }
                 Extent::Ball { centre, radius } => {
                     self.numbers.push(0.0);
-                    self.numbers.extend(frame.local_from_world(*centre).to_array());
-                    self.numbers.push(radius * (1.0 + WIDER) * frame.inverse_scale);
+                    self.numbers
+                        .extend(frame.local_from_world(*centre).to_array());
+                    self.numbers
+                        .push(radius * (1.0 + WIDER) * frame.inverse_scale);
                 }
             }
         }

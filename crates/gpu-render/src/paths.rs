@@ -113,8 +113,9 @@ impl<'a> Paths<'a> {
         let mut arrays = vec![0_f32; N * self.columns() + count];
         self.gpu
             .read(&self.state, bytemuck::cast_slice_mut(&mut arrays))?;
-        let of_path =
-            |path: usize| std::array::from_fn(|number| arrays[(number + 1) * self.columns() + path]);
+        let of_path = |path: usize| {
+            std::array::from_fn(|number| arrays[(number + 1) * self.columns() + path])
+        };
         Ok((0..count).map(of_path).collect())
     }
 
@@ -155,7 +156,10 @@ impl<'a> Paths<'a> {
         count: usize,
         depth: usize,
     ) -> Result<(), GpuError> {
-        assert!(count <= self.columns(), "there is no room for so many paths");
+        assert!(
+            count <= self.columns(),
+            "there is no room for so many paths"
+        );
         assert!(
             !self.kernels.keeps() || depth < self.levels,
             "there is no room for the vertex"

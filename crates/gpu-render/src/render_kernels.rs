@@ -106,6 +106,10 @@ mod tests {
             let mut source = source.to_owned();
             for (name, content) in [
                 ("render", include_str!("kernels/render.slang")),
+                ("vertex_motion", include_str!("kernels/vertex_motion.slang")),
+                ("edge_tree", include_str!("kernels/edge_tree.slang")),
+                ("edge_windows", include_str!("kernels/edge_windows.slang")),
+                ("edge_points", include_str!("kernels/edge_points.slang")),
                 ("edges", include_str!("kernels/edges.slang")),
                 ("paths", include_str!("kernels/paths.slang")),
                 ("rays", RAYS_SOURCE),

@@ -1,6 +1,6 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d3a341cecf2a6834
+// source: d83584f927a88027
 // result: 248b05149c7a752f
 
 struct Launch_std140_0

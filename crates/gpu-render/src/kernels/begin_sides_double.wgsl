@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d3a341cecf2a6834
-// result: e4de36a1d119d253
+// source: d83584f927a88027
+// result: 2d0ed8a66b23c3a9
 
 struct Launch_std140_0
 {
@@ -3166,270 +3166,111 @@ fn begin_sides_of_0( at_40 : ShadingPoint_0,  point_2 : EdgePoint_0,  number_of_
     return goes_on_0;
 }
 
-fn sample_points_0( at_41 : ShadingPoint_0,  number_of_path_3 : u32,  path_14 : Path_0,  subtrees_0 : vec3<u32>,  goes_on_1 : ptr<function, vec2<bool>>) -> vec3<f32>
+struct Share_0
 {
-    var _S208 : vec3<f32> = vec3<f32>(0.0f);
-    var numbers_1 : u32 = numbers_for_0(at_41.purpose_0) + u32(1);
-    var _S209 : f64 = precise_random_0(path_14.key_0, numbers_1);
-    var _S210 : f64 = precise_random_0(path_14.key_0, numbers_1 + u32(1));
-    var i_3 : u32 = subtrees_0.x;
+     over_all_0 : f32,
+     share_0 : f32,
+     same_0 : f32,
+     place_20 : f64,
+};
+
+fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  number_of_path_3 : u32,  path_14 : Path_0,  term_0 : ptr<function, vec3<f32>>,  goes_on_1 : ptr<function, vec2<bool>>)
+{
+    var points_0 : u32 = u32(1);
+    var least_3 : f32 = 0.0f;
+    var over_all_1 : f32 = 0.0f;
+    var total_0 : f32 = 0.0f;
+    var step_1 : f64 = 0.0lf;
+    var pass_0 : u32 = u32(0);
+    var angles_0 : f32 = 0.0f;
+    var contributions_0 : f32 = 0.0f;
+    var pieces_1 : f32 = 0.0f;
+    var drawn_0 : u32 = u32(0);
+    var cumulative_0 : f32 = 0.0f;
+    var target_0 : f64 = 0.0lf;
     for(;;)
     {
-        var _S211 : u32 = subtrees_0.y;
-        if(i_3 < _S211)
+        if(pass_0 < u32(2))
         {
         }
         else
         {
             break;
         }
-        var other_1 : u32;
-        var unused_0 : f32;
-        var _S212 : u32 = subtrees_0.z;
-        var _S213 : f64 = f64(_S212);
-        var _S214 : f64 = _S210 + f64(0.6180340051651001f * f32(i_3));
-        var _S215 : u32 = i_3 + u32(1);
-        var leaf_2 : u32;
-        var probability_4 : f32;
-        var _S216 : bool = descend_0(at_41, (f64(i_3) + _S209) / _S213, &(leaf_2), &(probability_4));
-        if(!_S216)
+        var contributions_1 : f32;
+        var target_1 : f64;
+        if(pass_0 == u32(1))
         {
-            i_3 = _S215;
-            continue;
+            if(!(angles_0 > 0.0f))
+            {
+                break;
+            }
+            var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
+            var total_1 : f32 = contributions_0 + least_4 * angles_0;
+            if((at_41.purpose_0) == u32(0))
+            {
+                contributions_1 = asked_0.share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
+            }
+            else
+            {
+                contributions_1 = asked_0.same_0;
+            }
+            var points_1 : u32 = u32(ceil(contributions_1));
+            var _S208 : f32 = asked_0.over_all_0 * f32(points_1);
+            var step_2 : f64 = f64(total_1) / f64(points_1);
+            var _S209 : f64 = step_2 * asked_0.place_20;
+            points_0 = points_1;
+            least_3 = least_4;
+            over_all_1 = _S208;
+            total_0 = total_1;
+            step_1 = step_2;
+            target_1 = _S209;
         }
-        i_3 = _S215;
-        var same_0 : f32 = 1.0f;
+        else
+        {
+            target_1 = target_0;
+        }
+        var k_16 : u32 = edge_word_0(leaf_2 + u32(2));
+        var drawn_1 : u32 = drawn_0;
+        contributions_1 = contributions_0;
+        var angles_1 : f32 = angles_0;
+        var pieces_2 : f32 = pieces_1;
+        var cumulative_1 : f32 = cumulative_0;
+        var target_2 : f64 = target_1;
         for(;;)
         {
-            var _S217 : bool;
-            if(i_3 < _S211)
+            var _S210 : bool;
+            if(k_16 < (edge_word_0(leaf_2 + u32(3))))
             {
-                var _S218 : bool = descend_0(at_41, (f64(i_3) + _S209) / _S213, &(other_1), &(unused_0));
-                _S217 = _S218;
+                _S210 = drawn_1 < points_0;
             }
             else
             {
-                _S217 = false;
+                _S210 = false;
             }
-            var _S219 : bool;
-            if(_S217)
-            {
-                _S219 = other_1 == leaf_2;
-            }
-            else
-            {
-                _S219 = false;
-            }
-            if(_S219)
+            if(_S210)
             {
             }
             else
             {
                 break;
             }
-            var same_1 : f32 = same_0 + 1.0f;
-            i_3 = i_3 + u32(1);
-            same_0 = same_1;
-        }
-        var share_0 : f32 = same_0 / f32(_S212);
-        var _S220 : f32 = probability_4 / share_0;
-        var points_0 : u32 = u32(1);
-        var least_3 : f32 = 0.0f;
-        var total_0 : f32 = 0.0f;
-        var step_1 : f64 = 0.0lf;
-        var pass_0 : u32 = u32(0);
-        var angles_0 : f32 = 0.0f;
-        var contributions_0 : f32 = 0.0f;
-        var pieces_1 : f32 = 0.0f;
-        var over_all_0 : f32 = _S220;
-        var own_place_0 : f64 = _S214;
-        var drawn_0 : u32 = u32(0);
-        var cumulative_0 : f32 = 0.0f;
-        var target_0 : f64 = 0.0lf;
-        for(;;)
-        {
-            if(pass_0 < u32(2))
+            var seen_5 : SeenEdge_0;
+            var _S211 : bool = see_edge_0(at_41, k_16, &(seen_5));
+            var drawn_2 : u32;
+            var contributions_2 : f32;
+            var angles_2 : f32;
+            var pieces_3 : f32;
+            var cumulative_2 : f32;
+            var target_3 : f64;
+            if(!_S211)
             {
-            }
-            else
-            {
-                break;
-            }
-            var contributions_1 : f32;
-            var target_1 : f64;
-            if(pass_0 == u32(1))
-            {
-                if(!(angles_0 > 0.0f))
-                {
-                    break;
-                }
-                var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
-                var total_1 : f32 = contributions_0 + least_4 * angles_0;
-                if((at_41.purpose_0) == u32(0))
-                {
-                    contributions_1 = share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
-                }
-                else
-                {
-                    contributions_1 = same_0;
-                }
-                var points_1 : u32 = u32(ceil(contributions_1));
-                var over_all_1 : f32 = over_all_0 * f32(points_1);
-                var step_2 : f64 = f64(total_1) / f64(points_1);
-                target_1 = own_place_0;
-                for(;;)
-                {
-                    if(target_1 >= 1.0lf)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    target_1 = target_1 - 1.0lf;
-                }
-                var _S221 : f64 = step_2 * target_1;
-                var _S222 : f64 = target_1;
-                points_0 = points_1;
-                least_3 = least_4;
-                total_0 = total_1;
-                step_1 = step_2;
-                target_1 = _S221;
-                over_all_0 = over_all_1;
-                own_place_0 = _S222;
-            }
-            else
-            {
-                target_1 = target_0;
-            }
-            var k_16 : u32 = edge_word_0(leaf_2 + u32(2));
-            var drawn_1 : u32 = drawn_0;
-            contributions_1 = contributions_0;
-            var angles_1 : f32 = angles_0;
-            var pieces_2 : f32 = pieces_1;
-            var cumulative_1 : f32 = cumulative_0;
-            var target_2 : f64 = target_1;
-            for(;;)
-            {
-                var _S223 : bool;
-                if(k_16 < (edge_word_0(leaf_2 + u32(3))))
-                {
-                    _S223 = drawn_1 < points_0;
-                }
-                else
-                {
-                    _S223 = false;
-                }
-                if(_S223)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var seen_5 : SeenEdge_0;
-                var _S224 : bool = see_edge_0(at_41, k_16, &(seen_5));
-                var drawn_2 : u32;
-                var contributions_2 : f32;
-                var angles_2 : f32;
-                var pieces_3 : f32;
-                var cumulative_2 : f32;
-                var target_3 : f64;
-                if(!_S224)
-                {
-                    drawn_2 = drawn_1;
-                    contributions_2 = contributions_1;
-                    angles_2 = angles_1;
-                    pieces_3 = pieces_2;
-                    cumulative_2 = cumulative_1;
-                    target_3 = target_2;
-                    k_16 = k_16 + u32(1);
-                    drawn_1 = drawn_2;
-                    contributions_1 = contributions_2;
-                    angles_1 = angles_2;
-                    pieces_2 = pieces_3;
-                    cumulative_1 = cumulative_2;
-                    target_2 = target_3;
-                    continue;
-                }
-                var piece_2 : f32 = 0.0f;
+                drawn_2 = drawn_1;
                 contributions_2 = contributions_1;
                 angles_2 = angles_1;
                 pieces_3 = pieces_2;
                 cumulative_2 = cumulative_1;
-                drawn_2 = drawn_1;
                 target_3 = target_2;
-                for(;;)
-                {
-                    if(piece_2 < (seen_5.pieces_0))
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var weight_1 : vec2<f32> = weigh_0(at_41, seen_5, piece_2);
-                    if(pass_0 == u32(0))
-                    {
-                        var angles_3 : f32 = angles_2 + weight_1.y;
-                        var pieces_4 : f32 = pieces_3 + 1.0f;
-                        contributions_2 = contributions_2 + weight_1.x;
-                        angles_2 = angles_3;
-                        pieces_3 = pieces_4;
-                        piece_2 = piece_2 + 1.0f;
-                        continue;
-                    }
-                    var own_1 : f32 = weight_1.x + least_3 * weight_1.y;
-                    var cumulative_3 : f32 = cumulative_2 + own_1;
-                    var drawn_3 : u32 = drawn_2;
-                    var target_4 : f64 = target_3;
-                    for(;;)
-                    {
-                        var _S225 : bool;
-                        if(drawn_3 < points_0)
-                        {
-                            _S225 = target_4 < f64(cumulative_3);
-                        }
-                        else
-                        {
-                            _S225 = false;
-                        }
-                        if(_S225)
-                        {
-                        }
-                        else
-                        {
-                            break;
-                        }
-                        var point_3 : EdgePoint_0 = point_on_0(at_41, seen_5, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_0 * own_1 / total_0);
-                        var _S226 : u32 = drawn_3 + u32(1);
-                        var target_5 : f64 = target_4 + step_1;
-                        var _S227 : f32 = abs(point_3.flow_0);
-                        var _S228 : bool;
-                        if(_S227 > 0.0f)
-                        {
-                            _S228 = _S227 < 3.00000000549775576e+38f;
-                        }
-                        else
-                        {
-                            _S228 = false;
-                        }
-                        if(!_S228)
-                        {
-                            drawn_3 = _S226;
-                            target_4 = target_5;
-                            continue;
-                        }
-                        var _S229 : vec2<bool> = begin_sides_of_0(at_41, point_3, number_of_path_3, path_14);
-                        (*goes_on_1) = _S229;
-                        drawn_3 = _S226;
-                        target_4 = target_5;
-                    }
-                    cumulative_2 = cumulative_3;
-                    drawn_2 = drawn_3;
-                    target_3 = target_4;
-                    piece_2 = piece_2 + 1.0f;
-                }
                 k_16 = k_16 + u32(1);
                 drawn_1 = drawn_2;
                 contributions_1 = contributions_2;
@@ -3437,17 +3278,184 @@ fn sample_points_0( at_41 : ShadingPoint_0,  number_of_path_3 : u32,  path_14 : 
                 pieces_2 = pieces_3;
                 cumulative_1 = cumulative_2;
                 target_2 = target_3;
+                continue;
             }
-            pass_0 = pass_0 + u32(1);
-            angles_0 = angles_1;
-            contributions_0 = contributions_1;
-            pieces_1 = pieces_2;
-            drawn_0 = drawn_1;
-            cumulative_0 = cumulative_1;
-            target_0 = target_2;
+            var piece_2 : f32 = 0.0f;
+            contributions_2 = contributions_1;
+            angles_2 = angles_1;
+            pieces_3 = pieces_2;
+            cumulative_2 = cumulative_1;
+            drawn_2 = drawn_1;
+            target_3 = target_2;
+            for(;;)
+            {
+                if(piece_2 < (seen_5.pieces_0))
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var weight_1 : vec2<f32> = weigh_0(at_41, seen_5, piece_2);
+                if(pass_0 == u32(0))
+                {
+                    var angles_3 : f32 = angles_2 + weight_1.y;
+                    var pieces_4 : f32 = pieces_3 + 1.0f;
+                    contributions_2 = contributions_2 + weight_1.x;
+                    angles_2 = angles_3;
+                    pieces_3 = pieces_4;
+                    piece_2 = piece_2 + 1.0f;
+                    continue;
+                }
+                var own_1 : f32 = weight_1.x + least_3 * weight_1.y;
+                var cumulative_3 : f32 = cumulative_2 + own_1;
+                var drawn_3 : u32 = drawn_2;
+                var target_4 : f64 = target_3;
+                for(;;)
+                {
+                    var _S212 : bool;
+                    if(drawn_3 < points_0)
+                    {
+                        _S212 = target_4 < f64(cumulative_3);
+                    }
+                    else
+                    {
+                        _S212 = false;
+                    }
+                    if(_S212)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var point_3 : EdgePoint_0 = point_on_0(at_41, seen_5, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_1 * own_1 / total_0);
+                    var _S213 : u32 = drawn_3 + u32(1);
+                    var target_5 : f64 = target_4 + step_1;
+                    var _S214 : f32 = abs(point_3.flow_0);
+                    var _S215 : bool;
+                    if(_S214 > 0.0f)
+                    {
+                        _S215 = _S214 < 3.00000000549775576e+38f;
+                    }
+                    else
+                    {
+                        _S215 = false;
+                    }
+                    if(!_S215)
+                    {
+                        drawn_3 = _S213;
+                        target_4 = target_5;
+                        continue;
+                    }
+                    var _S216 : vec2<bool> = begin_sides_of_0(at_41, point_3, number_of_path_3, path_14);
+                    (*goes_on_1) = _S216;
+                    drawn_3 = _S213;
+                    target_4 = target_5;
+                }
+                cumulative_2 = cumulative_3;
+                drawn_2 = drawn_3;
+                target_3 = target_4;
+                piece_2 = piece_2 + 1.0f;
+            }
+            k_16 = k_16 + u32(1);
+            drawn_1 = drawn_2;
+            contributions_1 = contributions_2;
+            angles_1 = angles_2;
+            pieces_2 = pieces_3;
+            cumulative_1 = cumulative_2;
+            target_2 = target_3;
         }
+        pass_0 = pass_0 + u32(1);
+        angles_0 = angles_1;
+        contributions_0 = contributions_1;
+        pieces_1 = pieces_2;
+        drawn_0 = drawn_1;
+        cumulative_0 = cumulative_1;
+        target_0 = target_2;
     }
-    return _S208;
+    return;
+}
+
+fn sample_points_0( at_42 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : Path_0,  subtrees_0 : vec3<u32>,  goes_on_2 : ptr<function, vec2<bool>>) -> vec3<f32>
+{
+    var term_1 : vec3<f32> = vec3<f32>(0.0f);
+    var numbers_1 : u32 = numbers_for_0(at_42.purpose_0) + u32(1);
+    var _S217 : u32 = subtrees_0.x;
+    var _S218 : f64 = precise_random_0(path_15.key_0, numbers_1);
+    var _S219 : f64 = precise_random_0(path_15.key_0, numbers_1 + u32(1));
+    var first_8 : u32 = _S217;
+    var leaf_3 : u32 = u32(4294967295);
+    var probability_4 : f32 = 1.0f;
+    var i_3 : u32 = _S217;
+    for(;;)
+    {
+        var _S220 : u32 = subtrees_0.y;
+        if(i_3 <= _S220)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var next_0 : u32 = u32(4294967295);
+        var of_next_0 : f32 = 1.0f;
+        var _S221 : bool;
+        if(i_3 < _S220)
+        {
+            var _S222 : bool = descend_0(at_42, (f64(i_3) + _S218) / f64(subtrees_0.z), &(next_0), &(of_next_0));
+            _S221 = !_S222;
+        }
+        else
+        {
+            _S221 = false;
+        }
+        if(_S221)
+        {
+            next_0 = u32(4294967295);
+        }
+        var _S223 : bool;
+        if(i_3 > first_8)
+        {
+            _S223 = next_0 == leaf_3;
+        }
+        else
+        {
+            _S223 = false;
+        }
+        if(_S223)
+        {
+            i_3 = i_3 + u32(1);
+            continue;
+        }
+        if(leaf_3 != u32(4294967295))
+        {
+            var asked_1 : Share_0;
+            var _S224 : f32 = f32(i_3 - first_8);
+            asked_1.same_0 = _S224;
+            var _S225 : f32 = _S224 / f32(subtrees_0.z);
+            asked_1.share_0 = _S225;
+            asked_1.over_all_0 = probability_4 / _S225;
+            asked_1.place_20 = _S219 + f64(0.6180340051651001f * f32(first_8));
+            for(;;)
+            {
+                if((asked_1.place_20) >= 1.0lf)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                asked_1.place_20 = asked_1.place_20 - 1.0lf;
+            }
+            draw_points_0(at_42, leaf_3, asked_1, number_of_path_4, path_15, &(term_1), &((*goes_on_2)));
+        }
+        first_8 = i_3;
+        leaf_3 = next_0;
+        probability_4 = of_next_0;
+        i_3 = i_3 + u32(1);
+    }
+    return term_1;
 }
 
 @compute
@@ -3459,25 +3467,25 @@ fn begin_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     {
         return;
     }
-    var number_of_path_4 : u32 = input_0[listed_0];
-    var path_15 : Path_0 = load_0(number_of_path_4);
-    var goes_on_2 : vec2<bool> = vec2<bool>(false, false);
-    var at_42 : ShadingPoint_0;
-    var _S230 : bool = shading_point_0(path_15, &(at_42));
-    var _S231 : bool;
-    if(_S230)
+    var number_of_path_5 : u32 = input_0[listed_0];
+    var path_16 : Path_0 = load_0(number_of_path_5);
+    var goes_on_3 : vec2<bool> = vec2<bool>(false, false);
+    var at_43 : ShadingPoint_0;
+    var _S226 : bool = shading_point_0(path_16, &(at_43));
+    var _S227 : bool;
+    if(_S226)
     {
-        var _S232 : f32 = turn_to_0(u32(2), path_15.key_0, &(at_42));
-        _S231 = _S232 > 0.0f;
+        var _S228 : f32 = turn_to_0(u32(2), path_16.key_0, &(at_43));
+        _S227 = _S228 > 0.0f;
     }
     else
     {
-        _S231 = false;
+        _S227 = false;
     }
-    if(_S231)
+    if(_S227)
     {
         var own_2 : u32 = subtree_of_launch_0();
-        var _S233 : vec3<f32> = sample_points_0(at_42, number_of_path_4, path_15, vec3<u32>(own_2, own_2 + u32(1), subtrees_of_0(at_42)), &(goes_on_2));
+        var _S229 : vec3<f32> = sample_points_0(at_43, number_of_path_5, path_16, vec3<u32>(own_2, own_2 + u32(1), subtrees_of_0(at_43)), &(goes_on_3));
     }
     var side_4 : u32 = u32(0);
     for(;;)
@@ -3489,20 +3497,20 @@ fn begin_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         {
             break;
         }
-        var number_2 : u32 = side_path_0(number_of_path_4, side_4);
+        var number_2 : u32 = side_path_0(number_of_path_5, side_4);
         var which_10 : u32 = u32(15);
-        var _S234 : u32 = u32(2) * listed_0 + side_4;
-        var _S235 : u32;
-        if(goes_on_2[side_4])
+        var _S230 : u32 = u32(2) * listed_0 + side_4;
+        var _S231 : u32;
+        if(goes_on_3[side_4])
         {
-            _S235 = number_2;
+            _S231 = number_2;
         }
         else
         {
-            _S235 = u32(4294967295);
+            _S231 = u32(4294967295);
         }
-        set_word_0(_S234, u32(0), _S235);
-        if(!goes_on_2[side_4])
+        set_word_0(_S230, u32(0), _S231);
+        if(!goes_on_3[side_4])
         {
             set_vector_1(number_2, &(which_10), vec3<f32>(0.0f));
         }

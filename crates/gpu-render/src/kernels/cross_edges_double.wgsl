@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d3a341cecf2a6834
-// result: bd577c11c05d01e8
+// source: d83584f927a88027
+// result: 5db8f01a3d807281
 
 struct Launch_std140_0
 {
@@ -3109,279 +3109,111 @@ fn jump_of_light_0( at_39 : ShadingPoint_0,  point_2 : EdgePoint_0) -> vec3<f32>
     return jump_0;
 }
 
-fn sample_points_0( at_40 : ShadingPoint_0,  number_of_path_1 : u32,  path_10 : Path_0,  subtrees_0 : vec3<u32>,  goes_on_0 : ptr<function, vec2<bool>>) -> vec3<f32>
+struct Share_0
 {
-    var _S207 : vec3<f32> = vec3<f32>(0.0f);
-    var numbers_1 : u32 = numbers_for_0(at_40.purpose_0) + u32(1);
-    var _S208 : f64 = precise_random_0(path_10.key_0, numbers_1);
-    var _S209 : f64 = precise_random_0(path_10.key_0, numbers_1 + u32(1));
-    var i_3 : u32 = subtrees_0.x;
-    var term_0 : vec3<f32> = _S207;
+     over_all_0 : f32,
+     share_0 : f32,
+     same_0 : f32,
+     place_19 : f64,
+};
+
+fn draw_points_0( at_40 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  number_of_path_1 : u32,  path_10 : Path_0,  term_0 : ptr<function, vec3<f32>>,  goes_on_0 : ptr<function, vec2<bool>>)
+{
+    var points_0 : u32 = u32(1);
+    var least_3 : f32 = 0.0f;
+    var over_all_1 : f32 = 0.0f;
+    var total_0 : f32 = 0.0f;
+    var step_1 : f64 = 0.0lf;
+    var pass_0 : u32 = u32(0);
+    var angles_0 : f32 = 0.0f;
+    var contributions_0 : f32 = 0.0f;
+    var pieces_1 : f32 = 0.0f;
+    var drawn_0 : u32 = u32(0);
+    var cumulative_0 : f32 = 0.0f;
+    var target_0 : f64 = 0.0lf;
     for(;;)
     {
-        var _S210 : u32 = subtrees_0.y;
-        if(i_3 < _S210)
+        if(pass_0 < u32(2))
         {
         }
         else
         {
             break;
         }
-        var other_1 : u32;
-        var unused_0 : f32;
-        var _S211 : u32 = subtrees_0.z;
-        var _S212 : f64 = f64(_S211);
-        var _S213 : f64 = _S209 + f64(0.6180340051651001f * f32(i_3));
-        var _S214 : u32 = i_3 + u32(1);
-        var leaf_2 : u32;
-        var probability_4 : f32;
-        var _S215 : bool = descend_0(at_40, (f64(i_3) + _S208) / _S212, &(leaf_2), &(probability_4));
-        if(!_S215)
+        var contributions_1 : f32;
+        var target_1 : f64;
+        if(pass_0 == u32(1))
         {
-            i_3 = _S214;
-            continue;
+            if(!(angles_0 > 0.0f))
+            {
+                break;
+            }
+            var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
+            var total_1 : f32 = contributions_0 + least_4 * angles_0;
+            if((at_40.purpose_0) == u32(0))
+            {
+                contributions_1 = asked_0.share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
+            }
+            else
+            {
+                contributions_1 = asked_0.same_0;
+            }
+            var points_1 : u32 = u32(ceil(contributions_1));
+            var _S207 : f32 = asked_0.over_all_0 * f32(points_1);
+            var step_2 : f64 = f64(total_1) / f64(points_1);
+            var _S208 : f64 = step_2 * asked_0.place_19;
+            points_0 = points_1;
+            least_3 = least_4;
+            over_all_1 = _S207;
+            total_0 = total_1;
+            step_1 = step_2;
+            target_1 = _S208;
         }
-        i_3 = _S214;
-        var same_0 : f32 = 1.0f;
+        else
+        {
+            target_1 = target_0;
+        }
+        var k_16 : u32 = edge_word_0(leaf_2 + u32(2));
+        var drawn_1 : u32 = drawn_0;
+        contributions_1 = contributions_0;
+        var angles_1 : f32 = angles_0;
+        var pieces_2 : f32 = pieces_1;
+        var cumulative_1 : f32 = cumulative_0;
+        var target_2 : f64 = target_1;
         for(;;)
         {
-            var _S216 : bool;
-            if(i_3 < _S210)
+            var _S209 : bool;
+            if(k_16 < (edge_word_0(leaf_2 + u32(3))))
             {
-                var _S217 : bool = descend_0(at_40, (f64(i_3) + _S208) / _S212, &(other_1), &(unused_0));
-                _S216 = _S217;
+                _S209 = drawn_1 < points_0;
             }
             else
             {
-                _S216 = false;
+                _S209 = false;
             }
-            var _S218 : bool;
-            if(_S216)
-            {
-                _S218 = other_1 == leaf_2;
-            }
-            else
-            {
-                _S218 = false;
-            }
-            if(_S218)
+            if(_S209)
             {
             }
             else
             {
                 break;
             }
-            var same_1 : f32 = same_0 + 1.0f;
-            i_3 = i_3 + u32(1);
-            same_0 = same_1;
-        }
-        var share_0 : f32 = same_0 / f32(_S211);
-        var _S219 : f32 = probability_4 / share_0;
-        var points_0 : u32 = u32(1);
-        var least_3 : f32 = 0.0f;
-        var total_0 : f32 = 0.0f;
-        var step_1 : f64 = 0.0lf;
-        var pass_0 : u32 = u32(0);
-        var angles_0 : f32 = 0.0f;
-        var contributions_0 : f32 = 0.0f;
-        var pieces_1 : f32 = 0.0f;
-        var over_all_0 : f32 = _S219;
-        var own_place_0 : f64 = _S213;
-        var drawn_0 : u32 = u32(0);
-        var cumulative_0 : f32 = 0.0f;
-        var target_0 : f64 = 0.0lf;
-        for(;;)
-        {
-            if(pass_0 < u32(2))
+            var seen_6 : SeenEdge_0;
+            var _S210 : bool = see_edge_0(at_40, k_16, &(seen_6));
+            var drawn_2 : u32;
+            var contributions_2 : f32;
+            var angles_2 : f32;
+            var pieces_3 : f32;
+            var cumulative_2 : f32;
+            var target_3 : f64;
+            if(!_S210)
             {
-            }
-            else
-            {
-                break;
-            }
-            var contributions_1 : f32;
-            var target_1 : f64;
-            if(pass_0 == u32(1))
-            {
-                if(!(angles_0 > 0.0f))
-                {
-                    break;
-                }
-                var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
-                var total_1 : f32 = contributions_0 + least_4 * angles_0;
-                if((at_40.purpose_0) == u32(0))
-                {
-                    contributions_1 = share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
-                }
-                else
-                {
-                    contributions_1 = same_0;
-                }
-                var points_1 : u32 = u32(ceil(contributions_1));
-                var over_all_1 : f32 = over_all_0 * f32(points_1);
-                var step_2 : f64 = f64(total_1) / f64(points_1);
-                target_1 = own_place_0;
-                for(;;)
-                {
-                    if(target_1 >= 1.0lf)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    target_1 = target_1 - 1.0lf;
-                }
-                var _S220 : f64 = step_2 * target_1;
-                var _S221 : f64 = target_1;
-                points_0 = points_1;
-                least_3 = least_4;
-                total_0 = total_1;
-                step_1 = step_2;
-                target_1 = _S220;
-                over_all_0 = over_all_1;
-                own_place_0 = _S221;
-            }
-            else
-            {
-                target_1 = target_0;
-            }
-            var k_16 : u32 = edge_word_0(leaf_2 + u32(2));
-            var drawn_1 : u32 = drawn_0;
-            contributions_1 = contributions_0;
-            var angles_1 : f32 = angles_0;
-            var pieces_2 : f32 = pieces_1;
-            var cumulative_1 : f32 = cumulative_0;
-            var target_2 : f64 = target_1;
-            var term_1 : vec3<f32> = term_0;
-            for(;;)
-            {
-                var _S222 : bool;
-                if(k_16 < (edge_word_0(leaf_2 + u32(3))))
-                {
-                    _S222 = drawn_1 < points_0;
-                }
-                else
-                {
-                    _S222 = false;
-                }
-                if(_S222)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var seen_6 : SeenEdge_0;
-                var _S223 : bool = see_edge_0(at_40, k_16, &(seen_6));
-                var drawn_2 : u32;
-                var term_2 : vec3<f32>;
-                var contributions_2 : f32;
-                var angles_2 : f32;
-                var pieces_3 : f32;
-                var cumulative_2 : f32;
-                var target_3 : f64;
-                if(!_S223)
-                {
-                    drawn_2 = drawn_1;
-                    contributions_2 = contributions_1;
-                    angles_2 = angles_1;
-                    pieces_3 = pieces_2;
-                    cumulative_2 = cumulative_1;
-                    target_3 = target_2;
-                    term_2 = term_1;
-                    k_16 = k_16 + u32(1);
-                    drawn_1 = drawn_2;
-                    contributions_1 = contributions_2;
-                    angles_1 = angles_2;
-                    pieces_2 = pieces_3;
-                    cumulative_1 = cumulative_2;
-                    target_2 = target_3;
-                    term_1 = term_2;
-                    continue;
-                }
-                var piece_2 : f32 = 0.0f;
+                drawn_2 = drawn_1;
                 contributions_2 = contributions_1;
                 angles_2 = angles_1;
                 pieces_3 = pieces_2;
                 cumulative_2 = cumulative_1;
-                drawn_2 = drawn_1;
                 target_3 = target_2;
-                term_2 = term_1;
-                for(;;)
-                {
-                    if(piece_2 < (seen_6.pieces_0))
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var weight_0 : vec2<f32> = weigh_0(at_40, seen_6, piece_2);
-                    if(pass_0 == u32(0))
-                    {
-                        var angles_3 : f32 = angles_2 + weight_0.y;
-                        var pieces_4 : f32 = pieces_3 + 1.0f;
-                        contributions_2 = contributions_2 + weight_0.x;
-                        angles_2 = angles_3;
-                        pieces_3 = pieces_4;
-                        piece_2 = piece_2 + 1.0f;
-                        continue;
-                    }
-                    var own_1 : f32 = weight_0.x + least_3 * weight_0.y;
-                    var cumulative_3 : f32 = cumulative_2 + own_1;
-                    var drawn_3 : u32 = drawn_2;
-                    var target_4 : f64 = target_3;
-                    var term_3 : vec3<f32> = term_2;
-                    for(;;)
-                    {
-                        var _S224 : bool;
-                        if(drawn_3 < points_0)
-                        {
-                            _S224 = target_4 < f64(cumulative_3);
-                        }
-                        else
-                        {
-                            _S224 = false;
-                        }
-                        if(_S224)
-                        {
-                        }
-                        else
-                        {
-                            break;
-                        }
-                        var point_3 : EdgePoint_0 = point_on_0(at_40, seen_6, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_0 * own_1 / total_0);
-                        var _S225 : u32 = drawn_3 + u32(1);
-                        var target_5 : f64 = target_4 + step_1;
-                        var _S226 : f32 = abs(point_3.flow_0);
-                        var _S227 : bool;
-                        if(_S226 > 0.0f)
-                        {
-                            _S227 = _S226 < 3.00000000549775576e+38f;
-                        }
-                        else
-                        {
-                            _S227 = false;
-                        }
-                        if(!_S227)
-                        {
-                            drawn_3 = _S225;
-                            target_4 = target_5;
-                            continue;
-                        }
-                        var _S228 : vec3<f32> = jump_of_light_0(at_40, point_3);
-                        var term_4 : vec3<f32> = term_3 + _S228 * vec3<f32>(point_3.flow_0);
-                        drawn_3 = _S225;
-                        target_4 = target_5;
-                        term_3 = term_4;
-                    }
-                    cumulative_2 = cumulative_3;
-                    drawn_2 = drawn_3;
-                    target_3 = target_4;
-                    term_2 = term_3;
-                    piece_2 = piece_2 + 1.0f;
-                }
                 k_16 = k_16 + u32(1);
                 drawn_1 = drawn_2;
                 contributions_1 = contributions_2;
@@ -3389,27 +3221,192 @@ fn sample_points_0( at_40 : ShadingPoint_0,  number_of_path_1 : u32,  path_10 : 
                 pieces_2 = pieces_3;
                 cumulative_1 = cumulative_2;
                 target_2 = target_3;
-                term_1 = term_2;
+                continue;
             }
-            pass_0 = pass_0 + u32(1);
-            angles_0 = angles_1;
-            contributions_0 = contributions_1;
-            pieces_1 = pieces_2;
-            drawn_0 = drawn_1;
-            cumulative_0 = cumulative_1;
-            target_0 = target_2;
-            term_0 = term_1;
+            var piece_2 : f32 = 0.0f;
+            contributions_2 = contributions_1;
+            angles_2 = angles_1;
+            pieces_3 = pieces_2;
+            cumulative_2 = cumulative_1;
+            drawn_2 = drawn_1;
+            target_3 = target_2;
+            for(;;)
+            {
+                if(piece_2 < (seen_6.pieces_0))
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var weight_0 : vec2<f32> = weigh_0(at_40, seen_6, piece_2);
+                if(pass_0 == u32(0))
+                {
+                    var angles_3 : f32 = angles_2 + weight_0.y;
+                    var pieces_4 : f32 = pieces_3 + 1.0f;
+                    contributions_2 = contributions_2 + weight_0.x;
+                    angles_2 = angles_3;
+                    pieces_3 = pieces_4;
+                    piece_2 = piece_2 + 1.0f;
+                    continue;
+                }
+                var own_1 : f32 = weight_0.x + least_3 * weight_0.y;
+                var cumulative_3 : f32 = cumulative_2 + own_1;
+                var drawn_3 : u32 = drawn_2;
+                var target_4 : f64 = target_3;
+                for(;;)
+                {
+                    var _S211 : bool;
+                    if(drawn_3 < points_0)
+                    {
+                        _S211 = target_4 < f64(cumulative_3);
+                    }
+                    else
+                    {
+                        _S211 = false;
+                    }
+                    if(_S211)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var point_3 : EdgePoint_0 = point_on_0(at_40, seen_6, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_1 * own_1 / total_0);
+                    var _S212 : u32 = drawn_3 + u32(1);
+                    var target_5 : f64 = target_4 + step_1;
+                    var _S213 : f32 = abs(point_3.flow_0);
+                    var _S214 : bool;
+                    if(_S213 > 0.0f)
+                    {
+                        _S214 = _S213 < 3.00000000549775576e+38f;
+                    }
+                    else
+                    {
+                        _S214 = false;
+                    }
+                    if(!_S214)
+                    {
+                        drawn_3 = _S212;
+                        target_4 = target_5;
+                        continue;
+                    }
+                    var _S215 : vec3<f32> = jump_of_light_0(at_40, point_3);
+                    (*term_0) = (*term_0) + _S215 * vec3<f32>(point_3.flow_0);
+                    drawn_3 = _S212;
+                    target_4 = target_5;
+                }
+                cumulative_2 = cumulative_3;
+                drawn_2 = drawn_3;
+                target_3 = target_4;
+                piece_2 = piece_2 + 1.0f;
+            }
+            k_16 = k_16 + u32(1);
+            drawn_1 = drawn_2;
+            contributions_1 = contributions_2;
+            angles_1 = angles_2;
+            pieces_2 = pieces_3;
+            cumulative_1 = cumulative_2;
+            target_2 = target_3;
         }
+        pass_0 = pass_0 + u32(1);
+        angles_0 = angles_1;
+        contributions_0 = contributions_1;
+        pieces_1 = pieces_2;
+        drawn_0 = drawn_1;
+        cumulative_0 = cumulative_1;
+        target_0 = target_2;
     }
-    return term_0;
+    return;
 }
 
-fn add_change_0( number_of_path_2 : u32,  change_1 : vec3<f32>)
+fn sample_points_0( at_41 : ShadingPoint_0,  number_of_path_2 : u32,  path_11 : Path_0,  subtrees_0 : vec3<u32>,  goes_on_1 : ptr<function, vec2<bool>>) -> vec3<f32>
+{
+    var term_1 : vec3<f32> = vec3<f32>(0.0f);
+    var numbers_1 : u32 = numbers_for_0(at_41.purpose_0) + u32(1);
+    var _S216 : u32 = subtrees_0.x;
+    var _S217 : f64 = precise_random_0(path_11.key_0, numbers_1);
+    var _S218 : f64 = precise_random_0(path_11.key_0, numbers_1 + u32(1));
+    var first_8 : u32 = _S216;
+    var leaf_3 : u32 = u32(4294967295);
+    var probability_4 : f32 = 1.0f;
+    var i_3 : u32 = _S216;
+    for(;;)
+    {
+        var _S219 : u32 = subtrees_0.y;
+        if(i_3 <= _S219)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var next_0 : u32 = u32(4294967295);
+        var of_next_0 : f32 = 1.0f;
+        var _S220 : bool;
+        if(i_3 < _S219)
+        {
+            var _S221 : bool = descend_0(at_41, (f64(i_3) + _S217) / f64(subtrees_0.z), &(next_0), &(of_next_0));
+            _S220 = !_S221;
+        }
+        else
+        {
+            _S220 = false;
+        }
+        if(_S220)
+        {
+            next_0 = u32(4294967295);
+        }
+        var _S222 : bool;
+        if(i_3 > first_8)
+        {
+            _S222 = next_0 == leaf_3;
+        }
+        else
+        {
+            _S222 = false;
+        }
+        if(_S222)
+        {
+            i_3 = i_3 + u32(1);
+            continue;
+        }
+        if(leaf_3 != u32(4294967295))
+        {
+            var asked_1 : Share_0;
+            var _S223 : f32 = f32(i_3 - first_8);
+            asked_1.same_0 = _S223;
+            var _S224 : f32 = _S223 / f32(subtrees_0.z);
+            asked_1.share_0 = _S224;
+            asked_1.over_all_0 = probability_4 / _S224;
+            asked_1.place_19 = _S218 + f64(0.6180340051651001f * f32(first_8));
+            for(;;)
+            {
+                if((asked_1.place_19) >= 1.0lf)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                asked_1.place_19 = asked_1.place_19 - 1.0lf;
+            }
+            draw_points_0(at_41, leaf_3, asked_1, number_of_path_2, path_11, &(term_1), &((*goes_on_1)));
+        }
+        first_8 = i_3;
+        leaf_3 = next_0;
+        probability_4 = of_next_0;
+        i_3 = i_3 + u32(1);
+    }
+    return term_1;
+}
+
+fn add_change_0( number_of_path_3 : u32,  change_1 : vec3<f32>)
 {
     var which_8 : u32 = u32(4);
-    var before_2 : vec3<f32> = path_vector_0(number_of_path_2, &(which_8));
+    var before_2 : vec3<f32> = path_vector_0(number_of_path_3, &(which_8));
     which_8 = u32(4);
-    set_vector_0(number_of_path_2, &(which_8), before_2 + change_1);
+    set_vector_0(number_of_path_3, &(which_8), before_2 + change_1);
     return;
 }
 
@@ -3422,17 +3419,17 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     {
         return;
     }
-    var number_of_path_3 : u32 = input_0[listed_0];
-    var path_11 : Path_0 = load_0(number_of_path_3);
-    var at_41 : ShadingPoint_0;
-    var _S229 : bool = shading_point_0(path_11, &(at_41));
-    if(!_S229)
+    var number_of_path_4 : u32 = input_0[listed_0];
+    var path_12 : Path_0 = load_0(number_of_path_4);
+    var at_42 : ShadingPoint_0;
+    var _S225 : bool = shading_point_0(path_12, &(at_42));
+    if(!_S225)
     {
         return;
     }
-    var _S230 : vec3<f32> = vec3<f32>(0.0f);
+    var _S226 : vec3<f32> = vec3<f32>(0.0f);
     var purpose_3 : u32 = u32(0);
-    var term_5 : vec3<f32> = _S230;
+    var term_2 : vec3<f32> = _S226;
     for(;;)
     {
         if(purpose_3 <= u32(1))
@@ -3442,18 +3439,18 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         {
             break;
         }
-        var probability_5 : f32 = turn_to_0(purpose_3, path_11.key_0, &(at_41));
+        var probability_5 : f32 = turn_to_0(purpose_3, path_12.key_0, &(at_42));
         if(!(probability_5 > 0.0f))
         {
             purpose_3 = purpose_3 + u32(1);
             continue;
         }
-        var unused_1 : vec2<bool> = vec2<bool>(false, false);
-        var subtrees_1 : u32 = subtrees_of_0(at_41);
-        var _S231 : vec3<f32> = sample_points_0(at_41, number_of_path_3, path_11, vec3<u32>(u32(0), subtrees_1, subtrees_1), &(unused_1));
-        term_5 = term_5 + _S231 / vec3<f32>(probability_5);
+        var unused_0 : vec2<bool> = vec2<bool>(false, false);
+        var subtrees_1 : u32 = subtrees_of_0(at_42);
+        var _S227 : vec3<f32> = sample_points_0(at_42, number_of_path_4, path_12, vec3<u32>(u32(0), subtrees_1, subtrees_1), &(unused_0));
+        term_2 = term_2 + _S227 / vec3<f32>(probability_5);
         purpose_3 = purpose_3 + u32(1);
     }
-    add_change_0(number_of_path_3, path_11.throughput_0.value_0 * term_5);
+    add_change_0(number_of_path_4, path_12.throughput_0.value_0 * term_2);
     return;
 }

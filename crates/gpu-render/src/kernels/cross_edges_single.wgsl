@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d3a341cecf2a6834
-// result: fbb786cca54a74bd
+// source: d83584f927a88027
+// result: 73aec60afc34cccd
 
 struct Launch_std140_0
 {
@@ -3104,279 +3104,111 @@ fn jump_of_light_0( at_39 : ShadingPoint_0,  point_2 : EdgePoint_0) -> vec3<f32>
     return jump_0;
 }
 
-fn sample_points_0( at_40 : ShadingPoint_0,  number_of_path_1 : u32,  path_10 : Path_0,  subtrees_0 : vec3<u32>,  goes_on_0 : ptr<function, vec2<bool>>) -> vec3<f32>
+struct Share_0
 {
-    var _S204 : vec3<f32> = vec3<f32>(0.0f);
-    var numbers_1 : u32 = numbers_for_0(at_40.purpose_0) + u32(1);
-    var _S205 : f32 = precise_random_0(path_10.key_0, numbers_1);
-    var _S206 : f32 = precise_random_0(path_10.key_0, numbers_1 + u32(1));
-    var i_3 : u32 = subtrees_0.x;
-    var term_0 : vec3<f32> = _S204;
+     over_all_0 : f32,
+     share_0 : f32,
+     same_0 : f32,
+     place_19 : f32,
+};
+
+fn draw_points_0( at_40 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  number_of_path_1 : u32,  path_10 : Path_0,  term_0 : ptr<function, vec3<f32>>,  goes_on_0 : ptr<function, vec2<bool>>)
+{
+    var points_0 : u32 = u32(1);
+    var least_3 : f32 = 0.0f;
+    var over_all_1 : f32 = 0.0f;
+    var total_0 : f32 = 0.0f;
+    var step_1 : f32 = 0.0f;
+    var pass_0 : u32 = u32(0);
+    var angles_0 : f32 = 0.0f;
+    var contributions_0 : f32 = 0.0f;
+    var pieces_1 : f32 = 0.0f;
+    var drawn_0 : u32 = u32(0);
+    var cumulative_0 : f32 = 0.0f;
+    var target_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S207 : u32 = subtrees_0.y;
-        if(i_3 < _S207)
+        if(pass_0 < u32(2))
         {
         }
         else
         {
             break;
         }
-        var other_1 : u32;
-        var unused_0 : f32;
-        var _S208 : f32 = f32(i_3);
-        var _S209 : f32 = f32(subtrees_0.z);
-        var _S210 : f32 = _S206 + 0.6180340051651001f * _S208;
-        var _S211 : u32 = i_3 + u32(1);
-        var leaf_2 : u32;
-        var probability_4 : f32;
-        var _S212 : bool = descend_0(at_40, (_S208 + _S205) / _S209, &(leaf_2), &(probability_4));
-        if(!_S212)
+        var target_1 : f32;
+        if(pass_0 == u32(1))
         {
-            i_3 = _S211;
-            continue;
+            if(!(angles_0 > 0.0f))
+            {
+                break;
+            }
+            var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
+            var total_1 : f32 = contributions_0 + least_4 * angles_0;
+            if((at_40.purpose_0) == u32(0))
+            {
+                target_1 = asked_0.share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
+            }
+            else
+            {
+                target_1 = asked_0.same_0;
+            }
+            var points_1 : u32 = u32(ceil(target_1));
+            var _S204 : f32 = f32(points_1);
+            var _S205 : f32 = asked_0.over_all_0 * _S204;
+            var step_2 : f32 = total_1 / _S204;
+            var _S206 : f32 = step_2 * asked_0.place_19;
+            points_0 = points_1;
+            least_3 = least_4;
+            over_all_1 = _S205;
+            total_0 = total_1;
+            step_1 = step_2;
+            target_1 = _S206;
         }
-        i_3 = _S211;
-        var same_0 : f32 = 1.0f;
+        else
+        {
+            target_1 = target_0;
+        }
+        var k_16 : u32 = edge_word_0(leaf_2 + u32(2));
+        var drawn_1 : u32 = drawn_0;
+        var contributions_1 : f32 = contributions_0;
+        var angles_1 : f32 = angles_0;
+        var pieces_2 : f32 = pieces_1;
+        var cumulative_1 : f32 = cumulative_0;
+        var target_2 : f32 = target_1;
         for(;;)
         {
-            var _S213 : bool;
-            if(i_3 < _S207)
+            var _S207 : bool;
+            if(k_16 < (edge_word_0(leaf_2 + u32(3))))
             {
-                var _S214 : bool = descend_0(at_40, (f32(i_3) + _S205) / _S209, &(other_1), &(unused_0));
-                _S213 = _S214;
+                _S207 = drawn_1 < points_0;
             }
             else
             {
-                _S213 = false;
+                _S207 = false;
             }
-            var _S215 : bool;
-            if(_S213)
-            {
-                _S215 = other_1 == leaf_2;
-            }
-            else
-            {
-                _S215 = false;
-            }
-            if(_S215)
+            if(_S207)
             {
             }
             else
             {
                 break;
             }
-            var same_1 : f32 = same_0 + 1.0f;
-            i_3 = i_3 + u32(1);
-            same_0 = same_1;
-        }
-        var share_0 : f32 = same_0 / _S209;
-        var _S216 : f32 = probability_4 / share_0;
-        var points_0 : u32 = u32(1);
-        var least_3 : f32 = 0.0f;
-        var total_0 : f32 = 0.0f;
-        var step_1 : f32 = 0.0f;
-        var pass_0 : u32 = u32(0);
-        var angles_0 : f32 = 0.0f;
-        var contributions_0 : f32 = 0.0f;
-        var pieces_1 : f32 = 0.0f;
-        var over_all_0 : f32 = _S216;
-        var own_place_0 : f32 = _S210;
-        var drawn_0 : u32 = u32(0);
-        var cumulative_0 : f32 = 0.0f;
-        var target_0 : f32 = 0.0f;
-        for(;;)
-        {
-            if(pass_0 < u32(2))
+            var seen_6 : SeenEdge_0;
+            var _S208 : bool = see_edge_0(at_40, k_16, &(seen_6));
+            var drawn_2 : u32;
+            var contributions_2 : f32;
+            var angles_2 : f32;
+            var pieces_3 : f32;
+            var cumulative_2 : f32;
+            var target_3 : f32;
+            if(!_S208)
             {
-            }
-            else
-            {
-                break;
-            }
-            var target_1 : f32;
-            var contributions_1 : f32;
-            if(pass_0 == u32(1))
-            {
-                if(!(angles_0 > 0.0f))
-                {
-                    break;
-                }
-                var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
-                var total_1 : f32 = contributions_0 + least_4 * angles_0;
-                if((at_40.purpose_0) == u32(0))
-                {
-                    target_1 = share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
-                }
-                else
-                {
-                    target_1 = same_0;
-                }
-                var points_1 : u32 = u32(ceil(target_1));
-                var _S217 : f32 = f32(points_1);
-                var over_all_1 : f32 = over_all_0 * _S217;
-                var step_2 : f32 = total_1 / _S217;
-                contributions_1 = own_place_0;
-                for(;;)
-                {
-                    if(contributions_1 >= 1.0f)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    contributions_1 = contributions_1 - 1.0f;
-                }
-                var _S218 : f32 = step_2 * contributions_1;
-                points_0 = points_1;
-                least_3 = least_4;
-                total_0 = total_1;
-                step_1 = step_2;
-                target_1 = _S218;
-                over_all_0 = over_all_1;
-                own_place_0 = contributions_1;
-            }
-            else
-            {
-                target_1 = target_0;
-            }
-            var k_16 : u32 = edge_word_0(leaf_2 + u32(2));
-            var drawn_1 : u32 = drawn_0;
-            contributions_1 = contributions_0;
-            var angles_1 : f32 = angles_0;
-            var pieces_2 : f32 = pieces_1;
-            var cumulative_1 : f32 = cumulative_0;
-            var target_2 : f32 = target_1;
-            var term_1 : vec3<f32> = term_0;
-            for(;;)
-            {
-                var _S219 : bool;
-                if(k_16 < (edge_word_0(leaf_2 + u32(3))))
-                {
-                    _S219 = drawn_1 < points_0;
-                }
-                else
-                {
-                    _S219 = false;
-                }
-                if(_S219)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var seen_6 : SeenEdge_0;
-                var _S220 : bool = see_edge_0(at_40, k_16, &(seen_6));
-                var drawn_2 : u32;
-                var term_2 : vec3<f32>;
-                var contributions_2 : f32;
-                var angles_2 : f32;
-                var pieces_3 : f32;
-                var cumulative_2 : f32;
-                var target_3 : f32;
-                if(!_S220)
-                {
-                    drawn_2 = drawn_1;
-                    contributions_2 = contributions_1;
-                    angles_2 = angles_1;
-                    pieces_3 = pieces_2;
-                    cumulative_2 = cumulative_1;
-                    target_3 = target_2;
-                    term_2 = term_1;
-                    k_16 = k_16 + u32(1);
-                    drawn_1 = drawn_2;
-                    contributions_1 = contributions_2;
-                    angles_1 = angles_2;
-                    pieces_2 = pieces_3;
-                    cumulative_1 = cumulative_2;
-                    target_2 = target_3;
-                    term_1 = term_2;
-                    continue;
-                }
-                var piece_2 : f32 = 0.0f;
+                drawn_2 = drawn_1;
                 contributions_2 = contributions_1;
                 angles_2 = angles_1;
                 pieces_3 = pieces_2;
                 cumulative_2 = cumulative_1;
-                drawn_2 = drawn_1;
                 target_3 = target_2;
-                term_2 = term_1;
-                for(;;)
-                {
-                    if(piece_2 < (seen_6.pieces_0))
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var weight_0 : vec2<f32> = weigh_0(at_40, seen_6, piece_2);
-                    if(pass_0 == u32(0))
-                    {
-                        var angles_3 : f32 = angles_2 + weight_0.y;
-                        var pieces_4 : f32 = pieces_3 + 1.0f;
-                        contributions_2 = contributions_2 + weight_0.x;
-                        angles_2 = angles_3;
-                        pieces_3 = pieces_4;
-                        piece_2 = piece_2 + 1.0f;
-                        continue;
-                    }
-                    var own_1 : f32 = weight_0.x + least_3 * weight_0.y;
-                    var cumulative_3 : f32 = cumulative_2 + own_1;
-                    var drawn_3 : u32 = drawn_2;
-                    var target_4 : f32 = target_3;
-                    var term_3 : vec3<f32> = term_2;
-                    for(;;)
-                    {
-                        var _S221 : bool;
-                        if(drawn_3 < points_0)
-                        {
-                            _S221 = target_4 < cumulative_3;
-                        }
-                        else
-                        {
-                            _S221 = false;
-                        }
-                        if(_S221)
-                        {
-                        }
-                        else
-                        {
-                            break;
-                        }
-                        var point_3 : EdgePoint_0 = point_on_0(at_40, seen_6, piece_2, clamp((target_4 - cumulative_2) / own_1, 0.0f, 1.0f), over_all_0 * own_1 / total_0);
-                        var _S222 : u32 = drawn_3 + u32(1);
-                        var target_5 : f32 = target_4 + step_1;
-                        var _S223 : f32 = abs(point_3.flow_0);
-                        var _S224 : bool;
-                        if(_S223 > 0.0f)
-                        {
-                            _S224 = _S223 < 3.00000000549775576e+38f;
-                        }
-                        else
-                        {
-                            _S224 = false;
-                        }
-                        if(!_S224)
-                        {
-                            drawn_3 = _S222;
-                            target_4 = target_5;
-                            continue;
-                        }
-                        var _S225 : vec3<f32> = jump_of_light_0(at_40, point_3);
-                        var term_4 : vec3<f32> = term_3 + _S225 * vec3<f32>(point_3.flow_0);
-                        drawn_3 = _S222;
-                        target_4 = target_5;
-                        term_3 = term_4;
-                    }
-                    cumulative_2 = cumulative_3;
-                    drawn_2 = drawn_3;
-                    target_3 = target_4;
-                    term_2 = term_3;
-                    piece_2 = piece_2 + 1.0f;
-                }
                 k_16 = k_16 + u32(1);
                 drawn_1 = drawn_2;
                 contributions_1 = contributions_2;
@@ -3384,27 +3216,192 @@ fn sample_points_0( at_40 : ShadingPoint_0,  number_of_path_1 : u32,  path_10 : 
                 pieces_2 = pieces_3;
                 cumulative_1 = cumulative_2;
                 target_2 = target_3;
-                term_1 = term_2;
+                continue;
             }
-            pass_0 = pass_0 + u32(1);
-            angles_0 = angles_1;
-            contributions_0 = contributions_1;
-            pieces_1 = pieces_2;
-            drawn_0 = drawn_1;
-            cumulative_0 = cumulative_1;
-            target_0 = target_2;
-            term_0 = term_1;
+            var piece_2 : f32 = 0.0f;
+            contributions_2 = contributions_1;
+            angles_2 = angles_1;
+            pieces_3 = pieces_2;
+            cumulative_2 = cumulative_1;
+            drawn_2 = drawn_1;
+            target_3 = target_2;
+            for(;;)
+            {
+                if(piece_2 < (seen_6.pieces_0))
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var weight_0 : vec2<f32> = weigh_0(at_40, seen_6, piece_2);
+                if(pass_0 == u32(0))
+                {
+                    var angles_3 : f32 = angles_2 + weight_0.y;
+                    var pieces_4 : f32 = pieces_3 + 1.0f;
+                    contributions_2 = contributions_2 + weight_0.x;
+                    angles_2 = angles_3;
+                    pieces_3 = pieces_4;
+                    piece_2 = piece_2 + 1.0f;
+                    continue;
+                }
+                var own_1 : f32 = weight_0.x + least_3 * weight_0.y;
+                var cumulative_3 : f32 = cumulative_2 + own_1;
+                var drawn_3 : u32 = drawn_2;
+                var target_4 : f32 = target_3;
+                for(;;)
+                {
+                    var _S209 : bool;
+                    if(drawn_3 < points_0)
+                    {
+                        _S209 = target_4 < cumulative_3;
+                    }
+                    else
+                    {
+                        _S209 = false;
+                    }
+                    if(_S209)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var point_3 : EdgePoint_0 = point_on_0(at_40, seen_6, piece_2, clamp((target_4 - cumulative_2) / own_1, 0.0f, 1.0f), over_all_1 * own_1 / total_0);
+                    var _S210 : u32 = drawn_3 + u32(1);
+                    var target_5 : f32 = target_4 + step_1;
+                    var _S211 : f32 = abs(point_3.flow_0);
+                    var _S212 : bool;
+                    if(_S211 > 0.0f)
+                    {
+                        _S212 = _S211 < 3.00000000549775576e+38f;
+                    }
+                    else
+                    {
+                        _S212 = false;
+                    }
+                    if(!_S212)
+                    {
+                        drawn_3 = _S210;
+                        target_4 = target_5;
+                        continue;
+                    }
+                    var _S213 : vec3<f32> = jump_of_light_0(at_40, point_3);
+                    (*term_0) = (*term_0) + _S213 * vec3<f32>(point_3.flow_0);
+                    drawn_3 = _S210;
+                    target_4 = target_5;
+                }
+                cumulative_2 = cumulative_3;
+                drawn_2 = drawn_3;
+                target_3 = target_4;
+                piece_2 = piece_2 + 1.0f;
+            }
+            k_16 = k_16 + u32(1);
+            drawn_1 = drawn_2;
+            contributions_1 = contributions_2;
+            angles_1 = angles_2;
+            pieces_2 = pieces_3;
+            cumulative_1 = cumulative_2;
+            target_2 = target_3;
         }
+        pass_0 = pass_0 + u32(1);
+        angles_0 = angles_1;
+        contributions_0 = contributions_1;
+        pieces_1 = pieces_2;
+        drawn_0 = drawn_1;
+        cumulative_0 = cumulative_1;
+        target_0 = target_2;
     }
-    return term_0;
+    return;
 }
 
-fn add_change_0( number_of_path_2 : u32,  change_1 : vec3<f32>)
+fn sample_points_0( at_41 : ShadingPoint_0,  number_of_path_2 : u32,  path_11 : Path_0,  subtrees_0 : vec3<u32>,  goes_on_1 : ptr<function, vec2<bool>>) -> vec3<f32>
+{
+    var term_1 : vec3<f32> = vec3<f32>(0.0f);
+    var numbers_1 : u32 = numbers_for_0(at_41.purpose_0) + u32(1);
+    var _S214 : u32 = subtrees_0.x;
+    var _S215 : f32 = precise_random_0(path_11.key_0, numbers_1);
+    var _S216 : f32 = precise_random_0(path_11.key_0, numbers_1 + u32(1));
+    var first_8 : u32 = _S214;
+    var leaf_3 : u32 = u32(4294967295);
+    var probability_4 : f32 = 1.0f;
+    var i_3 : u32 = _S214;
+    for(;;)
+    {
+        var _S217 : u32 = subtrees_0.y;
+        if(i_3 <= _S217)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var next_0 : u32 = u32(4294967295);
+        var of_next_0 : f32 = 1.0f;
+        var _S218 : bool;
+        if(i_3 < _S217)
+        {
+            var _S219 : bool = descend_0(at_41, (f32(i_3) + _S215) / f32(subtrees_0.z), &(next_0), &(of_next_0));
+            _S218 = !_S219;
+        }
+        else
+        {
+            _S218 = false;
+        }
+        if(_S218)
+        {
+            next_0 = u32(4294967295);
+        }
+        var _S220 : bool;
+        if(i_3 > first_8)
+        {
+            _S220 = next_0 == leaf_3;
+        }
+        else
+        {
+            _S220 = false;
+        }
+        if(_S220)
+        {
+            i_3 = i_3 + u32(1);
+            continue;
+        }
+        if(leaf_3 != u32(4294967295))
+        {
+            var asked_1 : Share_0;
+            var _S221 : f32 = f32(i_3 - first_8);
+            asked_1.same_0 = _S221;
+            var _S222 : f32 = _S221 / f32(subtrees_0.z);
+            asked_1.share_0 = _S222;
+            asked_1.over_all_0 = probability_4 / _S222;
+            asked_1.place_19 = _S216 + 0.6180340051651001f * f32(first_8);
+            for(;;)
+            {
+                if((asked_1.place_19) >= 1.0f)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                asked_1.place_19 = asked_1.place_19 - 1.0f;
+            }
+            draw_points_0(at_41, leaf_3, asked_1, number_of_path_2, path_11, &(term_1), &((*goes_on_1)));
+        }
+        first_8 = i_3;
+        leaf_3 = next_0;
+        probability_4 = of_next_0;
+        i_3 = i_3 + u32(1);
+    }
+    return term_1;
+}
+
+fn add_change_0( number_of_path_3 : u32,  change_1 : vec3<f32>)
 {
     var which_8 : u32 = u32(4);
-    var before_2 : vec3<f32> = path_vector_0(number_of_path_2, &(which_8));
+    var before_2 : vec3<f32> = path_vector_0(number_of_path_3, &(which_8));
     which_8 = u32(4);
-    set_vector_0(number_of_path_2, &(which_8), before_2 + change_1);
+    set_vector_0(number_of_path_3, &(which_8), before_2 + change_1);
     return;
 }
 
@@ -3417,17 +3414,17 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     {
         return;
     }
-    var number_of_path_3 : u32 = input_0[listed_0];
-    var path_11 : Path_0 = load_0(number_of_path_3);
-    var at_41 : ShadingPoint_0;
-    var _S226 : bool = shading_point_0(path_11, &(at_41));
-    if(!_S226)
+    var number_of_path_4 : u32 = input_0[listed_0];
+    var path_12 : Path_0 = load_0(number_of_path_4);
+    var at_42 : ShadingPoint_0;
+    var _S223 : bool = shading_point_0(path_12, &(at_42));
+    if(!_S223)
     {
         return;
     }
-    var _S227 : vec3<f32> = vec3<f32>(0.0f);
+    var _S224 : vec3<f32> = vec3<f32>(0.0f);
     var purpose_3 : u32 = u32(0);
-    var term_5 : vec3<f32> = _S227;
+    var term_2 : vec3<f32> = _S224;
     for(;;)
     {
         if(purpose_3 <= u32(1))
@@ -3437,18 +3434,18 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         {
             break;
         }
-        var probability_5 : f32 = turn_to_0(purpose_3, path_11.key_0, &(at_41));
+        var probability_5 : f32 = turn_to_0(purpose_3, path_12.key_0, &(at_42));
         if(!(probability_5 > 0.0f))
         {
             purpose_3 = purpose_3 + u32(1);
             continue;
         }
-        var unused_1 : vec2<bool> = vec2<bool>(false, false);
-        var subtrees_1 : u32 = subtrees_of_0(at_41);
-        var _S228 : vec3<f32> = sample_points_0(at_41, number_of_path_3, path_11, vec3<u32>(u32(0), subtrees_1, subtrees_1), &(unused_1));
-        term_5 = term_5 + _S228 / vec3<f32>(probability_5);
+        var unused_0 : vec2<bool> = vec2<bool>(false, false);
+        var subtrees_1 : u32 = subtrees_of_0(at_42);
+        var _S225 : vec3<f32> = sample_points_0(at_42, number_of_path_4, path_12, vec3<u32>(u32(0), subtrees_1, subtrees_1), &(unused_0));
+        term_2 = term_2 + _S225 / vec3<f32>(probability_5);
         purpose_3 = purpose_3 + u32(1);
     }
-    add_change_0(number_of_path_3, path_11.throughput_0.value_0 * term_5);
+    add_change_0(number_of_path_4, path_12.throughput_0.value_0 * term_2);
     return;
 }
