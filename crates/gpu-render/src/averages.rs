@@ -7,9 +7,9 @@ use capwalk_render::{RenderOptions, Tracer, Watch, average_elsewhere};
 use rayon::prelude::*;
 
 use crate::camera_rays::write_camera_ray;
+use crate::device_edges::{COLUMNS, DeviceEdges};
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
-use crate::edge_paths::{COLUMNS, DeviceEdges};
 use crate::part_size::PartSize;
 use crate::paths::{Followed, Paths};
 use crate::render_kernels::PathKernels;

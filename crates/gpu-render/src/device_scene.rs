@@ -3,19 +3,20 @@
 use std::sync::Arc;
 
 use capwalk_geometry::LocalFrame;
-use capwalk_gpu::{DeviceArray, Gpu, GpuError, Precision};
+use capwalk_gpu::{DeviceArray, Gpu, GpuError};
 use capwalk_render::PreparedScene;
 use capwalk_scene::Tangent;
 
+use crate::device_edges::DeviceEdges;
 use crate::device_error::DeviceError;
-use crate::edge_paths::DeviceEdges;
 use crate::edge_records::EdgeRecords;
 use crate::lobe_records::only_diffuse;
 use crate::paths::Paths;
 use crate::render_kernels::{DIFFUSE_IMAGE, IMAGE, PathKernels};
-use crate::scene_records::SceneRecords;
+use crate::scene_records::{SceneRecords, triangles_and_tests};
 use crate::texture_records::Shown;
 use crate::unsupported::{Unsupported, unsupported};
+use crate::upload::{upload_numbers, upload_words};
 
 /// A scene in a device's memory.
 #[derive(Debug)]
@@ -47,34 +48,12 @@ impl<'a> DeviceScene<'a> {
         } = SceneRecords::new(prepared, gpu.precision());
         // Kernels read four at a time.
         faces.resize(faces.len().next_multiple_of(4), 0);
-        let single: Vec<f32>;
-        let primitives: &[u8] = match gpu.precision() {
-            Precision::Double => bytemuck::cast_slice(&primitives),
-            Precision::Single => {
-                single = primitives.iter().map(|&x| x as f32).collect();
-                bytemuck::cast_slice(&single)
-            }
-        };
-        let upload = |bytes: &[u8]| -> Result<DeviceArray, GpuError> {
-            let (bytes_needed, limit) = (bytes.len() as u64, gpu.largest_buffer());
-            if bytes_needed > limit {
-                return Err(GpuError::TreeTooLarge {
-                    adapter: gpu.name().to_owned(),
-                    bytes: bytes_needed,
-                    limit,
-                });
-            }
-            let array = gpu.array(bytes_needed)?;
-            gpu.write(&array, bytes)?;
-            Ok(array)
-        };
-        let words = |words: &[u32]| upload(bytemuck::cast_slice(words));
         let arrays = [
-            words(&nodes)?,
-            words(&leaf_starts)?,
-            upload(primitives)?,
-            words(&faces)?,
-            words(&records)?,
+            upload_words(gpu, &nodes)?,
+            upload_words(gpu, &leaf_starts)?,
+            upload_numbers(gpu, &primitives)?,
+            upload_words(gpu, &faces)?,
+            upload_words(gpu, &records)?,
         ];
         Ok(Self {
             gpu: gpu.clone(),
@@ -132,12 +111,12 @@ impl<'a> DeviceScene<'a> {
 
     /// Uploads the edges of the scene, moving along a tangent.
     pub(crate) fn edges(&self, tangent: &Tangent) -> Result<DeviceEdges, GpuError> {
-        let scene = SceneRecords::new(self.prepared, self.gpu.precision());
+        let triangles = triangles_and_tests(self.prepared.accel(), self.gpu.precision());
         let edges = EdgeRecords::new(self.prepared, tangent, &self.frame);
         let image = match only_diffuse(self.prepared.scene()) {
             true => &DIFFUSE_IMAGE,
             false => &IMAGE,
         };
-        DeviceEdges::new(&self.gpu, scene.primitives, edges, image)
+        DeviceEdges::new(&self.gpu, triangles, edges, image)
     }
 }

@@ -1,55 +1,17 @@
 //! Boundary terms of paths on the device: edges before emitters, and paths that go on to both sides of an edge.
 
 use capwalk_geometry::buffers::NONE;
-use capwalk_gpu::{DeviceArray, Gpu, GpuError};
+use capwalk_gpu::GpuError;
 use capwalk_render::Watch;
 
-use crate::edge_records::{Crosses, EdgeRecords};
+use crate::device_edges::DeviceEdges;
 use crate::paths::Paths;
-use crate::render_kernels::{ADD_SIDES, BEGIN_SIDES, CROSS_EDGES, PathKernels};
-
-/// For each path there is room for two others, one on each side of an edge.
-pub const COLUMNS: usize = 3;
+use crate::render_kernels::{ADD_SIDES, BEGIN_SIDES, CROSS_EDGES};
 
 /// Subtrees of which paths begin at the vertex that the camera sees, and at later ones.
 const SUBTREES: [usize; 2] = [2, 1];
 /// The bits of a launch's depth that are the depth; those above are the number of a subtree.
 const DEPTH_BITS: usize = 24;
-
-/// The edges of a scene that moves, on the device.
-#[derive(Debug)]
-pub struct DeviceEdges {
-    /// The numbers of the scene, with those of the edges behind them.
-    pub primitives: DeviceArray,
-    /// Everything else.
-    pub words: DeviceArray,
-    crosses: Crosses,
-    /// What follows the paths that go on to both sides.
-    image: &'static PathKernels,
-}
-
-impl DeviceEdges {
-    /// Uploads edges, behind the numbers of their scene.
-    pub fn new(
-        gpu: &Gpu,
-        mut primitives: Vec<f64>,
-        edges: EdgeRecords,
-        image: &'static PathKernels,
-    ) -> Result<Self, GpuError> {
-        primitives.extend(&edges.numbers);
-        let upload = |bytes: &[u8]| -> Result<DeviceArray, GpuError> {
-            let array = gpu.array(bytes.len() as u64)?;
-            gpu.write(&array, bytes)?;
-            Ok(array)
-        };
-        Ok(Self {
-            primitives: upload(bytemuck::cast_slice(&primitives))?,
-            words: upload(bytemuck::cast_slice(&edges.words))?,
-            crosses: edges.crosses,
-            image,
-        })
-    }
-}
 
 impl Paths<'_> {
     /// Adds the boundary terms at the vertices, of this number, that the paths of a list are at; false
@@ -61,11 +23,11 @@ impl Paths<'_> {
         depth: usize,
         watch: &dyn Watch,
     ) -> Result<bool, GpuError> {
-        if edges.crosses.emitters {
+        if edges.crosses.before_emitters(depth) {
             self.write_list(list)?;
             self.launch(&CROSS_EDGES, list.len(), depth)?;
         }
-        if !edges.crosses.surfaces {
+        if !edges.crosses.before_surfaces(depth) {
             return Ok(true);
         }
         for subtree in 0..SUBTREES[usize::from(depth > 0)] {

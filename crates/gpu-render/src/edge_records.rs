@@ -11,7 +11,7 @@ use capwalk_math::Vec3;
 use capwalk_render::{Plan, PreparedScene, SceneEval};
 use capwalk_scene::Tangent;
 
-use crate::edge_subtrees::Subtrees;
+use crate::kept_edges::KeptEdges;
 use crate::texture_records::float;
 
 /// Words of the header.
@@ -39,9 +39,21 @@ pub struct EdgeRecords {
 #[derive(Clone, Copy, Debug)]
 pub struct Crosses {
     /// Emitters, the environment among them.
-    pub emitters: bool,
-    /// Surfaces that reflect light.
-    pub surfaces: bool,
+    emitters: bool,
+    /// How long paths are.
+    plan: Plan,
+}
+
+impl Crosses {
+    /// Whether light from emitters gets to a vertex of this number past edges.
+    pub fn before_emitters(&self, depth: usize) -> bool {
+        self.emitters && self.plan.reaches(depth as u32 + 2)
+    }
+
+    /// Whether light that surfaces reflect does.
+    pub fn before_surfaces(&self, depth: usize) -> bool {
+        self.plan.reaches(depth as u32 + 3)
+    }
 }
 
 impl EdgeRecords {
@@ -55,8 +67,8 @@ impl EdgeRecords {
             accel.scene.environment().is_some(),
         );
         let crosses = Crosses {
-            emitters: plan.reaches(2) && (areas || surroundings),
-            surfaces: plan.reaches(3),
+            emitters: areas || surroundings,
+            plan,
         };
         // What emits may end where textures do, or where another surface passes through it.
         let emits_partly = areas && boundaries.crossings.iter().any(|crossing| crossing.emits);
@@ -77,11 +89,11 @@ impl EdgeRecords {
         let needs_silhouettes = surroundings || areas && !emits_partly;
         let silhouettes = tree(
             EdgeSelection::Silhouettes,
-            crosses.emitters && needs_silhouettes,
+            crosses.before_emitters(0) && needs_silhouettes,
         );
         let all = tree(
             EdgeSelection::All,
-            crosses.surfaces || crosses.emitters && emits_partly,
+            crosses.before_surfaces(0) || crosses.before_emitters(0) && emits_partly,
         );
         let before_emitters = u32::from(emits_partly);
         let windows =
@@ -117,7 +129,7 @@ impl EdgeRecords {
         let motions = sampler.motions(|point| eval.motion_of_point(point));
         let all = vec![true; moving.len()];
         let mut add = |kept: &[bool]| {
-            let tree = Subtrees::new(&buffers, kept)?;
+            let tree = KeptEdges::new(&buffers, kept)?;
             Some(self.add_tree(&tree, &buffers, sampler, &motions, boundaries, eval, frame))
         };
         let whole = add(&all);
@@ -132,7 +144,7 @@ impl EdgeRecords {
     )]
     fn add_tree(
         &mut self,
-        tree: &Subtrees,
+        tree: &KeptEdges,
         buffers: &SamplerBuffers,
         sampler: &EdgeSampler,
         motions: &[Motion],

@@ -30,15 +30,16 @@
 mod averages;
 mod camera_rays;
 mod derivative_image;
+mod device_edges;
 mod device_error;
 mod device_scene;
 mod edge_paths;
 mod edge_records;
-mod edge_subtrees;
 mod emitter_records;
 mod environment_records;
 mod fixed_point;
 mod images;
+mod kept_edges;
 mod lobe_records;
 mod part_size;
 mod paths;
@@ -47,6 +48,7 @@ mod scene_records;
 mod texel_gradient;
 mod texture_records;
 mod unsupported;
+mod upload;
 
 pub use device_error::DeviceError;
 pub use device_scene::DeviceScene;

@@ -3,7 +3,7 @@
 use capwalk_gpu::{CompiledKernel, DeviceArray, Gpu, GpuError};
 use capwalk_render::Watch;
 
-use crate::edge_paths::{COLUMNS, DeviceEdges};
+use crate::device_edges::{COLUMNS, DeviceEdges};
 use crate::render_kernels::{GO_BACK, PathKernels};
 
 /// Room for so many paths in a scene.
@@ -178,7 +178,8 @@ impl<'a> Paths<'a> {
         let words = [self.columns() as u32, depth as u32];
         // SAFETY: the arrays of a scene are those that its records were made with, which refer to
         // nothing behind their ends; what is behind the rays refers to texels that the records have
-        // and to sums that there is room for; and the others have room for all paths, and for as many
+        // and to sums that there is room for; edges refer to what is in
+        // their own arrays; and the others have room for all paths, and for as many
         // vertices of each as there are levels.
         #[allow(unsafe_code)]
         unsafe {

@@ -158,6 +158,15 @@ fn cases() -> Vec<Case> {
     let black = || block("block", "black", 0.35, BLOCK);
     let small = || lamp("lamp", 0.15, LAMP, "60, 50, 40");
     let large = || lamp("lamp", 1.0, LAMP, "2, 3, 2.5");
+    let lights_the_wall = || {
+        r#"<shape type="rectangle">
+    <transform name="to_world">
+      <rotate y="1" angle="180"/><scale value="0.3"/><translate y="0.35" z="3.6"/>
+    </transform>
+    <emitter type="area"><rgb name="radiance" value="90, 80, 70"/></emitter>
+  </shape>"#
+            .to_owned()
+    };
     let sky = || SKY.to_owned();
     let standing = || upright(&block("block", "black", 0.3, [0.1, 0.3, -1.3]));
     let half = |id, x| upright(&block(id, "black", 0.2, [x, 1.2, -0.8]));
@@ -240,6 +249,18 @@ fn cases() -> Vec<Case> {
         Case {
             depth: 3,
             ..case("before a wall", [black(), wall("grey"), large()])
+        },
+        // Lit by the wall alone, nearly, which sees the lamp; nothing is lit twice.
+        Case {
+            depth: 3,
+            ..case("by a wall", [black(), wall("grey"), lights_the_wall()])
+        },
+        Case {
+            depth: 4,
+            ..case(
+                "by a wall and the floor",
+                [black(), wall("grey"), lights_the_wall()],
+            )
         },
         // Curves in which surfaces cross, and lines of textures, too.
         Case {

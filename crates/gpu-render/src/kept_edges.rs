@@ -8,17 +8,17 @@ use capwalk_geometry::sampler_buffers::{NODE, NONE, SamplerBuffers};
 const LEAF: [usize; 2] = [32, 12];
 
 /// A tree of some edges.
-pub struct Subtrees {
+pub struct KeptEdges {
     /// Their places in the sampler, in its order.
     pub edges: Vec<usize>,
     /// The root comes first.
-    pub nodes: Vec<Subtree>,
+    pub nodes: Vec<KeptNode>,
     /// The most edges in a leaf.
     pub leaf: usize,
 }
 
 /// A node of it.
-pub struct Subtree {
+pub struct KeptNode {
     /// The node of the sampler whose bounds are around it.
     pub source: usize,
     /// Both halves; none in a leaf.
@@ -27,7 +27,7 @@ pub struct Subtree {
     pub edges: Range<usize>,
 }
 
-impl Subtrees {
+impl KeptEdges {
     /// Those of the edges that are kept; `None` if none is.
     pub fn new(buffers: &SamplerBuffers, kept: &[bool]) -> Option<Self> {
         let edges: Vec<usize> = (0..kept.len()).filter(|&i| kept[i]).collect();
@@ -62,7 +62,7 @@ impl Subtrees {
                 _ => {}
             }
             let number = self.nodes.len();
-            self.nodes.push(Subtree {
+            self.nodes.push(KeptNode {
                 source,
                 halves: None,
                 edges,
@@ -71,7 +71,7 @@ impl Subtrees {
             self.nodes[number].halves = Some(halves);
             return number;
         }
-        self.nodes.push(Subtree {
+        self.nodes.push(KeptNode {
             source,
             halves: None,
             edges,
