@@ -26,6 +26,8 @@ ENTRIES = {
     "sampled": ["sample_edges"],
     "render": ["begin_paths", "go_on", "go_on_diffuse"],
     "forward": ["begin_forward", "go_on_forward"],
+    "boundary": ["cross_edges", "begin_sides", "add_sides"],
+    "boundary_back": ["cross_edges_back", "begin_sides_back", "add_sides_back"],
     "reverse": ["begin_reverse", "go_on_reverse", "go_back"],
     "hits": ["begin_at_hits"],
 }

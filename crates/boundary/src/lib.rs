@@ -72,4 +72,4 @@ pub use refusal::{Refusal, SpecularCause};
 pub use silhouette_pieces::{EdgePoint, SilhouettePieces, beside, clip, place};
 pub use viewpoint::{EMITTED, SEEN, Viewpoint, Visibility};
 pub use warp::{Dependence, Warp};
-pub use window::{AreaEmitter, Window};
+pub use window::{AreaEmitter, Extent, MANY_CORNERS, Window};

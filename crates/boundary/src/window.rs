@@ -19,12 +19,22 @@ pub struct AreaEmitter {
 
 /// Bounds of an emitter.
 #[derive(Clone, Debug)]
-enum Extent {
+pub enum Extent {
     /// In a plane: the corners of a polygon around it, counterclockwise around the
     /// normal of its emitting side.
-    Flat { hull: Vec<Vec3>, normal: Vec3 },
+    Flat {
+        /// The corners.
+        hull: Vec<Vec3>,
+        /// The normal, unit vector.
+        normal: Vec3,
+    },
     /// In a ball.
-    Ball { centre: Vec3, radius: f64 },
+    Ball {
+        /// Its centre.
+        centre: Vec3,
+        /// Its radius.
+        radius: f64,
+    },
 }
 
 /// The directions in which an emitter may be seen from a viewpoint.
@@ -38,7 +48,7 @@ pub struct Window {
 /// Emitters lie in a plane if their vertices do up to this part of their size.
 const FLAT: f64 = 1e-9;
 /// Flat emitters with more corners get windows of four.
-const MANY_CORNERS: usize = 8;
+pub const MANY_CORNERS: usize = 8;
 /// Radians by which cones are opened, and the part of its size by which an emitter's
 /// plane is moved back: more than rounding.
 const MARGIN: f64 = 1e-6;
@@ -79,6 +89,11 @@ impl AreaEmitter {
             },
         };
         Self { emitter, extent }
+    }
+
+    /// Its bounds.
+    pub fn extent(&self) -> &Extent {
+        &self.extent
     }
 
     /// What a viewpoint sees of it; `None` if only its back.

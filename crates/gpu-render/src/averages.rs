@@ -7,6 +7,7 @@ use capwalk_render::{CameraEdge, RenderOptions, TooManyImages, Watch, average_el
 use rayon::prelude::*;
 
 use crate::camera_edges::CameraEdges;
+use crate::device_edges::{COLUMNS, DeviceEdges};
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
 use crate::part_size::PartSize;
@@ -32,6 +33,8 @@ pub struct Task<'a> {
     /// The edges that the camera sees, which are added to the last three numbers, and how the flow
     /// across that of a sample changes.
     pub edges: Option<(&'a CameraEdges<'a>, &'a DrawEdge<'a>)>,
+    /// The edges that paths cross, if the scene moves.
+    pub crossed: Option<&'a DeviceEdges>,
     pub most: usize,
 }
 
@@ -58,7 +61,8 @@ impl DeviceScene<'_> {
         let most_words = (self.gpu.largest_buffer() / 4) as usize;
         let by_input = most_words.saturating_sub(task.changes.len()) / task.kernels.ray;
         let by_state = most_words / task.kernels.path;
-        let size = PartSize::new(task.most.min(by_input).min(by_state));
+        let by_array = by_input.min(by_state) / task.crossed.map_or(1, |_| COLUMNS);
+        let size = PartSize::new(task.most.min(by_array));
         let mut paths = None;
         let take = |places: &[SamplePlace]| {
             let mut taken = Vec::with_capacity(places.len());
@@ -87,7 +91,7 @@ impl DeviceScene<'_> {
         &'p self,
         places: &[SamplePlace],
         room: usize,
-        task: Task,
+        task: Task<'p>,
         paths: &mut Option<Paths<'p>>,
         watch: &dyn Watch,
     ) -> Result<Option<Vec<[f64; N]>>, DeviceError> {
@@ -96,7 +100,7 @@ impl DeviceScene<'_> {
             other => {
                 *other = None;
                 let (kernels, changes) = (task.kernels, task.changes);
-                other.insert(self.paths(kernels, [room, 0], changes, 0)?)
+                other.insert(self.paths(kernels, [room, 0], changes, 0, task.crossed)?)
             }
         };
         let words = task.kernels.ray;

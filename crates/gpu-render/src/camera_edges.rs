@@ -80,7 +80,7 @@ impl<'a> CameraEdges<'a> {
         }
         // Follow the paths on both sides of as many as there is room for.
         let most = (room / 2).clamp(1, drawn.len());
-        let paths = scene.paths(self.kernels, [2 * most, 0], &[], 0)?;
+        let paths = scene.paths(self.kernels, [2 * most, 0], &[], 0, None)?;
         let hits: Vec<_> = drawn.iter().flat_map(|&(.., hits)| hits).collect();
         let mut light: Vec<[f32; 3]> = Vec::with_capacity(hits.len());
         for some in hits.chunks(2 * most) {

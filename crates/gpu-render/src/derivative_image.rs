@@ -17,6 +17,7 @@ use crate::camera_edges::CameraEdges;
 use crate::camera_rays::write_moving_ray;
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
+use crate::edge_records::{EdgeMotion, OfPoints};
 use crate::render_kernels::FORWARD;
 use crate::texture_records::float;
 use crate::unsupported::{Unsupported, unsupported_derivative};
@@ -90,7 +91,21 @@ impl DeviceScene<'_> {
             true => eval.blind(),
             false => eval,
         };
-        let changes = self.changes(&eval, tangent);
+        let velocity = |point| eval.boundary_point(point).tangent(0);
+        let motion = EdgeMotion {
+            is_blind: options.blind,
+            of_points: OfPoints::Velocities(&velocity),
+        };
+        let has_edges = boundaries.is_some() && eval.moves();
+        let crossed = boundaries.filter(|_| has_edges);
+        let crossed = crossed.map(|boundaries| self.edges(&eval, boundaries, &motion));
+        let crossed = crossed.transpose()?;
+        let mut changes = self.changes(&eval, tangent);
+        changes[4] = options.blind.into();
+        if let Some(edges) = &crossed {
+            changes[3] = changes.len() as u32;
+            changes.extend(&edges.words);
+        }
         self.check_room_of_numbers(changes.len())?;
         let facts = Arc::new(MotionFacts::of(scene));
         let tracer = Tracer::moving(self.prepared, field, options.walk, &facts);
@@ -102,11 +117,11 @@ impl DeviceScene<'_> {
             let edge = tracer.camera_edge(&eval, place.pixel, &place.stream)?;
             Ok(edge.map(|edge| edge.map_flow(|flow| flow.tangent[0])))
         };
-        let has_edges = boundaries.is_some() && eval.moves();
         let task = Task {
             kernels: &FORWARD,
             changes: &changes,
             write_ray: &write_ray,
+            crossed: crossed.as_ref(),
             edges: has_edges.then_some((&edges, &draw)),
             most,
         };
@@ -119,12 +134,12 @@ impl DeviceScene<'_> {
         })
     }
 
-    /// What changes, as `changes.slang` reads it: where the motion of the triangles is and whether
-    /// boundaries move, the texels of each texture, and that motion.
+    /// What changes, as `changes.slang` reads it, but for edges: where the motion of the triangles is and
+    /// whether boundaries move, the texels of each texture, and that motion.
     fn changes(&self, eval: &Forward, tangent: &Tangent) -> Vec<u32> {
         let origin = Viewpoint::towards_surfaces(Vec3::zero(), Vec3::zero(), 0);
         let boundaries_move = !eval.is_still(&origin);
-        let first = 3;
+        let first = 5;
         let mut words = vec![NONE; first + self.textures.len()];
         words[1] = boundaries_move.into();
         for (number, shown) in self.textures.iter().enumerate() {

@@ -2,16 +2,22 @@
 
 use std::sync::Arc;
 
+use capwalk_boundary::Boundaries;
 use capwalk_geometry::LocalFrame;
-use capwalk_gpu::{DeviceArray, Gpu, GpuError, Precision};
-use capwalk_render::PreparedScene;
+use capwalk_gpu::{DeviceArray, Gpu, GpuError};
+use capwalk_math::Real;
+use capwalk_render::{PreparedScene, SceneEval};
 
+use crate::device_edges::DeviceEdges;
 use crate::device_error::DeviceError;
+use crate::edge_records::{EdgeMotion, EdgeRecords};
+use crate::lobe_records::only_diffuse;
 use crate::paths::Paths;
-use crate::render_kernels::PathKernels;
-use crate::scene_records::SceneRecords;
+use crate::render_kernels::{DIFFUSE_IMAGE, IMAGE, PathKernels};
+use crate::scene_records::{SceneRecords, triangles_and_tests};
 use crate::texture_records::Shown;
 use crate::unsupported::{Unsupported, unsupported};
+use crate::upload::{upload_numbers, upload_words};
 
 /// A scene in a device's memory.
 #[derive(Debug)]
@@ -46,34 +52,12 @@ impl<'a> DeviceScene<'a> {
         // Kernels read four at a time.
         let mut padded = faces.clone();
         padded.resize(faces.len().next_multiple_of(4), 0);
-        let single: Vec<f32>;
-        let primitives: &[u8] = match gpu.precision() {
-            Precision::Double => bytemuck::cast_slice(&primitives),
-            Precision::Single => {
-                single = primitives.iter().map(|&x| x as f32).collect();
-                bytemuck::cast_slice(&single)
-            }
-        };
-        let upload = |bytes: &[u8]| -> Result<DeviceArray, GpuError> {
-            let (bytes_needed, limit) = (bytes.len() as u64, gpu.largest_buffer());
-            if bytes_needed > limit {
-                return Err(GpuError::TreeTooLarge {
-                    adapter: gpu.name().to_owned(),
-                    bytes: bytes_needed,
-                    limit,
-                });
-            }
-            let array = gpu.array(bytes_needed)?;
-            gpu.write(&array, bytes)?;
-            Ok(array)
-        };
-        let words = |words: &[u32]| upload(bytemuck::cast_slice(words));
         let arrays = [
-            words(&nodes)?,
-            words(&leaf_starts)?,
-            upload(primitives)?,
-            words(&padded)?,
-            words(&records)?,
+            upload_words(gpu, &nodes)?,
+            upload_words(gpu, &leaf_starts)?,
+            upload_numbers(gpu, &primitives)?,
+            upload_words(gpu, &padded)?,
+            upload_words(gpu, &records)?,
         ];
         Ok(Self {
             gpu: gpu.clone(),
@@ -99,14 +83,42 @@ impl<'a> DeviceScene<'a> {
     }
 
     /// Room for paths in this scene, see [`Paths::new`].
-    pub(crate) fn paths(
-        &self,
+    pub(crate) fn paths<'p>(
+        &'p self,
         kernels: &'static PathKernels,
         room_and_levels: [usize; 2],
         changes: &[u32],
         sums: usize,
-    ) -> Result<Paths<'_>, GpuError> {
-        let scene = self.arrays.each_ref();
-        Paths::new(&self.gpu, scene, kernels, room_and_levels, changes, sums)
+        edges: Option<&'p DeviceEdges>,
+    ) -> Result<Paths<'p>, GpuError> {
+        let mut scene = self.arrays.each_ref();
+        if let Some(edges) = edges {
+            scene[2] = &edges.primitives;
+        }
+        Paths::new(
+            &self.gpu,
+            scene,
+            kernels,
+            room_and_levels,
+            changes,
+            sums,
+            edges,
+        )
+    }
+
+    /// Uploads the edges that paths cross where the scene moves, given what is known of its motion.
+    pub(crate) fn edges<R: Real, W: SceneEval<R>>(
+        &self,
+        eval: &W,
+        boundaries: &Boundaries,
+        motion: &EdgeMotion,
+    ) -> Result<DeviceEdges, GpuError> {
+        let triangles = triangles_and_tests(self.prepared.accel(), self.gpu.precision());
+        let records = EdgeRecords::new(self.prepared, boundaries, eval, motion, &self.frame);
+        let image = match only_diffuse(self.prepared.scene()) {
+            true => &DIFFUSE_IMAGE,
+            false => &IMAGE,
+        };
+        DeviceEdges::new(&self.gpu, triangles, records, image)
     }
 }

@@ -154,7 +154,7 @@ impl<'a> Sums<'a> {
         let word = |first: Option<usize>| first.map_or(NONE, |first| first as u32);
         let moves = self.points.is_some() || self.normals.iter().any(Option::is_some);
         let units = 2_f32.powi(self.digits).to_bits();
-        let mut words = vec![NONE, self.wanted.geometry().into(), units];
+        let mut words = vec![NONE, self.wanted.geometry().into(), units, NONE, 1];
         words.extend(self.textures.iter().map(|texture| word(texture.first)));
         if moves {
             words[0] = words.len() as u32;
@@ -170,6 +170,11 @@ impl<'a> Sums<'a> {
     /// Makes room for derivatives that were too large.
     pub fn widen(&mut self) {
         self.digits -= FEWER_DIGITS;
+    }
+
+    /// Where the sums of a point of the boundaries start, if there are any.
+    pub fn of_point(&self, point: u32) -> Option<u32> {
+        self.points.map(|first| first as u32 + 3 * point)
     }
 
     /// Adds a derivative with respect to a vector of the world to sums, to which the device adds others.

@@ -38,6 +38,7 @@ impl DeviceScene<'_> {
             changes: &[],
             write_ray: &write_ray,
             edges: None,
+            crossed: None,
             most,
         };
         let averages = self.average::<3>(task, options, watch)?;

@@ -1,26 +1,28 @@
 //! Room on the device for a part of the samples, and the stages that they go through.
 
-use capwalk_geometry::buffers::NONE;
 use capwalk_gpu::{CompiledKernel, DeviceArray, Gpu, GpuError};
 use capwalk_render::Watch;
 
+use crate::device_edges::{COLUMNS, DeviceEdges};
 use crate::render_kernels::{GO_BACK, PathKernels};
 
 /// Room for so many paths in a scene.
 #[derive(Debug)]
 pub struct Paths<'a> {
-    gpu: &'a Gpu,
+    pub(crate) gpu: &'a Gpu,
     /// The five arrays of the scene.
     scene: [&'a DeviceArray; 5],
     kernels: &'static PathKernels,
     room: usize,
+    /// The edges that paths cross, if the scene moves.
+    edges: Option<&'a DeviceEdges>,
     /// How many vertices of each path can be kept.
     levels: usize,
     /// The camera's rays, and then the list of the paths that go on; behind them how textures
     /// change.
-    input: DeviceArray,
+    pub(crate) input: DeviceArray,
     /// What is known of each.
-    state: DeviceArray,
+    pub(crate) state: DeviceArray,
     /// Sums over all paths.
     sums: DeviceArray,
 }
@@ -46,9 +48,11 @@ impl<'a> Paths<'a> {
         [room, levels]: [usize; 2],
         changes: &[u32],
         sums: usize,
+        edges: Option<&'a DeviceEdges>,
     ) -> Result<Self, GpuError> {
+        let columns = columns(room, edges);
         let array = |words: usize| gpu.array(4 * words as u64);
-        let mut words = vec![0; kernels.ray * room];
+        let mut words = vec![0; kernels.ray * columns];
         words.extend(changes);
         let input = array(words.len())?;
         gpu.write(&input, bytemuck::cast_slice(&words))?;
@@ -57,9 +61,10 @@ impl<'a> Paths<'a> {
             scene,
             kernels,
             room,
+            edges,
             levels,
             input,
-            state: array(kernels.words(levels) * room)?,
+            state: array(kernels.words(levels) * columns)?,
             sums: array(sums)?,
         })
     }
@@ -75,13 +80,8 @@ impl<'a> Paths<'a> {
         self.gpu.write(&self.input, bytemuck::cast_slice(rays))?;
         self.launch(&self.kernels.begin, count, 0)?;
         let mut lists = Vec::new();
-        let mut listed = count;
+        let mut list = self.listed(count)?;
         loop {
-            // In the order of the paths, whichever thread was first.
-            let mut list = vec![0_u32; listed];
-            self.gpu
-                .read(&self.state, bytemuck::cast_slice_mut(&mut list))?;
-            list.retain(|&path| path != NONE);
             if list.is_empty() {
                 return Ok(Followed::ToTheEnd(lists));
             }
@@ -91,10 +91,22 @@ impl<'a> Paths<'a> {
             if self.kernels.keeps() && lists.len() == self.levels {
                 return Ok(Followed::NoLevel);
             }
-            self.gpu.write(&self.input, bytemuck::cast_slice(&list))?;
+            // Boundary terms are taken at the vertices where paths are, or of those that are kept.
+            let cross = |keeps| match self.edges.filter(|_| keeps == self.keeps_vertices()) {
+                Some(edges) => self.cross_edges(edges, &list, lists.len(), watch),
+                None => Ok(true),
+            };
+            if !cross(false)? {
+                return Ok(Followed::Stopped);
+            }
+            self.write_list(&list)?;
             self.launch(&self.kernels.go_on, list.len(), lists.len())?;
-            listed = list.len();
+            let next = self.listed(list.len())?;
+            if !cross(true)? {
+                return Ok(Followed::Stopped);
+            }
             lists.push(list);
+            list = next;
         }
     }
 
@@ -111,11 +123,12 @@ impl<'a> Paths<'a> {
         count: usize,
     ) -> Result<Vec<[f32; N]>, GpuError> {
         // One array for each word, as long as there is room for paths.
-        let mut arrays = vec![0_f32; (first + N - 1) * self.room + count];
+        let columns = self.columns();
+        let mut arrays = vec![0_f32; (first + N - 1) * columns + count];
         self.gpu
             .read(&self.state, bytemuck::cast_slice_mut(&mut arrays))?;
         let of_path =
-            |path: usize| std::array::from_fn(|word| arrays[(first + word) * self.room + path]);
+            |path: usize| std::array::from_fn(|word| arrays[(first + word) * columns + path]);
         Ok((0..count).map(of_path).collect())
     }
 
@@ -126,7 +139,7 @@ impl<'a> Paths<'a> {
             if watch.should_stop() {
                 return Ok(false);
             }
-            self.gpu.write(&self.input, bytemuck::cast_slice(list))?;
+            self.write_list(list)?;
             self.launch(&GO_BACK, list.len(), depth)?;
         }
         Ok(true)
@@ -145,8 +158,26 @@ impl<'a> Paths<'a> {
         Ok(words)
     }
 
-    fn launch(&self, kernel: &CompiledKernel, count: usize, depth: usize) -> Result<(), GpuError> {
-        assert!(count <= self.room, "there is no room for so many paths");
+    /// True if the vertices of paths are kept.
+    pub(crate) fn keeps_vertices(&self) -> bool {
+        self.kernels.keeps()
+    }
+
+    /// How many paths there is room for, with those that go on to both sides of edges.
+    fn columns(&self) -> usize {
+        columns(self.room, self.edges)
+    }
+
+    pub(crate) fn launch(
+        &self,
+        kernel: &CompiledKernel,
+        count: usize,
+        depth: usize,
+    ) -> Result<(), GpuError> {
+        assert!(
+            count <= self.columns(),
+            "there is no room for so many paths"
+        );
         assert!(
             !self.kernels.keeps() || depth < self.levels,
             "there is no room for the vertex"
@@ -162,14 +193,19 @@ impl<'a> Paths<'a> {
             &self.state,
             &self.sums,
         ];
-        let words = [self.room as u32, depth as u32];
+        let words = [self.columns() as u32, depth as u32];
         // SAFETY: the arrays of a scene are those that its records were made with, which refer to
-        // nothing behind their ends; what is behind the rays refers to texels that the records have
-        // and to sums that there is room for; and the others have room for all paths, and for as many
-        // vertices of each as there are levels.
+        // nothing behind their ends; what is behind the rays refers to texels that the records have,
+        // to edges that are there and to sums that there is room for; and the others have room for
+        // all paths, and for as many vertices of each as there are levels.
         #[allow(unsafe_code)]
         unsafe {
             self.gpu.launch(kernel, arrays, count as u32, words)
         }
     }
+}
+
+/// Paths that the arrays have room for, if so many start at the camera.
+fn columns(room: usize, edges: Option<&DeviceEdges>) -> usize {
+    room * edges.map_or(1, |_| COLUMNS)
 }

@@ -1,5 +1,6 @@
 //! The kernels as `cargo xtask kernels` compiled them from `kernels/render.slang`,
-//! `kernels/hits.slang`, `kernels/forward.slang` and `kernels/reverse.slang`.
+//! `kernels/hits.slang`, `kernels/forward.slang`, `kernels/boundary.slang` and
+//! `kernels/reverse.slang`.
 
 use capwalk_gpu::CompiledKernel;
 
@@ -98,6 +99,31 @@ pub const REVERSE: PathKernels = PathKernels {
 /// Takes what arrives behind the vertices of a list back by one.
 pub const GO_BACK: CompiledKernel = compiled!("go_back");
 
+/// The kernels that take boundary terms at the vertices of paths.
+#[derive(Debug)]
+pub struct BoundaryKernels {
+    /// Those of light from emitters.
+    pub cross_edges: CompiledKernel,
+    /// Begins paths to both sides of edges.
+    pub begin_sides: CompiledKernel,
+    /// Takes the difference of what they bring.
+    pub add_sides: CompiledKernel,
+}
+
+/// In forward mode, at the vertices that paths are at.
+pub const BOUNDARY: BoundaryKernels = BoundaryKernels {
+    cross_edges: compiled!("cross_edges"),
+    begin_sides: compiled!("begin_sides"),
+    add_sides: compiled!("add_sides"),
+};
+
+/// In reverse mode, at vertices that are kept.
+pub const BOUNDARY_BACK: BoundaryKernels = BoundaryKernels {
+    cross_edges: compiled!("cross_edges_back"),
+    begin_sides: compiled!("begin_sides_back"),
+    add_sides: compiled!("add_sides_back"),
+};
+
 #[cfg(test)]
 mod tests {
     use capwalk_gpu::RAYS_SOURCE;
@@ -110,7 +136,13 @@ mod tests {
         let with_includes = |source: &str| {
             let mut source = source.to_owned();
             for (name, content) in [
+                ("boundary", include_str!("kernels/boundary.slang")),
                 ("render", include_str!("kernels/render.slang")),
+                ("vertex_motion", include_str!("kernels/vertex_motion.slang")),
+                ("edge_tree", include_str!("kernels/edge_tree.slang")),
+                ("edge_windows", include_str!("kernels/edge_windows.slang")),
+                ("edge_points", include_str!("kernels/edge_points.slang")),
+                ("edges", include_str!("kernels/edges.slang")),
                 ("paths", include_str!("kernels/paths.slang")),
                 ("rays", RAYS_SOURCE),
                 ("numbers", include_str!("kernels/numbers.slang")),
@@ -137,11 +169,20 @@ mod tests {
         let hits = [IMAGE_FROM_HITS.begin];
         let forward = [FORWARD.begin, FORWARD.go_on];
         let reverse = [REVERSE.begin, REVERSE.go_on, GO_BACK];
+        let of = |kernels: BoundaryKernels| {
+            [kernels.cross_edges, kernels.begin_sides, kernels.add_sides]
+        };
+        let (boundary, boundary_back) = (of(BOUNDARY), of(BOUNDARY_BACK));
         for (source, kernels) in [
             (include_str!("kernels/render.slang"), &image[..]),
             (include_str!("kernels/hits.slang"), &hits[..]),
             (include_str!("kernels/forward.slang"), &forward[..]),
             (include_str!("kernels/reverse.slang"), &reverse[..]),
+            (include_str!("kernels/boundary.slang"), &boundary[..]),
+            (
+                include_str!("kernels/boundary_back.slang"),
+                &boundary_back[..],
+            ),
         ] {
             let source = with_includes(source);
             for kernel in kernels {

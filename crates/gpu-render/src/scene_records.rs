@@ -2,7 +2,7 @@
 
 use capwalk_boundary::{Accel, tangents_of_face};
 use capwalk_geometry::LocalFrame;
-use capwalk_geometry::buffers::{NONE, TRIANGLE};
+use capwalk_geometry::buffers::{NONE, RayBuffers, TRIANGLE};
 use capwalk_geometry::ray::EDGE_ON;
 use capwalk_gpu::Precision;
 use capwalk_math::Vec3;
@@ -102,27 +102,36 @@ impl SceneRecords {
         ];
         words[..HEADER].copy_from_slice(&header);
 
-        let corners = buffers.triangles.as_chunks::<3>().0.iter();
-        let corners = corners.flat_map(|&p| frame.local_from_world(p.into()).to_array());
-        let mut primitives: Vec<f64> = corners.collect();
-        primitives.extend(match precision {
-            Precision::Single => SINGLE_TESTS,
-            Precision::Double => {
-                let mut tests = DOUBLE_TESTS;
-                tests[2] = accel.horizon_distance() * frame.inverse_scale;
-                tests
-            }
-        });
         Self {
             frame,
             nodes: buffers.nodes,
             leaf_starts: buffers.leaf_starts,
             faces: buffers.faces,
-            primitives,
+            primitives: triangles_and_tests(accel, precision),
             words,
             textures: textures.shown,
         }
     }
+}
+
+/// The corners of all triangles, in the order of the tree's leaves and in its coordinates, and the
+/// numbers of the tests.
+pub fn triangles_and_tests(accel: &Accel, precision: Precision) -> Vec<f64> {
+    let RayBuffers {
+        frame, triangles, ..
+    } = accel.rays().buffers();
+    let corners = triangles.as_chunks::<3>().0.iter();
+    let corners = corners.flat_map(|&p| frame.local_from_world(p.into()).to_array());
+    let mut numbers: Vec<f64> = corners.collect();
+    numbers.extend(match precision {
+        Precision::Single => SINGLE_TESTS,
+        Precision::Double => {
+            let mut tests = DOUBLE_TESTS;
+            tests[2] = accel.horizon_distance() * frame.inverse_scale;
+            tests
+        }
+    });
+    numbers
 }
 
 /// Appends words, and returns where they start.

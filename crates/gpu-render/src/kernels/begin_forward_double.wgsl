@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: b0623ca99cbb70b6
-// result: 989a89ed2e6cba88
+// source: 1fd0995f1bd37d92
+// result: b9015abb4c6752ee
 
 struct Launch_std140_0
 {
@@ -1052,7 +1052,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(3) + word_0(texture_3 + u32(12)));
+    return change_word_0(u32(5) + word_0(texture_3 + u32(12)));
 }
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0

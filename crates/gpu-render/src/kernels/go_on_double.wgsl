@@ -1,6 +1,6 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d3031682382c9996
+// source: d3677381eb681a32
 // result: a68ce16f1f12df9a
 
 struct Launch_std140_0

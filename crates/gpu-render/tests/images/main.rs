@@ -6,6 +6,7 @@ mod beside;
 mod camera_edges;
 mod derivatives;
 mod device;
+mod edges;
 mod faults;
 mod materials;
 mod motion;

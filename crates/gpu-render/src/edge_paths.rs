@@ -1,0 +1,82 @@
+//! Boundary terms of paths on the device: edges before emitters, and paths that go on to both sides of an edge.
+
+use capwalk_geometry::buffers::NONE;
+use capwalk_gpu::GpuError;
+use capwalk_render::Watch;
+
+use crate::device_edges::DeviceEdges;
+use crate::paths::Paths;
+use crate::render_kernels::{BOUNDARY, BOUNDARY_BACK};
+
+/// Subtrees of which paths begin at the vertex that the camera sees, and at later ones.
+const SUBTREES: [usize; 2] = [2, 1];
+/// The bits of a launch's depth that are the depth; those above are the number of a subtree.
+const DEPTH_BITS: usize = 24;
+
+impl Paths<'_> {
+    /// Adds the boundary terms at the vertices, of this number, that the paths of a list are at; false
+    /// if the watch stopped it.
+    pub(crate) fn cross_edges(
+        &self,
+        edges: &DeviceEdges,
+        list: &[u32],
+        depth: usize,
+        watch: &dyn Watch,
+    ) -> Result<bool, GpuError> {
+        let kernels = match self.keeps_vertices() {
+            true => &BOUNDARY_BACK,
+            false => &BOUNDARY,
+        };
+        if edges.crosses.before_emitters(depth) {
+            self.write_list(list)?;
+            self.launch(&kernels.cross_edges, list.len(), depth)?;
+        }
+        if !edges.crosses.before_surfaces(depth) {
+            return Ok(true);
+        }
+        for subtree in 0..SUBTREES[usize::from(depth > 0)] {
+            self.write_list(list)?;
+            self.launch(
+                &kernels.begin_sides,
+                list.len(),
+                depth | subtree << DEPTH_BITS,
+            )?;
+            let mut listed = 2 * list.len();
+            let mut has_sides = false;
+            // Follow the sides as paths of an image, from the next vertex on.
+            for next in depth + 1.. {
+                let sides = self.listed(listed)?;
+                if sides.is_empty() {
+                    break;
+                }
+                if watch.should_stop() {
+                    return Ok(false);
+                }
+                has_sides = true;
+                self.write_list(&sides)?;
+                self.launch(&edges.image.go_on, sides.len(), next)?;
+                listed = sides.len();
+            }
+            if has_sides {
+                self.write_list(list)?;
+                self.launch(&kernels.add_sides, list.len(), depth)?;
+            }
+        }
+        Ok(true)
+    }
+
+    /// The paths among the first so many of the device's list that go on, in order, whichever thread
+    /// was first.
+    pub(crate) fn listed(&self, count: usize) -> Result<Vec<u32>, GpuError> {
+        let mut list = vec![0_u32; count];
+        self.gpu
+            .read(&self.state, bytemuck::cast_slice_mut(&mut list))?;
+        list.retain(|&path| path != NONE);
+        Ok(list)
+    }
+
+    /// Gives a list to the next launch.
+    pub(crate) fn write_list(&self, list: &[u32]) -> Result<(), GpuError> {
+        self.gpu.write(&self.input, bytemuck::cast_slice(list))
+    }
+}

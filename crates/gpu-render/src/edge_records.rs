@@ -1,0 +1,292 @@
+//! The edges of a scene that moves, as the kernels read them: `edges.slang` says which word is what.
+
+use capwalk_boundary::{AreaEmitter, Boundaries, EdgeSampler, Extent, MANY_CORNERS, Motion};
+use capwalk_geometry::edge::ON_PLANE;
+use capwalk_geometry::sampler_buffers::{BOUNDS, EDGE, FACTORS, NONE, SamplerBuffers};
+use capwalk_geometry::{EdgeSelection, LocalFrame};
+use capwalk_math::{Real, Vec3};
+use capwalk_render::{Plan, PreparedScene, SceneEval};
+
+use crate::kept_edges::KeptEdges;
+use crate::texture_records::float;
+
+/// Words of the header.
+const HEADER: usize = 6;
+
+/// How far outside of a window an edge counts as inside, over its distance, and the angle between an
+/// edge and the rays beside it, as on the processor.
+const IN_PLANE: f64 = 1e-9;
+const BESIDE: f64 = 1e-10;
+
+/// The part of its radius by which a ball around an emitter is larger: more than rounding.
+const WIDER: f64 = 1e-6;
+
+/// The edges of a scene along a direction that it moves in.
+pub struct EdgeRecords {
+    /// Numbers of exact tests.
+    pub numbers: Vec<f64>,
+    /// Everything else.
+    pub words: Vec<u32>,
+    /// Where paths can cross edges.
+    pub crosses: Crosses,
+}
+
+/// What the kernels read of how edges move.
+pub struct EdgeMotion<'a> {
+    /// True if sampling knows no velocity.
+    pub is_blind: bool,
+    pub of_points: OfPoints<'a>,
+}
+
+/// The same of their ends, points of the boundaries.
+pub enum OfPoints<'a> {
+    /// Velocities, in forward mode.
+    Velocities(&'a dyn Fn(u32) -> Vec3),
+    /// Where the sums of derivatives start, if they are asked for, in reverse mode.
+    Sums(&'a dyn Fn(u32) -> Option<u32>),
+}
+
+/// Between which vertices of paths and what there can be edges.
+#[derive(Clone, Copy, Debug)]
+pub struct Crosses {
+    /// Emitters, the environment among them.
+    emitters: bool,
+    /// How long paths are.
+    plan: Plan,
+}
+
+impl Crosses {
+    /// Whether light from emitters gets to a vertex of this number past edges.
+    pub fn before_emitters(&self, depth: usize) -> bool {
+        self.emitters && self.plan.reaches(depth as u32 + 2)
+    }
+
+    /// Whether light that surfaces reflect does.
+    pub fn before_surfaces(&self, depth: usize) -> bool {
+        self.plan.reaches(depth as u32 + 3)
+    }
+}
+
+impl EdgeRecords {
+    /// Those of the edges that a scene has, in the coordinates of the frame, with what is known of its
+    /// motion and what the kernels read of that.
+    pub fn new<R: Real, W: SceneEval<R>>(
+        prepared: &PreparedScene,
+        boundaries: &Boundaries,
+        eval: &W,
+        motion: &EdgeMotion,
+        frame: &LocalFrame,
+    ) -> Self {
+        let accel = prepared.accel();
+        let plan = Plan::new(prepared.scene());
+        let (areas, surroundings) = (
+            !boundaries.area_emitters.is_empty(),
+            accel.scene.environment().is_some(),
+        );
+        let crosses = Crosses {
+            emitters: areas || surroundings,
+            plan,
+        };
+        // What emits may end where textures do, or where another surface passes through it.
+        let emits_partly = areas && boundaries.crossings.iter().any(|crossing| crossing.emits);
+        let away = frame.centre.map(f64::abs);
+        let away = 2.0 * (away.x + away.y + away.z) * frame.inverse_scale;
+        let mut records = Self {
+            numbers: vec![ON_PLANE, away, IN_PLANE, BESIDE],
+            words: vec![0; HEADER],
+            crosses,
+        };
+        let mut tree = |selection, is_needed| match is_needed {
+            true => {
+                let sampler = boundaries.edge_sampler(accel, selection);
+                records.add_trees(sampler, boundaries, eval, motion, frame)
+            }
+            false => [NONE; 2],
+        };
+        let needs_silhouettes = surroundings || areas && !emits_partly;
+        let silhouettes = tree(
+            EdgeSelection::Silhouettes,
+            crosses.before_emitters(0) && needs_silhouettes,
+        );
+        let all = tree(
+            EdgeSelection::All,
+            crosses.before_surfaces(0) || crosses.before_emitters(0) && emits_partly,
+        );
+        let before_emitters = u32::from(emits_partly);
+        let windows =
+            records.add_windows(&boundaries.area_emitters, frame, accel.scene.emitters.len());
+        let [first, second] = [silhouettes, all];
+        let header = [
+            first[0],
+            second[0],
+            first[1],
+            second[1],
+            before_emitters,
+            windows,
+        ];
+        records.words[..HEADER].copy_from_slice(&header);
+        records
+    }
+
+    /// Adds the tree of a sampler's edges, of all of them and of those alone that move; returns where
+    /// both start, [`NONE`] for one without edges.
+    fn add_trees<R: Real, W: SceneEval<R>>(
+        &mut self,
+        sampler: &EdgeSampler,
+        boundaries: &Boundaries,
+        eval: &W,
+        motion: &EdgeMotion,
+        frame: &LocalFrame,
+    ) -> [u32; 2] {
+        let buffers = sampler.buffers();
+        let moves = |edge: &u32| {
+            let mut points = boundaries.edge(*edge).vertices.into_iter();
+            points.any(|point| !eval.motion_of_point(point).is_still())
+        };
+        let moving: Vec<bool> = buffers.edges.iter().map(moves).collect();
+        let motions = sampler.motions(|point| eval.motion_of_point(point));
+        let all = vec![true; moving.len()];
+        let mut add = |kept: &[bool]| {
+            let tree = KeptEdges::new(&buffers, kept)?;
+            Some(self.add_tree(
+                &tree, &buffers, sampler, &motions, boundaries, eval, motion, frame,
+            ))
+        };
+        let whole = add(&all);
+        let part = if moving == all { whole } else { add(&moving) };
+        [whole, part].map(|tree| tree.unwrap_or(NONE))
+    }
+
+    /// Adds a tree, and returns where it starts.
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "what is known of edges comes from many places"
+    )]
+    fn add_tree<R: Real, W: SceneEval<R>>(
+        &mut self,
+        tree: &KeptEdges,
+        buffers: &SamplerBuffers,
+        sampler: &EdgeSampler,
+        motions: &[Motion],
+        boundaries: &Boundaries,
+        eval: &W,
+        motion: &EdgeMotion,
+        frame: &LocalFrame,
+    ) -> u32 {
+        // The lists of edges that lie on others, by their places in the tree.
+        let mut places = vec![NONE; boundaries.edges().len()];
+        for (place, &kept) in (0..).zip(&tree.edges) {
+            places[buffers.edges[kept] as usize] = place;
+        }
+        let overlaps = tree.edges.iter().map(|&kept| {
+            let first = self.words.len() as u32;
+            let others = sampler.overlapping(buffers.edges[kept]);
+            let others = others.map(|other| places[other as usize]);
+            self.words.extend(others.filter(|&place| place != NONE));
+            [first, self.words.len() as u32]
+        });
+        let overlaps: Vec<_> = overlaps.collect();
+
+        let edges_at = self.words.len() as u32;
+        let factors = buffers.factors.as_chunks::<FACTORS>().0;
+        for (&kept, overlaps) in tree.edges.iter().zip(overlaps) {
+            self.words.extend(factors[kept].map(float));
+            let points = boundaries.edge(buffers.edges[kept]).vertices;
+            self.words.extend(match motion.of_points {
+                OfPoints::Velocities(velocity) => {
+                    let velocities = points.map(|point| velocity(point) * frame.inverse_scale);
+                    velocities
+                        .map(Vec3::to_array)
+                        .as_flattened()
+                        .iter()
+                        .copied()
+                        .map(float)
+                        .collect()
+                }
+                OfPoints::Sums(sum) => {
+                    let [a, b] = points.map(|point| sum(point).unwrap_or(NONE));
+                    vec![a, b, 0, 0, 0, 0]
+                }
+            });
+            self.words.extend(overlaps);
+            // Only a guess of the speed does not depend on where and across what.
+            let guess = eval.speed(points, 0.5, Vec3::zero(), Vec3::zero());
+            self.words.push(float(guess));
+        }
+        let numbers_at = self.numbers.len() as u32;
+        let numbers = buffers.ends_and_normals.as_chunks::<EDGE>().0;
+        for &kept in &tree.edges {
+            let edge = numbers[kept];
+            let vector = |i| Vec3::new(edge[i], edge[i + 1], edge[i + 2]);
+            let [a, b, first, second] = [0, 3, 6, 9].map(vector);
+            let ends = [a, b].map(|end| frame.local_from_world(end));
+            // Of unit length, unless the face has no area.
+            let normals = [first, second].map(|cross| match cross.normalized() {
+                normal if normal.is_finite() => normal,
+                _ => Vec3::zero(),
+            });
+            let vectors = ends.into_iter().chain(normals);
+            self.numbers.extend(vectors.flat_map(Vec3::to_array));
+            self.numbers.extend(normals.map(Vec3::length));
+        }
+
+        let nodes_at = self.words.len() as u32;
+        let bounds = buffers.bounds.as_chunks::<BOUNDS>().0;
+        for node in &tree.nodes {
+            let bounds = bounds[node.source];
+            let Motion { velocity, spread } = motions[node.source];
+            let local = |length: f64| float(length * frame.inverse_scale);
+            let halves = node
+                .halves
+                .map_or([NONE; 2], |halves| halves.map(|i| i as u32));
+            let (radius, count) = (bounds[3], node.edges.len().max(tree.leaf));
+            self.words.extend(halves);
+            self.words
+                .extend([node.edges.start, node.edges.end].map(|i| i as u32));
+            let centre = frame.local_from_world(Vec3::new(bounds[0], bounds[1], bounds[2]));
+            self.words.extend(centre.to_array().map(float));
+            self.words.push(local(radius));
+            self.words.extend(bounds[4..9].iter().copied().map(float));
+            self.words.extend(bounds[9..12].iter().copied().map(local));
+            // On a surface, so many edges in a disk are in one smaller by the root.
+            self.words
+                .push(local(radius * (tree.leaf as f64 / count as f64).sqrt()));
+            self.words.extend(velocity.to_array().map(local));
+            // Guesses have no units.
+            self.words.push(match motion.is_blind {
+                true => float(spread),
+                false => local(spread),
+            });
+            self.words.extend(bounds[12..].iter().copied().map(float));
+        }
+        let at = self.words.len() as u32;
+        self.words.extend([nodes_at, edges_at, numbers_at]);
+        at
+    }
+
+    /// Adds the windows of area emitters, and returns where the list of all emitters' is.
+    fn add_windows(&mut self, emitters: &[AreaEmitter], frame: &LocalFrame, count: usize) -> u32 {
+        let at = self.words.len();
+        self.words.resize(at + count, NONE);
+        for emitter in emitters {
+            self.words[at + emitter.emitter.0 as usize] = self.numbers.len() as u32;
+            match emitter.extent() {
+                Extent::Flat { hull, normal } => {
+                    assert!(hull.len() <= MANY_CORNERS, "windows have few corners");
+                    self.numbers.push(hull.len() as f64);
+                    self.numbers.extend(normal.to_array());
+                    let corners = hull.iter().map(|&corner| frame.local_from_world(corner));
+                    self.numbers.extend(corners.flat_map(Vec3::to_array));
+                }
+                Extent::Ball { centre, radius } => {
+                    self.numbers.push(0.0);
+                    self.numbers
+                        .extend(frame.local_from_world(*centre).to_array());
+                    self.numbers
+                        .push(radius * (1.0 + WIDER) * frame.inverse_scale);
+                }
+            }
+        }
+        at as u32
+    }
+}

@@ -1,0 +1,214 @@
+// Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
+// compiler: Slang 2026.12 in slangpy 0.43.1
+// source: edc869b39be2d7c1
+// result: ad4ca54fc6aeff03
+
+struct Launch_std140_0
+{
+    @align(16) first_0 : u32,
+    @align(4) end_0 : u32,
+    @align(8) room_0 : u32,
+    @align(4) depth_0 : u32,
+};
+
+@binding(8) @group(0) var<uniform> launch_0 : Launch_std140_0;
+@binding(5) @group(0) var<storage, read> input_0 : array<u32>;
+
+@binding(6) @group(0) var<storage, read_write> paths_0 : array<u32>;
+
+fn side_path_0( number_of_path_0 : u32,  side_0 : u32) -> u32
+{
+    return launch_0.room_0 / u32(3) + u32(2) * number_of_path_0 + side_0;
+}
+
+fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
+{
+    return paths_0[which_0 * launch_0.room_0 + path_0];
+}
+
+fn path_vector_0( path_1 : u32,  which_1 : ptr<function, u32>) -> vec3<f32>
+{
+    var _S1 : u32 = (*which_1) + u32(3);
+    (*which_1) = _S1;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_1, _S1 - u32(3)), path_word_0(path_1, _S1 - u32(2)), path_word_0(path_1, _S1 - u32(1))))));
+}
+
+fn path_vector_1( path_2 : u32,  which_2 : ptr<function, u32>) -> vec3<f32>
+{
+    var _S2 : u32 = (*which_2) + u32(3);
+    (*which_2) = _S2;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_2, _S2 - u32(3)), path_word_0(path_2, _S2 - u32(2)), path_word_0(path_2, _S2 - u32(1))))));
+}
+
+struct Crossed_0
+{
+     factor_0 : vec3<f32>,
+     term_0 : vec3<f32>,
+     goes_on_0 : vec2<bool>,
+};
+
+fn nothing_crossed_0( factor_1 : vec3<f32>) -> Crossed_0
+{
+    var crossed_0 : Crossed_0;
+    crossed_0.factor_0 = factor_1;
+    crossed_0.goes_on_0 = vec2<bool>(false, false);
+    crossed_0.term_0 = vec3<f32>(0.0f);
+    return crossed_0;
+}
+
+fn set_word_0( path_3 : u32,  which_3 : u32,  value_0 : u32)
+{
+    paths_0[which_3 * launch_0.room_0 + path_3] = value_0;
+    return;
+}
+
+fn set_vector_0( path_4 : u32,  which_4 : ptr<function, u32>,  value_1 : vec3<f32>)
+{
+    var axis_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_0 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_4, (*which_4) + axis_0, (bitcast<u32>((value_1[axis_0]))));
+        axis_0 = axis_0 + u32(1);
+    }
+    (*which_4) = (*which_4) + u32(3);
+    return;
+}
+
+struct Place_0
+{
+     triangle_0 : u32,
+     v_0 : f32,
+     w_0 : f32,
+     change_0 : vec2<f32>,
+};
+
+struct Surface_0
+{
+     place_0 : Place_0,
+     shape_0 : u32,
+     exact_0 : vec3<f64>,
+     position_0 : vec3<f32>,
+     face_normal_0 : vec3<f32>,
+     outward_0 : vec3<f32>,
+     is_front_0 : bool,
+     position_change_0 : vec3<f32>,
+     outward_change_0 : vec3<f32>,
+};
+
+struct Axes_0
+{
+     s_0 : vec3<f32>,
+     t_0 : vec3<f32>,
+     n_0 : vec3<f32>,
+};
+
+struct Numbers_0
+{
+     diffuse_reflectance_0 : vec3<f32>,
+     specular_reflectance_0 : vec3<f32>,
+     eta_0 : vec3<f32>,
+     k_0 : vec3<f32>,
+     alpha_0 : vec2<f32>,
+};
+
+struct Lobe_0
+{
+     record_0 : u32,
+     kind_0 : u32,
+     distribution_0 : u32,
+     numbers_0 : Numbers_0,
+     changes_0 : Numbers_0,
+};
+
+struct Vector_0
+{
+     value_2 : vec3<f32>,
+     change_1 : vec3<f32>,
+};
+
+struct Vertex_0
+{
+     surface_0 : Surface_0,
+     axes_0 : Axes_0,
+     lobe_0 : Lobe_0,
+     wi_0 : Vector_0,
+     axes_change_0 : Axes_0,
+};
+
+struct VertexMotion_0
+{
+     velocity_0 : vec3<f32>,
+     rotation_0 : vec3<f32>,
+};
+
+struct ShadingPoint_0
+{
+     vertex_0 : Vertex_0,
+     whole_0 : VertexMotion_0,
+     motion_0 : VertexMotion_0,
+     purpose_0 : u32,
+     emitter_0 : u32,
+     tree_0 : u32,
+     has_creases_0 : bool,
+     turns_0 : bool,
+     planes_0 : u32,
+     inside_0 : array<vec3<f64>, i32(8)>,
+     front_0 : vec3<f32>,
+     front_offset_0 : vec3<f32>,
+};
+
+fn add_0( number_of_path_1 : u32,  crossed_1 : Crossed_0,  at_0 : ShadingPoint_0)
+{
+    var change_2 : u32 = u32(4);
+    var before_0 : vec3<f32> = path_vector_0(number_of_path_1, &(change_2));
+    change_2 = u32(4);
+    set_vector_0(number_of_path_1, &(change_2), before_0 + crossed_1.term_0);
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn add_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
+{
+    var listed_0 : u32 = launch_0.first_0 + thread_0.x;
+    if(listed_0 >= (launch_0.end_0))
+    {
+        return;
+    }
+    var number_of_path_2 : u32 = input_0[listed_0];
+    var _S3 : vec3<f32> = vec3<f32>(0.0f);
+    var side_1 : u32 = u32(0);
+    var sum_0 : vec3<f32> = _S3;
+    for(;;)
+    {
+        if(side_1 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var number_0 : u32 = side_path_0(number_of_path_2, side_1);
+        var which_5 : u32 = u32(15);
+        var weight_0 : vec3<f32> = path_vector_1(number_0, &(which_5));
+        which_5 = u32(1);
+        if((any((weight_0 != _S3))))
+        {
+            var _S4 : vec3<f32> = path_vector_1(number_0, &(which_5));
+            sum_0 = sum_0 + weight_0 * _S4;
+        }
+        side_1 = side_1 + u32(1);
+    }
+    var crossed_2 : Crossed_0 = nothing_crossed_0(_S3);
+    crossed_2.term_0 = sum_0;
+    var at_1 : ShadingPoint_0;
+    add_0(number_of_path_2, crossed_2, at_1);
+    return;
+}
