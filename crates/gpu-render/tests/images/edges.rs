@@ -50,6 +50,9 @@ fn scene(depth: u32, floor: &str, things: &str) -> Scene {
     </texture>
   </bsdf>
   <bsdf type="roughconductor" id="metal"><float name="alpha" value="0.3"/></bsdf>
+  <bsdf type="roughconductor" id="polished">
+    <float name="alpha" value="0.1"/><rgb name="specular_reflectance" value="0.3, 0.2, 0.4"/>
+  </bsdf>
   <bsdf type="roughplastic" id="plastic"><float name="alpha" value="0.2"/></bsdf>
   <shape type="rectangle" id="floor">
     <transform name="to_world"><rotate x="1" angle="-90"/><scale value="3"/></transform>
@@ -116,6 +119,7 @@ fn upright(block: &str) -> String {
 const GREY: &str = r#"<ref id="grey"/>"#;
 const BLACK: &str = r#"<ref id="black"/>"#;
 const METAL: &str = r#"<ref id="metal"/>"#;
+const POLISHED: &str = r#"<ref id="polished"/>"#;
 const PLASTIC: &str = r#"<ref id="plastic"/>"#;
 const SKY: &str =
     r#"<emitter type="constant"><rgb name="radiance" value="0.5, 0.7, 1"/></emitter>"#;
@@ -166,6 +170,20 @@ fn cases() -> Vec<Case> {
     <emitter type="area"><rgb name="radiance" value="90, 80, 70"/></emitter>
   </shape>"#
             .to_owned()
+    };
+    let behind_the_camera = || {
+        let board = r#"<shape type="rectangle">
+    <transform name="to_world">
+      <rotate y="1" angle="180"/><scale value="1.2"/><translate y="1.5" z="5"/>
+    </transform>
+    <ref id="grey"/>
+  </shape>
+  <shape type="rectangle">
+    <transform name="to_world"><scale value="0.5"/><translate y="1.5" z="4.3"/></transform>
+    <emitter type="area"><rgb name="radiance" value="90, 80, 70"/></emitter>
+  </shape>"#;
+        let block = block("block", "black", 0.3, [0.9, 1.2, 3.0]);
+        [block, wall("grey"), board.to_owned()]
     };
     let sky = || SKY.to_owned();
     let standing = || upright(&block("block", "black", 0.3, [0.1, 0.3, -1.3]));
@@ -261,6 +279,17 @@ fn cases() -> Vec<Case> {
                 "by a wall and the floor",
                 [black(), wall("grey"), lights_the_wall()],
             )
+        },
+        // A polished floor shows the wall, which is lit by a board behind the camera: edges between those two.
+        Case {
+            depth: 4,
+            floor: POLISHED,
+            ..case("by way of a wall", behind_the_camera())
+        },
+        Case {
+            depth: 3,
+            floor: POLISHED,
+            ..case("not by way of a wall", behind_the_camera())
         },
         // Curves in which surfaces cross, and lines of textures, too.
         Case {
