@@ -125,6 +125,14 @@ const SKY: &str =
     r#"<emitter type="constant"><rgb name="radiance" value="0.5, 0.7, 1"/></emitter>"#;
 const MAP: &str = r#"<emitter type="envmap"><string name="filename" value="sky.exr"/></emitter>"#;
 
+/// What a large lamp emits, and something else.
+const EMITS: &str = r#"<rgb name="radiance" value="2, 3, 2.5"/>"#;
+const CHECKS: &str = r#"<texture type="checkerboard" name="radiance">
+      <rgb name="color0" value="1, 2, 3"/>
+      <rgb name="color1" value="8, 6, 7"/>
+      <transform name="to_uv"><scale x="2" y="1.5"/></transform>
+    </texture>"#;
+
 /// Where the block and the lamp are, unless a scene says otherwise.
 const BLOCK: [f64; 3] = [0.0, 1.2, -0.6];
 const LAMP: [f64; 3] = [0.2, 3.5, -1.5];
@@ -211,6 +219,21 @@ fn cases() -> Vec<Case> {
             velocity: level,
             ..case("a lamp moves", [black(), large()])
         },
+        // What emits has edges inside: lines of its texture, and where a block passes through it.
+        Case {
+            moving: vec!["lamp"],
+            velocity: level,
+            ..case(
+                "a lamp of checks moves",
+                [large()
+                    .replace(EMITS, CHECKS)
+                    .replace(r#"value="1""#, r#"value="0.7""#)],
+            )
+        },
+        case(
+            "a lamp is cut",
+            [block("block", "black", 0.4, [0.3, 3.4, -1.3]), large()],
+        ),
         Case {
             moving: vec!["block", "other"],
             velocity: level,
@@ -416,6 +439,24 @@ fn boundary_terms_are_the_processors() {
         }
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+/// Rays beside edges need double precision.
+#[test]
+fn single_precision_is_refused() {
+    let Some(gpu) = device::open(Precision::Single) else {
+        return;
+    };
+    let case = case("small", [block("block", "black", 0.35, BLOCK)]);
+    let prepared = case.prepared();
+    let tangent = case.tangent(prepared.scene());
+    let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
+    let error = on_device.gradient(&tangent, &options(1, 3), &Unwatched);
+    let text = error.expect_err("it moves").to_string();
+    assert!(
+        text.starts_with("shapes move, which needs double precision"),
+        "{text}"
+    );
 }
 
 /// Neither the image nor its derivative depends on how many paths are on the device at a time.
