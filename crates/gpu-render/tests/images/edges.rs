@@ -16,7 +16,7 @@ use crate::device;
 const SIZE: [u32; 2] = [8, 6];
 
 /// The largest variance, as a multiple of the processor's: where many edges count, the processor lists them all.
-const MOST_VARIANCE: f64 = 3.0;
+const MOST_VARIANCE: f64 = 2.5;
 
 /// The largest standard score of a number of a pixel, of 144, and of the mean over the image: one in
 /// some ten thousand is larger by chance.
