@@ -6,7 +6,6 @@ use std::sync::Arc;
 use capwalk_boundary::{Boundaries, Field, Viewpoint};
 use capwalk_diff::{Forward, GradientOptions, GradientWork, Method, Wanted};
 use capwalk_geometry::buffers::NONE;
-use capwalk_gpu::Precision;
 use capwalk_math::Vec3;
 use capwalk_render::tiles::SamplePlace;
 use capwalk_render::{GradientImage, MotionFacts, SceneEval, Tracer, Watch};
@@ -20,7 +19,7 @@ use crate::device_scene::DeviceScene;
 use crate::edge_records::{EdgeMotion, OfPoints};
 use crate::render_kernels::FORWARD;
 use crate::texture_records::float;
-use crate::unsupported::{Unsupported, unsupported_derivative};
+use crate::unsupported::unsupported_derivative;
 
 impl DeviceScene<'_> {
     /// The derivative of the image for a unit change along `tangent`, with the image, as
@@ -45,15 +44,10 @@ impl DeviceScene<'_> {
     ) -> Result<GradientImage, DeviceError> {
         GradientWork::new(self.prepared, Cow::Borrowed(tangent), *options).check()?;
         let wanted = Wanted::by(tangent);
-        if let Some(unsupported) =
-            unsupported_derivative(self.prepared, &wanted, &options.method, false)
-        {
+        if let Some(unsupported) = unsupported_derivative(self.prepared, &wanted, &options.method) {
             return Err(unsupported.into());
         }
-        if wanted.moves() && self.gpu.precision() == Precision::Single {
-            let what = "the device has single precision alone, and something moves".to_owned();
-            return Err(Unsupported { what }.into());
-        }
+        self.check_precision(&wanted)?;
         let boundaries = self.prepared.boundaries_if(wanted.moves());
         self.interior_and(Some(boundaries), tangent, options, most, watch)
     }
@@ -103,8 +97,7 @@ impl DeviceScene<'_> {
         let mut changes = self.changes(&eval, tangent);
         changes[4] = options.blind.into();
         if let Some(edges) = &crossed {
-            changes[3] = changes.len() as u32;
-            changes.extend(&edges.words);
+            edges.append(&mut changes);
         }
         self.check_room_of_numbers(changes.len())?;
         let facts = Arc::new(MotionFacts::of(scene));

@@ -6,6 +6,9 @@ use crate::edge_records::{Crosses, EdgeRecords};
 use crate::render_kernels::PathKernels;
 use crate::upload::upload_numbers;
 
+/// Which of the words that tell what changes says where the edges are.
+const EDGES_AT: usize = 3;
+
 /// For each path there is room for two others, one on each side of an edge.
 pub const COLUMNS: usize = 3;
 
@@ -15,7 +18,7 @@ pub struct DeviceEdges {
     /// The numbers of the scene, with those of the edges behind them.
     pub primitives: DeviceArray,
     /// Everything else, which comes to the device with what changes.
-    pub words: Vec<u32>,
+    words: Vec<u32>,
     /// Where paths can cross them.
     pub crosses: Crosses,
     /// What follows the paths that go on to both sides.
@@ -37,5 +40,11 @@ impl DeviceEdges {
             crosses: edges.crosses,
             image,
         })
+    }
+
+    /// Appends the words of the edges to those that tell what changes, see `changes.slang`.
+    pub fn append(&self, changes: &mut Vec<u32>) {
+        changes[EDGES_AT] = changes.len() as u32;
+        changes.extend(&self.words);
     }
 }

@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use capwalk_boundary::Boundaries;
+use capwalk_diff::Wanted;
 use capwalk_geometry::LocalFrame;
-use capwalk_gpu::{DeviceArray, Gpu, GpuError};
+use capwalk_gpu::{DeviceArray, Gpu, GpuError, Precision};
 use capwalk_math::Real;
 use capwalk_render::{PreparedScene, SceneEval};
 
@@ -77,6 +78,16 @@ impl<'a> DeviceScene<'a> {
                     "derivatives take {words} words, more than half of a buffer of {}",
                     self.gpu.name()
                 ),
+            }),
+            false => Ok(()),
+        }
+    }
+
+    /// An error if something moves and the device has no double precision for the rays beside edges.
+    pub(crate) fn check_precision(&self, wanted: &Wanted) -> Result<(), Unsupported> {
+        match wanted.moves() && self.gpu.precision() == Precision::Single {
+            true => Err(Unsupported {
+                what: "the device has single precision alone, and something moves".to_owned(),
             }),
             false => Ok(()),
         }

@@ -7,7 +7,7 @@ use capwalk_geometry::{EdgeSelection, LocalFrame};
 use capwalk_math::{Real, Vec3};
 use capwalk_render::{Plan, PreparedScene, SceneEval};
 
-use crate::kept_edges::KeptEdges;
+use crate::kept_edges::{KeptEdges, LEAF};
 use crate::texture_records::float;
 
 /// Words of the header.
@@ -239,7 +239,7 @@ impl EdgeRecords {
             let halves = node
                 .halves
                 .map_or([NONE; 2], |halves| halves.map(|i| i as u32));
-            let (radius, count) = (bounds[3], node.edges.len().max(tree.leaf));
+            let (radius, count) = (bounds[3], node.edges.len().max(LEAF));
             self.words.extend(halves);
             self.words
                 .extend([node.edges.start, node.edges.end].map(|i| i as u32));
@@ -250,7 +250,7 @@ impl EdgeRecords {
             self.words.extend(bounds[9..12].iter().copied().map(local));
             // On a surface, so many edges in a disk are in one smaller by the root.
             self.words
-                .push(local(radius * (tree.leaf as f64 / count as f64).sqrt()));
+                .push(local(radius * (LEAF as f64 / count as f64).sqrt()));
             self.words.extend(velocity.to_array().map(local));
             // Guesses have no units.
             self.words.push(match motion.is_blind {

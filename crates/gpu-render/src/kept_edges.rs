@@ -4,8 +4,9 @@ use std::ops::Range;
 
 use capwalk_geometry::sampler_buffers::{NODE, NONE, SamplerBuffers};
 
-/// The most edges in a leaf, as in the sampler: more where few of them count.
-const LEAF: [usize; 2] = [32, 12];
+/// The most edges in a leaf. Also where creases count, of which the sampler has fewer: what one list has
+/// is sampled better than what is in several.
+pub const LEAF: usize = 32;
 
 /// A tree of some edges.
 pub struct KeptEdges {
@@ -13,8 +14,6 @@ pub struct KeptEdges {
     pub edges: Vec<usize>,
     /// The root comes first.
     pub nodes: Vec<KeptNode>,
-    /// The most edges in a leaf.
-    pub leaf: usize,
 }
 
 /// A node of it.
@@ -34,7 +33,6 @@ impl KeptEdges {
         let mut tree = Self {
             edges,
             nodes: Vec::new(),
-            leaf: LEAF[usize::from(buffers.all_edges)],
         };
         if tree.edges.is_empty() {
             return None;
@@ -45,37 +43,81 @@ impl KeptEdges {
 
     /// Adds what is kept of a node, which is something, and returns its number.
     fn add(&mut self, nodes: &[[u32; NODE]], source: usize) -> usize {
-        let [first, second, start, end] = nodes[source];
-        let kept = |nodes: &[u32; NODE]| {
-            let [start, end] = [nodes[2], nodes[3]].map(|i| i as usize);
-            self.edges.partition_point(|&i| i < start)..self.edges.partition_point(|&i| i < end)
-        };
-        let edges = kept(&[first, second, start, end]);
-        let halves = (first != NONE && edges.len() > self.leaf).then(|| [first, second]);
-        if let Some(halves) = halves {
-            let halves = halves.map(|half| half as usize);
+        let [first, second, ..] = nodes[source];
+        let edges = self.kept(&nodes[source]);
+        let is_leaf = first == NONE || edges.len() <= LEAF;
+        let halves = [first, second].map(|half| half as usize);
+        if !is_leaf {
             // Where all that is kept is in one half, that stands for the node.
-            let full = halves.map(|half| !kept(&nodes[half]).is_empty());
-            match full {
-                [true, false] => return self.add(nodes, halves[0]),
-                [false, true] => return self.add(nodes, halves[1]),
-                _ => {}
+            for [empty, other] in [halves, [halves[1], halves[0]]] {
+                if self.kept(&nodes[empty]).is_empty() {
+                    return self.add(nodes, other);
+                }
             }
-            let number = self.nodes.len();
-            self.nodes.push(KeptNode {
-                source,
-                halves: None,
-                edges,
-            });
-            let halves = halves.map(|half| self.add(nodes, half));
-            self.nodes[number].halves = Some(halves);
-            return number;
         }
+        let number = self.nodes.len();
         self.nodes.push(KeptNode {
             source,
             halves: None,
             edges,
         });
-        self.nodes.len() - 1
+        if !is_leaf {
+            let halves = halves.map(|half| self.add(nodes, half));
+            self.nodes[number].halves = Some(halves);
+        }
+        number
+    }
+
+    /// Which of the kept edges are in a node.
+    fn kept(&self, [_, _, start, end]: &[u32; NODE]) -> Range<usize> {
+        let place = |end: u32| self.edges.partition_point(|&i| i < end as usize);
+        place(*start)..place(*end)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use capwalk_boundary::{Accel, Boundaries};
+    use capwalk_geometry::EdgeSelection;
+    use capwalk_math::{Affine, Vec3};
+    use capwalk_scene::primitive::{cube, icosphere};
+    use capwalk_scene::{BsdfId, ShadingNormals, Shape, builtin};
+
+    use super::*;
+
+    /// Each edge that is kept is in one leaf, whose node in the sampler has it; leaves are small.
+    #[test]
+    fn kept_edges_are_in_one_leaf_each() {
+        let mut scene = builtin::scene("leaf").expect("built in");
+        scene.shapes.clear();
+        scene.emitters.clear();
+        let away = Affine::translate(Vec3::new(3.0, 0.0, 0.0));
+        for mesh in [icosphere(9), cube(away).0] {
+            scene.add_shape(Shape::new("", mesh, ShadingNormals::Face, BsdfId(0)));
+        }
+        let accel = Accel::new(scene);
+        let boundaries = Boundaries::new(&accel);
+        for selection in [EdgeSelection::Silhouettes, EdgeSelection::All] {
+            let buffers = boundaries.edge_sampler(&accel, selection).buffers();
+            let count = buffers.edges.len();
+            let nodes = buffers.nodes.as_chunks::<NODE>().0;
+            assert!(KeptEdges::new(&buffers, &vec![false; count]).is_none());
+            for step in [1, 2, 7, 300] {
+                let kept: Vec<bool> = (0..count).map(|i| i % step == 0).collect();
+                let tree = KeptEdges::new(&buffers, &kept).expect("some are kept");
+                let mut listed: Vec<usize> = Vec::new();
+                for node in tree.nodes.iter().filter(|node| node.halves.is_none()) {
+                    let [_, _, start, end] = nodes[node.source];
+                    let edges = &tree.edges[node.edges.clone()];
+                    assert!(edges.len() <= LEAF && !edges.is_empty());
+                    assert!(edges.iter().all(|&i| (start..end).contains(&(i as u32))));
+                    listed.extend(edges);
+                }
+                let expected: Vec<usize> = (0..count).filter(|&i| kept[i]).collect();
+                assert_eq!(listed, expected);
+                let is_whole = step == 1 && selection == EdgeSelection::Silhouettes;
+                assert!(!is_whole || tree.nodes.len() == nodes.len());
+            }
+        }
     }
 }

@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use capwalk_boundary::{Boundaries, Field, Sampler, Stream, pool};
-use capwalk_diff::{Backward, BackwardWork, GradientOptions, Method, Wanted};
+use capwalk_diff::{Backward, BackwardWork, GradientOptions, Method, Reverse, Wanted};
 use capwalk_gpu::GpuError;
+use capwalk_math::Tape;
 use capwalk_render::tiles::{self, SamplePlace};
 use capwalk_render::{MotionFacts, Plan, Statistics, Tracer, Watch};
 use capwalk_scene::{Gradient, Image};
@@ -12,8 +13,10 @@ use rayon::prelude::*;
 
 use crate::camera_back::CameraBack;
 use crate::camera_rays::write_camera_ray;
+use crate::device_edges::{COLUMNS, DeviceEdges};
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
+use crate::edge_records::{EdgeMotion, OfPoints};
 use crate::fixed_point::{PartSums, Sums};
 use crate::part_size::PartSize;
 use crate::paths::{Followed, Paths};
@@ -62,10 +65,11 @@ impl DeviceScene<'_> {
     ) -> Result<Backward, DeviceError> {
         BackwardWork::new(self.prepared, adjoint, wanted.clone(), *options).check()?;
         let sampling = options.sampling();
-        let unsupported = unsupported_derivative(self.prepared, wanted, &options.method, true);
+        let unsupported = unsupported_derivative(self.prepared, wanted, &options.method);
         if let Some(unsupported) = unsupported.or_else(|| unsupported_options(&sampling)) {
             return Err(unsupported.into());
         }
+        self.check_precision(wanted)?;
         let boundaries = self.prepared.boundaries_if(wanted.moves());
         self.interior_and_back(Some(boundaries), adjoint, wanted, options, most, watch)
     }
@@ -111,9 +115,23 @@ impl DeviceScene<'_> {
             true => steepest.log2().floor().clamp(-1000.0, 1000.0),
             false => 0.0,
         };
+        let crossed = boundaries.filter(|_| wanted.geometry());
+        let crossed = crossed.map(|boundaries| {
+            let points = wanted.points(accel, boundaries);
+            let tape = Tape::default();
+            let eval = Reverse::new(field, wanted, &points, &tape);
+            let of_point = |point: u32| sums.of_point(point).filter(|_| points[point as usize]);
+            let motion = EdgeMotion {
+                is_blind: true,
+                of_points: OfPoints::Sums(&of_point),
+            };
+            self.edges(&eval, boundaries, &motion)
+        });
+        let crossed = crossed.transpose()?;
         loop {
             let job = Job {
                 scene: self,
+                crossed: crossed.as_ref(),
                 camera: CameraBack::new(&tracer, field, wanted, boundaries.is_some()),
                 adjoint,
                 unit: exponent.exp2(),
@@ -134,6 +152,8 @@ impl DeviceScene<'_> {
 struct Job<'a> {
     scene: &'a DeviceScene<'a>,
     camera: CameraBack<'a>,
+    /// The edges that paths cross.
+    crossed: Option<&'a DeviceEdges>,
     adjoint: &'a Image,
     /// What the adjoint is divided by on the device.
     unit: f64,
@@ -254,7 +274,8 @@ impl<'a> Job<'a> {
         let by_texels = 2 + sampling.emitter_samples + sampling.bsdf_samples;
         // A lookup may have the same texel four times, and the camera sees emitters.
         let by_sums = MOST_DERIVATIVES / (4 * (levels * by_texels as usize + 1));
-        let bytes = 4 * REVERSE.words(levels) as u64;
+        let columns = self.crossed.map_or(1, |_| COLUMNS);
+        let bytes = 4 * (REVERSE.words(levels) * columns) as u64;
         let by_memory = (self.scene.gpu.largest_buffer() / bytes) as usize;
         place.most = place.most.min(by_sums).min(by_memory);
         place.size = PartSize::new(place.most);
@@ -273,9 +294,15 @@ impl<'a> Job<'a> {
             Some(paths) if paths.room() >= room => paths,
             other => {
                 *other = None;
-                let (changes, sums) = (self.sums.changes(), self.sums.words());
+                let (mut changes, sums) = (self.sums.changes(), self.sums.words());
+                if let Some(edges) = self.crossed {
+                    edges.append(&mut changes);
+                }
                 let room = [room, place.levels];
-                other.insert(self.scene.paths(&REVERSE, room, &changes, sums)?)
+                let paths = self
+                    .scene
+                    .paths(&REVERSE, room, &changes, sums, self.crossed)?;
+                other.insert(paths)
             }
         };
         let width = self.adjoint.width;

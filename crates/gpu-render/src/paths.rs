@@ -135,6 +135,10 @@ impl<'a> Paths<'a> {
     /// Takes the light that arrives behind vertices back to the camera, given the paths that got to
     /// each; false if the watch stopped it.
     pub fn go_back(&self, lists: &[Vec<u32>], watch: &dyn Watch) -> Result<bool, GpuError> {
+        assert!(
+            lists.len() <= self.levels,
+            "there was room for all vertices"
+        );
         for (depth, list) in lists.iter().enumerate().rev() {
             if watch.should_stop() {
                 return Ok(false);
@@ -177,10 +181,6 @@ impl<'a> Paths<'a> {
         assert!(
             count <= self.columns(),
             "there is no room for so many paths"
-        );
-        assert!(
-            !self.kernels.keeps() || depth < self.levels,
-            "there is no room for the vertex"
         );
         let [nodes, leaf_starts, primitives, faces, records] = self.scene;
         let arrays = [

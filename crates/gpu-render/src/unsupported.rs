@@ -31,39 +31,35 @@ pub fn unsupported_options(options: &RenderOptions) -> Option<Unsupported> {
     })
 }
 
-/// The first thing of a derivative that the device's renderer does not have, by a method, in forward
-/// mode or, if `is_reverse`, in reverse mode. It has those with respect to the numbers of materials,
-/// but for rough coats, to what emitters send, and in forward mode to what moves, by edges.
+/// The first thing of a derivative that the device's renderer does not have, by a method. It has those
+/// with respect to the numbers of materials, but for rough coats, to what emitters send, and to what
+/// moves, by edges.
 pub fn unsupported_derivative(
     prepared: &PreparedScene,
     wanted: &Wanted,
     method: &Method,
-    is_reverse: bool,
 ) -> Option<Unsupported> {
-    let scene = prepared.scene();
-    let moves = || match is_reverse {
-        true => what_moves(scene, wanted),
-        false => in_motion(prepared, wanted, method),
-    };
-    let what = wanted.moves().then(moves).flatten();
-    let what = what.or_else(|| other_number(scene, wanted))?;
+    let in_motion = || in_motion(prepared, wanted, method);
+    let what = wanted.moves().then(in_motion).flatten();
+    let what = what.or_else(|| other_number(prepared.scene(), wanted))?;
     Some(Unsupported {
         what: format!("{what}, and derivatives with respect to that are asked for"),
     })
 }
 
 /// The first thing that moves.
-fn what_moves(scene: &Scene, wanted: &Wanted) -> Option<String> {
+fn what_moves(scene: &Scene, wanted: &Wanted) -> String {
     let mut shapes = scene.shapes.iter().enumerate();
     let shape = shapes.find(|&(i, _)| wanted.shapes[i] || wanted.normals[i]);
-    let others = || "the sensor or an emitter moves".to_owned();
-    Some(shape.map_or_else(others, |(_, shape)| format!("shape \"{}\" moves", shape.id)))
+    match shape {
+        Some((_, shape)) => format!("shape \"{}\" moves", shape.id),
+        None => "the sensor or an emitter moves".to_owned(),
+    }
 }
 
 /// The first thing that the kernels do not have where something moves.
 fn in_motion(prepared: &PreparedScene, wanted: &Wanted, method: &Method) -> Option<String> {
     let scene = prepared.scene();
-    let moving = what_moves(scene, wanted)?;
     let view = &prepared.accel().view;
     let parallel = view
         .is_parallel()
@@ -91,7 +87,7 @@ fn in_motion(prepared: &PreparedScene, wanted: &Wanted, method: &Method) -> Opti
         (!is_by_edges).then(|| "directions are to walk".to_owned())
     };
     let what = parallel.or_else(specular).or_else(film).or_else(walks)?;
-    Some(format!("{what}, {moving}"))
+    Some(format!("{what}, {}", what_moves(scene, wanted)))
 }
 
 /// The first number that is wanted and of which the kernels have no derivative: those of coats that

@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 00833f4937418b8a
-// result: 833da8168d2e9fd3
+// source: 6c39061bcedb282c
+// result: d6c1578d2c5605f5
 
 struct Launch_std140_0
 {
@@ -675,6 +675,64 @@ fn path_vector_3( path_4 : u32,  which_4 : ptr<function, u32>) -> vec3<f32>
     return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_4, _S184 - u32(3)), path_word_0(path_4, _S184 - u32(2)), path_word_0(path_4, _S184 - u32(1))))));
 }
 
+struct Numbers_0
+{
+     diffuse_reflectance_0 : vec3<f32>,
+     specular_reflectance_0 : vec3<f32>,
+     eta_0 : vec3<f32>,
+     k_0 : vec3<f32>,
+     alpha_0 : vec2<f32>,
+};
+
+fn no_numbers_0() -> Numbers_0
+{
+    var numbers_0 : Numbers_0;
+    var _S185 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_0.k_0 = _S185;
+    numbers_0.eta_0 = _S185;
+    numbers_0.specular_reflectance_0 = _S185;
+    numbers_0.diffuse_reflectance_0 = _S185;
+    numbers_0.alpha_0 = vec2<f32>(0.0f);
+    return numbers_0;
+}
+
+struct Pulled_0
+{
+     numbers_1 : Numbers_0,
+     axes_0 : Axes_0,
+     wi_0 : vec3<f32>,
+     position_0 : vec3<f32>,
+};
+
+fn nothing_pulled_0() -> Pulled_0
+{
+    var pulled_0 : Pulled_0;
+    pulled_0.numbers_1 = no_numbers_0();
+    var _S186 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_0 = _S186;
+    pulled_0.wi_0 = _S186;
+    pulled_0.axes_0.n_0 = _S186;
+    pulled_0.axes_0.t_0 = _S186;
+    pulled_0.axes_0.s_0 = _S186;
+    return pulled_0;
+}
+
+struct Crossed_0
+{
+     factor_0 : vec3<f32>,
+     pulled_1 : Pulled_0,
+     goes_on_0 : vec2<bool>,
+};
+
+fn nothing_crossed_0( factor_1 : vec3<f32>) -> Crossed_0
+{
+    var crossed_0 : Crossed_0;
+    crossed_0.factor_0 = factor_1;
+    crossed_0.goes_on_0 = vec2<bool>(false, false);
+    crossed_0.pulled_1 = nothing_pulled_0();
+    return crossed_0;
+}
+
 fn path_changing_0( path_5 : u32,  which_5 : ptr<function, u32>) -> vec3<f32>
 {
     var value_0 : vec3<f32> = path_vector_3(path_5, &((*which_5)));
@@ -699,16 +757,16 @@ fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
 
 fn path_place_0( path_6 : u32,  which_6 : ptr<function, u32>) -> Place_0
 {
-    var _S185 : u32 = (*which_6) + u32(3);
-    (*which_6) = _S185;
-    return place_at_0(path_word_0(path_6, _S185 - u32(3)), (bitcast<f32>((path_word_0(path_6, _S185 - u32(2))))), (bitcast<f32>((path_word_0(path_6, _S185 - u32(1))))));
+    var _S187 : u32 = (*which_6) + u32(3);
+    (*which_6) = _S187;
+    return place_at_0(path_word_0(path_6, _S187 - u32(3)), (bitcast<f32>((path_word_0(path_6, _S187 - u32(2))))), (bitcast<f32>((path_word_0(path_6, _S187 - u32(1))))));
 }
 
 fn path_place_1( path_7 : u32,  which_7 : ptr<function, u32>) -> Place_0
 {
-    var _S186 : u32 = (*which_7) + u32(3);
-    (*which_7) = _S186;
-    return place_at_0(path_word_0(path_7, _S186 - u32(3)), (bitcast<f32>((path_word_0(path_7, _S186 - u32(2))))), (bitcast<f32>((path_word_0(path_7, _S186 - u32(1))))));
+    var _S188 : u32 = (*which_7) + u32(3);
+    (*which_7) = _S188;
+    return place_at_0(path_word_0(path_7, _S188 - u32(3)), (bitcast<f32>((path_word_0(path_7, _S188 - u32(2))))), (bitcast<f32>((path_word_0(path_7, _S188 - u32(1))))));
 }
 
 struct ByRay_0
@@ -732,18 +790,18 @@ fn load_0( number_of_path_1 : u32) -> Path_0
 {
     var at_0 : u32 = u32(1);
     var path_8 : Path_0;
-    var _S187 : vec3<f32> = path_vector_0(number_of_path_1, &(at_0));
-    path_8.adjoint_0 = _S187;
+    var _S189 : vec3<f32> = path_vector_0(number_of_path_1, &(at_0));
+    path_8.adjoint_0 = _S189;
     path_8.distance_0 = 0.0f;
-    var _S188 : vec3<f32> = vec3<f32>(0.0f);
-    path_8.by_ray_0.direction_0 = _S188;
-    path_8.by_ray_0.drift_0 = _S188;
-    var _S189 : vec3<f32> = path_changing_0(number_of_path_1, &(at_0));
-    path_8.throughput_0 = _S189;
-    var _S190 : vec3<f32> = path_changing_0(number_of_path_1, &(at_0));
-    path_8.direction_1 = _S190;
-    var _S191 : Place_0 = path_place_0(number_of_path_1, &(at_0));
-    path_8.place_1 = _S191;
+    var _S190 : vec3<f32> = vec3<f32>(0.0f);
+    path_8.by_ray_0.direction_0 = _S190;
+    path_8.by_ray_0.drift_0 = _S190;
+    var _S191 : vec3<f32> = path_changing_0(number_of_path_1, &(at_0));
+    path_8.throughput_0 = _S191;
+    var _S192 : vec3<f32> = path_changing_0(number_of_path_1, &(at_0));
+    path_8.direction_1 = _S192;
+    var _S193 : Place_0 = path_place_0(number_of_path_1, &(at_0));
+    path_8.place_1 = _S193;
     path_8.key_0 = vec2<u32>(path_word_0(number_of_path_1, at_0), path_word_0(number_of_path_1, at_0 + u32(1)));
     return path_8;
 }
@@ -758,75 +816,17 @@ fn kept_at_0( depth_1 : u32) -> u32
     return u32(31) + u32(27) * depth_1;
 }
 
-fn path_at_vertex_0( number_of_path_2 : u32,  factor_0 : ptr<function, vec3<f32>>) -> Path_0
+fn path_at_vertex_0( number_of_path_2 : u32,  factor_2 : ptr<function, vec3<f32>>) -> Path_0
 {
     var path_9 : Path_0 = load_0(number_of_path_2);
     var kept_0 : u32 = kept_at_0(depth_of_launch_0());
-    var _S192 : vec3<f32> = path_vector_2(number_of_path_2, &(kept_0));
-    (*factor_0) = _S192;
-    var _S193 : Place_0 = path_place_1(number_of_path_2, &(kept_0));
-    path_9.place_1 = _S193;
     var _S194 : vec3<f32> = path_vector_2(number_of_path_2, &(kept_0));
-    path_9.direction_1 = _S194;
+    (*factor_2) = _S194;
+    var _S195 : Place_0 = path_place_1(number_of_path_2, &(kept_0));
+    path_9.place_1 = _S195;
+    var _S196 : vec3<f32> = path_vector_2(number_of_path_2, &(kept_0));
+    path_9.direction_1 = _S196;
     return path_9;
-}
-
-struct Numbers_0
-{
-     diffuse_reflectance_0 : vec3<f32>,
-     specular_reflectance_0 : vec3<f32>,
-     eta_0 : vec3<f32>,
-     k_0 : vec3<f32>,
-     alpha_0 : vec2<f32>,
-};
-
-fn no_numbers_0() -> Numbers_0
-{
-    var numbers_0 : Numbers_0;
-    var _S195 : vec3<f32> = vec3<f32>(0.0f);
-    numbers_0.k_0 = _S195;
-    numbers_0.eta_0 = _S195;
-    numbers_0.specular_reflectance_0 = _S195;
-    numbers_0.diffuse_reflectance_0 = _S195;
-    numbers_0.alpha_0 = vec2<f32>(0.0f);
-    return numbers_0;
-}
-
-struct Pulled_0
-{
-     numbers_1 : Numbers_0,
-     axes_0 : Axes_0,
-     wi_0 : vec3<f32>,
-     position_0 : vec3<f32>,
-};
-
-fn nothing_pulled_0() -> Pulled_0
-{
-    var pulled_0 : Pulled_0;
-    pulled_0.numbers_1 = no_numbers_0();
-    var _S196 : vec3<f32> = vec3<f32>(0.0f);
-    pulled_0.position_0 = _S196;
-    pulled_0.wi_0 = _S196;
-    pulled_0.axes_0.n_0 = _S196;
-    pulled_0.axes_0.t_0 = _S196;
-    pulled_0.axes_0.s_0 = _S196;
-    return pulled_0;
-}
-
-struct Crossed_0
-{
-     factor_1 : vec3<f32>,
-     pulled_1 : Pulled_0,
-     goes_on_0 : vec2<bool>,
-};
-
-fn nothing_crossed_0( factor_2 : vec3<f32>) -> Crossed_0
-{
-    var crossed_0 : Crossed_0;
-    crossed_0.factor_1 = factor_2;
-    crossed_0.goes_on_0 = vec2<bool>(false, false);
-    crossed_0.pulled_1 = nothing_pulled_0();
-    return crossed_0;
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -1996,10 +1996,10 @@ fn add_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         }
         side_1 = side_1 + u32(1);
     }
+    var crossed_2 : Crossed_0 = nothing_crossed_0(_S273);
     var unused_0 : vec3<f32>;
     var path_13 : Path_0 = path_at_vertex_0(number_of_path_4, &(unused_0));
     var at_14 : ShadingPoint_0;
-    var crossed_2 : Crossed_0 = nothing_crossed_0(_S273);
     var _S275 : bool;
     if((all((sum_2 == _S273))))
     {

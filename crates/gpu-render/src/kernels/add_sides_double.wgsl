@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: edc869b39be2d7c1
-// result: ad4ca54fc6aeff03
+// source: bfe7146e05bcf113
+// result: 4f09220af4aacf59
 
 struct Launch_std140_0
 {
@@ -81,95 +81,12 @@ fn set_vector_0( path_4 : u32,  which_4 : ptr<function, u32>,  value_1 : vec3<f3
     return;
 }
 
-struct Place_0
+fn add_0( number_of_path_1 : u32,  crossed_1 : Crossed_0)
 {
-     triangle_0 : u32,
-     v_0 : f32,
-     w_0 : f32,
-     change_0 : vec2<f32>,
-};
-
-struct Surface_0
-{
-     place_0 : Place_0,
-     shape_0 : u32,
-     exact_0 : vec3<f64>,
-     position_0 : vec3<f32>,
-     face_normal_0 : vec3<f32>,
-     outward_0 : vec3<f32>,
-     is_front_0 : bool,
-     position_change_0 : vec3<f32>,
-     outward_change_0 : vec3<f32>,
-};
-
-struct Axes_0
-{
-     s_0 : vec3<f32>,
-     t_0 : vec3<f32>,
-     n_0 : vec3<f32>,
-};
-
-struct Numbers_0
-{
-     diffuse_reflectance_0 : vec3<f32>,
-     specular_reflectance_0 : vec3<f32>,
-     eta_0 : vec3<f32>,
-     k_0 : vec3<f32>,
-     alpha_0 : vec2<f32>,
-};
-
-struct Lobe_0
-{
-     record_0 : u32,
-     kind_0 : u32,
-     distribution_0 : u32,
-     numbers_0 : Numbers_0,
-     changes_0 : Numbers_0,
-};
-
-struct Vector_0
-{
-     value_2 : vec3<f32>,
-     change_1 : vec3<f32>,
-};
-
-struct Vertex_0
-{
-     surface_0 : Surface_0,
-     axes_0 : Axes_0,
-     lobe_0 : Lobe_0,
-     wi_0 : Vector_0,
-     axes_change_0 : Axes_0,
-};
-
-struct VertexMotion_0
-{
-     velocity_0 : vec3<f32>,
-     rotation_0 : vec3<f32>,
-};
-
-struct ShadingPoint_0
-{
-     vertex_0 : Vertex_0,
-     whole_0 : VertexMotion_0,
-     motion_0 : VertexMotion_0,
-     purpose_0 : u32,
-     emitter_0 : u32,
-     tree_0 : u32,
-     has_creases_0 : bool,
-     turns_0 : bool,
-     planes_0 : u32,
-     inside_0 : array<vec3<f64>, i32(8)>,
-     front_0 : vec3<f32>,
-     front_offset_0 : vec3<f32>,
-};
-
-fn add_0( number_of_path_1 : u32,  crossed_1 : Crossed_0,  at_0 : ShadingPoint_0)
-{
-    var change_2 : u32 = u32(4);
-    var before_0 : vec3<f32> = path_vector_0(number_of_path_1, &(change_2));
-    change_2 = u32(4);
-    set_vector_0(number_of_path_1, &(change_2), before_0 + crossed_1.term_0);
+    var change_0 : u32 = u32(4);
+    var before_0 : vec3<f32> = path_vector_0(number_of_path_1, &(change_0));
+    change_0 = u32(4);
+    set_vector_0(number_of_path_1, &(change_0), before_0 + crossed_1.term_0);
     return;
 }
 
@@ -208,7 +125,6 @@ fn add_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     }
     var crossed_2 : Crossed_0 = nothing_crossed_0(_S3);
     crossed_2.term_0 = sum_0;
-    var at_1 : ShadingPoint_0;
-    add_0(number_of_path_2, crossed_2, at_1);
+    add_0(number_of_path_2, crossed_2);
     return;
 }

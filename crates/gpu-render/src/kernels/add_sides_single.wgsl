@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d83584f927a88027
-// result: 248b05149c7a752f
+// source: bfe7146e05bcf113
+// result: 4f09220af4aacf59
 
 struct Launch_std140_0
 {
@@ -40,6 +40,22 @@ fn path_vector_1( path_2 : u32,  which_2 : ptr<function, u32>) -> vec3<f32>
     return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_2, _S2 - u32(3)), path_word_0(path_2, _S2 - u32(2)), path_word_0(path_2, _S2 - u32(1))))));
 }
 
+struct Crossed_0
+{
+     factor_0 : vec3<f32>,
+     term_0 : vec3<f32>,
+     goes_on_0 : vec2<bool>,
+};
+
+fn nothing_crossed_0( factor_1 : vec3<f32>) -> Crossed_0
+{
+    var crossed_0 : Crossed_0;
+    crossed_0.factor_0 = factor_1;
+    crossed_0.goes_on_0 = vec2<bool>(false, false);
+    crossed_0.term_0 = vec3<f32>(0.0f);
+    return crossed_0;
+}
+
 fn set_word_0( path_3 : u32,  which_3 : u32,  value_0 : u32)
 {
     paths_0[which_3 * launch_0.room_0 + path_3] = value_0;
@@ -65,12 +81,12 @@ fn set_vector_0( path_4 : u32,  which_4 : ptr<function, u32>,  value_1 : vec3<f3
     return;
 }
 
-fn add_change_0( number_of_path_1 : u32,  change_0 : vec3<f32>)
+fn add_0( number_of_path_1 : u32,  crossed_1 : Crossed_0)
 {
-    var which_5 : u32 = u32(4);
-    var before_0 : vec3<f32> = path_vector_0(number_of_path_1, &(which_5));
-    which_5 = u32(4);
-    set_vector_0(number_of_path_1, &(which_5), before_0 + change_0);
+    var change_0 : u32 = u32(4);
+    var before_0 : vec3<f32> = path_vector_0(number_of_path_1, &(change_0));
+    change_0 = u32(4);
+    set_vector_0(number_of_path_1, &(change_0), before_0 + crossed_1.term_0);
     return;
 }
 
@@ -86,7 +102,7 @@ fn add_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var number_of_path_2 : u32 = input_0[listed_0];
     var _S3 : vec3<f32> = vec3<f32>(0.0f);
     var side_1 : u32 = u32(0);
-    var change_1 : vec3<f32> = _S3;
+    var sum_0 : vec3<f32> = _S3;
     for(;;)
     {
         if(side_1 < u32(2))
@@ -97,16 +113,18 @@ fn add_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
             break;
         }
         var number_0 : u32 = side_path_0(number_of_path_2, side_1);
-        var which_6 : u32 = u32(15);
-        var weight_0 : vec3<f32> = path_vector_1(number_0, &(which_6));
-        which_6 = u32(1);
+        var which_5 : u32 = u32(15);
+        var weight_0 : vec3<f32> = path_vector_1(number_0, &(which_5));
+        which_5 = u32(1);
         if((any((weight_0 != _S3))))
         {
-            var _S4 : vec3<f32> = path_vector_1(number_0, &(which_6));
-            change_1 = change_1 + weight_0 * _S4;
+            var _S4 : vec3<f32> = path_vector_1(number_0, &(which_5));
+            sum_0 = sum_0 + weight_0 * _S4;
         }
         side_1 = side_1 + u32(1);
     }
-    add_change_0(number_of_path_2, change_1);
+    var crossed_2 : Crossed_0 = nothing_crossed_0(_S3);
+    crossed_2.term_0 = sum_0;
+    add_0(number_of_path_2, crossed_2);
     return;
 }

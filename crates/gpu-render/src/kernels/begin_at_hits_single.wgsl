@@ -1,6 +1,6 @@
 // Compiled from hits.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: e0f36339ea60b0a2
+// source: e222a7f4fd9e64c6
 // result: 3c133aa56aeefaf8
 
 struct Launch_std140_0

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: c14cf0939e2e6e38
-// result: d8245539a1b81fe5
+// source: 2f5cb71f39c27c50
+// result: e2a6049e70b2b4db
 
 struct Launch_std140_0
 {
@@ -1625,7 +1625,7 @@ fn change_word_0( at_9 : u32) -> u32
 
 fn numbers_of_0( texture_6 : u32) -> u32
 {
-    return change_word_0(u32(3) + word_0(texture_6 + u32(12)));
+    return change_word_0(u32(5) + word_0(texture_6 + u32(12)));
 }
 
 fn add_word_0( sum_0 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)

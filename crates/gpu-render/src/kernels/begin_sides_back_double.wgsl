@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 00833f4937418b8a
-// result: 6dd48260679b8c28
+// source: 6c39061bcedb282c
+// result: fd2bc44833315708
 
 struct Launch_std140_0
 {
@@ -3319,21 +3319,8 @@ fn begin_sides_of_0( at_40 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
 
 fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_41 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_4 : u32,  path_17 : Path_0)
 {
-    var _S215 : bool;
-    if((point_5.measure_0) > 0.0f)
-    {
-        _S215 = (point_5.measure_0) < 3.00000000549775576e+38f;
-    }
-    else
-    {
-        _S215 = false;
-    }
-    if(!_S215)
-    {
-        return;
-    }
-    var _S216 : vec2<bool> = begin_sides_of_0(at_41, point_5, number_of_path_4, path_17, (*crossed_2).factor_1);
-    (*crossed_2).goes_on_0 = _S216;
+    var _S215 : vec2<bool> = begin_sides_of_0(at_41, point_5, number_of_path_4, path_17, (*crossed_2).factor_1);
+    (*crossed_2).goes_on_0 = _S215;
     return;
 }
 
@@ -3387,15 +3374,15 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 contributions_1 = asked_0.same_0;
             }
             var points_1 : u32 = u32(ceil(contributions_1));
-            var _S217 : f32 = asked_0.over_all_0 * f32(points_1);
+            var _S216 : f32 = asked_0.over_all_0 * f32(points_1);
             var step_2 : f64 = f64(total_1) / f64(points_1);
-            var _S218 : f64 = step_2 * asked_0.place_18;
+            var _S217 : f64 = step_2 * asked_0.place_18;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S217;
+            over_all_1 = _S216;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S218;
+            target_1 = _S217;
         }
         else
         {
@@ -3410,16 +3397,16 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
         var target_2 : f64 = target_1;
         for(;;)
         {
-            var _S219 : bool;
+            var _S218 : bool;
             if(k_10 < (edge_word_0(leaf_2 + u32(3))))
             {
-                _S219 = drawn_1 < points_0;
+                _S218 = drawn_1 < points_0;
             }
             else
             {
-                _S219 = false;
+                _S218 = false;
             }
-            if(_S219)
+            if(_S218)
             {
             }
             else
@@ -3427,14 +3414,14 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 break;
             }
             var seen_5 : SeenEdge_0;
-            var _S220 : bool = see_edge_0(at_42, k_10, &(seen_5));
+            var _S219 : bool = see_edge_0(at_42, k_10, &(seen_5));
             var drawn_2 : u32;
             var contributions_2 : f32;
             var angles_2 : f32;
             var pieces_3 : f32;
             var cumulative_2 : f32;
             var target_3 : f64;
-            if(!_S220)
+            if(!_S219)
             {
                 drawn_2 = drawn_1;
                 contributions_2 = contributions_1;
@@ -3484,26 +3471,26 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 var target_4 : f64 = target_3;
                 for(;;)
                 {
-                    var _S221 : bool;
+                    var _S220 : bool;
                     if(drawn_3 < points_0)
                     {
-                        _S221 = target_4 < f64(cumulative_3);
+                        _S220 = target_4 < f64(cumulative_3);
                     }
                     else
                     {
-                        _S221 = false;
+                        _S220 = false;
                     }
-                    if(_S221)
+                    if(_S220)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var _S222 : u32 = drawn_3 + u32(1);
+                    var _S221 : u32 = drawn_3 + u32(1);
                     var target_5 : f64 = target_4 + step_1;
                     cross_at_0(&((*crossed_3)), at_42, point_on_0(at_42, seen_5, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_1 * own_1 / total_0), number_of_path_5, path_18);
-                    drawn_3 = _S222;
+                    drawn_3 = _S221;
                     target_4 = target_5;
                 }
                 cumulative_2 = cumulative_3;
@@ -3533,17 +3520,17 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
 fn sample_points_0( at_43 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : Path_0,  subtrees_0 : vec3<u32>,  crossed_4 : ptr<function, Crossed_0>)
 {
     var numbers_9 : u32 = numbers_for_0(at_43.purpose_0) + u32(1);
-    var _S223 : u32 = subtrees_0.x;
-    var _S224 : f64 = precise_random_0(path_19.key_0, numbers_9);
-    var _S225 : f64 = precise_random_0(path_19.key_0, numbers_9 + u32(1));
-    var first_8 : u32 = _S223;
+    var _S222 : u32 = subtrees_0.x;
+    var _S223 : f64 = precise_random_0(path_19.key_0, numbers_9);
+    var _S224 : f64 = precise_random_0(path_19.key_0, numbers_9 + u32(1));
+    var first_8 : u32 = _S222;
     var leaf_3 : u32 = u32(4294967295);
     var probability_4 : f32 = 1.0f;
-    var i_3 : u32 = _S223;
+    var i_3 : u32 = _S222;
     for(;;)
     {
-        var _S226 : u32 = subtrees_0.y;
-        if(i_3 <= _S226)
+        var _S225 : u32 = subtrees_0.y;
+        if(i_3 <= _S225)
         {
         }
         else
@@ -3552,30 +3539,30 @@ fn sample_points_0( at_43 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : 
         }
         var next_0 : u32 = u32(4294967295);
         var of_next_0 : f32 = 1.0f;
-        var _S227 : bool;
-        if(i_3 < _S226)
+        var _S226 : bool;
+        if(i_3 < _S225)
         {
-            var _S228 : bool = descend_0(at_43, (f64(i_3) + _S224) / f64(subtrees_0.z), &(next_0), &(of_next_0));
-            _S227 = !_S228;
+            var _S227 : bool = descend_0(at_43, (f64(i_3) + _S223) / f64(subtrees_0.z), &(next_0), &(of_next_0));
+            _S226 = !_S227;
         }
         else
         {
-            _S227 = false;
+            _S226 = false;
         }
-        if(_S227)
+        if(_S226)
         {
             next_0 = u32(4294967295);
         }
-        var _S229 : bool;
+        var _S228 : bool;
         if(i_3 > first_8)
         {
-            _S229 = next_0 == leaf_3;
+            _S228 = next_0 == leaf_3;
         }
         else
         {
-            _S229 = false;
+            _S228 = false;
         }
-        if(_S229)
+        if(_S228)
         {
             i_3 = i_3 + u32(1);
             continue;
@@ -3583,12 +3570,12 @@ fn sample_points_0( at_43 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : 
         if(leaf_3 != u32(4294967295))
         {
             var asked_1 : Share_0;
-            var _S230 : f32 = f32(i_3 - first_8);
-            asked_1.same_0 = _S230;
-            var _S231 : f32 = _S230 / f32(subtrees_0.z);
-            asked_1.share_0 = _S231;
-            asked_1.over_all_0 = probability_4 / _S231;
-            asked_1.place_18 = _S225 + f64(0.6180340051651001f * f32(first_8));
+            var _S229 : f32 = f32(i_3 - first_8);
+            asked_1.same_0 = _S229;
+            var _S230 : f32 = _S229 / f32(subtrees_0.z);
+            asked_1.share_0 = _S230;
+            asked_1.over_all_0 = probability_4 / _S230;
+            asked_1.place_18 = _S224 + f64(0.6180340051651001f * f32(first_8));
             for(;;)
             {
                 if((asked_1.place_18) >= 1.0lf)
@@ -3624,18 +3611,18 @@ fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_20 : Path_0 = path_at_vertex_0(number_of_path_7, &(factor_6));
     var crossed_5 : Crossed_0 = nothing_crossed_0(factor_6);
     var at_44 : ShadingPoint_0;
-    var _S232 : bool = shading_point_0(path_20, &(at_44));
-    var _S233 : bool;
-    if(_S232)
+    var _S231 : bool = shading_point_0(path_20, &(at_44));
+    var _S232 : bool;
+    if(_S231)
     {
-        var _S234 : f32 = turn_to_0(u32(2), path_20.key_0, &(at_44));
-        _S233 = _S234 > 0.0f;
+        var _S233 : f32 = turn_to_0(u32(2), path_20.key_0, &(at_44));
+        _S232 = _S233 > 0.0f;
     }
     else
     {
-        _S233 = false;
+        _S232 = false;
     }
-    if(_S233)
+    if(_S232)
     {
         var own_2 : u32 = subtree_of_launch_0();
         sample_points_0(at_44, number_of_path_7, path_20, vec3<u32>(own_2, own_2 + u32(1), subtrees_of_0(at_44)), &(crossed_5));
@@ -3653,17 +3640,17 @@ fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         var goes_on_2 : bool = crossed_5.goes_on_0[side_4];
         var number_2 : u32 = side_path_0(number_of_path_7, side_4);
         var which_13 : u32 = u32(15);
-        var _S235 : u32 = u32(2) * listed_0 + side_4;
-        var _S236 : u32;
+        var _S234 : u32 = u32(2) * listed_0 + side_4;
+        var _S235 : u32;
         if(crossed_5.goes_on_0[side_4])
         {
-            _S236 = number_2;
+            _S235 = number_2;
         }
         else
         {
-            _S236 = u32(4294967295);
+            _S235 = u32(4294967295);
         }
-        set_word_0(_S235, u32(0), _S236);
+        set_word_0(_S234, u32(0), _S235);
         if(!goes_on_2)
         {
             set_vector_2(number_2, &(which_13), vec3<f32>(0.0f));

@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: edc869b39be2d7c1
-// result: 45722645e84ae659
+// source: bfe7146e05bcf113
+// result: cc0f827751c08d06
 
 struct Launch_std140_0
 {
@@ -3745,35 +3745,13 @@ fn begin_sides_of_0( at_46 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_
 
 fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_47 : ShadingPoint_0,  point_6 : EdgePoint_0,  number_of_path_4 : u32,  path_14 : Path_0)
 {
-    var _S347 : bool;
-    if((point_6.measure_0) > 0.0f)
-    {
-        _S347 = (point_6.measure_0) < 3.00000000549775576e+38f;
-    }
-    else
-    {
-        _S347 = false;
-    }
-    if(!_S347)
-    {
-        return;
-    }
     var flow_0 : f32 = flow_at_0(at_47, point_6);
-    var _S348 : f32 = abs(flow_0);
-    if(_S348 > 0.0f)
-    {
-        _S347 = _S348 < 3.00000000549775576e+38f;
-    }
-    else
-    {
-        _S347 = false;
-    }
-    if(!_S347)
+    if(flow_0 == 0.0f)
     {
         return;
     }
-    var _S349 : vec2<bool> = begin_sides_of_0(at_47, point_6, number_of_path_4, path_14, (*crossed_2).factor_1 * vec3<f32>(flow_0));
-    (*crossed_2).goes_on_0 = _S349;
+    var _S347 : vec2<bool> = begin_sides_of_0(at_47, point_6, number_of_path_4, path_14, (*crossed_2).factor_1 * vec3<f32>(flow_0));
+    (*crossed_2).goes_on_0 = _S347;
     return;
 }
 
@@ -3827,15 +3805,15 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 contributions_1 = asked_0.same_0;
             }
             var points_1 : u32 = u32(ceil(contributions_1));
-            var _S350 : f32 = asked_0.over_all_0 * f32(points_1);
+            var _S348 : f32 = asked_0.over_all_0 * f32(points_1);
             var step_2 : f64 = f64(total_1) / f64(points_1);
-            var _S351 : f64 = step_2 * asked_0.place_21;
+            var _S349 : f64 = step_2 * asked_0.place_21;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S350;
+            over_all_1 = _S348;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S351;
+            target_1 = _S349;
         }
         else
         {
@@ -3850,16 +3828,16 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
         var target_2 : f64 = target_1;
         for(;;)
         {
-            var _S352 : bool;
+            var _S350 : bool;
             if(k_11 < (edge_word_0(leaf_2 + u32(3))))
             {
-                _S352 = drawn_1 < points_0;
+                _S350 = drawn_1 < points_0;
             }
             else
             {
-                _S352 = false;
+                _S350 = false;
             }
-            if(_S352)
+            if(_S350)
             {
             }
             else
@@ -3867,14 +3845,14 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 break;
             }
             var seen_5 : SeenEdge_0;
-            var _S353 : bool = see_edge_0(at_48, k_11, &(seen_5));
+            var _S351 : bool = see_edge_0(at_48, k_11, &(seen_5));
             var drawn_2 : u32;
             var contributions_2 : f32;
             var angles_2 : f32;
             var pieces_3 : f32;
             var cumulative_2 : f32;
             var target_3 : f64;
-            if(!_S353)
+            if(!_S351)
             {
                 drawn_2 = drawn_1;
                 contributions_2 = contributions_1;
@@ -3924,26 +3902,26 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 var target_4 : f64 = target_3;
                 for(;;)
                 {
-                    var _S354 : bool;
+                    var _S352 : bool;
                     if(drawn_3 < points_0)
                     {
-                        _S354 = target_4 < f64(cumulative_3);
+                        _S352 = target_4 < f64(cumulative_3);
                     }
                     else
                     {
-                        _S354 = false;
+                        _S352 = false;
                     }
-                    if(_S354)
+                    if(_S352)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var _S355 : u32 = drawn_3 + u32(1);
+                    var _S353 : u32 = drawn_3 + u32(1);
                     var target_5 : f64 = target_4 + step_1;
                     cross_at_0(&((*crossed_3)), at_48, point_on_0(at_48, seen_5, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_1 * own_1 / total_0), number_of_path_5, path_15);
-                    drawn_3 = _S355;
+                    drawn_3 = _S353;
                     target_4 = target_5;
                 }
                 cumulative_2 = cumulative_3;
@@ -3973,17 +3951,17 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
 fn sample_points_0( at_49 : ShadingPoint_0,  number_of_path_6 : u32,  path_16 : Path_0,  subtrees_0 : vec3<u32>,  crossed_4 : ptr<function, Crossed_0>)
 {
     var numbers_8 : u32 = numbers_for_0(at_49.purpose_0) + u32(1);
-    var _S356 : u32 = subtrees_0.x;
-    var _S357 : f64 = precise_random_0(path_16.key_0, numbers_8);
-    var _S358 : f64 = precise_random_0(path_16.key_0, numbers_8 + u32(1));
-    var first_8 : u32 = _S356;
+    var _S354 : u32 = subtrees_0.x;
+    var _S355 : f64 = precise_random_0(path_16.key_0, numbers_8);
+    var _S356 : f64 = precise_random_0(path_16.key_0, numbers_8 + u32(1));
+    var first_8 : u32 = _S354;
     var leaf_3 : u32 = u32(4294967295);
     var probability_4 : f32 = 1.0f;
-    var i_3 : u32 = _S356;
+    var i_3 : u32 = _S354;
     for(;;)
     {
-        var _S359 : u32 = subtrees_0.y;
-        if(i_3 <= _S359)
+        var _S357 : u32 = subtrees_0.y;
+        if(i_3 <= _S357)
         {
         }
         else
@@ -3992,11 +3970,24 @@ fn sample_points_0( at_49 : ShadingPoint_0,  number_of_path_6 : u32,  path_16 : 
         }
         var next_0 : u32 = u32(4294967295);
         var of_next_0 : f32 = 1.0f;
-        var _S360 : bool;
-        if(i_3 < _S359)
+        var _S358 : bool;
+        if(i_3 < _S357)
         {
-            var _S361 : bool = descend_0(at_49, (f64(i_3) + _S357) / f64(subtrees_0.z), &(next_0), &(of_next_0));
-            _S360 = !_S361;
+            var _S359 : bool = descend_0(at_49, (f64(i_3) + _S355) / f64(subtrees_0.z), &(next_0), &(of_next_0));
+            _S358 = !_S359;
+        }
+        else
+        {
+            _S358 = false;
+        }
+        if(_S358)
+        {
+            next_0 = u32(4294967295);
+        }
+        var _S360 : bool;
+        if(i_3 > first_8)
+        {
+            _S360 = next_0 == leaf_3;
         }
         else
         {
@@ -4004,31 +3995,18 @@ fn sample_points_0( at_49 : ShadingPoint_0,  number_of_path_6 : u32,  path_16 : 
         }
         if(_S360)
         {
-            next_0 = u32(4294967295);
-        }
-        var _S362 : bool;
-        if(i_3 > first_8)
-        {
-            _S362 = next_0 == leaf_3;
-        }
-        else
-        {
-            _S362 = false;
-        }
-        if(_S362)
-        {
             i_3 = i_3 + u32(1);
             continue;
         }
         if(leaf_3 != u32(4294967295))
         {
             var asked_1 : Share_0;
-            var _S363 : f32 = f32(i_3 - first_8);
-            asked_1.same_0 = _S363;
-            var _S364 : f32 = _S363 / f32(subtrees_0.z);
-            asked_1.share_0 = _S364;
-            asked_1.over_all_0 = probability_4 / _S364;
-            asked_1.place_21 = _S358 + f64(0.6180340051651001f * f32(first_8));
+            var _S361 : f32 = f32(i_3 - first_8);
+            asked_1.same_0 = _S361;
+            var _S362 : f32 = _S361 / f32(subtrees_0.z);
+            asked_1.share_0 = _S362;
+            asked_1.over_all_0 = probability_4 / _S362;
+            asked_1.place_21 = _S356 + f64(0.6180340051651001f * f32(first_8));
             for(;;)
             {
                 if((asked_1.place_21) >= 1.0lf)
@@ -4064,18 +4042,18 @@ fn begin_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_17 : Path_0 = path_at_vertex_0(number_of_path_7, &(factor_6));
     var crossed_5 : Crossed_0 = nothing_crossed_0(factor_6);
     var at_50 : ShadingPoint_0;
-    var _S365 : bool = shading_point_0(path_17, &(at_50));
-    var _S366 : bool;
-    if(_S365)
+    var _S363 : bool = shading_point_0(path_17, &(at_50));
+    var _S364 : bool;
+    if(_S363)
     {
-        var _S367 : f32 = turn_to_0(u32(2), path_17.key_0, &(at_50));
-        _S366 = _S367 > 0.0f;
+        var _S365 : f32 = turn_to_0(u32(2), path_17.key_0, &(at_50));
+        _S364 = _S365 > 0.0f;
     }
     else
     {
-        _S366 = false;
+        _S364 = false;
     }
-    if(_S366)
+    if(_S364)
     {
         var own_2 : u32 = subtree_of_launch_0();
         sample_points_0(at_50, number_of_path_7, path_17, vec3<u32>(own_2, own_2 + u32(1), subtrees_of_0(at_50)), &(crossed_5));
@@ -4093,17 +4071,17 @@ fn begin_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         var goes_on_2 : bool = crossed_5.goes_on_0[side_4];
         var number_2 : u32 = side_path_0(number_of_path_7, side_4);
         var which_10 : u32 = u32(15);
-        var _S368 : u32 = u32(2) * listed_0 + side_4;
-        var _S369 : u32;
+        var _S366 : u32 = u32(2) * listed_0 + side_4;
+        var _S367 : u32;
         if(crossed_5.goes_on_0[side_4])
         {
-            _S369 = number_2;
+            _S367 = number_2;
         }
         else
         {
-            _S369 = u32(4294967295);
+            _S367 = u32(4294967295);
         }
-        set_word_0(_S368, u32(0), _S369);
+        set_word_0(_S366, u32(0), _S367);
         if(!goes_on_2)
         {
             set_vector_1(number_2, &(which_10), vec3<f32>(0.0f));

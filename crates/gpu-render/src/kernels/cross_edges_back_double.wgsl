@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 00833f4937418b8a
-// result: 83cc1899cb988930
+// source: 6c39061bcedb282c
+// result: 9bbbfbd92b389bb9
 
 struct Launch_std140_0
 {
@@ -4034,26 +4034,13 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
 
 fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_40 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_2 : u32,  path_13 : Path_0)
 {
-    var _S408 : bool;
-    if((point_5.measure_0) > 0.0f)
-    {
-        _S408 = (point_5.measure_0) < 3.00000000549775576e+38f;
-    }
-    else
-    {
-        _S408 = false;
-    }
-    if(!_S408)
-    {
-        return;
-    }
-    var _S409 : vec3<f32> = vec3<f32>(point_5.normal_6);
-    var _S410 : vec3<f32> = jump_of_light_0(at_40, point_5);
-    var by_velocity_1 : vec3<f32> = _S409 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S410)));
-    var _S411 : vec3<f32> = offset_of_0(point_5);
-    var _S412 : Pulled_0 = (*crossed_2).pulled_1;
-    edge_back_0(&(_S412), at_40.vertex_2, at_40.turns_0, point_5.edge_6.record_7, point_5.t_5, _S411, by_velocity_1);
-    (*crossed_2).pulled_1 = _S412;
+    var _S408 : vec3<f32> = vec3<f32>(point_5.normal_6);
+    var _S409 : vec3<f32> = jump_of_light_0(at_40, point_5);
+    var by_velocity_1 : vec3<f32> = _S408 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S409)));
+    var _S410 : vec3<f32> = offset_of_0(point_5);
+    var _S411 : Pulled_0 = (*crossed_2).pulled_1;
+    edge_back_0(&(_S411), at_40.vertex_2, at_40.turns_0, point_5.edge_6.record_7, point_5.t_5, _S410, by_velocity_1);
+    (*crossed_2).pulled_1 = _S411;
     return;
 }
 
@@ -4107,15 +4094,15 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 contributions_1 = asked_0.same_0;
             }
             var points_1 : u32 = u32(ceil(contributions_1));
-            var _S413 : f32 = asked_0.over_all_0 * f32(points_1);
+            var _S412 : f32 = asked_0.over_all_0 * f32(points_1);
             var step_2 : f64 = f64(total_1) / f64(points_1);
-            var _S414 : f64 = step_2 * asked_0.place_17;
+            var _S413 : f64 = step_2 * asked_0.place_17;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S413;
+            over_all_1 = _S412;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S414;
+            target_1 = _S413;
         }
         else
         {
@@ -4130,16 +4117,16 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
         var target_2 : f64 = target_1;
         for(;;)
         {
-            var _S415 : bool;
+            var _S414 : bool;
             if(k_11 < (edge_word_0(leaf_2 + u32(3))))
             {
-                _S415 = drawn_1 < points_0;
+                _S414 = drawn_1 < points_0;
             }
             else
             {
-                _S415 = false;
+                _S414 = false;
             }
-            if(_S415)
+            if(_S414)
             {
             }
             else
@@ -4147,14 +4134,14 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 break;
             }
             var seen_6 : SeenEdge_0;
-            var _S416 : bool = see_edge_0(at_41, k_11, &(seen_6));
+            var _S415 : bool = see_edge_0(at_41, k_11, &(seen_6));
             var drawn_2 : u32;
             var contributions_2 : f32;
             var angles_2 : f32;
             var pieces_3 : f32;
             var cumulative_2 : f32;
             var target_3 : f64;
-            if(!_S416)
+            if(!_S415)
             {
                 drawn_2 = drawn_1;
                 contributions_2 = contributions_1;
@@ -4204,26 +4191,26 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 var target_4 : f64 = target_3;
                 for(;;)
                 {
-                    var _S417 : bool;
+                    var _S416 : bool;
                     if(drawn_3 < points_0)
                     {
-                        _S417 = target_4 < f64(cumulative_3);
+                        _S416 = target_4 < f64(cumulative_3);
                     }
                     else
                     {
-                        _S417 = false;
+                        _S416 = false;
                     }
-                    if(_S417)
+                    if(_S416)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var _S418 : u32 = drawn_3 + u32(1);
+                    var _S417 : u32 = drawn_3 + u32(1);
                     var target_5 : f64 = target_4 + step_1;
                     cross_at_0(&((*crossed_3)), at_41, point_on_0(at_41, seen_6, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_1 * own_1 / total_0), number_of_path_3, path_14);
-                    drawn_3 = _S418;
+                    drawn_3 = _S417;
                     target_4 = target_5;
                 }
                 cumulative_2 = cumulative_3;
@@ -4253,17 +4240,17 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
 fn sample_points_0( at_42 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : Path_0,  subtrees_0 : vec3<u32>,  crossed_4 : ptr<function, Crossed_0>)
 {
     var numbers_9 : u32 = numbers_for_0(at_42.purpose_0) + u32(1);
-    var _S419 : u32 = subtrees_0.x;
-    var _S420 : f64 = precise_random_0(path_15.key_0, numbers_9);
-    var _S421 : f64 = precise_random_0(path_15.key_0, numbers_9 + u32(1));
-    var first_8 : u32 = _S419;
+    var _S418 : u32 = subtrees_0.x;
+    var _S419 : f64 = precise_random_0(path_15.key_0, numbers_9);
+    var _S420 : f64 = precise_random_0(path_15.key_0, numbers_9 + u32(1));
+    var first_8 : u32 = _S418;
     var leaf_3 : u32 = u32(4294967295);
     var probability_4 : f32 = 1.0f;
-    var i_3 : u32 = _S419;
+    var i_3 : u32 = _S418;
     for(;;)
     {
-        var _S422 : u32 = subtrees_0.y;
-        if(i_3 <= _S422)
+        var _S421 : u32 = subtrees_0.y;
+        if(i_3 <= _S421)
         {
         }
         else
@@ -4272,30 +4259,30 @@ fn sample_points_0( at_42 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : 
         }
         var next_0 : u32 = u32(4294967295);
         var of_next_0 : f32 = 1.0f;
-        var _S423 : bool;
-        if(i_3 < _S422)
+        var _S422 : bool;
+        if(i_3 < _S421)
         {
-            var _S424 : bool = descend_0(at_42, (f64(i_3) + _S420) / f64(subtrees_0.z), &(next_0), &(of_next_0));
-            _S423 = !_S424;
+            var _S423 : bool = descend_0(at_42, (f64(i_3) + _S419) / f64(subtrees_0.z), &(next_0), &(of_next_0));
+            _S422 = !_S423;
         }
         else
         {
-            _S423 = false;
+            _S422 = false;
         }
-        if(_S423)
+        if(_S422)
         {
             next_0 = u32(4294967295);
         }
-        var _S425 : bool;
+        var _S424 : bool;
         if(i_3 > first_8)
         {
-            _S425 = next_0 == leaf_3;
+            _S424 = next_0 == leaf_3;
         }
         else
         {
-            _S425 = false;
+            _S424 = false;
         }
-        if(_S425)
+        if(_S424)
         {
             i_3 = i_3 + u32(1);
             continue;
@@ -4303,12 +4290,12 @@ fn sample_points_0( at_42 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : 
         if(leaf_3 != u32(4294967295))
         {
             var asked_1 : Share_0;
-            var _S426 : f32 = f32(i_3 - first_8);
-            asked_1.same_0 = _S426;
-            var _S427 : f32 = _S426 / f32(subtrees_0.z);
-            asked_1.share_0 = _S427;
-            asked_1.over_all_0 = probability_4 / _S427;
-            asked_1.place_17 = _S421 + f64(0.6180340051651001f * f32(first_8));
+            var _S425 : f32 = f32(i_3 - first_8);
+            asked_1.same_0 = _S425;
+            var _S426 : f32 = _S425 / f32(subtrees_0.z);
+            asked_1.share_0 = _S426;
+            asked_1.over_all_0 = probability_4 / _S426;
+            asked_1.place_17 = _S420 + f64(0.6180340051651001f * f32(first_8));
             for(;;)
             {
                 if((asked_1.place_17) >= 1.0lf)
@@ -4373,7 +4360,7 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
     {
         return;
     }
-    var _S428 : u32 = word_0(texture_8 + u32(1));
+    var _S427 : u32 = word_0(texture_8 + u32(1));
     var k_12 : u32 = u32(0);
     for(;;)
     {
@@ -4384,9 +4371,9 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         {
             break;
         }
-        var at_43 : u32 = first_9 + _S428 * lookup_5.texels_0[k_12];
+        var at_43 : u32 = first_9 + _S427 * lookup_5.texels_0[k_12];
         var own_2 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_12]);
-        if(_S428 == u32(1))
+        if(_S427 == u32(1))
         {
             add_to_sum_0(at_43, own_2.x + own_2.y + own_2.z);
             k_12 = k_12 + u32(1);
@@ -4406,13 +4393,13 @@ fn lookup_back_0( texture_9 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
 
 fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
 {
-    var _S429 : vec2<f32> = vec2<f32>(0.0f);
-    var _S430 : u32 = word_0(material_2 + u32(4));
+    var _S428 : vec2<f32> = vec2<f32>(0.0f);
+    var _S429 : u32 = word_0(material_2 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S429;
+    var by_place_0 : vec2<f32> = _S428;
     for(;;)
     {
-        if(slot_7 < _S430)
+        if(slot_7 < _S429)
         {
         }
         else
@@ -4425,9 +4412,9 @@ fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S431 : Lookup_0 = lookup_at_0(texture_10, place_18);
-        var _S432 : vec2<f32> = lookup_back_0(texture_10, _S431, slot_derivative_0(numbers_11, slot_7));
-        by_place_0 = by_place_0 + _S432;
+        var _S430 : Lookup_0 = lookup_at_0(texture_10, place_18);
+        var _S431 : vec2<f32> = lookup_back_0(texture_10, _S430, slot_derivative_0(numbers_11, slot_7));
+        by_place_0 = by_place_0 + _S431;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_0;
@@ -4472,16 +4459,16 @@ fn tangent_back_0( triangle_10 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : ve
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_10);
     var first_10 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
     var second_4 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
-    var _S433 : f32 = second_4.y;
-    var _S434 : f32 = first_10.y;
-    var scale_1 : f32 = 1.0f / (first_10.x * _S433 - second_4.x * _S434);
-    var of_ab_0 : f32 = _S433 * scale_1;
-    var of_ac_0 : f32 = - _S434 * scale_1;
+    var _S432 : f32 = second_4.y;
+    var _S433 : f32 = first_10.y;
+    var scale_1 : f32 = 1.0f / (first_10.x * _S432 - second_4.x * _S433);
+    var of_ab_0 : f32 = _S432 * scale_1;
+    var of_ac_0 : f32 = - _S433 * scale_1;
     var a_18 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S435 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S436 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_18) * _S435 + vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_18) * _S436));
-    add_to_corners_0(points_2, triangle_10, derivative_5 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_5 * _S435, derivative_5 * _S436);
+    var _S434 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S435 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_18) * _S434 + vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_18) * _S435));
+    add_to_corners_0(points_2, triangle_10, derivative_5 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_5 * _S434, derivative_5 * _S435);
     return;
 }
 
@@ -4500,12 +4487,12 @@ fn place_back_0( place_20 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : v
 {
     var corner_2 : u32 = u32(9) * place_20.triangle_0;
     var a_19 : vec3<f64> = primitive_vector_0(corner_2);
-    var _S437 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_19);
-    var _S438 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_19);
-    var across_2 : vec3<f32> = cross(_S437, _S438);
-    var _S439 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
-    var normal_7 : vec3<f32> = across_2 / vec3<f32>(_S439);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S438, normal_7) * vec3<f32>(by_place_1.x) + cross(normal_7, _S437) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_7, normal_7) * _S439)));
+    var _S436 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_19);
+    var _S437 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_19);
+    var across_2 : vec3<f32> = cross(_S436, _S437);
+    var _S438 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
+    var normal_7 : vec3<f32> = across_2 / vec3<f32>(_S438);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S437, normal_7) * vec3<f32>(by_place_1.x) + cross(normal_7, _S436) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_7, normal_7) * _S438)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_7 * vec3<f32>((dot(direction_16, by_slip_0) / dot(normal_7, direction_16)));
     add_at_place_0(points_of_0(place_20.triangle_0), place_20, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -4514,18 +4501,18 @@ fn place_back_0( place_20 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : v
 fn surface_back_0( surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_17 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_6.shape_0);
-    var _S440 : vec2<f32>;
+    var _S439 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_3 : u32 = u32(9) * surface_6.place_3.triangle_0;
         var a_20 : vec3<f64> = primitive_vector_0(corner_3);
-        var _S441 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_20);
-        var _S442 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_20);
-        var derivative_7 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(cross(_S441, _S442)));
-        var by_ab_0 : vec3<f32> = cross(_S442, derivative_7);
-        var by_ac_0 : vec3<f32> = cross(derivative_7, _S441);
+        var _S440 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_20);
+        var _S441 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_20);
+        var derivative_7 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(cross(_S440, _S441)));
+        var by_ab_0 : vec3<f32> = cross(_S441, derivative_7);
+        var by_ac_0 : vec3<f32> = cross(derivative_7, _S440);
         add_to_corners_0(points_of_0(surface_6.place_3.triangle_0), surface_6.place_3.triangle_0, (vec3<f32>(0) - by_ab_0) - by_ac_0, by_ab_0, by_ac_0);
-        _S440 = by_place_2;
+        _S439 = by_place_2;
     }
     else
     {
@@ -4535,41 +4522,41 @@ fn surface_back_0( surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_
         var ac_0 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_11 + u32(2))) - a_21;
         var derivative_8 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(a_21 + ab_0 * vec3<f32>(surface_6.place_3.v_0) + ac_0 * vec3<f32>(surface_6.place_3.w_0)));
         add_at_place_0(normals_of_0(surface_6.place_3.triangle_0), surface_6.place_3, derivative_8);
-        _S440 = by_place_2 + vec2<f32>(dot(ab_0, derivative_8), dot(ac_0, derivative_8));
+        _S439 = by_place_2 + vec2<f32>(dot(ab_0, derivative_8), dot(ac_0, derivative_8));
     }
-    var _S443 : vec3<f32> = place_back_0(surface_6.place_3, _S440, by_position_1, direction_17);
-    return _S443;
+    var _S442 : vec3<f32> = place_back_0(surface_6.place_3, _S439, by_position_1, direction_17);
+    return _S442;
 }
 
 fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32,  direction_18 : vec3<f32>) -> ByRay_0
 {
     var by_ray_1 : ByRay_0;
-    var _S444 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_0 = _S444;
-    by_ray_1.drift_0 = _S444;
+    var _S443 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S443;
+    by_ray_1.drift_0 = _S443;
     var by_place_3 : vec2<f32> = numbers_back_0(material_3, vertex_8.surface_3.place_3, pulled_3.numbers_3);
     if(!is_moving_0())
     {
         return by_ray_1;
     }
-    var _S445 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S444 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_0 : DiffPair_Axes_0;
     towards_0.primal_0 = vertex_8.axes_4;
-    towards_0.differential_0 = _S445;
+    towards_0.differential_0 = _S444;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_18;
-    incoming_0.differential_0 = _S444;
+    incoming_0.differential_0 = _S443;
     _S173(&(towards_0), &(incoming_0), pulled_3.wi_2);
     by_ray_1.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_8.surface_3.outward_0;
-    outward_1.differential_0 = _S444;
-    var _S446 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
+    outward_1.differential_0 = _S443;
+    var _S445 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S446;
-    tangent_4.differential_0 = _S444;
+    tangent_4.primal_0 = _S445;
+    tangent_4.differential_0 = _S443;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_3.axes_5, towards_0.differential_0);
-    if((any((_S446 != _S444))))
+    if((any((_S445 != _S443))))
     {
         _S124(&(outward_1), &(tangent_4), vertex_8.surface_3.is_front_0, by_axes_0);
         tangent_back_0(vertex_8.surface_3.place_3.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -4578,17 +4565,17 @@ fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32, 
     {
         _S93(&(outward_1), vertex_8.surface_3.is_front_0, by_axes_0);
     }
-    var _S447 : vec3<f32> = surface_back_0(vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_18);
-    by_ray_1.drift_0 = _S447;
+    var _S446 : vec3<f32> = surface_back_0(vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_18);
+    by_ray_1.drift_0 = _S446;
     return by_ray_1;
 }
 
 fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_44 : ShadingPoint_0,  direction_19 : vec3<f32>)
 {
     var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_44.vertex_2, material_of_0(at_44.vertex_2.surface_3), direction_19);
-    var _S448 : u32 = kept_at_0(depth_of_launch_0()) + u32(18);
-    var kept_1 : u32 = _S448;
-    var which_11 : u32 = _S448;
+    var _S447 : u32 = kept_at_0(depth_of_launch_0()) + u32(18);
+    var kept_1 : u32 = _S447;
+    var which_11 : u32 = _S447;
     var drift_1 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     var by_direction_0 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     set_vector_0(number_of_path_5, &(kept_1), drift_1 + by_ray_2.drift_0);
@@ -4609,8 +4596,8 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var factor_5 : vec3<f32>;
     var path_16 : Path_0 = path_at_vertex_0(number_of_path_6, &(factor_5));
     var at_45 : ShadingPoint_0;
-    var _S449 : bool = shading_point_0(path_16, &(at_45));
-    if(!_S449)
+    var _S448 : bool = shading_point_0(path_16, &(at_45));
+    if(!_S448)
     {
         return;
     }

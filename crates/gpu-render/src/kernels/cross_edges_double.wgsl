@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: edc869b39be2d7c1
-// result: cbf74af3b2d1d4fc
+// source: bfe7146e05bcf113
+// result: ef8a8b91eb10c8d8
 
 struct Launch_std140_0
 {
@@ -3689,35 +3689,13 @@ fn jump_of_light_0( at_45 : ShadingPoint_0,  point_5 : EdgePoint_0) -> vec3<f32>
 
 fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_46 : ShadingPoint_0,  point_6 : EdgePoint_0,  number_of_path_2 : u32,  path_10 : Path_0)
 {
-    var _S347 : bool;
-    if((point_6.measure_0) > 0.0f)
-    {
-        _S347 = (point_6.measure_0) < 3.00000000549775576e+38f;
-    }
-    else
-    {
-        _S347 = false;
-    }
-    if(!_S347)
-    {
-        return;
-    }
     var flow_0 : f32 = flow_at_0(at_46, point_6);
-    var _S348 : f32 = abs(flow_0);
-    if(_S348 > 0.0f)
-    {
-        _S347 = _S348 < 3.00000000549775576e+38f;
-    }
-    else
-    {
-        _S347 = false;
-    }
-    if(!_S347)
+    if(flow_0 == 0.0f)
     {
         return;
     }
-    var _S349 : vec3<f32> = jump_of_light_0(at_46, point_6);
-    (*crossed_2).term_0 = (*crossed_2).term_0 + (*crossed_2).factor_1 * _S349 * vec3<f32>(flow_0);
+    var _S347 : vec3<f32> = jump_of_light_0(at_46, point_6);
+    (*crossed_2).term_0 = (*crossed_2).term_0 + (*crossed_2).factor_1 * _S347 * vec3<f32>(flow_0);
     return;
 }
 
@@ -3771,15 +3749,15 @@ fn draw_points_0( at_47 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 contributions_1 = asked_0.same_0;
             }
             var points_1 : u32 = u32(ceil(contributions_1));
-            var _S350 : f32 = asked_0.over_all_0 * f32(points_1);
+            var _S348 : f32 = asked_0.over_all_0 * f32(points_1);
             var step_2 : f64 = f64(total_1) / f64(points_1);
-            var _S351 : f64 = step_2 * asked_0.place_20;
+            var _S349 : f64 = step_2 * asked_0.place_20;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S350;
+            over_all_1 = _S348;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S351;
+            target_1 = _S349;
         }
         else
         {
@@ -3794,16 +3772,16 @@ fn draw_points_0( at_47 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
         var target_2 : f64 = target_1;
         for(;;)
         {
-            var _S352 : bool;
+            var _S350 : bool;
             if(k_11 < (edge_word_0(leaf_2 + u32(3))))
             {
-                _S352 = drawn_1 < points_0;
+                _S350 = drawn_1 < points_0;
             }
             else
             {
-                _S352 = false;
+                _S350 = false;
             }
-            if(_S352)
+            if(_S350)
             {
             }
             else
@@ -3811,14 +3789,14 @@ fn draw_points_0( at_47 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 break;
             }
             var seen_6 : SeenEdge_0;
-            var _S353 : bool = see_edge_0(at_47, k_11, &(seen_6));
+            var _S351 : bool = see_edge_0(at_47, k_11, &(seen_6));
             var drawn_2 : u32;
             var contributions_2 : f32;
             var angles_2 : f32;
             var pieces_3 : f32;
             var cumulative_2 : f32;
             var target_3 : f64;
-            if(!_S353)
+            if(!_S351)
             {
                 drawn_2 = drawn_1;
                 contributions_2 = contributions_1;
@@ -3868,26 +3846,26 @@ fn draw_points_0( at_47 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 var target_4 : f64 = target_3;
                 for(;;)
                 {
-                    var _S354 : bool;
+                    var _S352 : bool;
                     if(drawn_3 < points_0)
                     {
-                        _S354 = target_4 < f64(cumulative_3);
+                        _S352 = target_4 < f64(cumulative_3);
                     }
                     else
                     {
-                        _S354 = false;
+                        _S352 = false;
                     }
-                    if(_S354)
+                    if(_S352)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var _S355 : u32 = drawn_3 + u32(1);
+                    var _S353 : u32 = drawn_3 + u32(1);
                     var target_5 : f64 = target_4 + step_1;
                     cross_at_0(&((*crossed_3)), at_47, point_on_0(at_47, seen_6, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_1 * own_1 / total_0), number_of_path_3, path_11);
-                    drawn_3 = _S355;
+                    drawn_3 = _S353;
                     target_4 = target_5;
                 }
                 cumulative_2 = cumulative_3;
@@ -3917,17 +3895,17 @@ fn draw_points_0( at_47 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
 fn sample_points_0( at_48 : ShadingPoint_0,  number_of_path_4 : u32,  path_12 : Path_0,  subtrees_0 : vec3<u32>,  crossed_4 : ptr<function, Crossed_0>)
 {
     var numbers_8 : u32 = numbers_for_0(at_48.purpose_0) + u32(1);
-    var _S356 : u32 = subtrees_0.x;
-    var _S357 : f64 = precise_random_0(path_12.key_0, numbers_8);
-    var _S358 : f64 = precise_random_0(path_12.key_0, numbers_8 + u32(1));
-    var first_8 : u32 = _S356;
+    var _S354 : u32 = subtrees_0.x;
+    var _S355 : f64 = precise_random_0(path_12.key_0, numbers_8);
+    var _S356 : f64 = precise_random_0(path_12.key_0, numbers_8 + u32(1));
+    var first_8 : u32 = _S354;
     var leaf_3 : u32 = u32(4294967295);
     var probability_4 : f32 = 1.0f;
-    var i_3 : u32 = _S356;
+    var i_3 : u32 = _S354;
     for(;;)
     {
-        var _S359 : u32 = subtrees_0.y;
-        if(i_3 <= _S359)
+        var _S357 : u32 = subtrees_0.y;
+        if(i_3 <= _S357)
         {
         }
         else
@@ -3936,11 +3914,24 @@ fn sample_points_0( at_48 : ShadingPoint_0,  number_of_path_4 : u32,  path_12 : 
         }
         var next_0 : u32 = u32(4294967295);
         var of_next_0 : f32 = 1.0f;
-        var _S360 : bool;
-        if(i_3 < _S359)
+        var _S358 : bool;
+        if(i_3 < _S357)
         {
-            var _S361 : bool = descend_0(at_48, (f64(i_3) + _S357) / f64(subtrees_0.z), &(next_0), &(of_next_0));
-            _S360 = !_S361;
+            var _S359 : bool = descend_0(at_48, (f64(i_3) + _S355) / f64(subtrees_0.z), &(next_0), &(of_next_0));
+            _S358 = !_S359;
+        }
+        else
+        {
+            _S358 = false;
+        }
+        if(_S358)
+        {
+            next_0 = u32(4294967295);
+        }
+        var _S360 : bool;
+        if(i_3 > first_8)
+        {
+            _S360 = next_0 == leaf_3;
         }
         else
         {
@@ -3948,31 +3939,18 @@ fn sample_points_0( at_48 : ShadingPoint_0,  number_of_path_4 : u32,  path_12 : 
         }
         if(_S360)
         {
-            next_0 = u32(4294967295);
-        }
-        var _S362 : bool;
-        if(i_3 > first_8)
-        {
-            _S362 = next_0 == leaf_3;
-        }
-        else
-        {
-            _S362 = false;
-        }
-        if(_S362)
-        {
             i_3 = i_3 + u32(1);
             continue;
         }
         if(leaf_3 != u32(4294967295))
         {
             var asked_1 : Share_0;
-            var _S363 : f32 = f32(i_3 - first_8);
-            asked_1.same_0 = _S363;
-            var _S364 : f32 = _S363 / f32(subtrees_0.z);
-            asked_1.share_0 = _S364;
-            asked_1.over_all_0 = probability_4 / _S364;
-            asked_1.place_20 = _S358 + f64(0.6180340051651001f * f32(first_8));
+            var _S361 : f32 = f32(i_3 - first_8);
+            asked_1.same_0 = _S361;
+            var _S362 : f32 = _S361 / f32(subtrees_0.z);
+            asked_1.share_0 = _S362;
+            asked_1.over_all_0 = probability_4 / _S362;
+            asked_1.place_20 = _S356 + f64(0.6180340051651001f * f32(first_8));
             for(;;)
             {
                 if((asked_1.place_20) >= 1.0lf)
@@ -3994,7 +3972,7 @@ fn sample_points_0( at_48 : ShadingPoint_0,  number_of_path_4 : u32,  path_12 : 
     return;
 }
 
-fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_49 : ShadingPoint_0)
+fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0)
 {
     var change_7 : u32 = u32(4);
     var before_2 : vec3<f32> = path_vector_0(number_of_path_5, &(change_7));
@@ -4015,9 +3993,9 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var number_of_path_6 : u32 = input_0[listed_0];
     var factor_5 : vec3<f32>;
     var path_13 : Path_0 = path_at_vertex_0(number_of_path_6, &(factor_5));
-    var at_50 : ShadingPoint_0;
-    var _S365 : bool = shading_point_0(path_13, &(at_50));
-    if(!_S365)
+    var at_49 : ShadingPoint_0;
+    var _S363 : bool = shading_point_0(path_13, &(at_49));
+    if(!_S363)
     {
         return;
     }
@@ -4032,17 +4010,17 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         {
             break;
         }
-        var probability_5 : f32 = turn_to_0(purpose_3, path_13.key_0, &(at_50));
+        var probability_5 : f32 = turn_to_0(purpose_3, path_13.key_0, &(at_49));
         if(!(probability_5 > 0.0f))
         {
             purpose_3 = purpose_3 + u32(1);
             continue;
         }
         crossed_6.factor_1 = factor_5 / vec3<f32>(probability_5);
-        var subtrees_1 : u32 = subtrees_of_0(at_50);
-        sample_points_0(at_50, number_of_path_6, path_13, vec3<u32>(u32(0), subtrees_1, subtrees_1), &(crossed_6));
+        var subtrees_1 : u32 = subtrees_of_0(at_49);
+        sample_points_0(at_49, number_of_path_6, path_13, vec3<u32>(u32(0), subtrees_1, subtrees_1), &(crossed_6));
         purpose_3 = purpose_3 + u32(1);
     }
-    add_0(number_of_path_6, crossed_6, at_50);
+    add_0(number_of_path_6, crossed_6);
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d83584f927a88027
-// result: 73aec60afc34cccd
+// source: bfe7146e05bcf113
+// result: 68f96a3cc6d20261
 
 struct Launch_std140_0
 {
@@ -20,13 +20,146 @@ struct Launch_std140_0
 
 @binding(2) @group(0) var<storage, read> primitives_0 : array<f32>;
 
-@binding(7) @group(0) var<storage, read_write> edges_0 : array<u32>;
-
 @binding(0) @group(0) var<storage, read> nodes_0 : array<vec4<u32>>;
 
 @binding(1) @group(0) var<storage, read> leaf_starts_0 : array<u32>;
 
 @binding(3) @group(0) var<storage, read> rough_0 : array<vec4<u32>>;
+
+struct DiffPair_float_0
+{
+     primal_0 : f32,
+     differential_0 : f32,
+};
+
+struct DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+     primal_0 : vec3<f32>,
+     differential_0 : vec3<f32>,
+};
+
+fn _d_sqrt_0( dpx_0 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S1 : DiffPair_float_0 = DiffPair_float_0( sqrt(dpx_0.primal_0), 0.5f / sqrt(max(1.00000001168609742e-07f, dpx_0.primal_0)) * dpx_0.differential_0 );
+    return _S1;
+}
+
+fn s_fwd_length_impl_0( dpx_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
+{
+    var _S2 : f32 = dpx_1.primal_0[i32(0)];
+    var _S3 : f32 = dpx_1.differential_0[i32(0)] * dpx_1.primal_0[i32(0)];
+    var _S4 : f32 = dpx_1.primal_0[i32(1)];
+    var _S5 : f32 = dpx_1.differential_0[i32(1)] * dpx_1.primal_0[i32(1)];
+    var _S6 : f32 = dpx_1.primal_0[i32(2)];
+    var _S7 : f32 = dpx_1.differential_0[i32(2)] * dpx_1.primal_0[i32(2)];
+    var _S8 : DiffPair_float_0 = DiffPair_float_0( _S2 * _S2 + _S4 * _S4 + _S6 * _S6, _S3 + _S3 + (_S5 + _S5) + (_S7 + _S7) );
+    var _S9 : DiffPair_float_0 = _d_sqrt_0(_S8);
+    var _S10 : DiffPair_float_0 = DiffPair_float_0( _S9.primal_0, _S9.differential_0 );
+    return _S10;
+}
+
+fn s_fwd_normalize_impl_0( dpx_2 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+    var _S11 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpx_2.primal_0, dpx_2.differential_0 );
+    var _S12 : DiffPair_float_0 = s_fwd_length_impl_0(_S11);
+    var _S13 : vec3<f32> = vec3<f32>((1.0f / _S12.primal_0));
+    var _S14 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpx_2.primal_0 * _S13, dpx_2.differential_0 * _S13 + vec3<f32>(((0.0f - _S12.differential_0) / (_S12.primal_0 * _S12.primal_0))) * dpx_2.primal_0 );
+    return _S14;
+}
+
+struct DiffPair_vectorx3Cfloatx2C2x3E_0
+{
+     primal_0 : vec2<f32>,
+     differential_0 : vec2<f32>,
+};
+
+fn s_fwd_length_impl_1( dpx_3 : DiffPair_vectorx3Cfloatx2C2x3E_0) -> DiffPair_float_0
+{
+    var _S15 : f32 = dpx_3.primal_0[i32(0)];
+    var _S16 : f32 = dpx_3.differential_0[i32(0)] * dpx_3.primal_0[i32(0)];
+    var _S17 : f32 = dpx_3.primal_0[i32(1)];
+    var _S18 : f32 = dpx_3.differential_0[i32(1)] * dpx_3.primal_0[i32(1)];
+    var _S19 : DiffPair_float_0 = DiffPair_float_0( _S15 * _S15 + _S17 * _S17, _S16 + _S16 + (_S18 + _S18) );
+    var _S20 : DiffPair_float_0 = _d_sqrt_0(_S19);
+    var _S21 : DiffPair_float_0 = DiffPair_float_0( _S20.primal_0, _S20.differential_0 );
+    return _S21;
+}
+
+fn _d_min_0( dpx_4 : DiffPair_float_0,  dpy_0 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S22 : f32 = min(dpx_4.primal_0, dpy_0.primal_0);
+    var _S23 : f32;
+    if((dpx_4.primal_0) < (dpy_0.primal_0))
+    {
+        _S23 = dpx_4.differential_0;
+    }
+    else
+    {
+        if((dpx_4.primal_0) > (dpy_0.primal_0))
+        {
+            _S23 = dpy_0.differential_0;
+        }
+        else
+        {
+            _S23 = 0.5f * (dpx_4.differential_0 + dpy_0.differential_0);
+        }
+    }
+    var _S24 : DiffPair_float_0 = DiffPair_float_0( _S22, _S23 );
+    return _S24;
+}
+
+fn _d_dot_0( dpx_5 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpy_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
+{
+    var _S25 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0[i32(0)] * dpy_1.primal_0[i32(0)] + dpx_5.primal_0[i32(1)] * dpy_1.primal_0[i32(1)] + dpx_5.primal_0[i32(2)] * dpy_1.primal_0[i32(2)], dpx_5.primal_0[i32(0)] * dpy_1.differential_0[i32(0)] + dpy_1.primal_0[i32(0)] * dpx_5.differential_0[i32(0)] + dpx_5.primal_0[i32(1)] * dpy_1.differential_0[i32(1)] + dpy_1.primal_0[i32(1)] * dpx_5.differential_0[i32(1)] + dpx_5.primal_0[i32(2)] * dpy_1.differential_0[i32(2)] + dpy_1.primal_0[i32(2)] * dpx_5.differential_0[i32(2)] );
+    return _S25;
+}
+
+fn _d_max_0( dpx_6 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S26 : f32 = max(dpx_6.primal_0, dpy_2.primal_0);
+    var _S27 : f32;
+    if((dpx_6.primal_0) > (dpy_2.primal_0))
+    {
+        _S27 = dpx_6.differential_0;
+    }
+    else
+    {
+        if((dpx_6.primal_0) < (dpy_2.primal_0))
+        {
+            _S27 = dpy_2.differential_0;
+        }
+        else
+        {
+            _S27 = 0.5f * (dpx_6.differential_0 + dpy_2.differential_0);
+        }
+    }
+    var _S28 : DiffPair_float_0 = DiffPair_float_0( _S26, _S27 );
+    return _S28;
+}
+
+fn _d_abs_0( dpx_7 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S29 : DiffPair_float_0 = DiffPair_float_0( abs(dpx_7.primal_0), select(select(-1.0f, 0.0f, (dpx_7.primal_0) == 0.0f), 1.0f, (dpx_7.primal_0) > 0.0f) * dpx_7.differential_0 );
+    return _S29;
+}
+
+fn _d_cross_0( a_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  b_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+    var _S30 : f32 = a_0.primal_0.y;
+    var _S31 : f32 = b_0.primal_0.z;
+    var _S32 : f32 = a_0.primal_0.z;
+    var _S33 : f32 = b_0.primal_0.y;
+    var _S34 : f32 = a_0.differential_0.y;
+    var _S35 : f32 = b_0.differential_0.z;
+    var _S36 : f32 = a_0.differential_0.z;
+    var _S37 : f32 = b_0.differential_0.y;
+    var _S38 : f32 = b_0.primal_0.x;
+    var _S39 : f32 = a_0.primal_0.x;
+    var _S40 : f32 = b_0.differential_0.x;
+    var _S41 : f32 = a_0.differential_0.x;
+    var _S42 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S30 * _S31 - _S32 * _S33, _S32 * _S38 - _S39 * _S31, _S39 * _S33 - _S30 * _S38), vec3<f32>(_S34 * _S31 + _S30 * _S35 - _S36 * _S33 - _S32 * _S37, _S36 * _S38 + _S32 * _S40 - _S41 * _S31 - _S39 * _S35, _S41 * _S33 + _S39 * _S37 - _S34 * _S38 - _S30 * _S40) );
+    return _S42;
+}
 
 fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
 {
@@ -35,44 +168,37 @@ fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
 
 fn path_vector_0( path_1 : u32,  which_1 : ptr<function, u32>) -> vec3<f32>
 {
-    var _S1 : u32 = (*which_1) + u32(3);
-    (*which_1) = _S1;
-    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_1, _S1 - u32(3)), path_word_0(path_1, _S1 - u32(2)), path_word_0(path_1, _S1 - u32(1))))));
+    var _S43 : u32 = (*which_1) + u32(3);
+    (*which_1) = _S43;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_1, _S43 - u32(3)), path_word_0(path_1, _S43 - u32(2)), path_word_0(path_1, _S43 - u32(1))))));
 }
 
 fn path_vector_1( path_2 : u32,  which_2 : ptr<function, u32>) -> vec3<f32>
 {
-    var _S2 : u32 = (*which_2) + u32(3);
-    (*which_2) = _S2;
-    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_2, _S2 - u32(3)), path_word_0(path_2, _S2 - u32(2)), path_word_0(path_2, _S2 - u32(1))))));
+    var _S44 : u32 = (*which_2) + u32(3);
+    (*which_2) = _S44;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_2, _S44 - u32(3)), path_word_0(path_2, _S44 - u32(2)), path_word_0(path_2, _S44 - u32(1))))));
 }
 
-struct Colour_0
+struct Vector_0
 {
      value_0 : vec3<f32>,
-     changes_0 : array<vec3<f32>, i32(1)>,
+     change_0 : vec3<f32>,
 };
 
-fn path_colour_0( path_3 : u32,  which_3 : ptr<function, u32>) -> Colour_0
+fn changing_0( value_1 : vec3<f32>,  change_1 : vec3<f32>) -> Vector_0
 {
-    var colour_0 : Colour_0;
-    var _S3 : vec3<f32> = path_vector_1(path_3, &((*which_3)));
-    colour_0.value_0 = _S3;
-    var k_0 : u32 = u32(0);
-    for(;;)
-    {
-        if(k_0 < u32(1))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S4 : vec3<f32> = path_vector_1(path_3, &((*which_3)));
-        colour_0.changes_0[k_0] = _S4;
-        k_0 = k_0 + u32(1);
-    }
-    return colour_0;
+    var vector_0 : Vector_0;
+    vector_0.value_0 = value_1;
+    vector_0.change_0 = change_1;
+    return vector_0;
+}
+
+fn path_changing_0( path_3 : u32,  which_3 : ptr<function, u32>) -> Vector_0
+{
+    var value_2 : vec3<f32> = path_vector_1(path_3, &((*which_3)));
+    var _S45 : vec3<f32> = path_vector_1(path_3, &((*which_3)));
+    return changing_0(value_2, _S45);
 }
 
 struct Place_0
@@ -80,41 +206,64 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     change_2 : vec2<f32>,
 };
+
+fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+{
+    var place_0 : Place_0;
+    place_0.triangle_0 = triangle_1;
+    place_0.v_0 = v_1;
+    place_0.w_0 = w_1;
+    place_0.change_2 = vec2<f32>(0.0f);
+    return place_0;
+}
 
 fn path_place_0( path_4 : u32,  which_4 : ptr<function, u32>) -> Place_0
 {
-    var place_0 : Place_0;
-    place_0.triangle_0 = path_word_0(path_4, (*which_4));
-    place_0.v_0 = (bitcast<f32>((path_word_0(path_4, (*which_4) + u32(1)))));
-    place_0.w_0 = (bitcast<f32>((path_word_0(path_4, (*which_4) + u32(2)))));
-    (*which_4) = (*which_4) + u32(3);
-    return place_0;
+    var _S46 : u32 = (*which_4) + u32(3);
+    (*which_4) = _S46;
+    return place_at_0(path_word_0(path_4, _S46 - u32(3)), (bitcast<f32>((path_word_0(path_4, _S46 - u32(2))))), (bitcast<f32>((path_word_0(path_4, _S46 - u32(1))))));
 }
 
 struct Path_0
 {
-     throughput_0 : Colour_0,
-     direction_0 : vec3<f32>,
+     throughput_0 : Vector_0,
+     direction_0 : Vector_0,
      place_1 : Place_0,
      key_0 : vec2<u32>,
-     light_0 : Colour_0,
+     light_0 : Vector_0,
+     drift_0 : vec3<f32>,
 };
 
 fn load_0( number_of_path_0 : u32) -> Path_0
 {
     var at_0 : u32 = u32(1);
     var path_5 : Path_0;
-    var _S5 : Colour_0 = path_colour_0(number_of_path_0, &(at_0));
-    path_5.light_0 = _S5;
-    var _S6 : Colour_0 = path_colour_0(number_of_path_0, &(at_0));
-    path_5.throughput_0 = _S6;
-    var _S7 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
-    path_5.direction_0 = _S7;
-    var _S8 : Place_0 = path_place_0(number_of_path_0, &(at_0));
-    path_5.place_1 = _S8;
+    var _S47 : Vector_0 = path_changing_0(number_of_path_0, &(at_0));
+    path_5.light_0 = _S47;
+    var _S48 : Vector_0 = path_changing_0(number_of_path_0, &(at_0));
+    path_5.throughput_0 = _S48;
+    var _S49 : Vector_0 = path_changing_0(number_of_path_0, &(at_0));
+    path_5.direction_0 = _S49;
+    var _S50 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
+    path_5.drift_0 = _S50;
+    var _S51 : Place_0 = path_place_0(number_of_path_0, &(at_0));
+    path_5.place_1 = _S51;
     path_5.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_0), path_word_0(number_of_path_0, at_0 + u32(1)));
     return path_5;
+}
+
+fn path_at_vertex_0( number_of_path_1 : u32,  factor_0 : ptr<function, vec3<f32>>) -> Path_0
+{
+    var path_6 : Path_0 = load_0(number_of_path_1);
+    (*factor_0) = path_6.throughput_0.value_0;
+    return path_6;
+}
+
+fn value_of_0( vector_1 : Vector_0) -> vec3<f32>
+{
+    return vector_1.value_0;
 }
 
 fn word_0( at_1 : u32) -> u32
@@ -122,14 +271,14 @@ fn word_0( at_1 : u32) -> u32
     return scene_0[at_1];
 }
 
-fn triangle_record_0( triangle_1 : u32) -> u32
+fn triangle_record_0( triangle_2 : u32) -> u32
 {
-    return word_0(u32(9)) + u32(5) * triangle_1;
+    return word_0(u32(9)) + u32(5) * triangle_2;
 }
 
-fn shape_of_0( triangle_2 : u32) -> u32
+fn shape_of_0( triangle_3 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_2));
+    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_3));
 }
 
 fn primitive_vector_0( at_2 : u32) -> vec3<f32>
@@ -140,20 +289,20 @@ fn primitive_vector_0( at_2 : u32) -> vec3<f32>
 fn position_of_0( place_2 : Place_0) -> vec3<f32>
 {
     var at_3 : u32 = u32(9) * place_2.triangle_0;
-    var a_0 : vec3<f32> = primitive_vector_0(at_3);
-    return a_0 + (primitive_vector_0(at_3 + u32(3)) - a_0) * vec3<f32>(place_2.v_0) + (primitive_vector_0(at_3 + u32(6)) - a_0) * vec3<f32>(place_2.w_0);
+    var a_1 : vec3<f32> = primitive_vector_0(at_3);
+    return a_1 + (primitive_vector_0(at_3 + u32(3)) - a_1) * vec3<f32>(place_2.v_0) + (primitive_vector_0(at_3 + u32(6)) - a_1) * vec3<f32>(place_2.w_0);
 }
 
-fn cross_of_0( triangle_3 : u32) -> vec3<f32>
+fn cross_of_0( triangle_4 : u32) -> vec3<f32>
 {
-    var at_4 : u32 = u32(9) * triangle_3;
-    var a_1 : vec3<f32> = primitive_vector_0(at_4);
-    return cross(primitive_vector_0(at_4 + u32(3)) - a_1, primitive_vector_0(at_4 + u32(6)) - a_1);
+    var at_4 : u32 = u32(9) * triangle_4;
+    var a_2 : vec3<f32> = primitive_vector_0(at_4);
+    return cross(primitive_vector_0(at_4 + u32(3)) - a_2, primitive_vector_0(at_4 + u32(6)) - a_2);
 }
 
-fn unit_0( v_1 : vec3<f32>) -> vec3<f32>
+fn unit_0( v_2 : vec3<f32>) -> vec3<f32>
 {
-    return normalize(v_1 / vec3<f32>(max(max(abs(v_1.x), abs(v_1.y)), abs(v_1.z))));
+    return normalize(v_2 / vec3<f32>(max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z))));
 }
 
 fn number_0( at_5 : u32) -> f32
@@ -175,6 +324,8 @@ struct Surface_0
      face_normal_0 : vec3<f32>,
      outward_0 : vec3<f32>,
      is_front_0 : bool,
+     position_change_0 : vec3<f32>,
+     outward_change_0 : vec3<f32>,
 };
 
 fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
@@ -182,14 +333,14 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
     var surface_0 : Surface_0;
     surface_0.place_3 = place_4;
     surface_0.shape_0 = shape_of_0(place_4.triangle_0);
-    var _S9 : vec3<f32> = position_of_0(place_4);
-    surface_0.exact_0 = _S9;
-    surface_0.position_0 = _S9;
-    var _S10 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
-    surface_0.face_normal_0 = _S10;
-    surface_0.outward_0 = _S10;
+    var _S52 : vec3<f32> = position_of_0(place_4);
+    surface_0.exact_0 = _S52;
+    surface_0.position_0 = _S52;
+    var _S53 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
+    surface_0.face_normal_0 = _S53;
+    surface_0.outward_0 = _S53;
     var seen_0 : f32;
-    if((dot(_S10, direction_1)) > 0.0f)
+    if((dot(_S53, direction_1)) > 0.0f)
     {
         seen_0 = -1.0f;
     }
@@ -201,103 +352,141 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
     if(normals_0 != u32(4294967295))
     {
         var record_0 : u32 = triangle_record_0(place_4.triangle_0) + u32(2);
-        var a_2 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0));
-        var b_0 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0 + u32(1)));
+        var a_3 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0));
+        var b_1 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0 + u32(1)));
         var c_0 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0 + u32(2)));
-        if((dot(a_2 + b_0 + c_0, surface_0.face_normal_0)) < 0.0f)
+        if((dot(a_3 + b_1 + c_0, surface_0.face_normal_0)) < 0.0f)
         {
             seen_0 = - seen_0;
         }
-        surface_0.outward_0 = normalize(a_2 + (b_0 - a_2) * vec3<f32>(place_4.v_0) + (c_0 - a_2) * vec3<f32>(place_4.w_0));
+        surface_0.outward_0 = normalize(a_3 + (b_1 - a_3) * vec3<f32>(place_4.v_0) + (c_0 - a_3) * vec3<f32>(place_4.w_0));
     }
     surface_0.is_front_0 = seen_0 > 0.0f;
+    var _S54 : vec3<f32> = vec3<f32>(0.0f);
+    surface_0.outward_change_0 = _S54;
+    surface_0.position_change_0 = _S54;
     return surface_0;
 }
 
-fn material_of_0( surface_1 : Surface_0) -> u32
+fn change_word_0( at_7 : u32) -> u32
 {
-    var _S11 : u32;
-    if(surface_1.is_front_0)
-    {
-        _S11 = u32(2);
-    }
-    else
-    {
-        _S11 = u32(3);
-    }
-    return word_0(surface_1.shape_0 + _S11);
+    return input_0[u32(15) * launch_0.room_0 + at_7];
 }
 
-struct Axes_0
+fn is_moving_0() -> bool
 {
-     s_0 : vec3<f32>,
-     t_0 : vec3<f32>,
-     n_0 : vec3<f32>,
-};
+    return (change_word_0(u32(0))) != u32(4294967295);
+}
 
-fn axes_at_0( surface_2 : Surface_0) -> Axes_0
+fn motion_of_0( triangle_5 : u32) -> u32
 {
-    var axes_0 : Axes_0;
-    var _S12 : vec3<f32>;
+    return change_word_0(u32(0)) + u32(21) * triangle_5;
+}
+
+fn change_vector_0( at_8 : u32) -> vec3<f32>
+{
+    return (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_8), change_word_0(at_8 + u32(1)), change_word_0(at_8 + u32(2))))));
+}
+
+fn at_place_0( a_4 : vec3<f32>,  b_2 : vec3<f32>,  c_1 : vec3<f32>,  place_5 : Place_0) -> vec3<f32>
+{
+    return a_4 + (b_2 - a_4) * vec3<f32>(place_5.v_0) + (c_1 - a_4) * vec3<f32>(place_5.w_0);
+}
+
+fn move_place_0( place_6 : ptr<function, Place_0>,  position_change_1 : ptr<function, vec3<f32>>,  direction_2 : vec3<f32>,  drift_1 : vec3<f32>)
+{
+    (*position_change_1) = drift_1;
+    if(!is_moving_0())
+    {
+        return;
+    }
+    var at_9 : u32 = motion_of_0((*place_6).triangle_0);
+    var corner_0 : u32 = u32(9) * (*place_6).triangle_0;
+    var of_material_0 : vec3<f32> = at_place_0(change_vector_0(at_9), change_vector_0(at_9 + u32(3)), change_vector_0(at_9 + u32(6)), (*place_6));
+    var a_5 : vec3<f32> = primitive_vector_0(corner_0);
+    var ab_0 : vec3<f32> = primitive_vector_0(corner_0 + u32(3)) - a_5;
+    var ac_0 : vec3<f32> = primitive_vector_0(corner_0 + u32(6)) - a_5;
+    var across_0 : vec3<f32> = cross(ab_0, ac_0);
+    var _S55 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S55);
+    var slip_0 : vec3<f32> = drift_1 - of_material_0;
+    var slip_1 : vec3<f32> = slip_0 - direction_2 * vec3<f32>((dot(normal_0, slip_0) / dot(normal_0, direction_2)));
+    (*position_change_1) = of_material_0 + slip_1;
+    (*place_6).change_2 = vec2<f32>(dot(slip_1, cross(ac_0, normal_0)), dot(slip_1, cross(normal_0, ab_0))) * vec2<f32>((1.0f / (dot(normal_0, normal_0) * _S55)));
+    return;
+}
+
+fn change_of_unit_0( vector_2 : vec3<f32>,  change_3 : vec3<f32>,  size_0 : f32) -> vec3<f32>
+{
+    return (change_3 - vector_2 * vec3<f32>(dot(vector_2, change_3))) / vec3<f32>(size_0);
+}
+
+fn move_surface_0( surface_1 : ptr<function, Surface_0>,  direction_3 : vec3<f32>,  drift_2 : vec3<f32>)
+{
+    var _S56 : Place_0 = (*surface_1).place_3;
+    var _S57 : vec3<f32> = (*surface_1).position_change_0;
+    move_place_0(&(_S56), &(_S57), direction_3, drift_2);
+    (*surface_1).place_3 = _S56;
+    (*surface_1).position_change_0 = _S57;
+    if(!is_moving_0())
+    {
+        return;
+    }
+    var place_7 : Place_0 = (*surface_1).place_3;
+    var at_10 : u32 = motion_of_0((*surface_1).place_3.triangle_0);
+    var normals_1 : u32 = word_0((*surface_1).shape_0);
+    if(normals_1 == u32(4294967295))
+    {
+        var corner_1 : u32 = u32(9) * place_7.triangle_0;
+        var a_6 : vec3<f32> = primitive_vector_0(corner_1);
+        var ab_1 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_6;
+        var ac_1 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_6;
+        var a_change_0 : vec3<f32> = change_vector_0(at_10);
+        (*surface_1).outward_change_0 = change_of_unit_0((*surface_1).outward_0, cross(change_vector_0(at_10 + u32(3)) - a_change_0, ac_1) + cross(ab_1, change_vector_0(at_10 + u32(6)) - a_change_0), length(cross(ab_1, ac_1)));
+        return;
+    }
+    var record_1 : u32 = triangle_record_0(place_7.triangle_0) + u32(2);
+    var a_7 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_1));
+    var ab_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_1 + u32(1))) - a_7;
+    var ac_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_1 + u32(2))) - a_7;
+    var at_11 : u32 = at_10 + u32(9);
+    (*surface_1).outward_change_0 = change_of_unit_0((*surface_1).outward_0, at_place_0(change_vector_0(at_11), change_vector_0(at_11 + u32(3)), change_vector_0(at_11 + u32(6)), place_7) + (ab_2 * vec3<f32>(place_7.change_2.x) + ac_2 * vec3<f32>(place_7.change_2.y)), length(a_7 + ab_2 * vec3<f32>(place_7.v_0) + ac_2 * vec3<f32>(place_7.w_0)));
+    return;
+}
+
+fn material_of_0( surface_2 : Surface_0) -> u32
+{
+    var _S58 : u32;
     if(surface_2.is_front_0)
     {
-        _S12 = surface_2.outward_0;
+        _S58 = u32(2);
     }
     else
     {
-        _S12 = (vec3<f32>(0) - surface_2.outward_0);
+        _S58 = u32(3);
     }
-    axes_0.n_0 = _S12;
-    var tangents_0 : u32 = word_0(surface_2.shape_0 + u32(5));
-    if(tangents_0 != u32(4294967295))
-    {
-        var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
-        var across_0 : vec3<f32> = tangent_0 - surface_2.outward_0 * vec3<f32>(dot(surface_2.outward_0, tangent_0));
-        if((dot(across_0, across_0)) > 0.0f)
-        {
-            var _S13 : vec3<f32> = normalize(across_0);
-            axes_0.s_0 = _S13;
-            axes_0.t_0 = cross(surface_2.outward_0, _S13);
-            return axes_0;
-        }
-    }
-    var _S14 : f32 = surface_2.outward_0.z;
-    var sign_0 : f32;
-    if(_S14 < 0.0f)
-    {
-        sign_0 = -1.0f;
-    }
-    else
-    {
-        sign_0 = 1.0f;
-    }
-    var a_3 : f32 = -1.0f / (sign_0 + _S14);
-    var _S15 : f32 = surface_2.outward_0.x;
-    var _S16 : f32 = surface_2.outward_0.y;
-    var b_1 : f32 = _S15 * _S16 * a_3;
-    axes_0.s_0 = vec3<f32>(1.0f + sign_0 * _S15 * _S15 * a_3, sign_0 * b_1, - sign_0 * _S15);
-    axes_0.t_0 = vec3<f32>(b_1, sign_0 + _S16 * _S16 * a_3, - _S16);
-    return axes_0;
+    return word_0(surface_2.shape_0 + _S58);
 }
 
-fn constant_0( value_1 : vec3<f32>) -> Colour_0
+struct Numbers_0
 {
-    var colour_1 : Colour_0;
-    colour_1.value_0 = value_1;
-    var k_1 : u32 = u32(0);
-    for(;;)
-    {
-        if(k_1 < u32(1))
-        {
-        }
-        else
-        {
-            break;
-        }
-        colour_1.changes_0[k_1] = vec3<f32>(0.0f);
-        k_1 = k_1 + u32(1);
-    }
-    return colour_1;
+     diffuse_reflectance_0 : vec3<f32>,
+     specular_reflectance_0 : vec3<f32>,
+     eta_0 : vec3<f32>,
+     k_0 : vec3<f32>,
+     alpha_0 : vec2<f32>,
+};
+
+fn no_numbers_0() -> Numbers_0
+{
+    var numbers_0 : Numbers_0;
+    var _S59 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_0.k_0 = _S59;
+    numbers_0.eta_0 = _S59;
+    numbers_0.specular_reflectance_0 = _S59;
+    numbers_0.diffuse_reflectance_0 = _S59;
+    numbers_0.alpha_0 = vec2<f32>(0.0f);
+    return numbers_0;
 }
 
 struct Lookup_0
@@ -305,6 +494,8 @@ struct Lookup_0
      count_0 : u32,
      texels_0 : vec4<u32>,
      weights_0 : vec4<f32>,
+     by_first_0 : vec4<f32>,
+     by_second_0 : vec4<f32>,
 };
 
 fn one_texel_0( texel_0 : u32) -> Lookup_0
@@ -313,18 +504,41 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    var _S60 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S60;
+    lookup_0.by_first_0 = _S60;
     return lookup_0;
 }
 
-fn uv_of_0( place_5 : Place_0) -> vec2<f32>
+struct Corners2_0
 {
-    var uvs_0 : u32 = word_0(shape_of_0(place_5.triangle_0) + u32(1));
-    if(uvs_0 == u32(4294967295))
+     a_8 : vec2<f32>,
+     b_3 : vec2<f32>,
+     c_2 : vec2<f32>,
+};
+
+fn Corners2_x24init_0( a_9 : vec2<f32>,  b_4 : vec2<f32>,  c_3 : vec2<f32>) -> Corners2_0
+{
+    var _S61 : Corners2_0;
+    _S61.a_8 = a_9;
+    _S61.b_3 = b_4;
+    _S61.c_2 = c_3;
+    return _S61;
+}
+
+fn uvs_of_0( triangle_6 : u32) -> Corners2_0
+{
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_at_0 : u32 = word_0(shape_of_0(triangle_6) + u32(1));
+    if(uvs_at_0 == u32(4294967295))
     {
-        return vec2<f32>(place_5.v_0, place_5.w_0);
+        return uvs_0;
     }
-    var at_7 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_5.triangle_0) + u32(1));
-    return vec2<f32>(number_0(at_7), number_0(at_7 + u32(1))) * vec2<f32>((1.0f - place_5.v_0 - place_5.w_0)) + vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3))) * vec2<f32>(place_5.v_0) + vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5))) * vec2<f32>(place_5.w_0);
+    var at_12 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_6) + u32(1));
+    uvs_0.a_8 = vec2<f32>(number_0(at_12), number_0(at_12 + u32(1)));
+    uvs_0.b_3 = vec2<f32>(number_0(at_12 + u32(2)), number_0(at_12 + u32(3)));
+    uvs_0.c_2 = vec2<f32>(number_0(at_12 + u32(4)), number_0(at_12 + u32(5)));
+    return uvs_0;
 }
 
 fn floor_of_0( x_0 : f32) -> i32
@@ -332,20 +546,20 @@ fn floor_of_0( x_0 : f32) -> i32
     return i32(floor(clamp(x_0, -1.0e+09f, 1.0e+09f)));
 }
 
-fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
+fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
 {
     if(wrap_0 == u32(2))
     {
-        return u32(clamp(i_0, i32(0), n_1 - i32(1)));
+        return u32(clamp(i_0, i32(0), n_0 - i32(1)));
     }
     var period_0 : i32;
     if(wrap_0 == u32(1))
     {
-        period_0 = i32(2) * n_1;
+        period_0 = i32(2) * n_0;
     }
     else
     {
-        period_0 = n_1;
+        period_0 = n_0;
     }
     var inside_0 : i32 = i_0 % period_0;
     var inside_1 : i32;
@@ -357,316 +571,511 @@ fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
     {
         inside_1 = inside_0;
     }
-    if(inside_1 < n_1)
+    if(inside_1 < n_0)
     {
         period_0 = inside_1;
     }
     else
     {
-        period_0 = i32(2) * n_1 - i32(1) - inside_1;
+        period_0 = i32(2) * n_0 - i32(1) - inside_1;
     }
     return u32(period_0);
 }
 
-fn between_0( texels_1 : vec4<u32>,  way_0 : vec2<f32>) -> Lookup_0
+struct Point_0
 {
+     value_3 : vec2<f32>,
+     by_first_1 : vec2<f32>,
+     by_second_1 : vec2<f32>,
+};
+
+fn between_0( texels_1 : vec4<u32>,  place_8 : Point_0) -> Lookup_0
+{
+    var way_0 : vec2<f32> = place_8.value_3 - floor(place_8.value_3);
     var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S17 : f32 = back_0.x;
-    var _S18 : f32 = back_0.y;
-    var _S19 : f32 = way_0.x;
-    var _S20 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S17 * _S18, _S19 * _S18, _S17 * _S20, _S19 * _S20);
+    var _S62 : f32 = back_0.x;
+    var _S63 : f32 = back_0.y;
+    var _S64 : f32 = way_0.x;
+    var _S65 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S62 * _S63, _S64 * _S63, _S62 * _S65, _S64 * _S65);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S63, _S63, - _S65, _S65);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S62, - _S64, _S62, _S64);
+    lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_8.by_first_1.x) + by_y_0 * vec4<f32>(place_8.by_first_1.y);
+    lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_8.by_second_1.x) + by_y_0 * vec4<f32>(place_8.by_second_1.y);
     return lookup_1;
 }
 
-fn in_bitmap_0( texture_0 : u32,  uv_0 : vec2<f32>) -> Lookup_0
+fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
 {
     var width_0 : i32 = i32(word_0(texture_0 + u32(2)));
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
-    var place_6 : vec2<f32> = uv_0 * vec2<f32>(f32(width_0), f32(height_0));
+    var size_1 : vec2<f32> = vec2<f32>(f32(width_0), f32(height_0));
+    var place_9 : vec2<f32> = uv_0.value_3 * size_1;
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
-        var row_0 : u32 = wrapped_0(floor_of_0(place_6.y), height_0, wrap_1);
-        var _S21 : u32 = row_0 * u32(width_0);
-        var _S22 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
-        return one_texel_0(_S21 + _S22);
+        var row_0 : u32 = wrapped_0(floor_of_0(place_9.y), height_0, wrap_1);
+        var _S66 : u32 = row_0 * u32(width_0);
+        var _S67 : u32 = wrapped_0(floor_of_0(place_9.x), width_0, wrap_1);
+        return one_texel_0(_S66 + _S67);
     }
-    var place_7 : vec2<f32> = place_6 - vec2<f32>(0.5f);
-    var x_1 : i32 = floor_of_0(place_7.x);
-    var y_0 : i32 = floor_of_0(place_7.y);
-    var _S23 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S24 : u32 = u32(width_0);
-    var first_1 : u32 = _S23 * _S24;
-    var _S25 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S25 * _S24;
+    var centred_0 : Point_0;
+    var _S68 : vec2<f32> = place_9 - vec2<f32>(0.5f);
+    centred_0.value_3 = _S68;
+    centred_0.by_first_1 = uv_0.by_first_1 * size_1;
+    centred_0.by_second_1 = uv_0.by_second_1 * size_1;
+    var x_1 : i32 = floor_of_0(_S68.x);
+    var y_0 : i32 = floor_of_0(_S68.y);
+    var _S69 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S70 : u32 = u32(width_0);
+    var first_1 : u32 = _S69 * _S70;
+    var _S71 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S71 * _S70;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
-    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), place_7 - floor(place_7));
+    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
 }
 
-fn lookup_at_0( texture_1 : u32,  place_8 : Place_0) -> Lookup_0
+fn lookup_at_0( texture_1 : u32,  place_10 : Place_0) -> Lookup_0
 {
     var kind_0 : u32 = word_0(texture_1);
     if(kind_0 == u32(0))
     {
         return one_texel_0(u32(0));
     }
-    var record_1 : u32 = triangle_record_0(place_8.triangle_0) + u32(1);
+    var record_2 : u32 = triangle_record_0(place_10.triangle_0) + u32(1);
     if(kind_0 == u32(4))
     {
-        return one_texel_0(word_0(record_1));
+        return one_texel_0(word_0(record_2));
     }
     if(kind_0 == u32(3))
     {
         var lookup_2 : Lookup_0;
         lookup_2.count_0 = u32(3);
-        lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
-        lookup_2.weights_0 = vec4<f32>(1.0f - place_8.v_0 - place_8.w_0, place_8.v_0, place_8.w_0, 0.0f);
+        lookup_2.texels_0 = vec4<u32>(word_0(record_2 + u32(1)), word_0(record_2 + u32(2)), word_0(record_2 + u32(3)), u32(0));
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_10.v_0 - place_10.w_0, place_10.v_0, place_10.w_0, 0.0f);
+        lookup_2.by_first_0 = vec4<f32>(-1.0f, 1.0f, 0.0f, 0.0f);
+        lookup_2.by_second_0 = vec4<f32>(-1.0f, 0.0f, 1.0f, 0.0f);
         return lookup_2;
     }
+    var uvs_1 : Corners2_0 = uvs_of_0(place_10.triangle_0);
     var rows_0 : u32 = texture_1 + u32(6);
-    var _S26 : vec3<f32> = vec3<f32>(uv_of_0(place_8), 1.0f);
-    var uv_1 : vec2<f32> = vec2<f32>(dot(_S26, vector_at_0(rows_0)), dot(_S26, vector_at_0(rows_0 + u32(3))));
+    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
+    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
+    var uv_1 : Point_0;
+    var _S72 : vec3<f32> = vec3<f32>(uvs_1.a_8 * vec2<f32>((1.0f - place_10.v_0 - place_10.w_0)) + uvs_1.b_3 * vec2<f32>(place_10.v_0) + uvs_1.c_2 * vec2<f32>(place_10.w_0), 1.0f);
+    uv_1.value_3 = vec2<f32>(dot(_S72, to_u_0), dot(_S72, to_v_0));
+    var by_v_0 : vec2<f32> = uvs_1.b_3 - uvs_1.a_8;
+    var by_w_0 : vec2<f32> = uvs_1.c_2 - uvs_1.a_8;
+    var _S73 : vec2<f32> = to_u_0.xy;
+    var _S74 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S73), dot(by_v_0, _S74));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S73), dot(by_w_0, _S74));
     if(kind_0 == u32(1))
     {
-        var _S27 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S27;
+        var _S75 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S75;
     }
-    var half_of_period_0 : vec2<f32> = uv_1 - floor(uv_1);
-    var _S28 : i32;
+    var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
+    var _S76 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S28 = i32(1);
+        _S76 = i32(1);
     }
     else
     {
-        _S28 = i32(0);
+        _S76 = i32(0);
     }
-    return one_texel_0(u32(_S28));
+    return one_texel_0(u32(_S76));
 }
 
-fn texture_value_0( texture_2 : u32,  lookup_3 : Lookup_0) -> vec3<f32>
+fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S29 : u32 = word_0(texture_2 + u32(1));
-    var _S30 : u32 = texture_2 + u32(13);
-    var _S31 : vec3<f32> = vec3<f32>(0.0f);
-    var k_2 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S31;
+    var _S77 : u32 = word_0(texture_2 + u32(1));
+    var _S78 : u32 = texture_2 + u32(13);
+    var _S79 : vec3<f32> = vec3<f32>(0.0f);
+    var k_1 : u32 = u32(0);
+    var value_4 : vec3<f32> = _S79;
     for(;;)
     {
-        if(k_2 < (lookup_3.count_0))
+        if(k_1 < (lookup_3.count_0))
         {
         }
         else
         {
             break;
         }
-        var at_8 : u32 = _S30 + _S29 * lookup_3.texels_0[k_2];
-        var _S32 : vec3<f32>;
-        if(_S29 == u32(1))
+        var at_13 : u32 = _S78 + _S77 * lookup_3.texels_0[k_1];
+        var _S80 : vec3<f32>;
+        if(_S77 == u32(1))
         {
-            _S32 = vec3<f32>(number_0(at_8));
+            _S80 = vec3<f32>(number_0(at_13));
         }
         else
         {
-            _S32 = vector_at_0(at_8);
+            _S80 = vector_at_0(at_13);
         }
-        var value_3 : vec3<f32> = value_2 + _S32 * vec3<f32>(lookup_3.weights_0[k_2]);
-        k_2 = k_2 + u32(1);
-        value_2 = value_3;
+        var value_5 : vec3<f32> = value_4 + _S80 * vec3<f32>(weights_1[k_1]);
+        k_1 = k_1 + u32(1);
+        value_4 = value_5;
     }
-    return value_2;
-}
-
-fn change_word_0( at_9 : u32) -> u32
-{
-    return input_0[u32(9) * launch_0.room_0 + at_9];
+    return value_4;
 }
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(2) * word_0(texture_3 + u32(12)));
+    return change_word_0(u32(5) + word_0(texture_3 + u32(12)));
 }
 
-fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0) -> Colour_0
+fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
 {
-    var colour_2 : Colour_0 = constant_0(texture_value_0(texture_4, lookup_4));
+    var value_6 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.weights_0);
+    var change_4 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.by_first_0 * vec4<f32>(place_change_0.x) + lookup_4.by_second_0 * vec4<f32>(place_change_0.y));
     var first_2 : u32 = numbers_of_0(texture_4);
     if(first_2 == u32(4294967295))
     {
-        return colour_2;
+        return changing_0(value_6, change_4);
     }
-    var _S33 : u32 = word_0(texture_4 + u32(1));
-    var k_3 : u32 = u32(0);
+    var _S81 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var k_2 : u32 = u32(0);
+    var change_5 : vec3<f32> = change_4;
     for(;;)
     {
-        if(k_3 < (lookup_4.count_0))
+        if(k_2 < (lookup_4.count_0))
         {
         }
         else
         {
             break;
         }
-        var at_10 : u32 = first_2 + _S33 * lookup_4.texels_0[k_3];
-        var change_0 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_10)))));
-        if(_S33 == u32(3))
+        var _S82 : i32;
+        if(_S81)
         {
-            var _S34 : vec2<f32> = (bitcast<vec2<f32>>((vec2<u32>(change_word_0(at_10 + u32(1)), change_word_0(at_10 + u32(2))))));
-            change_0.y = _S34.x;
-            change_0.z = _S34.y;
+            _S82 = i32(1);
         }
-        colour_2.changes_0[i32(0)] = colour_2.changes_0[i32(0)] + change_0 * vec3<f32>(lookup_4.weights_0[k_3]);
-        k_3 = k_3 + u32(1);
+        else
+        {
+            _S82 = i32(3);
+        }
+        var at_14 : u32 = first_2 + u32(_S82) * lookup_4.texels_0[k_2];
+        var of_texel_0 : vec3<f32>;
+        if(_S81)
+        {
+            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_14)))));
+        }
+        else
+        {
+            of_texel_0 = change_vector_0(at_14);
+        }
+        var change_6 : vec3<f32> = change_5 + of_texel_0 * vec3<f32>(lookup_4.weights_0[k_2]);
+        k_2 = k_2 + u32(1);
+        change_5 = change_6;
     }
-    return colour_2;
+    return changing_0(value_6, change_5);
 }
 
-fn colour_at_0( texture_5 : u32,  place_9 : Place_0,  slot_0 : u32) -> Colour_0
+fn shown_0( texture_5 : u32,  place_11 : Place_0) -> Vector_0
 {
-    var _S35 : Lookup_0 = lookup_at_0(texture_5, place_9);
-    return looked_up_0(texture_5, _S35);
+    var _S83 : Lookup_0 = lookup_at_0(texture_5, place_11);
+    return looked_up_0(texture_5, _S83, place_11.change_2);
 }
 
-fn value_of_0( colour_3 : Colour_0) -> vec3<f32>
+fn luminance_0( colour_0 : vec3<f32>) -> f32
 {
-    return colour_3.value_0;
+    return dot(colour_0, vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f));
 }
 
-fn luminance_0( colour_4 : vec3<f32>) -> f32
+fn set_slot_0( numbers_1 : ptr<function, Numbers_0>,  slot_0 : u32,  value_7 : vec3<f32>)
 {
-    return dot(colour_4, vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f));
+    switch(slot_0)
+    {
+    case u32(0):
+        {
+            (*numbers_1).diffuse_reflectance_0 = value_7;
+            break;
+        }
+    case u32(1):
+        {
+            (*numbers_1).specular_reflectance_0 = value_7;
+            break;
+        }
+    case u32(2):
+        {
+            (*numbers_1).eta_0 = value_7;
+            break;
+        }
+    case u32(3):
+        {
+            (*numbers_1).k_0 = value_7;
+            break;
+        }
+    case u32(4):
+        {
+            (*numbers_1).alpha_0[i32(0)] = luminance_0(value_7);
+            break;
+        }
+    default :
+        {
+            (*numbers_1).alpha_0[i32(1)] = luminance_0(value_7);
+            break;
+        }
+    }
+    return;
 }
 
-struct Microfacets_0
+fn change_of_0( vector_3 : Vector_0) -> vec3<f32>
 {
-     distribution_0 : u32,
-     alpha_0 : vec2<f32>,
-};
+    return vector_3.change_0;
+}
 
 struct Lobe_0
 {
+     record_3 : u32,
      kind_1 : u32,
-     diffuse_reflectance_0 : Colour_0,
-     specular_reflectance_0 : Colour_0,
-     eta_0 : vec3<f32>,
-     k_4 : vec3<f32>,
-     coat_eta_0 : f32,
-     microfacets_0 : Microfacets_0,
-     record_2 : u32,
+     distribution_0 : u32,
+     numbers_2 : Numbers_0,
+     changes_0 : Numbers_0,
 };
 
-fn lobe_at_0( record_3 : u32,  place_10 : Place_0) -> Lobe_0
+fn lobe_at_0( record_4 : u32,  place_12 : Place_0) -> Lobe_0
 {
     var lobe_0 : Lobe_0;
-    var _S36 : u32 = word_0(record_3);
-    lobe_0.kind_1 = _S36;
-    lobe_0.record_2 = record_3;
-    var _S37 : Colour_0 = constant_0(vec3<f32>(0.0f));
-    lobe_0.specular_reflectance_0 = _S37;
-    lobe_0.diffuse_reflectance_0 = _S37;
-    var _S38 : vec3<f32> = vec3<f32>(1.0f);
-    lobe_0.k_4 = _S38;
-    lobe_0.eta_0 = _S38;
-    lobe_0.microfacets_0.distribution_0 = u32(1);
-    var _S39 : vec2<f32> = vec2<f32>(0.00009999999747379f);
-    lobe_0.microfacets_0.alpha_0 = _S39;
-    lobe_0.coat_eta_0 = 1.0f;
-    if(_S36 == u32(0))
-    {
-        var _S40 : Colour_0 = colour_at_0(word_0(record_3 + u32(5)), place_10, u32(0));
-        lobe_0.diffuse_reflectance_0 = _S40;
-        return lobe_0;
-    }
-    lobe_0.microfacets_0.distribution_0 = word_0(record_3 + u32(1));
-    var alpha_1 : vec2<f32> = vec2<f32>(0.0f);
-    var _S41 : u32 = word_0(record_3 + u32(4));
+    lobe_0.record_3 = record_4;
+    lobe_0.kind_1 = word_0(record_4);
+    lobe_0.distribution_0 = word_0(record_4 + u32(1));
+    var _S84 : Numbers_0 = no_numbers_0();
+    lobe_0.numbers_2 = _S84;
+    lobe_0.changes_0 = _S84;
+    var _S85 : u32 = word_0(record_4 + u32(4));
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S41)
+        if(slot_1 < _S85)
         {
         }
         else
         {
             break;
         }
-        var texture_6 : u32 = word_0(record_3 + u32(5) + slot_1);
+        var texture_6 : u32 = word_0(record_4 + u32(5) + slot_1);
         if(texture_6 == u32(4294967295))
         {
             slot_1 = slot_1 + u32(1);
             continue;
         }
-        var colour_5 : Colour_0 = colour_at_0(texture_6, place_10, slot_1);
-        var value_4 : vec3<f32> = value_of_0(colour_5);
-        switch(slot_1)
-        {
-        case u32(0):
-            {
-                lobe_0.diffuse_reflectance_0 = colour_5;
-                break;
-            }
-        case u32(1):
-            {
-                lobe_0.specular_reflectance_0 = colour_5;
-                break;
-            }
-        case u32(2):
-            {
-                lobe_0.eta_0 = value_4;
-                break;
-            }
-        case u32(3):
-            {
-                lobe_0.k_4 = value_4;
-                break;
-            }
-        case u32(4):
-            {
-                alpha_1[i32(0)] = luminance_0(value_4);
-                break;
-            }
-        default :
-            {
-                alpha_1[i32(1)] = luminance_0(value_4);
-                break;
-            }
-        }
+        var colour_1 : Vector_0 = shown_0(texture_6, place_12);
+        var _S86 : vec3<f32> = value_of_0(colour_1);
+        var _S87 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S87), slot_1, _S86);
+        lobe_0.numbers_2 = _S87;
+        var _S88 : vec3<f32> = change_of_0(colour_1);
+        var _S89 : Numbers_0 = lobe_0.changes_0;
+        set_slot_0(&(_S89), slot_1, _S88);
+        lobe_0.changes_0 = _S89;
         slot_1 = slot_1 + u32(1);
     }
-    lobe_0.microfacets_0.alpha_0 = max(alpha_1, _S39);
-    lobe_0.coat_eta_0 = luminance_0(lobe_0.eta_0) / luminance_0(lobe_0.k_4);
     return lobe_0;
 }
 
-fn to_local_0( axes_1 : Axes_0,  v_2 : vec3<f32>) -> vec3<f32>
+fn tangent_at_0( surface_3 : Surface_0) -> vec3<f32>
 {
-    return vec3<f32>(dot(axes_1.s_0, v_2), dot(axes_1.t_0, v_2), dot(axes_1.n_0, v_2));
+    var tangents_0 : u32 = word_0(surface_3.shape_0 + u32(5));
+    if(tangents_0 == u32(4294967295))
+    {
+        return vec3<f32>(0.0f);
+    }
+    var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_3.place_3.triangle_0) + u32(1)));
+    var across_1 : vec3<f32> = cross(tangent_0, surface_3.outward_0);
+    var _S90 : vec3<f32>;
+    if((dot(across_1, across_1)) > 0.0f)
+    {
+        _S90 = tangent_0;
+    }
+    else
+    {
+        _S90 = vec3<f32>(0.0f);
+    }
+    return _S90;
+}
+
+struct Axes_0
+{
+     s_0 : vec3<f32>,
+     t_0 : vec3<f32>,
+     n_1 : vec3<f32>,
+};
+
+struct DiffPair_Axes_0
+{
+     primal_0 : Axes_0,
+     differential_0 : Axes_0,
+};
+
+fn s_fwd_axes_along_0( dpn_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dptangent_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_1 : bool) -> DiffPair_Axes_0
+{
+    var _S91 : vec3<f32>;
+    var _S92 : vec3<f32>;
+    if(is_front_1)
+    {
+        _S91 = dpn_0.primal_0;
+        _S92 = dpn_0.differential_0;
+    }
+    else
+    {
+        var _S93 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
+        _S91 = (vec3<f32>(0) - dpn_0.primal_0);
+        _S92 = _S93;
+    }
+    var _S94 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
+    var _S95 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
+    var _S96 : DiffPair_float_0 = _d_dot_0(_S94, _S95);
+    var _S97 : vec3<f32> = vec3<f32>(_S96.primal_0);
+    var _S98 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S97, dptangent_0.differential_0 - (dpn_0.differential_0 * _S97 + vec3<f32>(_S96.differential_0) * dpn_0.primal_0) );
+    var _S99 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S98);
+    var _S100 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S99.primal_0, _S99.differential_0 );
+    var _S101 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S94, _S100);
+    var _S102 : Axes_0 = Axes_0( _S99.primal_0, _S101.primal_0, _S91 );
+    var _S103 : Axes_0 = Axes_0( _S99.differential_0, _S101.differential_0, _S92 );
+    var _S104 : DiffPair_Axes_0 = DiffPair_Axes_0( _S102, _S103 );
+    return _S104;
+}
+
+fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_2 : bool) -> DiffPair_Axes_0
+{
+    var _S105 : vec3<f32>;
+    var _S106 : vec3<f32>;
+    if(is_front_2)
+    {
+        _S105 = dpn_1.primal_0;
+        _S106 = dpn_1.differential_0;
+    }
+    else
+    {
+        var _S107 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
+        _S105 = (vec3<f32>(0) - dpn_1.primal_0);
+        _S106 = _S107;
+    }
+    var _S108 : f32 = dpn_1.primal_0.z;
+    var _S109 : f32 = dpn_1.differential_0.z;
+    var sign_0 : f32;
+    if(_S108 < 0.0f)
+    {
+        sign_0 = -1.0f;
+    }
+    else
+    {
+        sign_0 = 1.0f;
+    }
+    var _S110 : f32 = sign_0 + _S108;
+    var a_10 : f32 = -1.0f / _S110;
+    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S109) / (_S110 * _S110);
+    var _S111 : f32 = dpn_1.primal_0.x;
+    var _S112 : f32 = dpn_1.differential_0.x;
+    var _S113 : f32 = dpn_1.primal_0.y;
+    var _S114 : f32 = dpn_1.differential_0.y;
+    var _S115 : f32 = _S111 * _S113;
+    var b_5 : f32 = _S115 * a_10;
+    var s_diff_b_0 : f32 = (_S112 * _S113 + _S114 * _S111) * a_10 + s_diff_a_0 * _S115;
+    var _S116 : f32 = sign_0 * _S111;
+    var _S117 : f32 = _S116 * _S111;
+    var _S118 : f32 = - sign_0;
+    var _S119 : f32 = _S113 * _S113;
+    var _S120 : f32 = _S114 * _S113;
+    var _S121 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S117 * a_10, sign_0 * b_5, _S118 * _S111), vec3<f32>(b_5, sign_0 + _S119 * a_10, - _S113), _S105 );
+    var _S122 : Axes_0 = Axes_0( vec3<f32>((_S112 * sign_0 * _S111 + _S112 * _S116) * a_10 + s_diff_a_0 * _S117, s_diff_b_0 * sign_0, _S112 * _S118), vec3<f32>(s_diff_b_0, (_S120 + _S120) * a_10 + s_diff_a_0 * _S119, - _S114), _S106 );
+    var _S123 : DiffPair_Axes_0 = DiffPair_Axes_0( _S121, _S122 );
+    return _S123;
+}
+
+fn to_local_0( axes_0 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(dot(axes_0.s_0, v_3), dot(axes_0.t_0, v_3), dot(axes_0.n_1, v_3));
+}
+
+fn s_fwd_to_local_0( dpaxes_0 : DiffPair_Axes_0,  dpv_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+    var _S124 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
+    var _S125 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
+    var _S126 : DiffPair_float_0 = _d_dot_0(_S124, _S125);
+    var _S127 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
+    var _S128 : DiffPair_float_0 = _d_dot_0(_S127, _S125);
+    var _S129 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
+    var _S130 : DiffPair_float_0 = _d_dot_0(_S129, _S125);
+    var _S131 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S126.primal_0, _S128.primal_0, _S130.primal_0), vec3<f32>(_S126.differential_0, _S128.differential_0, _S130.differential_0) );
+    return _S131;
+}
+
+fn s_fwd_towards_viewer_0( dpaxes_1 : DiffPair_Axes_0,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+    var _S132 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
+    var _S133 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
+    var _S134 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S132, _S133);
+    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S134.primal_0);
+    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S134.differential_0);
+    var _S135 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
+    var _S136 : DiffPair_float_0 = _d_abs_0(_S135);
+    var _S137 : DiffPair_float_0 = DiffPair_float_0( _S136.primal_0, _S136.differential_0 );
+    var _S138 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
+    var _S139 : DiffPair_float_0 = _d_max_0(_S137, _S138);
+    var _S140 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S139.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S139.differential_0) );
+    return _S140;
 }
 
 struct Vertex_0
 {
-     surface_3 : Surface_0,
-     axes_2 : Axes_0,
+     surface_4 : Surface_0,
+     axes_1 : Axes_0,
      lobe_1 : Lobe_0,
-     wi_0 : vec3<f32>,
+     wi_1 : Vector_0,
+     axes_change_0 : Axes_0,
 };
 
-fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_2 : vec3<f32>) -> Vertex_0
+fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_4 : Vector_0) -> Vertex_0
 {
     var vertex_0 : Vertex_0;
-    vertex_0.surface_3 = surface_4;
-    var _S42 : Axes_0 = axes_at_0(surface_4);
-    vertex_0.axes_2 = _S42;
-    var _S43 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S43;
-    var _S44 : vec3<f32> = to_local_0(_S42, (vec3<f32>(0) - direction_2));
-    vertex_0.wi_0 = _S44;
-    vertex_0.wi_0[i32(2)] = max(abs(_S44.z), 9.999999960041972e-13f);
+    vertex_0.surface_4 = surface_5;
+    var _S141 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
+    vertex_0.lobe_1 = _S141;
+    var tangent_1 : vec3<f32> = tangent_at_0(surface_5);
+    var _S142 : vec3<f32> = vec3<f32>(0.0f);
+    var tangent_change_0 : vec3<f32>;
+    if(is_moving_0())
+    {
+        tangent_change_0 = change_vector_0(motion_of_0(surface_5.place_3.triangle_0) + u32(18));
+    }
+    else
+    {
+        tangent_change_0 = _S142;
+    }
+    var _S143 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
+    var axes_2 : DiffPair_Axes_0;
+    if((any((tangent_1 != _S142))))
+    {
+        var _S144 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
+        axes_2 = s_fwd_axes_along_0(_S143, _S144, surface_5.is_front_0);
+    }
+    else
+    {
+        axes_2 = s_fwd_axes_around_0(_S143, surface_5.is_front_0);
+    }
+    vertex_0.axes_1 = axes_2.primal_0;
+    vertex_0.axes_change_0 = axes_2.differential_0;
+    var _S145 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_4), change_of_0(direction_4) );
+    var _S146 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S145);
+    vertex_0.wi_1 = changing_0(_S146.primal_0, _S146.differential_0);
     return vertex_0;
+}
+
+fn turns_0( vertex_1 : Vertex_0) -> bool
+{
+    if((any(((vertex_1.surface_4.position_change_0) != vec3<f32>(0.0f)))))
+    {
+        return true;
+    }
+    return (change_word_0(u32(1))) != u32(0);
 }
 
 struct VertexMotion_0
@@ -675,12 +1084,20 @@ struct VertexMotion_0
      rotation_0 : vec3<f32>,
 };
 
-fn motion_of_0( path_6 : Path_0,  vertex_1 : Vertex_0) -> VertexMotion_0
+fn motion_of_1( vertex_2 : Vertex_0) -> VertexMotion_0
 {
     var motion_0 : VertexMotion_0;
-    var _S45 : vec3<f32> = vec3<f32>(0.0f);
-    motion_0.velocity_0 = _S45;
-    motion_0.rotation_0 = _S45;
+    motion_0.velocity_0 = vertex_2.surface_4.position_change_0;
+    var _S147 : vec3<f32>;
+    if(turns_0(vertex_2))
+    {
+        _S147 = cross(vertex_2.axes_1.n_1, vertex_2.axes_change_0.n_1);
+    }
+    else
+    {
+        _S147 = vec3<f32>(0.0f);
+    }
+    motion_0.rotation_0 = _S147;
     return motion_0;
 }
 
@@ -691,73 +1108,94 @@ fn has_smooth_0( lobe_2 : Lobe_0) -> bool
 
 struct ShadingPoint_0
 {
-     vertex_2 : Vertex_0,
+     vertex_3 : Vertex_0,
      whole_0 : VertexMotion_0,
      motion_1 : VertexMotion_0,
      purpose_0 : u32,
      emitter_0 : u32,
      tree_0 : u32,
      has_creases_0 : bool,
+     turns_1 : bool,
      planes_0 : u32,
      inside_2 : array<vec3<f32>, i32(8)>,
      front_0 : vec3<f32>,
      front_offset_0 : vec3<f32>,
 };
 
-fn shading_point_0( path_7 : Path_0,  at_11 : ptr<function, ShadingPoint_0>) -> bool
+fn shading_point_0( path_7 : Path_0,  at_15 : ptr<function, ShadingPoint_0>) -> bool
 {
-    var surface_5 : Surface_0 = surface_at_0(path_7.place_1, path_7.direction_0);
-    var material_1 : u32 = material_of_0(surface_5);
-    var k_5 : u32;
+    var direction_5 : vec3<f32> = value_of_0(path_7.direction_0);
+    var surface_6 : Surface_0 = surface_at_0(path_7.place_1, direction_5);
+    move_surface_0(&(surface_6), direction_5, path_7.drift_0);
+    var material_1 : u32 = material_of_0(surface_6);
+    var _S148 : Surface_0 = surface_6;
+    var k_3 : u32;
     if(material_1 == u32(4294967295))
     {
-        k_5 = u32(0);
+        k_3 = u32(0);
     }
     else
     {
-        k_5 = material_1;
+        k_3 = material_1;
     }
-    var _S46 : Vertex_0 = vertex_at_0(surface_5, k_5, path_7.direction_0);
-    (*at_11).vertex_2 = _S46;
-    var _S47 : VertexMotion_0 = motion_of_0(path_7, _S46);
-    (*at_11).motion_1 = _S47;
-    (*at_11).whole_0 = _S47;
-    (*at_11).planes_0 = u32(0);
-    (*at_11).tree_0 = u32(0);
-    (*at_11).emitter_0 = u32(0);
-    (*at_11).purpose_0 = u32(0);
-    (*at_11).has_creases_0 = false;
-    var _S48 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_11).front_offset_0 = _S48;
-    (*at_11).front_0 = _S48;
-    k_5 = u32(0);
+    var _S149 : Vertex_0 = vertex_at_0(_S148, k_3, path_7.direction_0);
+    (*at_15).vertex_3 = _S149;
+    var _S150 : VertexMotion_0 = motion_of_1(_S149);
+    (*at_15).motion_1 = _S150;
+    (*at_15).whole_0 = _S150;
+    (*at_15).planes_0 = u32(0);
+    (*at_15).tree_0 = u32(0);
+    (*at_15).emitter_0 = u32(0);
+    (*at_15).purpose_0 = u32(0);
+    (*at_15).turns_1 = false;
+    (*at_15).has_creases_0 = false;
+    var _S151 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_15).front_offset_0 = _S151;
+    (*at_15).front_0 = _S151;
+    k_3 = u32(0);
     for(;;)
     {
-        if(k_5 < u32(8))
+        if(k_3 < u32(8))
         {
         }
         else
         {
             break;
         }
-        (*at_11).inside_2[k_5] = surface_5.exact_0;
-        k_5 = k_5 + u32(1);
+        (*at_15).inside_2[k_3] = surface_6.exact_0;
+        k_3 = k_3 + u32(1);
     }
-    var _S49 : bool;
+    var _S152 : bool;
     if(material_1 != u32(4294967295))
     {
-        _S49 = has_smooth_0((*at_11).vertex_2.lobe_1);
+        _S152 = has_smooth_0((*at_15).vertex_3.lobe_1);
     }
     else
     {
-        _S49 = false;
+        _S152 = false;
     }
-    return _S49;
+    return _S152;
 }
 
-fn edge_word_0( at_12 : u32) -> u32
+struct Crossed_0
 {
-    return edges_0[at_12];
+     factor_1 : vec3<f32>,
+     term_0 : vec3<f32>,
+     goes_on_0 : vec2<bool>,
+};
+
+fn nothing_crossed_0( factor_2 : vec3<f32>) -> Crossed_0
+{
+    var crossed_0 : Crossed_0;
+    crossed_0.factor_1 = factor_2;
+    crossed_0.goes_on_0 = vec2<bool>(false, false);
+    crossed_0.term_0 = vec3<f32>(0.0f);
+    return crossed_0;
+}
+
+fn edge_word_0( at_16 : u32) -> u32
+{
+    return change_word_0(change_word_0(u32(3)) + at_16);
 }
 
 fn depth_of_launch_0() -> u32
@@ -770,47 +1208,47 @@ fn numbers_for_0( purpose_1 : u32) -> u32
     return u32(1073741824) * (purpose_1 + u32(1)) + u32(16) * depth_of_launch_0();
 }
 
-fn product_0( a_4 : u32,  b_2 : u32) -> vec2<u32>
+fn product_0( a_11 : u32,  b_6 : u32) -> vec2<u32>
 {
-    var a0_0 : u32 = (a_4 & (u32(65535)));
-    var a1_0 : u32 = (a_4 >> (u32(16)));
-    var b0_0 : u32 = (b_2 & (u32(65535)));
-    var b1_0 : u32 = (b_2 >> (u32(16)));
+    var a0_0 : u32 = (a_11 & (u32(65535)));
+    var a1_0 : u32 = (a_11 >> (u32(16)));
+    var b0_0 : u32 = (b_6 & (u32(65535)));
+    var b1_0 : u32 = (b_6 >> (u32(16)));
     var low_0 : u32 = a0_0 * b0_0;
     var middle_0 : u32 = a1_0 * b0_0 + ((low_0 >> (u32(16))));
     var rest_0 : u32 = ((middle_0 & (u32(65535)))) + a0_0 * b1_0;
     return vec2<u32>((((rest_0 << (u32(16)))) | (((low_0 & (u32(65535)))))), a1_0 * b1_0 + ((middle_0 >> (u32(16)))) + ((rest_0 >> (u32(16)))));
 }
 
-fn times_0( a_5 : vec2<u32>,  b_3 : vec2<u32>) -> vec2<u32>
+fn times_0( a_12 : vec2<u32>,  b_7 : vec2<u32>) -> vec2<u32>
 {
-    var _S50 : u32 = a_5.x;
-    var _S51 : u32 = b_3.x;
-    var low_1 : vec2<u32> = product_0(_S50, _S51);
-    return vec2<u32>(low_1.x, low_1.y + _S50 * b_3.y + a_5.y * _S51);
+    var _S153 : u32 = a_12.x;
+    var _S154 : u32 = b_7.x;
+    var low_1 : vec2<u32> = product_0(_S153, _S154);
+    return vec2<u32>(low_1.x, low_1.y + _S153 * b_7.y + a_12.y * _S154);
 }
 
-fn plus_0( a_6 : vec2<u32>,  b_4 : vec2<u32>) -> vec2<u32>
+fn plus_0( a_13 : vec2<u32>,  b_8 : vec2<u32>) -> vec2<u32>
 {
-    var _S52 : u32 = a_6.x;
-    var low_2 : u32 = _S52 + b_4.x;
-    var _S53 : u32 = a_6.y + b_4.y;
-    var _S54 : i32;
-    if(low_2 < _S52)
+    var _S155 : u32 = a_13.x;
+    var low_2 : u32 = _S155 + b_8.x;
+    var _S156 : u32 = a_13.y + b_8.y;
+    var _S157 : i32;
+    if(low_2 < _S155)
     {
-        _S54 = i32(1);
+        _S157 = i32(1);
     }
     else
     {
-        _S54 = i32(0);
+        _S157 = i32(0);
     }
-    return vec2<u32>(low_2, _S53 + u32(_S54));
+    return vec2<u32>(low_2, _S156 + u32(_S157));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S55 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S55 << ((u32(32) - by_0)))))), (_S55 >> (by_0)))));
+    var _S158 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S158 << ((u32(32) - by_0)))))), (_S158 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -833,12 +1271,12 @@ fn emitter_record_0( emitter_1 : u32) -> u32
     return word_0(u32(11)) + u32(12) * emitter_1;
 }
 
-fn is_area_0( record_4 : u32) -> bool
+fn is_area_0( record_5 : u32) -> bool
 {
-    return (word_0(record_4)) == u32(0);
+    return (word_0(record_5)) == u32(0);
 }
 
-fn largest_cosine_0( position_1 : vec3<f32>,  normal_0 : vec3<f32>,  centre_0 : vec3<f32>,  radius_0 : f32) -> f32
+fn largest_cosine_0( position_1 : vec3<f32>,  normal_1 : vec3<f32>,  centre_0 : vec3<f32>,  radius_0 : f32) -> f32
 {
     var offset_0 : vec3<f32> = centre_0 - position_1;
     var distance_0 : f32 = length(offset_0);
@@ -846,7 +1284,7 @@ fn largest_cosine_0( position_1 : vec3<f32>,  normal_0 : vec3<f32>,  centre_0 : 
     {
         return 1.0f;
     }
-    var cosine_0 : f32 = dot(offset_0, normal_0) / distance_0;
+    var cosine_0 : f32 = dot(offset_0, normal_1) / distance_0;
     var sine_ball_0 : f32 = radius_0 / distance_0;
     var cosine_ball_0 : f32 = sqrt(max(1.0f - sine_ball_0 * sine_ball_0, 0.0f));
     if(cosine_0 >= cosine_ball_0)
@@ -899,58 +1337,58 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_1) / distance_1, 0.0f) / squared_0;
     }
-    var _S56 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S56 * _S56 / (2.0f * (_S56 - max(lowest_0, -1.0f)) * squared_0);
+    var _S159 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S159 * _S159 / (2.0f * (_S159 - max(lowest_0, -1.0f)) * squared_0);
 }
 
-fn emitter_view_0( emitter_2 : u32,  position_2 : vec3<f32>,  normal_1 : vec3<f32>) -> f32
+fn emitter_view_0( emitter_2 : u32,  position_2 : vec3<f32>,  normal_2 : vec3<f32>) -> f32
 {
-    var record_5 : u32 = emitter_record_0(emitter_2);
-    if(!is_area_0(record_5))
+    var record_6 : u32 = emitter_record_0(emitter_2);
+    if(!is_area_0(record_6))
     {
         return 3.14159274101257324f;
     }
-    return node_seen_0(word_0(record_5 + u32(5)), position_2) * largest_cosine_0(position_2, normal_1, vector_at_0(record_5 + u32(8)), number_0(record_5 + u32(11)));
+    return node_seen_0(word_0(record_6 + u32(5)), position_2) * largest_cosine_0(position_2, normal_2, vector_at_0(record_6 + u32(8)), number_0(record_6 + u32(11)));
 }
 
 struct Choice_0
 {
      position_3 : vec3<f32>,
-     normal_2 : vec3<f32>,
+     normal_3 : vec3<f32>,
      all_0 : f32,
      lit_0 : f32,
 };
 
 fn light_of_0( emitter_3 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
-    var view_0 : f32 = emitter_view_0(emitter_3, choice_0.position_3, choice_0.normal_2);
-    var _S57 : f32;
+    var view_0 : f32 = emitter_view_0(emitter_3, choice_0.position_3, choice_0.normal_3);
+    var _S160 : f32;
     if(view_0 > 0.0f)
     {
-        _S57 = 1.0f;
+        _S160 = 1.0f;
     }
     else
     {
-        _S57 = 0.0f;
+        _S160 = 0.0f;
     }
-    (*can_light_0) = _S57;
+    (*can_light_0) = _S160;
     return view_0 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
-fn chosen_area_emitter_0( vertex_3 : Vertex_0,  u_0 : f32,  probability_0 : ptr<function, f32>) -> u32
+fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<function, f32>) -> u32
 {
     var choice_1 : Choice_0;
-    choice_1.position_3 = vertex_3.surface_3.position_0;
-    choice_1.normal_2 = vertex_3.axes_2.n_0;
+    choice_1.position_3 = vertex_4.surface_4.position_0;
+    choice_1.normal_3 = vertex_4.axes_1.n_1;
     choice_1.all_0 = 0.0f;
     choice_1.lit_0 = 0.0f;
-    var _S58 : u32 = word_0(u32(6));
+    var _S161 : u32 = word_0(u32(6));
     var can_light_1 : f32;
     var i_1 : u32 = u32(0);
     var count_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S58)
+        if(i_1 < _S161)
         {
         }
         else
@@ -962,36 +1400,36 @@ fn chosen_area_emitter_0( vertex_3 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S59 : u32 = count_1 + u32(1);
-        if(_S58 > u32(32))
+        var _S162 : u32 = count_1 + u32(1);
+        if(_S161 > u32(32))
         {
-            count_1 = _S59;
+            count_1 = _S162;
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S60 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
-        choice_1.all_0 = choice_1.all_0 + _S60;
+        var _S163 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
+        choice_1.all_0 = choice_1.all_0 + _S163;
         choice_1.lit_0 = choice_1.lit_0 + can_light_1;
-        count_1 = _S59;
+        count_1 = _S162;
         i_1 = i_1 + u32(1);
     }
     (*probability_0) = 0.0f;
-    var _S61 : bool;
+    var _S164 : bool;
     if((choice_1.all_0) > 0.0f)
     {
-        _S61 = (choice_1.all_0) < 3.00000000549775576e+38f;
+        _S164 = (choice_1.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S61 = false;
+        _S164 = false;
     }
-    var _S62 : bool = !_S61;
+    var _S165 : bool = !_S164;
     var chosen_0 : u32 = u32(0);
     i_1 = u32(0);
     var rest_1 : f32 = u_0;
     for(;;)
     {
-        if(i_1 < _S58)
+        if(i_1 < _S161)
         {
         }
         else
@@ -1003,16 +1441,16 @@ fn chosen_area_emitter_0( vertex_3 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S63 : f32 = 1.0f / f32(count_1);
+        var _S166 : f32 = 1.0f / f32(count_1);
         var own_0 : f32;
-        if(!_S62)
+        if(!_S165)
         {
             var light_1 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
             own_0 = 0.5f * can_light_1 / choice_1.lit_0 + 0.5f * light_1 / choice_1.all_0;
         }
         else
         {
-            own_0 = _S63;
+            own_0 = _S166;
         }
         var chosen_1 : u32;
         if(own_0 > 0.0f)
@@ -1037,66 +1475,66 @@ fn chosen_area_emitter_0( vertex_3 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
     return chosen_0;
 }
 
-fn real_place_0( at_13 : u32) -> u32
+fn real_place_0( at_17 : u32) -> u32
 {
-    return word_0(u32(13)) + u32(4) + at_13;
+    return word_0(u32(13)) + u32(4) + at_17;
 }
 
-fn edge_real_0( at_14 : u32) -> f32
+fn edge_real_0( at_18 : u32) -> f32
 {
-    return primitives_0[real_place_0(at_14)];
+    return primitives_0[real_place_0(at_18)];
 }
 
-fn edge_position_0( at_15 : u32) -> vec3<f32>
+fn edge_position_0( at_19 : u32) -> vec3<f32>
 {
-    return primitive_vector_0(real_place_0(at_15));
+    return primitive_vector_0(real_place_0(at_19));
 }
 
-fn exact_unit_0( v_3 : vec3<f32>) -> vec3<f32>
+fn exact_unit_0( v_4 : vec3<f32>) -> vec3<f32>
 {
-    return v_3 / vec3<f32>(sqrt(dot(v_3, v_3)));
+    return v_4 / vec3<f32>(sqrt(dot(v_4, v_4)));
 }
 
-fn length_of_0( v_4 : vec3<f32>) -> f32
+fn length_of_0( v_5 : vec3<f32>) -> f32
 {
-    return sqrt(dot(v_4, v_4));
+    return sqrt(dot(v_5, v_5));
 }
 
-fn open_window_0( at_16 : ptr<function, ShadingPoint_0>) -> bool
+fn open_window_0( at_20 : ptr<function, ShadingPoint_0>) -> bool
 {
-    var window_0 : u32 = edge_word_0(edge_word_0(u32(5)) + (*at_16).emitter_0);
+    var window_0 : u32 = edge_word_0(edge_word_0(u32(5)) + (*at_20).emitter_0);
     var corners_0 : u32 = u32(edge_real_0(window_0));
-    var apex_0 : vec3<f32> = (*at_16).vertex_2.surface_3.exact_0;
+    var apex_0 : vec3<f32> = (*at_20).vertex_3.surface_4.exact_0;
     var before_0 : vec3<f32>;
     if(corners_0 > u32(0))
     {
-        var _S64 : u32 = window_0 + u32(1);
-        var normal_3 : vec3<f32> = edge_position_0(_S64);
-        var before_1 : vec3<f32> = edge_position_0(_S64 + u32(3) * corners_0) - apex_0;
-        if((dot(normal_3, before_1)) >= 0.0f)
+        var _S167 : u32 = window_0 + u32(1);
+        var normal_4 : vec3<f32> = edge_position_0(_S167);
+        var before_1 : vec3<f32> = edge_position_0(_S167 + u32(3) * corners_0) - apex_0;
+        if((dot(normal_4, before_1)) >= 0.0f)
         {
             return false;
         }
-        (*at_16).planes_0 = corners_0;
+        (*at_20).planes_0 = corners_0;
         before_0 = before_1;
-        var k_6 : u32 = u32(0);
+        var k_4 : u32 = u32(0);
         for(;;)
         {
-            if(k_6 < corners_0)
+            if(k_4 < corners_0)
             {
             }
             else
             {
                 break;
             }
-            var offset_2 : vec3<f32> = edge_position_0(window_0 + u32(4) + u32(3) * k_6) - apex_0;
-            (*at_16).inside_2[k_6] = exact_unit_0(cross(offset_2, before_0));
-            var _S65 : u32 = k_6 + u32(1);
+            var offset_2 : vec3<f32> = edge_position_0(window_0 + u32(4) + u32(3) * k_4) - apex_0;
+            (*at_20).inside_2[k_4] = exact_unit_0(cross(offset_2, before_0));
+            var _S168 : u32 = k_4 + u32(1);
             before_0 = offset_2;
-            k_6 = _S65;
+            k_4 = _S168;
         }
-        (*at_16).front_0 = normal_3;
-        (*at_16).front_offset_0 = before_0;
+        (*at_20).front_0 = normal_4;
+        (*at_20).front_offset_0 = before_0;
         return true;
     }
     var offset_3 : vec3<f32> = edge_position_0(window_0 + u32(1)) - apex_0;
@@ -1118,49 +1556,54 @@ fn open_window_0( at_16 : ptr<function, ShadingPoint_0>) -> bool
     }
     var s_1 : vec3<f32> = exact_unit_0(cross(axis_1, before_0));
     var t_1 : vec3<f32> = cross(axis_1, s_1);
-    (*at_16).planes_0 = u32(4);
-    var _S66 : vec3<f32> = axis_1 * vec3<f32>(sine_1);
-    var _S67 : vec3<f32> = vec3<f32>(cosine_2);
-    var _S68 : vec3<f32> = s_1 * _S67;
-    (*at_16).inside_2[i32(0)] = _S66 + _S68;
-    (*at_16).inside_2[i32(1)] = _S66 - _S68;
-    var _S69 : vec3<f32> = t_1 * _S67;
-    (*at_16).inside_2[i32(2)] = _S66 + _S69;
-    (*at_16).inside_2[i32(3)] = _S66 - _S69;
+    (*at_20).planes_0 = u32(4);
+    var _S169 : vec3<f32> = axis_1 * vec3<f32>(sine_1);
+    var _S170 : vec3<f32> = vec3<f32>(cosine_2);
+    var _S171 : vec3<f32> = s_1 * _S170;
+    (*at_20).inside_2[i32(0)] = _S169 + _S171;
+    (*at_20).inside_2[i32(1)] = _S169 - _S171;
+    var _S172 : vec3<f32> = t_1 * _S170;
+    (*at_20).inside_2[i32(2)] = _S169 + _S172;
+    (*at_20).inside_2[i32(3)] = _S169 - _S172;
     return true;
 }
 
-fn is_map_0( record_6 : u32) -> bool
+fn is_map_0( record_7 : u32) -> bool
 {
-    return (word_0(record_6)) == u32(2);
+    return (word_0(record_7)) == u32(2);
+}
+
+fn is_blind_0() -> bool
+{
+    return (change_word_0(u32(4))) != u32(0);
 }
 
 fn rests_0( motion_2 : VertexMotion_0) -> bool
 {
-    var _S70 : vec3<f32> = vec3<f32>(0.0f);
-    var _S71 : bool;
-    if((all(((motion_2.velocity_0) == _S70))))
+    var _S173 : vec3<f32> = vec3<f32>(0.0f);
+    var _S174 : bool;
+    if((all(((motion_2.velocity_0) == _S173))))
     {
-        _S71 = (all(((motion_2.rotation_0) == _S70)));
+        _S174 = (all(((motion_2.rotation_0) == _S173)));
     }
     else
     {
-        _S71 = false;
+        _S174 = false;
     }
-    return _S71;
+    return _S174;
 }
 
-fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_17 : ptr<function, ShadingPoint_0>) -> f32
+fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_21 : ptr<function, ShadingPoint_0>) -> f32
 {
     var probability_1 : f32 = 1.0f;
-    (*at_17).purpose_0 = purpose_2;
-    (*at_17).planes_0 = u32(0);
-    var _S72 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_17).front_0 = _S72;
-    var _S73 : bool = purpose_2 == u32(2);
-    (*at_17).has_creases_0 = _S73;
+    (*at_21).purpose_0 = purpose_2;
+    (*at_21).planes_0 = u32(0);
+    var _S175 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_21).front_0 = _S175;
+    var _S176 : bool = purpose_2 == u32(2);
+    (*at_21).has_creases_0 = _S176;
     var tree_1 : u32;
-    if(_S73)
+    if(_S176)
     {
         tree_1 = u32(1);
     }
@@ -1168,64 +1611,77 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_17 : ptr<function, Shadin
     {
         tree_1 = u32(0);
     }
-    (*at_17).motion_1 = (*at_17).whole_0;
+    (*at_21).motion_1 = (*at_21).whole_0;
+    (*at_21).turns_1 = turns_0((*at_21).vertex_3);
+    var _S177 : bool;
     if(purpose_2 == u32(0))
     {
-        var _S74 : u32 = edge_word_0(u32(4));
-        (*at_17).motion_1.rotation_0 = _S72;
-        var _S75 : u32 = chosen_area_emitter_0((*at_17).vertex_2, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
-        (*at_17).emitter_0 = _S75;
-        var _S76 : bool;
+        var _S178 : u32 = edge_word_0(u32(4));
+        (*at_21).turns_1 = false;
+        var _S179 : u32 = chosen_area_emitter_0((*at_21).vertex_3, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
+        (*at_21).emitter_0 = _S179;
         if(!(probability_1 > 0.0f))
         {
-            _S76 = true;
+            _S177 = true;
         }
         else
         {
-            var _S77 : bool = open_window_0(&((*at_17)));
-            _S76 = !_S77;
+            var _S180 : bool = open_window_0(&((*at_21)));
+            _S177 = !_S180;
         }
-        if(_S76)
+        if(_S177)
         {
             return 0.0f;
         }
-        tree_1 = _S74;
+        tree_1 = _S178;
     }
     else
     {
         if(purpose_2 == u32(1))
         {
-            var _S78 : u32 = word_0(u32(8));
-            (*at_17).emitter_0 = _S78;
-            if(_S78 == u32(4294967295))
+            var _S181 : u32 = word_0(u32(8));
+            (*at_21).emitter_0 = _S181;
+            if(_S181 == u32(4294967295))
             {
                 return 0.0f;
             }
-            if(is_map_0(emitter_record_0((*at_17).emitter_0)))
+            if(is_map_0(emitter_record_0((*at_21).emitter_0)))
             {
-                (*at_17).motion_1.rotation_0 = _S72;
+                (*at_21).turns_1 = false;
             }
         }
     }
-    if(rests_0((*at_17).motion_1))
+    if(!(*at_21).turns_1)
     {
-        tree_1 = tree_1 + u32(2);
+        (*at_21).motion_1.rotation_0 = _S175;
     }
-    var _S79 : u32 = edge_word_0(tree_1);
-    (*at_17).tree_0 = _S79;
-    var _S80 : f32;
-    if(_S79 == u32(4294967295))
+    if(!is_blind_0())
     {
-        _S80 = 0.0f;
+        _S177 = rests_0((*at_21).motion_1);
     }
     else
     {
-        _S80 = probability_1;
+        _S177 = false;
     }
-    return _S80;
+    if(_S177)
+    {
+        tree_1 = tree_1 + u32(2);
+    }
+    var _S182 : u32 = edge_word_0(tree_1);
+    (*at_21).tree_0 = _S182;
+    var _S183 : f32;
+    if(_S182 == u32(4294967295))
+    {
+        _S183 = 0.0f;
+    }
+    else
+    {
+        _S183 = probability_1;
+    }
+    return _S183;
 }
 
-fn subtrees_of_0( at_18 : ShadingPoint_0) -> u32
+fn subtrees_of_0( at_22 : ShadingPoint_0) -> u32
 {
     var count_2 : u32;
     if((depth_of_launch_0()) == u32(0))
@@ -1236,7 +1692,7 @@ fn subtrees_of_0( at_18 : ShadingPoint_0) -> u32
     {
         count_2 = u32(1);
     }
-    if((at_18.purpose_0) == u32(0))
+    if((at_22.purpose_0) == u32(0))
     {
         count_2 = u32(4) * count_2;
     }
@@ -1248,14 +1704,14 @@ fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f32
     return f32(((random_bits_0(key_4, dimension_2).y) >> (u32(8)))) / 4096.0f / 4096.0f;
 }
 
-fn edge_number_0( at_19 : u32) -> f32
+fn edge_number_0( at_23 : u32) -> f32
 {
-    return (bitcast<f32>((edges_0[at_19])));
+    return (bitcast<f32>((edge_word_0(at_23))));
 }
 
-fn edge_vector_0( at_20 : u32) -> vec3<f32>
+fn edge_vector_0( at_24 : u32) -> vec3<f32>
 {
-    return vec3<f32>(edge_number_0(at_20), edge_number_0(at_20 + u32(1)), edge_number_0(at_20 + u32(2)));
+    return vec3<f32>(edge_number_0(at_24), edge_number_0(at_24 + u32(1)), edge_number_0(at_24 + u32(2)));
 }
 
 fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_3 : f32) -> bool
@@ -1279,25 +1735,25 @@ fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_3 : f32
     return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_3 + margin_1 + 3.99999998990097083e-06f));
 }
 
-fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
+fn is_outside_0( at_25 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
 {
-    var k_7 : u32 = u32(0);
+    var k_5 : u32 = u32(0);
     for(;;)
     {
-        if(k_7 < (at_21.planes_0))
+        if(k_5 < (at_25.planes_0))
         {
         }
         else
         {
             break;
         }
-        if((dot(at_21.inside_2[k_7], offset_5)) < (- radius_2 - 3.99999998990097083e-06f))
+        if((dot(at_25.inside_2[k_5], offset_5)) < (- radius_2 - 3.99999998990097083e-06f))
         {
             return true;
         }
-        k_7 = k_7 + u32(1);
+        k_5 = k_5 + u32(1);
     }
-    return (dot(at_21.front_0, offset_5 - at_21.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
+    return (dot(at_25.front_0, offset_5 - at_25.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
 }
 
 fn logarithm_0( x_4 : f32) -> f32
@@ -1325,16 +1781,16 @@ fn logarithm_0( x_4 : f32) -> f32
 
 fn direction_number_0( d_0 : vec3<f32>) -> u32
 {
-    var _S81 : i32;
+    var _S184 : i32;
     if((abs(d_0.y)) > (abs(d_0.x)))
     {
-        _S81 = i32(1);
+        _S184 = i32(1);
     }
     else
     {
-        _S81 = i32(0);
+        _S184 = i32(0);
     }
-    var axis_2 : u32 = u32(_S81);
+    var axis_2 : u32 = u32(_S184);
     var axis_3 : u32;
     if((abs(d_0.z)) > (abs(d_0[axis_2])))
     {
@@ -1344,34 +1800,34 @@ fn direction_number_0( d_0 : vec3<f32>) -> u32
     {
         axis_3 = axis_2;
     }
-    var _S82 : u32 = u32(8) * axis_3;
+    var _S185 : u32 = u32(8) * axis_3;
     if((d_0[axis_3]) < 0.0f)
     {
-        _S81 = i32(4);
+        _S184 = i32(4);
     }
     else
     {
-        _S81 = i32(0);
+        _S184 = i32(0);
     }
-    var _S83 : u32 = _S82 + u32(_S81);
+    var _S186 : u32 = _S185 + u32(_S184);
     if((d_0[(axis_3 + u32(1)) % u32(3)]) < 0.0f)
     {
-        _S81 = i32(2);
+        _S184 = i32(2);
     }
     else
     {
-        _S81 = i32(0);
+        _S184 = i32(0);
     }
-    var _S84 : u32 = _S83 + u32(_S81);
+    var _S187 : u32 = _S186 + u32(_S184);
     if((d_0[(axis_3 + u32(2)) % u32(3)]) < 0.0f)
     {
-        _S81 = i32(1);
+        _S184 = i32(1);
     }
     else
     {
-        _S81 = i32(0);
+        _S184 = i32(0);
     }
-    return _S84 + u32(_S81);
+    return _S187 + u32(_S184);
 }
 
 fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
@@ -1379,53 +1835,57 @@ fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
     return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
 }
 
-fn speed_of_0( at_22 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+fn speed_of_0( at_26 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
 {
-    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_22.motion_1, offset_7);
+    if(is_blind_0())
+    {
+        return edge_number_0(node_2 + u32(20)) + 0.10000000149011612f;
+    }
+    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_26.motion_1, offset_7);
     var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
     var sine_3 : f32 = edge_number_0(node_2 + u32(11));
     var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
     var along_0 : f32 = abs(dot(axis_4, relative_0));
-    var across_1 : f32 = length(cross(axis_4, relative_0));
+    var across_2 : f32 = length(cross(axis_4, relative_0));
     var speed_0 : f32;
-    if((across_1 * cosine_4) > (along_0 * sine_3))
+    if((across_2 * cosine_4) > (along_0 * sine_3))
     {
-        speed_0 = along_0 * cosine_4 + across_1 * sine_3;
+        speed_0 = along_0 * cosine_4 + across_2 * sine_3;
     }
     else
     {
         speed_0 = length(relative_0);
     }
-    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_22.motion_1.rotation_0) * radius_3;
+    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_26.motion_1.rotation_0) * radius_3;
 }
 
-fn importance_of_0( at_23 : ShadingPoint_0,  node_3 : u32) -> f32
+fn importance_of_0( at_27 : ShadingPoint_0,  node_3 : u32) -> f32
 {
     var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
-    var offset_8 : vec3<f32> = centre_1 - at_23.vertex_2.surface_3.position_0;
+    var offset_8 : vec3<f32> = centre_1 - at_27.vertex_3.surface_4.position_0;
     var radius_4 : f32 = edge_number_0(node_3 + u32(7));
     var distance_4 : f32 = length(offset_8);
-    var _S85 : bool;
-    if(!at_23.has_creases_0)
+    var _S188 : bool;
+    if(!at_27.has_creases_0)
     {
-        _S85 = !may_have_silhouette_0(node_3, offset_8, distance_4);
+        _S188 = !may_have_silhouette_0(node_3, offset_8, distance_4);
     }
     else
     {
-        _S85 = false;
+        _S188 = false;
     }
-    if(_S85)
+    if(_S188)
     {
         return 0.0f;
     }
-    if(is_outside_0(at_23, offset_8, radius_4))
+    if(is_outside_0(at_27, offset_8, radius_4))
     {
         return 0.0f;
     }
-    var cosine_5 : f32 = largest_cosine_0(at_23.vertex_2.surface_3.position_0, at_23.vertex_2.axes_2.n_0, centre_1, radius_4);
-    var _S86 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
+    var cosine_5 : f32 = largest_cosine_0(at_27.vertex_3.surface_4.position_0, at_27.vertex_3.axes_1.n_1, centre_1, radius_4);
+    var _S189 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
     var least_0 : f32 = edge_number_0(node_3 + u32(16));
-    var ratio_0 : f32 = _S86 / max(max(distance_4 * distance_4 - _S86, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
+    var ratio_0 : f32 = _S189 / max(max(distance_4 * distance_4 - _S189, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
     var visible_0 : f32;
     if(ratio_0 < 0.00100000004749745f)
     {
@@ -1435,7 +1895,7 @@ fn importance_of_0( at_23 : ShadingPoint_0,  node_3 : u32) -> f32
     {
         visible_0 = logarithm_0(1.0f + ratio_0);
     }
-    var near_0 : f32 = visible_0 / _S86;
+    var near_0 : f32 = visible_0 / _S189;
     var visible_1 : f32 = edge_number_0(node_3 + u32(14));
     if(distance_4 > (edge_number_0(node_3 + u32(15))))
     {
@@ -1445,15 +1905,15 @@ fn importance_of_0( at_23 : ShadingPoint_0,  node_3 : u32) -> f32
     {
         visible_0 = visible_1;
     }
-    return visible_0 * speed_of_0(at_23, node_3, offset_8, radius_4) * cosine_5 * near_0;
+    return visible_0 * speed_of_0(at_27, node_3, offset_8, radius_4) * cosine_5 * near_0;
 }
 
-fn descend_0( at_24 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+fn descend_0( at_28 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
 {
-    var nodes_at_0 : u32 = edge_word_0(at_24.tree_0);
+    var nodes_at_0 : u32 = edge_word_0(at_28.tree_0);
     (*leaf_0) = nodes_at_0;
     (*probability_2) = 1.0f;
-    var _S87 : f32 = u_1;
+    var _S190 : f32 = u_1;
     for(;;)
     {
         if((edge_word_0((*leaf_0))) != u32(4294967295))
@@ -1465,26 +1925,26 @@ fn descend_0( at_24 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>, 
         }
         var first_3 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
         var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
-        var of_first_0 : f32 = importance_of_0(at_24, first_3);
-        var of_second_0 : f32 = importance_of_0(at_24, second_1);
+        var of_first_0 : f32 = importance_of_0(at_28, first_3);
+        var of_second_0 : f32 = importance_of_0(at_28, second_1);
         var sum_0 : f32 = of_first_0 + of_second_0;
-        var _S88 : bool;
+        var _S191 : bool;
         if(sum_0 > 0.0f)
         {
-            _S88 = sum_0 < 3.00000000549775576e+38f;
+            _S191 = sum_0 < 3.00000000549775576e+38f;
         }
         else
         {
-            _S88 = false;
+            _S191 = false;
         }
-        if(!_S88)
+        if(!_S191)
         {
             return false;
         }
         var first_share_0 : f32 = of_first_0 / sum_0;
         var second_share_0 : f32 = of_second_0 / sum_0;
         var is_second_0 : bool;
-        if(_S87 >= first_share_0)
+        if(_S190 >= first_share_0)
         {
             is_second_0 = second_share_0 > 0.0f;
         }
@@ -1494,174 +1954,182 @@ fn descend_0( at_24 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>, 
         }
         if(is_second_0)
         {
-            _S87 = (_S87 - first_share_0) / second_share_0;
+            _S190 = (_S190 - first_share_0) / second_share_0;
         }
         else
         {
-            _S87 = min(_S87 / first_share_0, 1.0f);
+            _S190 = min(_S190 / first_share_0, 1.0f);
         }
-        var _S89 : f32;
+        var _S192 : f32;
         if(is_second_0)
         {
-            _S89 = second_share_0;
+            _S192 = second_share_0;
         }
         else
         {
-            _S89 = first_share_0;
+            _S192 = first_share_0;
         }
-        (*probability_2) = (*probability_2) * _S89;
-        var _S90 : u32;
+        (*probability_2) = (*probability_2) * _S192;
+        var _S193 : u32;
         if(is_second_0)
         {
-            _S90 = second_1;
+            _S193 = second_1;
         }
         else
         {
-            _S90 = first_3;
+            _S193 = first_3;
         }
-        (*leaf_0) = _S90;
+        (*leaf_0) = _S193;
     }
     return true;
 }
 
 struct Edge_0
 {
-     record_7 : u32,
-     numbers_0 : u32,
+     record_8 : u32,
+     numbers_3 : u32,
 };
 
-fn edge_at_0( at_25 : ShadingPoint_0,  place_11 : u32) -> Edge_0
+fn edge_at_0( at_29 : ShadingPoint_0,  place_13 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_7 = edge_word_0(at_25.tree_0 + u32(1)) + u32(10) * place_11;
-    edge_0.numbers_0 = edge_word_0(at_25.tree_0 + u32(2)) + u32(14) * place_11;
+    edge_0.record_8 = edge_word_0(at_29.tree_0 + u32(1)) + u32(11) * place_13;
+    edge_0.numbers_3 = edge_word_0(at_29.tree_0 + u32(2)) + u32(14) * place_13;
     return edge_0;
 }
 
-fn sum_of_sizes_0( v_5 : vec3<f32>) -> f32
+fn sum_of_sizes_0( v_6 : vec3<f32>) -> f32
 {
-    return abs(v_5.x) + abs(v_5.y) + abs(v_5.z);
+    return abs(v_6.x) + abs(v_6.y) + abs(v_6.z);
 }
 
-fn side_seen_0( from_0 : vec3<f32>,  tolerance_0 : f32,  normal_4 : u32,  length_0 : u32) -> i32
+fn side_seen_0( from_0 : vec3<f32>,  tolerance_0 : f32,  normal_5 : u32,  length_0 : u32) -> i32
 {
-    var height_1 : f32 = dot(edge_position_0(normal_4), from_0);
+    var height_1 : f32 = dot(edge_position_0(normal_5), from_0);
     var least_1 : f32 = tolerance_0 * edge_real_0(length_0);
-    var _S91 : i32;
+    var _S194 : i32;
     if(height_1 > least_1)
     {
-        _S91 = i32(1);
+        _S194 = i32(1);
     }
     else
     {
-        _S91 = i32(0);
+        _S194 = i32(0);
     }
-    var _S92 : i32;
+    var _S195 : i32;
     if(height_1 < (- least_1))
     {
-        _S92 = i32(1);
+        _S195 = i32(1);
     }
     else
     {
-        _S92 = i32(0);
+        _S195 = i32(0);
     }
-    return _S91 - _S92;
+    return _S194 - _S195;
 }
 
-fn is_silhouette_0( at_26 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+fn is_silhouette_0( at_30 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
-    var start_0 : vec3<f32> = edge_position_0(edge_1.numbers_0);
-    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_26.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S93 : vec3<f32> = at_26.vertex_2.surface_3.exact_0 - start_0;
-    return (side_seen_0(_S93, tolerance_1, edge_1.numbers_0 + u32(6), edge_1.numbers_0 + u32(12)) * side_seen_0(_S93, tolerance_1, edge_1.numbers_0 + u32(9), edge_1.numbers_0 + u32(13))) <= i32(0);
+    var start_0 : vec3<f32> = edge_position_0(edge_1.numbers_3);
+    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_30.vertex_3.surface_4.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S196 : vec3<f32> = at_30.vertex_3.surface_4.exact_0 - start_0;
+    return (side_seen_0(_S196, tolerance_1, edge_1.numbers_3 + u32(6), edge_1.numbers_3 + u32(12)) * side_seen_0(_S196, tolerance_1, edge_1.numbers_3 + u32(9), edge_1.numbers_3 + u32(13))) <= i32(0);
 }
 
-fn factor_of_0( at_27 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+fn factor_of_0( at_31 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
-    var _S94 : u32 = edge_2.record_7 + u32(2);
-    var a_7 : vec3<f32> = edge_vector_0(_S94);
-    var b_5 : vec3<f32> = edge_vector_0(_S94 + u32(3));
-    var _S95 : bool;
-    if(rests_0(at_27.motion_1))
+    var _S197 : u32 = edge_2.record_8 + u32(2);
+    var a_14 : vec3<f32> = edge_vector_0(_S197);
+    var b_9 : vec3<f32> = edge_vector_0(_S197 + u32(3));
+    var _S198 : bool;
+    if(!is_blind_0())
     {
-        _S95 = (all((a_7 == vec3<f32>(0.0f))));
+        _S198 = rests_0(at_31.motion_1);
     }
     else
     {
-        _S95 = false;
+        _S198 = false;
     }
-    if(_S95)
+    if(_S198)
     {
-        _S95 = (all((b_5 == vec3<f32>(0.0f))));
+        _S198 = (all((a_14 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S95 = false;
+        _S198 = false;
     }
-    if(_S95)
+    if(_S198)
+    {
+        _S198 = (all((b_9 == vec3<f32>(0.0f))));
+    }
+    else
+    {
+        _S198 = false;
+    }
+    if(_S198)
     {
         return 0.0f;
     }
-    if(is_silhouette_0(at_27, edge_2))
+    if(is_silhouette_0(at_31, edge_2))
     {
-        return edge_number_0(edge_2.record_7);
+        return edge_number_0(edge_2.record_8);
     }
-    var _S96 : f32;
-    if(at_27.has_creases_0)
+    var _S199 : f32;
+    if(at_31.has_creases_0)
     {
-        _S96 = edge_number_0(edge_2.record_7 + u32(1));
+        _S199 = edge_number_0(edge_2.record_8 + u32(1));
     }
     else
     {
-        _S96 = 0.0f;
+        _S199 = 0.0f;
     }
-    return _S96;
+    return _S199;
 }
 
-fn is_clipped_0( at_28 : ShadingPoint_0,  a_8 : vec3<f32>,  b_6 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
+fn is_clipped_0( at_32 : ShadingPoint_0,  a_15 : vec3<f32>,  b_10 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
 {
     (*range_0) = vec2<f32>(0.0f, 1.0f);
-    var _S97 : bool;
-    if((dot(at_28.front_0, a_8 - at_28.front_offset_0)) < -3.99999998990097083e-06f)
+    var _S200 : bool;
+    if((dot(at_32.front_0, a_15 - at_32.front_offset_0)) < -3.99999998990097083e-06f)
     {
-        _S97 = (dot(at_28.front_0, b_6 - at_28.front_offset_0)) < -3.99999998990097083e-06f;
+        _S200 = (dot(at_32.front_0, b_10 - at_32.front_offset_0)) < -3.99999998990097083e-06f;
     }
     else
     {
-        _S97 = false;
+        _S200 = false;
     }
-    if(_S97)
+    if(_S200)
     {
         return true;
     }
-    var _S98 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_8, a_8), dot(b_6, b_6)));
-    var k_8 : u32 = u32(0);
+    var _S201 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_15, a_15), dot(b_10, b_10)));
+    var k_6 : u32 = u32(0);
     for(;;)
     {
-        if(k_8 < (at_28.planes_0))
+        if(k_6 < (at_32.planes_0))
         {
         }
         else
         {
             break;
         }
-        var first_4 : f32 = dot(at_28.inside_2[k_8], a_8) + _S98;
-        var second_2 : f32 = dot(at_28.inside_2[k_8], b_6) + _S98;
-        var _S99 : bool = first_4 < 0.0f;
-        if(_S99)
+        var first_4 : f32 = dot(at_32.inside_2[k_6], a_15) + _S201;
+        var second_2 : f32 = dot(at_32.inside_2[k_6], b_10) + _S201;
+        var _S202 : bool = first_4 < 0.0f;
+        if(_S202)
         {
-            _S97 = second_2 < 0.0f;
+            _S200 = second_2 < 0.0f;
         }
         else
         {
-            _S97 = false;
+            _S200 = false;
         }
-        if(_S97)
+        if(_S200)
         {
             return true;
         }
         var crossing_0 : f32 = first_4 / (first_4 - second_2);
-        if(_S99)
+        if(_S202)
         {
             (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
         }
@@ -1672,7 +2140,7 @@ fn is_clipped_0( at_28 : ShadingPoint_0,  a_8 : vec3<f32>,  b_6 : vec3<f32>,  ra
                 (*range_0)[i32(1)] = min((*range_0).y, crossing_0);
             }
         }
-        k_8 = k_8 + u32(1);
+        k_6 = k_6 + u32(1);
     }
     return !(((*range_0).x) < ((*range_0).y));
 }
@@ -1685,61 +2153,61 @@ struct SeenEdge_0
      range_1 : vec2<f32>,
      near_1 : f32,
      far_0 : f32,
-     factor_0 : f32,
+     factor_3 : f32,
      pieces_0 : f32,
      chord_0 : f32,
      from_1 : vec3<f32>,
      to_0 : vec3<f32>,
 };
 
-fn see_edge_0( at_29 : ShadingPoint_0,  place_12 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+fn see_edge_0( at_33 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S100 : Edge_0 = edge_at_0(at_29, place_12);
-    (*seen_1).edge_3 = _S100;
-    var _S101 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_0) - at_29.vertex_2.surface_3.exact_0;
-    (*seen_1).start_1 = _S101;
-    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_0 + u32(3)) - at_29.vertex_2.surface_3.exact_0;
-    (*seen_1).along_1 = end_1 - _S101;
+    var _S203 : Edge_0 = edge_at_0(at_33, place_14);
+    (*seen_1).edge_3 = _S203;
+    var _S204 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_3) - at_33.vertex_3.surface_4.exact_0;
+    (*seen_1).start_1 = _S204;
+    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_3 + u32(3)) - at_33.vertex_3.surface_4.exact_0;
+    (*seen_1).along_1 = end_1 - _S204;
     (*seen_1).far_0 = 1.0f;
     (*seen_1).near_1 = 1.0f;
     (*seen_1).chord_0 = 0.0f;
     (*seen_1).pieces_0 = 0.0f;
-    var _S102 : vec3<f32> = vec3<f32>(0.0f);
-    (*seen_1).to_0 = _S102;
-    (*seen_1).from_1 = _S102;
+    var _S205 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S205;
+    (*seen_1).from_1 = _S205;
     (*seen_1).range_1 = vec2<f32>(0.0f, 1.0f);
-    var _S103 : f32 = factor_of_0(at_29, _S100);
-    (*seen_1).factor_0 = _S103;
-    var _S104 : bool;
-    if(!(_S103 > 0.0f))
+    var _S206 : f32 = factor_of_0(at_33, _S203);
+    (*seen_1).factor_3 = _S206;
+    var _S207 : bool;
+    if(!(_S206 > 0.0f))
     {
-        _S104 = true;
+        _S207 = true;
     }
     else
     {
-        var _S105 : vec2<f32> = (*seen_1).range_1;
-        var _S106 : bool = is_clipped_0(at_29, (*seen_1).start_1, end_1, &(_S105));
-        (*seen_1).range_1 = _S105;
-        _S104 = _S106;
+        var _S208 : vec2<f32> = (*seen_1).range_1;
+        var _S209 : bool = is_clipped_0(at_33, (*seen_1).start_1, end_1, &(_S208));
+        (*seen_1).range_1 = _S208;
+        _S207 = _S209;
     }
-    if(_S104)
+    if(_S207)
     {
         return false;
     }
     var first_5 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.x);
     var last_0 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.y);
-    var _S107 : f32 = sqrt(dot(first_5, first_5));
-    (*seen_1).near_1 = _S107;
+    var _S210 : f32 = sqrt(dot(first_5, first_5));
+    (*seen_1).near_1 = _S210;
     (*seen_1).far_0 = sqrt(dot(last_0, last_0));
-    if(_S107 > 0.0f)
+    if(_S210 > 0.0f)
     {
-        _S104 = ((*seen_1).far_0) > 0.0f;
+        _S207 = ((*seen_1).far_0) > 0.0f;
     }
     else
     {
-        _S104 = false;
+        _S207 = false;
     }
-    if(!_S104)
+    if(!_S207)
     {
         return false;
     }
@@ -1747,7 +2215,7 @@ fn see_edge_0( at_29 : ShadingPoint_0,  place_12 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = last_0 / vec3<f32>((*seen_1).far_0);
     (*seen_1).chord_0 = length_of_0(last_0 / vec3<f32>((*seen_1).far_0) - first_5 / vec3<f32>((*seen_1).near_1));
     var longest_0 : f32;
-    if((at_29.vertex_2.lobe_1.kind_1) == u32(0))
+    if((at_33.vertex_3.lobe_1.kind_1) == u32(0))
     {
         longest_0 = 0.20000000298023224f;
     }
@@ -1764,43 +2232,54 @@ fn place_between_0( from_2 : f32,  to_1 : f32,  near_2 : f32,  far_1 : f32,  par
     return from_2 + (to_1 - from_2) * part_0 * near_2 / (part_0 * near_2 + (1.0f - part_0) * far_1);
 }
 
-fn x2A_0( a_9 : Colour_0,  b_7 : vec3<f32>) -> Colour_0
+fn velocity_on_0( at_34 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
-    var product_1 : Colour_0;
-    product_1.value_0 = a_9.value_0 * b_7;
-    var k_9 : u32 = u32(0);
-    for(;;)
-    {
-        if(k_9 < u32(1))
-        {
-        }
-        else
-        {
-            break;
-        }
-        product_1.changes_0[k_9] = a_9.changes_0[k_9] * b_7;
-        k_9 = k_9 + u32(1);
-    }
-    return product_1;
+    var _S211 : u32 = edge_4.record_8 + u32(2);
+    return mix(edge_vector_0(_S211), edge_vector_0(_S211 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_34.motion_1, offset_9);
 }
 
-fn x2A_1( a_10 : Colour_0,  b_8 : f32) -> Colour_0
+struct Mirrored_0
 {
-    return x2A_0(a_10, vec3<f32>(b_8));
+     cosine_6 : f32,
+     pdf_0 : f32,
+     scattered_0 : f32,
+};
+
+fn Mirrored_x24init_0( cosine_7 : f32,  pdf_1 : f32,  scattered_1 : f32) -> Mirrored_0
+{
+    var _S212 : Mirrored_0;
+    _S212.cosine_6 = cosine_7;
+    _S212.pdf_0 = pdf_1;
+    _S212.scattered_0 = scattered_1;
+    return _S212;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S108 : bool;
+    var _S213 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S108 = true;
+        _S213 = true;
     }
     else
     {
-        _S108 = (lobe_3.kind_1) == u32(4);
+        _S213 = (lobe_3.kind_1) == u32(4);
     }
-    return _S108;
+    return _S213;
+}
+
+struct Microfacets_0
+{
+     distribution_1 : u32,
+     alpha_1 : vec2<f32>,
+};
+
+fn facets_of_0( lobe_4 : Lobe_0,  numbers_4 : Numbers_0) -> Microfacets_0
+{
+    var facets_0 : Microfacets_0;
+    facets_0.distribution_1 = lobe_4.distribution_0;
+    facets_0.alpha_1 = max(numbers_4.alpha_0, vec2<f32>(0.00009999999747379f));
+    return facets_0;
 }
 
 fn exponential_0( x_5 : f32) -> f32
@@ -1814,138 +2293,136 @@ fn exponential_0( x_5 : f32) -> f32
     return ((((((0.00019875691214111f * r_0 + 0.00139819993637502f) * r_0 + 0.00833345204591751f) * r_0 + 0.04166579619050026f) * r_0 + 0.1666666567325592f) * r_0 + 0.5f) * r_0 * r_0 + r_0 + 1.0f) * (bitcast<f32>(((u32(i32(power_3) + i32(127)) << (u32(23))))));
 }
 
-fn density_0( facets_0 : Microfacets_0,  m_3 : vec3<f32>) -> f32
+fn density_0( facets_1 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S109 : f32 = m_3.z;
-    if(_S109 <= 0.0f)
+    var _S214 : f32 = m_3.z;
+    if(_S214 <= 0.0f)
     {
         return 0.0f;
     }
-    var scale_0 : f32 = 3.14159274101257324f * facets_0.alpha_0.x * facets_0.alpha_0.y;
-    var slope_0 : vec2<f32> = m_3.xy / facets_0.alpha_0;
+    var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
+    var slope_0 : vec2<f32> = m_3.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S109 * _S109;
-    if((facets_0.distribution_0) == u32(1))
+    var cos2_0 : f32 = _S214 * _S214;
+    if((facets_1.distribution_1) == u32(1))
     {
         var sum_1 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_1 * sum_1);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S110 : f32;
+    var _S215 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S110 = 0.0f;
+        _S215 = 0.0f;
     }
     else
     {
-        _S110 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S215 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S110;
+    return _S215;
 }
 
 fn error_function_plus_one_0( x_6 : f32) -> vec2<f32>
 {
-    var _S111 : f32 = min(abs(x_6), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S111 * _S111);
-    var place_13 : f32 = (_S111 - 2.0f) / (_S111 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_13 - 0.00127731403335929f) * place_13 + 0.00131371302995831f) * place_13 + 0.008666617795825f) * place_13 - 0.00805134233087301f) * place_13 - 0.05421232059597969f) * place_13 + 0.1640533059835434f) * place_13 - 0.16603080928325653f) * place_13 - 0.09276388585567474f) * place_13 + 1.27697837352752686f) / (1.0f + 2.0f * _S111);
-    var _S112 : f32;
+    var _S216 : f32 = min(abs(x_6), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S216 * _S216);
+    var place_15 : f32 = (_S216 - 2.0f) / (_S216 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S216);
+    var _S217 : f32;
     if(x_6 < 0.0f)
     {
-        _S112 = complement_0;
+        _S217 = complement_0;
     }
     else
     {
-        _S112 = 2.0f - complement_0;
+        _S217 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S112, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S217, 1.128379225730896f * gaussian_0);
 }
 
-fn visible_over_cos_0( facets_1 : Microfacets_0,  w_1 : vec3<f32>) -> f32
+fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
 {
-    var stretched_0 : vec2<f32> = w_1.xy * facets_1.alpha_0;
+    var stretched_0 : vec2<f32> = w_2.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S113 : f32 = w_1.z;
-    var z2_0 : f32 = _S113 * _S113;
-    if((facets_1.distribution_0) == u32(1))
+    var _S218 : f32 = w_2.z;
+    var z2_0 : f32 = _S218 * _S218;
+    if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S113 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S218 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S113;
+        return 1.0f / _S218;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S113 / spread_1);
-    return 2.0f / (_S113 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S218 / spread_1);
+    return 2.0f / (_S218 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
-struct Mirrored_0
+fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
 {
-     cosine_6 : f32,
-     pdf_0 : f32,
-     scattered_0 : f32,
-};
-
-fn mirrored_0( facets_2 : Microfacets_0,  wi_1 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
-{
-    var h_0 : vec3<f32> = normalize(wi_1 + wo_0);
+    var h_0 : vec3<f32> = normalize(wi_2 + wo_0);
     var mirrored_1 : Mirrored_0;
-    mirrored_1.cosine_6 = dot(wi_1, h_0);
-    var _S114 : f32 = 0.25f * density_0(facets_2, h_0) * visible_over_cos_0(facets_2, wi_1);
-    mirrored_1.pdf_0 = _S114;
-    mirrored_1.scattered_0 = _S114 * visible_over_cos_0(facets_2, wo_0) * wo_0.z;
+    mirrored_1.cosine_6 = dot(wi_2, h_0);
+    var _S219 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_2);
+    mirrored_1.pdf_0 = _S219;
+    mirrored_1.scattered_0 = _S219 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
-fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_1 : f32,  k_10 : f32) -> f32
+fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
 {
-    var cos2_1 : f32 = cosine_7 * cosine_7;
+    var cos2_1 : f32 = cosine_8 * cosine_8;
     var sin2_0 : f32 = 1.0f - cos2_1;
-    var real_0 : f32 = eta_1 * eta_1 - k_10 * k_10 - sin2_0;
-    var product_2 : f32 = eta_1 * k_10;
-    var modulus_0 : f32 = sqrt(real_0 * real_0 + 4.0f * (product_2 * product_2));
+    var real_0 : f32 = eta_1 * eta_1 - k_7 * k_7 - sin2_0;
+    var product_1 : f32 = eta_1 * k_7;
+    var modulus_0 : f32 = sqrt(real_0 * real_0 + 4.0f * (product_1 * product_1));
     if(modulus_0 == 0.0f)
     {
         return 1.0f;
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
-    var smaller_0 : f32 = product_2 / larger_0;
-    var _S115 : bool = real_0 < 0.0f;
-    var a_11 : f32;
-    if(_S115)
+    var smaller_0 : f32 = product_1 / larger_0;
+    var _S220 : bool = real_0 < 0.0f;
+    var a_16 : f32;
+    if(_S220)
     {
-        a_11 = smaller_0;
+        a_16 = smaller_0;
     }
     else
     {
-        a_11 = larger_0;
+        a_16 = larger_0;
     }
-    var b_9 : f32;
-    if(_S115)
+    var b_11 : f32;
+    if(_S220)
     {
-        b_9 = larger_0;
+        b_11 = larger_0;
     }
     else
     {
-        b_9 = smaller_0;
+        b_11 = smaller_0;
     }
-    var less_0 : f32 = a_11 - cosine_7;
-    var more_0 : f32 = a_11 + cosine_7;
-    var _S116 : f32 = b_9 * b_9;
+    var less_0 : f32 = a_16 - cosine_8;
+    var more_0 : f32 = a_16 + cosine_8;
+    var _S221 : f32 = b_11 * b_11;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S116) / (more_0 * more_0 + _S116) * p_sum_0 / (p_sum_0 + 2.0f * a_11 * cosine_7 * sin2_0);
+    return (less_0 * less_0 + _S221) / (more_0 * more_0 + _S221) * p_sum_0 / (p_sum_0 + 2.0f * a_16 * cosine_8 * sin2_0);
 }
 
-fn fresnel_conductor_0( cosine_8 : f32,  eta_2 : vec3<f32>,  k_11 : vec3<f32>) -> vec3<f32>
+fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_8 : vec3<f32>) -> vec3<f32>
 {
-    return vec3<f32>(fresnel_conductor_channel_0(cosine_8, eta_2.x, k_11.x), fresnel_conductor_channel_0(cosine_8, eta_2.y, k_11.y), fresnel_conductor_channel_0(cosine_8, eta_2.z, k_11.z));
+    return vec3<f32>(fresnel_conductor_channel_0(cosine_9, eta_2.x, k_8.x), fresnel_conductor_channel_0(cosine_9, eta_2.y, k_8.y), fresnel_conductor_channel_0(cosine_9, eta_2.z, k_8.z));
 }
 
-fn fresnel_dielectric_0( cosine_9 : f32,  eta_3 : f32) -> f32
+fn coat_eta_0( numbers_5 : Numbers_0) -> f32
+{
+    return luminance_0(numbers_5.eta_0) / luminance_0(numbers_5.k_0);
+}
+
+fn fresnel_dielectric_0( cosine_10 : f32,  eta_3 : f32) -> f32
 {
     var eta2_0 : f32 = eta_3 * eta_3;
-    var cos2_2 : f32 = cosine_9 * cosine_9;
+    var cos2_2 : f32 = cosine_10 * cosine_10;
     var denser_0 : f32 = (eta_3 - 1.0f) * (eta_3 + 1.0f);
     var squared_1 : f32 = denser_0 + cos2_2;
     if(squared_1 <= 0.0f)
@@ -1953,187 +2430,168 @@ fn fresnel_dielectric_0( cosine_9 : f32,  eta_3 : f32) -> f32
         return 1.0f;
     }
     var refracted_0 : f32 = sqrt(squared_1);
-    var s_sum_0 : f32 = cosine_9 + refracted_0;
-    var p_sum_1 : f32 = eta2_0 * cosine_9 + refracted_0;
+    var s_sum_0 : f32 = cosine_10 + refracted_0;
+    var p_sum_1 : f32 = eta2_0 * cosine_10 + refracted_0;
     var senkrecht_0 : f32 = denser_0 / (s_sum_0 * s_sum_0);
     var parallel_0 : f32 = denser_0 * ((eta2_0 + 1.0f) * cos2_2 - 1.0f) / (p_sum_1 * p_sum_1);
     return 0.5f * (senkrecht_0 * senkrecht_0 + parallel_0 * parallel_0);
 }
 
-fn transmittance_0( lobe_4 : Lobe_0,  cosine_10 : f32) -> f32
+fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
 {
-    if((lobe_4.kind_1) == u32(3))
+    if((lobe_5.kind_1) == u32(3))
     {
-        return 1.0f - fresnel_dielectric_0(cosine_10, lobe_4.coat_eta_0);
+        return 1.0f - fresnel_dielectric_0(cosine_11, eta_4);
     }
-    var place_14 : f32 = cosine_10 * 63.0f;
-    var _S117 : u32 = min(u32(place_14), u32(62));
-    var at_30 : u32 = word_0(lobe_4.record_2 + u32(3)) + _S117;
-    return mix(number_0(at_30), number_0(at_30 + u32(1)), place_14 - f32(_S117));
+    var place_16 : f32 = cosine_11 * 63.0f;
+    var _S222 : u32 = min(u32(place_16), u32(62));
+    var at_35 : u32 = word_0(lobe_5.record_3 + u32(3)) + _S222;
+    var here_0 : f32 = number_0(at_35);
+    return here_0 + (number_0(at_35 + u32(1)) - here_0) * (place_16 - f32(_S222));
 }
 
-fn fresnel_diffuse_0( eta_4 : f32) -> f32
+fn fresnel_diffuse_0( eta_5 : f32) -> f32
 {
-    var inverse_0 : f32 = 1.0f / eta_4;
-    if(eta_4 < 1.0f)
+    var inverse_0 : f32 = 1.0f / eta_5;
+    if(eta_5 < 1.0f)
     {
-        return (-1.43990004062652588f * eta_4 + 0.70990002155303955f) * eta_4 + 0.66809999942779541f + 0.06360000371932983f * inverse_0;
+        return (-1.43990004062652588f * eta_5 + 0.70990002155303955f) * eta_5 + 0.66809999942779541f + 0.06360000371932983f * inverse_0;
     }
     return ((((-1.36881005764007568f * inverse_0 + 4.98553991317749023f) * inverse_0 - 7.80988979339599609f) * inverse_0 + 6.75334978103637695f) * inverse_0 - 3.47930002212524414f) * inverse_0 + 0.91931700706481934f;
 }
 
-fn function_0( x_7 : Colour_0,  value_5 : vec3<f32>,  derivative_0 : vec3<f32>) -> Colour_0
-{
-    var result_0 : Colour_0 = x2A_0(x_7, derivative_0);
-    result_0.value_0 = value_5;
-    return result_0;
-}
-
-fn base_0( lobe_5 : Lobe_0) -> Colour_0
+fn base_0( lobe_6 : Lobe_0,  eta_6 : f32,  diffuse_0 : vec3<f32>) -> vec3<f32>
 {
     var internal_reflectance_0 : f32;
-    if((lobe_5.kind_1) == u32(3))
+    if((lobe_6.kind_1) == u32(3))
     {
-        internal_reflectance_0 = fresnel_diffuse_0(1.0f / lobe_5.coat_eta_0);
+        internal_reflectance_0 = fresnel_diffuse_0(1.0f / eta_6);
     }
     else
     {
-        internal_reflectance_0 = number_0(word_0(lobe_5.record_2 + u32(3)) + u32(64));
+        internal_reflectance_0 = number_0(word_0(lobe_6.record_3 + u32(3)) + u32(64));
     }
-    if((word_0(lobe_5.record_2 + u32(2))) == u32(0))
+    if((word_0(lobe_6.record_3 + u32(2))) == u32(0))
     {
-        return x2A_1(lobe_5.diffuse_reflectance_0, 1.0f / (1.0f - internal_reflectance_0));
+        return diffuse_0 * vec3<f32>((1.0f / (1.0f - internal_reflectance_0)));
     }
-    var _S118 : vec3<f32> = value_of_0(lobe_5.diffuse_reflectance_0);
-    var _S119 : vec3<f32> = vec3<f32>(1.0f);
-    var factor_1 : vec3<f32> = _S119 / (_S119 - _S118 * vec3<f32>(internal_reflectance_0));
-    return function_0(lobe_5.diffuse_reflectance_0, _S118 * factor_1, factor_1 * factor_1);
+    return diffuse_0 / (vec3<f32>(1.0f) - diffuse_0 * vec3<f32>(internal_reflectance_0));
 }
 
-fn choice_weight_0( colour_6 : vec3<f32>) -> f32
+fn choice_weight_0( colour_2 : vec3<f32>) -> f32
 {
-    return max((colour_6.x + colour_6.y + colour_6.z) / 3.0f, 0.05000000074505806f);
+    return max((colour_2.x + colour_2.y + colour_2.z) / 3.0f, 0.05000000074505806f);
 }
 
-fn base_probability_0( lobe_6 : Lobe_0,  enters_0 : f32) -> f32
+fn base_probability_0( numbers_6 : Numbers_0,  enters_0 : f32) -> f32
 {
-    var of_base_0 : f32 = enters_0 * choice_weight_0(value_of_0(lobe_6.diffuse_reflectance_0));
-    return of_base_0 / (of_base_0 + (1.0f - enters_0) * choice_weight_0(value_of_0(lobe_6.specular_reflectance_0)));
+    var of_base_0 : f32 = enters_0 * choice_weight_0(numbers_6.diffuse_reflectance_0);
+    return of_base_0 / (of_base_0 + (1.0f - enters_0) * choice_weight_0(numbers_6.specular_reflectance_0));
 }
 
-fn x2B_0( a_12 : Colour_0,  b_10 : Colour_0) -> Colour_0
+struct Scattering_0
 {
-    var sum_2 : Colour_0;
-    sum_2.value_0 = a_12.value_0 + b_10.value_0;
-    var k_12 : u32 = u32(0);
-    for(;;)
-    {
-        if(k_12 < u32(1))
-        {
-        }
-        else
-        {
-            break;
-        }
-        sum_2.changes_0[k_12] = a_12.changes_0[k_12] + b_10.changes_0[k_12];
-        k_12 = k_12 + u32(1);
-    }
-    return sum_2;
-}
-
-struct Scattered_0
-{
-     value_6 : Colour_0,
-     pdf_1 : f32,
+     value_8 : vec3<f32>,
+     pdf_2 : f32,
 };
 
-fn eval_and_pdf_0( lobe_7 : Lobe_0,  wi_2 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattered_0
+fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
-    var scattered_1 : Scattered_0;
-    scattered_1.value_6 = constant_0(vec3<f32>(0.0f));
-    scattered_1.pdf_1 = 0.0f;
-    var _S120 : f32 = wo_1.z;
-    var _S121 : bool;
-    if(_S120 <= 0.0f)
+    var scattering_1 : Scattering_0;
+    var _S223 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S223 * 0.31830987334251404f;
+    if((lobe_7.kind_1) == u32(0))
     {
-        _S121 = true;
+        scattering_1.value_8 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
+        scattering_1.pdf_2 = by_cosine_0;
+        return scattering_1;
+    }
+    var _S224 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var by_facets_0 : Mirrored_0;
+    if(is_rough_0(lobe_7))
+    {
+        by_facets_0 = mirrored_0(facets_of_0(lobe_7, numbers_7), wi_3, wo_1);
     }
     else
     {
-        _S121 = !has_smooth_0(lobe_7);
-    }
-    if(_S121)
-    {
-        return scattered_1;
-    }
-    var by_cosine_0 : f32 = _S120 * 0.31830987334251404f;
-    if((lobe_7.kind_1) == u32(0))
-    {
-        scattered_1.value_6 = x2A_1(lobe_7.diffuse_reflectance_0, by_cosine_0);
-        scattered_1.pdf_1 = by_cosine_0;
-        return scattered_1;
-    }
-    var by_facets_0 : Mirrored_0;
-    by_facets_0.scattered_0 = 0.0f;
-    by_facets_0.pdf_0 = 0.0f;
-    by_facets_0.cosine_6 = 0.0f;
-    if(is_rough_0(lobe_7))
-    {
-        by_facets_0 = mirrored_0(lobe_7.microfacets_0, wi_2, wo_1);
+        by_facets_0 = _S224;
     }
     if((lobe_7.kind_1) == u32(2))
     {
-        scattered_1.value_6 = x2A_0(lobe_7.specular_reflectance_0, fresnel_conductor_0(by_facets_0.cosine_6, lobe_7.eta_0, lobe_7.k_4) * vec3<f32>(by_facets_0.scattered_0));
-        scattered_1.pdf_1 = by_facets_0.pdf_0;
-        return scattered_1;
+        scattering_1.value_8 = numbers_7.specular_reflectance_0 * (fresnel_conductor_0(by_facets_0.cosine_6, numbers_7.eta_0, numbers_7.k_0) * vec3<f32>(by_facets_0.scattered_0));
+        scattering_1.pdf_2 = by_facets_0.pdf_0;
+        return scattering_1;
     }
-    var enters_1 : f32 = transmittance_0(lobe_7, wi_2.z);
-    var _S122 : f32 = lobe_7.coat_eta_0;
-    scattered_1.value_6 = x2A_1(base_0(lobe_7), enters_1 * transmittance_0(lobe_7, _S120) * by_cosine_0 / (_S122 * _S122));
-    var probability_3 : f32 = base_probability_0(lobe_7, enters_1);
-    scattered_1.pdf_1 = probability_3 * by_cosine_0;
+    var eta_7 : f32 = coat_eta_0(numbers_7);
+    var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_3.z);
+    scattering_1.value_8 = base_0(lobe_7, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S223) * by_cosine_0 / (eta_7 * eta_7)));
+    var probability_3 : f32 = base_probability_0(numbers_7, enters_1);
+    scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
     {
-        scattered_1.value_6 = x2B_0(scattered_1.value_6, x2A_1(lobe_7.specular_reflectance_0, fresnel_dielectric_0(by_facets_0.cosine_6, lobe_7.coat_eta_0) * by_facets_0.scattered_0));
-        scattered_1.pdf_1 = scattered_1.pdf_1 + (1.0f - probability_3) * by_facets_0.pdf_0;
+        scattering_1.value_8 = scattering_1.value_8 + numbers_7.specular_reflectance_0 * vec3<f32>((fresnel_dielectric_0(by_facets_0.cosine_6, eta_7) * by_facets_0.scattered_0));
+        scattering_1.pdf_2 = scattering_1.pdf_2 + (1.0f - probability_3) * by_facets_0.pdf_0;
     }
-    return scattered_1;
+    return scattering_1;
 }
 
-fn scattered_from_0( vertex_4 : Vertex_0,  direction_3 : vec3<f32>) -> vec3<f32>
+fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
 {
-    return value_of_0(eval_and_pdf_0(vertex_4.lobe_1, vertex_4.wi_0, to_local_0(vertex_4.axes_2, direction_3)).value_6);
-}
-
-fn largest_0( v_6 : vec3<f32>) -> f32
-{
-    return max(max(v_6.x, v_6.y), v_6.z);
-}
-
-fn angle_of_0( x_8 : f32,  y_1 : f32) -> f32
-{
-    var _S123 : f32 = abs(x_8);
-    var _S124 : f32 = abs(y_1);
-    var _S125 : f32 = min(_S123, _S124);
-    var _S126 : f32 = max(_S123, _S124);
-    var is_steep_0 : bool = _S125 > (0.41421356797218323f * _S126);
-    var above_0 : f32;
-    if(is_steep_0)
+    var _S225 : bool;
+    if((wo_2.z) <= 0.0f)
     {
-        above_0 = _S125 - _S126;
+        _S225 = true;
     }
     else
     {
-        above_0 = _S125;
+        _S225 = !has_smooth_0(vertex_5.lobe_1);
+    }
+    if(_S225)
+    {
+        return vec3<f32>(0.0f);
+    }
+    return scattering_0(vertex_5.lobe_1, vertex_5.lobe_1.numbers_2, value_of_0(vertex_5.wi_1), wo_2).value_8;
+}
+
+fn scattered_from_0( vertex_6 : Vertex_0,  direction_6 : vec3<f32>) -> vec3<f32>
+{
+    return scattered_values_0(vertex_6, to_local_0(vertex_6.axes_1, direction_6));
+}
+
+fn largest_0( v_7 : vec3<f32>) -> f32
+{
+    return max(max(v_7.x, v_7.y), v_7.z);
+}
+
+fn still_0( value_9 : vec3<f32>) -> Vector_0
+{
+    return changing_0(value_9, vec3<f32>(0.0f));
+}
+
+fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
+{
+    var _S226 : f32 = abs(x_7);
+    var _S227 : f32 = abs(y_1);
+    var _S228 : f32 = min(_S226, _S227);
+    var _S229 : f32 = max(_S226, _S227);
+    var is_steep_0 : bool = _S228 > (0.41421356797218323f * _S229);
+    var above_0 : f32;
+    if(is_steep_0)
+    {
+        above_0 = _S228 - _S229;
+    }
+    else
+    {
+        above_0 = _S228;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S125 + _S126;
+        below_0 = _S228 + _S229;
     }
     else
     {
-        below_0 = _S126;
+        below_0 = _S229;
     }
     if(below_0 > 0.0f)
     {
@@ -2142,9 +2600,9 @@ fn angle_of_0( x_8 : f32,  y_1 : f32) -> f32
     {
         below_0 = 1.0f;
     }
-    var t_2 : f32 = above_0 / below_0;
-    var z_1 : f32 = t_2 * t_2;
-    var angle_0 : f32 = (((0.08053744584321976f * z_1 - 0.13877685368061066f) * z_1 + 0.19977711141109467f) * z_1 - 0.33332949876785278f) * z_1 * t_2 + t_2;
+    var t_3 : f32 = above_0 / below_0;
+    var z_1 : f32 = t_3 * t_3;
+    var angle_0 : f32 = (((0.08053744584321976f * z_1 - 0.13877685368061066f) * z_1 + 0.19977711141109467f) * z_1 - 0.33332949876785278f) * z_1 * t_3 + t_3;
     var angle_1 : f32;
     if(is_steep_0)
     {
@@ -2154,11 +2612,11 @@ fn angle_of_0( x_8 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S124 > _S123)
+    if(_S227 > _S226)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
-    if(x_8 < 0.0f)
+    if(x_7 < 0.0f)
     {
         angle_1 = 3.14159274101257324f - angle_1;
     }
@@ -2173,173 +2631,283 @@ fn angle_of_0( x_8 : f32,  y_1 : f32) -> f32
     return above_0;
 }
 
-fn map_place_0( map_0 : u32,  direction_4 : vec3<f32>) -> vec2<f32>
+fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S127 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S127) * vec3<f32>(direction_4.x) + vector_at_0(_S127 + u32(3)) * vec3<f32>(direction_4.y) + vector_at_0(_S127 + u32(6)) * vec3<f32>(direction_4.z);
+    var _S230 : DiffPair_float_0 = DiffPair_float_0( dpx_8.primal_0, dpx_8.differential_0 );
+    var _S231 : DiffPair_float_0 = _d_abs_0(_S230);
+    var _S232 : DiffPair_float_0 = DiffPair_float_0( dpy_3.primal_0, dpy_3.differential_0 );
+    var _S233 : DiffPair_float_0 = _d_abs_0(_S232);
+    var _S234 : DiffPair_float_0 = DiffPair_float_0( _S231.primal_0, _S231.differential_0 );
+    var _S235 : DiffPair_float_0 = DiffPair_float_0( _S233.primal_0, _S233.differential_0 );
+    var _S236 : DiffPair_float_0 = _d_min_0(_S234, _S235);
+    var _S237 : DiffPair_float_0 = _d_max_0(_S234, _S235);
+    var is_steep_1 : bool = (_S236.primal_0) > (0.41421356797218323f * _S237.primal_0);
+    var above_1 : f32;
+    var s_diff_above_0 : f32;
+    if(is_steep_1)
+    {
+        var _S238 : f32 = _S236.differential_0 - _S237.differential_0;
+        above_1 = _S236.primal_0 - _S237.primal_0;
+        s_diff_above_0 = _S238;
+    }
+    else
+    {
+        above_1 = _S236.primal_0;
+        s_diff_above_0 = _S236.differential_0;
+    }
+    var below_1 : f32;
+    var s_diff_below_0 : f32;
+    if(is_steep_1)
+    {
+        var _S239 : f32 = _S236.differential_0 + _S237.differential_0;
+        below_1 = _S236.primal_0 + _S237.primal_0;
+        s_diff_below_0 = _S239;
+    }
+    else
+    {
+        below_1 = _S237.primal_0;
+        s_diff_below_0 = _S237.differential_0;
+    }
+    if(below_1 > 0.0f)
+    {
+    }
+    else
+    {
+        below_1 = 1.0f;
+        s_diff_below_0 = 0.0f;
+    }
+    var t_4 : f32 = above_1 / below_1;
+    var s_diff_t_0 : f32 = (s_diff_above_0 * below_1 - above_1 * s_diff_below_0) / (below_1 * below_1);
+    var z_2 : f32 = t_4 * t_4;
+    var _S240 : f32 = s_diff_t_0 * t_4;
+    var s_diff_z_0 : f32 = _S240 + _S240;
+    var _S241 : f32 = 0.08053744584321976f * z_2 - 0.13877685368061066f;
+    var _S242 : f32 = _S241 * z_2 + 0.19977711141109467f;
+    var tail_0 : f32 = _S242 * z_2 - 0.33332949876785278f;
+    var _S243 : f32 = tail_0 * z_2;
+    var angle_2 : f32 = _S243 * t_4 + t_4;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_2 + s_diff_z_0 * _S241) * z_2 + s_diff_z_0 * _S242) * z_2 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S243 + s_diff_t_0;
+    var angle_3 : f32;
+    if(is_steep_1)
+    {
+        angle_3 = angle_2 + 0.78539818525314331f;
+    }
+    else
+    {
+        angle_3 = angle_2;
+    }
+    var s_diff_angle_1 : f32;
+    if((_S233.primal_0) > (_S231.primal_0))
+    {
+        var _S244 : f32 = 0.0f - s_diff_angle_0;
+        angle_3 = 1.57079637050628662f - angle_3;
+        s_diff_angle_1 = _S244;
+    }
+    else
+    {
+        s_diff_angle_1 = s_diff_angle_0;
+    }
+    if((dpx_8.primal_0) < 0.0f)
+    {
+        var _S245 : f32 = 0.0f - s_diff_angle_1;
+        angle_3 = 3.14159274101257324f - angle_3;
+        s_diff_angle_1 = _S245;
+    }
+    if((dpy_3.primal_0) < 0.0f)
+    {
+        var _S246 : f32 = - s_diff_angle_1;
+        above_1 = - angle_3;
+        s_diff_above_0 = _S246;
+    }
+    else
+    {
+        above_1 = angle_3;
+        s_diff_above_0 = s_diff_angle_1;
+    }
+    var _S247 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
+    return _S247;
+}
+
+fn map_place_0( map_0 : u32,  direction_7 : vec3<f32>) -> vec2<f32>
+{
+    var _S248 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S248) * vec3<f32>(direction_7.x) + vector_at_0(_S248 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S248 + u32(6)) * vec3<f32>(direction_7.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
-fn in_map_0( map_1 : u32,  direction_5 : vec3<f32>) -> Lookup_0
+fn s_fwd_map_place_0( map_1 : u32,  dpdirection_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var place_15 : vec2<f32> = map_place_0(map_1, direction_5);
-    var x_9 : i32 = floor_of_0(place_15.x);
-    var y_2 : i32 = floor_of_0(place_15.y);
-    var width_1 : i32 = i32(word_0(map_1));
-    var height_2 : i32 = i32(word_0(map_1 + u32(1)));
-    var left_1 : u32 = wrapped_0(x_9, width_1, u32(0));
-    var right_1 : u32 = wrapped_0(x_9 + i32(1), width_1, u32(0));
-    var _S128 : u32 = wrapped_0(y_2, height_2, u32(2));
-    var _S129 : u32 = u32(width_1);
-    var first_6 : u32 = _S128 * _S129;
-    var _S130 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
-    var second_3 : u32 = _S130 * _S129;
-    return between_0(vec4<u32>(first_6 + left_1, first_6 + right_1, second_3 + left_1, second_3 + right_1), place_15 - floor(place_15));
+    var _S249 : u32 = map_1 + u32(2);
+    var _S250 : vec3<f32> = vector_at_0(_S249);
+    var _S251 : vec3<f32> = vector_at_0(_S249 + u32(3));
+    var _S252 : vec3<f32> = vector_at_0(_S249 + u32(6));
+    var d_2 : vec3<f32> = _S250 * vec3<f32>(dpdirection_1.primal_0.x) + _S251 * vec3<f32>(dpdirection_1.primal_0.y) + _S252 * vec3<f32>(dpdirection_1.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S250 + vec3<f32>(dpdirection_1.differential_0.y) * _S251 + vec3<f32>(dpdirection_1.differential_0.z) * _S252;
+    var _S253 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
+    var _S254 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
+    var _S255 : DiffPair_float_0 = s_fwd_angle_of_0(_S253, _S254);
+    var _S256 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
+    var _S257 : DiffPair_float_0 = s_fwd_length_impl_1(_S256);
+    var _S258 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
+    var _S259 : DiffPair_float_0 = DiffPair_float_0( _S257.primal_0, _S257.differential_0 );
+    var _S260 : DiffPair_float_0 = s_fwd_angle_of_0(_S258, _S259);
+    var width_1 : f32 = f32(word_0(map_1));
+    var _S261 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
+    var _S262 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S255.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S260.primal_0 * 0.31830987334251404f * _S261), vec2<f32>(_S255.differential_0 * 0.15915493667125702f * width_1, _S260.differential_0 * 0.31830987334251404f * _S261) );
+    return _S262;
 }
 
-fn x2A_2( a_13 : Colour_0,  b_11 : Colour_0) -> Colour_0
+fn in_map_0( map_2 : u32,  direction_8 : vec3<f32>) -> Lookup_0
 {
-    var product_3 : Colour_0;
-    product_3.value_0 = a_13.value_0 * b_11.value_0;
-    var k_13 : u32 = u32(0);
-    for(;;)
+    var place_17 : vec2<f32> = map_place_0(map_2, direction_8);
+    var point_0 : Point_0;
+    point_0.value_3 = place_17;
+    point_0.by_first_1 = vec2<f32>(1.0f, 0.0f);
+    point_0.by_second_1 = vec2<f32>(0.0f, 1.0f);
+    var x_8 : i32 = floor_of_0(place_17.x);
+    var y_2 : i32 = floor_of_0(place_17.y);
+    var width_2 : i32 = i32(word_0(map_2));
+    var height_2 : i32 = i32(word_0(map_2 + u32(1)));
+    var left_1 : u32 = wrapped_0(x_8, width_2, u32(0));
+    var right_1 : u32 = wrapped_0(x_8 + i32(1), width_2, u32(0));
+    var _S263 : u32 = wrapped_0(y_2, height_2, u32(2));
+    var _S264 : u32 = u32(width_2);
+    var first_6 : u32 = _S263 * _S264;
+    var _S265 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S265 * _S264;
+    return between_0(vec4<u32>(first_6 + left_1, first_6 + right_1, second_3 + left_1, second_3 + right_1), point_0);
+}
+
+fn x2A_0( a_17 : Vector_0,  b_12 : Vector_0) -> Vector_0
+{
+    return changing_0(a_17.value_0 * b_12.value_0, a_17.change_0 * b_12.value_0 + a_17.value_0 * b_12.change_0);
+}
+
+fn emitted_0( emitter_4 : u32,  place_18 : Place_0,  direction_9 : Vector_0) -> Vector_0
+{
+    var record_9 : u32 = emitter_record_0(emitter_4);
+    var texture_7 : u32 = word_0(record_9 + u32(1));
+    if(!is_map_0(record_9))
     {
-        if(k_13 < u32(1))
-        {
-        }
-        else
-        {
-            break;
-        }
-        product_3.changes_0[k_13] = a_13.changes_0[k_13] * b_11.value_0 + a_13.value_0 * b_11.changes_0[k_13];
-        k_13 = k_13 + u32(1);
+        var _S266 : Vector_0 = shown_0(texture_7, place_18);
+        return _S266;
     }
-    return product_3;
+    var _S267 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_9.value_0, direction_9.change_0 );
+    var _S268 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S267);
+    var factor_4 : Vector_0 = looked_up_0(word_0(texture_7 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
+    var _S269 : u32 = word_0(texture_7 + u32(11));
+    var _S270 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_9));
+    return x2A_0(looked_up_0(_S269, _S270, _S268.differential_0), factor_4);
 }
 
-fn arriving_0( emitter_4 : u32,  place_16 : Place_0,  direction_6 : vec3<f32>,  factor_2 : Colour_0,  importance_0 : vec3<f32>) -> Colour_0
+fn light_from_0( at_36 : ShadingPoint_0,  direction_10 : vec3<f32>) -> f32
 {
-    var record_8 : u32 = emitter_record_0(emitter_4);
-    var texture_7 : u32 = word_0(record_8 + u32(1));
-    var _S131 : Colour_0;
-    var texture_8 : u32;
-    var lookup_5 : Lookup_0;
-    if(is_map_0(record_8))
+    var light_2 : f32 = largest_0(scattered_from_0(at_36.vertex_3, direction_10));
+    var _S271 : bool;
+    if((at_36.purpose_0) != u32(1))
     {
-        var _S132 : Colour_0 = x2A_0(factor_2, vector_at_0(texture_7 + u32(11)));
-        var _S133 : Lookup_0 = in_map_0(texture_7, direction_6);
-        var _S134 : u32 = word_0(texture_7 + u32(14));
-        _S131 = _S132;
-        texture_8 = _S134;
-        lookup_5 = _S133;
+        _S271 = true;
     }
     else
     {
-        var _S135 : Lookup_0 = lookup_at_0(texture_7, place_16);
-        _S131 = factor_2;
-        texture_8 = texture_7;
-        lookup_5 = _S135;
+        _S271 = !(light_2 > 0.0f);
     }
-    return x2A_2(_S131, looked_up_0(texture_8, lookup_5));
-}
-
-fn light_from_0( at_31 : ShadingPoint_0,  direction_7 : vec3<f32>) -> f32
-{
-    var light_2 : f32 = largest_0(scattered_from_0(at_31.vertex_2, direction_7));
-    var _S136 : bool;
-    if((at_31.purpose_0) != u32(1))
-    {
-        _S136 = true;
-    }
-    else
-    {
-        _S136 = !(light_2 > 0.0f);
-    }
-    if(_S136)
+    if(_S271)
     {
         return light_2;
     }
-    var _S137 : Colour_0 = arriving_0(at_31.emitter_0, at_31.vertex_2.surface_3.place_3, direction_7, constant_0(vec3<f32>(1.0f)), vec3<f32>(0.0f));
-    return light_2 * largest_0(value_of_0(_S137));
+    var _S272 : Vector_0 = emitted_0(at_36.emitter_0, at_36.vertex_3.surface_4.place_3, still_0(direction_10));
+    return light_2 * largest_0(value_of_0(_S272));
 }
 
-fn weigh_0( at_32 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+fn weigh_0( at_37 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
 {
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
-    var _S138 : vec3<f32> = vec3<f32>(place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, part_1));
-    var offset_9 : vec3<f32> = seen_2.start_1 + seen_2.along_1 * _S138;
-    var _S139 : u32 = seen_2.edge_3.record_7 + u32(2);
-    var speed_1 : f32 = abs(dot(mix(edge_vector_0(_S139), edge_vector_0(_S139 + u32(3)), _S138) - velocity_at_0(at_32.motion_1, offset_9), exact_unit_0(cross(seen_2.start_1, seen_2.along_1)))) / length(offset_9);
-    var angle_2 : f32 = seen_2.factor_0 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S140 : f32 = light_from_0(at_32, normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1))));
-    var contribution_0 : f32 = angle_2 * _S140 * speed_1;
-    var _S141 : vec2<f32>;
-    if(contribution_0 < 3.00000000549775576e+38f)
+    var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
+    var t_5 : f32 = place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, part_1);
+    var offset_10 : vec3<f32> = seen_2.start_1 + seen_2.along_1 * vec3<f32>(t_5);
+    var normal_6 : vec3<f32> = exact_unit_0(cross(seen_2.start_1, seen_2.along_1));
+    var _S273 : f32 = edge_number_0(seen_2.edge_3.record_8 + u32(10));
+    var speed_1 : f32;
+    if(!is_blind_0())
     {
-        _S141 = vec2<f32>(contribution_0, angle_2);
+        speed_1 = abs(dot(velocity_on_0(at_37, seen_2.edge_3, t_5, offset_10), normal_6));
     }
     else
     {
-        _S141 = vec2<f32>(0.0f);
+        speed_1 = _S273;
     }
-    return _S141;
+    var speed_2 : f32 = speed_1 / length(offset_10);
+    var angle_4 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
+    var _S274 : f32 = light_from_0(at_37, middle_1);
+    var contribution_0 : f32 = angle_4 * _S274 * speed_2;
+    var _S275 : vec2<f32>;
+    if(contribution_0 < 3.00000000549775576e+38f)
+    {
+        _S275 = vec2<f32>(contribution_0, angle_4);
+    }
+    else
+    {
+        _S275 = vec2<f32>(0.0f);
+    }
+    return _S275;
 }
 
-fn multiplicity_0( at_33 : ShadingPoint_0,  edge_4 : Edge_0,  direction_8 : vec3<f32>,  normal_5 : vec3<f32>) -> f32
+fn multiplicity_0( at_38 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec3<f32>,  normal_7 : vec3<f32>) -> f32
 {
-    var _S142 : vec3<f32> = cross(normal_5, direction_8);
-    var _S143 : u32 = edge_4.record_7 + u32(8);
-    var k_14 : u32 = edge_word_0(_S143);
+    var _S276 : vec3<f32> = cross(normal_7, direction_11);
+    var _S277 : u32 = edge_5.record_8 + u32(8);
+    var k_9 : u32 = edge_word_0(_S277);
     var count_3 : f32 = 1.0f;
     for(;;)
     {
-        if(k_14 < (edge_word_0(_S143 + u32(1))))
+        if(k_9 < (edge_word_0(_S277 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var other_0 : Edge_0 = edge_at_0(at_33, edge_word_0(k_14));
-        if(!((factor_of_0(at_33, other_0)) > 0.0f))
+        var other_0 : Edge_0 = edge_at_0(at_38, edge_word_0(k_9));
+        if(!((factor_of_0(at_38, other_0)) > 0.0f))
         {
-            k_14 = k_14 + u32(1);
+            k_9 = k_9 + u32(1);
             continue;
         }
-        var a_14 : vec3<f32> = edge_position_0(other_0.numbers_0) - at_33.vertex_2.surface_3.exact_0;
-        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_0 + u32(3)) - at_33.vertex_2.surface_3.exact_0 - a_14;
-        var place_17 : f32 = - dot(a_14, _S142) / dot(way_1, _S142);
-        var there_0 : vec3<f32> = a_14 + way_1 * vec3<f32>(place_17);
-        var _S144 : bool;
-        if(place_17 >= 0.0f)
+        var a_18 : vec3<f32> = edge_position_0(other_0.numbers_3) - at_38.vertex_3.surface_4.exact_0;
+        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_3 + u32(3)) - at_38.vertex_3.surface_4.exact_0 - a_18;
+        var place_19 : f32 = - dot(a_18, _S276) / dot(way_1, _S276);
+        var there_0 : vec3<f32> = a_18 + way_1 * vec3<f32>(place_19);
+        var _S278 : bool;
+        if(place_19 >= 0.0f)
         {
-            _S144 = place_17 <= 1.0f;
+            _S278 = place_19 <= 1.0f;
         }
         else
         {
-            _S144 = false;
+            _S278 = false;
         }
-        var _S145 : bool;
-        if(_S144)
+        var _S279 : bool;
+        if(_S278)
         {
-            _S145 = (dot(there_0, direction_8)) > 0.0f;
+            _S279 = (dot(there_0, direction_11)) > 0.0f;
         }
         else
         {
-            _S145 = false;
+            _S279 = false;
         }
-        if(!_S145)
+        if(!_S279)
         {
-            k_14 = k_14 + u32(1);
+            k_9 = k_9 + u32(1);
             continue;
         }
-        if(!((abs(dot(normal_5, there_0))) <= (edge_real_0(u32(3)) * length_of_0(there_0))))
+        if(!((abs(dot(normal_7, there_0))) <= (edge_real_0(u32(3)) * length_of_0(there_0))))
         {
-            k_14 = k_14 + u32(1);
+            k_9 = k_9 + u32(1);
             continue;
         }
         var count_4 : f32;
-        if((abs(dot(normal_5, exact_unit_0(cross(a_14, way_1))))) > 0.99999898672103882f)
+        if((abs(dot(normal_7, exact_unit_0(cross(a_18, way_1))))) > 0.99999898672103882f)
         {
             count_4 = count_3 + 1.0f;
         }
@@ -2348,16 +2916,16 @@ fn multiplicity_0( at_33 : ShadingPoint_0,  edge_4 : Edge_0,  direction_8 : vec3
             count_4 = count_3;
         }
         count_3 = count_4;
-        k_14 = k_14 + u32(1);
+        k_9 = k_9 + u32(1);
     }
     return count_3;
 }
 
-fn face_normal_1( at_34 : ShadingPoint_0) -> vec3<f32>
+fn face_normal_1( at_39 : ShadingPoint_0) -> vec3<f32>
 {
-    var corners_1 : u32 = u32(9) * at_34.vertex_2.surface_3.place_3.triangle_0;
-    var a_15 : vec3<f32> = primitive_vector_0(corners_1);
-    return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_15, primitive_vector_0(corners_1 + u32(6)) - a_15));
+    var corners_1 : u32 = u32(9) * at_39.vertex_3.surface_4.place_3.triangle_0;
+    var a_19 : vec3<f32> = primitive_vector_0(corners_1);
+    return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_19, primitive_vector_0(corners_1 + u32(6)) - a_19));
 }
 
 fn limit_at_0( which_5 : u32) -> f32
@@ -2367,72 +2935,85 @@ fn limit_at_0( which_5 : u32) -> f32
 
 struct EdgePoint_0
 {
-     direction_9 : vec3<f32>,
-     normal_6 : vec3<f32>,
+     edge_6 : Edge_0,
+     t_6 : f32,
+     direction_12 : vec3<f32>,
+     normal_8 : vec3<f32>,
      distance_5 : f32,
-     flow_0 : f32,
+     measure_0 : f32,
      is_in_horizon_0 : bool,
 };
 
-fn point_on_0( at_35 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
+fn point_on_0( at_40 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
 {
-    var _S146 : f32 = seen_3.range_1.x;
-    var _S147 : f32 = seen_3.range_1.y;
-    var first_7 : f32 = place_between_0(_S146, _S147, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
-    var last_1 : f32 = place_between_0(_S146, _S147, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
-    var a_16 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(first_7);
-    var b_12 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(last_1);
-    var near_3 : f32 = length_of_0(a_16);
-    var far_2 : f32 = length_of_0(b_12);
-    var from_3 : vec3<f32> = a_16 / vec3<f32>(near_3);
-    var chord_1 : vec3<f32> = b_12 / vec3<f32>(far_2) - from_3;
+    var _S280 : f32 = seen_3.range_1.x;
+    var _S281 : f32 = seen_3.range_1.y;
+    var first_7 : f32 = place_between_0(_S280, _S281, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
+    var last_1 : f32 = place_between_0(_S280, _S281, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
+    var a_20 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(first_7);
+    var b_13 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(last_1);
+    var near_3 : f32 = length_of_0(a_20);
+    var far_2 : f32 = length_of_0(b_13);
+    var from_3 : vec3<f32> = a_20 / vec3<f32>(near_3);
+    var chord_1 : vec3<f32> = b_13 / vec3<f32>(far_2) - from_3;
     var on_chord_0 : vec3<f32> = from_3 + chord_1 * vec3<f32>(inside_3);
-    var angle_3 : f32 = length_of_0(cross(from_3, chord_1)) / dot(on_chord_0, on_chord_0);
-    var _S148 : vec3<f32> = vec3<f32>(place_between_0(first_7, last_1, near_3, far_2, inside_3));
-    var offset_10 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * _S148;
-    var point_0 : EdgePoint_0;
-    var _S149 : f32 = length_of_0(offset_10);
-    point_0.distance_5 = _S149;
-    var _S150 : vec3<f32> = offset_10 / vec3<f32>(_S149);
-    point_0.direction_9 = _S150;
-    var _S151 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
-    point_0.normal_6 = _S151;
-    var _S152 : u32 = seen_3.edge_3.record_7 + u32(2);
-    point_0.flow_0 = dot(mix(edge_vector_0(_S152), edge_vector_0(_S152 + u32(3)), _S148) - velocity_at_0(at_35.motion_1, offset_10), _S151) / _S149 * angle_3 / (part_of_all_0 * multiplicity_0(at_35, seen_3.edge_3, _S150, _S151));
-    var face_0 : vec3<f32> = face_normal_1(at_35);
+    var angle_5 : f32 = length_of_0(cross(from_3, chord_1)) / dot(on_chord_0, on_chord_0);
+    var t_7 : f32 = place_between_0(first_7, last_1, near_3, far_2, inside_3);
+    var offset_11 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(t_7);
+    var point_1 : EdgePoint_0;
+    var _S282 : f32 = length_of_0(offset_11);
+    point_1.distance_5 = _S282;
+    var _S283 : vec3<f32> = offset_11 / vec3<f32>(_S282);
+    point_1.direction_12 = _S283;
+    var _S284 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_1.normal_8 = _S284;
+    point_1.edge_6 = seen_3.edge_3;
+    point_1.t_6 = t_7;
+    point_1.measure_0 = angle_5 / _S282 / (part_of_all_0 * multiplicity_0(at_40, seen_3.edge_3, _S283, _S284));
+    var face_0 : vec3<f32> = face_normal_1(at_40);
     var least_2 : f32 = limit_at_0(u32(2));
-    var _S153 : bool;
+    var _S285 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
     {
-        _S153 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+        _S285 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
     }
     else
     {
-        _S153 = false;
+        _S285 = false;
     }
-    point_0.is_in_horizon_0 = _S153;
-    return point_0;
+    point_1.is_in_horizon_0 = _S285;
+    return point_1;
 }
 
-fn component_0( v_7 : vec3<f32>,  axis_5 : u32) -> f32
+fn offset_of_0( point_2 : EdgePoint_0) -> vec3<f32>
 {
-    var _S154 : f32;
+    return point_2.direction_12 * vec3<f32>(point_2.distance_5);
+}
+
+fn flow_at_0( at_41 : ShadingPoint_0,  point_3 : EdgePoint_0) -> f32
+{
+    return dot(velocity_on_0(at_41, point_3.edge_6, point_3.t_6, offset_of_0(point_3)), point_3.normal_8) * point_3.measure_0;
+}
+
+fn component_0( v_8 : vec3<f32>,  axis_5 : u32) -> f32
+{
+    var _S286 : f32;
     if(axis_5 == u32(0))
     {
-        _S154 = v_7.x;
+        _S286 = v_8.x;
     }
     else
     {
         if(axis_5 == u32(1))
         {
-            _S154 = v_7.y;
+            _S286 = v_8.y;
         }
         else
         {
-            _S154 = v_7.z;
+            _S286 = v_8.z;
         }
     }
-    return _S154;
+    return _S286;
 }
 
 fn ray_child_0( node_4 : u32,  slot_2 : u32) -> u32
@@ -2452,7 +3033,7 @@ struct RayView_0
 
 fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32) -> f32
 {
-    var _S155 : u32 = u32(14) * node_5 + slot_3 / u32(4);
+    var _S287 : u32 = u32(14) * node_5 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -2465,36 +3046,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S156 : u32 = axis_6;
-        var _S157 : u32 = _S155 + u32(2) * axis_6;
-        var _S158 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S157][_S158])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S157 + u32(6)][_S158])));
-        var _S159 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S160 : f32;
-        if(_S159)
+        var _S288 : u32 = axis_6;
+        var _S289 : u32 = _S287 + u32(2) * axis_6;
+        var _S290 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S289][_S290])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S289 + u32(6)][_S290])));
+        var _S291 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S292 : f32;
+        if(_S291)
         {
-            _S160 = high_0;
+            _S292 = high_0;
         }
         else
         {
-            _S160 = low_3;
+            _S292 = low_3;
         }
-        var _S161 : f32 = max(near_4, _S160 * view_1.inverse_1[_S156] - view_1.offset_near_0[axis_6]);
-        var _S162 : f32;
-        if(_S159)
+        var _S293 : f32 = max(near_4, _S292 * view_1.inverse_1[_S288] - view_1.offset_near_0[axis_6]);
+        var _S294 : f32;
+        if(_S291)
         {
-            _S162 = low_3;
+            _S294 = low_3;
         }
         else
         {
-            _S162 = high_0;
+            _S294 = high_0;
         }
-        var _S163 : f32 = min(far_3, _S162 * view_1.inverse_1[_S156] - view_1.offset_far_0[axis_6]);
-        var _S164 : u32 = axis_6 + u32(1);
-        near_4 = _S161;
-        far_3 = _S163;
-        axis_6 = _S164;
+        var _S295 : f32 = min(far_3, _S294 * view_1.inverse_1[_S288] - view_1.offset_far_0[axis_6]);
+        var _S296 : u32 = axis_6 + u32(1);
+        near_4 = _S293;
+        far_3 = _S295;
+        axis_6 = _S296;
     }
     if(near_4 <= far_3)
     {
@@ -2508,21 +3089,21 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32
 
 fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 {
-    var k_15 : u32 = u32(0);
+    var k_10 : u32 = u32(0);
     var order_0 : u32 = u32(0);
     for(;;)
     {
-        if(k_15 < u32(8))
+        if(k_10 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S165 : u32 = k_15;
-        if((bounds_0[k_15]) > limit_2)
+        var _S297 : u32 = k_10;
+        if((bounds_0[k_10]) > limit_2)
         {
-            k_15 = k_15 + u32(1);
+            k_10 = k_10 + u32(1);
             continue;
         }
         var j_0 : u32 = u32(0);
@@ -2536,36 +3117,36 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S166 : u32 = j_0;
-            var _S167 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S165]))
+            var _S298 : u32 = j_0;
+            var _S299 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S297]))
             {
-                _S167 = true;
+                _S299 = true;
             }
             else
             {
-                if((bounds_0[_S166]) == (bounds_0[_S165]))
+                if((bounds_0[_S298]) == (bounds_0[_S297]))
                 {
-                    _S167 = j_0 < k_15;
+                    _S299 = j_0 < k_10;
                 }
                 else
                 {
-                    _S167 = false;
+                    _S299 = false;
                 }
             }
-            if(_S167)
+            if(_S299)
             {
                 rank_0 = rank_0 + u32(1);
             }
             j_0 = j_0 + u32(1);
         }
-        order_0 = (order_0 | ((((k_15 + u32(1)) << ((u32(4) * rank_0))))));
-        k_15 = k_15 + u32(1);
+        order_0 = (order_0 | ((((k_10 + u32(1)) << ((u32(4) * rank_0))))));
+        k_10 = k_10 + u32(1);
     }
     return order_0;
 }
 
-fn crossed_0( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
+fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
     var slot_4 : u32 = u32(0);
@@ -2578,24 +3159,24 @@ fn crossed_0( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
         {
             break;
         }
-        var _S168 : f32;
+        var _S300 : f32;
         if((ray_child_0(node_6, slot_4)) == u32(4294967295))
         {
-            _S168 = 3.00000000549775576e+38f;
+            _S300 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S168 = ray_bound_0(view_2, limit_3, node_6, slot_4);
+            _S300 = ray_bound_0(view_2, limit_3, node_6, slot_4);
         }
-        bounds_1[slot_4] = _S168;
+        bounds_1[slot_4] = _S300;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn rounded_0( product_4 : f32,  largest_1 : f32) -> f32
+fn rounded_0( product_2 : f32,  largest_1 : f32) -> f32
 {
-    return min(product_4, largest_1);
+    return min(product_2, largest_1);
 }
 
 struct Ray_0
@@ -2612,71 +3193,71 @@ struct Ray_0
      largest_2 : f32,
 };
 
-fn corner_0( ray_0 : Ray_0,  axes_4 : u32,  at_36 : u32) -> vec3<f32>
+fn corner_2( ray_0 : Ray_0,  axes_4 : u32,  at_42 : u32) -> vec3<f32>
 {
-    var relative_1 : vec3<f32> = primitive_vector_0(at_36) - ray_0.origin_0;
-    var z_2 : f32 = component_0(relative_1, (axes_4 >> (u32(4))));
-    return vec3<f32>(component_0(relative_1, (axes_4 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_2, ray_0.largest_2), component_0(relative_1, (((axes_4 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_2, ray_0.largest_2), z_2);
+    var relative_1 : vec3<f32> = primitive_vector_0(at_42) - ray_0.origin_0;
+    var z_3 : f32 = component_0(relative_1, (axes_4 >> (u32(4))));
+    return vec3<f32>(component_0(relative_1, (axes_4 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_3, ray_0.largest_2), component_0(relative_1, (((axes_4 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_3, ray_0.largest_2), z_3);
 }
 
 struct Crossing_0
 {
      is_hit_0 : bool,
-     t_3 : f32,
-     v_8 : f32,
-     w_2 : f32,
+     t_8 : f32,
+     v_9 : f32,
+     w_3 : f32,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_37 : u32) -> Crossing_0
+fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_43 : u32) -> Crossing_0
 {
     var crossing_1 : Crossing_0;
     crossing_1.is_hit_0 = false;
-    crossing_1.t_3 = 0.0f;
-    crossing_1.v_8 = 0.0f;
-    crossing_1.w_2 = 0.0f;
-    var a_17 : vec3<f32> = corner_0(ray_1, axes_5, at_37);
-    var b_13 : vec3<f32> = corner_0(ray_1, axes_5, at_37 + u32(3));
-    var c_1 : vec3<f32> = corner_0(ray_1, axes_5, at_37 + u32(6));
-    var _S169 : f32 = c_1.x;
-    var _S170 : f32 = b_13.y;
-    var cx_by_0 : f32 = rounded_0(_S169 * _S170, ray_1.largest_2);
-    var _S171 : f32 = c_1.y;
-    var _S172 : f32 = b_13.x;
-    var cy_bx_0 : f32 = rounded_0(_S171 * _S172, ray_1.largest_2);
-    var _S173 : f32 = a_17.x;
-    var ax_cy_0 : f32 = rounded_0(_S173 * _S171, ray_1.largest_2);
-    var _S174 : f32 = a_17.y;
-    var ay_cx_0 : f32 = rounded_0(_S174 * _S169, ray_1.largest_2);
-    var bx_ay_0 : f32 = rounded_0(_S172 * _S174, ray_1.largest_2);
-    var by_ax_0 : f32 = rounded_0(_S170 * _S173, ray_1.largest_2);
+    crossing_1.t_8 = 0.0f;
+    crossing_1.v_9 = 0.0f;
+    crossing_1.w_3 = 0.0f;
+    var a_21 : vec3<f32> = corner_2(ray_1, axes_5, at_43);
+    var b_14 : vec3<f32> = corner_2(ray_1, axes_5, at_43 + u32(3));
+    var c_4 : vec3<f32> = corner_2(ray_1, axes_5, at_43 + u32(6));
+    var _S301 : f32 = c_4.x;
+    var _S302 : f32 = b_14.y;
+    var cx_by_0 : f32 = rounded_0(_S301 * _S302, ray_1.largest_2);
+    var _S303 : f32 = c_4.y;
+    var _S304 : f32 = b_14.x;
+    var cy_bx_0 : f32 = rounded_0(_S303 * _S304, ray_1.largest_2);
+    var _S305 : f32 = a_21.x;
+    var ax_cy_0 : f32 = rounded_0(_S305 * _S303, ray_1.largest_2);
+    var _S306 : f32 = a_21.y;
+    var ay_cx_0 : f32 = rounded_0(_S306 * _S301, ray_1.largest_2);
+    var bx_ay_0 : f32 = rounded_0(_S304 * _S306, ray_1.largest_2);
+    var by_ax_0 : f32 = rounded_0(_S302 * _S305, ray_1.largest_2);
     var u_2 : f32 = cx_by_0 - cy_bx_0;
-    var v_9 : f32 = ax_cy_0 - ay_cx_0;
-    var w_3 : f32 = bx_ay_0 - by_ax_0;
-    var _S175 : f32 = min(min(u_2, v_9), w_3);
-    var _S176 : f32 = max(max(u_2, v_9), w_3);
-    var _S177 : bool;
-    if(_S175 < 0.0f)
+    var v_10 : f32 = ax_cy_0 - ay_cx_0;
+    var w_4 : f32 = bx_ay_0 - by_ax_0;
+    var _S307 : f32 = min(min(u_2, v_10), w_4);
+    var _S308 : f32 = max(max(u_2, v_10), w_4);
+    var _S309 : bool;
+    if(_S307 < 0.0f)
     {
-        _S177 = _S176 > 0.0f;
+        _S309 = _S308 > 0.0f;
     }
     else
     {
-        _S177 = false;
+        _S309 = false;
     }
-    if(_S177)
+    if(_S309)
     {
         return crossing_1;
     }
-    var determinant_0 : f32 = u_2 + v_9 + w_3;
-    if(_S175 <= 0.0f)
+    var determinant_0 : f32 = u_2 + v_10 + w_4;
+    if(_S307 <= 0.0f)
     {
-        _S177 = _S176 >= 0.0f;
+        _S309 = _S308 >= 0.0f;
     }
     else
     {
-        _S177 = false;
+        _S309 = false;
     }
-    if(_S177)
+    if(_S309)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -2687,43 +3268,43 @@ fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_37 : u32) -> Crossing_0
     {
         return crossing_1;
     }
-    var t_4 : f32 = (rounded_0(u_2 * a_17.z, ray_1.largest_2) + rounded_0(v_9 * b_13.z, ray_1.largest_2) + rounded_0(w_3 * c_1.z, ray_1.largest_2)) / determinant_0 * ray_1.inverse_z_0;
-    if((ray_1.t_min_0) <= t_4)
+    var t_9 : f32 = (rounded_0(u_2 * a_21.z, ray_1.largest_2) + rounded_0(v_10 * b_14.z, ray_1.largest_2) + rounded_0(w_4 * c_4.z, ray_1.largest_2)) / determinant_0 * ray_1.inverse_z_0;
+    if((ray_1.t_min_0) <= t_9)
     {
-        _S177 = t_4 <= (ray_1.t_max_0);
+        _S309 = t_9 <= (ray_1.t_max_0);
     }
     else
     {
-        _S177 = false;
+        _S309 = false;
     }
-    crossing_1.is_hit_0 = _S177;
-    crossing_1.t_3 = t_4;
-    crossing_1.v_8 = v_9 / determinant_0;
-    crossing_1.w_2 = w_3 / determinant_0;
+    crossing_1.is_hit_0 = _S309;
+    crossing_1.t_8 = t_9;
+    crossing_1.v_9 = v_10 / determinant_0;
+    crossing_1.w_3 = w_4 / determinant_0;
     return crossing_1;
 }
 
-fn face_1( triangle_4 : u32) -> u32
+fn face_1( triangle_7 : u32) -> u32
 {
-    return rough_0[triangle_4 / u32(4)][triangle_4 % u32(4)];
+    return rough_0[triangle_7 / u32(4)][triangle_7 % u32(4)];
 }
 
 struct Found_0
 {
      face_2 : u32,
-     triangle_5 : u32,
-     v_10 : f32,
-     w_4 : f32,
+     triangle_8 : u32,
+     v_11 : f32,
+     w_5 : f32,
 };
 
 fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S178 : bool;
+    var _S310 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
-    found_0.triangle_5 = u32(4294967295);
-    found_0.v_10 = 0.0f;
-    found_0.w_4 = 0.0f;
+    found_0.triangle_8 = u32(4294967295);
+    found_0.v_11 = 0.0f;
+    found_0.w_5 = 0.0f;
     if(!((view_3.limit_0) >= 0.0f))
     {
         return found_0;
@@ -2740,7 +3321,7 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var is_new_1 : bool;
         if(entered_0 != u32(4294967295))
         {
-            way_2[level_0] = vec2<u32>(entered_0, crossed_0(view_3, limit_4, entered_0));
+            way_2[level_0] = vec2<u32>(entered_0, crossed_1(view_3, limit_4, entered_0));
             is_new_1 = true;
             entered_1 = u32(4294967295);
         }
@@ -2749,54 +3330,54 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             is_new_1 = is_new_0;
             entered_1 = entered_0;
         }
-        var here_0 : vec2<u32> = way_2[level_0];
-        var _S179 : u32 = way_2[level_0].y;
-        if(_S179 == u32(0))
+        var here_1 : vec2<u32> = way_2[level_0];
+        var _S311 : u32 = way_2[level_0].y;
+        if(_S311 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S180 : u32 = level_0 - u32(1);
+            var _S312 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S180;
+            level_0 = _S312;
             continue;
         }
-        var slot_5 : u32 = ((_S179 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S179 >> (u32(4)));
-        var _S181 : bool;
+        var slot_5 : u32 = ((_S311 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S311 >> (u32(4)));
+        var _S313 : bool;
         if(!is_new_1)
         {
-            _S181 = (ray_bound_0(view_3, limit_4, here_0.x, slot_5)) > limit_4;
+            _S313 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S181 = false;
+            _S313 = false;
         }
-        if(_S181)
+        if(_S313)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
             continue;
         }
-        var child_0 : u32 = ray_child_0(here_0.x, slot_5);
+        var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S182 : u32 = level_0 + u32(1);
+            var _S314 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S182;
+            level_0 = _S314;
             continue;
         }
         var leaf_1 : u32 = (child_0 & (u32(2147483647)));
-        var _S183 : u32 = leaf_starts_0[leaf_1 + u32(1)];
-        var _S184 : u32 = leaf_starts_0[leaf_1];
+        var _S315 : u32 = leaf_starts_0[leaf_1 + u32(1)];
+        var _S316 : u32 = leaf_starts_0[leaf_1];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S184;
+        var i_2 : u32 = _S316;
         for(;;)
         {
-            if(i_2 < _S183)
+            if(i_2 < _S315)
             {
             }
             else
@@ -2811,30 +3392,30 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S178 = true;
+                _S310 = true;
             }
             else
             {
-                _S178 = (crossing_2.t_3) < ((*ray_2).t_max_0);
+                _S310 = (crossing_2.t_8) < ((*ray_2).t_max_0);
             }
-            var _S185 : bool;
-            if(_S178)
+            var _S317 : bool;
+            if(_S310)
             {
-                _S185 = true;
+                _S317 = true;
             }
             else
             {
-                _S185 = (face_1(i_2)) < (found_0.face_2);
+                _S317 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S185)
+            if(_S317)
             {
                 found_0.face_2 = face_1(i_2);
-                found_0.triangle_5 = i_2;
-                (*ray_2).t_max_0 = crossing_2.t_3;
-                found_0.v_10 = crossing_2.v_8;
-                found_0.w_4 = crossing_2.w_2;
-                limit_6 = min(limit_5, crossing_2.t_3 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_3.margin_2);
+                found_0.triangle_8 = i_2;
+                (*ray_2).t_max_0 = crossing_2.t_8;
+                found_0.v_11 = crossing_2.v_9;
+                found_0.w_5 = crossing_2.w_3;
+                limit_6 = min(limit_5, crossing_2.t_8 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_3.margin_2);
             }
             else
             {
@@ -2845,13 +3426,13 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S178 = (found_0.face_2) != u32(4294967295);
+            _S310 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S178 = false;
+            _S310 = false;
         }
-        if(_S178)
+        if(_S310)
         {
             break;
         }
@@ -2862,54 +3443,54 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_0;
 }
 
-fn cast_0( origin_1 : vec3<f32>,  direction_10 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_5 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_1 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_10 : ptr<function, f32>) -> Found_0
 {
-    var size_0 : vec3<f32> = abs(direction_10);
-    var _S186 : f32 = size_0.x;
-    var _S187 : f32 = size_0.y;
-    var _S188 : bool;
-    if(_S186 >= _S187)
+    var size_2 : vec3<f32> = abs(direction_13);
+    var _S318 : f32 = size_2.x;
+    var _S319 : f32 = size_2.y;
+    var _S320 : bool;
+    if(_S318 >= _S319)
     {
-        _S188 = _S186 >= (size_0.z);
+        _S320 = _S318 >= (size_2.z);
     }
     else
     {
-        _S188 = false;
+        _S320 = false;
     }
-    var _S189 : i32;
-    if(_S188)
+    var _S321 : i32;
+    if(_S320)
     {
-        _S189 = i32(0);
+        _S321 = i32(0);
     }
     else
     {
-        if(_S187 >= (size_0.z))
+        if(_S319 >= (size_2.z))
         {
-            _S189 = i32(1);
+            _S321 = i32(1);
         }
         else
         {
-            _S189 = i32(2);
+            _S321 = i32(2);
         }
     }
-    var z_3 : u32 = u32(_S189);
-    var x_10 : u32 = (z_3 + u32(1)) % u32(3);
-    var y_3 : u32 = (z_3 + u32(2)) % u32(3);
+    var z_4 : u32 = u32(_S321);
+    var x_9 : u32 = (z_4 + u32(1)) % u32(3);
+    var y_3 : u32 = (z_4 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
     ray_3.origin_0 = origin_1;
-    var along_2 : f32 = component_0(direction_10, z_3);
+    var along_2 : f32 = component_0(direction_13, z_4);
     ray_3.inverse_z_0 = 1.0f / along_2;
-    ray_3.shear_x_0 = component_0(direction_10, x_10) / along_2;
-    ray_3.shear_y_0 = component_0(direction_10, y_3) / along_2;
+    ray_3.shear_x_0 = component_0(direction_13, x_9) / along_2;
+    ray_3.shear_y_0 = component_0(direction_13, y_3) / along_2;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S190 : f32 = abs(along_2);
-    ray_3.local_per_t_0 = _S190;
+    var _S322 : f32 = abs(along_2);
+    ray_3.local_per_t_0 = _S322;
     ray_3.enter_0 = 0.0f;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_2 = limit_at_0(u32(1));
     var view_4 : RayView_0;
-    var _S191 : vec3<f32> = direction_10 / vec3<f32>(_S190);
+    var _S323 : vec3<f32> = direction_13 / vec3<f32>(_S322);
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -2920,90 +3501,90 @@ fn cast_0( origin_1 : vec3<f32>,  direction_10 : vec3<f32>,  t_min_1 : f32,  t_m
         {
             break;
         }
-        var _S192 : f32 = max(abs(_S191[axis_7]), 8.67361737988403547e-19f);
-        var _S193 : f32;
-        if((_S191[axis_7]) < 0.0f)
+        var _S324 : f32 = max(abs(_S323[axis_7]), 8.67361737988403547e-19f);
+        var _S325 : f32;
+        if((_S323[axis_7]) < 0.0f)
         {
-            _S193 = -1.0f / _S192;
+            _S325 = -1.0f / _S324;
         }
         else
         {
-            _S193 = 1.0f / _S192;
+            _S325 = 1.0f / _S324;
         }
-        view_4.inverse_1[axis_7] = _S193;
+        view_4.inverse_1[axis_7] = _S325;
         axis_7 = axis_7 + u32(1);
     }
-    var offset_11 : vec3<f32> = origin_1 * view_4.inverse_1;
+    var offset_12 : vec3<f32> = origin_1 * view_4.inverse_1;
     var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_4.inverse_1);
-    view_4.offset_near_0 = offset_11 + wider_0;
-    view_4.offset_far_0 = offset_11 - wider_0;
+    view_4.offset_near_0 = offset_12 + wider_0;
+    view_4.offset_far_0 = offset_12 - wider_0;
     view_4.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
     view_4.margin_2 = 3.814697265625e-06f;
-    view_4.axes_3 = (((x_10 | (((y_3 << (u32(2))))))) | (((z_3 << (u32(4))))));
+    view_4.axes_3 = (((x_9 | (((y_3 << (u32(2))))))) | (((z_4 << (u32(4))))));
     var found_1 : Found_0 = first_found_0(view_4, &(ray_3), any_1);
-    (*t_5) = ray_3.t_max_0;
+    (*t_10) = ray_3.t_max_0;
     return found_1;
 }
 
 struct Side_0
 {
-     direction_11 : vec3<f32>,
+     direction_14 : vec3<f32>,
      scattered_2 : vec3<f32>,
      found_2 : Found_0,
-     t_6 : f32,
+     t_11 : f32,
 };
 
-fn look_0( at_38 : ShadingPoint_0,  point_1 : EdgePoint_0,  side_0 : u32) -> Side_0
+fn look_0( at_44 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Side_0
 {
-    var step_0 : vec3<f32> = point_1.normal_6 * vec3<f32>(edge_real_0(u32(3)));
+    var step_0 : vec3<f32> = point_4.normal_8 * vec3<f32>(edge_real_0(u32(3)));
     var origin_2 : vec3<f32>;
     if(side_0 == u32(0))
     {
-        origin_2 = point_1.direction_9 - step_0;
+        origin_2 = point_4.direction_12 - step_0;
     }
     else
     {
-        origin_2 = point_1.direction_9 + step_0;
+        origin_2 = point_4.direction_12 + step_0;
     }
-    var direction_12 : vec3<f32> = exact_unit_0(origin_2);
-    if(point_1.is_in_horizon_0)
+    var direction_15 : vec3<f32> = exact_unit_0(origin_2);
+    if(point_4.is_in_horizon_0)
     {
-        var face_3 : vec3<f32> = face_normal_1(at_38);
+        var face_3 : vec3<f32> = face_normal_1(at_44);
         var height_3 : f32 = limit_at_0(u32(2));
-        var _S194 : f32;
-        if((dot(direction_12, face_3)) < 0.0f)
+        var _S326 : f32;
+        if((dot(direction_15, face_3)) < 0.0f)
         {
-            _S194 = - height_3;
+            _S326 = - height_3;
         }
         else
         {
-            _S194 = height_3;
+            _S326 = height_3;
         }
-        origin_2 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f32>(_S194);
+        origin_2 = at_44.vertex_3.surface_4.exact_0 + face_3 * vec3<f32>(_S326);
     }
     else
     {
-        origin_2 = at_38.vertex_2.surface_3.exact_0;
+        origin_2 = at_44.vertex_3.surface_4.exact_0;
     }
     var seen_4 : Side_0;
-    seen_4.direction_11 = direction_12;
-    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, direction_12);
-    var _S195 : f32 = limit_at_0(u32(2));
-    var _S196 : f32 = limit_at_0(u32(1));
-    var _S197 : f32 = seen_4.t_6;
-    var _S198 : Found_0 = cast_0(origin_2, direction_12, _S195, _S196, false, &(_S197));
-    seen_4.t_6 = _S197;
-    seen_4.found_2 = _S198;
+    seen_4.direction_14 = direction_15;
+    seen_4.scattered_2 = scattered_from_0(at_44.vertex_3, direction_15);
+    var _S327 : f32 = limit_at_0(u32(2));
+    var _S328 : f32 = limit_at_0(u32(1));
+    var _S329 : f32 = seen_4.t_11;
+    var _S330 : Found_0 = cast_0(origin_2, direction_15, _S327, _S328, false, &(_S329));
+    seen_4.t_11 = _S329;
+    seen_4.found_2 = _S330;
     return seen_4;
 }
 
-fn set_word_0( path_8 : u32,  which_6 : u32,  value_7 : u32)
+fn set_word_0( path_8 : u32,  which_6 : u32,  value_10 : u32)
 {
-    paths_0[which_6 * launch_0.room_0 + path_8] = value_7;
+    paths_0[which_6 * launch_0.room_0 + path_8] = value_10;
     return;
 }
 
-fn set_vector_0( path_9 : u32,  which_7 : ptr<function, u32>,  value_8 : vec3<f32>)
+fn set_vector_0( path_9 : u32,  which_7 : ptr<function, u32>,  value_11 : vec3<f32>)
 {
     var axis_8 : u32 = u32(0);
     for(;;)
@@ -3015,7 +3596,7 @@ fn set_vector_0( path_9 : u32,  which_7 : ptr<function, u32>,  value_8 : vec3<f3
         {
             break;
         }
-        set_word_0(path_9, (*which_7) + axis_8, (bitcast<u32>((value_8[axis_8]))));
+        set_word_0(path_9, (*which_7) + axis_8, (bitcast<u32>((value_11[axis_8]))));
         axis_8 = axis_8 + u32(1);
     }
     (*which_7) = (*which_7) + u32(3);
@@ -3024,46 +3605,42 @@ fn set_vector_0( path_9 : u32,  which_7 : ptr<function, u32>,  value_8 : vec3<f3
 
 fn place_of_0( found_3 : Found_0) -> Place_0
 {
-    var place_18 : Place_0;
-    place_18.triangle_0 = found_3.triangle_5;
-    place_18.v_0 = found_3.v_10;
-    place_18.w_0 = found_3.w_4;
-    return place_18;
+    return place_at_0(found_3.triangle_8, found_3.v_11, found_3.w_5);
 }
 
-fn emitter_seen_0( found_4 : Found_0,  direction_13 : vec3<f32>) -> u32
+fn emitter_seen_0( found_4 : Found_0,  direction_16 : vec3<f32>) -> u32
 {
     if((found_4.face_2) == u32(4294967295))
     {
         return word_0(u32(8));
     }
-    var emitter_5 : u32 = word_0(shape_of_0(found_4.triangle_5) + u32(4));
-    var _S199 : bool;
+    var emitter_5 : u32 = word_0(shape_of_0(found_4.triangle_8) + u32(4));
+    var _S331 : bool;
     if(emitter_5 != u32(4294967295))
     {
-        _S199 = (dot(cross_of_0(found_4.triangle_5), direction_13)) < 0.0f;
+        _S331 = (dot(cross_of_0(found_4.triangle_8), direction_16)) < 0.0f;
     }
     else
     {
-        _S199 = false;
+        _S331 = false;
     }
-    var _S200 : u32;
-    if(_S199)
+    var _S332 : u32;
+    if(_S331)
     {
-        _S200 = emitter_5;
+        _S332 = emitter_5;
     }
     else
     {
-        _S200 = u32(4294967295);
+        _S332 = u32(4294967295);
     }
-    return _S200;
+    return _S332;
 }
 
-fn jump_of_light_0( at_39 : ShadingPoint_0,  point_2 : EdgePoint_0) -> vec3<f32>
+fn jump_of_light_0( at_45 : ShadingPoint_0,  point_5 : EdgePoint_0) -> vec3<f32>
 {
-    var _S201 : vec3<f32> = vec3<f32>(0.0f);
+    var _S333 : vec3<f32> = vec3<f32>(0.0f);
     var side_1 : u32 = u32(0);
-    var jump_0 : vec3<f32> = _S201;
+    var jump_0 : vec3<f32> = _S333;
     for(;;)
     {
         if(side_1 < u32(2))
@@ -3073,35 +3650,48 @@ fn jump_of_light_0( at_39 : ShadingPoint_0,  point_2 : EdgePoint_0) -> vec3<f32>
         {
             break;
         }
-        var seen_5 : Side_0 = look_0(at_39, point_2, side_1);
-        var _S202 : bool;
+        var seen_5 : Side_0 = look_0(at_45, point_5, side_1);
+        var _S334 : bool;
         if(!((largest_0(seen_5.scattered_2)) > 0.0f))
         {
-            _S202 = true;
+            _S334 = true;
         }
         else
         {
-            _S202 = (emitter_seen_0(seen_5.found_2, seen_5.direction_11)) != (at_39.emitter_0);
+            _S334 = (emitter_seen_0(seen_5.found_2, seen_5.direction_14)) != (at_45.emitter_0);
         }
-        if(_S202)
+        if(_S334)
         {
             side_1 = side_1 + u32(1);
             continue;
         }
-        var light_3 : Colour_0 = arriving_0(at_39.emitter_0, place_of_0(seen_5.found_2), seen_5.direction_11, constant_0(seen_5.scattered_2), _S201);
-        var _S203 : vec3<f32>;
+        var _S335 : Vector_0 = emitted_0(at_45.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_14));
+        var light_3 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S335);
+        var _S336 : vec3<f32>;
         if(side_1 == u32(0))
         {
-            _S203 = value_of_0(light_3);
+            _S336 = light_3;
         }
         else
         {
-            _S203 = (vec3<f32>(0) - value_of_0(light_3));
+            _S336 = (vec3<f32>(0) - light_3);
         }
-        jump_0 = jump_0 + _S203;
+        jump_0 = jump_0 + _S336;
         side_1 = side_1 + u32(1);
     }
     return jump_0;
+}
+
+fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_46 : ShadingPoint_0,  point_6 : EdgePoint_0,  number_of_path_2 : u32,  path_10 : Path_0)
+{
+    var flow_0 : f32 = flow_at_0(at_46, point_6);
+    if(flow_0 == 0.0f)
+    {
+        return;
+    }
+    var _S337 : vec3<f32> = jump_of_light_0(at_46, point_6);
+    (*crossed_2).term_0 = (*crossed_2).term_0 + (*crossed_2).factor_1 * _S337 * vec3<f32>(flow_0);
+    return;
 }
 
 struct Share_0
@@ -3109,10 +3699,10 @@ struct Share_0
      over_all_0 : f32,
      share_0 : f32,
      same_0 : f32,
-     place_19 : f32,
+     place_20 : f32,
 };
 
-fn draw_points_0( at_40 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  number_of_path_1 : u32,  path_10 : Path_0,  term_0 : ptr<function, vec3<f32>>,  goes_on_0 : ptr<function, vec2<bool>>)
+fn draw_points_0( at_47 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  number_of_path_3 : u32,  path_11 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
 {
     var points_0 : u32 = u32(1);
     var least_3 : f32 = 0.0f;
@@ -3144,7 +3734,7 @@ fn draw_points_0( at_40 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
             }
             var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
             var total_1 : f32 = contributions_0 + least_4 * angles_0;
-            if((at_40.purpose_0) == u32(0))
+            if((at_47.purpose_0) == u32(0))
             {
                 target_1 = asked_0.share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
             }
@@ -3153,22 +3743,22 @@ fn draw_points_0( at_40 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 target_1 = asked_0.same_0;
             }
             var points_1 : u32 = u32(ceil(target_1));
-            var _S204 : f32 = f32(points_1);
-            var _S205 : f32 = asked_0.over_all_0 * _S204;
-            var step_2 : f32 = total_1 / _S204;
-            var _S206 : f32 = step_2 * asked_0.place_19;
+            var _S338 : f32 = f32(points_1);
+            var _S339 : f32 = asked_0.over_all_0 * _S338;
+            var step_2 : f32 = total_1 / _S338;
+            var _S340 : f32 = step_2 * asked_0.place_20;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S205;
+            over_all_1 = _S339;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S206;
+            target_1 = _S340;
         }
         else
         {
             target_1 = target_0;
         }
-        var k_16 : u32 = edge_word_0(leaf_2 + u32(2));
+        var k_11 : u32 = edge_word_0(leaf_2 + u32(2));
         var drawn_1 : u32 = drawn_0;
         var contributions_1 : f32 = contributions_0;
         var angles_1 : f32 = angles_0;
@@ -3177,16 +3767,16 @@ fn draw_points_0( at_40 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
         var target_2 : f32 = target_1;
         for(;;)
         {
-            var _S207 : bool;
-            if(k_16 < (edge_word_0(leaf_2 + u32(3))))
+            var _S341 : bool;
+            if(k_11 < (edge_word_0(leaf_2 + u32(3))))
             {
-                _S207 = drawn_1 < points_0;
+                _S341 = drawn_1 < points_0;
             }
             else
             {
-                _S207 = false;
+                _S341 = false;
             }
-            if(_S207)
+            if(_S341)
             {
             }
             else
@@ -3194,14 +3784,14 @@ fn draw_points_0( at_40 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 break;
             }
             var seen_6 : SeenEdge_0;
-            var _S208 : bool = see_edge_0(at_40, k_16, &(seen_6));
+            var _S342 : bool = see_edge_0(at_47, k_11, &(seen_6));
             var drawn_2 : u32;
             var contributions_2 : f32;
             var angles_2 : f32;
             var pieces_3 : f32;
             var cumulative_2 : f32;
             var target_3 : f32;
-            if(!_S208)
+            if(!_S342)
             {
                 drawn_2 = drawn_1;
                 contributions_2 = contributions_1;
@@ -3209,7 +3799,7 @@ fn draw_points_0( at_40 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 pieces_3 = pieces_2;
                 cumulative_2 = cumulative_1;
                 target_3 = target_2;
-                k_16 = k_16 + u32(1);
+                k_11 = k_11 + u32(1);
                 drawn_1 = drawn_2;
                 contributions_1 = contributions_2;
                 angles_1 = angles_2;
@@ -3234,7 +3824,7 @@ fn draw_points_0( at_40 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 {
                     break;
                 }
-                var weight_0 : vec2<f32> = weigh_0(at_40, seen_6, piece_2);
+                var weight_0 : vec2<f32> = weigh_0(at_47, seen_6, piece_2);
                 if(pass_0 == u32(0))
                 {
                     var angles_3 : f32 = angles_2 + weight_0.y;
@@ -3251,44 +3841,26 @@ fn draw_points_0( at_40 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 var target_4 : f32 = target_3;
                 for(;;)
                 {
-                    var _S209 : bool;
+                    var _S343 : bool;
                     if(drawn_3 < points_0)
                     {
-                        _S209 = target_4 < cumulative_3;
+                        _S343 = target_4 < cumulative_3;
                     }
                     else
                     {
-                        _S209 = false;
+                        _S343 = false;
                     }
-                    if(_S209)
+                    if(_S343)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var point_3 : EdgePoint_0 = point_on_0(at_40, seen_6, piece_2, clamp((target_4 - cumulative_2) / own_1, 0.0f, 1.0f), over_all_1 * own_1 / total_0);
-                    var _S210 : u32 = drawn_3 + u32(1);
+                    var _S344 : u32 = drawn_3 + u32(1);
                     var target_5 : f32 = target_4 + step_1;
-                    var _S211 : f32 = abs(point_3.flow_0);
-                    var _S212 : bool;
-                    if(_S211 > 0.0f)
-                    {
-                        _S212 = _S211 < 3.00000000549775576e+38f;
-                    }
-                    else
-                    {
-                        _S212 = false;
-                    }
-                    if(!_S212)
-                    {
-                        drawn_3 = _S210;
-                        target_4 = target_5;
-                        continue;
-                    }
-                    var _S213 : vec3<f32> = jump_of_light_0(at_40, point_3);
-                    (*term_0) = (*term_0) + _S213 * vec3<f32>(point_3.flow_0);
-                    drawn_3 = _S210;
+                    cross_at_0(&((*crossed_3)), at_47, point_on_0(at_47, seen_6, piece_2, clamp((target_4 - cumulative_2) / own_1, 0.0f, 1.0f), over_all_1 * own_1 / total_0), number_of_path_3, path_11);
+                    drawn_3 = _S344;
                     target_4 = target_5;
                 }
                 cumulative_2 = cumulative_3;
@@ -3296,7 +3868,7 @@ fn draw_points_0( at_40 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 target_3 = target_4;
                 piece_2 = piece_2 + 1.0f;
             }
-            k_16 = k_16 + u32(1);
+            k_11 = k_11 + u32(1);
             drawn_1 = drawn_2;
             contributions_1 = contributions_2;
             angles_1 = angles_2;
@@ -3315,21 +3887,20 @@ fn draw_points_0( at_40 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
     return;
 }
 
-fn sample_points_0( at_41 : ShadingPoint_0,  number_of_path_2 : u32,  path_11 : Path_0,  subtrees_0 : vec3<u32>,  goes_on_1 : ptr<function, vec2<bool>>) -> vec3<f32>
+fn sample_points_0( at_48 : ShadingPoint_0,  number_of_path_4 : u32,  path_12 : Path_0,  subtrees_0 : vec3<u32>,  crossed_4 : ptr<function, Crossed_0>)
 {
-    var term_1 : vec3<f32> = vec3<f32>(0.0f);
-    var numbers_1 : u32 = numbers_for_0(at_41.purpose_0) + u32(1);
-    var _S214 : u32 = subtrees_0.x;
-    var _S215 : f32 = precise_random_0(path_11.key_0, numbers_1);
-    var _S216 : f32 = precise_random_0(path_11.key_0, numbers_1 + u32(1));
-    var first_8 : u32 = _S214;
+    var numbers_8 : u32 = numbers_for_0(at_48.purpose_0) + u32(1);
+    var _S345 : u32 = subtrees_0.x;
+    var _S346 : f32 = precise_random_0(path_12.key_0, numbers_8);
+    var _S347 : f32 = precise_random_0(path_12.key_0, numbers_8 + u32(1));
+    var first_8 : u32 = _S345;
     var leaf_3 : u32 = u32(4294967295);
     var probability_4 : f32 = 1.0f;
-    var i_3 : u32 = _S214;
+    var i_3 : u32 = _S345;
     for(;;)
     {
-        var _S217 : u32 = subtrees_0.y;
-        if(i_3 <= _S217)
+        var _S348 : u32 = subtrees_0.y;
+        if(i_3 <= _S348)
         {
         }
         else
@@ -3338,30 +3909,30 @@ fn sample_points_0( at_41 : ShadingPoint_0,  number_of_path_2 : u32,  path_11 : 
         }
         var next_0 : u32 = u32(4294967295);
         var of_next_0 : f32 = 1.0f;
-        var _S218 : bool;
-        if(i_3 < _S217)
+        var _S349 : bool;
+        if(i_3 < _S348)
         {
-            var _S219 : bool = descend_0(at_41, (f32(i_3) + _S215) / f32(subtrees_0.z), &(next_0), &(of_next_0));
-            _S218 = !_S219;
+            var _S350 : bool = descend_0(at_48, (f32(i_3) + _S346) / f32(subtrees_0.z), &(next_0), &(of_next_0));
+            _S349 = !_S350;
         }
         else
         {
-            _S218 = false;
+            _S349 = false;
         }
-        if(_S218)
+        if(_S349)
         {
             next_0 = u32(4294967295);
         }
-        var _S220 : bool;
+        var _S351 : bool;
         if(i_3 > first_8)
         {
-            _S220 = next_0 == leaf_3;
+            _S351 = next_0 == leaf_3;
         }
         else
         {
-            _S220 = false;
+            _S351 = false;
         }
-        if(_S220)
+        if(_S351)
         {
             i_3 = i_3 + u32(1);
             continue;
@@ -3369,39 +3940,39 @@ fn sample_points_0( at_41 : ShadingPoint_0,  number_of_path_2 : u32,  path_11 : 
         if(leaf_3 != u32(4294967295))
         {
             var asked_1 : Share_0;
-            var _S221 : f32 = f32(i_3 - first_8);
-            asked_1.same_0 = _S221;
-            var _S222 : f32 = _S221 / f32(subtrees_0.z);
-            asked_1.share_0 = _S222;
-            asked_1.over_all_0 = probability_4 / _S222;
-            asked_1.place_19 = _S216 + 0.6180340051651001f * f32(first_8);
+            var _S352 : f32 = f32(i_3 - first_8);
+            asked_1.same_0 = _S352;
+            var _S353 : f32 = _S352 / f32(subtrees_0.z);
+            asked_1.share_0 = _S353;
+            asked_1.over_all_0 = probability_4 / _S353;
+            asked_1.place_20 = _S347 + 0.6180340051651001f * f32(first_8);
             for(;;)
             {
-                if((asked_1.place_19) >= 1.0f)
+                if((asked_1.place_20) >= 1.0f)
                 {
                 }
                 else
                 {
                     break;
                 }
-                asked_1.place_19 = asked_1.place_19 - 1.0f;
+                asked_1.place_20 = asked_1.place_20 - 1.0f;
             }
-            draw_points_0(at_41, leaf_3, asked_1, number_of_path_2, path_11, &(term_1), &((*goes_on_1)));
+            draw_points_0(at_48, leaf_3, asked_1, number_of_path_4, path_12, &((*crossed_4)));
         }
         first_8 = i_3;
         leaf_3 = next_0;
         probability_4 = of_next_0;
         i_3 = i_3 + u32(1);
     }
-    return term_1;
+    return;
 }
 
-fn add_change_0( number_of_path_3 : u32,  change_1 : vec3<f32>)
+fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0)
 {
-    var which_8 : u32 = u32(4);
-    var before_2 : vec3<f32> = path_vector_0(number_of_path_3, &(which_8));
-    which_8 = u32(4);
-    set_vector_0(number_of_path_3, &(which_8), before_2 + change_1);
+    var change_7 : u32 = u32(4);
+    var before_2 : vec3<f32> = path_vector_0(number_of_path_5, &(change_7));
+    change_7 = u32(4);
+    set_vector_0(number_of_path_5, &(change_7), before_2 + crossed_5.term_0);
     return;
 }
 
@@ -3414,17 +3985,17 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     {
         return;
     }
-    var number_of_path_4 : u32 = input_0[listed_0];
-    var path_12 : Path_0 = load_0(number_of_path_4);
-    var at_42 : ShadingPoint_0;
-    var _S223 : bool = shading_point_0(path_12, &(at_42));
-    if(!_S223)
+    var number_of_path_6 : u32 = input_0[listed_0];
+    var factor_5 : vec3<f32>;
+    var path_13 : Path_0 = path_at_vertex_0(number_of_path_6, &(factor_5));
+    var at_49 : ShadingPoint_0;
+    var _S354 : bool = shading_point_0(path_13, &(at_49));
+    if(!_S354)
     {
         return;
     }
-    var _S224 : vec3<f32> = vec3<f32>(0.0f);
+    var crossed_6 : Crossed_0 = nothing_crossed_0(factor_5);
     var purpose_3 : u32 = u32(0);
-    var term_2 : vec3<f32> = _S224;
     for(;;)
     {
         if(purpose_3 <= u32(1))
@@ -3434,18 +4005,17 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         {
             break;
         }
-        var probability_5 : f32 = turn_to_0(purpose_3, path_12.key_0, &(at_42));
+        var probability_5 : f32 = turn_to_0(purpose_3, path_13.key_0, &(at_49));
         if(!(probability_5 > 0.0f))
         {
             purpose_3 = purpose_3 + u32(1);
             continue;
         }
-        var unused_0 : vec2<bool> = vec2<bool>(false, false);
-        var subtrees_1 : u32 = subtrees_of_0(at_42);
-        var _S225 : vec3<f32> = sample_points_0(at_42, number_of_path_4, path_12, vec3<u32>(u32(0), subtrees_1, subtrees_1), &(unused_0));
-        term_2 = term_2 + _S225 / vec3<f32>(probability_5);
+        crossed_6.factor_1 = factor_5 / vec3<f32>(probability_5);
+        var subtrees_1 : u32 = subtrees_of_0(at_49);
+        sample_points_0(at_49, number_of_path_6, path_13, vec3<u32>(u32(0), subtrees_1, subtrees_1), &(crossed_6));
         purpose_3 = purpose_3 + u32(1);
     }
-    add_change_0(number_of_path_4, path_12.throughput_0.value_0 * term_2);
+    add_0(number_of_path_6, crossed_6);
     return;
 }

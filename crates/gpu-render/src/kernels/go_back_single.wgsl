@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: c14cf0939e2e6e38
-// result: 5521ba79402fe06e
+// source: 2f5cb71f39c27c50
+// result: caa091146d2f3604
 
 struct Launch_std140_0
 {
@@ -3385,9 +3385,9 @@ fn _S984( _S985 : Lobe_0,  _S986 : ptr<function, DiffPair_Numbers_0>,  _S987 : p
     return;
 }
 
-fn kept_at_0() -> u32
+fn kept_at_0( depth_1 : u32) -> u32
 {
-    return u32(31) + u32(27) * launch_0.depth_0;
+    return u32(31) + u32(27) * depth_1;
 }
 
 fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
@@ -4113,7 +4113,7 @@ fn slot_derivative_0( numbers_6 : Numbers_0,  slot_2 : u32) -> vec3<f32>
 
 fn numbers_of_0( texture_6 : u32) -> u32
 {
-    return change_word_0(u32(3) + word_0(texture_6 + u32(12)));
+    return change_word_0(u32(5) + word_0(texture_6 + u32(12)));
 }
 
 fn add_word_0( sum_3 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
@@ -4520,7 +4520,7 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         return;
     }
     var number_of_path_0 : u32 = input_0[at_11];
-    var kept_0 : u32 = kept_at_0();
+    var kept_0 : u32 = kept_at_0(launch_0.depth_0);
     var which_5 : u32 = u32(15);
     var importance_0 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
     var place_14 : Place_0 = path_place_0(number_of_path_0, &(kept_0));

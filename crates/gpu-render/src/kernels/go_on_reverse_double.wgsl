@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: c14cf0939e2e6e38
-// result: 1ca456b491be1978
+// source: 2f5cb71f39c27c50
+// result: 6a5767897f74542c
 
 struct Launch_std140_0
 {
@@ -6536,7 +6536,7 @@ fn change_word_0( at_18 : u32) -> u32
 
 fn numbers_of_0( texture_7 : u32) -> u32
 {
-    return change_word_0(u32(3) + word_0(texture_7 + u32(12)));
+    return change_word_0(u32(5) + word_0(texture_7 + u32(12)));
 }
 
 fn add_word_0( sum_6 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
@@ -7813,9 +7813,9 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     return true;
 }
 
-fn kept_at_0() -> u32
+fn kept_at_0( depth_3 : u32) -> u32
 {
-    return u32(31) + u32(27) * launch_0.depth_0;
+    return u32(31) + u32(27) * depth_3;
 }
 
 fn set_word_0( path_7 : u32,  which_6 : u32,  value_10 : u32)
@@ -7933,7 +7933,7 @@ fn go_on_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var place_30 : Place_0 = path_15.place_3;
     var reflected_3 : Reflected_0 = nothing_reflected_0();
     var goes_on_2 : bool = take_further_0(&(path_15), &(reflected_3), importance_4);
-    var kept_0 : u32 = kept_at_0();
+    var kept_0 : u32 = kept_at_0(launch_0.depth_0);
     set_vector_1(number_of_path_2, &(kept_0), importance_4);
     set_place_1(number_of_path_2, &(kept_0), place_30);
     set_vector_1(number_of_path_2, &(kept_0), direction_33);

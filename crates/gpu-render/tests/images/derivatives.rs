@@ -326,22 +326,3 @@ fn long_paths_have_room() {
     let theirs = capwalk_diff::backward(&prepared, &adjoint, &wanted, &options, &Unwatched);
     compare_texels(&whole, theirs.expect("not refused").gradient()).expect("the same");
 }
-
-/// What moves is named, in reverse mode.
-#[test]
-fn what_moves_is_refused() {
-    let Some(gpu) = device::open(Precision::Double) else {
-        return;
-    };
-    let prepared = PreparedScene::new(scenes::scene("parity/colour_bleeding.xml"));
-    let scene = prepared.scene();
-    let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
-    let options = options(1, Grid::default());
-    let all = Wanted::all(scene);
-    let error = on_device.backward(&adjoint(scene), &all, &options, &Unwatched);
-    let text = error.expect_err("shapes move").to_string();
-    let id = &scene.shapes[0].id;
-    let expected =
-        format!("shape \"{id}\" moves, and derivatives with respect to that are asked for: not on");
-    assert!(text.starts_with(&expected), "{text}");
-}

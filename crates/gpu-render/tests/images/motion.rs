@@ -5,7 +5,7 @@ use std::sync::Arc;
 use capwalk_boundary::{Boundaries, Counts, Draw, Field, Method, Sampler};
 use capwalk_diff::{Forward, GradientOptions, Wanted};
 use capwalk_gpu::Precision;
-use capwalk_gpu_render::{DeviceScene, unsupported};
+use capwalk_gpu_render::{DeviceError, DeviceScene, unsupported, unsupported_derivative};
 use capwalk_math::{Rgb, Vec3};
 use capwalk_render::{MotionFacts, PreparedScene, RenderOptions, Tracer, Unwatched};
 use capwalk_scene::{Bsdf, Image, Scene, ShadingNormals, ShapeVectors, Tangent};
@@ -158,4 +158,50 @@ fn interior_terms_are_the_same_in_both_modes() {
         compared += 1;
     }
     assert!(compared >= FEWEST_SCENES, "{compared} scenes");
+}
+
+/// The whole derivative, with all boundary terms, in all scenes where what moves is supported.
+#[test]
+fn derivatives_are_the_same_in_both_modes() {
+    let Some(gpu) = device::open(Precision::Double) else {
+        return;
+    };
+    let mut compared = 0;
+    for (name, mut scene) in scenes::all() {
+        if scene.film.crop_size[0] > 20 {
+            scene.film.resize([20, 15]);
+        }
+        let prepared = PreparedScene::new(scene);
+        let scene = prepared.scene();
+        let (tangent, adjoint) = (with_sensor(everything(scene)), adjoint(scene));
+        let options = GradientOptions {
+            blind: true,
+            ..GradientOptions::new(RenderOptions::new(1, 7))
+        };
+        let wanted = Wanted::by(&tangent);
+        let missing = unsupported_derivative(&prepared, &wanted, &options.method);
+        if unsupported(&prepared).or(missing).is_some() {
+            continue;
+        }
+        let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
+        let forward = on_device.gradient(&tangent, &options, &Unwatched);
+        let reverse = on_device.backward(&adjoint, &wanted, &options, &Unwatched);
+        let (forward, reverse) = match (forward, reverse) {
+            (Ok(forward), Ok(reverse)) => (forward.gradient.mean, reverse),
+            (Err(DeviceError::Refused(a)), Err(DeviceError::Refused(b))) if a == b => continue,
+            (a, b) => panic!("{name}: {:?} and {:?}", a.err(), b.err()),
+        };
+        let by_pixels = adjoint.pixels.iter().zip(&forward.pixels);
+        let by_pixels: Vec<f64> = by_pixels.map(|(&a, &b)| 3.0 * (a * b).mean()).collect();
+        let size: f64 = by_pixels.iter().map(|x| x.abs()).sum();
+        let by_pixels: f64 = by_pixels.iter().sum();
+        let by_numbers = reverse.gradient().dot(&tangent);
+        eprintln!(
+            "{name}: {by_pixels} {by_numbers} {:.1e} {}",
+            (by_pixels - by_numbers).abs() / size,
+            reverse.statistics.non_finite
+        );
+        compared += 1;
+    }
+    assert!(compared >= 60, "{compared} scenes");
 }

@@ -1,0 +1,3656 @@
+// Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
+// compiler: Slang 2026.12 in slangpy 0.43.1
+// source: 6c39061bcedb282c
+// result: cf9dbbdc23319daa
+
+struct Launch_std140_0
+{
+    @align(16) first_0 : u32,
+    @align(4) end_0 : u32,
+    @align(8) room_0 : u32,
+    @align(4) depth_0 : u32,
+};
+
+@binding(8) @group(0) var<uniform> launch_0 : Launch_std140_0;
+@binding(5) @group(0) var<storage, read> input_0 : array<u32>;
+
+@binding(6) @group(0) var<storage, read_write> paths_0 : array<u32>;
+
+@binding(4) @group(0) var<storage, read> scene_0 : array<u32>;
+
+@binding(2) @group(0) var<storage, read> primitives_0 : array<f32>;
+
+@binding(0) @group(0) var<storage, read> nodes_0 : array<vec4<u32>>;
+
+@binding(1) @group(0) var<storage, read> leaf_starts_0 : array<u32>;
+
+@binding(3) @group(0) var<storage, read> rough_0 : array<vec4<u32>>;
+
+fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
+{
+    return paths_0[which_0 * launch_0.room_0 + path_0];
+}
+
+fn path_vector_0( path_1 : u32,  which_1 : ptr<function, u32>) -> vec3<f32>
+{
+    var _S1 : u32 = (*which_1) + u32(3);
+    (*which_1) = _S1;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_1, _S1 - u32(3)), path_word_0(path_1, _S1 - u32(2)), path_word_0(path_1, _S1 - u32(1))))));
+}
+
+fn path_vector_1( path_2 : u32,  which_2 : ptr<function, u32>) -> vec3<f32>
+{
+    var _S2 : u32 = (*which_2) + u32(3);
+    (*which_2) = _S2;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_2, _S2 - u32(3)), path_word_0(path_2, _S2 - u32(2)), path_word_0(path_2, _S2 - u32(1))))));
+}
+
+fn path_vector_2( path_3 : u32,  which_3 : ptr<function, u32>) -> vec3<f32>
+{
+    var _S3 : u32 = (*which_3) + u32(3);
+    (*which_3) = _S3;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_3, _S3 - u32(3)), path_word_0(path_3, _S3 - u32(2)), path_word_0(path_3, _S3 - u32(1))))));
+}
+
+fn path_changing_0( path_4 : u32,  which_4 : ptr<function, u32>) -> vec3<f32>
+{
+    var value_0 : vec3<f32> = path_vector_2(path_4, &((*which_4)));
+    return value_0;
+}
+
+struct Place_0
+{
+     triangle_0 : u32,
+     v_0 : f32,
+     w_0 : f32,
+};
+
+fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+{
+    var place_0 : Place_0;
+    place_0.triangle_0 = triangle_1;
+    place_0.v_0 = v_1;
+    place_0.w_0 = w_1;
+    return place_0;
+}
+
+fn path_place_0( path_5 : u32,  which_5 : ptr<function, u32>) -> Place_0
+{
+    var _S4 : u32 = (*which_5) + u32(3);
+    (*which_5) = _S4;
+    return place_at_0(path_word_0(path_5, _S4 - u32(3)), (bitcast<f32>((path_word_0(path_5, _S4 - u32(2))))), (bitcast<f32>((path_word_0(path_5, _S4 - u32(1))))));
+}
+
+fn path_place_1( path_6 : u32,  which_6 : ptr<function, u32>) -> Place_0
+{
+    var _S5 : u32 = (*which_6) + u32(3);
+    (*which_6) = _S5;
+    return place_at_0(path_word_0(path_6, _S5 - u32(3)), (bitcast<f32>((path_word_0(path_6, _S5 - u32(2))))), (bitcast<f32>((path_word_0(path_6, _S5 - u32(1))))));
+}
+
+struct ByRay_0
+{
+     drift_0 : vec3<f32>,
+     direction_0 : vec3<f32>,
+};
+
+struct Path_0
+{
+     throughput_0 : vec3<f32>,
+     direction_1 : vec3<f32>,
+     place_1 : Place_0,
+     key_0 : vec2<u32>,
+     adjoint_0 : vec3<f32>,
+     distance_0 : f32,
+     by_ray_0 : ByRay_0,
+};
+
+fn load_0( number_of_path_0 : u32) -> Path_0
+{
+    var at_0 : u32 = u32(1);
+    var path_7 : Path_0;
+    var _S6 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
+    path_7.adjoint_0 = _S6;
+    path_7.distance_0 = 0.0f;
+    var _S7 : vec3<f32> = vec3<f32>(0.0f);
+    path_7.by_ray_0.direction_0 = _S7;
+    path_7.by_ray_0.drift_0 = _S7;
+    var _S8 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
+    path_7.throughput_0 = _S8;
+    var _S9 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
+    path_7.direction_1 = _S9;
+    var _S10 : Place_0 = path_place_0(number_of_path_0, &(at_0));
+    path_7.place_1 = _S10;
+    path_7.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_0), path_word_0(number_of_path_0, at_0 + u32(1)));
+    return path_7;
+}
+
+fn depth_of_launch_0() -> u32
+{
+    return ((launch_0.depth_0) & (u32(16777215)));
+}
+
+fn kept_at_0( depth_1 : u32) -> u32
+{
+    return u32(31) + u32(27) * depth_1;
+}
+
+fn path_at_vertex_0( number_of_path_1 : u32,  factor_0 : ptr<function, vec3<f32>>) -> Path_0
+{
+    var path_8 : Path_0 = load_0(number_of_path_1);
+    var kept_0 : u32 = kept_at_0(depth_of_launch_0());
+    var _S11 : vec3<f32> = path_vector_1(number_of_path_1, &(kept_0));
+    (*factor_0) = _S11;
+    var _S12 : Place_0 = path_place_1(number_of_path_1, &(kept_0));
+    path_8.place_1 = _S12;
+    var _S13 : vec3<f32> = path_vector_1(number_of_path_1, &(kept_0));
+    path_8.direction_1 = _S13;
+    return path_8;
+}
+
+struct Numbers_0
+{
+     diffuse_reflectance_0 : vec3<f32>,
+     specular_reflectance_0 : vec3<f32>,
+     eta_0 : vec3<f32>,
+     k_0 : vec3<f32>,
+     alpha_0 : vec2<f32>,
+};
+
+fn no_numbers_0() -> Numbers_0
+{
+    var numbers_0 : Numbers_0;
+    var _S14 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_0.k_0 = _S14;
+    numbers_0.eta_0 = _S14;
+    numbers_0.specular_reflectance_0 = _S14;
+    numbers_0.diffuse_reflectance_0 = _S14;
+    numbers_0.alpha_0 = vec2<f32>(0.0f);
+    return numbers_0;
+}
+
+struct Axes_0
+{
+     s_0 : vec3<f32>,
+     t_0 : vec3<f32>,
+     n_0 : vec3<f32>,
+};
+
+struct Pulled_0
+{
+     numbers_1 : Numbers_0,
+     axes_0 : Axes_0,
+     wi_0 : vec3<f32>,
+     position_0 : vec3<f32>,
+};
+
+fn nothing_pulled_0() -> Pulled_0
+{
+    var pulled_0 : Pulled_0;
+    pulled_0.numbers_1 = no_numbers_0();
+    var _S15 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_0 = _S15;
+    pulled_0.wi_0 = _S15;
+    pulled_0.axes_0.n_0 = _S15;
+    pulled_0.axes_0.t_0 = _S15;
+    pulled_0.axes_0.s_0 = _S15;
+    return pulled_0;
+}
+
+struct Crossed_0
+{
+     factor_1 : vec3<f32>,
+     pulled_1 : Pulled_0,
+     goes_on_0 : vec2<bool>,
+};
+
+fn nothing_crossed_0( factor_2 : vec3<f32>) -> Crossed_0
+{
+    var crossed_0 : Crossed_0;
+    crossed_0.factor_1 = factor_2;
+    crossed_0.goes_on_0 = vec2<bool>(false, false);
+    crossed_0.pulled_1 = nothing_pulled_0();
+    return crossed_0;
+}
+
+fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
+{
+    return vector_0;
+}
+
+fn word_0( at_1 : u32) -> u32
+{
+    return scene_0[at_1];
+}
+
+fn triangle_record_0( triangle_2 : u32) -> u32
+{
+    return word_0(u32(9)) + u32(5) * triangle_2;
+}
+
+fn shape_of_0( triangle_3 : u32) -> u32
+{
+    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_3));
+}
+
+fn primitive_vector_0( at_2 : u32) -> vec3<f32>
+{
+    return vec3<f32>(primitives_0[at_2], primitives_0[at_2 + u32(1)], primitives_0[at_2 + u32(2)]);
+}
+
+fn position_of_0( place_2 : Place_0) -> vec3<f32>
+{
+    var at_3 : u32 = u32(9) * place_2.triangle_0;
+    var a_0 : vec3<f32> = primitive_vector_0(at_3);
+    return a_0 + (primitive_vector_0(at_3 + u32(3)) - a_0) * vec3<f32>(place_2.v_0) + (primitive_vector_0(at_3 + u32(6)) - a_0) * vec3<f32>(place_2.w_0);
+}
+
+fn cross_of_0( triangle_4 : u32) -> vec3<f32>
+{
+    var at_4 : u32 = u32(9) * triangle_4;
+    var a_1 : vec3<f32> = primitive_vector_0(at_4);
+    return cross(primitive_vector_0(at_4 + u32(3)) - a_1, primitive_vector_0(at_4 + u32(6)) - a_1);
+}
+
+fn unit_0( v_2 : vec3<f32>) -> vec3<f32>
+{
+    return normalize(v_2 / vec3<f32>(max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z))));
+}
+
+fn number_0( at_5 : u32) -> f32
+{
+    return (bitcast<f32>((scene_0[at_5])));
+}
+
+fn vector_at_0( at_6 : u32) -> vec3<f32>
+{
+    return vec3<f32>(number_0(at_6), number_0(at_6 + u32(1)), number_0(at_6 + u32(2)));
+}
+
+struct Surface_0
+{
+     place_3 : Place_0,
+     shape_0 : u32,
+     exact_0 : vec3<f32>,
+     position_1 : vec3<f32>,
+     face_normal_0 : vec3<f32>,
+     outward_0 : vec3<f32>,
+     is_front_0 : bool,
+};
+
+fn surface_at_0( place_4 : Place_0,  direction_2 : vec3<f32>) -> Surface_0
+{
+    var surface_0 : Surface_0;
+    surface_0.place_3 = place_4;
+    surface_0.shape_0 = shape_of_0(place_4.triangle_0);
+    var _S16 : vec3<f32> = position_of_0(place_4);
+    surface_0.exact_0 = _S16;
+    surface_0.position_1 = _S16;
+    var _S17 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
+    surface_0.face_normal_0 = _S17;
+    surface_0.outward_0 = _S17;
+    var seen_0 : f32;
+    if((dot(_S17, direction_2)) > 0.0f)
+    {
+        seen_0 = -1.0f;
+    }
+    else
+    {
+        seen_0 = 1.0f;
+    }
+    var normals_0 : u32 = word_0(surface_0.shape_0);
+    if(normals_0 != u32(4294967295))
+    {
+        var record_0 : u32 = triangle_record_0(place_4.triangle_0) + u32(2);
+        var a_2 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0));
+        var b_0 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0 + u32(1)));
+        var c_0 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0 + u32(2)));
+        if((dot(a_2 + b_0 + c_0, surface_0.face_normal_0)) < 0.0f)
+        {
+            seen_0 = - seen_0;
+        }
+        surface_0.outward_0 = normalize(a_2 + (b_0 - a_2) * vec3<f32>(place_4.v_0) + (c_0 - a_2) * vec3<f32>(place_4.w_0));
+    }
+    surface_0.is_front_0 = seen_0 > 0.0f;
+    return surface_0;
+}
+
+fn material_of_0( surface_1 : Surface_0) -> u32
+{
+    var _S18 : u32;
+    if(surface_1.is_front_0)
+    {
+        _S18 = u32(2);
+    }
+    else
+    {
+        _S18 = u32(3);
+    }
+    return word_0(surface_1.shape_0 + _S18);
+}
+
+struct Lookup_0
+{
+     count_0 : u32,
+     texels_0 : vec4<u32>,
+     weights_0 : vec4<f32>,
+     by_first_0 : vec4<f32>,
+     by_second_0 : vec4<f32>,
+};
+
+fn one_texel_0( texel_0 : u32) -> Lookup_0
+{
+    var lookup_0 : Lookup_0;
+    lookup_0.count_0 = u32(1);
+    lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
+    lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    var _S19 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S19;
+    lookup_0.by_first_0 = _S19;
+    return lookup_0;
+}
+
+struct Corners2_0
+{
+     a_3 : vec2<f32>,
+     b_1 : vec2<f32>,
+     c_1 : vec2<f32>,
+};
+
+fn Corners2_x24init_0( a_4 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
+{
+    var _S20 : Corners2_0;
+    _S20.a_3 = a_4;
+    _S20.b_1 = b_2;
+    _S20.c_1 = c_2;
+    return _S20;
+}
+
+fn uvs_of_0( triangle_5 : u32) -> Corners2_0
+{
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_at_0 : u32 = word_0(shape_of_0(triangle_5) + u32(1));
+    if(uvs_at_0 == u32(4294967295))
+    {
+        return uvs_0;
+    }
+    var at_7 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_5) + u32(1));
+    uvs_0.a_3 = vec2<f32>(number_0(at_7), number_0(at_7 + u32(1)));
+    uvs_0.b_1 = vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3)));
+    uvs_0.c_1 = vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5)));
+    return uvs_0;
+}
+
+fn floor_of_0( x_0 : f32) -> i32
+{
+    return i32(floor(clamp(x_0, -1.0e+09f, 1.0e+09f)));
+}
+
+fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
+{
+    if(wrap_0 == u32(2))
+    {
+        return u32(clamp(i_0, i32(0), n_1 - i32(1)));
+    }
+    var period_0 : i32;
+    if(wrap_0 == u32(1))
+    {
+        period_0 = i32(2) * n_1;
+    }
+    else
+    {
+        period_0 = n_1;
+    }
+    var inside_0 : i32 = i_0 % period_0;
+    var inside_1 : i32;
+    if(inside_0 < i32(0))
+    {
+        inside_1 = inside_0 + period_0;
+    }
+    else
+    {
+        inside_1 = inside_0;
+    }
+    if(inside_1 < n_1)
+    {
+        period_0 = inside_1;
+    }
+    else
+    {
+        period_0 = i32(2) * n_1 - i32(1) - inside_1;
+    }
+    return u32(period_0);
+}
+
+struct Point_0
+{
+     value_1 : vec2<f32>,
+     by_first_1 : vec2<f32>,
+     by_second_1 : vec2<f32>,
+};
+
+fn between_0( texels_1 : vec4<u32>,  place_5 : Point_0) -> Lookup_0
+{
+    var way_0 : vec2<f32> = place_5.value_1 - floor(place_5.value_1);
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
+    var lookup_1 : Lookup_0;
+    lookup_1.count_0 = u32(4);
+    lookup_1.texels_0 = texels_1;
+    var _S21 : f32 = back_0.x;
+    var _S22 : f32 = back_0.y;
+    var _S23 : f32 = way_0.x;
+    var _S24 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S21 * _S22, _S23 * _S22, _S21 * _S24, _S23 * _S24);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S22, _S22, - _S24, _S24);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S21, - _S23, _S21, _S23);
+    lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_5.by_first_1.x) + by_y_0 * vec4<f32>(place_5.by_first_1.y);
+    lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_5.by_second_1.x) + by_y_0 * vec4<f32>(place_5.by_second_1.y);
+    return lookup_1;
+}
+
+fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
+{
+    var width_0 : i32 = i32(word_0(texture_0 + u32(2)));
+    var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
+    var wrap_1 : u32 = word_0(texture_0 + u32(5));
+    var size_0 : vec2<f32> = vec2<f32>(f32(width_0), f32(height_0));
+    var place_6 : vec2<f32> = uv_0.value_1 * size_0;
+    if((word_0(texture_0 + u32(4))) == u32(0))
+    {
+        var row_0 : u32 = wrapped_0(floor_of_0(place_6.y), height_0, wrap_1);
+        var _S25 : u32 = row_0 * u32(width_0);
+        var _S26 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
+        return one_texel_0(_S25 + _S26);
+    }
+    var centred_0 : Point_0;
+    var _S27 : vec2<f32> = place_6 - vec2<f32>(0.5f);
+    centred_0.value_1 = _S27;
+    centred_0.by_first_1 = uv_0.by_first_1 * size_0;
+    centred_0.by_second_1 = uv_0.by_second_1 * size_0;
+    var x_1 : i32 = floor_of_0(_S27.x);
+    var y_0 : i32 = floor_of_0(_S27.y);
+    var _S28 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S29 : u32 = u32(width_0);
+    var first_1 : u32 = _S28 * _S29;
+    var _S30 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S30 * _S29;
+    var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
+    var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
+    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
+}
+
+fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
+{
+    var kind_0 : u32 = word_0(texture_1);
+    if(kind_0 == u32(0))
+    {
+        return one_texel_0(u32(0));
+    }
+    var record_1 : u32 = triangle_record_0(place_7.triangle_0) + u32(1);
+    if(kind_0 == u32(4))
+    {
+        return one_texel_0(word_0(record_1));
+    }
+    if(kind_0 == u32(3))
+    {
+        var lookup_2 : Lookup_0;
+        lookup_2.count_0 = u32(3);
+        lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_7.v_0 - place_7.w_0, place_7.v_0, place_7.w_0, 0.0f);
+        lookup_2.by_first_0 = vec4<f32>(-1.0f, 1.0f, 0.0f, 0.0f);
+        lookup_2.by_second_0 = vec4<f32>(-1.0f, 0.0f, 1.0f, 0.0f);
+        return lookup_2;
+    }
+    var uvs_1 : Corners2_0 = uvs_of_0(place_7.triangle_0);
+    var rows_0 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
+    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
+    var uv_1 : Point_0;
+    var _S31 : vec3<f32> = vec3<f32>(uvs_1.a_3 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_1 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
+    uv_1.value_1 = vec2<f32>(dot(_S31, to_u_0), dot(_S31, to_v_0));
+    var by_v_0 : vec2<f32> = uvs_1.b_1 - uvs_1.a_3;
+    var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_3;
+    var _S32 : vec2<f32> = to_u_0.xy;
+    var _S33 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S32), dot(by_v_0, _S33));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S32), dot(by_w_0, _S33));
+    if(kind_0 == u32(1))
+    {
+        var _S34 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S34;
+    }
+    var half_of_period_0 : vec2<f32> = uv_1.value_1 - floor(uv_1.value_1);
+    var _S35 : i32;
+    if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
+    {
+        _S35 = i32(1);
+    }
+    else
+    {
+        _S35 = i32(0);
+    }
+    return one_texel_0(u32(_S35));
+}
+
+fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
+{
+    var _S36 : u32 = word_0(texture_2 + u32(1));
+    var _S37 : u32 = texture_2 + u32(13);
+    var _S38 : vec3<f32> = vec3<f32>(0.0f);
+    var k_1 : u32 = u32(0);
+    var value_2 : vec3<f32> = _S38;
+    for(;;)
+    {
+        if(k_1 < (lookup_3.count_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var at_8 : u32 = _S37 + _S36 * lookup_3.texels_0[k_1];
+        var _S39 : vec3<f32>;
+        if(_S36 == u32(1))
+        {
+            _S39 = vec3<f32>(number_0(at_8));
+        }
+        else
+        {
+            _S39 = vector_at_0(at_8);
+        }
+        var value_3 : vec3<f32> = value_2 + _S39 * vec3<f32>(weights_1[k_1]);
+        k_1 = k_1 + u32(1);
+        value_2 = value_3;
+    }
+    return value_2;
+}
+
+fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> vec3<f32>
+{
+    return weighted_texels_0(texture_3, lookup_4, lookup_4.weights_0);
+}
+
+fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
+{
+    var _S40 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S40, vec2<f32>(0.0f));
+}
+
+fn luminance_0( colour_0 : vec3<f32>) -> f32
+{
+    return dot(colour_0, vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f));
+}
+
+fn set_slot_0( numbers_2 : ptr<function, Numbers_0>,  slot_0 : u32,  value_4 : vec3<f32>)
+{
+    switch(slot_0)
+    {
+    case u32(0):
+        {
+            (*numbers_2).diffuse_reflectance_0 = value_4;
+            break;
+        }
+    case u32(1):
+        {
+            (*numbers_2).specular_reflectance_0 = value_4;
+            break;
+        }
+    case u32(2):
+        {
+            (*numbers_2).eta_0 = value_4;
+            break;
+        }
+    case u32(3):
+        {
+            (*numbers_2).k_0 = value_4;
+            break;
+        }
+    case u32(4):
+        {
+            (*numbers_2).alpha_0[i32(0)] = luminance_0(value_4);
+            break;
+        }
+    default :
+        {
+            (*numbers_2).alpha_0[i32(1)] = luminance_0(value_4);
+            break;
+        }
+    }
+    return;
+}
+
+struct Lobe_0
+{
+     record_2 : u32,
+     kind_1 : u32,
+     distribution_0 : u32,
+     numbers_3 : Numbers_0,
+};
+
+fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
+{
+    var lobe_0 : Lobe_0;
+    lobe_0.record_2 = record_3;
+    lobe_0.kind_1 = word_0(record_3);
+    lobe_0.distribution_0 = word_0(record_3 + u32(1));
+    lobe_0.numbers_3 = no_numbers_0();
+    var _S41 : u32 = word_0(record_3 + u32(4));
+    var slot_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(slot_1 < _S41)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var texture_5 : u32 = word_0(record_3 + u32(5) + slot_1);
+        if(texture_5 == u32(4294967295))
+        {
+            slot_1 = slot_1 + u32(1);
+            continue;
+        }
+        var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
+        var _S42 : vec3<f32> = value_of_0(colour_1);
+        var _S43 : Numbers_0 = lobe_0.numbers_3;
+        set_slot_0(&(_S43), slot_1, _S42);
+        lobe_0.numbers_3 = _S43;
+        slot_1 = slot_1 + u32(1);
+    }
+    return lobe_0;
+}
+
+fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
+{
+    var tangents_0 : u32 = word_0(surface_2.shape_0 + u32(5));
+    if(tangents_0 == u32(4294967295))
+    {
+        return vec3<f32>(0.0f);
+    }
+    var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
+    var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
+    var _S44 : vec3<f32>;
+    if((dot(across_0, across_0)) > 0.0f)
+    {
+        _S44 = tangent_0;
+    }
+    else
+    {
+        _S44 = vec3<f32>(0.0f);
+    }
+    return _S44;
+}
+
+fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
+{
+    var axes_1 : Axes_0;
+    var _S45 : vec3<f32>;
+    if(is_front_1)
+    {
+        _S45 = n_2;
+    }
+    else
+    {
+        _S45 = (vec3<f32>(0) - n_2);
+    }
+    axes_1.n_0 = _S45;
+    var _S46 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_1.s_0 = _S46;
+    axes_1.t_0 = cross(n_2, _S46);
+    return axes_1;
+}
+
+fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
+{
+    var axes_2 : Axes_0;
+    var _S47 : vec3<f32>;
+    if(is_front_2)
+    {
+        _S47 = n_3;
+    }
+    else
+    {
+        _S47 = (vec3<f32>(0) - n_3);
+    }
+    axes_2.n_0 = _S47;
+    var _S48 : f32 = n_3.z;
+    var sign_0 : f32;
+    if(_S48 < 0.0f)
+    {
+        sign_0 = -1.0f;
+    }
+    else
+    {
+        sign_0 = 1.0f;
+    }
+    var a_5 : f32 = -1.0f / (sign_0 + _S48);
+    var _S49 : f32 = n_3.x;
+    var _S50 : f32 = n_3.y;
+    var b_3 : f32 = _S49 * _S50 * a_5;
+    axes_2.s_0 = vec3<f32>(1.0f + sign_0 * _S49 * _S49 * a_5, sign_0 * b_3, - sign_0 * _S49);
+    axes_2.t_0 = vec3<f32>(b_3, sign_0 + _S50 * _S50 * a_5, - _S50);
+    return axes_2;
+}
+
+fn to_local_0( axes_3 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(dot(axes_3.s_0, v_3), dot(axes_3.t_0, v_3), dot(axes_3.n_0, v_3));
+}
+
+fn towards_viewer_0( axes_4 : Axes_0,  direction_3 : vec3<f32>) -> vec3<f32>
+{
+    var wi_1 : vec3<f32> = (vec3<f32>(0) - to_local_0(axes_4, direction_3));
+    return vec3<f32>(wi_1.x, wi_1.y, max(abs(wi_1.z), 9.999999960041972e-13f));
+}
+
+struct Vertex_0
+{
+     surface_3 : Surface_0,
+     axes_5 : Axes_0,
+     lobe_1 : Lobe_0,
+     wi_2 : vec3<f32>,
+};
+
+fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_4 : vec3<f32>) -> Vertex_0
+{
+    var vertex_0 : Vertex_0;
+    vertex_0.surface_3 = surface_4;
+    var _S51 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S51;
+    var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
+    if((any((tangent_2 != vec3<f32>(0.0f)))))
+    {
+        vertex_0.axes_5 = axes_along_0(surface_4.outward_0, tangent_2, surface_4.is_front_0);
+    }
+    else
+    {
+        vertex_0.axes_5 = axes_around_0(surface_4.outward_0, surface_4.is_front_0);
+    }
+    vertex_0.wi_2 = towards_viewer_0(vertex_0.axes_5, direction_4);
+    return vertex_0;
+}
+
+struct VertexMotion_0
+{
+     velocity_0 : vec3<f32>,
+     rotation_0 : vec3<f32>,
+};
+
+fn motion_of_0( vertex_1 : Vertex_0) -> VertexMotion_0
+{
+    var motion_0 : VertexMotion_0;
+    var _S52 : vec3<f32> = vec3<f32>(0.0f);
+    motion_0.rotation_0 = _S52;
+    motion_0.velocity_0 = _S52;
+    return motion_0;
+}
+
+fn has_smooth_0( lobe_2 : Lobe_0) -> bool
+{
+    return (lobe_2.kind_1) != u32(1);
+}
+
+struct ShadingPoint_0
+{
+     vertex_2 : Vertex_0,
+     whole_0 : VertexMotion_0,
+     motion_1 : VertexMotion_0,
+     purpose_0 : u32,
+     emitter_0 : u32,
+     tree_0 : u32,
+     has_creases_0 : bool,
+     turns_0 : bool,
+     planes_0 : u32,
+     inside_2 : array<vec3<f32>, i32(8)>,
+     front_0 : vec3<f32>,
+     front_offset_0 : vec3<f32>,
+};
+
+fn shading_point_0( path_9 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> bool
+{
+    var surface_5 : Surface_0 = surface_at_0(path_9.place_1, value_of_0(path_9.direction_1));
+    var material_1 : u32 = material_of_0(surface_5);
+    var k_2 : u32;
+    if(material_1 == u32(4294967295))
+    {
+        k_2 = u32(0);
+    }
+    else
+    {
+        k_2 = material_1;
+    }
+    var _S53 : Vertex_0 = vertex_at_0(surface_5, k_2, path_9.direction_1);
+    (*at_9).vertex_2 = _S53;
+    var _S54 : VertexMotion_0 = motion_of_0(_S53);
+    (*at_9).motion_1 = _S54;
+    (*at_9).whole_0 = _S54;
+    (*at_9).planes_0 = u32(0);
+    (*at_9).tree_0 = u32(0);
+    (*at_9).emitter_0 = u32(0);
+    (*at_9).purpose_0 = u32(0);
+    (*at_9).turns_0 = false;
+    (*at_9).has_creases_0 = false;
+    var _S55 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_9).front_offset_0 = _S55;
+    (*at_9).front_0 = _S55;
+    k_2 = u32(0);
+    for(;;)
+    {
+        if(k_2 < u32(8))
+        {
+        }
+        else
+        {
+            break;
+        }
+        (*at_9).inside_2[k_2] = surface_5.exact_0;
+        k_2 = k_2 + u32(1);
+    }
+    var _S56 : bool;
+    if(material_1 != u32(4294967295))
+    {
+        _S56 = has_smooth_0((*at_9).vertex_2.lobe_1);
+    }
+    else
+    {
+        _S56 = false;
+    }
+    return _S56;
+}
+
+fn change_word_0( at_10 : u32) -> u32
+{
+    return input_0[u32(12) * launch_0.room_0 + at_10];
+}
+
+fn turns_1( vertex_3 : Vertex_0) -> bool
+{
+    return (change_word_0(u32(1))) != u32(0);
+}
+
+fn edge_word_0( at_11 : u32) -> u32
+{
+    return change_word_0(change_word_0(u32(3)) + at_11);
+}
+
+fn numbers_for_0( purpose_1 : u32) -> u32
+{
+    return u32(1073741824) * (purpose_1 + u32(1)) + u32(16) * depth_of_launch_0();
+}
+
+fn product_0( a_6 : u32,  b_4 : u32) -> vec2<u32>
+{
+    var a0_0 : u32 = (a_6 & (u32(65535)));
+    var a1_0 : u32 = (a_6 >> (u32(16)));
+    var b0_0 : u32 = (b_4 & (u32(65535)));
+    var b1_0 : u32 = (b_4 >> (u32(16)));
+    var low_0 : u32 = a0_0 * b0_0;
+    var middle_0 : u32 = a1_0 * b0_0 + ((low_0 >> (u32(16))));
+    var rest_0 : u32 = ((middle_0 & (u32(65535)))) + a0_0 * b1_0;
+    return vec2<u32>((((rest_0 << (u32(16)))) | (((low_0 & (u32(65535)))))), a1_0 * b1_0 + ((middle_0 >> (u32(16)))) + ((rest_0 >> (u32(16)))));
+}
+
+fn times_0( a_7 : vec2<u32>,  b_5 : vec2<u32>) -> vec2<u32>
+{
+    var _S57 : u32 = a_7.x;
+    var _S58 : u32 = b_5.x;
+    var low_1 : vec2<u32> = product_0(_S57, _S58);
+    return vec2<u32>(low_1.x, low_1.y + _S57 * b_5.y + a_7.y * _S58);
+}
+
+fn plus_0( a_8 : vec2<u32>,  b_6 : vec2<u32>) -> vec2<u32>
+{
+    var _S59 : u32 = a_8.x;
+    var low_2 : u32 = _S59 + b_6.x;
+    var _S60 : u32 = a_8.y + b_6.y;
+    var _S61 : i32;
+    if(low_2 < _S59)
+    {
+        _S61 = i32(1);
+    }
+    else
+    {
+        _S61 = i32(0);
+    }
+    return vec2<u32>(low_2, _S60 + u32(_S61));
+}
+
+fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
+{
+    var _S62 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S62 << ((u32(32) - by_0)))))), (_S62 >> (by_0)))));
+}
+
+fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
+{
+    return shifted_xor_0(times_0(shifted_xor_0(times_0(shifted_xor_0(x_3, u32(30)), vec2<u32>(u32(484763065), u32(3210233709))), u32(27)), vec2<u32>(u32(321982955), u32(2496678331))), u32(31));
+}
+
+fn random_bits_0( key_1 : vec2<u32>,  dimension_0 : u32) -> vec2<u32>
+{
+    return mix_0(plus_0(key_1, times_0(vec2<u32>(dimension_0 + u32(1), u32(0)), vec2<u32>(u32(2135587861), u32(2654435769)))));
+}
+
+fn random_0( key_2 : vec2<u32>,  dimension_1 : u32) -> f32
+{
+    return f32(((random_bits_0(key_2, dimension_1).y) >> (u32(8)))) * 5.9604644775390625e-08f;
+}
+
+fn emitter_record_0( emitter_1 : u32) -> u32
+{
+    return word_0(u32(11)) + u32(12) * emitter_1;
+}
+
+fn is_area_0( record_4 : u32) -> bool
+{
+    return (word_0(record_4)) == u32(0);
+}
+
+fn largest_cosine_0( position_2 : vec3<f32>,  normal_0 : vec3<f32>,  centre_0 : vec3<f32>,  radius_0 : f32) -> f32
+{
+    var offset_0 : vec3<f32> = centre_0 - position_2;
+    var distance_1 : f32 = length(offset_0);
+    if(distance_1 <= radius_0)
+    {
+        return 1.0f;
+    }
+    var cosine_0 : f32 = dot(offset_0, normal_0) / distance_1;
+    var sine_ball_0 : f32 = radius_0 / distance_1;
+    var cosine_ball_0 : f32 = sqrt(max(1.0f - sine_ball_0 * sine_ball_0, 0.0f));
+    if(cosine_0 >= cosine_ball_0)
+    {
+        return 1.0f;
+    }
+    return max(cosine_0 * cosine_ball_0 + sqrt(max(1.0f - cosine_0 * cosine_0, 0.0f)) * sine_ball_0 + 9.99999997475242708e-07f, 0.0f);
+}
+
+fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
+{
+    var offset_1 : vec3<f32> = viewpoint_0 - vector_at_0(node_0 + u32(4));
+    var axis_0 : vec3<f32> = vector_at_0(node_0 + u32(12));
+    var radius_1 : f32 = number_0(node_0 + u32(7));
+    var area_0 : f32 = number_0(node_0 + u32(11));
+    var cosine_spread_0 : f32 = number_0(node_0 + u32(15));
+    var sine_spread_0 : f32 = number_0(node_0 + u32(16));
+    var squared_0 : f32 = dot(offset_1, offset_1);
+    var distance_2 : f32 = sqrt(squared_0);
+    if(distance_2 <= radius_1)
+    {
+        return 0.25f * area_0 / max(radius_1 * radius_1, 1.00000000317107685e-30f);
+    }
+    var cosine_1 : f32 = clamp(dot(axis_0, offset_1) / distance_2, -1.0f, 1.0f);
+    var sine_0 : f32 = sqrt(1.0f - cosine_1 * cosine_1);
+    var tilt_0 : f32 = radius_1 / distance_2;
+    var highest_0 : f32;
+    if(cosine_1 >= cosine_spread_0)
+    {
+        highest_0 = 1.0f;
+    }
+    else
+    {
+        highest_0 = cosine_1 * cosine_spread_0 + sine_0 * sine_spread_0 + tilt_0;
+    }
+    var lowest_0 : f32;
+    if(cosine_1 <= (- cosine_spread_0))
+    {
+        lowest_0 = -1.0f;
+    }
+    else
+    {
+        lowest_0 = cosine_1 * cosine_spread_0 - sine_0 * sine_spread_0 - tilt_0;
+    }
+    if(highest_0 <= 0.0f)
+    {
+        return 0.0f;
+    }
+    if(lowest_0 >= 0.0f)
+    {
+        return max(dot(vector_at_0(node_0 + u32(8)), offset_1) / distance_2, 0.0f) / squared_0;
+    }
+    var _S63 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S63 * _S63 / (2.0f * (_S63 - max(lowest_0, -1.0f)) * squared_0);
+}
+
+fn emitter_view_0( emitter_2 : u32,  position_3 : vec3<f32>,  normal_1 : vec3<f32>) -> f32
+{
+    var record_5 : u32 = emitter_record_0(emitter_2);
+    if(!is_area_0(record_5))
+    {
+        return 3.14159274101257324f;
+    }
+    return node_seen_0(word_0(record_5 + u32(5)), position_3) * largest_cosine_0(position_3, normal_1, vector_at_0(record_5 + u32(8)), number_0(record_5 + u32(11)));
+}
+
+struct Choice_0
+{
+     position_4 : vec3<f32>,
+     normal_2 : vec3<f32>,
+     all_0 : f32,
+     lit_0 : f32,
+};
+
+fn light_of_0( emitter_3 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
+{
+    var view_0 : f32 = emitter_view_0(emitter_3, choice_0.position_4, choice_0.normal_2);
+    var _S64 : f32;
+    if(view_0 > 0.0f)
+    {
+        _S64 = 1.0f;
+    }
+    else
+    {
+        _S64 = 0.0f;
+    }
+    (*can_light_0) = _S64;
+    return view_0 * number_0(emitter_record_0(emitter_3) + u32(2));
+}
+
+fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<function, f32>) -> u32
+{
+    var choice_1 : Choice_0;
+    choice_1.position_4 = vertex_4.surface_3.position_1;
+    choice_1.normal_2 = vertex_4.axes_5.n_0;
+    choice_1.all_0 = 0.0f;
+    choice_1.lit_0 = 0.0f;
+    var _S65 : u32 = word_0(u32(6));
+    var can_light_1 : f32;
+    var i_1 : u32 = u32(0);
+    var count_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(i_1 < _S65)
+        {
+        }
+        else
+        {
+            break;
+        }
+        if(!is_area_0(emitter_record_0(i_1)))
+        {
+            i_1 = i_1 + u32(1);
+            continue;
+        }
+        var _S66 : u32 = count_1 + u32(1);
+        if(_S65 > u32(32))
+        {
+            count_1 = _S66;
+            i_1 = i_1 + u32(1);
+            continue;
+        }
+        var _S67 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
+        choice_1.all_0 = choice_1.all_0 + _S67;
+        choice_1.lit_0 = choice_1.lit_0 + can_light_1;
+        count_1 = _S66;
+        i_1 = i_1 + u32(1);
+    }
+    (*probability_0) = 0.0f;
+    var _S68 : bool;
+    if((choice_1.all_0) > 0.0f)
+    {
+        _S68 = (choice_1.all_0) < 3.00000000549775576e+38f;
+    }
+    else
+    {
+        _S68 = false;
+    }
+    var _S69 : bool = !_S68;
+    var chosen_0 : u32 = u32(0);
+    i_1 = u32(0);
+    var rest_1 : f32 = u_0;
+    for(;;)
+    {
+        if(i_1 < _S65)
+        {
+        }
+        else
+        {
+            break;
+        }
+        if(!is_area_0(emitter_record_0(i_1)))
+        {
+            i_1 = i_1 + u32(1);
+            continue;
+        }
+        var _S70 : f32 = 1.0f / f32(count_1);
+        var own_0 : f32;
+        if(!_S69)
+        {
+            var light_0 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
+            own_0 = 0.5f * can_light_1 / choice_1.lit_0 + 0.5f * light_0 / choice_1.all_0;
+        }
+        else
+        {
+            own_0 = _S70;
+        }
+        var chosen_1 : u32;
+        if(own_0 > 0.0f)
+        {
+            (*probability_0) = own_0;
+            chosen_1 = i_1;
+        }
+        else
+        {
+            chosen_1 = chosen_0;
+        }
+        if(rest_1 < own_0)
+        {
+            chosen_0 = chosen_1;
+            break;
+        }
+        var rest_2 : f32 = rest_1 - own_0;
+        chosen_0 = chosen_1;
+        rest_1 = rest_2;
+        i_1 = i_1 + u32(1);
+    }
+    return chosen_0;
+}
+
+fn real_place_0( at_12 : u32) -> u32
+{
+    return word_0(u32(13)) + u32(4) + at_12;
+}
+
+fn edge_real_0( at_13 : u32) -> f32
+{
+    return primitives_0[real_place_0(at_13)];
+}
+
+fn edge_position_0( at_14 : u32) -> vec3<f32>
+{
+    return primitive_vector_0(real_place_0(at_14));
+}
+
+fn exact_unit_0( v_4 : vec3<f32>) -> vec3<f32>
+{
+    return v_4 / vec3<f32>(sqrt(dot(v_4, v_4)));
+}
+
+fn length_of_0( v_5 : vec3<f32>) -> f32
+{
+    return sqrt(dot(v_5, v_5));
+}
+
+fn open_window_0( at_15 : ptr<function, ShadingPoint_0>) -> bool
+{
+    var window_0 : u32 = edge_word_0(edge_word_0(u32(5)) + (*at_15).emitter_0);
+    var corners_0 : u32 = u32(edge_real_0(window_0));
+    var apex_0 : vec3<f32> = (*at_15).vertex_2.surface_3.exact_0;
+    var before_0 : vec3<f32>;
+    if(corners_0 > u32(0))
+    {
+        var _S71 : u32 = window_0 + u32(1);
+        var normal_3 : vec3<f32> = edge_position_0(_S71);
+        var before_1 : vec3<f32> = edge_position_0(_S71 + u32(3) * corners_0) - apex_0;
+        if((dot(normal_3, before_1)) >= 0.0f)
+        {
+            return false;
+        }
+        (*at_15).planes_0 = corners_0;
+        before_0 = before_1;
+        var k_3 : u32 = u32(0);
+        for(;;)
+        {
+            if(k_3 < corners_0)
+            {
+            }
+            else
+            {
+                break;
+            }
+            var offset_2 : vec3<f32> = edge_position_0(window_0 + u32(4) + u32(3) * k_3) - apex_0;
+            (*at_15).inside_2[k_3] = exact_unit_0(cross(offset_2, before_0));
+            var _S72 : u32 = k_3 + u32(1);
+            before_0 = offset_2;
+            k_3 = _S72;
+        }
+        (*at_15).front_0 = normal_3;
+        (*at_15).front_offset_0 = before_0;
+        return true;
+    }
+    var offset_3 : vec3<f32> = edge_position_0(window_0 + u32(1)) - apex_0;
+    var distance_3 : f32 = length_of_0(offset_3);
+    var sine_1 : f32 = edge_real_0(window_0 + u32(4)) / distance_3;
+    if(!(sine_1 < 1.0f))
+    {
+        return true;
+    }
+    var cosine_2 : f32 = sqrt(1.0f - sine_1 * sine_1);
+    var axis_1 : vec3<f32> = offset_3 / vec3<f32>(distance_3);
+    if((abs(axis_1.x)) < 0.5f)
+    {
+        before_0 = vec3<f32>(1.0f, 0.0f, 0.0f);
+    }
+    else
+    {
+        before_0 = vec3<f32>(0.0f, 1.0f, 0.0f);
+    }
+    var s_1 : vec3<f32> = exact_unit_0(cross(axis_1, before_0));
+    var t_1 : vec3<f32> = cross(axis_1, s_1);
+    (*at_15).planes_0 = u32(4);
+    var _S73 : vec3<f32> = axis_1 * vec3<f32>(sine_1);
+    var _S74 : vec3<f32> = vec3<f32>(cosine_2);
+    var _S75 : vec3<f32> = s_1 * _S74;
+    (*at_15).inside_2[i32(0)] = _S73 + _S75;
+    (*at_15).inside_2[i32(1)] = _S73 - _S75;
+    var _S76 : vec3<f32> = t_1 * _S74;
+    (*at_15).inside_2[i32(2)] = _S73 + _S76;
+    (*at_15).inside_2[i32(3)] = _S73 - _S76;
+    return true;
+}
+
+fn is_map_0( record_6 : u32) -> bool
+{
+    return (word_0(record_6)) == u32(2);
+}
+
+fn is_blind_0() -> bool
+{
+    return true;
+}
+
+fn rests_0( motion_2 : VertexMotion_0) -> bool
+{
+    var _S77 : vec3<f32> = vec3<f32>(0.0f);
+    var _S78 : bool;
+    if((all(((motion_2.velocity_0) == _S77))))
+    {
+        _S78 = (all(((motion_2.rotation_0) == _S77)));
+    }
+    else
+    {
+        _S78 = false;
+    }
+    return _S78;
+}
+
+fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_16 : ptr<function, ShadingPoint_0>) -> f32
+{
+    var probability_1 : f32 = 1.0f;
+    (*at_16).purpose_0 = purpose_2;
+    (*at_16).planes_0 = u32(0);
+    var _S79 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_16).front_0 = _S79;
+    var _S80 : bool = purpose_2 == u32(2);
+    (*at_16).has_creases_0 = _S80;
+    var tree_1 : u32;
+    if(_S80)
+    {
+        tree_1 = u32(1);
+    }
+    else
+    {
+        tree_1 = u32(0);
+    }
+    (*at_16).motion_1 = (*at_16).whole_0;
+    (*at_16).turns_0 = turns_1((*at_16).vertex_2);
+    var _S81 : bool;
+    if(purpose_2 == u32(0))
+    {
+        var _S82 : u32 = edge_word_0(u32(4));
+        (*at_16).turns_0 = false;
+        var _S83 : u32 = chosen_area_emitter_0((*at_16).vertex_2, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
+        (*at_16).emitter_0 = _S83;
+        if(!(probability_1 > 0.0f))
+        {
+            _S81 = true;
+        }
+        else
+        {
+            var _S84 : bool = open_window_0(&((*at_16)));
+            _S81 = !_S84;
+        }
+        if(_S81)
+        {
+            return 0.0f;
+        }
+        tree_1 = _S82;
+    }
+    else
+    {
+        if(purpose_2 == u32(1))
+        {
+            var _S85 : u32 = word_0(u32(8));
+            (*at_16).emitter_0 = _S85;
+            if(_S85 == u32(4294967295))
+            {
+                return 0.0f;
+            }
+            if(is_map_0(emitter_record_0((*at_16).emitter_0)))
+            {
+                (*at_16).turns_0 = false;
+            }
+        }
+    }
+    if(!(*at_16).turns_0)
+    {
+        (*at_16).motion_1.rotation_0 = _S79;
+    }
+    if(!is_blind_0())
+    {
+        _S81 = rests_0((*at_16).motion_1);
+    }
+    else
+    {
+        _S81 = false;
+    }
+    if(_S81)
+    {
+        tree_1 = tree_1 + u32(2);
+    }
+    var _S86 : u32 = edge_word_0(tree_1);
+    (*at_16).tree_0 = _S86;
+    var _S87 : f32;
+    if(_S86 == u32(4294967295))
+    {
+        _S87 = 0.0f;
+    }
+    else
+    {
+        _S87 = probability_1;
+    }
+    return _S87;
+}
+
+fn subtree_of_launch_0() -> u32
+{
+    return ((launch_0.depth_0) >> (u32(24)));
+}
+
+fn subtrees_of_0( at_17 : ShadingPoint_0) -> u32
+{
+    var count_2 : u32;
+    if((depth_of_launch_0()) == u32(0))
+    {
+        count_2 = u32(2);
+    }
+    else
+    {
+        count_2 = u32(1);
+    }
+    if((at_17.purpose_0) == u32(0))
+    {
+        count_2 = u32(4) * count_2;
+    }
+    return count_2;
+}
+
+fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f32
+{
+    return f32(((random_bits_0(key_4, dimension_2).y) >> (u32(8)))) / 4096.0f / 4096.0f;
+}
+
+fn edge_number_0( at_18 : u32) -> f32
+{
+    return (bitcast<f32>((edge_word_0(at_18))));
+}
+
+fn edge_vector_0( at_19 : u32) -> vec3<f32>
+{
+    return vec3<f32>(edge_number_0(at_19), edge_number_0(at_19 + u32(1)), edge_number_0(at_19 + u32(2)));
+}
+
+fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
+{
+    var sine_2 : f32 = edge_number_0(node_1 + u32(11));
+    var cosine_3 : f32 = edge_number_0(node_1 + u32(12));
+    if(sine_2 > 1.0f)
+    {
+        return true;
+    }
+    var margin_0 : f32 = (edge_number_0(node_1 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
+    var margin_1 : f32;
+    if(cosine_3 > 0.0f)
+    {
+        margin_1 = min((edge_number_0(node_1 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
+    }
+    else
+    {
+        margin_1 = margin_0;
+    }
+    return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
+}
+
+fn is_outside_0( at_20 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
+{
+    var k_4 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_4 < (at_20.planes_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        if((dot(at_20.inside_2[k_4], offset_5)) < (- radius_2 - 3.99999998990097083e-06f))
+        {
+            return true;
+        }
+        k_4 = k_4 + u32(1);
+    }
+    return (dot(at_20.front_0, offset_5 - at_20.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
+}
+
+fn logarithm_0( x_4 : f32) -> f32
+{
+    var bits_0 : u32 = (bitcast<u32>((x_4)));
+    var power_0 : f32 = f32(i32((bits_0 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((bits_0 & (u32(8388607)))) | (u32(1056964608))))));
+    var m_1 : f32;
+    var power_1 : f32;
+    if(m_0 < 0.70710676908493042f)
+    {
+        var power_2 : f32 = power_0 - 1.0f;
+        m_1 = m_0 + m_0;
+        power_1 = power_2;
+    }
+    else
+    {
+        m_1 = m_0;
+        power_1 = power_0;
+    }
+    var m_2 : f32 = m_1 - 1.0f;
+    var z_0 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * z_0 - 0.00021219444170129f * power_1 - 0.5f * z_0) + 0.693359375f * power_1;
+}
+
+fn direction_number_0( d_0 : vec3<f32>) -> u32
+{
+    var _S88 : i32;
+    if((abs(d_0.y)) > (abs(d_0.x)))
+    {
+        _S88 = i32(1);
+    }
+    else
+    {
+        _S88 = i32(0);
+    }
+    var axis_2 : u32 = u32(_S88);
+    var axis_3 : u32;
+    if((abs(d_0.z)) > (abs(d_0[axis_2])))
+    {
+        axis_3 = u32(2);
+    }
+    else
+    {
+        axis_3 = axis_2;
+    }
+    var _S89 : u32 = u32(8) * axis_3;
+    if((d_0[axis_3]) < 0.0f)
+    {
+        _S88 = i32(4);
+    }
+    else
+    {
+        _S88 = i32(0);
+    }
+    var _S90 : u32 = _S89 + u32(_S88);
+    if((d_0[(axis_3 + u32(1)) % u32(3)]) < 0.0f)
+    {
+        _S88 = i32(2);
+    }
+    else
+    {
+        _S88 = i32(0);
+    }
+    var _S91 : u32 = _S90 + u32(_S88);
+    if((d_0[(axis_3 + u32(2)) % u32(3)]) < 0.0f)
+    {
+        _S88 = i32(1);
+    }
+    else
+    {
+        _S88 = i32(0);
+    }
+    return _S91 + u32(_S88);
+}
+
+fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
+{
+    return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
+}
+
+fn speed_of_0( at_21 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+{
+    if(is_blind_0())
+    {
+        return edge_number_0(node_2 + u32(20)) + 0.10000000149011612f;
+    }
+    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_21.motion_1, offset_7);
+    var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
+    var sine_3 : f32 = edge_number_0(node_2 + u32(11));
+    var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
+    var along_0 : f32 = abs(dot(axis_4, relative_0));
+    var across_1 : f32 = length(cross(axis_4, relative_0));
+    var speed_0 : f32;
+    if((across_1 * cosine_4) > (along_0 * sine_3))
+    {
+        speed_0 = along_0 * cosine_4 + across_1 * sine_3;
+    }
+    else
+    {
+        speed_0 = length(relative_0);
+    }
+    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_21.motion_1.rotation_0) * radius_3;
+}
+
+fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
+{
+    var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
+    var offset_8 : vec3<f32> = centre_1 - at_22.vertex_2.surface_3.position_1;
+    var radius_4 : f32 = edge_number_0(node_3 + u32(7));
+    var distance_5 : f32 = length(offset_8);
+    var _S92 : bool;
+    if(!at_22.has_creases_0)
+    {
+        _S92 = !may_have_silhouette_0(node_3, offset_8, distance_5);
+    }
+    else
+    {
+        _S92 = false;
+    }
+    if(_S92)
+    {
+        return 0.0f;
+    }
+    if(is_outside_0(at_22, offset_8, radius_4))
+    {
+        return 0.0f;
+    }
+    var cosine_5 : f32 = largest_cosine_0(at_22.vertex_2.surface_3.position_1, at_22.vertex_2.axes_5.n_0, centre_1, radius_4);
+    var _S93 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
+    var least_0 : f32 = edge_number_0(node_3 + u32(16));
+    var ratio_0 : f32 = _S93 / max(max(distance_5 * distance_5 - _S93, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
+    var visible_0 : f32;
+    if(ratio_0 < 0.00100000004749745f)
+    {
+        visible_0 = ratio_0 * (1.0f - 0.5f * ratio_0);
+    }
+    else
+    {
+        visible_0 = logarithm_0(1.0f + ratio_0);
+    }
+    var near_0 : f32 = visible_0 / _S93;
+    var visible_1 : f32 = edge_number_0(node_3 + u32(14));
+    if(distance_5 > (edge_number_0(node_3 + u32(15))))
+    {
+        visible_0 = visible_1 * edge_number_0(node_3 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
+    }
+    else
+    {
+        visible_0 = visible_1;
+    }
+    return visible_0 * speed_of_0(at_22, node_3, offset_8, radius_4) * cosine_5 * near_0;
+}
+
+fn descend_0( at_23 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+{
+    var nodes_at_0 : u32 = edge_word_0(at_23.tree_0);
+    (*leaf_0) = nodes_at_0;
+    (*probability_2) = 1.0f;
+    var _S94 : f32 = u_1;
+    for(;;)
+    {
+        if((edge_word_0((*leaf_0))) != u32(4294967295))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var first_2 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
+        var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
+        var of_first_0 : f32 = importance_of_0(at_23, first_2);
+        var of_second_0 : f32 = importance_of_0(at_23, second_1);
+        var sum_0 : f32 = of_first_0 + of_second_0;
+        var _S95 : bool;
+        if(sum_0 > 0.0f)
+        {
+            _S95 = sum_0 < 3.00000000549775576e+38f;
+        }
+        else
+        {
+            _S95 = false;
+        }
+        if(!_S95)
+        {
+            return false;
+        }
+        var first_share_0 : f32 = of_first_0 / sum_0;
+        var second_share_0 : f32 = of_second_0 / sum_0;
+        var is_second_0 : bool;
+        if(_S94 >= first_share_0)
+        {
+            is_second_0 = second_share_0 > 0.0f;
+        }
+        else
+        {
+            is_second_0 = false;
+        }
+        if(is_second_0)
+        {
+            _S94 = (_S94 - first_share_0) / second_share_0;
+        }
+        else
+        {
+            _S94 = min(_S94 / first_share_0, 1.0f);
+        }
+        var _S96 : f32;
+        if(is_second_0)
+        {
+            _S96 = second_share_0;
+        }
+        else
+        {
+            _S96 = first_share_0;
+        }
+        (*probability_2) = (*probability_2) * _S96;
+        var _S97 : u32;
+        if(is_second_0)
+        {
+            _S97 = second_1;
+        }
+        else
+        {
+            _S97 = first_2;
+        }
+        (*leaf_0) = _S97;
+    }
+    return true;
+}
+
+struct Edge_0
+{
+     record_7 : u32,
+     numbers_4 : u32,
+};
+
+fn edge_at_0( at_24 : ShadingPoint_0,  place_10 : u32) -> Edge_0
+{
+    var edge_0 : Edge_0;
+    edge_0.record_7 = edge_word_0(at_24.tree_0 + u32(1)) + u32(11) * place_10;
+    edge_0.numbers_4 = edge_word_0(at_24.tree_0 + u32(2)) + u32(14) * place_10;
+    return edge_0;
+}
+
+fn sum_of_sizes_0( v_6 : vec3<f32>) -> f32
+{
+    return abs(v_6.x) + abs(v_6.y) + abs(v_6.z);
+}
+
+fn side_seen_0( from_0 : vec3<f32>,  tolerance_0 : f32,  normal_4 : u32,  length_0 : u32) -> i32
+{
+    var height_1 : f32 = dot(edge_position_0(normal_4), from_0);
+    var least_1 : f32 = tolerance_0 * edge_real_0(length_0);
+    var _S98 : i32;
+    if(height_1 > least_1)
+    {
+        _S98 = i32(1);
+    }
+    else
+    {
+        _S98 = i32(0);
+    }
+    var _S99 : i32;
+    if(height_1 < (- least_1))
+    {
+        _S99 = i32(1);
+    }
+    else
+    {
+        _S99 = i32(0);
+    }
+    return _S98 - _S99;
+}
+
+fn is_silhouette_0( at_25 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+{
+    var start_0 : vec3<f32> = edge_position_0(edge_1.numbers_4);
+    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_25.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S100 : vec3<f32> = at_25.vertex_2.surface_3.exact_0 - start_0;
+    return (side_seen_0(_S100, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S100, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
+}
+
+fn factor_of_0( at_26 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+{
+    var _S101 : u32 = edge_2.record_7 + u32(2);
+    var a_9 : vec3<f32> = edge_vector_0(_S101);
+    var b_7 : vec3<f32> = edge_vector_0(_S101 + u32(3));
+    var _S102 : bool;
+    if(!is_blind_0())
+    {
+        _S102 = rests_0(at_26.motion_1);
+    }
+    else
+    {
+        _S102 = false;
+    }
+    if(_S102)
+    {
+        _S102 = (all((a_9 == vec3<f32>(0.0f))));
+    }
+    else
+    {
+        _S102 = false;
+    }
+    if(_S102)
+    {
+        _S102 = (all((b_7 == vec3<f32>(0.0f))));
+    }
+    else
+    {
+        _S102 = false;
+    }
+    if(_S102)
+    {
+        return 0.0f;
+    }
+    if(is_silhouette_0(at_26, edge_2))
+    {
+        return edge_number_0(edge_2.record_7);
+    }
+    var _S103 : f32;
+    if(at_26.has_creases_0)
+    {
+        _S103 = edge_number_0(edge_2.record_7 + u32(1));
+    }
+    else
+    {
+        _S103 = 0.0f;
+    }
+    return _S103;
+}
+
+fn is_clipped_0( at_27 : ShadingPoint_0,  a_10 : vec3<f32>,  b_8 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
+{
+    (*range_0) = vec2<f32>(0.0f, 1.0f);
+    var _S104 : bool;
+    if((dot(at_27.front_0, a_10 - at_27.front_offset_0)) < -3.99999998990097083e-06f)
+    {
+        _S104 = (dot(at_27.front_0, b_8 - at_27.front_offset_0)) < -3.99999998990097083e-06f;
+    }
+    else
+    {
+        _S104 = false;
+    }
+    if(_S104)
+    {
+        return true;
+    }
+    var _S105 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_10, a_10), dot(b_8, b_8)));
+    var k_5 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_5 < (at_27.planes_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var first_3 : f32 = dot(at_27.inside_2[k_5], a_10) + _S105;
+        var second_2 : f32 = dot(at_27.inside_2[k_5], b_8) + _S105;
+        var _S106 : bool = first_3 < 0.0f;
+        if(_S106)
+        {
+            _S104 = second_2 < 0.0f;
+        }
+        else
+        {
+            _S104 = false;
+        }
+        if(_S104)
+        {
+            return true;
+        }
+        var crossing_0 : f32 = first_3 / (first_3 - second_2);
+        if(_S106)
+        {
+            (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
+        }
+        else
+        {
+            if(second_2 < 0.0f)
+            {
+                (*range_0)[i32(1)] = min((*range_0).y, crossing_0);
+            }
+        }
+        k_5 = k_5 + u32(1);
+    }
+    return !(((*range_0).x) < ((*range_0).y));
+}
+
+struct SeenEdge_0
+{
+     edge_3 : Edge_0,
+     start_1 : vec3<f32>,
+     along_1 : vec3<f32>,
+     range_1 : vec2<f32>,
+     near_1 : f32,
+     far_0 : f32,
+     factor_3 : f32,
+     pieces_0 : f32,
+     chord_0 : f32,
+     from_1 : vec3<f32>,
+     to_0 : vec3<f32>,
+};
+
+fn see_edge_0( at_28 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+{
+    var _S107 : Edge_0 = edge_at_0(at_28, place_11);
+    (*seen_1).edge_3 = _S107;
+    var _S108 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4) - at_28.vertex_2.surface_3.exact_0;
+    (*seen_1).start_1 = _S108;
+    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_28.vertex_2.surface_3.exact_0;
+    (*seen_1).along_1 = end_1 - _S108;
+    (*seen_1).far_0 = 1.0f;
+    (*seen_1).near_1 = 1.0f;
+    (*seen_1).chord_0 = 0.0f;
+    (*seen_1).pieces_0 = 0.0f;
+    var _S109 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S109;
+    (*seen_1).from_1 = _S109;
+    (*seen_1).range_1 = vec2<f32>(0.0f, 1.0f);
+    var _S110 : f32 = factor_of_0(at_28, _S107);
+    (*seen_1).factor_3 = _S110;
+    var _S111 : bool;
+    if(!(_S110 > 0.0f))
+    {
+        _S111 = true;
+    }
+    else
+    {
+        var _S112 : vec2<f32> = (*seen_1).range_1;
+        var _S113 : bool = is_clipped_0(at_28, (*seen_1).start_1, end_1, &(_S112));
+        (*seen_1).range_1 = _S112;
+        _S111 = _S113;
+    }
+    if(_S111)
+    {
+        return false;
+    }
+    var first_4 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.x);
+    var last_0 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.y);
+    var _S114 : f32 = sqrt(dot(first_4, first_4));
+    (*seen_1).near_1 = _S114;
+    (*seen_1).far_0 = sqrt(dot(last_0, last_0));
+    if(_S114 > 0.0f)
+    {
+        _S111 = ((*seen_1).far_0) > 0.0f;
+    }
+    else
+    {
+        _S111 = false;
+    }
+    if(!_S111)
+    {
+        return false;
+    }
+    (*seen_1).from_1 = first_4 / vec3<f32>((*seen_1).near_1);
+    (*seen_1).to_0 = last_0 / vec3<f32>((*seen_1).far_0);
+    (*seen_1).chord_0 = length_of_0(last_0 / vec3<f32>((*seen_1).far_0) - first_4 / vec3<f32>((*seen_1).near_1));
+    var longest_0 : f32;
+    if((at_28.vertex_2.lobe_1.kind_1) == u32(0))
+    {
+        longest_0 = 0.20000000298023224f;
+    }
+    else
+    {
+        longest_0 = 0.05000000074505806f;
+    }
+    (*seen_1).pieces_0 = clamp(ceil((*seen_1).chord_0 / longest_0), 1.0f, 32.0f);
+    return true;
+}
+
+fn place_between_0( from_2 : f32,  to_1 : f32,  near_2 : f32,  far_1 : f32,  part_0 : f32) -> f32
+{
+    return from_2 + (to_1 - from_2) * part_0 * near_2 / (part_0 * near_2 + (1.0f - part_0) * far_1);
+}
+
+fn velocity_on_0( at_29 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
+{
+    var _S115 : u32 = edge_4.record_7 + u32(2);
+    return mix(edge_vector_0(_S115), edge_vector_0(_S115 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_29.motion_1, offset_9);
+}
+
+struct Mirrored_0
+{
+     cosine_6 : f32,
+     pdf_0 : f32,
+     scattered_0 : f32,
+};
+
+fn Mirrored_x24init_0( cosine_7 : f32,  pdf_1 : f32,  scattered_1 : f32) -> Mirrored_0
+{
+    var _S116 : Mirrored_0;
+    _S116.cosine_6 = cosine_7;
+    _S116.pdf_0 = pdf_1;
+    _S116.scattered_0 = scattered_1;
+    return _S116;
+}
+
+fn is_rough_0( lobe_3 : Lobe_0) -> bool
+{
+    var _S117 : bool;
+    if((lobe_3.kind_1) == u32(2))
+    {
+        _S117 = true;
+    }
+    else
+    {
+        _S117 = (lobe_3.kind_1) == u32(4);
+    }
+    return _S117;
+}
+
+struct Microfacets_0
+{
+     distribution_1 : u32,
+     alpha_1 : vec2<f32>,
+};
+
+fn facets_of_0( lobe_4 : Lobe_0,  numbers_5 : Numbers_0) -> Microfacets_0
+{
+    var facets_0 : Microfacets_0;
+    facets_0.distribution_1 = lobe_4.distribution_0;
+    facets_0.alpha_1 = max(numbers_5.alpha_0, vec2<f32>(0.00009999999747379f));
+    return facets_0;
+}
+
+fn exponential_0( x_5 : f32) -> f32
+{
+    if(x_5 < -87.0f)
+    {
+        return 0.0f;
+    }
+    var power_3 : f32 = floor(x_5 * 1.4426950216293335f + 0.5f);
+    var r_0 : f32 = x_5 - power_3 * 0.693359375f + power_3 * 0.00021219444170129f;
+    return ((((((0.00019875691214111f * r_0 + 0.00139819993637502f) * r_0 + 0.00833345204591751f) * r_0 + 0.04166579619050026f) * r_0 + 0.1666666567325592f) * r_0 + 0.5f) * r_0 * r_0 + r_0 + 1.0f) * (bitcast<f32>(((u32(i32(power_3) + i32(127)) << (u32(23))))));
+}
+
+fn density_0( facets_1 : Microfacets_0,  m_3 : vec3<f32>) -> f32
+{
+    var _S118 : f32 = m_3.z;
+    if(_S118 <= 0.0f)
+    {
+        return 0.0f;
+    }
+    var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
+    var slope_0 : vec2<f32> = m_3.xy / facets_1.alpha_1;
+    var spread_0 : f32 = dot(slope_0, slope_0);
+    var cos2_0 : f32 = _S118 * _S118;
+    if((facets_1.distribution_1) == u32(1))
+    {
+        var sum_1 : f32 = spread_0 + cos2_0;
+        return 1.0f / (scale_0 * sum_1 * sum_1);
+    }
+    var exponent_0 : f32 = spread_0 / cos2_0;
+    var _S119 : f32;
+    if(exponent_0 > 80.0f)
+    {
+        _S119 = 0.0f;
+    }
+    else
+    {
+        _S119 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+    }
+    return _S119;
+}
+
+fn error_function_plus_one_0( x_6 : f32) -> vec2<f32>
+{
+    var _S120 : f32 = min(abs(x_6), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S120 * _S120);
+    var place_12 : f32 = (_S120 - 2.0f) / (_S120 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S120);
+    var _S121 : f32;
+    if(x_6 < 0.0f)
+    {
+        _S121 = complement_0;
+    }
+    else
+    {
+        _S121 = 2.0f - complement_0;
+    }
+    return vec2<f32>(_S121, 1.128379225730896f * gaussian_0);
+}
+
+fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
+{
+    var stretched_0 : vec2<f32> = w_2.xy * facets_2.alpha_1;
+    var spread2_0 : f32 = dot(stretched_0, stretched_0);
+    var _S122 : f32 = w_2.z;
+    var z2_0 : f32 = _S122 * _S122;
+    if((facets_2.distribution_1) == u32(1))
+    {
+        return 2.0f / (_S122 + sqrt(z2_0 + spread2_0));
+    }
+    if(z2_0 >= (36.0f * spread2_0))
+    {
+        return 1.0f / _S122;
+    }
+    var spread_1 : f32 = sqrt(spread2_0);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S122 / spread_1);
+    return 2.0f / (_S122 * both_0.x + 0.5f * spread_1 * both_0.y);
+}
+
+fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
+{
+    var h_0 : vec3<f32> = normalize(wi_3 + wo_0);
+    var mirrored_1 : Mirrored_0;
+    mirrored_1.cosine_6 = dot(wi_3, h_0);
+    var _S123 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
+    mirrored_1.pdf_0 = _S123;
+    mirrored_1.scattered_0 = _S123 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    return mirrored_1;
+}
+
+fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
+{
+    var cos2_1 : f32 = cosine_8 * cosine_8;
+    var sin2_0 : f32 = 1.0f - cos2_1;
+    var real_0 : f32 = eta_1 * eta_1 - k_6 * k_6 - sin2_0;
+    var product_1 : f32 = eta_1 * k_6;
+    var modulus_0 : f32 = sqrt(real_0 * real_0 + 4.0f * (product_1 * product_1));
+    if(modulus_0 == 0.0f)
+    {
+        return 1.0f;
+    }
+    var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
+    var smaller_0 : f32 = product_1 / larger_0;
+    var _S124 : bool = real_0 < 0.0f;
+    var a_11 : f32;
+    if(_S124)
+    {
+        a_11 = smaller_0;
+    }
+    else
+    {
+        a_11 = larger_0;
+    }
+    var b_9 : f32;
+    if(_S124)
+    {
+        b_9 = larger_0;
+    }
+    else
+    {
+        b_9 = smaller_0;
+    }
+    var less_0 : f32 = a_11 - cosine_8;
+    var more_0 : f32 = a_11 + cosine_8;
+    var _S125 : f32 = b_9 * b_9;
+    var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
+    return (less_0 * less_0 + _S125) / (more_0 * more_0 + _S125) * p_sum_0 / (p_sum_0 + 2.0f * a_11 * cosine_8 * sin2_0);
+}
+
+fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_7 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(fresnel_conductor_channel_0(cosine_9, eta_2.x, k_7.x), fresnel_conductor_channel_0(cosine_9, eta_2.y, k_7.y), fresnel_conductor_channel_0(cosine_9, eta_2.z, k_7.z));
+}
+
+fn coat_eta_0( numbers_6 : Numbers_0) -> f32
+{
+    return luminance_0(numbers_6.eta_0) / luminance_0(numbers_6.k_0);
+}
+
+fn fresnel_dielectric_0( cosine_10 : f32,  eta_3 : f32) -> f32
+{
+    var eta2_0 : f32 = eta_3 * eta_3;
+    var cos2_2 : f32 = cosine_10 * cosine_10;
+    var denser_0 : f32 = (eta_3 - 1.0f) * (eta_3 + 1.0f);
+    var squared_1 : f32 = denser_0 + cos2_2;
+    if(squared_1 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    var refracted_0 : f32 = sqrt(squared_1);
+    var s_sum_0 : f32 = cosine_10 + refracted_0;
+    var p_sum_1 : f32 = eta2_0 * cosine_10 + refracted_0;
+    var senkrecht_0 : f32 = denser_0 / (s_sum_0 * s_sum_0);
+    var parallel_0 : f32 = denser_0 * ((eta2_0 + 1.0f) * cos2_2 - 1.0f) / (p_sum_1 * p_sum_1);
+    return 0.5f * (senkrecht_0 * senkrecht_0 + parallel_0 * parallel_0);
+}
+
+fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
+{
+    if((lobe_5.kind_1) == u32(3))
+    {
+        return 1.0f - fresnel_dielectric_0(cosine_11, eta_4);
+    }
+    var place_13 : f32 = cosine_11 * 63.0f;
+    var _S126 : u32 = min(u32(place_13), u32(62));
+    var at_30 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S126;
+    var here_0 : f32 = number_0(at_30);
+    return here_0 + (number_0(at_30 + u32(1)) - here_0) * (place_13 - f32(_S126));
+}
+
+fn fresnel_diffuse_0( eta_5 : f32) -> f32
+{
+    var inverse_0 : f32 = 1.0f / eta_5;
+    if(eta_5 < 1.0f)
+    {
+        return (-1.43990004062652588f * eta_5 + 0.70990002155303955f) * eta_5 + 0.66809999942779541f + 0.06360000371932983f * inverse_0;
+    }
+    return ((((-1.36881005764007568f * inverse_0 + 4.98553991317749023f) * inverse_0 - 7.80988979339599609f) * inverse_0 + 6.75334978103637695f) * inverse_0 - 3.47930002212524414f) * inverse_0 + 0.91931700706481934f;
+}
+
+fn base_0( lobe_6 : Lobe_0,  eta_6 : f32,  diffuse_0 : vec3<f32>) -> vec3<f32>
+{
+    var internal_reflectance_0 : f32;
+    if((lobe_6.kind_1) == u32(3))
+    {
+        internal_reflectance_0 = fresnel_diffuse_0(1.0f / eta_6);
+    }
+    else
+    {
+        internal_reflectance_0 = number_0(word_0(lobe_6.record_2 + u32(3)) + u32(64));
+    }
+    if((word_0(lobe_6.record_2 + u32(2))) == u32(0))
+    {
+        return diffuse_0 * vec3<f32>((1.0f / (1.0f - internal_reflectance_0)));
+    }
+    return diffuse_0 / (vec3<f32>(1.0f) - diffuse_0 * vec3<f32>(internal_reflectance_0));
+}
+
+fn choice_weight_0( colour_2 : vec3<f32>) -> f32
+{
+    return max((colour_2.x + colour_2.y + colour_2.z) / 3.0f, 0.05000000074505806f);
+}
+
+fn base_probability_0( numbers_7 : Numbers_0,  enters_0 : f32) -> f32
+{
+    var of_base_0 : f32 = enters_0 * choice_weight_0(numbers_7.diffuse_reflectance_0);
+    return of_base_0 / (of_base_0 + (1.0f - enters_0) * choice_weight_0(numbers_7.specular_reflectance_0));
+}
+
+struct Scattering_0
+{
+     value_5 : vec3<f32>,
+     pdf_2 : f32,
+};
+
+fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
+{
+    var scattering_1 : Scattering_0;
+    var _S127 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S127 * 0.31830987334251404f;
+    if((lobe_7.kind_1) == u32(0))
+    {
+        scattering_1.value_5 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
+        scattering_1.pdf_2 = by_cosine_0;
+        return scattering_1;
+    }
+    var _S128 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var by_facets_0 : Mirrored_0;
+    if(is_rough_0(lobe_7))
+    {
+        by_facets_0 = mirrored_0(facets_of_0(lobe_7, numbers_8), wi_4, wo_1);
+    }
+    else
+    {
+        by_facets_0 = _S128;
+    }
+    if((lobe_7.kind_1) == u32(2))
+    {
+        scattering_1.value_5 = numbers_8.specular_reflectance_0 * (fresnel_conductor_0(by_facets_0.cosine_6, numbers_8.eta_0, numbers_8.k_0) * vec3<f32>(by_facets_0.scattered_0));
+        scattering_1.pdf_2 = by_facets_0.pdf_0;
+        return scattering_1;
+    }
+    var eta_7 : f32 = coat_eta_0(numbers_8);
+    var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_4.z);
+    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S127) * by_cosine_0 / (eta_7 * eta_7)));
+    var probability_3 : f32 = base_probability_0(numbers_8, enters_1);
+    scattering_1.pdf_2 = probability_3 * by_cosine_0;
+    if((lobe_7.kind_1) == u32(4))
+    {
+        scattering_1.value_5 = scattering_1.value_5 + numbers_8.specular_reflectance_0 * vec3<f32>((fresnel_dielectric_0(by_facets_0.cosine_6, eta_7) * by_facets_0.scattered_0));
+        scattering_1.pdf_2 = scattering_1.pdf_2 + (1.0f - probability_3) * by_facets_0.pdf_0;
+    }
+    return scattering_1;
+}
+
+fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
+{
+    var _S129 : bool;
+    if((wo_2.z) <= 0.0f)
+    {
+        _S129 = true;
+    }
+    else
+    {
+        _S129 = !has_smooth_0(vertex_5.lobe_1);
+    }
+    if(_S129)
+    {
+        return vec3<f32>(0.0f);
+    }
+    return scattering_0(vertex_5.lobe_1, vertex_5.lobe_1.numbers_3, value_of_0(vertex_5.wi_2), wo_2).value_5;
+}
+
+fn scattered_from_0( vertex_6 : Vertex_0,  direction_5 : vec3<f32>) -> vec3<f32>
+{
+    return scattered_values_0(vertex_6, to_local_0(vertex_6.axes_5, direction_5));
+}
+
+fn largest_0( v_7 : vec3<f32>) -> f32
+{
+    return max(max(v_7.x, v_7.y), v_7.z);
+}
+
+fn changing_0( value_6 : vec3<f32>,  change_0 : vec3<f32>) -> vec3<f32>
+{
+    return value_6;
+}
+
+fn still_0( value_7 : vec3<f32>) -> vec3<f32>
+{
+    return changing_0(value_7, vec3<f32>(0.0f));
+}
+
+fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
+{
+    var _S130 : f32 = abs(x_7);
+    var _S131 : f32 = abs(y_1);
+    var _S132 : f32 = min(_S130, _S131);
+    var _S133 : f32 = max(_S130, _S131);
+    var is_steep_0 : bool = _S132 > (0.41421356797218323f * _S133);
+    var above_0 : f32;
+    if(is_steep_0)
+    {
+        above_0 = _S132 - _S133;
+    }
+    else
+    {
+        above_0 = _S132;
+    }
+    var below_0 : f32;
+    if(is_steep_0)
+    {
+        below_0 = _S132 + _S133;
+    }
+    else
+    {
+        below_0 = _S133;
+    }
+    if(below_0 > 0.0f)
+    {
+    }
+    else
+    {
+        below_0 = 1.0f;
+    }
+    var t_3 : f32 = above_0 / below_0;
+    var z_1 : f32 = t_3 * t_3;
+    var angle_0 : f32 = (((0.08053744584321976f * z_1 - 0.13877685368061066f) * z_1 + 0.19977711141109467f) * z_1 - 0.33332949876785278f) * z_1 * t_3 + t_3;
+    var angle_1 : f32;
+    if(is_steep_0)
+    {
+        angle_1 = angle_0 + 0.78539818525314331f;
+    }
+    else
+    {
+        angle_1 = angle_0;
+    }
+    if(_S131 > _S130)
+    {
+        angle_1 = 1.57079637050628662f - angle_1;
+    }
+    if(x_7 < 0.0f)
+    {
+        angle_1 = 3.14159274101257324f - angle_1;
+    }
+    if(y_1 < 0.0f)
+    {
+        above_0 = - angle_1;
+    }
+    else
+    {
+        above_0 = angle_1;
+    }
+    return above_0;
+}
+
+fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
+{
+    var _S134 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S134) * vec3<f32>(direction_6.x) + vector_at_0(_S134 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S134 + u32(6)) * vec3<f32>(direction_6.z);
+    return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
+}
+
+fn in_map_0( map_1 : u32,  direction_7 : vec3<f32>) -> Lookup_0
+{
+    var place_14 : vec2<f32> = map_place_0(map_1, direction_7);
+    var point_0 : Point_0;
+    point_0.value_1 = place_14;
+    point_0.by_first_1 = vec2<f32>(1.0f, 0.0f);
+    point_0.by_second_1 = vec2<f32>(0.0f, 1.0f);
+    var x_8 : i32 = floor_of_0(place_14.x);
+    var y_2 : i32 = floor_of_0(place_14.y);
+    var width_1 : i32 = i32(word_0(map_1));
+    var height_2 : i32 = i32(word_0(map_1 + u32(1)));
+    var left_1 : u32 = wrapped_0(x_8, width_1, u32(0));
+    var right_1 : u32 = wrapped_0(x_8 + i32(1), width_1, u32(0));
+    var _S135 : u32 = wrapped_0(y_2, height_2, u32(2));
+    var _S136 : u32 = u32(width_1);
+    var first_5 : u32 = _S135 * _S136;
+    var _S137 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S137 * _S136;
+    return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_3 + left_1, second_3 + right_1), point_0);
+}
+
+fn emitted_0( emitter_4 : u32,  place_15 : Place_0,  direction_8 : vec3<f32>) -> vec3<f32>
+{
+    var record_8 : u32 = emitter_record_0(emitter_4);
+    var texture_6 : u32 = word_0(record_8 + u32(1));
+    if(!is_map_0(record_8))
+    {
+        var _S138 : vec3<f32> = shown_0(texture_6, place_15);
+        return _S138;
+    }
+    var change_1 : vec2<f32> = vec2<f32>(0.0f);
+    var factor_4 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
+    var _S139 : u32 = word_0(texture_6 + u32(11));
+    var _S140 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
+    return looked_up_0(_S139, _S140, change_1) * factor_4;
+}
+
+fn light_from_0( at_31 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
+{
+    var light_1 : f32 = largest_0(scattered_from_0(at_31.vertex_2, direction_9));
+    var _S141 : bool;
+    if((at_31.purpose_0) != u32(1))
+    {
+        _S141 = true;
+    }
+    else
+    {
+        _S141 = !(light_1 > 0.0f);
+    }
+    if(_S141)
+    {
+        return light_1;
+    }
+    var _S142 : vec3<f32> = emitted_0(at_31.emitter_0, at_31.vertex_2.surface_3.place_3, still_0(direction_9));
+    return light_1 * largest_0(value_of_0(_S142));
+}
+
+fn weigh_0( at_32 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+{
+    var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
+    var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
+    var t_4 : f32 = place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, part_1);
+    var offset_10 : vec3<f32> = seen_2.start_1 + seen_2.along_1 * vec3<f32>(t_4);
+    var normal_5 : vec3<f32> = exact_unit_0(cross(seen_2.start_1, seen_2.along_1));
+    var _S143 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
+    var speed_1 : f32;
+    if(!is_blind_0())
+    {
+        speed_1 = abs(dot(velocity_on_0(at_32, seen_2.edge_3, t_4, offset_10), normal_5));
+    }
+    else
+    {
+        speed_1 = _S143;
+    }
+    var speed_2 : f32 = speed_1 / length(offset_10);
+    var angle_2 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
+    var _S144 : f32 = light_from_0(at_32, middle_1);
+    var contribution_0 : f32 = angle_2 * _S144 * speed_2;
+    var _S145 : vec2<f32>;
+    if(contribution_0 < 3.00000000549775576e+38f)
+    {
+        _S145 = vec2<f32>(contribution_0, angle_2);
+    }
+    else
+    {
+        _S145 = vec2<f32>(0.0f);
+    }
+    return _S145;
+}
+
+fn multiplicity_0( at_33 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f32>,  normal_6 : vec3<f32>) -> f32
+{
+    var _S146 : vec3<f32> = cross(normal_6, direction_10);
+    var _S147 : u32 = edge_5.record_7 + u32(8);
+    var k_8 : u32 = edge_word_0(_S147);
+    var count_3 : f32 = 1.0f;
+    for(;;)
+    {
+        if(k_8 < (edge_word_0(_S147 + u32(1))))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var other_0 : Edge_0 = edge_at_0(at_33, edge_word_0(k_8));
+        if(!((factor_of_0(at_33, other_0)) > 0.0f))
+        {
+            k_8 = k_8 + u32(1);
+            continue;
+        }
+        var a_12 : vec3<f32> = edge_position_0(other_0.numbers_4) - at_33.vertex_2.surface_3.exact_0;
+        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_4 + u32(3)) - at_33.vertex_2.surface_3.exact_0 - a_12;
+        var place_16 : f32 = - dot(a_12, _S146) / dot(way_1, _S146);
+        var there_0 : vec3<f32> = a_12 + way_1 * vec3<f32>(place_16);
+        var _S148 : bool;
+        if(place_16 >= 0.0f)
+        {
+            _S148 = place_16 <= 1.0f;
+        }
+        else
+        {
+            _S148 = false;
+        }
+        var _S149 : bool;
+        if(_S148)
+        {
+            _S149 = (dot(there_0, direction_10)) > 0.0f;
+        }
+        else
+        {
+            _S149 = false;
+        }
+        if(!_S149)
+        {
+            k_8 = k_8 + u32(1);
+            continue;
+        }
+        if(!((abs(dot(normal_6, there_0))) <= (edge_real_0(u32(3)) * length_of_0(there_0))))
+        {
+            k_8 = k_8 + u32(1);
+            continue;
+        }
+        var count_4 : f32;
+        if((abs(dot(normal_6, exact_unit_0(cross(a_12, way_1))))) > 0.99999898672103882f)
+        {
+            count_4 = count_3 + 1.0f;
+        }
+        else
+        {
+            count_4 = count_3;
+        }
+        count_3 = count_4;
+        k_8 = k_8 + u32(1);
+    }
+    return count_3;
+}
+
+fn face_normal_1( at_34 : ShadingPoint_0) -> vec3<f32>
+{
+    var corners_1 : u32 = u32(9) * at_34.vertex_2.surface_3.place_3.triangle_0;
+    var a_13 : vec3<f32> = primitive_vector_0(corners_1);
+    return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_13, primitive_vector_0(corners_1 + u32(6)) - a_13));
+}
+
+fn limit_at_0( which_7 : u32) -> f32
+{
+    return primitives_0[word_0(u32(13)) + which_7];
+}
+
+struct EdgePoint_0
+{
+     edge_6 : Edge_0,
+     t_5 : f32,
+     direction_11 : vec3<f32>,
+     normal_7 : vec3<f32>,
+     distance_6 : f32,
+     measure_0 : f32,
+     is_in_horizon_0 : bool,
+};
+
+fn point_on_0( at_35 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
+{
+    var _S150 : f32 = seen_3.range_1.x;
+    var _S151 : f32 = seen_3.range_1.y;
+    var first_6 : f32 = place_between_0(_S150, _S151, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
+    var last_1 : f32 = place_between_0(_S150, _S151, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
+    var a_14 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(first_6);
+    var b_10 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(last_1);
+    var near_3 : f32 = length_of_0(a_14);
+    var far_2 : f32 = length_of_0(b_10);
+    var from_3 : vec3<f32> = a_14 / vec3<f32>(near_3);
+    var chord_1 : vec3<f32> = b_10 / vec3<f32>(far_2) - from_3;
+    var on_chord_0 : vec3<f32> = from_3 + chord_1 * vec3<f32>(inside_3);
+    var angle_3 : f32 = length_of_0(cross(from_3, chord_1)) / dot(on_chord_0, on_chord_0);
+    var t_6 : f32 = place_between_0(first_6, last_1, near_3, far_2, inside_3);
+    var offset_11 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(t_6);
+    var point_1 : EdgePoint_0;
+    var _S152 : f32 = length_of_0(offset_11);
+    point_1.distance_6 = _S152;
+    var _S153 : vec3<f32> = offset_11 / vec3<f32>(_S152);
+    point_1.direction_11 = _S153;
+    var _S154 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_1.normal_7 = _S154;
+    point_1.edge_6 = seen_3.edge_3;
+    point_1.t_5 = t_6;
+    point_1.measure_0 = angle_3 / _S152 / (part_of_all_0 * multiplicity_0(at_35, seen_3.edge_3, _S153, _S154));
+    var face_0 : vec3<f32> = face_normal_1(at_35);
+    var least_2 : f32 = limit_at_0(u32(2));
+    var _S155 : bool;
+    if((abs(dot(seen_3.start_1, face_0))) <= least_2)
+    {
+        _S155 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+    }
+    else
+    {
+        _S155 = false;
+    }
+    point_1.is_in_horizon_0 = _S155;
+    return point_1;
+}
+
+fn component_0( v_8 : vec3<f32>,  axis_5 : u32) -> f32
+{
+    var _S156 : f32;
+    if(axis_5 == u32(0))
+    {
+        _S156 = v_8.x;
+    }
+    else
+    {
+        if(axis_5 == u32(1))
+        {
+            _S156 = v_8.y;
+        }
+        else
+        {
+            _S156 = v_8.z;
+        }
+    }
+    return _S156;
+}
+
+fn ray_child_0( node_4 : u32,  slot_2 : u32) -> u32
+{
+    return nodes_0[u32(14) * node_4 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
+}
+
+struct RayView_0
+{
+     inverse_1 : vec3<f32>,
+     offset_near_0 : vec3<f32>,
+     offset_far_0 : vec3<f32>,
+     limit_0 : f32,
+     margin_2 : f32,
+     axes_6 : u32,
+};
+
+fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32) -> f32
+{
+    var _S157 : u32 = u32(14) * node_5 + slot_3 / u32(4);
+    var near_4 : f32 = 0.0f;
+    var far_3 : f32 = limit_1;
+    var axis_6 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_6 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S158 : u32 = axis_6;
+        var _S159 : u32 = _S157 + u32(2) * axis_6;
+        var _S160 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S159][_S160])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S159 + u32(6)][_S160])));
+        var _S161 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S162 : f32;
+        if(_S161)
+        {
+            _S162 = high_0;
+        }
+        else
+        {
+            _S162 = low_3;
+        }
+        var _S163 : f32 = max(near_4, _S162 * view_1.inverse_1[_S158] - view_1.offset_near_0[axis_6]);
+        var _S164 : f32;
+        if(_S161)
+        {
+            _S164 = low_3;
+        }
+        else
+        {
+            _S164 = high_0;
+        }
+        var _S165 : f32 = min(far_3, _S164 * view_1.inverse_1[_S158] - view_1.offset_far_0[axis_6]);
+        var _S166 : u32 = axis_6 + u32(1);
+        near_4 = _S163;
+        far_3 = _S165;
+        axis_6 = _S166;
+    }
+    if(near_4 <= far_3)
+    {
+    }
+    else
+    {
+        near_4 = 3.00000000549775576e+38f;
+    }
+    return near_4;
+}
+
+fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
+{
+    var k_9 : u32 = u32(0);
+    var order_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_9 < u32(8))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S167 : u32 = k_9;
+        if((bounds_0[k_9]) > limit_2)
+        {
+            k_9 = k_9 + u32(1);
+            continue;
+        }
+        var j_0 : u32 = u32(0);
+        var rank_0 : u32 = u32(0);
+        for(;;)
+        {
+            if(j_0 < u32(8))
+            {
+            }
+            else
+            {
+                break;
+            }
+            var _S168 : u32 = j_0;
+            var _S169 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S167]))
+            {
+                _S169 = true;
+            }
+            else
+            {
+                if((bounds_0[_S168]) == (bounds_0[_S167]))
+                {
+                    _S169 = j_0 < k_9;
+                }
+                else
+                {
+                    _S169 = false;
+                }
+            }
+            if(_S169)
+            {
+                rank_0 = rank_0 + u32(1);
+            }
+            j_0 = j_0 + u32(1);
+        }
+        order_0 = (order_0 | ((((k_9 + u32(1)) << ((u32(4) * rank_0))))));
+        k_9 = k_9 + u32(1);
+    }
+    return order_0;
+}
+
+fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
+{
+    var bounds_1 : array<f32, i32(8)>;
+    var slot_4 : u32 = u32(0);
+    for(;;)
+    {
+        if(slot_4 < u32(8))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S170 : f32;
+        if((ray_child_0(node_6, slot_4)) == u32(4294967295))
+        {
+            _S170 = 3.00000000549775576e+38f;
+        }
+        else
+        {
+            _S170 = ray_bound_0(view_2, limit_3, node_6, slot_4);
+        }
+        bounds_1[slot_4] = _S170;
+        slot_4 = slot_4 + u32(1);
+    }
+    return nearest_first_0(bounds_1, limit_3);
+}
+
+fn rounded_0( product_2 : f32,  largest_1 : f32) -> f32
+{
+    return min(product_2, largest_1);
+}
+
+struct Ray_0
+{
+     origin_0 : vec3<f32>,
+     shear_x_0 : f32,
+     shear_y_0 : f32,
+     inverse_z_0 : f32,
+     t_min_0 : f32,
+     t_max_0 : f32,
+     local_per_t_0 : f32,
+     enter_0 : f32,
+     edge_on_0 : f32,
+     largest_2 : f32,
+};
+
+fn corner_0( ray_0 : Ray_0,  axes_7 : u32,  at_36 : u32) -> vec3<f32>
+{
+    var relative_1 : vec3<f32> = primitive_vector_0(at_36) - ray_0.origin_0;
+    var z_2 : f32 = component_0(relative_1, (axes_7 >> (u32(4))));
+    return vec3<f32>(component_0(relative_1, (axes_7 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_2, ray_0.largest_2), component_0(relative_1, (((axes_7 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_2, ray_0.largest_2), z_2);
+}
+
+struct Crossing_0
+{
+     is_hit_0 : bool,
+     t_7 : f32,
+     v_9 : f32,
+     w_3 : f32,
+};
+
+fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_37 : u32) -> Crossing_0
+{
+    var crossing_1 : Crossing_0;
+    crossing_1.is_hit_0 = false;
+    crossing_1.t_7 = 0.0f;
+    crossing_1.v_9 = 0.0f;
+    crossing_1.w_3 = 0.0f;
+    var a_15 : vec3<f32> = corner_0(ray_1, axes_8, at_37);
+    var b_11 : vec3<f32> = corner_0(ray_1, axes_8, at_37 + u32(3));
+    var c_3 : vec3<f32> = corner_0(ray_1, axes_8, at_37 + u32(6));
+    var _S171 : f32 = c_3.x;
+    var _S172 : f32 = b_11.y;
+    var cx_by_0 : f32 = rounded_0(_S171 * _S172, ray_1.largest_2);
+    var _S173 : f32 = c_3.y;
+    var _S174 : f32 = b_11.x;
+    var cy_bx_0 : f32 = rounded_0(_S173 * _S174, ray_1.largest_2);
+    var _S175 : f32 = a_15.x;
+    var ax_cy_0 : f32 = rounded_0(_S175 * _S173, ray_1.largest_2);
+    var _S176 : f32 = a_15.y;
+    var ay_cx_0 : f32 = rounded_0(_S176 * _S171, ray_1.largest_2);
+    var bx_ay_0 : f32 = rounded_0(_S174 * _S176, ray_1.largest_2);
+    var by_ax_0 : f32 = rounded_0(_S172 * _S175, ray_1.largest_2);
+    var u_2 : f32 = cx_by_0 - cy_bx_0;
+    var v_10 : f32 = ax_cy_0 - ay_cx_0;
+    var w_4 : f32 = bx_ay_0 - by_ax_0;
+    var _S177 : f32 = min(min(u_2, v_10), w_4);
+    var _S178 : f32 = max(max(u_2, v_10), w_4);
+    var _S179 : bool;
+    if(_S177 < 0.0f)
+    {
+        _S179 = _S178 > 0.0f;
+    }
+    else
+    {
+        _S179 = false;
+    }
+    if(_S179)
+    {
+        return crossing_1;
+    }
+    var determinant_0 : f32 = u_2 + v_10 + w_4;
+    if(_S177 <= 0.0f)
+    {
+        _S179 = _S178 >= 0.0f;
+    }
+    else
+    {
+        _S179 = false;
+    }
+    if(_S179)
+    {
+        if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
+        {
+            return crossing_1;
+        }
+    }
+    if(determinant_0 == 0.0f)
+    {
+        return crossing_1;
+    }
+    var t_8 : f32 = (rounded_0(u_2 * a_15.z, ray_1.largest_2) + rounded_0(v_10 * b_11.z, ray_1.largest_2) + rounded_0(w_4 * c_3.z, ray_1.largest_2)) / determinant_0 * ray_1.inverse_z_0;
+    if((ray_1.t_min_0) <= t_8)
+    {
+        _S179 = t_8 <= (ray_1.t_max_0);
+    }
+    else
+    {
+        _S179 = false;
+    }
+    crossing_1.is_hit_0 = _S179;
+    crossing_1.t_7 = t_8;
+    crossing_1.v_9 = v_10 / determinant_0;
+    crossing_1.w_3 = w_4 / determinant_0;
+    return crossing_1;
+}
+
+fn face_1( triangle_6 : u32) -> u32
+{
+    return rough_0[triangle_6 / u32(4)][triangle_6 % u32(4)];
+}
+
+struct Found_0
+{
+     face_2 : u32,
+     triangle_7 : u32,
+     v_11 : f32,
+     w_5 : f32,
+};
+
+fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+{
+    var _S180 : bool;
+    var found_0 : Found_0;
+    found_0.face_2 = u32(4294967295);
+    found_0.triangle_7 = u32(4294967295);
+    found_0.v_11 = 0.0f;
+    found_0.w_5 = 0.0f;
+    if(!((view_3.limit_0) >= 0.0f))
+    {
+        return found_0;
+    }
+    var way_2 : array<vec2<u32>, i32(40)>;
+    way_2[i32(0)] = vec2<u32>(u32(0), u32(0));
+    var entered_0 : u32 = u32(0);
+    var limit_4 : f32 = view_3.limit_0;
+    var is_new_0 : bool = true;
+    var level_0 : u32 = u32(0);
+    for(;;)
+    {
+        var entered_1 : u32;
+        var is_new_1 : bool;
+        if(entered_0 != u32(4294967295))
+        {
+            way_2[level_0] = vec2<u32>(entered_0, crossed_1(view_3, limit_4, entered_0));
+            is_new_1 = true;
+            entered_1 = u32(4294967295);
+        }
+        else
+        {
+            is_new_1 = is_new_0;
+            entered_1 = entered_0;
+        }
+        var here_1 : vec2<u32> = way_2[level_0];
+        var _S181 : u32 = way_2[level_0].y;
+        if(_S181 == u32(0))
+        {
+            if(level_0 == u32(0))
+            {
+                break;
+            }
+            var _S182 : u32 = level_0 - u32(1);
+            entered_0 = entered_1;
+            is_new_0 = is_new_1;
+            level_0 = _S182;
+            continue;
+        }
+        var slot_5 : u32 = ((_S181 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S181 >> (u32(4)));
+        var _S183 : bool;
+        if(!is_new_1)
+        {
+            _S183 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+        }
+        else
+        {
+            _S183 = false;
+        }
+        if(_S183)
+        {
+            entered_0 = entered_1;
+            is_new_0 = is_new_1;
+            continue;
+        }
+        var child_0 : u32 = ray_child_0(here_1.x, slot_5);
+        if(((child_0 & (u32(2147483648)))) == u32(0))
+        {
+            var _S184 : u32 = level_0 + u32(1);
+            entered_0 = child_0;
+            is_new_0 = false;
+            level_0 = _S184;
+            continue;
+        }
+        var leaf_1 : u32 = (child_0 & (u32(2147483647)));
+        var _S185 : u32 = leaf_starts_0[leaf_1 + u32(1)];
+        var _S186 : u32 = leaf_starts_0[leaf_1];
+        var limit_5 : f32 = limit_4;
+        var i_2 : u32 = _S186;
+        for(;;)
+        {
+            if(i_2 < _S185)
+            {
+            }
+            else
+            {
+                break;
+            }
+            var crossing_2 : Crossing_0 = intersect_0((*ray_2), view_3.axes_6, u32(9) * i_2);
+            if(!crossing_2.is_hit_0)
+            {
+                i_2 = i_2 + u32(1);
+                continue;
+            }
+            if((found_0.face_2) == u32(4294967295))
+            {
+                _S180 = true;
+            }
+            else
+            {
+                _S180 = (crossing_2.t_7) < ((*ray_2).t_max_0);
+            }
+            var _S187 : bool;
+            if(_S180)
+            {
+                _S187 = true;
+            }
+            else
+            {
+                _S187 = (face_1(i_2)) < (found_0.face_2);
+            }
+            var limit_6 : f32;
+            if(_S187)
+            {
+                found_0.face_2 = face_1(i_2);
+                found_0.triangle_7 = i_2;
+                (*ray_2).t_max_0 = crossing_2.t_7;
+                found_0.v_11 = crossing_2.v_9;
+                found_0.w_5 = crossing_2.w_3;
+                limit_6 = min(limit_5, crossing_2.t_7 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_3.margin_2);
+            }
+            else
+            {
+                limit_6 = limit_5;
+            }
+            limit_5 = limit_6;
+            i_2 = i_2 + u32(1);
+        }
+        if(any_0)
+        {
+            _S180 = (found_0.face_2) != u32(4294967295);
+        }
+        else
+        {
+            _S180 = false;
+        }
+        if(_S180)
+        {
+            break;
+        }
+        entered_0 = entered_1;
+        limit_4 = limit_5;
+        is_new_0 = false;
+    }
+    return found_0;
+}
+
+fn cast_0( origin_1 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_9 : ptr<function, f32>) -> Found_0
+{
+    var size_1 : vec3<f32> = abs(direction_12);
+    var _S188 : f32 = size_1.x;
+    var _S189 : f32 = size_1.y;
+    var _S190 : bool;
+    if(_S188 >= _S189)
+    {
+        _S190 = _S188 >= (size_1.z);
+    }
+    else
+    {
+        _S190 = false;
+    }
+    var _S191 : i32;
+    if(_S190)
+    {
+        _S191 = i32(0);
+    }
+    else
+    {
+        if(_S189 >= (size_1.z))
+        {
+            _S191 = i32(1);
+        }
+        else
+        {
+            _S191 = i32(2);
+        }
+    }
+    var z_3 : u32 = u32(_S191);
+    var x_9 : u32 = (z_3 + u32(1)) % u32(3);
+    var y_3 : u32 = (z_3 + u32(2)) % u32(3);
+    var ray_3 : Ray_0;
+    ray_3.origin_0 = origin_1;
+    var along_2 : f32 = component_0(direction_12, z_3);
+    ray_3.inverse_z_0 = 1.0f / along_2;
+    ray_3.shear_x_0 = component_0(direction_12, x_9) / along_2;
+    ray_3.shear_y_0 = component_0(direction_12, y_3) / along_2;
+    ray_3.t_min_0 = t_min_1;
+    ray_3.t_max_0 = t_max_1;
+    var _S192 : f32 = abs(along_2);
+    ray_3.local_per_t_0 = _S192;
+    ray_3.enter_0 = 0.0f;
+    ray_3.edge_on_0 = limit_at_0(u32(0));
+    ray_3.largest_2 = limit_at_0(u32(1));
+    var view_4 : RayView_0;
+    var _S193 : vec3<f32> = direction_12 / vec3<f32>(_S192);
+    var axis_7 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_7 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S194 : f32 = max(abs(_S193[axis_7]), 8.67361737988403547e-19f);
+        var _S195 : f32;
+        if((_S193[axis_7]) < 0.0f)
+        {
+            _S195 = -1.0f / _S194;
+        }
+        else
+        {
+            _S195 = 1.0f / _S194;
+        }
+        view_4.inverse_1[axis_7] = _S195;
+        axis_7 = axis_7 + u32(1);
+    }
+    var offset_12 : vec3<f32> = origin_1 * view_4.inverse_1;
+    var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_4.inverse_1);
+    view_4.offset_near_0 = offset_12 + wider_0;
+    view_4.offset_far_0 = offset_12 - wider_0;
+    view_4.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
+    view_4.margin_2 = 3.814697265625e-06f;
+    view_4.axes_6 = (((x_9 | (((y_3 << (u32(2))))))) | (((z_3 << (u32(4))))));
+    var found_1 : Found_0 = first_found_0(view_4, &(ray_3), any_1);
+    (*t_9) = ray_3.t_max_0;
+    return found_1;
+}
+
+struct Side_0
+{
+     direction_13 : vec3<f32>,
+     scattered_2 : vec3<f32>,
+     found_2 : Found_0,
+     t_10 : f32,
+};
+
+fn look_0( at_38 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
+{
+    var step_0 : vec3<f32> = point_2.normal_7 * vec3<f32>(edge_real_0(u32(3)));
+    var origin_2 : vec3<f32>;
+    if(side_0 == u32(0))
+    {
+        origin_2 = point_2.direction_11 - step_0;
+    }
+    else
+    {
+        origin_2 = point_2.direction_11 + step_0;
+    }
+    var direction_14 : vec3<f32> = exact_unit_0(origin_2);
+    if(point_2.is_in_horizon_0)
+    {
+        var face_3 : vec3<f32> = face_normal_1(at_38);
+        var height_3 : f32 = limit_at_0(u32(2));
+        var _S196 : f32;
+        if((dot(direction_14, face_3)) < 0.0f)
+        {
+            _S196 = - height_3;
+        }
+        else
+        {
+            _S196 = height_3;
+        }
+        origin_2 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f32>(_S196);
+    }
+    else
+    {
+        origin_2 = at_38.vertex_2.surface_3.exact_0;
+    }
+    var seen_4 : Side_0;
+    seen_4.direction_13 = direction_14;
+    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, direction_14);
+    var _S197 : f32 = limit_at_0(u32(2));
+    var _S198 : f32 = limit_at_0(u32(1));
+    var _S199 : f32 = seen_4.t_10;
+    var _S200 : Found_0 = cast_0(origin_2, direction_14, _S197, _S198, false, &(_S199));
+    seen_4.t_10 = _S199;
+    seen_4.found_2 = _S200;
+    return seen_4;
+}
+
+fn side_path_0( number_of_path_2 : u32,  side_1 : u32) -> u32
+{
+    return launch_0.room_0 / u32(3) + u32(2) * number_of_path_2 + side_1;
+}
+
+fn set_word_0( path_10 : u32,  which_8 : u32,  value_8 : u32)
+{
+    paths_0[which_8 * launch_0.room_0 + path_10] = value_8;
+    return;
+}
+
+fn set_vector_0( path_11 : u32,  which_9 : ptr<function, u32>,  value_9 : vec3<f32>)
+{
+    var axis_8 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_8 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_11, (*which_9) + axis_8, (bitcast<u32>((value_9[axis_8]))));
+        axis_8 = axis_8 + u32(1);
+    }
+    (*which_9) = (*which_9) + u32(3);
+    return;
+}
+
+fn set_vector_1( path_12 : u32,  which_10 : ptr<function, u32>,  value_10 : vec3<f32>)
+{
+    var axis_9 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_9 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_12, (*which_10) + axis_9, (bitcast<u32>((value_10[axis_9]))));
+        axis_9 = axis_9 + u32(1);
+    }
+    (*which_10) = (*which_10) + u32(3);
+    return;
+}
+
+fn set_vector_2( path_13 : u32,  which_11 : ptr<function, u32>,  value_11 : vec3<f32>)
+{
+    var axis_10 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_10 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_13, (*which_11) + axis_10, (bitcast<u32>((value_11[axis_10]))));
+        axis_10 = axis_10 + u32(1);
+    }
+    (*which_11) = (*which_11) + u32(3);
+    return;
+}
+
+fn place_of_0( found_3 : Found_0) -> Place_0
+{
+    return place_at_0(found_3.triangle_7, found_3.v_11, found_3.w_5);
+}
+
+fn set_place_0( path_14 : u32,  which_12 : ptr<function, u32>,  place_17 : Place_0)
+{
+    set_word_0(path_14, (*which_12), place_17.triangle_0);
+    set_word_0(path_14, (*which_12) + u32(1), (bitcast<u32>((place_17.v_0))));
+    set_word_0(path_14, (*which_12) + u32(2), (bitcast<u32>((place_17.w_0))));
+    (*which_12) = (*which_12) + u32(3);
+    return;
+}
+
+fn begin_side_0( number_1 : u32,  path_15 : Path_0,  side_2 : Side_0,  weight_0 : vec3<f32>)
+{
+    var at_39 : u32 = u32(1);
+    set_vector_0(number_1, &(at_39), vec3<f32>(0.0f));
+    set_vector_0(number_1, &(at_39), vec3<f32>(1.0f));
+    set_vector_0(number_1, &(at_39), side_2.direction_13);
+    set_place_0(number_1, &(at_39), place_of_0(side_2.found_2));
+    var _S201 : u32 = at_39 + u32(1);
+    set_word_0(number_1, at_39, path_15.key_0.x);
+    at_39 = _S201 + u32(1);
+    set_word_0(number_1, _S201, path_15.key_0.y);
+    set_vector_0(number_1, &(at_39), weight_0);
+    return;
+}
+
+fn offset_of_0( point_3 : EdgePoint_0) -> vec3<f32>
+{
+    return point_3.direction_11 * vec3<f32>(point_3.distance_6);
+}
+
+fn begin_sides_of_0( at_40 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_path_3 : u32,  path_16 : Path_0,  factor_5 : vec3<f32>) -> vec2<bool>
+{
+    var sides_0 : array<Side_0, i32(2)>;
+    var side_3 : u32 = u32(0);
+    for(;;)
+    {
+        if(side_3 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        sides_0[side_3] = look_0(at_40, point_4, side_3);
+        side_3 = side_3 + u32(1);
+    }
+    var nearest_0 : f32 = point_4.distance_6 * 0.99999898672103882f;
+    var _S202 : bool;
+    if((sides_0[i32(0)].found_2.face_2) == (sides_0[i32(1)].found_2.face_2))
+    {
+        _S202 = (max(sides_0[i32(0)].t_10, sides_0[i32(1)].t_10)) < nearest_0;
+    }
+    else
+    {
+        _S202 = false;
+    }
+    var goes_on_1 : vec2<bool> = vec2<bool>(false, false);
+    side_3 = u32(0);
+    for(;;)
+    {
+        if(side_3 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S203 : bool;
+        if(_S202)
+        {
+            _S203 = true;
+        }
+        else
+        {
+            _S203 = (sides_0[side_3].found_2.face_2) == u32(4294967295);
+        }
+        var _S204 : bool;
+        if(_S203)
+        {
+            _S204 = true;
+        }
+        else
+        {
+            _S204 = !((largest_0(sides_0[side_3].scattered_2)) > 0.0f);
+        }
+        if(_S204)
+        {
+            side_3 = side_3 + u32(1);
+            continue;
+        }
+        var _S205 : vec3<f32> = factor_5 * sides_0[side_3].scattered_2;
+        var _S206 : f32;
+        if(side_3 == u32(0))
+        {
+            _S206 = 1.0f;
+        }
+        else
+        {
+            _S206 = -1.0f;
+        }
+        begin_side_0(side_path_0(number_of_path_3, side_3), path_16, sides_0[side_3], _S205 * vec3<f32>(_S206));
+        goes_on_1[side_3] = true;
+        side_3 = side_3 + u32(1);
+    }
+    var first_7 : u32 = side_path_0(number_of_path_3, u32(0));
+    var kept_1 : u32 = u32(18);
+    set_vector_1(first_7, &(kept_1), point_4.normal_7 * vec3<f32>(point_4.measure_0));
+    set_vector_1(first_7, &(kept_1), offset_of_0(point_4));
+    var _S207 : u32 = kept_1;
+    var _S208 : u32 = kept_1 + u32(1);
+    kept_1 = _S208;
+    set_word_0(first_7, _S207, (bitcast<u32>((point_4.t_5))));
+    set_word_0(first_7, _S208, point_4.edge_6.record_7);
+    return goes_on_1;
+}
+
+fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_41 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_4 : u32,  path_17 : Path_0)
+{
+    var _S209 : vec2<bool> = begin_sides_of_0(at_41, point_5, number_of_path_4, path_17, (*crossed_2).factor_1);
+    (*crossed_2).goes_on_0 = _S209;
+    return;
+}
+
+struct Share_0
+{
+     over_all_0 : f32,
+     share_0 : f32,
+     same_0 : f32,
+     place_18 : f32,
+};
+
+fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  number_of_path_5 : u32,  path_18 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
+{
+    var points_0 : u32 = u32(1);
+    var least_3 : f32 = 0.0f;
+    var over_all_1 : f32 = 0.0f;
+    var total_0 : f32 = 0.0f;
+    var step_1 : f32 = 0.0f;
+    var pass_0 : u32 = u32(0);
+    var angles_0 : f32 = 0.0f;
+    var contributions_0 : f32 = 0.0f;
+    var pieces_1 : f32 = 0.0f;
+    var drawn_0 : u32 = u32(0);
+    var cumulative_0 : f32 = 0.0f;
+    var target_0 : f32 = 0.0f;
+    for(;;)
+    {
+        if(pass_0 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var target_1 : f32;
+        if(pass_0 == u32(1))
+        {
+            if(!(angles_0 > 0.0f))
+            {
+                break;
+            }
+            var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
+            var total_1 : f32 = contributions_0 + least_4 * angles_0;
+            if((at_42.purpose_0) == u32(0))
+            {
+                target_1 = asked_0.share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
+            }
+            else
+            {
+                target_1 = asked_0.same_0;
+            }
+            var points_1 : u32 = u32(ceil(target_1));
+            var _S210 : f32 = f32(points_1);
+            var _S211 : f32 = asked_0.over_all_0 * _S210;
+            var step_2 : f32 = total_1 / _S210;
+            var _S212 : f32 = step_2 * asked_0.place_18;
+            points_0 = points_1;
+            least_3 = least_4;
+            over_all_1 = _S211;
+            total_0 = total_1;
+            step_1 = step_2;
+            target_1 = _S212;
+        }
+        else
+        {
+            target_1 = target_0;
+        }
+        var k_10 : u32 = edge_word_0(leaf_2 + u32(2));
+        var drawn_1 : u32 = drawn_0;
+        var contributions_1 : f32 = contributions_0;
+        var angles_1 : f32 = angles_0;
+        var pieces_2 : f32 = pieces_1;
+        var cumulative_1 : f32 = cumulative_0;
+        var target_2 : f32 = target_1;
+        for(;;)
+        {
+            var _S213 : bool;
+            if(k_10 < (edge_word_0(leaf_2 + u32(3))))
+            {
+                _S213 = drawn_1 < points_0;
+            }
+            else
+            {
+                _S213 = false;
+            }
+            if(_S213)
+            {
+            }
+            else
+            {
+                break;
+            }
+            var seen_5 : SeenEdge_0;
+            var _S214 : bool = see_edge_0(at_42, k_10, &(seen_5));
+            var drawn_2 : u32;
+            var contributions_2 : f32;
+            var angles_2 : f32;
+            var pieces_3 : f32;
+            var cumulative_2 : f32;
+            var target_3 : f32;
+            if(!_S214)
+            {
+                drawn_2 = drawn_1;
+                contributions_2 = contributions_1;
+                angles_2 = angles_1;
+                pieces_3 = pieces_2;
+                cumulative_2 = cumulative_1;
+                target_3 = target_2;
+                k_10 = k_10 + u32(1);
+                drawn_1 = drawn_2;
+                contributions_1 = contributions_2;
+                angles_1 = angles_2;
+                pieces_2 = pieces_3;
+                cumulative_1 = cumulative_2;
+                target_2 = target_3;
+                continue;
+            }
+            var piece_2 : f32 = 0.0f;
+            contributions_2 = contributions_1;
+            angles_2 = angles_1;
+            pieces_3 = pieces_2;
+            cumulative_2 = cumulative_1;
+            drawn_2 = drawn_1;
+            target_3 = target_2;
+            for(;;)
+            {
+                if(piece_2 < (seen_5.pieces_0))
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var weight_1 : vec2<f32> = weigh_0(at_42, seen_5, piece_2);
+                if(pass_0 == u32(0))
+                {
+                    var angles_3 : f32 = angles_2 + weight_1.y;
+                    var pieces_4 : f32 = pieces_3 + 1.0f;
+                    contributions_2 = contributions_2 + weight_1.x;
+                    angles_2 = angles_3;
+                    pieces_3 = pieces_4;
+                    piece_2 = piece_2 + 1.0f;
+                    continue;
+                }
+                var own_1 : f32 = weight_1.x + least_3 * weight_1.y;
+                var cumulative_3 : f32 = cumulative_2 + own_1;
+                var drawn_3 : u32 = drawn_2;
+                var target_4 : f32 = target_3;
+                for(;;)
+                {
+                    var _S215 : bool;
+                    if(drawn_3 < points_0)
+                    {
+                        _S215 = target_4 < cumulative_3;
+                    }
+                    else
+                    {
+                        _S215 = false;
+                    }
+                    if(_S215)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var _S216 : u32 = drawn_3 + u32(1);
+                    var target_5 : f32 = target_4 + step_1;
+                    cross_at_0(&((*crossed_3)), at_42, point_on_0(at_42, seen_5, piece_2, clamp((target_4 - cumulative_2) / own_1, 0.0f, 1.0f), over_all_1 * own_1 / total_0), number_of_path_5, path_18);
+                    drawn_3 = _S216;
+                    target_4 = target_5;
+                }
+                cumulative_2 = cumulative_3;
+                drawn_2 = drawn_3;
+                target_3 = target_4;
+                piece_2 = piece_2 + 1.0f;
+            }
+            k_10 = k_10 + u32(1);
+            drawn_1 = drawn_2;
+            contributions_1 = contributions_2;
+            angles_1 = angles_2;
+            pieces_2 = pieces_3;
+            cumulative_1 = cumulative_2;
+            target_2 = target_3;
+        }
+        pass_0 = pass_0 + u32(1);
+        angles_0 = angles_1;
+        contributions_0 = contributions_1;
+        pieces_1 = pieces_2;
+        drawn_0 = drawn_1;
+        cumulative_0 = cumulative_1;
+        target_0 = target_2;
+    }
+    return;
+}
+
+fn sample_points_0( at_43 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : Path_0,  subtrees_0 : vec3<u32>,  crossed_4 : ptr<function, Crossed_0>)
+{
+    var numbers_9 : u32 = numbers_for_0(at_43.purpose_0) + u32(1);
+    var _S217 : u32 = subtrees_0.x;
+    var _S218 : f32 = precise_random_0(path_19.key_0, numbers_9);
+    var _S219 : f32 = precise_random_0(path_19.key_0, numbers_9 + u32(1));
+    var first_8 : u32 = _S217;
+    var leaf_3 : u32 = u32(4294967295);
+    var probability_4 : f32 = 1.0f;
+    var i_3 : u32 = _S217;
+    for(;;)
+    {
+        var _S220 : u32 = subtrees_0.y;
+        if(i_3 <= _S220)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var next_0 : u32 = u32(4294967295);
+        var of_next_0 : f32 = 1.0f;
+        var _S221 : bool;
+        if(i_3 < _S220)
+        {
+            var _S222 : bool = descend_0(at_43, (f32(i_3) + _S218) / f32(subtrees_0.z), &(next_0), &(of_next_0));
+            _S221 = !_S222;
+        }
+        else
+        {
+            _S221 = false;
+        }
+        if(_S221)
+        {
+            next_0 = u32(4294967295);
+        }
+        var _S223 : bool;
+        if(i_3 > first_8)
+        {
+            _S223 = next_0 == leaf_3;
+        }
+        else
+        {
+            _S223 = false;
+        }
+        if(_S223)
+        {
+            i_3 = i_3 + u32(1);
+            continue;
+        }
+        if(leaf_3 != u32(4294967295))
+        {
+            var asked_1 : Share_0;
+            var _S224 : f32 = f32(i_3 - first_8);
+            asked_1.same_0 = _S224;
+            var _S225 : f32 = _S224 / f32(subtrees_0.z);
+            asked_1.share_0 = _S225;
+            asked_1.over_all_0 = probability_4 / _S225;
+            asked_1.place_18 = _S219 + 0.6180340051651001f * f32(first_8);
+            for(;;)
+            {
+                if((asked_1.place_18) >= 1.0f)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                asked_1.place_18 = asked_1.place_18 - 1.0f;
+            }
+            draw_points_0(at_43, leaf_3, asked_1, number_of_path_6, path_19, &((*crossed_4)));
+        }
+        first_8 = i_3;
+        leaf_3 = next_0;
+        probability_4 = of_next_0;
+        i_3 = i_3 + u32(1);
+    }
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
+{
+    var listed_0 : u32 = launch_0.first_0 + thread_0.x;
+    if(listed_0 >= (launch_0.end_0))
+    {
+        return;
+    }
+    var number_of_path_7 : u32 = input_0[listed_0];
+    var factor_6 : vec3<f32>;
+    var path_20 : Path_0 = path_at_vertex_0(number_of_path_7, &(factor_6));
+    var crossed_5 : Crossed_0 = nothing_crossed_0(factor_6);
+    var at_44 : ShadingPoint_0;
+    var _S226 : bool = shading_point_0(path_20, &(at_44));
+    var _S227 : bool;
+    if(_S226)
+    {
+        var _S228 : f32 = turn_to_0(u32(2), path_20.key_0, &(at_44));
+        _S227 = _S228 > 0.0f;
+    }
+    else
+    {
+        _S227 = false;
+    }
+    if(_S227)
+    {
+        var own_2 : u32 = subtree_of_launch_0();
+        sample_points_0(at_44, number_of_path_7, path_20, vec3<u32>(own_2, own_2 + u32(1), subtrees_of_0(at_44)), &(crossed_5));
+    }
+    var side_4 : u32 = u32(0);
+    for(;;)
+    {
+        if(side_4 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var goes_on_2 : bool = crossed_5.goes_on_0[side_4];
+        var number_2 : u32 = side_path_0(number_of_path_7, side_4);
+        var which_13 : u32 = u32(15);
+        var _S229 : u32 = u32(2) * listed_0 + side_4;
+        var _S230 : u32;
+        if(crossed_5.goes_on_0[side_4])
+        {
+            _S230 = number_2;
+        }
+        else
+        {
+            _S230 = u32(4294967295);
+        }
+        set_word_0(_S229, u32(0), _S230);
+        if(!goes_on_2)
+        {
+            set_vector_2(number_2, &(which_13), vec3<f32>(0.0f));
+        }
+        side_4 = side_4 + u32(1);
+    }
+    return;
+}

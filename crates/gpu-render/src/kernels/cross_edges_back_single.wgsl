@@ -1,0 +1,4622 @@
+// Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
+// compiler: Slang 2026.12 in slangpy 0.43.1
+// source: 6c39061bcedb282c
+// result: 0899299f0c549fc0
+
+struct Launch_std140_0
+{
+    @align(16) first_0 : u32,
+    @align(4) end_0 : u32,
+    @align(8) room_0 : u32,
+    @align(4) depth_0 : u32,
+};
+
+@binding(8) @group(0) var<uniform> launch_0 : Launch_std140_0;
+@binding(5) @group(0) var<storage, read> input_0 : array<u32>;
+
+@binding(6) @group(0) var<storage, read_write> paths_0 : array<u32>;
+
+@binding(4) @group(0) var<storage, read> scene_0 : array<u32>;
+
+@binding(2) @group(0) var<storage, read> primitives_0 : array<f32>;
+
+@binding(0) @group(0) var<storage, read> nodes_0 : array<vec4<u32>>;
+
+@binding(1) @group(0) var<storage, read> leaf_starts_0 : array<u32>;
+
+@binding(3) @group(0) var<storage, read> rough_0 : array<vec4<u32>>;
+
+@binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
+
+struct s_bwdCallableCtx_sqrt_0
+{
+     _S1 : f32,
+};
+
+struct DiffPair_float_0
+{
+     primal_0 : f32,
+     differential_0 : f32,
+};
+
+fn _d_sqrt_0( dpx_0 : ptr<function, DiffPair_float_0>,  dOut_0 : f32)
+{
+    var _S2 : f32 = 0.5f / sqrt(max(1.00000001168609742e-07f, (*dpx_0).primal_0)) * dOut_0;
+    (*dpx_0).primal_0 = (*dpx_0).primal_0;
+    (*dpx_0).differential_0 = _S2;
+    return;
+}
+
+fn s_bwdProp_sqrt_0( ctx_0 : s_bwdCallableCtx_sqrt_0,  d_x_0 : ptr<function, f32>,  d_out_0 : f32)
+{
+    var _S3 : DiffPair_float_0;
+    _S3.primal_0 = ctx_0._S1;
+    _d_sqrt_0(&(_S3), d_out_0);
+    (*d_x_0) = _S3.differential_0;
+    return;
+}
+
+struct Tuple_0
+{
+     value0_0 : f32,
+};
+
+fn s_apply_length_0( x_0 : vec3<f32>) -> Tuple_0
+{
+    var _S4 : Tuple_0 = Tuple_0( length(x_0) );
+    return _S4;
+}
+
+struct s_bwdCallableCtx_length_0
+{
+     _S5 : vec3<f32>,
+};
+
+struct DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+     primal_0 : vec3<f32>,
+     differential_0 : vec3<f32>,
+};
+
+struct s_paramCtx_s_bwdCallableCtx_length_impl_0
+{
+     value0_1 : vec3<f32>,
+};
+
+struct s_bwdCallableCtx_length_impl_0
+{
+     value0_2 : s_paramCtx_s_bwdCallableCtx_length_impl_0,
+};
+
+fn s_bwdProp_length_impl_0( _S6 : s_bwdCallableCtx_length_impl_0,  _S7 : ptr<function, vec3<f32>>,  _S8 : f32)
+{
+    var _S9 : f32 = _S6.value0_2.value0_1[i32(0)];
+    var _S10 : f32 = _S6.value0_2.value0_1[i32(1)];
+    var _S11 : f32 = _S6.value0_2.value0_1[i32(2)];
+    var _S12 : s_bwdCallableCtx_sqrt_0;
+    _S12._S1 = _S9 * _S9 + _S10 * _S10 + _S11 * _S11;
+    var _S13 : f32 = 0.0f;
+    s_bwdProp_sqrt_0(_S12, &(_S13), _S8);
+    var _S14 : f32 = _S6.value0_2.value0_1[i32(2)] * _S13;
+    var _S15 : f32 = _S14 + _S14;
+    var _S16 : f32 = _S6.value0_2.value0_1[i32(1)] * _S13;
+    var _S17 : f32 = _S16 + _S16;
+    var _S18 : f32 = _S6.value0_2.value0_1[i32(0)] * _S13;
+    var _S19 : f32 = _S18 + _S18;
+    var _S20 : vec3<f32> = vec3<f32>(0.0f);
+    _S20[i32(2)] = _S15;
+    _S20[i32(1)] = _S17;
+    _S20[i32(0)] = _S19;
+    (*_S7) = _S20;
+    return;
+}
+
+fn _S21( _S22 : ptr<function, DiffPair_vectorx3Cfloatx2C3x3E_0>,  _S23 : f32)
+{
+    var _S24 : s_paramCtx_s_bwdCallableCtx_length_impl_0;
+    _S24.value0_1 = (*_S22).primal_0;
+    var _S25 : s_bwdCallableCtx_length_impl_0 = s_bwdCallableCtx_length_impl_0( _S24 );
+    var _S26 : vec3<f32> = (*_S22).differential_0;
+    s_bwdProp_length_impl_0(_S25, &(_S26), _S23);
+    (*_S22).differential_0 = _S26;
+    return;
+}
+
+fn s_bwdProp_length_0( ctx_1 : s_bwdCallableCtx_length_0,  d_x_1 : ptr<function, vec3<f32>>,  d_out_1 : f32)
+{
+    var _S27 : DiffPair_vectorx3Cfloatx2C3x3E_0;
+    _S27.primal_0 = ctx_1._S5;
+    _S21(&(_S27), d_out_1);
+    (*d_x_1) = _S27.differential_0;
+    return;
+}
+
+struct s_bwdCallableCtx_cross_0
+{
+     _S28 : vec3<f32>,
+     _S29 : vec3<f32>,
+};
+
+fn _d_cross_0( a_0 : ptr<function, DiffPair_vectorx3Cfloatx2C3x3E_0>,  b_0 : ptr<function, DiffPair_vectorx3Cfloatx2C3x3E_0>,  dOut_1 : vec3<f32>)
+{
+    var _S30 : f32 = dOut_1.y;
+    var _S31 : f32 = dOut_1.z;
+    var _S32 : f32 = dOut_1.x;
+    var _S33 : f32 = (*a_0).primal_0.z * _S30 + - (*a_0).primal_0.y * _S31;
+    var _S34 : f32 = - (*a_0).primal_0.z * _S32 + (*a_0).primal_0.x * _S31;
+    var _S35 : f32 = (*a_0).primal_0.y * _S32 + - (*a_0).primal_0.x * _S30;
+    var _S36 : vec3<f32> = vec3<f32>(- (*b_0).primal_0.z * _S30 + (*b_0).primal_0.y * _S31, (*b_0).primal_0.z * _S32 + - (*b_0).primal_0.x * _S31, - (*b_0).primal_0.y * _S32 + (*b_0).primal_0.x * _S30);
+    (*a_0).primal_0 = (*a_0).primal_0;
+    (*a_0).differential_0 = _S36;
+    var _S37 : vec3<f32> = vec3<f32>(_S33, _S34, _S35);
+    (*b_0).primal_0 = (*b_0).primal_0;
+    (*b_0).differential_0 = _S37;
+    return;
+}
+
+fn s_bwdProp_cross_0( ctx_2 : s_bwdCallableCtx_cross_0,  d_left_0 : ptr<function, vec3<f32>>,  d_right_0 : ptr<function, vec3<f32>>,  d_out_2 : vec3<f32>)
+{
+    var _S38 : DiffPair_vectorx3Cfloatx2C3x3E_0;
+    _S38.primal_0 = ctx_2._S28;
+    var _S39 : DiffPair_vectorx3Cfloatx2C3x3E_0;
+    _S39.primal_0 = ctx_2._S29;
+    _d_cross_0(&(_S38), &(_S39), d_out_2);
+    (*d_left_0) = _S38.differential_0;
+    (*d_right_0) = _S39.differential_0;
+    return;
+}
+
+struct Tuple_1
+{
+     value0_3 : vec3<f32>,
+};
+
+fn s_apply_normalize_0( x_1 : vec3<f32>) -> Tuple_1
+{
+    var _S40 : Tuple_1 = Tuple_1( normalize(x_1) );
+    return _S40;
+}
+
+struct s_bwdCallableCtx_normalize_0
+{
+     _S41 : vec3<f32>,
+};
+
+struct s_paramCtx_s_bwdCallableCtx_normalize_impl_0
+{
+     value0_4 : vec3<f32>,
+};
+
+struct s_bwdCallableCtx_normalize_impl_0
+{
+     value0_5 : s_paramCtx_s_bwdCallableCtx_normalize_impl_0,
+};
+
+fn s_bwdProp_normalize_impl_0( _S42 : s_bwdCallableCtx_normalize_impl_0,  _S43 : ptr<function, vec3<f32>>,  _S44 : vec3<f32>)
+{
+    var _S45 : Tuple_0 = s_apply_length_0(_S42.value0_5.value0_4);
+    var _S46 : s_bwdCallableCtx_length_0;
+    _S46._S5 = _S42.value0_5.value0_4;
+    var _S47 : vec3<f32> = _S42.value0_5.value0_4 * _S44;
+    var _S48 : vec3<f32> = vec3<f32>((1.0f / _S45.value0_0)) * _S44;
+    var _S49 : f32 = - ((_S47[i32(0)] + _S47[i32(1)] + _S47[i32(2)]) / (_S45.value0_0 * _S45.value0_0));
+    var _S50 : vec3<f32> = vec3<f32>(0.0f);
+    s_bwdProp_length_0(_S46, &(_S50), _S49);
+    (*_S43) = _S48 + _S50;
+    return;
+}
+
+fn _S51( _S52 : ptr<function, DiffPair_vectorx3Cfloatx2C3x3E_0>,  _S53 : vec3<f32>)
+{
+    var _S54 : s_paramCtx_s_bwdCallableCtx_normalize_impl_0;
+    _S54.value0_4 = (*_S52).primal_0;
+    var _S55 : s_bwdCallableCtx_normalize_impl_0 = s_bwdCallableCtx_normalize_impl_0( _S54 );
+    var _S56 : vec3<f32> = (*_S52).differential_0;
+    s_bwdProp_normalize_impl_0(_S55, &(_S56), _S53);
+    (*_S52).differential_0 = _S56;
+    return;
+}
+
+fn s_bwdProp_normalize_0( ctx_3 : s_bwdCallableCtx_normalize_0,  d_x_2 : ptr<function, vec3<f32>>,  d_out_3 : vec3<f32>)
+{
+    var _S57 : DiffPair_vectorx3Cfloatx2C3x3E_0;
+    _S57.primal_0 = ctx_3._S41;
+    _S51(&(_S57), d_out_3);
+    (*d_x_2) = _S57.differential_0;
+    return;
+}
+
+struct Tuple_2
+{
+     value0_6 : f32,
+};
+
+fn s_apply_dot_0( x_2 : vec3<f32>,  y_0 : vec3<f32>) -> Tuple_2
+{
+    var _S58 : Tuple_2 = Tuple_2( dot(x_2, y_0) );
+    return _S58;
+}
+
+struct s_bwdCallableCtx_dot_0
+{
+     _S59 : vec3<f32>,
+     _S60 : vec3<f32>,
+};
+
+fn _d_dot_0( dpx_1 : ptr<function, DiffPair_vectorx3Cfloatx2C3x3E_0>,  dpy_0 : ptr<function, DiffPair_vectorx3Cfloatx2C3x3E_0>,  dOut_2 : f32)
+{
+    var x_d_result_0 : vec3<f32>;
+    x_d_result_0[i32(0)] = (*dpy_0).primal_0[i32(0)] * dOut_2;
+    var y_d_result_0 : vec3<f32>;
+    y_d_result_0[i32(0)] = (*dpx_1).primal_0[i32(0)] * dOut_2;
+    x_d_result_0[i32(1)] = (*dpy_0).primal_0[i32(1)] * dOut_2;
+    y_d_result_0[i32(1)] = (*dpx_1).primal_0[i32(1)] * dOut_2;
+    x_d_result_0[i32(2)] = (*dpy_0).primal_0[i32(2)] * dOut_2;
+    y_d_result_0[i32(2)] = (*dpx_1).primal_0[i32(2)] * dOut_2;
+    (*dpx_1).primal_0 = (*dpx_1).primal_0;
+    (*dpx_1).differential_0 = x_d_result_0;
+    (*dpy_0).primal_0 = (*dpy_0).primal_0;
+    (*dpy_0).differential_0 = y_d_result_0;
+    return;
+}
+
+fn s_bwdProp_dot_0( ctx_4 : s_bwdCallableCtx_dot_0,  d_x_3 : ptr<function, vec3<f32>>,  d_y_0 : ptr<function, vec3<f32>>,  d_out_4 : f32)
+{
+    var _S61 : DiffPair_vectorx3Cfloatx2C3x3E_0;
+    _S61.primal_0 = ctx_4._S59;
+    var _S62 : DiffPair_vectorx3Cfloatx2C3x3E_0;
+    _S62.primal_0 = ctx_4._S60;
+    _d_dot_0(&(_S61), &(_S62), d_out_4);
+    (*d_x_3) = _S61.differential_0;
+    (*d_y_0) = _S62.differential_0;
+    return;
+}
+
+struct s_bwdCallableCtx_max_0
+{
+     _S63 : f32,
+     _S64 : f32,
+};
+
+fn _d_max_0( dpx_2 : ptr<function, DiffPair_float_0>,  dpy_1 : ptr<function, DiffPair_float_0>,  dOut_3 : f32)
+{
+    var _S65 : DiffPair_float_0 = (*dpx_2);
+    var _S66 : f32;
+    if(((*dpx_2).primal_0) > ((*dpy_1).primal_0))
+    {
+        _S66 = dOut_3;
+    }
+    else
+    {
+        if(((*dpx_2).primal_0) < ((*dpy_1).primal_0))
+        {
+            _S66 = 0.0f;
+        }
+        else
+        {
+            _S66 = 0.5f * dOut_3;
+        }
+    }
+    (*dpx_2).primal_0 = _S65.primal_0;
+    (*dpx_2).differential_0 = _S66;
+    var _S67 : DiffPair_float_0 = (*dpy_1);
+    if(((*dpy_1).primal_0) > (_S65.primal_0))
+    {
+        _S66 = dOut_3;
+    }
+    else
+    {
+        if(((*dpy_1).primal_0) < ((*dpx_2).primal_0))
+        {
+            _S66 = 0.0f;
+        }
+        else
+        {
+            _S66 = 0.5f * dOut_3;
+        }
+    }
+    (*dpy_1).primal_0 = _S67.primal_0;
+    (*dpy_1).differential_0 = _S66;
+    return;
+}
+
+fn s_bwdProp_max_0( ctx_5 : s_bwdCallableCtx_max_0,  d_x_4 : ptr<function, f32>,  d_y_1 : ptr<function, f32>,  d_out_5 : f32)
+{
+    var _S68 : DiffPair_float_0;
+    _S68.primal_0 = ctx_5._S63;
+    var _S69 : DiffPair_float_0;
+    _S69.primal_0 = ctx_5._S64;
+    _d_max_0(&(_S68), &(_S69), d_out_5);
+    (*d_x_4) = _S68.differential_0;
+    (*d_y_1) = _S69.differential_0;
+    return;
+}
+
+struct Tuple_3
+{
+     value0_7 : f32,
+};
+
+fn s_apply_abs_0( x_3 : f32) -> Tuple_3
+{
+    var _S70 : Tuple_3 = Tuple_3( abs(x_3) );
+    return _S70;
+}
+
+struct s_bwdCallableCtx_abs_0
+{
+     _S71 : f32,
+};
+
+fn _d_abs_0( dpx_3 : ptr<function, DiffPair_float_0>,  dOut_4 : f32)
+{
+    var _S72 : f32 = select(select(-1.0f, 0.0f, ((*dpx_3).primal_0) == 0.0f), 1.0f, ((*dpx_3).primal_0) > 0.0f) * dOut_4;
+    (*dpx_3).primal_0 = (*dpx_3).primal_0;
+    (*dpx_3).differential_0 = _S72;
+    return;
+}
+
+fn s_bwdProp_abs_0( ctx_6 : s_bwdCallableCtx_abs_0,  d_x_5 : ptr<function, f32>,  d_out_6 : f32)
+{
+    var _S73 : DiffPair_float_0;
+    _S73.primal_0 = ctx_6._S71;
+    _d_abs_0(&(_S73), d_out_6);
+    (*d_x_5) = _S73.differential_0;
+    return;
+}
+
+struct Axes_0
+{
+     s_0 : vec3<f32>,
+     t_0 : vec3<f32>,
+     n_0 : vec3<f32>,
+};
+
+struct s_paramCtx_s_bwdCallableCtx_axes_around_0
+{
+     value0_8 : vec3<f32>,
+     value1_0 : bool,
+};
+
+struct s_bwdCallableCtx_axes_around_0
+{
+     value0_9 : s_paramCtx_s_bwdCallableCtx_axes_around_0,
+};
+
+fn s_bwdProp_axes_around_0( _S74 : s_bwdCallableCtx_axes_around_0,  _S75 : ptr<function, vec3<f32>>,  _S76 : Axes_0)
+{
+    var _S77 : f32 = _S74.value0_9.value0_8.z;
+    var sign_0 : f32;
+    if(_S77 < 0.0f)
+    {
+        sign_0 = -1.0f;
+    }
+    else
+    {
+        sign_0 = 1.0f;
+    }
+    var _S78 : f32 = sign_0 + _S77;
+    var a_1 : f32 = -1.0f / _S78;
+    var _S79 : f32 = _S78 * _S78;
+    var _S80 : f32 = _S74.value0_9.value0_8.x;
+    var _S81 : f32 = _S74.value0_9.value0_8.y;
+    var _S82 : f32 = _S80 * _S81;
+    var _S83 : f32 = sign_0 * _S80;
+    var _S84 : f32 = _S83 * _S80;
+    var _S85 : f32 = - sign_0;
+    var _S86 : f32 = _S81 * _S81;
+    var _S87 : f32 = _S81 * (a_1 * _S76.t_0[i32(1)]);
+    var _S88 : f32 = a_1 * _S76.s_0[i32(0)];
+    var _S89 : f32 = _S76.t_0[i32(0)] + sign_0 * _S76.s_0[i32(1)];
+    var _S90 : f32 = a_1 * _S89;
+    var _S91 : vec3<f32> = vec3<f32>(_S85 * _S76.s_0[i32(2)] + _S83 * _S88 + sign_0 * (_S80 * _S88) + _S81 * _S90, - _S76.t_0[i32(2)] + _S87 + _S87 + _S80 * _S90, 0.0f) + vec3<f32>(0.0f, 0.0f, -1.0f * - ((_S86 * _S76.t_0[i32(1)] + _S84 * _S76.s_0[i32(0)] + _S82 * _S89) / _S79));
+    var _S92 : vec3<f32>;
+    if(_S74.value0_9.value1_0)
+    {
+        _S92 = _S76.n_0 + _S91;
+    }
+    else
+    {
+        _S92 = (vec3<f32>(0) - _S76.n_0) + _S91;
+    }
+    (*_S75) = _S92;
+    return;
+}
+
+fn _S93( _S94 : ptr<function, DiffPair_vectorx3Cfloatx2C3x3E_0>,  _S95 : bool,  _S96 : Axes_0)
+{
+    var _S97 : s_paramCtx_s_bwdCallableCtx_axes_around_0;
+    _S97.value0_8 = (*_S94).primal_0;
+    _S97.value1_0 = _S95;
+    var _S98 : s_bwdCallableCtx_axes_around_0 = s_bwdCallableCtx_axes_around_0( _S97 );
+    var _S99 : vec3<f32> = (*_S94).differential_0;
+    s_bwdProp_axes_around_0(_S98, &(_S99), _S96);
+    (*_S94).differential_0 = _S99;
+    return;
+}
+
+struct s_paramCtx_s_bwdCallableCtx_axes_along_0
+{
+     value0_10 : vec3<f32>,
+     value1_1 : vec3<f32>,
+     value2_0 : bool,
+};
+
+struct s_bwdCallableCtx_axes_along_0
+{
+     value0_11 : s_paramCtx_s_bwdCallableCtx_axes_along_0,
+};
+
+fn s_bwdProp_axes_along_0( _S100 : s_bwdCallableCtx_axes_along_0,  _S101 : ptr<function, vec3<f32>>,  _S102 : ptr<function, vec3<f32>>,  _S103 : Axes_0)
+{
+    var _S104 : vec3<f32> = vec3<f32>(s_apply_dot_0(_S100.value0_11.value0_10, _S100.value0_11.value1_1).value0_6);
+    var _S105 : s_bwdCallableCtx_dot_0;
+    _S105._S59 = _S100.value0_11.value0_10;
+    _S105._S60 = _S100.value0_11.value1_1;
+    var _S106 : vec3<f32> = _S100.value0_11.value1_1 - _S100.value0_11.value0_10 * _S104;
+    var _S107 : Tuple_1 = s_apply_normalize_0(_S106);
+    var _S108 : s_bwdCallableCtx_normalize_0;
+    _S108._S41 = _S106;
+    var _S109 : s_bwdCallableCtx_cross_0;
+    _S109._S28 = _S100.value0_11.value0_10;
+    _S109._S29 = _S107.value0_3;
+    var _S110 : vec3<f32> = vec3<f32>(0.0f);
+    var _S111 : vec3<f32> = _S110;
+    var _S112 : vec3<f32> = _S110;
+    s_bwdProp_cross_0(_S109, &(_S111), &(_S112), _S103.t_0);
+    var _S113 : vec3<f32> = _S103.s_0 + _S112;
+    var _S114 : vec3<f32> = _S110;
+    s_bwdProp_normalize_0(_S108, &(_S114), _S113);
+    var _S115 : vec3<f32> = (vec3<f32>(0) - _S114);
+    var _S116 : vec3<f32> = _S100.value0_11.value0_10 * _S115;
+    var _S117 : vec3<f32> = _S104 * _S115;
+    var _S118 : f32 = _S116[i32(0)] + _S116[i32(1)] + _S116[i32(2)];
+    var _S119 : vec3<f32> = _S110;
+    var _S120 : vec3<f32> = _S110;
+    s_bwdProp_dot_0(_S105, &(_S119), &(_S120), _S118);
+    var _S121 : vec3<f32> = _S111 + _S117 + _S119;
+    var _S122 : vec3<f32> = _S114 + _S120;
+    var _S123 : vec3<f32>;
+    if(_S100.value0_11.value2_0)
+    {
+        _S123 = _S103.n_0 + _S121;
+    }
+    else
+    {
+        _S123 = (vec3<f32>(0) - _S103.n_0) + _S121;
+    }
+    (*_S101) = _S123;
+    (*_S102) = _S122;
+    return;
+}
+
+fn _S124( _S125 : ptr<function, DiffPair_vectorx3Cfloatx2C3x3E_0>,  _S126 : ptr<function, DiffPair_vectorx3Cfloatx2C3x3E_0>,  _S127 : bool,  _S128 : Axes_0)
+{
+    var _S129 : s_paramCtx_s_bwdCallableCtx_axes_along_0;
+    _S129.value0_10 = (*_S125).primal_0;
+    _S129.value1_1 = (*_S126).primal_0;
+    _S129.value2_0 = _S127;
+    var _S130 : s_bwdCallableCtx_axes_along_0 = s_bwdCallableCtx_axes_along_0( _S129 );
+    var _S131 : vec3<f32> = (*_S125).differential_0;
+    var _S132 : vec3<f32> = (*_S126).differential_0;
+    s_bwdProp_axes_along_0(_S130, &(_S131), &(_S132), _S128);
+    (*_S125).differential_0 = _S131;
+    (*_S126).differential_0 = _S132;
+    return;
+}
+
+struct DiffPair_Axes_0
+{
+     primal_0 : Axes_0,
+     differential_0 : Axes_0,
+};
+
+struct s_paramCtx_s_bwdCallableCtx_towards_viewer_0
+{
+     value0_12 : Axes_0,
+     value1_2 : vec3<f32>,
+};
+
+struct s_bwdCallableCtx_towards_viewer_0
+{
+     value0_13 : s_paramCtx_s_bwdCallableCtx_towards_viewer_0,
+};
+
+struct Tuple_4
+{
+     value0_14 : vec3<f32>,
+};
+
+fn s_apply_to_local_0( _S133 : Axes_0,  _S134 : vec3<f32>) -> Tuple_4
+{
+    var _S135 : Tuple_4;
+    _S135.value0_14 = vec3<f32>(s_apply_dot_0(_S133.s_0, _S134).value0_6, s_apply_dot_0(_S133.t_0, _S134).value0_6, s_apply_dot_0(_S133.n_0, _S134).value0_6);
+    return _S135;
+}
+
+struct s_paramCtx_s_bwdCallableCtx_to_local_0
+{
+     value0_15 : Axes_0,
+     value1_3 : vec3<f32>,
+};
+
+struct s_bwdCallableCtx_to_local_0
+{
+     value0_16 : s_paramCtx_s_bwdCallableCtx_to_local_0,
+};
+
+fn Axes_x24_syn_dzero_0() -> Axes_0
+{
+    var result_0 : Axes_0;
+    var _S136 : vec3<f32> = vec3<f32>(0.0f);
+    result_0.s_0 = _S136;
+    result_0.t_0 = _S136;
+    result_0.n_0 = _S136;
+    return result_0;
+}
+
+fn Axes_x24_syn_dadd_0( SLANG_anonymous_0_0 : Axes_0,  SLANG_anonymous_1_0 : Axes_0) -> Axes_0
+{
+    var result_1 : Axes_0;
+    result_1.s_0 = SLANG_anonymous_0_0.s_0 + SLANG_anonymous_1_0.s_0;
+    result_1.t_0 = SLANG_anonymous_0_0.t_0 + SLANG_anonymous_1_0.t_0;
+    result_1.n_0 = SLANG_anonymous_0_0.n_0 + SLANG_anonymous_1_0.n_0;
+    return result_1;
+}
+
+fn s_bwdProp_to_local_0( _S137 : s_bwdCallableCtx_to_local_0,  _S138 : ptr<function, Axes_0>,  _S139 : ptr<function, vec3<f32>>,  _S140 : vec3<f32>)
+{
+    var _S141 : s_bwdCallableCtx_dot_0;
+    _S141._S59 = _S137.value0_16.value0_15.s_0;
+    _S141._S60 = _S137.value0_16.value1_3;
+    var _S142 : s_bwdCallableCtx_dot_0;
+    _S142._S59 = _S137.value0_16.value0_15.t_0;
+    _S142._S60 = _S137.value0_16.value1_3;
+    var _S143 : s_bwdCallableCtx_dot_0;
+    _S143._S59 = _S137.value0_16.value0_15.n_0;
+    _S143._S60 = _S137.value0_16.value1_3;
+    var _S144 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S145 : vec3<f32> = vec3<f32>(0.0f);
+    var _S146 : vec3<f32> = _S145;
+    var _S147 : vec3<f32> = _S145;
+    s_bwdProp_dot_0(_S143, &(_S146), &(_S147), _S140[i32(2)]);
+    var _S148 : vec3<f32> = _S145;
+    var _S149 : vec3<f32> = _S145;
+    s_bwdProp_dot_0(_S142, &(_S148), &(_S149), _S140[i32(1)]);
+    var _S150 : vec3<f32> = _S145;
+    var _S151 : vec3<f32> = _S145;
+    s_bwdProp_dot_0(_S141, &(_S150), &(_S151), _S140[i32(0)]);
+    var _S152 : vec3<f32> = _S147 + _S149 + _S151;
+    var _S153 : Axes_0 = _S144;
+    _S153.n_0 = _S146;
+    _S153.t_0 = _S148;
+    _S153.s_0 = _S150;
+    (*_S138) = Axes_x24_syn_dadd_0(_S144, _S153);
+    (*_S139) = _S152;
+    return;
+}
+
+fn s_bwdProp_towards_viewer_0( _S154 : s_bwdCallableCtx_towards_viewer_0,  _S155 : ptr<function, Axes_0>,  _S156 : ptr<function, vec3<f32>>,  _S157 : vec3<f32>)
+{
+    var _S158 : Tuple_4 = s_apply_to_local_0(_S154.value0_13.value0_12, _S154.value0_13.value1_2);
+    var _S159 : s_paramCtx_s_bwdCallableCtx_to_local_0;
+    _S159.value0_15 = _S154.value0_13.value0_12;
+    _S159.value1_3 = _S154.value0_13.value1_2;
+    var _S160 : s_bwdCallableCtx_to_local_0 = s_bwdCallableCtx_to_local_0( _S159 );
+    var _S161 : f32 = (vec3<f32>(0) - _S158.value0_14).z;
+    var _S162 : Tuple_3 = s_apply_abs_0(_S161);
+    var _S163 : s_bwdCallableCtx_abs_0;
+    _S163._S71 = _S161;
+    var _S164 : s_bwdCallableCtx_max_0;
+    _S164._S63 = _S162.value0_7;
+    _S164._S64 = 9.999999960041972e-13f;
+    var _S165 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S166 : f32 = 0.0f;
+    var _S167 : f32 = 0.0f;
+    s_bwdProp_max_0(_S164, &(_S166), &(_S167), _S157[i32(2)]);
+    var _S168 : f32 = 0.0f;
+    s_bwdProp_abs_0(_S163, &(_S168), _S166);
+    var _S169 : vec3<f32> = (vec3<f32>(0) - vec3<f32>(_S157[i32(0)], _S157[i32(1)], _S168));
+    var _S170 : vec3<f32> = vec3<f32>(0.0f);
+    var _S171 : Axes_0;
+    _S171.s_0 = _S170;
+    _S171.t_0 = _S170;
+    _S171.n_0 = _S170;
+    var _S172 : vec3<f32> = _S170;
+    s_bwdProp_to_local_0(_S160, &(_S171), &(_S172), _S169);
+    (*_S155) = Axes_x24_syn_dadd_0(_S171, _S165);
+    (*_S156) = _S172;
+    return;
+}
+
+fn _S173( _S174 : ptr<function, DiffPair_Axes_0>,  _S175 : ptr<function, DiffPair_vectorx3Cfloatx2C3x3E_0>,  _S176 : vec3<f32>)
+{
+    var _S177 : s_paramCtx_s_bwdCallableCtx_towards_viewer_0;
+    _S177.value0_12 = (*_S174).primal_0;
+    _S177.value1_2 = (*_S175).primal_0;
+    var _S178 : s_bwdCallableCtx_towards_viewer_0 = s_bwdCallableCtx_towards_viewer_0( _S177 );
+    var _S179 : Axes_0 = (*_S174).differential_0;
+    var _S180 : vec3<f32> = (*_S175).differential_0;
+    s_bwdProp_towards_viewer_0(_S178, &(_S179), &(_S180), _S176);
+    (*_S174).differential_0 = _S179;
+    (*_S175).differential_0 = _S180;
+    return;
+}
+
+fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
+{
+    return paths_0[which_0 * launch_0.room_0 + path_0];
+}
+
+fn path_vector_0( path_1 : u32,  which_1 : ptr<function, u32>) -> vec3<f32>
+{
+    var _S181 : u32 = (*which_1) + u32(3);
+    (*which_1) = _S181;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_1, _S181 - u32(3)), path_word_0(path_1, _S181 - u32(2)), path_word_0(path_1, _S181 - u32(1))))));
+}
+
+fn path_vector_1( path_2 : u32,  which_2 : ptr<function, u32>) -> vec3<f32>
+{
+    var _S182 : u32 = (*which_2) + u32(3);
+    (*which_2) = _S182;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_2, _S182 - u32(3)), path_word_0(path_2, _S182 - u32(2)), path_word_0(path_2, _S182 - u32(1))))));
+}
+
+fn path_vector_2( path_3 : u32,  which_3 : ptr<function, u32>) -> vec3<f32>
+{
+    var _S183 : u32 = (*which_3) + u32(3);
+    (*which_3) = _S183;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_3, _S183 - u32(3)), path_word_0(path_3, _S183 - u32(2)), path_word_0(path_3, _S183 - u32(1))))));
+}
+
+fn path_vector_3( path_4 : u32,  which_4 : ptr<function, u32>) -> vec3<f32>
+{
+    var _S184 : u32 = (*which_4) + u32(3);
+    (*which_4) = _S184;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_4, _S184 - u32(3)), path_word_0(path_4, _S184 - u32(2)), path_word_0(path_4, _S184 - u32(1))))));
+}
+
+fn path_changing_0( path_5 : u32,  which_5 : ptr<function, u32>) -> vec3<f32>
+{
+    var value_0 : vec3<f32> = path_vector_3(path_5, &((*which_5)));
+    return value_0;
+}
+
+struct Place_0
+{
+     triangle_0 : u32,
+     v_0 : f32,
+     w_0 : f32,
+};
+
+fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+{
+    var place_0 : Place_0;
+    place_0.triangle_0 = triangle_1;
+    place_0.v_0 = v_1;
+    place_0.w_0 = w_1;
+    return place_0;
+}
+
+fn path_place_0( path_6 : u32,  which_6 : ptr<function, u32>) -> Place_0
+{
+    var _S185 : u32 = (*which_6) + u32(3);
+    (*which_6) = _S185;
+    return place_at_0(path_word_0(path_6, _S185 - u32(3)), (bitcast<f32>((path_word_0(path_6, _S185 - u32(2))))), (bitcast<f32>((path_word_0(path_6, _S185 - u32(1))))));
+}
+
+fn path_place_1( path_7 : u32,  which_7 : ptr<function, u32>) -> Place_0
+{
+    var _S186 : u32 = (*which_7) + u32(3);
+    (*which_7) = _S186;
+    return place_at_0(path_word_0(path_7, _S186 - u32(3)), (bitcast<f32>((path_word_0(path_7, _S186 - u32(2))))), (bitcast<f32>((path_word_0(path_7, _S186 - u32(1))))));
+}
+
+struct ByRay_0
+{
+     drift_0 : vec3<f32>,
+     direction_0 : vec3<f32>,
+};
+
+struct Path_0
+{
+     throughput_0 : vec3<f32>,
+     direction_1 : vec3<f32>,
+     place_1 : Place_0,
+     key_0 : vec2<u32>,
+     adjoint_0 : vec3<f32>,
+     distance_0 : f32,
+     by_ray_0 : ByRay_0,
+};
+
+fn load_0( number_of_path_0 : u32) -> Path_0
+{
+    var at_0 : u32 = u32(1);
+    var path_8 : Path_0;
+    var _S187 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
+    path_8.adjoint_0 = _S187;
+    path_8.distance_0 = 0.0f;
+    var _S188 : vec3<f32> = vec3<f32>(0.0f);
+    path_8.by_ray_0.direction_0 = _S188;
+    path_8.by_ray_0.drift_0 = _S188;
+    var _S189 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
+    path_8.throughput_0 = _S189;
+    var _S190 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
+    path_8.direction_1 = _S190;
+    var _S191 : Place_0 = path_place_0(number_of_path_0, &(at_0));
+    path_8.place_1 = _S191;
+    path_8.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_0), path_word_0(number_of_path_0, at_0 + u32(1)));
+    return path_8;
+}
+
+fn depth_of_launch_0() -> u32
+{
+    return ((launch_0.depth_0) & (u32(16777215)));
+}
+
+fn kept_at_0( depth_1 : u32) -> u32
+{
+    return u32(31) + u32(27) * depth_1;
+}
+
+fn path_at_vertex_0( number_of_path_1 : u32,  factor_0 : ptr<function, vec3<f32>>) -> Path_0
+{
+    var path_9 : Path_0 = load_0(number_of_path_1);
+    var kept_0 : u32 = kept_at_0(depth_of_launch_0());
+    var _S192 : vec3<f32> = path_vector_2(number_of_path_1, &(kept_0));
+    (*factor_0) = _S192;
+    var _S193 : Place_0 = path_place_1(number_of_path_1, &(kept_0));
+    path_9.place_1 = _S193;
+    var _S194 : vec3<f32> = path_vector_2(number_of_path_1, &(kept_0));
+    path_9.direction_1 = _S194;
+    return path_9;
+}
+
+fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
+{
+    return vector_0;
+}
+
+fn word_0( at_1 : u32) -> u32
+{
+    return scene_0[at_1];
+}
+
+fn triangle_record_0( triangle_2 : u32) -> u32
+{
+    return word_0(u32(9)) + u32(5) * triangle_2;
+}
+
+fn shape_of_0( triangle_3 : u32) -> u32
+{
+    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_3));
+}
+
+fn primitive_vector_0( at_2 : u32) -> vec3<f32>
+{
+    return vec3<f32>(primitives_0[at_2], primitives_0[at_2 + u32(1)], primitives_0[at_2 + u32(2)]);
+}
+
+fn position_of_0( place_2 : Place_0) -> vec3<f32>
+{
+    var at_3 : u32 = u32(9) * place_2.triangle_0;
+    var a_2 : vec3<f32> = primitive_vector_0(at_3);
+    return a_2 + (primitive_vector_0(at_3 + u32(3)) - a_2) * vec3<f32>(place_2.v_0) + (primitive_vector_0(at_3 + u32(6)) - a_2) * vec3<f32>(place_2.w_0);
+}
+
+fn cross_of_0( triangle_4 : u32) -> vec3<f32>
+{
+    var at_4 : u32 = u32(9) * triangle_4;
+    var a_3 : vec3<f32> = primitive_vector_0(at_4);
+    return cross(primitive_vector_0(at_4 + u32(3)) - a_3, primitive_vector_0(at_4 + u32(6)) - a_3);
+}
+
+fn unit_0( v_2 : vec3<f32>) -> vec3<f32>
+{
+    return normalize(v_2 / vec3<f32>(max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z))));
+}
+
+fn number_0( at_5 : u32) -> f32
+{
+    return (bitcast<f32>((scene_0[at_5])));
+}
+
+fn vector_at_0( at_6 : u32) -> vec3<f32>
+{
+    return vec3<f32>(number_0(at_6), number_0(at_6 + u32(1)), number_0(at_6 + u32(2)));
+}
+
+struct Surface_0
+{
+     place_3 : Place_0,
+     shape_0 : u32,
+     exact_0 : vec3<f32>,
+     position_0 : vec3<f32>,
+     face_normal_0 : vec3<f32>,
+     outward_0 : vec3<f32>,
+     is_front_0 : bool,
+};
+
+fn surface_at_0( place_4 : Place_0,  direction_2 : vec3<f32>) -> Surface_0
+{
+    var surface_0 : Surface_0;
+    surface_0.place_3 = place_4;
+    surface_0.shape_0 = shape_of_0(place_4.triangle_0);
+    var _S195 : vec3<f32> = position_of_0(place_4);
+    surface_0.exact_0 = _S195;
+    surface_0.position_0 = _S195;
+    var _S196 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
+    surface_0.face_normal_0 = _S196;
+    surface_0.outward_0 = _S196;
+    var seen_0 : f32;
+    if((dot(_S196, direction_2)) > 0.0f)
+    {
+        seen_0 = -1.0f;
+    }
+    else
+    {
+        seen_0 = 1.0f;
+    }
+    var normals_0 : u32 = word_0(surface_0.shape_0);
+    if(normals_0 != u32(4294967295))
+    {
+        var record_0 : u32 = triangle_record_0(place_4.triangle_0) + u32(2);
+        var a_4 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0));
+        var b_1 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0 + u32(1)));
+        var c_0 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0 + u32(2)));
+        if((dot(a_4 + b_1 + c_0, surface_0.face_normal_0)) < 0.0f)
+        {
+            seen_0 = - seen_0;
+        }
+        surface_0.outward_0 = normalize(a_4 + (b_1 - a_4) * vec3<f32>(place_4.v_0) + (c_0 - a_4) * vec3<f32>(place_4.w_0));
+    }
+    surface_0.is_front_0 = seen_0 > 0.0f;
+    return surface_0;
+}
+
+fn material_of_0( surface_1 : Surface_0) -> u32
+{
+    var _S197 : u32;
+    if(surface_1.is_front_0)
+    {
+        _S197 = u32(2);
+    }
+    else
+    {
+        _S197 = u32(3);
+    }
+    return word_0(surface_1.shape_0 + _S197);
+}
+
+struct Numbers_0
+{
+     diffuse_reflectance_0 : vec3<f32>,
+     specular_reflectance_0 : vec3<f32>,
+     eta_0 : vec3<f32>,
+     k_0 : vec3<f32>,
+     alpha_0 : vec2<f32>,
+};
+
+fn no_numbers_0() -> Numbers_0
+{
+    var numbers_0 : Numbers_0;
+    var _S198 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_0.k_0 = _S198;
+    numbers_0.eta_0 = _S198;
+    numbers_0.specular_reflectance_0 = _S198;
+    numbers_0.diffuse_reflectance_0 = _S198;
+    numbers_0.alpha_0 = vec2<f32>(0.0f);
+    return numbers_0;
+}
+
+struct Lookup_0
+{
+     count_0 : u32,
+     texels_0 : vec4<u32>,
+     weights_0 : vec4<f32>,
+     by_first_0 : vec4<f32>,
+     by_second_0 : vec4<f32>,
+};
+
+fn one_texel_0( texel_0 : u32) -> Lookup_0
+{
+    var lookup_0 : Lookup_0;
+    lookup_0.count_0 = u32(1);
+    lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
+    lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    var _S199 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S199;
+    lookup_0.by_first_0 = _S199;
+    return lookup_0;
+}
+
+struct Corners2_0
+{
+     a_5 : vec2<f32>,
+     b_2 : vec2<f32>,
+     c_1 : vec2<f32>,
+};
+
+fn Corners2_x24init_0( a_6 : vec2<f32>,  b_3 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
+{
+    var _S200 : Corners2_0;
+    _S200.a_5 = a_6;
+    _S200.b_2 = b_3;
+    _S200.c_1 = c_2;
+    return _S200;
+}
+
+fn uvs_of_0( triangle_5 : u32) -> Corners2_0
+{
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_at_0 : u32 = word_0(shape_of_0(triangle_5) + u32(1));
+    if(uvs_at_0 == u32(4294967295))
+    {
+        return uvs_0;
+    }
+    var at_7 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_5) + u32(1));
+    uvs_0.a_5 = vec2<f32>(number_0(at_7), number_0(at_7 + u32(1)));
+    uvs_0.b_2 = vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3)));
+    uvs_0.c_1 = vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5)));
+    return uvs_0;
+}
+
+fn floor_of_0( x_4 : f32) -> i32
+{
+    return i32(floor(clamp(x_4, -1.0e+09f, 1.0e+09f)));
+}
+
+fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
+{
+    if(wrap_0 == u32(2))
+    {
+        return u32(clamp(i_0, i32(0), n_1 - i32(1)));
+    }
+    var period_0 : i32;
+    if(wrap_0 == u32(1))
+    {
+        period_0 = i32(2) * n_1;
+    }
+    else
+    {
+        period_0 = n_1;
+    }
+    var inside_0 : i32 = i_0 % period_0;
+    var inside_1 : i32;
+    if(inside_0 < i32(0))
+    {
+        inside_1 = inside_0 + period_0;
+    }
+    else
+    {
+        inside_1 = inside_0;
+    }
+    if(inside_1 < n_1)
+    {
+        period_0 = inside_1;
+    }
+    else
+    {
+        period_0 = i32(2) * n_1 - i32(1) - inside_1;
+    }
+    return u32(period_0);
+}
+
+struct Point_0
+{
+     value_1 : vec2<f32>,
+     by_first_1 : vec2<f32>,
+     by_second_1 : vec2<f32>,
+};
+
+fn between_0( texels_1 : vec4<u32>,  place_5 : Point_0) -> Lookup_0
+{
+    var way_0 : vec2<f32> = place_5.value_1 - floor(place_5.value_1);
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
+    var lookup_1 : Lookup_0;
+    lookup_1.count_0 = u32(4);
+    lookup_1.texels_0 = texels_1;
+    var _S201 : f32 = back_0.x;
+    var _S202 : f32 = back_0.y;
+    var _S203 : f32 = way_0.x;
+    var _S204 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S201 * _S202, _S203 * _S202, _S201 * _S204, _S203 * _S204);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S202, _S202, - _S204, _S204);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S201, - _S203, _S201, _S203);
+    lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_5.by_first_1.x) + by_y_0 * vec4<f32>(place_5.by_first_1.y);
+    lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_5.by_second_1.x) + by_y_0 * vec4<f32>(place_5.by_second_1.y);
+    return lookup_1;
+}
+
+fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
+{
+    var width_0 : i32 = i32(word_0(texture_0 + u32(2)));
+    var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
+    var wrap_1 : u32 = word_0(texture_0 + u32(5));
+    var size_0 : vec2<f32> = vec2<f32>(f32(width_0), f32(height_0));
+    var place_6 : vec2<f32> = uv_0.value_1 * size_0;
+    if((word_0(texture_0 + u32(4))) == u32(0))
+    {
+        var row_0 : u32 = wrapped_0(floor_of_0(place_6.y), height_0, wrap_1);
+        var _S205 : u32 = row_0 * u32(width_0);
+        var _S206 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
+        return one_texel_0(_S205 + _S206);
+    }
+    var centred_0 : Point_0;
+    var _S207 : vec2<f32> = place_6 - vec2<f32>(0.5f);
+    centred_0.value_1 = _S207;
+    centred_0.by_first_1 = uv_0.by_first_1 * size_0;
+    centred_0.by_second_1 = uv_0.by_second_1 * size_0;
+    var x_5 : i32 = floor_of_0(_S207.x);
+    var y_1 : i32 = floor_of_0(_S207.y);
+    var _S208 : u32 = wrapped_0(y_1, height_0, wrap_1);
+    var _S209 : u32 = u32(width_0);
+    var first_1 : u32 = _S208 * _S209;
+    var _S210 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S210 * _S209;
+    var left_0 : u32 = wrapped_0(x_5, width_0, wrap_1);
+    var right_0 : u32 = wrapped_0(x_5 + i32(1), width_0, wrap_1);
+    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
+}
+
+fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
+{
+    var kind_0 : u32 = word_0(texture_1);
+    if(kind_0 == u32(0))
+    {
+        return one_texel_0(u32(0));
+    }
+    var record_1 : u32 = triangle_record_0(place_7.triangle_0) + u32(1);
+    if(kind_0 == u32(4))
+    {
+        return one_texel_0(word_0(record_1));
+    }
+    if(kind_0 == u32(3))
+    {
+        var lookup_2 : Lookup_0;
+        lookup_2.count_0 = u32(3);
+        lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_7.v_0 - place_7.w_0, place_7.v_0, place_7.w_0, 0.0f);
+        lookup_2.by_first_0 = vec4<f32>(-1.0f, 1.0f, 0.0f, 0.0f);
+        lookup_2.by_second_0 = vec4<f32>(-1.0f, 0.0f, 1.0f, 0.0f);
+        return lookup_2;
+    }
+    var uvs_1 : Corners2_0 = uvs_of_0(place_7.triangle_0);
+    var rows_0 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
+    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
+    var uv_1 : Point_0;
+    var _S211 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_2 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
+    uv_1.value_1 = vec2<f32>(dot(_S211, to_u_0), dot(_S211, to_v_0));
+    var by_v_0 : vec2<f32> = uvs_1.b_2 - uvs_1.a_5;
+    var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_5;
+    var _S212 : vec2<f32> = to_u_0.xy;
+    var _S213 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S212), dot(by_v_0, _S213));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S212), dot(by_w_0, _S213));
+    if(kind_0 == u32(1))
+    {
+        var _S214 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S214;
+    }
+    var half_of_period_0 : vec2<f32> = uv_1.value_1 - floor(uv_1.value_1);
+    var _S215 : i32;
+    if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
+    {
+        _S215 = i32(1);
+    }
+    else
+    {
+        _S215 = i32(0);
+    }
+    return one_texel_0(u32(_S215));
+}
+
+fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
+{
+    var _S216 : u32 = word_0(texture_2 + u32(1));
+    var _S217 : u32 = texture_2 + u32(13);
+    var _S218 : vec3<f32> = vec3<f32>(0.0f);
+    var k_1 : u32 = u32(0);
+    var value_2 : vec3<f32> = _S218;
+    for(;;)
+    {
+        if(k_1 < (lookup_3.count_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var at_8 : u32 = _S217 + _S216 * lookup_3.texels_0[k_1];
+        var _S219 : vec3<f32>;
+        if(_S216 == u32(1))
+        {
+            _S219 = vec3<f32>(number_0(at_8));
+        }
+        else
+        {
+            _S219 = vector_at_0(at_8);
+        }
+        var value_3 : vec3<f32> = value_2 + _S219 * vec3<f32>(weights_1[k_1]);
+        k_1 = k_1 + u32(1);
+        value_2 = value_3;
+    }
+    return value_2;
+}
+
+fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> vec3<f32>
+{
+    return weighted_texels_0(texture_3, lookup_4, lookup_4.weights_0);
+}
+
+fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
+{
+    var _S220 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S220, vec2<f32>(0.0f));
+}
+
+fn luminance_0( colour_0 : vec3<f32>) -> f32
+{
+    return dot(colour_0, vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f));
+}
+
+fn set_slot_0( numbers_1 : ptr<function, Numbers_0>,  slot_0 : u32,  value_4 : vec3<f32>)
+{
+    switch(slot_0)
+    {
+    case u32(0):
+        {
+            (*numbers_1).diffuse_reflectance_0 = value_4;
+            break;
+        }
+    case u32(1):
+        {
+            (*numbers_1).specular_reflectance_0 = value_4;
+            break;
+        }
+    case u32(2):
+        {
+            (*numbers_1).eta_0 = value_4;
+            break;
+        }
+    case u32(3):
+        {
+            (*numbers_1).k_0 = value_4;
+            break;
+        }
+    case u32(4):
+        {
+            (*numbers_1).alpha_0[i32(0)] = luminance_0(value_4);
+            break;
+        }
+    default :
+        {
+            (*numbers_1).alpha_0[i32(1)] = luminance_0(value_4);
+            break;
+        }
+    }
+    return;
+}
+
+struct Lobe_0
+{
+     record_2 : u32,
+     kind_1 : u32,
+     distribution_0 : u32,
+     numbers_2 : Numbers_0,
+};
+
+fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
+{
+    var lobe_0 : Lobe_0;
+    lobe_0.record_2 = record_3;
+    lobe_0.kind_1 = word_0(record_3);
+    lobe_0.distribution_0 = word_0(record_3 + u32(1));
+    lobe_0.numbers_2 = no_numbers_0();
+    var _S221 : u32 = word_0(record_3 + u32(4));
+    var slot_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(slot_1 < _S221)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var texture_5 : u32 = word_0(record_3 + u32(5) + slot_1);
+        if(texture_5 == u32(4294967295))
+        {
+            slot_1 = slot_1 + u32(1);
+            continue;
+        }
+        var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
+        var _S222 : vec3<f32> = value_of_0(colour_1);
+        var _S223 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S223), slot_1, _S222);
+        lobe_0.numbers_2 = _S223;
+        slot_1 = slot_1 + u32(1);
+    }
+    return lobe_0;
+}
+
+fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
+{
+    var tangents_0 : u32 = word_0(surface_2.shape_0 + u32(5));
+    if(tangents_0 == u32(4294967295))
+    {
+        return vec3<f32>(0.0f);
+    }
+    var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
+    var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
+    var _S224 : vec3<f32>;
+    if((dot(across_0, across_0)) > 0.0f)
+    {
+        _S224 = tangent_0;
+    }
+    else
+    {
+        _S224 = vec3<f32>(0.0f);
+    }
+    return _S224;
+}
+
+fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
+{
+    var axes_0 : Axes_0;
+    var _S225 : vec3<f32>;
+    if(is_front_1)
+    {
+        _S225 = n_2;
+    }
+    else
+    {
+        _S225 = (vec3<f32>(0) - n_2);
+    }
+    axes_0.n_0 = _S225;
+    var _S226 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S226;
+    axes_0.t_0 = cross(n_2, _S226);
+    return axes_0;
+}
+
+fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
+{
+    var axes_1 : Axes_0;
+    var _S227 : vec3<f32>;
+    if(is_front_2)
+    {
+        _S227 = n_3;
+    }
+    else
+    {
+        _S227 = (vec3<f32>(0) - n_3);
+    }
+    axes_1.n_0 = _S227;
+    var _S228 : f32 = n_3.z;
+    var sign_1 : f32;
+    if(_S228 < 0.0f)
+    {
+        sign_1 = -1.0f;
+    }
+    else
+    {
+        sign_1 = 1.0f;
+    }
+    var a_7 : f32 = -1.0f / (sign_1 + _S228);
+    var _S229 : f32 = n_3.x;
+    var _S230 : f32 = n_3.y;
+    var b_4 : f32 = _S229 * _S230 * a_7;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S229 * _S229 * a_7, sign_1 * b_4, - sign_1 * _S229);
+    axes_1.t_0 = vec3<f32>(b_4, sign_1 + _S230 * _S230 * a_7, - _S230);
+    return axes_1;
+}
+
+fn to_local_0( axes_2 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(dot(axes_2.s_0, v_3), dot(axes_2.t_0, v_3), dot(axes_2.n_0, v_3));
+}
+
+fn towards_viewer_0( axes_3 : Axes_0,  direction_3 : vec3<f32>) -> vec3<f32>
+{
+    var wi_0 : vec3<f32> = (vec3<f32>(0) - to_local_0(axes_3, direction_3));
+    return vec3<f32>(wi_0.x, wi_0.y, max(abs(wi_0.z), 9.999999960041972e-13f));
+}
+
+struct Vertex_0
+{
+     surface_3 : Surface_0,
+     axes_4 : Axes_0,
+     lobe_1 : Lobe_0,
+     wi_1 : vec3<f32>,
+};
+
+fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_4 : vec3<f32>) -> Vertex_0
+{
+    var vertex_0 : Vertex_0;
+    vertex_0.surface_3 = surface_4;
+    var _S231 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S231;
+    var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
+    if((any((tangent_2 != vec3<f32>(0.0f)))))
+    {
+        vertex_0.axes_4 = axes_along_0(surface_4.outward_0, tangent_2, surface_4.is_front_0);
+    }
+    else
+    {
+        vertex_0.axes_4 = axes_around_0(surface_4.outward_0, surface_4.is_front_0);
+    }
+    vertex_0.wi_1 = towards_viewer_0(vertex_0.axes_4, direction_4);
+    return vertex_0;
+}
+
+struct VertexMotion_0
+{
+     velocity_0 : vec3<f32>,
+     rotation_0 : vec3<f32>,
+};
+
+fn motion_of_0( vertex_1 : Vertex_0) -> VertexMotion_0
+{
+    var motion_0 : VertexMotion_0;
+    var _S232 : vec3<f32> = vec3<f32>(0.0f);
+    motion_0.rotation_0 = _S232;
+    motion_0.velocity_0 = _S232;
+    return motion_0;
+}
+
+fn has_smooth_0( lobe_2 : Lobe_0) -> bool
+{
+    return (lobe_2.kind_1) != u32(1);
+}
+
+struct ShadingPoint_0
+{
+     vertex_2 : Vertex_0,
+     whole_0 : VertexMotion_0,
+     motion_1 : VertexMotion_0,
+     purpose_0 : u32,
+     emitter_0 : u32,
+     tree_0 : u32,
+     has_creases_0 : bool,
+     turns_0 : bool,
+     planes_0 : u32,
+     inside_2 : array<vec3<f32>, i32(8)>,
+     front_0 : vec3<f32>,
+     front_offset_0 : vec3<f32>,
+};
+
+fn shading_point_0( path_10 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> bool
+{
+    var surface_5 : Surface_0 = surface_at_0(path_10.place_1, value_of_0(path_10.direction_1));
+    var material_1 : u32 = material_of_0(surface_5);
+    var k_2 : u32;
+    if(material_1 == u32(4294967295))
+    {
+        k_2 = u32(0);
+    }
+    else
+    {
+        k_2 = material_1;
+    }
+    var _S233 : Vertex_0 = vertex_at_0(surface_5, k_2, path_10.direction_1);
+    (*at_9).vertex_2 = _S233;
+    var _S234 : VertexMotion_0 = motion_of_0(_S233);
+    (*at_9).motion_1 = _S234;
+    (*at_9).whole_0 = _S234;
+    (*at_9).planes_0 = u32(0);
+    (*at_9).tree_0 = u32(0);
+    (*at_9).emitter_0 = u32(0);
+    (*at_9).purpose_0 = u32(0);
+    (*at_9).turns_0 = false;
+    (*at_9).has_creases_0 = false;
+    var _S235 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_9).front_offset_0 = _S235;
+    (*at_9).front_0 = _S235;
+    k_2 = u32(0);
+    for(;;)
+    {
+        if(k_2 < u32(8))
+        {
+        }
+        else
+        {
+            break;
+        }
+        (*at_9).inside_2[k_2] = surface_5.exact_0;
+        k_2 = k_2 + u32(1);
+    }
+    var _S236 : bool;
+    if(material_1 != u32(4294967295))
+    {
+        _S236 = has_smooth_0((*at_9).vertex_2.lobe_1);
+    }
+    else
+    {
+        _S236 = false;
+    }
+    return _S236;
+}
+
+struct Pulled_0
+{
+     numbers_3 : Numbers_0,
+     axes_5 : Axes_0,
+     wi_2 : vec3<f32>,
+     position_1 : vec3<f32>,
+};
+
+fn nothing_pulled_0() -> Pulled_0
+{
+    var pulled_0 : Pulled_0;
+    pulled_0.numbers_3 = no_numbers_0();
+    var _S237 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_1 = _S237;
+    pulled_0.wi_2 = _S237;
+    pulled_0.axes_5.n_0 = _S237;
+    pulled_0.axes_5.t_0 = _S237;
+    pulled_0.axes_5.s_0 = _S237;
+    return pulled_0;
+}
+
+struct Crossed_0
+{
+     factor_1 : vec3<f32>,
+     pulled_1 : Pulled_0,
+     goes_on_0 : vec2<bool>,
+};
+
+fn nothing_crossed_0( factor_2 : vec3<f32>) -> Crossed_0
+{
+    var crossed_0 : Crossed_0;
+    crossed_0.factor_1 = factor_2;
+    crossed_0.goes_on_0 = vec2<bool>(false, false);
+    crossed_0.pulled_1 = nothing_pulled_0();
+    return crossed_0;
+}
+
+fn change_word_0( at_10 : u32) -> u32
+{
+    return input_0[u32(12) * launch_0.room_0 + at_10];
+}
+
+fn turns_1( vertex_3 : Vertex_0) -> bool
+{
+    return (change_word_0(u32(1))) != u32(0);
+}
+
+fn edge_word_0( at_11 : u32) -> u32
+{
+    return change_word_0(change_word_0(u32(3)) + at_11);
+}
+
+fn numbers_for_0( purpose_1 : u32) -> u32
+{
+    return u32(1073741824) * (purpose_1 + u32(1)) + u32(16) * depth_of_launch_0();
+}
+
+fn product_0( a_8 : u32,  b_5 : u32) -> vec2<u32>
+{
+    var a0_0 : u32 = (a_8 & (u32(65535)));
+    var a1_0 : u32 = (a_8 >> (u32(16)));
+    var b0_0 : u32 = (b_5 & (u32(65535)));
+    var b1_0 : u32 = (b_5 >> (u32(16)));
+    var low_0 : u32 = a0_0 * b0_0;
+    var middle_0 : u32 = a1_0 * b0_0 + ((low_0 >> (u32(16))));
+    var rest_0 : u32 = ((middle_0 & (u32(65535)))) + a0_0 * b1_0;
+    return vec2<u32>((((rest_0 << (u32(16)))) | (((low_0 & (u32(65535)))))), a1_0 * b1_0 + ((middle_0 >> (u32(16)))) + ((rest_0 >> (u32(16)))));
+}
+
+fn times_0( a_9 : vec2<u32>,  b_6 : vec2<u32>) -> vec2<u32>
+{
+    var _S238 : u32 = a_9.x;
+    var _S239 : u32 = b_6.x;
+    var low_1 : vec2<u32> = product_0(_S238, _S239);
+    return vec2<u32>(low_1.x, low_1.y + _S238 * b_6.y + a_9.y * _S239);
+}
+
+fn plus_0( a_10 : vec2<u32>,  b_7 : vec2<u32>) -> vec2<u32>
+{
+    var _S240 : u32 = a_10.x;
+    var low_2 : u32 = _S240 + b_7.x;
+    var _S241 : u32 = a_10.y + b_7.y;
+    var _S242 : i32;
+    if(low_2 < _S240)
+    {
+        _S242 = i32(1);
+    }
+    else
+    {
+        _S242 = i32(0);
+    }
+    return vec2<u32>(low_2, _S241 + u32(_S242));
+}
+
+fn shifted_xor_0( x_6 : vec2<u32>,  by_0 : u32) -> vec2<u32>
+{
+    var _S243 : u32 = x_6.y;
+    return (x_6 ^ (vec2<u32>(((((x_6.x) >> (by_0))) | (((_S243 << ((u32(32) - by_0)))))), (_S243 >> (by_0)))));
+}
+
+fn mix_0( x_7 : vec2<u32>) -> vec2<u32>
+{
+    return shifted_xor_0(times_0(shifted_xor_0(times_0(shifted_xor_0(x_7, u32(30)), vec2<u32>(u32(484763065), u32(3210233709))), u32(27)), vec2<u32>(u32(321982955), u32(2496678331))), u32(31));
+}
+
+fn random_bits_0( key_1 : vec2<u32>,  dimension_0 : u32) -> vec2<u32>
+{
+    return mix_0(plus_0(key_1, times_0(vec2<u32>(dimension_0 + u32(1), u32(0)), vec2<u32>(u32(2135587861), u32(2654435769)))));
+}
+
+fn random_0( key_2 : vec2<u32>,  dimension_1 : u32) -> f32
+{
+    return f32(((random_bits_0(key_2, dimension_1).y) >> (u32(8)))) * 5.9604644775390625e-08f;
+}
+
+fn emitter_record_0( emitter_1 : u32) -> u32
+{
+    return word_0(u32(11)) + u32(12) * emitter_1;
+}
+
+fn is_area_0( record_4 : u32) -> bool
+{
+    return (word_0(record_4)) == u32(0);
+}
+
+fn largest_cosine_0( position_2 : vec3<f32>,  normal_0 : vec3<f32>,  centre_0 : vec3<f32>,  radius_0 : f32) -> f32
+{
+    var offset_0 : vec3<f32> = centre_0 - position_2;
+    var distance_1 : f32 = length(offset_0);
+    if(distance_1 <= radius_0)
+    {
+        return 1.0f;
+    }
+    var cosine_0 : f32 = dot(offset_0, normal_0) / distance_1;
+    var sine_ball_0 : f32 = radius_0 / distance_1;
+    var cosine_ball_0 : f32 = sqrt(max(1.0f - sine_ball_0 * sine_ball_0, 0.0f));
+    if(cosine_0 >= cosine_ball_0)
+    {
+        return 1.0f;
+    }
+    return max(cosine_0 * cosine_ball_0 + sqrt(max(1.0f - cosine_0 * cosine_0, 0.0f)) * sine_ball_0 + 9.99999997475242708e-07f, 0.0f);
+}
+
+fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
+{
+    var offset_1 : vec3<f32> = viewpoint_0 - vector_at_0(node_0 + u32(4));
+    var axis_0 : vec3<f32> = vector_at_0(node_0 + u32(12));
+    var radius_1 : f32 = number_0(node_0 + u32(7));
+    var area_0 : f32 = number_0(node_0 + u32(11));
+    var cosine_spread_0 : f32 = number_0(node_0 + u32(15));
+    var sine_spread_0 : f32 = number_0(node_0 + u32(16));
+    var squared_0 : f32 = dot(offset_1, offset_1);
+    var distance_2 : f32 = sqrt(squared_0);
+    if(distance_2 <= radius_1)
+    {
+        return 0.25f * area_0 / max(radius_1 * radius_1, 1.00000000317107685e-30f);
+    }
+    var cosine_1 : f32 = clamp(dot(axis_0, offset_1) / distance_2, -1.0f, 1.0f);
+    var sine_0 : f32 = sqrt(1.0f - cosine_1 * cosine_1);
+    var tilt_0 : f32 = radius_1 / distance_2;
+    var highest_0 : f32;
+    if(cosine_1 >= cosine_spread_0)
+    {
+        highest_0 = 1.0f;
+    }
+    else
+    {
+        highest_0 = cosine_1 * cosine_spread_0 + sine_0 * sine_spread_0 + tilt_0;
+    }
+    var lowest_0 : f32;
+    if(cosine_1 <= (- cosine_spread_0))
+    {
+        lowest_0 = -1.0f;
+    }
+    else
+    {
+        lowest_0 = cosine_1 * cosine_spread_0 - sine_0 * sine_spread_0 - tilt_0;
+    }
+    if(highest_0 <= 0.0f)
+    {
+        return 0.0f;
+    }
+    if(lowest_0 >= 0.0f)
+    {
+        return max(dot(vector_at_0(node_0 + u32(8)), offset_1) / distance_2, 0.0f) / squared_0;
+    }
+    var _S244 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S244 * _S244 / (2.0f * (_S244 - max(lowest_0, -1.0f)) * squared_0);
+}
+
+fn emitter_view_0( emitter_2 : u32,  position_3 : vec3<f32>,  normal_1 : vec3<f32>) -> f32
+{
+    var record_5 : u32 = emitter_record_0(emitter_2);
+    if(!is_area_0(record_5))
+    {
+        return 3.14159274101257324f;
+    }
+    return node_seen_0(word_0(record_5 + u32(5)), position_3) * largest_cosine_0(position_3, normal_1, vector_at_0(record_5 + u32(8)), number_0(record_5 + u32(11)));
+}
+
+struct Choice_0
+{
+     position_4 : vec3<f32>,
+     normal_2 : vec3<f32>,
+     all_0 : f32,
+     lit_0 : f32,
+};
+
+fn light_of_0( emitter_3 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
+{
+    var view_0 : f32 = emitter_view_0(emitter_3, choice_0.position_4, choice_0.normal_2);
+    var _S245 : f32;
+    if(view_0 > 0.0f)
+    {
+        _S245 = 1.0f;
+    }
+    else
+    {
+        _S245 = 0.0f;
+    }
+    (*can_light_0) = _S245;
+    return view_0 * number_0(emitter_record_0(emitter_3) + u32(2));
+}
+
+fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<function, f32>) -> u32
+{
+    var choice_1 : Choice_0;
+    choice_1.position_4 = vertex_4.surface_3.position_0;
+    choice_1.normal_2 = vertex_4.axes_4.n_0;
+    choice_1.all_0 = 0.0f;
+    choice_1.lit_0 = 0.0f;
+    var _S246 : u32 = word_0(u32(6));
+    var can_light_1 : f32;
+    var i_1 : u32 = u32(0);
+    var count_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(i_1 < _S246)
+        {
+        }
+        else
+        {
+            break;
+        }
+        if(!is_area_0(emitter_record_0(i_1)))
+        {
+            i_1 = i_1 + u32(1);
+            continue;
+        }
+        var _S247 : u32 = count_1 + u32(1);
+        if(_S246 > u32(32))
+        {
+            count_1 = _S247;
+            i_1 = i_1 + u32(1);
+            continue;
+        }
+        var _S248 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
+        choice_1.all_0 = choice_1.all_0 + _S248;
+        choice_1.lit_0 = choice_1.lit_0 + can_light_1;
+        count_1 = _S247;
+        i_1 = i_1 + u32(1);
+    }
+    (*probability_0) = 0.0f;
+    var _S249 : bool;
+    if((choice_1.all_0) > 0.0f)
+    {
+        _S249 = (choice_1.all_0) < 3.00000000549775576e+38f;
+    }
+    else
+    {
+        _S249 = false;
+    }
+    var _S250 : bool = !_S249;
+    var chosen_0 : u32 = u32(0);
+    i_1 = u32(0);
+    var rest_1 : f32 = u_0;
+    for(;;)
+    {
+        if(i_1 < _S246)
+        {
+        }
+        else
+        {
+            break;
+        }
+        if(!is_area_0(emitter_record_0(i_1)))
+        {
+            i_1 = i_1 + u32(1);
+            continue;
+        }
+        var _S251 : f32 = 1.0f / f32(count_1);
+        var own_0 : f32;
+        if(!_S250)
+        {
+            var light_0 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
+            own_0 = 0.5f * can_light_1 / choice_1.lit_0 + 0.5f * light_0 / choice_1.all_0;
+        }
+        else
+        {
+            own_0 = _S251;
+        }
+        var chosen_1 : u32;
+        if(own_0 > 0.0f)
+        {
+            (*probability_0) = own_0;
+            chosen_1 = i_1;
+        }
+        else
+        {
+            chosen_1 = chosen_0;
+        }
+        if(rest_1 < own_0)
+        {
+            chosen_0 = chosen_1;
+            break;
+        }
+        var rest_2 : f32 = rest_1 - own_0;
+        chosen_0 = chosen_1;
+        rest_1 = rest_2;
+        i_1 = i_1 + u32(1);
+    }
+    return chosen_0;
+}
+
+fn real_place_0( at_12 : u32) -> u32
+{
+    return word_0(u32(13)) + u32(4) + at_12;
+}
+
+fn edge_real_0( at_13 : u32) -> f32
+{
+    return primitives_0[real_place_0(at_13)];
+}
+
+fn edge_position_0( at_14 : u32) -> vec3<f32>
+{
+    return primitive_vector_0(real_place_0(at_14));
+}
+
+fn exact_unit_0( v_4 : vec3<f32>) -> vec3<f32>
+{
+    return v_4 / vec3<f32>(sqrt(dot(v_4, v_4)));
+}
+
+fn length_of_0( v_5 : vec3<f32>) -> f32
+{
+    return sqrt(dot(v_5, v_5));
+}
+
+fn open_window_0( at_15 : ptr<function, ShadingPoint_0>) -> bool
+{
+    var window_0 : u32 = edge_word_0(edge_word_0(u32(5)) + (*at_15).emitter_0);
+    var corners_0 : u32 = u32(edge_real_0(window_0));
+    var apex_0 : vec3<f32> = (*at_15).vertex_2.surface_3.exact_0;
+    var before_0 : vec3<f32>;
+    if(corners_0 > u32(0))
+    {
+        var _S252 : u32 = window_0 + u32(1);
+        var normal_3 : vec3<f32> = edge_position_0(_S252);
+        var before_1 : vec3<f32> = edge_position_0(_S252 + u32(3) * corners_0) - apex_0;
+        if((dot(normal_3, before_1)) >= 0.0f)
+        {
+            return false;
+        }
+        (*at_15).planes_0 = corners_0;
+        before_0 = before_1;
+        var k_3 : u32 = u32(0);
+        for(;;)
+        {
+            if(k_3 < corners_0)
+            {
+            }
+            else
+            {
+                break;
+            }
+            var offset_2 : vec3<f32> = edge_position_0(window_0 + u32(4) + u32(3) * k_3) - apex_0;
+            (*at_15).inside_2[k_3] = exact_unit_0(cross(offset_2, before_0));
+            var _S253 : u32 = k_3 + u32(1);
+            before_0 = offset_2;
+            k_3 = _S253;
+        }
+        (*at_15).front_0 = normal_3;
+        (*at_15).front_offset_0 = before_0;
+        return true;
+    }
+    var offset_3 : vec3<f32> = edge_position_0(window_0 + u32(1)) - apex_0;
+    var distance_3 : f32 = length_of_0(offset_3);
+    var sine_1 : f32 = edge_real_0(window_0 + u32(4)) / distance_3;
+    if(!(sine_1 < 1.0f))
+    {
+        return true;
+    }
+    var cosine_2 : f32 = sqrt(1.0f - sine_1 * sine_1);
+    var axis_1 : vec3<f32> = offset_3 / vec3<f32>(distance_3);
+    if((abs(axis_1.x)) < 0.5f)
+    {
+        before_0 = vec3<f32>(1.0f, 0.0f, 0.0f);
+    }
+    else
+    {
+        before_0 = vec3<f32>(0.0f, 1.0f, 0.0f);
+    }
+    var s_1 : vec3<f32> = exact_unit_0(cross(axis_1, before_0));
+    var t_1 : vec3<f32> = cross(axis_1, s_1);
+    (*at_15).planes_0 = u32(4);
+    var _S254 : vec3<f32> = axis_1 * vec3<f32>(sine_1);
+    var _S255 : vec3<f32> = vec3<f32>(cosine_2);
+    var _S256 : vec3<f32> = s_1 * _S255;
+    (*at_15).inside_2[i32(0)] = _S254 + _S256;
+    (*at_15).inside_2[i32(1)] = _S254 - _S256;
+    var _S257 : vec3<f32> = t_1 * _S255;
+    (*at_15).inside_2[i32(2)] = _S254 + _S257;
+    (*at_15).inside_2[i32(3)] = _S254 - _S257;
+    return true;
+}
+
+fn is_map_0( record_6 : u32) -> bool
+{
+    return (word_0(record_6)) == u32(2);
+}
+
+fn is_blind_0() -> bool
+{
+    return true;
+}
+
+fn rests_0( motion_2 : VertexMotion_0) -> bool
+{
+    var _S258 : vec3<f32> = vec3<f32>(0.0f);
+    var _S259 : bool;
+    if((all(((motion_2.velocity_0) == _S258))))
+    {
+        _S259 = (all(((motion_2.rotation_0) == _S258)));
+    }
+    else
+    {
+        _S259 = false;
+    }
+    return _S259;
+}
+
+fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_16 : ptr<function, ShadingPoint_0>) -> f32
+{
+    var probability_1 : f32 = 1.0f;
+    (*at_16).purpose_0 = purpose_2;
+    (*at_16).planes_0 = u32(0);
+    var _S260 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_16).front_0 = _S260;
+    var _S261 : bool = purpose_2 == u32(2);
+    (*at_16).has_creases_0 = _S261;
+    var tree_1 : u32;
+    if(_S261)
+    {
+        tree_1 = u32(1);
+    }
+    else
+    {
+        tree_1 = u32(0);
+    }
+    (*at_16).motion_1 = (*at_16).whole_0;
+    (*at_16).turns_0 = turns_1((*at_16).vertex_2);
+    var _S262 : bool;
+    if(purpose_2 == u32(0))
+    {
+        var _S263 : u32 = edge_word_0(u32(4));
+        (*at_16).turns_0 = false;
+        var _S264 : u32 = chosen_area_emitter_0((*at_16).vertex_2, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
+        (*at_16).emitter_0 = _S264;
+        if(!(probability_1 > 0.0f))
+        {
+            _S262 = true;
+        }
+        else
+        {
+            var _S265 : bool = open_window_0(&((*at_16)));
+            _S262 = !_S265;
+        }
+        if(_S262)
+        {
+            return 0.0f;
+        }
+        tree_1 = _S263;
+    }
+    else
+    {
+        if(purpose_2 == u32(1))
+        {
+            var _S266 : u32 = word_0(u32(8));
+            (*at_16).emitter_0 = _S266;
+            if(_S266 == u32(4294967295))
+            {
+                return 0.0f;
+            }
+            if(is_map_0(emitter_record_0((*at_16).emitter_0)))
+            {
+                (*at_16).turns_0 = false;
+            }
+        }
+    }
+    if(!(*at_16).turns_0)
+    {
+        (*at_16).motion_1.rotation_0 = _S260;
+    }
+    if(!is_blind_0())
+    {
+        _S262 = rests_0((*at_16).motion_1);
+    }
+    else
+    {
+        _S262 = false;
+    }
+    if(_S262)
+    {
+        tree_1 = tree_1 + u32(2);
+    }
+    var _S267 : u32 = edge_word_0(tree_1);
+    (*at_16).tree_0 = _S267;
+    var _S268 : f32;
+    if(_S267 == u32(4294967295))
+    {
+        _S268 = 0.0f;
+    }
+    else
+    {
+        _S268 = probability_1;
+    }
+    return _S268;
+}
+
+fn subtrees_of_0( at_17 : ShadingPoint_0) -> u32
+{
+    var count_2 : u32;
+    if((depth_of_launch_0()) == u32(0))
+    {
+        count_2 = u32(2);
+    }
+    else
+    {
+        count_2 = u32(1);
+    }
+    if((at_17.purpose_0) == u32(0))
+    {
+        count_2 = u32(4) * count_2;
+    }
+    return count_2;
+}
+
+fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f32
+{
+    return f32(((random_bits_0(key_4, dimension_2).y) >> (u32(8)))) / 4096.0f / 4096.0f;
+}
+
+fn edge_number_0( at_18 : u32) -> f32
+{
+    return (bitcast<f32>((edge_word_0(at_18))));
+}
+
+fn edge_vector_0( at_19 : u32) -> vec3<f32>
+{
+    return vec3<f32>(edge_number_0(at_19), edge_number_0(at_19 + u32(1)), edge_number_0(at_19 + u32(2)));
+}
+
+fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
+{
+    var sine_2 : f32 = edge_number_0(node_1 + u32(11));
+    var cosine_3 : f32 = edge_number_0(node_1 + u32(12));
+    if(sine_2 > 1.0f)
+    {
+        return true;
+    }
+    var margin_0 : f32 = (edge_number_0(node_1 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
+    var margin_1 : f32;
+    if(cosine_3 > 0.0f)
+    {
+        margin_1 = min((edge_number_0(node_1 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
+    }
+    else
+    {
+        margin_1 = margin_0;
+    }
+    return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
+}
+
+fn is_outside_0( at_20 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
+{
+    var k_4 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_4 < (at_20.planes_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        if((dot(at_20.inside_2[k_4], offset_5)) < (- radius_2 - 3.99999998990097083e-06f))
+        {
+            return true;
+        }
+        k_4 = k_4 + u32(1);
+    }
+    return (dot(at_20.front_0, offset_5 - at_20.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
+}
+
+fn logarithm_0( x_8 : f32) -> f32
+{
+    var bits_0 : u32 = (bitcast<u32>((x_8)));
+    var power_0 : f32 = f32(i32((bits_0 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((bits_0 & (u32(8388607)))) | (u32(1056964608))))));
+    var m_1 : f32;
+    var power_1 : f32;
+    if(m_0 < 0.70710676908493042f)
+    {
+        var power_2 : f32 = power_0 - 1.0f;
+        m_1 = m_0 + m_0;
+        power_1 = power_2;
+    }
+    else
+    {
+        m_1 = m_0;
+        power_1 = power_0;
+    }
+    var m_2 : f32 = m_1 - 1.0f;
+    var z_0 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * z_0 - 0.00021219444170129f * power_1 - 0.5f * z_0) + 0.693359375f * power_1;
+}
+
+fn direction_number_0( d_0 : vec3<f32>) -> u32
+{
+    var _S269 : i32;
+    if((abs(d_0.y)) > (abs(d_0.x)))
+    {
+        _S269 = i32(1);
+    }
+    else
+    {
+        _S269 = i32(0);
+    }
+    var axis_2 : u32 = u32(_S269);
+    var axis_3 : u32;
+    if((abs(d_0.z)) > (abs(d_0[axis_2])))
+    {
+        axis_3 = u32(2);
+    }
+    else
+    {
+        axis_3 = axis_2;
+    }
+    var _S270 : u32 = u32(8) * axis_3;
+    if((d_0[axis_3]) < 0.0f)
+    {
+        _S269 = i32(4);
+    }
+    else
+    {
+        _S269 = i32(0);
+    }
+    var _S271 : u32 = _S270 + u32(_S269);
+    if((d_0[(axis_3 + u32(1)) % u32(3)]) < 0.0f)
+    {
+        _S269 = i32(2);
+    }
+    else
+    {
+        _S269 = i32(0);
+    }
+    var _S272 : u32 = _S271 + u32(_S269);
+    if((d_0[(axis_3 + u32(2)) % u32(3)]) < 0.0f)
+    {
+        _S269 = i32(1);
+    }
+    else
+    {
+        _S269 = i32(0);
+    }
+    return _S272 + u32(_S269);
+}
+
+fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
+{
+    return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
+}
+
+fn speed_of_0( at_21 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+{
+    if(is_blind_0())
+    {
+        return edge_number_0(node_2 + u32(20)) + 0.10000000149011612f;
+    }
+    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_21.motion_1, offset_7);
+    var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
+    var sine_3 : f32 = edge_number_0(node_2 + u32(11));
+    var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
+    var along_0 : f32 = abs(dot(axis_4, relative_0));
+    var across_1 : f32 = length(cross(axis_4, relative_0));
+    var speed_0 : f32;
+    if((across_1 * cosine_4) > (along_0 * sine_3))
+    {
+        speed_0 = along_0 * cosine_4 + across_1 * sine_3;
+    }
+    else
+    {
+        speed_0 = length(relative_0);
+    }
+    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_21.motion_1.rotation_0) * radius_3;
+}
+
+fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
+{
+    var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
+    var offset_8 : vec3<f32> = centre_1 - at_22.vertex_2.surface_3.position_0;
+    var radius_4 : f32 = edge_number_0(node_3 + u32(7));
+    var distance_5 : f32 = length(offset_8);
+    var _S273 : bool;
+    if(!at_22.has_creases_0)
+    {
+        _S273 = !may_have_silhouette_0(node_3, offset_8, distance_5);
+    }
+    else
+    {
+        _S273 = false;
+    }
+    if(_S273)
+    {
+        return 0.0f;
+    }
+    if(is_outside_0(at_22, offset_8, radius_4))
+    {
+        return 0.0f;
+    }
+    var cosine_5 : f32 = largest_cosine_0(at_22.vertex_2.surface_3.position_0, at_22.vertex_2.axes_4.n_0, centre_1, radius_4);
+    var _S274 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
+    var least_0 : f32 = edge_number_0(node_3 + u32(16));
+    var ratio_0 : f32 = _S274 / max(max(distance_5 * distance_5 - _S274, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
+    var visible_0 : f32;
+    if(ratio_0 < 0.00100000004749745f)
+    {
+        visible_0 = ratio_0 * (1.0f - 0.5f * ratio_0);
+    }
+    else
+    {
+        visible_0 = logarithm_0(1.0f + ratio_0);
+    }
+    var near_0 : f32 = visible_0 / _S274;
+    var visible_1 : f32 = edge_number_0(node_3 + u32(14));
+    if(distance_5 > (edge_number_0(node_3 + u32(15))))
+    {
+        visible_0 = visible_1 * edge_number_0(node_3 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
+    }
+    else
+    {
+        visible_0 = visible_1;
+    }
+    return visible_0 * speed_of_0(at_22, node_3, offset_8, radius_4) * cosine_5 * near_0;
+}
+
+fn descend_0( at_23 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+{
+    var nodes_at_0 : u32 = edge_word_0(at_23.tree_0);
+    (*leaf_0) = nodes_at_0;
+    (*probability_2) = 1.0f;
+    var _S275 : f32 = u_1;
+    for(;;)
+    {
+        if((edge_word_0((*leaf_0))) != u32(4294967295))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var first_2 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
+        var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
+        var of_first_0 : f32 = importance_of_0(at_23, first_2);
+        var of_second_0 : f32 = importance_of_0(at_23, second_1);
+        var sum_0 : f32 = of_first_0 + of_second_0;
+        var _S276 : bool;
+        if(sum_0 > 0.0f)
+        {
+            _S276 = sum_0 < 3.00000000549775576e+38f;
+        }
+        else
+        {
+            _S276 = false;
+        }
+        if(!_S276)
+        {
+            return false;
+        }
+        var first_share_0 : f32 = of_first_0 / sum_0;
+        var second_share_0 : f32 = of_second_0 / sum_0;
+        var is_second_0 : bool;
+        if(_S275 >= first_share_0)
+        {
+            is_second_0 = second_share_0 > 0.0f;
+        }
+        else
+        {
+            is_second_0 = false;
+        }
+        if(is_second_0)
+        {
+            _S275 = (_S275 - first_share_0) / second_share_0;
+        }
+        else
+        {
+            _S275 = min(_S275 / first_share_0, 1.0f);
+        }
+        var _S277 : f32;
+        if(is_second_0)
+        {
+            _S277 = second_share_0;
+        }
+        else
+        {
+            _S277 = first_share_0;
+        }
+        (*probability_2) = (*probability_2) * _S277;
+        var _S278 : u32;
+        if(is_second_0)
+        {
+            _S278 = second_1;
+        }
+        else
+        {
+            _S278 = first_2;
+        }
+        (*leaf_0) = _S278;
+    }
+    return true;
+}
+
+struct Edge_0
+{
+     record_7 : u32,
+     numbers_4 : u32,
+};
+
+fn edge_at_0( at_24 : ShadingPoint_0,  place_10 : u32) -> Edge_0
+{
+    var edge_0 : Edge_0;
+    edge_0.record_7 = edge_word_0(at_24.tree_0 + u32(1)) + u32(11) * place_10;
+    edge_0.numbers_4 = edge_word_0(at_24.tree_0 + u32(2)) + u32(14) * place_10;
+    return edge_0;
+}
+
+fn sum_of_sizes_0( v_6 : vec3<f32>) -> f32
+{
+    return abs(v_6.x) + abs(v_6.y) + abs(v_6.z);
+}
+
+fn side_seen_0( from_0 : vec3<f32>,  tolerance_0 : f32,  normal_4 : u32,  length_0 : u32) -> i32
+{
+    var height_1 : f32 = dot(edge_position_0(normal_4), from_0);
+    var least_1 : f32 = tolerance_0 * edge_real_0(length_0);
+    var _S279 : i32;
+    if(height_1 > least_1)
+    {
+        _S279 = i32(1);
+    }
+    else
+    {
+        _S279 = i32(0);
+    }
+    var _S280 : i32;
+    if(height_1 < (- least_1))
+    {
+        _S280 = i32(1);
+    }
+    else
+    {
+        _S280 = i32(0);
+    }
+    return _S279 - _S280;
+}
+
+fn is_silhouette_0( at_25 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+{
+    var start_0 : vec3<f32> = edge_position_0(edge_1.numbers_4);
+    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_25.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S281 : vec3<f32> = at_25.vertex_2.surface_3.exact_0 - start_0;
+    return (side_seen_0(_S281, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S281, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
+}
+
+fn factor_of_0( at_26 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+{
+    var _S282 : u32 = edge_2.record_7 + u32(2);
+    var a_11 : vec3<f32> = edge_vector_0(_S282);
+    var b_8 : vec3<f32> = edge_vector_0(_S282 + u32(3));
+    var _S283 : bool;
+    if(!is_blind_0())
+    {
+        _S283 = rests_0(at_26.motion_1);
+    }
+    else
+    {
+        _S283 = false;
+    }
+    if(_S283)
+    {
+        _S283 = (all((a_11 == vec3<f32>(0.0f))));
+    }
+    else
+    {
+        _S283 = false;
+    }
+    if(_S283)
+    {
+        _S283 = (all((b_8 == vec3<f32>(0.0f))));
+    }
+    else
+    {
+        _S283 = false;
+    }
+    if(_S283)
+    {
+        return 0.0f;
+    }
+    if(is_silhouette_0(at_26, edge_2))
+    {
+        return edge_number_0(edge_2.record_7);
+    }
+    var _S284 : f32;
+    if(at_26.has_creases_0)
+    {
+        _S284 = edge_number_0(edge_2.record_7 + u32(1));
+    }
+    else
+    {
+        _S284 = 0.0f;
+    }
+    return _S284;
+}
+
+fn is_clipped_0( at_27 : ShadingPoint_0,  a_12 : vec3<f32>,  b_9 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
+{
+    (*range_0) = vec2<f32>(0.0f, 1.0f);
+    var _S285 : bool;
+    if((dot(at_27.front_0, a_12 - at_27.front_offset_0)) < -3.99999998990097083e-06f)
+    {
+        _S285 = (dot(at_27.front_0, b_9 - at_27.front_offset_0)) < -3.99999998990097083e-06f;
+    }
+    else
+    {
+        _S285 = false;
+    }
+    if(_S285)
+    {
+        return true;
+    }
+    var _S286 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_12, a_12), dot(b_9, b_9)));
+    var k_5 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_5 < (at_27.planes_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var first_3 : f32 = dot(at_27.inside_2[k_5], a_12) + _S286;
+        var second_2 : f32 = dot(at_27.inside_2[k_5], b_9) + _S286;
+        var _S287 : bool = first_3 < 0.0f;
+        if(_S287)
+        {
+            _S285 = second_2 < 0.0f;
+        }
+        else
+        {
+            _S285 = false;
+        }
+        if(_S285)
+        {
+            return true;
+        }
+        var crossing_0 : f32 = first_3 / (first_3 - second_2);
+        if(_S287)
+        {
+            (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
+        }
+        else
+        {
+            if(second_2 < 0.0f)
+            {
+                (*range_0)[i32(1)] = min((*range_0).y, crossing_0);
+            }
+        }
+        k_5 = k_5 + u32(1);
+    }
+    return !(((*range_0).x) < ((*range_0).y));
+}
+
+struct SeenEdge_0
+{
+     edge_3 : Edge_0,
+     start_1 : vec3<f32>,
+     along_1 : vec3<f32>,
+     range_1 : vec2<f32>,
+     near_1 : f32,
+     far_0 : f32,
+     factor_3 : f32,
+     pieces_0 : f32,
+     chord_0 : f32,
+     from_1 : vec3<f32>,
+     to_0 : vec3<f32>,
+};
+
+fn see_edge_0( at_28 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+{
+    var _S288 : Edge_0 = edge_at_0(at_28, place_11);
+    (*seen_1).edge_3 = _S288;
+    var _S289 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4) - at_28.vertex_2.surface_3.exact_0;
+    (*seen_1).start_1 = _S289;
+    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_28.vertex_2.surface_3.exact_0;
+    (*seen_1).along_1 = end_1 - _S289;
+    (*seen_1).far_0 = 1.0f;
+    (*seen_1).near_1 = 1.0f;
+    (*seen_1).chord_0 = 0.0f;
+    (*seen_1).pieces_0 = 0.0f;
+    var _S290 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S290;
+    (*seen_1).from_1 = _S290;
+    (*seen_1).range_1 = vec2<f32>(0.0f, 1.0f);
+    var _S291 : f32 = factor_of_0(at_28, _S288);
+    (*seen_1).factor_3 = _S291;
+    var _S292 : bool;
+    if(!(_S291 > 0.0f))
+    {
+        _S292 = true;
+    }
+    else
+    {
+        var _S293 : vec2<f32> = (*seen_1).range_1;
+        var _S294 : bool = is_clipped_0(at_28, (*seen_1).start_1, end_1, &(_S293));
+        (*seen_1).range_1 = _S293;
+        _S292 = _S294;
+    }
+    if(_S292)
+    {
+        return false;
+    }
+    var first_4 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.x);
+    var last_0 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.y);
+    var _S295 : f32 = sqrt(dot(first_4, first_4));
+    (*seen_1).near_1 = _S295;
+    (*seen_1).far_0 = sqrt(dot(last_0, last_0));
+    if(_S295 > 0.0f)
+    {
+        _S292 = ((*seen_1).far_0) > 0.0f;
+    }
+    else
+    {
+        _S292 = false;
+    }
+    if(!_S292)
+    {
+        return false;
+    }
+    (*seen_1).from_1 = first_4 / vec3<f32>((*seen_1).near_1);
+    (*seen_1).to_0 = last_0 / vec3<f32>((*seen_1).far_0);
+    (*seen_1).chord_0 = length_of_0(last_0 / vec3<f32>((*seen_1).far_0) - first_4 / vec3<f32>((*seen_1).near_1));
+    var longest_0 : f32;
+    if((at_28.vertex_2.lobe_1.kind_1) == u32(0))
+    {
+        longest_0 = 0.20000000298023224f;
+    }
+    else
+    {
+        longest_0 = 0.05000000074505806f;
+    }
+    (*seen_1).pieces_0 = clamp(ceil((*seen_1).chord_0 / longest_0), 1.0f, 32.0f);
+    return true;
+}
+
+fn place_between_0( from_2 : f32,  to_1 : f32,  near_2 : f32,  far_1 : f32,  part_0 : f32) -> f32
+{
+    return from_2 + (to_1 - from_2) * part_0 * near_2 / (part_0 * near_2 + (1.0f - part_0) * far_1);
+}
+
+fn velocity_on_0( at_29 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
+{
+    var _S296 : u32 = edge_4.record_7 + u32(2);
+    return mix(edge_vector_0(_S296), edge_vector_0(_S296 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_29.motion_1, offset_9);
+}
+
+struct Mirrored_0
+{
+     cosine_6 : f32,
+     pdf_0 : f32,
+     scattered_0 : f32,
+};
+
+fn Mirrored_x24init_0( cosine_7 : f32,  pdf_1 : f32,  scattered_1 : f32) -> Mirrored_0
+{
+    var _S297 : Mirrored_0;
+    _S297.cosine_6 = cosine_7;
+    _S297.pdf_0 = pdf_1;
+    _S297.scattered_0 = scattered_1;
+    return _S297;
+}
+
+fn is_rough_0( lobe_3 : Lobe_0) -> bool
+{
+    var _S298 : bool;
+    if((lobe_3.kind_1) == u32(2))
+    {
+        _S298 = true;
+    }
+    else
+    {
+        _S298 = (lobe_3.kind_1) == u32(4);
+    }
+    return _S298;
+}
+
+struct Microfacets_0
+{
+     distribution_1 : u32,
+     alpha_1 : vec2<f32>,
+};
+
+fn facets_of_0( lobe_4 : Lobe_0,  numbers_5 : Numbers_0) -> Microfacets_0
+{
+    var facets_0 : Microfacets_0;
+    facets_0.distribution_1 = lobe_4.distribution_0;
+    facets_0.alpha_1 = max(numbers_5.alpha_0, vec2<f32>(0.00009999999747379f));
+    return facets_0;
+}
+
+fn exponential_0( x_9 : f32) -> f32
+{
+    if(x_9 < -87.0f)
+    {
+        return 0.0f;
+    }
+    var power_3 : f32 = floor(x_9 * 1.4426950216293335f + 0.5f);
+    var r_0 : f32 = x_9 - power_3 * 0.693359375f + power_3 * 0.00021219444170129f;
+    return ((((((0.00019875691214111f * r_0 + 0.00139819993637502f) * r_0 + 0.00833345204591751f) * r_0 + 0.04166579619050026f) * r_0 + 0.1666666567325592f) * r_0 + 0.5f) * r_0 * r_0 + r_0 + 1.0f) * (bitcast<f32>(((u32(i32(power_3) + i32(127)) << (u32(23))))));
+}
+
+fn density_0( facets_1 : Microfacets_0,  m_3 : vec3<f32>) -> f32
+{
+    var _S299 : f32 = m_3.z;
+    if(_S299 <= 0.0f)
+    {
+        return 0.0f;
+    }
+    var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
+    var slope_0 : vec2<f32> = m_3.xy / facets_1.alpha_1;
+    var spread_0 : f32 = dot(slope_0, slope_0);
+    var cos2_0 : f32 = _S299 * _S299;
+    if((facets_1.distribution_1) == u32(1))
+    {
+        var sum_1 : f32 = spread_0 + cos2_0;
+        return 1.0f / (scale_0 * sum_1 * sum_1);
+    }
+    var exponent_0 : f32 = spread_0 / cos2_0;
+    var _S300 : f32;
+    if(exponent_0 > 80.0f)
+    {
+        _S300 = 0.0f;
+    }
+    else
+    {
+        _S300 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+    }
+    return _S300;
+}
+
+fn error_function_plus_one_0( x_10 : f32) -> vec2<f32>
+{
+    var _S301 : f32 = min(abs(x_10), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S301 * _S301);
+    var place_12 : f32 = (_S301 - 2.0f) / (_S301 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S301);
+    var _S302 : f32;
+    if(x_10 < 0.0f)
+    {
+        _S302 = complement_0;
+    }
+    else
+    {
+        _S302 = 2.0f - complement_0;
+    }
+    return vec2<f32>(_S302, 1.128379225730896f * gaussian_0);
+}
+
+fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
+{
+    var stretched_0 : vec2<f32> = w_2.xy * facets_2.alpha_1;
+    var spread2_0 : f32 = dot(stretched_0, stretched_0);
+    var _S303 : f32 = w_2.z;
+    var z2_0 : f32 = _S303 * _S303;
+    if((facets_2.distribution_1) == u32(1))
+    {
+        return 2.0f / (_S303 + sqrt(z2_0 + spread2_0));
+    }
+    if(z2_0 >= (36.0f * spread2_0))
+    {
+        return 1.0f / _S303;
+    }
+    var spread_1 : f32 = sqrt(spread2_0);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S303 / spread_1);
+    return 2.0f / (_S303 * both_0.x + 0.5f * spread_1 * both_0.y);
+}
+
+fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
+{
+    var h_0 : vec3<f32> = normalize(wi_3 + wo_0);
+    var mirrored_1 : Mirrored_0;
+    mirrored_1.cosine_6 = dot(wi_3, h_0);
+    var _S304 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
+    mirrored_1.pdf_0 = _S304;
+    mirrored_1.scattered_0 = _S304 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    return mirrored_1;
+}
+
+fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
+{
+    var cos2_1 : f32 = cosine_8 * cosine_8;
+    var sin2_0 : f32 = 1.0f - cos2_1;
+    var real_0 : f32 = eta_1 * eta_1 - k_6 * k_6 - sin2_0;
+    var product_1 : f32 = eta_1 * k_6;
+    var modulus_0 : f32 = sqrt(real_0 * real_0 + 4.0f * (product_1 * product_1));
+    if(modulus_0 == 0.0f)
+    {
+        return 1.0f;
+    }
+    var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
+    var smaller_0 : f32 = product_1 / larger_0;
+    var _S305 : bool = real_0 < 0.0f;
+    var a_13 : f32;
+    if(_S305)
+    {
+        a_13 = smaller_0;
+    }
+    else
+    {
+        a_13 = larger_0;
+    }
+    var b_10 : f32;
+    if(_S305)
+    {
+        b_10 = larger_0;
+    }
+    else
+    {
+        b_10 = smaller_0;
+    }
+    var less_0 : f32 = a_13 - cosine_8;
+    var more_0 : f32 = a_13 + cosine_8;
+    var _S306 : f32 = b_10 * b_10;
+    var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
+    return (less_0 * less_0 + _S306) / (more_0 * more_0 + _S306) * p_sum_0 / (p_sum_0 + 2.0f * a_13 * cosine_8 * sin2_0);
+}
+
+fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_7 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(fresnel_conductor_channel_0(cosine_9, eta_2.x, k_7.x), fresnel_conductor_channel_0(cosine_9, eta_2.y, k_7.y), fresnel_conductor_channel_0(cosine_9, eta_2.z, k_7.z));
+}
+
+fn coat_eta_0( numbers_6 : Numbers_0) -> f32
+{
+    return luminance_0(numbers_6.eta_0) / luminance_0(numbers_6.k_0);
+}
+
+fn fresnel_dielectric_0( cosine_10 : f32,  eta_3 : f32) -> f32
+{
+    var eta2_0 : f32 = eta_3 * eta_3;
+    var cos2_2 : f32 = cosine_10 * cosine_10;
+    var denser_0 : f32 = (eta_3 - 1.0f) * (eta_3 + 1.0f);
+    var squared_1 : f32 = denser_0 + cos2_2;
+    if(squared_1 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    var refracted_0 : f32 = sqrt(squared_1);
+    var s_sum_0 : f32 = cosine_10 + refracted_0;
+    var p_sum_1 : f32 = eta2_0 * cosine_10 + refracted_0;
+    var senkrecht_0 : f32 = denser_0 / (s_sum_0 * s_sum_0);
+    var parallel_0 : f32 = denser_0 * ((eta2_0 + 1.0f) * cos2_2 - 1.0f) / (p_sum_1 * p_sum_1);
+    return 0.5f * (senkrecht_0 * senkrecht_0 + parallel_0 * parallel_0);
+}
+
+fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
+{
+    if((lobe_5.kind_1) == u32(3))
+    {
+        return 1.0f - fresnel_dielectric_0(cosine_11, eta_4);
+    }
+    var place_13 : f32 = cosine_11 * 63.0f;
+    var _S307 : u32 = min(u32(place_13), u32(62));
+    var at_30 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S307;
+    var here_0 : f32 = number_0(at_30);
+    return here_0 + (number_0(at_30 + u32(1)) - here_0) * (place_13 - f32(_S307));
+}
+
+fn fresnel_diffuse_0( eta_5 : f32) -> f32
+{
+    var inverse_0 : f32 = 1.0f / eta_5;
+    if(eta_5 < 1.0f)
+    {
+        return (-1.43990004062652588f * eta_5 + 0.70990002155303955f) * eta_5 + 0.66809999942779541f + 0.06360000371932983f * inverse_0;
+    }
+    return ((((-1.36881005764007568f * inverse_0 + 4.98553991317749023f) * inverse_0 - 7.80988979339599609f) * inverse_0 + 6.75334978103637695f) * inverse_0 - 3.47930002212524414f) * inverse_0 + 0.91931700706481934f;
+}
+
+fn base_0( lobe_6 : Lobe_0,  eta_6 : f32,  diffuse_0 : vec3<f32>) -> vec3<f32>
+{
+    var internal_reflectance_0 : f32;
+    if((lobe_6.kind_1) == u32(3))
+    {
+        internal_reflectance_0 = fresnel_diffuse_0(1.0f / eta_6);
+    }
+    else
+    {
+        internal_reflectance_0 = number_0(word_0(lobe_6.record_2 + u32(3)) + u32(64));
+    }
+    if((word_0(lobe_6.record_2 + u32(2))) == u32(0))
+    {
+        return diffuse_0 * vec3<f32>((1.0f / (1.0f - internal_reflectance_0)));
+    }
+    return diffuse_0 / (vec3<f32>(1.0f) - diffuse_0 * vec3<f32>(internal_reflectance_0));
+}
+
+fn choice_weight_0( colour_2 : vec3<f32>) -> f32
+{
+    return max((colour_2.x + colour_2.y + colour_2.z) / 3.0f, 0.05000000074505806f);
+}
+
+fn base_probability_0( numbers_7 : Numbers_0,  enters_0 : f32) -> f32
+{
+    var of_base_0 : f32 = enters_0 * choice_weight_0(numbers_7.diffuse_reflectance_0);
+    return of_base_0 / (of_base_0 + (1.0f - enters_0) * choice_weight_0(numbers_7.specular_reflectance_0));
+}
+
+struct Scattering_0
+{
+     value_5 : vec3<f32>,
+     pdf_2 : f32,
+};
+
+fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
+{
+    var scattering_1 : Scattering_0;
+    var _S308 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S308 * 0.31830987334251404f;
+    if((lobe_7.kind_1) == u32(0))
+    {
+        scattering_1.value_5 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
+        scattering_1.pdf_2 = by_cosine_0;
+        return scattering_1;
+    }
+    var _S309 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var by_facets_0 : Mirrored_0;
+    if(is_rough_0(lobe_7))
+    {
+        by_facets_0 = mirrored_0(facets_of_0(lobe_7, numbers_8), wi_4, wo_1);
+    }
+    else
+    {
+        by_facets_0 = _S309;
+    }
+    if((lobe_7.kind_1) == u32(2))
+    {
+        scattering_1.value_5 = numbers_8.specular_reflectance_0 * (fresnel_conductor_0(by_facets_0.cosine_6, numbers_8.eta_0, numbers_8.k_0) * vec3<f32>(by_facets_0.scattered_0));
+        scattering_1.pdf_2 = by_facets_0.pdf_0;
+        return scattering_1;
+    }
+    var eta_7 : f32 = coat_eta_0(numbers_8);
+    var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_4.z);
+    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S308) * by_cosine_0 / (eta_7 * eta_7)));
+    var probability_3 : f32 = base_probability_0(numbers_8, enters_1);
+    scattering_1.pdf_2 = probability_3 * by_cosine_0;
+    if((lobe_7.kind_1) == u32(4))
+    {
+        scattering_1.value_5 = scattering_1.value_5 + numbers_8.specular_reflectance_0 * vec3<f32>((fresnel_dielectric_0(by_facets_0.cosine_6, eta_7) * by_facets_0.scattered_0));
+        scattering_1.pdf_2 = scattering_1.pdf_2 + (1.0f - probability_3) * by_facets_0.pdf_0;
+    }
+    return scattering_1;
+}
+
+fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
+{
+    var _S310 : bool;
+    if((wo_2.z) <= 0.0f)
+    {
+        _S310 = true;
+    }
+    else
+    {
+        _S310 = !has_smooth_0(vertex_5.lobe_1);
+    }
+    if(_S310)
+    {
+        return vec3<f32>(0.0f);
+    }
+    return scattering_0(vertex_5.lobe_1, vertex_5.lobe_1.numbers_2, value_of_0(vertex_5.wi_1), wo_2).value_5;
+}
+
+fn scattered_from_0( vertex_6 : Vertex_0,  direction_5 : vec3<f32>) -> vec3<f32>
+{
+    return scattered_values_0(vertex_6, to_local_0(vertex_6.axes_4, direction_5));
+}
+
+fn largest_0( v_7 : vec3<f32>) -> f32
+{
+    return max(max(v_7.x, v_7.y), v_7.z);
+}
+
+fn changing_0( value_6 : vec3<f32>,  change_0 : vec3<f32>) -> vec3<f32>
+{
+    return value_6;
+}
+
+fn still_0( value_7 : vec3<f32>) -> vec3<f32>
+{
+    return changing_0(value_7, vec3<f32>(0.0f));
+}
+
+fn angle_of_0( x_11 : f32,  y_2 : f32) -> f32
+{
+    var _S311 : f32 = abs(x_11);
+    var _S312 : f32 = abs(y_2);
+    var _S313 : f32 = min(_S311, _S312);
+    var _S314 : f32 = max(_S311, _S312);
+    var is_steep_0 : bool = _S313 > (0.41421356797218323f * _S314);
+    var above_0 : f32;
+    if(is_steep_0)
+    {
+        above_0 = _S313 - _S314;
+    }
+    else
+    {
+        above_0 = _S313;
+    }
+    var below_0 : f32;
+    if(is_steep_0)
+    {
+        below_0 = _S313 + _S314;
+    }
+    else
+    {
+        below_0 = _S314;
+    }
+    if(below_0 > 0.0f)
+    {
+    }
+    else
+    {
+        below_0 = 1.0f;
+    }
+    var t_3 : f32 = above_0 / below_0;
+    var z_1 : f32 = t_3 * t_3;
+    var angle_0 : f32 = (((0.08053744584321976f * z_1 - 0.13877685368061066f) * z_1 + 0.19977711141109467f) * z_1 - 0.33332949876785278f) * z_1 * t_3 + t_3;
+    var angle_1 : f32;
+    if(is_steep_0)
+    {
+        angle_1 = angle_0 + 0.78539818525314331f;
+    }
+    else
+    {
+        angle_1 = angle_0;
+    }
+    if(_S312 > _S311)
+    {
+        angle_1 = 1.57079637050628662f - angle_1;
+    }
+    if(x_11 < 0.0f)
+    {
+        angle_1 = 3.14159274101257324f - angle_1;
+    }
+    if(y_2 < 0.0f)
+    {
+        above_0 = - angle_1;
+    }
+    else
+    {
+        above_0 = angle_1;
+    }
+    return above_0;
+}
+
+fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
+{
+    var _S315 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S315) * vec3<f32>(direction_6.x) + vector_at_0(_S315 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S315 + u32(6)) * vec3<f32>(direction_6.z);
+    return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
+}
+
+fn in_map_0( map_1 : u32,  direction_7 : vec3<f32>) -> Lookup_0
+{
+    var place_14 : vec2<f32> = map_place_0(map_1, direction_7);
+    var point_0 : Point_0;
+    point_0.value_1 = place_14;
+    point_0.by_first_1 = vec2<f32>(1.0f, 0.0f);
+    point_0.by_second_1 = vec2<f32>(0.0f, 1.0f);
+    var x_12 : i32 = floor_of_0(place_14.x);
+    var y_3 : i32 = floor_of_0(place_14.y);
+    var width_1 : i32 = i32(word_0(map_1));
+    var height_2 : i32 = i32(word_0(map_1 + u32(1)));
+    var left_1 : u32 = wrapped_0(x_12, width_1, u32(0));
+    var right_1 : u32 = wrapped_0(x_12 + i32(1), width_1, u32(0));
+    var _S316 : u32 = wrapped_0(y_3, height_2, u32(2));
+    var _S317 : u32 = u32(width_1);
+    var first_5 : u32 = _S316 * _S317;
+    var _S318 : u32 = wrapped_0(y_3 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S318 * _S317;
+    return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_3 + left_1, second_3 + right_1), point_0);
+}
+
+fn emitted_0( emitter_4 : u32,  place_15 : Place_0,  direction_8 : vec3<f32>) -> vec3<f32>
+{
+    var record_8 : u32 = emitter_record_0(emitter_4);
+    var texture_6 : u32 = word_0(record_8 + u32(1));
+    if(!is_map_0(record_8))
+    {
+        var _S319 : vec3<f32> = shown_0(texture_6, place_15);
+        return _S319;
+    }
+    var change_1 : vec2<f32> = vec2<f32>(0.0f);
+    var factor_4 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
+    var _S320 : u32 = word_0(texture_6 + u32(11));
+    var _S321 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
+    return looked_up_0(_S320, _S321, change_1) * factor_4;
+}
+
+fn light_from_0( at_31 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
+{
+    var light_1 : f32 = largest_0(scattered_from_0(at_31.vertex_2, direction_9));
+    var _S322 : bool;
+    if((at_31.purpose_0) != u32(1))
+    {
+        _S322 = true;
+    }
+    else
+    {
+        _S322 = !(light_1 > 0.0f);
+    }
+    if(_S322)
+    {
+        return light_1;
+    }
+    var _S323 : vec3<f32> = emitted_0(at_31.emitter_0, at_31.vertex_2.surface_3.place_3, still_0(direction_9));
+    return light_1 * largest_0(value_of_0(_S323));
+}
+
+fn weigh_0( at_32 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+{
+    var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
+    var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
+    var t_4 : f32 = place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, part_1);
+    var offset_10 : vec3<f32> = seen_2.start_1 + seen_2.along_1 * vec3<f32>(t_4);
+    var normal_5 : vec3<f32> = exact_unit_0(cross(seen_2.start_1, seen_2.along_1));
+    var _S324 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
+    var speed_1 : f32;
+    if(!is_blind_0())
+    {
+        speed_1 = abs(dot(velocity_on_0(at_32, seen_2.edge_3, t_4, offset_10), normal_5));
+    }
+    else
+    {
+        speed_1 = _S324;
+    }
+    var speed_2 : f32 = speed_1 / length(offset_10);
+    var angle_2 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
+    var _S325 : f32 = light_from_0(at_32, middle_1);
+    var contribution_0 : f32 = angle_2 * _S325 * speed_2;
+    var _S326 : vec2<f32>;
+    if(contribution_0 < 3.00000000549775576e+38f)
+    {
+        _S326 = vec2<f32>(contribution_0, angle_2);
+    }
+    else
+    {
+        _S326 = vec2<f32>(0.0f);
+    }
+    return _S326;
+}
+
+fn multiplicity_0( at_33 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f32>,  normal_6 : vec3<f32>) -> f32
+{
+    var _S327 : vec3<f32> = cross(normal_6, direction_10);
+    var _S328 : u32 = edge_5.record_7 + u32(8);
+    var k_8 : u32 = edge_word_0(_S328);
+    var count_3 : f32 = 1.0f;
+    for(;;)
+    {
+        if(k_8 < (edge_word_0(_S328 + u32(1))))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var other_0 : Edge_0 = edge_at_0(at_33, edge_word_0(k_8));
+        if(!((factor_of_0(at_33, other_0)) > 0.0f))
+        {
+            k_8 = k_8 + u32(1);
+            continue;
+        }
+        var a_14 : vec3<f32> = edge_position_0(other_0.numbers_4) - at_33.vertex_2.surface_3.exact_0;
+        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_4 + u32(3)) - at_33.vertex_2.surface_3.exact_0 - a_14;
+        var place_16 : f32 = - dot(a_14, _S327) / dot(way_1, _S327);
+        var there_0 : vec3<f32> = a_14 + way_1 * vec3<f32>(place_16);
+        var _S329 : bool;
+        if(place_16 >= 0.0f)
+        {
+            _S329 = place_16 <= 1.0f;
+        }
+        else
+        {
+            _S329 = false;
+        }
+        var _S330 : bool;
+        if(_S329)
+        {
+            _S330 = (dot(there_0, direction_10)) > 0.0f;
+        }
+        else
+        {
+            _S330 = false;
+        }
+        if(!_S330)
+        {
+            k_8 = k_8 + u32(1);
+            continue;
+        }
+        if(!((abs(dot(normal_6, there_0))) <= (edge_real_0(u32(3)) * length_of_0(there_0))))
+        {
+            k_8 = k_8 + u32(1);
+            continue;
+        }
+        var count_4 : f32;
+        if((abs(dot(normal_6, exact_unit_0(cross(a_14, way_1))))) > 0.99999898672103882f)
+        {
+            count_4 = count_3 + 1.0f;
+        }
+        else
+        {
+            count_4 = count_3;
+        }
+        count_3 = count_4;
+        k_8 = k_8 + u32(1);
+    }
+    return count_3;
+}
+
+fn face_normal_1( at_34 : ShadingPoint_0) -> vec3<f32>
+{
+    var corners_1 : u32 = u32(9) * at_34.vertex_2.surface_3.place_3.triangle_0;
+    var a_15 : vec3<f32> = primitive_vector_0(corners_1);
+    return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_15, primitive_vector_0(corners_1 + u32(6)) - a_15));
+}
+
+fn limit_at_0( which_8 : u32) -> f32
+{
+    return primitives_0[word_0(u32(13)) + which_8];
+}
+
+struct EdgePoint_0
+{
+     edge_6 : Edge_0,
+     t_5 : f32,
+     direction_11 : vec3<f32>,
+     normal_7 : vec3<f32>,
+     distance_6 : f32,
+     measure_0 : f32,
+     is_in_horizon_0 : bool,
+};
+
+fn point_on_0( at_35 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
+{
+    var _S331 : f32 = seen_3.range_1.x;
+    var _S332 : f32 = seen_3.range_1.y;
+    var first_6 : f32 = place_between_0(_S331, _S332, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
+    var last_1 : f32 = place_between_0(_S331, _S332, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
+    var a_16 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(first_6);
+    var b_11 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(last_1);
+    var near_3 : f32 = length_of_0(a_16);
+    var far_2 : f32 = length_of_0(b_11);
+    var from_3 : vec3<f32> = a_16 / vec3<f32>(near_3);
+    var chord_1 : vec3<f32> = b_11 / vec3<f32>(far_2) - from_3;
+    var on_chord_0 : vec3<f32> = from_3 + chord_1 * vec3<f32>(inside_3);
+    var angle_3 : f32 = length_of_0(cross(from_3, chord_1)) / dot(on_chord_0, on_chord_0);
+    var t_6 : f32 = place_between_0(first_6, last_1, near_3, far_2, inside_3);
+    var offset_11 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(t_6);
+    var point_1 : EdgePoint_0;
+    var _S333 : f32 = length_of_0(offset_11);
+    point_1.distance_6 = _S333;
+    var _S334 : vec3<f32> = offset_11 / vec3<f32>(_S333);
+    point_1.direction_11 = _S334;
+    var _S335 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_1.normal_7 = _S335;
+    point_1.edge_6 = seen_3.edge_3;
+    point_1.t_5 = t_6;
+    point_1.measure_0 = angle_3 / _S333 / (part_of_all_0 * multiplicity_0(at_35, seen_3.edge_3, _S334, _S335));
+    var face_0 : vec3<f32> = face_normal_1(at_35);
+    var least_2 : f32 = limit_at_0(u32(2));
+    var _S336 : bool;
+    if((abs(dot(seen_3.start_1, face_0))) <= least_2)
+    {
+        _S336 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+    }
+    else
+    {
+        _S336 = false;
+    }
+    point_1.is_in_horizon_0 = _S336;
+    return point_1;
+}
+
+fn component_0( v_8 : vec3<f32>,  axis_5 : u32) -> f32
+{
+    var _S337 : f32;
+    if(axis_5 == u32(0))
+    {
+        _S337 = v_8.x;
+    }
+    else
+    {
+        if(axis_5 == u32(1))
+        {
+            _S337 = v_8.y;
+        }
+        else
+        {
+            _S337 = v_8.z;
+        }
+    }
+    return _S337;
+}
+
+fn ray_child_0( node_4 : u32,  slot_2 : u32) -> u32
+{
+    return nodes_0[u32(14) * node_4 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
+}
+
+struct RayView_0
+{
+     inverse_1 : vec3<f32>,
+     offset_near_0 : vec3<f32>,
+     offset_far_0 : vec3<f32>,
+     limit_0 : f32,
+     margin_2 : f32,
+     axes_6 : u32,
+};
+
+fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32) -> f32
+{
+    var _S338 : u32 = u32(14) * node_5 + slot_3 / u32(4);
+    var near_4 : f32 = 0.0f;
+    var far_3 : f32 = limit_1;
+    var axis_6 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_6 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S339 : u32 = axis_6;
+        var _S340 : u32 = _S338 + u32(2) * axis_6;
+        var _S341 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S340][_S341])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S340 + u32(6)][_S341])));
+        var _S342 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S343 : f32;
+        if(_S342)
+        {
+            _S343 = high_0;
+        }
+        else
+        {
+            _S343 = low_3;
+        }
+        var _S344 : f32 = max(near_4, _S343 * view_1.inverse_1[_S339] - view_1.offset_near_0[axis_6]);
+        var _S345 : f32;
+        if(_S342)
+        {
+            _S345 = low_3;
+        }
+        else
+        {
+            _S345 = high_0;
+        }
+        var _S346 : f32 = min(far_3, _S345 * view_1.inverse_1[_S339] - view_1.offset_far_0[axis_6]);
+        var _S347 : u32 = axis_6 + u32(1);
+        near_4 = _S344;
+        far_3 = _S346;
+        axis_6 = _S347;
+    }
+    if(near_4 <= far_3)
+    {
+    }
+    else
+    {
+        near_4 = 3.00000000549775576e+38f;
+    }
+    return near_4;
+}
+
+fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
+{
+    var k_9 : u32 = u32(0);
+    var order_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_9 < u32(8))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S348 : u32 = k_9;
+        if((bounds_0[k_9]) > limit_2)
+        {
+            k_9 = k_9 + u32(1);
+            continue;
+        }
+        var j_0 : u32 = u32(0);
+        var rank_0 : u32 = u32(0);
+        for(;;)
+        {
+            if(j_0 < u32(8))
+            {
+            }
+            else
+            {
+                break;
+            }
+            var _S349 : u32 = j_0;
+            var _S350 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S348]))
+            {
+                _S350 = true;
+            }
+            else
+            {
+                if((bounds_0[_S349]) == (bounds_0[_S348]))
+                {
+                    _S350 = j_0 < k_9;
+                }
+                else
+                {
+                    _S350 = false;
+                }
+            }
+            if(_S350)
+            {
+                rank_0 = rank_0 + u32(1);
+            }
+            j_0 = j_0 + u32(1);
+        }
+        order_0 = (order_0 | ((((k_9 + u32(1)) << ((u32(4) * rank_0))))));
+        k_9 = k_9 + u32(1);
+    }
+    return order_0;
+}
+
+fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
+{
+    var bounds_1 : array<f32, i32(8)>;
+    var slot_4 : u32 = u32(0);
+    for(;;)
+    {
+        if(slot_4 < u32(8))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S351 : f32;
+        if((ray_child_0(node_6, slot_4)) == u32(4294967295))
+        {
+            _S351 = 3.00000000549775576e+38f;
+        }
+        else
+        {
+            _S351 = ray_bound_0(view_2, limit_3, node_6, slot_4);
+        }
+        bounds_1[slot_4] = _S351;
+        slot_4 = slot_4 + u32(1);
+    }
+    return nearest_first_0(bounds_1, limit_3);
+}
+
+fn rounded_0( product_2 : f32,  largest_1 : f32) -> f32
+{
+    return min(product_2, largest_1);
+}
+
+struct Ray_0
+{
+     origin_0 : vec3<f32>,
+     shear_x_0 : f32,
+     shear_y_0 : f32,
+     inverse_z_0 : f32,
+     t_min_0 : f32,
+     t_max_0 : f32,
+     local_per_t_0 : f32,
+     enter_0 : f32,
+     edge_on_0 : f32,
+     largest_2 : f32,
+};
+
+fn corner_0( ray_0 : Ray_0,  axes_7 : u32,  at_36 : u32) -> vec3<f32>
+{
+    var relative_1 : vec3<f32> = primitive_vector_0(at_36) - ray_0.origin_0;
+    var z_2 : f32 = component_0(relative_1, (axes_7 >> (u32(4))));
+    return vec3<f32>(component_0(relative_1, (axes_7 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_2, ray_0.largest_2), component_0(relative_1, (((axes_7 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_2, ray_0.largest_2), z_2);
+}
+
+struct Crossing_0
+{
+     is_hit_0 : bool,
+     t_7 : f32,
+     v_9 : f32,
+     w_3 : f32,
+};
+
+fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_37 : u32) -> Crossing_0
+{
+    var crossing_1 : Crossing_0;
+    crossing_1.is_hit_0 = false;
+    crossing_1.t_7 = 0.0f;
+    crossing_1.v_9 = 0.0f;
+    crossing_1.w_3 = 0.0f;
+    var a_17 : vec3<f32> = corner_0(ray_1, axes_8, at_37);
+    var b_12 : vec3<f32> = corner_0(ray_1, axes_8, at_37 + u32(3));
+    var c_3 : vec3<f32> = corner_0(ray_1, axes_8, at_37 + u32(6));
+    var _S352 : f32 = c_3.x;
+    var _S353 : f32 = b_12.y;
+    var cx_by_0 : f32 = rounded_0(_S352 * _S353, ray_1.largest_2);
+    var _S354 : f32 = c_3.y;
+    var _S355 : f32 = b_12.x;
+    var cy_bx_0 : f32 = rounded_0(_S354 * _S355, ray_1.largest_2);
+    var _S356 : f32 = a_17.x;
+    var ax_cy_0 : f32 = rounded_0(_S356 * _S354, ray_1.largest_2);
+    var _S357 : f32 = a_17.y;
+    var ay_cx_0 : f32 = rounded_0(_S357 * _S352, ray_1.largest_2);
+    var bx_ay_0 : f32 = rounded_0(_S355 * _S357, ray_1.largest_2);
+    var by_ax_0 : f32 = rounded_0(_S353 * _S356, ray_1.largest_2);
+    var u_2 : f32 = cx_by_0 - cy_bx_0;
+    var v_10 : f32 = ax_cy_0 - ay_cx_0;
+    var w_4 : f32 = bx_ay_0 - by_ax_0;
+    var _S358 : f32 = min(min(u_2, v_10), w_4);
+    var _S359 : f32 = max(max(u_2, v_10), w_4);
+    var _S360 : bool;
+    if(_S358 < 0.0f)
+    {
+        _S360 = _S359 > 0.0f;
+    }
+    else
+    {
+        _S360 = false;
+    }
+    if(_S360)
+    {
+        return crossing_1;
+    }
+    var determinant_0 : f32 = u_2 + v_10 + w_4;
+    if(_S358 <= 0.0f)
+    {
+        _S360 = _S359 >= 0.0f;
+    }
+    else
+    {
+        _S360 = false;
+    }
+    if(_S360)
+    {
+        if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
+        {
+            return crossing_1;
+        }
+    }
+    if(determinant_0 == 0.0f)
+    {
+        return crossing_1;
+    }
+    var t_8 : f32 = (rounded_0(u_2 * a_17.z, ray_1.largest_2) + rounded_0(v_10 * b_12.z, ray_1.largest_2) + rounded_0(w_4 * c_3.z, ray_1.largest_2)) / determinant_0 * ray_1.inverse_z_0;
+    if((ray_1.t_min_0) <= t_8)
+    {
+        _S360 = t_8 <= (ray_1.t_max_0);
+    }
+    else
+    {
+        _S360 = false;
+    }
+    crossing_1.is_hit_0 = _S360;
+    crossing_1.t_7 = t_8;
+    crossing_1.v_9 = v_10 / determinant_0;
+    crossing_1.w_3 = w_4 / determinant_0;
+    return crossing_1;
+}
+
+fn face_1( triangle_6 : u32) -> u32
+{
+    return rough_0[triangle_6 / u32(4)][triangle_6 % u32(4)];
+}
+
+struct Found_0
+{
+     face_2 : u32,
+     triangle_7 : u32,
+     v_11 : f32,
+     w_5 : f32,
+};
+
+fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+{
+    var _S361 : bool;
+    var found_0 : Found_0;
+    found_0.face_2 = u32(4294967295);
+    found_0.triangle_7 = u32(4294967295);
+    found_0.v_11 = 0.0f;
+    found_0.w_5 = 0.0f;
+    if(!((view_3.limit_0) >= 0.0f))
+    {
+        return found_0;
+    }
+    var way_2 : array<vec2<u32>, i32(40)>;
+    way_2[i32(0)] = vec2<u32>(u32(0), u32(0));
+    var entered_0 : u32 = u32(0);
+    var limit_4 : f32 = view_3.limit_0;
+    var is_new_0 : bool = true;
+    var level_0 : u32 = u32(0);
+    for(;;)
+    {
+        var entered_1 : u32;
+        var is_new_1 : bool;
+        if(entered_0 != u32(4294967295))
+        {
+            way_2[level_0] = vec2<u32>(entered_0, crossed_1(view_3, limit_4, entered_0));
+            is_new_1 = true;
+            entered_1 = u32(4294967295);
+        }
+        else
+        {
+            is_new_1 = is_new_0;
+            entered_1 = entered_0;
+        }
+        var here_1 : vec2<u32> = way_2[level_0];
+        var _S362 : u32 = way_2[level_0].y;
+        if(_S362 == u32(0))
+        {
+            if(level_0 == u32(0))
+            {
+                break;
+            }
+            var _S363 : u32 = level_0 - u32(1);
+            entered_0 = entered_1;
+            is_new_0 = is_new_1;
+            level_0 = _S363;
+            continue;
+        }
+        var slot_5 : u32 = ((_S362 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S362 >> (u32(4)));
+        var _S364 : bool;
+        if(!is_new_1)
+        {
+            _S364 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+        }
+        else
+        {
+            _S364 = false;
+        }
+        if(_S364)
+        {
+            entered_0 = entered_1;
+            is_new_0 = is_new_1;
+            continue;
+        }
+        var child_0 : u32 = ray_child_0(here_1.x, slot_5);
+        if(((child_0 & (u32(2147483648)))) == u32(0))
+        {
+            var _S365 : u32 = level_0 + u32(1);
+            entered_0 = child_0;
+            is_new_0 = false;
+            level_0 = _S365;
+            continue;
+        }
+        var leaf_1 : u32 = (child_0 & (u32(2147483647)));
+        var _S366 : u32 = leaf_starts_0[leaf_1 + u32(1)];
+        var _S367 : u32 = leaf_starts_0[leaf_1];
+        var limit_5 : f32 = limit_4;
+        var i_2 : u32 = _S367;
+        for(;;)
+        {
+            if(i_2 < _S366)
+            {
+            }
+            else
+            {
+                break;
+            }
+            var crossing_2 : Crossing_0 = intersect_0((*ray_2), view_3.axes_6, u32(9) * i_2);
+            if(!crossing_2.is_hit_0)
+            {
+                i_2 = i_2 + u32(1);
+                continue;
+            }
+            if((found_0.face_2) == u32(4294967295))
+            {
+                _S361 = true;
+            }
+            else
+            {
+                _S361 = (crossing_2.t_7) < ((*ray_2).t_max_0);
+            }
+            var _S368 : bool;
+            if(_S361)
+            {
+                _S368 = true;
+            }
+            else
+            {
+                _S368 = (face_1(i_2)) < (found_0.face_2);
+            }
+            var limit_6 : f32;
+            if(_S368)
+            {
+                found_0.face_2 = face_1(i_2);
+                found_0.triangle_7 = i_2;
+                (*ray_2).t_max_0 = crossing_2.t_7;
+                found_0.v_11 = crossing_2.v_9;
+                found_0.w_5 = crossing_2.w_3;
+                limit_6 = min(limit_5, crossing_2.t_7 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_3.margin_2);
+            }
+            else
+            {
+                limit_6 = limit_5;
+            }
+            limit_5 = limit_6;
+            i_2 = i_2 + u32(1);
+        }
+        if(any_0)
+        {
+            _S361 = (found_0.face_2) != u32(4294967295);
+        }
+        else
+        {
+            _S361 = false;
+        }
+        if(_S361)
+        {
+            break;
+        }
+        entered_0 = entered_1;
+        limit_4 = limit_5;
+        is_new_0 = false;
+    }
+    return found_0;
+}
+
+fn cast_0( origin_1 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_9 : ptr<function, f32>) -> Found_0
+{
+    var size_1 : vec3<f32> = abs(direction_12);
+    var _S369 : f32 = size_1.x;
+    var _S370 : f32 = size_1.y;
+    var _S371 : bool;
+    if(_S369 >= _S370)
+    {
+        _S371 = _S369 >= (size_1.z);
+    }
+    else
+    {
+        _S371 = false;
+    }
+    var _S372 : i32;
+    if(_S371)
+    {
+        _S372 = i32(0);
+    }
+    else
+    {
+        if(_S370 >= (size_1.z))
+        {
+            _S372 = i32(1);
+        }
+        else
+        {
+            _S372 = i32(2);
+        }
+    }
+    var z_3 : u32 = u32(_S372);
+    var x_13 : u32 = (z_3 + u32(1)) % u32(3);
+    var y_4 : u32 = (z_3 + u32(2)) % u32(3);
+    var ray_3 : Ray_0;
+    ray_3.origin_0 = origin_1;
+    var along_2 : f32 = component_0(direction_12, z_3);
+    ray_3.inverse_z_0 = 1.0f / along_2;
+    ray_3.shear_x_0 = component_0(direction_12, x_13) / along_2;
+    ray_3.shear_y_0 = component_0(direction_12, y_4) / along_2;
+    ray_3.t_min_0 = t_min_1;
+    ray_3.t_max_0 = t_max_1;
+    var _S373 : f32 = abs(along_2);
+    ray_3.local_per_t_0 = _S373;
+    ray_3.enter_0 = 0.0f;
+    ray_3.edge_on_0 = limit_at_0(u32(0));
+    ray_3.largest_2 = limit_at_0(u32(1));
+    var view_4 : RayView_0;
+    var _S374 : vec3<f32> = direction_12 / vec3<f32>(_S373);
+    var axis_7 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_7 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S375 : f32 = max(abs(_S374[axis_7]), 8.67361737988403547e-19f);
+        var _S376 : f32;
+        if((_S374[axis_7]) < 0.0f)
+        {
+            _S376 = -1.0f / _S375;
+        }
+        else
+        {
+            _S376 = 1.0f / _S375;
+        }
+        view_4.inverse_1[axis_7] = _S376;
+        axis_7 = axis_7 + u32(1);
+    }
+    var offset_12 : vec3<f32> = origin_1 * view_4.inverse_1;
+    var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_4.inverse_1);
+    view_4.offset_near_0 = offset_12 + wider_0;
+    view_4.offset_far_0 = offset_12 - wider_0;
+    view_4.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
+    view_4.margin_2 = 3.814697265625e-06f;
+    view_4.axes_6 = (((x_13 | (((y_4 << (u32(2))))))) | (((z_3 << (u32(4))))));
+    var found_1 : Found_0 = first_found_0(view_4, &(ray_3), any_1);
+    (*t_9) = ray_3.t_max_0;
+    return found_1;
+}
+
+struct Side_0
+{
+     direction_13 : vec3<f32>,
+     scattered_2 : vec3<f32>,
+     found_2 : Found_0,
+     t_10 : f32,
+};
+
+fn look_0( at_38 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
+{
+    var step_0 : vec3<f32> = point_2.normal_7 * vec3<f32>(edge_real_0(u32(3)));
+    var origin_2 : vec3<f32>;
+    if(side_0 == u32(0))
+    {
+        origin_2 = point_2.direction_11 - step_0;
+    }
+    else
+    {
+        origin_2 = point_2.direction_11 + step_0;
+    }
+    var direction_14 : vec3<f32> = exact_unit_0(origin_2);
+    if(point_2.is_in_horizon_0)
+    {
+        var face_3 : vec3<f32> = face_normal_1(at_38);
+        var height_3 : f32 = limit_at_0(u32(2));
+        var _S377 : f32;
+        if((dot(direction_14, face_3)) < 0.0f)
+        {
+            _S377 = - height_3;
+        }
+        else
+        {
+            _S377 = height_3;
+        }
+        origin_2 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f32>(_S377);
+    }
+    else
+    {
+        origin_2 = at_38.vertex_2.surface_3.exact_0;
+    }
+    var seen_4 : Side_0;
+    seen_4.direction_13 = direction_14;
+    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, direction_14);
+    var _S378 : f32 = limit_at_0(u32(2));
+    var _S379 : f32 = limit_at_0(u32(1));
+    var _S380 : f32 = seen_4.t_10;
+    var _S381 : Found_0 = cast_0(origin_2, direction_14, _S378, _S379, false, &(_S380));
+    seen_4.t_10 = _S380;
+    seen_4.found_2 = _S381;
+    return seen_4;
+}
+
+fn set_word_0( path_11 : u32,  which_9 : u32,  value_8 : u32)
+{
+    paths_0[which_9 * launch_0.room_0 + path_11] = value_8;
+    return;
+}
+
+fn set_vector_0( path_12 : u32,  which_10 : ptr<function, u32>,  value_9 : vec3<f32>)
+{
+    var axis_8 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_8 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_12, (*which_10) + axis_8, (bitcast<u32>((value_9[axis_8]))));
+        axis_8 = axis_8 + u32(1);
+    }
+    (*which_10) = (*which_10) + u32(3);
+    return;
+}
+
+fn place_of_0( found_3 : Found_0) -> Place_0
+{
+    return place_at_0(found_3.triangle_7, found_3.v_11, found_3.w_5);
+}
+
+fn offset_of_0( point_3 : EdgePoint_0) -> vec3<f32>
+{
+    return point_3.direction_11 * vec3<f32>(point_3.distance_6);
+}
+
+fn emitter_seen_0( found_4 : Found_0,  direction_15 : vec3<f32>) -> u32
+{
+    if((found_4.face_2) == u32(4294967295))
+    {
+        return word_0(u32(8));
+    }
+    var emitter_5 : u32 = word_0(shape_of_0(found_4.triangle_7) + u32(4));
+    var _S382 : bool;
+    if(emitter_5 != u32(4294967295))
+    {
+        _S382 = (dot(cross_of_0(found_4.triangle_7), direction_15)) < 0.0f;
+    }
+    else
+    {
+        _S382 = false;
+    }
+    var _S383 : u32;
+    if(_S382)
+    {
+        _S383 = emitter_5;
+    }
+    else
+    {
+        _S383 = u32(4294967295);
+    }
+    return _S383;
+}
+
+fn jump_of_light_0( at_39 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
+{
+    var _S384 : vec3<f32> = vec3<f32>(0.0f);
+    var side_1 : u32 = u32(0);
+    var jump_0 : vec3<f32> = _S384;
+    for(;;)
+    {
+        if(side_1 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var seen_5 : Side_0 = look_0(at_39, point_4, side_1);
+        var _S385 : bool;
+        if(!((largest_0(seen_5.scattered_2)) > 0.0f))
+        {
+            _S385 = true;
+        }
+        else
+        {
+            _S385 = (emitter_seen_0(seen_5.found_2, seen_5.direction_13)) != (at_39.emitter_0);
+        }
+        if(_S385)
+        {
+            side_1 = side_1 + u32(1);
+            continue;
+        }
+        var _S386 : vec3<f32> = emitted_0(at_39.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_13));
+        var light_2 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S386);
+        var _S387 : vec3<f32>;
+        if(side_1 == u32(0))
+        {
+            _S387 = light_2;
+        }
+        else
+        {
+            _S387 = (vec3<f32>(0) - light_2);
+        }
+        jump_0 = jump_0 + _S387;
+        side_1 = side_1 + u32(1);
+    }
+    return jump_0;
+}
+
+fn add_word_0( sum_2 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
+{
+    var _S388 : u32 = u32(2) + u32(4) * sum_2;
+    var _S389 : u32 = number_1;
+    var k_10 : u32 = word_of_sum_0;
+    for(;;)
+    {
+        var _S390 : bool;
+        if(k_10 < u32(4))
+        {
+            _S390 = _S389 != u32(0);
+        }
+        else
+        {
+            _S390 = false;
+        }
+        if(_S390)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S391 : u32;
+        if(is_negative_0)
+        {
+            _S391 = u32(0) - _S389;
+        }
+        else
+        {
+            _S391 = _S389;
+        }
+        var before_2 : u32 = atomicAdd(&(sums_0[_S388 + k_10]), _S391);
+        var overflows_0 : bool;
+        if(is_negative_0)
+        {
+            overflows_0 = before_2 < _S389;
+        }
+        else
+        {
+            overflows_0 = (before_2 + _S389) < before_2;
+        }
+        var _S392 : i32;
+        if(overflows_0)
+        {
+            _S392 = i32(1);
+        }
+        else
+        {
+            _S392 = i32(0);
+        }
+        var _S393 : u32 = u32(_S392);
+        var _S394 : u32 = k_10 + u32(1);
+        _S389 = _S393;
+        k_10 = _S394;
+    }
+    return;
+}
+
+fn add_to_sum_0( sum_3 : u32,  derivative_0 : f32)
+{
+    if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
+    {
+        var _S395 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        return;
+    }
+    var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
+    var size_2 : f32 = abs(scaled_0);
+    if(size_2 > 7.73712524553362672e+25f)
+    {
+        var _S396 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        return;
+    }
+    var is_negative_1 : bool = scaled_0 < 0.0f;
+    var highest_1 : u32 = u32(0);
+    var size_3 : f32 = size_2;
+    for(;;)
+    {
+        var _S397 : bool;
+        if(highest_1 < u32(2))
+        {
+            _S397 = size_3 >= 4.294967296e+09f;
+        }
+        else
+        {
+            _S397 = false;
+        }
+        if(_S397)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var size_4 : f32 = size_3 * 2.32830643653869629e-10f;
+        highest_1 = highest_1 + u32(1);
+        size_3 = size_4;
+    }
+    var _S398 : bool = highest_1 == u32(0);
+    var _S399 : f32;
+    if(_S398)
+    {
+        _S399 = size_3 + 0.5f;
+    }
+    else
+    {
+        _S399 = size_3;
+    }
+    var whole_1 : u32 = u32(_S399);
+    add_word_0(sum_3, highest_1, whole_1, is_negative_1);
+    if(_S398)
+    {
+        return;
+    }
+    var rest_3 : f32 = (size_3 - f32(whole_1)) * 4.294967296e+09f;
+    var _S400 : u32 = highest_1 - u32(1);
+    if(highest_1 == u32(1))
+    {
+        size_3 = rest_3 + 0.5f;
+    }
+    else
+    {
+        size_3 = rest_3;
+    }
+    add_word_0(sum_3, _S400, u32(size_3), is_negative_1);
+    return;
+}
+
+fn add_to_sums_0( first_7 : u32,  derivative_1 : vec3<f32>)
+{
+    var axis_9 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_9 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        add_to_sum_0(first_7 + axis_9, derivative_1[axis_9]);
+        axis_9 = axis_9 + u32(1);
+    }
+    return;
+}
+
+fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  directions_turn_0 : bool,  record_9 : u32,  t_11 : f32,  offset_13 : vec3<f32>,  by_velocity_0 : vec3<f32>)
+{
+    var end_2 : u32 = u32(0);
+    for(;;)
+    {
+        if(end_2 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var sums_at_0 : u32 = edge_word_0(record_9 + u32(2) + end_2);
+        if(sums_at_0 != u32(4294967295))
+        {
+            var _S401 : f32;
+            if(end_2 == u32(0))
+            {
+                _S401 = 1.0f - t_11;
+            }
+            else
+            {
+                _S401 = t_11;
+            }
+            add_to_sums_0(sums_at_0, by_velocity_0 * vec3<f32>(_S401));
+        }
+        end_2 = end_2 + u32(1);
+    }
+    (*pulled_2).position_1 = (*pulled_2).position_1 - by_velocity_0;
+    if(directions_turn_0)
+    {
+        (*pulled_2).axes_5.n_0 = (*pulled_2).axes_5.n_0 + cross(vertex_7.axes_4.n_0, cross(offset_13, by_velocity_0));
+    }
+    return;
+}
+
+fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_40 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_2 : u32,  path_13 : Path_0)
+{
+    var _S402 : vec3<f32> = jump_of_light_0(at_40, point_5);
+    var by_velocity_1 : vec3<f32> = point_5.normal_7 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S402)));
+    var _S403 : vec3<f32> = offset_of_0(point_5);
+    var _S404 : Pulled_0 = (*crossed_2).pulled_1;
+    edge_back_0(&(_S404), at_40.vertex_2, at_40.turns_0, point_5.edge_6.record_7, point_5.t_5, _S403, by_velocity_1);
+    (*crossed_2).pulled_1 = _S404;
+    return;
+}
+
+struct Share_0
+{
+     over_all_0 : f32,
+     share_0 : f32,
+     same_0 : f32,
+     place_17 : f32,
+};
+
+fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  number_of_path_3 : u32,  path_14 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
+{
+    var points_0 : u32 = u32(1);
+    var least_3 : f32 = 0.0f;
+    var over_all_1 : f32 = 0.0f;
+    var total_0 : f32 = 0.0f;
+    var step_1 : f32 = 0.0f;
+    var pass_0 : u32 = u32(0);
+    var angles_0 : f32 = 0.0f;
+    var contributions_0 : f32 = 0.0f;
+    var pieces_1 : f32 = 0.0f;
+    var drawn_0 : u32 = u32(0);
+    var cumulative_0 : f32 = 0.0f;
+    var target_0 : f32 = 0.0f;
+    for(;;)
+    {
+        if(pass_0 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var target_1 : f32;
+        if(pass_0 == u32(1))
+        {
+            if(!(angles_0 > 0.0f))
+            {
+                break;
+            }
+            var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
+            var total_1 : f32 = contributions_0 + least_4 * angles_0;
+            if((at_41.purpose_0) == u32(0))
+            {
+                target_1 = asked_0.share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
+            }
+            else
+            {
+                target_1 = asked_0.same_0;
+            }
+            var points_1 : u32 = u32(ceil(target_1));
+            var _S405 : f32 = f32(points_1);
+            var _S406 : f32 = asked_0.over_all_0 * _S405;
+            var step_2 : f32 = total_1 / _S405;
+            var _S407 : f32 = step_2 * asked_0.place_17;
+            points_0 = points_1;
+            least_3 = least_4;
+            over_all_1 = _S406;
+            total_0 = total_1;
+            step_1 = step_2;
+            target_1 = _S407;
+        }
+        else
+        {
+            target_1 = target_0;
+        }
+        var k_11 : u32 = edge_word_0(leaf_2 + u32(2));
+        var drawn_1 : u32 = drawn_0;
+        var contributions_1 : f32 = contributions_0;
+        var angles_1 : f32 = angles_0;
+        var pieces_2 : f32 = pieces_1;
+        var cumulative_1 : f32 = cumulative_0;
+        var target_2 : f32 = target_1;
+        for(;;)
+        {
+            var _S408 : bool;
+            if(k_11 < (edge_word_0(leaf_2 + u32(3))))
+            {
+                _S408 = drawn_1 < points_0;
+            }
+            else
+            {
+                _S408 = false;
+            }
+            if(_S408)
+            {
+            }
+            else
+            {
+                break;
+            }
+            var seen_6 : SeenEdge_0;
+            var _S409 : bool = see_edge_0(at_41, k_11, &(seen_6));
+            var drawn_2 : u32;
+            var contributions_2 : f32;
+            var angles_2 : f32;
+            var pieces_3 : f32;
+            var cumulative_2 : f32;
+            var target_3 : f32;
+            if(!_S409)
+            {
+                drawn_2 = drawn_1;
+                contributions_2 = contributions_1;
+                angles_2 = angles_1;
+                pieces_3 = pieces_2;
+                cumulative_2 = cumulative_1;
+                target_3 = target_2;
+                k_11 = k_11 + u32(1);
+                drawn_1 = drawn_2;
+                contributions_1 = contributions_2;
+                angles_1 = angles_2;
+                pieces_2 = pieces_3;
+                cumulative_1 = cumulative_2;
+                target_2 = target_3;
+                continue;
+            }
+            var piece_2 : f32 = 0.0f;
+            contributions_2 = contributions_1;
+            angles_2 = angles_1;
+            pieces_3 = pieces_2;
+            cumulative_2 = cumulative_1;
+            drawn_2 = drawn_1;
+            target_3 = target_2;
+            for(;;)
+            {
+                if(piece_2 < (seen_6.pieces_0))
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var weight_0 : vec2<f32> = weigh_0(at_41, seen_6, piece_2);
+                if(pass_0 == u32(0))
+                {
+                    var angles_3 : f32 = angles_2 + weight_0.y;
+                    var pieces_4 : f32 = pieces_3 + 1.0f;
+                    contributions_2 = contributions_2 + weight_0.x;
+                    angles_2 = angles_3;
+                    pieces_3 = pieces_4;
+                    piece_2 = piece_2 + 1.0f;
+                    continue;
+                }
+                var own_1 : f32 = weight_0.x + least_3 * weight_0.y;
+                var cumulative_3 : f32 = cumulative_2 + own_1;
+                var drawn_3 : u32 = drawn_2;
+                var target_4 : f32 = target_3;
+                for(;;)
+                {
+                    var _S410 : bool;
+                    if(drawn_3 < points_0)
+                    {
+                        _S410 = target_4 < cumulative_3;
+                    }
+                    else
+                    {
+                        _S410 = false;
+                    }
+                    if(_S410)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var _S411 : u32 = drawn_3 + u32(1);
+                    var target_5 : f32 = target_4 + step_1;
+                    cross_at_0(&((*crossed_3)), at_41, point_on_0(at_41, seen_6, piece_2, clamp((target_4 - cumulative_2) / own_1, 0.0f, 1.0f), over_all_1 * own_1 / total_0), number_of_path_3, path_14);
+                    drawn_3 = _S411;
+                    target_4 = target_5;
+                }
+                cumulative_2 = cumulative_3;
+                drawn_2 = drawn_3;
+                target_3 = target_4;
+                piece_2 = piece_2 + 1.0f;
+            }
+            k_11 = k_11 + u32(1);
+            drawn_1 = drawn_2;
+            contributions_1 = contributions_2;
+            angles_1 = angles_2;
+            pieces_2 = pieces_3;
+            cumulative_1 = cumulative_2;
+            target_2 = target_3;
+        }
+        pass_0 = pass_0 + u32(1);
+        angles_0 = angles_1;
+        contributions_0 = contributions_1;
+        pieces_1 = pieces_2;
+        drawn_0 = drawn_1;
+        cumulative_0 = cumulative_1;
+        target_0 = target_2;
+    }
+    return;
+}
+
+fn sample_points_0( at_42 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : Path_0,  subtrees_0 : vec3<u32>,  crossed_4 : ptr<function, Crossed_0>)
+{
+    var numbers_9 : u32 = numbers_for_0(at_42.purpose_0) + u32(1);
+    var _S412 : u32 = subtrees_0.x;
+    var _S413 : f32 = precise_random_0(path_15.key_0, numbers_9);
+    var _S414 : f32 = precise_random_0(path_15.key_0, numbers_9 + u32(1));
+    var first_8 : u32 = _S412;
+    var leaf_3 : u32 = u32(4294967295);
+    var probability_4 : f32 = 1.0f;
+    var i_3 : u32 = _S412;
+    for(;;)
+    {
+        var _S415 : u32 = subtrees_0.y;
+        if(i_3 <= _S415)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var next_0 : u32 = u32(4294967295);
+        var of_next_0 : f32 = 1.0f;
+        var _S416 : bool;
+        if(i_3 < _S415)
+        {
+            var _S417 : bool = descend_0(at_42, (f32(i_3) + _S413) / f32(subtrees_0.z), &(next_0), &(of_next_0));
+            _S416 = !_S417;
+        }
+        else
+        {
+            _S416 = false;
+        }
+        if(_S416)
+        {
+            next_0 = u32(4294967295);
+        }
+        var _S418 : bool;
+        if(i_3 > first_8)
+        {
+            _S418 = next_0 == leaf_3;
+        }
+        else
+        {
+            _S418 = false;
+        }
+        if(_S418)
+        {
+            i_3 = i_3 + u32(1);
+            continue;
+        }
+        if(leaf_3 != u32(4294967295))
+        {
+            var asked_1 : Share_0;
+            var _S419 : f32 = f32(i_3 - first_8);
+            asked_1.same_0 = _S419;
+            var _S420 : f32 = _S419 / f32(subtrees_0.z);
+            asked_1.share_0 = _S420;
+            asked_1.over_all_0 = probability_4 / _S420;
+            asked_1.place_17 = _S414 + 0.6180340051651001f * f32(first_8);
+            for(;;)
+            {
+                if((asked_1.place_17) >= 1.0f)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                asked_1.place_17 = asked_1.place_17 - 1.0f;
+            }
+            draw_points_0(at_42, leaf_3, asked_1, number_of_path_4, path_15, &((*crossed_4)));
+        }
+        first_8 = i_3;
+        leaf_3 = next_0;
+        probability_4 = of_next_0;
+        i_3 = i_3 + u32(1);
+    }
+    return;
+}
+
+fn slot_derivative_0( numbers_10 : Numbers_0,  slot_6 : u32) -> vec3<f32>
+{
+    switch(slot_6)
+    {
+    case u32(0):
+        {
+            return numbers_10.diffuse_reflectance_0;
+        }
+    case u32(1):
+        {
+            return numbers_10.specular_reflectance_0;
+        }
+    case u32(2):
+        {
+            return numbers_10.eta_0;
+        }
+    case u32(3):
+        {
+            return numbers_10.k_0;
+        }
+    case u32(4):
+        {
+            return vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f) * vec3<f32>(numbers_10.alpha_0.x);
+        }
+    default :
+        {
+            return vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f) * vec3<f32>(numbers_10.alpha_0.y);
+        }
+    }
+}
+
+fn numbers_of_0( texture_7 : u32) -> u32
+{
+    return change_word_0(u32(5) + word_0(texture_7 + u32(12)));
+}
+
+fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
+{
+    var first_9 : u32 = numbers_of_0(texture_8);
+    if(first_9 == u32(4294967295))
+    {
+        return;
+    }
+    var _S421 : u32 = word_0(texture_8 + u32(1));
+    var k_12 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_12 < (lookup_5.count_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var at_43 : u32 = first_9 + _S421 * lookup_5.texels_0[k_12];
+        var own_2 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_12]);
+        if(_S421 == u32(1))
+        {
+            add_to_sum_0(at_43, own_2.x + own_2.y + own_2.z);
+            k_12 = k_12 + u32(1);
+            continue;
+        }
+        add_to_sums_0(at_43, own_2);
+        k_12 = k_12 + u32(1);
+    }
+    return;
+}
+
+fn lookup_back_0( texture_9 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f32>) -> vec2<f32>
+{
+    add_to_texels_0(texture_9, lookup_6, derivative_3);
+    return vec2<f32>(dot(weighted_texels_0(texture_9, lookup_6, lookup_6.by_first_0), derivative_3), dot(weighted_texels_0(texture_9, lookup_6, lookup_6.by_second_0), derivative_3));
+}
+
+fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
+{
+    var _S422 : vec2<f32> = vec2<f32>(0.0f);
+    var _S423 : u32 = word_0(material_2 + u32(4));
+    var slot_7 : u32 = u32(0);
+    var by_place_0 : vec2<f32> = _S422;
+    for(;;)
+    {
+        if(slot_7 < _S423)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var texture_10 : u32 = word_0(material_2 + u32(5) + slot_7);
+        if(texture_10 == u32(4294967295))
+        {
+            slot_7 = slot_7 + u32(1);
+            continue;
+        }
+        var _S424 : Lookup_0 = lookup_at_0(texture_10, place_18);
+        var _S425 : vec2<f32> = lookup_back_0(texture_10, _S424, slot_derivative_0(numbers_11, slot_7));
+        by_place_0 = by_place_0 + _S425;
+        slot_7 = slot_7 + u32(1);
+    }
+    return by_place_0;
+}
+
+fn is_moving_0() -> bool
+{
+    return (change_word_0(u32(0))) != u32(4294967295);
+}
+
+fn points_of_0( triangle_8 : u32) -> u32
+{
+    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_8)));
+}
+
+fn unit_back_0( vector_1 : vec3<f32>,  derivative_4 : vec3<f32>,  size_5 : f32) -> vec3<f32>
+{
+    return (derivative_4 - vector_1 * vec3<f32>(dot(vector_1, derivative_4))) / vec3<f32>(size_5);
+}
+
+fn add_to_corners_0( sums_at_1 : u32,  triangle_9 : u32,  by_a_0 : vec3<f32>,  by_b_0 : vec3<f32>,  by_c_0 : vec3<f32>)
+{
+    if(sums_at_1 == u32(4294967295))
+    {
+        return;
+    }
+    var record_10 : u32 = triangle_record_0(triangle_9) + u32(2);
+    add_to_sums_0(sums_at_1 + u32(3) * word_0(record_10), by_a_0);
+    add_to_sums_0(sums_at_1 + u32(3) * word_0(record_10 + u32(1)), by_b_0);
+    add_to_sums_0(sums_at_1 + u32(3) * word_0(record_10 + u32(2)), by_c_0);
+    return;
+}
+
+fn tangent_back_0( triangle_10 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : vec3<f32>)
+{
+    var points_2 : u32 = points_of_0(triangle_10);
+    var corner_1 : u32 = u32(9) * triangle_10;
+    if(points_2 == u32(4294967295))
+    {
+        return;
+    }
+    var uvs_2 : Corners2_0 = uvs_of_0(triangle_10);
+    var first_10 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
+    var second_4 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
+    var _S426 : f32 = second_4.y;
+    var _S427 : f32 = first_10.y;
+    var scale_1 : f32 = 1.0f / (first_10.x * _S426 - second_4.x * _S427);
+    var of_ab_0 : f32 = _S426 * scale_1;
+    var of_ac_0 : f32 = - _S427 * scale_1;
+    var a_18 : vec3<f32> = primitive_vector_0(corner_1);
+    var _S428 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S429 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_1 + u32(3)) - a_18) * _S428 + (primitive_vector_0(corner_1 + u32(6)) - a_18) * _S429));
+    add_to_corners_0(points_2, triangle_10, derivative_5 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_5 * _S428, derivative_5 * _S429);
+    return;
+}
+
+fn normals_of_0( triangle_11 : u32) -> u32
+{
+    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_11)) + u32(1));
+}
+
+fn add_at_place_0( sums_at_2 : u32,  place_19 : Place_0,  derivative_6 : vec3<f32>)
+{
+    add_to_corners_0(sums_at_2, place_19.triangle_0, derivative_6 * vec3<f32>((1.0f - place_19.v_0 - place_19.w_0)), derivative_6 * vec3<f32>(place_19.v_0), derivative_6 * vec3<f32>(place_19.w_0));
+    return;
+}
+
+fn place_back_0( place_20 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_16 : vec3<f32>) -> vec3<f32>
+{
+    var corner_2 : u32 = u32(9) * place_20.triangle_0;
+    var a_19 : vec3<f32> = primitive_vector_0(corner_2);
+    var ab_0 : vec3<f32> = primitive_vector_0(corner_2 + u32(3)) - a_19;
+    var ac_0 : vec3<f32> = primitive_vector_0(corner_2 + u32(6)) - a_19;
+    var across_2 : vec3<f32> = cross(ab_0, ac_0);
+    var _S430 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
+    var normal_8 : vec3<f32> = across_2 / vec3<f32>(_S430);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_8) * vec3<f32>(by_place_1.x) + cross(normal_8, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_8, normal_8) * _S430)));
+    var by_drift_0 : vec3<f32> = by_slip_0 - normal_8 * vec3<f32>((dot(direction_16, by_slip_0) / dot(normal_8, direction_16)));
+    add_at_place_0(points_of_0(place_20.triangle_0), place_20, by_position_0 - by_drift_0);
+    return by_drift_0;
+}
+
+fn surface_back_0( surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_17 : vec3<f32>) -> vec3<f32>
+{
+    var normals_1 : u32 = word_0(surface_6.shape_0);
+    var _S431 : vec2<f32>;
+    if(normals_1 == u32(4294967295))
+    {
+        var corner_3 : u32 = u32(9) * surface_6.place_3.triangle_0;
+        var a_20 : vec3<f32> = primitive_vector_0(corner_3);
+        var ab_1 : vec3<f32> = primitive_vector_0(corner_3 + u32(3)) - a_20;
+        var ac_1 : vec3<f32> = primitive_vector_0(corner_3 + u32(6)) - a_20;
+        var derivative_7 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(cross(ab_1, ac_1)));
+        var by_ab_0 : vec3<f32> = cross(ac_1, derivative_7);
+        var by_ac_0 : vec3<f32> = cross(derivative_7, ab_1);
+        add_to_corners_0(points_of_0(surface_6.place_3.triangle_0), surface_6.place_3.triangle_0, (vec3<f32>(0) - by_ab_0) - by_ac_0, by_ab_0, by_ac_0);
+        _S431 = by_place_2;
+    }
+    else
+    {
+        var record_11 : u32 = triangle_record_0(surface_6.place_3.triangle_0) + u32(2);
+        var a_21 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_11));
+        var ab_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_11 + u32(1))) - a_21;
+        var ac_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_11 + u32(2))) - a_21;
+        var derivative_8 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(a_21 + ab_2 * vec3<f32>(surface_6.place_3.v_0) + ac_2 * vec3<f32>(surface_6.place_3.w_0)));
+        add_at_place_0(normals_of_0(surface_6.place_3.triangle_0), surface_6.place_3, derivative_8);
+        _S431 = by_place_2 + vec2<f32>(dot(ab_2, derivative_8), dot(ac_2, derivative_8));
+    }
+    var _S432 : vec3<f32> = place_back_0(surface_6.place_3, _S431, by_position_1, direction_17);
+    return _S432;
+}
+
+fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32,  direction_18 : vec3<f32>) -> ByRay_0
+{
+    var by_ray_1 : ByRay_0;
+    var _S433 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S433;
+    by_ray_1.drift_0 = _S433;
+    var by_place_3 : vec2<f32> = numbers_back_0(material_3, vertex_8.surface_3.place_3, pulled_3.numbers_3);
+    if(!is_moving_0())
+    {
+        return by_ray_1;
+    }
+    var _S434 : Axes_0 = Axes_x24_syn_dzero_0();
+    var towards_0 : DiffPair_Axes_0;
+    towards_0.primal_0 = vertex_8.axes_4;
+    towards_0.differential_0 = _S434;
+    var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
+    incoming_0.primal_0 = direction_18;
+    incoming_0.differential_0 = _S433;
+    _S173(&(towards_0), &(incoming_0), pulled_3.wi_2);
+    by_ray_1.direction_0 = incoming_0.differential_0;
+    var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
+    outward_1.primal_0 = vertex_8.surface_3.outward_0;
+    outward_1.differential_0 = _S433;
+    var _S435 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
+    var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
+    tangent_4.primal_0 = _S435;
+    tangent_4.differential_0 = _S433;
+    var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_3.axes_5, towards_0.differential_0);
+    if((any((_S435 != _S433))))
+    {
+        _S124(&(outward_1), &(tangent_4), vertex_8.surface_3.is_front_0, by_axes_0);
+        tangent_back_0(vertex_8.surface_3.place_3.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
+    }
+    else
+    {
+        _S93(&(outward_1), vertex_8.surface_3.is_front_0, by_axes_0);
+    }
+    var _S436 : vec3<f32> = surface_back_0(vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_18);
+    by_ray_1.drift_0 = _S436;
+    return by_ray_1;
+}
+
+fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_44 : ShadingPoint_0,  direction_19 : vec3<f32>)
+{
+    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_44.vertex_2, material_of_0(at_44.vertex_2.surface_3), direction_19);
+    var _S437 : u32 = kept_at_0(depth_of_launch_0()) + u32(18);
+    var kept_1 : u32 = _S437;
+    var which_11 : u32 = _S437;
+    var drift_1 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
+    var by_direction_0 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
+    set_vector_0(number_of_path_5, &(kept_1), drift_1 + by_ray_2.drift_0);
+    set_vector_0(number_of_path_5, &(kept_1), by_direction_0 + by_ray_2.direction_0);
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
+{
+    var listed_0 : u32 = launch_0.first_0 + thread_0.x;
+    if(listed_0 >= (launch_0.end_0))
+    {
+        return;
+    }
+    var number_of_path_6 : u32 = input_0[listed_0];
+    var factor_5 : vec3<f32>;
+    var path_16 : Path_0 = path_at_vertex_0(number_of_path_6, &(factor_5));
+    var at_45 : ShadingPoint_0;
+    var _S438 : bool = shading_point_0(path_16, &(at_45));
+    if(!_S438)
+    {
+        return;
+    }
+    var crossed_6 : Crossed_0 = nothing_crossed_0(factor_5);
+    var purpose_3 : u32 = u32(0);
+    for(;;)
+    {
+        if(purpose_3 <= u32(1))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var probability_5 : f32 = turn_to_0(purpose_3, path_16.key_0, &(at_45));
+        if(!(probability_5 > 0.0f))
+        {
+            purpose_3 = purpose_3 + u32(1);
+            continue;
+        }
+        crossed_6.factor_1 = factor_5 / vec3<f32>(probability_5);
+        var subtrees_1 : u32 = subtrees_of_0(at_45);
+        sample_points_0(at_45, number_of_path_6, path_16, vec3<u32>(u32(0), subtrees_1, subtrees_1), &(crossed_6));
+        purpose_3 = purpose_3 + u32(1);
+    }
+    add_0(number_of_path_6, crossed_6, at_45, path_16.direction_1);
+    return;
+}
