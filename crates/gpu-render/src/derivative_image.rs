@@ -141,10 +141,9 @@ impl DeviceScene<'_> {
                 words.extend(change.iter().map(|x| float(shown.scale * x)));
             }
         }
-        let motion = self.motion_records(eval);
-        if !motion.is_empty() {
+        if Wanted::by(tangent).moves() {
             words[0] = words.len() as u32;
-            words.extend(motion);
+            words.extend(self.motion_records(eval));
         }
         words
     }

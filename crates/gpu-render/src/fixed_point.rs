@@ -152,7 +152,7 @@ impl<'a> Sums<'a> {
     /// What is asked for, as `changes.slang` reads it.
     pub fn changes(&self) -> Vec<u32> {
         let word = |first: Option<usize>| first.map_or(NONE, |first| first as u32);
-        let moves = self.points.is_some() || self.normals.iter().any(Option::is_some);
+        let moves = self.wanted.moves();
         let units = 2_f32.powi(self.digits).to_bits();
         let mut words = vec![NONE, self.wanted.geometry().into(), units, NONE, 1];
         words.extend(self.textures.iter().map(|texture| word(texture.first)));

@@ -12,7 +12,7 @@ use crate::texture_records::float;
 const MOTION: usize = 21;
 
 impl DeviceScene<'_> {
-    /// The motion of the triangles of the tree, in its units of length; nothing if all rest.
+    /// The motion of the triangles of the tree, in its units of length.
     pub(crate) fn motion_records(&self, eval: &Forward) -> Vec<u32> {
         let accel = self.prepared.accel();
         let mut words = Vec::with_capacity(MOTION * self.faces.len());
@@ -39,10 +39,6 @@ impl DeviceScene<'_> {
             let along = along.filter(|change| change.is_finite());
             add(along.unwrap_or(Vec3::zero()));
         }
-        // Also minus zero.
-        match words.iter().all(|&word| word << 1 == 0) {
-            true => Vec::new(),
-            false => words,
-        }
+        words
     }
 }

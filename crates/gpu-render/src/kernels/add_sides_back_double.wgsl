@@ -1,6 +1,6 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 6c39061bcedb282c
+// source: 95b42daadb5b97e0
 // result: d6c1578d2c5605f5
 
 struct Launch_std140_0

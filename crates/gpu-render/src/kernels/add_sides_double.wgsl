@@ -1,6 +1,6 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: bfe7146e05bcf113
+// source: c5a592c4ca636897
 // result: 4f09220af4aacf59
 
 struct Launch_std140_0

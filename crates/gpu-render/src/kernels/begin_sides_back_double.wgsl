@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 6c39061bcedb282c
-// result: fd2bc44833315708
+// source: 95b42daadb5b97e0
+// result: 51219f1bc7797e5c
 
 struct Launch_std140_0
 {
@@ -1902,7 +1902,7 @@ fn see_edge_0( at_28 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, 
     {
         longest_0 = 0.05000000074505806f;
     }
-    (*seen_1).pieces_0 = clamp(ceil((*seen_1).chord_0 / longest_0), 1.0f, 32.0f);
+    (*seen_1).pieces_0 = clamp(ceil((*seen_1).chord_0 / longest_0 - 0.00100000004749745f), 1.0f, 32.0f);
     return true;
 }
 
@@ -3373,7 +3373,7 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
             {
                 contributions_1 = asked_0.same_0;
             }
-            var points_1 : u32 = u32(ceil(contributions_1));
+            var points_1 : u32 = u32(ceil(contributions_1 - 0.00100000004749745f));
             var _S216 : f32 = asked_0.over_all_0 * f32(points_1);
             var step_2 : f64 = f64(total_1) / f64(points_1);
             var _S217 : f64 = step_2 * asked_0.place_18;

@@ -196,10 +196,64 @@ fn derivatives_are_the_same_in_both_modes() {
         let size: f64 = by_pixels.iter().map(|x| x.abs()).sum();
         let by_pixels: f64 = by_pixels.iter().sum();
         let by_numbers = reverse.gradient().dot(&tangent);
+        eprintln!("{name}: {:.1e}", (by_pixels - by_numbers).abs() / size);
+        assert_eq!(reverse.statistics.non_finite, 0, "{name}");
+        compared += 1;
+    }
+    assert!(compared >= 60, "{compared} scenes");
+}
+
+/// By z-test of the mean of all pixels and of each.
+#[test]
+fn derivatives_are_the_processors() {
+    let Some(gpu) = device::open(Precision::Double) else {
+        return;
+    };
+    let mut compared = 0;
+    for (name, mut scene) in scenes::all() {
+        if scene.film.crop_size[0] > 8 {
+            scene.film.resize([8, 6]);
+        }
+        let prepared = PreparedScene::new(scene);
+        let scene = prepared.scene();
+        let tangent = with_sensor(everything(scene));
+        let options = |spp, seed| GradientOptions {
+            seed,
+            method: Method::EDGES,
+            ..GradientOptions::new(RenderOptions::new(spp, 7))
+        };
+        let missing = unsupported_derivative(&prepared, &Wanted::by(&tangent), &Method::EDGES);
+        if unsupported(&prepared).or(missing).is_some() {
+            continue;
+        }
+        let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
+        let ours = on_device.gradient(&tangent, &options(64, 3), &Unwatched);
+        let theirs = capwalk_diff::gradient(&prepared, &tangent, &options(256, 4), &Unwatched);
+        let (ours, theirs) = match (ours, theirs) {
+            (Ok(ours), Ok(theirs)) => (ours.gradient, theirs.gradient),
+            (Err(DeviceError::Refused(a)), Err(b)) if a == b => continue,
+            (a, b) => panic!("{name}: {:?} and {:?}", a.err(), b.err()),
+        };
+        let mut scores = Vec::new();
+        let (mut difference, mut variance) = (0.0, 0.0);
+        let mut squares = [0.0; 2];
+        for i in 0..ours.mean.pixels.len() {
+            let [a, b] = [&ours, &theirs]
+                .map(|e| (e.mean.pixels[i].mean(), e.standard_error.pixels[i].mean()));
+            difference += a.0 - b.0;
+            variance += a.1 * a.1 + b.1 * b.1;
+            squares[0] += 64.0 * a.1 * a.1;
+            squares[1] += 256.0 * b.1 * b.1;
+            let error = a.1.hypot(b.1);
+            if error > 0.0 {
+                scores.push((a.0 - b.0) / error);
+            }
+        }
+        let worst = scores.iter().fold(0.0_f64, |m, z| m.max(z.abs()));
         eprintln!(
-            "{name}: {by_pixels} {by_numbers} {:.1e} {}",
-            (by_pixels - by_numbers).abs() / size,
-            reverse.statistics.non_finite
+            "{name}: mean {:.1}, worst {worst:.1}, variance {:.2}",
+            difference / variance.sqrt(),
+            squares[0] / squares[1]
         );
         compared += 1;
     }
