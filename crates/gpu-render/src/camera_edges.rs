@@ -18,11 +18,11 @@ use crate::device_scene::DeviceScene;
 use crate::lobe_records::only_diffuse;
 use crate::paths::Followed;
 use crate::render_kernels::{DIFFUSE_IMAGE_FROM_HITS, IMAGE_FROM_HITS, PathKernels};
-use crate::texture_records::float;
+use crate::texture_records::{float, two_floats};
 use crate::unsupported::Unsupported;
 
 /// Words of a hit, as `hits.slang` reads them.
-const HIT_WORDS: usize = 8;
+const HIT_WORDS: usize = 10;
 
 /// The edges that the camera sees of a scene that moves.
 pub struct CameraEdges<'a> {
@@ -111,19 +111,12 @@ impl<'a> CameraEdges<'a> {
             t_min,
             t_max,
         });
-        let (face, [v, w]) = hit.map_or((NONE, [0.0; 2]), |hit| (hit.face, hit.barycentric));
+        let (face, weights) = hit.map_or((NONE, [0.0; 2]), |hit| (hit.face, hit.barycentric));
+        let [[v, v_rest], [w, w_rest]] = weights.map(two_floats);
         let [x, y, z] = ray.direction.to_array().map(float);
         // The random numbers of the sample, on both sides: their noise cancels.
         let key = place.stream.independent_key().unwrap_or_default();
-        [
-            face,
-            float(v),
-            float(w),
-            x,
-            y,
-            z,
-            key as u32,
-            (key >> 32) as u32,
-        ]
+        let [low, high] = [key as u32, (key >> 32) as u32];
+        [face, v, v_rest, w, w_rest, x, y, z, low, high]
     }
 }

@@ -4,7 +4,7 @@ use capwalk_geometry::buffers::NONE;
 use capwalk_scene::emitter::{EnvironmentMap, EnvironmentTable};
 use capwalk_scene::{Scene, TextureId};
 
-use crate::texture_records::{TextureRecords, float};
+use crate::texture_records::{TextureRecords, float, two_floats};
 
 /// Appends the record of a map with these texels and the factor on them, and its table if it is not
 /// black. Returns where the record starts.
@@ -39,8 +39,7 @@ pub fn add_environment_map(
 fn add_sums(sums: &[f64], words: &mut Vec<u32>) -> u32 {
     let at = words.len() as u32;
     for &sum in sums {
-        let rounded = f64::from(sum as f32);
-        words.extend([rounded, sum - rounded].map(float));
+        words.extend(two_floats(sum));
     }
     at
 }

@@ -32,7 +32,7 @@ const FEW_LEVELS: usize = 8;
 
 /// The first word of a path's derivatives with respect to the camera's ray (`BEYOND` of
 /// `reverse.slang`, less the light).
-const CAMERA_BACK: usize = 18;
+const CAMERA_BACK: usize = 20;
 
 /// No sum on the device may have more derivatives than this, see `sums.slang`.
 const MOST_DERIVATIVES: usize = 1 << 24;

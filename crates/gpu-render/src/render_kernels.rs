@@ -53,7 +53,7 @@ pub const IMAGE: PathKernels = PathKernels {
     begin: compiled!("begin_paths"),
     go_on: compiled!("go_on"),
     ray: 9,
-    path: 15,
+    path: 17,
     vertex: 0,
 };
 
@@ -66,7 +66,7 @@ pub const DIFFUSE_IMAGE: PathKernels = PathKernels {
 /// Images of paths that begin at what a camera's ray hits.
 pub const IMAGE_FROM_HITS: PathKernels = PathKernels {
     begin: compiled!("begin_at_hits"),
-    ray: 8,
+    ray: 10,
     ..IMAGE
 };
 
@@ -82,7 +82,7 @@ pub const FORWARD: PathKernels = PathKernels {
     begin: compiled!("begin_forward"),
     go_on: compiled!("go_on_forward"),
     ray: 15,
-    path: 27,
+    path: 29,
     vertex: 0,
 };
 
@@ -92,8 +92,8 @@ pub const REVERSE: PathKernels = PathKernels {
     begin: compiled!("begin_reverse"),
     go_on: compiled!("go_on_reverse"),
     ray: 12,
-    path: 31,
-    vertex: 27,
+    path: 33,
+    vertex: 29,
 };
 
 /// Takes what arrives behind the vertices of a list back by one.

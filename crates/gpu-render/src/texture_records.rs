@@ -98,3 +98,9 @@ fn add_texture(
 pub fn float(x: f64) -> u32 {
     (x as f32).to_bits()
 }
+
+/// The same, and the rest.
+pub fn two_floats(x: f64) -> [u32; 2] {
+    let rounded = f64::from(x as f32);
+    [rounded, x - rounded].map(float)
+}

@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 95b42daadb5b97e0
-// result: d6c1578d2c5605f5
+// source: dde1a58c472d4d9f
+// result: 72947b4c35f6abb8
 
 struct Launch_std140_0
 {
@@ -744,29 +744,35 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+fn exact_place_0( triangle_1 : u32,  v_1 : f64,  w_1 : f64) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_0 = triangle_1;
-    place_0.v_0 = v_1;
-    place_0.w_0 = w_1;
+    var _S187 : f32 = f32(v_1);
+    place_0.v_0 = _S187;
+    var _S188 : f32 = f32(w_1);
+    place_0.w_0 = _S188;
+    place_0.v_rest_0 = f32(v_1 - f64(_S187));
+    place_0.w_rest_0 = f32(w_1 - f64(_S188));
     return place_0;
 }
 
 fn path_place_0( path_6 : u32,  which_6 : ptr<function, u32>) -> Place_0
 {
-    var _S187 : u32 = (*which_6) + u32(3);
-    (*which_6) = _S187;
-    return place_at_0(path_word_0(path_6, _S187 - u32(3)), (bitcast<f32>((path_word_0(path_6, _S187 - u32(2))))), (bitcast<f32>((path_word_0(path_6, _S187 - u32(1))))));
+    var _S189 : u32 = (*which_6) + u32(5);
+    (*which_6) = _S189;
+    return exact_place_0(path_word_0(path_6, _S189 - u32(5)), f64((bitcast<f32>((path_word_0(path_6, _S189 - u32(4)))))) + f64((bitcast<f32>((path_word_0(path_6, _S189 - u32(2)))))), f64((bitcast<f32>((path_word_0(path_6, _S189 - u32(3)))))) + f64((bitcast<f32>((path_word_0(path_6, _S189 - u32(1)))))));
 }
 
 fn path_place_1( path_7 : u32,  which_7 : ptr<function, u32>) -> Place_0
 {
-    var _S188 : u32 = (*which_7) + u32(3);
-    (*which_7) = _S188;
-    return place_at_0(path_word_0(path_7, _S188 - u32(3)), (bitcast<f32>((path_word_0(path_7, _S188 - u32(2))))), (bitcast<f32>((path_word_0(path_7, _S188 - u32(1))))));
+    var _S190 : u32 = (*which_7) + u32(5);
+    (*which_7) = _S190;
+    return exact_place_0(path_word_0(path_7, _S190 - u32(5)), f64((bitcast<f32>((path_word_0(path_7, _S190 - u32(4)))))) + f64((bitcast<f32>((path_word_0(path_7, _S190 - u32(2)))))), f64((bitcast<f32>((path_word_0(path_7, _S190 - u32(3)))))) + f64((bitcast<f32>((path_word_0(path_7, _S190 - u32(1)))))));
 }
 
 struct ByRay_0
@@ -790,18 +796,18 @@ fn load_0( number_of_path_1 : u32) -> Path_0
 {
     var at_0 : u32 = u32(1);
     var path_8 : Path_0;
-    var _S189 : vec3<f32> = path_vector_0(number_of_path_1, &(at_0));
-    path_8.adjoint_0 = _S189;
+    var _S191 : vec3<f32> = path_vector_0(number_of_path_1, &(at_0));
+    path_8.adjoint_0 = _S191;
     path_8.distance_0 = 0.0f;
-    var _S190 : vec3<f32> = vec3<f32>(0.0f);
-    path_8.by_ray_0.direction_0 = _S190;
-    path_8.by_ray_0.drift_0 = _S190;
-    var _S191 : vec3<f32> = path_changing_0(number_of_path_1, &(at_0));
-    path_8.throughput_0 = _S191;
-    var _S192 : vec3<f32> = path_changing_0(number_of_path_1, &(at_0));
-    path_8.direction_1 = _S192;
-    var _S193 : Place_0 = path_place_0(number_of_path_1, &(at_0));
-    path_8.place_1 = _S193;
+    var _S192 : vec3<f32> = vec3<f32>(0.0f);
+    path_8.by_ray_0.direction_0 = _S192;
+    path_8.by_ray_0.drift_0 = _S192;
+    var _S193 : vec3<f32> = path_changing_0(number_of_path_1, &(at_0));
+    path_8.throughput_0 = _S193;
+    var _S194 : vec3<f32> = path_changing_0(number_of_path_1, &(at_0));
+    path_8.direction_1 = _S194;
+    var _S195 : Place_0 = path_place_0(number_of_path_1, &(at_0));
+    path_8.place_1 = _S195;
     path_8.key_0 = vec2<u32>(path_word_0(number_of_path_1, at_0), path_word_0(number_of_path_1, at_0 + u32(1)));
     return path_8;
 }
@@ -813,19 +819,19 @@ fn depth_of_launch_0() -> u32
 
 fn kept_at_0( depth_1 : u32) -> u32
 {
-    return u32(31) + u32(27) * depth_1;
+    return u32(33) + u32(29) * depth_1;
 }
 
 fn path_at_vertex_0( number_of_path_2 : u32,  factor_2 : ptr<function, vec3<f32>>) -> Path_0
 {
     var path_9 : Path_0 = load_0(number_of_path_2);
     var kept_0 : u32 = kept_at_0(depth_of_launch_0());
-    var _S194 : vec3<f32> = path_vector_2(number_of_path_2, &(kept_0));
-    (*factor_2) = _S194;
-    var _S195 : Place_0 = path_place_1(number_of_path_2, &(kept_0));
-    path_9.place_1 = _S195;
     var _S196 : vec3<f32> = path_vector_2(number_of_path_2, &(kept_0));
-    path_9.direction_1 = _S196;
+    (*factor_2) = _S196;
+    var _S197 : Place_0 = path_place_1(number_of_path_2, &(kept_0));
+    path_9.place_1 = _S197;
+    var _S198 : vec3<f32> = path_vector_2(number_of_path_2, &(kept_0));
+    path_9.direction_1 = _S198;
     return path_9;
 }
 
@@ -858,7 +864,7 @@ fn position_of_0( place_2 : Place_0) -> vec3<f64>
 {
     var at_3 : u32 = u32(9) * place_2.triangle_0;
     var a_2 : vec3<f64> = primitive_vector_0(at_3);
-    return a_2 + (primitive_vector_0(at_3 + u32(3)) - a_2) * vec3<f64>(f64(place_2.v_0)) + (primitive_vector_0(at_3 + u32(6)) - a_2) * vec3<f64>(f64(place_2.w_0));
+    return a_2 + (primitive_vector_0(at_3 + u32(3)) - a_2) * vec3<f64>((f64(place_2.v_0) + f64(place_2.v_rest_0))) + (primitive_vector_0(at_3 + u32(6)) - a_2) * vec3<f64>((f64(place_2.w_0) + f64(place_2.w_rest_0)));
 }
 
 fn cross_of_0( triangle_4 : u32) -> vec3<f32>
@@ -899,14 +905,14 @@ fn surface_at_0( place_4 : Place_0,  direction_2 : vec3<f32>) -> Surface_0
     var surface_0 : Surface_0;
     surface_0.place_3 = place_4;
     surface_0.shape_0 = shape_of_0(place_4.triangle_0);
-    var _S197 : vec3<f64> = position_of_0(place_4);
-    surface_0.exact_0 = _S197;
-    surface_0.position_1 = vec3<f32>(_S197);
-    var _S198 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
-    surface_0.face_normal_0 = _S198;
-    surface_0.outward_0 = _S198;
+    var _S199 : vec3<f64> = position_of_0(place_4);
+    surface_0.exact_0 = _S199;
+    surface_0.position_1 = vec3<f32>(_S199);
+    var _S200 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
+    surface_0.face_normal_0 = _S200;
+    surface_0.outward_0 = _S200;
     var seen_0 : f32;
-    if((dot(_S198, direction_2)) > 0.0f)
+    if((dot(_S200, direction_2)) > 0.0f)
     {
         seen_0 = -1.0f;
     }
@@ -933,16 +939,16 @@ fn surface_at_0( place_4 : Place_0,  direction_2 : vec3<f32>) -> Surface_0
 
 fn material_of_0( surface_1 : Surface_0) -> u32
 {
-    var _S199 : u32;
+    var _S201 : u32;
     if(surface_1.is_front_0)
     {
-        _S199 = u32(2);
+        _S201 = u32(2);
     }
     else
     {
-        _S199 = u32(3);
+        _S201 = u32(3);
     }
-    return word_0(surface_1.shape_0 + _S199);
+    return word_0(surface_1.shape_0 + _S201);
 }
 
 struct Lookup_0
@@ -960,9 +966,9 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    var _S200 : vec4<f32> = vec4<f32>(0.0f);
-    lookup_0.by_second_0 = _S200;
-    lookup_0.by_first_0 = _S200;
+    var _S202 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S202;
+    lookup_0.by_first_0 = _S202;
     return lookup_0;
 }
 
@@ -975,11 +981,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_6 : vec2<f32>,  b_3 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
 {
-    var _S201 : Corners2_0;
-    _S201.a_5 = a_6;
-    _S201.b_2 = b_3;
-    _S201.c_1 = c_2;
-    return _S201;
+    var _S203 : Corners2_0;
+    _S203.a_5 = a_6;
+    _S203.b_2 = b_3;
+    _S203.c_1 = c_2;
+    return _S203;
 }
 
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
@@ -1052,13 +1058,13 @@ fn between_0( texels_1 : vec4<u32>,  place_5 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S202 : f32 = back_0.x;
-    var _S203 : f32 = back_0.y;
-    var _S204 : f32 = way_0.x;
-    var _S205 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S202 * _S203, _S204 * _S203, _S202 * _S205, _S204 * _S205);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S203, _S203, - _S205, _S205);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S202, - _S204, _S202, _S204);
+    var _S204 : f32 = back_0.x;
+    var _S205 : f32 = back_0.y;
+    var _S206 : f32 = way_0.x;
+    var _S207 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S204 * _S205, _S206 * _S205, _S204 * _S207, _S206 * _S207);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S205, _S205, - _S207, _S207);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S204, - _S206, _S204, _S206);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_5.by_first_1.x) + by_y_0 * vec4<f32>(place_5.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_5.by_second_1.x) + by_y_0 * vec4<f32>(place_5.by_second_1.y);
     return lookup_1;
@@ -1074,22 +1080,22 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_6.y), height_0, wrap_1);
-        var _S206 : u32 = row_0 * u32(width_0);
-        var _S207 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
-        return one_texel_0(_S206 + _S207);
+        var _S208 : u32 = row_0 * u32(width_0);
+        var _S209 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
+        return one_texel_0(_S208 + _S209);
     }
     var centred_0 : Point_0;
-    var _S208 : vec2<f32> = place_6 - vec2<f32>(0.5f);
-    centred_0.value_1 = _S208;
+    var _S210 : vec2<f32> = place_6 - vec2<f32>(0.5f);
+    centred_0.value_1 = _S210;
     centred_0.by_first_1 = uv_0.by_first_1 * size_0;
     centred_0.by_second_1 = uv_0.by_second_1 * size_0;
-    var x_5 : i32 = floor_of_0(_S208.x);
-    var y_1 : i32 = floor_of_0(_S208.y);
-    var _S209 : u32 = wrapped_0(y_1, height_0, wrap_1);
-    var _S210 : u32 = u32(width_0);
-    var first_1 : u32 = _S209 * _S210;
-    var _S211 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S211 * _S210;
+    var x_5 : i32 = floor_of_0(_S210.x);
+    var y_1 : i32 = floor_of_0(_S210.y);
+    var _S211 : u32 = wrapped_0(y_1, height_0, wrap_1);
+    var _S212 : u32 = u32(width_0);
+    var first_1 : u32 = _S211 * _S212;
+    var _S213 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S213 * _S212;
     var left_0 : u32 = wrapped_0(x_5, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_5 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -1122,39 +1128,39 @@ fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
     var to_u_0 : vec3<f32> = vector_at_0(rows_0);
     var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S212 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_2 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
-    uv_1.value_1 = vec2<f32>(dot(_S212, to_u_0), dot(_S212, to_v_0));
+    var _S214 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_2 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
+    uv_1.value_1 = vec2<f32>(dot(_S214, to_u_0), dot(_S214, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_2 - uvs_1.a_5;
     var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_5;
-    var _S213 : vec2<f32> = to_u_0.xy;
-    var _S214 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S213), dot(by_v_0, _S214));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S213), dot(by_w_0, _S214));
+    var _S215 : vec2<f32> = to_u_0.xy;
+    var _S216 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S215), dot(by_v_0, _S216));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S215), dot(by_w_0, _S216));
     if(kind_0 == u32(1))
     {
-        var _S215 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S215;
+        var _S217 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S217;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_1 - floor(uv_1.value_1);
-    var _S216 : i32;
+    var _S218 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S216 = i32(1);
+        _S218 = i32(1);
     }
     else
     {
-        _S216 = i32(0);
+        _S218 = i32(0);
     }
-    return one_texel_0(u32(_S216));
+    return one_texel_0(u32(_S218));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S217 : u32 = word_0(texture_2 + u32(1));
-    var _S218 : u32 = texture_2 + u32(13);
-    var _S219 : vec3<f32> = vec3<f32>(0.0f);
+    var _S219 : u32 = word_0(texture_2 + u32(1));
+    var _S220 : u32 = texture_2 + u32(13);
+    var _S221 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S219;
+    var value_2 : vec3<f32> = _S221;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1164,17 +1170,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S218 + _S217 * lookup_3.texels_0[k_1];
-        var _S220 : vec3<f32>;
-        if(_S217 == u32(1))
+        var at_8 : u32 = _S220 + _S219 * lookup_3.texels_0[k_1];
+        var _S222 : vec3<f32>;
+        if(_S219 == u32(1))
         {
-            _S220 = vec3<f32>(number_0(at_8));
+            _S222 = vec3<f32>(number_0(at_8));
         }
         else
         {
-            _S220 = vector_at_0(at_8);
+            _S222 = vector_at_0(at_8);
         }
-        var value_3 : vec3<f32> = value_2 + _S220 * vec3<f32>(weights_1[k_1]);
+        var value_3 : vec3<f32> = value_2 + _S222 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_2 = value_3;
     }
@@ -1188,8 +1194,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
 {
-    var _S221 : Lookup_0 = lookup_at_0(texture_4, place_8);
-    return looked_up_0(texture_4, _S221, vec2<f32>(0.0f));
+    var _S223 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S223, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -1250,11 +1256,11 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
     lobe_0.kind_1 = word_0(record_3);
     lobe_0.distribution_0 = word_0(record_3 + u32(1));
     lobe_0.numbers_3 = no_numbers_0();
-    var _S222 : u32 = word_0(record_3 + u32(4));
+    var _S224 : u32 = word_0(record_3 + u32(4));
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S222)
+        if(slot_1 < _S224)
         {
         }
         else
@@ -1268,10 +1274,10 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
-        var _S223 : vec3<f32> = value_of_0(colour_1);
-        var _S224 : Numbers_0 = lobe_0.numbers_3;
-        set_slot_0(&(_S224), slot_1, _S223);
-        lobe_0.numbers_3 = _S224;
+        var _S225 : vec3<f32> = value_of_0(colour_1);
+        var _S226 : Numbers_0 = lobe_0.numbers_3;
+        set_slot_0(&(_S226), slot_1, _S225);
+        lobe_0.numbers_3 = _S226;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -1286,53 +1292,53 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S225 : vec3<f32>;
+    var _S227 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S225 = tangent_0;
+        _S227 = tangent_0;
     }
     else
     {
-        _S225 = vec3<f32>(0.0f);
+        _S227 = vec3<f32>(0.0f);
     }
-    return _S225;
+    return _S227;
 }
 
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S226 : vec3<f32>;
+    var _S228 : vec3<f32>;
     if(is_front_1)
     {
-        _S226 = n_2;
+        _S228 = n_2;
     }
     else
     {
-        _S226 = (vec3<f32>(0) - n_2);
+        _S228 = (vec3<f32>(0) - n_2);
     }
-    axes_1.n_0 = _S226;
-    var _S227 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_1.s_0 = _S227;
-    axes_1.t_0 = cross(n_2, _S227);
+    axes_1.n_0 = _S228;
+    var _S229 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_1.s_0 = _S229;
+    axes_1.t_0 = cross(n_2, _S229);
     return axes_1;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_2 : Axes_0;
-    var _S228 : vec3<f32>;
+    var _S230 : vec3<f32>;
     if(is_front_2)
     {
-        _S228 = n_3;
+        _S230 = n_3;
     }
     else
     {
-        _S228 = (vec3<f32>(0) - n_3);
+        _S230 = (vec3<f32>(0) - n_3);
     }
-    axes_2.n_0 = _S228;
-    var _S229 : f32 = n_3.z;
+    axes_2.n_0 = _S230;
+    var _S231 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S229 < 0.0f)
+    if(_S231 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -1340,12 +1346,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_1 = 1.0f;
     }
-    var a_7 : f32 = -1.0f / (sign_1 + _S229);
-    var _S230 : f32 = n_3.x;
-    var _S231 : f32 = n_3.y;
-    var b_4 : f32 = _S230 * _S231 * a_7;
-    axes_2.s_0 = vec3<f32>(1.0f + sign_1 * _S230 * _S230 * a_7, sign_1 * b_4, - sign_1 * _S230);
-    axes_2.t_0 = vec3<f32>(b_4, sign_1 + _S231 * _S231 * a_7, - _S231);
+    var a_7 : f32 = -1.0f / (sign_1 + _S231);
+    var _S232 : f32 = n_3.x;
+    var _S233 : f32 = n_3.y;
+    var b_4 : f32 = _S232 * _S233 * a_7;
+    axes_2.s_0 = vec3<f32>(1.0f + sign_1 * _S232 * _S232 * a_7, sign_1 * b_4, - sign_1 * _S232);
+    axes_2.t_0 = vec3<f32>(b_4, sign_1 + _S233 * _S233 * a_7, - _S233);
     return axes_2;
 }
 
@@ -1372,8 +1378,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_4 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S232 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S232;
+    var _S234 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S234;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -1396,9 +1402,9 @@ struct VertexMotion_0
 fn motion_of_0( vertex_1 : Vertex_0) -> VertexMotion_0
 {
     var motion_0 : VertexMotion_0;
-    var _S233 : vec3<f32> = vec3<f32>(0.0f);
-    motion_0.rotation_0 = _S233;
-    motion_0.velocity_0 = _S233;
+    var _S235 : vec3<f32> = vec3<f32>(0.0f);
+    motion_0.rotation_0 = _S235;
+    motion_0.velocity_0 = _S235;
     return motion_0;
 }
 
@@ -1436,20 +1442,20 @@ fn shading_point_0( path_10 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> 
     {
         k_2 = material_1;
     }
-    var _S234 : Vertex_0 = vertex_at_0(surface_5, k_2, path_10.direction_1);
-    (*at_9).vertex_2 = _S234;
-    var _S235 : VertexMotion_0 = motion_of_0(_S234);
-    (*at_9).motion_1 = _S235;
-    (*at_9).whole_0 = _S235;
+    var _S236 : Vertex_0 = vertex_at_0(surface_5, k_2, path_10.direction_1);
+    (*at_9).vertex_2 = _S236;
+    var _S237 : VertexMotion_0 = motion_of_0(_S236);
+    (*at_9).motion_1 = _S237;
+    (*at_9).whole_0 = _S237;
     (*at_9).planes_0 = u32(0);
     (*at_9).tree_0 = u32(0);
     (*at_9).emitter_0 = u32(0);
     (*at_9).purpose_0 = u32(0);
     (*at_9).turns_0 = false;
     (*at_9).has_creases_0 = false;
-    var _S236 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_9).front_offset_0 = _S236;
-    (*at_9).front_0 = _S236;
+    var _S238 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_9).front_offset_0 = _S238;
+    (*at_9).front_0 = _S238;
     k_2 = u32(0);
     for(;;)
     {
@@ -1463,16 +1469,16 @@ fn shading_point_0( path_10 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> 
         (*at_9).inside_2[k_2] = surface_5.exact_0;
         k_2 = k_2 + u32(1);
     }
-    var _S237 : bool;
+    var _S239 : bool;
     if(material_1 != u32(4294967295))
     {
-        _S237 = has_smooth_0((*at_9).vertex_2.lobe_1);
+        _S239 = has_smooth_0((*at_9).vertex_2.lobe_1);
     }
     else
     {
-        _S237 = false;
+        _S239 = false;
     }
-    return _S237;
+    return _S239;
 }
 
 fn change_word_0( at_10 : u32) -> u32
@@ -1492,59 +1498,59 @@ fn edge_word_0( at_11 : u32) -> u32
 
 fn add_word_0( sum_0 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
 {
-    var _S238 : u32 = u32(2) + u32(4) * sum_0;
-    var _S239 : u32 = number_1;
+    var _S240 : u32 = u32(2) + u32(4) * sum_0;
+    var _S241 : u32 = number_1;
     var k_3 : u32 = word_of_sum_0;
     for(;;)
     {
-        var _S240 : bool;
+        var _S242 : bool;
         if(k_3 < u32(4))
         {
-            _S240 = _S239 != u32(0);
+            _S242 = _S241 != u32(0);
         }
         else
         {
-            _S240 = false;
+            _S242 = false;
         }
-        if(_S240)
+        if(_S242)
         {
         }
         else
         {
             break;
         }
-        var _S241 : u32;
+        var _S243 : u32;
         if(is_negative_0)
         {
-            _S241 = u32(0) - _S239;
+            _S243 = u32(0) - _S241;
         }
         else
         {
-            _S241 = _S239;
+            _S243 = _S241;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S238 + k_3]), _S241);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S240 + k_3]), _S243);
         var overflows_0 : bool;
         if(is_negative_0)
         {
-            overflows_0 = before_0 < _S239;
+            overflows_0 = before_0 < _S241;
         }
         else
         {
-            overflows_0 = (before_0 + _S239) < before_0;
+            overflows_0 = (before_0 + _S241) < before_0;
         }
-        var _S242 : i32;
+        var _S244 : i32;
         if(overflows_0)
         {
-            _S242 = i32(1);
+            _S244 = i32(1);
         }
         else
         {
-            _S242 = i32(0);
+            _S244 = i32(0);
         }
-        var _S243 : u32 = u32(_S242);
-        var _S244 : u32 = k_3 + u32(1);
-        _S239 = _S243;
-        k_3 = _S244;
+        var _S245 : u32 = u32(_S244);
+        var _S246 : u32 = k_3 + u32(1);
+        _S241 = _S245;
+        k_3 = _S246;
     }
     return;
 }
@@ -1553,14 +1559,14 @@ fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S245 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S247 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_1 : f32 = abs(scaled_0);
     if(size_1 > 7.73712524553362672e+25f)
     {
-        var _S246 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S248 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
     var is_negative_1 : bool = scaled_0 < 0.0f;
@@ -1568,16 +1574,16 @@ fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32)
     var size_2 : f32 = size_1;
     for(;;)
     {
-        var _S247 : bool;
+        var _S249 : bool;
         if(highest_0 < u32(2))
         {
-            _S247 = size_2 >= 4.294967296e+09f;
+            _S249 = size_2 >= 4.294967296e+09f;
         }
         else
         {
-            _S247 = false;
+            _S249 = false;
         }
-        if(_S247)
+        if(_S249)
         {
         }
         else
@@ -1588,24 +1594,24 @@ fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32)
         highest_0 = highest_0 + u32(1);
         size_2 = size_3;
     }
-    var _S248 : bool = highest_0 == u32(0);
-    var _S249 : f32;
-    if(_S248)
+    var _S250 : bool = highest_0 == u32(0);
+    var _S251 : f32;
+    if(_S250)
     {
-        _S249 = size_2 + 0.5f;
+        _S251 = size_2 + 0.5f;
     }
     else
     {
-        _S249 = size_2;
+        _S251 = size_2;
     }
-    var whole_1 : u32 = u32(_S249);
+    var whole_1 : u32 = u32(_S251);
     add_word_0(sum_1, highest_0, whole_1, is_negative_1);
-    if(_S248)
+    if(_S250)
     {
         return;
     }
     var rest_0 : f32 = (size_2 - f32(whole_1)) * 4.294967296e+09f;
-    var _S250 : u32 = highest_0 - u32(1);
+    var _S252 : u32 = highest_0 - u32(1);
     if(highest_0 == u32(1))
     {
         size_2 = rest_0 + 0.5f;
@@ -1614,7 +1620,7 @@ fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32)
     {
         size_2 = rest_0;
     }
-    add_word_0(sum_1, _S250, u32(size_2), is_negative_1);
+    add_word_0(sum_1, _S252, u32(size_2), is_negative_1);
     return;
 }
 
@@ -1651,16 +1657,16 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_4 : Vertex_0,  direc
         var sums_at_0 : u32 = edge_word_0(record_4 + u32(2) + end_1);
         if(sums_at_0 != u32(4294967295))
         {
-            var _S251 : f32;
+            var _S253 : f32;
             if(end_1 == u32(0))
             {
-                _S251 = 1.0f - t_1;
+                _S253 = 1.0f - t_1;
             }
             else
             {
-                _S251 = t_1;
+                _S253 = t_1;
             }
-            add_to_sums_0(sums_at_0, by_velocity_0 * vec3<f32>(_S251));
+            add_to_sums_0(sums_at_0, by_velocity_0 * vec3<f32>(_S253));
         }
         end_1 = end_1 + u32(1);
     }
@@ -1715,7 +1721,7 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
     {
         return;
     }
-    var _S252 : u32 = word_0(texture_7 + u32(1));
+    var _S254 : u32 = word_0(texture_7 + u32(1));
     var k_4 : u32 = u32(0);
     for(;;)
     {
@@ -1726,9 +1732,9 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         {
             break;
         }
-        var at_12 : u32 = first_3 + _S252 * lookup_5.texels_0[k_4];
+        var at_12 : u32 = first_3 + _S254 * lookup_5.texels_0[k_4];
         var own_0 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_4]);
-        if(_S252 == u32(1))
+        if(_S254 == u32(1))
         {
             add_to_sum_0(at_12, own_0.x + own_0.y + own_0.z);
             k_4 = k_4 + u32(1);
@@ -1748,13 +1754,13 @@ fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
 
 fn numbers_back_0( material_2 : u32,  place_10 : Place_0,  numbers_5 : Numbers_0) -> vec2<f32>
 {
-    var _S253 : vec2<f32> = vec2<f32>(0.0f);
-    var _S254 : u32 = word_0(material_2 + u32(4));
+    var _S255 : vec2<f32> = vec2<f32>(0.0f);
+    var _S256 : u32 = word_0(material_2 + u32(4));
     var slot_3 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S253;
+    var by_place_0 : vec2<f32> = _S255;
     for(;;)
     {
-        if(slot_3 < _S254)
+        if(slot_3 < _S256)
         {
         }
         else
@@ -1767,9 +1773,9 @@ fn numbers_back_0( material_2 : u32,  place_10 : Place_0,  numbers_5 : Numbers_0
             slot_3 = slot_3 + u32(1);
             continue;
         }
-        var _S255 : Lookup_0 = lookup_at_0(texture_9, place_10);
-        var _S256 : vec2<f32> = lookup_back_0(texture_9, _S255, slot_derivative_0(numbers_5, slot_3));
-        by_place_0 = by_place_0 + _S256;
+        var _S257 : Lookup_0 = lookup_at_0(texture_9, place_10);
+        var _S258 : vec2<f32> = lookup_back_0(texture_9, _S257, slot_derivative_0(numbers_5, slot_3));
+        by_place_0 = by_place_0 + _S258;
         slot_3 = slot_3 + u32(1);
     }
     return by_place_0;
@@ -1814,16 +1820,16 @@ fn tangent_back_0( triangle_8 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : vec
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_8);
     var first_4 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
     var second_1 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
-    var _S257 : f32 = second_1.y;
-    var _S258 : f32 = first_4.y;
-    var scale_0 : f32 = 1.0f / (first_4.x * _S257 - second_1.x * _S258);
-    var of_ab_0 : f32 = _S257 * scale_0;
-    var of_ac_0 : f32 = - _S258 * scale_0;
+    var _S259 : f32 = second_1.y;
+    var _S260 : f32 = first_4.y;
+    var scale_0 : f32 = 1.0f / (first_4.x * _S259 - second_1.x * _S260);
+    var of_ab_0 : f32 = _S259 * scale_0;
+    var of_ac_0 : f32 = - _S260 * scale_0;
     var a_8 : vec3<f64> = primitive_vector_0(corner_0);
-    var _S259 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S260 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_0 + u32(3)) - a_8) * _S259 + vec3<f32>(primitive_vector_0(corner_0 + u32(6)) - a_8) * _S260));
-    add_to_corners_0(points_0, triangle_8, derivative_5 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_5 * _S259, derivative_5 * _S260);
+    var _S261 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S262 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_0 + u32(3)) - a_8) * _S261 + vec3<f32>(primitive_vector_0(corner_0 + u32(6)) - a_8) * _S262));
+    add_to_corners_0(points_0, triangle_8, derivative_5 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_5 * _S261, derivative_5 * _S262);
     return;
 }
 
@@ -1842,12 +1848,12 @@ fn place_back_0( place_12 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : v
 {
     var corner_1 : u32 = u32(9) * place_12.triangle_0;
     var a_9 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S261 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_9);
-    var _S262 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_9);
-    var across_1 : vec3<f32> = cross(_S261, _S262);
-    var _S263 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
-    var normal_0 : vec3<f32> = across_1 / vec3<f32>(_S263);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S262, normal_0) * vec3<f32>(by_place_1.x) + cross(normal_0, _S261) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S263)));
+    var _S263 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_9);
+    var _S264 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_9);
+    var across_1 : vec3<f32> = cross(_S263, _S264);
+    var _S265 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
+    var normal_0 : vec3<f32> = across_1 / vec3<f32>(_S265);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S264, normal_0) * vec3<f32>(by_place_1.x) + cross(normal_0, _S263) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S265)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_5, by_slip_0) / dot(normal_0, direction_5)));
     add_at_place_0(points_of_0(place_12.triangle_0), place_12, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -1856,18 +1862,18 @@ fn place_back_0( place_12 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : v
 fn surface_back_0( surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_6 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_6.shape_0);
-    var _S264 : vec2<f32>;
+    var _S266 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_2 : u32 = u32(9) * surface_6.place_3.triangle_0;
         var a_10 : vec3<f64> = primitive_vector_0(corner_2);
-        var _S265 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_10);
-        var _S266 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_10);
-        var derivative_7 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(cross(_S265, _S266)));
-        var by_ab_0 : vec3<f32> = cross(_S266, derivative_7);
-        var by_ac_0 : vec3<f32> = cross(derivative_7, _S265);
+        var _S267 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_10);
+        var _S268 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_10);
+        var derivative_7 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(cross(_S267, _S268)));
+        var by_ab_0 : vec3<f32> = cross(_S268, derivative_7);
+        var by_ac_0 : vec3<f32> = cross(derivative_7, _S267);
         add_to_corners_0(points_of_0(surface_6.place_3.triangle_0), surface_6.place_3.triangle_0, (vec3<f32>(0) - by_ab_0) - by_ac_0, by_ab_0, by_ac_0);
-        _S264 = by_place_2;
+        _S266 = by_place_2;
     }
     else
     {
@@ -1877,41 +1883,41 @@ fn surface_back_0( surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_
         var ac_0 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_6 + u32(2))) - a_11;
         var derivative_8 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(a_11 + ab_0 * vec3<f32>(surface_6.place_3.v_0) + ac_0 * vec3<f32>(surface_6.place_3.w_0)));
         add_at_place_0(normals_of_0(surface_6.place_3.triangle_0), surface_6.place_3, derivative_8);
-        _S264 = by_place_2 + vec2<f32>(dot(ab_0, derivative_8), dot(ac_0, derivative_8));
+        _S266 = by_place_2 + vec2<f32>(dot(ab_0, derivative_8), dot(ac_0, derivative_8));
     }
-    var _S267 : vec3<f32> = place_back_0(surface_6.place_3, _S264, by_position_1, direction_6);
-    return _S267;
+    var _S269 : vec3<f32> = place_back_0(surface_6.place_3, _S266, by_position_1, direction_6);
+    return _S269;
 }
 
 fn vertex_back_0( pulled_3 : Pulled_0,  vertex_5 : Vertex_0,  material_3 : u32,  direction_7 : vec3<f32>) -> ByRay_0
 {
     var by_ray_1 : ByRay_0;
-    var _S268 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_0 = _S268;
-    by_ray_1.drift_0 = _S268;
+    var _S270 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S270;
+    by_ray_1.drift_0 = _S270;
     var by_place_3 : vec2<f32> = numbers_back_0(material_3, vertex_5.surface_3.place_3, pulled_3.numbers_1);
     if(!is_moving_0())
     {
         return by_ray_1;
     }
-    var _S269 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S271 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_0 : DiffPair_Axes_0;
     towards_0.primal_0 = vertex_5.axes_5;
-    towards_0.differential_0 = _S269;
+    towards_0.differential_0 = _S271;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_7;
-    incoming_0.differential_0 = _S268;
+    incoming_0.differential_0 = _S270;
     _S173(&(towards_0), &(incoming_0), pulled_3.wi_0);
     by_ray_1.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_5.surface_3.outward_0;
-    outward_1.differential_0 = _S268;
-    var _S270 : vec3<f32> = tangent_at_0(vertex_5.surface_3);
+    outward_1.differential_0 = _S270;
+    var _S272 : vec3<f32> = tangent_at_0(vertex_5.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S270;
-    tangent_4.differential_0 = _S268;
+    tangent_4.primal_0 = _S272;
+    tangent_4.differential_0 = _S270;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_3.axes_0, towards_0.differential_0);
-    if((any((_S270 != _S268))))
+    if((any((_S272 != _S270))))
     {
         _S124(&(outward_1), &(tangent_4), vertex_5.surface_3.is_front_0, by_axes_0);
         tangent_back_0(vertex_5.surface_3.place_3.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -1920,8 +1926,8 @@ fn vertex_back_0( pulled_3 : Pulled_0,  vertex_5 : Vertex_0,  material_3 : u32, 
     {
         _S93(&(outward_1), vertex_5.surface_3.is_front_0, by_axes_0);
     }
-    var _S271 : vec3<f32> = surface_back_0(vertex_5.surface_3, by_place_3, pulled_3.position_0, outward_1.differential_0, direction_7);
-    by_ray_1.drift_0 = _S271;
+    var _S273 : vec3<f32> = surface_back_0(vertex_5.surface_3, by_place_3, pulled_3.position_0, outward_1.differential_0, direction_7);
+    by_ray_1.drift_0 = _S273;
     return by_ray_1;
 }
 
@@ -1953,9 +1959,9 @@ fn set_vector_0( path_12 : u32,  which_9 : ptr<function, u32>,  value_6 : vec3<f
 fn add_0( number_of_path_3 : u32,  crossed_1 : Crossed_0,  at_13 : ShadingPoint_0,  direction_8 : vec3<f32>)
 {
     var by_ray_2 : ByRay_0 = vertex_back_0(crossed_1.pulled_1, at_13.vertex_2, material_of_0(at_13.vertex_2.surface_3), direction_8);
-    var _S272 : u32 = kept_at_0(depth_of_launch_0()) + u32(18);
-    var kept_1 : u32 = _S272;
-    var which_10 : u32 = _S272;
+    var _S274 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
+    var kept_1 : u32 = _S274;
+    var which_10 : u32 = _S274;
     var drift_1 : vec3<f32> = path_vector_1(number_of_path_3, &(which_10));
     var by_direction_0 : vec3<f32> = path_vector_1(number_of_path_3, &(which_10));
     set_vector_0(number_of_path_3, &(kept_1), drift_1 + by_ray_2.drift_0);
@@ -1973,9 +1979,9 @@ fn add_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         return;
     }
     var number_of_path_4 : u32 = input_0[listed_0];
-    var _S273 : vec3<f32> = vec3<f32>(0.0f);
+    var _S275 : vec3<f32> = vec3<f32>(0.0f);
     var side_1 : u32 = u32(0);
-    var sum_2 : vec3<f32> = _S273;
+    var sum_2 : vec3<f32> = _S275;
     for(;;)
     {
         if(side_1 < u32(2))
@@ -1986,48 +1992,48 @@ fn add_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
             break;
         }
         var number_2 : u32 = side_path_0(number_of_path_4, side_1);
-        var which_11 : u32 = u32(15);
+        var which_11 : u32 = u32(17);
         var weight_0 : vec3<f32> = path_vector_2(number_2, &(which_11));
         which_11 = u32(1);
-        if((any((weight_0 != _S273))))
+        if((any((weight_0 != _S275))))
         {
-            var _S274 : vec3<f32> = path_vector_2(number_2, &(which_11));
-            sum_2 = sum_2 + weight_0 * _S274;
+            var _S276 : vec3<f32> = path_vector_2(number_2, &(which_11));
+            sum_2 = sum_2 + weight_0 * _S276;
         }
         side_1 = side_1 + u32(1);
     }
-    var crossed_2 : Crossed_0 = nothing_crossed_0(_S273);
+    var crossed_2 : Crossed_0 = nothing_crossed_0(_S275);
     var unused_0 : vec3<f32>;
     var path_13 : Path_0 = path_at_vertex_0(number_of_path_4, &(unused_0));
     var at_14 : ShadingPoint_0;
-    var _S275 : bool;
-    if((all((sum_2 == _S273))))
+    var _S277 : bool;
+    if((all((sum_2 == _S275))))
     {
-        _S275 = true;
+        _S277 = true;
     }
     else
     {
-        var _S276 : bool = shading_point_0(path_13, &(at_14));
-        _S275 = !_S276;
+        var _S278 : bool = shading_point_0(path_13, &(at_14));
+        _S277 = !_S278;
     }
-    if(_S275)
+    if(_S277)
     {
         return;
     }
     var first_5 : u32 = side_path_0(number_of_path_4, u32(0));
-    var kept_2 : u32 = u32(18);
-    var _S277 : vec3<f32> = path_vector_2(first_5, &(kept_2));
-    var by_velocity_1 : vec3<f32> = _S277 * vec3<f32>((sum_2.x + sum_2.y + sum_2.z));
+    var kept_2 : u32 = u32(20);
+    var _S279 : vec3<f32> = path_vector_2(first_5, &(kept_2));
+    var by_velocity_1 : vec3<f32> = _S279 * vec3<f32>((sum_2.x + sum_2.y + sum_2.z));
     var offset_1 : vec3<f32> = path_vector_2(first_5, &(kept_2));
-    var _S278 : u32 = kept_2;
-    var _S279 : u32 = kept_2 + u32(1);
-    kept_2 = _S279;
-    var t_2 : f32 = (bitcast<f32>((path_word_0(first_5, _S278))));
-    var _S280 : bool = turns_1(at_14.vertex_2);
-    var _S281 : u32 = path_word_0(first_5, _S279);
-    var _S282 : Pulled_0 = crossed_2.pulled_1;
-    edge_back_0(&(_S282), at_14.vertex_2, _S280, _S281, t_2, offset_1, by_velocity_1);
-    crossed_2.pulled_1 = _S282;
+    var _S280 : u32 = kept_2;
+    var _S281 : u32 = kept_2 + u32(1);
+    kept_2 = _S281;
+    var t_2 : f32 = (bitcast<f32>((path_word_0(first_5, _S280))));
+    var _S282 : bool = turns_1(at_14.vertex_2);
+    var _S283 : u32 = path_word_0(first_5, _S281);
+    var _S284 : Pulled_0 = crossed_2.pulled_1;
+    edge_back_0(&(_S284), at_14.vertex_2, _S282, _S283, t_2, offset_1, by_velocity_1);
+    crossed_2.pulled_1 = _S284;
     add_0(number_of_path_4, crossed_2, at_14, path_13.direction_1);
     return;
 }

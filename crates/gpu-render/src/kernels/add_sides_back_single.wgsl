@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 6c39061bcedb282c
-// result: 00e8a8bdea596ade
+// source: dde1a58c472d4d9f
+// result: feb946f307c7a867
 
 struct Launch_std140_0
 {
@@ -744,29 +744,33 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+fn exact_place_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_0 = triangle_1;
     place_0.v_0 = v_1;
     place_0.w_0 = w_1;
+    place_0.v_rest_0 = 0.0f;
+    place_0.w_rest_0 = 0.0f;
     return place_0;
 }
 
 fn path_place_0( path_6 : u32,  which_6 : ptr<function, u32>) -> Place_0
 {
-    var _S187 : u32 = (*which_6) + u32(3);
+    var _S187 : u32 = (*which_6) + u32(5);
     (*which_6) = _S187;
-    return place_at_0(path_word_0(path_6, _S187 - u32(3)), (bitcast<f32>((path_word_0(path_6, _S187 - u32(2))))), (bitcast<f32>((path_word_0(path_6, _S187 - u32(1))))));
+    return exact_place_0(path_word_0(path_6, _S187 - u32(5)), (bitcast<f32>((path_word_0(path_6, _S187 - u32(4))))) + (bitcast<f32>((path_word_0(path_6, _S187 - u32(2))))), (bitcast<f32>((path_word_0(path_6, _S187 - u32(3))))) + (bitcast<f32>((path_word_0(path_6, _S187 - u32(1))))));
 }
 
 fn path_place_1( path_7 : u32,  which_7 : ptr<function, u32>) -> Place_0
 {
-    var _S188 : u32 = (*which_7) + u32(3);
+    var _S188 : u32 = (*which_7) + u32(5);
     (*which_7) = _S188;
-    return place_at_0(path_word_0(path_7, _S188 - u32(3)), (bitcast<f32>((path_word_0(path_7, _S188 - u32(2))))), (bitcast<f32>((path_word_0(path_7, _S188 - u32(1))))));
+    return exact_place_0(path_word_0(path_7, _S188 - u32(5)), (bitcast<f32>((path_word_0(path_7, _S188 - u32(4))))) + (bitcast<f32>((path_word_0(path_7, _S188 - u32(2))))), (bitcast<f32>((path_word_0(path_7, _S188 - u32(3))))) + (bitcast<f32>((path_word_0(path_7, _S188 - u32(1))))));
 }
 
 struct ByRay_0
@@ -813,7 +817,7 @@ fn depth_of_launch_0() -> u32
 
 fn kept_at_0( depth_1 : u32) -> u32
 {
-    return u32(31) + u32(27) * depth_1;
+    return u32(33) + u32(29) * depth_1;
 }
 
 fn path_at_vertex_0( number_of_path_2 : u32,  factor_2 : ptr<function, vec3<f32>>) -> Path_0
@@ -858,7 +862,7 @@ fn position_of_0( place_2 : Place_0) -> vec3<f32>
 {
     var at_3 : u32 = u32(9) * place_2.triangle_0;
     var a_2 : vec3<f32> = primitive_vector_0(at_3);
-    return a_2 + (primitive_vector_0(at_3 + u32(3)) - a_2) * vec3<f32>(place_2.v_0) + (primitive_vector_0(at_3 + u32(6)) - a_2) * vec3<f32>(place_2.w_0);
+    return a_2 + (primitive_vector_0(at_3 + u32(3)) - a_2) * vec3<f32>((place_2.v_0 + place_2.v_rest_0)) + (primitive_vector_0(at_3 + u32(6)) - a_2) * vec3<f32>((place_2.w_0 + place_2.w_rest_0));
 }
 
 fn cross_of_0( triangle_4 : u32) -> vec3<f32>
@@ -1953,7 +1957,7 @@ fn set_vector_0( path_12 : u32,  which_9 : ptr<function, u32>,  value_6 : vec3<f
 fn add_0( number_of_path_3 : u32,  crossed_1 : Crossed_0,  at_13 : ShadingPoint_0,  direction_8 : vec3<f32>)
 {
     var by_ray_2 : ByRay_0 = vertex_back_0(crossed_1.pulled_1, at_13.vertex_2, material_of_0(at_13.vertex_2.surface_3), direction_8);
-    var _S268 : u32 = kept_at_0(depth_of_launch_0()) + u32(18);
+    var _S268 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
     var kept_1 : u32 = _S268;
     var which_10 : u32 = _S268;
     var drift_1 : vec3<f32> = path_vector_1(number_of_path_3, &(which_10));
@@ -1986,7 +1990,7 @@ fn add_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
             break;
         }
         var number_2 : u32 = side_path_0(number_of_path_4, side_1);
-        var which_11 : u32 = u32(15);
+        var which_11 : u32 = u32(17);
         var weight_0 : vec3<f32> = path_vector_2(number_2, &(which_11));
         which_11 = u32(1);
         if((any((weight_0 != _S269))))
@@ -2015,7 +2019,7 @@ fn add_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         return;
     }
     var first_5 : u32 = side_path_0(number_of_path_4, u32(0));
-    var kept_2 : u32 = u32(18);
+    var kept_2 : u32 = u32(20);
     var _S273 : vec3<f32> = path_vector_2(first_5, &(kept_2));
     var by_velocity_1 : vec3<f32> = _S273 * vec3<f32>((sum_2.x + sum_2.y + sum_2.z));
     var offset_1 : vec3<f32> = path_vector_2(first_5, &(kept_2));

@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: bfe7146e05bcf113
-// result: 4f09220af4aacf59
+// source: 010f036b002600e8
+// result: 29a3284f6f00f53b
 
 struct Launch_std140_0
 {
@@ -113,7 +113,7 @@ fn add_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
             break;
         }
         var number_0 : u32 = side_path_0(number_of_path_2, side_1);
-        var which_5 : u32 = u32(15);
+        var which_5 : u32 = u32(17);
         var weight_0 : vec3<f32> = path_vector_1(number_0, &(which_5));
         which_5 = u32(1);
         if((any((weight_0 != _S3))))

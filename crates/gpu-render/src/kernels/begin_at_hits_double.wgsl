@@ -1,7 +1,7 @@
 // Compiled from hits.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: e222a7f4fd9e64c6
-// result: 4448d2c40c5a13d8
+// source: 72b493f016377079
+// result: 0d17e7b29d41fd65
 
 struct Launch_std140_0
 {
@@ -30,14 +30,20 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+fn exact_place_0( triangle_1 : u32,  v_1 : f64,  w_1 : f64) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_0 = triangle_1;
-    place_0.v_0 = v_1;
-    place_0.w_0 = w_1;
+    var _S1 : f32 = f32(v_1);
+    place_0.v_0 = _S1;
+    var _S2 : f32 = f32(w_1);
+    place_0.w_0 = _S2;
+    place_0.v_rest_0 = f32(v_1 - f64(_S1));
+    place_0.w_rest_0 = f32(w_1 - f64(_S2));
     return place_0;
 }
 
@@ -51,7 +57,7 @@ struct Found_0
 
 fn place_of_0( found_0 : Found_0) -> Place_0
 {
-    return place_at_0(found_0.triangle_2, f32(found_0.v_2), f32(found_0.w_2));
+    return exact_place_0(found_0.triangle_2, found_0.v_2, found_0.w_2);
 }
 
 fn changing_0( value_0 : vec3<f32>,  change_0 : vec3<f32>) -> vec3<f32>
@@ -93,25 +99,25 @@ fn emitter_seen_0( found_1 : Found_0,  direction_0 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_0 : u32 = word_0(shape_of_0(found_1.triangle_2) + u32(4));
-    var _S1 : bool;
+    var _S3 : bool;
     if(emitter_0 != u32(4294967295))
     {
-        _S1 = (dot(cross_of_0(found_1.triangle_2), direction_0)) < 0.0f;
+        _S3 = (dot(cross_of_0(found_1.triangle_2), direction_0)) < 0.0f;
     }
     else
     {
-        _S1 = false;
+        _S3 = false;
     }
-    var _S2 : u32;
-    if(_S1)
+    var _S4 : u32;
+    if(_S3)
     {
-        _S2 = emitter_0;
+        _S4 = emitter_0;
     }
     else
     {
-        _S2 = u32(4294967295);
+        _S4 = u32(4294967295);
     }
-    return _S2;
+    return _S4;
 }
 
 fn emitter_record_0( emitter_1 : u32) -> u32
@@ -149,11 +155,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_2 : vec2<f32>,  b_1 : vec2<f32>,  c_1 : vec2<f32>) -> Corners2_0
 {
-    var _S3 : Corners2_0;
-    _S3.a_1 = a_2;
-    _S3.b_0 = b_1;
-    _S3.c_0 = c_1;
-    return _S3;
+    var _S5 : Corners2_0;
+    _S5.a_1 = a_2;
+    _S5.b_0 = b_1;
+    _S5.c_0 = c_1;
+    return _S5;
 }
 
 fn number_0( at_3 : u32) -> f32
@@ -234,11 +240,11 @@ fn between_0( texels_1 : vec4<u32>,  place_1 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S4 : f32 = back_0.x;
-    var _S5 : f32 = back_0.y;
-    var _S6 : f32 = way_0.x;
-    var _S7 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S4 * _S5, _S6 * _S5, _S4 * _S7, _S6 * _S7);
+    var _S6 : f32 = back_0.x;
+    var _S7 : f32 = back_0.y;
+    var _S8 : f32 = way_0.x;
+    var _S9 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S6 * _S7, _S8 * _S7, _S6 * _S9, _S8 * _S9);
     return lookup_1;
 }
 
@@ -251,20 +257,20 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_2.y), height_0, wrap_1);
-        var _S8 : u32 = row_0 * u32(width_0);
-        var _S9 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
-        return one_texel_0(_S8 + _S9);
+        var _S10 : u32 = row_0 * u32(width_0);
+        var _S11 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
+        return one_texel_0(_S10 + _S11);
     }
     var centred_0 : Point_0;
-    var _S10 : vec2<f32> = place_2 - vec2<f32>(0.5f);
-    centred_0.value_2 = _S10;
-    var x_1 : i32 = floor_of_0(_S10.x);
-    var y_0 : i32 = floor_of_0(_S10.y);
-    var _S11 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S12 : u32 = u32(width_0);
-    var first_1 : u32 = _S11 * _S12;
-    var _S13 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S13 * _S12;
+    var _S12 : vec2<f32> = place_2 - vec2<f32>(0.5f);
+    centred_0.value_2 = _S12;
+    var x_1 : i32 = floor_of_0(_S12.x);
+    var y_0 : i32 = floor_of_0(_S12.y);
+    var _S13 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S14 : u32 = u32(width_0);
+    var first_1 : u32 = _S13 * _S14;
+    var _S15 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S15 * _S14;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -293,33 +299,33 @@ fn lookup_at_0( texture_1 : u32,  place_3 : Place_0) -> Lookup_0
     var uvs_1 : Corners2_0 = uvs_of_0(place_3.triangle_0);
     var rows_0 : u32 = texture_1 + u32(6);
     var uv_1 : Point_0;
-    var _S14 : vec3<f32> = vec3<f32>(uvs_1.a_1 * vec2<f32>((1.0f - place_3.v_0 - place_3.w_0)) + uvs_1.b_0 * vec2<f32>(place_3.v_0) + uvs_1.c_0 * vec2<f32>(place_3.w_0), 1.0f);
-    uv_1.value_2 = vec2<f32>(dot(_S14, vector_at_0(rows_0)), dot(_S14, vector_at_0(rows_0 + u32(3))));
+    var _S16 : vec3<f32> = vec3<f32>(uvs_1.a_1 * vec2<f32>((1.0f - place_3.v_0 - place_3.w_0)) + uvs_1.b_0 * vec2<f32>(place_3.v_0) + uvs_1.c_0 * vec2<f32>(place_3.w_0), 1.0f);
+    uv_1.value_2 = vec2<f32>(dot(_S16, vector_at_0(rows_0)), dot(_S16, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
     {
-        var _S15 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S15;
+        var _S17 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S17;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
-    var _S16 : i32;
+    var _S18 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S16 = i32(1);
+        _S18 = i32(1);
     }
     else
     {
-        _S16 = i32(0);
+        _S18 = i32(0);
     }
-    return one_texel_0(u32(_S16));
+    return one_texel_0(u32(_S18));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S17 : u32 = word_0(texture_2 + u32(1));
-    var _S18 : u32 = texture_2 + u32(13);
-    var _S19 : vec3<f32> = vec3<f32>(0.0f);
+    var _S19 : u32 = word_0(texture_2 + u32(1));
+    var _S20 : u32 = texture_2 + u32(13);
+    var _S21 : vec3<f32> = vec3<f32>(0.0f);
     var k_0 : u32 = u32(0);
-    var value_3 : vec3<f32> = _S19;
+    var value_3 : vec3<f32> = _S21;
     for(;;)
     {
         if(k_0 < (lookup_3.count_0))
@@ -329,17 +335,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_6 : u32 = _S18 + _S17 * lookup_3.texels_0[k_0];
-        var _S20 : vec3<f32>;
-        if(_S17 == u32(1))
+        var at_6 : u32 = _S20 + _S19 * lookup_3.texels_0[k_0];
+        var _S22 : vec3<f32>;
+        if(_S19 == u32(1))
         {
-            _S20 = vec3<f32>(number_0(at_6));
+            _S22 = vec3<f32>(number_0(at_6));
         }
         else
         {
-            _S20 = vector_at_0(at_6);
+            _S22 = vector_at_0(at_6);
         }
-        var value_4 : vec3<f32> = value_3 + _S20 * vec3<f32>(weights_1[k_0]);
+        var value_4 : vec3<f32> = value_3 + _S22 * vec3<f32>(weights_1[k_0]);
         k_0 = k_0 + u32(1);
         value_3 = value_4;
     }
@@ -353,8 +359,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_4 : Place_0) -> vec3<f32>
 {
-    var _S21 : Lookup_0 = lookup_at_0(texture_4, place_4);
-    return looked_up_0(texture_4, _S21, vec2<f32>(0.0f));
+    var _S23 : Lookup_0 = lookup_at_0(texture_4, place_4);
+    return looked_up_0(texture_4, _S23, vec2<f32>(0.0f));
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -364,28 +370,28 @@ fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_2 : f32,  y_1 : f32) -> f32
 {
-    var _S22 : f32 = abs(x_2);
-    var _S23 : f32 = abs(y_1);
-    var _S24 : f32 = min(_S22, _S23);
-    var _S25 : f32 = max(_S22, _S23);
-    var is_steep_0 : bool = _S24 > (0.41421356797218323f * _S25);
+    var _S24 : f32 = abs(x_2);
+    var _S25 : f32 = abs(y_1);
+    var _S26 : f32 = min(_S24, _S25);
+    var _S27 : f32 = max(_S24, _S25);
+    var is_steep_0 : bool = _S26 > (0.41421356797218323f * _S27);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S24 - _S25;
+        above_0 = _S26 - _S27;
     }
     else
     {
-        above_0 = _S24;
+        above_0 = _S26;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S24 + _S25;
+        below_0 = _S26 + _S27;
     }
     else
     {
-        below_0 = _S25;
+        below_0 = _S27;
     }
     if(below_0 > 0.0f)
     {
@@ -406,7 +412,7 @@ fn angle_of_0( x_2 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S23 > _S22)
+    if(_S25 > _S24)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -433,8 +439,8 @@ fn angle_of_0( x_2 : f32,  y_1 : f32) -> f32
 
 fn map_place_0( map_0 : u32,  direction_1 : vec3<f32>) -> vec2<f32>
 {
-    var _S26 : u32 = map_0 + u32(2);
-    var d_0 : vec3<f32> = vector_at_0(_S26) * vec3<f32>(direction_1.x) + vector_at_0(_S26 + u32(3)) * vec3<f32>(direction_1.y) + vector_at_0(_S26 + u32(6)) * vec3<f32>(direction_1.z);
+    var _S28 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S28) * vec3<f32>(direction_1.x) + vector_at_0(_S28 + u32(3)) * vec3<f32>(direction_1.y) + vector_at_0(_S28 + u32(6)) * vec3<f32>(direction_1.z);
     return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -449,11 +455,11 @@ fn in_map_0( map_1 : u32,  direction_2 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_1 + u32(1)));
     var left_1 : u32 = wrapped_0(x_3, width_1, u32(0));
     var right_1 : u32 = wrapped_0(x_3 + i32(1), width_1, u32(0));
-    var _S27 : u32 = wrapped_0(y_2, height_1, u32(2));
-    var _S28 : u32 = u32(width_1);
-    var first_2 : u32 = _S27 * _S28;
-    var _S29 : u32 = wrapped_0(y_2 + i32(1), height_1, u32(2));
-    var second_1 : u32 = _S29 * _S28;
+    var _S29 : u32 = wrapped_0(y_2, height_1, u32(2));
+    var _S30 : u32 = u32(width_1);
+    var first_2 : u32 = _S29 * _S30;
+    var _S31 : u32 = wrapped_0(y_2 + i32(1), height_1, u32(2));
+    var second_1 : u32 = _S31 * _S30;
     return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), point_0);
 }
 
@@ -463,14 +469,14 @@ fn emitted_0( emitter_2 : u32,  place_6 : Place_0,  direction_3 : vec3<f32>) -> 
     var texture_5 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var _S30 : vec3<f32> = shown_0(texture_5, place_6);
-        return _S30;
+        var _S32 : vec3<f32> = shown_0(texture_5, place_6);
+        return _S32;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_5 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S31 : u32 = word_0(texture_5 + u32(11));
-    var _S32 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_3));
-    return looked_up_0(_S31, _S32, change_1) * factor_0;
+    var _S33 : u32 = word_0(texture_5 + u32(11));
+    var _S34 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_3));
+    return looked_up_0(_S33, _S34, change_1) * factor_0;
 }
 
 fn set_word_0( path_0 : u32,  which_0 : u32,  value_5 : u32)
@@ -509,7 +515,9 @@ fn set_place_0( path_3 : u32,  which_3 : ptr<function, u32>,  place_7 : Place_0)
     set_word_0(path_3, (*which_3), place_7.triangle_0);
     set_word_0(path_3, (*which_3) + u32(1), (bitcast<u32>((place_7.v_0))));
     set_word_0(path_3, (*which_3) + u32(2), (bitcast<u32>((place_7.w_0))));
-    (*which_3) = (*which_3) + u32(3);
+    set_word_0(path_3, (*which_3) + u32(3), (bitcast<u32>((place_7.v_rest_0))));
+    set_word_0(path_3, (*which_3) + u32(4), (bitcast<u32>((place_7.w_rest_0))));
+    (*which_3) = (*which_3) + u32(5);
     return;
 }
 
@@ -548,61 +556,61 @@ fn begin_at_hits(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     {
         return;
     }
-    var at_8 : u32 = u32(8) * number_of_path_1;
+    var at_8 : u32 = u32(10) * number_of_path_1;
     var found_2 : Found_0;
-    var _S33 : u32 = input_0[at_8];
-    found_2.face_0 = _S33;
-    var _S34 : u32;
-    if(_S33 == u32(4294967295))
+    var _S35 : u32 = input_0[at_8];
+    found_2.face_0 = _S35;
+    var _S36 : u32;
+    if(_S35 == u32(4294967295))
     {
-        _S34 = u32(0);
+        _S36 = u32(0);
     }
     else
     {
-        _S34 = word_0(word_0(u32(12)) + found_2.face_0);
+        _S36 = word_0(word_0(u32(12)) + found_2.face_0);
     }
-    found_2.triangle_2 = _S34;
-    found_2.v_2 = f64((bitcast<f32>((input_0[at_8 + u32(1)]))));
-    found_2.w_2 = f64((bitcast<f32>((input_0[at_8 + u32(2)]))));
+    found_2.triangle_2 = _S36;
+    found_2.v_2 = f64((bitcast<f32>((input_0[at_8 + u32(1)])))) + f64((bitcast<f32>((input_0[at_8 + u32(2)]))));
+    found_2.w_2 = f64((bitcast<f32>((input_0[at_8 + u32(3)])))) + f64((bitcast<f32>((input_0[at_8 + u32(4)]))));
     var path_5 : Path_0;
     path_5.place_8 = place_of_0(found_2);
-    var _S35 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_8 + u32(3)], input_0[at_8 + u32(4)], input_0[at_8 + u32(5)]))));
-    path_5.direction_4 = _S35;
-    path_5.key_0 = vec2<u32>(input_0[at_8 + u32(6)], input_0[at_8 + u32(7)]);
+    var _S37 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_8 + u32(5)], input_0[at_8 + u32(6)], input_0[at_8 + u32(7)]))));
+    path_5.direction_4 = _S37;
+    path_5.key_0 = vec2<u32>(input_0[at_8 + u32(8)], input_0[at_8 + u32(9)]);
     path_5.throughput_0 = still_0(vec3<f32>(1.0f));
     path_5.light_0 = still_0(vec3<f32>(0.0f));
-    var emitter_3 : u32 = emitter_seen_0(found_2, _S35);
-    var _S36 : bool;
+    var emitter_3 : u32 = emitter_seen_0(found_2, _S37);
+    var _S38 : bool;
     if(emitter_3 != u32(4294967295))
     {
-        _S36 = (word_0(u32(4))) != u32(0);
+        _S38 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S36 = false;
+        _S38 = false;
     }
-    if(_S36)
+    if(_S38)
     {
-        var _S37 : vec3<f32> = emitted_0(emitter_3, path_5.place_8, path_5.direction_4);
-        path_5.light_0 = _S37;
+        var _S39 : vec3<f32> = emitted_0(emitter_3, path_5.place_8, path_5.direction_4);
+        path_5.light_0 = _S39;
     }
     store_0(number_of_path_1, path_5);
     if((found_2.face_0) != u32(4294967295))
     {
-        _S36 = reaches_0(u32(2));
+        _S38 = reaches_0(u32(2));
     }
     else
     {
-        _S36 = false;
+        _S38 = false;
     }
-    if(_S36)
+    if(_S38)
     {
-        _S34 = number_of_path_1;
+        _S36 = number_of_path_1;
     }
     else
     {
-        _S34 = u32(4294967295);
+        _S36 = u32(4294967295);
     }
-    set_word_0(number_of_path_1, u32(0), _S34);
+    set_word_0(number_of_path_1, u32(0), _S36);
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from hits.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: e222a7f4fd9e64c6
-// result: 3c133aa56aeefaf8
+// source: 72b493f016377079
+// result: 213a169b335f1de0
 
 struct Launch_std140_0
 {
@@ -30,14 +30,18 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+fn exact_place_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_0 = triangle_1;
     place_0.v_0 = v_1;
     place_0.w_0 = w_1;
+    place_0.v_rest_0 = 0.0f;
+    place_0.w_rest_0 = 0.0f;
     return place_0;
 }
 
@@ -51,7 +55,7 @@ struct Found_0
 
 fn place_of_0( found_0 : Found_0) -> Place_0
 {
-    return place_at_0(found_0.triangle_2, found_0.v_2, found_0.w_2);
+    return exact_place_0(found_0.triangle_2, found_0.v_2, found_0.w_2);
 }
 
 fn changing_0( value_0 : vec3<f32>,  change_0 : vec3<f32>) -> vec3<f32>
@@ -509,7 +513,9 @@ fn set_place_0( path_3 : u32,  which_3 : ptr<function, u32>,  place_7 : Place_0)
     set_word_0(path_3, (*which_3), place_7.triangle_0);
     set_word_0(path_3, (*which_3) + u32(1), (bitcast<u32>((place_7.v_0))));
     set_word_0(path_3, (*which_3) + u32(2), (bitcast<u32>((place_7.w_0))));
-    (*which_3) = (*which_3) + u32(3);
+    set_word_0(path_3, (*which_3) + u32(3), (bitcast<u32>((place_7.v_rest_0))));
+    set_word_0(path_3, (*which_3) + u32(4), (bitcast<u32>((place_7.w_rest_0))));
+    (*which_3) = (*which_3) + u32(5);
     return;
 }
 
@@ -548,7 +554,7 @@ fn begin_at_hits(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     {
         return;
     }
-    var at_8 : u32 = u32(8) * number_of_path_1;
+    var at_8 : u32 = u32(10) * number_of_path_1;
     var found_2 : Found_0;
     var _S33 : u32 = input_0[at_8];
     found_2.face_0 = _S33;
@@ -562,13 +568,13 @@ fn begin_at_hits(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         _S34 = word_0(word_0(u32(12)) + found_2.face_0);
     }
     found_2.triangle_2 = _S34;
-    found_2.v_2 = (bitcast<f32>((input_0[at_8 + u32(1)])));
-    found_2.w_2 = (bitcast<f32>((input_0[at_8 + u32(2)])));
+    found_2.v_2 = (bitcast<f32>((input_0[at_8 + u32(1)]))) + (bitcast<f32>((input_0[at_8 + u32(2)])));
+    found_2.w_2 = (bitcast<f32>((input_0[at_8 + u32(3)]))) + (bitcast<f32>((input_0[at_8 + u32(4)])));
     var path_5 : Path_0;
     path_5.place_8 = place_of_0(found_2);
-    var _S35 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_8 + u32(3)], input_0[at_8 + u32(4)], input_0[at_8 + u32(5)]))));
+    var _S35 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_8 + u32(5)], input_0[at_8 + u32(6)], input_0[at_8 + u32(7)]))));
     path_5.direction_4 = _S35;
-    path_5.key_0 = vec2<u32>(input_0[at_8 + u32(6)], input_0[at_8 + u32(7)]);
+    path_5.key_0 = vec2<u32>(input_0[at_8 + u32(8)], input_0[at_8 + u32(9)]);
     path_5.throughput_0 = still_0(vec3<f32>(1.0f));
     path_5.light_0 = still_0(vec3<f32>(0.0f));
     var emitter_3 : u32 = emitter_seen_0(found_2, _S35);

@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 1fd0995f1bd37d92
-// result: b9015abb4c6752ee
+// source: f66f3f3d79f719be
+// result: 38774c339b617ce2
 
 struct Launch_std140_0
 {
@@ -678,22 +678,28 @@ struct Place_0
      triangle_2 : u32,
      v_4 : f32,
      w_3 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
      change_2 : vec2<f32>,
 };
 
-fn place_at_0( triangle_3 : u32,  v_5 : f32,  w_4 : f32) -> Place_0
+fn exact_place_0( triangle_3 : u32,  v_5 : f64,  w_4 : f64) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_2 = triangle_3;
-    place_0.v_4 = v_5;
-    place_0.w_3 = w_4;
+    var _S56 : f32 = f32(v_5);
+    place_0.v_4 = _S56;
+    var _S57 : f32 = f32(w_4);
+    place_0.w_3 = _S57;
+    place_0.v_rest_0 = f32(v_5 - f64(_S56));
+    place_0.w_rest_0 = f32(w_4 - f64(_S57));
     place_0.change_2 = vec2<f32>(0.0f);
     return place_0;
 }
 
 fn place_of_0( found_2 : Found_0) -> Place_0
 {
-    return place_at_0(found_2.triangle_1, f32(found_2.v_3), f32(found_2.w_2));
+    return exact_place_0(found_2.triangle_1, found_2.v_3, found_2.w_2);
 }
 
 fn change_of_0( vector_1 : Vector_0) -> vec3<f32>
@@ -737,15 +743,15 @@ fn move_place_0( place_2 : ptr<function, Place_0>,  position_change_0 : ptr<func
     var corner_1 : u32 = u32(9) * (*place_2).triangle_2;
     var of_material_0 : vec3<f32> = at_place_0(change_vector_0(at_6), change_vector_0(at_6 + u32(3)), change_vector_0(at_6 + u32(6)), (*place_2));
     var a_2 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S56 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_2);
-    var _S57 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_2);
-    var across_0 : vec3<f32> = cross(_S56, _S57);
-    var _S58 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
-    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S58);
+    var _S58 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_2);
+    var _S59 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_2);
+    var across_0 : vec3<f32> = cross(_S58, _S59);
+    var _S60 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S60);
     var slip_0 : vec3<f32> = drift_0 - of_material_0;
     var slip_1 : vec3<f32> = slip_0 - direction_1 * vec3<f32>((dot(normal_0, slip_0) / dot(normal_0, direction_1)));
     (*position_change_0) = of_material_0 + slip_1;
-    (*place_2).change_2 = vec2<f32>(dot(slip_1, cross(_S57, normal_0)), dot(slip_1, cross(normal_0, _S56))) * vec2<f32>((1.0f / (dot(normal_0, normal_0) * _S58)));
+    (*place_2).change_2 = vec2<f32>(dot(slip_1, cross(_S59, normal_0)), dot(slip_1, cross(normal_0, _S58))) * vec2<f32>((1.0f / (dot(normal_0, normal_0) * _S60)));
     return;
 }
 
@@ -773,25 +779,25 @@ fn emitter_seen_0( found_3 : Found_0,  direction_2 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_0 : u32 = word_0(shape_of_0(found_3.triangle_1) + u32(4));
-    var _S59 : bool;
+    var _S61 : bool;
     if(emitter_0 != u32(4294967295))
     {
-        _S59 = (dot(cross_of_0(found_3.triangle_1), direction_2)) < 0.0f;
+        _S61 = (dot(cross_of_0(found_3.triangle_1), direction_2)) < 0.0f;
     }
     else
     {
-        _S59 = false;
+        _S61 = false;
     }
-    var _S60 : u32;
-    if(_S59)
+    var _S62 : u32;
+    if(_S61)
     {
-        _S60 = emitter_0;
+        _S62 = emitter_0;
     }
     else
     {
-        _S60 = u32(4294967295);
+        _S62 = u32(4294967295);
     }
-    return _S60;
+    return _S62;
 }
 
 fn emitter_record_0( emitter_1 : u32) -> u32
@@ -819,9 +825,9 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    var _S61 : vec4<f32> = vec4<f32>(0.0f);
-    lookup_0.by_second_0 = _S61;
-    lookup_0.by_first_0 = _S61;
+    var _S63 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S63;
+    lookup_0.by_first_0 = _S63;
     return lookup_0;
 }
 
@@ -834,11 +840,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_5 : vec2<f32>,  b_3 : vec2<f32>,  c_3 : vec2<f32>) -> Corners2_0
 {
-    var _S62 : Corners2_0;
-    _S62.a_4 = a_5;
-    _S62.b_2 = b_3;
-    _S62.c_2 = c_3;
-    return _S62;
+    var _S64 : Corners2_0;
+    _S64.a_4 = a_5;
+    _S64.b_2 = b_3;
+    _S64.c_2 = c_3;
+    return _S64;
 }
 
 fn number_0( at_8 : u32) -> f32
@@ -921,13 +927,13 @@ fn between_0( texels_1 : vec4<u32>,  place_3 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S63 : f32 = back_0.x;
-    var _S64 : f32 = back_0.y;
-    var _S65 : f32 = way_1.x;
-    var _S66 : f32 = way_1.y;
-    lookup_1.weights_0 = vec4<f32>(_S63 * _S64, _S65 * _S64, _S63 * _S66, _S65 * _S66);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S64, _S64, - _S66, _S66);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S63, - _S65, _S63, _S65);
+    var _S65 : f32 = back_0.x;
+    var _S66 : f32 = back_0.y;
+    var _S67 : f32 = way_1.x;
+    var _S68 : f32 = way_1.y;
+    lookup_1.weights_0 = vec4<f32>(_S65 * _S66, _S67 * _S66, _S65 * _S68, _S67 * _S68);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S66, _S66, - _S68, _S68);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S65, - _S67, _S65, _S67);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_3.by_first_1.x) + by_y_0 * vec4<f32>(place_3.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_3.by_second_1.x) + by_y_0 * vec4<f32>(place_3.by_second_1.y);
     return lookup_1;
@@ -943,22 +949,22 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_4.y), height_0, wrap_1);
-        var _S67 : u32 = row_0 * u32(width_0);
-        var _S68 : u32 = wrapped_0(floor_of_0(place_4.x), width_0, wrap_1);
-        return one_texel_0(_S67 + _S68);
+        var _S69 : u32 = row_0 * u32(width_0);
+        var _S70 : u32 = wrapped_0(floor_of_0(place_4.x), width_0, wrap_1);
+        return one_texel_0(_S69 + _S70);
     }
     var centred_0 : Point_0;
-    var _S69 : vec2<f32> = place_4 - vec2<f32>(0.5f);
-    centred_0.value_3 = _S69;
+    var _S71 : vec2<f32> = place_4 - vec2<f32>(0.5f);
+    centred_0.value_3 = _S71;
     centred_0.by_first_1 = uv_0.by_first_1 * size_1;
     centred_0.by_second_1 = uv_0.by_second_1 * size_1;
-    var x_2 : i32 = floor_of_0(_S69.x);
-    var y_1 : i32 = floor_of_0(_S69.y);
-    var _S70 : u32 = wrapped_0(y_1, height_0, wrap_1);
-    var _S71 : u32 = u32(width_0);
-    var first_1 : u32 = _S70 * _S71;
-    var _S72 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S72 * _S71;
+    var x_2 : i32 = floor_of_0(_S71.x);
+    var y_1 : i32 = floor_of_0(_S71.y);
+    var _S72 : u32 = wrapped_0(y_1, height_0, wrap_1);
+    var _S73 : u32 = u32(width_0);
+    var first_1 : u32 = _S72 * _S73;
+    var _S74 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S74 * _S73;
     var left_0 : u32 = wrapped_0(x_2, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_2 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -991,39 +997,39 @@ fn lookup_at_0( texture_1 : u32,  place_5 : Place_0) -> Lookup_0
     var to_u_0 : vec3<f32> = vector_at_0(rows_0);
     var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S73 : vec3<f32> = vec3<f32>(uvs_1.a_4 * vec2<f32>((1.0f - place_5.v_4 - place_5.w_3)) + uvs_1.b_2 * vec2<f32>(place_5.v_4) + uvs_1.c_2 * vec2<f32>(place_5.w_3), 1.0f);
-    uv_1.value_3 = vec2<f32>(dot(_S73, to_u_0), dot(_S73, to_v_0));
+    var _S75 : vec3<f32> = vec3<f32>(uvs_1.a_4 * vec2<f32>((1.0f - place_5.v_4 - place_5.w_3)) + uvs_1.b_2 * vec2<f32>(place_5.v_4) + uvs_1.c_2 * vec2<f32>(place_5.w_3), 1.0f);
+    uv_1.value_3 = vec2<f32>(dot(_S75, to_u_0), dot(_S75, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_2 - uvs_1.a_4;
     var by_w_0 : vec2<f32> = uvs_1.c_2 - uvs_1.a_4;
-    var _S74 : vec2<f32> = to_u_0.xy;
-    var _S75 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S74), dot(by_v_0, _S75));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S74), dot(by_w_0, _S75));
+    var _S76 : vec2<f32> = to_u_0.xy;
+    var _S77 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S76), dot(by_v_0, _S77));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S76), dot(by_w_0, _S77));
     if(kind_0 == u32(1))
     {
-        var _S76 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S76;
+        var _S78 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S78;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
-    var _S77 : i32;
+    var _S79 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S77 = i32(1);
+        _S79 = i32(1);
     }
     else
     {
-        _S77 = i32(0);
+        _S79 = i32(0);
     }
-    return one_texel_0(u32(_S77));
+    return one_texel_0(u32(_S79));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S78 : u32 = word_0(texture_2 + u32(1));
-    var _S79 : u32 = texture_2 + u32(13);
-    var _S80 : vec3<f32> = vec3<f32>(0.0f);
+    var _S80 : u32 = word_0(texture_2 + u32(1));
+    var _S81 : u32 = texture_2 + u32(13);
+    var _S82 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S80;
+    var value_4 : vec3<f32> = _S82;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1033,17 +1039,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_11 : u32 = _S79 + _S78 * lookup_3.texels_0[k_1];
-        var _S81 : vec3<f32>;
-        if(_S78 == u32(1))
+        var at_11 : u32 = _S81 + _S80 * lookup_3.texels_0[k_1];
+        var _S83 : vec3<f32>;
+        if(_S80 == u32(1))
         {
-            _S81 = vec3<f32>(number_0(at_11));
+            _S83 = vec3<f32>(number_0(at_11));
         }
         else
         {
-            _S81 = vector_at_0(at_11);
+            _S83 = vector_at_0(at_11);
         }
-        var value_5 : vec3<f32> = value_4 + _S81 * vec3<f32>(weights_1[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S83 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -1064,7 +1070,7 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
     {
         return changing_0(value_6, change_3);
     }
-    var _S82 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var _S84 : bool = (word_0(texture_4 + u32(1))) == u32(1);
     var k_2 : u32 = u32(0);
     var change_4 : vec3<f32> = change_3;
     for(;;)
@@ -1076,18 +1082,18 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
         {
             break;
         }
-        var _S83 : i32;
-        if(_S82)
+        var _S85 : i32;
+        if(_S84)
         {
-            _S83 = i32(1);
+            _S85 = i32(1);
         }
         else
         {
-            _S83 = i32(3);
+            _S85 = i32(3);
         }
-        var at_12 : u32 = first_2 + u32(_S83) * lookup_4.texels_0[k_2];
+        var at_12 : u32 = first_2 + u32(_S85) * lookup_4.texels_0[k_2];
         var of_texel_0 : vec3<f32>;
-        if(_S82)
+        if(_S84)
         {
             of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_12)))));
         }
@@ -1104,34 +1110,34 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_5 : u32,  place_6 : Place_0) -> Vector_0
 {
-    var _S84 : Lookup_0 = lookup_at_0(texture_5, place_6);
-    return looked_up_0(texture_5, _S84, place_6.change_2);
+    var _S86 : Lookup_0 = lookup_at_0(texture_5, place_6);
+    return looked_up_0(texture_5, _S86, place_6.change_2);
 }
 
 fn angle_of_0( x_3 : f32,  y_2 : f32) -> f32
 {
-    var _S85 : f32 = abs(x_3);
-    var _S86 : f32 = abs(y_2);
-    var _S87 : f32 = min(_S85, _S86);
-    var _S88 : f32 = max(_S85, _S86);
-    var is_steep_0 : bool = _S87 > (0.41421356797218323f * _S88);
+    var _S87 : f32 = abs(x_3);
+    var _S88 : f32 = abs(y_2);
+    var _S89 : f32 = min(_S87, _S88);
+    var _S90 : f32 = max(_S87, _S88);
+    var is_steep_0 : bool = _S89 > (0.41421356797218323f * _S90);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S87 - _S88;
+        above_0 = _S89 - _S90;
     }
     else
     {
-        above_0 = _S87;
+        above_0 = _S89;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S87 + _S88;
+        below_0 = _S89 + _S90;
     }
     else
     {
-        below_0 = _S88;
+        below_0 = _S90;
     }
     if(below_0 > 0.0f)
     {
@@ -1152,7 +1158,7 @@ fn angle_of_0( x_3 : f32,  y_2 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S86 > _S85)
+    if(_S88 > _S87)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -1173,40 +1179,40 @@ fn angle_of_0( x_3 : f32,  y_2 : f32) -> f32
 
 fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S89 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0, dpx_5.differential_0 );
-    var _S90 : DiffPair_float_0 = _d_abs_0(_S89);
-    var _S91 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0, dpy_2.differential_0 );
+    var _S91 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0, dpx_5.differential_0 );
     var _S92 : DiffPair_float_0 = _d_abs_0(_S91);
-    var _S93 : DiffPair_float_0 = DiffPair_float_0( _S90.primal_0, _S90.differential_0 );
-    var _S94 : DiffPair_float_0 = DiffPair_float_0( _S92.primal_0, _S92.differential_0 );
-    var _S95 : DiffPair_float_0 = _d_min_0(_S93, _S94);
-    var _S96 : DiffPair_float_0 = _d_max_0(_S93, _S94);
-    var is_steep_1 : bool = (_S95.primal_0) > (0.41421356797218323f * _S96.primal_0);
+    var _S93 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0, dpy_2.differential_0 );
+    var _S94 : DiffPair_float_0 = _d_abs_0(_S93);
+    var _S95 : DiffPair_float_0 = DiffPair_float_0( _S92.primal_0, _S92.differential_0 );
+    var _S96 : DiffPair_float_0 = DiffPair_float_0( _S94.primal_0, _S94.differential_0 );
+    var _S97 : DiffPair_float_0 = _d_min_0(_S95, _S96);
+    var _S98 : DiffPair_float_0 = _d_max_0(_S95, _S96);
+    var is_steep_1 : bool = (_S97.primal_0) > (0.41421356797218323f * _S98.primal_0);
     var above_1 : f32;
     var s_diff_above_0 : f32;
     if(is_steep_1)
     {
-        var _S97 : f32 = _S95.differential_0 - _S96.differential_0;
-        above_1 = _S95.primal_0 - _S96.primal_0;
-        s_diff_above_0 = _S97;
+        var _S99 : f32 = _S97.differential_0 - _S98.differential_0;
+        above_1 = _S97.primal_0 - _S98.primal_0;
+        s_diff_above_0 = _S99;
     }
     else
     {
-        above_1 = _S95.primal_0;
-        s_diff_above_0 = _S95.differential_0;
+        above_1 = _S97.primal_0;
+        s_diff_above_0 = _S97.differential_0;
     }
     var below_1 : f32;
     var s_diff_below_0 : f32;
     if(is_steep_1)
     {
-        var _S98 : f32 = _S95.differential_0 + _S96.differential_0;
-        below_1 = _S95.primal_0 + _S96.primal_0;
-        s_diff_below_0 = _S98;
+        var _S100 : f32 = _S97.differential_0 + _S98.differential_0;
+        below_1 = _S97.primal_0 + _S98.primal_0;
+        s_diff_below_0 = _S100;
     }
     else
     {
-        below_1 = _S96.primal_0;
-        s_diff_below_0 = _S96.differential_0;
+        below_1 = _S98.primal_0;
+        s_diff_below_0 = _S98.differential_0;
     }
     if(below_1 > 0.0f)
     {
@@ -1219,14 +1225,14 @@ fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> Dif
     var t_4 : f32 = above_1 / below_1;
     var s_diff_t_0 : f32 = (s_diff_above_0 * below_1 - above_1 * s_diff_below_0) / (below_1 * below_1);
     var z_3 : f32 = t_4 * t_4;
-    var _S99 : f32 = s_diff_t_0 * t_4;
-    var s_diff_z_0 : f32 = _S99 + _S99;
-    var _S100 : f32 = 0.08053744584321976f * z_3 - 0.13877685368061066f;
-    var _S101 : f32 = _S100 * z_3 + 0.19977711141109467f;
-    var tail_0 : f32 = _S101 * z_3 - 0.33332949876785278f;
-    var _S102 : f32 = tail_0 * z_3;
-    var angle_2 : f32 = _S102 * t_4 + t_4;
-    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_3 + s_diff_z_0 * _S100) * z_3 + s_diff_z_0 * _S101) * z_3 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S102 + s_diff_t_0;
+    var _S101 : f32 = s_diff_t_0 * t_4;
+    var s_diff_z_0 : f32 = _S101 + _S101;
+    var _S102 : f32 = 0.08053744584321976f * z_3 - 0.13877685368061066f;
+    var _S103 : f32 = _S102 * z_3 + 0.19977711141109467f;
+    var tail_0 : f32 = _S103 * z_3 - 0.33332949876785278f;
+    var _S104 : f32 = tail_0 * z_3;
+    var angle_2 : f32 = _S104 * t_4 + t_4;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_3 + s_diff_z_0 * _S102) * z_3 + s_diff_z_0 * _S103) * z_3 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S104 + s_diff_t_0;
     var angle_3 : f32;
     if(is_steep_1)
     {
@@ -1237,11 +1243,11 @@ fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> Dif
         angle_3 = angle_2;
     }
     var s_diff_angle_1 : f32;
-    if((_S92.primal_0) > (_S90.primal_0))
+    if((_S94.primal_0) > (_S92.primal_0))
     {
-        var _S103 : f32 = 0.0f - s_diff_angle_0;
+        var _S105 : f32 = 0.0f - s_diff_angle_0;
         angle_3 = 1.57079637050628662f - angle_3;
-        s_diff_angle_1 = _S103;
+        s_diff_angle_1 = _S105;
     }
     else
     {
@@ -1249,29 +1255,29 @@ fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> Dif
     }
     if((dpx_5.primal_0) < 0.0f)
     {
-        var _S104 : f32 = 0.0f - s_diff_angle_1;
+        var _S106 : f32 = 0.0f - s_diff_angle_1;
         angle_3 = 3.14159274101257324f - angle_3;
-        s_diff_angle_1 = _S104;
+        s_diff_angle_1 = _S106;
     }
     if((dpy_2.primal_0) < 0.0f)
     {
-        var _S105 : f32 = - s_diff_angle_1;
+        var _S107 : f32 = - s_diff_angle_1;
         above_1 = - angle_3;
-        s_diff_above_0 = _S105;
+        s_diff_above_0 = _S107;
     }
     else
     {
         above_1 = angle_3;
         s_diff_above_0 = s_diff_angle_1;
     }
-    var _S106 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
-    return _S106;
+    var _S108 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
+    return _S108;
 }
 
 fn map_place_0( map_0 : u32,  direction_3 : vec3<f32>) -> vec2<f32>
 {
-    var _S107 : u32 = map_0 + u32(2);
-    var d_0 : vec3<f32> = vector_at_0(_S107) * vec3<f32>(direction_3.x) + vector_at_0(_S107 + u32(3)) * vec3<f32>(direction_3.y) + vector_at_0(_S107 + u32(6)) * vec3<f32>(direction_3.z);
+    var _S109 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S109) * vec3<f32>(direction_3.x) + vector_at_0(_S109 + u32(3)) * vec3<f32>(direction_3.y) + vector_at_0(_S109 + u32(6)) * vec3<f32>(direction_3.z);
     return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -1283,24 +1289,24 @@ struct DiffPair_vectorx3Cfloatx2C3x3E_0
 
 fn s_fwd_map_place_0( map_1 : u32,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var _S108 : u32 = map_1 + u32(2);
-    var _S109 : vec3<f32> = vector_at_0(_S108);
-    var _S110 : vec3<f32> = vector_at_0(_S108 + u32(3));
-    var _S111 : vec3<f32> = vector_at_0(_S108 + u32(6));
-    var d_1 : vec3<f32> = _S109 * vec3<f32>(dpdirection_0.primal_0.x) + _S110 * vec3<f32>(dpdirection_0.primal_0.y) + _S111 * vec3<f32>(dpdirection_0.primal_0.z);
-    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_0.differential_0.x) * _S109 + vec3<f32>(dpdirection_0.differential_0.y) * _S110 + vec3<f32>(dpdirection_0.differential_0.z) * _S111;
-    var _S112 : DiffPair_float_0 = DiffPair_float_0( - d_1.z, - s_diff_d_0.z );
-    var _S113 : DiffPair_float_0 = DiffPair_float_0( d_1.x, s_diff_d_0.x );
-    var _S114 : DiffPair_float_0 = s_fwd_angle_of_0(_S112, _S113);
-    var _S115 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_1.xz, s_diff_d_0.xz );
-    var _S116 : DiffPair_float_0 = s_fwd_length_impl_0(_S115);
-    var _S117 : DiffPair_float_0 = DiffPair_float_0( d_1.y, s_diff_d_0.y );
-    var _S118 : DiffPair_float_0 = DiffPair_float_0( _S116.primal_0, _S116.differential_0 );
-    var _S119 : DiffPair_float_0 = s_fwd_angle_of_0(_S117, _S118);
+    var _S110 : u32 = map_1 + u32(2);
+    var _S111 : vec3<f32> = vector_at_0(_S110);
+    var _S112 : vec3<f32> = vector_at_0(_S110 + u32(3));
+    var _S113 : vec3<f32> = vector_at_0(_S110 + u32(6));
+    var d_1 : vec3<f32> = _S111 * vec3<f32>(dpdirection_0.primal_0.x) + _S112 * vec3<f32>(dpdirection_0.primal_0.y) + _S113 * vec3<f32>(dpdirection_0.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_0.differential_0.x) * _S111 + vec3<f32>(dpdirection_0.differential_0.y) * _S112 + vec3<f32>(dpdirection_0.differential_0.z) * _S113;
+    var _S114 : DiffPair_float_0 = DiffPair_float_0( - d_1.z, - s_diff_d_0.z );
+    var _S115 : DiffPair_float_0 = DiffPair_float_0( d_1.x, s_diff_d_0.x );
+    var _S116 : DiffPair_float_0 = s_fwd_angle_of_0(_S114, _S115);
+    var _S117 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_1.xz, s_diff_d_0.xz );
+    var _S118 : DiffPair_float_0 = s_fwd_length_impl_0(_S117);
+    var _S119 : DiffPair_float_0 = DiffPair_float_0( d_1.y, s_diff_d_0.y );
+    var _S120 : DiffPair_float_0 = DiffPair_float_0( _S118.primal_0, _S118.differential_0 );
+    var _S121 : DiffPair_float_0 = s_fwd_angle_of_0(_S119, _S120);
     var width_1 : f32 = f32(word_0(map_1));
-    var _S120 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
-    var _S121 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S114.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S119.primal_0 * 0.31830987334251404f * _S120), vec2<f32>(_S114.differential_0 * 0.15915493667125702f * width_1, _S119.differential_0 * 0.31830987334251404f * _S120) );
-    return _S121;
+    var _S122 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
+    var _S123 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S116.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S121.primal_0 * 0.31830987334251404f * _S122), vec2<f32>(_S116.differential_0 * 0.15915493667125702f * width_1, _S121.differential_0 * 0.31830987334251404f * _S122) );
+    return _S123;
 }
 
 fn value_of_0( vector_2 : Vector_0) -> vec3<f32>
@@ -1321,11 +1327,11 @@ fn in_map_0( map_2 : u32,  direction_4 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_2 + u32(1)));
     var left_1 : u32 = wrapped_0(x_4, width_2, u32(0));
     var right_1 : u32 = wrapped_0(x_4 + i32(1), width_2, u32(0));
-    var _S122 : u32 = wrapped_0(y_3, height_1, u32(2));
-    var _S123 : u32 = u32(width_2);
-    var first_3 : u32 = _S122 * _S123;
-    var _S124 : u32 = wrapped_0(y_3 + i32(1), height_1, u32(2));
-    var second_1 : u32 = _S124 * _S123;
+    var _S124 : u32 = wrapped_0(y_3, height_1, u32(2));
+    var _S125 : u32 = u32(width_2);
+    var first_3 : u32 = _S124 * _S125;
+    var _S126 : u32 = wrapped_0(y_3 + i32(1), height_1, u32(2));
+    var second_1 : u32 = _S126 * _S125;
     return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_1 + left_1, second_1 + right_1), point_0);
 }
 
@@ -1340,15 +1346,15 @@ fn emitted_0( emitter_2 : u32,  place_8 : Place_0,  direction_5 : Vector_0) -> V
     var texture_6 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var _S125 : Vector_0 = shown_0(texture_6, place_8);
-        return _S125;
+        var _S127 : Vector_0 = shown_0(texture_6, place_8);
+        return _S127;
     }
-    var _S126 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_5.value_0, direction_5.change_0 );
-    var _S127 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_6, _S126);
+    var _S128 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_5.value_0, direction_5.change_0 );
+    var _S129 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_6, _S128);
     var factor_0 : Vector_0 = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
-    var _S128 : u32 = word_0(texture_6 + u32(11));
-    var _S129 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_5));
-    return x2A_0(looked_up_0(_S128, _S129, _S127.differential_0), factor_0);
+    var _S130 : u32 = word_0(texture_6 + u32(11));
+    var _S131 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_5));
+    return x2A_0(looked_up_0(_S130, _S131, _S129.differential_0), factor_0);
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1380,62 +1386,62 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0lf;
     found_4.w_2 = 0.0lf;
-    var _S130 : bool;
+    var _S132 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S130 = (word_0(u32(13))) != u32(0);
+        _S132 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S130 = false;
+        _S132 = false;
     }
-    if(_S130)
+    if(_S132)
     {
-        var _S131 : Found_0 = cast_0(vec3<f64>(origin_2), vec3<f64>(direction_7), 0.0lf, f64(length_of_ray_0), false, &(t_5));
-        found_4 = _S131;
+        var _S133 : Found_0 = cast_0(vec3<f64>(origin_2), vec3<f64>(direction_7), 0.0lf, f64(length_of_ray_0), false, &(t_5));
+        found_4 = _S133;
     }
-    var _S132 : Place_0 = place_of_0(found_4);
-    (*path_0).place_9 = _S132;
-    var seen_0 : Place_0 = _S132;
+    var _S134 : Place_0 = place_of_0(found_4);
+    (*path_0).place_9 = _S134;
+    var seen_0 : Place_0 = _S134;
     var origin_change_0 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(9)], input_0[at_13 + u32(10)], input_0[at_13 + u32(11)]))));
-    var _S133 : Vector_0 = changing_0(direction_7, (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(12)], input_0[at_13 + u32(13)], input_0[at_13 + u32(14)])))));
-    (*path_0).direction_6 = _S133;
-    (*path_0).drift_1 = origin_change_0 + change_of_0(_S133) * vec3<f32>(t_5);
+    var _S135 : Vector_0 = changing_0(direction_7, (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(12)], input_0[at_13 + u32(13)], input_0[at_13 + u32(14)])))));
+    (*path_0).direction_6 = _S135;
+    (*path_0).drift_1 = origin_change_0 + change_of_0(_S135) * vec3<f32>(t_5);
     var unused_0 : vec3<f32>;
     if((found_4.face_1) != u32(4294967295))
     {
         move_place_0(&(seen_0), &(unused_0), direction_7, (*path_0).drift_1);
     }
-    var _S134 : Vector_0 = still_0(vec3<f32>(0.0f));
+    var _S136 : Vector_0 = still_0(vec3<f32>(0.0f));
     var emitter_3 : u32 = emitter_seen_0(found_4, direction_7);
     if(emitter_3 != u32(4294967295))
     {
-        _S130 = (word_0(u32(4))) != u32(0);
+        _S132 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S130 = false;
+        _S132 = false;
     }
     var light_1 : Vector_0;
-    if(_S130)
+    if(_S132)
     {
-        var _S135 : Vector_0 = emitted_0(emitter_3, seen_0, (*path_0).direction_6);
-        light_1 = _S135;
+        var _S137 : Vector_0 = emitted_0(emitter_3, seen_0, (*path_0).direction_6);
+        light_1 = _S137;
     }
     else
     {
-        light_1 = _S134;
+        light_1 = _S136;
     }
     (*path_0).light_0 = light_1;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S130 = reaches_0(u32(2));
+        _S132 = reaches_0(u32(2));
     }
     else
     {
-        _S130 = false;
+        _S132 = false;
     }
-    return _S130;
+    return _S132;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_7 : u32)
@@ -1494,7 +1500,9 @@ fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_10 : Place_0
     set_word_0(path_5, (*which_5), place_10.triangle_2);
     set_word_0(path_5, (*which_5) + u32(1), (bitcast<u32>((place_10.v_4))));
     set_word_0(path_5, (*which_5) + u32(2), (bitcast<u32>((place_10.w_3))));
-    (*which_5) = (*which_5) + u32(3);
+    set_word_0(path_5, (*which_5) + u32(3), (bitcast<u32>((place_10.v_rest_0))));
+    set_word_0(path_5, (*which_5) + u32(4), (bitcast<u32>((place_10.w_rest_0))));
+    (*which_5) = (*which_5) + u32(5);
     return;
 }
 
@@ -1523,15 +1531,15 @@ fn begin_forward(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_7 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_2, &(path_7));
     store_0(number_of_path_2, path_7);
-    var _S136 : u32;
+    var _S138 : u32;
     if(goes_on_0)
     {
-        _S136 = number_of_path_2;
+        _S138 = number_of_path_2;
     }
     else
     {
-        _S136 = u32(4294967295);
+        _S138 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), _S136);
+    set_word_0(number_of_path_2, u32(0), _S138);
     return;
 }

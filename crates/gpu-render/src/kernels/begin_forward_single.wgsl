@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 1fd0995f1bd37d92
-// result: 88c89a8322a471d3
+// source: f66f3f3d79f719be
+// result: fbd90fda6431c337
 
 struct Launch_std140_0
 {
@@ -678,22 +678,26 @@ struct Place_0
      triangle_2 : u32,
      v_4 : f32,
      w_3 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
      change_2 : vec2<f32>,
 };
 
-fn place_at_0( triangle_3 : u32,  v_5 : f32,  w_4 : f32) -> Place_0
+fn exact_place_0( triangle_3 : u32,  v_5 : f32,  w_4 : f32) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_2 = triangle_3;
     place_0.v_4 = v_5;
     place_0.w_3 = w_4;
+    place_0.v_rest_0 = 0.0f;
+    place_0.w_rest_0 = 0.0f;
     place_0.change_2 = vec2<f32>(0.0f);
     return place_0;
 }
 
 fn place_of_0( found_2 : Found_0) -> Place_0
 {
-    return place_at_0(found_2.triangle_1, found_2.v_3, found_2.w_2);
+    return exact_place_0(found_2.triangle_1, found_2.v_3, found_2.w_2);
 }
 
 fn change_of_0( vector_1 : Vector_0) -> vec3<f32>
@@ -1494,7 +1498,9 @@ fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_10 : Place_0
     set_word_0(path_5, (*which_5), place_10.triangle_2);
     set_word_0(path_5, (*which_5) + u32(1), (bitcast<u32>((place_10.v_4))));
     set_word_0(path_5, (*which_5) + u32(2), (bitcast<u32>((place_10.w_3))));
-    (*which_5) = (*which_5) + u32(3);
+    set_word_0(path_5, (*which_5) + u32(3), (bitcast<u32>((place_10.v_rest_0))));
+    set_word_0(path_5, (*which_5) + u32(4), (bitcast<u32>((place_10.w_rest_0))));
+    (*which_5) = (*which_5) + u32(5);
     return;
 }
 

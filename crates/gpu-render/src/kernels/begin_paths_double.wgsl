@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d3677381eb681a32
-// result: 7702de2d2e2777b1
+// source: d1d53f31f9d4e09e
+// result: 93c1e149c8fc501d
 
 struct Launch_std140_0
 {
@@ -587,20 +587,26 @@ struct Place_0
      triangle_2 : u32,
      v_4 : f32,
      w_3 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_3 : u32,  v_5 : f32,  w_4 : f32) -> Place_0
+fn exact_place_0( triangle_3 : u32,  v_5 : f64,  w_4 : f64) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_2 = triangle_3;
-    place_0.v_4 = v_5;
-    place_0.w_3 = w_4;
+    var _S41 : f32 = f32(v_5);
+    place_0.v_4 = _S41;
+    var _S42 : f32 = f32(w_4);
+    place_0.w_3 = _S42;
+    place_0.v_rest_0 = f32(v_5 - f64(_S41));
+    place_0.w_rest_0 = f32(w_4 - f64(_S42));
     return place_0;
 }
 
 fn place_of_0( found_2 : Found_0) -> Place_0
 {
-    return place_at_0(found_2.triangle_1, f32(found_2.v_3), f32(found_2.w_2));
+    return exact_place_0(found_2.triangle_1, found_2.v_3, found_2.w_2);
 }
 
 fn triangle_record_0( triangle_4 : u32) -> u32
@@ -627,25 +633,25 @@ fn emitter_seen_0( found_3 : Found_0,  direction_1 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_0 : u32 = word_0(shape_of_0(found_3.triangle_1) + u32(4));
-    var _S41 : bool;
+    var _S43 : bool;
     if(emitter_0 != u32(4294967295))
     {
-        _S41 = (dot(cross_of_0(found_3.triangle_1), direction_1)) < 0.0f;
+        _S43 = (dot(cross_of_0(found_3.triangle_1), direction_1)) < 0.0f;
     }
     else
     {
-        _S41 = false;
+        _S43 = false;
     }
-    var _S42 : u32;
-    if(_S41)
+    var _S44 : u32;
+    if(_S43)
     {
-        _S42 = emitter_0;
+        _S44 = emitter_0;
     }
     else
     {
-        _S42 = u32(4294967295);
+        _S44 = u32(4294967295);
     }
-    return _S42;
+    return _S44;
 }
 
 fn emitter_record_0( emitter_1 : u32) -> u32
@@ -683,11 +689,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_3 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
 {
-    var _S43 : Corners2_0;
-    _S43.a_2 = a_3;
-    _S43.b_1 = b_2;
-    _S43.c_1 = c_2;
-    return _S43;
+    var _S45 : Corners2_0;
+    _S45.a_2 = a_3;
+    _S45.b_1 = b_2;
+    _S45.c_1 = c_2;
+    return _S45;
 }
 
 fn number_0( at_5 : u32) -> f32
@@ -768,11 +774,11 @@ fn between_0( texels_1 : vec4<u32>,  place_1 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S44 : f32 = back_0.x;
-    var _S45 : f32 = back_0.y;
-    var _S46 : f32 = way_1.x;
-    var _S47 : f32 = way_1.y;
-    lookup_1.weights_0 = vec4<f32>(_S44 * _S45, _S46 * _S45, _S44 * _S47, _S46 * _S47);
+    var _S46 : f32 = back_0.x;
+    var _S47 : f32 = back_0.y;
+    var _S48 : f32 = way_1.x;
+    var _S49 : f32 = way_1.y;
+    lookup_1.weights_0 = vec4<f32>(_S46 * _S47, _S48 * _S47, _S46 * _S49, _S48 * _S49);
     return lookup_1;
 }
 
@@ -785,20 +791,20 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_2.y), height_0, wrap_1);
-        var _S48 : u32 = row_0 * u32(width_0);
-        var _S49 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
-        return one_texel_0(_S48 + _S49);
+        var _S50 : u32 = row_0 * u32(width_0);
+        var _S51 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
+        return one_texel_0(_S50 + _S51);
     }
     var centred_0 : Point_0;
-    var _S50 : vec2<f32> = place_2 - vec2<f32>(0.5f);
-    centred_0.value_2 = _S50;
-    var x_2 : i32 = floor_of_0(_S50.x);
-    var y_1 : i32 = floor_of_0(_S50.y);
-    var _S51 : u32 = wrapped_0(y_1, height_0, wrap_1);
-    var _S52 : u32 = u32(width_0);
-    var first_1 : u32 = _S51 * _S52;
-    var _S53 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S53 * _S52;
+    var _S52 : vec2<f32> = place_2 - vec2<f32>(0.5f);
+    centred_0.value_2 = _S52;
+    var x_2 : i32 = floor_of_0(_S52.x);
+    var y_1 : i32 = floor_of_0(_S52.y);
+    var _S53 : u32 = wrapped_0(y_1, height_0, wrap_1);
+    var _S54 : u32 = u32(width_0);
+    var first_1 : u32 = _S53 * _S54;
+    var _S55 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S55 * _S54;
     var left_0 : u32 = wrapped_0(x_2, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_2 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -827,33 +833,33 @@ fn lookup_at_0( texture_1 : u32,  place_3 : Place_0) -> Lookup_0
     var uvs_1 : Corners2_0 = uvs_of_0(place_3.triangle_2);
     var rows_0 : u32 = texture_1 + u32(6);
     var uv_1 : Point_0;
-    var _S54 : vec3<f32> = vec3<f32>(uvs_1.a_2 * vec2<f32>((1.0f - place_3.v_4 - place_3.w_3)) + uvs_1.b_1 * vec2<f32>(place_3.v_4) + uvs_1.c_1 * vec2<f32>(place_3.w_3), 1.0f);
-    uv_1.value_2 = vec2<f32>(dot(_S54, vector_at_0(rows_0)), dot(_S54, vector_at_0(rows_0 + u32(3))));
+    var _S56 : vec3<f32> = vec3<f32>(uvs_1.a_2 * vec2<f32>((1.0f - place_3.v_4 - place_3.w_3)) + uvs_1.b_1 * vec2<f32>(place_3.v_4) + uvs_1.c_1 * vec2<f32>(place_3.w_3), 1.0f);
+    uv_1.value_2 = vec2<f32>(dot(_S56, vector_at_0(rows_0)), dot(_S56, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
     {
-        var _S55 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S55;
+        var _S57 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S57;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
-    var _S56 : i32;
+    var _S58 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S56 = i32(1);
+        _S58 = i32(1);
     }
     else
     {
-        _S56 = i32(0);
+        _S58 = i32(0);
     }
-    return one_texel_0(u32(_S56));
+    return one_texel_0(u32(_S58));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S57 : u32 = word_0(texture_2 + u32(1));
-    var _S58 : u32 = texture_2 + u32(13);
-    var _S59 : vec3<f32> = vec3<f32>(0.0f);
+    var _S59 : u32 = word_0(texture_2 + u32(1));
+    var _S60 : u32 = texture_2 + u32(13);
+    var _S61 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_3 : vec3<f32> = _S59;
+    var value_3 : vec3<f32> = _S61;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -863,17 +869,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S58 + _S57 * lookup_3.texels_0[k_1];
-        var _S60 : vec3<f32>;
-        if(_S57 == u32(1))
+        var at_8 : u32 = _S60 + _S59 * lookup_3.texels_0[k_1];
+        var _S62 : vec3<f32>;
+        if(_S59 == u32(1))
         {
-            _S60 = vec3<f32>(number_0(at_8));
+            _S62 = vec3<f32>(number_0(at_8));
         }
         else
         {
-            _S60 = vector_at_0(at_8);
+            _S62 = vector_at_0(at_8);
         }
-        var value_4 : vec3<f32> = value_3 + _S60 * vec3<f32>(weights_1[k_1]);
+        var value_4 : vec3<f32> = value_3 + _S62 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_3 = value_4;
     }
@@ -887,8 +893,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_4 : Place_0) -> vec3<f32>
 {
-    var _S61 : Lookup_0 = lookup_at_0(texture_4, place_4);
-    return looked_up_0(texture_4, _S61, vec2<f32>(0.0f));
+    var _S63 : Lookup_0 = lookup_at_0(texture_4, place_4);
+    return looked_up_0(texture_4, _S63, vec2<f32>(0.0f));
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -898,28 +904,28 @@ fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_3 : f32,  y_2 : f32) -> f32
 {
-    var _S62 : f32 = abs(x_3);
-    var _S63 : f32 = abs(y_2);
-    var _S64 : f32 = min(_S62, _S63);
-    var _S65 : f32 = max(_S62, _S63);
-    var is_steep_0 : bool = _S64 > (0.41421356797218323f * _S65);
+    var _S64 : f32 = abs(x_3);
+    var _S65 : f32 = abs(y_2);
+    var _S66 : f32 = min(_S64, _S65);
+    var _S67 : f32 = max(_S64, _S65);
+    var is_steep_0 : bool = _S66 > (0.41421356797218323f * _S67);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S64 - _S65;
+        above_0 = _S66 - _S67;
     }
     else
     {
-        above_0 = _S64;
+        above_0 = _S66;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S64 + _S65;
+        below_0 = _S66 + _S67;
     }
     else
     {
-        below_0 = _S65;
+        below_0 = _S67;
     }
     if(below_0 > 0.0f)
     {
@@ -940,7 +946,7 @@ fn angle_of_0( x_3 : f32,  y_2 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S63 > _S62)
+    if(_S65 > _S64)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -961,8 +967,8 @@ fn angle_of_0( x_3 : f32,  y_2 : f32) -> f32
 
 fn map_place_0( map_0 : u32,  direction_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S66 : u32 = map_0 + u32(2);
-    var d_0 : vec3<f32> = vector_at_0(_S66) * vec3<f32>(direction_2.x) + vector_at_0(_S66 + u32(3)) * vec3<f32>(direction_2.y) + vector_at_0(_S66 + u32(6)) * vec3<f32>(direction_2.z);
+    var _S68 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S68) * vec3<f32>(direction_2.x) + vector_at_0(_S68 + u32(3)) * vec3<f32>(direction_2.y) + vector_at_0(_S68 + u32(6)) * vec3<f32>(direction_2.z);
     return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -977,11 +983,11 @@ fn in_map_0( map_1 : u32,  direction_3 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_1 + u32(1)));
     var left_1 : u32 = wrapped_0(x_4, width_1, u32(0));
     var right_1 : u32 = wrapped_0(x_4 + i32(1), width_1, u32(0));
-    var _S67 : u32 = wrapped_0(y_3, height_1, u32(2));
-    var _S68 : u32 = u32(width_1);
-    var first_2 : u32 = _S67 * _S68;
-    var _S69 : u32 = wrapped_0(y_3 + i32(1), height_1, u32(2));
-    var second_1 : u32 = _S69 * _S68;
+    var _S69 : u32 = wrapped_0(y_3, height_1, u32(2));
+    var _S70 : u32 = u32(width_1);
+    var first_2 : u32 = _S69 * _S70;
+    var _S71 : u32 = wrapped_0(y_3 + i32(1), height_1, u32(2));
+    var second_1 : u32 = _S71 * _S70;
     return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), point_0);
 }
 
@@ -991,14 +997,14 @@ fn emitted_0( emitter_2 : u32,  place_6 : Place_0,  direction_4 : vec3<f32>) -> 
     var texture_5 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var _S70 : vec3<f32> = shown_0(texture_5, place_6);
-        return _S70;
+        var _S72 : vec3<f32> = shown_0(texture_5, place_6);
+        return _S72;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_5 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S71 : u32 = word_0(texture_5 + u32(11));
-    var _S72 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_4));
-    return looked_up_0(_S71, _S72, change_1) * factor_0;
+    var _S73 : u32 = word_0(texture_5 + u32(11));
+    var _S74 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_4));
+    return looked_up_0(_S73, _S74, change_1) * factor_0;
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1029,52 +1035,52 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0lf;
     found_4.w_2 = 0.0lf;
-    var _S73 : bool;
+    var _S75 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S73 = (word_0(u32(13))) != u32(0);
+        _S75 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S73 = false;
+        _S75 = false;
     }
-    if(_S73)
+    if(_S75)
     {
         found_4 = cast_0(vec3<f64>(origin_2), vec3<f64>(direction_6), 0.0lf, f64(length_of_ray_0), false, &(t_4));
     }
-    var _S74 : Place_0 = place_of_0(found_4);
-    (*path_0).place_7 = _S74;
+    var _S76 : Place_0 = place_of_0(found_4);
+    (*path_0).place_7 = _S76;
     (*path_0).direction_5 = direction_6;
-    var _S75 : vec3<f32> = still_0(vec3<f32>(0.0f));
+    var _S77 : vec3<f32> = still_0(vec3<f32>(0.0f));
     var emitter_3 : u32 = emitter_seen_0(found_4, direction_6);
     if(emitter_3 != u32(4294967295))
     {
-        _S73 = (word_0(u32(4))) != u32(0);
+        _S75 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S73 = false;
+        _S75 = false;
     }
     var light_1 : vec3<f32>;
-    if(_S73)
+    if(_S75)
     {
-        var _S76 : vec3<f32> = emitted_0(emitter_3, _S74, (*path_0).direction_5);
-        light_1 = _S76;
+        var _S78 : vec3<f32> = emitted_0(emitter_3, _S76, (*path_0).direction_5);
+        light_1 = _S78;
     }
     else
     {
-        light_1 = _S75;
+        light_1 = _S77;
     }
     (*path_0).light_0 = light_1;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S73 = reaches_0(u32(2));
+        _S75 = reaches_0(u32(2));
     }
     else
     {
-        _S73 = false;
+        _S75 = false;
     }
-    return _S73;
+    return _S75;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
@@ -1113,7 +1119,9 @@ fn set_place_0( path_4 : u32,  which_4 : ptr<function, u32>,  place_8 : Place_0)
     set_word_0(path_4, (*which_4), place_8.triangle_2);
     set_word_0(path_4, (*which_4) + u32(1), (bitcast<u32>((place_8.v_4))));
     set_word_0(path_4, (*which_4) + u32(2), (bitcast<u32>((place_8.w_3))));
-    (*which_4) = (*which_4) + u32(3);
+    set_word_0(path_4, (*which_4) + u32(3), (bitcast<u32>((place_8.v_rest_0))));
+    set_word_0(path_4, (*which_4) + u32(4), (bitcast<u32>((place_8.w_rest_0))));
+    (*which_4) = (*which_4) + u32(5);
     return;
 }
 
@@ -1141,15 +1149,15 @@ fn begin_paths(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_6 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_2, &(path_6));
     store_0(number_of_path_2, path_6);
-    var _S77 : u32;
+    var _S79 : u32;
     if(goes_on_0)
     {
-        _S77 = number_of_path_2;
+        _S79 = number_of_path_2;
     }
     else
     {
-        _S77 = u32(4294967295);
+        _S79 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), _S77);
+    set_word_0(number_of_path_2, u32(0), _S79);
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d3677381eb681a32
-// result: 1c5318e1e0e45afe
+// source: d1d53f31f9d4e09e
+// result: a6e092f8389cd93e
 
 struct Launch_std140_0
 {
@@ -587,20 +587,24 @@ struct Place_0
      triangle_2 : u32,
      v_4 : f32,
      w_3 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_3 : u32,  v_5 : f32,  w_4 : f32) -> Place_0
+fn exact_place_0( triangle_3 : u32,  v_5 : f32,  w_4 : f32) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_2 = triangle_3;
     place_0.v_4 = v_5;
     place_0.w_3 = w_4;
+    place_0.v_rest_0 = 0.0f;
+    place_0.w_rest_0 = 0.0f;
     return place_0;
 }
 
 fn place_of_0( found_2 : Found_0) -> Place_0
 {
-    return place_at_0(found_2.triangle_1, found_2.v_3, found_2.w_2);
+    return exact_place_0(found_2.triangle_1, found_2.v_3, found_2.w_2);
 }
 
 fn triangle_record_0( triangle_4 : u32) -> u32
@@ -1113,7 +1117,9 @@ fn set_place_0( path_4 : u32,  which_4 : ptr<function, u32>,  place_8 : Place_0)
     set_word_0(path_4, (*which_4), place_8.triangle_2);
     set_word_0(path_4, (*which_4) + u32(1), (bitcast<u32>((place_8.v_4))));
     set_word_0(path_4, (*which_4) + u32(2), (bitcast<u32>((place_8.w_3))));
-    (*which_4) = (*which_4) + u32(3);
+    set_word_0(path_4, (*which_4) + u32(3), (bitcast<u32>((place_8.v_rest_0))));
+    set_word_0(path_4, (*which_4) + u32(4), (bitcast<u32>((place_8.w_rest_0))));
+    (*which_4) = (*which_4) + u32(5);
     return;
 }
 

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 2f5cb71f39c27c50
-// result: 5a89bcacdd101d38
+// source: 34f6f725355e4320
+// result: e837dde2f3c4a4d0
 
 struct Launch_std140_0
 {
@@ -1188,20 +1188,26 @@ struct Place_0
      triangle_2 : u32,
      v_4 : f32,
      w_3 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_3 : u32,  v_5 : f32,  w_4 : f32) -> Place_0
+fn exact_place_0( triangle_3 : u32,  v_5 : f64,  w_4 : f64) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_2 = triangle_3;
-    place_0.v_4 = v_5;
-    place_0.w_3 = w_4;
+    var _S175 : f32 = f32(v_5);
+    place_0.v_4 = _S175;
+    var _S176 : f32 = f32(w_4);
+    place_0.w_3 = _S176;
+    place_0.v_rest_0 = f32(v_5 - f64(_S175));
+    place_0.w_rest_0 = f32(w_4 - f64(_S176));
     return place_0;
 }
 
 fn place_of_0( found_2 : Found_0) -> Place_0
 {
-    return place_at_0(found_2.triangle_1, f32(found_2.v_3), f32(found_2.w_2));
+    return exact_place_0(found_2.triangle_1, found_2.v_3, found_2.w_2);
 }
 
 fn triangle_record_0( triangle_4 : u32) -> u32
@@ -1228,25 +1234,25 @@ fn emitter_seen_0( found_3 : Found_0,  direction_1 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_0 : u32 = word_0(shape_of_0(found_3.triangle_1) + u32(4));
-    var _S175 : bool;
+    var _S177 : bool;
     if(emitter_0 != u32(4294967295))
     {
-        _S175 = (dot(cross_of_0(found_3.triangle_1), direction_1)) < 0.0f;
+        _S177 = (dot(cross_of_0(found_3.triangle_1), direction_1)) < 0.0f;
     }
     else
     {
-        _S175 = false;
+        _S177 = false;
     }
-    var _S176 : u32;
-    if(_S175)
+    var _S178 : u32;
+    if(_S177)
     {
-        _S176 = emitter_0;
+        _S178 = emitter_0;
     }
     else
     {
-        _S176 = u32(4294967295);
+        _S178 = u32(4294967295);
     }
-    return _S176;
+    return _S178;
 }
 
 fn emitter_record_0( emitter_1 : u32) -> u32
@@ -1274,9 +1280,9 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    var _S177 : vec4<f32> = vec4<f32>(0.0f);
-    lookup_0.by_second_0 = _S177;
-    lookup_0.by_first_0 = _S177;
+    var _S179 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S179;
+    lookup_0.by_first_0 = _S179;
     return lookup_0;
 }
 
@@ -1289,11 +1295,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_3 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
 {
-    var _S178 : Corners2_0;
-    _S178.a_2 = a_3;
-    _S178.b_1 = b_2;
-    _S178.c_1 = c_2;
-    return _S178;
+    var _S180 : Corners2_0;
+    _S180.a_2 = a_3;
+    _S180.b_1 = b_2;
+    _S180.c_1 = c_2;
+    return _S180;
 }
 
 fn uvs_of_0( triangle_7 : u32) -> Corners2_0
@@ -1366,13 +1372,13 @@ fn between_0( texels_1 : vec4<u32>,  place_1 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S179 : f32 = back_0.x;
-    var _S180 : f32 = back_0.y;
-    var _S181 : f32 = way_1.x;
-    var _S182 : f32 = way_1.y;
-    lookup_1.weights_0 = vec4<f32>(_S179 * _S180, _S181 * _S180, _S179 * _S182, _S181 * _S182);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S180, _S180, - _S182, _S182);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S179, - _S181, _S179, _S181);
+    var _S181 : f32 = back_0.x;
+    var _S182 : f32 = back_0.y;
+    var _S183 : f32 = way_1.x;
+    var _S184 : f32 = way_1.y;
+    lookup_1.weights_0 = vec4<f32>(_S181 * _S182, _S183 * _S182, _S181 * _S184, _S183 * _S184);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S182, _S182, - _S184, _S184);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S181, - _S183, _S181, _S183);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_1.by_first_1.x) + by_y_0 * vec4<f32>(place_1.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_1.by_second_1.x) + by_y_0 * vec4<f32>(place_1.by_second_1.y);
     return lookup_1;
@@ -1388,22 +1394,22 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_2.y), height_0, wrap_1);
-        var _S183 : u32 = row_0 * u32(width_1);
-        var _S184 : u32 = wrapped_0(floor_of_0(place_2.x), width_1, wrap_1);
-        return one_texel_0(_S183 + _S184);
+        var _S185 : u32 = row_0 * u32(width_1);
+        var _S186 : u32 = wrapped_0(floor_of_0(place_2.x), width_1, wrap_1);
+        return one_texel_0(_S185 + _S186);
     }
     var centred_0 : Point_0;
-    var _S185 : vec2<f32> = place_2 - vec2<f32>(0.5f);
-    centred_0.value_2 = _S185;
+    var _S187 : vec2<f32> = place_2 - vec2<f32>(0.5f);
+    centred_0.value_2 = _S187;
     centred_0.by_first_1 = uv_0.by_first_1 * size_1;
     centred_0.by_second_1 = uv_0.by_second_1 * size_1;
-    var x_6 : i32 = floor_of_0(_S185.x);
-    var y_3 : i32 = floor_of_0(_S185.y);
-    var _S186 : u32 = wrapped_0(y_3, height_0, wrap_1);
-    var _S187 : u32 = u32(width_1);
-    var first_1 : u32 = _S186 * _S187;
-    var _S188 : u32 = wrapped_0(y_3 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S188 * _S187;
+    var x_6 : i32 = floor_of_0(_S187.x);
+    var y_3 : i32 = floor_of_0(_S187.y);
+    var _S188 : u32 = wrapped_0(y_3, height_0, wrap_1);
+    var _S189 : u32 = u32(width_1);
+    var first_1 : u32 = _S188 * _S189;
+    var _S190 : u32 = wrapped_0(y_3 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S190 * _S189;
     var left_0 : u32 = wrapped_0(x_6, width_1, wrap_1);
     var right_0 : u32 = wrapped_0(x_6 + i32(1), width_1, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -1436,39 +1442,39 @@ fn lookup_at_0( texture_1 : u32,  place_3 : Place_0) -> Lookup_0
     var to_u_0 : vec3<f32> = vector_at_0(rows_0);
     var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S189 : vec3<f32> = vec3<f32>(uvs_1.a_2 * vec2<f32>((1.0f - place_3.v_4 - place_3.w_3)) + uvs_1.b_1 * vec2<f32>(place_3.v_4) + uvs_1.c_1 * vec2<f32>(place_3.w_3), 1.0f);
-    uv_1.value_2 = vec2<f32>(dot(_S189, to_u_0), dot(_S189, to_v_0));
+    var _S191 : vec3<f32> = vec3<f32>(uvs_1.a_2 * vec2<f32>((1.0f - place_3.v_4 - place_3.w_3)) + uvs_1.b_1 * vec2<f32>(place_3.v_4) + uvs_1.c_1 * vec2<f32>(place_3.w_3), 1.0f);
+    uv_1.value_2 = vec2<f32>(dot(_S191, to_u_0), dot(_S191, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_1 - uvs_1.a_2;
     var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_2;
-    var _S190 : vec2<f32> = to_u_0.xy;
-    var _S191 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S190), dot(by_v_0, _S191));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S190), dot(by_w_0, _S191));
+    var _S192 : vec2<f32> = to_u_0.xy;
+    var _S193 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S192), dot(by_v_0, _S193));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S192), dot(by_w_0, _S193));
     if(kind_0 == u32(1))
     {
-        var _S192 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S192;
+        var _S194 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S194;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
-    var _S193 : i32;
+    var _S195 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S193 = i32(1);
+        _S195 = i32(1);
     }
     else
     {
-        _S193 = i32(0);
+        _S195 = i32(0);
     }
-    return one_texel_0(u32(_S193));
+    return one_texel_0(u32(_S195));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S194 : u32 = word_0(texture_2 + u32(1));
-    var _S195 : u32 = texture_2 + u32(13);
-    var _S196 : vec3<f32> = vec3<f32>(0.0f);
+    var _S196 : u32 = word_0(texture_2 + u32(1));
+    var _S197 : u32 = texture_2 + u32(13);
+    var _S198 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_3 : vec3<f32> = _S196;
+    var value_3 : vec3<f32> = _S198;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1478,17 +1484,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S195 + _S194 * lookup_3.texels_0[k_1];
-        var _S197 : vec3<f32>;
-        if(_S194 == u32(1))
+        var at_8 : u32 = _S197 + _S196 * lookup_3.texels_0[k_1];
+        var _S199 : vec3<f32>;
+        if(_S196 == u32(1))
         {
-            _S197 = vec3<f32>(number_0(at_8));
+            _S199 = vec3<f32>(number_0(at_8));
         }
         else
         {
-            _S197 = vector_at_0(at_8);
+            _S199 = vector_at_0(at_8);
         }
-        var value_4 : vec3<f32> = value_3 + _S197 * vec3<f32>(weights_1[k_1]);
+        var value_4 : vec3<f32> = value_3 + _S199 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_3 = value_4;
     }
@@ -1502,8 +1508,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_4 : Place_0) -> vec3<f32>
 {
-    var _S198 : Lookup_0 = lookup_at_0(texture_4, place_4);
-    return looked_up_0(texture_4, _S198, vec2<f32>(0.0f));
+    var _S200 : Lookup_0 = lookup_at_0(texture_4, place_4);
+    return looked_up_0(texture_4, _S200, vec2<f32>(0.0f));
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -1513,28 +1519,28 @@ fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_7 : f32,  y_4 : f32) -> f32
 {
-    var _S199 : f32 = abs(x_7);
-    var _S200 : f32 = abs(y_4);
-    var _S201 : f32 = min(_S199, _S200);
-    var _S202 : f32 = max(_S199, _S200);
-    var is_steep_2 : bool = _S201 > (0.41421356797218323f * _S202);
+    var _S201 : f32 = abs(x_7);
+    var _S202 : f32 = abs(y_4);
+    var _S203 : f32 = min(_S201, _S202);
+    var _S204 : f32 = max(_S201, _S202);
+    var is_steep_2 : bool = _S203 > (0.41421356797218323f * _S204);
     var above_2 : f32;
     if(is_steep_2)
     {
-        above_2 = _S201 - _S202;
+        above_2 = _S203 - _S204;
     }
     else
     {
-        above_2 = _S201;
+        above_2 = _S203;
     }
     var below_2 : f32;
     if(is_steep_2)
     {
-        below_2 = _S201 + _S202;
+        below_2 = _S203 + _S204;
     }
     else
     {
-        below_2 = _S202;
+        below_2 = _S204;
     }
     if(below_2 > 0.0f)
     {
@@ -1555,7 +1561,7 @@ fn angle_of_0( x_7 : f32,  y_4 : f32) -> f32
     {
         angle_3 = angle_2;
     }
-    if(_S200 > _S199)
+    if(_S202 > _S201)
     {
         angle_3 = 1.57079637050628662f - angle_3;
     }
@@ -1576,8 +1582,8 @@ fn angle_of_0( x_7 : f32,  y_4 : f32) -> f32
 
 fn map_place_0( map_1 : u32,  direction_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S203 : u32 = map_1 + u32(2);
-    var d_2 : vec3<f32> = vector_at_0(_S203) * vec3<f32>(direction_2.x) + vector_at_0(_S203 + u32(3)) * vec3<f32>(direction_2.y) + vector_at_0(_S203 + u32(6)) * vec3<f32>(direction_2.z);
+    var _S205 : u32 = map_1 + u32(2);
+    var d_2 : vec3<f32> = vector_at_0(_S205) * vec3<f32>(direction_2.x) + vector_at_0(_S205 + u32(3)) * vec3<f32>(direction_2.y) + vector_at_0(_S205 + u32(6)) * vec3<f32>(direction_2.z);
     return vec2<f32>(angle_of_0(- d_2.z, d_2.x) * 0.15915493667125702f * f32(word_0(map_1)) - 0.5f, angle_of_0(d_2.y, length(d_2.xz)) * 0.31830987334251404f * (f32(word_0(map_1 + u32(1))) - 1.0f));
 }
 
@@ -1594,11 +1600,11 @@ fn in_map_0( map_2 : u32,  direction_3 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_2 + u32(1)));
     var left_1 : u32 = wrapped_0(x_8, width_2, u32(0));
     var right_1 : u32 = wrapped_0(x_8 + i32(1), width_2, u32(0));
-    var _S204 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S205 : u32 = u32(width_2);
-    var first_2 : u32 = _S204 * _S205;
-    var _S206 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_1 : u32 = _S206 * _S205;
+    var _S206 : u32 = wrapped_0(y_5, height_1, u32(2));
+    var _S207 : u32 = u32(width_2);
+    var first_2 : u32 = _S206 * _S207;
+    var _S208 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
+    var second_1 : u32 = _S208 * _S207;
     return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), point_0);
 }
 
@@ -1608,14 +1614,14 @@ fn emitted_0( emitter_2 : u32,  place_6 : Place_0,  direction_4 : vec3<f32>) -> 
     var texture_5 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var _S207 : vec3<f32> = shown_0(texture_5, place_6);
-        return _S207;
+        var _S209 : vec3<f32> = shown_0(texture_5, place_6);
+        return _S209;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_5 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S208 : u32 = word_0(texture_5 + u32(11));
-    var _S209 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_4));
-    return looked_up_0(_S208, _S209, change_1) * factor_0;
+    var _S210 : u32 = word_0(texture_5 + u32(11));
+    var _S211 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_4));
+    return looked_up_0(_S210, _S211, change_1) * factor_0;
 }
 
 fn change_word_0( at_9 : u32) -> u32
@@ -1630,59 +1636,59 @@ fn numbers_of_0( texture_6 : u32) -> u32
 
 fn add_word_0( sum_0 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
 {
-    var _S210 : u32 = u32(2) + u32(4) * sum_0;
-    var _S211 : u32 = number_1;
+    var _S212 : u32 = u32(2) + u32(4) * sum_0;
+    var _S213 : u32 = number_1;
     var k_2 : u32 = word_of_sum_0;
     for(;;)
     {
-        var _S212 : bool;
+        var _S214 : bool;
         if(k_2 < u32(4))
         {
-            _S212 = _S211 != u32(0);
+            _S214 = _S213 != u32(0);
         }
         else
         {
-            _S212 = false;
+            _S214 = false;
         }
-        if(_S212)
+        if(_S214)
         {
         }
         else
         {
             break;
         }
-        var _S213 : u32;
+        var _S215 : u32;
         if(is_negative_0)
         {
-            _S213 = u32(0) - _S211;
+            _S215 = u32(0) - _S213;
         }
         else
         {
-            _S213 = _S211;
+            _S215 = _S213;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S210 + k_2]), _S213);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S212 + k_2]), _S215);
         var overflows_0 : bool;
         if(is_negative_0)
         {
-            overflows_0 = before_0 < _S211;
+            overflows_0 = before_0 < _S213;
         }
         else
         {
-            overflows_0 = (before_0 + _S211) < before_0;
+            overflows_0 = (before_0 + _S213) < before_0;
         }
-        var _S214 : i32;
+        var _S216 : i32;
         if(overflows_0)
         {
-            _S214 = i32(1);
+            _S216 = i32(1);
         }
         else
         {
-            _S214 = i32(0);
+            _S216 = i32(0);
         }
-        var _S215 : u32 = u32(_S214);
-        var _S216 : u32 = k_2 + u32(1);
-        _S211 = _S215;
-        k_2 = _S216;
+        var _S217 : u32 = u32(_S216);
+        var _S218 : u32 = k_2 + u32(1);
+        _S213 = _S217;
+        k_2 = _S218;
     }
     return;
 }
@@ -1691,14 +1697,14 @@ fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S217 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S219 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_2 : f32 = abs(scaled_0);
     if(size_2 > 7.73712524553362672e+25f)
     {
-        var _S218 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S220 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
     var is_negative_1 : bool = scaled_0 < 0.0f;
@@ -1706,16 +1712,16 @@ fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32)
     var size_3 : f32 = size_2;
     for(;;)
     {
-        var _S219 : bool;
+        var _S221 : bool;
         if(highest_0 < u32(2))
         {
-            _S219 = size_3 >= 4.294967296e+09f;
+            _S221 = size_3 >= 4.294967296e+09f;
         }
         else
         {
-            _S219 = false;
+            _S221 = false;
         }
-        if(_S219)
+        if(_S221)
         {
         }
         else
@@ -1726,24 +1732,24 @@ fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32)
         highest_0 = highest_0 + u32(1);
         size_3 = size_4;
     }
-    var _S220 : bool = highest_0 == u32(0);
-    var _S221 : f32;
-    if(_S220)
+    var _S222 : bool = highest_0 == u32(0);
+    var _S223 : f32;
+    if(_S222)
     {
-        _S221 = size_3 + 0.5f;
+        _S223 = size_3 + 0.5f;
     }
     else
     {
-        _S221 = size_3;
+        _S223 = size_3;
     }
-    var whole_0 : u32 = u32(_S221);
+    var whole_0 : u32 = u32(_S223);
     add_word_0(sum_1, highest_0, whole_0, is_negative_1);
-    if(_S220)
+    if(_S222)
     {
         return;
     }
     var rest_0 : f32 = (size_3 - f32(whole_0)) * 4.294967296e+09f;
-    var _S222 : u32 = highest_0 - u32(1);
+    var _S224 : u32 = highest_0 - u32(1);
     if(highest_0 == u32(1))
     {
         size_3 = rest_0 + 0.5f;
@@ -1752,7 +1758,7 @@ fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32)
     {
         size_3 = rest_0;
     }
-    add_word_0(sum_1, _S222, u32(size_3), is_negative_1);
+    add_word_0(sum_1, _S224, u32(size_3), is_negative_1);
     return;
 }
 
@@ -1781,7 +1787,7 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
     {
         return;
     }
-    var _S223 : u32 = word_0(texture_7 + u32(1));
+    var _S225 : u32 = word_0(texture_7 + u32(1));
     var k_3 : u32 = u32(0);
     for(;;)
     {
@@ -1792,9 +1798,9 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         {
             break;
         }
-        var at_10 : u32 = first_4 + _S223 * lookup_5.texels_0[k_3];
+        var at_10 : u32 = first_4 + _S225 * lookup_5.texels_0[k_3];
         var own_0 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_3]);
-        if(_S223 == u32(1))
+        if(_S225 == u32(1))
         {
             add_to_sum_0(at_10, own_0.x + own_0.y + own_0.z);
             k_3 = k_3 + u32(1);
@@ -1850,12 +1856,12 @@ fn place_back_0( place_8 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : ve
 {
     var corner_1 : u32 = u32(9) * place_8.triangle_2;
     var a_4 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S224 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_4);
-    var _S225 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_4);
-    var across_0 : vec3<f32> = cross(_S224, _S225);
-    var _S226 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
-    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S226);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S225, normal_0) * vec3<f32>(by_place_0.x) + cross(normal_0, _S224) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S226)));
+    var _S226 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_4);
+    var _S227 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_4);
+    var across_0 : vec3<f32> = cross(_S226, _S227);
+    var _S228 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S228);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S227, normal_0) * vec3<f32>(by_place_0.x) + cross(normal_0, _S226) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S228)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_5, by_slip_0) / dot(normal_0, direction_5)));
     add_at_place_0(points_of_0(place_8.triangle_2), place_8, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -1867,26 +1873,26 @@ fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_3 : u32,  pla
     var texture_9 : u32 = word_0(record_5 + u32(1));
     if(!is_map_0(record_5))
     {
-        var _S227 : Lookup_0 = lookup_at_0(texture_9, place_9);
-        var by_place_1 : vec2<f32> = lookup_back_0(texture_9, _S227, importance_0);
-        var _S228 : bool;
+        var _S229 : Lookup_0 = lookup_at_0(texture_9, place_9);
+        var by_place_1 : vec2<f32> = lookup_back_0(texture_9, _S229, importance_0);
+        var _S230 : bool;
         if(!is_area_0(record_5))
         {
-            _S228 = true;
+            _S230 = true;
         }
         else
         {
-            _S228 = !is_moving_0();
+            _S230 = !is_moving_0();
         }
-        if(_S228)
+        if(_S230)
         {
-            _S228 = true;
+            _S230 = true;
         }
         else
         {
-            _S228 = (all((by_place_1 == vec2<f32>(0.0f))));
+            _S230 = (all((by_place_1 == vec2<f32>(0.0f))));
         }
-        if(_S228)
+        if(_S230)
         {
             return vec3<f32>(0.0f);
         }
@@ -1897,14 +1903,14 @@ fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_3 : u32,  pla
     var texels_2 : u32 = word_0(texture_9 + u32(11));
     var scale_0 : u32 = word_0(texture_9 + u32(12));
     var lookup_7 : Lookup_0 = in_map_0(texture_9, direction_6);
-    var _S229 : Lookup_0 = one_texel_0(u32(0));
-    var factor_1 : vec3<f32> = weighted_texels_0(scale_0, _S229, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
-    var _S230 : vec2<f32> = lookup_back_0(scale_0, _S229, importance_0 * weighted_texels_0(texels_2, lookup_7, lookup_7.weights_0));
+    var _S231 : Lookup_0 = one_texel_0(u32(0));
+    var factor_1 : vec3<f32> = weighted_texels_0(scale_0, _S231, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
+    var _S232 : vec2<f32> = lookup_back_0(scale_0, _S231, importance_0 * weighted_texels_0(texels_2, lookup_7, lookup_7.weights_0));
     var by_place_2 : vec2<f32> = lookup_back_0(texels_2, lookup_7, importance_0 * factor_1);
-    var _S231 : vec3<f32> = vec3<f32>(0.0f);
+    var _S233 : vec3<f32> = vec3<f32>(0.0f);
     var moving_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     moving_0.primal_0 = direction_6;
-    moving_0.differential_0 = _S231;
+    moving_0.differential_0 = _S233;
     _S127(texture_9, &(moving_0), by_place_2);
     return moving_0.differential_0;
 }
@@ -1939,9 +1945,9 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
     (*path_0).key_0 = vec2<u32>(input_0[at_11 + u32(7)], input_0[at_11 + u32(8)]);
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
     (*path_0).adjoint_0 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(9)], input_0[at_11 + u32(10)], input_0[at_11 + u32(11)]))));
-    var _S232 : vec3<f32> = vec3<f32>(0.0f);
-    (*path_0).by_ray_0.direction_7 = _S232;
-    (*path_0).by_ray_0.drift_0 = _S232;
+    var _S234 : vec3<f32> = vec3<f32>(0.0f);
+    (*path_0).by_ray_0.direction_7 = _S234;
+    (*path_0).by_ray_0.drift_0 = _S234;
     var t_7 : f32 = 0.0f;
     var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_11 + u32(6)])));
     var found_4 : Found_0;
@@ -1949,59 +1955,59 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0lf;
     found_4.w_2 = 0.0lf;
-    var _S233 : bool;
+    var _S235 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S233 = (word_0(u32(13))) != u32(0);
+        _S235 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S233 = false;
+        _S235 = false;
     }
-    if(_S233)
+    if(_S235)
     {
-        var _S234 : Found_0 = cast_0(vec3<f64>(origin_2), vec3<f64>(direction_9), 0.0lf, f64(length_of_ray_0), false, &(t_7));
-        found_4 = _S234;
+        var _S236 : Found_0 = cast_0(vec3<f64>(origin_2), vec3<f64>(direction_9), 0.0lf, f64(length_of_ray_0), false, &(t_7));
+        found_4 = _S236;
     }
-    var _S235 : Place_0 = place_of_0(found_4);
-    (*path_0).place_10 = _S235;
+    var _S237 : Place_0 = place_of_0(found_4);
+    (*path_0).place_10 = _S237;
     (*path_0).direction_8 = direction_9;
-    var _S236 : f32;
+    var _S238 : f32;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S236 = t_7;
+        _S238 = t_7;
     }
     else
     {
-        _S236 = 0.0f;
+        _S238 = 0.0f;
     }
-    (*path_0).distance_0 = _S236;
+    (*path_0).distance_0 = _S238;
     var emitter_4 : u32 = emitter_seen_0(found_4, direction_9);
     if(emitter_4 != u32(4294967295))
     {
-        _S233 = (word_0(u32(4))) != u32(0);
+        _S235 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S233 = false;
+        _S235 = false;
     }
-    if(_S233)
+    if(_S235)
     {
-        var _S237 : vec3<f32> = emitted_0(emitter_4, _S235, (*path_0).direction_8);
-        var _S238 : vec3<f32> = (*path_0).by_ray_0.drift_0;
-        var _S239 : vec3<f32> = emitted_back_0(&(_S238), emitter_4, _S235, direction_9, t_7, (*path_0).adjoint_0);
-        (*path_0).by_ray_0.drift_0 = _S238;
-        (*path_0).by_ray_0.direction_7 = _S239;
+        var _S239 : vec3<f32> = emitted_0(emitter_4, _S237, (*path_0).direction_8);
+        var _S240 : vec3<f32> = (*path_0).by_ray_0.drift_0;
+        var _S241 : vec3<f32> = emitted_back_0(&(_S240), emitter_4, _S237, direction_9, t_7, (*path_0).adjoint_0);
+        (*path_0).by_ray_0.drift_0 = _S240;
+        (*path_0).by_ray_0.direction_7 = _S241;
     }
     if((found_4.face_1) != u32(4294967295))
     {
-        _S233 = reaches_0(u32(2));
+        _S235 = reaches_0(u32(2));
     }
     else
     {
-        _S233 = false;
+        _S235 = false;
     }
-    return _S233;
+    return _S235;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
@@ -2078,7 +2084,9 @@ fn set_place_0( path_6 : u32,  which_6 : ptr<function, u32>,  place_11 : Place_0
     set_word_0(path_6, (*which_6), place_11.triangle_2);
     set_word_0(path_6, (*which_6) + u32(1), (bitcast<u32>((place_11.v_4))));
     set_word_0(path_6, (*which_6) + u32(2), (bitcast<u32>((place_11.w_3))));
-    (*which_6) = (*which_6) + u32(3);
+    set_word_0(path_6, (*which_6) + u32(3), (bitcast<u32>((place_11.v_rest_0))));
+    set_word_0(path_6, (*which_6) + u32(4), (bitcast<u32>((place_11.w_rest_0))));
+    (*which_6) = (*which_6) + u32(5);
     return;
 }
 
@@ -2106,10 +2114,10 @@ fn begin_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_8 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_2, &(path_8));
     store_0(number_of_path_2, path_8);
-    var which_7 : u32 = u32(15);
+    var which_7 : u32 = u32(17);
     for(;;)
     {
-        if(which_7 < u32(24))
+        if(which_7 < u32(26))
         {
         }
         else
@@ -2119,7 +2127,7 @@ fn begin_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         set_word_0(number_of_path_2, which_7, u32(0));
         which_7 = which_7 + u32(1);
     }
-    var camera_ray_0 : u32 = u32(24);
+    var camera_ray_0 : u32 = u32(26);
     set_vector_1(number_of_path_2, &(camera_ray_0), path_8.by_ray_0.drift_0);
     set_vector_1(number_of_path_2, &(camera_ray_0), path_8.by_ray_0.direction_7);
     set_word_0(number_of_path_2, camera_ray_0, (bitcast<u32>((path_8.distance_0))));

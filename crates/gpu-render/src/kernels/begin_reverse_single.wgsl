@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 2f5cb71f39c27c50
-// result: e2a6049e70b2b4db
+// source: 34f6f725355e4320
+// result: 7a619314b3b79ba9
 
 struct Launch_std140_0
 {
@@ -1188,20 +1188,24 @@ struct Place_0
      triangle_2 : u32,
      v_4 : f32,
      w_3 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_3 : u32,  v_5 : f32,  w_4 : f32) -> Place_0
+fn exact_place_0( triangle_3 : u32,  v_5 : f32,  w_4 : f32) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_2 = triangle_3;
     place_0.v_4 = v_5;
     place_0.w_3 = w_4;
+    place_0.v_rest_0 = 0.0f;
+    place_0.w_rest_0 = 0.0f;
     return place_0;
 }
 
 fn place_of_0( found_2 : Found_0) -> Place_0
 {
-    return place_at_0(found_2.triangle_1, found_2.v_3, found_2.w_2);
+    return exact_place_0(found_2.triangle_1, found_2.v_3, found_2.w_2);
 }
 
 fn triangle_record_0( triangle_4 : u32) -> u32
@@ -2078,7 +2082,9 @@ fn set_place_0( path_6 : u32,  which_6 : ptr<function, u32>,  place_11 : Place_0
     set_word_0(path_6, (*which_6), place_11.triangle_2);
     set_word_0(path_6, (*which_6) + u32(1), (bitcast<u32>((place_11.v_4))));
     set_word_0(path_6, (*which_6) + u32(2), (bitcast<u32>((place_11.w_3))));
-    (*which_6) = (*which_6) + u32(3);
+    set_word_0(path_6, (*which_6) + u32(3), (bitcast<u32>((place_11.v_rest_0))));
+    set_word_0(path_6, (*which_6) + u32(4), (bitcast<u32>((place_11.w_rest_0))));
+    (*which_6) = (*which_6) + u32(5);
     return;
 }
 
@@ -2106,10 +2112,10 @@ fn begin_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_8 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_2, &(path_8));
     store_0(number_of_path_2, path_8);
-    var which_7 : u32 = u32(15);
+    var which_7 : u32 = u32(17);
     for(;;)
     {
-        if(which_7 < u32(24))
+        if(which_7 < u32(26))
         {
         }
         else
@@ -2119,7 +2125,7 @@ fn begin_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         set_word_0(number_of_path_2, which_7, u32(0));
         which_7 = which_7 + u32(1);
     }
-    var camera_ray_0 : u32 = u32(24);
+    var camera_ray_0 : u32 = u32(26);
     set_vector_1(number_of_path_2, &(camera_ray_0), path_8.by_ray_0.drift_0);
     set_vector_1(number_of_path_2, &(camera_ray_0), path_8.by_ray_0.direction_7);
     set_word_0(number_of_path_2, camera_ray_0, (bitcast<u32>((path_8.distance_0))));

@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 95b42daadb5b97e0
-// result: 51219f1bc7797e5c
+// source: dde1a58c472d4d9f
+// result: a6f73bdebd5f13ba
 
 struct Launch_std140_0
 {
@@ -63,29 +63,35 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+fn exact_place_0( triangle_1 : u32,  v_1 : f64,  w_1 : f64) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_0 = triangle_1;
-    place_0.v_0 = v_1;
-    place_0.w_0 = w_1;
+    var _S4 : f32 = f32(v_1);
+    place_0.v_0 = _S4;
+    var _S5 : f32 = f32(w_1);
+    place_0.w_0 = _S5;
+    place_0.v_rest_0 = f32(v_1 - f64(_S4));
+    place_0.w_rest_0 = f32(w_1 - f64(_S5));
     return place_0;
 }
 
 fn path_place_0( path_5 : u32,  which_5 : ptr<function, u32>) -> Place_0
 {
-    var _S4 : u32 = (*which_5) + u32(3);
-    (*which_5) = _S4;
-    return place_at_0(path_word_0(path_5, _S4 - u32(3)), (bitcast<f32>((path_word_0(path_5, _S4 - u32(2))))), (bitcast<f32>((path_word_0(path_5, _S4 - u32(1))))));
+    var _S6 : u32 = (*which_5) + u32(5);
+    (*which_5) = _S6;
+    return exact_place_0(path_word_0(path_5, _S6 - u32(5)), f64((bitcast<f32>((path_word_0(path_5, _S6 - u32(4)))))) + f64((bitcast<f32>((path_word_0(path_5, _S6 - u32(2)))))), f64((bitcast<f32>((path_word_0(path_5, _S6 - u32(3)))))) + f64((bitcast<f32>((path_word_0(path_5, _S6 - u32(1)))))));
 }
 
 fn path_place_1( path_6 : u32,  which_6 : ptr<function, u32>) -> Place_0
 {
-    var _S5 : u32 = (*which_6) + u32(3);
-    (*which_6) = _S5;
-    return place_at_0(path_word_0(path_6, _S5 - u32(3)), (bitcast<f32>((path_word_0(path_6, _S5 - u32(2))))), (bitcast<f32>((path_word_0(path_6, _S5 - u32(1))))));
+    var _S7 : u32 = (*which_6) + u32(5);
+    (*which_6) = _S7;
+    return exact_place_0(path_word_0(path_6, _S7 - u32(5)), f64((bitcast<f32>((path_word_0(path_6, _S7 - u32(4)))))) + f64((bitcast<f32>((path_word_0(path_6, _S7 - u32(2)))))), f64((bitcast<f32>((path_word_0(path_6, _S7 - u32(3)))))) + f64((bitcast<f32>((path_word_0(path_6, _S7 - u32(1)))))));
 }
 
 struct ByRay_0
@@ -109,18 +115,18 @@ fn load_0( number_of_path_0 : u32) -> Path_0
 {
     var at_0 : u32 = u32(1);
     var path_7 : Path_0;
-    var _S6 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
-    path_7.adjoint_0 = _S6;
+    var _S8 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
+    path_7.adjoint_0 = _S8;
     path_7.distance_0 = 0.0f;
-    var _S7 : vec3<f32> = vec3<f32>(0.0f);
-    path_7.by_ray_0.direction_0 = _S7;
-    path_7.by_ray_0.drift_0 = _S7;
-    var _S8 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
-    path_7.throughput_0 = _S8;
-    var _S9 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
-    path_7.direction_1 = _S9;
-    var _S10 : Place_0 = path_place_0(number_of_path_0, &(at_0));
-    path_7.place_1 = _S10;
+    var _S9 : vec3<f32> = vec3<f32>(0.0f);
+    path_7.by_ray_0.direction_0 = _S9;
+    path_7.by_ray_0.drift_0 = _S9;
+    var _S10 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
+    path_7.throughput_0 = _S10;
+    var _S11 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
+    path_7.direction_1 = _S11;
+    var _S12 : Place_0 = path_place_0(number_of_path_0, &(at_0));
+    path_7.place_1 = _S12;
     path_7.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_0), path_word_0(number_of_path_0, at_0 + u32(1)));
     return path_7;
 }
@@ -132,19 +138,19 @@ fn depth_of_launch_0() -> u32
 
 fn kept_at_0( depth_1 : u32) -> u32
 {
-    return u32(31) + u32(27) * depth_1;
+    return u32(33) + u32(29) * depth_1;
 }
 
 fn path_at_vertex_0( number_of_path_1 : u32,  factor_0 : ptr<function, vec3<f32>>) -> Path_0
 {
     var path_8 : Path_0 = load_0(number_of_path_1);
     var kept_0 : u32 = kept_at_0(depth_of_launch_0());
-    var _S11 : vec3<f32> = path_vector_1(number_of_path_1, &(kept_0));
-    (*factor_0) = _S11;
-    var _S12 : Place_0 = path_place_1(number_of_path_1, &(kept_0));
-    path_8.place_1 = _S12;
     var _S13 : vec3<f32> = path_vector_1(number_of_path_1, &(kept_0));
-    path_8.direction_1 = _S13;
+    (*factor_0) = _S13;
+    var _S14 : Place_0 = path_place_1(number_of_path_1, &(kept_0));
+    path_8.place_1 = _S14;
+    var _S15 : vec3<f32> = path_vector_1(number_of_path_1, &(kept_0));
+    path_8.direction_1 = _S15;
     return path_8;
 }
 
@@ -160,11 +166,11 @@ struct Numbers_0
 fn no_numbers_0() -> Numbers_0
 {
     var numbers_0 : Numbers_0;
-    var _S14 : vec3<f32> = vec3<f32>(0.0f);
-    numbers_0.k_0 = _S14;
-    numbers_0.eta_0 = _S14;
-    numbers_0.specular_reflectance_0 = _S14;
-    numbers_0.diffuse_reflectance_0 = _S14;
+    var _S16 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_0.k_0 = _S16;
+    numbers_0.eta_0 = _S16;
+    numbers_0.specular_reflectance_0 = _S16;
+    numbers_0.diffuse_reflectance_0 = _S16;
     numbers_0.alpha_0 = vec2<f32>(0.0f);
     return numbers_0;
 }
@@ -188,12 +194,12 @@ fn nothing_pulled_0() -> Pulled_0
 {
     var pulled_0 : Pulled_0;
     pulled_0.numbers_1 = no_numbers_0();
-    var _S15 : vec3<f32> = vec3<f32>(0.0f);
-    pulled_0.position_0 = _S15;
-    pulled_0.wi_0 = _S15;
-    pulled_0.axes_0.n_0 = _S15;
-    pulled_0.axes_0.t_0 = _S15;
-    pulled_0.axes_0.s_0 = _S15;
+    var _S17 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_0 = _S17;
+    pulled_0.wi_0 = _S17;
+    pulled_0.axes_0.n_0 = _S17;
+    pulled_0.axes_0.t_0 = _S17;
+    pulled_0.axes_0.s_0 = _S17;
     return pulled_0;
 }
 
@@ -242,7 +248,7 @@ fn position_of_0( place_2 : Place_0) -> vec3<f64>
 {
     var at_3 : u32 = u32(9) * place_2.triangle_0;
     var a_0 : vec3<f64> = primitive_vector_0(at_3);
-    return a_0 + (primitive_vector_0(at_3 + u32(3)) - a_0) * vec3<f64>(f64(place_2.v_0)) + (primitive_vector_0(at_3 + u32(6)) - a_0) * vec3<f64>(f64(place_2.w_0));
+    return a_0 + (primitive_vector_0(at_3 + u32(3)) - a_0) * vec3<f64>((f64(place_2.v_0) + f64(place_2.v_rest_0))) + (primitive_vector_0(at_3 + u32(6)) - a_0) * vec3<f64>((f64(place_2.w_0) + f64(place_2.w_rest_0)));
 }
 
 fn cross_of_0( triangle_4 : u32) -> vec3<f32>
@@ -283,14 +289,14 @@ fn surface_at_0( place_4 : Place_0,  direction_2 : vec3<f32>) -> Surface_0
     var surface_0 : Surface_0;
     surface_0.place_3 = place_4;
     surface_0.shape_0 = shape_of_0(place_4.triangle_0);
-    var _S16 : vec3<f64> = position_of_0(place_4);
-    surface_0.exact_0 = _S16;
-    surface_0.position_1 = vec3<f32>(_S16);
-    var _S17 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
-    surface_0.face_normal_0 = _S17;
-    surface_0.outward_0 = _S17;
+    var _S18 : vec3<f64> = position_of_0(place_4);
+    surface_0.exact_0 = _S18;
+    surface_0.position_1 = vec3<f32>(_S18);
+    var _S19 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
+    surface_0.face_normal_0 = _S19;
+    surface_0.outward_0 = _S19;
     var seen_0 : f32;
-    if((dot(_S17, direction_2)) > 0.0f)
+    if((dot(_S19, direction_2)) > 0.0f)
     {
         seen_0 = -1.0f;
     }
@@ -317,16 +323,16 @@ fn surface_at_0( place_4 : Place_0,  direction_2 : vec3<f32>) -> Surface_0
 
 fn material_of_0( surface_1 : Surface_0) -> u32
 {
-    var _S18 : u32;
+    var _S20 : u32;
     if(surface_1.is_front_0)
     {
-        _S18 = u32(2);
+        _S20 = u32(2);
     }
     else
     {
-        _S18 = u32(3);
+        _S20 = u32(3);
     }
-    return word_0(surface_1.shape_0 + _S18);
+    return word_0(surface_1.shape_0 + _S20);
 }
 
 struct Lookup_0
@@ -344,9 +350,9 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    var _S19 : vec4<f32> = vec4<f32>(0.0f);
-    lookup_0.by_second_0 = _S19;
-    lookup_0.by_first_0 = _S19;
+    var _S21 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S21;
+    lookup_0.by_first_0 = _S21;
     return lookup_0;
 }
 
@@ -359,11 +365,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_4 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
 {
-    var _S20 : Corners2_0;
-    _S20.a_3 = a_4;
-    _S20.b_1 = b_2;
-    _S20.c_1 = c_2;
-    return _S20;
+    var _S22 : Corners2_0;
+    _S22.a_3 = a_4;
+    _S22.b_1 = b_2;
+    _S22.c_1 = c_2;
+    return _S22;
 }
 
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
@@ -436,13 +442,13 @@ fn between_0( texels_1 : vec4<u32>,  place_5 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S21 : f32 = back_0.x;
-    var _S22 : f32 = back_0.y;
-    var _S23 : f32 = way_0.x;
-    var _S24 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S21 * _S22, _S23 * _S22, _S21 * _S24, _S23 * _S24);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S22, _S22, - _S24, _S24);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S21, - _S23, _S21, _S23);
+    var _S23 : f32 = back_0.x;
+    var _S24 : f32 = back_0.y;
+    var _S25 : f32 = way_0.x;
+    var _S26 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S23 * _S24, _S25 * _S24, _S23 * _S26, _S25 * _S26);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S24, _S24, - _S26, _S26);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S23, - _S25, _S23, _S25);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_5.by_first_1.x) + by_y_0 * vec4<f32>(place_5.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_5.by_second_1.x) + by_y_0 * vec4<f32>(place_5.by_second_1.y);
     return lookup_1;
@@ -458,22 +464,22 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_6.y), height_0, wrap_1);
-        var _S25 : u32 = row_0 * u32(width_0);
-        var _S26 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
-        return one_texel_0(_S25 + _S26);
+        var _S27 : u32 = row_0 * u32(width_0);
+        var _S28 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
+        return one_texel_0(_S27 + _S28);
     }
     var centred_0 : Point_0;
-    var _S27 : vec2<f32> = place_6 - vec2<f32>(0.5f);
-    centred_0.value_1 = _S27;
+    var _S29 : vec2<f32> = place_6 - vec2<f32>(0.5f);
+    centred_0.value_1 = _S29;
     centred_0.by_first_1 = uv_0.by_first_1 * size_0;
     centred_0.by_second_1 = uv_0.by_second_1 * size_0;
-    var x_1 : i32 = floor_of_0(_S27.x);
-    var y_0 : i32 = floor_of_0(_S27.y);
-    var _S28 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S29 : u32 = u32(width_0);
-    var first_1 : u32 = _S28 * _S29;
-    var _S30 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S30 * _S29;
+    var x_1 : i32 = floor_of_0(_S29.x);
+    var y_0 : i32 = floor_of_0(_S29.y);
+    var _S30 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S31 : u32 = u32(width_0);
+    var first_1 : u32 = _S30 * _S31;
+    var _S32 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S32 * _S31;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -506,39 +512,39 @@ fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
     var to_u_0 : vec3<f32> = vector_at_0(rows_0);
     var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S31 : vec3<f32> = vec3<f32>(uvs_1.a_3 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_1 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
-    uv_1.value_1 = vec2<f32>(dot(_S31, to_u_0), dot(_S31, to_v_0));
+    var _S33 : vec3<f32> = vec3<f32>(uvs_1.a_3 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_1 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
+    uv_1.value_1 = vec2<f32>(dot(_S33, to_u_0), dot(_S33, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_1 - uvs_1.a_3;
     var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_3;
-    var _S32 : vec2<f32> = to_u_0.xy;
-    var _S33 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S32), dot(by_v_0, _S33));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S32), dot(by_w_0, _S33));
+    var _S34 : vec2<f32> = to_u_0.xy;
+    var _S35 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S34), dot(by_v_0, _S35));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S34), dot(by_w_0, _S35));
     if(kind_0 == u32(1))
     {
-        var _S34 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S34;
+        var _S36 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S36;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_1 - floor(uv_1.value_1);
-    var _S35 : i32;
+    var _S37 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S35 = i32(1);
+        _S37 = i32(1);
     }
     else
     {
-        _S35 = i32(0);
+        _S37 = i32(0);
     }
-    return one_texel_0(u32(_S35));
+    return one_texel_0(u32(_S37));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S36 : u32 = word_0(texture_2 + u32(1));
-    var _S37 : u32 = texture_2 + u32(13);
-    var _S38 : vec3<f32> = vec3<f32>(0.0f);
+    var _S38 : u32 = word_0(texture_2 + u32(1));
+    var _S39 : u32 = texture_2 + u32(13);
+    var _S40 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S38;
+    var value_2 : vec3<f32> = _S40;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -548,17 +554,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S37 + _S36 * lookup_3.texels_0[k_1];
-        var _S39 : vec3<f32>;
-        if(_S36 == u32(1))
+        var at_8 : u32 = _S39 + _S38 * lookup_3.texels_0[k_1];
+        var _S41 : vec3<f32>;
+        if(_S38 == u32(1))
         {
-            _S39 = vec3<f32>(number_0(at_8));
+            _S41 = vec3<f32>(number_0(at_8));
         }
         else
         {
-            _S39 = vector_at_0(at_8);
+            _S41 = vector_at_0(at_8);
         }
-        var value_3 : vec3<f32> = value_2 + _S39 * vec3<f32>(weights_1[k_1]);
+        var value_3 : vec3<f32> = value_2 + _S41 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_2 = value_3;
     }
@@ -572,8 +578,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
 {
-    var _S40 : Lookup_0 = lookup_at_0(texture_4, place_8);
-    return looked_up_0(texture_4, _S40, vec2<f32>(0.0f));
+    var _S42 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S42, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -634,11 +640,11 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
     lobe_0.kind_1 = word_0(record_3);
     lobe_0.distribution_0 = word_0(record_3 + u32(1));
     lobe_0.numbers_3 = no_numbers_0();
-    var _S41 : u32 = word_0(record_3 + u32(4));
+    var _S43 : u32 = word_0(record_3 + u32(4));
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S41)
+        if(slot_1 < _S43)
         {
         }
         else
@@ -652,10 +658,10 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
-        var _S42 : vec3<f32> = value_of_0(colour_1);
-        var _S43 : Numbers_0 = lobe_0.numbers_3;
-        set_slot_0(&(_S43), slot_1, _S42);
-        lobe_0.numbers_3 = _S43;
+        var _S44 : vec3<f32> = value_of_0(colour_1);
+        var _S45 : Numbers_0 = lobe_0.numbers_3;
+        set_slot_0(&(_S45), slot_1, _S44);
+        lobe_0.numbers_3 = _S45;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -670,53 +676,53 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S44 : vec3<f32>;
+    var _S46 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S44 = tangent_0;
+        _S46 = tangent_0;
     }
     else
     {
-        _S44 = vec3<f32>(0.0f);
+        _S46 = vec3<f32>(0.0f);
     }
-    return _S44;
+    return _S46;
 }
 
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S45 : vec3<f32>;
+    var _S47 : vec3<f32>;
     if(is_front_1)
     {
-        _S45 = n_2;
+        _S47 = n_2;
     }
     else
     {
-        _S45 = (vec3<f32>(0) - n_2);
+        _S47 = (vec3<f32>(0) - n_2);
     }
-    axes_1.n_0 = _S45;
-    var _S46 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_1.s_0 = _S46;
-    axes_1.t_0 = cross(n_2, _S46);
+    axes_1.n_0 = _S47;
+    var _S48 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_1.s_0 = _S48;
+    axes_1.t_0 = cross(n_2, _S48);
     return axes_1;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_2 : Axes_0;
-    var _S47 : vec3<f32>;
+    var _S49 : vec3<f32>;
     if(is_front_2)
     {
-        _S47 = n_3;
+        _S49 = n_3;
     }
     else
     {
-        _S47 = (vec3<f32>(0) - n_3);
+        _S49 = (vec3<f32>(0) - n_3);
     }
-    axes_2.n_0 = _S47;
-    var _S48 : f32 = n_3.z;
+    axes_2.n_0 = _S49;
+    var _S50 : f32 = n_3.z;
     var sign_0 : f32;
-    if(_S48 < 0.0f)
+    if(_S50 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -724,12 +730,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_0 = 1.0f;
     }
-    var a_5 : f32 = -1.0f / (sign_0 + _S48);
-    var _S49 : f32 = n_3.x;
-    var _S50 : f32 = n_3.y;
-    var b_3 : f32 = _S49 * _S50 * a_5;
-    axes_2.s_0 = vec3<f32>(1.0f + sign_0 * _S49 * _S49 * a_5, sign_0 * b_3, - sign_0 * _S49);
-    axes_2.t_0 = vec3<f32>(b_3, sign_0 + _S50 * _S50 * a_5, - _S50);
+    var a_5 : f32 = -1.0f / (sign_0 + _S50);
+    var _S51 : f32 = n_3.x;
+    var _S52 : f32 = n_3.y;
+    var b_3 : f32 = _S51 * _S52 * a_5;
+    axes_2.s_0 = vec3<f32>(1.0f + sign_0 * _S51 * _S51 * a_5, sign_0 * b_3, - sign_0 * _S51);
+    axes_2.t_0 = vec3<f32>(b_3, sign_0 + _S52 * _S52 * a_5, - _S52);
     return axes_2;
 }
 
@@ -756,8 +762,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_4 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S51 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S51;
+    var _S53 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S53;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -780,9 +786,9 @@ struct VertexMotion_0
 fn motion_of_0( vertex_1 : Vertex_0) -> VertexMotion_0
 {
     var motion_0 : VertexMotion_0;
-    var _S52 : vec3<f32> = vec3<f32>(0.0f);
-    motion_0.rotation_0 = _S52;
-    motion_0.velocity_0 = _S52;
+    var _S54 : vec3<f32> = vec3<f32>(0.0f);
+    motion_0.rotation_0 = _S54;
+    motion_0.velocity_0 = _S54;
     return motion_0;
 }
 
@@ -820,20 +826,20 @@ fn shading_point_0( path_9 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> b
     {
         k_2 = material_1;
     }
-    var _S53 : Vertex_0 = vertex_at_0(surface_5, k_2, path_9.direction_1);
-    (*at_9).vertex_2 = _S53;
-    var _S54 : VertexMotion_0 = motion_of_0(_S53);
-    (*at_9).motion_1 = _S54;
-    (*at_9).whole_0 = _S54;
+    var _S55 : Vertex_0 = vertex_at_0(surface_5, k_2, path_9.direction_1);
+    (*at_9).vertex_2 = _S55;
+    var _S56 : VertexMotion_0 = motion_of_0(_S55);
+    (*at_9).motion_1 = _S56;
+    (*at_9).whole_0 = _S56;
     (*at_9).planes_0 = u32(0);
     (*at_9).tree_0 = u32(0);
     (*at_9).emitter_0 = u32(0);
     (*at_9).purpose_0 = u32(0);
     (*at_9).turns_0 = false;
     (*at_9).has_creases_0 = false;
-    var _S55 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_9).front_offset_0 = _S55;
-    (*at_9).front_0 = _S55;
+    var _S57 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_9).front_offset_0 = _S57;
+    (*at_9).front_0 = _S57;
     k_2 = u32(0);
     for(;;)
     {
@@ -847,16 +853,16 @@ fn shading_point_0( path_9 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> b
         (*at_9).inside_2[k_2] = surface_5.exact_0;
         k_2 = k_2 + u32(1);
     }
-    var _S56 : bool;
+    var _S58 : bool;
     if(material_1 != u32(4294967295))
     {
-        _S56 = has_smooth_0((*at_9).vertex_2.lobe_1);
+        _S58 = has_smooth_0((*at_9).vertex_2.lobe_1);
     }
     else
     {
-        _S56 = false;
+        _S58 = false;
     }
-    return _S56;
+    return _S58;
 }
 
 fn change_word_0( at_10 : u32) -> u32
@@ -893,33 +899,33 @@ fn product_0( a_6 : u32,  b_4 : u32) -> vec2<u32>
 
 fn times_0( a_7 : vec2<u32>,  b_5 : vec2<u32>) -> vec2<u32>
 {
-    var _S57 : u32 = a_7.x;
-    var _S58 : u32 = b_5.x;
-    var low_1 : vec2<u32> = product_0(_S57, _S58);
-    return vec2<u32>(low_1.x, low_1.y + _S57 * b_5.y + a_7.y * _S58);
+    var _S59 : u32 = a_7.x;
+    var _S60 : u32 = b_5.x;
+    var low_1 : vec2<u32> = product_0(_S59, _S60);
+    return vec2<u32>(low_1.x, low_1.y + _S59 * b_5.y + a_7.y * _S60);
 }
 
 fn plus_0( a_8 : vec2<u32>,  b_6 : vec2<u32>) -> vec2<u32>
 {
-    var _S59 : u32 = a_8.x;
-    var low_2 : u32 = _S59 + b_6.x;
-    var _S60 : u32 = a_8.y + b_6.y;
-    var _S61 : i32;
-    if(low_2 < _S59)
+    var _S61 : u32 = a_8.x;
+    var low_2 : u32 = _S61 + b_6.x;
+    var _S62 : u32 = a_8.y + b_6.y;
+    var _S63 : i32;
+    if(low_2 < _S61)
     {
-        _S61 = i32(1);
+        _S63 = i32(1);
     }
     else
     {
-        _S61 = i32(0);
+        _S63 = i32(0);
     }
-    return vec2<u32>(low_2, _S60 + u32(_S61));
+    return vec2<u32>(low_2, _S62 + u32(_S63));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S62 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S62 << ((u32(32) - by_0)))))), (_S62 >> (by_0)))));
+    var _S64 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S64 << ((u32(32) - by_0)))))), (_S64 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -1008,8 +1014,8 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_1) / distance_2, 0.0f) / squared_0;
     }
-    var _S63 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S63 * _S63 / (2.0f * (_S63 - max(lowest_0, -1.0f)) * squared_0);
+    var _S65 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S65 * _S65 / (2.0f * (_S65 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn emitter_view_0( emitter_2 : u32,  position_3 : vec3<f32>,  normal_1 : vec3<f32>) -> f32
@@ -1033,16 +1039,16 @@ struct Choice_0
 fn light_of_0( emitter_3 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_3, choice_0.position_4, choice_0.normal_2);
-    var _S64 : f32;
+    var _S66 : f32;
     if(view_0 > 0.0f)
     {
-        _S64 = 1.0f;
+        _S66 = 1.0f;
     }
     else
     {
-        _S64 = 0.0f;
+        _S66 = 0.0f;
     }
-    (*can_light_0) = _S64;
+    (*can_light_0) = _S66;
     return view_0 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -1053,13 +1059,13 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
     choice_1.normal_2 = vertex_4.axes_5.n_0;
     choice_1.all_0 = 0.0f;
     choice_1.lit_0 = 0.0f;
-    var _S65 : u32 = word_0(u32(6));
+    var _S67 : u32 = word_0(u32(6));
     var can_light_1 : f32;
     var i_1 : u32 = u32(0);
     var count_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S65)
+        if(i_1 < _S67)
         {
         }
         else
@@ -1071,36 +1077,36 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S66 : u32 = count_1 + u32(1);
-        if(_S65 > u32(32))
+        var _S68 : u32 = count_1 + u32(1);
+        if(_S67 > u32(32))
         {
-            count_1 = _S66;
+            count_1 = _S68;
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S67 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
-        choice_1.all_0 = choice_1.all_0 + _S67;
+        var _S69 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
+        choice_1.all_0 = choice_1.all_0 + _S69;
         choice_1.lit_0 = choice_1.lit_0 + can_light_1;
-        count_1 = _S66;
+        count_1 = _S68;
         i_1 = i_1 + u32(1);
     }
     (*probability_0) = 0.0f;
-    var _S68 : bool;
+    var _S70 : bool;
     if((choice_1.all_0) > 0.0f)
     {
-        _S68 = (choice_1.all_0) < 3.00000000549775576e+38f;
+        _S70 = (choice_1.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S68 = false;
+        _S70 = false;
     }
-    var _S69 : bool = !_S68;
+    var _S71 : bool = !_S70;
     var chosen_0 : u32 = u32(0);
     i_1 = u32(0);
     var rest_1 : f32 = u_0;
     for(;;)
     {
-        if(i_1 < _S65)
+        if(i_1 < _S67)
         {
         }
         else
@@ -1112,16 +1118,16 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S70 : f32 = 1.0f / f32(count_1);
+        var _S72 : f32 = 1.0f / f32(count_1);
         var own_0 : f32;
-        if(!_S69)
+        if(!_S71)
         {
             var light_0 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
             own_0 = 0.5f * can_light_1 / choice_1.lit_0 + 0.5f * light_0 / choice_1.all_0;
         }
         else
         {
-            own_0 = _S70;
+            own_0 = _S72;
         }
         var chosen_1 : u32;
         if(own_0 > 0.0f)
@@ -1179,9 +1185,9 @@ fn open_window_0( at_15 : ptr<function, ShadingPoint_0>) -> bool
     var before_0 : vec3<f64>;
     if(corners_0 > u32(0))
     {
-        var _S71 : u32 = window_0 + u32(1);
-        var normal_3 : vec3<f64> = edge_position_0(_S71);
-        var before_1 : vec3<f64> = edge_position_0(_S71 + u32(3) * corners_0) - apex_0;
+        var _S73 : u32 = window_0 + u32(1);
+        var normal_3 : vec3<f64> = edge_position_0(_S73);
+        var before_1 : vec3<f64> = edge_position_0(_S73 + u32(3) * corners_0) - apex_0;
         if((dot(normal_3, before_1)) >= 0.0lf)
         {
             return false;
@@ -1200,9 +1206,9 @@ fn open_window_0( at_15 : ptr<function, ShadingPoint_0>) -> bool
             }
             var offset_2 : vec3<f64> = edge_position_0(window_0 + u32(4) + u32(3) * k_3) - apex_0;
             (*at_15).inside_2[k_3] = exact_unit_0(cross(offset_2, before_0));
-            var _S72 : u32 = k_3 + u32(1);
+            var _S74 : u32 = k_3 + u32(1);
             before_0 = offset_2;
-            k_3 = _S72;
+            k_3 = _S74;
         }
         (*at_15).front_0 = vec3<f32>(normal_3);
         (*at_15).front_offset_0 = vec3<f32>(before_0);
@@ -1228,14 +1234,14 @@ fn open_window_0( at_15 : ptr<function, ShadingPoint_0>) -> bool
     var s_1 : vec3<f64> = exact_unit_0(cross(axis_1, before_0));
     var t_1 : vec3<f64> = cross(axis_1, s_1);
     (*at_15).planes_0 = u32(4);
-    var _S73 : vec3<f64> = axis_1 * vec3<f64>(sine_1);
-    var _S74 : vec3<f64> = vec3<f64>(cosine_2);
-    var _S75 : vec3<f64> = s_1 * _S74;
-    (*at_15).inside_2[i32(0)] = _S73 + _S75;
-    (*at_15).inside_2[i32(1)] = _S73 - _S75;
-    var _S76 : vec3<f64> = t_1 * _S74;
-    (*at_15).inside_2[i32(2)] = _S73 + _S76;
-    (*at_15).inside_2[i32(3)] = _S73 - _S76;
+    var _S75 : vec3<f64> = axis_1 * vec3<f64>(sine_1);
+    var _S76 : vec3<f64> = vec3<f64>(cosine_2);
+    var _S77 : vec3<f64> = s_1 * _S76;
+    (*at_15).inside_2[i32(0)] = _S75 + _S77;
+    (*at_15).inside_2[i32(1)] = _S75 - _S77;
+    var _S78 : vec3<f64> = t_1 * _S76;
+    (*at_15).inside_2[i32(2)] = _S75 + _S78;
+    (*at_15).inside_2[i32(3)] = _S75 - _S78;
     return true;
 }
 
@@ -1251,17 +1257,17 @@ fn is_blind_0() -> bool
 
 fn rests_0( motion_2 : VertexMotion_0) -> bool
 {
-    var _S77 : vec3<f32> = vec3<f32>(0.0f);
-    var _S78 : bool;
-    if((all(((motion_2.velocity_0) == _S77))))
+    var _S79 : vec3<f32> = vec3<f32>(0.0f);
+    var _S80 : bool;
+    if((all(((motion_2.velocity_0) == _S79))))
     {
-        _S78 = (all(((motion_2.rotation_0) == _S77)));
+        _S80 = (all(((motion_2.rotation_0) == _S79)));
     }
     else
     {
-        _S78 = false;
+        _S80 = false;
     }
-    return _S78;
+    return _S80;
 }
 
 fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_16 : ptr<function, ShadingPoint_0>) -> f32
@@ -1269,12 +1275,12 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_16 : ptr<function, Shadin
     var probability_1 : f32 = 1.0f;
     (*at_16).purpose_0 = purpose_2;
     (*at_16).planes_0 = u32(0);
-    var _S79 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_16).front_0 = _S79;
-    var _S80 : bool = purpose_2 == u32(2);
-    (*at_16).has_creases_0 = _S80;
+    var _S81 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_16).front_0 = _S81;
+    var _S82 : bool = purpose_2 == u32(2);
+    (*at_16).has_creases_0 = _S82;
     var tree_1 : u32;
-    if(_S80)
+    if(_S82)
     {
         tree_1 = u32(1);
     }
@@ -1284,35 +1290,35 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_16 : ptr<function, Shadin
     }
     (*at_16).motion_1 = (*at_16).whole_0;
     (*at_16).turns_0 = turns_1((*at_16).vertex_2);
-    var _S81 : bool;
+    var _S83 : bool;
     if(purpose_2 == u32(0))
     {
-        var _S82 : u32 = edge_word_0(u32(4));
+        var _S84 : u32 = edge_word_0(u32(4));
         (*at_16).turns_0 = false;
-        var _S83 : u32 = chosen_area_emitter_0((*at_16).vertex_2, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
-        (*at_16).emitter_0 = _S83;
+        var _S85 : u32 = chosen_area_emitter_0((*at_16).vertex_2, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
+        (*at_16).emitter_0 = _S85;
         if(!(probability_1 > 0.0f))
         {
-            _S81 = true;
+            _S83 = true;
         }
         else
         {
-            var _S84 : bool = open_window_0(&((*at_16)));
-            _S81 = !_S84;
+            var _S86 : bool = open_window_0(&((*at_16)));
+            _S83 = !_S86;
         }
-        if(_S81)
+        if(_S83)
         {
             return 0.0f;
         }
-        tree_1 = _S82;
+        tree_1 = _S84;
     }
     else
     {
         if(purpose_2 == u32(1))
         {
-            var _S85 : u32 = word_0(u32(8));
-            (*at_16).emitter_0 = _S85;
-            if(_S85 == u32(4294967295))
+            var _S87 : u32 = word_0(u32(8));
+            (*at_16).emitter_0 = _S87;
+            if(_S87 == u32(4294967295))
             {
                 return 0.0f;
             }
@@ -1324,32 +1330,32 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_16 : ptr<function, Shadin
     }
     if(!(*at_16).turns_0)
     {
-        (*at_16).motion_1.rotation_0 = _S79;
+        (*at_16).motion_1.rotation_0 = _S81;
     }
     if(!is_blind_0())
     {
-        _S81 = rests_0((*at_16).motion_1);
+        _S83 = rests_0((*at_16).motion_1);
     }
     else
     {
-        _S81 = false;
+        _S83 = false;
     }
-    if(_S81)
+    if(_S83)
     {
         tree_1 = tree_1 + u32(2);
     }
-    var _S86 : u32 = edge_word_0(tree_1);
-    (*at_16).tree_0 = _S86;
-    var _S87 : f32;
-    if(_S86 == u32(4294967295))
+    var _S88 : u32 = edge_word_0(tree_1);
+    (*at_16).tree_0 = _S88;
+    var _S89 : f32;
+    if(_S88 == u32(4294967295))
     {
-        _S87 = 0.0f;
+        _S89 = 0.0f;
     }
     else
     {
-        _S87 = probability_1;
+        _S89 = probability_1;
     }
-    return _S87;
+    return _S89;
 }
 
 fn subtree_of_launch_0() -> u32
@@ -1378,8 +1384,8 @@ fn subtrees_of_0( at_17 : ShadingPoint_0) -> u32
 fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f64
 {
     var bits_0 : vec2<u32> = random_bits_0(key_4, dimension_2);
-    var _S88 : u32 = bits_0.y;
-    return (f64((_S88 >> (u32(11)))) + f64((((_S88 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
+    var _S90 : u32 = bits_0.y;
+    return (f64((_S90 >> (u32(11)))) + f64((((_S90 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
 fn edge_number_0( at_18 : u32) -> f32
@@ -1459,16 +1465,16 @@ fn logarithm_0( x_4 : f32) -> f32
 
 fn direction_number_0( d_0 : vec3<f32>) -> u32
 {
-    var _S89 : i32;
+    var _S91 : i32;
     if((abs(d_0.y)) > (abs(d_0.x)))
     {
-        _S89 = i32(1);
+        _S91 = i32(1);
     }
     else
     {
-        _S89 = i32(0);
+        _S91 = i32(0);
     }
-    var axis_2 : u32 = u32(_S89);
+    var axis_2 : u32 = u32(_S91);
     var axis_3 : u32;
     if((abs(d_0.z)) > (abs(d_0[axis_2])))
     {
@@ -1478,34 +1484,34 @@ fn direction_number_0( d_0 : vec3<f32>) -> u32
     {
         axis_3 = axis_2;
     }
-    var _S90 : u32 = u32(8) * axis_3;
+    var _S92 : u32 = u32(8) * axis_3;
     if((d_0[axis_3]) < 0.0f)
     {
-        _S89 = i32(4);
+        _S91 = i32(4);
     }
     else
     {
-        _S89 = i32(0);
+        _S91 = i32(0);
     }
-    var _S91 : u32 = _S90 + u32(_S89);
+    var _S93 : u32 = _S92 + u32(_S91);
     if((d_0[(axis_3 + u32(1)) % u32(3)]) < 0.0f)
     {
-        _S89 = i32(2);
+        _S91 = i32(2);
     }
     else
     {
-        _S89 = i32(0);
+        _S91 = i32(0);
     }
-    var _S92 : u32 = _S91 + u32(_S89);
+    var _S94 : u32 = _S93 + u32(_S91);
     if((d_0[(axis_3 + u32(2)) % u32(3)]) < 0.0f)
     {
-        _S89 = i32(1);
+        _S91 = i32(1);
     }
     else
     {
-        _S89 = i32(0);
+        _S91 = i32(0);
     }
-    return _S92 + u32(_S89);
+    return _S94 + u32(_S91);
 }
 
 fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
@@ -1543,16 +1549,16 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
     var offset_8 : vec3<f32> = centre_1 - at_22.vertex_2.surface_3.position_1;
     var radius_4 : f32 = edge_number_0(node_3 + u32(7));
     var distance_5 : f32 = length(offset_8);
-    var _S93 : bool;
+    var _S95 : bool;
     if(!at_22.has_creases_0)
     {
-        _S93 = !may_have_silhouette_0(node_3, offset_8, distance_5);
+        _S95 = !may_have_silhouette_0(node_3, offset_8, distance_5);
     }
     else
     {
-        _S93 = false;
+        _S95 = false;
     }
-    if(_S93)
+    if(_S95)
     {
         return 0.0f;
     }
@@ -1561,9 +1567,9 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
         return 0.0f;
     }
     var cosine_5 : f32 = largest_cosine_0(at_22.vertex_2.surface_3.position_1, at_22.vertex_2.axes_5.n_0, centre_1, radius_4);
-    var _S94 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
+    var _S96 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
     var least_0 : f32 = edge_number_0(node_3 + u32(16));
-    var ratio_0 : f32 = _S94 / max(max(distance_5 * distance_5 - _S94, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
+    var ratio_0 : f32 = _S96 / max(max(distance_5 * distance_5 - _S96, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
     var visible_0 : f32;
     if(ratio_0 < 0.00100000004749745f)
     {
@@ -1573,7 +1579,7 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
     {
         visible_0 = logarithm_0(1.0f + ratio_0);
     }
-    var near_0 : f32 = visible_0 / _S94;
+    var near_0 : f32 = visible_0 / _S96;
     var visible_1 : f32 = edge_number_0(node_3 + u32(14));
     if(distance_5 > (edge_number_0(node_3 + u32(15))))
     {
@@ -1591,7 +1597,7 @@ fn descend_0( at_23 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>, 
     var nodes_at_0 : u32 = edge_word_0(at_23.tree_0);
     (*leaf_0) = nodes_at_0;
     (*probability_2) = 1.0f;
-    var _S95 : f64 = u_1;
+    var _S97 : f64 = u_1;
     for(;;)
     {
         if((edge_word_0((*leaf_0))) != u32(4294967295))
@@ -1606,24 +1612,24 @@ fn descend_0( at_23 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>, 
         var of_first_0 : f32 = importance_of_0(at_23, first_2);
         var of_second_0 : f32 = importance_of_0(at_23, second_1);
         var sum_0 : f32 = of_first_0 + of_second_0;
-        var _S96 : bool;
+        var _S98 : bool;
         if(sum_0 > 0.0f)
         {
-            _S96 = sum_0 < 3.00000000549775576e+38f;
+            _S98 = sum_0 < 3.00000000549775576e+38f;
         }
         else
         {
-            _S96 = false;
+            _S98 = false;
         }
-        if(!_S96)
+        if(!_S98)
         {
             return false;
         }
         var first_share_0 : f32 = of_first_0 / sum_0;
         var second_share_0 : f32 = of_second_0 / sum_0;
-        var _S97 : f64 = f64(first_share_0);
+        var _S99 : f64 = f64(first_share_0);
         var is_second_0 : bool;
-        if(_S95 >= _S97)
+        if(_S97 >= _S99)
         {
             is_second_0 = second_share_0 > 0.0f;
         }
@@ -1633,32 +1639,32 @@ fn descend_0( at_23 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>, 
         }
         if(is_second_0)
         {
-            _S95 = (_S95 - _S97) / f64(second_share_0);
+            _S97 = (_S97 - _S99) / f64(second_share_0);
         }
         else
         {
-            _S95 = min(_S95 / _S97, 1.0lf);
+            _S97 = min(_S97 / _S99, 1.0lf);
         }
-        var _S98 : f32;
+        var _S100 : f32;
         if(is_second_0)
         {
-            _S98 = second_share_0;
+            _S100 = second_share_0;
         }
         else
         {
-            _S98 = first_share_0;
+            _S100 = first_share_0;
         }
-        (*probability_2) = (*probability_2) * _S98;
-        var _S99 : u32;
+        (*probability_2) = (*probability_2) * _S100;
+        var _S101 : u32;
         if(is_second_0)
         {
-            _S99 = second_1;
+            _S101 = second_1;
         }
         else
         {
-            _S99 = first_2;
+            _S101 = first_2;
         }
-        (*leaf_0) = _S99;
+        (*leaf_0) = _S101;
     }
     return true;
 }
@@ -1686,92 +1692,44 @@ fn side_seen_0( from_0 : vec3<f64>,  tolerance_0 : f64,  normal_4 : u32,  length
 {
     var height_1 : f64 = dot(edge_position_0(normal_4), from_0);
     var least_1 : f64 = tolerance_0 * edge_real_0(length_0);
-    var _S100 : i32;
+    var _S102 : i32;
     if(height_1 > least_1)
     {
-        _S100 = i32(1);
+        _S102 = i32(1);
     }
     else
     {
-        _S100 = i32(0);
+        _S102 = i32(0);
     }
-    var _S101 : i32;
+    var _S103 : i32;
     if(height_1 < (- least_1))
     {
-        _S101 = i32(1);
+        _S103 = i32(1);
     }
     else
     {
-        _S101 = i32(0);
+        _S103 = i32(0);
     }
-    return _S100 - _S101;
+    return _S102 - _S103;
 }
 
 fn is_silhouette_0( at_25 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f64> = edge_position_0(edge_1.numbers_4);
     var tolerance_1 : f64 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_25.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S102 : vec3<f64> = at_25.vertex_2.surface_3.exact_0 - start_0;
-    return (side_seen_0(_S102, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S102, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
+    var _S104 : vec3<f64> = at_25.vertex_2.surface_3.exact_0 - start_0;
+    return (side_seen_0(_S104, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S104, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
 }
 
 fn factor_of_0( at_26 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
-    var _S103 : u32 = edge_2.record_7 + u32(2);
-    var a_9 : vec3<f32> = edge_vector_0(_S103);
-    var b_7 : vec3<f32> = edge_vector_0(_S103 + u32(3));
-    var _S104 : bool;
+    var _S105 : u32 = edge_2.record_7 + u32(2);
+    var a_9 : vec3<f32> = edge_vector_0(_S105);
+    var b_7 : vec3<f32> = edge_vector_0(_S105 + u32(3));
+    var _S106 : bool;
     if(!is_blind_0())
     {
-        _S104 = rests_0(at_26.motion_1);
-    }
-    else
-    {
-        _S104 = false;
-    }
-    if(_S104)
-    {
-        _S104 = (all((a_9 == vec3<f32>(0.0f))));
-    }
-    else
-    {
-        _S104 = false;
-    }
-    if(_S104)
-    {
-        _S104 = (all((b_7 == vec3<f32>(0.0f))));
-    }
-    else
-    {
-        _S104 = false;
-    }
-    if(_S104)
-    {
-        return 0.0f;
-    }
-    if(is_silhouette_0(at_26, edge_2))
-    {
-        return edge_number_0(edge_2.record_7);
-    }
-    var _S105 : f32;
-    if(at_26.has_creases_0)
-    {
-        _S105 = edge_number_0(edge_2.record_7 + u32(1));
-    }
-    else
-    {
-        _S105 = 0.0f;
-    }
-    return _S105;
-}
-
-fn is_clipped_0( at_27 : ShadingPoint_0,  a_10 : vec3<f64>,  b_8 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
-{
-    (*range_0) = vec2<f64>(0.0lf, 1.0lf);
-    var _S106 : bool;
-    if((dot(at_27.front_0, vec3<f32>(a_10) - at_27.front_offset_0)) < -3.99999998990097083e-06f)
-    {
-        _S106 = (dot(at_27.front_0, vec3<f32>(b_8) - at_27.front_offset_0)) < -3.99999998990097083e-06f;
+        _S106 = rests_0(at_26.motion_1);
     }
     else
     {
@@ -1779,9 +1737,57 @@ fn is_clipped_0( at_27 : ShadingPoint_0,  a_10 : vec3<f64>,  b_8 : vec3<f64>,  r
     }
     if(_S106)
     {
+        _S106 = (all((a_9 == vec3<f32>(0.0f))));
+    }
+    else
+    {
+        _S106 = false;
+    }
+    if(_S106)
+    {
+        _S106 = (all((b_7 == vec3<f32>(0.0f))));
+    }
+    else
+    {
+        _S106 = false;
+    }
+    if(_S106)
+    {
+        return 0.0f;
+    }
+    if(is_silhouette_0(at_26, edge_2))
+    {
+        return edge_number_0(edge_2.record_7);
+    }
+    var _S107 : f32;
+    if(at_26.has_creases_0)
+    {
+        _S107 = edge_number_0(edge_2.record_7 + u32(1));
+    }
+    else
+    {
+        _S107 = 0.0f;
+    }
+    return _S107;
+}
+
+fn is_clipped_0( at_27 : ShadingPoint_0,  a_10 : vec3<f64>,  b_8 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
+{
+    (*range_0) = vec2<f64>(0.0lf, 1.0lf);
+    var _S108 : bool;
+    if((dot(at_27.front_0, vec3<f32>(a_10) - at_27.front_offset_0)) < -3.99999998990097083e-06f)
+    {
+        _S108 = (dot(at_27.front_0, vec3<f32>(b_8) - at_27.front_offset_0)) < -3.99999998990097083e-06f;
+    }
+    else
+    {
+        _S108 = false;
+    }
+    if(_S108)
+    {
         return true;
     }
-    var _S107 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_10, a_10), dot(b_8, b_8)));
+    var _S109 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_10, a_10), dot(b_8, b_8)));
     var k_5 : u32 = u32(0);
     for(;;)
     {
@@ -1792,23 +1798,23 @@ fn is_clipped_0( at_27 : ShadingPoint_0,  a_10 : vec3<f64>,  b_8 : vec3<f64>,  r
         {
             break;
         }
-        var first_3 : f64 = dot(at_27.inside_2[k_5], a_10) + _S107;
-        var second_2 : f64 = dot(at_27.inside_2[k_5], b_8) + _S107;
-        var _S108 : bool = first_3 < 0.0lf;
-        if(_S108)
+        var first_3 : f64 = dot(at_27.inside_2[k_5], a_10) + _S109;
+        var second_2 : f64 = dot(at_27.inside_2[k_5], b_8) + _S109;
+        var _S110 : bool = first_3 < 0.0lf;
+        if(_S110)
         {
-            _S106 = second_2 < 0.0lf;
+            _S108 = second_2 < 0.0lf;
         }
         else
         {
-            _S106 = false;
+            _S108 = false;
         }
-        if(_S106)
+        if(_S108)
         {
             return true;
         }
         var crossing_0 : f64 = first_3 / (first_3 - second_2);
-        if(_S108)
+        if(_S110)
         {
             (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
         }
@@ -1841,52 +1847,52 @@ struct SeenEdge_0
 
 fn see_edge_0( at_28 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S109 : Edge_0 = edge_at_0(at_28, place_11);
-    (*seen_1).edge_3 = _S109;
-    var _S110 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4) - at_28.vertex_2.surface_3.exact_0;
-    (*seen_1).start_1 = _S110;
+    var _S111 : Edge_0 = edge_at_0(at_28, place_11);
+    (*seen_1).edge_3 = _S111;
+    var _S112 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4) - at_28.vertex_2.surface_3.exact_0;
+    (*seen_1).start_1 = _S112;
     var end_1 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_28.vertex_2.surface_3.exact_0;
-    (*seen_1).along_1 = end_1 - _S110;
+    (*seen_1).along_1 = end_1 - _S112;
     (*seen_1).far_0 = 1.0lf;
     (*seen_1).near_1 = 1.0lf;
     (*seen_1).chord_0 = 0.0f;
     (*seen_1).pieces_0 = 0.0f;
-    var _S111 : vec3<f32> = vec3<f32>(0.0f);
-    (*seen_1).to_0 = _S111;
-    (*seen_1).from_1 = _S111;
+    var _S113 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S113;
+    (*seen_1).from_1 = _S113;
     (*seen_1).range_1 = vec2<f64>(0.0lf, 1.0lf);
-    var _S112 : f32 = factor_of_0(at_28, _S109);
-    (*seen_1).factor_3 = _S112;
-    var _S113 : bool;
-    if(!(_S112 > 0.0f))
+    var _S114 : f32 = factor_of_0(at_28, _S111);
+    (*seen_1).factor_3 = _S114;
+    var _S115 : bool;
+    if(!(_S114 > 0.0f))
     {
-        _S113 = true;
+        _S115 = true;
     }
     else
     {
-        var _S114 : vec2<f64> = (*seen_1).range_1;
-        var _S115 : bool = is_clipped_0(at_28, (*seen_1).start_1, end_1, &(_S114));
-        (*seen_1).range_1 = _S114;
-        _S113 = _S115;
+        var _S116 : vec2<f64> = (*seen_1).range_1;
+        var _S117 : bool = is_clipped_0(at_28, (*seen_1).start_1, end_1, &(_S116));
+        (*seen_1).range_1 = _S116;
+        _S115 = _S117;
     }
-    if(_S113)
+    if(_S115)
     {
         return false;
     }
     var first_4 : vec3<f64> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f64>((*seen_1).range_1.x);
     var last_0 : vec3<f64> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f64>((*seen_1).range_1.y);
-    var _S116 : f64 = sqrt(dot(first_4, first_4));
-    (*seen_1).near_1 = _S116;
+    var _S118 : f64 = sqrt(dot(first_4, first_4));
+    (*seen_1).near_1 = _S118;
     (*seen_1).far_0 = sqrt(dot(last_0, last_0));
-    if(_S116 > 0.0lf)
+    if(_S118 > 0.0lf)
     {
-        _S113 = ((*seen_1).far_0) > 0.0lf;
+        _S115 = ((*seen_1).far_0) > 0.0lf;
     }
     else
     {
-        _S113 = false;
+        _S115 = false;
     }
-    if(!_S113)
+    if(!_S115)
     {
         return false;
     }
@@ -1913,8 +1919,8 @@ fn place_between_0( from_2 : f64,  to_1 : f64,  near_2 : f64,  far_1 : f64,  par
 
 fn velocity_on_0( at_29 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S117 : u32 = edge_4.record_7 + u32(2);
-    return mix(edge_vector_0(_S117), edge_vector_0(_S117 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_29.motion_1, offset_9);
+    var _S119 : u32 = edge_4.record_7 + u32(2);
+    return mix(edge_vector_0(_S119), edge_vector_0(_S119 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_29.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -1926,25 +1932,25 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_7 : f32,  pdf_1 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S118 : Mirrored_0;
-    _S118.cosine_6 = cosine_7;
-    _S118.pdf_0 = pdf_1;
-    _S118.scattered_0 = scattered_1;
-    return _S118;
+    var _S120 : Mirrored_0;
+    _S120.cosine_6 = cosine_7;
+    _S120.pdf_0 = pdf_1;
+    _S120.scattered_0 = scattered_1;
+    return _S120;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S119 : bool;
+    var _S121 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S119 = true;
+        _S121 = true;
     }
     else
     {
-        _S119 = (lobe_3.kind_1) == u32(4);
+        _S121 = (lobe_3.kind_1) == u32(4);
     }
-    return _S119;
+    return _S121;
 }
 
 struct Microfacets_0
@@ -1974,68 +1980,68 @@ fn exponential_0( x_5 : f32) -> f32
 
 fn density_0( facets_1 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S120 : f32 = m_3.z;
-    if(_S120 <= 0.0f)
+    var _S122 : f32 = m_3.z;
+    if(_S122 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_0 : vec2<f32> = m_3.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S120 * _S120;
+    var cos2_0 : f32 = _S122 * _S122;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_1 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_1 * sum_1);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S121 : f32;
+    var _S123 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S121 = 0.0f;
+        _S123 = 0.0f;
     }
     else
     {
-        _S121 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S123 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S121;
+    return _S123;
 }
 
 fn error_function_plus_one_0( x_6 : f32) -> vec2<f32>
 {
-    var _S122 : f32 = min(abs(x_6), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S122 * _S122);
-    var place_12 : f32 = (_S122 - 2.0f) / (_S122 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S122);
-    var _S123 : f32;
+    var _S124 : f32 = min(abs(x_6), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S124 * _S124);
+    var place_12 : f32 = (_S124 - 2.0f) / (_S124 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S124);
+    var _S125 : f32;
     if(x_6 < 0.0f)
     {
-        _S123 = complement_0;
+        _S125 = complement_0;
     }
     else
     {
-        _S123 = 2.0f - complement_0;
+        _S125 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S123, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S125, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_2.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S124 : f32 = w_2.z;
-    var z2_0 : f32 = _S124 * _S124;
+    var _S126 : f32 = w_2.z;
+    var z2_0 : f32 = _S126 * _S126;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S124 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S126 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S124;
+        return 1.0f / _S126;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S124 / spread_1);
-    return 2.0f / (_S124 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S126 / spread_1);
+    return 2.0f / (_S126 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
@@ -2043,9 +2049,9 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_0 : vec3<f32> = normalize(wi_3 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_6 = dot(wi_3, h_0);
-    var _S125 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
-    mirrored_1.pdf_0 = _S125;
-    mirrored_1.scattered_0 = _S125 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    var _S127 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
+    mirrored_1.pdf_0 = _S127;
+    mirrored_1.scattered_0 = _S127 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
@@ -2062,9 +2068,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S126 : bool = real_0 < 0.0f;
+    var _S128 : bool = real_0 < 0.0f;
     var a_11 : f32;
-    if(_S126)
+    if(_S128)
     {
         a_11 = smaller_0;
     }
@@ -2073,7 +2079,7 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
         a_11 = larger_0;
     }
     var b_9 : f32;
-    if(_S126)
+    if(_S128)
     {
         b_9 = larger_0;
     }
@@ -2083,9 +2089,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var less_0 : f32 = a_11 - cosine_8;
     var more_0 : f32 = a_11 + cosine_8;
-    var _S127 : f32 = b_9 * b_9;
+    var _S129 : f32 = b_9 * b_9;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S127) / (more_0 * more_0 + _S127) * p_sum_0 / (p_sum_0 + 2.0f * a_11 * cosine_8 * sin2_0);
+    return (less_0 * less_0 + _S129) / (more_0 * more_0 + _S129) * p_sum_0 / (p_sum_0 + 2.0f * a_11 * cosine_8 * sin2_0);
 }
 
 fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_7 : vec3<f32>) -> vec3<f32>
@@ -2123,10 +2129,10 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_11, eta_4);
     }
     var place_13 : f32 = cosine_11 * 63.0f;
-    var _S128 : u32 = min(u32(place_13), u32(62));
-    var at_30 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S128;
+    var _S130 : u32 = min(u32(place_13), u32(62));
+    var at_30 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S130;
     var here_0 : f32 = number_0(at_30);
-    return here_0 + (number_0(at_30 + u32(1)) - here_0) * (place_13 - f32(_S128));
+    return here_0 + (number_0(at_30 + u32(1)) - here_0) * (place_13 - f32(_S130));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2177,15 +2183,15 @@ struct Scattering_0
 fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S129 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S129 * 0.31830987334251404f;
+    var _S131 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S131 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattering_1.value_5 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
-    var _S130 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S132 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_7))
     {
@@ -2193,7 +2199,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     else
     {
-        by_facets_0 = _S130;
+        by_facets_0 = _S132;
     }
     if((lobe_7.kind_1) == u32(2))
     {
@@ -2203,7 +2209,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     var eta_7 : f32 = coat_eta_0(numbers_8);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_4.z);
-    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S129) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S131) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_8, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -2216,16 +2222,16 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
 
 fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
 {
-    var _S131 : bool;
+    var _S133 : bool;
     if((wo_2.z) <= 0.0f)
     {
-        _S131 = true;
+        _S133 = true;
     }
     else
     {
-        _S131 = !has_smooth_0(vertex_5.lobe_1);
+        _S133 = !has_smooth_0(vertex_5.lobe_1);
     }
-    if(_S131)
+    if(_S133)
     {
         return vec3<f32>(0.0f);
     }
@@ -2254,28 +2260,28 @@ fn still_0( value_7 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 {
-    var _S132 : f32 = abs(x_7);
-    var _S133 : f32 = abs(y_1);
-    var _S134 : f32 = min(_S132, _S133);
-    var _S135 : f32 = max(_S132, _S133);
-    var is_steep_0 : bool = _S134 > (0.41421356797218323f * _S135);
+    var _S134 : f32 = abs(x_7);
+    var _S135 : f32 = abs(y_1);
+    var _S136 : f32 = min(_S134, _S135);
+    var _S137 : f32 = max(_S134, _S135);
+    var is_steep_0 : bool = _S136 > (0.41421356797218323f * _S137);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S134 - _S135;
+        above_0 = _S136 - _S137;
     }
     else
     {
-        above_0 = _S134;
+        above_0 = _S136;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S134 + _S135;
+        below_0 = _S136 + _S137;
     }
     else
     {
-        below_0 = _S135;
+        below_0 = _S137;
     }
     if(below_0 > 0.0f)
     {
@@ -2296,7 +2302,7 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S133 > _S132)
+    if(_S135 > _S134)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -2317,8 +2323,8 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 
 fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
 {
-    var _S136 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S136) * vec3<f32>(direction_6.x) + vector_at_0(_S136 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S136 + u32(6)) * vec3<f32>(direction_6.z);
+    var _S138 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S138) * vec3<f32>(direction_6.x) + vector_at_0(_S138 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S138 + u32(6)) * vec3<f32>(direction_6.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -2335,11 +2341,11 @@ fn in_map_0( map_1 : u32,  direction_7 : vec3<f32>) -> Lookup_0
     var height_2 : i32 = i32(word_0(map_1 + u32(1)));
     var left_1 : u32 = wrapped_0(x_8, width_1, u32(0));
     var right_1 : u32 = wrapped_0(x_8 + i32(1), width_1, u32(0));
-    var _S137 : u32 = wrapped_0(y_2, height_2, u32(2));
-    var _S138 : u32 = u32(width_1);
-    var first_5 : u32 = _S137 * _S138;
-    var _S139 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
-    var second_3 : u32 = _S139 * _S138;
+    var _S139 : u32 = wrapped_0(y_2, height_2, u32(2));
+    var _S140 : u32 = u32(width_1);
+    var first_5 : u32 = _S139 * _S140;
+    var _S141 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S141 * _S140;
     return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_3 + left_1, second_3 + right_1), point_0);
 }
 
@@ -2349,34 +2355,34 @@ fn emitted_0( emitter_4 : u32,  place_15 : Place_0,  direction_8 : vec3<f32>) ->
     var texture_6 : u32 = word_0(record_8 + u32(1));
     if(!is_map_0(record_8))
     {
-        var _S140 : vec3<f32> = shown_0(texture_6, place_15);
-        return _S140;
+        var _S142 : vec3<f32> = shown_0(texture_6, place_15);
+        return _S142;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_4 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S141 : u32 = word_0(texture_6 + u32(11));
-    var _S142 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
-    return looked_up_0(_S141, _S142, change_1) * factor_4;
+    var _S143 : u32 = word_0(texture_6 + u32(11));
+    var _S144 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
+    return looked_up_0(_S143, _S144, change_1) * factor_4;
 }
 
 fn light_from_0( at_31 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
 {
     var light_1 : f32 = largest_0(scattered_from_0(at_31.vertex_2, direction_9));
-    var _S143 : bool;
+    var _S145 : bool;
     if((at_31.purpose_0) != u32(1))
     {
-        _S143 = true;
+        _S145 = true;
     }
     else
     {
-        _S143 = !(light_1 > 0.0f);
+        _S145 = !(light_1 > 0.0f);
     }
-    if(_S143)
+    if(_S145)
     {
         return light_1;
     }
-    var _S144 : vec3<f32> = emitted_0(at_31.emitter_0, at_31.vertex_2.surface_3.place_3, still_0(direction_9));
-    return light_1 * largest_0(value_of_0(_S144));
+    var _S146 : vec3<f32> = emitted_0(at_31.emitter_0, at_31.vertex_2.surface_3.place_3, still_0(direction_9));
+    return light_1 * largest_0(value_of_0(_S146));
 }
 
 fn weigh_0( at_32 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
@@ -2384,43 +2390,43 @@ fn weigh_0( at_32 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
     var t_4 : f32 = f32(place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, f64(part_1)));
-    var _S145 : vec3<f32> = vec3<f32>(seen_2.start_1 + seen_2.along_1 * vec3<f64>(f64(t_4)));
-    var _S146 : vec3<f32> = vec3<f32>(exact_unit_0(cross(seen_2.start_1, seen_2.along_1)));
-    var _S147 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
+    var _S147 : vec3<f32> = vec3<f32>(seen_2.start_1 + seen_2.along_1 * vec3<f64>(f64(t_4)));
+    var _S148 : vec3<f32> = vec3<f32>(exact_unit_0(cross(seen_2.start_1, seen_2.along_1)));
+    var _S149 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
     var speed_1 : f32;
     if(!is_blind_0())
     {
-        speed_1 = abs(dot(velocity_on_0(at_32, seen_2.edge_3, t_4, _S145), _S146));
+        speed_1 = abs(dot(velocity_on_0(at_32, seen_2.edge_3, t_4, _S147), _S148));
     }
     else
     {
-        speed_1 = _S147;
+        speed_1 = _S149;
     }
-    var speed_2 : f32 = speed_1 / length(_S145);
+    var speed_2 : f32 = speed_1 / length(_S147);
     var angle_2 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S148 : f32 = light_from_0(at_32, middle_1);
-    var contribution_0 : f32 = angle_2 * _S148 * speed_2;
-    var _S149 : vec2<f32>;
+    var _S150 : f32 = light_from_0(at_32, middle_1);
+    var contribution_0 : f32 = angle_2 * _S150 * speed_2;
+    var _S151 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
     {
-        _S149 = vec2<f32>(contribution_0, angle_2);
+        _S151 = vec2<f32>(contribution_0, angle_2);
     }
     else
     {
-        _S149 = vec2<f32>(0.0f);
+        _S151 = vec2<f32>(0.0f);
     }
-    return _S149;
+    return _S151;
 }
 
 fn multiplicity_0( at_33 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f64>,  normal_5 : vec3<f64>) -> f32
 {
-    var _S150 : vec3<f64> = cross(normal_5, direction_10);
-    var _S151 : u32 = edge_5.record_7 + u32(8);
-    var k_8 : u32 = edge_word_0(_S151);
+    var _S152 : vec3<f64> = cross(normal_5, direction_10);
+    var _S153 : u32 = edge_5.record_7 + u32(8);
+    var k_8 : u32 = edge_word_0(_S153);
     var count_3 : f32 = 1.0f;
     for(;;)
     {
-        if(k_8 < (edge_word_0(_S151 + u32(1))))
+        if(k_8 < (edge_word_0(_S153 + u32(1))))
         {
         }
         else
@@ -2435,27 +2441,27 @@ fn multiplicity_0( at_33 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec
         }
         var a_12 : vec3<f64> = edge_position_0(other_0.numbers_4) - at_33.vertex_2.surface_3.exact_0;
         var way_1 : vec3<f64> = edge_position_0(other_0.numbers_4 + u32(3)) - at_33.vertex_2.surface_3.exact_0 - a_12;
-        var place_16 : f64 = - dot(a_12, _S150) / dot(way_1, _S150);
+        var place_16 : f64 = - dot(a_12, _S152) / dot(way_1, _S152);
         var there_0 : vec3<f64> = a_12 + way_1 * vec3<f64>(place_16);
-        var _S152 : bool;
+        var _S154 : bool;
         if(place_16 >= 0.0lf)
         {
-            _S152 = place_16 <= 1.0lf;
+            _S154 = place_16 <= 1.0lf;
         }
         else
         {
-            _S152 = false;
+            _S154 = false;
         }
-        var _S153 : bool;
-        if(_S152)
+        var _S155 : bool;
+        if(_S154)
         {
-            _S153 = (dot(there_0, direction_10)) > 0.0lf;
+            _S155 = (dot(there_0, direction_10)) > 0.0lf;
         }
         else
         {
-            _S153 = false;
+            _S155 = false;
         }
-        if(!_S153)
+        if(!_S155)
         {
             k_8 = k_8 + u32(1);
             continue;
@@ -2505,11 +2511,11 @@ struct EdgePoint_0
 
 fn point_on_0( at_35 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f64,  part_of_all_0 : f32) -> EdgePoint_0
 {
-    var _S154 : f64 = seen_3.range_1.x;
-    var _S155 : f64 = seen_3.range_1.y;
-    var _S156 : f64 = f64(seen_3.pieces_0);
-    var first_6 : f64 = place_between_0(_S154, _S155, seen_3.near_1, seen_3.far_0, f64(piece_1) / _S156);
-    var last_1 : f64 = place_between_0(_S154, _S155, seen_3.near_1, seen_3.far_0, f64(piece_1 + 1.0f) / _S156);
+    var _S156 : f64 = seen_3.range_1.x;
+    var _S157 : f64 = seen_3.range_1.y;
+    var _S158 : f64 = f64(seen_3.pieces_0);
+    var first_6 : f64 = place_between_0(_S156, _S157, seen_3.near_1, seen_3.far_0, f64(piece_1) / _S158);
+    var last_1 : f64 = place_between_0(_S156, _S157, seen_3.near_1, seen_3.far_0, f64(piece_1 + 1.0f) / _S158);
     var a_14 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(first_6);
     var b_10 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(last_1);
     var near_3 : f64 = length_of_0(a_14);
@@ -2521,49 +2527,49 @@ fn point_on_0( at_35 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     var t_6 : f64 = place_between_0(first_6, last_1, near_3, far_2, inside_3);
     var offset_10 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(t_6);
     var point_1 : EdgePoint_0;
-    var _S157 : f64 = length_of_0(offset_10);
-    point_1.distance_6 = _S157;
-    var _S158 : vec3<f64> = offset_10 / vec3<f64>(_S157);
-    point_1.direction_11 = _S158;
-    var _S159 : vec3<f64> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
-    point_1.normal_6 = _S159;
+    var _S159 : f64 = length_of_0(offset_10);
+    point_1.distance_6 = _S159;
+    var _S160 : vec3<f64> = offset_10 / vec3<f64>(_S159);
+    point_1.direction_11 = _S160;
+    var _S161 : vec3<f64> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_1.normal_6 = _S161;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_5 = f32(t_6);
-    point_1.measure_0 = f32(angle_3 / _S157) / (part_of_all_0 * multiplicity_0(at_35, seen_3.edge_3, _S158, _S159));
+    point_1.measure_0 = f32(angle_3 / _S159) / (part_of_all_0 * multiplicity_0(at_35, seen_3.edge_3, _S160, _S161));
     var face_0 : vec3<f64> = face_normal_1(at_35);
     var least_2 : f64 = limit_at_0(u32(2));
-    var _S160 : bool;
+    var _S162 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
     {
-        _S160 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+        _S162 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
     }
     else
     {
-        _S160 = false;
+        _S162 = false;
     }
-    point_1.is_in_horizon_0 = _S160;
+    point_1.is_in_horizon_0 = _S162;
     return point_1;
 }
 
 fn component_0( v_8 : vec3<f64>,  axis_5 : u32) -> f64
 {
-    var _S161 : f64;
+    var _S163 : f64;
     if(axis_5 == u32(0))
     {
-        _S161 = v_8.x;
+        _S163 = v_8.x;
     }
     else
     {
         if(axis_5 == u32(1))
         {
-            _S161 = v_8.y;
+            _S163 = v_8.y;
         }
         else
         {
-            _S161 = v_8.z;
+            _S163 = v_8.z;
         }
     }
-    return _S161;
+    return _S163;
 }
 
 fn ray_child_0( node_4 : u32,  slot_2 : u32) -> u32
@@ -2583,7 +2589,7 @@ struct RayView_0
 
 fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32) -> f32
 {
-    var _S162 : u32 = u32(14) * node_5 + slot_3 / u32(4);
+    var _S164 : u32 = u32(14) * node_5 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -2596,36 +2602,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S163 : u32 = axis_6;
-        var _S164 : u32 = _S162 + u32(2) * axis_6;
-        var _S165 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S164][_S165])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S164 + u32(6)][_S165])));
-        var _S166 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S167 : f32;
-        if(_S166)
-        {
-            _S167 = high_0;
-        }
-        else
-        {
-            _S167 = low_3;
-        }
-        var _S168 : f32 = max(near_4, _S167 * view_1.inverse_1[_S163] - view_1.offset_near_0[axis_6]);
+        var _S165 : u32 = axis_6;
+        var _S166 : u32 = _S164 + u32(2) * axis_6;
+        var _S167 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S166][_S167])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S166 + u32(6)][_S167])));
+        var _S168 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
         var _S169 : f32;
-        if(_S166)
-        {
-            _S169 = low_3;
-        }
-        else
+        if(_S168)
         {
             _S169 = high_0;
         }
-        var _S170 : f32 = min(far_3, _S169 * view_1.inverse_1[_S163] - view_1.offset_far_0[axis_6]);
-        var _S171 : u32 = axis_6 + u32(1);
-        near_4 = _S168;
-        far_3 = _S170;
-        axis_6 = _S171;
+        else
+        {
+            _S169 = low_3;
+        }
+        var _S170 : f32 = max(near_4, _S169 * view_1.inverse_1[_S165] - view_1.offset_near_0[axis_6]);
+        var _S171 : f32;
+        if(_S168)
+        {
+            _S171 = low_3;
+        }
+        else
+        {
+            _S171 = high_0;
+        }
+        var _S172 : f32 = min(far_3, _S171 * view_1.inverse_1[_S165] - view_1.offset_far_0[axis_6]);
+        var _S173 : u32 = axis_6 + u32(1);
+        near_4 = _S170;
+        far_3 = _S172;
+        axis_6 = _S173;
     }
     if(near_4 <= far_3)
     {
@@ -2650,7 +2656,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S172 : u32 = k_9;
+        var _S174 : u32 = k_9;
         if((bounds_0[k_9]) > limit_2)
         {
             k_9 = k_9 + u32(1);
@@ -2667,24 +2673,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S173 : u32 = j_0;
-            var _S174 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S172]))
+            var _S175 : u32 = j_0;
+            var _S176 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S174]))
             {
-                _S174 = true;
+                _S176 = true;
             }
             else
             {
-                if((bounds_0[_S173]) == (bounds_0[_S172]))
+                if((bounds_0[_S175]) == (bounds_0[_S174]))
                 {
-                    _S174 = j_0 < k_9;
+                    _S176 = j_0 < k_9;
                 }
                 else
                 {
-                    _S174 = false;
+                    _S176 = false;
                 }
             }
-            if(_S174)
+            if(_S176)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -2709,16 +2715,16 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
         {
             break;
         }
-        var _S175 : f32;
+        var _S177 : f32;
         if((ray_child_0(node_6, slot_4)) == u32(4294967295))
         {
-            _S175 = 3.00000000549775576e+38f;
+            _S177 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S175 = ray_bound_0(view_2, limit_3, node_6, slot_4);
+            _S177 = ray_bound_0(view_2, limit_3, node_6, slot_4);
         }
-        bounds_1[slot_4] = _S175;
+        bounds_1[slot_4] = _S177;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -2768,46 +2774,46 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_37 : u32) -> Crossing_0
     var a_15 : vec3<f64> = corner_0(ray_1, axes_8, at_37);
     var b_11 : vec3<f64> = corner_0(ray_1, axes_8, at_37 + u32(3));
     var c_3 : vec3<f64> = corner_0(ray_1, axes_8, at_37 + u32(6));
-    var _S176 : f64 = c_3.x;
-    var _S177 : f64 = b_11.y;
-    var cx_by_0 : f64 = rounded_0(_S176 * _S177, ray_1.largest_2);
-    var _S178 : f64 = c_3.y;
-    var _S179 : f64 = b_11.x;
-    var cy_bx_0 : f64 = rounded_0(_S178 * _S179, ray_1.largest_2);
-    var _S180 : f64 = a_15.x;
-    var ax_cy_0 : f64 = rounded_0(_S180 * _S178, ray_1.largest_2);
-    var _S181 : f64 = a_15.y;
-    var ay_cx_0 : f64 = rounded_0(_S181 * _S176, ray_1.largest_2);
-    var bx_ay_0 : f64 = rounded_0(_S179 * _S181, ray_1.largest_2);
-    var by_ax_0 : f64 = rounded_0(_S177 * _S180, ray_1.largest_2);
+    var _S178 : f64 = c_3.x;
+    var _S179 : f64 = b_11.y;
+    var cx_by_0 : f64 = rounded_0(_S178 * _S179, ray_1.largest_2);
+    var _S180 : f64 = c_3.y;
+    var _S181 : f64 = b_11.x;
+    var cy_bx_0 : f64 = rounded_0(_S180 * _S181, ray_1.largest_2);
+    var _S182 : f64 = a_15.x;
+    var ax_cy_0 : f64 = rounded_0(_S182 * _S180, ray_1.largest_2);
+    var _S183 : f64 = a_15.y;
+    var ay_cx_0 : f64 = rounded_0(_S183 * _S178, ray_1.largest_2);
+    var bx_ay_0 : f64 = rounded_0(_S181 * _S183, ray_1.largest_2);
+    var by_ax_0 : f64 = rounded_0(_S179 * _S182, ray_1.largest_2);
     var u_2 : f64 = cx_by_0 - cy_bx_0;
     var v_10 : f64 = ax_cy_0 - ay_cx_0;
     var w_4 : f64 = bx_ay_0 - by_ax_0;
-    var _S182 : f64 = min(min(u_2, v_10), w_4);
-    var _S183 : f64 = max(max(u_2, v_10), w_4);
-    var _S184 : bool;
-    if(_S182 < 0.0lf)
+    var _S184 : f64 = min(min(u_2, v_10), w_4);
+    var _S185 : f64 = max(max(u_2, v_10), w_4);
+    var _S186 : bool;
+    if(_S184 < 0.0lf)
     {
-        _S184 = _S183 > 0.0lf;
+        _S186 = _S185 > 0.0lf;
     }
     else
     {
-        _S184 = false;
+        _S186 = false;
     }
-    if(_S184)
+    if(_S186)
     {
         return crossing_1;
     }
     var determinant_0 : f64 = u_2 + v_10 + w_4;
-    if(_S182 <= 0.0lf)
+    if(_S184 <= 0.0lf)
     {
-        _S184 = _S183 >= 0.0lf;
+        _S186 = _S185 >= 0.0lf;
     }
     else
     {
-        _S184 = false;
+        _S186 = false;
     }
-    if(_S184)
+    if(_S186)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -2821,13 +2827,13 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_37 : u32) -> Crossing_0
     var t_8 : f64 = (rounded_0(u_2 * a_15.z, ray_1.largest_2) + rounded_0(v_10 * b_11.z, ray_1.largest_2) + rounded_0(w_4 * c_3.z, ray_1.largest_2)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_8)
     {
-        _S184 = t_8 <= (ray_1.t_max_0);
+        _S186 = t_8 <= (ray_1.t_max_0);
     }
     else
     {
-        _S184 = false;
+        _S186 = false;
     }
-    crossing_1.is_hit_0 = _S184;
+    crossing_1.is_hit_0 = _S186;
     crossing_1.t_7 = t_8;
     crossing_1.v_9 = v_10 / determinant_0;
     crossing_1.w_3 = w_4 / determinant_0;
@@ -2849,7 +2855,7 @@ struct Found_0
 
 fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S185 : bool;
+    var _S187 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_7 = u32(4294967295);
@@ -2881,31 +2887,31 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S186 : u32 = way_2[level_0].y;
-        if(_S186 == u32(0))
+        var _S188 : u32 = way_2[level_0].y;
+        if(_S188 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S187 : u32 = level_0 - u32(1);
+            var _S189 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S187;
+            level_0 = _S189;
             continue;
         }
-        var slot_5 : u32 = ((_S186 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S186 >> (u32(4)));
-        var _S188 : bool;
+        var slot_5 : u32 = ((_S188 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S188 >> (u32(4)));
+        var _S190 : bool;
         if(!is_new_1)
         {
-            _S188 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+            _S190 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S188 = false;
+            _S190 = false;
         }
-        if(_S188)
+        if(_S190)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -2914,20 +2920,20 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S189 : u32 = level_0 + u32(1);
+            var _S191 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S189;
+            level_0 = _S191;
             continue;
         }
         var leaf_1 : u32 = (child_0 & (u32(2147483647)));
-        var _S190 : u32 = leaf_starts_0[leaf_1 + u32(1)];
-        var _S191 : u32 = leaf_starts_0[leaf_1];
+        var _S192 : u32 = leaf_starts_0[leaf_1 + u32(1)];
+        var _S193 : u32 = leaf_starts_0[leaf_1];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S191;
+        var i_2 : u32 = _S193;
         for(;;)
         {
-            if(i_2 < _S190)
+            if(i_2 < _S192)
             {
             }
             else
@@ -2942,23 +2948,23 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S185 = true;
+                _S187 = true;
             }
             else
             {
-                _S185 = (crossing_2.t_7) < ((*ray_2).t_max_0);
+                _S187 = (crossing_2.t_7) < ((*ray_2).t_max_0);
             }
-            var _S192 : bool;
-            if(_S185)
+            var _S194 : bool;
+            if(_S187)
             {
-                _S192 = true;
+                _S194 = true;
             }
             else
             {
-                _S192 = (face_1(i_2)) < (found_0.face_2);
+                _S194 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S192)
+            if(_S194)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_7 = i_2;
@@ -2976,13 +2982,13 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S185 = (found_0.face_2) != u32(4294967295);
+            _S187 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S185 = false;
+            _S187 = false;
         }
-        if(_S185)
+        if(_S187)
         {
             break;
         }
@@ -2996,34 +3002,34 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_9 : ptr<function, f32>) -> Found_0
 {
     var size_1 : vec3<f32> = abs(vec3<f32>(direction_12));
-    var _S193 : f32 = size_1.x;
-    var _S194 : f32 = size_1.y;
-    var _S195 : bool;
-    if(_S193 >= _S194)
+    var _S195 : f32 = size_1.x;
+    var _S196 : f32 = size_1.y;
+    var _S197 : bool;
+    if(_S195 >= _S196)
     {
-        _S195 = _S193 >= (size_1.z);
+        _S197 = _S195 >= (size_1.z);
     }
     else
     {
-        _S195 = false;
+        _S197 = false;
     }
-    var _S196 : i32;
-    if(_S195)
+    var _S198 : i32;
+    if(_S197)
     {
-        _S196 = i32(0);
+        _S198 = i32(0);
     }
     else
     {
-        if(_S194 >= (size_1.z))
+        if(_S196 >= (size_1.z))
         {
-            _S196 = i32(1);
+            _S198 = i32(1);
         }
         else
         {
-            _S196 = i32(2);
+            _S198 = i32(2);
         }
     }
-    var z_3 : u32 = u32(_S196);
+    var z_3 : u32 = u32(_S198);
     var x_9 : u32 = (z_3 + u32(1)) % u32(3);
     var y_3 : u32 = (z_3 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
@@ -3034,13 +3040,13 @@ fn cast_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,  t_m
     ray_3.shear_y_0 = component_0(direction_12, y_3) / along_2;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S197 : f64 = abs(along_2);
-    ray_3.local_per_t_0 = _S197;
+    var _S199 : f64 = abs(along_2);
+    ray_3.local_per_t_0 = _S199;
     ray_3.enter_0 = 0.0lf;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_2 = limit_at_0(u32(1));
     var view_4 : RayView_0;
-    var _S198 : vec3<f32> = vec3<f32>(direction_12 / vec3<f64>(_S197));
+    var _S200 : vec3<f32> = vec3<f32>(direction_12 / vec3<f64>(_S199));
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -3051,17 +3057,17 @@ fn cast_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,  t_m
         {
             break;
         }
-        var _S199 : f32 = max(abs(_S198[axis_7]), 8.67361737988403547e-19f);
-        var _S200 : f32;
-        if((_S198[axis_7]) < 0.0f)
+        var _S201 : f32 = max(abs(_S200[axis_7]), 8.67361737988403547e-19f);
+        var _S202 : f32;
+        if((_S200[axis_7]) < 0.0f)
         {
-            _S200 = -1.0f / _S199;
+            _S202 = -1.0f / _S201;
         }
         else
         {
-            _S200 = 1.0f / _S199;
+            _S202 = 1.0f / _S201;
         }
-        view_4.inverse_1[axis_7] = _S200;
+        view_4.inverse_1[axis_7] = _S202;
         axis_7 = axis_7 + u32(1);
     }
     var offset_11 : vec3<f32> = vec3<f32>(origin_1) * view_4.inverse_1;
@@ -3101,31 +3107,31 @@ fn look_0( at_38 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Sid
     {
         var face_3 : vec3<f64> = face_normal_1(at_38);
         var height_3 : f64 = limit_at_0(u32(2));
-        var _S201 : f64;
+        var _S203 : f64;
         if((dot(direction_14, face_3)) < 0.0lf)
         {
-            _S201 = - height_3;
+            _S203 = - height_3;
         }
         else
         {
-            _S201 = height_3;
+            _S203 = height_3;
         }
-        origin_2 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S201);
+        origin_2 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S203);
     }
     else
     {
         origin_2 = at_38.vertex_2.surface_3.exact_0;
     }
     var seen_4 : Side_0;
-    var _S202 : vec3<f32> = vec3<f32>(direction_14);
-    seen_4.direction_13 = _S202;
-    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, _S202);
-    var _S203 : f64 = limit_at_0(u32(2));
-    var _S204 : f64 = limit_at_0(u32(1));
-    var _S205 : f32 = seen_4.t_10;
-    var _S206 : Found_0 = cast_0(origin_2, direction_14, _S203, _S204, false, &(_S205));
-    seen_4.t_10 = _S205;
-    seen_4.found_2 = _S206;
+    var _S204 : vec3<f32> = vec3<f32>(direction_14);
+    seen_4.direction_13 = _S204;
+    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, _S204);
+    var _S205 : f64 = limit_at_0(u32(2));
+    var _S206 : f64 = limit_at_0(u32(1));
+    var _S207 : f32 = seen_4.t_10;
+    var _S208 : Found_0 = cast_0(origin_2, direction_14, _S205, _S206, false, &(_S207));
+    seen_4.t_10 = _S207;
+    seen_4.found_2 = _S208;
     return seen_4;
 }
 
@@ -3199,7 +3205,7 @@ fn set_vector_2( path_13 : u32,  which_11 : ptr<function, u32>,  value_11 : vec3
 
 fn place_of_0( found_3 : Found_0) -> Place_0
 {
-    return place_at_0(found_3.triangle_7, f32(found_3.v_11), f32(found_3.w_5));
+    return exact_place_0(found_3.triangle_7, found_3.v_11, found_3.w_5);
 }
 
 fn set_place_0( path_14 : u32,  which_12 : ptr<function, u32>,  place_17 : Place_0)
@@ -3207,7 +3213,9 @@ fn set_place_0( path_14 : u32,  which_12 : ptr<function, u32>,  place_17 : Place
     set_word_0(path_14, (*which_12), place_17.triangle_0);
     set_word_0(path_14, (*which_12) + u32(1), (bitcast<u32>((place_17.v_0))));
     set_word_0(path_14, (*which_12) + u32(2), (bitcast<u32>((place_17.w_0))));
-    (*which_12) = (*which_12) + u32(3);
+    set_word_0(path_14, (*which_12) + u32(3), (bitcast<u32>((place_17.v_rest_0))));
+    set_word_0(path_14, (*which_12) + u32(4), (bitcast<u32>((place_17.w_rest_0))));
+    (*which_12) = (*which_12) + u32(5);
     return;
 }
 
@@ -3218,10 +3226,10 @@ fn begin_side_0( number_1 : u32,  path_15 : Path_0,  side_2 : Side_0,  weight_0 
     set_vector_0(number_1, &(at_39), vec3<f32>(1.0f));
     set_vector_0(number_1, &(at_39), side_2.direction_13);
     set_place_0(number_1, &(at_39), place_of_0(side_2.found_2));
-    var _S207 : u32 = at_39 + u32(1);
+    var _S209 : u32 = at_39 + u32(1);
     set_word_0(number_1, at_39, path_15.key_0.x);
-    at_39 = _S207 + u32(1);
-    set_word_0(number_1, _S207, path_15.key_0.y);
+    at_39 = _S209 + u32(1);
+    set_word_0(number_1, _S209, path_15.key_0.y);
     set_vector_0(number_1, &(at_39), weight_0);
     return;
 }
@@ -3248,14 +3256,14 @@ fn begin_sides_of_0( at_40 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
         side_3 = side_3 + u32(1);
     }
     var nearest_0 : f32 = f32(point_4.distance_6) * 0.99999898672103882f;
-    var _S208 : bool;
+    var _S210 : bool;
     if((sides_0[i32(0)].found_2.face_2) == (sides_0[i32(1)].found_2.face_2))
     {
-        _S208 = (max(sides_0[i32(0)].t_10, sides_0[i32(1)].t_10)) < nearest_0;
+        _S210 = (max(sides_0[i32(0)].t_10, sides_0[i32(1)].t_10)) < nearest_0;
     }
     else
     {
-        _S208 = false;
+        _S210 = false;
     }
     var goes_on_1 : vec2<bool> = vec2<bool>(false, false);
     side_3 = u32(0);
@@ -3268,59 +3276,59 @@ fn begin_sides_of_0( at_40 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
         {
             break;
         }
-        var _S209 : bool;
-        if(_S208)
-        {
-            _S209 = true;
-        }
-        else
-        {
-            _S209 = (sides_0[side_3].found_2.face_2) == u32(4294967295);
-        }
-        var _S210 : bool;
-        if(_S209)
-        {
-            _S210 = true;
-        }
-        else
-        {
-            _S210 = !((largest_0(sides_0[side_3].scattered_2)) > 0.0f);
-        }
+        var _S211 : bool;
         if(_S210)
+        {
+            _S211 = true;
+        }
+        else
+        {
+            _S211 = (sides_0[side_3].found_2.face_2) == u32(4294967295);
+        }
+        var _S212 : bool;
+        if(_S211)
+        {
+            _S212 = true;
+        }
+        else
+        {
+            _S212 = !((largest_0(sides_0[side_3].scattered_2)) > 0.0f);
+        }
+        if(_S212)
         {
             side_3 = side_3 + u32(1);
             continue;
         }
-        var _S211 : vec3<f32> = factor_5 * sides_0[side_3].scattered_2;
-        var _S212 : f32;
+        var _S213 : vec3<f32> = factor_5 * sides_0[side_3].scattered_2;
+        var _S214 : f32;
         if(side_3 == u32(0))
         {
-            _S212 = 1.0f;
+            _S214 = 1.0f;
         }
         else
         {
-            _S212 = -1.0f;
+            _S214 = -1.0f;
         }
-        begin_side_0(side_path_0(number_of_path_3, side_3), path_16, sides_0[side_3], _S211 * vec3<f32>(_S212));
+        begin_side_0(side_path_0(number_of_path_3, side_3), path_16, sides_0[side_3], _S213 * vec3<f32>(_S214));
         goes_on_1[side_3] = true;
         side_3 = side_3 + u32(1);
     }
     var first_7 : u32 = side_path_0(number_of_path_3, u32(0));
-    var kept_1 : u32 = u32(18);
+    var kept_1 : u32 = u32(20);
     set_vector_1(first_7, &(kept_1), vec3<f32>(point_4.normal_6) * vec3<f32>(point_4.measure_0));
     set_vector_1(first_7, &(kept_1), offset_of_0(point_4));
-    var _S213 : u32 = kept_1;
-    var _S214 : u32 = kept_1 + u32(1);
-    kept_1 = _S214;
-    set_word_0(first_7, _S213, (bitcast<u32>((point_4.t_5))));
-    set_word_0(first_7, _S214, point_4.edge_6.record_7);
+    var _S215 : u32 = kept_1;
+    var _S216 : u32 = kept_1 + u32(1);
+    kept_1 = _S216;
+    set_word_0(first_7, _S215, (bitcast<u32>((point_4.t_5))));
+    set_word_0(first_7, _S216, point_4.edge_6.record_7);
     return goes_on_1;
 }
 
 fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_41 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_4 : u32,  path_17 : Path_0)
 {
-    var _S215 : vec2<bool> = begin_sides_of_0(at_41, point_5, number_of_path_4, path_17, (*crossed_2).factor_1);
-    (*crossed_2).goes_on_0 = _S215;
+    var _S217 : vec2<bool> = begin_sides_of_0(at_41, point_5, number_of_path_4, path_17, (*crossed_2).factor_1);
+    (*crossed_2).goes_on_0 = _S217;
     return;
 }
 
@@ -3374,15 +3382,15 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 contributions_1 = asked_0.same_0;
             }
             var points_1 : u32 = u32(ceil(contributions_1 - 0.00100000004749745f));
-            var _S216 : f32 = asked_0.over_all_0 * f32(points_1);
+            var _S218 : f32 = asked_0.over_all_0 * f32(points_1);
             var step_2 : f64 = f64(total_1) / f64(points_1);
-            var _S217 : f64 = step_2 * asked_0.place_18;
+            var _S219 : f64 = step_2 * asked_0.place_18;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S216;
+            over_all_1 = _S218;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S217;
+            target_1 = _S219;
         }
         else
         {
@@ -3397,16 +3405,16 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
         var target_2 : f64 = target_1;
         for(;;)
         {
-            var _S218 : bool;
+            var _S220 : bool;
             if(k_10 < (edge_word_0(leaf_2 + u32(3))))
             {
-                _S218 = drawn_1 < points_0;
+                _S220 = drawn_1 < points_0;
             }
             else
             {
-                _S218 = false;
+                _S220 = false;
             }
-            if(_S218)
+            if(_S220)
             {
             }
             else
@@ -3414,14 +3422,14 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 break;
             }
             var seen_5 : SeenEdge_0;
-            var _S219 : bool = see_edge_0(at_42, k_10, &(seen_5));
+            var _S221 : bool = see_edge_0(at_42, k_10, &(seen_5));
             var drawn_2 : u32;
             var contributions_2 : f32;
             var angles_2 : f32;
             var pieces_3 : f32;
             var cumulative_2 : f32;
             var target_3 : f64;
-            if(!_S219)
+            if(!_S221)
             {
                 drawn_2 = drawn_1;
                 contributions_2 = contributions_1;
@@ -3471,26 +3479,26 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 var target_4 : f64 = target_3;
                 for(;;)
                 {
-                    var _S220 : bool;
+                    var _S222 : bool;
                     if(drawn_3 < points_0)
                     {
-                        _S220 = target_4 < f64(cumulative_3);
+                        _S222 = target_4 < f64(cumulative_3);
                     }
                     else
                     {
-                        _S220 = false;
+                        _S222 = false;
                     }
-                    if(_S220)
+                    if(_S222)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var _S221 : u32 = drawn_3 + u32(1);
+                    var _S223 : u32 = drawn_3 + u32(1);
                     var target_5 : f64 = target_4 + step_1;
                     cross_at_0(&((*crossed_3)), at_42, point_on_0(at_42, seen_5, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_1 * own_1 / total_0), number_of_path_5, path_18);
-                    drawn_3 = _S221;
+                    drawn_3 = _S223;
                     target_4 = target_5;
                 }
                 cumulative_2 = cumulative_3;
@@ -3520,17 +3528,17 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
 fn sample_points_0( at_43 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : Path_0,  subtrees_0 : vec3<u32>,  crossed_4 : ptr<function, Crossed_0>)
 {
     var numbers_9 : u32 = numbers_for_0(at_43.purpose_0) + u32(1);
-    var _S222 : u32 = subtrees_0.x;
-    var _S223 : f64 = precise_random_0(path_19.key_0, numbers_9);
-    var _S224 : f64 = precise_random_0(path_19.key_0, numbers_9 + u32(1));
-    var first_8 : u32 = _S222;
+    var _S224 : u32 = subtrees_0.x;
+    var _S225 : f64 = precise_random_0(path_19.key_0, numbers_9);
+    var _S226 : f64 = precise_random_0(path_19.key_0, numbers_9 + u32(1));
+    var first_8 : u32 = _S224;
     var leaf_3 : u32 = u32(4294967295);
     var probability_4 : f32 = 1.0f;
-    var i_3 : u32 = _S222;
+    var i_3 : u32 = _S224;
     for(;;)
     {
-        var _S225 : u32 = subtrees_0.y;
-        if(i_3 <= _S225)
+        var _S227 : u32 = subtrees_0.y;
+        if(i_3 <= _S227)
         {
         }
         else
@@ -3539,24 +3547,11 @@ fn sample_points_0( at_43 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : 
         }
         var next_0 : u32 = u32(4294967295);
         var of_next_0 : f32 = 1.0f;
-        var _S226 : bool;
-        if(i_3 < _S225)
-        {
-            var _S227 : bool = descend_0(at_43, (f64(i_3) + _S223) / f64(subtrees_0.z), &(next_0), &(of_next_0));
-            _S226 = !_S227;
-        }
-        else
-        {
-            _S226 = false;
-        }
-        if(_S226)
-        {
-            next_0 = u32(4294967295);
-        }
         var _S228 : bool;
-        if(i_3 > first_8)
+        if(i_3 < _S227)
         {
-            _S228 = next_0 == leaf_3;
+            var _S229 : bool = descend_0(at_43, (f64(i_3) + _S225) / f64(subtrees_0.z), &(next_0), &(of_next_0));
+            _S228 = !_S229;
         }
         else
         {
@@ -3564,18 +3559,31 @@ fn sample_points_0( at_43 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : 
         }
         if(_S228)
         {
+            next_0 = u32(4294967295);
+        }
+        var _S230 : bool;
+        if(i_3 > first_8)
+        {
+            _S230 = next_0 == leaf_3;
+        }
+        else
+        {
+            _S230 = false;
+        }
+        if(_S230)
+        {
             i_3 = i_3 + u32(1);
             continue;
         }
         if(leaf_3 != u32(4294967295))
         {
             var asked_1 : Share_0;
-            var _S229 : f32 = f32(i_3 - first_8);
-            asked_1.same_0 = _S229;
-            var _S230 : f32 = _S229 / f32(subtrees_0.z);
-            asked_1.share_0 = _S230;
-            asked_1.over_all_0 = probability_4 / _S230;
-            asked_1.place_18 = _S224 + f64(0.6180340051651001f * f32(first_8));
+            var _S231 : f32 = f32(i_3 - first_8);
+            asked_1.same_0 = _S231;
+            var _S232 : f32 = _S231 / f32(subtrees_0.z);
+            asked_1.share_0 = _S232;
+            asked_1.over_all_0 = probability_4 / _S232;
+            asked_1.place_18 = _S226 + f64(0.6180340051651001f * f32(first_8));
             for(;;)
             {
                 if((asked_1.place_18) >= 1.0lf)
@@ -3611,18 +3619,18 @@ fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_20 : Path_0 = path_at_vertex_0(number_of_path_7, &(factor_6));
     var crossed_5 : Crossed_0 = nothing_crossed_0(factor_6);
     var at_44 : ShadingPoint_0;
-    var _S231 : bool = shading_point_0(path_20, &(at_44));
-    var _S232 : bool;
-    if(_S231)
+    var _S233 : bool = shading_point_0(path_20, &(at_44));
+    var _S234 : bool;
+    if(_S233)
     {
-        var _S233 : f32 = turn_to_0(u32(2), path_20.key_0, &(at_44));
-        _S232 = _S233 > 0.0f;
+        var _S235 : f32 = turn_to_0(u32(2), path_20.key_0, &(at_44));
+        _S234 = _S235 > 0.0f;
     }
     else
     {
-        _S232 = false;
+        _S234 = false;
     }
-    if(_S232)
+    if(_S234)
     {
         var own_2 : u32 = subtree_of_launch_0();
         sample_points_0(at_44, number_of_path_7, path_20, vec3<u32>(own_2, own_2 + u32(1), subtrees_of_0(at_44)), &(crossed_5));
@@ -3639,18 +3647,18 @@ fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         }
         var goes_on_2 : bool = crossed_5.goes_on_0[side_4];
         var number_2 : u32 = side_path_0(number_of_path_7, side_4);
-        var which_13 : u32 = u32(15);
-        var _S234 : u32 = u32(2) * listed_0 + side_4;
-        var _S235 : u32;
+        var which_13 : u32 = u32(17);
+        var _S236 : u32 = u32(2) * listed_0 + side_4;
+        var _S237 : u32;
         if(crossed_5.goes_on_0[side_4])
         {
-            _S235 = number_2;
+            _S237 = number_2;
         }
         else
         {
-            _S235 = u32(4294967295);
+            _S237 = u32(4294967295);
         }
-        set_word_0(_S234, u32(0), _S235);
+        set_word_0(_S236, u32(0), _S237);
         if(!goes_on_2)
         {
             set_vector_2(number_2, &(which_13), vec3<f32>(0.0f));

@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 6c39061bcedb282c
-// result: cf9dbbdc23319daa
+// source: dde1a58c472d4d9f
+// result: 946577530e5ba258
 
 struct Launch_std140_0
 {
@@ -63,29 +63,33 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+fn exact_place_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_0 = triangle_1;
     place_0.v_0 = v_1;
     place_0.w_0 = w_1;
+    place_0.v_rest_0 = 0.0f;
+    place_0.w_rest_0 = 0.0f;
     return place_0;
 }
 
 fn path_place_0( path_5 : u32,  which_5 : ptr<function, u32>) -> Place_0
 {
-    var _S4 : u32 = (*which_5) + u32(3);
+    var _S4 : u32 = (*which_5) + u32(5);
     (*which_5) = _S4;
-    return place_at_0(path_word_0(path_5, _S4 - u32(3)), (bitcast<f32>((path_word_0(path_5, _S4 - u32(2))))), (bitcast<f32>((path_word_0(path_5, _S4 - u32(1))))));
+    return exact_place_0(path_word_0(path_5, _S4 - u32(5)), (bitcast<f32>((path_word_0(path_5, _S4 - u32(4))))) + (bitcast<f32>((path_word_0(path_5, _S4 - u32(2))))), (bitcast<f32>((path_word_0(path_5, _S4 - u32(3))))) + (bitcast<f32>((path_word_0(path_5, _S4 - u32(1))))));
 }
 
 fn path_place_1( path_6 : u32,  which_6 : ptr<function, u32>) -> Place_0
 {
-    var _S5 : u32 = (*which_6) + u32(3);
+    var _S5 : u32 = (*which_6) + u32(5);
     (*which_6) = _S5;
-    return place_at_0(path_word_0(path_6, _S5 - u32(3)), (bitcast<f32>((path_word_0(path_6, _S5 - u32(2))))), (bitcast<f32>((path_word_0(path_6, _S5 - u32(1))))));
+    return exact_place_0(path_word_0(path_6, _S5 - u32(5)), (bitcast<f32>((path_word_0(path_6, _S5 - u32(4))))) + (bitcast<f32>((path_word_0(path_6, _S5 - u32(2))))), (bitcast<f32>((path_word_0(path_6, _S5 - u32(3))))) + (bitcast<f32>((path_word_0(path_6, _S5 - u32(1))))));
 }
 
 struct ByRay_0
@@ -132,7 +136,7 @@ fn depth_of_launch_0() -> u32
 
 fn kept_at_0( depth_1 : u32) -> u32
 {
-    return u32(31) + u32(27) * depth_1;
+    return u32(33) + u32(29) * depth_1;
 }
 
 fn path_at_vertex_0( number_of_path_1 : u32,  factor_0 : ptr<function, vec3<f32>>) -> Path_0
@@ -242,7 +246,7 @@ fn position_of_0( place_2 : Place_0) -> vec3<f32>
 {
     var at_3 : u32 = u32(9) * place_2.triangle_0;
     var a_0 : vec3<f32> = primitive_vector_0(at_3);
-    return a_0 + (primitive_vector_0(at_3 + u32(3)) - a_0) * vec3<f32>(place_2.v_0) + (primitive_vector_0(at_3 + u32(6)) - a_0) * vec3<f32>(place_2.w_0);
+    return a_0 + (primitive_vector_0(at_3 + u32(3)) - a_0) * vec3<f32>((place_2.v_0 + place_2.v_rest_0)) + (primitive_vector_0(at_3 + u32(6)) - a_0) * vec3<f32>((place_2.w_0 + place_2.w_rest_0));
 }
 
 fn cross_of_0( triangle_4 : u32) -> vec3<f32>
@@ -1899,7 +1903,7 @@ fn see_edge_0( at_28 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, 
     {
         longest_0 = 0.05000000074505806f;
     }
-    (*seen_1).pieces_0 = clamp(ceil((*seen_1).chord_0 / longest_0), 1.0f, 32.0f);
+    (*seen_1).pieces_0 = clamp(ceil((*seen_1).chord_0 / longest_0 - 0.00100000004749745f), 1.0f, 32.0f);
     return true;
 }
 
@@ -3194,7 +3198,7 @@ fn set_vector_2( path_13 : u32,  which_11 : ptr<function, u32>,  value_11 : vec3
 
 fn place_of_0( found_3 : Found_0) -> Place_0
 {
-    return place_at_0(found_3.triangle_7, found_3.v_11, found_3.w_5);
+    return exact_place_0(found_3.triangle_7, found_3.v_11, found_3.w_5);
 }
 
 fn set_place_0( path_14 : u32,  which_12 : ptr<function, u32>,  place_17 : Place_0)
@@ -3202,7 +3206,9 @@ fn set_place_0( path_14 : u32,  which_12 : ptr<function, u32>,  place_17 : Place
     set_word_0(path_14, (*which_12), place_17.triangle_0);
     set_word_0(path_14, (*which_12) + u32(1), (bitcast<u32>((place_17.v_0))));
     set_word_0(path_14, (*which_12) + u32(2), (bitcast<u32>((place_17.w_0))));
-    (*which_12) = (*which_12) + u32(3);
+    set_word_0(path_14, (*which_12) + u32(3), (bitcast<u32>((place_17.v_rest_0))));
+    set_word_0(path_14, (*which_12) + u32(4), (bitcast<u32>((place_17.w_rest_0))));
+    (*which_12) = (*which_12) + u32(5);
     return;
 }
 
@@ -3301,7 +3307,7 @@ fn begin_sides_of_0( at_40 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
         side_3 = side_3 + u32(1);
     }
     var first_7 : u32 = side_path_0(number_of_path_3, u32(0));
-    var kept_1 : u32 = u32(18);
+    var kept_1 : u32 = u32(20);
     set_vector_1(first_7, &(kept_1), point_4.normal_7 * vec3<f32>(point_4.measure_0));
     set_vector_1(first_7, &(kept_1), offset_of_0(point_4));
     var _S207 : u32 = kept_1;
@@ -3367,7 +3373,7 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
             {
                 target_1 = asked_0.same_0;
             }
-            var points_1 : u32 = u32(ceil(target_1));
+            var points_1 : u32 = u32(ceil(target_1 - 0.00100000004749745f));
             var _S210 : f32 = f32(points_1);
             var _S211 : f32 = asked_0.over_all_0 * _S210;
             var step_2 : f32 = total_1 / _S210;
@@ -3634,7 +3640,7 @@ fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         }
         var goes_on_2 : bool = crossed_5.goes_on_0[side_4];
         var number_2 : u32 = side_path_0(number_of_path_7, side_4);
-        var which_13 : u32 = u32(15);
+        var which_13 : u32 = u32(17);
         var _S229 : u32 = u32(2) * listed_0 + side_4;
         var _S230 : u32;
         if(crossed_5.goes_on_0[side_4])

@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: bfe7146e05bcf113
-// result: 5d87f7209a53f708
+// source: 010f036b002600e8
+// result: d288fbc2335820fa
 
 struct Launch_std140_0
 {
@@ -206,24 +206,28 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
      change_2 : vec2<f32>,
 };
 
-fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+fn exact_place_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_0 = triangle_1;
     place_0.v_0 = v_1;
     place_0.w_0 = w_1;
+    place_0.v_rest_0 = 0.0f;
+    place_0.w_rest_0 = 0.0f;
     place_0.change_2 = vec2<f32>(0.0f);
     return place_0;
 }
 
 fn path_place_0( path_4 : u32,  which_4 : ptr<function, u32>) -> Place_0
 {
-    var _S46 : u32 = (*which_4) + u32(3);
+    var _S46 : u32 = (*which_4) + u32(5);
     (*which_4) = _S46;
-    return place_at_0(path_word_0(path_4, _S46 - u32(3)), (bitcast<f32>((path_word_0(path_4, _S46 - u32(2))))), (bitcast<f32>((path_word_0(path_4, _S46 - u32(1))))));
+    return exact_place_0(path_word_0(path_4, _S46 - u32(5)), (bitcast<f32>((path_word_0(path_4, _S46 - u32(4))))) + (bitcast<f32>((path_word_0(path_4, _S46 - u32(2))))), (bitcast<f32>((path_word_0(path_4, _S46 - u32(3))))) + (bitcast<f32>((path_word_0(path_4, _S46 - u32(1))))));
 }
 
 struct Path_0
@@ -306,7 +310,7 @@ fn position_of_0( place_2 : Place_0) -> vec3<f32>
 {
     var at_3 : u32 = u32(9) * place_2.triangle_0;
     var a_1 : vec3<f32> = primitive_vector_0(at_3);
-    return a_1 + (primitive_vector_0(at_3 + u32(3)) - a_1) * vec3<f32>(place_2.v_0) + (primitive_vector_0(at_3 + u32(6)) - a_1) * vec3<f32>(place_2.w_0);
+    return a_1 + (primitive_vector_0(at_3 + u32(3)) - a_1) * vec3<f32>((place_2.v_0 + place_2.v_rest_0)) + (primitive_vector_0(at_3 + u32(6)) - a_1) * vec3<f32>((place_2.w_0 + place_2.w_rest_0));
 }
 
 fn cross_of_0( triangle_4 : u32) -> vec3<f32>
@@ -2228,7 +2232,7 @@ fn see_edge_0( at_33 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, 
     {
         longest_0 = 0.05000000074505806f;
     }
-    (*seen_1).pieces_0 = clamp(ceil((*seen_1).chord_0 / longest_0), 1.0f, 32.0f);
+    (*seen_1).pieces_0 = clamp(ceil((*seen_1).chord_0 / longest_0 - 0.00100000004749745f), 1.0f, 32.0f);
     return true;
 }
 
@@ -3634,7 +3638,7 @@ fn set_vector_1( path_10 : u32,  which_8 : ptr<function, u32>,  value_12 : vec3<
 
 fn place_of_0( found_3 : Found_0) -> Place_0
 {
-    return place_at_0(found_3.triangle_8, found_3.v_11, found_3.w_5);
+    return exact_place_0(found_3.triangle_8, found_3.v_11, found_3.w_5);
 }
 
 fn set_place_0( path_11 : u32,  which_9 : ptr<function, u32>,  place_20 : Place_0)
@@ -3642,7 +3646,9 @@ fn set_place_0( path_11 : u32,  which_9 : ptr<function, u32>,  place_20 : Place_
     set_word_0(path_11, (*which_9), place_20.triangle_0);
     set_word_0(path_11, (*which_9) + u32(1), (bitcast<u32>((place_20.v_0))));
     set_word_0(path_11, (*which_9) + u32(2), (bitcast<u32>((place_20.w_0))));
-    (*which_9) = (*which_9) + u32(3);
+    set_word_0(path_11, (*which_9) + u32(3), (bitcast<u32>((place_20.v_rest_0))));
+    set_word_0(path_11, (*which_9) + u32(4), (bitcast<u32>((place_20.w_rest_0))));
+    (*which_9) = (*which_9) + u32(5);
     return;
 }
 
@@ -3798,7 +3804,7 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
             {
                 target_1 = asked_0.same_0;
             }
-            var points_1 : u32 = u32(ceil(target_1));
+            var points_1 : u32 = u32(ceil(target_1 - 0.00100000004749745f));
             var _S338 : f32 = f32(points_1);
             var _S339 : f32 = asked_0.over_all_0 * _S338;
             var step_2 : f32 = total_1 / _S338;
@@ -4065,7 +4071,7 @@ fn begin_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         }
         var goes_on_2 : bool = crossed_5.goes_on_0[side_4];
         var number_2 : u32 = side_path_0(number_of_path_7, side_4);
-        var which_10 : u32 = u32(15);
+        var which_10 : u32 = u32(17);
         var _S357 : u32 = u32(2) * listed_0 + side_4;
         var _S358 : u32;
         if(crossed_5.goes_on_0[side_4])

@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 95b42daadb5b97e0
-// result: a6c579f7004c1129
+// source: dde1a58c472d4d9f
+// result: bc21edf0fe400137
 
 struct Launch_std140_0
 {
@@ -687,29 +687,35 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+fn exact_place_0( triangle_1 : u32,  v_1 : f64,  w_1 : f64) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_0 = triangle_1;
-    place_0.v_0 = v_1;
-    place_0.w_0 = w_1;
+    var _S185 : f32 = f32(v_1);
+    place_0.v_0 = _S185;
+    var _S186 : f32 = f32(w_1);
+    place_0.w_0 = _S186;
+    place_0.v_rest_0 = f32(v_1 - f64(_S185));
+    place_0.w_rest_0 = f32(w_1 - f64(_S186));
     return place_0;
 }
 
 fn path_place_0( path_6 : u32,  which_6 : ptr<function, u32>) -> Place_0
 {
-    var _S185 : u32 = (*which_6) + u32(3);
-    (*which_6) = _S185;
-    return place_at_0(path_word_0(path_6, _S185 - u32(3)), (bitcast<f32>((path_word_0(path_6, _S185 - u32(2))))), (bitcast<f32>((path_word_0(path_6, _S185 - u32(1))))));
+    var _S187 : u32 = (*which_6) + u32(5);
+    (*which_6) = _S187;
+    return exact_place_0(path_word_0(path_6, _S187 - u32(5)), f64((bitcast<f32>((path_word_0(path_6, _S187 - u32(4)))))) + f64((bitcast<f32>((path_word_0(path_6, _S187 - u32(2)))))), f64((bitcast<f32>((path_word_0(path_6, _S187 - u32(3)))))) + f64((bitcast<f32>((path_word_0(path_6, _S187 - u32(1)))))));
 }
 
 fn path_place_1( path_7 : u32,  which_7 : ptr<function, u32>) -> Place_0
 {
-    var _S186 : u32 = (*which_7) + u32(3);
-    (*which_7) = _S186;
-    return place_at_0(path_word_0(path_7, _S186 - u32(3)), (bitcast<f32>((path_word_0(path_7, _S186 - u32(2))))), (bitcast<f32>((path_word_0(path_7, _S186 - u32(1))))));
+    var _S188 : u32 = (*which_7) + u32(5);
+    (*which_7) = _S188;
+    return exact_place_0(path_word_0(path_7, _S188 - u32(5)), f64((bitcast<f32>((path_word_0(path_7, _S188 - u32(4)))))) + f64((bitcast<f32>((path_word_0(path_7, _S188 - u32(2)))))), f64((bitcast<f32>((path_word_0(path_7, _S188 - u32(3)))))) + f64((bitcast<f32>((path_word_0(path_7, _S188 - u32(1)))))));
 }
 
 struct ByRay_0
@@ -733,18 +739,18 @@ fn load_0( number_of_path_0 : u32) -> Path_0
 {
     var at_0 : u32 = u32(1);
     var path_8 : Path_0;
-    var _S187 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
-    path_8.adjoint_0 = _S187;
+    var _S189 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
+    path_8.adjoint_0 = _S189;
     path_8.distance_0 = 0.0f;
-    var _S188 : vec3<f32> = vec3<f32>(0.0f);
-    path_8.by_ray_0.direction_0 = _S188;
-    path_8.by_ray_0.drift_0 = _S188;
-    var _S189 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
-    path_8.throughput_0 = _S189;
-    var _S190 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
-    path_8.direction_1 = _S190;
-    var _S191 : Place_0 = path_place_0(number_of_path_0, &(at_0));
-    path_8.place_1 = _S191;
+    var _S190 : vec3<f32> = vec3<f32>(0.0f);
+    path_8.by_ray_0.direction_0 = _S190;
+    path_8.by_ray_0.drift_0 = _S190;
+    var _S191 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
+    path_8.throughput_0 = _S191;
+    var _S192 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
+    path_8.direction_1 = _S192;
+    var _S193 : Place_0 = path_place_0(number_of_path_0, &(at_0));
+    path_8.place_1 = _S193;
     path_8.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_0), path_word_0(number_of_path_0, at_0 + u32(1)));
     return path_8;
 }
@@ -756,19 +762,19 @@ fn depth_of_launch_0() -> u32
 
 fn kept_at_0( depth_1 : u32) -> u32
 {
-    return u32(31) + u32(27) * depth_1;
+    return u32(33) + u32(29) * depth_1;
 }
 
 fn path_at_vertex_0( number_of_path_1 : u32,  factor_0 : ptr<function, vec3<f32>>) -> Path_0
 {
     var path_9 : Path_0 = load_0(number_of_path_1);
     var kept_0 : u32 = kept_at_0(depth_of_launch_0());
-    var _S192 : vec3<f32> = path_vector_2(number_of_path_1, &(kept_0));
-    (*factor_0) = _S192;
-    var _S193 : Place_0 = path_place_1(number_of_path_1, &(kept_0));
-    path_9.place_1 = _S193;
     var _S194 : vec3<f32> = path_vector_2(number_of_path_1, &(kept_0));
-    path_9.direction_1 = _S194;
+    (*factor_0) = _S194;
+    var _S195 : Place_0 = path_place_1(number_of_path_1, &(kept_0));
+    path_9.place_1 = _S195;
+    var _S196 : vec3<f32> = path_vector_2(number_of_path_1, &(kept_0));
+    path_9.direction_1 = _S196;
     return path_9;
 }
 
@@ -801,7 +807,7 @@ fn position_of_0( place_2 : Place_0) -> vec3<f64>
 {
     var at_3 : u32 = u32(9) * place_2.triangle_0;
     var a_2 : vec3<f64> = primitive_vector_0(at_3);
-    return a_2 + (primitive_vector_0(at_3 + u32(3)) - a_2) * vec3<f64>(f64(place_2.v_0)) + (primitive_vector_0(at_3 + u32(6)) - a_2) * vec3<f64>(f64(place_2.w_0));
+    return a_2 + (primitive_vector_0(at_3 + u32(3)) - a_2) * vec3<f64>((f64(place_2.v_0) + f64(place_2.v_rest_0))) + (primitive_vector_0(at_3 + u32(6)) - a_2) * vec3<f64>((f64(place_2.w_0) + f64(place_2.w_rest_0)));
 }
 
 fn cross_of_0( triangle_4 : u32) -> vec3<f32>
@@ -842,14 +848,14 @@ fn surface_at_0( place_4 : Place_0,  direction_2 : vec3<f32>) -> Surface_0
     var surface_0 : Surface_0;
     surface_0.place_3 = place_4;
     surface_0.shape_0 = shape_of_0(place_4.triangle_0);
-    var _S195 : vec3<f64> = position_of_0(place_4);
-    surface_0.exact_0 = _S195;
-    surface_0.position_0 = vec3<f32>(_S195);
-    var _S196 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
-    surface_0.face_normal_0 = _S196;
-    surface_0.outward_0 = _S196;
+    var _S197 : vec3<f64> = position_of_0(place_4);
+    surface_0.exact_0 = _S197;
+    surface_0.position_0 = vec3<f32>(_S197);
+    var _S198 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
+    surface_0.face_normal_0 = _S198;
+    surface_0.outward_0 = _S198;
     var seen_0 : f32;
-    if((dot(_S196, direction_2)) > 0.0f)
+    if((dot(_S198, direction_2)) > 0.0f)
     {
         seen_0 = -1.0f;
     }
@@ -876,16 +882,16 @@ fn surface_at_0( place_4 : Place_0,  direction_2 : vec3<f32>) -> Surface_0
 
 fn material_of_0( surface_1 : Surface_0) -> u32
 {
-    var _S197 : u32;
+    var _S199 : u32;
     if(surface_1.is_front_0)
     {
-        _S197 = u32(2);
+        _S199 = u32(2);
     }
     else
     {
-        _S197 = u32(3);
+        _S199 = u32(3);
     }
-    return word_0(surface_1.shape_0 + _S197);
+    return word_0(surface_1.shape_0 + _S199);
 }
 
 struct Numbers_0
@@ -900,11 +906,11 @@ struct Numbers_0
 fn no_numbers_0() -> Numbers_0
 {
     var numbers_0 : Numbers_0;
-    var _S198 : vec3<f32> = vec3<f32>(0.0f);
-    numbers_0.k_0 = _S198;
-    numbers_0.eta_0 = _S198;
-    numbers_0.specular_reflectance_0 = _S198;
-    numbers_0.diffuse_reflectance_0 = _S198;
+    var _S200 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_0.k_0 = _S200;
+    numbers_0.eta_0 = _S200;
+    numbers_0.specular_reflectance_0 = _S200;
+    numbers_0.diffuse_reflectance_0 = _S200;
     numbers_0.alpha_0 = vec2<f32>(0.0f);
     return numbers_0;
 }
@@ -924,9 +930,9 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    var _S199 : vec4<f32> = vec4<f32>(0.0f);
-    lookup_0.by_second_0 = _S199;
-    lookup_0.by_first_0 = _S199;
+    var _S201 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S201;
+    lookup_0.by_first_0 = _S201;
     return lookup_0;
 }
 
@@ -939,11 +945,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_6 : vec2<f32>,  b_3 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
 {
-    var _S200 : Corners2_0;
-    _S200.a_5 = a_6;
-    _S200.b_2 = b_3;
-    _S200.c_1 = c_2;
-    return _S200;
+    var _S202 : Corners2_0;
+    _S202.a_5 = a_6;
+    _S202.b_2 = b_3;
+    _S202.c_1 = c_2;
+    return _S202;
 }
 
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
@@ -1016,13 +1022,13 @@ fn between_0( texels_1 : vec4<u32>,  place_5 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S201 : f32 = back_0.x;
-    var _S202 : f32 = back_0.y;
-    var _S203 : f32 = way_0.x;
-    var _S204 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S201 * _S202, _S203 * _S202, _S201 * _S204, _S203 * _S204);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S202, _S202, - _S204, _S204);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S201, - _S203, _S201, _S203);
+    var _S203 : f32 = back_0.x;
+    var _S204 : f32 = back_0.y;
+    var _S205 : f32 = way_0.x;
+    var _S206 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S203 * _S204, _S205 * _S204, _S203 * _S206, _S205 * _S206);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S204, _S204, - _S206, _S206);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S203, - _S205, _S203, _S205);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_5.by_first_1.x) + by_y_0 * vec4<f32>(place_5.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_5.by_second_1.x) + by_y_0 * vec4<f32>(place_5.by_second_1.y);
     return lookup_1;
@@ -1038,22 +1044,22 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_6.y), height_0, wrap_1);
-        var _S205 : u32 = row_0 * u32(width_0);
-        var _S206 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
-        return one_texel_0(_S205 + _S206);
+        var _S207 : u32 = row_0 * u32(width_0);
+        var _S208 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
+        return one_texel_0(_S207 + _S208);
     }
     var centred_0 : Point_0;
-    var _S207 : vec2<f32> = place_6 - vec2<f32>(0.5f);
-    centred_0.value_1 = _S207;
+    var _S209 : vec2<f32> = place_6 - vec2<f32>(0.5f);
+    centred_0.value_1 = _S209;
     centred_0.by_first_1 = uv_0.by_first_1 * size_0;
     centred_0.by_second_1 = uv_0.by_second_1 * size_0;
-    var x_5 : i32 = floor_of_0(_S207.x);
-    var y_1 : i32 = floor_of_0(_S207.y);
-    var _S208 : u32 = wrapped_0(y_1, height_0, wrap_1);
-    var _S209 : u32 = u32(width_0);
-    var first_1 : u32 = _S208 * _S209;
-    var _S210 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S210 * _S209;
+    var x_5 : i32 = floor_of_0(_S209.x);
+    var y_1 : i32 = floor_of_0(_S209.y);
+    var _S210 : u32 = wrapped_0(y_1, height_0, wrap_1);
+    var _S211 : u32 = u32(width_0);
+    var first_1 : u32 = _S210 * _S211;
+    var _S212 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S212 * _S211;
     var left_0 : u32 = wrapped_0(x_5, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_5 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -1086,39 +1092,39 @@ fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
     var to_u_0 : vec3<f32> = vector_at_0(rows_0);
     var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S211 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_2 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
-    uv_1.value_1 = vec2<f32>(dot(_S211, to_u_0), dot(_S211, to_v_0));
+    var _S213 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_2 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
+    uv_1.value_1 = vec2<f32>(dot(_S213, to_u_0), dot(_S213, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_2 - uvs_1.a_5;
     var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_5;
-    var _S212 : vec2<f32> = to_u_0.xy;
-    var _S213 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S212), dot(by_v_0, _S213));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S212), dot(by_w_0, _S213));
+    var _S214 : vec2<f32> = to_u_0.xy;
+    var _S215 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S214), dot(by_v_0, _S215));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S214), dot(by_w_0, _S215));
     if(kind_0 == u32(1))
     {
-        var _S214 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S214;
+        var _S216 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S216;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_1 - floor(uv_1.value_1);
-    var _S215 : i32;
+    var _S217 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S215 = i32(1);
+        _S217 = i32(1);
     }
     else
     {
-        _S215 = i32(0);
+        _S217 = i32(0);
     }
-    return one_texel_0(u32(_S215));
+    return one_texel_0(u32(_S217));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S216 : u32 = word_0(texture_2 + u32(1));
-    var _S217 : u32 = texture_2 + u32(13);
-    var _S218 : vec3<f32> = vec3<f32>(0.0f);
+    var _S218 : u32 = word_0(texture_2 + u32(1));
+    var _S219 : u32 = texture_2 + u32(13);
+    var _S220 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S218;
+    var value_2 : vec3<f32> = _S220;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1128,17 +1134,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S217 + _S216 * lookup_3.texels_0[k_1];
-        var _S219 : vec3<f32>;
-        if(_S216 == u32(1))
+        var at_8 : u32 = _S219 + _S218 * lookup_3.texels_0[k_1];
+        var _S221 : vec3<f32>;
+        if(_S218 == u32(1))
         {
-            _S219 = vec3<f32>(number_0(at_8));
+            _S221 = vec3<f32>(number_0(at_8));
         }
         else
         {
-            _S219 = vector_at_0(at_8);
+            _S221 = vector_at_0(at_8);
         }
-        var value_3 : vec3<f32> = value_2 + _S219 * vec3<f32>(weights_1[k_1]);
+        var value_3 : vec3<f32> = value_2 + _S221 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_2 = value_3;
     }
@@ -1152,8 +1158,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
 {
-    var _S220 : Lookup_0 = lookup_at_0(texture_4, place_8);
-    return looked_up_0(texture_4, _S220, vec2<f32>(0.0f));
+    var _S222 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S222, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -1214,11 +1220,11 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
     lobe_0.kind_1 = word_0(record_3);
     lobe_0.distribution_0 = word_0(record_3 + u32(1));
     lobe_0.numbers_2 = no_numbers_0();
-    var _S221 : u32 = word_0(record_3 + u32(4));
+    var _S223 : u32 = word_0(record_3 + u32(4));
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S221)
+        if(slot_1 < _S223)
         {
         }
         else
@@ -1232,10 +1238,10 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
-        var _S222 : vec3<f32> = value_of_0(colour_1);
-        var _S223 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S223), slot_1, _S222);
-        lobe_0.numbers_2 = _S223;
+        var _S224 : vec3<f32> = value_of_0(colour_1);
+        var _S225 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S225), slot_1, _S224);
+        lobe_0.numbers_2 = _S225;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -1250,53 +1256,53 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S224 : vec3<f32>;
+    var _S226 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S224 = tangent_0;
+        _S226 = tangent_0;
     }
     else
     {
-        _S224 = vec3<f32>(0.0f);
+        _S226 = vec3<f32>(0.0f);
     }
-    return _S224;
+    return _S226;
 }
 
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S225 : vec3<f32>;
+    var _S227 : vec3<f32>;
     if(is_front_1)
     {
-        _S225 = n_2;
+        _S227 = n_2;
     }
     else
     {
-        _S225 = (vec3<f32>(0) - n_2);
+        _S227 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_0 = _S225;
-    var _S226 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S226;
-    axes_0.t_0 = cross(n_2, _S226);
+    axes_0.n_0 = _S227;
+    var _S228 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S228;
+    axes_0.t_0 = cross(n_2, _S228);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S227 : vec3<f32>;
+    var _S229 : vec3<f32>;
     if(is_front_2)
     {
-        _S227 = n_3;
+        _S229 = n_3;
     }
     else
     {
-        _S227 = (vec3<f32>(0) - n_3);
+        _S229 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_0 = _S227;
-    var _S228 : f32 = n_3.z;
+    axes_1.n_0 = _S229;
+    var _S230 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S228 < 0.0f)
+    if(_S230 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -1304,12 +1310,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_1 = 1.0f;
     }
-    var a_7 : f32 = -1.0f / (sign_1 + _S228);
-    var _S229 : f32 = n_3.x;
-    var _S230 : f32 = n_3.y;
-    var b_4 : f32 = _S229 * _S230 * a_7;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S229 * _S229 * a_7, sign_1 * b_4, - sign_1 * _S229);
-    axes_1.t_0 = vec3<f32>(b_4, sign_1 + _S230 * _S230 * a_7, - _S230);
+    var a_7 : f32 = -1.0f / (sign_1 + _S230);
+    var _S231 : f32 = n_3.x;
+    var _S232 : f32 = n_3.y;
+    var b_4 : f32 = _S231 * _S232 * a_7;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S231 * _S231 * a_7, sign_1 * b_4, - sign_1 * _S231);
+    axes_1.t_0 = vec3<f32>(b_4, sign_1 + _S232 * _S232 * a_7, - _S232);
     return axes_1;
 }
 
@@ -1336,8 +1342,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_4 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S231 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S231;
+    var _S233 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S233;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -1360,9 +1366,9 @@ struct VertexMotion_0
 fn motion_of_0( vertex_1 : Vertex_0) -> VertexMotion_0
 {
     var motion_0 : VertexMotion_0;
-    var _S232 : vec3<f32> = vec3<f32>(0.0f);
-    motion_0.rotation_0 = _S232;
-    motion_0.velocity_0 = _S232;
+    var _S234 : vec3<f32> = vec3<f32>(0.0f);
+    motion_0.rotation_0 = _S234;
+    motion_0.velocity_0 = _S234;
     return motion_0;
 }
 
@@ -1400,20 +1406,20 @@ fn shading_point_0( path_10 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> 
     {
         k_2 = material_1;
     }
-    var _S233 : Vertex_0 = vertex_at_0(surface_5, k_2, path_10.direction_1);
-    (*at_9).vertex_2 = _S233;
-    var _S234 : VertexMotion_0 = motion_of_0(_S233);
-    (*at_9).motion_1 = _S234;
-    (*at_9).whole_0 = _S234;
+    var _S235 : Vertex_0 = vertex_at_0(surface_5, k_2, path_10.direction_1);
+    (*at_9).vertex_2 = _S235;
+    var _S236 : VertexMotion_0 = motion_of_0(_S235);
+    (*at_9).motion_1 = _S236;
+    (*at_9).whole_0 = _S236;
     (*at_9).planes_0 = u32(0);
     (*at_9).tree_0 = u32(0);
     (*at_9).emitter_0 = u32(0);
     (*at_9).purpose_0 = u32(0);
     (*at_9).turns_0 = false;
     (*at_9).has_creases_0 = false;
-    var _S235 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_9).front_offset_0 = _S235;
-    (*at_9).front_0 = _S235;
+    var _S237 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_9).front_offset_0 = _S237;
+    (*at_9).front_0 = _S237;
     k_2 = u32(0);
     for(;;)
     {
@@ -1427,16 +1433,16 @@ fn shading_point_0( path_10 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> 
         (*at_9).inside_2[k_2] = surface_5.exact_0;
         k_2 = k_2 + u32(1);
     }
-    var _S236 : bool;
+    var _S238 : bool;
     if(material_1 != u32(4294967295))
     {
-        _S236 = has_smooth_0((*at_9).vertex_2.lobe_1);
+        _S238 = has_smooth_0((*at_9).vertex_2.lobe_1);
     }
     else
     {
-        _S236 = false;
+        _S238 = false;
     }
-    return _S236;
+    return _S238;
 }
 
 struct Pulled_0
@@ -1451,12 +1457,12 @@ fn nothing_pulled_0() -> Pulled_0
 {
     var pulled_0 : Pulled_0;
     pulled_0.numbers_3 = no_numbers_0();
-    var _S237 : vec3<f32> = vec3<f32>(0.0f);
-    pulled_0.position_1 = _S237;
-    pulled_0.wi_2 = _S237;
-    pulled_0.axes_5.n_0 = _S237;
-    pulled_0.axes_5.t_0 = _S237;
-    pulled_0.axes_5.s_0 = _S237;
+    var _S239 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_1 = _S239;
+    pulled_0.wi_2 = _S239;
+    pulled_0.axes_5.n_0 = _S239;
+    pulled_0.axes_5.t_0 = _S239;
+    pulled_0.axes_5.s_0 = _S239;
     return pulled_0;
 }
 
@@ -1510,33 +1516,33 @@ fn product_0( a_8 : u32,  b_5 : u32) -> vec2<u32>
 
 fn times_0( a_9 : vec2<u32>,  b_6 : vec2<u32>) -> vec2<u32>
 {
-    var _S238 : u32 = a_9.x;
-    var _S239 : u32 = b_6.x;
-    var low_1 : vec2<u32> = product_0(_S238, _S239);
-    return vec2<u32>(low_1.x, low_1.y + _S238 * b_6.y + a_9.y * _S239);
+    var _S240 : u32 = a_9.x;
+    var _S241 : u32 = b_6.x;
+    var low_1 : vec2<u32> = product_0(_S240, _S241);
+    return vec2<u32>(low_1.x, low_1.y + _S240 * b_6.y + a_9.y * _S241);
 }
 
 fn plus_0( a_10 : vec2<u32>,  b_7 : vec2<u32>) -> vec2<u32>
 {
-    var _S240 : u32 = a_10.x;
-    var low_2 : u32 = _S240 + b_7.x;
-    var _S241 : u32 = a_10.y + b_7.y;
-    var _S242 : i32;
-    if(low_2 < _S240)
+    var _S242 : u32 = a_10.x;
+    var low_2 : u32 = _S242 + b_7.x;
+    var _S243 : u32 = a_10.y + b_7.y;
+    var _S244 : i32;
+    if(low_2 < _S242)
     {
-        _S242 = i32(1);
+        _S244 = i32(1);
     }
     else
     {
-        _S242 = i32(0);
+        _S244 = i32(0);
     }
-    return vec2<u32>(low_2, _S241 + u32(_S242));
+    return vec2<u32>(low_2, _S243 + u32(_S244));
 }
 
 fn shifted_xor_0( x_6 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S243 : u32 = x_6.y;
-    return (x_6 ^ (vec2<u32>(((((x_6.x) >> (by_0))) | (((_S243 << ((u32(32) - by_0)))))), (_S243 >> (by_0)))));
+    var _S245 : u32 = x_6.y;
+    return (x_6 ^ (vec2<u32>(((((x_6.x) >> (by_0))) | (((_S245 << ((u32(32) - by_0)))))), (_S245 >> (by_0)))));
 }
 
 fn mix_0( x_7 : vec2<u32>) -> vec2<u32>
@@ -1625,8 +1631,8 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_1) / distance_2, 0.0f) / squared_0;
     }
-    var _S244 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S244 * _S244 / (2.0f * (_S244 - max(lowest_0, -1.0f)) * squared_0);
+    var _S246 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S246 * _S246 / (2.0f * (_S246 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn emitter_view_0( emitter_2 : u32,  position_3 : vec3<f32>,  normal_1 : vec3<f32>) -> f32
@@ -1650,16 +1656,16 @@ struct Choice_0
 fn light_of_0( emitter_3 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_3, choice_0.position_4, choice_0.normal_2);
-    var _S245 : f32;
+    var _S247 : f32;
     if(view_0 > 0.0f)
     {
-        _S245 = 1.0f;
+        _S247 = 1.0f;
     }
     else
     {
-        _S245 = 0.0f;
+        _S247 = 0.0f;
     }
-    (*can_light_0) = _S245;
+    (*can_light_0) = _S247;
     return view_0 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -1670,13 +1676,13 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
     choice_1.normal_2 = vertex_4.axes_4.n_0;
     choice_1.all_0 = 0.0f;
     choice_1.lit_0 = 0.0f;
-    var _S246 : u32 = word_0(u32(6));
+    var _S248 : u32 = word_0(u32(6));
     var can_light_1 : f32;
     var i_1 : u32 = u32(0);
     var count_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S246)
+        if(i_1 < _S248)
         {
         }
         else
@@ -1688,36 +1694,36 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S247 : u32 = count_1 + u32(1);
-        if(_S246 > u32(32))
+        var _S249 : u32 = count_1 + u32(1);
+        if(_S248 > u32(32))
         {
-            count_1 = _S247;
+            count_1 = _S249;
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S248 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
-        choice_1.all_0 = choice_1.all_0 + _S248;
+        var _S250 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
+        choice_1.all_0 = choice_1.all_0 + _S250;
         choice_1.lit_0 = choice_1.lit_0 + can_light_1;
-        count_1 = _S247;
+        count_1 = _S249;
         i_1 = i_1 + u32(1);
     }
     (*probability_0) = 0.0f;
-    var _S249 : bool;
+    var _S251 : bool;
     if((choice_1.all_0) > 0.0f)
     {
-        _S249 = (choice_1.all_0) < 3.00000000549775576e+38f;
+        _S251 = (choice_1.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S249 = false;
+        _S251 = false;
     }
-    var _S250 : bool = !_S249;
+    var _S252 : bool = !_S251;
     var chosen_0 : u32 = u32(0);
     i_1 = u32(0);
     var rest_1 : f32 = u_0;
     for(;;)
     {
-        if(i_1 < _S246)
+        if(i_1 < _S248)
         {
         }
         else
@@ -1729,16 +1735,16 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S251 : f32 = 1.0f / f32(count_1);
+        var _S253 : f32 = 1.0f / f32(count_1);
         var own_0 : f32;
-        if(!_S250)
+        if(!_S252)
         {
             var light_0 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
             own_0 = 0.5f * can_light_1 / choice_1.lit_0 + 0.5f * light_0 / choice_1.all_0;
         }
         else
         {
-            own_0 = _S251;
+            own_0 = _S253;
         }
         var chosen_1 : u32;
         if(own_0 > 0.0f)
@@ -1796,9 +1802,9 @@ fn open_window_0( at_15 : ptr<function, ShadingPoint_0>) -> bool
     var before_0 : vec3<f64>;
     if(corners_0 > u32(0))
     {
-        var _S252 : u32 = window_0 + u32(1);
-        var normal_3 : vec3<f64> = edge_position_0(_S252);
-        var before_1 : vec3<f64> = edge_position_0(_S252 + u32(3) * corners_0) - apex_0;
+        var _S254 : u32 = window_0 + u32(1);
+        var normal_3 : vec3<f64> = edge_position_0(_S254);
+        var before_1 : vec3<f64> = edge_position_0(_S254 + u32(3) * corners_0) - apex_0;
         if((dot(normal_3, before_1)) >= 0.0lf)
         {
             return false;
@@ -1817,9 +1823,9 @@ fn open_window_0( at_15 : ptr<function, ShadingPoint_0>) -> bool
             }
             var offset_2 : vec3<f64> = edge_position_0(window_0 + u32(4) + u32(3) * k_3) - apex_0;
             (*at_15).inside_2[k_3] = exact_unit_0(cross(offset_2, before_0));
-            var _S253 : u32 = k_3 + u32(1);
+            var _S255 : u32 = k_3 + u32(1);
             before_0 = offset_2;
-            k_3 = _S253;
+            k_3 = _S255;
         }
         (*at_15).front_0 = vec3<f32>(normal_3);
         (*at_15).front_offset_0 = vec3<f32>(before_0);
@@ -1845,14 +1851,14 @@ fn open_window_0( at_15 : ptr<function, ShadingPoint_0>) -> bool
     var s_1 : vec3<f64> = exact_unit_0(cross(axis_1, before_0));
     var t_1 : vec3<f64> = cross(axis_1, s_1);
     (*at_15).planes_0 = u32(4);
-    var _S254 : vec3<f64> = axis_1 * vec3<f64>(sine_1);
-    var _S255 : vec3<f64> = vec3<f64>(cosine_2);
-    var _S256 : vec3<f64> = s_1 * _S255;
-    (*at_15).inside_2[i32(0)] = _S254 + _S256;
-    (*at_15).inside_2[i32(1)] = _S254 - _S256;
-    var _S257 : vec3<f64> = t_1 * _S255;
-    (*at_15).inside_2[i32(2)] = _S254 + _S257;
-    (*at_15).inside_2[i32(3)] = _S254 - _S257;
+    var _S256 : vec3<f64> = axis_1 * vec3<f64>(sine_1);
+    var _S257 : vec3<f64> = vec3<f64>(cosine_2);
+    var _S258 : vec3<f64> = s_1 * _S257;
+    (*at_15).inside_2[i32(0)] = _S256 + _S258;
+    (*at_15).inside_2[i32(1)] = _S256 - _S258;
+    var _S259 : vec3<f64> = t_1 * _S257;
+    (*at_15).inside_2[i32(2)] = _S256 + _S259;
+    (*at_15).inside_2[i32(3)] = _S256 - _S259;
     return true;
 }
 
@@ -1868,17 +1874,17 @@ fn is_blind_0() -> bool
 
 fn rests_0( motion_2 : VertexMotion_0) -> bool
 {
-    var _S258 : vec3<f32> = vec3<f32>(0.0f);
-    var _S259 : bool;
-    if((all(((motion_2.velocity_0) == _S258))))
+    var _S260 : vec3<f32> = vec3<f32>(0.0f);
+    var _S261 : bool;
+    if((all(((motion_2.velocity_0) == _S260))))
     {
-        _S259 = (all(((motion_2.rotation_0) == _S258)));
+        _S261 = (all(((motion_2.rotation_0) == _S260)));
     }
     else
     {
-        _S259 = false;
+        _S261 = false;
     }
-    return _S259;
+    return _S261;
 }
 
 fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_16 : ptr<function, ShadingPoint_0>) -> f32
@@ -1886,12 +1892,12 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_16 : ptr<function, Shadin
     var probability_1 : f32 = 1.0f;
     (*at_16).purpose_0 = purpose_2;
     (*at_16).planes_0 = u32(0);
-    var _S260 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_16).front_0 = _S260;
-    var _S261 : bool = purpose_2 == u32(2);
-    (*at_16).has_creases_0 = _S261;
+    var _S262 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_16).front_0 = _S262;
+    var _S263 : bool = purpose_2 == u32(2);
+    (*at_16).has_creases_0 = _S263;
     var tree_1 : u32;
-    if(_S261)
+    if(_S263)
     {
         tree_1 = u32(1);
     }
@@ -1901,35 +1907,35 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_16 : ptr<function, Shadin
     }
     (*at_16).motion_1 = (*at_16).whole_0;
     (*at_16).turns_0 = turns_1((*at_16).vertex_2);
-    var _S262 : bool;
+    var _S264 : bool;
     if(purpose_2 == u32(0))
     {
-        var _S263 : u32 = edge_word_0(u32(4));
+        var _S265 : u32 = edge_word_0(u32(4));
         (*at_16).turns_0 = false;
-        var _S264 : u32 = chosen_area_emitter_0((*at_16).vertex_2, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
-        (*at_16).emitter_0 = _S264;
+        var _S266 : u32 = chosen_area_emitter_0((*at_16).vertex_2, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
+        (*at_16).emitter_0 = _S266;
         if(!(probability_1 > 0.0f))
         {
-            _S262 = true;
+            _S264 = true;
         }
         else
         {
-            var _S265 : bool = open_window_0(&((*at_16)));
-            _S262 = !_S265;
+            var _S267 : bool = open_window_0(&((*at_16)));
+            _S264 = !_S267;
         }
-        if(_S262)
+        if(_S264)
         {
             return 0.0f;
         }
-        tree_1 = _S263;
+        tree_1 = _S265;
     }
     else
     {
         if(purpose_2 == u32(1))
         {
-            var _S266 : u32 = word_0(u32(8));
-            (*at_16).emitter_0 = _S266;
-            if(_S266 == u32(4294967295))
+            var _S268 : u32 = word_0(u32(8));
+            (*at_16).emitter_0 = _S268;
+            if(_S268 == u32(4294967295))
             {
                 return 0.0f;
             }
@@ -1941,32 +1947,32 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_16 : ptr<function, Shadin
     }
     if(!(*at_16).turns_0)
     {
-        (*at_16).motion_1.rotation_0 = _S260;
+        (*at_16).motion_1.rotation_0 = _S262;
     }
     if(!is_blind_0())
     {
-        _S262 = rests_0((*at_16).motion_1);
+        _S264 = rests_0((*at_16).motion_1);
     }
     else
     {
-        _S262 = false;
+        _S264 = false;
     }
-    if(_S262)
+    if(_S264)
     {
         tree_1 = tree_1 + u32(2);
     }
-    var _S267 : u32 = edge_word_0(tree_1);
-    (*at_16).tree_0 = _S267;
-    var _S268 : f32;
-    if(_S267 == u32(4294967295))
+    var _S269 : u32 = edge_word_0(tree_1);
+    (*at_16).tree_0 = _S269;
+    var _S270 : f32;
+    if(_S269 == u32(4294967295))
     {
-        _S268 = 0.0f;
+        _S270 = 0.0f;
     }
     else
     {
-        _S268 = probability_1;
+        _S270 = probability_1;
     }
-    return _S268;
+    return _S270;
 }
 
 fn subtrees_of_0( at_17 : ShadingPoint_0) -> u32
@@ -1990,8 +1996,8 @@ fn subtrees_of_0( at_17 : ShadingPoint_0) -> u32
 fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f64
 {
     var bits_0 : vec2<u32> = random_bits_0(key_4, dimension_2);
-    var _S269 : u32 = bits_0.y;
-    return (f64((_S269 >> (u32(11)))) + f64((((_S269 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
+    var _S271 : u32 = bits_0.y;
+    return (f64((_S271 >> (u32(11)))) + f64((((_S271 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
 fn edge_number_0( at_18 : u32) -> f32
@@ -2071,16 +2077,16 @@ fn logarithm_0( x_8 : f32) -> f32
 
 fn direction_number_0( d_0 : vec3<f32>) -> u32
 {
-    var _S270 : i32;
+    var _S272 : i32;
     if((abs(d_0.y)) > (abs(d_0.x)))
     {
-        _S270 = i32(1);
+        _S272 = i32(1);
     }
     else
     {
-        _S270 = i32(0);
+        _S272 = i32(0);
     }
-    var axis_2 : u32 = u32(_S270);
+    var axis_2 : u32 = u32(_S272);
     var axis_3 : u32;
     if((abs(d_0.z)) > (abs(d_0[axis_2])))
     {
@@ -2090,34 +2096,34 @@ fn direction_number_0( d_0 : vec3<f32>) -> u32
     {
         axis_3 = axis_2;
     }
-    var _S271 : u32 = u32(8) * axis_3;
+    var _S273 : u32 = u32(8) * axis_3;
     if((d_0[axis_3]) < 0.0f)
     {
-        _S270 = i32(4);
+        _S272 = i32(4);
     }
     else
     {
-        _S270 = i32(0);
+        _S272 = i32(0);
     }
-    var _S272 : u32 = _S271 + u32(_S270);
+    var _S274 : u32 = _S273 + u32(_S272);
     if((d_0[(axis_3 + u32(1)) % u32(3)]) < 0.0f)
     {
-        _S270 = i32(2);
+        _S272 = i32(2);
     }
     else
     {
-        _S270 = i32(0);
+        _S272 = i32(0);
     }
-    var _S273 : u32 = _S272 + u32(_S270);
+    var _S275 : u32 = _S274 + u32(_S272);
     if((d_0[(axis_3 + u32(2)) % u32(3)]) < 0.0f)
     {
-        _S270 = i32(1);
+        _S272 = i32(1);
     }
     else
     {
-        _S270 = i32(0);
+        _S272 = i32(0);
     }
-    return _S273 + u32(_S270);
+    return _S275 + u32(_S272);
 }
 
 fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
@@ -2155,16 +2161,16 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
     var offset_8 : vec3<f32> = centre_1 - at_22.vertex_2.surface_3.position_0;
     var radius_4 : f32 = edge_number_0(node_3 + u32(7));
     var distance_5 : f32 = length(offset_8);
-    var _S274 : bool;
+    var _S276 : bool;
     if(!at_22.has_creases_0)
     {
-        _S274 = !may_have_silhouette_0(node_3, offset_8, distance_5);
+        _S276 = !may_have_silhouette_0(node_3, offset_8, distance_5);
     }
     else
     {
-        _S274 = false;
+        _S276 = false;
     }
-    if(_S274)
+    if(_S276)
     {
         return 0.0f;
     }
@@ -2173,9 +2179,9 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
         return 0.0f;
     }
     var cosine_5 : f32 = largest_cosine_0(at_22.vertex_2.surface_3.position_0, at_22.vertex_2.axes_4.n_0, centre_1, radius_4);
-    var _S275 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
+    var _S277 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
     var least_0 : f32 = edge_number_0(node_3 + u32(16));
-    var ratio_0 : f32 = _S275 / max(max(distance_5 * distance_5 - _S275, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
+    var ratio_0 : f32 = _S277 / max(max(distance_5 * distance_5 - _S277, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
     var visible_0 : f32;
     if(ratio_0 < 0.00100000004749745f)
     {
@@ -2185,7 +2191,7 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
     {
         visible_0 = logarithm_0(1.0f + ratio_0);
     }
-    var near_0 : f32 = visible_0 / _S275;
+    var near_0 : f32 = visible_0 / _S277;
     var visible_1 : f32 = edge_number_0(node_3 + u32(14));
     if(distance_5 > (edge_number_0(node_3 + u32(15))))
     {
@@ -2203,7 +2209,7 @@ fn descend_0( at_23 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>, 
     var nodes_at_0 : u32 = edge_word_0(at_23.tree_0);
     (*leaf_0) = nodes_at_0;
     (*probability_2) = 1.0f;
-    var _S276 : f64 = u_1;
+    var _S278 : f64 = u_1;
     for(;;)
     {
         if((edge_word_0((*leaf_0))) != u32(4294967295))
@@ -2218,24 +2224,24 @@ fn descend_0( at_23 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>, 
         var of_first_0 : f32 = importance_of_0(at_23, first_2);
         var of_second_0 : f32 = importance_of_0(at_23, second_1);
         var sum_0 : f32 = of_first_0 + of_second_0;
-        var _S277 : bool;
+        var _S279 : bool;
         if(sum_0 > 0.0f)
         {
-            _S277 = sum_0 < 3.00000000549775576e+38f;
+            _S279 = sum_0 < 3.00000000549775576e+38f;
         }
         else
         {
-            _S277 = false;
+            _S279 = false;
         }
-        if(!_S277)
+        if(!_S279)
         {
             return false;
         }
         var first_share_0 : f32 = of_first_0 / sum_0;
         var second_share_0 : f32 = of_second_0 / sum_0;
-        var _S278 : f64 = f64(first_share_0);
+        var _S280 : f64 = f64(first_share_0);
         var is_second_0 : bool;
-        if(_S276 >= _S278)
+        if(_S278 >= _S280)
         {
             is_second_0 = second_share_0 > 0.0f;
         }
@@ -2245,32 +2251,32 @@ fn descend_0( at_23 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>, 
         }
         if(is_second_0)
         {
-            _S276 = (_S276 - _S278) / f64(second_share_0);
+            _S278 = (_S278 - _S280) / f64(second_share_0);
         }
         else
         {
-            _S276 = min(_S276 / _S278, 1.0lf);
+            _S278 = min(_S278 / _S280, 1.0lf);
         }
-        var _S279 : f32;
+        var _S281 : f32;
         if(is_second_0)
         {
-            _S279 = second_share_0;
+            _S281 = second_share_0;
         }
         else
         {
-            _S279 = first_share_0;
+            _S281 = first_share_0;
         }
-        (*probability_2) = (*probability_2) * _S279;
-        var _S280 : u32;
+        (*probability_2) = (*probability_2) * _S281;
+        var _S282 : u32;
         if(is_second_0)
         {
-            _S280 = second_1;
+            _S282 = second_1;
         }
         else
         {
-            _S280 = first_2;
+            _S282 = first_2;
         }
-        (*leaf_0) = _S280;
+        (*leaf_0) = _S282;
     }
     return true;
 }
@@ -2298,92 +2304,44 @@ fn side_seen_0( from_0 : vec3<f64>,  tolerance_0 : f64,  normal_4 : u32,  length
 {
     var height_1 : f64 = dot(edge_position_0(normal_4), from_0);
     var least_1 : f64 = tolerance_0 * edge_real_0(length_0);
-    var _S281 : i32;
+    var _S283 : i32;
     if(height_1 > least_1)
     {
-        _S281 = i32(1);
+        _S283 = i32(1);
     }
     else
     {
-        _S281 = i32(0);
+        _S283 = i32(0);
     }
-    var _S282 : i32;
+    var _S284 : i32;
     if(height_1 < (- least_1))
     {
-        _S282 = i32(1);
+        _S284 = i32(1);
     }
     else
     {
-        _S282 = i32(0);
+        _S284 = i32(0);
     }
-    return _S281 - _S282;
+    return _S283 - _S284;
 }
 
 fn is_silhouette_0( at_25 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f64> = edge_position_0(edge_1.numbers_4);
     var tolerance_1 : f64 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_25.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S283 : vec3<f64> = at_25.vertex_2.surface_3.exact_0 - start_0;
-    return (side_seen_0(_S283, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S283, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
+    var _S285 : vec3<f64> = at_25.vertex_2.surface_3.exact_0 - start_0;
+    return (side_seen_0(_S285, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S285, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
 }
 
 fn factor_of_0( at_26 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
-    var _S284 : u32 = edge_2.record_7 + u32(2);
-    var a_11 : vec3<f32> = edge_vector_0(_S284);
-    var b_8 : vec3<f32> = edge_vector_0(_S284 + u32(3));
-    var _S285 : bool;
+    var _S286 : u32 = edge_2.record_7 + u32(2);
+    var a_11 : vec3<f32> = edge_vector_0(_S286);
+    var b_8 : vec3<f32> = edge_vector_0(_S286 + u32(3));
+    var _S287 : bool;
     if(!is_blind_0())
     {
-        _S285 = rests_0(at_26.motion_1);
-    }
-    else
-    {
-        _S285 = false;
-    }
-    if(_S285)
-    {
-        _S285 = (all((a_11 == vec3<f32>(0.0f))));
-    }
-    else
-    {
-        _S285 = false;
-    }
-    if(_S285)
-    {
-        _S285 = (all((b_8 == vec3<f32>(0.0f))));
-    }
-    else
-    {
-        _S285 = false;
-    }
-    if(_S285)
-    {
-        return 0.0f;
-    }
-    if(is_silhouette_0(at_26, edge_2))
-    {
-        return edge_number_0(edge_2.record_7);
-    }
-    var _S286 : f32;
-    if(at_26.has_creases_0)
-    {
-        _S286 = edge_number_0(edge_2.record_7 + u32(1));
-    }
-    else
-    {
-        _S286 = 0.0f;
-    }
-    return _S286;
-}
-
-fn is_clipped_0( at_27 : ShadingPoint_0,  a_12 : vec3<f64>,  b_9 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
-{
-    (*range_0) = vec2<f64>(0.0lf, 1.0lf);
-    var _S287 : bool;
-    if((dot(at_27.front_0, vec3<f32>(a_12) - at_27.front_offset_0)) < -3.99999998990097083e-06f)
-    {
-        _S287 = (dot(at_27.front_0, vec3<f32>(b_9) - at_27.front_offset_0)) < -3.99999998990097083e-06f;
+        _S287 = rests_0(at_26.motion_1);
     }
     else
     {
@@ -2391,9 +2349,57 @@ fn is_clipped_0( at_27 : ShadingPoint_0,  a_12 : vec3<f64>,  b_9 : vec3<f64>,  r
     }
     if(_S287)
     {
+        _S287 = (all((a_11 == vec3<f32>(0.0f))));
+    }
+    else
+    {
+        _S287 = false;
+    }
+    if(_S287)
+    {
+        _S287 = (all((b_8 == vec3<f32>(0.0f))));
+    }
+    else
+    {
+        _S287 = false;
+    }
+    if(_S287)
+    {
+        return 0.0f;
+    }
+    if(is_silhouette_0(at_26, edge_2))
+    {
+        return edge_number_0(edge_2.record_7);
+    }
+    var _S288 : f32;
+    if(at_26.has_creases_0)
+    {
+        _S288 = edge_number_0(edge_2.record_7 + u32(1));
+    }
+    else
+    {
+        _S288 = 0.0f;
+    }
+    return _S288;
+}
+
+fn is_clipped_0( at_27 : ShadingPoint_0,  a_12 : vec3<f64>,  b_9 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
+{
+    (*range_0) = vec2<f64>(0.0lf, 1.0lf);
+    var _S289 : bool;
+    if((dot(at_27.front_0, vec3<f32>(a_12) - at_27.front_offset_0)) < -3.99999998990097083e-06f)
+    {
+        _S289 = (dot(at_27.front_0, vec3<f32>(b_9) - at_27.front_offset_0)) < -3.99999998990097083e-06f;
+    }
+    else
+    {
+        _S289 = false;
+    }
+    if(_S289)
+    {
         return true;
     }
-    var _S288 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_12, a_12), dot(b_9, b_9)));
+    var _S290 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_12, a_12), dot(b_9, b_9)));
     var k_5 : u32 = u32(0);
     for(;;)
     {
@@ -2404,23 +2410,23 @@ fn is_clipped_0( at_27 : ShadingPoint_0,  a_12 : vec3<f64>,  b_9 : vec3<f64>,  r
         {
             break;
         }
-        var first_3 : f64 = dot(at_27.inside_2[k_5], a_12) + _S288;
-        var second_2 : f64 = dot(at_27.inside_2[k_5], b_9) + _S288;
-        var _S289 : bool = first_3 < 0.0lf;
-        if(_S289)
+        var first_3 : f64 = dot(at_27.inside_2[k_5], a_12) + _S290;
+        var second_2 : f64 = dot(at_27.inside_2[k_5], b_9) + _S290;
+        var _S291 : bool = first_3 < 0.0lf;
+        if(_S291)
         {
-            _S287 = second_2 < 0.0lf;
+            _S289 = second_2 < 0.0lf;
         }
         else
         {
-            _S287 = false;
+            _S289 = false;
         }
-        if(_S287)
+        if(_S289)
         {
             return true;
         }
         var crossing_0 : f64 = first_3 / (first_3 - second_2);
-        if(_S289)
+        if(_S291)
         {
             (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
         }
@@ -2453,52 +2459,52 @@ struct SeenEdge_0
 
 fn see_edge_0( at_28 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S290 : Edge_0 = edge_at_0(at_28, place_11);
-    (*seen_1).edge_3 = _S290;
-    var _S291 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4) - at_28.vertex_2.surface_3.exact_0;
-    (*seen_1).start_1 = _S291;
+    var _S292 : Edge_0 = edge_at_0(at_28, place_11);
+    (*seen_1).edge_3 = _S292;
+    var _S293 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4) - at_28.vertex_2.surface_3.exact_0;
+    (*seen_1).start_1 = _S293;
     var end_1 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_28.vertex_2.surface_3.exact_0;
-    (*seen_1).along_1 = end_1 - _S291;
+    (*seen_1).along_1 = end_1 - _S293;
     (*seen_1).far_0 = 1.0lf;
     (*seen_1).near_1 = 1.0lf;
     (*seen_1).chord_0 = 0.0f;
     (*seen_1).pieces_0 = 0.0f;
-    var _S292 : vec3<f32> = vec3<f32>(0.0f);
-    (*seen_1).to_0 = _S292;
-    (*seen_1).from_1 = _S292;
+    var _S294 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S294;
+    (*seen_1).from_1 = _S294;
     (*seen_1).range_1 = vec2<f64>(0.0lf, 1.0lf);
-    var _S293 : f32 = factor_of_0(at_28, _S290);
-    (*seen_1).factor_3 = _S293;
-    var _S294 : bool;
-    if(!(_S293 > 0.0f))
+    var _S295 : f32 = factor_of_0(at_28, _S292);
+    (*seen_1).factor_3 = _S295;
+    var _S296 : bool;
+    if(!(_S295 > 0.0f))
     {
-        _S294 = true;
+        _S296 = true;
     }
     else
     {
-        var _S295 : vec2<f64> = (*seen_1).range_1;
-        var _S296 : bool = is_clipped_0(at_28, (*seen_1).start_1, end_1, &(_S295));
-        (*seen_1).range_1 = _S295;
-        _S294 = _S296;
+        var _S297 : vec2<f64> = (*seen_1).range_1;
+        var _S298 : bool = is_clipped_0(at_28, (*seen_1).start_1, end_1, &(_S297));
+        (*seen_1).range_1 = _S297;
+        _S296 = _S298;
     }
-    if(_S294)
+    if(_S296)
     {
         return false;
     }
     var first_4 : vec3<f64> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f64>((*seen_1).range_1.x);
     var last_0 : vec3<f64> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f64>((*seen_1).range_1.y);
-    var _S297 : f64 = sqrt(dot(first_4, first_4));
-    (*seen_1).near_1 = _S297;
+    var _S299 : f64 = sqrt(dot(first_4, first_4));
+    (*seen_1).near_1 = _S299;
     (*seen_1).far_0 = sqrt(dot(last_0, last_0));
-    if(_S297 > 0.0lf)
+    if(_S299 > 0.0lf)
     {
-        _S294 = ((*seen_1).far_0) > 0.0lf;
+        _S296 = ((*seen_1).far_0) > 0.0lf;
     }
     else
     {
-        _S294 = false;
+        _S296 = false;
     }
-    if(!_S294)
+    if(!_S296)
     {
         return false;
     }
@@ -2525,8 +2531,8 @@ fn place_between_0( from_2 : f64,  to_1 : f64,  near_2 : f64,  far_1 : f64,  par
 
 fn velocity_on_0( at_29 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S298 : u32 = edge_4.record_7 + u32(2);
-    return mix(edge_vector_0(_S298), edge_vector_0(_S298 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_29.motion_1, offset_9);
+    var _S300 : u32 = edge_4.record_7 + u32(2);
+    return mix(edge_vector_0(_S300), edge_vector_0(_S300 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_29.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -2538,25 +2544,25 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_7 : f32,  pdf_1 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S299 : Mirrored_0;
-    _S299.cosine_6 = cosine_7;
-    _S299.pdf_0 = pdf_1;
-    _S299.scattered_0 = scattered_1;
-    return _S299;
+    var _S301 : Mirrored_0;
+    _S301.cosine_6 = cosine_7;
+    _S301.pdf_0 = pdf_1;
+    _S301.scattered_0 = scattered_1;
+    return _S301;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S300 : bool;
+    var _S302 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S300 = true;
+        _S302 = true;
     }
     else
     {
-        _S300 = (lobe_3.kind_1) == u32(4);
+        _S302 = (lobe_3.kind_1) == u32(4);
     }
-    return _S300;
+    return _S302;
 }
 
 struct Microfacets_0
@@ -2586,68 +2592,68 @@ fn exponential_0( x_9 : f32) -> f32
 
 fn density_0( facets_1 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S301 : f32 = m_3.z;
-    if(_S301 <= 0.0f)
+    var _S303 : f32 = m_3.z;
+    if(_S303 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_0 : vec2<f32> = m_3.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S301 * _S301;
+    var cos2_0 : f32 = _S303 * _S303;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_1 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_1 * sum_1);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S302 : f32;
+    var _S304 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S302 = 0.0f;
+        _S304 = 0.0f;
     }
     else
     {
-        _S302 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S304 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S302;
+    return _S304;
 }
 
 fn error_function_plus_one_0( x_10 : f32) -> vec2<f32>
 {
-    var _S303 : f32 = min(abs(x_10), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S303 * _S303);
-    var place_12 : f32 = (_S303 - 2.0f) / (_S303 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S303);
-    var _S304 : f32;
+    var _S305 : f32 = min(abs(x_10), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S305 * _S305);
+    var place_12 : f32 = (_S305 - 2.0f) / (_S305 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S305);
+    var _S306 : f32;
     if(x_10 < 0.0f)
     {
-        _S304 = complement_0;
+        _S306 = complement_0;
     }
     else
     {
-        _S304 = 2.0f - complement_0;
+        _S306 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S304, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S306, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_2.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S305 : f32 = w_2.z;
-    var z2_0 : f32 = _S305 * _S305;
+    var _S307 : f32 = w_2.z;
+    var z2_0 : f32 = _S307 * _S307;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S305 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S307 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S305;
+        return 1.0f / _S307;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S305 / spread_1);
-    return 2.0f / (_S305 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S307 / spread_1);
+    return 2.0f / (_S307 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
@@ -2655,9 +2661,9 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_0 : vec3<f32> = normalize(wi_3 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_6 = dot(wi_3, h_0);
-    var _S306 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
-    mirrored_1.pdf_0 = _S306;
-    mirrored_1.scattered_0 = _S306 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    var _S308 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
+    mirrored_1.pdf_0 = _S308;
+    mirrored_1.scattered_0 = _S308 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
@@ -2674,9 +2680,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S307 : bool = real_0 < 0.0f;
+    var _S309 : bool = real_0 < 0.0f;
     var a_13 : f32;
-    if(_S307)
+    if(_S309)
     {
         a_13 = smaller_0;
     }
@@ -2685,7 +2691,7 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
         a_13 = larger_0;
     }
     var b_10 : f32;
-    if(_S307)
+    if(_S309)
     {
         b_10 = larger_0;
     }
@@ -2695,9 +2701,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var less_0 : f32 = a_13 - cosine_8;
     var more_0 : f32 = a_13 + cosine_8;
-    var _S308 : f32 = b_10 * b_10;
+    var _S310 : f32 = b_10 * b_10;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S308) / (more_0 * more_0 + _S308) * p_sum_0 / (p_sum_0 + 2.0f * a_13 * cosine_8 * sin2_0);
+    return (less_0 * less_0 + _S310) / (more_0 * more_0 + _S310) * p_sum_0 / (p_sum_0 + 2.0f * a_13 * cosine_8 * sin2_0);
 }
 
 fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_7 : vec3<f32>) -> vec3<f32>
@@ -2735,10 +2741,10 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_11, eta_4);
     }
     var place_13 : f32 = cosine_11 * 63.0f;
-    var _S309 : u32 = min(u32(place_13), u32(62));
-    var at_30 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S309;
+    var _S311 : u32 = min(u32(place_13), u32(62));
+    var at_30 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S311;
     var here_0 : f32 = number_0(at_30);
-    return here_0 + (number_0(at_30 + u32(1)) - here_0) * (place_13 - f32(_S309));
+    return here_0 + (number_0(at_30 + u32(1)) - here_0) * (place_13 - f32(_S311));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2789,15 +2795,15 @@ struct Scattering_0
 fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S310 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S310 * 0.31830987334251404f;
+    var _S312 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S312 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattering_1.value_5 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
-    var _S311 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S313 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_7))
     {
@@ -2805,7 +2811,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     else
     {
-        by_facets_0 = _S311;
+        by_facets_0 = _S313;
     }
     if((lobe_7.kind_1) == u32(2))
     {
@@ -2815,7 +2821,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     var eta_7 : f32 = coat_eta_0(numbers_8);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_4.z);
-    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S310) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S312) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_8, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -2828,16 +2834,16 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
 
 fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
 {
-    var _S312 : bool;
+    var _S314 : bool;
     if((wo_2.z) <= 0.0f)
     {
-        _S312 = true;
+        _S314 = true;
     }
     else
     {
-        _S312 = !has_smooth_0(vertex_5.lobe_1);
+        _S314 = !has_smooth_0(vertex_5.lobe_1);
     }
-    if(_S312)
+    if(_S314)
     {
         return vec3<f32>(0.0f);
     }
@@ -2866,28 +2872,28 @@ fn still_0( value_7 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_11 : f32,  y_2 : f32) -> f32
 {
-    var _S313 : f32 = abs(x_11);
-    var _S314 : f32 = abs(y_2);
-    var _S315 : f32 = min(_S313, _S314);
-    var _S316 : f32 = max(_S313, _S314);
-    var is_steep_0 : bool = _S315 > (0.41421356797218323f * _S316);
+    var _S315 : f32 = abs(x_11);
+    var _S316 : f32 = abs(y_2);
+    var _S317 : f32 = min(_S315, _S316);
+    var _S318 : f32 = max(_S315, _S316);
+    var is_steep_0 : bool = _S317 > (0.41421356797218323f * _S318);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S315 - _S316;
+        above_0 = _S317 - _S318;
     }
     else
     {
-        above_0 = _S315;
+        above_0 = _S317;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S315 + _S316;
+        below_0 = _S317 + _S318;
     }
     else
     {
-        below_0 = _S316;
+        below_0 = _S318;
     }
     if(below_0 > 0.0f)
     {
@@ -2908,7 +2914,7 @@ fn angle_of_0( x_11 : f32,  y_2 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S314 > _S313)
+    if(_S316 > _S315)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -2929,8 +2935,8 @@ fn angle_of_0( x_11 : f32,  y_2 : f32) -> f32
 
 fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
 {
-    var _S317 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S317) * vec3<f32>(direction_6.x) + vector_at_0(_S317 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S317 + u32(6)) * vec3<f32>(direction_6.z);
+    var _S319 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S319) * vec3<f32>(direction_6.x) + vector_at_0(_S319 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S319 + u32(6)) * vec3<f32>(direction_6.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -2947,11 +2953,11 @@ fn in_map_0( map_1 : u32,  direction_7 : vec3<f32>) -> Lookup_0
     var height_2 : i32 = i32(word_0(map_1 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_1, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_1, u32(0));
-    var _S318 : u32 = wrapped_0(y_3, height_2, u32(2));
-    var _S319 : u32 = u32(width_1);
-    var first_5 : u32 = _S318 * _S319;
-    var _S320 : u32 = wrapped_0(y_3 + i32(1), height_2, u32(2));
-    var second_3 : u32 = _S320 * _S319;
+    var _S320 : u32 = wrapped_0(y_3, height_2, u32(2));
+    var _S321 : u32 = u32(width_1);
+    var first_5 : u32 = _S320 * _S321;
+    var _S322 : u32 = wrapped_0(y_3 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S322 * _S321;
     return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_3 + left_1, second_3 + right_1), point_0);
 }
 
@@ -2961,34 +2967,34 @@ fn emitted_0( emitter_4 : u32,  place_15 : Place_0,  direction_8 : vec3<f32>) ->
     var texture_6 : u32 = word_0(record_8 + u32(1));
     if(!is_map_0(record_8))
     {
-        var _S321 : vec3<f32> = shown_0(texture_6, place_15);
-        return _S321;
+        var _S323 : vec3<f32> = shown_0(texture_6, place_15);
+        return _S323;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_4 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S322 : u32 = word_0(texture_6 + u32(11));
-    var _S323 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
-    return looked_up_0(_S322, _S323, change_1) * factor_4;
+    var _S324 : u32 = word_0(texture_6 + u32(11));
+    var _S325 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
+    return looked_up_0(_S324, _S325, change_1) * factor_4;
 }
 
 fn light_from_0( at_31 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
 {
     var light_1 : f32 = largest_0(scattered_from_0(at_31.vertex_2, direction_9));
-    var _S324 : bool;
+    var _S326 : bool;
     if((at_31.purpose_0) != u32(1))
     {
-        _S324 = true;
+        _S326 = true;
     }
     else
     {
-        _S324 = !(light_1 > 0.0f);
+        _S326 = !(light_1 > 0.0f);
     }
-    if(_S324)
+    if(_S326)
     {
         return light_1;
     }
-    var _S325 : vec3<f32> = emitted_0(at_31.emitter_0, at_31.vertex_2.surface_3.place_3, still_0(direction_9));
-    return light_1 * largest_0(value_of_0(_S325));
+    var _S327 : vec3<f32> = emitted_0(at_31.emitter_0, at_31.vertex_2.surface_3.place_3, still_0(direction_9));
+    return light_1 * largest_0(value_of_0(_S327));
 }
 
 fn weigh_0( at_32 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
@@ -2996,43 +3002,43 @@ fn weigh_0( at_32 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
     var t_4 : f32 = f32(place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, f64(part_1)));
-    var _S326 : vec3<f32> = vec3<f32>(seen_2.start_1 + seen_2.along_1 * vec3<f64>(f64(t_4)));
-    var _S327 : vec3<f32> = vec3<f32>(exact_unit_0(cross(seen_2.start_1, seen_2.along_1)));
-    var _S328 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
+    var _S328 : vec3<f32> = vec3<f32>(seen_2.start_1 + seen_2.along_1 * vec3<f64>(f64(t_4)));
+    var _S329 : vec3<f32> = vec3<f32>(exact_unit_0(cross(seen_2.start_1, seen_2.along_1)));
+    var _S330 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
     var speed_1 : f32;
     if(!is_blind_0())
     {
-        speed_1 = abs(dot(velocity_on_0(at_32, seen_2.edge_3, t_4, _S326), _S327));
+        speed_1 = abs(dot(velocity_on_0(at_32, seen_2.edge_3, t_4, _S328), _S329));
     }
     else
     {
-        speed_1 = _S328;
+        speed_1 = _S330;
     }
-    var speed_2 : f32 = speed_1 / length(_S326);
+    var speed_2 : f32 = speed_1 / length(_S328);
     var angle_2 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S329 : f32 = light_from_0(at_32, middle_1);
-    var contribution_0 : f32 = angle_2 * _S329 * speed_2;
-    var _S330 : vec2<f32>;
+    var _S331 : f32 = light_from_0(at_32, middle_1);
+    var contribution_0 : f32 = angle_2 * _S331 * speed_2;
+    var _S332 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
     {
-        _S330 = vec2<f32>(contribution_0, angle_2);
+        _S332 = vec2<f32>(contribution_0, angle_2);
     }
     else
     {
-        _S330 = vec2<f32>(0.0f);
+        _S332 = vec2<f32>(0.0f);
     }
-    return _S330;
+    return _S332;
 }
 
 fn multiplicity_0( at_33 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f64>,  normal_5 : vec3<f64>) -> f32
 {
-    var _S331 : vec3<f64> = cross(normal_5, direction_10);
-    var _S332 : u32 = edge_5.record_7 + u32(8);
-    var k_8 : u32 = edge_word_0(_S332);
+    var _S333 : vec3<f64> = cross(normal_5, direction_10);
+    var _S334 : u32 = edge_5.record_7 + u32(8);
+    var k_8 : u32 = edge_word_0(_S334);
     var count_3 : f32 = 1.0f;
     for(;;)
     {
-        if(k_8 < (edge_word_0(_S332 + u32(1))))
+        if(k_8 < (edge_word_0(_S334 + u32(1))))
         {
         }
         else
@@ -3047,27 +3053,27 @@ fn multiplicity_0( at_33 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec
         }
         var a_14 : vec3<f64> = edge_position_0(other_0.numbers_4) - at_33.vertex_2.surface_3.exact_0;
         var way_1 : vec3<f64> = edge_position_0(other_0.numbers_4 + u32(3)) - at_33.vertex_2.surface_3.exact_0 - a_14;
-        var place_16 : f64 = - dot(a_14, _S331) / dot(way_1, _S331);
+        var place_16 : f64 = - dot(a_14, _S333) / dot(way_1, _S333);
         var there_0 : vec3<f64> = a_14 + way_1 * vec3<f64>(place_16);
-        var _S333 : bool;
+        var _S335 : bool;
         if(place_16 >= 0.0lf)
         {
-            _S333 = place_16 <= 1.0lf;
+            _S335 = place_16 <= 1.0lf;
         }
         else
         {
-            _S333 = false;
+            _S335 = false;
         }
-        var _S334 : bool;
-        if(_S333)
+        var _S336 : bool;
+        if(_S335)
         {
-            _S334 = (dot(there_0, direction_10)) > 0.0lf;
+            _S336 = (dot(there_0, direction_10)) > 0.0lf;
         }
         else
         {
-            _S334 = false;
+            _S336 = false;
         }
-        if(!_S334)
+        if(!_S336)
         {
             k_8 = k_8 + u32(1);
             continue;
@@ -3117,11 +3123,11 @@ struct EdgePoint_0
 
 fn point_on_0( at_35 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f64,  part_of_all_0 : f32) -> EdgePoint_0
 {
-    var _S335 : f64 = seen_3.range_1.x;
-    var _S336 : f64 = seen_3.range_1.y;
-    var _S337 : f64 = f64(seen_3.pieces_0);
-    var first_6 : f64 = place_between_0(_S335, _S336, seen_3.near_1, seen_3.far_0, f64(piece_1) / _S337);
-    var last_1 : f64 = place_between_0(_S335, _S336, seen_3.near_1, seen_3.far_0, f64(piece_1 + 1.0f) / _S337);
+    var _S337 : f64 = seen_3.range_1.x;
+    var _S338 : f64 = seen_3.range_1.y;
+    var _S339 : f64 = f64(seen_3.pieces_0);
+    var first_6 : f64 = place_between_0(_S337, _S338, seen_3.near_1, seen_3.far_0, f64(piece_1) / _S339);
+    var last_1 : f64 = place_between_0(_S337, _S338, seen_3.near_1, seen_3.far_0, f64(piece_1 + 1.0f) / _S339);
     var a_16 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(first_6);
     var b_11 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(last_1);
     var near_3 : f64 = length_of_0(a_16);
@@ -3133,49 +3139,49 @@ fn point_on_0( at_35 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     var t_6 : f64 = place_between_0(first_6, last_1, near_3, far_2, inside_3);
     var offset_10 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(t_6);
     var point_1 : EdgePoint_0;
-    var _S338 : f64 = length_of_0(offset_10);
-    point_1.distance_6 = _S338;
-    var _S339 : vec3<f64> = offset_10 / vec3<f64>(_S338);
-    point_1.direction_11 = _S339;
-    var _S340 : vec3<f64> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
-    point_1.normal_6 = _S340;
+    var _S340 : f64 = length_of_0(offset_10);
+    point_1.distance_6 = _S340;
+    var _S341 : vec3<f64> = offset_10 / vec3<f64>(_S340);
+    point_1.direction_11 = _S341;
+    var _S342 : vec3<f64> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_1.normal_6 = _S342;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_5 = f32(t_6);
-    point_1.measure_0 = f32(angle_3 / _S338) / (part_of_all_0 * multiplicity_0(at_35, seen_3.edge_3, _S339, _S340));
+    point_1.measure_0 = f32(angle_3 / _S340) / (part_of_all_0 * multiplicity_0(at_35, seen_3.edge_3, _S341, _S342));
     var face_0 : vec3<f64> = face_normal_1(at_35);
     var least_2 : f64 = limit_at_0(u32(2));
-    var _S341 : bool;
+    var _S343 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
     {
-        _S341 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+        _S343 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
     }
     else
     {
-        _S341 = false;
+        _S343 = false;
     }
-    point_1.is_in_horizon_0 = _S341;
+    point_1.is_in_horizon_0 = _S343;
     return point_1;
 }
 
 fn component_0( v_8 : vec3<f64>,  axis_5 : u32) -> f64
 {
-    var _S342 : f64;
+    var _S344 : f64;
     if(axis_5 == u32(0))
     {
-        _S342 = v_8.x;
+        _S344 = v_8.x;
     }
     else
     {
         if(axis_5 == u32(1))
         {
-            _S342 = v_8.y;
+            _S344 = v_8.y;
         }
         else
         {
-            _S342 = v_8.z;
+            _S344 = v_8.z;
         }
     }
-    return _S342;
+    return _S344;
 }
 
 fn ray_child_0( node_4 : u32,  slot_2 : u32) -> u32
@@ -3195,7 +3201,7 @@ struct RayView_0
 
 fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32) -> f32
 {
-    var _S343 : u32 = u32(14) * node_5 + slot_3 / u32(4);
+    var _S345 : u32 = u32(14) * node_5 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -3208,36 +3214,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S344 : u32 = axis_6;
-        var _S345 : u32 = _S343 + u32(2) * axis_6;
-        var _S346 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S345][_S346])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S345 + u32(6)][_S346])));
-        var _S347 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S348 : f32;
-        if(_S347)
-        {
-            _S348 = high_0;
-        }
-        else
-        {
-            _S348 = low_3;
-        }
-        var _S349 : f32 = max(near_4, _S348 * view_1.inverse_1[_S344] - view_1.offset_near_0[axis_6]);
+        var _S346 : u32 = axis_6;
+        var _S347 : u32 = _S345 + u32(2) * axis_6;
+        var _S348 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S347][_S348])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S347 + u32(6)][_S348])));
+        var _S349 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
         var _S350 : f32;
-        if(_S347)
-        {
-            _S350 = low_3;
-        }
-        else
+        if(_S349)
         {
             _S350 = high_0;
         }
-        var _S351 : f32 = min(far_3, _S350 * view_1.inverse_1[_S344] - view_1.offset_far_0[axis_6]);
-        var _S352 : u32 = axis_6 + u32(1);
-        near_4 = _S349;
-        far_3 = _S351;
-        axis_6 = _S352;
+        else
+        {
+            _S350 = low_3;
+        }
+        var _S351 : f32 = max(near_4, _S350 * view_1.inverse_1[_S346] - view_1.offset_near_0[axis_6]);
+        var _S352 : f32;
+        if(_S349)
+        {
+            _S352 = low_3;
+        }
+        else
+        {
+            _S352 = high_0;
+        }
+        var _S353 : f32 = min(far_3, _S352 * view_1.inverse_1[_S346] - view_1.offset_far_0[axis_6]);
+        var _S354 : u32 = axis_6 + u32(1);
+        near_4 = _S351;
+        far_3 = _S353;
+        axis_6 = _S354;
     }
     if(near_4 <= far_3)
     {
@@ -3262,7 +3268,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S353 : u32 = k_9;
+        var _S355 : u32 = k_9;
         if((bounds_0[k_9]) > limit_2)
         {
             k_9 = k_9 + u32(1);
@@ -3279,24 +3285,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S354 : u32 = j_0;
-            var _S355 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S353]))
+            var _S356 : u32 = j_0;
+            var _S357 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S355]))
             {
-                _S355 = true;
+                _S357 = true;
             }
             else
             {
-                if((bounds_0[_S354]) == (bounds_0[_S353]))
+                if((bounds_0[_S356]) == (bounds_0[_S355]))
                 {
-                    _S355 = j_0 < k_9;
+                    _S357 = j_0 < k_9;
                 }
                 else
                 {
-                    _S355 = false;
+                    _S357 = false;
                 }
             }
-            if(_S355)
+            if(_S357)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -3321,16 +3327,16 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
         {
             break;
         }
-        var _S356 : f32;
+        var _S358 : f32;
         if((ray_child_0(node_6, slot_4)) == u32(4294967295))
         {
-            _S356 = 3.00000000549775576e+38f;
+            _S358 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S356 = ray_bound_0(view_2, limit_3, node_6, slot_4);
+            _S358 = ray_bound_0(view_2, limit_3, node_6, slot_4);
         }
-        bounds_1[slot_4] = _S356;
+        bounds_1[slot_4] = _S358;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -3380,46 +3386,46 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_37 : u32) -> Crossing_0
     var a_17 : vec3<f64> = corner_0(ray_1, axes_8, at_37);
     var b_12 : vec3<f64> = corner_0(ray_1, axes_8, at_37 + u32(3));
     var c_3 : vec3<f64> = corner_0(ray_1, axes_8, at_37 + u32(6));
-    var _S357 : f64 = c_3.x;
-    var _S358 : f64 = b_12.y;
-    var cx_by_0 : f64 = rounded_0(_S357 * _S358, ray_1.largest_2);
-    var _S359 : f64 = c_3.y;
-    var _S360 : f64 = b_12.x;
-    var cy_bx_0 : f64 = rounded_0(_S359 * _S360, ray_1.largest_2);
-    var _S361 : f64 = a_17.x;
-    var ax_cy_0 : f64 = rounded_0(_S361 * _S359, ray_1.largest_2);
-    var _S362 : f64 = a_17.y;
-    var ay_cx_0 : f64 = rounded_0(_S362 * _S357, ray_1.largest_2);
-    var bx_ay_0 : f64 = rounded_0(_S360 * _S362, ray_1.largest_2);
-    var by_ax_0 : f64 = rounded_0(_S358 * _S361, ray_1.largest_2);
+    var _S359 : f64 = c_3.x;
+    var _S360 : f64 = b_12.y;
+    var cx_by_0 : f64 = rounded_0(_S359 * _S360, ray_1.largest_2);
+    var _S361 : f64 = c_3.y;
+    var _S362 : f64 = b_12.x;
+    var cy_bx_0 : f64 = rounded_0(_S361 * _S362, ray_1.largest_2);
+    var _S363 : f64 = a_17.x;
+    var ax_cy_0 : f64 = rounded_0(_S363 * _S361, ray_1.largest_2);
+    var _S364 : f64 = a_17.y;
+    var ay_cx_0 : f64 = rounded_0(_S364 * _S359, ray_1.largest_2);
+    var bx_ay_0 : f64 = rounded_0(_S362 * _S364, ray_1.largest_2);
+    var by_ax_0 : f64 = rounded_0(_S360 * _S363, ray_1.largest_2);
     var u_2 : f64 = cx_by_0 - cy_bx_0;
     var v_10 : f64 = ax_cy_0 - ay_cx_0;
     var w_4 : f64 = bx_ay_0 - by_ax_0;
-    var _S363 : f64 = min(min(u_2, v_10), w_4);
-    var _S364 : f64 = max(max(u_2, v_10), w_4);
-    var _S365 : bool;
-    if(_S363 < 0.0lf)
+    var _S365 : f64 = min(min(u_2, v_10), w_4);
+    var _S366 : f64 = max(max(u_2, v_10), w_4);
+    var _S367 : bool;
+    if(_S365 < 0.0lf)
     {
-        _S365 = _S364 > 0.0lf;
+        _S367 = _S366 > 0.0lf;
     }
     else
     {
-        _S365 = false;
+        _S367 = false;
     }
-    if(_S365)
+    if(_S367)
     {
         return crossing_1;
     }
     var determinant_0 : f64 = u_2 + v_10 + w_4;
-    if(_S363 <= 0.0lf)
+    if(_S365 <= 0.0lf)
     {
-        _S365 = _S364 >= 0.0lf;
+        _S367 = _S366 >= 0.0lf;
     }
     else
     {
-        _S365 = false;
+        _S367 = false;
     }
-    if(_S365)
+    if(_S367)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -3433,13 +3439,13 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_37 : u32) -> Crossing_0
     var t_8 : f64 = (rounded_0(u_2 * a_17.z, ray_1.largest_2) + rounded_0(v_10 * b_12.z, ray_1.largest_2) + rounded_0(w_4 * c_3.z, ray_1.largest_2)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_8)
     {
-        _S365 = t_8 <= (ray_1.t_max_0);
+        _S367 = t_8 <= (ray_1.t_max_0);
     }
     else
     {
-        _S365 = false;
+        _S367 = false;
     }
-    crossing_1.is_hit_0 = _S365;
+    crossing_1.is_hit_0 = _S367;
     crossing_1.t_7 = t_8;
     crossing_1.v_9 = v_10 / determinant_0;
     crossing_1.w_3 = w_4 / determinant_0;
@@ -3461,7 +3467,7 @@ struct Found_0
 
 fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S366 : bool;
+    var _S368 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_7 = u32(4294967295);
@@ -3493,31 +3499,31 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S367 : u32 = way_2[level_0].y;
-        if(_S367 == u32(0))
+        var _S369 : u32 = way_2[level_0].y;
+        if(_S369 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S368 : u32 = level_0 - u32(1);
+            var _S370 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S368;
+            level_0 = _S370;
             continue;
         }
-        var slot_5 : u32 = ((_S367 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S367 >> (u32(4)));
-        var _S369 : bool;
+        var slot_5 : u32 = ((_S369 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S369 >> (u32(4)));
+        var _S371 : bool;
         if(!is_new_1)
         {
-            _S369 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+            _S371 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S369 = false;
+            _S371 = false;
         }
-        if(_S369)
+        if(_S371)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -3526,20 +3532,20 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S370 : u32 = level_0 + u32(1);
+            var _S372 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S370;
+            level_0 = _S372;
             continue;
         }
         var leaf_1 : u32 = (child_0 & (u32(2147483647)));
-        var _S371 : u32 = leaf_starts_0[leaf_1 + u32(1)];
-        var _S372 : u32 = leaf_starts_0[leaf_1];
+        var _S373 : u32 = leaf_starts_0[leaf_1 + u32(1)];
+        var _S374 : u32 = leaf_starts_0[leaf_1];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S372;
+        var i_2 : u32 = _S374;
         for(;;)
         {
-            if(i_2 < _S371)
+            if(i_2 < _S373)
             {
             }
             else
@@ -3554,23 +3560,23 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S366 = true;
+                _S368 = true;
             }
             else
             {
-                _S366 = (crossing_2.t_7) < ((*ray_2).t_max_0);
+                _S368 = (crossing_2.t_7) < ((*ray_2).t_max_0);
             }
-            var _S373 : bool;
-            if(_S366)
+            var _S375 : bool;
+            if(_S368)
             {
-                _S373 = true;
+                _S375 = true;
             }
             else
             {
-                _S373 = (face_1(i_2)) < (found_0.face_2);
+                _S375 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S373)
+            if(_S375)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_7 = i_2;
@@ -3588,13 +3594,13 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S366 = (found_0.face_2) != u32(4294967295);
+            _S368 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S366 = false;
+            _S368 = false;
         }
-        if(_S366)
+        if(_S368)
         {
             break;
         }
@@ -3608,34 +3614,34 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_9 : ptr<function, f32>) -> Found_0
 {
     var size_1 : vec3<f32> = abs(vec3<f32>(direction_12));
-    var _S374 : f32 = size_1.x;
-    var _S375 : f32 = size_1.y;
-    var _S376 : bool;
-    if(_S374 >= _S375)
+    var _S376 : f32 = size_1.x;
+    var _S377 : f32 = size_1.y;
+    var _S378 : bool;
+    if(_S376 >= _S377)
     {
-        _S376 = _S374 >= (size_1.z);
+        _S378 = _S376 >= (size_1.z);
     }
     else
     {
-        _S376 = false;
+        _S378 = false;
     }
-    var _S377 : i32;
-    if(_S376)
+    var _S379 : i32;
+    if(_S378)
     {
-        _S377 = i32(0);
+        _S379 = i32(0);
     }
     else
     {
-        if(_S375 >= (size_1.z))
+        if(_S377 >= (size_1.z))
         {
-            _S377 = i32(1);
+            _S379 = i32(1);
         }
         else
         {
-            _S377 = i32(2);
+            _S379 = i32(2);
         }
     }
-    var z_3 : u32 = u32(_S377);
+    var z_3 : u32 = u32(_S379);
     var x_13 : u32 = (z_3 + u32(1)) % u32(3);
     var y_4 : u32 = (z_3 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
@@ -3646,13 +3652,13 @@ fn cast_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,  t_m
     ray_3.shear_y_0 = component_0(direction_12, y_4) / along_2;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S378 : f64 = abs(along_2);
-    ray_3.local_per_t_0 = _S378;
+    var _S380 : f64 = abs(along_2);
+    ray_3.local_per_t_0 = _S380;
     ray_3.enter_0 = 0.0lf;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_2 = limit_at_0(u32(1));
     var view_4 : RayView_0;
-    var _S379 : vec3<f32> = vec3<f32>(direction_12 / vec3<f64>(_S378));
+    var _S381 : vec3<f32> = vec3<f32>(direction_12 / vec3<f64>(_S380));
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -3663,17 +3669,17 @@ fn cast_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,  t_m
         {
             break;
         }
-        var _S380 : f32 = max(abs(_S379[axis_7]), 8.67361737988403547e-19f);
-        var _S381 : f32;
-        if((_S379[axis_7]) < 0.0f)
+        var _S382 : f32 = max(abs(_S381[axis_7]), 8.67361737988403547e-19f);
+        var _S383 : f32;
+        if((_S381[axis_7]) < 0.0f)
         {
-            _S381 = -1.0f / _S380;
+            _S383 = -1.0f / _S382;
         }
         else
         {
-            _S381 = 1.0f / _S380;
+            _S383 = 1.0f / _S382;
         }
-        view_4.inverse_1[axis_7] = _S381;
+        view_4.inverse_1[axis_7] = _S383;
         axis_7 = axis_7 + u32(1);
     }
     var offset_11 : vec3<f32> = vec3<f32>(origin_1) * view_4.inverse_1;
@@ -3713,31 +3719,31 @@ fn look_0( at_38 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Sid
     {
         var face_3 : vec3<f64> = face_normal_1(at_38);
         var height_3 : f64 = limit_at_0(u32(2));
-        var _S382 : f64;
+        var _S384 : f64;
         if((dot(direction_14, face_3)) < 0.0lf)
         {
-            _S382 = - height_3;
+            _S384 = - height_3;
         }
         else
         {
-            _S382 = height_3;
+            _S384 = height_3;
         }
-        origin_2 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S382);
+        origin_2 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S384);
     }
     else
     {
         origin_2 = at_38.vertex_2.surface_3.exact_0;
     }
     var seen_4 : Side_0;
-    var _S383 : vec3<f32> = vec3<f32>(direction_14);
-    seen_4.direction_13 = _S383;
-    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, _S383);
-    var _S384 : f64 = limit_at_0(u32(2));
-    var _S385 : f64 = limit_at_0(u32(1));
-    var _S386 : f32 = seen_4.t_10;
-    var _S387 : Found_0 = cast_0(origin_2, direction_14, _S384, _S385, false, &(_S386));
-    seen_4.t_10 = _S386;
-    seen_4.found_2 = _S387;
+    var _S385 : vec3<f32> = vec3<f32>(direction_14);
+    seen_4.direction_13 = _S385;
+    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, _S385);
+    var _S386 : f64 = limit_at_0(u32(2));
+    var _S387 : f64 = limit_at_0(u32(1));
+    var _S388 : f32 = seen_4.t_10;
+    var _S389 : Found_0 = cast_0(origin_2, direction_14, _S386, _S387, false, &(_S388));
+    seen_4.t_10 = _S388;
+    seen_4.found_2 = _S389;
     return seen_4;
 }
 
@@ -3768,7 +3774,7 @@ fn set_vector_0( path_12 : u32,  which_10 : ptr<function, u32>,  value_9 : vec3<
 
 fn place_of_0( found_3 : Found_0) -> Place_0
 {
-    return place_at_0(found_3.triangle_7, f32(found_3.v_11), f32(found_3.w_5));
+    return exact_place_0(found_3.triangle_7, found_3.v_11, found_3.w_5);
 }
 
 fn offset_of_0( point_3 : EdgePoint_0) -> vec3<f32>
@@ -3783,32 +3789,32 @@ fn emitter_seen_0( found_4 : Found_0,  direction_15 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_5 : u32 = word_0(shape_of_0(found_4.triangle_7) + u32(4));
-    var _S388 : bool;
+    var _S390 : bool;
     if(emitter_5 != u32(4294967295))
     {
-        _S388 = (dot(cross_of_0(found_4.triangle_7), direction_15)) < 0.0f;
+        _S390 = (dot(cross_of_0(found_4.triangle_7), direction_15)) < 0.0f;
     }
     else
     {
-        _S388 = false;
+        _S390 = false;
     }
-    var _S389 : u32;
-    if(_S388)
+    var _S391 : u32;
+    if(_S390)
     {
-        _S389 = emitter_5;
+        _S391 = emitter_5;
     }
     else
     {
-        _S389 = u32(4294967295);
+        _S391 = u32(4294967295);
     }
-    return _S389;
+    return _S391;
 }
 
 fn jump_of_light_0( at_39 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
 {
-    var _S390 : vec3<f32> = vec3<f32>(0.0f);
+    var _S392 : vec3<f32> = vec3<f32>(0.0f);
     var side_1 : u32 = u32(0);
-    var jump_0 : vec3<f32> = _S390;
+    var jump_0 : vec3<f32> = _S392;
     for(;;)
     {
         if(side_1 < u32(2))
@@ -3819,32 +3825,32 @@ fn jump_of_light_0( at_39 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
             break;
         }
         var seen_5 : Side_0 = look_0(at_39, point_4, side_1);
-        var _S391 : bool;
+        var _S393 : bool;
         if(!((largest_0(seen_5.scattered_2)) > 0.0f))
         {
-            _S391 = true;
+            _S393 = true;
         }
         else
         {
-            _S391 = (emitter_seen_0(seen_5.found_2, seen_5.direction_13)) != (at_39.emitter_0);
+            _S393 = (emitter_seen_0(seen_5.found_2, seen_5.direction_13)) != (at_39.emitter_0);
         }
-        if(_S391)
+        if(_S393)
         {
             side_1 = side_1 + u32(1);
             continue;
         }
-        var _S392 : vec3<f32> = emitted_0(at_39.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_13));
-        var light_2 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S392);
-        var _S393 : vec3<f32>;
+        var _S394 : vec3<f32> = emitted_0(at_39.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_13));
+        var light_2 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S394);
+        var _S395 : vec3<f32>;
         if(side_1 == u32(0))
         {
-            _S393 = light_2;
+            _S395 = light_2;
         }
         else
         {
-            _S393 = (vec3<f32>(0) - light_2);
+            _S395 = (vec3<f32>(0) - light_2);
         }
-        jump_0 = jump_0 + _S393;
+        jump_0 = jump_0 + _S395;
         side_1 = side_1 + u32(1);
     }
     return jump_0;
@@ -3852,59 +3858,59 @@ fn jump_of_light_0( at_39 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
 
 fn add_word_0( sum_2 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
 {
-    var _S394 : u32 = u32(2) + u32(4) * sum_2;
-    var _S395 : u32 = number_1;
+    var _S396 : u32 = u32(2) + u32(4) * sum_2;
+    var _S397 : u32 = number_1;
     var k_10 : u32 = word_of_sum_0;
     for(;;)
     {
-        var _S396 : bool;
+        var _S398 : bool;
         if(k_10 < u32(4))
         {
-            _S396 = _S395 != u32(0);
+            _S398 = _S397 != u32(0);
         }
         else
         {
-            _S396 = false;
+            _S398 = false;
         }
-        if(_S396)
+        if(_S398)
         {
         }
         else
         {
             break;
         }
-        var _S397 : u32;
+        var _S399 : u32;
         if(is_negative_0)
         {
-            _S397 = u32(0) - _S395;
+            _S399 = u32(0) - _S397;
         }
         else
         {
-            _S397 = _S395;
+            _S399 = _S397;
         }
-        var before_2 : u32 = atomicAdd(&(sums_0[_S394 + k_10]), _S397);
+        var before_2 : u32 = atomicAdd(&(sums_0[_S396 + k_10]), _S399);
         var overflows_0 : bool;
         if(is_negative_0)
         {
-            overflows_0 = before_2 < _S395;
+            overflows_0 = before_2 < _S397;
         }
         else
         {
-            overflows_0 = (before_2 + _S395) < before_2;
+            overflows_0 = (before_2 + _S397) < before_2;
         }
-        var _S398 : i32;
+        var _S400 : i32;
         if(overflows_0)
         {
-            _S398 = i32(1);
+            _S400 = i32(1);
         }
         else
         {
-            _S398 = i32(0);
+            _S400 = i32(0);
         }
-        var _S399 : u32 = u32(_S398);
-        var _S400 : u32 = k_10 + u32(1);
-        _S395 = _S399;
-        k_10 = _S400;
+        var _S401 : u32 = u32(_S400);
+        var _S402 : u32 = k_10 + u32(1);
+        _S397 = _S401;
+        k_10 = _S402;
     }
     return;
 }
@@ -3913,14 +3919,14 @@ fn add_to_sum_0( sum_3 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S401 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S403 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_2 : f32 = abs(scaled_0);
     if(size_2 > 7.73712524553362672e+25f)
     {
-        var _S402 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S404 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
     var is_negative_1 : bool = scaled_0 < 0.0f;
@@ -3928,16 +3934,16 @@ fn add_to_sum_0( sum_3 : u32,  derivative_0 : f32)
     var size_3 : f32 = size_2;
     for(;;)
     {
-        var _S403 : bool;
+        var _S405 : bool;
         if(highest_1 < u32(2))
         {
-            _S403 = size_3 >= 4.294967296e+09f;
+            _S405 = size_3 >= 4.294967296e+09f;
         }
         else
         {
-            _S403 = false;
+            _S405 = false;
         }
-        if(_S403)
+        if(_S405)
         {
         }
         else
@@ -3948,24 +3954,24 @@ fn add_to_sum_0( sum_3 : u32,  derivative_0 : f32)
         highest_1 = highest_1 + u32(1);
         size_3 = size_4;
     }
-    var _S404 : bool = highest_1 == u32(0);
-    var _S405 : f32;
-    if(_S404)
+    var _S406 : bool = highest_1 == u32(0);
+    var _S407 : f32;
+    if(_S406)
     {
-        _S405 = size_3 + 0.5f;
+        _S407 = size_3 + 0.5f;
     }
     else
     {
-        _S405 = size_3;
+        _S407 = size_3;
     }
-    var whole_1 : u32 = u32(_S405);
+    var whole_1 : u32 = u32(_S407);
     add_word_0(sum_3, highest_1, whole_1, is_negative_1);
-    if(_S404)
+    if(_S406)
     {
         return;
     }
     var rest_3 : f32 = (size_3 - f32(whole_1)) * 4.294967296e+09f;
-    var _S406 : u32 = highest_1 - u32(1);
+    var _S408 : u32 = highest_1 - u32(1);
     if(highest_1 == u32(1))
     {
         size_3 = rest_3 + 0.5f;
@@ -3974,7 +3980,7 @@ fn add_to_sum_0( sum_3 : u32,  derivative_0 : f32)
     {
         size_3 = rest_3;
     }
-    add_word_0(sum_3, _S406, u32(size_3), is_negative_1);
+    add_word_0(sum_3, _S408, u32(size_3), is_negative_1);
     return;
 }
 
@@ -4011,16 +4017,16 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
         var sums_at_0 : u32 = edge_word_0(record_9 + u32(2) + end_2);
         if(sums_at_0 != u32(4294967295))
         {
-            var _S407 : f32;
+            var _S409 : f32;
             if(end_2 == u32(0))
             {
-                _S407 = 1.0f - t_11;
+                _S409 = 1.0f - t_11;
             }
             else
             {
-                _S407 = t_11;
+                _S409 = t_11;
             }
-            add_to_sums_0(sums_at_0, by_velocity_0 * vec3<f32>(_S407));
+            add_to_sums_0(sums_at_0, by_velocity_0 * vec3<f32>(_S409));
         }
         end_2 = end_2 + u32(1);
     }
@@ -4034,13 +4040,13 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
 
 fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_40 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_2 : u32,  path_13 : Path_0)
 {
-    var _S408 : vec3<f32> = vec3<f32>(point_5.normal_6);
-    var _S409 : vec3<f32> = jump_of_light_0(at_40, point_5);
-    var by_velocity_1 : vec3<f32> = _S408 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S409)));
-    var _S410 : vec3<f32> = offset_of_0(point_5);
-    var _S411 : Pulled_0 = (*crossed_2).pulled_1;
-    edge_back_0(&(_S411), at_40.vertex_2, at_40.turns_0, point_5.edge_6.record_7, point_5.t_5, _S410, by_velocity_1);
-    (*crossed_2).pulled_1 = _S411;
+    var _S410 : vec3<f32> = vec3<f32>(point_5.normal_6);
+    var _S411 : vec3<f32> = jump_of_light_0(at_40, point_5);
+    var by_velocity_1 : vec3<f32> = _S410 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S411)));
+    var _S412 : vec3<f32> = offset_of_0(point_5);
+    var _S413 : Pulled_0 = (*crossed_2).pulled_1;
+    edge_back_0(&(_S413), at_40.vertex_2, at_40.turns_0, point_5.edge_6.record_7, point_5.t_5, _S412, by_velocity_1);
+    (*crossed_2).pulled_1 = _S413;
     return;
 }
 
@@ -4094,15 +4100,15 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 contributions_1 = asked_0.same_0;
             }
             var points_1 : u32 = u32(ceil(contributions_1 - 0.00100000004749745f));
-            var _S412 : f32 = asked_0.over_all_0 * f32(points_1);
+            var _S414 : f32 = asked_0.over_all_0 * f32(points_1);
             var step_2 : f64 = f64(total_1) / f64(points_1);
-            var _S413 : f64 = step_2 * asked_0.place_17;
+            var _S415 : f64 = step_2 * asked_0.place_17;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S412;
+            over_all_1 = _S414;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S413;
+            target_1 = _S415;
         }
         else
         {
@@ -4117,16 +4123,16 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
         var target_2 : f64 = target_1;
         for(;;)
         {
-            var _S414 : bool;
+            var _S416 : bool;
             if(k_11 < (edge_word_0(leaf_2 + u32(3))))
             {
-                _S414 = drawn_1 < points_0;
+                _S416 = drawn_1 < points_0;
             }
             else
             {
-                _S414 = false;
+                _S416 = false;
             }
-            if(_S414)
+            if(_S416)
             {
             }
             else
@@ -4134,14 +4140,14 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 break;
             }
             var seen_6 : SeenEdge_0;
-            var _S415 : bool = see_edge_0(at_41, k_11, &(seen_6));
+            var _S417 : bool = see_edge_0(at_41, k_11, &(seen_6));
             var drawn_2 : u32;
             var contributions_2 : f32;
             var angles_2 : f32;
             var pieces_3 : f32;
             var cumulative_2 : f32;
             var target_3 : f64;
-            if(!_S415)
+            if(!_S417)
             {
                 drawn_2 = drawn_1;
                 contributions_2 = contributions_1;
@@ -4191,26 +4197,26 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 var target_4 : f64 = target_3;
                 for(;;)
                 {
-                    var _S416 : bool;
+                    var _S418 : bool;
                     if(drawn_3 < points_0)
                     {
-                        _S416 = target_4 < f64(cumulative_3);
+                        _S418 = target_4 < f64(cumulative_3);
                     }
                     else
                     {
-                        _S416 = false;
+                        _S418 = false;
                     }
-                    if(_S416)
+                    if(_S418)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var _S417 : u32 = drawn_3 + u32(1);
+                    var _S419 : u32 = drawn_3 + u32(1);
                     var target_5 : f64 = target_4 + step_1;
                     cross_at_0(&((*crossed_3)), at_41, point_on_0(at_41, seen_6, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_1 * own_1 / total_0), number_of_path_3, path_14);
-                    drawn_3 = _S417;
+                    drawn_3 = _S419;
                     target_4 = target_5;
                 }
                 cumulative_2 = cumulative_3;
@@ -4240,17 +4246,17 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
 fn sample_points_0( at_42 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : Path_0,  subtrees_0 : vec3<u32>,  crossed_4 : ptr<function, Crossed_0>)
 {
     var numbers_9 : u32 = numbers_for_0(at_42.purpose_0) + u32(1);
-    var _S418 : u32 = subtrees_0.x;
-    var _S419 : f64 = precise_random_0(path_15.key_0, numbers_9);
-    var _S420 : f64 = precise_random_0(path_15.key_0, numbers_9 + u32(1));
-    var first_8 : u32 = _S418;
+    var _S420 : u32 = subtrees_0.x;
+    var _S421 : f64 = precise_random_0(path_15.key_0, numbers_9);
+    var _S422 : f64 = precise_random_0(path_15.key_0, numbers_9 + u32(1));
+    var first_8 : u32 = _S420;
     var leaf_3 : u32 = u32(4294967295);
     var probability_4 : f32 = 1.0f;
-    var i_3 : u32 = _S418;
+    var i_3 : u32 = _S420;
     for(;;)
     {
-        var _S421 : u32 = subtrees_0.y;
-        if(i_3 <= _S421)
+        var _S423 : u32 = subtrees_0.y;
+        if(i_3 <= _S423)
         {
         }
         else
@@ -4259,24 +4265,11 @@ fn sample_points_0( at_42 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : 
         }
         var next_0 : u32 = u32(4294967295);
         var of_next_0 : f32 = 1.0f;
-        var _S422 : bool;
-        if(i_3 < _S421)
-        {
-            var _S423 : bool = descend_0(at_42, (f64(i_3) + _S419) / f64(subtrees_0.z), &(next_0), &(of_next_0));
-            _S422 = !_S423;
-        }
-        else
-        {
-            _S422 = false;
-        }
-        if(_S422)
-        {
-            next_0 = u32(4294967295);
-        }
         var _S424 : bool;
-        if(i_3 > first_8)
+        if(i_3 < _S423)
         {
-            _S424 = next_0 == leaf_3;
+            var _S425 : bool = descend_0(at_42, (f64(i_3) + _S421) / f64(subtrees_0.z), &(next_0), &(of_next_0));
+            _S424 = !_S425;
         }
         else
         {
@@ -4284,18 +4277,31 @@ fn sample_points_0( at_42 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : 
         }
         if(_S424)
         {
+            next_0 = u32(4294967295);
+        }
+        var _S426 : bool;
+        if(i_3 > first_8)
+        {
+            _S426 = next_0 == leaf_3;
+        }
+        else
+        {
+            _S426 = false;
+        }
+        if(_S426)
+        {
             i_3 = i_3 + u32(1);
             continue;
         }
         if(leaf_3 != u32(4294967295))
         {
             var asked_1 : Share_0;
-            var _S425 : f32 = f32(i_3 - first_8);
-            asked_1.same_0 = _S425;
-            var _S426 : f32 = _S425 / f32(subtrees_0.z);
-            asked_1.share_0 = _S426;
-            asked_1.over_all_0 = probability_4 / _S426;
-            asked_1.place_17 = _S420 + f64(0.6180340051651001f * f32(first_8));
+            var _S427 : f32 = f32(i_3 - first_8);
+            asked_1.same_0 = _S427;
+            var _S428 : f32 = _S427 / f32(subtrees_0.z);
+            asked_1.share_0 = _S428;
+            asked_1.over_all_0 = probability_4 / _S428;
+            asked_1.place_17 = _S422 + f64(0.6180340051651001f * f32(first_8));
             for(;;)
             {
                 if((asked_1.place_17) >= 1.0lf)
@@ -4360,7 +4366,7 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
     {
         return;
     }
-    var _S427 : u32 = word_0(texture_8 + u32(1));
+    var _S429 : u32 = word_0(texture_8 + u32(1));
     var k_12 : u32 = u32(0);
     for(;;)
     {
@@ -4371,9 +4377,9 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         {
             break;
         }
-        var at_43 : u32 = first_9 + _S427 * lookup_5.texels_0[k_12];
+        var at_43 : u32 = first_9 + _S429 * lookup_5.texels_0[k_12];
         var own_2 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_12]);
-        if(_S427 == u32(1))
+        if(_S429 == u32(1))
         {
             add_to_sum_0(at_43, own_2.x + own_2.y + own_2.z);
             k_12 = k_12 + u32(1);
@@ -4393,13 +4399,13 @@ fn lookup_back_0( texture_9 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
 
 fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
 {
-    var _S428 : vec2<f32> = vec2<f32>(0.0f);
-    var _S429 : u32 = word_0(material_2 + u32(4));
+    var _S430 : vec2<f32> = vec2<f32>(0.0f);
+    var _S431 : u32 = word_0(material_2 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S428;
+    var by_place_0 : vec2<f32> = _S430;
     for(;;)
     {
-        if(slot_7 < _S429)
+        if(slot_7 < _S431)
         {
         }
         else
@@ -4412,9 +4418,9 @@ fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S430 : Lookup_0 = lookup_at_0(texture_10, place_18);
-        var _S431 : vec2<f32> = lookup_back_0(texture_10, _S430, slot_derivative_0(numbers_11, slot_7));
-        by_place_0 = by_place_0 + _S431;
+        var _S432 : Lookup_0 = lookup_at_0(texture_10, place_18);
+        var _S433 : vec2<f32> = lookup_back_0(texture_10, _S432, slot_derivative_0(numbers_11, slot_7));
+        by_place_0 = by_place_0 + _S433;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_0;
@@ -4459,16 +4465,16 @@ fn tangent_back_0( triangle_10 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : ve
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_10);
     var first_10 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
     var second_4 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
-    var _S432 : f32 = second_4.y;
-    var _S433 : f32 = first_10.y;
-    var scale_1 : f32 = 1.0f / (first_10.x * _S432 - second_4.x * _S433);
-    var of_ab_0 : f32 = _S432 * scale_1;
-    var of_ac_0 : f32 = - _S433 * scale_1;
+    var _S434 : f32 = second_4.y;
+    var _S435 : f32 = first_10.y;
+    var scale_1 : f32 = 1.0f / (first_10.x * _S434 - second_4.x * _S435);
+    var of_ab_0 : f32 = _S434 * scale_1;
+    var of_ac_0 : f32 = - _S435 * scale_1;
     var a_18 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S434 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S435 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_18) * _S434 + vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_18) * _S435));
-    add_to_corners_0(points_2, triangle_10, derivative_5 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_5 * _S434, derivative_5 * _S435);
+    var _S436 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S437 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_18) * _S436 + vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_18) * _S437));
+    add_to_corners_0(points_2, triangle_10, derivative_5 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_5 * _S436, derivative_5 * _S437);
     return;
 }
 
@@ -4487,12 +4493,12 @@ fn place_back_0( place_20 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : v
 {
     var corner_2 : u32 = u32(9) * place_20.triangle_0;
     var a_19 : vec3<f64> = primitive_vector_0(corner_2);
-    var _S436 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_19);
-    var _S437 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_19);
-    var across_2 : vec3<f32> = cross(_S436, _S437);
-    var _S438 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
-    var normal_7 : vec3<f32> = across_2 / vec3<f32>(_S438);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S437, normal_7) * vec3<f32>(by_place_1.x) + cross(normal_7, _S436) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_7, normal_7) * _S438)));
+    var _S438 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_19);
+    var _S439 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_19);
+    var across_2 : vec3<f32> = cross(_S438, _S439);
+    var _S440 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
+    var normal_7 : vec3<f32> = across_2 / vec3<f32>(_S440);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S439, normal_7) * vec3<f32>(by_place_1.x) + cross(normal_7, _S438) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_7, normal_7) * _S440)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_7 * vec3<f32>((dot(direction_16, by_slip_0) / dot(normal_7, direction_16)));
     add_at_place_0(points_of_0(place_20.triangle_0), place_20, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -4501,18 +4507,18 @@ fn place_back_0( place_20 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : v
 fn surface_back_0( surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_17 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_6.shape_0);
-    var _S439 : vec2<f32>;
+    var _S441 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_3 : u32 = u32(9) * surface_6.place_3.triangle_0;
         var a_20 : vec3<f64> = primitive_vector_0(corner_3);
-        var _S440 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_20);
-        var _S441 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_20);
-        var derivative_7 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(cross(_S440, _S441)));
-        var by_ab_0 : vec3<f32> = cross(_S441, derivative_7);
-        var by_ac_0 : vec3<f32> = cross(derivative_7, _S440);
+        var _S442 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_20);
+        var _S443 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_20);
+        var derivative_7 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(cross(_S442, _S443)));
+        var by_ab_0 : vec3<f32> = cross(_S443, derivative_7);
+        var by_ac_0 : vec3<f32> = cross(derivative_7, _S442);
         add_to_corners_0(points_of_0(surface_6.place_3.triangle_0), surface_6.place_3.triangle_0, (vec3<f32>(0) - by_ab_0) - by_ac_0, by_ab_0, by_ac_0);
-        _S439 = by_place_2;
+        _S441 = by_place_2;
     }
     else
     {
@@ -4522,41 +4528,41 @@ fn surface_back_0( surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_
         var ac_0 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_11 + u32(2))) - a_21;
         var derivative_8 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(a_21 + ab_0 * vec3<f32>(surface_6.place_3.v_0) + ac_0 * vec3<f32>(surface_6.place_3.w_0)));
         add_at_place_0(normals_of_0(surface_6.place_3.triangle_0), surface_6.place_3, derivative_8);
-        _S439 = by_place_2 + vec2<f32>(dot(ab_0, derivative_8), dot(ac_0, derivative_8));
+        _S441 = by_place_2 + vec2<f32>(dot(ab_0, derivative_8), dot(ac_0, derivative_8));
     }
-    var _S442 : vec3<f32> = place_back_0(surface_6.place_3, _S439, by_position_1, direction_17);
-    return _S442;
+    var _S444 : vec3<f32> = place_back_0(surface_6.place_3, _S441, by_position_1, direction_17);
+    return _S444;
 }
 
 fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32,  direction_18 : vec3<f32>) -> ByRay_0
 {
     var by_ray_1 : ByRay_0;
-    var _S443 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_0 = _S443;
-    by_ray_1.drift_0 = _S443;
+    var _S445 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S445;
+    by_ray_1.drift_0 = _S445;
     var by_place_3 : vec2<f32> = numbers_back_0(material_3, vertex_8.surface_3.place_3, pulled_3.numbers_3);
     if(!is_moving_0())
     {
         return by_ray_1;
     }
-    var _S444 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S446 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_0 : DiffPair_Axes_0;
     towards_0.primal_0 = vertex_8.axes_4;
-    towards_0.differential_0 = _S444;
+    towards_0.differential_0 = _S446;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_18;
-    incoming_0.differential_0 = _S443;
+    incoming_0.differential_0 = _S445;
     _S173(&(towards_0), &(incoming_0), pulled_3.wi_2);
     by_ray_1.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_8.surface_3.outward_0;
-    outward_1.differential_0 = _S443;
-    var _S445 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
+    outward_1.differential_0 = _S445;
+    var _S447 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S445;
-    tangent_4.differential_0 = _S443;
+    tangent_4.primal_0 = _S447;
+    tangent_4.differential_0 = _S445;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_3.axes_5, towards_0.differential_0);
-    if((any((_S445 != _S443))))
+    if((any((_S447 != _S445))))
     {
         _S124(&(outward_1), &(tangent_4), vertex_8.surface_3.is_front_0, by_axes_0);
         tangent_back_0(vertex_8.surface_3.place_3.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -4565,17 +4571,17 @@ fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32, 
     {
         _S93(&(outward_1), vertex_8.surface_3.is_front_0, by_axes_0);
     }
-    var _S446 : vec3<f32> = surface_back_0(vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_18);
-    by_ray_1.drift_0 = _S446;
+    var _S448 : vec3<f32> = surface_back_0(vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_18);
+    by_ray_1.drift_0 = _S448;
     return by_ray_1;
 }
 
 fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_44 : ShadingPoint_0,  direction_19 : vec3<f32>)
 {
     var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_44.vertex_2, material_of_0(at_44.vertex_2.surface_3), direction_19);
-    var _S447 : u32 = kept_at_0(depth_of_launch_0()) + u32(18);
-    var kept_1 : u32 = _S447;
-    var which_11 : u32 = _S447;
+    var _S449 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
+    var kept_1 : u32 = _S449;
+    var which_11 : u32 = _S449;
     var drift_1 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     var by_direction_0 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     set_vector_0(number_of_path_5, &(kept_1), drift_1 + by_ray_2.drift_0);
@@ -4596,8 +4602,8 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var factor_5 : vec3<f32>;
     var path_16 : Path_0 = path_at_vertex_0(number_of_path_6, &(factor_5));
     var at_45 : ShadingPoint_0;
-    var _S448 : bool = shading_point_0(path_16, &(at_45));
-    if(!_S448)
+    var _S450 : bool = shading_point_0(path_16, &(at_45));
+    if(!_S450)
     {
         return;
     }

@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 6c39061bcedb282c
-// result: 0899299f0c549fc0
+// source: dde1a58c472d4d9f
+// result: 59c0a381f4f407f8
 
 struct Launch_std140_0
 {
@@ -687,29 +687,33 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+fn exact_place_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_0 = triangle_1;
     place_0.v_0 = v_1;
     place_0.w_0 = w_1;
+    place_0.v_rest_0 = 0.0f;
+    place_0.w_rest_0 = 0.0f;
     return place_0;
 }
 
 fn path_place_0( path_6 : u32,  which_6 : ptr<function, u32>) -> Place_0
 {
-    var _S185 : u32 = (*which_6) + u32(3);
+    var _S185 : u32 = (*which_6) + u32(5);
     (*which_6) = _S185;
-    return place_at_0(path_word_0(path_6, _S185 - u32(3)), (bitcast<f32>((path_word_0(path_6, _S185 - u32(2))))), (bitcast<f32>((path_word_0(path_6, _S185 - u32(1))))));
+    return exact_place_0(path_word_0(path_6, _S185 - u32(5)), (bitcast<f32>((path_word_0(path_6, _S185 - u32(4))))) + (bitcast<f32>((path_word_0(path_6, _S185 - u32(2))))), (bitcast<f32>((path_word_0(path_6, _S185 - u32(3))))) + (bitcast<f32>((path_word_0(path_6, _S185 - u32(1))))));
 }
 
 fn path_place_1( path_7 : u32,  which_7 : ptr<function, u32>) -> Place_0
 {
-    var _S186 : u32 = (*which_7) + u32(3);
+    var _S186 : u32 = (*which_7) + u32(5);
     (*which_7) = _S186;
-    return place_at_0(path_word_0(path_7, _S186 - u32(3)), (bitcast<f32>((path_word_0(path_7, _S186 - u32(2))))), (bitcast<f32>((path_word_0(path_7, _S186 - u32(1))))));
+    return exact_place_0(path_word_0(path_7, _S186 - u32(5)), (bitcast<f32>((path_word_0(path_7, _S186 - u32(4))))) + (bitcast<f32>((path_word_0(path_7, _S186 - u32(2))))), (bitcast<f32>((path_word_0(path_7, _S186 - u32(3))))) + (bitcast<f32>((path_word_0(path_7, _S186 - u32(1))))));
 }
 
 struct ByRay_0
@@ -756,7 +760,7 @@ fn depth_of_launch_0() -> u32
 
 fn kept_at_0( depth_1 : u32) -> u32
 {
-    return u32(31) + u32(27) * depth_1;
+    return u32(33) + u32(29) * depth_1;
 }
 
 fn path_at_vertex_0( number_of_path_1 : u32,  factor_0 : ptr<function, vec3<f32>>) -> Path_0
@@ -801,7 +805,7 @@ fn position_of_0( place_2 : Place_0) -> vec3<f32>
 {
     var at_3 : u32 = u32(9) * place_2.triangle_0;
     var a_2 : vec3<f32> = primitive_vector_0(at_3);
-    return a_2 + (primitive_vector_0(at_3 + u32(3)) - a_2) * vec3<f32>(place_2.v_0) + (primitive_vector_0(at_3 + u32(6)) - a_2) * vec3<f32>(place_2.w_0);
+    return a_2 + (primitive_vector_0(at_3 + u32(3)) - a_2) * vec3<f32>((place_2.v_0 + place_2.v_rest_0)) + (primitive_vector_0(at_3 + u32(6)) - a_2) * vec3<f32>((place_2.w_0 + place_2.w_rest_0));
 }
 
 fn cross_of_0( triangle_4 : u32) -> vec3<f32>
@@ -2511,7 +2515,7 @@ fn see_edge_0( at_28 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, 
     {
         longest_0 = 0.05000000074505806f;
     }
-    (*seen_1).pieces_0 = clamp(ceil((*seen_1).chord_0 / longest_0), 1.0f, 32.0f);
+    (*seen_1).pieces_0 = clamp(ceil((*seen_1).chord_0 / longest_0 - 0.00100000004749745f), 1.0f, 32.0f);
     return true;
 }
 
@@ -3763,7 +3767,7 @@ fn set_vector_0( path_12 : u32,  which_10 : ptr<function, u32>,  value_9 : vec3<
 
 fn place_of_0( found_3 : Found_0) -> Place_0
 {
-    return place_at_0(found_3.triangle_7, found_3.v_11, found_3.w_5);
+    return exact_place_0(found_3.triangle_7, found_3.v_11, found_3.w_5);
 }
 
 fn offset_of_0( point_3 : EdgePoint_0) -> vec3<f32>
@@ -4086,7 +4090,7 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
             {
                 target_1 = asked_0.same_0;
             }
-            var points_1 : u32 = u32(ceil(target_1));
+            var points_1 : u32 = u32(ceil(target_1 - 0.00100000004749745f));
             var _S405 : f32 = f32(points_1);
             var _S406 : f32 = asked_0.over_all_0 * _S405;
             var step_2 : f32 = total_1 / _S405;
@@ -4567,7 +4571,7 @@ fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32, 
 fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_44 : ShadingPoint_0,  direction_19 : vec3<f32>)
 {
     var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_44.vertex_2, material_of_0(at_44.vertex_2.surface_3), direction_19);
-    var _S437 : u32 = kept_at_0(depth_of_launch_0()) + u32(18);
+    var _S437 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
     var kept_1 : u32 = _S437;
     var which_11 : u32 = _S437;
     var drift_1 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));

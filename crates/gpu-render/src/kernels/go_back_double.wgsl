@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 2f5cb71f39c27c50
-// result: ee70065971e8cad4
+// source: 34f6f725355e4320
+// result: 1cf43306ad3b3ebc
 
 struct Launch_std140_0
 {
@@ -3387,7 +3387,7 @@ fn _S984( _S985 : Lobe_0,  _S986 : ptr<function, DiffPair_Numbers_0>,  _S987 : p
 
 fn kept_at_0( depth_1 : u32) -> u32
 {
-    return u32(31) + u32(27) * depth_1;
+    return u32(33) + u32(29) * depth_1;
 }
 
 fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
@@ -3407,22 +3407,28 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+fn exact_place_0( triangle_1 : u32,  v_1 : f64,  w_1 : f64) -> Place_0
 {
     var place_2 : Place_0;
     place_2.triangle_0 = triangle_1;
-    place_2.v_0 = v_1;
-    place_2.w_0 = w_1;
+    var _S994 : f32 = f32(v_1);
+    place_2.v_0 = _S994;
+    var _S995 : f32 = f32(w_1);
+    place_2.w_0 = _S995;
+    place_2.v_rest_0 = f32(v_1 - f64(_S994));
+    place_2.w_rest_0 = f32(w_1 - f64(_S995));
     return place_2;
 }
 
 fn path_place_0( path_2 : u32,  which_2 : ptr<function, u32>) -> Place_0
 {
-    var _S994 : u32 = (*which_2) + u32(3);
-    (*which_2) = _S994;
-    return place_at_0(path_word_0(path_2, _S994 - u32(3)), (bitcast<f32>((path_word_0(path_2, _S994 - u32(2))))), (bitcast<f32>((path_word_0(path_2, _S994 - u32(1))))));
+    var _S996 : u32 = (*which_2) + u32(5);
+    (*which_2) = _S996;
+    return exact_place_0(path_word_0(path_2, _S996 - u32(5)), f64((bitcast<f32>((path_word_0(path_2, _S996 - u32(4)))))) + f64((bitcast<f32>((path_word_0(path_2, _S996 - u32(2)))))), f64((bitcast<f32>((path_word_0(path_2, _S996 - u32(3)))))) + f64((bitcast<f32>((path_word_0(path_2, _S996 - u32(1)))))));
 }
 
 fn triangle_record_0( triangle_2 : u32) -> u32
@@ -3444,7 +3450,7 @@ fn position_of_0( place_3 : Place_0) -> vec3<f64>
 {
     var at_4 : u32 = u32(9) * place_3.triangle_0;
     var a_4 : vec3<f64> = primitive_vector_0(at_4);
-    return a_4 + (primitive_vector_0(at_4 + u32(3)) - a_4) * vec3<f64>(f64(place_3.v_0)) + (primitive_vector_0(at_4 + u32(6)) - a_4) * vec3<f64>(f64(place_3.w_0));
+    return a_4 + (primitive_vector_0(at_4 + u32(3)) - a_4) * vec3<f64>((f64(place_3.v_0) + f64(place_3.v_rest_0))) + (primitive_vector_0(at_4 + u32(6)) - a_4) * vec3<f64>((f64(place_3.w_0) + f64(place_3.w_rest_0)));
 }
 
 fn cross_of_0( triangle_4 : u32) -> vec3<f32>
@@ -3480,14 +3486,14 @@ fn surface_at_0( place_5 : Place_0,  direction_0 : vec3<f32>) -> Surface_0
     var surface_0 : Surface_0;
     surface_0.place_4 = place_5;
     surface_0.shape_0 = shape_of_0(place_5.triangle_0);
-    var _S995 : vec3<f64> = position_of_0(place_5);
-    surface_0.exact_0 = _S995;
-    surface_0.position_0 = vec3<f32>(_S995);
-    var _S996 : vec3<f32> = unit_0(cross_of_0(place_5.triangle_0));
-    surface_0.face_normal_0 = _S996;
-    surface_0.outward_0 = _S996;
+    var _S997 : vec3<f64> = position_of_0(place_5);
+    surface_0.exact_0 = _S997;
+    surface_0.position_0 = vec3<f32>(_S997);
+    var _S998 : vec3<f32> = unit_0(cross_of_0(place_5.triangle_0));
+    surface_0.face_normal_0 = _S998;
+    surface_0.outward_0 = _S998;
     var seen_0 : f32;
-    if((dot(_S996, direction_0)) > 0.0f)
+    if((dot(_S998, direction_0)) > 0.0f)
     {
         seen_0 = -1.0f;
     }
@@ -3514,26 +3520,26 @@ fn surface_at_0( place_5 : Place_0,  direction_0 : vec3<f32>) -> Surface_0
 
 fn material_of_0( surface_1 : Surface_0) -> u32
 {
-    var _S997 : u32;
+    var _S999 : u32;
     if(surface_1.is_front_0)
     {
-        _S997 = u32(2);
+        _S999 = u32(2);
     }
     else
     {
-        _S997 = u32(3);
+        _S999 = u32(3);
     }
-    return word_0(surface_1.shape_0 + _S997);
+    return word_0(surface_1.shape_0 + _S999);
 }
 
 fn no_numbers_0() -> Numbers_0
 {
     var numbers_2 : Numbers_0;
-    var _S998 : vec3<f32> = vec3<f32>(0.0f);
-    numbers_2.k_0 = _S998;
-    numbers_2.eta_0 = _S998;
-    numbers_2.specular_reflectance_0 = _S998;
-    numbers_2.diffuse_reflectance_0 = _S998;
+    var _S1000 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_2.k_0 = _S1000;
+    numbers_2.eta_0 = _S1000;
+    numbers_2.specular_reflectance_0 = _S1000;
+    numbers_2.diffuse_reflectance_0 = _S1000;
     numbers_2.alpha_0 = vec2<f32>(0.0f);
     return numbers_2;
 }
@@ -3553,9 +3559,9 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_1 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    var _S999 : vec4<f32> = vec4<f32>(0.0f);
-    lookup_0.by_second_0 = _S999;
-    lookup_0.by_first_0 = _S999;
+    var _S1001 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S1001;
+    lookup_0.by_first_0 = _S1001;
     return lookup_0;
 }
 
@@ -3568,11 +3574,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_8 : vec2<f32>,  b_5 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
 {
-    var _S1000 : Corners2_0;
-    _S1000.a_7 = a_8;
-    _S1000.b_4 = b_5;
-    _S1000.c_1 = c_2;
-    return _S1000;
+    var _S1002 : Corners2_0;
+    _S1002.a_7 = a_8;
+    _S1002.b_4 = b_5;
+    _S1002.c_1 = c_2;
+    return _S1002;
 }
 
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
@@ -3645,13 +3651,13 @@ fn between_0( texels_1 : vec4<u32>,  place_6 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S1001 : f32 = back_0.x;
-    var _S1002 : f32 = back_0.y;
-    var _S1003 : f32 = way_0.x;
-    var _S1004 : f32 = way_0.y;
-    lookup_1.weights_1 = vec4<f32>(_S1001 * _S1002, _S1003 * _S1002, _S1001 * _S1004, _S1003 * _S1004);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S1002, _S1002, - _S1004, _S1004);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S1001, - _S1003, _S1001, _S1003);
+    var _S1003 : f32 = back_0.x;
+    var _S1004 : f32 = back_0.y;
+    var _S1005 : f32 = way_0.x;
+    var _S1006 : f32 = way_0.y;
+    lookup_1.weights_1 = vec4<f32>(_S1003 * _S1004, _S1005 * _S1004, _S1003 * _S1006, _S1005 * _S1006);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S1004, _S1004, - _S1006, _S1006);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S1003, - _S1005, _S1003, _S1005);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_6.by_first_1.x) + by_y_0 * vec4<f32>(place_6.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_6.by_second_1.x) + by_y_0 * vec4<f32>(place_6.by_second_1.y);
     return lookup_1;
@@ -3667,22 +3673,22 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_7.y), height_0, wrap_1);
-        var _S1005 : u32 = row_0 * u32(width_0);
-        var _S1006 : u32 = wrapped_0(floor_of_0(place_7.x), width_0, wrap_1);
-        return one_texel_0(_S1005 + _S1006);
+        var _S1007 : u32 = row_0 * u32(width_0);
+        var _S1008 : u32 = wrapped_0(floor_of_0(place_7.x), width_0, wrap_1);
+        return one_texel_0(_S1007 + _S1008);
     }
     var centred_0 : Point_0;
-    var _S1007 : vec2<f32> = place_7 - vec2<f32>(0.5f);
-    centred_0.value_2 = _S1007;
+    var _S1009 : vec2<f32> = place_7 - vec2<f32>(0.5f);
+    centred_0.value_2 = _S1009;
     centred_0.by_first_1 = uv_0.by_first_1 * size_0;
     centred_0.by_second_1 = uv_0.by_second_1 * size_0;
-    var x_12 : i32 = floor_of_0(_S1007.x);
-    var y_3 : i32 = floor_of_0(_S1007.y);
-    var _S1008 : u32 = wrapped_0(y_3, height_0, wrap_1);
-    var _S1009 : u32 = u32(width_0);
-    var first_1 : u32 = _S1008 * _S1009;
-    var _S1010 : u32 = wrapped_0(y_3 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S1010 * _S1009;
+    var x_12 : i32 = floor_of_0(_S1009.x);
+    var y_3 : i32 = floor_of_0(_S1009.y);
+    var _S1010 : u32 = wrapped_0(y_3, height_0, wrap_1);
+    var _S1011 : u32 = u32(width_0);
+    var first_1 : u32 = _S1010 * _S1011;
+    var _S1012 : u32 = wrapped_0(y_3 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S1012 * _S1011;
     var left_0 : u32 = wrapped_0(x_12, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_12 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -3715,39 +3721,39 @@ fn lookup_at_0( texture_1 : u32,  place_8 : Place_0) -> Lookup_0
     var to_u_0 : vec3<f32> = vector_at_0(rows_0);
     var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S1011 : vec3<f32> = vec3<f32>(uvs_1.a_7 * vec2<f32>((1.0f - place_8.v_0 - place_8.w_0)) + uvs_1.b_4 * vec2<f32>(place_8.v_0) + uvs_1.c_1 * vec2<f32>(place_8.w_0), 1.0f);
-    uv_1.value_2 = vec2<f32>(dot(_S1011, to_u_0), dot(_S1011, to_v_0));
+    var _S1013 : vec3<f32> = vec3<f32>(uvs_1.a_7 * vec2<f32>((1.0f - place_8.v_0 - place_8.w_0)) + uvs_1.b_4 * vec2<f32>(place_8.v_0) + uvs_1.c_1 * vec2<f32>(place_8.w_0), 1.0f);
+    uv_1.value_2 = vec2<f32>(dot(_S1013, to_u_0), dot(_S1013, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_4 - uvs_1.a_7;
     var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_7;
-    var _S1012 : vec2<f32> = to_u_0.xy;
-    var _S1013 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S1012), dot(by_v_0, _S1013));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S1012), dot(by_w_0, _S1013));
+    var _S1014 : vec2<f32> = to_u_0.xy;
+    var _S1015 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S1014), dot(by_v_0, _S1015));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S1014), dot(by_w_0, _S1015));
     if(kind_1 == u32(1))
     {
-        var _S1014 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S1014;
+        var _S1016 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S1016;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
-    var _S1015 : i32;
+    var _S1017 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S1015 = i32(1);
+        _S1017 = i32(1);
     }
     else
     {
-        _S1015 = i32(0);
+        _S1017 = i32(0);
     }
-    return one_texel_0(u32(_S1015));
+    return one_texel_0(u32(_S1017));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f32>) -> vec3<f32>
 {
-    var _S1016 : u32 = word_0(texture_2 + u32(1));
-    var _S1017 : u32 = texture_2 + u32(13);
-    var _S1018 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1018 : u32 = word_0(texture_2 + u32(1));
+    var _S1019 : u32 = texture_2 + u32(13);
+    var _S1020 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_3 : vec3<f32> = _S1018;
+    var value_3 : vec3<f32> = _S1020;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -3757,17 +3763,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S1017 + _S1016 * lookup_3.texels_0[k_1];
-        var _S1019 : vec3<f32>;
-        if(_S1016 == u32(1))
+        var at_8 : u32 = _S1019 + _S1018 * lookup_3.texels_0[k_1];
+        var _S1021 : vec3<f32>;
+        if(_S1018 == u32(1))
         {
-            _S1019 = vec3<f32>(number_0(at_8));
+            _S1021 = vec3<f32>(number_0(at_8));
         }
         else
         {
-            _S1019 = vector_at_0(at_8);
+            _S1021 = vector_at_0(at_8);
         }
-        var value_4 : vec3<f32> = value_3 + _S1019 * vec3<f32>(weights_2[k_1]);
+        var value_4 : vec3<f32> = value_3 + _S1021 * vec3<f32>(weights_2[k_1]);
         k_1 = k_1 + u32(1);
         value_3 = value_4;
     }
@@ -3781,8 +3787,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_9 : Place_0) -> vec3<f32>
 {
-    var _S1020 : Lookup_0 = lookup_at_0(texture_4, place_9);
-    return looked_up_0(texture_4, _S1020, vec2<f32>(0.0f));
+    var _S1022 : Lookup_0 = lookup_at_0(texture_4, place_9);
+    return looked_up_0(texture_4, _S1022, vec2<f32>(0.0f));
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -3840,11 +3846,11 @@ fn lobe_at_0( record_3 : u32,  place_10 : Place_0) -> Lobe_0
     lobe_5.kind_0 = word_0(record_3);
     lobe_5.distribution_0 = word_0(record_3 + u32(1));
     lobe_5.numbers_0 = no_numbers_0();
-    var _S1021 : u32 = word_0(record_3 + u32(4));
+    var _S1023 : u32 = word_0(record_3 + u32(4));
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S1021)
+        if(slot_1 < _S1023)
         {
         }
         else
@@ -3858,10 +3864,10 @@ fn lobe_at_0( record_3 : u32,  place_10 : Place_0) -> Lobe_0
             continue;
         }
         var colour_2 : vec3<f32> = shown_0(texture_5, place_10);
-        var _S1022 : vec3<f32> = value_of_0(colour_2);
-        var _S1023 : Numbers_0 = lobe_5.numbers_0;
-        set_slot_0(&(_S1023), slot_1, _S1022);
-        lobe_5.numbers_0 = _S1023;
+        var _S1024 : vec3<f32> = value_of_0(colour_2);
+        var _S1025 : Numbers_0 = lobe_5.numbers_0;
+        set_slot_0(&(_S1025), slot_1, _S1024);
+        lobe_5.numbers_0 = _S1025;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_5;
@@ -3876,53 +3882,53 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_4.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S1024 : vec3<f32>;
+    var _S1026 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S1024 = tangent_0;
+        _S1026 = tangent_0;
     }
     else
     {
-        _S1024 = vec3<f32>(0.0f);
+        _S1026 = vec3<f32>(0.0f);
     }
-    return _S1024;
+    return _S1026;
 }
 
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S1025 : vec3<f32>;
+    var _S1027 : vec3<f32>;
     if(is_front_1)
     {
-        _S1025 = n_2;
+        _S1027 = n_2;
     }
     else
     {
-        _S1025 = (vec3<f32>(0) - n_2);
+        _S1027 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_0 = _S1025;
-    var _S1026 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S1026;
-    axes_0.t_0 = cross(n_2, _S1026);
+    axes_0.n_0 = _S1027;
+    var _S1028 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S1028;
+    axes_0.t_0 = cross(n_2, _S1028);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S1027 : vec3<f32>;
+    var _S1029 : vec3<f32>;
     if(is_front_2)
     {
-        _S1027 = n_3;
+        _S1029 = n_3;
     }
     else
     {
-        _S1027 = (vec3<f32>(0) - n_3);
+        _S1029 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_0 = _S1027;
-    var _S1028 : f32 = n_3.z;
+    axes_1.n_0 = _S1029;
+    var _S1030 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S1028 < 0.0f)
+    if(_S1030 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -3930,12 +3936,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_1 = 1.0f;
     }
-    var a_9 : f32 = -1.0f / (sign_1 + _S1028);
-    var _S1029 : f32 = n_3.x;
-    var _S1030 : f32 = n_3.y;
-    var b_6 : f32 = _S1029 * _S1030 * a_9;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S1029 * _S1029 * a_9, sign_1 * b_6, - sign_1 * _S1029);
-    axes_1.t_0 = vec3<f32>(b_6, sign_1 + _S1030 * _S1030 * a_9, - _S1030);
+    var a_9 : f32 = -1.0f / (sign_1 + _S1030);
+    var _S1031 : f32 = n_3.x;
+    var _S1032 : f32 = n_3.y;
+    var b_6 : f32 = _S1031 * _S1032 * a_9;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S1031 * _S1031 * a_9, sign_1 * b_6, - sign_1 * _S1031);
+    axes_1.t_0 = vec3<f32>(b_6, sign_1 + _S1032 * _S1032 * a_9, - _S1032);
     return axes_1;
 }
 
@@ -3962,8 +3968,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_2 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S1031 : Lobe_0 = lobe_at_0(material_0, surface_4.place_4);
-    vertex_0.lobe_6 = _S1031;
+    var _S1033 : Lobe_0 = lobe_at_0(material_0, surface_4.place_4);
+    vertex_0.lobe_6 = _S1033;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -3989,12 +3995,12 @@ fn nothing_pulled_0() -> Pulled_0
 {
     var pulled_0 : Pulled_0;
     pulled_0.numbers_4 = no_numbers_0();
-    var _S1032 : vec3<f32> = vec3<f32>(0.0f);
-    pulled_0.position_1 = _S1032;
-    pulled_0.wi_2 = _S1032;
-    pulled_0.axes_5.n_0 = _S1032;
-    pulled_0.axes_5.t_0 = _S1032;
-    pulled_0.axes_5.s_0 = _S1032;
+    var _S1034 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_1 = _S1034;
+    pulled_0.wi_2 = _S1034;
+    pulled_0.axes_5.n_0 = _S1034;
+    pulled_0.axes_5.t_0 = _S1034;
+    pulled_0.axes_5.s_0 = _S1034;
     return pulled_0;
 }
 
@@ -4013,17 +4019,17 @@ fn axes_back_0( axes_7 : ptr<function, Axes_0>,  local_0 : vec3<f32>,  world_0 :
 
 fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_1 : Vertex_0,  wo_0 : vec3<f32>,  direction_3 : vec3<f32>,  is_specular_0 : bool,  by_value_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S1033 : Numbers_0 = no_numbers_0();
+    var _S1035 : Numbers_0 = no_numbers_0();
     var numbers_5 : DiffPair_Numbers_0;
     numbers_5.primal_0 = vertex_1.lobe_6.numbers_0;
-    numbers_5.differential_0 = _S1033;
-    var _S1034 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_5.differential_0 = _S1035;
+    var _S1036 : vec3<f32> = vec3<f32>(0.0f);
     var wi_3 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     wi_3.primal_0 = vertex_1.wi_1;
-    wi_3.differential_0 = _S1034;
+    wi_3.differential_0 = _S1036;
     var onward_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     onward_0.primal_0 = wo_0;
-    onward_0.differential_0 = _S1034;
+    onward_0.differential_0 = _S1036;
     if(is_specular_0)
     {
         _S984(vertex_1.lobe_6, &(numbers_5), &(wi_3), by_value_0);
@@ -4033,30 +4039,30 @@ fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_1 : Vertex_0,  
         var by_scattering_0 : Scattering_Differential_0;
         by_scattering_0.value_0 = by_value_0;
         _S926(vertex_1.lobe_6, &(numbers_5), &(wi_3), &(onward_0), by_scattering_0);
-        var _S1035 : Axes_0 = (*pulled_1).axes_5;
-        axes_back_0(&(_S1035), onward_0.differential_0, direction_3);
-        (*pulled_1).axes_5 = _S1035;
+        var _S1037 : Axes_0 = (*pulled_1).axes_5;
+        axes_back_0(&(_S1037), onward_0.differential_0, direction_3);
+        (*pulled_1).axes_5 = _S1037;
     }
     (*pulled_1).numbers_4 = Numbers_x24_syn_dadd_0((*pulled_1).numbers_4, numbers_5.differential_0);
     (*pulled_1).wi_2 = (*pulled_1).wi_2 + wi_3.differential_0;
-    var _S1036 : vec3<f32>;
+    var _S1038 : vec3<f32>;
     if(is_specular_0)
     {
-        _S1036 = _S1034;
+        _S1038 = _S1036;
     }
     else
     {
-        _S1036 = to_world_0(vertex_1.axes_4, onward_0.differential_0);
+        _S1038 = to_world_0(vertex_1.axes_4, onward_0.differential_0);
     }
-    return _S1036;
+    return _S1038;
 }
 
 fn specular_direction_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_2 : Vertex_0,  wo_1 : vec3<f32>,  by_direction_0 : vec3<f32>)
 {
     var local_1 : vec3<f32> = to_local_0(vertex_2.axes_4, by_direction_0);
-    var _S1037 : Axes_0 = (*pulled_2).axes_5;
-    axes_back_0(&(_S1037), wo_1, by_direction_0);
-    (*pulled_2).axes_5 = _S1037;
+    var _S1039 : Axes_0 = (*pulled_2).axes_5;
+    axes_back_0(&(_S1039), wo_1, by_direction_0);
+    (*pulled_2).axes_5 = _S1039;
     (*pulled_2).wi_2 = (*pulled_2).wi_2 + vec3<f32>((vec2<f32>(0) - local_1.xy), local_1.z);
     return;
 }
@@ -4118,59 +4124,59 @@ fn numbers_of_0( texture_6 : u32) -> u32
 
 fn add_word_0( sum_3 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
 {
-    var _S1038 : u32 = u32(2) + u32(4) * sum_3;
-    var _S1039 : u32 = number_1;
+    var _S1040 : u32 = u32(2) + u32(4) * sum_3;
+    var _S1041 : u32 = number_1;
     var k_2 : u32 = word_of_sum_0;
     for(;;)
     {
-        var _S1040 : bool;
+        var _S1042 : bool;
         if(k_2 < u32(4))
         {
-            _S1040 = _S1039 != u32(0);
+            _S1042 = _S1041 != u32(0);
         }
         else
         {
-            _S1040 = false;
+            _S1042 = false;
         }
-        if(_S1040)
+        if(_S1042)
         {
         }
         else
         {
             break;
         }
-        var _S1041 : u32;
+        var _S1043 : u32;
         if(is_negative_0)
         {
-            _S1041 = u32(0) - _S1039;
+            _S1043 = u32(0) - _S1041;
         }
         else
         {
-            _S1041 = _S1039;
+            _S1043 = _S1041;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S1038 + k_2]), _S1041);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S1040 + k_2]), _S1043);
         var overflows_0 : bool;
         if(is_negative_0)
         {
-            overflows_0 = before_0 < _S1039;
+            overflows_0 = before_0 < _S1041;
         }
         else
         {
-            overflows_0 = (before_0 + _S1039) < before_0;
+            overflows_0 = (before_0 + _S1041) < before_0;
         }
-        var _S1042 : i32;
+        var _S1044 : i32;
         if(overflows_0)
         {
-            _S1042 = i32(1);
+            _S1044 = i32(1);
         }
         else
         {
-            _S1042 = i32(0);
+            _S1044 = i32(0);
         }
-        var _S1043 : u32 = u32(_S1042);
-        var _S1044 : u32 = k_2 + u32(1);
-        _S1039 = _S1043;
-        k_2 = _S1044;
+        var _S1045 : u32 = u32(_S1044);
+        var _S1046 : u32 = k_2 + u32(1);
+        _S1041 = _S1045;
+        k_2 = _S1046;
     }
     return;
 }
@@ -4179,14 +4185,14 @@ fn add_to_sum_0( sum_4 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S1045 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S1047 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_1 : f32 = abs(scaled_0);
     if(size_1 > 7.73712524553362672e+25f)
     {
-        var _S1046 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S1048 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
     var is_negative_1 : bool = scaled_0 < 0.0f;
@@ -4194,16 +4200,16 @@ fn add_to_sum_0( sum_4 : u32,  derivative_0 : f32)
     var size_2 : f32 = size_1;
     for(;;)
     {
-        var _S1047 : bool;
+        var _S1049 : bool;
         if(highest_0 < u32(2))
         {
-            _S1047 = size_2 >= 4.294967296e+09f;
+            _S1049 = size_2 >= 4.294967296e+09f;
         }
         else
         {
-            _S1047 = false;
+            _S1049 = false;
         }
-        if(_S1047)
+        if(_S1049)
         {
         }
         else
@@ -4214,24 +4220,24 @@ fn add_to_sum_0( sum_4 : u32,  derivative_0 : f32)
         highest_0 = highest_0 + u32(1);
         size_2 = size_3;
     }
-    var _S1048 : bool = highest_0 == u32(0);
-    var _S1049 : f32;
-    if(_S1048)
+    var _S1050 : bool = highest_0 == u32(0);
+    var _S1051 : f32;
+    if(_S1050)
     {
-        _S1049 = size_2 + 0.5f;
+        _S1051 = size_2 + 0.5f;
     }
     else
     {
-        _S1049 = size_2;
+        _S1051 = size_2;
     }
-    var whole_0 : u32 = u32(_S1049);
+    var whole_0 : u32 = u32(_S1051);
     add_word_0(sum_4, highest_0, whole_0, is_negative_1);
-    if(_S1048)
+    if(_S1050)
     {
         return;
     }
     var rest_0 : f32 = (size_2 - f32(whole_0)) * 4.294967296e+09f;
-    var _S1050 : u32 = highest_0 - u32(1);
+    var _S1052 : u32 = highest_0 - u32(1);
     if(highest_0 == u32(1))
     {
         size_2 = rest_0 + 0.5f;
@@ -4240,7 +4246,7 @@ fn add_to_sum_0( sum_4 : u32,  derivative_0 : f32)
     {
         size_2 = rest_0;
     }
-    add_word_0(sum_4, _S1050, u32(size_2), is_negative_1);
+    add_word_0(sum_4, _S1052, u32(size_2), is_negative_1);
     return;
 }
 
@@ -4269,7 +4275,7 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
     {
         return;
     }
-    var _S1051 : u32 = word_0(texture_7 + u32(1));
+    var _S1053 : u32 = word_0(texture_7 + u32(1));
     var k_3 : u32 = u32(0);
     for(;;)
     {
@@ -4280,9 +4286,9 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         {
             break;
         }
-        var at_10 : u32 = first_3 + _S1051 * lookup_5.texels_0[k_3];
+        var at_10 : u32 = first_3 + _S1053 * lookup_5.texels_0[k_3];
         var own_0 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_1[k_3]);
-        if(_S1051 == u32(1))
+        if(_S1053 == u32(1))
         {
             add_to_sum_0(at_10, own_0.x + own_0.y + own_0.z);
             k_3 = k_3 + u32(1);
@@ -4302,13 +4308,13 @@ fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
 
 fn numbers_back_0( material_1 : u32,  place_11 : Place_0,  numbers_7 : Numbers_0) -> vec2<f32>
 {
-    var _S1052 : vec2<f32> = vec2<f32>(0.0f);
-    var _S1053 : u32 = word_0(material_1 + u32(4));
+    var _S1054 : vec2<f32> = vec2<f32>(0.0f);
+    var _S1055 : u32 = word_0(material_1 + u32(4));
     var slot_3 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S1052;
+    var by_place_0 : vec2<f32> = _S1054;
     for(;;)
     {
-        if(slot_3 < _S1053)
+        if(slot_3 < _S1055)
         {
         }
         else
@@ -4321,9 +4327,9 @@ fn numbers_back_0( material_1 : u32,  place_11 : Place_0,  numbers_7 : Numbers_0
             slot_3 = slot_3 + u32(1);
             continue;
         }
-        var _S1054 : Lookup_0 = lookup_at_0(texture_9, place_11);
-        var _S1055 : vec2<f32> = lookup_back_0(texture_9, _S1054, slot_derivative_0(numbers_7, slot_3));
-        by_place_0 = by_place_0 + _S1055;
+        var _S1056 : Lookup_0 = lookup_at_0(texture_9, place_11);
+        var _S1057 : vec2<f32> = lookup_back_0(texture_9, _S1056, slot_derivative_0(numbers_7, slot_3));
+        by_place_0 = by_place_0 + _S1057;
         slot_3 = slot_3 + u32(1);
     }
     return by_place_0;
@@ -4368,16 +4374,16 @@ fn tangent_back_0( triangle_8 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : vec
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_8);
     var first_4 : vec2<f32> = uvs_2.b_4 - uvs_2.a_7;
     var second_1 : vec2<f32> = uvs_2.c_1 - uvs_2.a_7;
-    var _S1056 : f32 = second_1.y;
-    var _S1057 : f32 = first_4.y;
-    var scale_2 : f32 = 1.0f / (first_4.x * _S1056 - second_1.x * _S1057);
-    var of_ab_0 : f32 = _S1056 * scale_2;
-    var of_ac_0 : f32 = - _S1057 * scale_2;
+    var _S1058 : f32 = second_1.y;
+    var _S1059 : f32 = first_4.y;
+    var scale_2 : f32 = 1.0f / (first_4.x * _S1058 - second_1.x * _S1059);
+    var of_ab_0 : f32 = _S1058 * scale_2;
+    var of_ac_0 : f32 = - _S1059 * scale_2;
     var a_10 : vec3<f64> = primitive_vector_0(corner_0);
-    var _S1058 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S1059 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_0 + u32(3)) - a_10) * _S1058 + vec3<f32>(primitive_vector_0(corner_0 + u32(6)) - a_10) * _S1059));
-    add_to_corners_0(points_0, triangle_8, derivative_5 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_5 * _S1058, derivative_5 * _S1059);
+    var _S1060 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S1061 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_0 + u32(3)) - a_10) * _S1060 + vec3<f32>(primitive_vector_0(corner_0 + u32(6)) - a_10) * _S1061));
+    add_to_corners_0(points_0, triangle_8, derivative_5 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_5 * _S1060, derivative_5 * _S1061);
     return;
 }
 
@@ -4396,12 +4402,12 @@ fn place_back_0( place_13 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : v
 {
     var corner_1 : u32 = u32(9) * place_13.triangle_0;
     var a_11 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S1060 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_11);
-    var _S1061 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_11);
-    var across_1 : vec3<f32> = cross(_S1060, _S1061);
-    var _S1062 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
-    var normal_0 : vec3<f32> = across_1 / vec3<f32>(_S1062);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S1061, normal_0) * vec3<f32>(by_place_1.x) + cross(normal_0, _S1060) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S1062)));
+    var _S1062 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_11);
+    var _S1063 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_11);
+    var across_1 : vec3<f32> = cross(_S1062, _S1063);
+    var _S1064 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
+    var normal_0 : vec3<f32> = across_1 / vec3<f32>(_S1064);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S1063, normal_0) * vec3<f32>(by_place_1.x) + cross(normal_0, _S1062) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S1064)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_5, by_slip_0) / dot(normal_0, direction_5)));
     add_at_place_0(points_of_0(place_13.triangle_0), place_13, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -4410,18 +4416,18 @@ fn place_back_0( place_13 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : v
 fn surface_back_0( surface_5 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_6 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_5.shape_0);
-    var _S1063 : vec2<f32>;
+    var _S1065 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_2 : u32 = u32(9) * surface_5.place_4.triangle_0;
         var a_12 : vec3<f64> = primitive_vector_0(corner_2);
-        var _S1064 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_12);
-        var _S1065 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_12);
-        var derivative_7 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(_S1064, _S1065)));
-        var by_ab_0 : vec3<f32> = cross(_S1065, derivative_7);
-        var by_ac_0 : vec3<f32> = cross(derivative_7, _S1064);
+        var _S1066 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_12);
+        var _S1067 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_12);
+        var derivative_7 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(_S1066, _S1067)));
+        var by_ab_0 : vec3<f32> = cross(_S1067, derivative_7);
+        var by_ac_0 : vec3<f32> = cross(derivative_7, _S1066);
         add_to_corners_0(points_of_0(surface_5.place_4.triangle_0), surface_5.place_4.triangle_0, (vec3<f32>(0) - by_ab_0) - by_ac_0, by_ab_0, by_ac_0);
-        _S1063 = by_place_2;
+        _S1065 = by_place_2;
     }
     else
     {
@@ -4431,10 +4437,10 @@ fn surface_back_0( surface_5 : Surface_0,  by_place_2 : vec2<f32>,  by_position_
         var ac_0 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_5 + u32(2))) - a_13;
         var derivative_8 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(a_13 + ab_0 * vec3<f32>(surface_5.place_4.v_0) + ac_0 * vec3<f32>(surface_5.place_4.w_0)));
         add_at_place_0(normals_of_0(surface_5.place_4.triangle_0), surface_5.place_4, derivative_8);
-        _S1063 = by_place_2 + vec2<f32>(dot(ab_0, derivative_8), dot(ac_0, derivative_8));
+        _S1065 = by_place_2 + vec2<f32>(dot(ab_0, derivative_8), dot(ac_0, derivative_8));
     }
-    var _S1066 : vec3<f32> = place_back_0(surface_5.place_4, _S1063, by_position_1, direction_6);
-    return _S1066;
+    var _S1068 : vec3<f32> = place_back_0(surface_5.place_4, _S1065, by_position_1, direction_6);
+    return _S1068;
 }
 
 struct ByRay_0
@@ -4446,32 +4452,32 @@ struct ByRay_0
 fn vertex_back_0( pulled_4 : Pulled_0,  vertex_5 : Vertex_0,  material_2 : u32,  direction_8 : vec3<f32>) -> ByRay_0
 {
     var by_ray_0 : ByRay_0;
-    var _S1067 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_0.direction_7 = _S1067;
-    by_ray_0.drift_0 = _S1067;
+    var _S1069 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_0.direction_7 = _S1069;
+    by_ray_0.drift_0 = _S1069;
     var by_place_3 : vec2<f32> = numbers_back_0(material_2, vertex_5.surface_3.place_4, pulled_4.numbers_4);
     if(!is_moving_0())
     {
         return by_ray_0;
     }
-    var _S1068 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S1070 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_0 : DiffPair_Axes_0;
     towards_0.primal_0 = vertex_5.axes_4;
-    towards_0.differential_0 = _S1068;
+    towards_0.differential_0 = _S1070;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_8;
-    incoming_0.differential_0 = _S1067;
+    incoming_0.differential_0 = _S1069;
     _S190(&(towards_0), &(incoming_0), pulled_4.wi_2);
     by_ray_0.direction_7 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_5.surface_3.outward_0;
-    outward_1.differential_0 = _S1067;
-    var _S1069 : vec3<f32> = tangent_at_0(vertex_5.surface_3);
+    outward_1.differential_0 = _S1069;
+    var _S1071 : vec3<f32> = tangent_at_0(vertex_5.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S1069;
-    tangent_4.differential_0 = _S1067;
+    tangent_4.primal_0 = _S1071;
+    tangent_4.differential_0 = _S1069;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_4.axes_5, towards_0.differential_0);
-    if((any((_S1069 != _S1067))))
+    if((any((_S1071 != _S1069))))
     {
         _S141(&(outward_1), &(tangent_4), vertex_5.surface_3.is_front_0, by_axes_0);
         tangent_back_0(vertex_5.surface_3.place_4.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -4480,8 +4486,8 @@ fn vertex_back_0( pulled_4 : Pulled_0,  vertex_5 : Vertex_0,  material_2 : u32, 
     {
         _S110(&(outward_1), vertex_5.surface_3.is_front_0, by_axes_0);
     }
-    var _S1070 : vec3<f32> = surface_back_0(vertex_5.surface_3, by_place_3, pulled_4.position_1, outward_1.differential_0, direction_8);
-    by_ray_0.drift_0 = _S1070;
+    var _S1072 : vec3<f32> = surface_back_0(vertex_5.surface_3, by_place_3, pulled_4.position_1, outward_1.differential_0, direction_8);
+    by_ray_0.drift_0 = _S1072;
     return by_ray_0;
 }
 
@@ -4521,7 +4527,7 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     }
     var number_of_path_0 : u32 = input_0[at_11];
     var kept_0 : u32 = kept_at_0(launch_0.depth_0);
-    var which_5 : u32 = u32(15);
+    var which_5 : u32 = u32(17);
     var importance_0 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
     var place_14 : Place_0 = path_place_0(number_of_path_0, &(kept_0));
     var direction_9 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
@@ -4529,10 +4535,10 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var onward_1 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
     var wo_2 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
     var by_ray_1 : ByRay_0;
-    var _S1071 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
-    by_ray_1.drift_0 = _S1071;
-    var _S1072 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
-    by_ray_1.direction_7 = _S1072;
+    var _S1073 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
+    by_ray_1.drift_0 = _S1073;
+    var _S1074 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
+    by_ray_1.direction_7 = _S1074;
     var is_specular_1 : bool = (path_word_0(number_of_path_0, kept_0)) != u32(0);
     var factor_0 : f32 = (bitcast<f32>((path_word_0(number_of_path_0, kept_0 + u32(1)))));
     var t_1 : f32 = (bitcast<f32>((path_word_0(number_of_path_0, kept_0 + u32(2)))));
@@ -4541,24 +4547,24 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var by_direction_2 : vec3<f32> = path_vector_0(number_of_path_0, &(which_5));
     var surface_6 : Surface_0 = surface_at_0(place_14, direction_9);
     var material_3 : u32 = material_of_0(surface_6);
-    var _S1073 : bool;
+    var _S1075 : bool;
     if(material_3 != u32(4294967295))
     {
-        _S1073 = factor_0 != 0.0f;
+        _S1075 = factor_0 != 0.0f;
     }
     else
     {
-        _S1073 = false;
+        _S1075 = false;
     }
-    if(_S1073)
+    if(_S1075)
     {
         var vertex_6 : Vertex_0 = vertex_at_0(surface_6, material_3, direction_9);
         var pulled_5 : Pulled_0 = nothing_pulled_0();
         var onward_direction_0 : vec3<f32> = normalize(to_world_0(vertex_6.axes_4, wo_2));
         pulled_5.position_1 = by_drift_1;
         var by_direction_3 : vec3<f32> = by_direction_2 + by_drift_1 * vec3<f32>(t_1);
-        var _S1074 : vec3<f32> = scattered_back_0(&(pulled_5), vertex_6, wo_2, onward_direction_0, is_specular_1, importance_0 * beyond_0 * vec3<f32>(factor_0));
-        var by_direction_4 : vec3<f32> = by_direction_3 + _S1074;
+        var _S1076 : vec3<f32> = scattered_back_0(&(pulled_5), vertex_6, wo_2, onward_direction_0, is_specular_1, importance_0 * beyond_0 * vec3<f32>(factor_0));
+        var by_direction_4 : vec3<f32> = by_direction_3 + _S1076;
         if(is_specular_1)
         {
             specular_direction_back_0(&(pulled_5), vertex_6, wo_2, by_direction_4);
@@ -4571,7 +4577,7 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         by_ray_1.drift_0 = by_ray_1.drift_0 + onward_by_ray_0.drift_0;
         by_ray_1.direction_7 = by_ray_1.direction_7 + onward_by_ray_0.direction_7;
     }
-    which_5 = u32(15);
+    which_5 = u32(17);
     set_vector_0(number_of_path_0, &(which_5), direct_0 + onward_1 * beyond_0);
     set_vector_0(number_of_path_0, &(which_5), by_ray_1.drift_0);
     set_vector_0(number_of_path_0, &(which_5), by_ray_1.direction_7);

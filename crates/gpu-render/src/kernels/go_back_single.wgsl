@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 2f5cb71f39c27c50
-// result: caa091146d2f3604
+// source: 34f6f725355e4320
+// result: 77ba9f2f5a33fc18
 
 struct Launch_std140_0
 {
@@ -3387,7 +3387,7 @@ fn _S984( _S985 : Lobe_0,  _S986 : ptr<function, DiffPair_Numbers_0>,  _S987 : p
 
 fn kept_at_0( depth_1 : u32) -> u32
 {
-    return u32(31) + u32(27) * depth_1;
+    return u32(33) + u32(29) * depth_1;
 }
 
 fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
@@ -3407,22 +3407,26 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+fn exact_place_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
 {
     var place_2 : Place_0;
     place_2.triangle_0 = triangle_1;
     place_2.v_0 = v_1;
     place_2.w_0 = w_1;
+    place_2.v_rest_0 = 0.0f;
+    place_2.w_rest_0 = 0.0f;
     return place_2;
 }
 
 fn path_place_0( path_2 : u32,  which_2 : ptr<function, u32>) -> Place_0
 {
-    var _S994 : u32 = (*which_2) + u32(3);
+    var _S994 : u32 = (*which_2) + u32(5);
     (*which_2) = _S994;
-    return place_at_0(path_word_0(path_2, _S994 - u32(3)), (bitcast<f32>((path_word_0(path_2, _S994 - u32(2))))), (bitcast<f32>((path_word_0(path_2, _S994 - u32(1))))));
+    return exact_place_0(path_word_0(path_2, _S994 - u32(5)), (bitcast<f32>((path_word_0(path_2, _S994 - u32(4))))) + (bitcast<f32>((path_word_0(path_2, _S994 - u32(2))))), (bitcast<f32>((path_word_0(path_2, _S994 - u32(3))))) + (bitcast<f32>((path_word_0(path_2, _S994 - u32(1))))));
 }
 
 fn triangle_record_0( triangle_2 : u32) -> u32
@@ -3444,7 +3448,7 @@ fn position_of_0( place_3 : Place_0) -> vec3<f32>
 {
     var at_4 : u32 = u32(9) * place_3.triangle_0;
     var a_4 : vec3<f32> = primitive_vector_0(at_4);
-    return a_4 + (primitive_vector_0(at_4 + u32(3)) - a_4) * vec3<f32>(place_3.v_0) + (primitive_vector_0(at_4 + u32(6)) - a_4) * vec3<f32>(place_3.w_0);
+    return a_4 + (primitive_vector_0(at_4 + u32(3)) - a_4) * vec3<f32>((place_3.v_0 + place_3.v_rest_0)) + (primitive_vector_0(at_4 + u32(6)) - a_4) * vec3<f32>((place_3.w_0 + place_3.w_rest_0));
 }
 
 fn cross_of_0( triangle_4 : u32) -> vec3<f32>
@@ -4521,7 +4525,7 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     }
     var number_of_path_0 : u32 = input_0[at_11];
     var kept_0 : u32 = kept_at_0(launch_0.depth_0);
-    var which_5 : u32 = u32(15);
+    var which_5 : u32 = u32(17);
     var importance_0 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
     var place_14 : Place_0 = path_place_0(number_of_path_0, &(kept_0));
     var direction_9 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
@@ -4571,7 +4575,7 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         by_ray_1.drift_0 = by_ray_1.drift_0 + onward_by_ray_0.drift_0;
         by_ray_1.direction_7 = by_ray_1.direction_7 + onward_by_ray_0.direction_7;
     }
-    which_5 = u32(15);
+    which_5 = u32(17);
     set_vector_0(number_of_path_0, &(which_5), direct_0 + onward_1 * beyond_0);
     set_vector_0(number_of_path_0, &(which_5), by_ray_1.drift_0);
     set_vector_0(number_of_path_0, &(which_5), by_ray_1.direction_7);

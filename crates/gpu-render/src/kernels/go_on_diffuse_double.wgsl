@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d3677381eb681a32
-// result: 0c959ea7d409360c
+// source: d1d53f31f9d4e09e
+// result: 13c682dbe23d1d05
 
 struct Launch_std140_0
 {
@@ -49,22 +49,28 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+fn exact_place_0( triangle_1 : u32,  v_1 : f64,  w_1 : f64) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_0 = triangle_1;
-    place_0.v_0 = v_1;
-    place_0.w_0 = w_1;
+    var _S2 : f32 = f32(v_1);
+    place_0.v_0 = _S2;
+    var _S3 : f32 = f32(w_1);
+    place_0.w_0 = _S3;
+    place_0.v_rest_0 = f32(v_1 - f64(_S2));
+    place_0.w_rest_0 = f32(w_1 - f64(_S3));
     return place_0;
 }
 
 fn path_place_0( path_3 : u32,  which_3 : ptr<function, u32>) -> Place_0
 {
-    var _S2 : u32 = (*which_3) + u32(3);
-    (*which_3) = _S2;
-    return place_at_0(path_word_0(path_3, _S2 - u32(3)), (bitcast<f32>((path_word_0(path_3, _S2 - u32(2))))), (bitcast<f32>((path_word_0(path_3, _S2 - u32(1))))));
+    var _S4 : u32 = (*which_3) + u32(5);
+    (*which_3) = _S4;
+    return exact_place_0(path_word_0(path_3, _S4 - u32(5)), f64((bitcast<f32>((path_word_0(path_3, _S4 - u32(4)))))) + f64((bitcast<f32>((path_word_0(path_3, _S4 - u32(2)))))), f64((bitcast<f32>((path_word_0(path_3, _S4 - u32(3)))))) + f64((bitcast<f32>((path_word_0(path_3, _S4 - u32(1)))))));
 }
 
 struct Path_0
@@ -80,14 +86,14 @@ fn load_0( number_of_path_0 : u32) -> Path_0
 {
     var at_0 : u32 = u32(1);
     var path_4 : Path_0;
-    var _S3 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
-    path_4.light_0 = _S3;
-    var _S4 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
-    path_4.throughput_0 = _S4;
     var _S5 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
-    path_4.direction_0 = _S5;
-    var _S6 : Place_0 = path_place_0(number_of_path_0, &(at_0));
-    path_4.place_1 = _S6;
+    path_4.light_0 = _S5;
+    var _S6 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
+    path_4.throughput_0 = _S6;
+    var _S7 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
+    path_4.direction_0 = _S7;
+    var _S8 : Place_0 = path_place_0(number_of_path_0, &(at_0));
+    path_4.place_1 = _S8;
     path_4.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_0), path_word_0(number_of_path_0, at_0 + u32(1)));
     return path_4;
 }
@@ -111,9 +117,9 @@ struct Reflected_0
 fn nothing_reflected_0() -> Reflected_0
 {
     var reflected_0 : Reflected_0;
-    var _S7 : vec3<f32> = still_0(vec3<f32>(0.0f));
-    reflected_0.direct_0 = _S7;
-    reflected_0.onward_0 = _S7;
+    var _S9 : vec3<f32> = still_0(vec3<f32>(0.0f));
+    reflected_0.direct_0 = _S9;
+    reflected_0.onward_0 = _S9;
     return reflected_0;
 }
 
@@ -151,7 +157,7 @@ fn position_of_0( place_2 : Place_0) -> vec3<f64>
 {
     var at_3 : u32 = u32(9) * place_2.triangle_0;
     var a_0 : vec3<f64> = primitive_vector_0(at_3);
-    return a_0 + (primitive_vector_0(at_3 + u32(3)) - a_0) * vec3<f64>(f64(place_2.v_0)) + (primitive_vector_0(at_3 + u32(6)) - a_0) * vec3<f64>(f64(place_2.w_0));
+    return a_0 + (primitive_vector_0(at_3 + u32(3)) - a_0) * vec3<f64>((f64(place_2.v_0) + f64(place_2.v_rest_0))) + (primitive_vector_0(at_3 + u32(6)) - a_0) * vec3<f64>((f64(place_2.w_0) + f64(place_2.w_rest_0)));
 }
 
 fn cross_of_0( triangle_4 : u32) -> vec3<f32>
@@ -192,14 +198,14 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
     var surface_0 : Surface_0;
     surface_0.place_3 = place_4;
     surface_0.shape_0 = shape_of_0(place_4.triangle_0);
-    var _S8 : vec3<f64> = position_of_0(place_4);
-    surface_0.exact_0 = _S8;
-    surface_0.position_0 = vec3<f32>(_S8);
-    var _S9 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
-    surface_0.face_normal_0 = _S9;
-    surface_0.outward_0 = _S9;
+    var _S10 : vec3<f64> = position_of_0(place_4);
+    surface_0.exact_0 = _S10;
+    surface_0.position_0 = vec3<f32>(_S10);
+    var _S11 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
+    surface_0.face_normal_0 = _S11;
+    surface_0.outward_0 = _S11;
     var seen_0 : f32;
-    if((dot(_S9, direction_1)) > 0.0f)
+    if((dot(_S11, direction_1)) > 0.0f)
     {
         seen_0 = -1.0f;
     }
@@ -226,16 +232,16 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
 
 fn material_of_0( surface_1 : Surface_0) -> u32
 {
-    var _S10 : u32;
+    var _S12 : u32;
     if(surface_1.is_front_0)
     {
-        _S10 = u32(2);
+        _S12 = u32(2);
     }
     else
     {
-        _S10 = u32(3);
+        _S12 = u32(3);
     }
-    return word_0(surface_1.shape_0 + _S10);
+    return word_0(surface_1.shape_0 + _S12);
 }
 
 struct Numbers_0
@@ -250,11 +256,11 @@ struct Numbers_0
 fn no_numbers_0() -> Numbers_0
 {
     var numbers_0 : Numbers_0;
-    var _S11 : vec3<f32> = vec3<f32>(0.0f);
-    numbers_0.k_0 = _S11;
-    numbers_0.eta_0 = _S11;
-    numbers_0.specular_reflectance_0 = _S11;
-    numbers_0.diffuse_reflectance_0 = _S11;
+    var _S13 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_0.k_0 = _S13;
+    numbers_0.eta_0 = _S13;
+    numbers_0.specular_reflectance_0 = _S13;
+    numbers_0.diffuse_reflectance_0 = _S13;
     numbers_0.alpha_0 = vec2<f32>(0.0f);
     return numbers_0;
 }
@@ -284,11 +290,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_4 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
 {
-    var _S12 : Corners2_0;
-    _S12.a_3 = a_4;
-    _S12.b_1 = b_2;
-    _S12.c_1 = c_2;
-    return _S12;
+    var _S14 : Corners2_0;
+    _S14.a_3 = a_4;
+    _S14.b_1 = b_2;
+    _S14.c_1 = c_2;
+    return _S14;
 }
 
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
@@ -359,11 +365,11 @@ fn between_0( texels_1 : vec4<u32>,  place_5 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S13 : f32 = back_0.x;
-    var _S14 : f32 = back_0.y;
-    var _S15 : f32 = way_0.x;
-    var _S16 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S13 * _S14, _S15 * _S14, _S13 * _S16, _S15 * _S16);
+    var _S15 : f32 = back_0.x;
+    var _S16 : f32 = back_0.y;
+    var _S17 : f32 = way_0.x;
+    var _S18 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S15 * _S16, _S17 * _S16, _S15 * _S18, _S17 * _S18);
     return lookup_1;
 }
 
@@ -376,20 +382,20 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_6.y), height_0, wrap_1);
-        var _S17 : u32 = row_0 * u32(width_0);
-        var _S18 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
-        return one_texel_0(_S17 + _S18);
+        var _S19 : u32 = row_0 * u32(width_0);
+        var _S20 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
+        return one_texel_0(_S19 + _S20);
     }
     var centred_0 : Point_0;
-    var _S19 : vec2<f32> = place_6 - vec2<f32>(0.5f);
-    centred_0.value_3 = _S19;
-    var x_1 : i32 = floor_of_0(_S19.x);
-    var y_0 : i32 = floor_of_0(_S19.y);
-    var _S20 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S21 : u32 = u32(width_0);
-    var first_1 : u32 = _S20 * _S21;
-    var _S22 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S22 * _S21;
+    var _S21 : vec2<f32> = place_6 - vec2<f32>(0.5f);
+    centred_0.value_3 = _S21;
+    var x_1 : i32 = floor_of_0(_S21.x);
+    var y_0 : i32 = floor_of_0(_S21.y);
+    var _S22 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S23 : u32 = u32(width_0);
+    var first_1 : u32 = _S22 * _S23;
+    var _S24 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S24 * _S23;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -418,33 +424,33 @@ fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
     var uvs_1 : Corners2_0 = uvs_of_0(place_7.triangle_0);
     var rows_0 : u32 = texture_1 + u32(6);
     var uv_1 : Point_0;
-    var _S23 : vec3<f32> = vec3<f32>(uvs_1.a_3 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_1 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
-    uv_1.value_3 = vec2<f32>(dot(_S23, vector_at_0(rows_0)), dot(_S23, vector_at_0(rows_0 + u32(3))));
+    var _S25 : vec3<f32> = vec3<f32>(uvs_1.a_3 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_1 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
+    uv_1.value_3 = vec2<f32>(dot(_S25, vector_at_0(rows_0)), dot(_S25, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
     {
-        var _S24 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S24;
+        var _S26 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S26;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
-    var _S25 : i32;
+    var _S27 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S25 = i32(1);
+        _S27 = i32(1);
     }
     else
     {
-        _S25 = i32(0);
+        _S27 = i32(0);
     }
-    return one_texel_0(u32(_S25));
+    return one_texel_0(u32(_S27));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S26 : u32 = word_0(texture_2 + u32(1));
-    var _S27 : u32 = texture_2 + u32(13);
-    var _S28 : vec3<f32> = vec3<f32>(0.0f);
+    var _S28 : u32 = word_0(texture_2 + u32(1));
+    var _S29 : u32 = texture_2 + u32(13);
+    var _S30 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S28;
+    var value_4 : vec3<f32> = _S30;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -454,17 +460,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S27 + _S26 * lookup_3.texels_0[k_1];
-        var _S29 : vec3<f32>;
-        if(_S26 == u32(1))
+        var at_8 : u32 = _S29 + _S28 * lookup_3.texels_0[k_1];
+        var _S31 : vec3<f32>;
+        if(_S28 == u32(1))
         {
-            _S29 = vec3<f32>(number_0(at_8));
+            _S31 = vec3<f32>(number_0(at_8));
         }
         else
         {
-            _S29 = vector_at_0(at_8);
+            _S31 = vector_at_0(at_8);
         }
-        var value_5 : vec3<f32> = value_4 + _S29 * vec3<f32>(weights_1[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S31 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -478,8 +484,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
 {
-    var _S30 : Lookup_0 = lookup_at_0(texture_4, place_8);
-    return looked_up_0(texture_4, _S30, vec2<f32>(0.0f));
+    var _S32 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S32, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -557,10 +563,10 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
-        var _S31 : vec3<f32> = value_of_0(colour_1);
-        var _S32 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S32), slot_1, _S31);
-        lobe_0.numbers_2 = _S32;
+        var _S33 : vec3<f32> = value_of_0(colour_1);
+        var _S34 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S34), slot_1, _S33);
+        lobe_0.numbers_2 = _S34;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -575,16 +581,16 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S33 : vec3<f32>;
+    var _S35 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S33 = tangent_0;
+        _S35 = tangent_0;
     }
     else
     {
-        _S33 = vec3<f32>(0.0f);
+        _S35 = vec3<f32>(0.0f);
     }
-    return _S33;
+    return _S35;
 }
 
 struct Axes_0
@@ -597,38 +603,38 @@ struct Axes_0
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S34 : vec3<f32>;
+    var _S36 : vec3<f32>;
     if(is_front_1)
     {
-        _S34 = n_2;
+        _S36 = n_2;
     }
     else
     {
-        _S34 = (vec3<f32>(0) - n_2);
+        _S36 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_1 = _S34;
-    var _S35 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S35;
-    axes_0.t_0 = cross(n_2, _S35);
+    axes_0.n_1 = _S36;
+    var _S37 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S37;
+    axes_0.t_0 = cross(n_2, _S37);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S36 : vec3<f32>;
+    var _S38 : vec3<f32>;
     if(is_front_2)
     {
-        _S36 = n_3;
+        _S38 = n_3;
     }
     else
     {
-        _S36 = (vec3<f32>(0) - n_3);
+        _S38 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_1 = _S36;
-    var _S37 : f32 = n_3.z;
+    axes_1.n_1 = _S38;
+    var _S39 : f32 = n_3.z;
     var sign_0 : f32;
-    if(_S37 < 0.0f)
+    if(_S39 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -636,12 +642,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_0 = 1.0f;
     }
-    var a_5 : f32 = -1.0f / (sign_0 + _S37);
-    var _S38 : f32 = n_3.x;
-    var _S39 : f32 = n_3.y;
-    var b_3 : f32 = _S38 * _S39 * a_5;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_0 * _S38 * _S38 * a_5, sign_0 * b_3, - sign_0 * _S38);
-    axes_1.t_0 = vec3<f32>(b_3, sign_0 + _S39 * _S39 * a_5, - _S39);
+    var a_5 : f32 = -1.0f / (sign_0 + _S39);
+    var _S40 : f32 = n_3.x;
+    var _S41 : f32 = n_3.y;
+    var b_3 : f32 = _S40 * _S41 * a_5;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_0 * _S40 * _S40 * a_5, sign_0 * b_3, - sign_0 * _S40);
+    axes_1.t_0 = vec3<f32>(b_3, sign_0 + _S41 * _S41 * a_5, - _S41);
     return axes_1;
 }
 
@@ -668,8 +674,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_3 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S40 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S40;
+    var _S42 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S42;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -741,35 +747,35 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_0, 0.0f) / squared_0;
     }
-    var _S41 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S41 * _S41 / (2.0f * (_S41 - max(lowest_0, -1.0f)) * squared_0);
+    var _S43 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S43 * _S43 / (2.0f * (_S43 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S42 : bool;
+    var _S44 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S42 = true;
+        _S44 = true;
     }
     else
     {
-        _S42 = (word_0(u32(2))) == u32(0);
+        _S44 = (word_0(u32(2))) == u32(0);
     }
-    if(_S42)
+    if(_S44)
     {
         return false;
     }
     var record_5 : u32 = emitter_record_0(u32(0));
     if(is_area_0(record_5))
     {
-        _S42 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
+        _S44 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S42 = false;
+        _S44 = false;
     }
-    return _S42;
+    return _S44;
 }
 
 fn has_smooth_0( lobe_2 : Lobe_0) -> bool
@@ -816,32 +822,32 @@ struct Choice_0
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_4, choice_0.normal_2);
-    var _S43 : f32;
+    var _S45 : f32;
     if(view_0 > 0.0f)
     {
-        _S43 = 1.0f;
+        _S45 = 1.0f;
     }
     else
     {
-        _S43 = 0.0f;
+        _S45 = 0.0f;
     }
-    (*can_light_0) = _S43;
+    (*can_light_0) = _S45;
     return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
 }
 
 fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
 {
     var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_2);
-    var _S44 : f32;
+    var _S46 : f32;
     if(view_1 > 0.0f)
     {
-        _S44 = 1.0f;
+        _S46 = 1.0f;
     }
     else
     {
-        _S44 = 0.0f;
+        _S46 = 0.0f;
     }
-    (*can_light_1) = _S44;
+    (*can_light_1) = _S46;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -853,32 +859,32 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
     var count_1 : u32 = word_0(u32(6));
-    var _S45 : bool;
+    var _S47 : bool;
     if(alike_0)
     {
-        _S45 = true;
+        _S47 = true;
     }
     else
     {
-        _S45 = (word_0(u32(5))) != u32(0);
+        _S47 = (word_0(u32(5))) != u32(0);
     }
-    if(_S45)
+    if(_S47)
     {
-        _S45 = true;
+        _S47 = true;
     }
     else
     {
-        _S45 = count_1 < u32(2);
+        _S47 = count_1 < u32(2);
     }
-    if(_S45)
+    if(_S47)
     {
-        _S45 = true;
+        _S47 = true;
     }
     else
     {
-        _S45 = count_1 > u32(32);
+        _S47 = count_1 > u32(32);
     }
-    if(_S45)
+    if(_S47)
     {
         return choice_2;
     }
@@ -893,20 +899,20 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
             break;
         }
         var can_light_2 : f32;
-        var _S46 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S46;
+        var _S48 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S48;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S45 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S47 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S45 = false;
+        _S47 = false;
     }
-    if(!_S45)
+    if(!_S47)
     {
         choice_2.all_0 = 0.0f;
     }
@@ -927,33 +933,33 @@ fn product_0( a_6 : u32,  b_4 : u32) -> vec2<u32>
 
 fn times_0( a_7 : vec2<u32>,  b_5 : vec2<u32>) -> vec2<u32>
 {
-    var _S47 : u32 = a_7.x;
-    var _S48 : u32 = b_5.x;
-    var low_1 : vec2<u32> = product_0(_S47, _S48);
-    return vec2<u32>(low_1.x, low_1.y + _S47 * b_5.y + a_7.y * _S48);
+    var _S49 : u32 = a_7.x;
+    var _S50 : u32 = b_5.x;
+    var low_1 : vec2<u32> = product_0(_S49, _S50);
+    return vec2<u32>(low_1.x, low_1.y + _S49 * b_5.y + a_7.y * _S50);
 }
 
 fn plus_0( a_8 : vec2<u32>,  b_6 : vec2<u32>) -> vec2<u32>
 {
-    var _S49 : u32 = a_8.x;
-    var low_2 : u32 = _S49 + b_6.x;
-    var _S50 : u32 = a_8.y + b_6.y;
-    var _S51 : i32;
-    if(low_2 < _S49)
+    var _S51 : u32 = a_8.x;
+    var low_2 : u32 = _S51 + b_6.x;
+    var _S52 : u32 = a_8.y + b_6.y;
+    var _S53 : i32;
+    if(low_2 < _S51)
     {
-        _S51 = i32(1);
+        _S53 = i32(1);
     }
     else
     {
-        _S51 = i32(0);
+        _S53 = i32(0);
     }
-    return vec2<u32>(low_2, _S50 + u32(_S51));
+    return vec2<u32>(low_2, _S52 + u32(_S53));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S52 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S52 << ((u32(32) - by_0)))))), (_S52 >> (by_0)))));
+    var _S54 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S54 << ((u32(32) - by_0)))))), (_S54 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -992,9 +998,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S53 : f32 = f32(count_2);
-        (*probability_0) = 1.0f / _S53;
-        return min(u32(u_0 * _S53), count_2 - u32(1));
+        var _S55 : f32 = f32(count_2);
+        (*probability_0) = 1.0f / _S55;
+        return min(u32(u_0 * _S55), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
@@ -1025,9 +1031,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S54 : u32 = i_2 + u32(1);
+        var _S56 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S54;
+        i_2 = _S56;
         rest_1 = rest_2;
     }
     return found_0;
@@ -1038,30 +1044,35 @@ fn limit_at_0( which_4 : u32) -> f64
     return primitives_0[word_0(u32(13)) + which_4];
 }
 
+fn place_at_0( triangle_6 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
+{
+    return exact_place_0(triangle_6, f64(v_4), f64(w_2));
+}
+
 fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 {
-    var _S55 : f32 = abs(x_4);
-    var _S56 : f32 = abs(y_1);
-    var _S57 : f32 = min(_S55, _S56);
-    var _S58 : f32 = max(_S55, _S56);
-    var is_steep_0 : bool = _S57 > (0.41421356797218323f * _S58);
+    var _S57 : f32 = abs(x_4);
+    var _S58 : f32 = abs(y_1);
+    var _S59 : f32 = min(_S57, _S58);
+    var _S60 : f32 = max(_S57, _S58);
+    var is_steep_0 : bool = _S59 > (0.41421356797218323f * _S60);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S57 - _S58;
+        above_0 = _S59 - _S60;
     }
     else
     {
-        above_0 = _S57;
+        above_0 = _S59;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S57 + _S58;
+        below_0 = _S59 + _S60;
     }
     else
     {
-        below_0 = _S58;
+        below_0 = _S60;
     }
     if(below_0 > 0.0f)
     {
@@ -1082,7 +1093,7 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S56 > _S55)
+    if(_S58 > _S57)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -1117,11 +1128,11 @@ fn solid_angle_of_0( a_9 : vec3<f32>,  b_7 : vec3<f32>,  c_3 : vec3<f32>) -> f32
 
 fn complex_product_0( a_10 : vec2<f32>,  b_8 : vec2<f32>) -> vec2<f32>
 {
-    var _S59 : f32 = a_10.x;
-    var _S60 : f32 = b_8.x;
-    var _S61 : f32 = a_10.y;
-    var _S62 : f32 = b_8.y;
-    return vec2<f32>(_S59 * _S60 - _S61 * _S62, _S59 * _S62 + _S61 * _S60);
+    var _S61 : f32 = a_10.x;
+    var _S62 : f32 = b_8.x;
+    var _S63 : f32 = a_10.y;
+    var _S64 : f32 = b_8.y;
+    return vec2<f32>(_S61 * _S62 - _S63 * _S64, _S61 * _S64 + _S63 * _S62);
 }
 
 struct SeenRectangle_0
@@ -1144,26 +1155,26 @@ fn seen_rectangle_0( at_9 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
     var seen_1 : SeenRectangle_0;
     seen_1.x_5 = vec2<f32>(x0_0, x1_0);
     seen_1.y_2 = vec2<f32>(y0_0, y1_0);
-    var _S63 : f32 = - dot(vector_at_0(at_9 + u32(9)), offset_2);
-    seen_1.z_1 = _S63;
-    var a_11 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S63);
-    var b_9 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S63);
-    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S63);
-    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S63);
-    var _S64 : f32 = length(a_11);
-    var _S65 : f32 = length(c_4);
-    var _S66 : f32;
-    if(_S63 > (9.99999997475242708e-07f * max(max(_S64, length(b_9)), max(_S65, length(d_0)))))
+    var _S65 : f32 = - dot(vector_at_0(at_9 + u32(9)), offset_2);
+    seen_1.z_1 = _S65;
+    var a_11 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S65);
+    var b_9 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S65);
+    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S65);
+    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S65);
+    var _S66 : f32 = length(a_11);
+    var _S67 : f32 = length(c_4);
+    var _S68 : f32;
+    if(_S65 > (9.99999997475242708e-07f * max(max(_S66, length(b_9)), max(_S67, length(d_0)))))
     {
-        _S66 = solid_angle_of_0(a_11, c_4, b_9) + solid_angle_of_0(d_0, b_9, c_4);
+        _S68 = solid_angle_of_0(a_11, c_4, b_9) + solid_angle_of_0(d_0, b_9, c_4);
     }
     else
     {
-        _S66 = 0.0f;
+        _S68 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S66;
+    seen_1.solid_angle_0 = _S68;
     var z2_0 : f32 = seen_1.z_1 * seen_1.z_1;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S65), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S64));
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S67), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S66));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_2 * seen_1.y_2 + vec2<f32>(z2_0));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_0) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
@@ -1201,28 +1212,28 @@ fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
     var at_10 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S67 : f32 = seen_2.y_2.x;
-    var _S68 : f32 = seen_2.inverse_to_line_0.x;
-    var _S69 : f32 = seen_2.y_2.y;
-    var n_4 : f32 = - at_10.x * _S67 * _S68 - _S69 * seen_2.inverse_to_line_0.y;
-    var _S70 : f32 = at_10.y;
-    var flat_0 : f32 = _S70 * seen_2.z_1 * _S68;
-    var size_0 : f32 = seen_2.z_1 * abs(_S70) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
-    var _S71 : f32;
-    if((n_4 * _S70) < 0.0f)
+    var _S69 : f32 = seen_2.y_2.x;
+    var _S70 : f32 = seen_2.inverse_to_line_0.x;
+    var _S71 : f32 = seen_2.y_2.y;
+    var n_4 : f32 = - at_10.x * _S69 * _S70 - _S71 * seen_2.inverse_to_line_0.y;
+    var _S72 : f32 = at_10.y;
+    var flat_0 : f32 = _S72 * seen_2.z_1 * _S70;
+    var size_0 : f32 = seen_2.z_1 * abs(_S72) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
+    var _S73 : f32;
+    if((n_4 * _S72) < 0.0f)
     {
-        _S71 = - size_0;
+        _S73 = - size_0;
     }
     else
     {
-        _S71 = size_0;
+        _S73 = size_0;
     }
-    var x_7 : f32 = clamp(_S71, seen_2.x_5.x, seen_2.x_5.y);
+    var x_7 : f32 = clamp(_S73, seen_2.x_5.x, seen_2.x_5.y);
     var squared_1 : f32 = x_7 * x_7 + seen_2.z_1 * seen_2.z_1;
     var h_0 : vec2<f32> = seen_2.y_2 / sqrt(vec2<f32>(squared_1) + seen_2.y_2 * seen_2.y_2);
-    var _S72 : f32 = h_0.x;
-    var sine_2 : f32 = _S72 + u_1.y * (h_0.y - _S72);
-    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S67, _S69));
+    var _S74 : f32 = h_0.x;
+    var sine_2 : f32 = _S74 + u_1.y * (h_0.y - _S74);
+    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S69, _S71));
 }
 
 fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
@@ -1240,16 +1251,16 @@ fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<functi
             break;
         }
         var row_1 : u32 = at_11 + u32(14) + u32(6) * face_0;
-        var _S73 : f32 = place_10.x;
-        var _S74 : f32 = place_10.y;
-        var v_4 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S73 + number_0(row_1 + u32(2)) * _S74;
-        var w_2 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S73 + number_0(row_1 + u32(5)) * _S74;
-        var _S75 : f32 = min(min(v_4, w_2), 1.0f - v_4 - w_2);
-        if(_S75 > best_0)
+        var _S75 : f32 = place_10.x;
+        var _S76 : f32 = place_10.y;
+        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S75 + number_0(row_1 + u32(2)) * _S76;
+        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S75 + number_0(row_1 + u32(5)) * _S76;
+        var _S77 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
+        if(_S77 > best_0)
         {
-            (*weights_2)[i32(0)] = clamp(v_4, 0.0f, 1.0f);
-            (*weights_2)[i32(1)] = clamp(w_2, 0.0f, 1.0f - (*weights_2).x);
-            best_0 = _S75;
+            (*weights_2)[i32(0)] = clamp(v_5, 0.0f, 1.0f);
+            (*weights_2)[i32(1)] = clamp(w_3, 0.0f, 1.0f - (*weights_2).x);
+            best_0 = _S77;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -1265,26 +1276,26 @@ fn emitter_triangle_0( record_7 : u32,  face_1 : u32) -> u32
 fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f64
 {
     var bits_0 : vec2<u32> = random_bits_0(key_3, dimension_2);
-    var _S76 : u32 = bits_0.y;
-    return (f64((_S76 >> (u32(11)))) + f64((((_S76 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
+    var _S78 : u32 = bits_0.y;
+    return (f64((_S78 >> (u32(11)))) + f64((((_S78 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S77 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S78 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S77, _S78);
-    var sum_0 : f32 = _S77 + _S78;
-    var _S79 : vec2<f32>;
+    var _S79 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S80 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S79, _S80);
+    var sum_0 : f32 = _S79 + _S80;
+    var _S81 : vec2<f32>;
     if(sum_0 > 0.0f)
     {
-        _S79 = seen_3 / vec2<f32>(sum_0);
+        _S81 = seen_3 / vec2<f32>(sum_0);
     }
     else
     {
-        _S79 = vec2<f32>(0.0f);
+        _S81 = vec2<f32>(0.0f);
     }
-    return _S79;
+    return _S81;
 }
 
 struct Corners_0
@@ -1310,35 +1321,35 @@ fn face_solid_angle_0( record_9 : u32,  face_3 : u32,  viewpoint_4 : vec3<f64>) 
     return solid_angle_of_0(corners_1.a_12, corners_1.b_10, corners_1.c_5);
 }
 
-fn unit_across_0( v_5 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
+fn unit_across_0( v_6 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 {
-    return normalize(v_5 - axis_1 * vec3<f32>(dot(v_5, axis_1)));
+    return normalize(v_6 - axis_1 * vec3<f32>(dot(v_6, axis_1)));
 }
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_3 : f32) -> vec3<f32>
 {
-    var _S80 : f32 = clamp(cosine_3, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S80) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S80) * (1.0f + _S80)));
+    var _S82 : f32 = clamp(cosine_3, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S82) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S82) * (1.0f + _S82)));
 }
 
 fn triangle_direction_0( a_13 : vec3<f32>,  b_11 : vec3<f32>,  c_6 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S81 : vec3<f32> = normalize(a_13);
-    var _S82 : vec3<f32> = normalize(b_11);
-    var _S83 : vec3<f32> = normalize(c_6);
-    var ab_0 : vec3<f32> = normalize(cross(_S81, _S82));
-    var ca_0 : vec3<f32> = normalize(cross(_S83, _S81));
+    var _S83 : vec3<f32> = normalize(a_13);
+    var _S84 : vec3<f32> = normalize(b_11);
+    var _S85 : vec3<f32> = normalize(c_6);
+    var ab_0 : vec3<f32> = normalize(cross(_S83, _S84));
+    var ca_0 : vec3<f32> = normalize(cross(_S85, _S83));
     var sine_alpha_0 : f32 = length(cross(ab_0, ca_0));
     var cosine_alpha_0 : f32 = - dot(ab_0, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S84 : f32 = part_0.x;
-    var _S85 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S84 * cosine_alpha_0 - _S85 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S85 * cosine_alpha_0 + _S84 * sine_alpha_0;
+    var _S86 : f32 = part_0.x;
+    var _S87 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S86 * cosine_alpha_0 - _S87 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S87 * cosine_alpha_0 + _S86 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S81, _S82);
-    var between_1 : vec3<f32> = along_0(_S81, _S83, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S82, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S82)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S83, _S84);
+    var between_1 : vec3<f32> = along_0(_S83, _S85, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S84, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S84)));
 }
 
 fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_2 : f32,  direction_4 : vec3<f32>) -> f32
@@ -1382,10 +1393,10 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             return point_0;
         }
     }
-    var _S86 : f64 = precise_random_0(key_4, dimension_3);
+    var _S88 : f64 = precise_random_0(key_4, dimension_3);
     var nodes_at_1 : u32 = word_0(record_10 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f64 = _S86;
+    var u_3 : f64 = _S88;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -1397,17 +1408,17 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S87 : f32 = shares_0.x;
-        var _S88 : f32 = shares_0.y;
-        if(!((_S87 + _S88) > 0.0f))
+        var _S89 : f32 = shares_0.x;
+        var _S90 : f32 = shares_0.y;
+        if(!((_S89 + _S90) > 0.0f))
         {
             return point_0;
         }
-        var _S89 : f64 = f64(_S87);
+        var _S91 : f64 = f64(_S89);
         var is_second_0 : bool;
-        if(u_3 >= _S89)
+        if(u_3 >= _S91)
         {
-            is_second_0 = _S88 > 0.0f;
+            is_second_0 = _S90 > 0.0f;
         }
         else
         {
@@ -1415,86 +1426,86 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S89) / f64(_S88);
+            u_3 = (u_3 - _S91) / f64(_S90);
         }
         else
         {
-            u_3 = min(u_3 / _S89, 1.0lf);
+            u_3 = min(u_3 / _S91, 1.0lf);
         }
         if(is_second_0)
         {
-            total_0 = _S88;
+            total_0 = _S90;
         }
         else
         {
-            total_0 = _S87;
+            total_0 = _S89;
         }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S90 : i32;
+        var _S92 : i32;
         if(is_second_0)
         {
-            _S90 = i32(3);
+            _S92 = i32(3);
         }
         else
         {
-            _S90 = i32(2);
+            _S92 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S90));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S92));
         chosen_0 = chosen_1;
     }
     var first_2 : u32 = word_0(node_2);
-    var _S91 : u32 = word_0(node_2 + u32(1));
-    var _S92 : u32 = word_0(record_10 + u32(6));
+    var _S93 : u32 = word_0(node_2 + u32(1));
+    var _S94 : u32 = word_0(record_10 + u32(6));
     var k_2 : u32 = first_2;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_2 < _S91)
+        if(k_2 < _S93)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S92 + k_2), from_1.exact_0);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S94 + k_2), from_1.exact_0);
         k_2 = k_2 + u32(1);
         total_0 = total_1;
     }
-    var _S93 : f32 = f32(u_3) * total_0;
+    var _S95 : f32 = f32(u_3) * total_0;
     var face_5 : u32 = u32(4294967295);
     var angle_3 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
     k_2 = first_2;
-    var rest_3 : f32 = _S93;
+    var rest_3 : f32 = _S95;
     for(;;)
     {
-        if(k_2 < _S91)
+        if(k_2 < _S93)
         {
         }
         else
         {
             break;
         }
-        var _S94 : u32 = _S92 + k_2;
-        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S94), from_1.exact_0);
+        var _S96 : u32 = _S94 + k_2;
+        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S96), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
             k_2 = k_2 + u32(1);
             continue;
         }
-        var _S95 : u32 = word_0(_S94);
-        var _S96 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S97 : u32 = word_0(_S96);
+        var _S98 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S95;
+            face_5 = _S97;
             angle_3 = own_1;
-            inside_2 = _S96;
+            inside_2 = _S98;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S95;
+        face_5 = _S97;
         angle_3 = own_1;
-        inside_2 = _S96;
+        inside_2 = _S98;
         rest_3 = rest_4;
         k_2 = k_2 + u32(1);
     }
@@ -1518,9 +1529,9 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         var direction_5 : vec3<f32> = triangle_direction_0(corners_2.a_12, corners_2.b_10, corners_2.c_5, angle_3, vec2<f32>(inside_2, second_1));
         var within_0 : vec3<f32> = direction_5 * vec3<f32>((dot(corners_2.a_12, normal_6) / dot(direction_5, normal_6))) - corners_2.a_12;
         var squared_2 : f32 = dot(normal_6, normal_6);
-        var _S97 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
-        point_0.place_11.v_0 = _S97;
-        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S97);
+        var _S99 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
+        point_0.place_11.v_0 = _S99;
+        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S99);
     }
     var offset_3 : vec3<f32> = corners_2.a_12 + ab_1 * vec3<f32>(point_0.place_11.v_0) + ac_0 * vec3<f32>(point_0.place_11.w_0);
     var distance_3 : f32 = length(offset_3);
@@ -1539,15 +1550,15 @@ fn is_map_0( record_11 : u32) -> bool
 
 fn uniform_direction_0( u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S98 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S98 * (1.0f - _S98))));
-    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S98);
+    var _S100 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S100 * (1.0f - _S100))));
+    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S100);
 }
 
 fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
 {
-    var _S99 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S99) * vec3<f32>(direction_6.x) + vector_at_0(_S99 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S99 + u32(6)) * vec3<f32>(direction_6.z);
+    var _S101 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S101) * vec3<f32>(direction_6.x) + vector_at_0(_S101 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S101 + u32(6)) * vec3<f32>(direction_6.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -1575,11 +1586,11 @@ fn sum_at_0( at_13 : u32) -> f64
 
 fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr<function, f32>) -> u32
 {
-    var _S100 : u32 = count_3 - u32(1);
-    var total_2 : f64 = sum_at_0(sums_0 + u32(2) * _S100);
+    var _S102 : u32 = count_3 - u32(1);
+    var total_2 : f64 = sum_at_0(sums_0 + u32(2) * _S102);
     var target_0 : f64 = u_5 * total_2;
     var low_3 : u32 = u32(0);
-    var high_0 : u32 = _S100;
+    var high_0 : u32 = _S102;
     for(;;)
     {
         if(low_3 < high_0)
@@ -1591,16 +1602,16 @@ fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
         var sum_1 : f64 = sum_at_0(sums_0 + u32(2) * middle_1);
-        var _S101 : bool;
+        var _S103 : bool;
         if(sum_1 <= target_0)
         {
-            _S101 = sum_1 < total_2;
+            _S103 = sum_1 < total_2;
         }
         else
         {
-            _S101 = false;
+            _S103 = false;
         }
-        if(_S101)
+        if(_S103)
         {
             low_3 = middle_1 + u32(1);
         }
@@ -1631,49 +1642,49 @@ fn cell_direction_0( map_3 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,
     var rows_1 : vec2<f32>;
     if(is_lower_0)
     {
-        var _S102 : u32 = last_0 - row_2;
-        rows_1 = vec2<f32>(f32(_S102), f32(_S102 - u32(1)));
+        var _S104 : u32 = last_0 - row_2;
+        rows_1 = vec2<f32>(f32(_S104), f32(_S104 - u32(1)));
     }
     else
     {
         rows_1 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
     }
-    var _S103 : f32 = f32(last_0);
-    var _S104 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S103)).x;
-    var _S105 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S103)).x;
-    var off_0 : f32 = 2.0f * mix(_S104 * _S104, _S105 * _S105, down_0);
+    var _S105 : f32 = f32(last_0);
+    var _S106 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S105)).x;
+    var _S107 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S105)).x;
+    var off_0 : f32 = 2.0f * mix(_S106 * _S106, _S107 * _S107, down_0);
     var sine_3 : f32 = sqrt(off_0 * (2.0f - off_0));
-    var _S106 : f32 = azimuth_0.x * sine_3;
-    var _S107 : f32;
+    var _S108 : f32 = azimuth_0.x * sine_3;
+    var _S109 : f32;
     if(is_lower_0)
     {
-        _S107 = off_0 - 1.0f;
+        _S109 = off_0 - 1.0f;
     }
     else
     {
-        _S107 = 1.0f - off_0;
+        _S109 = 1.0f - off_0;
     }
-    var local_0 : vec3<f32> = vec3<f32>(_S106, _S107, - azimuth_0.y * sine_3);
-    var _S108 : u32 = map_3 + u32(2);
-    return vec3<f32>(dot(vector_at_0(_S108), local_0), dot(vector_at_0(_S108 + u32(3)), local_0), dot(vector_at_0(_S108 + u32(6)), local_0));
+    var local_0 : vec3<f32> = vec3<f32>(_S108, _S109, - azimuth_0.y * sine_3);
+    var _S110 : u32 = map_3 + u32(2);
+    return vec3<f32>(dot(vector_at_0(_S110), local_0), dot(vector_at_0(_S110 + u32(3)), local_0), dot(vector_at_0(_S110 + u32(6)), local_0));
 }
 
 fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : ptr<function, f32>) -> vec3<f32>
 {
     var u_6 : f64 = precise_random_0(key_5, dimension_4);
     var rest_5 : f64 = u_6 * 20.0lf - 1.0lf;
-    var _S109 : u32 = map_4 + u32(13);
-    var is_black_0 : bool = (word_0(_S109)) == u32(4294967295);
-    var _S110 : bool;
+    var _S111 : u32 = map_4 + u32(13);
+    var is_black_0 : bool = (word_0(_S111)) == u32(4294967295);
+    var _S112 : bool;
     if(is_black_0)
     {
-        _S110 = true;
+        _S112 = true;
     }
     else
     {
-        _S110 = rest_5 < 0.0lf;
+        _S112 = rest_5 < 0.0lf;
     }
-    if(_S110)
+    if(_S112)
     {
         var share_0 : f32;
         if(is_black_0)
@@ -1685,14 +1696,14 @@ fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
             share_0 = 0.05000000074505806f;
         }
         var direction_8 : vec3<f32> = uniform_direction_0(vec2<f32>(f32(u_6) / share_0, random_0(key_5, dimension_4 + u32(1))));
-        var _S111 : f32 = map_pdf_0(map_4, direction_8);
-        (*pdf_1) = _S111;
+        var _S113 : f32 = map_pdf_0(map_4, direction_8);
+        (*pdf_1) = _S113;
         return direction_8;
     }
     var rest_6 : f64 = rest_5 / 19.0lf;
     var width_2 : u32 = word_0(map_4);
     var down_1 : f32;
-    var row_3 : u32 = chosen_interval_0(word_0(_S109), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
+    var row_3 : u32 = chosen_interval_0(word_0(_S111), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
     var along_2 : f32;
     var column_2 : u32 = chosen_interval_0(word_0(map_4 + u32(14)) + u32(2) * width_2 * row_3, width_2, rest_6, &(along_2));
     (*pdf_1) = cell_pdf_0(map_4, row_3 * width_2 + column_2);
@@ -1706,35 +1717,35 @@ fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
 
 fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
 {
-    var _S112 : f32 = u_7.x;
-    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S112));
-    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S112));
+    var _S114 : f32 = u_7.x;
+    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S114));
+    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S114));
 }
 
-fn to_world_0( axes_5 : Axes_0,  v_6 : vec3<f32>) -> vec3<f32>
+fn to_world_0( axes_5 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
 {
-    return axes_5.s_0 * vec3<f32>(v_6.x) + axes_5.t_0 * vec3<f32>(v_6.y) + axes_5.n_1 * vec3<f32>(v_6.z);
+    return axes_5.s_0 * vec3<f32>(v_7.x) + axes_5.t_0 * vec3<f32>(v_7.y) + axes_5.n_1 * vec3<f32>(v_7.z);
 }
 
-fn component_0( v_7 : vec3<f64>,  axis_2 : u32) -> f64
+fn component_0( v_8 : vec3<f64>,  axis_2 : u32) -> f64
 {
-    var _S113 : f64;
+    var _S115 : f64;
     if(axis_2 == u32(0))
     {
-        _S113 = v_7.x;
+        _S115 = v_8.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S113 = v_7.y;
+            _S115 = v_8.y;
         }
         else
         {
-            _S113 = v_7.z;
+            _S115 = v_8.z;
         }
     }
-    return _S113;
+    return _S115;
 }
 
 fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
@@ -1754,7 +1765,7 @@ struct RayView_0
 
 fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S114 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S116 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -1767,36 +1778,36 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S115 : u32 = axis_3;
-        var _S116 : u32 = _S114 + u32(2) * axis_3;
-        var _S117 : u32 = slot_3 % u32(4);
-        var low_4 : f32 = (bitcast<f32>((nodes_0[_S116][_S117])));
-        var high_1 : f32 = (bitcast<f32>((nodes_0[_S116 + u32(6)][_S117])));
-        var _S118 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
-        var _S119 : f32;
-        if(_S118)
-        {
-            _S119 = high_1;
-        }
-        else
-        {
-            _S119 = low_4;
-        }
-        var _S120 : f32 = max(near_0, _S119 * view_2.inverse_0[_S115] - view_2.offset_near_0[axis_3]);
+        var _S117 : u32 = axis_3;
+        var _S118 : u32 = _S116 + u32(2) * axis_3;
+        var _S119 : u32 = slot_3 % u32(4);
+        var low_4 : f32 = (bitcast<f32>((nodes_0[_S118][_S119])));
+        var high_1 : f32 = (bitcast<f32>((nodes_0[_S118 + u32(6)][_S119])));
+        var _S120 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
         var _S121 : f32;
-        if(_S118)
-        {
-            _S121 = low_4;
-        }
-        else
+        if(_S120)
         {
             _S121 = high_1;
         }
-        var _S122 : f32 = min(far_0, _S121 * view_2.inverse_0[_S115] - view_2.offset_far_0[axis_3]);
-        var _S123 : u32 = axis_3 + u32(1);
-        near_0 = _S120;
-        far_0 = _S122;
-        axis_3 = _S123;
+        else
+        {
+            _S121 = low_4;
+        }
+        var _S122 : f32 = max(near_0, _S121 * view_2.inverse_0[_S117] - view_2.offset_near_0[axis_3]);
+        var _S123 : f32;
+        if(_S120)
+        {
+            _S123 = low_4;
+        }
+        else
+        {
+            _S123 = high_1;
+        }
+        var _S124 : f32 = min(far_0, _S123 * view_2.inverse_0[_S117] - view_2.offset_far_0[axis_3]);
+        var _S125 : u32 = axis_3 + u32(1);
+        near_0 = _S122;
+        far_0 = _S124;
+        axis_3 = _S125;
     }
     if(near_0 <= far_0)
     {
@@ -1821,7 +1832,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S124 : u32 = k_3;
+        var _S126 : u32 = k_3;
         if((bounds_0[k_3]) > limit_2)
         {
             k_3 = k_3 + u32(1);
@@ -1838,24 +1849,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S125 : u32 = j_0;
-            var _S126 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S124]))
+            var _S127 : u32 = j_0;
+            var _S128 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S126]))
             {
-                _S126 = true;
+                _S128 = true;
             }
             else
             {
-                if((bounds_0[_S125]) == (bounds_0[_S124]))
+                if((bounds_0[_S127]) == (bounds_0[_S126]))
                 {
-                    _S126 = j_0 < k_3;
+                    _S128 = j_0 < k_3;
                 }
                 else
                 {
-                    _S126 = false;
+                    _S128 = false;
                 }
             }
-            if(_S126)
+            if(_S128)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -1880,16 +1891,16 @@ fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S127 : f32;
+        var _S129 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S127 = 3.00000000549775576e+38f;
+            _S129 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S127 = ray_bound_0(view_3, limit_3, node_5, slot_4);
+            _S129 = ray_bound_0(view_3, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S127;
+        bounds_1[slot_4] = _S129;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -1925,8 +1936,8 @@ struct Crossing_0
 {
      is_hit_0 : bool,
      t_2 : f64,
-     v_8 : f64,
-     w_3 : f64,
+     v_9 : f64,
+     w_4 : f64,
 };
 
 fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_15 : u32) -> Crossing_0
@@ -1934,51 +1945,51 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_15 : u32) -> Crossing_0
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_2 = 0.0lf;
-    crossing_0.v_8 = 0.0lf;
-    crossing_0.w_3 = 0.0lf;
+    crossing_0.v_9 = 0.0lf;
+    crossing_0.w_4 = 0.0lf;
     var a_14 : vec3<f64> = corner_0(ray_1, axes_8, at_15);
     var b_12 : vec3<f64> = corner_0(ray_1, axes_8, at_15 + u32(3));
     var c_7 : vec3<f64> = corner_0(ray_1, axes_8, at_15 + u32(6));
-    var _S128 : f64 = c_7.x;
-    var _S129 : f64 = b_12.y;
-    var cx_by_0 : f64 = rounded_0(_S128 * _S129, ray_1.largest_1);
-    var _S130 : f64 = c_7.y;
-    var _S131 : f64 = b_12.x;
-    var cy_bx_0 : f64 = rounded_0(_S130 * _S131, ray_1.largest_1);
-    var _S132 : f64 = a_14.x;
-    var ax_cy_0 : f64 = rounded_0(_S132 * _S130, ray_1.largest_1);
-    var _S133 : f64 = a_14.y;
-    var ay_cx_0 : f64 = rounded_0(_S133 * _S128, ray_1.largest_1);
-    var bx_ay_0 : f64 = rounded_0(_S131 * _S133, ray_1.largest_1);
-    var by_ax_0 : f64 = rounded_0(_S129 * _S132, ray_1.largest_1);
+    var _S130 : f64 = c_7.x;
+    var _S131 : f64 = b_12.y;
+    var cx_by_0 : f64 = rounded_0(_S130 * _S131, ray_1.largest_1);
+    var _S132 : f64 = c_7.y;
+    var _S133 : f64 = b_12.x;
+    var cy_bx_0 : f64 = rounded_0(_S132 * _S133, ray_1.largest_1);
+    var _S134 : f64 = a_14.x;
+    var ax_cy_0 : f64 = rounded_0(_S134 * _S132, ray_1.largest_1);
+    var _S135 : f64 = a_14.y;
+    var ay_cx_0 : f64 = rounded_0(_S135 * _S130, ray_1.largest_1);
+    var bx_ay_0 : f64 = rounded_0(_S133 * _S135, ray_1.largest_1);
+    var by_ax_0 : f64 = rounded_0(_S131 * _S134, ray_1.largest_1);
     var u_8 : f64 = cx_by_0 - cy_bx_0;
-    var v_9 : f64 = ax_cy_0 - ay_cx_0;
-    var w_4 : f64 = bx_ay_0 - by_ax_0;
-    var _S134 : f64 = min(min(u_8, v_9), w_4);
-    var _S135 : f64 = max(max(u_8, v_9), w_4);
-    var _S136 : bool;
-    if(_S134 < 0.0lf)
+    var v_10 : f64 = ax_cy_0 - ay_cx_0;
+    var w_5 : f64 = bx_ay_0 - by_ax_0;
+    var _S136 : f64 = min(min(u_8, v_10), w_5);
+    var _S137 : f64 = max(max(u_8, v_10), w_5);
+    var _S138 : bool;
+    if(_S136 < 0.0lf)
     {
-        _S136 = _S135 > 0.0lf;
+        _S138 = _S137 > 0.0lf;
     }
     else
     {
-        _S136 = false;
+        _S138 = false;
     }
-    if(_S136)
+    if(_S138)
     {
         return crossing_0;
     }
-    var determinant_0 : f64 = u_8 + v_9 + w_4;
-    if(_S134 <= 0.0lf)
+    var determinant_0 : f64 = u_8 + v_10 + w_5;
+    if(_S136 <= 0.0lf)
     {
-        _S136 = _S135 >= 0.0lf;
+        _S138 = _S137 >= 0.0lf;
     }
     else
     {
-        _S136 = false;
+        _S138 = false;
     }
-    if(_S136)
+    if(_S138)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -1989,43 +2000,43 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_15 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_3 : f64 = (rounded_0(u_8 * a_14.z, ray_1.largest_1) + rounded_0(v_9 * b_12.z, ray_1.largest_1) + rounded_0(w_4 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
+    var t_3 : f64 = (rounded_0(u_8 * a_14.z, ray_1.largest_1) + rounded_0(v_10 * b_12.z, ray_1.largest_1) + rounded_0(w_5 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_3)
     {
-        _S136 = t_3 <= (ray_1.t_max_0);
+        _S138 = t_3 <= (ray_1.t_max_0);
     }
     else
     {
-        _S136 = false;
+        _S138 = false;
     }
-    crossing_0.is_hit_0 = _S136;
+    crossing_0.is_hit_0 = _S138;
     crossing_0.t_2 = t_3;
-    crossing_0.v_8 = v_9 / determinant_0;
-    crossing_0.w_3 = w_4 / determinant_0;
+    crossing_0.v_9 = v_10 / determinant_0;
+    crossing_0.w_4 = w_5 / determinant_0;
     return crossing_0;
 }
 
-fn face_6( triangle_6 : u32) -> u32
+fn face_6( triangle_7 : u32) -> u32
 {
-    return rough_0[triangle_6 / u32(4)][triangle_6 % u32(4)];
+    return rough_0[triangle_7 / u32(4)][triangle_7 % u32(4)];
 }
 
 struct Found_0
 {
      face_7 : u32,
-     triangle_7 : u32,
-     v_10 : f64,
-     w_5 : f64,
+     triangle_8 : u32,
+     v_11 : f64,
+     w_6 : f64,
 };
 
 fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S137 : bool;
+    var _S139 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
-    found_3.triangle_7 = u32(4294967295);
-    found_3.v_10 = 0.0lf;
-    found_3.w_5 = 0.0lf;
+    found_3.triangle_8 = u32(4294967295);
+    found_3.v_11 = 0.0lf;
+    found_3.w_6 = 0.0lf;
     if(!((view_4.limit_0) >= 0.0f))
     {
         return found_3;
@@ -2052,31 +2063,31 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_1[level_0];
-        var _S138 : u32 = way_1[level_0].y;
-        if(_S138 == u32(0))
+        var _S140 : u32 = way_1[level_0].y;
+        if(_S140 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S139 : u32 = level_0 - u32(1);
+            var _S141 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S139;
+            level_0 = _S141;
             continue;
         }
-        var slot_5 : u32 = ((_S138 & (u32(15)))) - u32(1);
-        way_1[level_0][i32(1)] = (_S138 >> (u32(4)));
-        var _S140 : bool;
+        var slot_5 : u32 = ((_S140 & (u32(15)))) - u32(1);
+        way_1[level_0][i32(1)] = (_S140 >> (u32(4)));
+        var _S142 : bool;
         if(!is_new_1)
         {
-            _S140 = (ray_bound_0(view_4, limit_4, here_0.x, slot_5)) > limit_4;
+            _S142 = (ray_bound_0(view_4, limit_4, here_0.x, slot_5)) > limit_4;
         }
         else
         {
-            _S140 = false;
+            _S142 = false;
         }
-        if(_S140)
+        if(_S142)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -2085,20 +2096,20 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_0.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S141 : u32 = level_0 + u32(1);
+            var _S143 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S141;
+            level_0 = _S143;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S142 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S143 : u32 = leaf_starts_0[leaf_0];
+        var _S144 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S145 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S143;
+        var i_3 : u32 = _S145;
         for(;;)
         {
-            if(i_3 < _S142)
+            if(i_3 < _S144)
             {
             }
             else
@@ -2113,29 +2124,29 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S137 = true;
+                _S139 = true;
             }
             else
             {
-                _S137 = (crossing_1.t_2) < ((*ray_2).t_max_0);
+                _S139 = (crossing_1.t_2) < ((*ray_2).t_max_0);
             }
-            var _S144 : bool;
-            if(_S137)
+            var _S146 : bool;
+            if(_S139)
             {
-                _S144 = true;
+                _S146 = true;
             }
             else
             {
-                _S144 = (face_6(i_3)) < (found_3.face_7);
+                _S146 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S144)
+            if(_S146)
             {
                 found_3.face_7 = face_6(i_3);
-                found_3.triangle_7 = i_3;
+                found_3.triangle_8 = i_3;
                 (*ray_2).t_max_0 = crossing_1.t_2;
-                found_3.v_10 = crossing_1.v_8;
-                found_3.w_5 = crossing_1.w_3;
+                found_3.v_11 = crossing_1.v_9;
+                found_3.w_6 = crossing_1.w_4;
                 limit_6 = min(limit_5, f32(crossing_1.t_2 * (*ray_2).local_per_t_0 - (*ray_2).enter_0) + 2.0f * view_4.margin_0);
             }
             else
@@ -2147,13 +2158,13 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S137 = (found_3.face_7) != u32(4294967295);
+            _S139 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S137 = false;
+            _S139 = false;
         }
-        if(_S137)
+        if(_S139)
         {
             break;
         }
@@ -2167,34 +2178,34 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_1 : vec3<f64>,  direction_9 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
 {
     var size_1 : vec3<f32> = abs(vec3<f32>(direction_9));
-    var _S145 : f32 = size_1.x;
-    var _S146 : f32 = size_1.y;
-    var _S147 : bool;
-    if(_S145 >= _S146)
+    var _S147 : f32 = size_1.x;
+    var _S148 : f32 = size_1.y;
+    var _S149 : bool;
+    if(_S147 >= _S148)
     {
-        _S147 = _S145 >= (size_1.z);
+        _S149 = _S147 >= (size_1.z);
     }
     else
     {
-        _S147 = false;
+        _S149 = false;
     }
-    var _S148 : i32;
-    if(_S147)
+    var _S150 : i32;
+    if(_S149)
     {
-        _S148 = i32(0);
+        _S150 = i32(0);
     }
     else
     {
-        if(_S146 >= (size_1.z))
+        if(_S148 >= (size_1.z))
         {
-            _S148 = i32(1);
+            _S150 = i32(1);
         }
         else
         {
-            _S148 = i32(2);
+            _S150 = i32(2);
         }
     }
-    var z_4 : u32 = u32(_S148);
+    var z_4 : u32 = u32(_S150);
     var x_8 : u32 = (z_4 + u32(1)) % u32(3);
     var y_3 : u32 = (z_4 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
@@ -2205,13 +2216,13 @@ fn cast_0( origin_1 : vec3<f64>,  direction_9 : vec3<f64>,  t_min_1 : f64,  t_ma
     ray_3.shear_y_0 = component_0(direction_9, y_3) / along_3;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S149 : f64 = abs(along_3);
-    ray_3.local_per_t_0 = _S149;
+    var _S151 : f64 = abs(along_3);
+    ray_3.local_per_t_0 = _S151;
     ray_3.enter_0 = 0.0lf;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
     var view_5 : RayView_0;
-    var _S150 : vec3<f32> = vec3<f32>(direction_9 / vec3<f64>(_S149));
+    var _S152 : vec3<f32> = vec3<f32>(direction_9 / vec3<f64>(_S151));
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -2222,17 +2233,17 @@ fn cast_0( origin_1 : vec3<f64>,  direction_9 : vec3<f64>,  t_min_1 : f64,  t_ma
         {
             break;
         }
-        var _S151 : f32 = max(abs(_S150[axis_4]), 8.67361737988403547e-19f);
-        var _S152 : f32;
-        if((_S150[axis_4]) < 0.0f)
+        var _S153 : f32 = max(abs(_S152[axis_4]), 8.67361737988403547e-19f);
+        var _S154 : f32;
+        if((_S152[axis_4]) < 0.0f)
         {
-            _S152 = -1.0f / _S151;
+            _S154 = -1.0f / _S153;
         }
         else
         {
-            _S152 = 1.0f / _S151;
+            _S154 = 1.0f / _S153;
         }
-        view_5.inverse_0[axis_4] = _S152;
+        view_5.inverse_0[axis_4] = _S154;
         axis_4 = axis_4 + u32(1);
     }
     var offset_4 : vec3<f32> = vec3<f32>(origin_1) * view_5.inverse_0;
@@ -2250,34 +2261,34 @@ fn cast_0( origin_1 : vec3<f64>,  direction_9 : vec3<f64>,  t_min_1 : f64,  t_ma
 fn cast_1( origin_2 : vec3<f64>,  direction_10 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_2 : bool,  t_5 : ptr<function, f32>) -> Found_0
 {
     var size_2 : vec3<f32> = abs(vec3<f32>(direction_10));
-    var _S153 : f32 = size_2.x;
-    var _S154 : f32 = size_2.y;
-    var _S155 : bool;
-    if(_S153 >= _S154)
+    var _S155 : f32 = size_2.x;
+    var _S156 : f32 = size_2.y;
+    var _S157 : bool;
+    if(_S155 >= _S156)
     {
-        _S155 = _S153 >= (size_2.z);
+        _S157 = _S155 >= (size_2.z);
     }
     else
     {
-        _S155 = false;
+        _S157 = false;
     }
-    var _S156 : i32;
-    if(_S155)
+    var _S158 : i32;
+    if(_S157)
     {
-        _S156 = i32(0);
+        _S158 = i32(0);
     }
     else
     {
-        if(_S154 >= (size_2.z))
+        if(_S156 >= (size_2.z))
         {
-            _S156 = i32(1);
+            _S158 = i32(1);
         }
         else
         {
-            _S156 = i32(2);
+            _S158 = i32(2);
         }
     }
-    var z_5 : u32 = u32(_S156);
+    var z_5 : u32 = u32(_S158);
     var x_9 : u32 = (z_5 + u32(1)) % u32(3);
     var y_4 : u32 = (z_5 + u32(2)) % u32(3);
     var ray_4 : Ray_0;
@@ -2288,13 +2299,13 @@ fn cast_1( origin_2 : vec3<f64>,  direction_10 : vec3<f64>,  t_min_2 : f64,  t_m
     ray_4.shear_y_0 = component_0(direction_10, y_4) / along_4;
     ray_4.t_min_0 = t_min_2;
     ray_4.t_max_0 = t_max_2;
-    var _S157 : f64 = abs(along_4);
-    ray_4.local_per_t_0 = _S157;
+    var _S159 : f64 = abs(along_4);
+    ray_4.local_per_t_0 = _S159;
     ray_4.enter_0 = 0.0lf;
     ray_4.edge_on_0 = limit_at_0(u32(0));
     ray_4.largest_1 = limit_at_0(u32(1));
     var view_6 : RayView_0;
-    var _S158 : vec3<f32> = vec3<f32>(direction_10 / vec3<f64>(_S157));
+    var _S160 : vec3<f32> = vec3<f32>(direction_10 / vec3<f64>(_S159));
     var axis_5 : u32 = u32(0);
     for(;;)
     {
@@ -2305,17 +2316,17 @@ fn cast_1( origin_2 : vec3<f64>,  direction_10 : vec3<f64>,  t_min_2 : f64,  t_m
         {
             break;
         }
-        var _S159 : f32 = max(abs(_S158[axis_5]), 8.67361737988403547e-19f);
-        var _S160 : f32;
-        if((_S158[axis_5]) < 0.0f)
+        var _S161 : f32 = max(abs(_S160[axis_5]), 8.67361737988403547e-19f);
+        var _S162 : f32;
+        if((_S160[axis_5]) < 0.0f)
         {
-            _S160 = -1.0f / _S159;
+            _S162 = -1.0f / _S161;
         }
         else
         {
-            _S160 = 1.0f / _S159;
+            _S162 = 1.0f / _S161;
         }
-        view_6.inverse_0[axis_5] = _S160;
+        view_6.inverse_0[axis_5] = _S162;
         axis_5 = axis_5 + u32(1);
     }
     var offset_5 : vec3<f32> = vec3<f32>(origin_2) * view_6.inverse_0;
@@ -2337,16 +2348,16 @@ fn turning_0( vertex_1 : Vertex_0,  direction_11 : vec3<f32>) -> vec3<f32>
 
 fn towards_emitter_0( vertex_2 : Vertex_0,  direction_12 : vec3<f32>,  record_12 : u32) -> vec3<f32>
 {
-    var _S161 : vec3<f32>;
+    var _S163 : vec3<f32>;
     if((word_0(record_12)) == u32(1))
     {
-        _S161 = changing_0(direction_12, turning_0(vertex_2, direction_12));
+        _S163 = changing_0(direction_12, turning_0(vertex_2, direction_12));
     }
     else
     {
-        _S161 = still_0(direction_12);
+        _S163 = still_0(direction_12);
     }
-    return _S161;
+    return _S163;
 }
 
 fn local_change_0( vertex_3 : Vertex_0,  direction_13 : vec3<f32>) -> vec3<f32>
@@ -2363,25 +2374,25 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_5 : f32,  pdf_3 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S162 : Mirrored_0;
-    _S162.cosine_4 = cosine_5;
-    _S162.pdf_2 = pdf_3;
-    _S162.scattered_0 = scattered_1;
-    return _S162;
+    var _S164 : Mirrored_0;
+    _S164.cosine_4 = cosine_5;
+    _S164.pdf_2 = pdf_3;
+    _S164.scattered_0 = scattered_1;
+    return _S164;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S163 : bool;
+    var _S165 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S163 = true;
+        _S165 = true;
     }
     else
     {
-        _S163 = (lobe_3.kind_1) == u32(4);
+        _S165 = (lobe_3.kind_1) == u32(4);
     }
-    return _S163;
+    return _S165;
 }
 
 struct Microfacets_0
@@ -2411,68 +2422,68 @@ fn exponential_0( x_10 : f32) -> f32
 
 fn density_0( facets_1 : Microfacets_0,  m_0 : vec3<f32>) -> f32
 {
-    var _S164 : f32 = m_0.z;
-    if(_S164 <= 0.0f)
+    var _S166 : f32 = m_0.z;
+    if(_S166 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_0 : vec2<f32> = m_0.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S164 * _S164;
+    var cos2_0 : f32 = _S166 * _S166;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_2 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_2 * sum_2);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S165 : f32;
+    var _S167 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S165 = 0.0f;
+        _S167 = 0.0f;
     }
     else
     {
-        _S165 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S167 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S165;
+    return _S167;
 }
 
 fn error_function_plus_one_0( x_11 : f32) -> vec2<f32>
 {
-    var _S166 : f32 = min(abs(x_11), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S166 * _S166);
-    var place_13 : f32 = (_S166 - 2.0f) / (_S166 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_13 - 0.00127731403335929f) * place_13 + 0.00131371302995831f) * place_13 + 0.008666617795825f) * place_13 - 0.00805134233087301f) * place_13 - 0.05421232059597969f) * place_13 + 0.1640533059835434f) * place_13 - 0.16603080928325653f) * place_13 - 0.09276388585567474f) * place_13 + 1.27697837352752686f) / (1.0f + 2.0f * _S166);
-    var _S167 : f32;
+    var _S168 : f32 = min(abs(x_11), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S168 * _S168);
+    var place_13 : f32 = (_S168 - 2.0f) / (_S168 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_13 - 0.00127731403335929f) * place_13 + 0.00131371302995831f) * place_13 + 0.008666617795825f) * place_13 - 0.00805134233087301f) * place_13 - 0.05421232059597969f) * place_13 + 0.1640533059835434f) * place_13 - 0.16603080928325653f) * place_13 - 0.09276388585567474f) * place_13 + 1.27697837352752686f) / (1.0f + 2.0f * _S168);
+    var _S169 : f32;
     if(x_11 < 0.0f)
     {
-        _S167 = complement_0;
+        _S169 = complement_0;
     }
     else
     {
-        _S167 = 2.0f - complement_0;
+        _S169 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S167, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S169, 1.128379225730896f * gaussian_0);
 }
 
-fn visible_over_cos_0( facets_2 : Microfacets_0,  w_6 : vec3<f32>) -> f32
+fn visible_over_cos_0( facets_2 : Microfacets_0,  w_7 : vec3<f32>) -> f32
 {
-    var stretched_0 : vec2<f32> = w_6.xy * facets_2.alpha_1;
+    var stretched_0 : vec2<f32> = w_7.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S168 : f32 = w_6.z;
-    var z2_1 : f32 = _S168 * _S168;
+    var _S170 : f32 = w_7.z;
+    var z2_1 : f32 = _S170 * _S170;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S168 + sqrt(z2_1 + spread2_0));
+        return 2.0f / (_S170 + sqrt(z2_1 + spread2_0));
     }
     if(z2_1 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S168;
+        return 1.0f / _S170;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S168 / spread_1);
-    return 2.0f / (_S168 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S170 / spread_1);
+    return 2.0f / (_S170 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
@@ -2480,9 +2491,9 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_1 : vec3<f32> = normalize(wi_2 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_4 = dot(wi_2, h_1);
-    var _S169 : f32 = 0.25f * density_0(facets_3, h_1) * visible_over_cos_0(facets_3, wi_2);
-    mirrored_1.pdf_2 = _S169;
-    mirrored_1.scattered_0 = _S169 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    var _S171 : f32 = 0.25f * density_0(facets_3, h_1) * visible_over_cos_0(facets_3, wi_2);
+    mirrored_1.pdf_2 = _S171;
+    mirrored_1.scattered_0 = _S171 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
@@ -2499,9 +2510,9 @@ fn fresnel_conductor_channel_0( cosine_6 : f32,  eta_1 : f32,  k_4 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_2 / larger_0;
-    var _S170 : bool = real_0 < 0.0f;
+    var _S172 : bool = real_0 < 0.0f;
     var a_15 : f32;
-    if(_S170)
+    if(_S172)
     {
         a_15 = smaller_0;
     }
@@ -2510,7 +2521,7 @@ fn fresnel_conductor_channel_0( cosine_6 : f32,  eta_1 : f32,  k_4 : f32) -> f32
         a_15 = larger_0;
     }
     var b_13 : f32;
-    if(_S170)
+    if(_S172)
     {
         b_13 = larger_0;
     }
@@ -2520,9 +2531,9 @@ fn fresnel_conductor_channel_0( cosine_6 : f32,  eta_1 : f32,  k_4 : f32) -> f32
     }
     var less_0 : f32 = a_15 - cosine_6;
     var more_0 : f32 = a_15 + cosine_6;
-    var _S171 : f32 = b_13 * b_13;
+    var _S173 : f32 = b_13 * b_13;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S171) / (more_0 * more_0 + _S171) * p_sum_0 / (p_sum_0 + 2.0f * a_15 * cosine_6 * sin2_0);
+    return (less_0 * less_0 + _S173) / (more_0 * more_0 + _S173) * p_sum_0 / (p_sum_0 + 2.0f * a_15 * cosine_6 * sin2_0);
 }
 
 fn fresnel_conductor_0( cosine_7 : f32,  eta_2 : vec3<f32>,  k_5 : vec3<f32>) -> vec3<f32>
@@ -2560,10 +2571,10 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_9 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_9, eta_4);
     }
     var place_14 : f32 = cosine_9 * 63.0f;
-    var _S172 : u32 = min(u32(place_14), u32(62));
-    var at_16 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S172;
+    var _S174 : u32 = min(u32(place_14), u32(62));
+    var at_16 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S174;
     var here_1 : f32 = number_0(at_16);
-    return here_1 + (number_0(at_16 + u32(1)) - here_1) * (place_14 - f32(_S172));
+    return here_1 + (number_0(at_16 + u32(1)) - here_1) * (place_14 - f32(_S174));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2614,15 +2625,15 @@ struct Scattering_0
 fn scattering_0( lobe_7 : Lobe_0,  numbers_6 : Numbers_0,  wi_3 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S173 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S173 * 0.31830987334251404f;
+    var _S175 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S175 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattering_1.value_7 = numbers_6.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_4 = by_cosine_0;
         return scattering_1;
     }
-    var _S174 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S176 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_7))
     {
@@ -2630,7 +2641,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_6 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     else
     {
-        by_facets_0 = _S174;
+        by_facets_0 = _S176;
     }
     if((lobe_7.kind_1) == u32(2))
     {
@@ -2640,7 +2651,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_6 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     var eta_7 : f32 = coat_eta_0(numbers_6);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_3.z);
-    scattering_1.value_7 = base_0(lobe_7, eta_7, numbers_6.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S173) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_7 = base_0(lobe_7, eta_7, numbers_6.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S175) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_1 : f32 = base_probability_0(numbers_6, enters_1);
     scattering_1.pdf_4 = probability_1 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -2662,16 +2673,16 @@ fn eval_and_pdf_0( lobe_8 : Lobe_0,  wi_4 : vec3<f32>,  wo_2 : vec3<f32>) -> Sca
     var scattered_2 : Scattered_0;
     scattered_2.value_8 = still_0(vec3<f32>(0.0f));
     scattered_2.pdf_5 = 0.0f;
-    var _S175 : bool;
+    var _S177 : bool;
     if((value_of_0(wo_2).z) <= 0.0f)
     {
-        _S175 = true;
+        _S177 = true;
     }
     else
     {
-        _S175 = !has_smooth_0(lobe_8);
+        _S177 = !has_smooth_0(lobe_8);
     }
-    if(_S175)
+    if(_S177)
     {
         return scattered_2;
     }
@@ -2712,11 +2723,11 @@ fn in_map_0( map_5 : u32,  direction_16 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_5 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_3, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_3, u32(0));
-    var _S176 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S177 : u32 = u32(width_3);
-    var first_3 : u32 = _S176 * _S177;
-    var _S178 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S178 * _S177;
+    var _S178 : u32 = wrapped_0(y_5, height_1, u32(2));
+    var _S179 : u32 = u32(width_3);
+    var first_3 : u32 = _S178 * _S179;
+    var _S180 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S180 * _S179;
     return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), point_1);
 }
 
@@ -2726,14 +2737,14 @@ fn emitted_0( emitter_5 : u32,  place_17 : Place_0,  direction_17 : vec3<f32>) -
     var texture_6 : u32 = word_0(record_13 + u32(1));
     if(!is_map_0(record_13))
     {
-        var _S179 : vec3<f32> = shown_0(texture_6, place_17);
-        return _S179;
+        var _S181 : vec3<f32> = shown_0(texture_6, place_17);
+        return _S181;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S180 : u32 = word_0(texture_6 + u32(11));
-    var _S181 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_17));
-    return looked_up_0(_S180, _S181, change_1) * factor_0;
+    var _S182 : u32 = word_0(texture_6 + u32(11));
+    var _S183 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_17));
+    return looked_up_0(_S182, _S183, change_1) * factor_0;
 }
 
 fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_4 : u32,  bsdf_samples_0 : f32,  importance_0 : vec3<f32>)
@@ -2760,13 +2771,13 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6
             return;
         }
         var way_3 : vec3<f64> = position_of_0(point_2.place_11) - vertex_6.surface_3.exact_0;
-        var _S182 : vec3<f32> = vec3<f32>(way_3);
-        var distance_5 : f32 = length(_S182);
+        var _S184 : vec3<f32> = vec3<f32>(way_3);
+        var distance_5 : f32 = length(_S184);
         var nearest_2 : f64 = nearest_0 / f64(distance_5);
-        var _S183 : f64 = limit_at_0(u32(3));
-        direction_18 = _S182 / vec3<f32>(distance_5);
+        var _S185 : f64 = limit_at_0(u32(3));
+        direction_18 = _S184 / vec3<f32>(distance_5);
         way_2 = way_3;
-        farthest_0 = _S183;
+        farthest_0 = _S185;
         distance_4 = distance_5;
         nearest_1 = nearest_2;
     }
@@ -2774,24 +2785,24 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6
     {
         if(is_map_0(record_14))
         {
-            var _S184 : u32 = word_0(record_14 + u32(1));
-            var _S185 : u32 = first_4 + u32(1);
-            var _S186 : f32 = point_2.pdf_0;
-            var _S187 : vec3<f32> = sample_map_0(_S184, key_7, _S185, &(_S186));
-            point_2.pdf_0 = _S186;
-            direction_18 = _S187;
+            var _S186 : u32 = word_0(record_14 + u32(1));
+            var _S187 : u32 = first_4 + u32(1);
+            var _S188 : f32 = point_2.pdf_0;
+            var _S189 : vec3<f32> = sample_map_0(_S186, key_7, _S187, &(_S188));
+            point_2.pdf_0 = _S188;
+            direction_18 = _S189;
         }
         else
         {
             var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_4 + u32(1)));
-            var _S188 : vec3<f32> = normalize(to_world_0(vertex_6.axes_4, local_1));
+            var _S190 : vec3<f32> = normalize(to_world_0(vertex_6.axes_4, local_1));
             point_2.pdf_0 = local_1.z * 0.31830987334251404f;
-            direction_18 = _S188;
+            direction_18 = _S190;
         }
         point_2.place_11 = vertex_6.surface_3.place_3;
-        var _S189 : f64 = limit_at_0(u32(1));
+        var _S191 : f64 = limit_at_0(u32(1));
         way_2 = vec3<f64>(direction_18);
-        farthest_0 = _S189;
+        farthest_0 = _S191;
         distance_4 = 0.0f;
         nearest_1 = nearest_0;
     }
@@ -2823,8 +2834,8 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6
         place_19 = place_18;
     }
     var weight_0 : f32 = weight_over_0(own_3, bsdf_samples_0 * scattered_3.pdf_5);
-    var _S190 : vec3<f32> = emitted_0(emitter_6, place_19, moving_0);
-    (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_3.value_8 * (_S190 * vec3<f32>(weight_0));
+    var _S192 : vec3<f32> = emitted_0(emitter_6, place_19, moving_0);
+    (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_3.value_8 * (_S192 * vec3<f32>(weight_0));
     return;
 }
 
@@ -2840,37 +2851,37 @@ fn stretched_1( facets_4 : Microfacets_0,  wi_5 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_5.xy * facets_4.alpha_1, wi_5.z);
     var view_7 : Stretched_0;
-    var _S191 : f32 = length(longer_0);
-    view_7.length_0 = _S191;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S191);
-    var _S192 : vec2<f32> = longer_1.xy;
-    var _S193 : f32 = length(_S192);
-    view_7.sine_4 = _S193;
+    var _S193 : f32 = length(longer_0);
+    view_7.length_0 = _S193;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S193);
+    var _S194 : vec2<f32> = longer_1.xy;
+    var _S195 : f32 = length(_S194);
+    view_7.sine_4 = _S195;
     view_7.cosine_10 = longer_1.z;
-    var _S194 : vec2<f32>;
-    if(_S193 > 0.0f)
+    var _S196 : vec2<f32>;
+    if(_S195 > 0.0f)
     {
-        _S194 = _S192 / vec2<f32>(view_7.sine_4);
+        _S196 = _S194 / vec2<f32>(view_7.sine_4);
     }
     else
     {
-        _S194 = vec2<f32>(1.0f, 0.0f);
+        _S196 = vec2<f32>(1.0f, 0.0f);
     }
-    view_7.around_0 = _S194;
+    view_7.around_0 = _S196;
     return view_7;
 }
 
 fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
 {
-    var _S195 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S195);
+    var _S197 : f32 = u_9.x;
+    var radius_2 : f32 = sqrt(_S197);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
     var across_1 : f32 = radius_2 * turn_3.y;
     var along_5 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_10);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S196 : f32 = 1.0f - _S195;
-    var edge_0 : f32 = sqrt(_S196 + along_5 * along_5);
+    var _S198 : f32 = 1.0f - _S197;
+    var edge_0 : f32 = sqrt(_S198 + along_5 * along_5);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
     var from_top_0 : f32 = edge_0 - along_5;
     var from_bottom_0 : f32 = edge_0 + along_5;
@@ -2878,14 +2889,14 @@ fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_5 > 0.0f)
     {
-        from_top_1 = _S196 / from_bottom_0;
+        from_top_1 = _S198 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S197 : f32 = _S196 / from_top_0;
+        var _S199 : f32 = _S198 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S197;
+        from_bottom_1 = _S199;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_10, across_1, max(towards_0 * view_8.cosine_10 + up_0 * view_8.sine_4, 0.0f));
@@ -2916,14 +2927,14 @@ fn logarithm_0( x_13 : f32) -> f32
 
 fn error_function_inverse_0( p_0 : f32) -> f32
 {
-    var w_7 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
-    if(w_7 < 5.0f)
+    var w_8 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
+    if(w_8 < 5.0f)
     {
-        var w_8 : f32 = w_7 - 2.5f;
-        return ((((((((2.81022636272609816e-08f * w_8 + 3.43273939051869093e-07f) * w_8 - 3.52338770426285919e-06f) * w_8 - 4.39150653619435616e-06f) * w_8 + 0.00021858086984139f) * w_8 - 0.00125372502952814f) * w_8 - 0.00417768163606524f) * w_8 + 0.24664072692394257f) * w_8 + 1.50140941143035889f) * p_0;
+        var w_9 : f32 = w_8 - 2.5f;
+        return ((((((((2.81022636272609816e-08f * w_9 + 3.43273939051869093e-07f) * w_9 - 3.52338770426285919e-06f) * w_9 - 4.39150653619435616e-06f) * w_9 + 0.00021858086984139f) * w_9 - 0.00125372502952814f) * w_9 - 0.00417768163606524f) * w_9 + 0.24664072692394257f) * w_9 + 1.50140941143035889f) * p_0;
     }
-    var w_9 : f32 = sqrt(w_7) - 3.0f;
-    return ((((((((-0.0002002142573474f * w_9 + 0.00010095055768033f) * w_9 + 0.00134934321977198f) * w_9 - 0.00367342843674123f) * w_9 + 0.00573950773105025f) * w_9 - 0.00762246130034328f) * w_9 + 0.00943887047469616f) * w_9 + 1.00167405605316162f) * w_9 + 2.8329768180847168f) * p_0;
+    var w_10 : f32 = sqrt(w_8) - 3.0f;
+    return ((((((((-0.0002002142573474f * w_10 + 0.00010095055768033f) * w_10 + 0.00134934321977198f) * w_10 - 0.00367342843674123f) * w_10 + 0.00573950773105025f) * w_10 - 0.00762246130034328f) * w_10 + 0.00943887047469616f) * w_10 + 1.00167405605316162f) * w_10 + 2.8329768180847168f) * p_0;
 }
 
 fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>) -> vec3<f32>
@@ -2938,8 +2949,8 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S198 : f32 = max(view_9.cosine_10, view_9.sine_4);
-    var slope_1 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S198 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S198, -6.0f, 0.5f * steepest_0);
+    var _S200 : f32 = max(view_9.cosine_10, view_9.sine_4);
+    var slope_1 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S200 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S200, -6.0f, 0.5f * steepest_0);
     var low_5 : f32 = -6.0f;
     var high_2 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -2953,10 +2964,10 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             break;
         }
         var both_2 : vec2<f32> = error_function_plus_one_0(slope_1);
-        var _S199 : f32 = both_2.y;
-        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S199 - target_1;
-        var own_4 : f32 = _S199 * (view_9.cosine_10 - slope_1 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_1 * own_4 - _S199 * view_9.sine_4;
+        var _S201 : f32 = both_2.y;
+        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S201 - target_1;
+        var own_4 : f32 = _S201 * (view_9.cosine_10 - slope_1 * view_9.sine_4);
+        var bend_0 : f32 = -2.0f * slope_1 * own_4 - _S201 * view_9.sine_4;
         if(error_0 > 0.0f)
         {
             high_2 = slope_1;
@@ -2966,17 +2977,17 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             low_5 = slope_1;
         }
         var next_0 : f32 = slope_1 - error_0 * own_4 / (own_4 * own_4 - 0.5f * error_0 * bend_0);
-        var _S200 : bool;
+        var _S202 : bool;
         if(next_0 >= low_5)
         {
-            _S200 = next_0 <= high_2;
+            _S202 = next_0 <= high_2;
         }
         else
         {
-            _S200 = false;
+            _S202 = false;
         }
         var next_1 : f32;
-        if(!_S200)
+        if(!_S202)
         {
             next_1 = 0.5f * (low_5 + high_2);
         }
@@ -2989,9 +3000,9 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             slope_1 = next_1;
             break;
         }
-        var _S201 : u32 = step_0 + u32(1);
+        var _S203 : u32 = step_0 + u32(1);
         slope_1 = next_1;
-        step_0 = _S201;
+        step_0 = _S203;
     }
     return vec3<f32>(- slope_1, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -3008,11 +3019,11 @@ fn mirrored_at_facet_0( facets_5 : Microfacets_0,  wi_6 : vec3<f32>,  u_11 : vec
     {
         normal_7 = beckmann_normal_0(view_10, visible_over_cos_0(facets_5, wi_6), u_11);
     }
-    var _S202 : f32 = view_10.around_0.x;
-    var _S203 : f32 = normal_7.x;
-    var _S204 : f32 = view_10.around_0.y;
-    var _S205 : f32 = normal_7.y;
-    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S202 * _S203 - _S204 * _S205, _S204 * _S203 + _S202 * _S205) * facets_5.alpha_1, normal_7.z));
+    var _S204 : f32 = view_10.around_0.x;
+    var _S205 : f32 = normal_7.x;
+    var _S206 : f32 = view_10.around_0.y;
+    var _S207 : f32 = normal_7.y;
+    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S204 * _S205 - _S206 * _S207, _S206 * _S205 + _S204 * _S207) * facets_5.alpha_1, normal_7.z));
     return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_6, normal_8))) - wi_6);
 }
 
@@ -3025,9 +3036,9 @@ struct Drawn_0
 
 fn draw_0( lobe_9 : Lobe_0,  wi_7 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
 {
-    var _S206 : bool = (lobe_9.kind_1) == u32(0);
+    var _S208 : bool = (lobe_9.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S206)
+    if(_S208)
     {
         has_base_0 = true;
     }
@@ -3044,7 +3055,7 @@ fn draw_0( lobe_9 : Lobe_0,  wi_7 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
         has_base_0 = (lobe_9.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S206)
+    if(_S208)
     {
         of_base_1 = 1.0f;
     }
@@ -3052,16 +3063,16 @@ fn draw_0( lobe_9 : Lobe_0,  wi_7 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
     {
         of_base_1 = 0.0f;
     }
-    var _S207 : bool;
+    var _S209 : bool;
     if((lobe_9.kind_1) == u32(3))
     {
-        _S207 = true;
+        _S209 = true;
     }
     else
     {
-        _S207 = (lobe_9.kind_1) == u32(4);
+        _S209 = (lobe_9.kind_1) == u32(4);
     }
-    if(_S207)
+    if(_S209)
     {
         of_base_1 = base_probability_0(lobe_9.numbers_2, transmittance_0(lobe_9, coat_eta_0(lobe_9.numbers_2), wi_7.z));
     }
@@ -3117,13 +3128,13 @@ fn specular_0( lobe_11 : Lobe_0,  wi_9 : vec3<f32>) -> vec3<f32>
 
 fn first_from_0( position_6 : vec3<f64>,  direction_20 : vec3<f32>,  t_7 : ptr<function, f32>) -> Found_0
 {
-    var _S208 : Found_0 = cast_1(position_6, vec3<f64>(direction_20), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_7)));
-    return _S208;
+    var _S210 : Found_0 = cast_1(position_6, vec3<f64>(direction_20), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_7)));
+    return _S210;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
 {
-    return place_at_0(found_6.triangle_7, f32(found_6.v_10), f32(found_6.w_5));
+    return exact_place_0(found_6.triangle_8, found_6.v_11, found_6.w_6);
 }
 
 fn emitter_seen_0( found_7 : Found_0,  direction_21 : vec3<f32>) -> u32
@@ -3132,26 +3143,26 @@ fn emitter_seen_0( found_7 : Found_0,  direction_21 : vec3<f32>) -> u32
     {
         return word_0(u32(8));
     }
-    var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_7) + u32(4));
-    var _S209 : bool;
+    var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_8) + u32(4));
+    var _S211 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S209 = (dot(cross_of_0(found_7.triangle_7), direction_21)) < 0.0f;
+        _S211 = (dot(cross_of_0(found_7.triangle_8), direction_21)) < 0.0f;
     }
     else
     {
-        _S209 = false;
+        _S211 = false;
     }
-    var _S210 : u32;
-    if(_S209)
+    var _S212 : u32;
+    if(_S211)
     {
-        _S210 = emitter_7;
+        _S212 = emitter_7;
     }
     else
     {
-        _S210 = u32(4294967295);
+        _S212 = u32(4294967295);
     }
-    return _S210;
+    return _S212;
 }
 
 fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_22 : vec3<f32>,  distance_6 : f32) -> f32
@@ -3160,17 +3171,17 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
     var rectangle_1 : u32 = word_0(record_15 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S211 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S211.solid_angle_0) > 0.0f))
+        var _S213 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S213.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S211.solid_angle_0) >= 0.00100000004749745f)
+        if((_S213.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S211.solid_angle_0;
+            return 1.0f / _S213.solid_angle_0;
         }
     }
-    var _S212 : u32 = word_0(word_0(record_15 + u32(7)) + face_8);
+    var _S214 : u32 = word_0(word_0(record_15 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_15 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -3184,7 +3195,7 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S212 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S214 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_5 = shares_1.y;
@@ -3194,22 +3205,22 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             own_5 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_5;
-        var _S213 : i32;
+        var _S215 : i32;
         if(is_second_1)
         {
-            _S213 = i32(3);
+            _S215 = i32(3);
         }
         else
         {
-            _S213 = i32(2);
+            _S215 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S213));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S215));
         chosen_2 = chosen_3;
     }
-    var _S214 : u32 = word_0(record_15 + u32(6));
-    var _S215 : u32 = word_0(node_6);
+    var _S216 : u32 = word_0(record_15 + u32(6));
+    var _S217 : u32 = word_0(node_6);
     own_5 = 0.0f;
-    var k_6 : u32 = _S215;
+    var k_6 : u32 = _S217;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -3220,9 +3231,9 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_15, word_0(_S214 + k_6), from_2.exact_0);
+        var angle_4 : f32 = face_solid_angle_0(record_15, word_0(_S216 + k_6), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_4;
-        if(k_6 == _S212)
+        if(k_6 == _S214)
         {
             own_5 = angle_4;
         }
@@ -3241,8 +3252,8 @@ fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  vertex_8 : Vertex_0,  di
     var record_16 : u32 = emitter_record_0(emitter_8);
     if(is_map_0(record_16))
     {
-        var _S216 : f32 = map_pdf_0(word_0(record_16 + u32(1)), direction_23);
-        return _S216;
+        var _S218 : f32 = map_pdf_0(word_0(record_16 + u32(1)), direction_23);
+        return _S218;
     }
     if(!is_area_0(record_16))
     {
@@ -3263,10 +3274,10 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     var vertex_9 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_5).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S217 : u32 = word_0(u32(3));
-    var _S218 : bool = !reaches_0(depth_2 + u32(3));
+    var _S219 : u32 = word_0(u32(3));
+    var _S220 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S218)
+    if(_S220)
     {
         goes_on_0 = (vertex_9.lobe_1.kind_1) == u32(0);
     }
@@ -3289,7 +3300,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     else
     {
-        bsdf_samples_1 = _S217;
+        bsdf_samples_1 = _S219;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_9.lobe_1))
@@ -3300,7 +3311,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S219 : Choice_0 = choice_at_0(surface_5.position_0, vertex_9.axes_4.n_1, on_emitters_0 == u32(0));
+    var _S221 : Choice_0 = choice_at_0(surface_5.position_0, vertex_9.axes_4.n_1, on_emitters_0 == u32(0));
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -3311,7 +3322,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         {
             break;
         }
-        add_light_from_emitter_0(&((*reflected_2)), vertex_9, _S219, (*path_5).key_0, first_5 + u32(3) * i_4, f32(bsdf_samples_1), importance_1);
+        add_light_from_emitter_0(&((*reflected_2)), vertex_9, _S221, (*path_5).key_0, first_5 + u32(3) * i_4, f32(bsdf_samples_1), importance_1);
         i_4 = i_4 + u32(1);
     }
     var first_6 : u32 = first_5 + u32(3) * emitter_samples_0;
@@ -3362,11 +3373,11 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         var next_direction_1 : vec3<f32>;
         if(k_7 == u32(0))
         {
-            var _S220 : bool = (found_9.face_7) != u32(4294967295);
-            var _S221 : Place_0 = place_of_0(found_9);
+            var _S222 : bool = (found_9.face_7) != u32(4294967295);
+            var _S223 : Place_0 = place_of_0(found_9);
             (*reflected_2).onward_0 = scattered_4.value_8 * vec3<f32>((1.0f / scattered_4.pdf_5));
-            goes_on_1 = _S220;
-            next_3 = _S221;
+            goes_on_1 = _S222;
+            next_3 = _S223;
             next_direction_1 = moving_1;
         }
         else
@@ -3385,28 +3396,28 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             continue;
         }
         var own_6 : f32 = f32(bsdf_samples_1) * scattered_4.pdf_5;
-        var _S222 : bool = !drawn_1.is_specular_0;
-        var _S223 : bool;
-        if(_S222)
+        var _S224 : bool = !drawn_1.is_specular_0;
+        var _S225 : bool;
+        if(_S224)
         {
-            _S223 = emitter_samples_0 != u32(0);
+            _S225 = emitter_samples_0 != u32(0);
         }
         else
         {
-            _S223 = false;
+            _S225 = false;
         }
         var other_1 : f32;
-        if(_S223)
+        if(_S225)
         {
             var pdf_6 : f32 = emitter_pdf_0(emitter_9, found_9, vertex_9, direction_24, t_9);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S219) * pdf_6;
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S221) * pdf_6;
         }
         else
         {
             other_1 = 0.0f;
         }
         var moving_2 : vec3<f32>;
-        if(_S222)
+        if(_S224)
         {
             moving_2 = towards_emitter_0(vertex_9, direction_24, emitter_record_0(emitter_9));
         }
@@ -3425,14 +3436,14 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             place_21 = place_20;
         }
         var weight_1 : f32 = weight_over_0(own_6, other_1);
-        var _S224 : vec3<f32> = emitted_0(emitter_9, place_21, moving_2);
-        (*reflected_2).direct_0 = (*reflected_2).direct_0 + scattered_4.value_8 * (_S224 * vec3<f32>(weight_1));
+        var _S226 : vec3<f32> = emitted_0(emitter_9, place_21, moving_2);
+        (*reflected_2).direct_0 = (*reflected_2).direct_0 + scattered_4.value_8 * (_S226 * vec3<f32>(weight_1));
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
         k_7 = k_7 + u32(1);
     }
-    if(_S218)
+    if(_S220)
     {
         goes_on_0 = true;
     }
@@ -3445,16 +3456,16 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         return false;
     }
     var throughput_1 : vec3<f32> = value_of_0((*path_5).throughput_0) * value_of_0((*reflected_2).onward_0);
-    var _S225 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    if(!(_S225 > 0.0f))
+    var _S227 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    if(!(_S227 > 0.0f))
     {
         return false;
     }
-    var _S226 : u32 = depth_2 + u32(1);
-    if(_S226 >= (word_0(u32(1))))
+    var _S228 : u32 = depth_2 + u32(1);
+    if(_S228 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S225, 0.0f, 0.94999998807907104f);
-        if((random_0((*path_5).key_0, vertex_numbers_0(_S226) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S227, 0.0f, 0.94999998807907104f);
+        if((random_0((*path_5).key_0, vertex_numbers_0(_S228) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -3501,7 +3512,9 @@ fn set_place_0( path_9 : u32,  which_8 : ptr<function, u32>,  place_22 : Place_0
     set_word_0(path_9, (*which_8), place_22.triangle_0);
     set_word_0(path_9, (*which_8) + u32(1), (bitcast<u32>((place_22.v_0))));
     set_word_0(path_9, (*which_8) + u32(2), (bitcast<u32>((place_22.w_0))));
-    (*which_8) = (*which_8) + u32(3);
+    set_word_0(path_9, (*which_8) + u32(3), (bitcast<u32>((place_22.v_rest_0))));
+    set_word_0(path_9, (*which_8) + u32(4), (bitcast<u32>((place_22.w_rest_0))));
+    (*which_8) = (*which_8) + u32(5);
     return;
 }
 
@@ -3531,16 +3544,16 @@ fn take_thread_further_0( thread_0 : u32)
     path_11.light_0 = path_11.light_0 + path_11.throughput_0 * reflected_3.direct_0;
     path_11.throughput_0 = path_11.throughput_0 * reflected_3.onward_0;
     store_0(number_of_path_2, path_11);
-    var _S227 : u32;
+    var _S229 : u32;
     if(goes_on_2)
     {
-        _S227 = number_of_path_2;
+        _S229 = number_of_path_2;
     }
     else
     {
-        _S227 = u32(4294967295);
+        _S229 = u32(4294967295);
     }
-    set_word_0(at_18, u32(0), _S227);
+    set_word_0(at_18, u32(0), _S229);
     return;
 }
 

@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 1fd0995f1bd37d92
-// result: e8c171e6640207fd
+// source: f66f3f3d79f719be
+// result: bcc47a0db6a46bd7
 
 struct Launch_std140_0
 {
@@ -230,24 +230,30 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
      change_2 : vec2<f32>,
 };
 
-fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+fn exact_place_0( triangle_1 : u32,  v_1 : f64,  w_1 : f64) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_0 = triangle_1;
-    place_0.v_0 = v_1;
-    place_0.w_0 = w_1;
+    var _S52 : f32 = f32(v_1);
+    place_0.v_0 = _S52;
+    var _S53 : f32 = f32(w_1);
+    place_0.w_0 = _S53;
+    place_0.v_rest_0 = f32(v_1 - f64(_S52));
+    place_0.w_rest_0 = f32(w_1 - f64(_S53));
     place_0.change_2 = vec2<f32>(0.0f);
     return place_0;
 }
 
 fn path_place_0( path_4 : u32,  which_4 : ptr<function, u32>) -> Place_0
 {
-    var _S52 : u32 = (*which_4) + u32(3);
-    (*which_4) = _S52;
-    return place_at_0(path_word_0(path_4, _S52 - u32(3)), (bitcast<f32>((path_word_0(path_4, _S52 - u32(2))))), (bitcast<f32>((path_word_0(path_4, _S52 - u32(1))))));
+    var _S54 : u32 = (*which_4) + u32(5);
+    (*which_4) = _S54;
+    return exact_place_0(path_word_0(path_4, _S54 - u32(5)), f64((bitcast<f32>((path_word_0(path_4, _S54 - u32(4)))))) + f64((bitcast<f32>((path_word_0(path_4, _S54 - u32(2)))))), f64((bitcast<f32>((path_word_0(path_4, _S54 - u32(3)))))) + f64((bitcast<f32>((path_word_0(path_4, _S54 - u32(1)))))));
 }
 
 struct Path_0
@@ -264,16 +270,16 @@ fn load_0( number_of_path_0 : u32) -> Path_0
 {
     var at_0 : u32 = u32(1);
     var path_5 : Path_0;
-    var _S53 : Vector_0 = path_changing_0(number_of_path_0, &(at_0));
-    path_5.light_0 = _S53;
-    var _S54 : Vector_0 = path_changing_0(number_of_path_0, &(at_0));
-    path_5.throughput_0 = _S54;
     var _S55 : Vector_0 = path_changing_0(number_of_path_0, &(at_0));
-    path_5.direction_0 = _S55;
-    var _S56 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
-    path_5.drift_0 = _S56;
-    var _S57 : Place_0 = path_place_0(number_of_path_0, &(at_0));
-    path_5.place_1 = _S57;
+    path_5.light_0 = _S55;
+    var _S56 : Vector_0 = path_changing_0(number_of_path_0, &(at_0));
+    path_5.throughput_0 = _S56;
+    var _S57 : Vector_0 = path_changing_0(number_of_path_0, &(at_0));
+    path_5.direction_0 = _S57;
+    var _S58 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
+    path_5.drift_0 = _S58;
+    var _S59 : Place_0 = path_place_0(number_of_path_0, &(at_0));
+    path_5.place_1 = _S59;
     path_5.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_0), path_word_0(number_of_path_0, at_0 + u32(1)));
     return path_5;
 }
@@ -292,9 +298,9 @@ struct Reflected_0
 fn nothing_reflected_0() -> Reflected_0
 {
     var reflected_0 : Reflected_0;
-    var _S58 : Vector_0 = still_0(vec3<f32>(0.0f));
-    reflected_0.direct_0 = _S58;
-    reflected_0.onward_0 = _S58;
+    var _S60 : Vector_0 = still_0(vec3<f32>(0.0f));
+    reflected_0.direct_0 = _S60;
+    reflected_0.onward_0 = _S60;
     return reflected_0;
 }
 
@@ -332,7 +338,7 @@ fn position_of_0( place_2 : Place_0) -> vec3<f64>
 {
     var at_3 : u32 = u32(9) * place_2.triangle_0;
     var a_1 : vec3<f64> = primitive_vector_0(at_3);
-    return a_1 + (primitive_vector_0(at_3 + u32(3)) - a_1) * vec3<f64>(f64(place_2.v_0)) + (primitive_vector_0(at_3 + u32(6)) - a_1) * vec3<f64>(f64(place_2.w_0));
+    return a_1 + (primitive_vector_0(at_3 + u32(3)) - a_1) * vec3<f64>((f64(place_2.v_0) + f64(place_2.v_rest_0))) + (primitive_vector_0(at_3 + u32(6)) - a_1) * vec3<f64>((f64(place_2.w_0) + f64(place_2.w_rest_0)));
 }
 
 fn cross_of_0( triangle_4 : u32) -> vec3<f32>
@@ -375,14 +381,14 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
     var surface_0 : Surface_0;
     surface_0.place_3 = place_4;
     surface_0.shape_0 = shape_of_0(place_4.triangle_0);
-    var _S59 : vec3<f64> = position_of_0(place_4);
-    surface_0.exact_0 = _S59;
-    surface_0.position_0 = vec3<f32>(_S59);
-    var _S60 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
-    surface_0.face_normal_0 = _S60;
-    surface_0.outward_0 = _S60;
+    var _S61 : vec3<f64> = position_of_0(place_4);
+    surface_0.exact_0 = _S61;
+    surface_0.position_0 = vec3<f32>(_S61);
+    var _S62 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
+    surface_0.face_normal_0 = _S62;
+    surface_0.outward_0 = _S62;
     var seen_0 : f32;
-    if((dot(_S60, direction_1)) > 0.0f)
+    if((dot(_S62, direction_1)) > 0.0f)
     {
         seen_0 = -1.0f;
     }
@@ -404,9 +410,9 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
         surface_0.outward_0 = normalize(a_3 + (b_1 - a_3) * vec3<f32>(place_4.v_0) + (c_0 - a_3) * vec3<f32>(place_4.w_0));
     }
     surface_0.is_front_0 = seen_0 > 0.0f;
-    var _S61 : vec3<f32> = vec3<f32>(0.0f);
-    surface_0.outward_change_0 = _S61;
-    surface_0.position_change_0 = _S61;
+    var _S63 : vec3<f32> = vec3<f32>(0.0f);
+    surface_0.outward_change_0 = _S63;
+    surface_0.position_change_0 = _S63;
     return surface_0;
 }
 
@@ -446,15 +452,15 @@ fn move_place_0( place_6 : ptr<function, Place_0>,  position_change_1 : ptr<func
     var corner_0 : u32 = u32(9) * (*place_6).triangle_0;
     var of_material_0 : vec3<f32> = at_place_0(change_vector_0(at_9), change_vector_0(at_9 + u32(3)), change_vector_0(at_9 + u32(6)), (*place_6));
     var a_5 : vec3<f64> = primitive_vector_0(corner_0);
-    var _S62 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_0 + u32(3)) - a_5);
-    var _S63 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_0 + u32(6)) - a_5);
-    var across_0 : vec3<f32> = cross(_S62, _S63);
-    var _S64 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
-    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S64);
+    var _S64 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_0 + u32(3)) - a_5);
+    var _S65 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_0 + u32(6)) - a_5);
+    var across_0 : vec3<f32> = cross(_S64, _S65);
+    var _S66 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S66);
     var slip_0 : vec3<f32> = drift_1 - of_material_0;
     var slip_1 : vec3<f32> = slip_0 - direction_2 * vec3<f32>((dot(normal_0, slip_0) / dot(normal_0, direction_2)));
     (*position_change_1) = of_material_0 + slip_1;
-    (*place_6).change_2 = vec2<f32>(dot(slip_1, cross(_S63, normal_0)), dot(slip_1, cross(normal_0, _S62))) * vec2<f32>((1.0f / (dot(normal_0, normal_0) * _S64)));
+    (*place_6).change_2 = vec2<f32>(dot(slip_1, cross(_S65, normal_0)), dot(slip_1, cross(normal_0, _S64))) * vec2<f32>((1.0f / (dot(normal_0, normal_0) * _S66)));
     return;
 }
 
@@ -469,15 +475,15 @@ fn move_place_1( place_7 : ptr<function, Place_0>,  position_change_2 : ptr<func
     var corner_1 : u32 = u32(9) * (*place_7).triangle_0;
     var of_material_1 : vec3<f32> = at_place_0(change_vector_0(at_10), change_vector_0(at_10 + u32(3)), change_vector_0(at_10 + u32(6)), (*place_7));
     var a_6 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S65 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_6);
-    var _S66 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_6);
-    var across_1 : vec3<f32> = cross(_S65, _S66);
-    var _S67 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
-    var normal_1 : vec3<f32> = across_1 / vec3<f32>(_S67);
+    var _S67 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_6);
+    var _S68 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_6);
+    var across_1 : vec3<f32> = cross(_S67, _S68);
+    var _S69 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
+    var normal_1 : vec3<f32> = across_1 / vec3<f32>(_S69);
     var slip_2 : vec3<f32> = drift_2 - of_material_1;
     var slip_3 : vec3<f32> = slip_2 - direction_3 * vec3<f32>((dot(normal_1, slip_2) / dot(normal_1, direction_3)));
     (*position_change_2) = of_material_1 + slip_3;
-    (*place_7).change_2 = vec2<f32>(dot(slip_3, cross(_S66, normal_1)), dot(slip_3, cross(normal_1, _S65))) * vec2<f32>((1.0f / (dot(normal_1, normal_1) * _S67)));
+    (*place_7).change_2 = vec2<f32>(dot(slip_3, cross(_S68, normal_1)), dot(slip_3, cross(normal_1, _S67))) * vec2<f32>((1.0f / (dot(normal_1, normal_1) * _S69)));
     return;
 }
 
@@ -488,11 +494,11 @@ fn change_of_unit_0( vector_2 : vec3<f32>,  change_3 : vec3<f32>,  size_0 : f32)
 
 fn move_surface_0( surface_1 : ptr<function, Surface_0>,  direction_4 : vec3<f32>,  drift_3 : vec3<f32>)
 {
-    var _S68 : Place_0 = (*surface_1).place_3;
-    var _S69 : vec3<f32> = (*surface_1).position_change_0;
-    move_place_1(&(_S68), &(_S69), direction_4, drift_3);
-    (*surface_1).place_3 = _S68;
-    (*surface_1).position_change_0 = _S69;
+    var _S70 : Place_0 = (*surface_1).place_3;
+    var _S71 : vec3<f32> = (*surface_1).position_change_0;
+    move_place_1(&(_S70), &(_S71), direction_4, drift_3);
+    (*surface_1).place_3 = _S70;
+    (*surface_1).position_change_0 = _S71;
     if(!is_moving_0())
     {
         return;
@@ -504,10 +510,10 @@ fn move_surface_0( surface_1 : ptr<function, Surface_0>,  direction_4 : vec3<f32
     {
         var corner_2 : u32 = u32(9) * place_8.triangle_0;
         var a_7 : vec3<f64> = primitive_vector_0(corner_2);
-        var _S70 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_7);
-        var _S71 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_7);
+        var _S72 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_7);
+        var _S73 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_7);
         var a_change_0 : vec3<f32> = change_vector_0(at_11);
-        (*surface_1).outward_change_0 = change_of_unit_0((*surface_1).outward_0, cross(change_vector_0(at_11 + u32(3)) - a_change_0, _S71) + cross(_S70, change_vector_0(at_11 + u32(6)) - a_change_0), length(cross(_S70, _S71)));
+        (*surface_1).outward_change_0 = change_of_unit_0((*surface_1).outward_0, cross(change_vector_0(at_11 + u32(3)) - a_change_0, _S73) + cross(_S72, change_vector_0(at_11 + u32(6)) - a_change_0), length(cross(_S72, _S73)));
         return;
     }
     var record_1 : u32 = triangle_record_0(place_8.triangle_0) + u32(2);
@@ -521,16 +527,16 @@ fn move_surface_0( surface_1 : ptr<function, Surface_0>,  direction_4 : vec3<f32
 
 fn material_of_0( surface_2 : Surface_0) -> u32
 {
-    var _S72 : u32;
+    var _S74 : u32;
     if(surface_2.is_front_0)
     {
-        _S72 = u32(2);
+        _S74 = u32(2);
     }
     else
     {
-        _S72 = u32(3);
+        _S74 = u32(3);
     }
-    return word_0(surface_2.shape_0 + _S72);
+    return word_0(surface_2.shape_0 + _S74);
 }
 
 struct Numbers_0
@@ -545,11 +551,11 @@ struct Numbers_0
 fn no_numbers_0() -> Numbers_0
 {
     var numbers_0 : Numbers_0;
-    var _S73 : vec3<f32> = vec3<f32>(0.0f);
-    numbers_0.k_0 = _S73;
-    numbers_0.eta_0 = _S73;
-    numbers_0.specular_reflectance_0 = _S73;
-    numbers_0.diffuse_reflectance_0 = _S73;
+    var _S75 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_0.k_0 = _S75;
+    numbers_0.eta_0 = _S75;
+    numbers_0.specular_reflectance_0 = _S75;
+    numbers_0.diffuse_reflectance_0 = _S75;
     numbers_0.alpha_0 = vec2<f32>(0.0f);
     return numbers_0;
 }
@@ -569,9 +575,9 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    var _S74 : vec4<f32> = vec4<f32>(0.0f);
-    lookup_0.by_second_0 = _S74;
-    lookup_0.by_first_0 = _S74;
+    var _S76 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S76;
+    lookup_0.by_first_0 = _S76;
     return lookup_0;
 }
 
@@ -584,11 +590,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_10 : vec2<f32>,  b_4 : vec2<f32>,  c_3 : vec2<f32>) -> Corners2_0
 {
-    var _S75 : Corners2_0;
-    _S75.a_9 = a_10;
-    _S75.b_3 = b_4;
-    _S75.c_2 = c_3;
-    return _S75;
+    var _S77 : Corners2_0;
+    _S77.a_9 = a_10;
+    _S77.b_3 = b_4;
+    _S77.c_2 = c_3;
+    return _S77;
 }
 
 fn uvs_of_0( triangle_6 : u32) -> Corners2_0
@@ -661,13 +667,13 @@ fn between_0( texels_1 : vec4<u32>,  place_9 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S76 : f32 = back_0.x;
-    var _S77 : f32 = back_0.y;
-    var _S78 : f32 = way_0.x;
-    var _S79 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S76 * _S77, _S78 * _S77, _S76 * _S79, _S78 * _S79);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S77, _S77, - _S79, _S79);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S76, - _S78, _S76, _S78);
+    var _S78 : f32 = back_0.x;
+    var _S79 : f32 = back_0.y;
+    var _S80 : f32 = way_0.x;
+    var _S81 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S78 * _S79, _S80 * _S79, _S78 * _S81, _S80 * _S81);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S79, _S79, - _S81, _S81);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S78, - _S80, _S78, _S80);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_9.by_first_1.x) + by_y_0 * vec4<f32>(place_9.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_9.by_second_1.x) + by_y_0 * vec4<f32>(place_9.by_second_1.y);
     return lookup_1;
@@ -683,22 +689,22 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_10.y), height_0, wrap_1);
-        var _S80 : u32 = row_0 * u32(width_0);
-        var _S81 : u32 = wrapped_0(floor_of_0(place_10.x), width_0, wrap_1);
-        return one_texel_0(_S80 + _S81);
+        var _S82 : u32 = row_0 * u32(width_0);
+        var _S83 : u32 = wrapped_0(floor_of_0(place_10.x), width_0, wrap_1);
+        return one_texel_0(_S82 + _S83);
     }
     var centred_0 : Point_0;
-    var _S82 : vec2<f32> = place_10 - vec2<f32>(0.5f);
-    centred_0.value_4 = _S82;
+    var _S84 : vec2<f32> = place_10 - vec2<f32>(0.5f);
+    centred_0.value_4 = _S84;
     centred_0.by_first_1 = uv_0.by_first_1 * size_1;
     centred_0.by_second_1 = uv_0.by_second_1 * size_1;
-    var x_1 : i32 = floor_of_0(_S82.x);
-    var y_0 : i32 = floor_of_0(_S82.y);
-    var _S83 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S84 : u32 = u32(width_0);
-    var first_1 : u32 = _S83 * _S84;
-    var _S85 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S85 * _S84;
+    var x_1 : i32 = floor_of_0(_S84.x);
+    var y_0 : i32 = floor_of_0(_S84.y);
+    var _S85 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S86 : u32 = u32(width_0);
+    var first_1 : u32 = _S85 * _S86;
+    var _S87 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S87 * _S86;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -731,39 +737,39 @@ fn lookup_at_0( texture_1 : u32,  place_11 : Place_0) -> Lookup_0
     var to_u_0 : vec3<f32> = vector_at_0(rows_0);
     var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S86 : vec3<f32> = vec3<f32>(uvs_1.a_9 * vec2<f32>((1.0f - place_11.v_0 - place_11.w_0)) + uvs_1.b_3 * vec2<f32>(place_11.v_0) + uvs_1.c_2 * vec2<f32>(place_11.w_0), 1.0f);
-    uv_1.value_4 = vec2<f32>(dot(_S86, to_u_0), dot(_S86, to_v_0));
+    var _S88 : vec3<f32> = vec3<f32>(uvs_1.a_9 * vec2<f32>((1.0f - place_11.v_0 - place_11.w_0)) + uvs_1.b_3 * vec2<f32>(place_11.v_0) + uvs_1.c_2 * vec2<f32>(place_11.w_0), 1.0f);
+    uv_1.value_4 = vec2<f32>(dot(_S88, to_u_0), dot(_S88, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_3 - uvs_1.a_9;
     var by_w_0 : vec2<f32> = uvs_1.c_2 - uvs_1.a_9;
-    var _S87 : vec2<f32> = to_u_0.xy;
-    var _S88 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S87), dot(by_v_0, _S88));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S87), dot(by_w_0, _S88));
+    var _S89 : vec2<f32> = to_u_0.xy;
+    var _S90 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S89), dot(by_v_0, _S90));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S89), dot(by_w_0, _S90));
     if(kind_0 == u32(1))
     {
-        var _S89 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S89;
+        var _S91 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S91;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_4 - floor(uv_1.value_4);
-    var _S90 : i32;
+    var _S92 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S90 = i32(1);
+        _S92 = i32(1);
     }
     else
     {
-        _S90 = i32(0);
+        _S92 = i32(0);
     }
-    return one_texel_0(u32(_S90));
+    return one_texel_0(u32(_S92));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S91 : u32 = word_0(texture_2 + u32(1));
-    var _S92 : u32 = texture_2 + u32(13);
-    var _S93 : vec3<f32> = vec3<f32>(0.0f);
+    var _S93 : u32 = word_0(texture_2 + u32(1));
+    var _S94 : u32 = texture_2 + u32(13);
+    var _S95 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_5 : vec3<f32> = _S93;
+    var value_5 : vec3<f32> = _S95;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -773,17 +779,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_14 : u32 = _S92 + _S91 * lookup_3.texels_0[k_1];
-        var _S94 : vec3<f32>;
-        if(_S91 == u32(1))
+        var at_14 : u32 = _S94 + _S93 * lookup_3.texels_0[k_1];
+        var _S96 : vec3<f32>;
+        if(_S93 == u32(1))
         {
-            _S94 = vec3<f32>(number_0(at_14));
+            _S96 = vec3<f32>(number_0(at_14));
         }
         else
         {
-            _S94 = vector_at_0(at_14);
+            _S96 = vector_at_0(at_14);
         }
-        var value_6 : vec3<f32> = value_5 + _S94 * vec3<f32>(weights_1[k_1]);
+        var value_6 : vec3<f32> = value_5 + _S96 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_5 = value_6;
     }
@@ -804,7 +810,7 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
     {
         return changing_0(value_7, change_4);
     }
-    var _S95 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var _S97 : bool = (word_0(texture_4 + u32(1))) == u32(1);
     var k_2 : u32 = u32(0);
     var change_5 : vec3<f32> = change_4;
     for(;;)
@@ -816,18 +822,18 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
         {
             break;
         }
-        var _S96 : i32;
-        if(_S95)
+        var _S98 : i32;
+        if(_S97)
         {
-            _S96 = i32(1);
+            _S98 = i32(1);
         }
         else
         {
-            _S96 = i32(3);
+            _S98 = i32(3);
         }
-        var at_15 : u32 = first_2 + u32(_S96) * lookup_4.texels_0[k_2];
+        var at_15 : u32 = first_2 + u32(_S98) * lookup_4.texels_0[k_2];
         var of_texel_0 : vec3<f32>;
-        if(_S95)
+        if(_S97)
         {
             of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_15)))));
         }
@@ -844,8 +850,8 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_5 : u32,  place_12 : Place_0) -> Vector_0
 {
-    var _S97 : Lookup_0 = lookup_at_0(texture_5, place_12);
-    return looked_up_0(texture_5, _S97, place_12.change_2);
+    var _S99 : Lookup_0 = lookup_at_0(texture_5, place_12);
+    return looked_up_0(texture_5, _S99, place_12.change_2);
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -855,13 +861,13 @@ fn luminance_0( colour_0 : vec3<f32>) -> f32
 
 fn s_fwd_luminance_0( dpcolour_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
 {
-    var _S98 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpcolour_0.primal_0, dpcolour_0.differential_0 );
-    var _S99 : vec3<f32> = vec3<f32>(0.0f);
-    var _S100 : vec3<f32> = vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f);
-    var _S101 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S100, _S99 );
-    var _S102 : DiffPair_float_0 = _d_dot_1(_S98, _S101);
-    var _S103 : DiffPair_float_0 = DiffPair_float_0( _S102.primal_0, _S102.differential_0 );
-    return _S103;
+    var _S100 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpcolour_0.primal_0, dpcolour_0.differential_0 );
+    var _S101 : vec3<f32> = vec3<f32>(0.0f);
+    var _S102 : vec3<f32> = vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f);
+    var _S103 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S102, _S101 );
+    var _S104 : DiffPair_float_0 = _d_dot_1(_S100, _S103);
+    var _S105 : DiffPair_float_0 = DiffPair_float_0( _S104.primal_0, _S104.differential_0 );
+    return _S105;
 }
 
 fn set_slot_0( numbers_1 : ptr<function, Numbers_0>,  slot_0 : u32,  value_8 : vec3<f32>)
@@ -922,14 +928,14 @@ fn lobe_at_0( record_4 : u32,  place_13 : Place_0) -> Lobe_0
     lobe_0.record_3 = record_4;
     lobe_0.kind_1 = word_0(record_4);
     lobe_0.distribution_0 = word_0(record_4 + u32(1));
-    var _S104 : Numbers_0 = no_numbers_0();
-    lobe_0.numbers_2 = _S104;
-    lobe_0.changes_0 = _S104;
-    var _S105 : u32 = word_0(record_4 + u32(4));
+    var _S106 : Numbers_0 = no_numbers_0();
+    lobe_0.numbers_2 = _S106;
+    lobe_0.changes_0 = _S106;
+    var _S107 : u32 = word_0(record_4 + u32(4));
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S105)
+        if(slot_1 < _S107)
         {
         }
         else
@@ -943,14 +949,14 @@ fn lobe_at_0( record_4 : u32,  place_13 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : Vector_0 = shown_0(texture_6, place_13);
-        var _S106 : vec3<f32> = value_of_0(colour_1);
-        var _S107 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S107), slot_1, _S106);
-        lobe_0.numbers_2 = _S107;
-        var _S108 : vec3<f32> = change_of_0(colour_1);
-        var _S109 : Numbers_0 = lobe_0.changes_0;
+        var _S108 : vec3<f32> = value_of_0(colour_1);
+        var _S109 : Numbers_0 = lobe_0.numbers_2;
         set_slot_0(&(_S109), slot_1, _S108);
-        lobe_0.changes_0 = _S109;
+        lobe_0.numbers_2 = _S109;
+        var _S110 : vec3<f32> = change_of_0(colour_1);
+        var _S111 : Numbers_0 = lobe_0.changes_0;
+        set_slot_0(&(_S111), slot_1, _S110);
+        lobe_0.changes_0 = _S111;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -965,16 +971,16 @@ fn tangent_at_0( surface_3 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_3.place_3.triangle_0) + u32(1)));
     var across_2 : vec3<f32> = cross(tangent_0, surface_3.outward_0);
-    var _S110 : vec3<f32>;
+    var _S112 : vec3<f32>;
     if((dot(across_2, across_2)) > 0.0f)
     {
-        _S110 = tangent_0;
+        _S112 = tangent_0;
     }
     else
     {
-        _S110 = vec3<f32>(0.0f);
+        _S112 = vec3<f32>(0.0f);
     }
-    return _S110;
+    return _S112;
 }
 
 struct Axes_0
@@ -992,52 +998,52 @@ struct DiffPair_Axes_0
 
 fn s_fwd_axes_along_0( dpn_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dptangent_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_1 : bool) -> DiffPair_Axes_0
 {
-    var _S111 : vec3<f32>;
-    var _S112 : vec3<f32>;
+    var _S113 : vec3<f32>;
+    var _S114 : vec3<f32>;
     if(is_front_1)
     {
-        _S111 = dpn_0.primal_0;
-        _S112 = dpn_0.differential_0;
+        _S113 = dpn_0.primal_0;
+        _S114 = dpn_0.differential_0;
     }
     else
     {
-        var _S113 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
-        _S111 = (vec3<f32>(0) - dpn_0.primal_0);
-        _S112 = _S113;
+        var _S115 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
+        _S113 = (vec3<f32>(0) - dpn_0.primal_0);
+        _S114 = _S115;
     }
-    var _S114 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
-    var _S115 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
-    var _S116 : DiffPair_float_0 = _d_dot_1(_S114, _S115);
-    var _S117 : vec3<f32> = vec3<f32>(_S116.primal_0);
-    var _S118 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S117, dptangent_0.differential_0 - (dpn_0.differential_0 * _S117 + vec3<f32>(_S116.differential_0) * dpn_0.primal_0) );
-    var _S119 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S118);
-    var _S120 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S119.primal_0, _S119.differential_0 );
-    var _S121 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S114, _S120);
-    var _S122 : Axes_0 = Axes_0( _S119.primal_0, _S121.primal_0, _S111 );
-    var _S123 : Axes_0 = Axes_0( _S119.differential_0, _S121.differential_0, _S112 );
-    var _S124 : DiffPair_Axes_0 = DiffPair_Axes_0( _S122, _S123 );
-    return _S124;
+    var _S116 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
+    var _S117 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
+    var _S118 : DiffPair_float_0 = _d_dot_1(_S116, _S117);
+    var _S119 : vec3<f32> = vec3<f32>(_S118.primal_0);
+    var _S120 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S119, dptangent_0.differential_0 - (dpn_0.differential_0 * _S119 + vec3<f32>(_S118.differential_0) * dpn_0.primal_0) );
+    var _S121 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S120);
+    var _S122 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S121.primal_0, _S121.differential_0 );
+    var _S123 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S116, _S122);
+    var _S124 : Axes_0 = Axes_0( _S121.primal_0, _S123.primal_0, _S113 );
+    var _S125 : Axes_0 = Axes_0( _S121.differential_0, _S123.differential_0, _S114 );
+    var _S126 : DiffPair_Axes_0 = DiffPair_Axes_0( _S124, _S125 );
+    return _S126;
 }
 
 fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_2 : bool) -> DiffPair_Axes_0
 {
-    var _S125 : vec3<f32>;
-    var _S126 : vec3<f32>;
+    var _S127 : vec3<f32>;
+    var _S128 : vec3<f32>;
     if(is_front_2)
     {
-        _S125 = dpn_1.primal_0;
-        _S126 = dpn_1.differential_0;
+        _S127 = dpn_1.primal_0;
+        _S128 = dpn_1.differential_0;
     }
     else
     {
-        var _S127 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
-        _S125 = (vec3<f32>(0) - dpn_1.primal_0);
-        _S126 = _S127;
+        var _S129 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
+        _S127 = (vec3<f32>(0) - dpn_1.primal_0);
+        _S128 = _S129;
     }
-    var _S128 : f32 = dpn_1.primal_0.z;
-    var _S129 : f32 = dpn_1.differential_0.z;
+    var _S130 : f32 = dpn_1.primal_0.z;
+    var _S131 : f32 = dpn_1.differential_0.z;
     var sign_0 : f32;
-    if(_S128 < 0.0f)
+    if(_S130 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -1045,25 +1051,25 @@ fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_2 : 
     {
         sign_0 = 1.0f;
     }
-    var _S130 : f32 = sign_0 + _S128;
-    var a_11 : f32 = -1.0f / _S130;
-    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S129) / (_S130 * _S130);
-    var _S131 : f32 = dpn_1.primal_0.x;
-    var _S132 : f32 = dpn_1.differential_0.x;
-    var _S133 : f32 = dpn_1.primal_0.y;
-    var _S134 : f32 = dpn_1.differential_0.y;
-    var _S135 : f32 = _S131 * _S133;
-    var b_5 : f32 = _S135 * a_11;
-    var s_diff_b_0 : f32 = (_S132 * _S133 + _S134 * _S131) * a_11 + s_diff_a_0 * _S135;
-    var _S136 : f32 = sign_0 * _S131;
-    var _S137 : f32 = _S136 * _S131;
-    var _S138 : f32 = - sign_0;
-    var _S139 : f32 = _S133 * _S133;
-    var _S140 : f32 = _S134 * _S133;
-    var _S141 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S137 * a_11, sign_0 * b_5, _S138 * _S131), vec3<f32>(b_5, sign_0 + _S139 * a_11, - _S133), _S125 );
-    var _S142 : Axes_0 = Axes_0( vec3<f32>((_S132 * sign_0 * _S131 + _S132 * _S136) * a_11 + s_diff_a_0 * _S137, s_diff_b_0 * sign_0, _S132 * _S138), vec3<f32>(s_diff_b_0, (_S140 + _S140) * a_11 + s_diff_a_0 * _S139, - _S134), _S126 );
-    var _S143 : DiffPair_Axes_0 = DiffPair_Axes_0( _S141, _S142 );
-    return _S143;
+    var _S132 : f32 = sign_0 + _S130;
+    var a_11 : f32 = -1.0f / _S132;
+    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S131) / (_S132 * _S132);
+    var _S133 : f32 = dpn_1.primal_0.x;
+    var _S134 : f32 = dpn_1.differential_0.x;
+    var _S135 : f32 = dpn_1.primal_0.y;
+    var _S136 : f32 = dpn_1.differential_0.y;
+    var _S137 : f32 = _S133 * _S135;
+    var b_5 : f32 = _S137 * a_11;
+    var s_diff_b_0 : f32 = (_S134 * _S135 + _S136 * _S133) * a_11 + s_diff_a_0 * _S137;
+    var _S138 : f32 = sign_0 * _S133;
+    var _S139 : f32 = _S138 * _S133;
+    var _S140 : f32 = - sign_0;
+    var _S141 : f32 = _S135 * _S135;
+    var _S142 : f32 = _S136 * _S135;
+    var _S143 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S139 * a_11, sign_0 * b_5, _S140 * _S133), vec3<f32>(b_5, sign_0 + _S141 * a_11, - _S135), _S127 );
+    var _S144 : Axes_0 = Axes_0( vec3<f32>((_S134 * sign_0 * _S133 + _S134 * _S138) * a_11 + s_diff_a_0 * _S139, s_diff_b_0 * sign_0, _S134 * _S140), vec3<f32>(s_diff_b_0, (_S142 + _S142) * a_11 + s_diff_a_0 * _S141, - _S136), _S128 );
+    var _S145 : DiffPair_Axes_0 = DiffPair_Axes_0( _S143, _S144 );
+    return _S145;
 }
 
 fn to_local_0( axes_0 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
@@ -1073,31 +1079,31 @@ fn to_local_0( axes_0 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
 
 fn s_fwd_to_local_0( dpaxes_0 : DiffPair_Axes_0,  dpv_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S144 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
-    var _S145 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
-    var _S146 : DiffPair_float_0 = _d_dot_1(_S144, _S145);
-    var _S147 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
-    var _S148 : DiffPair_float_0 = _d_dot_1(_S147, _S145);
-    var _S149 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
-    var _S150 : DiffPair_float_0 = _d_dot_1(_S149, _S145);
-    var _S151 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S146.primal_0, _S148.primal_0, _S150.primal_0), vec3<f32>(_S146.differential_0, _S148.differential_0, _S150.differential_0) );
-    return _S151;
+    var _S146 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
+    var _S147 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
+    var _S148 : DiffPair_float_0 = _d_dot_1(_S146, _S147);
+    var _S149 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
+    var _S150 : DiffPair_float_0 = _d_dot_1(_S149, _S147);
+    var _S151 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
+    var _S152 : DiffPair_float_0 = _d_dot_1(_S151, _S147);
+    var _S153 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S148.primal_0, _S150.primal_0, _S152.primal_0), vec3<f32>(_S148.differential_0, _S150.differential_0, _S152.differential_0) );
+    return _S153;
 }
 
 fn s_fwd_towards_viewer_0( dpaxes_1 : DiffPair_Axes_0,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S152 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
-    var _S153 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
-    var _S154 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S152, _S153);
-    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S154.primal_0);
-    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S154.differential_0);
-    var _S155 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
-    var _S156 : DiffPair_float_0 = _d_abs_0(_S155);
-    var _S157 : DiffPair_float_0 = DiffPair_float_0( _S156.primal_0, _S156.differential_0 );
-    var _S158 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
-    var _S159 : DiffPair_float_0 = _d_max_0(_S157, _S158);
-    var _S160 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S159.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S159.differential_0) );
-    return _S160;
+    var _S154 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
+    var _S155 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
+    var _S156 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S154, _S155);
+    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S156.primal_0);
+    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S156.differential_0);
+    var _S157 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
+    var _S158 : DiffPair_float_0 = _d_abs_0(_S157);
+    var _S159 : DiffPair_float_0 = DiffPair_float_0( _S158.primal_0, _S158.differential_0 );
+    var _S160 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
+    var _S161 : DiffPair_float_0 = _d_max_0(_S159, _S160);
+    var _S162 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S161.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S161.differential_0) );
+    return _S162;
 }
 
 struct Vertex_0
@@ -1113,10 +1119,10 @@ fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_5 : Vector_
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_4 = surface_5;
-    var _S161 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
-    vertex_0.lobe_1 = _S161;
+    var _S163 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
+    vertex_0.lobe_1 = _S163;
     var tangent_1 : vec3<f32> = tangent_at_0(surface_5);
-    var _S162 : vec3<f32> = vec3<f32>(0.0f);
+    var _S164 : vec3<f32> = vec3<f32>(0.0f);
     var tangent_change_0 : vec3<f32>;
     if(is_moving_0())
     {
@@ -1124,24 +1130,24 @@ fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_5 : Vector_
     }
     else
     {
-        tangent_change_0 = _S162;
+        tangent_change_0 = _S164;
     }
-    var _S163 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
+    var _S165 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
     var axes_2 : DiffPair_Axes_0;
-    if((any((tangent_1 != _S162))))
+    if((any((tangent_1 != _S164))))
     {
-        var _S164 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
-        axes_2 = s_fwd_axes_along_0(_S163, _S164, surface_5.is_front_0);
+        var _S166 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
+        axes_2 = s_fwd_axes_along_0(_S165, _S166, surface_5.is_front_0);
     }
     else
     {
-        axes_2 = s_fwd_axes_around_0(_S163, surface_5.is_front_0);
+        axes_2 = s_fwd_axes_around_0(_S165, surface_5.is_front_0);
     }
     vertex_0.axes_1 = axes_2.primal_0;
     vertex_0.axes_change_0 = axes_2.differential_0;
-    var _S165 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_5), change_of_0(direction_5) );
-    var _S166 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S165);
-    vertex_0.wi_1 = changing_0(_S166.primal_0, _S166.differential_0);
+    var _S167 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_5), change_of_0(direction_5) );
+    var _S168 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S167);
+    vertex_0.wi_1 = changing_0(_S168.primal_0, _S168.differential_0);
     return vertex_0;
 }
 
@@ -1203,35 +1209,35 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_0, 0.0f) / squared_0;
     }
-    var _S167 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S167 * _S167 / (2.0f * (_S167 - max(lowest_0, -1.0f)) * squared_0);
+    var _S169 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S169 * _S169 / (2.0f * (_S169 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S168 : bool;
+    var _S170 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S168 = true;
+        _S170 = true;
     }
     else
     {
-        _S168 = (word_0(u32(2))) == u32(0);
+        _S170 = (word_0(u32(2))) == u32(0);
     }
-    if(_S168)
+    if(_S170)
     {
         return false;
     }
     var record_6 : u32 = emitter_record_0(u32(0));
     if(is_area_0(record_6))
     {
-        _S168 = (node_seen_0(word_0(record_6 + u32(5)), position_1)) < 1.0f;
+        _S170 = (node_seen_0(word_0(record_6 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S168 = false;
+        _S170 = false;
     }
-    return _S168;
+    return _S170;
 }
 
 fn has_smooth_0( lobe_2 : Lobe_0) -> bool
@@ -1278,32 +1284,32 @@ struct Choice_0
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_4, choice_0.normal_4);
-    var _S169 : f32;
+    var _S171 : f32;
     if(view_0 > 0.0f)
     {
-        _S169 = 1.0f;
+        _S171 = 1.0f;
     }
     else
     {
-        _S169 = 0.0f;
+        _S171 = 0.0f;
     }
-    (*can_light_0) = _S169;
+    (*can_light_0) = _S171;
     return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
 }
 
 fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
 {
     var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_4);
-    var _S170 : f32;
+    var _S172 : f32;
     if(view_1 > 0.0f)
     {
-        _S170 = 1.0f;
+        _S172 = 1.0f;
     }
     else
     {
-        _S170 = 0.0f;
+        _S172 = 0.0f;
     }
-    (*can_light_1) = _S170;
+    (*can_light_1) = _S172;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -1315,32 +1321,32 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_5 : vec3<f32>,  alike_0 : bool) 
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
     var count_1 : u32 = word_0(u32(6));
-    var _S171 : bool;
+    var _S173 : bool;
     if(alike_0)
     {
-        _S171 = true;
+        _S173 = true;
     }
     else
     {
-        _S171 = (word_0(u32(5))) != u32(0);
+        _S173 = (word_0(u32(5))) != u32(0);
     }
-    if(_S171)
+    if(_S173)
     {
-        _S171 = true;
+        _S173 = true;
     }
     else
     {
-        _S171 = count_1 < u32(2);
+        _S173 = count_1 < u32(2);
     }
-    if(_S171)
+    if(_S173)
     {
-        _S171 = true;
+        _S173 = true;
     }
     else
     {
-        _S171 = count_1 > u32(32);
+        _S173 = count_1 > u32(32);
     }
-    if(_S171)
+    if(_S173)
     {
         return choice_2;
     }
@@ -1355,20 +1361,20 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_5 : vec3<f32>,  alike_0 : bool) 
             break;
         }
         var can_light_2 : f32;
-        var _S172 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S172;
+        var _S174 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S174;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S171 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S173 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S171 = false;
+        _S173 = false;
     }
-    if(!_S171)
+    if(!_S173)
     {
         choice_2.all_0 = 0.0f;
     }
@@ -1389,33 +1395,33 @@ fn product_0( a_12 : u32,  b_6 : u32) -> vec2<u32>
 
 fn times_0( a_13 : vec2<u32>,  b_7 : vec2<u32>) -> vec2<u32>
 {
-    var _S173 : u32 = a_13.x;
-    var _S174 : u32 = b_7.x;
-    var low_1 : vec2<u32> = product_0(_S173, _S174);
-    return vec2<u32>(low_1.x, low_1.y + _S173 * b_7.y + a_13.y * _S174);
+    var _S175 : u32 = a_13.x;
+    var _S176 : u32 = b_7.x;
+    var low_1 : vec2<u32> = product_0(_S175, _S176);
+    return vec2<u32>(low_1.x, low_1.y + _S175 * b_7.y + a_13.y * _S176);
 }
 
 fn plus_0( a_14 : vec2<u32>,  b_8 : vec2<u32>) -> vec2<u32>
 {
-    var _S175 : u32 = a_14.x;
-    var low_2 : u32 = _S175 + b_8.x;
-    var _S176 : u32 = a_14.y + b_8.y;
-    var _S177 : i32;
-    if(low_2 < _S175)
+    var _S177 : u32 = a_14.x;
+    var low_2 : u32 = _S177 + b_8.x;
+    var _S178 : u32 = a_14.y + b_8.y;
+    var _S179 : i32;
+    if(low_2 < _S177)
     {
-        _S177 = i32(1);
+        _S179 = i32(1);
     }
     else
     {
-        _S177 = i32(0);
+        _S179 = i32(0);
     }
-    return vec2<u32>(low_2, _S176 + u32(_S177));
+    return vec2<u32>(low_2, _S178 + u32(_S179));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S178 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S178 << ((u32(32) - by_0)))))), (_S178 >> (by_0)))));
+    var _S180 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S180 << ((u32(32) - by_0)))))), (_S180 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -1454,9 +1460,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S179 : f32 = f32(count_2);
-        (*probability_0) = 1.0f / _S179;
-        return min(u32(u_0 * _S179), count_2 - u32(1));
+        var _S181 : f32 = f32(count_2);
+        (*probability_0) = 1.0f / _S181;
+        return min(u32(u_0 * _S181), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
@@ -1487,9 +1493,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S180 : u32 = i_2 + u32(1);
+        var _S182 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S180;
+        i_2 = _S182;
         rest_1 = rest_2;
     }
     return found_0;
@@ -1500,30 +1506,35 @@ fn limit_at_0( which_5 : u32) -> f64
     return primitives_0[word_0(u32(13)) + which_5];
 }
 
+fn place_at_0( triangle_7 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
+{
+    return exact_place_0(triangle_7, f64(v_4), f64(w_2));
+}
+
 fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 {
-    var _S181 : f32 = abs(x_4);
-    var _S182 : f32 = abs(y_1);
-    var _S183 : f32 = min(_S181, _S182);
-    var _S184 : f32 = max(_S181, _S182);
-    var is_steep_0 : bool = _S183 > (0.41421356797218323f * _S184);
+    var _S183 : f32 = abs(x_4);
+    var _S184 : f32 = abs(y_1);
+    var _S185 : f32 = min(_S183, _S184);
+    var _S186 : f32 = max(_S183, _S184);
+    var is_steep_0 : bool = _S185 > (0.41421356797218323f * _S186);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S183 - _S184;
+        above_0 = _S185 - _S186;
     }
     else
     {
-        above_0 = _S183;
+        above_0 = _S185;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S183 + _S184;
+        below_0 = _S185 + _S186;
     }
     else
     {
-        below_0 = _S184;
+        below_0 = _S186;
     }
     if(below_0 > 0.0f)
     {
@@ -1544,7 +1555,7 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S182 > _S181)
+    if(_S184 > _S183)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -1565,40 +1576,40 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 
 fn s_fwd_angle_of_0( dpx_10 : DiffPair_float_0,  dpy_5 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S185 : DiffPair_float_0 = DiffPair_float_0( dpx_10.primal_0, dpx_10.differential_0 );
-    var _S186 : DiffPair_float_0 = _d_abs_0(_S185);
-    var _S187 : DiffPair_float_0 = DiffPair_float_0( dpy_5.primal_0, dpy_5.differential_0 );
+    var _S187 : DiffPair_float_0 = DiffPair_float_0( dpx_10.primal_0, dpx_10.differential_0 );
     var _S188 : DiffPair_float_0 = _d_abs_0(_S187);
-    var _S189 : DiffPair_float_0 = DiffPair_float_0( _S186.primal_0, _S186.differential_0 );
-    var _S190 : DiffPair_float_0 = DiffPair_float_0( _S188.primal_0, _S188.differential_0 );
-    var _S191 : DiffPair_float_0 = _d_min_0(_S189, _S190);
-    var _S192 : DiffPair_float_0 = _d_max_0(_S189, _S190);
-    var is_steep_1 : bool = (_S191.primal_0) > (0.41421356797218323f * _S192.primal_0);
+    var _S189 : DiffPair_float_0 = DiffPair_float_0( dpy_5.primal_0, dpy_5.differential_0 );
+    var _S190 : DiffPair_float_0 = _d_abs_0(_S189);
+    var _S191 : DiffPair_float_0 = DiffPair_float_0( _S188.primal_0, _S188.differential_0 );
+    var _S192 : DiffPair_float_0 = DiffPair_float_0( _S190.primal_0, _S190.differential_0 );
+    var _S193 : DiffPair_float_0 = _d_min_0(_S191, _S192);
+    var _S194 : DiffPair_float_0 = _d_max_0(_S191, _S192);
+    var is_steep_1 : bool = (_S193.primal_0) > (0.41421356797218323f * _S194.primal_0);
     var above_1 : f32;
     var s_diff_above_0 : f32;
     if(is_steep_1)
     {
-        var _S193 : f32 = _S191.differential_0 - _S192.differential_0;
-        above_1 = _S191.primal_0 - _S192.primal_0;
-        s_diff_above_0 = _S193;
+        var _S195 : f32 = _S193.differential_0 - _S194.differential_0;
+        above_1 = _S193.primal_0 - _S194.primal_0;
+        s_diff_above_0 = _S195;
     }
     else
     {
-        above_1 = _S191.primal_0;
-        s_diff_above_0 = _S191.differential_0;
+        above_1 = _S193.primal_0;
+        s_diff_above_0 = _S193.differential_0;
     }
     var below_1 : f32;
     var s_diff_below_0 : f32;
     if(is_steep_1)
     {
-        var _S194 : f32 = _S191.differential_0 + _S192.differential_0;
-        below_1 = _S191.primal_0 + _S192.primal_0;
-        s_diff_below_0 = _S194;
+        var _S196 : f32 = _S193.differential_0 + _S194.differential_0;
+        below_1 = _S193.primal_0 + _S194.primal_0;
+        s_diff_below_0 = _S196;
     }
     else
     {
-        below_1 = _S192.primal_0;
-        s_diff_below_0 = _S192.differential_0;
+        below_1 = _S194.primal_0;
+        s_diff_below_0 = _S194.differential_0;
     }
     if(below_1 > 0.0f)
     {
@@ -1611,14 +1622,14 @@ fn s_fwd_angle_of_0( dpx_10 : DiffPair_float_0,  dpy_5 : DiffPair_float_0) -> Di
     var t_2 : f32 = above_1 / below_1;
     var s_diff_t_0 : f32 = (s_diff_above_0 * below_1 - above_1 * s_diff_below_0) / (below_1 * below_1);
     var z_1 : f32 = t_2 * t_2;
-    var _S195 : f32 = s_diff_t_0 * t_2;
-    var s_diff_z_0 : f32 = _S195 + _S195;
-    var _S196 : f32 = 0.08053744584321976f * z_1 - 0.13877685368061066f;
-    var _S197 : f32 = _S196 * z_1 + 0.19977711141109467f;
-    var tail_0 : f32 = _S197 * z_1 - 0.33332949876785278f;
-    var _S198 : f32 = tail_0 * z_1;
-    var angle_2 : f32 = _S198 * t_2 + t_2;
-    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_1 + s_diff_z_0 * _S196) * z_1 + s_diff_z_0 * _S197) * z_1 + s_diff_z_0 * tail_0) * t_2 + s_diff_t_0 * _S198 + s_diff_t_0;
+    var _S197 : f32 = s_diff_t_0 * t_2;
+    var s_diff_z_0 : f32 = _S197 + _S197;
+    var _S198 : f32 = 0.08053744584321976f * z_1 - 0.13877685368061066f;
+    var _S199 : f32 = _S198 * z_1 + 0.19977711141109467f;
+    var tail_0 : f32 = _S199 * z_1 - 0.33332949876785278f;
+    var _S200 : f32 = tail_0 * z_1;
+    var angle_2 : f32 = _S200 * t_2 + t_2;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_1 + s_diff_z_0 * _S198) * z_1 + s_diff_z_0 * _S199) * z_1 + s_diff_z_0 * tail_0) * t_2 + s_diff_t_0 * _S200 + s_diff_t_0;
     var angle_3 : f32;
     if(is_steep_1)
     {
@@ -1629,11 +1640,11 @@ fn s_fwd_angle_of_0( dpx_10 : DiffPair_float_0,  dpy_5 : DiffPair_float_0) -> Di
         angle_3 = angle_2;
     }
     var s_diff_angle_1 : f32;
-    if((_S188.primal_0) > (_S186.primal_0))
+    if((_S190.primal_0) > (_S188.primal_0))
     {
-        var _S199 : f32 = 0.0f - s_diff_angle_0;
+        var _S201 : f32 = 0.0f - s_diff_angle_0;
         angle_3 = 1.57079637050628662f - angle_3;
-        s_diff_angle_1 = _S199;
+        s_diff_angle_1 = _S201;
     }
     else
     {
@@ -1641,23 +1652,23 @@ fn s_fwd_angle_of_0( dpx_10 : DiffPair_float_0,  dpy_5 : DiffPair_float_0) -> Di
     }
     if((dpx_10.primal_0) < 0.0f)
     {
-        var _S200 : f32 = 0.0f - s_diff_angle_1;
+        var _S202 : f32 = 0.0f - s_diff_angle_1;
         angle_3 = 3.14159274101257324f - angle_3;
-        s_diff_angle_1 = _S200;
+        s_diff_angle_1 = _S202;
     }
     if((dpy_5.primal_0) < 0.0f)
     {
-        var _S201 : f32 = - s_diff_angle_1;
+        var _S203 : f32 = - s_diff_angle_1;
         above_1 = - angle_3;
-        s_diff_above_0 = _S201;
+        s_diff_above_0 = _S203;
     }
     else
     {
         above_1 = angle_3;
         s_diff_above_0 = s_diff_angle_1;
     }
-    var _S202 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
-    return _S202;
+    var _S204 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
+    return _S204;
 }
 
 fn solid_angle_of_0( a_15 : vec3<f32>,  b_9 : vec3<f32>,  c_4 : vec3<f32>) -> f32
@@ -1676,11 +1687,11 @@ fn solid_angle_of_0( a_15 : vec3<f32>,  b_9 : vec3<f32>,  c_4 : vec3<f32>) -> f3
 
 fn complex_product_0( a_16 : vec2<f32>,  b_10 : vec2<f32>) -> vec2<f32>
 {
-    var _S203 : f32 = a_16.x;
-    var _S204 : f32 = b_10.x;
-    var _S205 : f32 = a_16.y;
-    var _S206 : f32 = b_10.y;
-    return vec2<f32>(_S203 * _S204 - _S205 * _S206, _S203 * _S206 + _S205 * _S204);
+    var _S205 : f32 = a_16.x;
+    var _S206 : f32 = b_10.x;
+    var _S207 : f32 = a_16.y;
+    var _S208 : f32 = b_10.y;
+    return vec2<f32>(_S205 * _S206 - _S207 * _S208, _S205 * _S208 + _S207 * _S206);
 }
 
 struct SeenRectangle_0
@@ -1703,26 +1714,26 @@ fn seen_rectangle_0( at_16 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
     var seen_1 : SeenRectangle_0;
     seen_1.x_5 = vec2<f32>(x0_0, x1_0);
     seen_1.y_2 = vec2<f32>(y0_0, y1_0);
-    var _S207 : f32 = - dot(vector_at_0(at_16 + u32(9)), offset_2);
-    seen_1.z_2 = _S207;
-    var a_17 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S207);
-    var b_11 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S207);
-    var c_5 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S207);
-    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S207);
-    var _S208 : f32 = length(a_17);
-    var _S209 : f32 = length(c_5);
-    var _S210 : f32;
-    if(_S207 > (9.99999997475242708e-07f * max(max(_S208, length(b_11)), max(_S209, length(d_0)))))
+    var _S209 : f32 = - dot(vector_at_0(at_16 + u32(9)), offset_2);
+    seen_1.z_2 = _S209;
+    var a_17 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S209);
+    var b_11 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S209);
+    var c_5 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S209);
+    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S209);
+    var _S210 : f32 = length(a_17);
+    var _S211 : f32 = length(c_5);
+    var _S212 : f32;
+    if(_S209 > (9.99999997475242708e-07f * max(max(_S210, length(b_11)), max(_S211, length(d_0)))))
     {
-        _S210 = solid_angle_of_0(a_17, c_5, b_11) + solid_angle_of_0(d_0, b_11, c_5);
+        _S212 = solid_angle_of_0(a_17, c_5, b_11) + solid_angle_of_0(d_0, b_11, c_5);
     }
     else
     {
-        _S210 = 0.0f;
+        _S212 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S210;
+    seen_1.solid_angle_0 = _S212;
     var z2_0 : f32 = seen_1.z_2 * seen_1.z_2;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_2 * _S209), vec2<f32>(- x0_0 * y0_0, seen_1.z_2 * _S208));
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_2 * _S211), vec2<f32>(- x0_0 * y0_0, seen_1.z_2 * _S210));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_2 * seen_1.y_2 + vec2<f32>(z2_0));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_0) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
@@ -1760,28 +1771,28 @@ fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
     var at_17 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S211 : f32 = seen_2.y_2.x;
-    var _S212 : f32 = seen_2.inverse_to_line_0.x;
-    var _S213 : f32 = seen_2.y_2.y;
-    var n_2 : f32 = - at_17.x * _S211 * _S212 - _S213 * seen_2.inverse_to_line_0.y;
-    var _S214 : f32 = at_17.y;
-    var flat_0 : f32 = _S214 * seen_2.z_2 * _S212;
-    var size_2 : f32 = seen_2.z_2 * abs(_S214) / sqrt(max(n_2 * n_2 - flat_0 * flat_0, 0.0f));
-    var _S215 : f32;
-    if((n_2 * _S214) < 0.0f)
+    var _S213 : f32 = seen_2.y_2.x;
+    var _S214 : f32 = seen_2.inverse_to_line_0.x;
+    var _S215 : f32 = seen_2.y_2.y;
+    var n_2 : f32 = - at_17.x * _S213 * _S214 - _S215 * seen_2.inverse_to_line_0.y;
+    var _S216 : f32 = at_17.y;
+    var flat_0 : f32 = _S216 * seen_2.z_2 * _S214;
+    var size_2 : f32 = seen_2.z_2 * abs(_S216) / sqrt(max(n_2 * n_2 - flat_0 * flat_0, 0.0f));
+    var _S217 : f32;
+    if((n_2 * _S216) < 0.0f)
     {
-        _S215 = - size_2;
+        _S217 = - size_2;
     }
     else
     {
-        _S215 = size_2;
+        _S217 = size_2;
     }
-    var x_7 : f32 = clamp(_S215, seen_2.x_5.x, seen_2.x_5.y);
+    var x_7 : f32 = clamp(_S217, seen_2.x_5.x, seen_2.x_5.y);
     var squared_1 : f32 = x_7 * x_7 + seen_2.z_2 * seen_2.z_2;
     var h_0 : vec2<f32> = seen_2.y_2 / sqrt(vec2<f32>(squared_1) + seen_2.y_2 * seen_2.y_2);
-    var _S216 : f32 = h_0.x;
-    var sine_2 : f32 = _S216 + u_1.y * (h_0.y - _S216);
-    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S211, _S213));
+    var _S218 : f32 = h_0.x;
+    var sine_2 : f32 = _S218 + u_1.y * (h_0.y - _S218);
+    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S213, _S215));
 }
 
 fn rectangle_face_0( at_18 : u32,  place_14 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
@@ -1799,16 +1810,16 @@ fn rectangle_face_0( at_18 : u32,  place_14 : vec2<f32>,  weights_2 : ptr<functi
             break;
         }
         var row_1 : u32 = at_18 + u32(14) + u32(6) * face_0;
-        var _S217 : f32 = place_14.x;
-        var _S218 : f32 = place_14.y;
-        var v_4 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S217 + number_0(row_1 + u32(2)) * _S218;
-        var w_2 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S217 + number_0(row_1 + u32(5)) * _S218;
-        var _S219 : f32 = min(min(v_4, w_2), 1.0f - v_4 - w_2);
-        if(_S219 > best_0)
+        var _S219 : f32 = place_14.x;
+        var _S220 : f32 = place_14.y;
+        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S219 + number_0(row_1 + u32(2)) * _S220;
+        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S219 + number_0(row_1 + u32(5)) * _S220;
+        var _S221 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
+        if(_S221 > best_0)
         {
-            (*weights_2)[i32(0)] = clamp(v_4, 0.0f, 1.0f);
-            (*weights_2)[i32(1)] = clamp(w_2, 0.0f, 1.0f - (*weights_2).x);
-            best_0 = _S219;
+            (*weights_2)[i32(0)] = clamp(v_5, 0.0f, 1.0f);
+            (*weights_2)[i32(1)] = clamp(w_3, 0.0f, 1.0f - (*weights_2).x);
+            best_0 = _S221;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -1824,26 +1835,26 @@ fn emitter_triangle_0( record_8 : u32,  face_1 : u32) -> u32
 fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f64
 {
     var bits_0 : vec2<u32> = random_bits_0(key_3, dimension_2);
-    var _S220 : u32 = bits_0.y;
-    return (f64((_S220 >> (u32(11)))) + f64((((_S220 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
+    var _S222 : u32 = bits_0.y;
+    return (f64((_S222 >> (u32(11)))) + f64((((_S222 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S221 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S222 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S221, _S222);
-    var sum_0 : f32 = _S221 + _S222;
-    var _S223 : vec2<f32>;
+    var _S223 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S224 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S223, _S224);
+    var sum_0 : f32 = _S223 + _S224;
+    var _S225 : vec2<f32>;
     if(sum_0 > 0.0f)
     {
-        _S223 = seen_3 / vec2<f32>(sum_0);
+        _S225 = seen_3 / vec2<f32>(sum_0);
     }
     else
     {
-        _S223 = vec2<f32>(0.0f);
+        _S225 = vec2<f32>(0.0f);
     }
-    return _S223;
+    return _S225;
 }
 
 struct Corners_0
@@ -1869,35 +1880,35 @@ fn face_solid_angle_0( record_10 : u32,  face_3 : u32,  viewpoint_4 : vec3<f64>)
     return solid_angle_of_0(corners_1.a_18, corners_1.b_12, corners_1.c_6);
 }
 
-fn unit_across_0( v_5 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
+fn unit_across_0( v_6 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 {
-    return normalize(v_5 - axis_1 * vec3<f32>(dot(v_5, axis_1)));
+    return normalize(v_6 - axis_1 * vec3<f32>(dot(v_6, axis_1)));
 }
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_3 : f32) -> vec3<f32>
 {
-    var _S224 : f32 = clamp(cosine_3, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S224) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S224) * (1.0f + _S224)));
+    var _S226 : f32 = clamp(cosine_3, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S226) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S226) * (1.0f + _S226)));
 }
 
 fn triangle_direction_0( a_19 : vec3<f32>,  b_13 : vec3<f32>,  c_7 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S225 : vec3<f32> = normalize(a_19);
-    var _S226 : vec3<f32> = normalize(b_13);
-    var _S227 : vec3<f32> = normalize(c_7);
-    var ab_1 : vec3<f32> = normalize(cross(_S225, _S226));
-    var ca_0 : vec3<f32> = normalize(cross(_S227, _S225));
+    var _S227 : vec3<f32> = normalize(a_19);
+    var _S228 : vec3<f32> = normalize(b_13);
+    var _S229 : vec3<f32> = normalize(c_7);
+    var ab_1 : vec3<f32> = normalize(cross(_S227, _S228));
+    var ca_0 : vec3<f32> = normalize(cross(_S229, _S227));
     var sine_alpha_0 : f32 = length(cross(ab_1, ca_0));
     var cosine_alpha_0 : f32 = - dot(ab_1, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S228 : f32 = part_0.x;
-    var _S229 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S228 * cosine_alpha_0 - _S229 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S229 * cosine_alpha_0 + _S228 * sine_alpha_0;
+    var _S230 : f32 = part_0.x;
+    var _S231 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S230 * cosine_alpha_0 - _S231 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S231 * cosine_alpha_0 + _S230 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S225, _S226);
-    var between_1 : vec3<f32> = along_0(_S225, _S227, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S226, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S226)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S227, _S228);
+    var between_1 : vec3<f32> = along_0(_S227, _S229, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S228, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S228)));
 }
 
 fn density_of_0( solid_angle_1 : f32,  normal_7 : vec3<f32>,  distance_2 : f32,  direction_6 : vec3<f32>) -> f32
@@ -1941,10 +1952,10 @@ fn area_point_0( record_11 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             return point_0;
         }
     }
-    var _S230 : f64 = precise_random_0(key_4, dimension_3);
+    var _S232 : f64 = precise_random_0(key_4, dimension_3);
     var nodes_at_1 : u32 = word_0(record_11 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f64 = _S230;
+    var u_3 : f64 = _S232;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -1956,17 +1967,17 @@ fn area_point_0( record_11 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S231 : f32 = shares_0.x;
-        var _S232 : f32 = shares_0.y;
-        if(!((_S231 + _S232) > 0.0f))
+        var _S233 : f32 = shares_0.x;
+        var _S234 : f32 = shares_0.y;
+        if(!((_S233 + _S234) > 0.0f))
         {
             return point_0;
         }
-        var _S233 : f64 = f64(_S231);
+        var _S235 : f64 = f64(_S233);
         var is_second_0 : bool;
-        if(u_3 >= _S233)
+        if(u_3 >= _S235)
         {
-            is_second_0 = _S232 > 0.0f;
+            is_second_0 = _S234 > 0.0f;
         }
         else
         {
@@ -1974,86 +1985,86 @@ fn area_point_0( record_11 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S233) / f64(_S232);
+            u_3 = (u_3 - _S235) / f64(_S234);
         }
         else
         {
-            u_3 = min(u_3 / _S233, 1.0lf);
+            u_3 = min(u_3 / _S235, 1.0lf);
         }
         if(is_second_0)
         {
-            total_0 = _S232;
+            total_0 = _S234;
         }
         else
         {
-            total_0 = _S231;
+            total_0 = _S233;
         }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S234 : i32;
+        var _S236 : i32;
         if(is_second_0)
         {
-            _S234 = i32(3);
+            _S236 = i32(3);
         }
         else
         {
-            _S234 = i32(2);
+            _S236 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S234));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S236));
         chosen_0 = chosen_1;
     }
     var first_3 : u32 = word_0(node_2);
-    var _S235 : u32 = word_0(node_2 + u32(1));
-    var _S236 : u32 = word_0(record_11 + u32(6));
+    var _S237 : u32 = word_0(node_2 + u32(1));
+    var _S238 : u32 = word_0(record_11 + u32(6));
     var k_3 : u32 = first_3;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_3 < _S235)
+        if(k_3 < _S237)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_11, word_0(_S236 + k_3), from_1.exact_0);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_11, word_0(_S238 + k_3), from_1.exact_0);
         k_3 = k_3 + u32(1);
         total_0 = total_1;
     }
-    var _S237 : f32 = f32(u_3) * total_0;
+    var _S239 : f32 = f32(u_3) * total_0;
     var face_5 : u32 = u32(4294967295);
     var angle_5 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
     k_3 = first_3;
-    var rest_3 : f32 = _S237;
+    var rest_3 : f32 = _S239;
     for(;;)
     {
-        if(k_3 < _S235)
+        if(k_3 < _S237)
         {
         }
         else
         {
             break;
         }
-        var _S238 : u32 = _S236 + k_3;
-        var own_1 : f32 = face_solid_angle_0(record_11, word_0(_S238), from_1.exact_0);
+        var _S240 : u32 = _S238 + k_3;
+        var own_1 : f32 = face_solid_angle_0(record_11, word_0(_S240), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
             k_3 = k_3 + u32(1);
             continue;
         }
-        var _S239 : u32 = word_0(_S238);
-        var _S240 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S241 : u32 = word_0(_S240);
+        var _S242 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S239;
+            face_5 = _S241;
             angle_5 = own_1;
-            inside_2 = _S240;
+            inside_2 = _S242;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S239;
+        face_5 = _S241;
         angle_5 = own_1;
-        inside_2 = _S240;
+        inside_2 = _S242;
         rest_3 = rest_4;
         k_3 = k_3 + u32(1);
     }
@@ -2077,9 +2088,9 @@ fn area_point_0( record_11 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         var direction_7 : vec3<f32> = triangle_direction_0(corners_2.a_18, corners_2.b_12, corners_2.c_6, angle_5, vec2<f32>(inside_2, second_1));
         var within_0 : vec3<f32> = direction_7 * vec3<f32>((dot(corners_2.a_18, normal_8) / dot(direction_7, normal_8))) - corners_2.a_18;
         var squared_2 : f32 = dot(normal_8, normal_8);
-        var _S241 : f32 = clamp(dot(cross(within_0, ac_1), normal_8) / squared_2, 0.0f, 1.0f);
-        point_0.place_15.v_0 = _S241;
-        point_0.place_15.w_0 = clamp(dot(cross(ab_2, within_0), normal_8) / squared_2, 0.0f, 1.0f - _S241);
+        var _S243 : f32 = clamp(dot(cross(within_0, ac_1), normal_8) / squared_2, 0.0f, 1.0f);
+        point_0.place_15.v_0 = _S243;
+        point_0.place_15.w_0 = clamp(dot(cross(ab_2, within_0), normal_8) / squared_2, 0.0f, 1.0f - _S243);
     }
     var offset_3 : vec3<f32> = corners_2.a_18 + ab_2 * vec3<f32>(point_0.place_15.v_0) + ac_1 * vec3<f32>(point_0.place_15.w_0);
     var distance_3 : f32 = length(offset_3);
@@ -2098,38 +2109,38 @@ fn is_map_0( record_12 : u32) -> bool
 
 fn uniform_direction_0( u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S242 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S242 * (1.0f - _S242))));
-    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S242);
+    var _S244 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S244 * (1.0f - _S244))));
+    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S244);
 }
 
 fn map_place_0( map_0 : u32,  direction_8 : vec3<f32>) -> vec2<f32>
 {
-    var _S243 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S243) * vec3<f32>(direction_8.x) + vector_at_0(_S243 + u32(3)) * vec3<f32>(direction_8.y) + vector_at_0(_S243 + u32(6)) * vec3<f32>(direction_8.z);
+    var _S245 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S245) * vec3<f32>(direction_8.x) + vector_at_0(_S245 + u32(3)) * vec3<f32>(direction_8.y) + vector_at_0(_S245 + u32(6)) * vec3<f32>(direction_8.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
 fn s_fwd_map_place_0( map_1 : u32,  dpdirection_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var _S244 : u32 = map_1 + u32(2);
-    var _S245 : vec3<f32> = vector_at_0(_S244);
-    var _S246 : vec3<f32> = vector_at_0(_S244 + u32(3));
-    var _S247 : vec3<f32> = vector_at_0(_S244 + u32(6));
-    var d_2 : vec3<f32> = _S245 * vec3<f32>(dpdirection_1.primal_0.x) + _S246 * vec3<f32>(dpdirection_1.primal_0.y) + _S247 * vec3<f32>(dpdirection_1.primal_0.z);
-    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S245 + vec3<f32>(dpdirection_1.differential_0.y) * _S246 + vec3<f32>(dpdirection_1.differential_0.z) * _S247;
-    var _S248 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
-    var _S249 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
-    var _S250 : DiffPair_float_0 = s_fwd_angle_of_0(_S248, _S249);
-    var _S251 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
-    var _S252 : DiffPair_float_0 = s_fwd_length_impl_1(_S251);
-    var _S253 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
-    var _S254 : DiffPair_float_0 = DiffPair_float_0( _S252.primal_0, _S252.differential_0 );
-    var _S255 : DiffPair_float_0 = s_fwd_angle_of_0(_S253, _S254);
+    var _S246 : u32 = map_1 + u32(2);
+    var _S247 : vec3<f32> = vector_at_0(_S246);
+    var _S248 : vec3<f32> = vector_at_0(_S246 + u32(3));
+    var _S249 : vec3<f32> = vector_at_0(_S246 + u32(6));
+    var d_2 : vec3<f32> = _S247 * vec3<f32>(dpdirection_1.primal_0.x) + _S248 * vec3<f32>(dpdirection_1.primal_0.y) + _S249 * vec3<f32>(dpdirection_1.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S247 + vec3<f32>(dpdirection_1.differential_0.y) * _S248 + vec3<f32>(dpdirection_1.differential_0.z) * _S249;
+    var _S250 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
+    var _S251 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
+    var _S252 : DiffPair_float_0 = s_fwd_angle_of_0(_S250, _S251);
+    var _S253 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
+    var _S254 : DiffPair_float_0 = s_fwd_length_impl_1(_S253);
+    var _S255 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
+    var _S256 : DiffPair_float_0 = DiffPair_float_0( _S254.primal_0, _S254.differential_0 );
+    var _S257 : DiffPair_float_0 = s_fwd_angle_of_0(_S255, _S256);
     var width_1 : f32 = f32(word_0(map_1));
-    var _S256 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
-    var _S257 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S250.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S255.primal_0 * 0.31830987334251404f * _S256), vec2<f32>(_S250.differential_0 * 0.15915493667125702f * width_1, _S255.differential_0 * 0.31830987334251404f * _S256) );
-    return _S257;
+    var _S258 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
+    var _S259 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S252.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S257.primal_0 * 0.31830987334251404f * _S258), vec2<f32>(_S252.differential_0 * 0.15915493667125702f * width_1, _S257.differential_0 * 0.31830987334251404f * _S258) );
+    return _S259;
 }
 
 fn cell_pdf_0( map_2 : u32,  cell_0 : u32) -> f32
@@ -2156,11 +2167,11 @@ fn sum_at_0( at_20 : u32) -> f64
 
 fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr<function, f32>) -> u32
 {
-    var _S258 : u32 = count_3 - u32(1);
-    var total_2 : f64 = sum_at_0(sums_0 + u32(2) * _S258);
+    var _S260 : u32 = count_3 - u32(1);
+    var total_2 : f64 = sum_at_0(sums_0 + u32(2) * _S260);
     var target_0 : f64 = u_5 * total_2;
     var low_3 : u32 = u32(0);
-    var high_0 : u32 = _S258;
+    var high_0 : u32 = _S260;
     for(;;)
     {
         if(low_3 < high_0)
@@ -2172,16 +2183,16 @@ fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
         var sum_1 : f64 = sum_at_0(sums_0 + u32(2) * middle_1);
-        var _S259 : bool;
+        var _S261 : bool;
         if(sum_1 <= target_0)
         {
-            _S259 = sum_1 < total_2;
+            _S261 = sum_1 < total_2;
         }
         else
         {
-            _S259 = false;
+            _S261 = false;
         }
-        if(_S259)
+        if(_S261)
         {
             low_3 = middle_1 + u32(1);
         }
@@ -2212,49 +2223,49 @@ fn cell_direction_0( map_4 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,
     var rows_1 : vec2<f32>;
     if(is_lower_0)
     {
-        var _S260 : u32 = last_0 - row_2;
-        rows_1 = vec2<f32>(f32(_S260), f32(_S260 - u32(1)));
+        var _S262 : u32 = last_0 - row_2;
+        rows_1 = vec2<f32>(f32(_S262), f32(_S262 - u32(1)));
     }
     else
     {
         rows_1 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
     }
-    var _S261 : f32 = f32(last_0);
-    var _S262 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S261)).x;
-    var _S263 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S261)).x;
-    var off_0 : f32 = 2.0f * mix(_S262 * _S262, _S263 * _S263, down_0);
+    var _S263 : f32 = f32(last_0);
+    var _S264 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S263)).x;
+    var _S265 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S263)).x;
+    var off_0 : f32 = 2.0f * mix(_S264 * _S264, _S265 * _S265, down_0);
     var sine_3 : f32 = sqrt(off_0 * (2.0f - off_0));
-    var _S264 : f32 = azimuth_0.x * sine_3;
-    var _S265 : f32;
+    var _S266 : f32 = azimuth_0.x * sine_3;
+    var _S267 : f32;
     if(is_lower_0)
     {
-        _S265 = off_0 - 1.0f;
+        _S267 = off_0 - 1.0f;
     }
     else
     {
-        _S265 = 1.0f - off_0;
+        _S267 = 1.0f - off_0;
     }
-    var local_0 : vec3<f32> = vec3<f32>(_S264, _S265, - azimuth_0.y * sine_3);
-    var _S266 : u32 = map_4 + u32(2);
-    return vec3<f32>(dot(vector_at_0(_S266), local_0), dot(vector_at_0(_S266 + u32(3)), local_0), dot(vector_at_0(_S266 + u32(6)), local_0));
+    var local_0 : vec3<f32> = vec3<f32>(_S266, _S267, - azimuth_0.y * sine_3);
+    var _S268 : u32 = map_4 + u32(2);
+    return vec3<f32>(dot(vector_at_0(_S268), local_0), dot(vector_at_0(_S268 + u32(3)), local_0), dot(vector_at_0(_S268 + u32(6)), local_0));
 }
 
 fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : ptr<function, f32>) -> vec3<f32>
 {
     var u_6 : f64 = precise_random_0(key_5, dimension_4);
     var rest_5 : f64 = u_6 * 20.0lf - 1.0lf;
-    var _S267 : u32 = map_5 + u32(13);
-    var is_black_0 : bool = (word_0(_S267)) == u32(4294967295);
-    var _S268 : bool;
+    var _S269 : u32 = map_5 + u32(13);
+    var is_black_0 : bool = (word_0(_S269)) == u32(4294967295);
+    var _S270 : bool;
     if(is_black_0)
     {
-        _S268 = true;
+        _S270 = true;
     }
     else
     {
-        _S268 = rest_5 < 0.0lf;
+        _S270 = rest_5 < 0.0lf;
     }
-    if(_S268)
+    if(_S270)
     {
         var share_0 : f32;
         if(is_black_0)
@@ -2266,14 +2277,14 @@ fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
             share_0 = 0.05000000074505806f;
         }
         var direction_10 : vec3<f32> = uniform_direction_0(vec2<f32>(f32(u_6) / share_0, random_0(key_5, dimension_4 + u32(1))));
-        var _S269 : f32 = map_pdf_0(map_5, direction_10);
-        (*pdf_1) = _S269;
+        var _S271 : f32 = map_pdf_0(map_5, direction_10);
+        (*pdf_1) = _S271;
         return direction_10;
     }
     var rest_6 : f64 = rest_5 / 19.0lf;
     var width_3 : u32 = word_0(map_5);
     var down_1 : f32;
-    var row_3 : u32 = chosen_interval_0(word_0(_S267), word_0(map_5 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
+    var row_3 : u32 = chosen_interval_0(word_0(_S269), word_0(map_5 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
     var along_2 : f32;
     var column_2 : u32 = chosen_interval_0(word_0(map_5 + u32(14)) + u32(2) * width_3 * row_3, width_3, rest_6, &(along_2));
     (*pdf_1) = cell_pdf_0(map_5, row_3 * width_3 + column_2);
@@ -2287,35 +2298,35 @@ fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
 
 fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
 {
-    var _S270 : f32 = u_7.x;
-    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S270));
-    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S270));
+    var _S272 : f32 = u_7.x;
+    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S272));
+    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S272));
 }
 
-fn to_world_0( axes_3 : Axes_0,  v_6 : vec3<f32>) -> vec3<f32>
+fn to_world_0( axes_3 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
 {
-    return axes_3.s_0 * vec3<f32>(v_6.x) + axes_3.t_0 * vec3<f32>(v_6.y) + axes_3.n_1 * vec3<f32>(v_6.z);
+    return axes_3.s_0 * vec3<f32>(v_7.x) + axes_3.t_0 * vec3<f32>(v_7.y) + axes_3.n_1 * vec3<f32>(v_7.z);
 }
 
-fn component_0( v_7 : vec3<f64>,  axis_2 : u32) -> f64
+fn component_0( v_8 : vec3<f64>,  axis_2 : u32) -> f64
 {
-    var _S271 : f64;
+    var _S273 : f64;
     if(axis_2 == u32(0))
     {
-        _S271 = v_7.x;
+        _S273 = v_8.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S271 = v_7.y;
+            _S273 = v_8.y;
         }
         else
         {
-            _S271 = v_7.z;
+            _S273 = v_8.z;
         }
     }
-    return _S271;
+    return _S273;
 }
 
 fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
@@ -2335,7 +2346,7 @@ struct RayView_0
 
 fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S272 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S274 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -2348,36 +2359,36 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S273 : u32 = axis_3;
-        var _S274 : u32 = _S272 + u32(2) * axis_3;
-        var _S275 : u32 = slot_3 % u32(4);
-        var low_4 : f32 = (bitcast<f32>((nodes_0[_S274][_S275])));
-        var high_1 : f32 = (bitcast<f32>((nodes_0[_S274 + u32(6)][_S275])));
-        var _S276 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
-        var _S277 : f32;
-        if(_S276)
-        {
-            _S277 = high_1;
-        }
-        else
-        {
-            _S277 = low_4;
-        }
-        var _S278 : f32 = max(near_0, _S277 * view_2.inverse_0[_S273] - view_2.offset_near_0[axis_3]);
+        var _S275 : u32 = axis_3;
+        var _S276 : u32 = _S274 + u32(2) * axis_3;
+        var _S277 : u32 = slot_3 % u32(4);
+        var low_4 : f32 = (bitcast<f32>((nodes_0[_S276][_S277])));
+        var high_1 : f32 = (bitcast<f32>((nodes_0[_S276 + u32(6)][_S277])));
+        var _S278 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
         var _S279 : f32;
-        if(_S276)
-        {
-            _S279 = low_4;
-        }
-        else
+        if(_S278)
         {
             _S279 = high_1;
         }
-        var _S280 : f32 = min(far_0, _S279 * view_2.inverse_0[_S273] - view_2.offset_far_0[axis_3]);
-        var _S281 : u32 = axis_3 + u32(1);
-        near_0 = _S278;
-        far_0 = _S280;
-        axis_3 = _S281;
+        else
+        {
+            _S279 = low_4;
+        }
+        var _S280 : f32 = max(near_0, _S279 * view_2.inverse_0[_S275] - view_2.offset_near_0[axis_3]);
+        var _S281 : f32;
+        if(_S278)
+        {
+            _S281 = low_4;
+        }
+        else
+        {
+            _S281 = high_1;
+        }
+        var _S282 : f32 = min(far_0, _S281 * view_2.inverse_0[_S275] - view_2.offset_far_0[axis_3]);
+        var _S283 : u32 = axis_3 + u32(1);
+        near_0 = _S280;
+        far_0 = _S282;
+        axis_3 = _S283;
     }
     if(near_0 <= far_0)
     {
@@ -2402,7 +2413,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S282 : u32 = k_4;
+        var _S284 : u32 = k_4;
         if((bounds_0[k_4]) > limit_2)
         {
             k_4 = k_4 + u32(1);
@@ -2419,24 +2430,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S283 : u32 = j_0;
-            var _S284 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S282]))
+            var _S285 : u32 = j_0;
+            var _S286 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S284]))
             {
-                _S284 = true;
+                _S286 = true;
             }
             else
             {
-                if((bounds_0[_S283]) == (bounds_0[_S282]))
+                if((bounds_0[_S285]) == (bounds_0[_S284]))
                 {
-                    _S284 = j_0 < k_4;
+                    _S286 = j_0 < k_4;
                 }
                 else
                 {
-                    _S284 = false;
+                    _S286 = false;
                 }
             }
-            if(_S284)
+            if(_S286)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -2461,16 +2472,16 @@ fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S285 : f32;
+        var _S287 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S285 = 3.00000000549775576e+38f;
+            _S287 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S285 = ray_bound_0(view_3, limit_3, node_5, slot_4);
+            _S287 = ray_bound_0(view_3, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S285;
+        bounds_1[slot_4] = _S287;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -2506,8 +2517,8 @@ struct Crossing_0
 {
      is_hit_0 : bool,
      t_3 : f64,
-     v_8 : f64,
-     w_3 : f64,
+     v_9 : f64,
+     w_4 : f64,
 };
 
 fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_22 : u32) -> Crossing_0
@@ -2515,51 +2526,51 @@ fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_22 : u32) -> Crossing_0
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_3 = 0.0lf;
-    crossing_0.v_8 = 0.0lf;
-    crossing_0.w_3 = 0.0lf;
+    crossing_0.v_9 = 0.0lf;
+    crossing_0.w_4 = 0.0lf;
     var a_20 : vec3<f64> = corner_3(ray_1, axes_6, at_22);
     var b_14 : vec3<f64> = corner_3(ray_1, axes_6, at_22 + u32(3));
     var c_8 : vec3<f64> = corner_3(ray_1, axes_6, at_22 + u32(6));
-    var _S286 : f64 = c_8.x;
-    var _S287 : f64 = b_14.y;
-    var cx_by_0 : f64 = rounded_0(_S286 * _S287, ray_1.largest_1);
-    var _S288 : f64 = c_8.y;
-    var _S289 : f64 = b_14.x;
-    var cy_bx_0 : f64 = rounded_0(_S288 * _S289, ray_1.largest_1);
-    var _S290 : f64 = a_20.x;
-    var ax_cy_0 : f64 = rounded_0(_S290 * _S288, ray_1.largest_1);
-    var _S291 : f64 = a_20.y;
-    var ay_cx_0 : f64 = rounded_0(_S291 * _S286, ray_1.largest_1);
-    var bx_ay_0 : f64 = rounded_0(_S289 * _S291, ray_1.largest_1);
-    var by_ax_0 : f64 = rounded_0(_S287 * _S290, ray_1.largest_1);
+    var _S288 : f64 = c_8.x;
+    var _S289 : f64 = b_14.y;
+    var cx_by_0 : f64 = rounded_0(_S288 * _S289, ray_1.largest_1);
+    var _S290 : f64 = c_8.y;
+    var _S291 : f64 = b_14.x;
+    var cy_bx_0 : f64 = rounded_0(_S290 * _S291, ray_1.largest_1);
+    var _S292 : f64 = a_20.x;
+    var ax_cy_0 : f64 = rounded_0(_S292 * _S290, ray_1.largest_1);
+    var _S293 : f64 = a_20.y;
+    var ay_cx_0 : f64 = rounded_0(_S293 * _S288, ray_1.largest_1);
+    var bx_ay_0 : f64 = rounded_0(_S291 * _S293, ray_1.largest_1);
+    var by_ax_0 : f64 = rounded_0(_S289 * _S292, ray_1.largest_1);
     var u_8 : f64 = cx_by_0 - cy_bx_0;
-    var v_9 : f64 = ax_cy_0 - ay_cx_0;
-    var w_4 : f64 = bx_ay_0 - by_ax_0;
-    var _S292 : f64 = min(min(u_8, v_9), w_4);
-    var _S293 : f64 = max(max(u_8, v_9), w_4);
-    var _S294 : bool;
-    if(_S292 < 0.0lf)
+    var v_10 : f64 = ax_cy_0 - ay_cx_0;
+    var w_5 : f64 = bx_ay_0 - by_ax_0;
+    var _S294 : f64 = min(min(u_8, v_10), w_5);
+    var _S295 : f64 = max(max(u_8, v_10), w_5);
+    var _S296 : bool;
+    if(_S294 < 0.0lf)
     {
-        _S294 = _S293 > 0.0lf;
+        _S296 = _S295 > 0.0lf;
     }
     else
     {
-        _S294 = false;
+        _S296 = false;
     }
-    if(_S294)
+    if(_S296)
     {
         return crossing_0;
     }
-    var determinant_0 : f64 = u_8 + v_9 + w_4;
-    if(_S292 <= 0.0lf)
+    var determinant_0 : f64 = u_8 + v_10 + w_5;
+    if(_S294 <= 0.0lf)
     {
-        _S294 = _S293 >= 0.0lf;
+        _S296 = _S295 >= 0.0lf;
     }
     else
     {
-        _S294 = false;
+        _S296 = false;
     }
-    if(_S294)
+    if(_S296)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -2570,43 +2581,43 @@ fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_22 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_4 : f64 = (rounded_0(u_8 * a_20.z, ray_1.largest_1) + rounded_0(v_9 * b_14.z, ray_1.largest_1) + rounded_0(w_4 * c_8.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
+    var t_4 : f64 = (rounded_0(u_8 * a_20.z, ray_1.largest_1) + rounded_0(v_10 * b_14.z, ray_1.largest_1) + rounded_0(w_5 * c_8.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_4)
     {
-        _S294 = t_4 <= (ray_1.t_max_0);
+        _S296 = t_4 <= (ray_1.t_max_0);
     }
     else
     {
-        _S294 = false;
+        _S296 = false;
     }
-    crossing_0.is_hit_0 = _S294;
+    crossing_0.is_hit_0 = _S296;
     crossing_0.t_3 = t_4;
-    crossing_0.v_8 = v_9 / determinant_0;
-    crossing_0.w_3 = w_4 / determinant_0;
+    crossing_0.v_9 = v_10 / determinant_0;
+    crossing_0.w_4 = w_5 / determinant_0;
     return crossing_0;
 }
 
-fn face_6( triangle_7 : u32) -> u32
+fn face_6( triangle_8 : u32) -> u32
 {
-    return rough_0[triangle_7 / u32(4)][triangle_7 % u32(4)];
+    return rough_0[triangle_8 / u32(4)][triangle_8 % u32(4)];
 }
 
 struct Found_0
 {
      face_7 : u32,
-     triangle_8 : u32,
-     v_10 : f64,
-     w_5 : f64,
+     triangle_9 : u32,
+     v_11 : f64,
+     w_6 : f64,
 };
 
 fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S295 : bool;
+    var _S297 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
-    found_3.triangle_8 = u32(4294967295);
-    found_3.v_10 = 0.0lf;
-    found_3.w_5 = 0.0lf;
+    found_3.triangle_9 = u32(4294967295);
+    found_3.v_11 = 0.0lf;
+    found_3.w_6 = 0.0lf;
     if(!((view_4.limit_0) >= 0.0f))
     {
         return found_3;
@@ -2633,31 +2644,31 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_1[level_0];
-        var _S296 : u32 = way_1[level_0].y;
-        if(_S296 == u32(0))
+        var _S298 : u32 = way_1[level_0].y;
+        if(_S298 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S297 : u32 = level_0 - u32(1);
+            var _S299 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S297;
+            level_0 = _S299;
             continue;
         }
-        var slot_5 : u32 = ((_S296 & (u32(15)))) - u32(1);
-        way_1[level_0][i32(1)] = (_S296 >> (u32(4)));
-        var _S298 : bool;
+        var slot_5 : u32 = ((_S298 & (u32(15)))) - u32(1);
+        way_1[level_0][i32(1)] = (_S298 >> (u32(4)));
+        var _S300 : bool;
         if(!is_new_1)
         {
-            _S298 = (ray_bound_0(view_4, limit_4, here_0.x, slot_5)) > limit_4;
+            _S300 = (ray_bound_0(view_4, limit_4, here_0.x, slot_5)) > limit_4;
         }
         else
         {
-            _S298 = false;
+            _S300 = false;
         }
-        if(_S298)
+        if(_S300)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -2666,20 +2677,20 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_0.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S299 : u32 = level_0 + u32(1);
+            var _S301 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S299;
+            level_0 = _S301;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S300 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S301 : u32 = leaf_starts_0[leaf_0];
+        var _S302 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S303 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S301;
+        var i_3 : u32 = _S303;
         for(;;)
         {
-            if(i_3 < _S300)
+            if(i_3 < _S302)
             {
             }
             else
@@ -2694,29 +2705,29 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S295 = true;
+                _S297 = true;
             }
             else
             {
-                _S295 = (crossing_1.t_3) < ((*ray_2).t_max_0);
+                _S297 = (crossing_1.t_3) < ((*ray_2).t_max_0);
             }
-            var _S302 : bool;
-            if(_S295)
+            var _S304 : bool;
+            if(_S297)
             {
-                _S302 = true;
+                _S304 = true;
             }
             else
             {
-                _S302 = (face_6(i_3)) < (found_3.face_7);
+                _S304 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S302)
+            if(_S304)
             {
                 found_3.face_7 = face_6(i_3);
-                found_3.triangle_8 = i_3;
+                found_3.triangle_9 = i_3;
                 (*ray_2).t_max_0 = crossing_1.t_3;
-                found_3.v_10 = crossing_1.v_8;
-                found_3.w_5 = crossing_1.w_3;
+                found_3.v_11 = crossing_1.v_9;
+                found_3.w_6 = crossing_1.w_4;
                 limit_6 = min(limit_5, f32(crossing_1.t_3 * (*ray_2).local_per_t_0 - (*ray_2).enter_0) + 2.0f * view_4.margin_0);
             }
             else
@@ -2728,13 +2739,13 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S295 = (found_3.face_7) != u32(4294967295);
+            _S297 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S295 = false;
+            _S297 = false;
         }
-        if(_S295)
+        if(_S297)
         {
             break;
         }
@@ -2748,34 +2759,34 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_1 : vec3<f64>,  direction_11 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_5 : ptr<function, f32>) -> Found_0
 {
     var size_3 : vec3<f32> = abs(vec3<f32>(direction_11));
-    var _S303 : f32 = size_3.x;
-    var _S304 : f32 = size_3.y;
-    var _S305 : bool;
-    if(_S303 >= _S304)
+    var _S305 : f32 = size_3.x;
+    var _S306 : f32 = size_3.y;
+    var _S307 : bool;
+    if(_S305 >= _S306)
     {
-        _S305 = _S303 >= (size_3.z);
+        _S307 = _S305 >= (size_3.z);
     }
     else
     {
-        _S305 = false;
+        _S307 = false;
     }
-    var _S306 : i32;
-    if(_S305)
+    var _S308 : i32;
+    if(_S307)
     {
-        _S306 = i32(0);
+        _S308 = i32(0);
     }
     else
     {
-        if(_S304 >= (size_3.z))
+        if(_S306 >= (size_3.z))
         {
-            _S306 = i32(1);
+            _S308 = i32(1);
         }
         else
         {
-            _S306 = i32(2);
+            _S308 = i32(2);
         }
     }
-    var z_5 : u32 = u32(_S306);
+    var z_5 : u32 = u32(_S308);
     var x_8 : u32 = (z_5 + u32(1)) % u32(3);
     var y_3 : u32 = (z_5 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
@@ -2786,13 +2797,13 @@ fn cast_0( origin_1 : vec3<f64>,  direction_11 : vec3<f64>,  t_min_1 : f64,  t_m
     ray_3.shear_y_0 = component_0(direction_11, y_3) / along_3;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S307 : f64 = abs(along_3);
-    ray_3.local_per_t_0 = _S307;
+    var _S309 : f64 = abs(along_3);
+    ray_3.local_per_t_0 = _S309;
     ray_3.enter_0 = 0.0lf;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
     var view_5 : RayView_0;
-    var _S308 : vec3<f32> = vec3<f32>(direction_11 / vec3<f64>(_S307));
+    var _S310 : vec3<f32> = vec3<f32>(direction_11 / vec3<f64>(_S309));
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -2803,17 +2814,17 @@ fn cast_0( origin_1 : vec3<f64>,  direction_11 : vec3<f64>,  t_min_1 : f64,  t_m
         {
             break;
         }
-        var _S309 : f32 = max(abs(_S308[axis_4]), 8.67361737988403547e-19f);
-        var _S310 : f32;
-        if((_S308[axis_4]) < 0.0f)
+        var _S311 : f32 = max(abs(_S310[axis_4]), 8.67361737988403547e-19f);
+        var _S312 : f32;
+        if((_S310[axis_4]) < 0.0f)
         {
-            _S310 = -1.0f / _S309;
+            _S312 = -1.0f / _S311;
         }
         else
         {
-            _S310 = 1.0f / _S309;
+            _S312 = 1.0f / _S311;
         }
-        view_5.inverse_0[axis_4] = _S310;
+        view_5.inverse_0[axis_4] = _S312;
         axis_4 = axis_4 + u32(1);
     }
     var offset_4 : vec3<f32> = vec3<f32>(origin_1) * view_5.inverse_0;
@@ -2831,34 +2842,34 @@ fn cast_0( origin_1 : vec3<f64>,  direction_11 : vec3<f64>,  t_min_1 : f64,  t_m
 fn cast_1( origin_2 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_2 : bool,  t_6 : ptr<function, f32>) -> Found_0
 {
     var size_4 : vec3<f32> = abs(vec3<f32>(direction_12));
-    var _S311 : f32 = size_4.x;
-    var _S312 : f32 = size_4.y;
-    var _S313 : bool;
-    if(_S311 >= _S312)
+    var _S313 : f32 = size_4.x;
+    var _S314 : f32 = size_4.y;
+    var _S315 : bool;
+    if(_S313 >= _S314)
     {
-        _S313 = _S311 >= (size_4.z);
+        _S315 = _S313 >= (size_4.z);
     }
     else
     {
-        _S313 = false;
+        _S315 = false;
     }
-    var _S314 : i32;
-    if(_S313)
+    var _S316 : i32;
+    if(_S315)
     {
-        _S314 = i32(0);
+        _S316 = i32(0);
     }
     else
     {
-        if(_S312 >= (size_4.z))
+        if(_S314 >= (size_4.z))
         {
-            _S314 = i32(1);
+            _S316 = i32(1);
         }
         else
         {
-            _S314 = i32(2);
+            _S316 = i32(2);
         }
     }
-    var z_6 : u32 = u32(_S314);
+    var z_6 : u32 = u32(_S316);
     var x_9 : u32 = (z_6 + u32(1)) % u32(3);
     var y_4 : u32 = (z_6 + u32(2)) % u32(3);
     var ray_4 : Ray_0;
@@ -2869,13 +2880,13 @@ fn cast_1( origin_2 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_2 : f64,  t_m
     ray_4.shear_y_0 = component_0(direction_12, y_4) / along_4;
     ray_4.t_min_0 = t_min_2;
     ray_4.t_max_0 = t_max_2;
-    var _S315 : f64 = abs(along_4);
-    ray_4.local_per_t_0 = _S315;
+    var _S317 : f64 = abs(along_4);
+    ray_4.local_per_t_0 = _S317;
     ray_4.enter_0 = 0.0lf;
     ray_4.edge_on_0 = limit_at_0(u32(0));
     ray_4.largest_1 = limit_at_0(u32(1));
     var view_6 : RayView_0;
-    var _S316 : vec3<f32> = vec3<f32>(direction_12 / vec3<f64>(_S315));
+    var _S318 : vec3<f32> = vec3<f32>(direction_12 / vec3<f64>(_S317));
     var axis_5 : u32 = u32(0);
     for(;;)
     {
@@ -2886,17 +2897,17 @@ fn cast_1( origin_2 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_2 : f64,  t_m
         {
             break;
         }
-        var _S317 : f32 = max(abs(_S316[axis_5]), 8.67361737988403547e-19f);
-        var _S318 : f32;
-        if((_S316[axis_5]) < 0.0f)
+        var _S319 : f32 = max(abs(_S318[axis_5]), 8.67361737988403547e-19f);
+        var _S320 : f32;
+        if((_S318[axis_5]) < 0.0f)
         {
-            _S318 = -1.0f / _S317;
+            _S320 = -1.0f / _S319;
         }
         else
         {
-            _S318 = 1.0f / _S317;
+            _S320 = 1.0f / _S319;
         }
-        view_6.inverse_0[axis_5] = _S318;
+        view_6.inverse_0[axis_5] = _S320;
         axis_5 = axis_5 + u32(1);
     }
     var offset_5 : vec3<f32> = vec3<f32>(origin_2) * view_6.inverse_0;
@@ -2922,30 +2933,30 @@ fn turns_1( vertex_1 : Vertex_0) -> bool
 
 fn turning_0( vertex_2 : Vertex_0,  direction_13 : vec3<f32>) -> vec3<f32>
 {
-    var _S319 : vec3<f32>;
+    var _S321 : vec3<f32>;
     if(turns_1(vertex_2))
     {
-        _S319 = vertex_2.axes_change_0.n_1 * vec3<f32>(dot(vertex_2.axes_1.n_1, direction_13)) - vertex_2.axes_1.n_1 * vec3<f32>(dot(vertex_2.axes_change_0.n_1, direction_13));
+        _S321 = vertex_2.axes_change_0.n_1 * vec3<f32>(dot(vertex_2.axes_1.n_1, direction_13)) - vertex_2.axes_1.n_1 * vec3<f32>(dot(vertex_2.axes_change_0.n_1, direction_13));
     }
     else
     {
-        _S319 = vec3<f32>(0.0f);
+        _S321 = vec3<f32>(0.0f);
     }
-    return _S319;
+    return _S321;
 }
 
 fn towards_emitter_0( vertex_3 : Vertex_0,  direction_14 : vec3<f32>,  record_13 : u32) -> Vector_0
 {
-    var _S320 : Vector_0;
+    var _S322 : Vector_0;
     if((word_0(record_13)) == u32(1))
     {
-        _S320 = changing_0(direction_14, turning_0(vertex_3, direction_14));
+        _S322 = changing_0(direction_14, turning_0(vertex_3, direction_14));
     }
     else
     {
-        _S320 = still_0(direction_14);
+        _S322 = still_0(direction_14);
     }
-    return _S320;
+    return _S322;
 }
 
 fn local_change_0( vertex_4 : Vertex_0,  direction_15 : Vector_0) -> vec3<f32>
@@ -2968,24 +2979,24 @@ struct DiffPair_Mirrored_0
 
 fn s_fwd_Mirrored_x24init_0( dpcosine_0 : DiffPair_float_0,  dppdf_0 : DiffPair_float_0,  dpscattered_0 : DiffPair_float_0) -> DiffPair_Mirrored_0
 {
-    var _S321 : Mirrored_0 = Mirrored_0( dpcosine_0.primal_0, dppdf_0.primal_0, dpscattered_0.primal_0 );
-    var _S322 : Mirrored_0 = Mirrored_0( dpcosine_0.differential_0, dppdf_0.differential_0, dpscattered_0.differential_0 );
-    var _S323 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S321, _S322 );
-    return _S323;
+    var _S323 : Mirrored_0 = Mirrored_0( dpcosine_0.primal_0, dppdf_0.primal_0, dpscattered_0.primal_0 );
+    var _S324 : Mirrored_0 = Mirrored_0( dpcosine_0.differential_0, dppdf_0.differential_0, dpscattered_0.differential_0 );
+    var _S325 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S323, _S324 );
+    return _S325;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S324 : bool;
+    var _S326 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S324 = true;
+        _S326 = true;
     }
     else
     {
-        _S324 = (lobe_3.kind_1) == u32(4);
+        _S326 = (lobe_3.kind_1) == u32(4);
     }
-    return _S324;
+    return _S326;
 }
 
 struct Microfacets_0
@@ -3021,13 +3032,13 @@ struct DiffPair_Numbers_0
 
 fn s_fwd_facets_of_0( lobe_5 : Lobe_0,  dpnumbers_0 : DiffPair_Numbers_0) -> DiffPair_Microfacets_0
 {
-    var _S325 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( dpnumbers_0.primal_0.alpha_0, dpnumbers_0.differential_0.alpha_0 );
-    var _S326 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(0.00009999999747379f), vec2<f32>(0.0f) );
-    var _S327 : DiffPair_vectorx3Cfloatx2C2x3E_0 = _d_max_vector_0(_S325, _S326);
-    var _S328 : Microfacets_0 = Microfacets_0( lobe_5.distribution_0, _S327.primal_0 );
-    var _S329 : Microfacets_Differential_0 = Microfacets_Differential_0( _S327.differential_0 );
-    var _S330 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S328, _S329 );
-    return _S330;
+    var _S327 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( dpnumbers_0.primal_0.alpha_0, dpnumbers_0.differential_0.alpha_0 );
+    var _S328 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(0.00009999999747379f), vec2<f32>(0.0f) );
+    var _S329 : DiffPair_vectorx3Cfloatx2C2x3E_0 = _d_max_vector_0(_S327, _S328);
+    var _S330 : Microfacets_0 = Microfacets_0( lobe_5.distribution_0, _S329.primal_0 );
+    var _S331 : Microfacets_Differential_0 = Microfacets_Differential_0( _S329.differential_0 );
+    var _S332 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S330, _S331 );
+    return _S332;
 }
 
 fn exponential_0( x_10 : f32) -> f32
@@ -3045,224 +3056,224 @@ fn s_fwd_exponential_0( dpx_11 : DiffPair_float_0) -> DiffPair_float_0
 {
     if((dpx_11.primal_0) < -87.0f)
     {
-        var _S331 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
-        return _S331;
+        var _S333 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+        return _S333;
     }
     var power_1 : f32 = floor(dpx_11.primal_0 * 1.4426950216293335f + 0.5f);
     var r_1 : f32 = dpx_11.primal_0 - power_1 * 0.693359375f + power_1 * 0.00021219444170129f;
-    var _S332 : f32 = 0.00019875691214111f * r_1 + 0.00139819993637502f;
-    var _S333 : f32 = _S332 * r_1 + 0.00833345204591751f;
-    var tail_1 : f32 = _S333 * r_1 + 0.04166579619050026f;
-    var _S334 : f32 = tail_1 * r_1 + 0.1666666567325592f;
-    var tail_2 : f32 = _S334 * r_1 + 0.5f;
-    var _S335 : f32 = tail_2 * r_1;
-    var _S336 : f32 = (bitcast<f32>(((u32(i32(power_1) + i32(127)) << (u32(23))))));
-    var _S337 : DiffPair_float_0 = DiffPair_float_0( (_S335 * r_1 + r_1 + 1.0f) * _S336, ((((((dpx_11.differential_0 * 0.00019875691214111f * r_1 + dpx_11.differential_0 * _S332) * r_1 + dpx_11.differential_0 * _S333) * r_1 + dpx_11.differential_0 * tail_1) * r_1 + dpx_11.differential_0 * _S334) * r_1 + dpx_11.differential_0 * tail_2) * r_1 + dpx_11.differential_0 * _S335 + dpx_11.differential_0) * _S336 );
-    return _S337;
+    var _S334 : f32 = 0.00019875691214111f * r_1 + 0.00139819993637502f;
+    var _S335 : f32 = _S334 * r_1 + 0.00833345204591751f;
+    var tail_1 : f32 = _S335 * r_1 + 0.04166579619050026f;
+    var _S336 : f32 = tail_1 * r_1 + 0.1666666567325592f;
+    var tail_2 : f32 = _S336 * r_1 + 0.5f;
+    var _S337 : f32 = tail_2 * r_1;
+    var _S338 : f32 = (bitcast<f32>(((u32(i32(power_1) + i32(127)) << (u32(23))))));
+    var _S339 : DiffPair_float_0 = DiffPair_float_0( (_S337 * r_1 + r_1 + 1.0f) * _S338, ((((((dpx_11.differential_0 * 0.00019875691214111f * r_1 + dpx_11.differential_0 * _S334) * r_1 + dpx_11.differential_0 * _S335) * r_1 + dpx_11.differential_0 * tail_1) * r_1 + dpx_11.differential_0 * _S336) * r_1 + dpx_11.differential_0 * tail_2) * r_1 + dpx_11.differential_0 * _S337 + dpx_11.differential_0) * _S338 );
+    return _S339;
 }
 
 fn s_fwd_density_0( dpfacets_0 : DiffPair_Microfacets_0,  dpm_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
 {
-    var _S338 : f32 = dpm_0.primal_0.z;
-    var _S339 : f32 = dpm_0.differential_0.z;
-    if(_S338 <= 0.0f)
+    var _S340 : f32 = dpm_0.primal_0.z;
+    var _S341 : f32 = dpm_0.differential_0.z;
+    if(_S340 <= 0.0f)
     {
-        var _S340 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
-        return _S340;
+        var _S342 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+        return _S342;
     }
-    var _S341 : f32 = 3.14159274101257324f * dpfacets_0.primal_0.alpha_1.x;
-    var _S342 : f32 = dpfacets_0.primal_0.alpha_1.y;
-    var scale_0 : f32 = _S341 * _S342;
-    var s_diff_scale_0 : f32 = dpfacets_0.differential_0.alpha_2.x * 3.14159274101257324f * _S342 + dpfacets_0.differential_0.alpha_2.y * _S341;
-    var _S343 : vec2<f32> = dpm_0.primal_0.xy;
-    var _S344 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S343 / dpfacets_0.primal_0.alpha_1, (dpm_0.differential_0.xy * dpfacets_0.primal_0.alpha_1 - _S343 * dpfacets_0.differential_0.alpha_2) / (dpfacets_0.primal_0.alpha_1 * dpfacets_0.primal_0.alpha_1) );
-    var _S345 : DiffPair_float_0 = _d_dot_0(_S344, _S344);
-    var cos2_0 : f32 = _S338 * _S338;
-    var _S346 : f32 = _S339 * _S338;
-    var s_diff_cos2_0 : f32 = _S346 + _S346;
+    var _S343 : f32 = 3.14159274101257324f * dpfacets_0.primal_0.alpha_1.x;
+    var _S344 : f32 = dpfacets_0.primal_0.alpha_1.y;
+    var scale_0 : f32 = _S343 * _S344;
+    var s_diff_scale_0 : f32 = dpfacets_0.differential_0.alpha_2.x * 3.14159274101257324f * _S344 + dpfacets_0.differential_0.alpha_2.y * _S343;
+    var _S345 : vec2<f32> = dpm_0.primal_0.xy;
+    var _S346 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S345 / dpfacets_0.primal_0.alpha_1, (dpm_0.differential_0.xy * dpfacets_0.primal_0.alpha_1 - _S345 * dpfacets_0.differential_0.alpha_2) / (dpfacets_0.primal_0.alpha_1 * dpfacets_0.primal_0.alpha_1) );
+    var _S347 : DiffPair_float_0 = _d_dot_0(_S346, _S346);
+    var cos2_0 : f32 = _S340 * _S340;
+    var _S348 : f32 = _S341 * _S340;
+    var s_diff_cos2_0 : f32 = _S348 + _S348;
     if((dpfacets_0.primal_0.distribution_1) == u32(1))
     {
-        var sum_2 : f32 = _S345.primal_0 + cos2_0;
-        var s_diff_sum_0 : f32 = _S345.differential_0 + s_diff_cos2_0;
-        var _S347 : f32 = scale_0 * sum_2;
-        var _S348 : f32 = _S347 * sum_2;
-        var _S349 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S348, (0.0f - ((s_diff_scale_0 * sum_2 + s_diff_sum_0 * scale_0) * sum_2 + s_diff_sum_0 * _S347)) / (_S348 * _S348) );
-        return _S349;
+        var sum_2 : f32 = _S347.primal_0 + cos2_0;
+        var s_diff_sum_0 : f32 = _S347.differential_0 + s_diff_cos2_0;
+        var _S349 : f32 = scale_0 * sum_2;
+        var _S350 : f32 = _S349 * sum_2;
+        var _S351 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S350, (0.0f - ((s_diff_scale_0 * sum_2 + s_diff_sum_0 * scale_0) * sum_2 + s_diff_sum_0 * _S349)) / (_S350 * _S350) );
+        return _S351;
     }
-    var exponent_0 : f32 = _S345.primal_0 / cos2_0;
-    var s_diff_exponent_0 : f32 = (_S345.differential_0 * cos2_0 - _S345.primal_0 * s_diff_cos2_0) / (cos2_0 * cos2_0);
-    var _S350 : f32;
-    var _S351 : f32;
+    var exponent_0 : f32 = _S347.primal_0 / cos2_0;
+    var s_diff_exponent_0 : f32 = (_S347.differential_0 * cos2_0 - _S347.primal_0 * s_diff_cos2_0) / (cos2_0 * cos2_0);
+    var _S352 : f32;
+    var _S353 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S350 = 0.0f;
-        _S351 = 0.0f;
+        _S352 = 0.0f;
+        _S353 = 0.0f;
     }
     else
     {
-        var _S352 : DiffPair_float_0 = DiffPair_float_0( - exponent_0, - s_diff_exponent_0 );
-        var _S353 : DiffPair_float_0 = s_fwd_exponential_0(_S352);
-        var _S354 : f32 = scale_0 * cos2_0;
-        var _S355 : f32 = _S354 * cos2_0;
-        var _S356 : f32 = (_S353.differential_0 * _S355 - _S353.primal_0 * ((s_diff_scale_0 * cos2_0 + s_diff_cos2_0 * scale_0) * cos2_0 + s_diff_cos2_0 * _S354)) / (_S355 * _S355);
-        _S350 = _S353.primal_0 / _S355;
-        _S351 = _S356;
+        var _S354 : DiffPair_float_0 = DiffPair_float_0( - exponent_0, - s_diff_exponent_0 );
+        var _S355 : DiffPair_float_0 = s_fwd_exponential_0(_S354);
+        var _S356 : f32 = scale_0 * cos2_0;
+        var _S357 : f32 = _S356 * cos2_0;
+        var _S358 : f32 = (_S355.differential_0 * _S357 - _S355.primal_0 * ((s_diff_scale_0 * cos2_0 + s_diff_cos2_0 * scale_0) * cos2_0 + s_diff_cos2_0 * _S356)) / (_S357 * _S357);
+        _S352 = _S355.primal_0 / _S357;
+        _S353 = _S358;
     }
-    var _S357 : DiffPair_float_0 = DiffPair_float_0( _S350, _S351 );
-    return _S357;
+    var _S359 : DiffPair_float_0 = DiffPair_float_0( _S352, _S353 );
+    return _S359;
 }
 
 fn error_function_plus_one_0( x_11 : f32) -> vec2<f32>
 {
-    var _S358 : f32 = min(abs(x_11), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S358 * _S358);
-    var place_17 : f32 = (_S358 - 2.0f) / (_S358 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_17 - 0.00127731403335929f) * place_17 + 0.00131371302995831f) * place_17 + 0.008666617795825f) * place_17 - 0.00805134233087301f) * place_17 - 0.05421232059597969f) * place_17 + 0.1640533059835434f) * place_17 - 0.16603080928325653f) * place_17 - 0.09276388585567474f) * place_17 + 1.27697837352752686f) / (1.0f + 2.0f * _S358);
-    var _S359 : f32;
+    var _S360 : f32 = min(abs(x_11), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S360 * _S360);
+    var place_17 : f32 = (_S360 - 2.0f) / (_S360 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_17 - 0.00127731403335929f) * place_17 + 0.00131371302995831f) * place_17 + 0.008666617795825f) * place_17 - 0.00805134233087301f) * place_17 - 0.05421232059597969f) * place_17 + 0.1640533059835434f) * place_17 - 0.16603080928325653f) * place_17 - 0.09276388585567474f) * place_17 + 1.27697837352752686f) / (1.0f + 2.0f * _S360);
+    var _S361 : f32;
     if(x_11 < 0.0f)
     {
-        _S359 = complement_0;
+        _S361 = complement_0;
     }
     else
     {
-        _S359 = 2.0f - complement_0;
+        _S361 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S359, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S361, 1.128379225730896f * gaussian_0);
 }
 
 fn error_function_changed_0( x_12 : DiffPair_float_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
     var both_0 : vec2<f32> = error_function_plus_one_0(x_12.primal_0);
-    var _S360 : f32 = both_0.y;
-    var _S361 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( both_0, vec2<f32>(_S360, -2.0f * x_12.primal_0 * _S360) * vec2<f32>(x_12.differential_0) );
-    return _S361;
+    var _S362 : f32 = both_0.y;
+    var _S363 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( both_0, vec2<f32>(_S362, -2.0f * x_12.primal_0 * _S362) * vec2<f32>(x_12.differential_0) );
+    return _S363;
 }
 
-fn visible_over_cos_0( facets_1 : Microfacets_0,  w_6 : vec3<f32>) -> f32
+fn visible_over_cos_0( facets_1 : Microfacets_0,  w_7 : vec3<f32>) -> f32
 {
-    var stretched_0 : vec2<f32> = w_6.xy * facets_1.alpha_1;
+    var stretched_0 : vec2<f32> = w_7.xy * facets_1.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S362 : f32 = w_6.z;
-    var z2_1 : f32 = _S362 * _S362;
+    var _S364 : f32 = w_7.z;
+    var z2_1 : f32 = _S364 * _S364;
     if((facets_1.distribution_1) == u32(1))
     {
-        return 2.0f / (_S362 + sqrt(z2_1 + spread2_0));
+        return 2.0f / (_S364 + sqrt(z2_1 + spread2_0));
     }
     if(z2_1 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S362;
+        return 1.0f / _S364;
     }
     var spread_0 : f32 = sqrt(spread2_0);
-    var both_1 : vec2<f32> = error_function_plus_one_0(_S362 / spread_0);
-    return 2.0f / (_S362 * both_1.x + 0.5f * spread_0 * both_1.y);
+    var both_1 : vec2<f32> = error_function_plus_one_0(_S364 / spread_0);
+    return 2.0f / (_S364 * both_1.x + 0.5f * spread_0 * both_1.y);
 }
 
 fn s_fwd_visible_over_cos_0( dpfacets_1 : DiffPair_Microfacets_0,  dpw_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
 {
-    var _S363 : vec2<f32> = dpw_0.primal_0.xy;
-    var _S364 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S363 * dpfacets_1.primal_0.alpha_1, dpw_0.differential_0.xy * dpfacets_1.primal_0.alpha_1 + dpfacets_1.differential_0.alpha_2 * _S363 );
-    var _S365 : DiffPair_float_0 = _d_dot_0(_S364, _S364);
-    var _S366 : f32 = dpw_0.primal_0.z;
-    var _S367 : f32 = dpw_0.differential_0.z;
-    var z2_2 : f32 = _S366 * _S366;
-    var _S368 : f32 = _S367 * _S366;
-    var s_diff_z2_0 : f32 = _S368 + _S368;
+    var _S365 : vec2<f32> = dpw_0.primal_0.xy;
+    var _S366 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S365 * dpfacets_1.primal_0.alpha_1, dpw_0.differential_0.xy * dpfacets_1.primal_0.alpha_1 + dpfacets_1.differential_0.alpha_2 * _S365 );
+    var _S367 : DiffPair_float_0 = _d_dot_0(_S366, _S366);
+    var _S368 : f32 = dpw_0.primal_0.z;
+    var _S369 : f32 = dpw_0.differential_0.z;
+    var z2_2 : f32 = _S368 * _S368;
+    var _S370 : f32 = _S369 * _S368;
+    var s_diff_z2_0 : f32 = _S370 + _S370;
     if((dpfacets_1.primal_0.distribution_1) == u32(1))
     {
-        var _S369 : DiffPair_float_0 = DiffPair_float_0( z2_2 + _S365.primal_0, s_diff_z2_0 + _S365.differential_0 );
-        var _S370 : DiffPair_float_0 = _d_sqrt_0(_S369);
-        var _S371 : f32 = _S366 + _S370.primal_0;
-        var _S372 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S371, (0.0f - 2.0f * (_S367 + _S370.differential_0)) / (_S371 * _S371) );
-        return _S372;
+        var _S371 : DiffPair_float_0 = DiffPair_float_0( z2_2 + _S367.primal_0, s_diff_z2_0 + _S367.differential_0 );
+        var _S372 : DiffPair_float_0 = _d_sqrt_0(_S371);
+        var _S373 : f32 = _S368 + _S372.primal_0;
+        var _S374 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S373, (0.0f - 2.0f * (_S369 + _S372.differential_0)) / (_S373 * _S373) );
+        return _S374;
     }
-    if(z2_2 >= (36.0f * _S365.primal_0))
+    if(z2_2 >= (36.0f * _S367.primal_0))
     {
-        var _S373 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S366, (0.0f - _S367) / z2_2 );
-        return _S373;
+        var _S375 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S368, (0.0f - _S369) / z2_2 );
+        return _S375;
     }
-    var _S374 : DiffPair_float_0 = DiffPair_float_0( _S365.primal_0, _S365.differential_0 );
-    var _S375 : DiffPair_float_0 = _d_sqrt_0(_S374);
-    var _S376 : DiffPair_float_0 = DiffPair_float_0( _S366 / _S375.primal_0, (_S367 * _S375.primal_0 - _S366 * _S375.differential_0) / (_S375.primal_0 * _S375.primal_0) );
-    var _S377 : DiffPair_vectorx3Cfloatx2C2x3E_0 = error_function_changed_0(_S376);
-    var _S378 : f32 = _S377.primal_0.x;
-    var _S379 : f32 = 0.5f * _S375.primal_0;
-    var _S380 : f32 = _S377.primal_0.y;
-    var _S381 : f32 = _S366 * _S378 + _S379 * _S380;
-    var _S382 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S381, (0.0f - 2.0f * (_S367 * _S378 + _S377.differential_0.x * _S366 + (_S375.differential_0 * 0.5f * _S380 + _S377.differential_0.y * _S379))) / (_S381 * _S381) );
-    return _S382;
+    var _S376 : DiffPair_float_0 = DiffPair_float_0( _S367.primal_0, _S367.differential_0 );
+    var _S377 : DiffPair_float_0 = _d_sqrt_0(_S376);
+    var _S378 : DiffPair_float_0 = DiffPair_float_0( _S368 / _S377.primal_0, (_S369 * _S377.primal_0 - _S368 * _S377.differential_0) / (_S377.primal_0 * _S377.primal_0) );
+    var _S379 : DiffPair_vectorx3Cfloatx2C2x3E_0 = error_function_changed_0(_S378);
+    var _S380 : f32 = _S379.primal_0.x;
+    var _S381 : f32 = 0.5f * _S377.primal_0;
+    var _S382 : f32 = _S379.primal_0.y;
+    var _S383 : f32 = _S368 * _S380 + _S381 * _S382;
+    var _S384 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S383, (0.0f - 2.0f * (_S369 * _S380 + _S379.differential_0.x * _S368 + (_S377.differential_0 * 0.5f * _S382 + _S379.differential_0.y * _S381))) / (_S383 * _S383) );
+    return _S384;
 }
 
 fn s_fwd_mirrored_0( dpfacets_2 : DiffPair_Microfacets_0,  dpwi_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Mirrored_0
 {
-    var _S383 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_0.primal_0 + dpwo_0.primal_0, dpwi_0.differential_0 + dpwo_0.differential_0 );
-    var _S384 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S383);
-    var _S385 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_0.primal_0, dpwi_0.differential_0 );
-    var _S386 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S384.primal_0, _S384.differential_0 );
-    var _S387 : DiffPair_float_0 = _d_dot_1(_S385, _S386);
-    var _S388 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( dpfacets_2.primal_0, dpfacets_2.differential_0 );
-    var _S389 : DiffPair_float_0 = s_fwd_density_0(_S388, _S386);
-    var _S390 : f32 = 0.25f * _S389.primal_0;
-    var _S391 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S388, _S385);
-    var _S392 : f32 = _S390 * _S391.primal_0;
-    var _S393 : f32 = _S389.differential_0 * 0.25f * _S391.primal_0 + _S391.differential_0 * _S390;
-    var _S394 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_0.primal_0, dpwo_0.differential_0 );
-    var _S395 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S388, _S394);
-    var _S396 : f32 = _S392 * _S395.primal_0;
-    var _S397 : f32 = dpwo_0.primal_0.z;
-    var _S398 : Mirrored_0 = Mirrored_0( _S387.primal_0, _S392, _S396 * _S397 );
-    var _S399 : Mirrored_0 = Mirrored_0( _S387.differential_0, _S393, (_S393 * _S395.primal_0 + _S395.differential_0 * _S392) * _S397 + dpwo_0.differential_0.z * _S396 );
-    var _S400 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S398, _S399 );
-    return _S400;
+    var _S385 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_0.primal_0 + dpwo_0.primal_0, dpwi_0.differential_0 + dpwo_0.differential_0 );
+    var _S386 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S385);
+    var _S387 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_0.primal_0, dpwi_0.differential_0 );
+    var _S388 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S386.primal_0, _S386.differential_0 );
+    var _S389 : DiffPair_float_0 = _d_dot_1(_S387, _S388);
+    var _S390 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( dpfacets_2.primal_0, dpfacets_2.differential_0 );
+    var _S391 : DiffPair_float_0 = s_fwd_density_0(_S390, _S388);
+    var _S392 : f32 = 0.25f * _S391.primal_0;
+    var _S393 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S390, _S387);
+    var _S394 : f32 = _S392 * _S393.primal_0;
+    var _S395 : f32 = _S391.differential_0 * 0.25f * _S393.primal_0 + _S393.differential_0 * _S392;
+    var _S396 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_0.primal_0, dpwo_0.differential_0 );
+    var _S397 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S390, _S396);
+    var _S398 : f32 = _S394 * _S397.primal_0;
+    var _S399 : f32 = dpwo_0.primal_0.z;
+    var _S400 : Mirrored_0 = Mirrored_0( _S389.primal_0, _S394, _S398 * _S399 );
+    var _S401 : Mirrored_0 = Mirrored_0( _S389.differential_0, _S395, (_S395 * _S397.primal_0 + _S397.differential_0 * _S394) * _S399 + dpwo_0.differential_0.z * _S398 );
+    var _S402 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S400, _S401 );
+    return _S402;
 }
 
 fn s_fwd_fresnel_conductor_channel_0( dpcosine_1 : DiffPair_float_0,  dpeta_0 : DiffPair_float_0,  dpk_0 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S401 : f32 = dpcosine_1.primal_0;
-    var cos2_1 : f32 = _S401 * _S401;
-    var _S402 : f32 = dpcosine_1.differential_0 * dpcosine_1.primal_0;
-    var s_diff_cos2_1 : f32 = _S402 + _S402;
+    var _S403 : f32 = dpcosine_1.primal_0;
+    var cos2_1 : f32 = _S403 * _S403;
+    var _S404 : f32 = dpcosine_1.differential_0 * dpcosine_1.primal_0;
+    var s_diff_cos2_1 : f32 = _S404 + _S404;
     var sin2_0 : f32 = 1.0f - cos2_1;
     var s_diff_sin2_0 : f32 = 0.0f - s_diff_cos2_1;
-    var _S403 : f32 = dpeta_0.differential_0 * dpeta_0.primal_0;
-    var _S404 : f32 = dpk_0.differential_0 * dpk_0.primal_0;
+    var _S405 : f32 = dpeta_0.differential_0 * dpeta_0.primal_0;
+    var _S406 : f32 = dpk_0.differential_0 * dpk_0.primal_0;
     var real_0 : f32 = dpeta_0.primal_0 * dpeta_0.primal_0 - dpk_0.primal_0 * dpk_0.primal_0 - sin2_0;
-    var s_diff_real_0 : f32 = _S403 + _S403 - (_S404 + _S404) - s_diff_sin2_0;
+    var s_diff_real_0 : f32 = _S405 + _S405 - (_S406 + _S406) - s_diff_sin2_0;
     var product_2 : f32 = dpeta_0.primal_0 * dpk_0.primal_0;
     var s_diff_product_0 : f32 = dpeta_0.differential_0 * dpk_0.primal_0 + dpk_0.differential_0 * dpeta_0.primal_0;
-    var _S405 : f32 = s_diff_real_0 * real_0;
-    var _S406 : f32 = s_diff_product_0 * product_2;
-    var _S407 : DiffPair_float_0 = DiffPair_float_0( real_0 * real_0 + 4.0f * (product_2 * product_2), _S405 + _S405 + (_S406 + _S406) * 4.0f );
-    var _S408 : DiffPair_float_0 = _d_sqrt_0(_S407);
-    if((_S408.primal_0) == 0.0f)
+    var _S407 : f32 = s_diff_real_0 * real_0;
+    var _S408 : f32 = s_diff_product_0 * product_2;
+    var _S409 : DiffPair_float_0 = DiffPair_float_0( real_0 * real_0 + 4.0f * (product_2 * product_2), _S407 + _S407 + (_S408 + _S408) * 4.0f );
+    var _S410 : DiffPair_float_0 = _d_sqrt_0(_S409);
+    if((_S410.primal_0) == 0.0f)
     {
-        var _S409 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
-        return _S409;
+        var _S411 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
+        return _S411;
     }
-    var _S410 : DiffPair_float_0 = DiffPair_float_0( real_0, s_diff_real_0 );
-    var _S411 : DiffPair_float_0 = _d_abs_0(_S410);
-    var _S412 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (_S408.primal_0 + _S411.primal_0), (_S408.differential_0 + _S411.differential_0) * 0.5f );
-    var _S413 : DiffPair_float_0 = _d_sqrt_0(_S412);
-    var smaller_0 : f32 = product_2 / _S413.primal_0;
-    var s_diff_smaller_0 : f32 = (s_diff_product_0 * _S413.primal_0 - product_2 * _S413.differential_0) / (_S413.primal_0 * _S413.primal_0);
-    var _S414 : bool = real_0 < 0.0f;
+    var _S412 : DiffPair_float_0 = DiffPair_float_0( real_0, s_diff_real_0 );
+    var _S413 : DiffPair_float_0 = _d_abs_0(_S412);
+    var _S414 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (_S410.primal_0 + _S413.primal_0), (_S410.differential_0 + _S413.differential_0) * 0.5f );
+    var _S415 : DiffPair_float_0 = _d_sqrt_0(_S414);
+    var smaller_0 : f32 = product_2 / _S415.primal_0;
+    var s_diff_smaller_0 : f32 = (s_diff_product_0 * _S415.primal_0 - product_2 * _S415.differential_0) / (_S415.primal_0 * _S415.primal_0);
+    var _S416 : bool = real_0 < 0.0f;
     var a_21 : f32;
     var s_diff_a_1 : f32;
-    if(_S414)
+    if(_S416)
     {
         a_21 = smaller_0;
         s_diff_a_1 = s_diff_smaller_0;
     }
     else
     {
-        a_21 = _S413.primal_0;
-        s_diff_a_1 = _S413.differential_0;
+        a_21 = _S415.primal_0;
+        s_diff_a_1 = _S415.differential_0;
     }
     var b_15 : f32;
     var s_diff_b_1 : f32;
-    if(_S414)
+    if(_S416)
     {
-        b_15 = _S413.primal_0;
-        s_diff_b_1 = _S413.differential_0;
+        b_15 = _S415.primal_0;
+        s_diff_b_1 = _S415.differential_0;
     }
     else
     {
@@ -3271,39 +3282,39 @@ fn s_fwd_fresnel_conductor_channel_0( dpcosine_1 : DiffPair_float_0,  dpeta_0 : 
     }
     var less_0 : f32 = a_21 - dpcosine_1.primal_0;
     var more_0 : f32 = a_21 + dpcosine_1.primal_0;
-    var _S415 : f32 = (s_diff_a_1 - dpcosine_1.differential_0) * less_0;
-    var _S416 : f32 = b_15 * b_15;
-    var _S417 : f32 = s_diff_b_1 * b_15;
-    var _S418 : f32 = _S417 + _S417;
-    var _S419 : f32 = less_0 * less_0 + _S416;
-    var _S420 : f32 = (s_diff_a_1 + dpcosine_1.differential_0) * more_0;
-    var _S421 : f32 = more_0 * more_0 + _S416;
-    var senkrecht_0 : f32 = _S419 / _S421;
-    var _S422 : f32 = s_diff_sin2_0 * sin2_0;
-    var p_sum_0 : f32 = _S408.primal_0 * cos2_1 + sin2_0 * sin2_0;
-    var s_diff_p_sum_0 : f32 = _S408.differential_0 * cos2_1 + s_diff_cos2_1 * _S408.primal_0 + (_S422 + _S422);
-    var _S423 : f32 = senkrecht_0 * p_sum_0;
-    var _S424 : f32 = 2.0f * a_21;
-    var _S425 : f32 = _S424 * dpcosine_1.primal_0;
-    var _S426 : f32 = p_sum_0 + _S425 * sin2_0;
-    var _S427 : DiffPair_float_0 = DiffPair_float_0( _S423 / _S426, ((((_S415 + _S415 + _S418) * _S421 - _S419 * (_S420 + _S420 + _S418)) / (_S421 * _S421) * p_sum_0 + s_diff_p_sum_0 * senkrecht_0) * _S426 - _S423 * (s_diff_p_sum_0 + ((s_diff_a_1 * 2.0f * dpcosine_1.primal_0 + dpcosine_1.differential_0 * _S424) * sin2_0 + s_diff_sin2_0 * _S425))) / (_S426 * _S426) );
-    return _S427;
+    var _S417 : f32 = (s_diff_a_1 - dpcosine_1.differential_0) * less_0;
+    var _S418 : f32 = b_15 * b_15;
+    var _S419 : f32 = s_diff_b_1 * b_15;
+    var _S420 : f32 = _S419 + _S419;
+    var _S421 : f32 = less_0 * less_0 + _S418;
+    var _S422 : f32 = (s_diff_a_1 + dpcosine_1.differential_0) * more_0;
+    var _S423 : f32 = more_0 * more_0 + _S418;
+    var senkrecht_0 : f32 = _S421 / _S423;
+    var _S424 : f32 = s_diff_sin2_0 * sin2_0;
+    var p_sum_0 : f32 = _S410.primal_0 * cos2_1 + sin2_0 * sin2_0;
+    var s_diff_p_sum_0 : f32 = _S410.differential_0 * cos2_1 + s_diff_cos2_1 * _S410.primal_0 + (_S424 + _S424);
+    var _S425 : f32 = senkrecht_0 * p_sum_0;
+    var _S426 : f32 = 2.0f * a_21;
+    var _S427 : f32 = _S426 * dpcosine_1.primal_0;
+    var _S428 : f32 = p_sum_0 + _S427 * sin2_0;
+    var _S429 : DiffPair_float_0 = DiffPair_float_0( _S425 / _S428, ((((_S417 + _S417 + _S420) * _S423 - _S421 * (_S422 + _S422 + _S420)) / (_S423 * _S423) * p_sum_0 + s_diff_p_sum_0 * senkrecht_0) * _S428 - _S425 * (s_diff_p_sum_0 + ((s_diff_a_1 * 2.0f * dpcosine_1.primal_0 + dpcosine_1.differential_0 * _S426) * sin2_0 + s_diff_sin2_0 * _S427))) / (_S428 * _S428) );
+    return _S429;
 }
 
 fn s_fwd_fresnel_conductor_0( dpcosine_2 : DiffPair_float_0,  dpeta_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpk_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S428 : DiffPair_float_0 = DiffPair_float_0( dpcosine_2.primal_0, dpcosine_2.differential_0 );
-    var _S429 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.x, dpeta_1.differential_0.x );
-    var _S430 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.x, dpk_1.differential_0.x );
-    var _S431 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S428, _S429, _S430);
-    var _S432 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.y, dpeta_1.differential_0.y );
-    var _S433 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.y, dpk_1.differential_0.y );
-    var _S434 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S428, _S432, _S433);
-    var _S435 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.z, dpeta_1.differential_0.z );
-    var _S436 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.z, dpk_1.differential_0.z );
-    var _S437 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S428, _S435, _S436);
-    var _S438 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S431.primal_0, _S434.primal_0, _S437.primal_0), vec3<f32>(_S431.differential_0, _S434.differential_0, _S437.differential_0) );
-    return _S438;
+    var _S430 : DiffPair_float_0 = DiffPair_float_0( dpcosine_2.primal_0, dpcosine_2.differential_0 );
+    var _S431 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.x, dpeta_1.differential_0.x );
+    var _S432 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.x, dpk_1.differential_0.x );
+    var _S433 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S430, _S431, _S432);
+    var _S434 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.y, dpeta_1.differential_0.y );
+    var _S435 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.y, dpk_1.differential_0.y );
+    var _S436 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S430, _S434, _S435);
+    var _S437 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.z, dpeta_1.differential_0.z );
+    var _S438 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.z, dpk_1.differential_0.z );
+    var _S439 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S430, _S437, _S438);
+    var _S440 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S433.primal_0, _S436.primal_0, _S439.primal_0), vec3<f32>(_S433.differential_0, _S436.differential_0, _S439.differential_0) );
+    return _S440;
 }
 
 fn coat_eta_0( numbers_4 : Numbers_0) -> f32
@@ -3313,12 +3324,12 @@ fn coat_eta_0( numbers_4 : Numbers_0) -> f32
 
 fn s_fwd_coat_eta_0( dpnumbers_1 : DiffPair_Numbers_0) -> DiffPair_float_0
 {
-    var _S439 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_1.primal_0.eta_0, dpnumbers_1.differential_0.eta_0 );
-    var _S440 : DiffPair_float_0 = s_fwd_luminance_0(_S439);
-    var _S441 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_1.primal_0.k_0, dpnumbers_1.differential_0.k_0 );
+    var _S441 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_1.primal_0.eta_0, dpnumbers_1.differential_0.eta_0 );
     var _S442 : DiffPair_float_0 = s_fwd_luminance_0(_S441);
-    var _S443 : DiffPair_float_0 = DiffPair_float_0( _S440.primal_0 / _S442.primal_0, (_S440.differential_0 * _S442.primal_0 - _S440.primal_0 * _S442.differential_0) / (_S442.primal_0 * _S442.primal_0) );
-    return _S443;
+    var _S443 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_1.primal_0.k_0, dpnumbers_1.differential_0.k_0 );
+    var _S444 : DiffPair_float_0 = s_fwd_luminance_0(_S443);
+    var _S445 : DiffPair_float_0 = DiffPair_float_0( _S442.primal_0 / _S444.primal_0, (_S442.differential_0 * _S444.primal_0 - _S442.primal_0 * _S444.differential_0) / (_S444.primal_0 * _S444.primal_0) );
+    return _S445;
 }
 
 fn fresnel_dielectric_0( cosine_5 : f32,  eta_1 : f32) -> f32
@@ -3341,41 +3352,41 @@ fn fresnel_dielectric_0( cosine_5 : f32,  eta_1 : f32) -> f32
 
 fn s_fwd_fresnel_dielectric_0( dpcosine_3 : DiffPair_float_0,  dpeta_2 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S444 : f32 = dpeta_2.primal_0;
-    var eta2_1 : f32 = _S444 * _S444;
-    var _S445 : f32 = dpeta_2.differential_0 * dpeta_2.primal_0;
-    var s_diff_eta2_0 : f32 = _S445 + _S445;
+    var _S446 : f32 = dpeta_2.primal_0;
+    var eta2_1 : f32 = _S446 * _S446;
+    var _S447 : f32 = dpeta_2.differential_0 * dpeta_2.primal_0;
+    var s_diff_eta2_0 : f32 = _S447 + _S447;
     var cos2_3 : f32 = dpcosine_3.primal_0 * dpcosine_3.primal_0;
-    var _S446 : f32 = dpcosine_3.differential_0 * dpcosine_3.primal_0;
-    var s_diff_cos2_2 : f32 = _S446 + _S446;
-    var _S447 : f32 = dpeta_2.primal_0 - 1.0f;
-    var _S448 : f32 = dpeta_2.primal_0 + 1.0f;
-    var denser_1 : f32 = _S447 * _S448;
-    var s_diff_denser_0 : f32 = dpeta_2.differential_0 * _S448 + dpeta_2.differential_0 * _S447;
+    var _S448 : f32 = dpcosine_3.differential_0 * dpcosine_3.primal_0;
+    var s_diff_cos2_2 : f32 = _S448 + _S448;
+    var _S449 : f32 = dpeta_2.primal_0 - 1.0f;
+    var _S450 : f32 = dpeta_2.primal_0 + 1.0f;
+    var denser_1 : f32 = _S449 * _S450;
+    var s_diff_denser_0 : f32 = dpeta_2.differential_0 * _S450 + dpeta_2.differential_0 * _S449;
     var squared_4 : f32 = denser_1 + cos2_3;
     var s_diff_squared_0 : f32 = s_diff_denser_0 + s_diff_cos2_2;
     if(squared_4 <= 0.0f)
     {
-        var _S449 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
-        return _S449;
+        var _S451 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
+        return _S451;
     }
-    var _S450 : DiffPair_float_0 = DiffPair_float_0( squared_4, s_diff_squared_0 );
-    var _S451 : DiffPair_float_0 = _d_sqrt_0(_S450);
-    var s_sum_1 : f32 = dpcosine_3.primal_0 + _S451.primal_0;
-    var p_sum_2 : f32 = eta2_1 * dpcosine_3.primal_0 + _S451.primal_0;
-    var _S452 : f32 = s_sum_1 * s_sum_1;
-    var _S453 : f32 = (dpcosine_3.differential_0 + _S451.differential_0) * s_sum_1;
-    var senkrecht_2 : f32 = denser_1 / _S452;
-    var _S454 : f32 = eta2_1 + 1.0f;
-    var _S455 : f32 = _S454 * cos2_3 - 1.0f;
-    var _S456 : f32 = denser_1 * _S455;
-    var _S457 : f32 = p_sum_2 * p_sum_2;
-    var _S458 : f32 = (s_diff_eta2_0 * dpcosine_3.primal_0 + dpcosine_3.differential_0 * eta2_1 + _S451.differential_0) * p_sum_2;
-    var parallel_1 : f32 = _S456 / _S457;
-    var _S459 : f32 = (s_diff_denser_0 * _S452 - denser_1 * (_S453 + _S453)) / (_S452 * _S452) * senkrecht_2;
-    var _S460 : f32 = ((s_diff_denser_0 * _S455 + (s_diff_eta2_0 * cos2_3 + s_diff_cos2_2 * _S454) * denser_1) * _S457 - _S456 * (_S458 + _S458)) / (_S457 * _S457) * parallel_1;
-    var _S461 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (senkrecht_2 * senkrecht_2 + parallel_1 * parallel_1), (_S459 + _S459 + (_S460 + _S460)) * 0.5f );
-    return _S461;
+    var _S452 : DiffPair_float_0 = DiffPair_float_0( squared_4, s_diff_squared_0 );
+    var _S453 : DiffPair_float_0 = _d_sqrt_0(_S452);
+    var s_sum_1 : f32 = dpcosine_3.primal_0 + _S453.primal_0;
+    var p_sum_2 : f32 = eta2_1 * dpcosine_3.primal_0 + _S453.primal_0;
+    var _S454 : f32 = s_sum_1 * s_sum_1;
+    var _S455 : f32 = (dpcosine_3.differential_0 + _S453.differential_0) * s_sum_1;
+    var senkrecht_2 : f32 = denser_1 / _S454;
+    var _S456 : f32 = eta2_1 + 1.0f;
+    var _S457 : f32 = _S456 * cos2_3 - 1.0f;
+    var _S458 : f32 = denser_1 * _S457;
+    var _S459 : f32 = p_sum_2 * p_sum_2;
+    var _S460 : f32 = (s_diff_eta2_0 * dpcosine_3.primal_0 + dpcosine_3.differential_0 * eta2_1 + _S453.differential_0) * p_sum_2;
+    var parallel_1 : f32 = _S458 / _S459;
+    var _S461 : f32 = (s_diff_denser_0 * _S454 - denser_1 * (_S455 + _S455)) / (_S454 * _S454) * senkrecht_2;
+    var _S462 : f32 = ((s_diff_denser_0 * _S457 + (s_diff_eta2_0 * cos2_3 + s_diff_cos2_2 * _S456) * denser_1) * _S459 - _S458 * (_S460 + _S460)) / (_S459 * _S459) * parallel_1;
+    var _S463 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (senkrecht_2 * senkrecht_2 + parallel_1 * parallel_1), (_S461 + _S461 + (_S462 + _S462)) * 0.5f );
+    return _S463;
 }
 
 fn transmittance_0( lobe_6 : Lobe_0,  eta_2 : f32,  cosine_6 : f32) -> f32
@@ -3385,29 +3396,29 @@ fn transmittance_0( lobe_6 : Lobe_0,  eta_2 : f32,  cosine_6 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_6, eta_2);
     }
     var place_18 : f32 = cosine_6 * 63.0f;
-    var _S462 : u32 = min(u32(place_18), u32(62));
-    var at_23 : u32 = word_0(lobe_6.record_3 + u32(3)) + _S462;
+    var _S464 : u32 = min(u32(place_18), u32(62));
+    var at_23 : u32 = word_0(lobe_6.record_3 + u32(3)) + _S464;
     var here_1 : f32 = number_0(at_23);
-    return here_1 + (number_0(at_23 + u32(1)) - here_1) * (place_18 - f32(_S462));
+    return here_1 + (number_0(at_23 + u32(1)) - here_1) * (place_18 - f32(_S464));
 }
 
 fn s_fwd_transmittance_0( lobe_7 : Lobe_0,  dpeta_3 : DiffPair_float_0,  dpcosine_4 : DiffPair_float_0) -> DiffPair_float_0
 {
     if((lobe_7.kind_1) == u32(3))
     {
-        var _S463 : DiffPair_float_0 = DiffPair_float_0( dpcosine_4.primal_0, dpcosine_4.differential_0 );
-        var _S464 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0, dpeta_3.differential_0 );
-        var _S465 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S463, _S464);
-        var _S466 : DiffPair_float_0 = DiffPair_float_0( 1.0f - _S465.primal_0, 0.0f - _S465.differential_0 );
-        return _S466;
+        var _S465 : DiffPair_float_0 = DiffPair_float_0( dpcosine_4.primal_0, dpcosine_4.differential_0 );
+        var _S466 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0, dpeta_3.differential_0 );
+        var _S467 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S465, _S466);
+        var _S468 : DiffPair_float_0 = DiffPair_float_0( 1.0f - _S467.primal_0, 0.0f - _S467.differential_0 );
+        return _S468;
     }
     var place_19 : f32 = dpcosine_4.primal_0 * 63.0f;
-    var _S467 : u32 = min(u32(place_19), u32(62));
-    var at_24 : u32 = word_0(lobe_7.record_3 + u32(3)) + _S467;
+    var _S469 : u32 = min(u32(place_19), u32(62));
+    var at_24 : u32 = word_0(lobe_7.record_3 + u32(3)) + _S469;
     var here_2 : f32 = number_0(at_24);
-    var _S468 : f32 = number_0(at_24 + u32(1)) - here_2;
-    var _S469 : DiffPair_float_0 = DiffPair_float_0( here_2 + _S468 * (place_19 - f32(_S467)), dpcosine_4.differential_0 * 63.0f * _S468 );
-    return _S469;
+    var _S470 : f32 = number_0(at_24 + u32(1)) - here_2;
+    var _S471 : DiffPair_float_0 = DiffPair_float_0( here_2 + _S470 * (place_19 - f32(_S469)), dpcosine_4.differential_0 * 63.0f * _S470 );
+    return _S471;
 }
 
 fn s_fwd_fresnel_diffuse_0( dpeta_4 : DiffPair_float_0) -> DiffPair_float_0
@@ -3416,16 +3427,16 @@ fn s_fwd_fresnel_diffuse_0( dpeta_4 : DiffPair_float_0) -> DiffPair_float_0
     var s_diff_inverse_0 : f32 = (0.0f - dpeta_4.differential_0) / (dpeta_4.primal_0 * dpeta_4.primal_0);
     if((dpeta_4.primal_0) < 1.0f)
     {
-        var _S470 : f32 = -1.43990004062652588f * dpeta_4.primal_0 + 0.70990002155303955f;
-        var _S471 : DiffPair_float_0 = DiffPair_float_0( _S470 * dpeta_4.primal_0 + 0.66809999942779541f + 0.06360000371932983f * inverse_1, dpeta_4.differential_0 * -1.43990004062652588f * dpeta_4.primal_0 + dpeta_4.differential_0 * _S470 + s_diff_inverse_0 * 0.06360000371932983f );
-        return _S471;
+        var _S472 : f32 = -1.43990004062652588f * dpeta_4.primal_0 + 0.70990002155303955f;
+        var _S473 : DiffPair_float_0 = DiffPair_float_0( _S472 * dpeta_4.primal_0 + 0.66809999942779541f + 0.06360000371932983f * inverse_1, dpeta_4.differential_0 * -1.43990004062652588f * dpeta_4.primal_0 + dpeta_4.differential_0 * _S472 + s_diff_inverse_0 * 0.06360000371932983f );
+        return _S473;
     }
-    var _S472 : f32 = -1.36881005764007568f * inverse_1 + 4.98553991317749023f;
-    var _S473 : f32 = _S472 * inverse_1 - 7.80988979339599609f;
-    var sum_3 : f32 = _S473 * inverse_1 + 6.75334978103637695f;
-    var _S474 : f32 = sum_3 * inverse_1 - 3.47930002212524414f;
-    var _S475 : DiffPair_float_0 = DiffPair_float_0( _S474 * inverse_1 + 0.91931700706481934f, (((s_diff_inverse_0 * -1.36881005764007568f * inverse_1 + s_diff_inverse_0 * _S472) * inverse_1 + s_diff_inverse_0 * _S473) * inverse_1 + s_diff_inverse_0 * sum_3) * inverse_1 + s_diff_inverse_0 * _S474 );
-    return _S475;
+    var _S474 : f32 = -1.36881005764007568f * inverse_1 + 4.98553991317749023f;
+    var _S475 : f32 = _S474 * inverse_1 - 7.80988979339599609f;
+    var sum_3 : f32 = _S475 * inverse_1 + 6.75334978103637695f;
+    var _S476 : f32 = sum_3 * inverse_1 - 3.47930002212524414f;
+    var _S477 : DiffPair_float_0 = DiffPair_float_0( _S476 * inverse_1 + 0.91931700706481934f, (((s_diff_inverse_0 * -1.36881005764007568f * inverse_1 + s_diff_inverse_0 * _S474) * inverse_1 + s_diff_inverse_0 * _S475) * inverse_1 + s_diff_inverse_0 * sum_3) * inverse_1 + s_diff_inverse_0 * _S476 );
+    return _S477;
 }
 
 fn s_fwd_base_0( lobe_8 : Lobe_0,  dpeta_5 : DiffPair_float_0,  dpdiffuse_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
@@ -3434,10 +3445,10 @@ fn s_fwd_base_0( lobe_8 : Lobe_0,  dpeta_5 : DiffPair_float_0,  dpdiffuse_0 : Di
     var s_diff_internal_reflectance_0 : f32;
     if((lobe_8.kind_1) == u32(3))
     {
-        var _S476 : DiffPair_float_0 = DiffPair_float_0( 1.0f / dpeta_5.primal_0, (0.0f - dpeta_5.differential_0) / (dpeta_5.primal_0 * dpeta_5.primal_0) );
-        var _S477 : DiffPair_float_0 = s_fwd_fresnel_diffuse_0(_S476);
-        internal_reflectance_0 = _S477.primal_0;
-        s_diff_internal_reflectance_0 = _S477.differential_0;
+        var _S478 : DiffPair_float_0 = DiffPair_float_0( 1.0f / dpeta_5.primal_0, (0.0f - dpeta_5.differential_0) / (dpeta_5.primal_0 * dpeta_5.primal_0) );
+        var _S479 : DiffPair_float_0 = s_fwd_fresnel_diffuse_0(_S478);
+        internal_reflectance_0 = _S479.primal_0;
+        s_diff_internal_reflectance_0 = _S479.differential_0;
     }
     else
     {
@@ -3446,14 +3457,14 @@ fn s_fwd_base_0( lobe_8 : Lobe_0,  dpeta_5 : DiffPair_float_0,  dpdiffuse_0 : Di
     }
     if((word_0(lobe_8.record_3 + u32(2))) == u32(0))
     {
-        var _S478 : f32 = 1.0f - internal_reflectance_0;
-        var _S479 : vec3<f32> = vec3<f32>((1.0f / _S478));
-        var _S480 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 * _S479, dpdiffuse_0.differential_0 * _S479 + vec3<f32>(((0.0f - (0.0f - s_diff_internal_reflectance_0)) / (_S478 * _S478))) * dpdiffuse_0.primal_0 );
-        return _S480;
+        var _S480 : f32 = 1.0f - internal_reflectance_0;
+        var _S481 : vec3<f32> = vec3<f32>((1.0f / _S480));
+        var _S482 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 * _S481, dpdiffuse_0.differential_0 * _S481 + vec3<f32>(((0.0f - (0.0f - s_diff_internal_reflectance_0)) / (_S480 * _S480))) * dpdiffuse_0.primal_0 );
+        return _S482;
     }
-    var _S481 : vec3<f32> = vec3<f32>(1.0f) - dpdiffuse_0.primal_0 * vec3<f32>(internal_reflectance_0);
-    var _S482 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 / _S481, (dpdiffuse_0.differential_0 * _S481 - dpdiffuse_0.primal_0 * (vec3<f32>(0.0f) - (dpdiffuse_0.differential_0 * vec3<f32>(internal_reflectance_0) + vec3<f32>(s_diff_internal_reflectance_0) * dpdiffuse_0.primal_0))) / (_S481 * _S481) );
-    return _S482;
+    var _S483 : vec3<f32> = vec3<f32>(1.0f) - dpdiffuse_0.primal_0 * vec3<f32>(internal_reflectance_0);
+    var _S484 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 / _S483, (dpdiffuse_0.differential_0 * _S483 - dpdiffuse_0.primal_0 * (vec3<f32>(0.0f) - (dpdiffuse_0.differential_0 * vec3<f32>(internal_reflectance_0) + vec3<f32>(s_diff_internal_reflectance_0) * dpdiffuse_0.primal_0))) / (_S483 * _S483) );
+    return _S484;
 }
 
 fn choice_weight_0( colour_2 : vec3<f32>) -> f32
@@ -3486,90 +3497,90 @@ struct DiffPair_Scattering_0
 
 fn s_fwd_scattering_0( lobe_9 : Lobe_0,  dpnumbers_2 : DiffPair_Numbers_0,  dpwi_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Scattering_0
 {
-    var _S483 : f32 = dpwo_1.primal_0.z;
-    var _S484 : f32 = dpwo_1.differential_0.z;
-    var by_cosine_0 : f32 = _S483 * 0.31830987334251404f;
-    var _S485 : f32 = _S484 * 0.31830987334251404f;
+    var _S485 : f32 = dpwo_1.primal_0.z;
+    var _S486 : f32 = dpwo_1.differential_0.z;
+    var by_cosine_0 : f32 = _S485 * 0.31830987334251404f;
+    var _S487 : f32 = _S486 * 0.31830987334251404f;
     if((lobe_9.kind_1) == u32(0))
     {
-        var _S486 : vec3<f32> = vec3<f32>(by_cosine_0);
-        var _S487 : Scattering_0 = Scattering_0( dpnumbers_2.primal_0.diffuse_reflectance_0 * _S486, by_cosine_0 );
-        var _S488 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_2.differential_0.diffuse_reflectance_0 * _S486 + vec3<f32>(_S485) * dpnumbers_2.primal_0.diffuse_reflectance_0 );
-        var _S489 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S487, _S488 );
-        return _S489;
+        var _S488 : vec3<f32> = vec3<f32>(by_cosine_0);
+        var _S489 : Scattering_0 = Scattering_0( dpnumbers_2.primal_0.diffuse_reflectance_0 * _S488, by_cosine_0 );
+        var _S490 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_2.differential_0.diffuse_reflectance_0 * _S488 + vec3<f32>(_S487) * dpnumbers_2.primal_0.diffuse_reflectance_0 );
+        var _S491 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S489, _S490 );
+        return _S491;
     }
-    var _S490 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
-    var _S491 : DiffPair_Mirrored_0 = s_fwd_Mirrored_x24init_0(_S490, _S490, _S490);
+    var _S492 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+    var _S493 : DiffPair_Mirrored_0 = s_fwd_Mirrored_x24init_0(_S492, _S492, _S492);
     var by_facets_0 : Mirrored_0;
     var s_diff_by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_9))
     {
-        var _S492 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
-        var _S493 : DiffPair_Microfacets_0 = s_fwd_facets_of_0(lobe_9, _S492);
-        var _S494 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S493.primal_0, _S493.differential_0 );
-        var _S495 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_1.primal_0, dpwi_1.differential_0 );
-        var _S496 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_1.primal_0, dpwo_1.differential_0 );
-        var _S497 : DiffPair_Mirrored_0 = s_fwd_mirrored_0(_S494, _S495, _S496);
-        by_facets_0 = _S497.primal_0;
-        s_diff_by_facets_0 = _S497.differential_0;
+        var _S494 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
+        var _S495 : DiffPair_Microfacets_0 = s_fwd_facets_of_0(lobe_9, _S494);
+        var _S496 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S495.primal_0, _S495.differential_0 );
+        var _S497 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_1.primal_0, dpwi_1.differential_0 );
+        var _S498 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_1.primal_0, dpwo_1.differential_0 );
+        var _S499 : DiffPair_Mirrored_0 = s_fwd_mirrored_0(_S496, _S497, _S498);
+        by_facets_0 = _S499.primal_0;
+        s_diff_by_facets_0 = _S499.differential_0;
     }
     else
     {
-        by_facets_0 = _S491.primal_0;
-        s_diff_by_facets_0 = _S491.differential_0;
+        by_facets_0 = _S493.primal_0;
+        s_diff_by_facets_0 = _S493.differential_0;
     }
     if((lobe_9.kind_1) == u32(2))
     {
-        var _S498 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_4, s_diff_by_facets_0.cosine_4 );
-        var _S499 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.eta_0, dpnumbers_2.differential_0.eta_0 );
-        var _S500 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.k_0, dpnumbers_2.differential_0.k_0 );
-        var _S501 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S498, _S499, _S500);
-        var _S502 : vec3<f32> = vec3<f32>(by_facets_0.scattered_0);
-        var _S503 : vec3<f32> = _S501.primal_0 * _S502;
-        var _S504 : Scattering_0 = Scattering_0( dpnumbers_2.primal_0.specular_reflectance_0 * _S503, by_facets_0.pdf_2 );
-        var _S505 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_2.differential_0.specular_reflectance_0 * _S503 + (_S501.differential_0 * _S502 + vec3<f32>(s_diff_by_facets_0.scattered_0) * _S501.primal_0) * dpnumbers_2.primal_0.specular_reflectance_0 );
-        var _S506 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S504, _S505 );
-        return _S506;
+        var _S500 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_4, s_diff_by_facets_0.cosine_4 );
+        var _S501 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.eta_0, dpnumbers_2.differential_0.eta_0 );
+        var _S502 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.k_0, dpnumbers_2.differential_0.k_0 );
+        var _S503 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S500, _S501, _S502);
+        var _S504 : vec3<f32> = vec3<f32>(by_facets_0.scattered_0);
+        var _S505 : vec3<f32> = _S503.primal_0 * _S504;
+        var _S506 : Scattering_0 = Scattering_0( dpnumbers_2.primal_0.specular_reflectance_0 * _S505, by_facets_0.pdf_2 );
+        var _S507 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_2.differential_0.specular_reflectance_0 * _S505 + (_S503.differential_0 * _S504 + vec3<f32>(s_diff_by_facets_0.scattered_0) * _S503.primal_0) * dpnumbers_2.primal_0.specular_reflectance_0 );
+        var _S508 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S506, _S507 );
+        return _S508;
     }
-    var _S507 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
-    var _S508 : DiffPair_float_0 = s_fwd_coat_eta_0(_S507);
-    var _S509 : DiffPair_float_0 = DiffPair_float_0( _S508.primal_0, _S508.differential_0 );
-    var _S510 : DiffPair_float_0 = DiffPair_float_0( dpwi_1.primal_0.z, dpwi_1.differential_0.z );
-    var _S511 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_9, _S509, _S510);
-    var _S512 : DiffPair_float_0 = DiffPair_float_0( _S483, _S484 );
-    var _S513 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_9, _S509, _S512);
-    var _S514 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.diffuse_reflectance_0, dpnumbers_2.differential_0.diffuse_reflectance_0 );
-    var _S515 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_base_0(lobe_9, _S509, _S514);
-    var _S516 : f32 = _S511.primal_0 * _S513.primal_0;
-    var _S517 : f32 = _S516 * by_cosine_0;
-    var _S518 : f32 = _S508.primal_0 * _S508.primal_0;
-    var _S519 : f32 = _S508.differential_0 * _S508.primal_0;
-    var _S520 : vec3<f32> = vec3<f32>((_S517 / _S518));
-    var _S521 : vec3<f32> = _S515.primal_0 * _S520;
-    var _S522 : vec3<f32> = _S515.differential_0 * _S520 + vec3<f32>(((((_S511.differential_0 * _S513.primal_0 + _S513.differential_0 * _S511.primal_0) * by_cosine_0 + _S485 * _S516) * _S518 - _S517 * (_S519 + _S519)) / (_S518 * _S518))) * _S515.primal_0;
-    var probability_1 : f32 = base_probability_0(dpnumbers_2.primal_0, _S511.primal_0);
-    var _S523 : f32 = probability_1 * by_cosine_0;
+    var _S509 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
+    var _S510 : DiffPair_float_0 = s_fwd_coat_eta_0(_S509);
+    var _S511 : DiffPair_float_0 = DiffPair_float_0( _S510.primal_0, _S510.differential_0 );
+    var _S512 : DiffPair_float_0 = DiffPair_float_0( dpwi_1.primal_0.z, dpwi_1.differential_0.z );
+    var _S513 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_9, _S511, _S512);
+    var _S514 : DiffPair_float_0 = DiffPair_float_0( _S485, _S486 );
+    var _S515 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_9, _S511, _S514);
+    var _S516 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.diffuse_reflectance_0, dpnumbers_2.differential_0.diffuse_reflectance_0 );
+    var _S517 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_base_0(lobe_9, _S511, _S516);
+    var _S518 : f32 = _S513.primal_0 * _S515.primal_0;
+    var _S519 : f32 = _S518 * by_cosine_0;
+    var _S520 : f32 = _S510.primal_0 * _S510.primal_0;
+    var _S521 : f32 = _S510.differential_0 * _S510.primal_0;
+    var _S522 : vec3<f32> = vec3<f32>((_S519 / _S520));
+    var _S523 : vec3<f32> = _S517.primal_0 * _S522;
+    var _S524 : vec3<f32> = _S517.differential_0 * _S522 + vec3<f32>(((((_S513.differential_0 * _S515.primal_0 + _S515.differential_0 * _S513.primal_0) * by_cosine_0 + _S487 * _S518) * _S520 - _S519 * (_S521 + _S521)) / (_S520 * _S520))) * _S517.primal_0;
+    var probability_1 : f32 = base_probability_0(dpnumbers_2.primal_0, _S513.primal_0);
+    var _S525 : f32 = probability_1 * by_cosine_0;
     var scattering_0 : Scattering_0;
     var s_diff_scattering_0 : Scattering_Differential_0;
     if((lobe_9.kind_1) == u32(4))
     {
-        var _S524 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_4, s_diff_by_facets_0.cosine_4 );
-        var _S525 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S524, _S509);
-        var _S526 : vec3<f32> = vec3<f32>((_S525.primal_0 * by_facets_0.scattered_0));
-        var _S527 : vec3<f32> = _S522 + (dpnumbers_2.differential_0.specular_reflectance_0 * _S526 + vec3<f32>((_S525.differential_0 * by_facets_0.scattered_0 + s_diff_by_facets_0.scattered_0 * _S525.primal_0)) * dpnumbers_2.primal_0.specular_reflectance_0);
-        var _S528 : f32 = _S523 + (1.0f - probability_1) * by_facets_0.pdf_2;
-        scattering_0.value_9 = _S521 + dpnumbers_2.primal_0.specular_reflectance_0 * _S526;
-        scattering_0.pdf_3 = _S528;
-        s_diff_scattering_0.value_10 = _S527;
+        var _S526 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_4, s_diff_by_facets_0.cosine_4 );
+        var _S527 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S526, _S511);
+        var _S528 : vec3<f32> = vec3<f32>((_S527.primal_0 * by_facets_0.scattered_0));
+        var _S529 : vec3<f32> = _S524 + (dpnumbers_2.differential_0.specular_reflectance_0 * _S528 + vec3<f32>((_S527.differential_0 * by_facets_0.scattered_0 + s_diff_by_facets_0.scattered_0 * _S527.primal_0)) * dpnumbers_2.primal_0.specular_reflectance_0);
+        var _S530 : f32 = _S525 + (1.0f - probability_1) * by_facets_0.pdf_2;
+        scattering_0.value_9 = _S523 + dpnumbers_2.primal_0.specular_reflectance_0 * _S528;
+        scattering_0.pdf_3 = _S530;
+        s_diff_scattering_0.value_10 = _S529;
     }
     else
     {
-        scattering_0.value_9 = _S521;
-        scattering_0.pdf_3 = _S523;
-        s_diff_scattering_0.value_10 = _S522;
+        scattering_0.value_9 = _S523;
+        scattering_0.pdf_3 = _S525;
+        s_diff_scattering_0.value_10 = _S524;
     }
-    var _S529 : DiffPair_Scattering_0 = DiffPair_Scattering_0( scattering_0, s_diff_scattering_0 );
-    return _S529;
+    var _S531 : DiffPair_Scattering_0 = DiffPair_Scattering_0( scattering_0, s_diff_scattering_0 );
+    return _S531;
 }
 
 struct Scattered_0
@@ -3583,25 +3594,25 @@ fn eval_and_pdf_0( lobe_10 : Lobe_0,  wi_2 : Vector_0,  wo_0 : Vector_0) -> Scat
     var scattered_1 : Scattered_0;
     scattered_1.value_11 = still_0(vec3<f32>(0.0f));
     scattered_1.pdf_4 = 0.0f;
-    var _S530 : bool;
+    var _S532 : bool;
     if((value_of_0(wo_0).z) <= 0.0f)
     {
-        _S530 = true;
+        _S532 = true;
     }
     else
     {
-        _S530 = !has_smooth_0(lobe_10);
+        _S532 = !has_smooth_0(lobe_10);
     }
-    if(_S530)
+    if(_S532)
     {
         return scattered_1;
     }
-    var _S531 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_10.numbers_2, lobe_10.changes_0 );
-    var _S532 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_2.value_0, wi_2.change_0 );
-    var _S533 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wo_0.value_0, wo_0.change_0 );
-    var _S534 : DiffPair_Scattering_0 = s_fwd_scattering_0(lobe_10, _S531, _S532, _S533);
-    scattered_1.value_11 = changing_0(_S534.primal_0.value_9, _S534.differential_0.value_10);
-    scattered_1.pdf_4 = _S534.primal_0.pdf_3;
+    var _S533 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_10.numbers_2, lobe_10.changes_0 );
+    var _S534 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_2.value_0, wi_2.change_0 );
+    var _S535 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wo_0.value_0, wo_0.change_0 );
+    var _S536 : DiffPair_Scattering_0 = s_fwd_scattering_0(lobe_10, _S533, _S534, _S535);
+    scattered_1.value_11 = changing_0(_S536.primal_0.value_9, _S536.differential_0.value_10);
+    scattered_1.pdf_4 = _S536.primal_0.pdf_3;
     return scattered_1;
 }
 
@@ -3617,10 +3628,10 @@ fn drift_at_0( vertex_6 : Vertex_0,  direction_17 : Vector_0,  t_7 : f32) -> vec
 
 fn met_0( vertex_7 : Vertex_0,  direction_18 : Vector_0,  t_8 : f32,  place_20 : Place_0) -> Place_0
 {
-    var _S535 : Place_0 = place_20;
+    var _S537 : Place_0 = place_20;
     var unused_0 : vec3<f32>;
-    move_place_0(&(_S535), &(unused_0), value_of_0(direction_18), drift_at_0(vertex_7, direction_18, t_8));
-    return _S535;
+    move_place_0(&(_S537), &(unused_0), value_of_0(direction_18), drift_at_0(vertex_7, direction_18, t_8));
+    return _S537;
 }
 
 fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
@@ -3646,11 +3657,11 @@ fn in_map_0( map_6 : u32,  direction_19 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_6 + u32(1)));
     var left_1 : u32 = wrapped_0(x_13, width_4, u32(0));
     var right_1 : u32 = wrapped_0(x_13 + i32(1), width_4, u32(0));
-    var _S536 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S537 : u32 = u32(width_4);
-    var first_4 : u32 = _S536 * _S537;
-    var _S538 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S538 * _S537;
+    var _S538 : u32 = wrapped_0(y_5, height_1, u32(2));
+    var _S539 : u32 = u32(width_4);
+    var first_4 : u32 = _S538 * _S539;
+    var _S540 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S540 * _S539;
     return between_0(vec4<u32>(first_4 + left_1, first_4 + right_1, second_2 + left_1, second_2 + right_1), point_1);
 }
 
@@ -3665,21 +3676,21 @@ fn emitted_0( emitter_5 : u32,  place_22 : Place_0,  direction_20 : Vector_0) ->
     var texture_7 : u32 = word_0(record_14 + u32(1));
     if(!is_map_0(record_14))
     {
-        var _S539 : Vector_0 = shown_0(texture_7, place_22);
-        return _S539;
+        var _S541 : Vector_0 = shown_0(texture_7, place_22);
+        return _S541;
     }
-    var _S540 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_20.value_0, direction_20.change_0 );
-    var _S541 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S540);
+    var _S542 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_20.value_0, direction_20.change_0 );
+    var _S543 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S542);
     var factor_0 : Vector_0 = looked_up_0(word_0(texture_7 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
-    var _S542 : u32 = word_0(texture_7 + u32(11));
-    var _S543 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_20));
-    return x2A_0(looked_up_0(_S542, _S543, _S541.differential_0), factor_0);
+    var _S544 : u32 = word_0(texture_7 + u32(11));
+    var _S545 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_20));
+    return x2A_0(looked_up_0(_S544, _S545, _S543.differential_0), factor_0);
 }
 
 fn x2A_1( a_23 : Vector_0,  b_17 : f32) -> Vector_0
 {
-    var _S544 : vec3<f32> = vec3<f32>(b_17);
-    return changing_0(a_23.value_0 * _S544, a_23.change_0 * _S544);
+    var _S546 : vec3<f32> = vec3<f32>(b_17);
+    return changing_0(a_23.value_0 * _S546, a_23.change_0 * _S546);
 }
 
 fn x2B_0( a_24 : Vector_0,  b_18 : Vector_0) -> Vector_0
@@ -3711,13 +3722,13 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_8
             return;
         }
         var way_3 : vec3<f64> = position_of_0(point_2.place_15) - vertex_8.surface_4.exact_0;
-        var _S545 : vec3<f32> = vec3<f32>(way_3);
-        var distance_5 : f32 = length(_S545);
+        var _S547 : vec3<f32> = vec3<f32>(way_3);
+        var distance_5 : f32 = length(_S547);
         var nearest_2 : f64 = nearest_0 / f64(distance_5);
-        var _S546 : f64 = limit_at_0(u32(3));
-        direction_21 = _S545 / vec3<f32>(distance_5);
+        var _S548 : f64 = limit_at_0(u32(3));
+        direction_21 = _S547 / vec3<f32>(distance_5);
         way_2 = way_3;
-        farthest_0 = _S546;
+        farthest_0 = _S548;
         distance_4 = distance_5;
         nearest_1 = nearest_2;
     }
@@ -3725,24 +3736,24 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_8
     {
         if(is_map_0(record_15))
         {
-            var _S547 : u32 = word_0(record_15 + u32(1));
-            var _S548 : u32 = first_5 + u32(1);
-            var _S549 : f32 = point_2.pdf_0;
-            var _S550 : vec3<f32> = sample_map_0(_S547, key_7, _S548, &(_S549));
-            point_2.pdf_0 = _S549;
-            direction_21 = _S550;
+            var _S549 : u32 = word_0(record_15 + u32(1));
+            var _S550 : u32 = first_5 + u32(1);
+            var _S551 : f32 = point_2.pdf_0;
+            var _S552 : vec3<f32> = sample_map_0(_S549, key_7, _S550, &(_S551));
+            point_2.pdf_0 = _S551;
+            direction_21 = _S552;
         }
         else
         {
             var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_5 + u32(1)));
-            var _S551 : vec3<f32> = normalize(to_world_0(vertex_8.axes_1, local_1));
+            var _S553 : vec3<f32> = normalize(to_world_0(vertex_8.axes_1, local_1));
             point_2.pdf_0 = local_1.z * 0.31830987334251404f;
-            direction_21 = _S551;
+            direction_21 = _S553;
         }
         point_2.place_15 = vertex_8.surface_4.place_3;
-        var _S552 : f64 = limit_at_0(u32(1));
+        var _S554 : f64 = limit_at_0(u32(1));
         way_2 = vec3<f64>(direction_21);
-        farthest_0 = _S552;
+        farthest_0 = _S554;
         distance_4 = 0.0f;
         nearest_1 = nearest_0;
     }
@@ -3774,8 +3785,8 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_8
         place_24 = place_23;
     }
     var weight_0 : f32 = weight_over_0(own_3, bsdf_samples_0 * scattered_2.pdf_4);
-    var _S553 : Vector_0 = emitted_0(emitter_6, place_24, moving_0);
-    (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, x2A_0(scattered_2.value_11, x2A_1(_S553, weight_0)));
+    var _S555 : Vector_0 = emitted_0(emitter_6, place_24, moving_0);
+    (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, x2A_0(scattered_2.value_11, x2A_1(_S555, weight_0)));
     return;
 }
 
@@ -3791,37 +3802,37 @@ fn stretched_1( facets_2 : Microfacets_0,  wi_3 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_3.xy * facets_2.alpha_1, wi_3.z);
     var view_7 : Stretched_0;
-    var _S554 : f32 = length(longer_0);
-    view_7.length_0 = _S554;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S554);
-    var _S555 : vec2<f32> = longer_1.xy;
-    var _S556 : f32 = length(_S555);
-    view_7.sine_4 = _S556;
+    var _S556 : f32 = length(longer_0);
+    view_7.length_0 = _S556;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S556);
+    var _S557 : vec2<f32> = longer_1.xy;
+    var _S558 : f32 = length(_S557);
+    view_7.sine_4 = _S558;
     view_7.cosine_7 = longer_1.z;
-    var _S557 : vec2<f32>;
-    if(_S556 > 0.0f)
+    var _S559 : vec2<f32>;
+    if(_S558 > 0.0f)
     {
-        _S557 = _S555 / vec2<f32>(view_7.sine_4);
+        _S559 = _S557 / vec2<f32>(view_7.sine_4);
     }
     else
     {
-        _S557 = vec2<f32>(1.0f, 0.0f);
+        _S559 = vec2<f32>(1.0f, 0.0f);
     }
-    view_7.around_0 = _S557;
+    view_7.around_0 = _S559;
     return view_7;
 }
 
 fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
 {
-    var _S558 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S558);
+    var _S560 : f32 = u_9.x;
+    var radius_2 : f32 = sqrt(_S560);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
     var across_3 : f32 = radius_2 * turn_3.y;
     var along_5 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_7);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S559 : f32 = 1.0f - _S558;
-    var edge_0 : f32 = sqrt(_S559 + along_5 * along_5);
+    var _S561 : f32 = 1.0f - _S560;
+    var edge_0 : f32 = sqrt(_S561 + along_5 * along_5);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
     var from_top_0 : f32 = edge_0 - along_5;
     var from_bottom_0 : f32 = edge_0 + along_5;
@@ -3829,14 +3840,14 @@ fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_5 > 0.0f)
     {
-        from_top_1 = _S559 / from_bottom_0;
+        from_top_1 = _S561 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S560 : f32 = _S559 / from_top_0;
+        var _S562 : f32 = _S561 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S560;
+        from_bottom_1 = _S562;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_7, across_3, max(towards_0 * view_8.cosine_7 + up_0 * view_8.sine_4, 0.0f));
@@ -3867,14 +3878,14 @@ fn logarithm_0( x_14 : f32) -> f32
 
 fn error_function_inverse_0( p_0 : f32) -> f32
 {
-    var w_7 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
-    if(w_7 < 5.0f)
+    var w_8 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
+    if(w_8 < 5.0f)
     {
-        var w_8 : f32 = w_7 - 2.5f;
-        return ((((((((2.81022636272609816e-08f * w_8 + 3.43273939051869093e-07f) * w_8 - 3.52338770426285919e-06f) * w_8 - 4.39150653619435616e-06f) * w_8 + 0.00021858086984139f) * w_8 - 0.00125372502952814f) * w_8 - 0.00417768163606524f) * w_8 + 0.24664072692394257f) * w_8 + 1.50140941143035889f) * p_0;
+        var w_9 : f32 = w_8 - 2.5f;
+        return ((((((((2.81022636272609816e-08f * w_9 + 3.43273939051869093e-07f) * w_9 - 3.52338770426285919e-06f) * w_9 - 4.39150653619435616e-06f) * w_9 + 0.00021858086984139f) * w_9 - 0.00125372502952814f) * w_9 - 0.00417768163606524f) * w_9 + 0.24664072692394257f) * w_9 + 1.50140941143035889f) * p_0;
     }
-    var w_9 : f32 = sqrt(w_7) - 3.0f;
-    return ((((((((-0.0002002142573474f * w_9 + 0.00010095055768033f) * w_9 + 0.00134934321977198f) * w_9 - 0.00367342843674123f) * w_9 + 0.00573950773105025f) * w_9 - 0.00762246130034328f) * w_9 + 0.00943887047469616f) * w_9 + 1.00167405605316162f) * w_9 + 2.8329768180847168f) * p_0;
+    var w_10 : f32 = sqrt(w_8) - 3.0f;
+    return ((((((((-0.0002002142573474f * w_10 + 0.00010095055768033f) * w_10 + 0.00134934321977198f) * w_10 - 0.00367342843674123f) * w_10 + 0.00573950773105025f) * w_10 - 0.00762246130034328f) * w_10 + 0.00943887047469616f) * w_10 + 1.00167405605316162f) * w_10 + 2.8329768180847168f) * p_0;
 }
 
 fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>) -> vec3<f32>
@@ -3889,8 +3900,8 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S561 : f32 = max(view_9.cosine_7, view_9.sine_4);
-    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S561 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S561, -6.0f, 0.5f * steepest_0);
+    var _S563 : f32 = max(view_9.cosine_7, view_9.sine_4);
+    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S563 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S563, -6.0f, 0.5f * steepest_0);
     var low_5 : f32 = -6.0f;
     var high_2 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -3904,10 +3915,10 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             break;
         }
         var both_2 : vec2<f32> = error_function_plus_one_0(slope_0);
-        var _S562 : f32 = both_2.y;
-        var error_0 : f32 = view_9.cosine_7 * both_2.x + 0.5f * view_9.sine_4 * _S562 - target_1;
-        var own_4 : f32 = _S562 * (view_9.cosine_7 - slope_0 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_0 * own_4 - _S562 * view_9.sine_4;
+        var _S564 : f32 = both_2.y;
+        var error_0 : f32 = view_9.cosine_7 * both_2.x + 0.5f * view_9.sine_4 * _S564 - target_1;
+        var own_4 : f32 = _S564 * (view_9.cosine_7 - slope_0 * view_9.sine_4);
+        var bend_0 : f32 = -2.0f * slope_0 * own_4 - _S564 * view_9.sine_4;
         if(error_0 > 0.0f)
         {
             high_2 = slope_0;
@@ -3917,17 +3928,17 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             low_5 = slope_0;
         }
         var next_0 : f32 = slope_0 - error_0 * own_4 / (own_4 * own_4 - 0.5f * error_0 * bend_0);
-        var _S563 : bool;
+        var _S565 : bool;
         if(next_0 >= low_5)
         {
-            _S563 = next_0 <= high_2;
+            _S565 = next_0 <= high_2;
         }
         else
         {
-            _S563 = false;
+            _S565 = false;
         }
         var next_1 : f32;
-        if(!_S563)
+        if(!_S565)
         {
             next_1 = 0.5f * (low_5 + high_2);
         }
@@ -3940,9 +3951,9 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             slope_0 = next_1;
             break;
         }
-        var _S564 : u32 = step_0 + u32(1);
+        var _S566 : u32 = step_0 + u32(1);
         slope_0 = next_1;
-        step_0 = _S564;
+        step_0 = _S566;
     }
     return vec3<f32>(- slope_0, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -3959,11 +3970,11 @@ fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_4 : vec3<f32>,  u_11 : vec
     {
         normal_9 = beckmann_normal_0(view_10, visible_over_cos_0(facets_3, wi_4), u_11);
     }
-    var _S565 : f32 = view_10.around_0.x;
-    var _S566 : f32 = normal_9.x;
-    var _S567 : f32 = view_10.around_0.y;
-    var _S568 : f32 = normal_9.y;
-    var normal_10 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S565 * _S566 - _S567 * _S568, _S567 * _S566 + _S565 * _S568) * facets_3.alpha_1, normal_9.z));
+    var _S567 : f32 = view_10.around_0.x;
+    var _S568 : f32 = normal_9.x;
+    var _S569 : f32 = view_10.around_0.y;
+    var _S570 : f32 = normal_9.y;
+    var normal_10 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S567 * _S568 - _S569 * _S570, _S569 * _S568 + _S567 * _S570) * facets_3.alpha_1, normal_9.z));
     return normalize(normal_10 * vec3<f32>((2.0f * dot(wi_4, normal_10))) - wi_4);
 }
 
@@ -3976,9 +3987,9 @@ struct Drawn_0
 
 fn draw_0( lobe_11 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
 {
-    var _S569 : bool = (lobe_11.kind_1) == u32(0);
+    var _S571 : bool = (lobe_11.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S569)
+    if(_S571)
     {
         has_base_0 = true;
     }
@@ -3995,7 +4006,7 @@ fn draw_0( lobe_11 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f3
         has_base_0 = (lobe_11.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S569)
+    if(_S571)
     {
         of_base_1 = 1.0f;
     }
@@ -4003,16 +4014,16 @@ fn draw_0( lobe_11 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f3
     {
         of_base_1 = 0.0f;
     }
-    var _S570 : bool;
+    var _S572 : bool;
     if((lobe_11.kind_1) == u32(3))
     {
-        _S570 = true;
+        _S572 = true;
     }
     else
     {
-        _S570 = (lobe_11.kind_1) == u32(4);
+        _S572 = (lobe_11.kind_1) == u32(4);
     }
-    if(_S570)
+    if(_S572)
     {
         of_base_1 = base_probability_0(lobe_11.numbers_2, transmittance_0(lobe_11, coat_eta_0(lobe_11.numbers_2), wi_5.z));
     }
@@ -4057,40 +4068,40 @@ fn s_fwd_specular_fraction_0( lobe_12 : Lobe_0,  dpnumbers_3 : DiffPair_Numbers_
 {
     if((lobe_12.kind_1) == u32(1))
     {
-        var _S571 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
-        var _S572 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.eta_0, dpnumbers_3.differential_0.eta_0 );
-        var _S573 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.k_0, dpnumbers_3.differential_0.k_0 );
-        var _S574 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S571, _S572, _S573);
-        var _S575 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S574.primal_0, dpnumbers_3.differential_0.specular_reflectance_0 * _S574.primal_0 + _S574.differential_0 * dpnumbers_3.primal_0.specular_reflectance_0 );
-        return _S575;
+        var _S573 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
+        var _S574 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.eta_0, dpnumbers_3.differential_0.eta_0 );
+        var _S575 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.k_0, dpnumbers_3.differential_0.k_0 );
+        var _S576 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S573, _S574, _S575);
+        var _S577 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S576.primal_0, dpnumbers_3.differential_0.specular_reflectance_0 * _S576.primal_0 + _S576.differential_0 * dpnumbers_3.primal_0.specular_reflectance_0 );
+        return _S577;
     }
-    var _S576 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_3.primal_0, dpnumbers_3.differential_0 );
-    var _S577 : DiffPair_float_0 = s_fwd_coat_eta_0(_S576);
-    var _S578 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
-    var _S579 : DiffPair_float_0 = DiffPair_float_0( _S577.primal_0, _S577.differential_0 );
-    var _S580 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S578, _S579);
-    var _S581 : vec3<f32> = vec3<f32>(_S580.primal_0);
-    var _S582 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S581, dpnumbers_3.differential_0.specular_reflectance_0 * _S581 + vec3<f32>(_S580.differential_0) * dpnumbers_3.primal_0.specular_reflectance_0 );
-    return _S582;
+    var _S578 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_3.primal_0, dpnumbers_3.differential_0 );
+    var _S579 : DiffPair_float_0 = s_fwd_coat_eta_0(_S578);
+    var _S580 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
+    var _S581 : DiffPair_float_0 = DiffPair_float_0( _S579.primal_0, _S579.differential_0 );
+    var _S582 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S580, _S581);
+    var _S583 : vec3<f32> = vec3<f32>(_S582.primal_0);
+    var _S584 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S583, dpnumbers_3.differential_0.specular_reflectance_0 * _S583 + vec3<f32>(_S582.differential_0) * dpnumbers_3.primal_0.specular_reflectance_0 );
+    return _S584;
 }
 
 fn specular_0( lobe_13 : Lobe_0,  wi_6 : Vector_0) -> Vector_0
 {
-    var _S583 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_13.numbers_2, lobe_13.changes_0 );
-    var _S584 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_6.value_0, wi_6.change_0 );
-    var _S585 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_specular_fraction_0(lobe_13, _S583, _S584);
-    return changing_0(_S585.primal_0, _S585.differential_0);
+    var _S585 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_13.numbers_2, lobe_13.changes_0 );
+    var _S586 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_6.value_0, wi_6.change_0 );
+    var _S587 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_specular_fraction_0(lobe_13, _S585, _S586);
+    return changing_0(_S587.primal_0, _S587.differential_0);
 }
 
 fn first_from_0( position_6 : vec3<f64>,  direction_23 : vec3<f32>,  t_9 : ptr<function, f32>) -> Found_0
 {
-    var _S586 : Found_0 = cast_1(position_6, vec3<f64>(direction_23), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_9)));
-    return _S586;
+    var _S588 : Found_0 = cast_1(position_6, vec3<f64>(direction_23), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_9)));
+    return _S588;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
 {
-    return place_at_0(found_6.triangle_8, f32(found_6.v_10), f32(found_6.w_5));
+    return exact_place_0(found_6.triangle_9, found_6.v_11, found_6.w_6);
 }
 
 fn emitter_seen_0( found_7 : Found_0,  direction_24 : vec3<f32>) -> u32
@@ -4099,26 +4110,26 @@ fn emitter_seen_0( found_7 : Found_0,  direction_24 : vec3<f32>) -> u32
     {
         return word_0(u32(8));
     }
-    var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_8) + u32(4));
-    var _S587 : bool;
+    var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_9) + u32(4));
+    var _S589 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S587 = (dot(cross_of_0(found_7.triangle_8), direction_24)) < 0.0f;
+        _S589 = (dot(cross_of_0(found_7.triangle_9), direction_24)) < 0.0f;
     }
     else
     {
-        _S587 = false;
+        _S589 = false;
     }
-    var _S588 : u32;
-    if(_S587)
+    var _S590 : u32;
+    if(_S589)
     {
-        _S588 = emitter_7;
+        _S590 = emitter_7;
     }
     else
     {
-        _S588 = u32(4294967295);
+        _S590 = u32(4294967295);
     }
-    return _S588;
+    return _S590;
 }
 
 fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_25 : vec3<f32>,  distance_6 : f32) -> f32
@@ -4127,17 +4138,17 @@ fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
     var rectangle_1 : u32 = word_0(record_16 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S589 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S589.solid_angle_0) > 0.0f))
+        var _S591 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S591.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S589.solid_angle_0) >= 0.00100000004749745f)
+        if((_S591.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S589.solid_angle_0;
+            return 1.0f / _S591.solid_angle_0;
         }
     }
-    var _S590 : u32 = word_0(word_0(record_16 + u32(7)) + face_8);
+    var _S592 : u32 = word_0(word_0(record_16 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_16 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -4151,7 +4162,7 @@ fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S590 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S592 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_5 = shares_1.y;
@@ -4161,22 +4172,22 @@ fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             own_5 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_5;
-        var _S591 : i32;
+        var _S593 : i32;
         if(is_second_1)
         {
-            _S591 = i32(3);
+            _S593 = i32(3);
         }
         else
         {
-            _S591 = i32(2);
+            _S593 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S591));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S593));
         chosen_2 = chosen_3;
     }
-    var _S592 : u32 = word_0(record_16 + u32(6));
-    var _S593 : u32 = word_0(node_6);
+    var _S594 : u32 = word_0(record_16 + u32(6));
+    var _S595 : u32 = word_0(node_6);
     own_5 = 0.0f;
-    var k_5 : u32 = _S593;
+    var k_5 : u32 = _S595;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -4187,9 +4198,9 @@ fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
         {
             break;
         }
-        var angle_6 : f32 = face_solid_angle_0(record_16, word_0(_S592 + k_5), from_2.exact_0);
+        var angle_6 : f32 = face_solid_angle_0(record_16, word_0(_S594 + k_5), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_6;
-        if(k_5 == _S590)
+        if(k_5 == _S592)
         {
             own_5 = angle_6;
         }
@@ -4208,8 +4219,8 @@ fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  vertex_10 : Vertex_0,  d
     var record_17 : u32 = emitter_record_0(emitter_8);
     if(is_map_0(record_17))
     {
-        var _S594 : f32 = map_pdf_0(word_0(record_17 + u32(1)), direction_26);
-        return _S594;
+        var _S596 : f32 = map_pdf_0(word_0(record_17 + u32(1)), direction_26);
+        return _S596;
     }
     if(!is_area_0(record_17))
     {
@@ -4232,10 +4243,10 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     var vertex_11 : Vertex_0 = vertex_at_0(surface_6, material_1, (*path_6).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S595 : u32 = word_0(u32(3));
-    var _S596 : bool = !reaches_0(depth_2 + u32(3));
+    var _S597 : u32 = word_0(u32(3));
+    var _S598 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S596)
+    if(_S598)
     {
         goes_on_0 = (vertex_11.lobe_1.kind_1) == u32(0);
     }
@@ -4258,7 +4269,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     else
     {
-        bsdf_samples_1 = _S595;
+        bsdf_samples_1 = _S597;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_11.lobe_1))
@@ -4269,7 +4280,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S597 : Choice_0 = choice_at_0(surface_6.position_0, vertex_11.axes_1.n_1, on_emitters_0 == u32(0));
+    var _S599 : Choice_0 = choice_at_0(surface_6.position_0, vertex_11.axes_1.n_1, on_emitters_0 == u32(0));
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -4280,7 +4291,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         {
             break;
         }
-        add_light_from_emitter_0(&((*reflected_2)), vertex_11, _S597, (*path_6).key_0, first_6 + u32(3) * i_4, f32(bsdf_samples_1), importance_1);
+        add_light_from_emitter_0(&((*reflected_2)), vertex_11, _S599, (*path_6).key_0, first_6 + u32(3) * i_4, f32(bsdf_samples_1), importance_1);
         i_4 = i_4 + u32(1);
     }
     var first_7 : u32 = first_6 + u32(3) * emitter_samples_0;
@@ -4333,11 +4344,11 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         var next_distance_1 : f32;
         if(k_6 == u32(0))
         {
-            var _S598 : bool = (found_9.face_7) != u32(4294967295);
-            var _S599 : Place_0 = place_of_0(found_9);
+            var _S600 : bool = (found_9.face_7) != u32(4294967295);
+            var _S601 : Place_0 = place_of_0(found_9);
             (*reflected_2).onward_0 = x2A_1(scattered_3.value_11, 1.0f / scattered_3.pdf_4);
-            goes_on_1 = _S598;
-            next_3 = _S599;
+            goes_on_1 = _S600;
+            next_3 = _S601;
             next_direction_1 = moving_1;
             next_distance_1 = t_11;
         }
@@ -4359,28 +4370,28 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             continue;
         }
         var own_6 : f32 = f32(bsdf_samples_1) * scattered_3.pdf_4;
-        var _S600 : bool = !drawn_1.is_specular_0;
-        var _S601 : bool;
-        if(_S600)
+        var _S602 : bool = !drawn_1.is_specular_0;
+        var _S603 : bool;
+        if(_S602)
         {
-            _S601 = emitter_samples_0 != u32(0);
+            _S603 = emitter_samples_0 != u32(0);
         }
         else
         {
-            _S601 = false;
+            _S603 = false;
         }
         var other_1 : f32;
-        if(_S601)
+        if(_S603)
         {
             var pdf_5 : f32 = emitter_pdf_0(emitter_9, found_9, vertex_11, direction_27, t_11);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S597) * pdf_5;
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S599) * pdf_5;
         }
         else
         {
             other_1 = 0.0f;
         }
         var moving_2 : Vector_0;
-        if(_S600)
+        if(_S602)
         {
             var moving_3 : Vector_0 = towards_emitter_0(vertex_11, direction_27, emitter_record_0(emitter_9));
             scattered_3 = scattered_to_0(vertex_11, drawn_1.wo_3, moving_3);
@@ -4401,15 +4412,15 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             place_26 = place_25;
         }
         var weight_1 : f32 = weight_over_0(own_6, other_1);
-        var _S602 : Vector_0 = emitted_0(emitter_9, place_26, moving_2);
-        (*reflected_2).direct_0 = x2B_0((*reflected_2).direct_0, x2A_0(scattered_3.value_11, x2A_1(_S602, weight_1)));
+        var _S604 : Vector_0 = emitted_0(emitter_9, place_26, moving_2);
+        (*reflected_2).direct_0 = x2B_0((*reflected_2).direct_0, x2A_0(scattered_3.value_11, x2A_1(_S604, weight_1)));
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
         next_distance_0 = next_distance_1;
         k_6 = k_6 + u32(1);
     }
-    if(_S596)
+    if(_S598)
     {
         goes_on_0 = true;
     }
@@ -4422,12 +4433,12 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         return false;
     }
     var throughput_1 : vec3<f32> = value_of_0((*path_6).throughput_0) * value_of_0((*reflected_2).onward_0);
-    var _S603 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    var _S604 : u32 = depth_2 + u32(1);
-    if(_S604 >= (word_0(u32(1))))
+    var _S605 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    var _S606 : u32 = depth_2 + u32(1);
+    if(_S606 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S603, 0.05000000074505806f, 0.94999998807907104f);
-        if((random_0((*path_6).key_0, vertex_numbers_0(_S604) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S605, 0.05000000074505806f, 0.94999998807907104f);
+        if((random_0((*path_6).key_0, vertex_numbers_0(_S606) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -4495,7 +4506,9 @@ fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_27 : Place
     set_word_0(path_11, (*which_10), place_27.triangle_0);
     set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_27.v_0))));
     set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_27.w_0))));
-    (*which_10) = (*which_10) + u32(3);
+    set_word_0(path_11, (*which_10) + u32(3), (bitcast<u32>((place_27.v_rest_0))));
+    set_word_0(path_11, (*which_10) + u32(4), (bitcast<u32>((place_27.w_rest_0))));
+    (*which_10) = (*which_10) + u32(5);
     return;
 }
 
@@ -4526,16 +4539,16 @@ fn take_thread_further_0( thread_0 : u32)
     path_13.light_0 = x2B_0(path_13.light_0, x2A_0(path_13.throughput_0, reflected_3.direct_0));
     path_13.throughput_0 = x2A_0(path_13.throughput_0, reflected_3.onward_0);
     store_0(number_of_path_2, path_13);
-    var _S605 : u32;
+    var _S607 : u32;
     if(goes_on_2)
     {
-        _S605 = number_of_path_2;
+        _S607 = number_of_path_2;
     }
     else
     {
-        _S605 = u32(4294967295);
+        _S607 = u32(4294967295);
     }
-    set_word_0(at_26, u32(0), _S605);
+    set_word_0(at_26, u32(0), _S607);
     return;
 }
 

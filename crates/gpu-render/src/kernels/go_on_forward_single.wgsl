@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 1fd0995f1bd37d92
-// result: f5092743274a07b6
+// source: f66f3f3d79f719be
+// result: 0c9b2163c94ea4b2
 
 struct Launch_std140_0
 {
@@ -230,24 +230,28 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
      change_2 : vec2<f32>,
 };
 
-fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+fn exact_place_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_0 = triangle_1;
     place_0.v_0 = v_1;
     place_0.w_0 = w_1;
+    place_0.v_rest_0 = 0.0f;
+    place_0.w_rest_0 = 0.0f;
     place_0.change_2 = vec2<f32>(0.0f);
     return place_0;
 }
 
 fn path_place_0( path_4 : u32,  which_4 : ptr<function, u32>) -> Place_0
 {
-    var _S52 : u32 = (*which_4) + u32(3);
+    var _S52 : u32 = (*which_4) + u32(5);
     (*which_4) = _S52;
-    return place_at_0(path_word_0(path_4, _S52 - u32(3)), (bitcast<f32>((path_word_0(path_4, _S52 - u32(2))))), (bitcast<f32>((path_word_0(path_4, _S52 - u32(1))))));
+    return exact_place_0(path_word_0(path_4, _S52 - u32(5)), (bitcast<f32>((path_word_0(path_4, _S52 - u32(4))))) + (bitcast<f32>((path_word_0(path_4, _S52 - u32(2))))), (bitcast<f32>((path_word_0(path_4, _S52 - u32(3))))) + (bitcast<f32>((path_word_0(path_4, _S52 - u32(1))))));
 }
 
 struct Path_0
@@ -332,7 +336,7 @@ fn position_of_0( place_2 : Place_0) -> vec3<f32>
 {
     var at_3 : u32 = u32(9) * place_2.triangle_0;
     var a_1 : vec3<f32> = primitive_vector_0(at_3);
-    return a_1 + (primitive_vector_0(at_3 + u32(3)) - a_1) * vec3<f32>(place_2.v_0) + (primitive_vector_0(at_3 + u32(6)) - a_1) * vec3<f32>(place_2.w_0);
+    return a_1 + (primitive_vector_0(at_3 + u32(3)) - a_1) * vec3<f32>((place_2.v_0 + place_2.v_rest_0)) + (primitive_vector_0(at_3 + u32(6)) - a_1) * vec3<f32>((place_2.w_0 + place_2.w_rest_0));
 }
 
 fn cross_of_0( triangle_4 : u32) -> vec3<f32>
@@ -1500,6 +1504,11 @@ fn limit_at_0( which_5 : u32) -> f32
     return primitives_0[word_0(u32(13)) + which_5];
 }
 
+fn place_at_0( triangle_7 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
+{
+    return exact_place_0(triangle_7, v_4, w_2);
+}
+
 fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 {
     var _S175 : f32 = abs(x_4);
@@ -1801,13 +1810,13 @@ fn rectangle_face_0( at_18 : u32,  place_14 : vec2<f32>,  weights_2 : ptr<functi
         var row_1 : u32 = at_18 + u32(14) + u32(6) * face_0;
         var _S211 : f32 = place_14.x;
         var _S212 : f32 = place_14.y;
-        var v_4 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S211 + number_0(row_1 + u32(2)) * _S212;
-        var w_2 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S211 + number_0(row_1 + u32(5)) * _S212;
-        var _S213 : f32 = min(min(v_4, w_2), 1.0f - v_4 - w_2);
+        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S211 + number_0(row_1 + u32(2)) * _S212;
+        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S211 + number_0(row_1 + u32(5)) * _S212;
+        var _S213 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
         if(_S213 > best_0)
         {
-            (*weights_2)[i32(0)] = clamp(v_4, 0.0f, 1.0f);
-            (*weights_2)[i32(1)] = clamp(w_2, 0.0f, 1.0f - (*weights_2).x);
+            (*weights_2)[i32(0)] = clamp(v_5, 0.0f, 1.0f);
+            (*weights_2)[i32(1)] = clamp(w_3, 0.0f, 1.0f - (*weights_2).x);
             best_0 = _S213;
             found_2 = face_0;
         }
@@ -1867,9 +1876,9 @@ fn face_solid_angle_0( record_10 : u32,  face_3 : u32,  viewpoint_4 : vec3<f32>)
     return solid_angle_of_0(corners_1.a_18, corners_1.b_12, corners_1.c_6);
 }
 
-fn unit_across_0( v_5 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
+fn unit_across_0( v_6 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 {
-    return normalize(v_5 - axis_1 * vec3<f32>(dot(v_5, axis_1)));
+    return normalize(v_6 - axis_1 * vec3<f32>(dot(v_6, axis_1)));
 }
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_3 : f32) -> vec3<f32>
@@ -2289,27 +2298,27 @@ fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
     return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S262));
 }
 
-fn to_world_0( axes_3 : Axes_0,  v_6 : vec3<f32>) -> vec3<f32>
+fn to_world_0( axes_3 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
 {
-    return axes_3.s_0 * vec3<f32>(v_6.x) + axes_3.t_0 * vec3<f32>(v_6.y) + axes_3.n_1 * vec3<f32>(v_6.z);
+    return axes_3.s_0 * vec3<f32>(v_7.x) + axes_3.t_0 * vec3<f32>(v_7.y) + axes_3.n_1 * vec3<f32>(v_7.z);
 }
 
-fn component_0( v_7 : vec3<f32>,  axis_2 : u32) -> f32
+fn component_0( v_8 : vec3<f32>,  axis_2 : u32) -> f32
 {
     var _S263 : f32;
     if(axis_2 == u32(0))
     {
-        _S263 = v_7.x;
+        _S263 = v_8.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S263 = v_7.y;
+            _S263 = v_8.y;
         }
         else
         {
-            _S263 = v_7.z;
+            _S263 = v_8.z;
         }
     }
     return _S263;
@@ -2503,8 +2512,8 @@ struct Crossing_0
 {
      is_hit_0 : bool,
      t_3 : f32,
-     v_8 : f32,
-     w_3 : f32,
+     v_9 : f32,
+     w_4 : f32,
 };
 
 fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_22 : u32) -> Crossing_0
@@ -2512,8 +2521,8 @@ fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_22 : u32) -> Crossing_0
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_3 = 0.0f;
-    crossing_0.v_8 = 0.0f;
-    crossing_0.w_3 = 0.0f;
+    crossing_0.v_9 = 0.0f;
+    crossing_0.w_4 = 0.0f;
     var a_20 : vec3<f32> = corner_3(ray_1, axes_6, at_22);
     var b_14 : vec3<f32> = corner_3(ray_1, axes_6, at_22 + u32(3));
     var c_8 : vec3<f32> = corner_3(ray_1, axes_6, at_22 + u32(6));
@@ -2530,10 +2539,10 @@ fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_22 : u32) -> Crossing_0
     var bx_ay_0 : f32 = rounded_0(_S281 * _S283, ray_1.largest_1);
     var by_ax_0 : f32 = rounded_0(_S279 * _S282, ray_1.largest_1);
     var u_8 : f32 = cx_by_0 - cy_bx_0;
-    var v_9 : f32 = ax_cy_0 - ay_cx_0;
-    var w_4 : f32 = bx_ay_0 - by_ax_0;
-    var _S284 : f32 = min(min(u_8, v_9), w_4);
-    var _S285 : f32 = max(max(u_8, v_9), w_4);
+    var v_10 : f32 = ax_cy_0 - ay_cx_0;
+    var w_5 : f32 = bx_ay_0 - by_ax_0;
+    var _S284 : f32 = min(min(u_8, v_10), w_5);
+    var _S285 : f32 = max(max(u_8, v_10), w_5);
     var _S286 : bool;
     if(_S284 < 0.0f)
     {
@@ -2547,7 +2556,7 @@ fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_22 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var determinant_0 : f32 = u_8 + v_9 + w_4;
+    var determinant_0 : f32 = u_8 + v_10 + w_5;
     if(_S284 <= 0.0f)
     {
         _S286 = _S285 >= 0.0f;
@@ -2567,7 +2576,7 @@ fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_22 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_4 : f32 = (rounded_0(u_8 * a_20.z, ray_1.largest_1) + rounded_0(v_9 * b_14.z, ray_1.largest_1) + rounded_0(w_4 * c_8.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
+    var t_4 : f32 = (rounded_0(u_8 * a_20.z, ray_1.largest_1) + rounded_0(v_10 * b_14.z, ray_1.largest_1) + rounded_0(w_5 * c_8.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_4)
     {
         _S286 = t_4 <= (ray_1.t_max_0);
@@ -2578,22 +2587,22 @@ fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_22 : u32) -> Crossing_0
     }
     crossing_0.is_hit_0 = _S286;
     crossing_0.t_3 = t_4;
-    crossing_0.v_8 = v_9 / determinant_0;
-    crossing_0.w_3 = w_4 / determinant_0;
+    crossing_0.v_9 = v_10 / determinant_0;
+    crossing_0.w_4 = w_5 / determinant_0;
     return crossing_0;
 }
 
-fn face_6( triangle_7 : u32) -> u32
+fn face_6( triangle_8 : u32) -> u32
 {
-    return rough_0[triangle_7 / u32(4)][triangle_7 % u32(4)];
+    return rough_0[triangle_8 / u32(4)][triangle_8 % u32(4)];
 }
 
 struct Found_0
 {
      face_7 : u32,
-     triangle_8 : u32,
-     v_10 : f32,
-     w_5 : f32,
+     triangle_9 : u32,
+     v_11 : f32,
+     w_6 : f32,
 };
 
 fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
@@ -2601,9 +2610,9 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     var _S287 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
-    found_3.triangle_8 = u32(4294967295);
-    found_3.v_10 = 0.0f;
-    found_3.w_5 = 0.0f;
+    found_3.triangle_9 = u32(4294967295);
+    found_3.v_11 = 0.0f;
+    found_3.w_6 = 0.0f;
     if(!((view_4.limit_0) >= 0.0f))
     {
         return found_3;
@@ -2710,10 +2719,10 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             if(_S294)
             {
                 found_3.face_7 = face_6(i_3);
-                found_3.triangle_8 = i_3;
+                found_3.triangle_9 = i_3;
                 (*ray_2).t_max_0 = crossing_1.t_3;
-                found_3.v_10 = crossing_1.v_8;
-                found_3.w_5 = crossing_1.w_3;
+                found_3.v_11 = crossing_1.v_9;
+                found_3.w_6 = crossing_1.w_4;
                 limit_6 = min(limit_5, crossing_1.t_3 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_4.margin_0);
             }
             else
@@ -3135,11 +3144,11 @@ fn error_function_changed_0( x_12 : DiffPair_float_0) -> DiffPair_vectorx3Cfloat
     return _S353;
 }
 
-fn visible_over_cos_0( facets_1 : Microfacets_0,  w_6 : vec3<f32>) -> f32
+fn visible_over_cos_0( facets_1 : Microfacets_0,  w_7 : vec3<f32>) -> f32
 {
-    var stretched_0 : vec2<f32> = w_6.xy * facets_1.alpha_1;
+    var stretched_0 : vec2<f32> = w_7.xy * facets_1.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S354 : f32 = w_6.z;
+    var _S354 : f32 = w_7.z;
     var z2_1 : f32 = _S354 * _S354;
     if((facets_1.distribution_1) == u32(1))
     {
@@ -3863,14 +3872,14 @@ fn logarithm_0( x_14 : f32) -> f32
 
 fn error_function_inverse_0( p_0 : f32) -> f32
 {
-    var w_7 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
-    if(w_7 < 5.0f)
+    var w_8 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
+    if(w_8 < 5.0f)
     {
-        var w_8 : f32 = w_7 - 2.5f;
-        return ((((((((2.81022636272609816e-08f * w_8 + 3.43273939051869093e-07f) * w_8 - 3.52338770426285919e-06f) * w_8 - 4.39150653619435616e-06f) * w_8 + 0.00021858086984139f) * w_8 - 0.00125372502952814f) * w_8 - 0.00417768163606524f) * w_8 + 0.24664072692394257f) * w_8 + 1.50140941143035889f) * p_0;
+        var w_9 : f32 = w_8 - 2.5f;
+        return ((((((((2.81022636272609816e-08f * w_9 + 3.43273939051869093e-07f) * w_9 - 3.52338770426285919e-06f) * w_9 - 4.39150653619435616e-06f) * w_9 + 0.00021858086984139f) * w_9 - 0.00125372502952814f) * w_9 - 0.00417768163606524f) * w_9 + 0.24664072692394257f) * w_9 + 1.50140941143035889f) * p_0;
     }
-    var w_9 : f32 = sqrt(w_7) - 3.0f;
-    return ((((((((-0.0002002142573474f * w_9 + 0.00010095055768033f) * w_9 + 0.00134934321977198f) * w_9 - 0.00367342843674123f) * w_9 + 0.00573950773105025f) * w_9 - 0.00762246130034328f) * w_9 + 0.00943887047469616f) * w_9 + 1.00167405605316162f) * w_9 + 2.8329768180847168f) * p_0;
+    var w_10 : f32 = sqrt(w_8) - 3.0f;
+    return ((((((((-0.0002002142573474f * w_10 + 0.00010095055768033f) * w_10 + 0.00134934321977198f) * w_10 - 0.00367342843674123f) * w_10 + 0.00573950773105025f) * w_10 - 0.00762246130034328f) * w_10 + 0.00943887047469616f) * w_10 + 1.00167405605316162f) * w_10 + 2.8329768180847168f) * p_0;
 }
 
 fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>) -> vec3<f32>
@@ -4086,7 +4095,7 @@ fn first_from_0( position_6 : vec3<f32>,  direction_23 : vec3<f32>,  t_9 : ptr<f
 
 fn place_of_0( found_6 : Found_0) -> Place_0
 {
-    return place_at_0(found_6.triangle_8, found_6.v_10, found_6.w_5);
+    return exact_place_0(found_6.triangle_9, found_6.v_11, found_6.w_6);
 }
 
 fn emitter_seen_0( found_7 : Found_0,  direction_24 : vec3<f32>) -> u32
@@ -4095,11 +4104,11 @@ fn emitter_seen_0( found_7 : Found_0,  direction_24 : vec3<f32>) -> u32
     {
         return word_0(u32(8));
     }
-    var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_8) + u32(4));
+    var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_9) + u32(4));
     var _S578 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S578 = (dot(cross_of_0(found_7.triangle_8), direction_24)) < 0.0f;
+        _S578 = (dot(cross_of_0(found_7.triangle_9), direction_24)) < 0.0f;
     }
     else
     {
@@ -4491,7 +4500,9 @@ fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_27 : Place
     set_word_0(path_11, (*which_10), place_27.triangle_0);
     set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_27.v_0))));
     set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_27.w_0))));
-    (*which_10) = (*which_10) + u32(3);
+    set_word_0(path_11, (*which_10) + u32(3), (bitcast<u32>((place_27.v_rest_0))));
+    set_word_0(path_11, (*which_10) + u32(4), (bitcast<u32>((place_27.w_rest_0))));
+    (*which_10) = (*which_10) + u32(5);
     return;
 }
 

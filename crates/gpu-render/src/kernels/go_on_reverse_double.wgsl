@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 2f5cb71f39c27c50
-// result: 6a5767897f74542c
+// source: 34f6f725355e4320
+// result: 38c46377aa422833
 
 struct Launch_std140_0
 {
@@ -3882,22 +3882,28 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+fn exact_place_0( triangle_1 : u32,  v_1 : f64,  w_1 : f64) -> Place_0
 {
     var place_2 : Place_0;
     place_2.triangle_0 = triangle_1;
-    place_2.v_0 = v_1;
-    place_2.w_0 = w_1;
+    var _S1115 : f32 = f32(v_1);
+    place_2.v_0 = _S1115;
+    var _S1116 : f32 = f32(w_1);
+    place_2.w_0 = _S1116;
+    place_2.v_rest_0 = f32(v_1 - f64(_S1115));
+    place_2.w_rest_0 = f32(w_1 - f64(_S1116));
     return place_2;
 }
 
 fn path_place_0( path_4 : u32,  which_4 : ptr<function, u32>) -> Place_0
 {
-    var _S1115 : u32 = (*which_4) + u32(3);
-    (*which_4) = _S1115;
-    return place_at_0(path_word_0(path_4, _S1115 - u32(3)), (bitcast<f32>((path_word_0(path_4, _S1115 - u32(2))))), (bitcast<f32>((path_word_0(path_4, _S1115 - u32(1))))));
+    var _S1117 : u32 = (*which_4) + u32(5);
+    (*which_4) = _S1117;
+    return exact_place_0(path_word_0(path_4, _S1117 - u32(5)), f64((bitcast<f32>((path_word_0(path_4, _S1117 - u32(4)))))) + f64((bitcast<f32>((path_word_0(path_4, _S1117 - u32(2)))))), f64((bitcast<f32>((path_word_0(path_4, _S1117 - u32(3)))))) + f64((bitcast<f32>((path_word_0(path_4, _S1117 - u32(1)))))));
 }
 
 struct ByRay_0
@@ -3921,18 +3927,18 @@ fn load_0( number_of_path_0 : u32) -> Path_0
 {
     var at_4 : u32 = u32(1);
     var path_5 : Path_0;
-    var _S1116 : vec3<f32> = path_vector_0(number_of_path_0, &(at_4));
-    path_5.adjoint_0 = _S1116;
+    var _S1118 : vec3<f32> = path_vector_0(number_of_path_0, &(at_4));
+    path_5.adjoint_0 = _S1118;
     path_5.distance_0 = 0.0f;
-    var _S1117 : vec3<f32> = vec3<f32>(0.0f);
-    path_5.by_ray_0.direction_0 = _S1117;
-    path_5.by_ray_0.drift_0 = _S1117;
-    var _S1118 : vec3<f32> = path_changing_0(number_of_path_0, &(at_4));
-    path_5.throughput_0 = _S1118;
-    var _S1119 : vec3<f32> = path_changing_0(number_of_path_0, &(at_4));
-    path_5.direction_1 = _S1119;
-    var _S1120 : Place_0 = path_place_0(number_of_path_0, &(at_4));
-    path_5.place_3 = _S1120;
+    var _S1119 : vec3<f32> = vec3<f32>(0.0f);
+    path_5.by_ray_0.direction_0 = _S1119;
+    path_5.by_ray_0.drift_0 = _S1119;
+    var _S1120 : vec3<f32> = path_changing_0(number_of_path_0, &(at_4));
+    path_5.throughput_0 = _S1120;
+    var _S1121 : vec3<f32> = path_changing_0(number_of_path_0, &(at_4));
+    path_5.direction_1 = _S1121;
+    var _S1122 : Place_0 = path_place_0(number_of_path_0, &(at_4));
+    path_5.place_3 = _S1122;
     path_5.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_4), path_word_0(number_of_path_0, at_4 + u32(1)));
     return path_5;
 }
@@ -3961,16 +3967,16 @@ struct Reflected_0
 fn nothing_reflected_0() -> Reflected_0
 {
     var reflected_0 : Reflected_0;
-    var _S1121 : vec3<f32> = vec3<f32>(0.0f);
-    var _S1122 : vec3<f32> = still_0(_S1121);
-    reflected_0.direct_0 = _S1122;
-    reflected_0.onward_0 = _S1122;
+    var _S1123 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1124 : vec3<f32> = still_0(_S1123);
+    reflected_0.direct_0 = _S1124;
+    reflected_0.onward_0 = _S1124;
     reflected_0.wo_0 = vec3<f32>(0.0f, 0.0f, 1.0f);
     reflected_0.is_specular_0 = false;
     reflected_0.distance_1 = 0.0f;
     reflected_0.factor_0 = 0.0f;
-    reflected_0.by_ray_1.direction_0 = _S1121;
-    reflected_0.by_ray_1.drift_0 = _S1121;
+    reflected_0.by_ray_1.direction_0 = _S1123;
+    reflected_0.by_ray_1.drift_0 = _S1123;
     return reflected_0;
 }
 
@@ -4003,7 +4009,7 @@ fn position_of_0( place_4 : Place_0) -> vec3<f64>
 {
     var at_6 : u32 = u32(9) * place_4.triangle_0;
     var a_4 : vec3<f64> = primitive_vector_0(at_6);
-    return a_4 + (primitive_vector_0(at_6 + u32(3)) - a_4) * vec3<f64>(f64(place_4.v_0)) + (primitive_vector_0(at_6 + u32(6)) - a_4) * vec3<f64>(f64(place_4.w_0));
+    return a_4 + (primitive_vector_0(at_6 + u32(3)) - a_4) * vec3<f64>((f64(place_4.v_0) + f64(place_4.v_rest_0))) + (primitive_vector_0(at_6 + u32(6)) - a_4) * vec3<f64>((f64(place_4.w_0) + f64(place_4.w_rest_0)));
 }
 
 fn cross_of_0( triangle_4 : u32) -> vec3<f32>
@@ -4034,14 +4040,14 @@ fn surface_at_0( place_6 : Place_0,  direction_2 : vec3<f32>) -> Surface_0
     var surface_0 : Surface_0;
     surface_0.place_5 = place_6;
     surface_0.shape_0 = shape_of_0(place_6.triangle_0);
-    var _S1123 : vec3<f64> = position_of_0(place_6);
-    surface_0.exact_0 = _S1123;
-    surface_0.position_0 = vec3<f32>(_S1123);
-    var _S1124 : vec3<f32> = unit_0(cross_of_0(place_6.triangle_0));
-    surface_0.face_normal_0 = _S1124;
-    surface_0.outward_0 = _S1124;
+    var _S1125 : vec3<f64> = position_of_0(place_6);
+    surface_0.exact_0 = _S1125;
+    surface_0.position_0 = vec3<f32>(_S1125);
+    var _S1126 : vec3<f32> = unit_0(cross_of_0(place_6.triangle_0));
+    surface_0.face_normal_0 = _S1126;
+    surface_0.outward_0 = _S1126;
     var seen_0 : f32;
-    if((dot(_S1124, direction_2)) > 0.0f)
+    if((dot(_S1126, direction_2)) > 0.0f)
     {
         seen_0 = -1.0f;
     }
@@ -4068,26 +4074,26 @@ fn surface_at_0( place_6 : Place_0,  direction_2 : vec3<f32>) -> Surface_0
 
 fn material_of_0( surface_1 : Surface_0) -> u32
 {
-    var _S1125 : u32;
+    var _S1127 : u32;
     if(surface_1.is_front_0)
     {
-        _S1125 = u32(2);
+        _S1127 = u32(2);
     }
     else
     {
-        _S1125 = u32(3);
+        _S1127 = u32(3);
     }
-    return word_0(surface_1.shape_0 + _S1125);
+    return word_0(surface_1.shape_0 + _S1127);
 }
 
 fn no_numbers_0() -> Numbers_0
 {
     var numbers_2 : Numbers_0;
-    var _S1126 : vec3<f32> = vec3<f32>(0.0f);
-    numbers_2.k_0 = _S1126;
-    numbers_2.eta_0 = _S1126;
-    numbers_2.specular_reflectance_0 = _S1126;
-    numbers_2.diffuse_reflectance_0 = _S1126;
+    var _S1128 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_2.k_0 = _S1128;
+    numbers_2.eta_0 = _S1128;
+    numbers_2.specular_reflectance_0 = _S1128;
+    numbers_2.diffuse_reflectance_0 = _S1128;
     numbers_2.alpha_0 = vec2<f32>(0.0f);
     return numbers_2;
 }
@@ -4107,9 +4113,9 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_1 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    var _S1127 : vec4<f32> = vec4<f32>(0.0f);
-    lookup_0.by_second_0 = _S1127;
-    lookup_0.by_first_0 = _S1127;
+    var _S1129 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S1129;
+    lookup_0.by_first_0 = _S1129;
     return lookup_0;
 }
 
@@ -4122,11 +4128,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_8 : vec2<f32>,  b_5 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
 {
-    var _S1128 : Corners2_0;
-    _S1128.a_7 = a_8;
-    _S1128.b_4 = b_5;
-    _S1128.c_1 = c_2;
-    return _S1128;
+    var _S1130 : Corners2_0;
+    _S1130.a_7 = a_8;
+    _S1130.b_4 = b_5;
+    _S1130.c_1 = c_2;
+    return _S1130;
 }
 
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
@@ -4199,13 +4205,13 @@ fn between_0( texels_1 : vec4<u32>,  place_7 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S1129 : f32 = back_0.x;
-    var _S1130 : f32 = back_0.y;
-    var _S1131 : f32 = way_0.x;
-    var _S1132 : f32 = way_0.y;
-    lookup_1.weights_1 = vec4<f32>(_S1129 * _S1130, _S1131 * _S1130, _S1129 * _S1132, _S1131 * _S1132);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S1130, _S1130, - _S1132, _S1132);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S1129, - _S1131, _S1129, _S1131);
+    var _S1131 : f32 = back_0.x;
+    var _S1132 : f32 = back_0.y;
+    var _S1133 : f32 = way_0.x;
+    var _S1134 : f32 = way_0.y;
+    lookup_1.weights_1 = vec4<f32>(_S1131 * _S1132, _S1133 * _S1132, _S1131 * _S1134, _S1133 * _S1134);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S1132, _S1132, - _S1134, _S1134);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S1131, - _S1133, _S1131, _S1133);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_7.by_first_1.x) + by_y_0 * vec4<f32>(place_7.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_7.by_second_1.x) + by_y_0 * vec4<f32>(place_7.by_second_1.y);
     return lookup_1;
@@ -4221,22 +4227,22 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_8.y), height_0, wrap_1);
-        var _S1133 : u32 = row_0 * u32(width_1);
-        var _S1134 : u32 = wrapped_0(floor_of_0(place_8.x), width_1, wrap_1);
-        return one_texel_0(_S1133 + _S1134);
+        var _S1135 : u32 = row_0 * u32(width_1);
+        var _S1136 : u32 = wrapped_0(floor_of_0(place_8.x), width_1, wrap_1);
+        return one_texel_0(_S1135 + _S1136);
     }
     var centred_0 : Point_0;
-    var _S1135 : vec2<f32> = place_8 - vec2<f32>(0.5f);
-    centred_0.value_5 = _S1135;
+    var _S1137 : vec2<f32> = place_8 - vec2<f32>(0.5f);
+    centred_0.value_5 = _S1137;
     centred_0.by_first_1 = uv_0.by_first_1 * size_0;
     centred_0.by_second_1 = uv_0.by_second_1 * size_0;
-    var x_15 : i32 = floor_of_0(_S1135.x);
-    var y_5 : i32 = floor_of_0(_S1135.y);
-    var _S1136 : u32 = wrapped_0(y_5, height_0, wrap_1);
-    var _S1137 : u32 = u32(width_1);
-    var first_1 : u32 = _S1136 * _S1137;
-    var _S1138 : u32 = wrapped_0(y_5 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S1138 * _S1137;
+    var x_15 : i32 = floor_of_0(_S1137.x);
+    var y_5 : i32 = floor_of_0(_S1137.y);
+    var _S1138 : u32 = wrapped_0(y_5, height_0, wrap_1);
+    var _S1139 : u32 = u32(width_1);
+    var first_1 : u32 = _S1138 * _S1139;
+    var _S1140 : u32 = wrapped_0(y_5 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S1140 * _S1139;
     var left_0 : u32 = wrapped_0(x_15, width_1, wrap_1);
     var right_0 : u32 = wrapped_0(x_15 + i32(1), width_1, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -4269,39 +4275,39 @@ fn lookup_at_0( texture_1 : u32,  place_9 : Place_0) -> Lookup_0
     var to_u_0 : vec3<f32> = vector_at_0(rows_0);
     var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S1139 : vec3<f32> = vec3<f32>(uvs_1.a_7 * vec2<f32>((1.0f - place_9.v_0 - place_9.w_0)) + uvs_1.b_4 * vec2<f32>(place_9.v_0) + uvs_1.c_1 * vec2<f32>(place_9.w_0), 1.0f);
-    uv_1.value_5 = vec2<f32>(dot(_S1139, to_u_0), dot(_S1139, to_v_0));
+    var _S1141 : vec3<f32> = vec3<f32>(uvs_1.a_7 * vec2<f32>((1.0f - place_9.v_0 - place_9.w_0)) + uvs_1.b_4 * vec2<f32>(place_9.v_0) + uvs_1.c_1 * vec2<f32>(place_9.w_0), 1.0f);
+    uv_1.value_5 = vec2<f32>(dot(_S1141, to_u_0), dot(_S1141, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_4 - uvs_1.a_7;
     var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_7;
-    var _S1140 : vec2<f32> = to_u_0.xy;
-    var _S1141 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S1140), dot(by_v_0, _S1141));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S1140), dot(by_w_0, _S1141));
+    var _S1142 : vec2<f32> = to_u_0.xy;
+    var _S1143 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S1142), dot(by_v_0, _S1143));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S1142), dot(by_w_0, _S1143));
     if(kind_1 == u32(1))
     {
-        var _S1142 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S1142;
+        var _S1144 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S1144;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_5 - floor(uv_1.value_5);
-    var _S1143 : i32;
+    var _S1145 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S1143 = i32(1);
+        _S1145 = i32(1);
     }
     else
     {
-        _S1143 = i32(0);
+        _S1145 = i32(0);
     }
-    return one_texel_0(u32(_S1143));
+    return one_texel_0(u32(_S1145));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f32>) -> vec3<f32>
 {
-    var _S1144 : u32 = word_0(texture_2 + u32(1));
-    var _S1145 : u32 = texture_2 + u32(13);
-    var _S1146 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1146 : u32 = word_0(texture_2 + u32(1));
+    var _S1147 : u32 = texture_2 + u32(13);
+    var _S1148 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_6 : vec3<f32> = _S1146;
+    var value_6 : vec3<f32> = _S1148;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -4311,17 +4317,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f
         {
             break;
         }
-        var at_9 : u32 = _S1145 + _S1144 * lookup_3.texels_0[k_1];
-        var _S1147 : vec3<f32>;
-        if(_S1144 == u32(1))
+        var at_9 : u32 = _S1147 + _S1146 * lookup_3.texels_0[k_1];
+        var _S1149 : vec3<f32>;
+        if(_S1146 == u32(1))
         {
-            _S1147 = vec3<f32>(number_0(at_9));
+            _S1149 = vec3<f32>(number_0(at_9));
         }
         else
         {
-            _S1147 = vector_at_0(at_9);
+            _S1149 = vector_at_0(at_9);
         }
-        var value_7 : vec3<f32> = value_6 + _S1147 * vec3<f32>(weights_2[k_1]);
+        var value_7 : vec3<f32> = value_6 + _S1149 * vec3<f32>(weights_2[k_1]);
         k_1 = k_1 + u32(1);
         value_6 = value_7;
     }
@@ -4335,8 +4341,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_10 : Place_0) -> vec3<f32>
 {
-    var _S1148 : Lookup_0 = lookup_at_0(texture_4, place_10);
-    return looked_up_0(texture_4, _S1148, vec2<f32>(0.0f));
+    var _S1150 : Lookup_0 = lookup_at_0(texture_4, place_10);
+    return looked_up_0(texture_4, _S1150, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_1 : vec3<f32>) -> f32
@@ -4389,11 +4395,11 @@ fn lobe_at_0( record_3 : u32,  place_11 : Place_0) -> Lobe_0
     lobe_5.kind_0 = word_0(record_3);
     lobe_5.distribution_0 = word_0(record_3 + u32(1));
     lobe_5.numbers_0 = no_numbers_0();
-    var _S1149 : u32 = word_0(record_3 + u32(4));
+    var _S1151 : u32 = word_0(record_3 + u32(4));
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S1149)
+        if(slot_1 < _S1151)
         {
         }
         else
@@ -4407,10 +4413,10 @@ fn lobe_at_0( record_3 : u32,  place_11 : Place_0) -> Lobe_0
             continue;
         }
         var colour_2 : vec3<f32> = shown_0(texture_5, place_11);
-        var _S1150 : vec3<f32> = value_of_0(colour_2);
-        var _S1151 : Numbers_0 = lobe_5.numbers_0;
-        set_slot_0(&(_S1151), slot_1, _S1150);
-        lobe_5.numbers_0 = _S1151;
+        var _S1152 : vec3<f32> = value_of_0(colour_2);
+        var _S1153 : Numbers_0 = lobe_5.numbers_0;
+        set_slot_0(&(_S1153), slot_1, _S1152);
+        lobe_5.numbers_0 = _S1153;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_5;
@@ -4425,53 +4431,53 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_5.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S1152 : vec3<f32>;
+    var _S1154 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S1152 = tangent_0;
+        _S1154 = tangent_0;
     }
     else
     {
-        _S1152 = vec3<f32>(0.0f);
+        _S1154 = vec3<f32>(0.0f);
     }
-    return _S1152;
+    return _S1154;
 }
 
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S1153 : vec3<f32>;
+    var _S1155 : vec3<f32>;
     if(is_front_1)
     {
-        _S1153 = n_2;
+        _S1155 = n_2;
     }
     else
     {
-        _S1153 = (vec3<f32>(0) - n_2);
+        _S1155 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_0 = _S1153;
-    var _S1154 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S1154;
-    axes_0.t_0 = cross(n_2, _S1154);
+    axes_0.n_0 = _S1155;
+    var _S1156 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S1156;
+    axes_0.t_0 = cross(n_2, _S1156);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S1155 : vec3<f32>;
+    var _S1157 : vec3<f32>;
     if(is_front_2)
     {
-        _S1155 = n_3;
+        _S1157 = n_3;
     }
     else
     {
-        _S1155 = (vec3<f32>(0) - n_3);
+        _S1157 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_0 = _S1155;
-    var _S1156 : f32 = n_3.z;
+    axes_1.n_0 = _S1157;
+    var _S1158 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S1156 < 0.0f)
+    if(_S1158 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -4479,12 +4485,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_1 = 1.0f;
     }
-    var a_9 : f32 = -1.0f / (sign_1 + _S1156);
-    var _S1157 : f32 = n_3.x;
-    var _S1158 : f32 = n_3.y;
-    var b_6 : f32 = _S1157 * _S1158 * a_9;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S1157 * _S1157 * a_9, sign_1 * b_6, - sign_1 * _S1157);
-    axes_1.t_0 = vec3<f32>(b_6, sign_1 + _S1158 * _S1158 * a_9, - _S1158);
+    var a_9 : f32 = -1.0f / (sign_1 + _S1158);
+    var _S1159 : f32 = n_3.x;
+    var _S1160 : f32 = n_3.y;
+    var b_6 : f32 = _S1159 * _S1160 * a_9;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S1159 * _S1159 * a_9, sign_1 * b_6, - sign_1 * _S1159);
+    axes_1.t_0 = vec3<f32>(b_6, sign_1 + _S1160 * _S1160 * a_9, - _S1160);
     return axes_1;
 }
 
@@ -4511,8 +4517,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_4 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S1159 : Lobe_0 = lobe_at_0(material_0, surface_4.place_5);
-    vertex_0.lobe_6 = _S1159;
+    var _S1161 : Lobe_0 = lobe_at_0(material_0, surface_4.place_5);
+    vertex_0.lobe_6 = _S1161;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -4584,35 +4590,35 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_2, 0.0f) / squared_2;
     }
-    var _S1160 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S1160 * _S1160 / (2.0f * (_S1160 - max(lowest_0, -1.0f)) * squared_2);
+    var _S1162 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S1162 * _S1162 / (2.0f * (_S1162 - max(lowest_0, -1.0f)) * squared_2);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S1161 : bool;
+    var _S1163 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S1161 = true;
+        _S1163 = true;
     }
     else
     {
-        _S1161 = (word_0(u32(2))) == u32(0);
+        _S1163 = (word_0(u32(2))) == u32(0);
     }
-    if(_S1161)
+    if(_S1163)
     {
         return false;
     }
     var record_5 : u32 = emitter_record_0(u32(0));
     if(is_area_0(record_5))
     {
-        _S1161 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
+        _S1163 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S1161 = false;
+        _S1163 = false;
     }
-    return _S1161;
+    return _S1163;
 }
 
 fn has_smooth_0( lobe_7 : Lobe_0) -> bool
@@ -4632,12 +4638,12 @@ fn nothing_pulled_0() -> Pulled_0
 {
     var pulled_0 : Pulled_0;
     pulled_0.numbers_4 = no_numbers_0();
-    var _S1162 : vec3<f32> = vec3<f32>(0.0f);
-    pulled_0.position_2 = _S1162;
-    pulled_0.wi_2 = _S1162;
-    pulled_0.axes_5.n_0 = _S1162;
-    pulled_0.axes_5.t_0 = _S1162;
-    pulled_0.axes_5.s_0 = _S1162;
+    var _S1164 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_2 = _S1164;
+    pulled_0.wi_2 = _S1164;
+    pulled_0.axes_5.n_0 = _S1164;
+    pulled_0.axes_5.t_0 = _S1164;
+    pulled_0.axes_5.s_0 = _S1164;
     return pulled_0;
 }
 
@@ -4680,32 +4686,32 @@ struct Choice_0
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_5, choice_0.normal_2);
-    var _S1163 : f32;
+    var _S1165 : f32;
     if(view_0 > 0.0f)
     {
-        _S1163 = 1.0f;
+        _S1165 = 1.0f;
     }
     else
     {
-        _S1163 = 0.0f;
+        _S1165 = 0.0f;
     }
-    (*can_light_0) = _S1163;
+    (*can_light_0) = _S1165;
     return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
 }
 
 fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
 {
     var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_5, choice_1.normal_2);
-    var _S1164 : f32;
+    var _S1166 : f32;
     if(view_1 > 0.0f)
     {
-        _S1164 = 1.0f;
+        _S1166 = 1.0f;
     }
     else
     {
-        _S1164 = 0.0f;
+        _S1166 = 0.0f;
     }
-    (*can_light_1) = _S1164;
+    (*can_light_1) = _S1166;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -4717,32 +4723,32 @@ fn choice_at_0( position_6 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
     var count_1 : u32 = word_0(u32(6));
-    var _S1165 : bool;
+    var _S1167 : bool;
     if(alike_0)
     {
-        _S1165 = true;
+        _S1167 = true;
     }
     else
     {
-        _S1165 = (word_0(u32(5))) != u32(0);
+        _S1167 = (word_0(u32(5))) != u32(0);
     }
-    if(_S1165)
+    if(_S1167)
     {
-        _S1165 = true;
+        _S1167 = true;
     }
     else
     {
-        _S1165 = count_1 < u32(2);
+        _S1167 = count_1 < u32(2);
     }
-    if(_S1165)
+    if(_S1167)
     {
-        _S1165 = true;
+        _S1167 = true;
     }
     else
     {
-        _S1165 = count_1 > u32(32);
+        _S1167 = count_1 > u32(32);
     }
-    if(_S1165)
+    if(_S1167)
     {
         return choice_2;
     }
@@ -4757,20 +4763,20 @@ fn choice_at_0( position_6 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
             break;
         }
         var can_light_2 : f32;
-        var _S1166 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S1166;
+        var _S1168 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S1168;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S1165 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S1167 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S1165 = false;
+        _S1167 = false;
     }
-    if(!_S1165)
+    if(!_S1167)
     {
         choice_2.all_0 = 0.0f;
     }
@@ -4791,33 +4797,33 @@ fn product_2( a_10 : u32,  b_7 : u32) -> vec2<u32>
 
 fn times_0( a_11 : vec2<u32>,  b_8 : vec2<u32>) -> vec2<u32>
 {
-    var _S1167 : u32 = a_11.x;
-    var _S1168 : u32 = b_8.x;
-    var low_1 : vec2<u32> = product_2(_S1167, _S1168);
-    return vec2<u32>(low_1.x, low_1.y + _S1167 * b_8.y + a_11.y * _S1168);
+    var _S1169 : u32 = a_11.x;
+    var _S1170 : u32 = b_8.x;
+    var low_1 : vec2<u32> = product_2(_S1169, _S1170);
+    return vec2<u32>(low_1.x, low_1.y + _S1169 * b_8.y + a_11.y * _S1170);
 }
 
 fn plus_0( a_12 : vec2<u32>,  b_9 : vec2<u32>) -> vec2<u32>
 {
-    var _S1169 : u32 = a_12.x;
-    var low_2 : u32 = _S1169 + b_9.x;
-    var _S1170 : u32 = a_12.y + b_9.y;
-    var _S1171 : i32;
-    if(low_2 < _S1169)
+    var _S1171 : u32 = a_12.x;
+    var low_2 : u32 = _S1171 + b_9.x;
+    var _S1172 : u32 = a_12.y + b_9.y;
+    var _S1173 : i32;
+    if(low_2 < _S1171)
     {
-        _S1171 = i32(1);
+        _S1173 = i32(1);
     }
     else
     {
-        _S1171 = i32(0);
+        _S1173 = i32(0);
     }
-    return vec2<u32>(low_2, _S1170 + u32(_S1171));
+    return vec2<u32>(low_2, _S1172 + u32(_S1173));
 }
 
 fn shifted_xor_0( x_16 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S1172 : u32 = x_16.y;
-    return (x_16 ^ (vec2<u32>(((((x_16.x) >> (by_0))) | (((_S1172 << ((u32(32) - by_0)))))), (_S1172 >> (by_0)))));
+    var _S1174 : u32 = x_16.y;
+    return (x_16 ^ (vec2<u32>(((((x_16.x) >> (by_0))) | (((_S1174 << ((u32(32) - by_0)))))), (_S1174 >> (by_0)))));
 }
 
 fn mix_0( x_17 : vec2<u32>) -> vec2<u32>
@@ -4856,9 +4862,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_2 : ptr<funct
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S1173 : f32 = f32(count_2);
-        (*probability_2) = 1.0f / _S1173;
-        return min(u32(u_0 * _S1173), count_2 - u32(1));
+        var _S1175 : f32 = f32(count_2);
+        (*probability_2) = 1.0f / _S1175;
+        return min(u32(u_0 * _S1175), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
@@ -4889,9 +4895,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_2 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S1174 : u32 = i_2 + u32(1);
+        var _S1176 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S1174;
+        i_2 = _S1176;
         rest_1 = rest_2;
     }
     return found_0;
@@ -4902,30 +4908,35 @@ fn limit_at_0( which_5 : u32) -> f64
     return primitives_0[word_0(u32(13)) + which_5];
 }
 
+fn place_at_0( triangle_6 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
+{
+    return exact_place_0(triangle_6, f64(v_4), f64(w_2));
+}
+
 fn angle_of_0( x_18 : f32,  y_6 : f32) -> f32
 {
-    var _S1175 : f32 = abs(x_18);
-    var _S1176 : f32 = abs(y_6);
-    var _S1177 : f32 = min(_S1175, _S1176);
-    var _S1178 : f32 = max(_S1175, _S1176);
-    var is_steep_2 : bool = _S1177 > (0.41421356797218323f * _S1178);
+    var _S1177 : f32 = abs(x_18);
+    var _S1178 : f32 = abs(y_6);
+    var _S1179 : f32 = min(_S1177, _S1178);
+    var _S1180 : f32 = max(_S1177, _S1178);
+    var is_steep_2 : bool = _S1179 > (0.41421356797218323f * _S1180);
     var above_2 : f32;
     if(is_steep_2)
     {
-        above_2 = _S1177 - _S1178;
+        above_2 = _S1179 - _S1180;
     }
     else
     {
-        above_2 = _S1177;
+        above_2 = _S1179;
     }
     var below_2 : f32;
     if(is_steep_2)
     {
-        below_2 = _S1177 + _S1178;
+        below_2 = _S1179 + _S1180;
     }
     else
     {
-        below_2 = _S1178;
+        below_2 = _S1180;
     }
     if(below_2 > 0.0f)
     {
@@ -4946,7 +4957,7 @@ fn angle_of_0( x_18 : f32,  y_6 : f32) -> f32
     {
         angle_3 = angle_2;
     }
-    if(_S1176 > _S1175)
+    if(_S1178 > _S1177)
     {
         angle_3 = 1.57079637050628662f - angle_3;
     }
@@ -4981,11 +4992,11 @@ fn solid_angle_of_0( a_13 : vec3<f32>,  b_10 : vec3<f32>,  c_3 : vec3<f32>) -> f
 
 fn complex_product_0( a_14 : vec2<f32>,  b_11 : vec2<f32>) -> vec2<f32>
 {
-    var _S1179 : f32 = a_14.x;
-    var _S1180 : f32 = b_11.x;
-    var _S1181 : f32 = a_14.y;
-    var _S1182 : f32 = b_11.y;
-    return vec2<f32>(_S1179 * _S1180 - _S1181 * _S1182, _S1179 * _S1182 + _S1181 * _S1180);
+    var _S1181 : f32 = a_14.x;
+    var _S1182 : f32 = b_11.x;
+    var _S1183 : f32 = a_14.y;
+    var _S1184 : f32 = b_11.y;
+    return vec2<f32>(_S1181 * _S1182 - _S1183 * _S1184, _S1181 * _S1184 + _S1183 * _S1182);
 }
 
 struct SeenRectangle_0
@@ -5008,26 +5019,26 @@ fn seen_rectangle_0( at_10 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
     var seen_1 : SeenRectangle_0;
     seen_1.x_19 = vec2<f32>(x0_0, x1_0);
     seen_1.y_7 = vec2<f32>(y0_0, y1_0);
-    var _S1183 : f32 = - dot(vector_at_0(at_10 + u32(9)), offset_2);
-    seen_1.z_3 = _S1183;
-    var a_15 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S1183);
-    var b_12 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S1183);
-    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S1183);
-    var d_2 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S1183);
-    var _S1184 : f32 = length(a_15);
-    var _S1185 : f32 = length(c_4);
-    var _S1186 : f32;
-    if(_S1183 > (9.99999997475242708e-07f * max(max(_S1184, length(b_12)), max(_S1185, length(d_2)))))
+    var _S1185 : f32 = - dot(vector_at_0(at_10 + u32(9)), offset_2);
+    seen_1.z_3 = _S1185;
+    var a_15 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S1185);
+    var b_12 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S1185);
+    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S1185);
+    var d_2 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S1185);
+    var _S1186 : f32 = length(a_15);
+    var _S1187 : f32 = length(c_4);
+    var _S1188 : f32;
+    if(_S1185 > (9.99999997475242708e-07f * max(max(_S1186, length(b_12)), max(_S1187, length(d_2)))))
     {
-        _S1186 = solid_angle_of_0(a_15, c_4, b_12) + solid_angle_of_0(d_2, b_12, c_4);
+        _S1188 = solid_angle_of_0(a_15, c_4, b_12) + solid_angle_of_0(d_2, b_12, c_4);
     }
     else
     {
-        _S1186 = 0.0f;
+        _S1188 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S1186;
+    seen_1.solid_angle_0 = _S1188;
     var z2_2 : f32 = seen_1.z_3 * seen_1.z_3;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_3 * _S1185), vec2<f32>(- x0_0 * y0_0, seen_1.z_3 * _S1184));
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_3 * _S1187), vec2<f32>(- x0_0 * y0_0, seen_1.z_3 * _S1186));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_7 * seen_1.y_7 + vec2<f32>(z2_2));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_2) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
@@ -5065,28 +5076,28 @@ fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
     var at_11 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S1187 : f32 = seen_2.y_7.x;
-    var _S1188 : f32 = seen_2.inverse_to_line_0.x;
-    var _S1189 : f32 = seen_2.y_7.y;
-    var n_4 : f32 = - at_11.x * _S1187 * _S1188 - _S1189 * seen_2.inverse_to_line_0.y;
-    var _S1190 : f32 = at_11.y;
-    var flat_0 : f32 = _S1190 * seen_2.z_3 * _S1188;
-    var size_1 : f32 = seen_2.z_3 * abs(_S1190) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
-    var _S1191 : f32;
-    if((n_4 * _S1190) < 0.0f)
+    var _S1189 : f32 = seen_2.y_7.x;
+    var _S1190 : f32 = seen_2.inverse_to_line_0.x;
+    var _S1191 : f32 = seen_2.y_7.y;
+    var n_4 : f32 = - at_11.x * _S1189 * _S1190 - _S1191 * seen_2.inverse_to_line_0.y;
+    var _S1192 : f32 = at_11.y;
+    var flat_0 : f32 = _S1192 * seen_2.z_3 * _S1190;
+    var size_1 : f32 = seen_2.z_3 * abs(_S1192) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
+    var _S1193 : f32;
+    if((n_4 * _S1192) < 0.0f)
     {
-        _S1191 = - size_1;
+        _S1193 = - size_1;
     }
     else
     {
-        _S1191 = size_1;
+        _S1193 = size_1;
     }
-    var x_21 : f32 = clamp(_S1191, seen_2.x_19.x, seen_2.x_19.y);
+    var x_21 : f32 = clamp(_S1193, seen_2.x_19.x, seen_2.x_19.y);
     var squared_3 : f32 = x_21 * x_21 + seen_2.z_3 * seen_2.z_3;
     var h_0 : vec2<f32> = seen_2.y_7 / sqrt(vec2<f32>(squared_3) + seen_2.y_7 * seen_2.y_7);
-    var _S1192 : f32 = h_0.x;
-    var sine_2 : f32 = _S1192 + u_1.y * (h_0.y - _S1192);
-    return vec2<f32>(x_21, clamp(sine_2 * sqrt(squared_3 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S1187, _S1189));
+    var _S1194 : f32 = h_0.x;
+    var sine_2 : f32 = _S1194 + u_1.y * (h_0.y - _S1194);
+    return vec2<f32>(x_21, clamp(sine_2 * sqrt(squared_3 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S1189, _S1191));
 }
 
 fn rectangle_face_0( at_12 : u32,  place_12 : vec2<f32>,  weights_3 : ptr<function, vec2<f32>>) -> u32
@@ -5104,16 +5115,16 @@ fn rectangle_face_0( at_12 : u32,  place_12 : vec2<f32>,  weights_3 : ptr<functi
             break;
         }
         var row_1 : u32 = at_12 + u32(14) + u32(6) * face_0;
-        var _S1193 : f32 = place_12.x;
-        var _S1194 : f32 = place_12.y;
-        var v_4 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S1193 + number_0(row_1 + u32(2)) * _S1194;
-        var w_2 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S1193 + number_0(row_1 + u32(5)) * _S1194;
-        var _S1195 : f32 = min(min(v_4, w_2), 1.0f - v_4 - w_2);
-        if(_S1195 > best_0)
+        var _S1195 : f32 = place_12.x;
+        var _S1196 : f32 = place_12.y;
+        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S1195 + number_0(row_1 + u32(2)) * _S1196;
+        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S1195 + number_0(row_1 + u32(5)) * _S1196;
+        var _S1197 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
+        if(_S1197 > best_0)
         {
-            (*weights_3)[i32(0)] = clamp(v_4, 0.0f, 1.0f);
-            (*weights_3)[i32(1)] = clamp(w_2, 0.0f, 1.0f - (*weights_3).x);
-            best_0 = _S1195;
+            (*weights_3)[i32(0)] = clamp(v_5, 0.0f, 1.0f);
+            (*weights_3)[i32(1)] = clamp(w_3, 0.0f, 1.0f - (*weights_3).x);
+            best_0 = _S1197;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -5129,26 +5140,26 @@ fn emitter_triangle_0( record_7 : u32,  face_1 : u32) -> u32
 fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f64
 {
     var bits_0 : vec2<u32> = random_bits_0(key_3, dimension_2);
-    var _S1196 : u32 = bits_0.y;
-    return (f64((_S1196 >> (u32(11)))) + f64((((_S1196 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
+    var _S1198 : u32 = bits_0.y;
+    return (f64((_S1198 >> (u32(11)))) + f64((((_S1198 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S1197 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S1198 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S1197, _S1198);
-    var sum_3 : f32 = _S1197 + _S1198;
-    var _S1199 : vec2<f32>;
+    var _S1199 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S1200 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S1199, _S1200);
+    var sum_3 : f32 = _S1199 + _S1200;
+    var _S1201 : vec2<f32>;
     if(sum_3 > 0.0f)
     {
-        _S1199 = seen_3 / vec2<f32>(sum_3);
+        _S1201 = seen_3 / vec2<f32>(sum_3);
     }
     else
     {
-        _S1199 = vec2<f32>(0.0f);
+        _S1201 = vec2<f32>(0.0f);
     }
-    return _S1199;
+    return _S1201;
 }
 
 struct Corners_0
@@ -5174,35 +5185,35 @@ fn face_solid_angle_0( record_9 : u32,  face_3 : u32,  viewpoint_4 : vec3<f64>) 
     return solid_angle_of_0(corners_1.a_16, corners_1.b_13, corners_1.c_5);
 }
 
-fn unit_across_0( v_5 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
+fn unit_across_0( v_6 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 {
-    return normalize(v_5 - axis_1 * vec3<f32>(dot(v_5, axis_1)));
+    return normalize(v_6 - axis_1 * vec3<f32>(dot(v_6, axis_1)));
 }
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_4 : f32) -> vec3<f32>
 {
-    var _S1200 : f32 = clamp(cosine_4, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S1200) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S1200) * (1.0f + _S1200)));
+    var _S1202 : f32 = clamp(cosine_4, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S1202) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S1202) * (1.0f + _S1202)));
 }
 
 fn triangle_direction_0( a_17 : vec3<f32>,  b_14 : vec3<f32>,  c_6 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S1201 : vec3<f32> = normalize(a_17);
-    var _S1202 : vec3<f32> = normalize(b_14);
-    var _S1203 : vec3<f32> = normalize(c_6);
-    var ab_0 : vec3<f32> = normalize(cross(_S1201, _S1202));
-    var ca_0 : vec3<f32> = normalize(cross(_S1203, _S1201));
+    var _S1203 : vec3<f32> = normalize(a_17);
+    var _S1204 : vec3<f32> = normalize(b_14);
+    var _S1205 : vec3<f32> = normalize(c_6);
+    var ab_0 : vec3<f32> = normalize(cross(_S1203, _S1204));
+    var ca_0 : vec3<f32> = normalize(cross(_S1205, _S1203));
     var sine_alpha_0 : f32 = length(cross(ab_0, ca_0));
     var cosine_alpha_0 : f32 = - dot(ab_0, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S1204 : f32 = part_0.x;
-    var _S1205 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S1204 * cosine_alpha_0 - _S1205 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S1205 * cosine_alpha_0 + _S1204 * sine_alpha_0;
+    var _S1206 : f32 = part_0.x;
+    var _S1207 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S1206 * cosine_alpha_0 - _S1207 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S1207 * cosine_alpha_0 + _S1206 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S1201, _S1202);
-    var between_1 : vec3<f32> = along_0(_S1201, _S1203, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S1202, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S1202)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S1203, _S1204);
+    var between_1 : vec3<f32> = along_0(_S1203, _S1205, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S1204, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S1204)));
 }
 
 fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_4 : f32,  direction_5 : vec3<f32>) -> f32
@@ -5246,10 +5257,10 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             return point_0;
         }
     }
-    var _S1206 : f64 = precise_random_0(key_4, dimension_3);
+    var _S1208 : f64 = precise_random_0(key_4, dimension_3);
     var nodes_at_1 : u32 = word_0(record_10 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f64 = _S1206;
+    var u_3 : f64 = _S1208;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -5261,17 +5272,17 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S1207 : f32 = shares_0.x;
-        var _S1208 : f32 = shares_0.y;
-        if(!((_S1207 + _S1208) > 0.0f))
+        var _S1209 : f32 = shares_0.x;
+        var _S1210 : f32 = shares_0.y;
+        if(!((_S1209 + _S1210) > 0.0f))
         {
             return point_0;
         }
-        var _S1209 : f64 = f64(_S1207);
+        var _S1211 : f64 = f64(_S1209);
         var is_second_0 : bool;
-        if(u_3 >= _S1209)
+        if(u_3 >= _S1211)
         {
-            is_second_0 = _S1208 > 0.0f;
+            is_second_0 = _S1210 > 0.0f;
         }
         else
         {
@@ -5279,86 +5290,86 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S1209) / f64(_S1208);
+            u_3 = (u_3 - _S1211) / f64(_S1210);
         }
         else
         {
-            u_3 = min(u_3 / _S1209, 1.0lf);
+            u_3 = min(u_3 / _S1211, 1.0lf);
         }
         if(is_second_0)
         {
-            total_0 = _S1208;
+            total_0 = _S1210;
         }
         else
         {
-            total_0 = _S1207;
+            total_0 = _S1209;
         }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S1210 : i32;
+        var _S1212 : i32;
         if(is_second_0)
         {
-            _S1210 = i32(3);
+            _S1212 = i32(3);
         }
         else
         {
-            _S1210 = i32(2);
+            _S1212 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S1210));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S1212));
         chosen_0 = chosen_1;
     }
     var first_2 : u32 = word_0(node_2);
-    var _S1211 : u32 = word_0(node_2 + u32(1));
-    var _S1212 : u32 = word_0(record_10 + u32(6));
+    var _S1213 : u32 = word_0(node_2 + u32(1));
+    var _S1214 : u32 = word_0(record_10 + u32(6));
     var k_2 : u32 = first_2;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_2 < _S1211)
+        if(k_2 < _S1213)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S1212 + k_2), from_1.exact_0);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S1214 + k_2), from_1.exact_0);
         k_2 = k_2 + u32(1);
         total_0 = total_1;
     }
-    var _S1213 : f32 = f32(u_3) * total_0;
+    var _S1215 : f32 = f32(u_3) * total_0;
     var face_5 : u32 = u32(4294967295);
     var angle_5 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
     k_2 = first_2;
-    var rest_3 : f32 = _S1213;
+    var rest_3 : f32 = _S1215;
     for(;;)
     {
-        if(k_2 < _S1211)
+        if(k_2 < _S1213)
         {
         }
         else
         {
             break;
         }
-        var _S1214 : u32 = _S1212 + k_2;
-        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S1214), from_1.exact_0);
+        var _S1216 : u32 = _S1214 + k_2;
+        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S1216), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
             k_2 = k_2 + u32(1);
             continue;
         }
-        var _S1215 : u32 = word_0(_S1214);
-        var _S1216 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S1217 : u32 = word_0(_S1216);
+        var _S1218 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S1215;
+            face_5 = _S1217;
             angle_5 = own_1;
-            inside_2 = _S1216;
+            inside_2 = _S1218;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S1215;
+        face_5 = _S1217;
         angle_5 = own_1;
-        inside_2 = _S1216;
+        inside_2 = _S1218;
         rest_3 = rest_4;
         k_2 = k_2 + u32(1);
     }
@@ -5382,9 +5393,9 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         var direction_6 : vec3<f32> = triangle_direction_0(corners_2.a_16, corners_2.b_13, corners_2.c_5, angle_5, vec2<f32>(inside_2, second_1));
         var within_0 : vec3<f32> = direction_6 * vec3<f32>((dot(corners_2.a_16, normal_6) / dot(direction_6, normal_6))) - corners_2.a_16;
         var squared_4 : f32 = dot(normal_6, normal_6);
-        var _S1217 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_4, 0.0f, 1.0f);
-        point_0.place_13.v_0 = _S1217;
-        point_0.place_13.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_4, 0.0f, 1.0f - _S1217);
+        var _S1219 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_4, 0.0f, 1.0f);
+        point_0.place_13.v_0 = _S1219;
+        point_0.place_13.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_4, 0.0f, 1.0f - _S1219);
     }
     var offset_3 : vec3<f32> = corners_2.a_16 + ab_1 * vec3<f32>(point_0.place_13.v_0) + ac_0 * vec3<f32>(point_0.place_13.w_0);
     var distance_5 : f32 = length(offset_3);
@@ -5403,15 +5414,15 @@ fn is_map_0( record_11 : u32) -> bool
 
 fn uniform_direction_0( u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S1218 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S1218 * (1.0f - _S1218))));
-    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S1218);
+    var _S1220 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S1220 * (1.0f - _S1220))));
+    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S1220);
 }
 
 fn map_place_0( map_1 : u32,  direction_7 : vec3<f32>) -> vec2<f32>
 {
-    var _S1219 : u32 = map_1 + u32(2);
-    var d_3 : vec3<f32> = vector_at_0(_S1219) * vec3<f32>(direction_7.x) + vector_at_0(_S1219 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S1219 + u32(6)) * vec3<f32>(direction_7.z);
+    var _S1221 : u32 = map_1 + u32(2);
+    var d_3 : vec3<f32> = vector_at_0(_S1221) * vec3<f32>(direction_7.x) + vector_at_0(_S1221 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S1221 + u32(6)) * vec3<f32>(direction_7.z);
     return vec2<f32>(angle_of_0(- d_3.z, d_3.x) * 0.15915493667125702f * f32(word_0(map_1)) - 0.5f, angle_of_0(d_3.y, length(d_3.xz)) * 0.31830987334251404f * (f32(word_0(map_1 + u32(1))) - 1.0f));
 }
 
@@ -5439,11 +5450,11 @@ fn sum_at_0( at_14 : u32) -> f64
 
 fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr<function, f32>) -> u32
 {
-    var _S1220 : u32 = count_3 - u32(1);
-    var total_2 : f64 = sum_at_0(sums_1 + u32(2) * _S1220);
+    var _S1222 : u32 = count_3 - u32(1);
+    var total_2 : f64 = sum_at_0(sums_1 + u32(2) * _S1222);
     var target_0 : f64 = u_5 * total_2;
     var low_3 : u32 = u32(0);
-    var high_0 : u32 = _S1220;
+    var high_0 : u32 = _S1222;
     for(;;)
     {
         if(low_3 < high_0)
@@ -5455,16 +5466,16 @@ fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
         var sum_4 : f64 = sum_at_0(sums_1 + u32(2) * middle_1);
-        var _S1221 : bool;
+        var _S1223 : bool;
         if(sum_4 <= target_0)
         {
-            _S1221 = sum_4 < total_2;
+            _S1223 = sum_4 < total_2;
         }
         else
         {
-            _S1221 = false;
+            _S1223 = false;
         }
-        if(_S1221)
+        if(_S1223)
         {
             low_3 = middle_1 + u32(1);
         }
@@ -5495,49 +5506,49 @@ fn cell_direction_0( map_4 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,
     var rows_1 : vec2<f32>;
     if(is_lower_0)
     {
-        var _S1222 : u32 = last_0 - row_2;
-        rows_1 = vec2<f32>(f32(_S1222), f32(_S1222 - u32(1)));
+        var _S1224 : u32 = last_0 - row_2;
+        rows_1 = vec2<f32>(f32(_S1224), f32(_S1224 - u32(1)));
     }
     else
     {
         rows_1 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
     }
-    var _S1223 : f32 = f32(last_0);
-    var _S1224 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S1223)).x;
-    var _S1225 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S1223)).x;
-    var off_0 : f32 = 2.0f * mix(_S1224 * _S1224, _S1225 * _S1225, down_0);
+    var _S1225 : f32 = f32(last_0);
+    var _S1226 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S1225)).x;
+    var _S1227 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S1225)).x;
+    var off_0 : f32 = 2.0f * mix(_S1226 * _S1226, _S1227 * _S1227, down_0);
     var sine_3 : f32 = sqrt(off_0 * (2.0f - off_0));
-    var _S1226 : f32 = azimuth_0.x * sine_3;
-    var _S1227 : f32;
+    var _S1228 : f32 = azimuth_0.x * sine_3;
+    var _S1229 : f32;
     if(is_lower_0)
     {
-        _S1227 = off_0 - 1.0f;
+        _S1229 = off_0 - 1.0f;
     }
     else
     {
-        _S1227 = 1.0f - off_0;
+        _S1229 = 1.0f - off_0;
     }
-    var local_0 : vec3<f32> = vec3<f32>(_S1226, _S1227, - azimuth_0.y * sine_3);
-    var _S1228 : u32 = map_4 + u32(2);
-    return vec3<f32>(dot(vector_at_0(_S1228), local_0), dot(vector_at_0(_S1228 + u32(3)), local_0), dot(vector_at_0(_S1228 + u32(6)), local_0));
+    var local_0 : vec3<f32> = vec3<f32>(_S1228, _S1229, - azimuth_0.y * sine_3);
+    var _S1230 : u32 = map_4 + u32(2);
+    return vec3<f32>(dot(vector_at_0(_S1230), local_0), dot(vector_at_0(_S1230 + u32(3)), local_0), dot(vector_at_0(_S1230 + u32(6)), local_0));
 }
 
 fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_3 : ptr<function, f32>) -> vec3<f32>
 {
     var u_6 : f64 = precise_random_0(key_5, dimension_4);
     var rest_5 : f64 = u_6 * 20.0lf - 1.0lf;
-    var _S1229 : u32 = map_5 + u32(13);
-    var is_black_0 : bool = (word_0(_S1229)) == u32(4294967295);
-    var _S1230 : bool;
+    var _S1231 : u32 = map_5 + u32(13);
+    var is_black_0 : bool = (word_0(_S1231)) == u32(4294967295);
+    var _S1232 : bool;
     if(is_black_0)
     {
-        _S1230 = true;
+        _S1232 = true;
     }
     else
     {
-        _S1230 = rest_5 < 0.0lf;
+        _S1232 = rest_5 < 0.0lf;
     }
-    if(_S1230)
+    if(_S1232)
     {
         var share_0 : f32;
         if(is_black_0)
@@ -5549,14 +5560,14 @@ fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_3 : p
             share_0 = 0.05000000074505806f;
         }
         var direction_9 : vec3<f32> = uniform_direction_0(vec2<f32>(f32(u_6) / share_0, random_0(key_5, dimension_4 + u32(1))));
-        var _S1231 : f32 = map_pdf_0(map_5, direction_9);
-        (*pdf_3) = _S1231;
+        var _S1233 : f32 = map_pdf_0(map_5, direction_9);
+        (*pdf_3) = _S1233;
         return direction_9;
     }
     var rest_6 : f64 = rest_5 / 19.0lf;
     var width_3 : u32 = word_0(map_5);
     var down_1 : f32;
-    var row_3 : u32 = chosen_interval_0(word_0(_S1229), word_0(map_5 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
+    var row_3 : u32 = chosen_interval_0(word_0(_S1231), word_0(map_5 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
     var along_2 : f32;
     var column_2 : u32 = chosen_interval_0(word_0(map_5 + u32(14)) + u32(2) * width_3 * row_3, width_3, rest_6, &(along_2));
     (*pdf_3) = cell_pdf_0(map_5, row_3 * width_3 + column_2);
@@ -5570,35 +5581,35 @@ fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
 
 fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
 {
-    var _S1232 : f32 = u_7.x;
-    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S1232));
-    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S1232));
+    var _S1234 : f32 = u_7.x;
+    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S1234));
+    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S1234));
 }
 
-fn to_world_0( axes_6 : Axes_0,  v_6 : vec3<f32>) -> vec3<f32>
+fn to_world_0( axes_6 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
 {
-    return axes_6.s_0 * vec3<f32>(v_6.x) + axes_6.t_0 * vec3<f32>(v_6.y) + axes_6.n_0 * vec3<f32>(v_6.z);
+    return axes_6.s_0 * vec3<f32>(v_7.x) + axes_6.t_0 * vec3<f32>(v_7.y) + axes_6.n_0 * vec3<f32>(v_7.z);
 }
 
-fn component_0( v_7 : vec3<f64>,  axis_2 : u32) -> f64
+fn component_0( v_8 : vec3<f64>,  axis_2 : u32) -> f64
 {
-    var _S1233 : f64;
+    var _S1235 : f64;
     if(axis_2 == u32(0))
     {
-        _S1233 = v_7.x;
+        _S1235 = v_8.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S1233 = v_7.y;
+            _S1235 = v_8.y;
         }
         else
         {
-            _S1233 = v_7.z;
+            _S1235 = v_8.z;
         }
     }
-    return _S1233;
+    return _S1235;
 }
 
 fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
@@ -5618,7 +5629,7 @@ struct RayView_0
 
 fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S1234 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S1236 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -5631,36 +5642,36 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S1235 : u32 = axis_3;
-        var _S1236 : u32 = _S1234 + u32(2) * axis_3;
-        var _S1237 : u32 = slot_3 % u32(4);
-        var low_4 : f32 = (bitcast<f32>((nodes_0[_S1236][_S1237])));
-        var high_1 : f32 = (bitcast<f32>((nodes_0[_S1236 + u32(6)][_S1237])));
-        var _S1238 : bool = (view_2.inverse_2[axis_3]) < 0.0f;
-        var _S1239 : f32;
-        if(_S1238)
-        {
-            _S1239 = high_1;
-        }
-        else
-        {
-            _S1239 = low_4;
-        }
-        var _S1240 : f32 = max(near_0, _S1239 * view_2.inverse_2[_S1235] - view_2.offset_near_0[axis_3]);
+        var _S1237 : u32 = axis_3;
+        var _S1238 : u32 = _S1236 + u32(2) * axis_3;
+        var _S1239 : u32 = slot_3 % u32(4);
+        var low_4 : f32 = (bitcast<f32>((nodes_0[_S1238][_S1239])));
+        var high_1 : f32 = (bitcast<f32>((nodes_0[_S1238 + u32(6)][_S1239])));
+        var _S1240 : bool = (view_2.inverse_2[axis_3]) < 0.0f;
         var _S1241 : f32;
-        if(_S1238)
-        {
-            _S1241 = low_4;
-        }
-        else
+        if(_S1240)
         {
             _S1241 = high_1;
         }
-        var _S1242 : f32 = min(far_0, _S1241 * view_2.inverse_2[_S1235] - view_2.offset_far_0[axis_3]);
-        var _S1243 : u32 = axis_3 + u32(1);
-        near_0 = _S1240;
-        far_0 = _S1242;
-        axis_3 = _S1243;
+        else
+        {
+            _S1241 = low_4;
+        }
+        var _S1242 : f32 = max(near_0, _S1241 * view_2.inverse_2[_S1237] - view_2.offset_near_0[axis_3]);
+        var _S1243 : f32;
+        if(_S1240)
+        {
+            _S1243 = low_4;
+        }
+        else
+        {
+            _S1243 = high_1;
+        }
+        var _S1244 : f32 = min(far_0, _S1243 * view_2.inverse_2[_S1237] - view_2.offset_far_0[axis_3]);
+        var _S1245 : u32 = axis_3 + u32(1);
+        near_0 = _S1242;
+        far_0 = _S1244;
+        axis_3 = _S1245;
     }
     if(near_0 <= far_0)
     {
@@ -5685,7 +5696,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S1244 : u32 = k_3;
+        var _S1246 : u32 = k_3;
         if((bounds_0[k_3]) > limit_2)
         {
             k_3 = k_3 + u32(1);
@@ -5702,24 +5713,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S1245 : u32 = j_0;
-            var _S1246 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S1244]))
+            var _S1247 : u32 = j_0;
+            var _S1248 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S1246]))
             {
-                _S1246 = true;
+                _S1248 = true;
             }
             else
             {
-                if((bounds_0[_S1245]) == (bounds_0[_S1244]))
+                if((bounds_0[_S1247]) == (bounds_0[_S1246]))
                 {
-                    _S1246 = j_0 < k_3;
+                    _S1248 = j_0 < k_3;
                 }
                 else
                 {
-                    _S1246 = false;
+                    _S1248 = false;
                 }
             }
-            if(_S1246)
+            if(_S1248)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -5744,16 +5755,16 @@ fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S1247 : f32;
+        var _S1249 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S1247 = 3.00000000549775576e+38f;
+            _S1249 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S1247 = ray_bound_0(view_3, limit_3, node_5, slot_4);
+            _S1249 = ray_bound_0(view_3, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S1247;
+        bounds_1[slot_4] = _S1249;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -5789,8 +5800,8 @@ struct Crossing_0
 {
      is_hit_0 : bool,
      t_4 : f64,
-     v_8 : f64,
-     w_3 : f64,
+     v_9 : f64,
+     w_4 : f64,
 };
 
 fn intersect_0( ray_1 : Ray_0,  axes_9 : u32,  at_16 : u32) -> Crossing_0
@@ -5798,51 +5809,51 @@ fn intersect_0( ray_1 : Ray_0,  axes_9 : u32,  at_16 : u32) -> Crossing_0
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_4 = 0.0lf;
-    crossing_0.v_8 = 0.0lf;
-    crossing_0.w_3 = 0.0lf;
+    crossing_0.v_9 = 0.0lf;
+    crossing_0.w_4 = 0.0lf;
     var a_18 : vec3<f64> = corner_0(ray_1, axes_9, at_16);
     var b_15 : vec3<f64> = corner_0(ray_1, axes_9, at_16 + u32(3));
     var c_7 : vec3<f64> = corner_0(ray_1, axes_9, at_16 + u32(6));
-    var _S1248 : f64 = c_7.x;
-    var _S1249 : f64 = b_15.y;
-    var cx_by_0 : f64 = rounded_0(_S1248 * _S1249, ray_1.largest_1);
-    var _S1250 : f64 = c_7.y;
-    var _S1251 : f64 = b_15.x;
-    var cy_bx_0 : f64 = rounded_0(_S1250 * _S1251, ray_1.largest_1);
-    var _S1252 : f64 = a_18.x;
-    var ax_cy_0 : f64 = rounded_0(_S1252 * _S1250, ray_1.largest_1);
-    var _S1253 : f64 = a_18.y;
-    var ay_cx_0 : f64 = rounded_0(_S1253 * _S1248, ray_1.largest_1);
-    var bx_ay_0 : f64 = rounded_0(_S1251 * _S1253, ray_1.largest_1);
-    var by_ax_0 : f64 = rounded_0(_S1249 * _S1252, ray_1.largest_1);
+    var _S1250 : f64 = c_7.x;
+    var _S1251 : f64 = b_15.y;
+    var cx_by_0 : f64 = rounded_0(_S1250 * _S1251, ray_1.largest_1);
+    var _S1252 : f64 = c_7.y;
+    var _S1253 : f64 = b_15.x;
+    var cy_bx_0 : f64 = rounded_0(_S1252 * _S1253, ray_1.largest_1);
+    var _S1254 : f64 = a_18.x;
+    var ax_cy_0 : f64 = rounded_0(_S1254 * _S1252, ray_1.largest_1);
+    var _S1255 : f64 = a_18.y;
+    var ay_cx_0 : f64 = rounded_0(_S1255 * _S1250, ray_1.largest_1);
+    var bx_ay_0 : f64 = rounded_0(_S1253 * _S1255, ray_1.largest_1);
+    var by_ax_0 : f64 = rounded_0(_S1251 * _S1254, ray_1.largest_1);
     var u_8 : f64 = cx_by_0 - cy_bx_0;
-    var v_9 : f64 = ax_cy_0 - ay_cx_0;
-    var w_4 : f64 = bx_ay_0 - by_ax_0;
-    var _S1254 : f64 = min(min(u_8, v_9), w_4);
-    var _S1255 : f64 = max(max(u_8, v_9), w_4);
-    var _S1256 : bool;
-    if(_S1254 < 0.0lf)
+    var v_10 : f64 = ax_cy_0 - ay_cx_0;
+    var w_5 : f64 = bx_ay_0 - by_ax_0;
+    var _S1256 : f64 = min(min(u_8, v_10), w_5);
+    var _S1257 : f64 = max(max(u_8, v_10), w_5);
+    var _S1258 : bool;
+    if(_S1256 < 0.0lf)
     {
-        _S1256 = _S1255 > 0.0lf;
+        _S1258 = _S1257 > 0.0lf;
     }
     else
     {
-        _S1256 = false;
+        _S1258 = false;
     }
-    if(_S1256)
+    if(_S1258)
     {
         return crossing_0;
     }
-    var determinant_0 : f64 = u_8 + v_9 + w_4;
-    if(_S1254 <= 0.0lf)
+    var determinant_0 : f64 = u_8 + v_10 + w_5;
+    if(_S1256 <= 0.0lf)
     {
-        _S1256 = _S1255 >= 0.0lf;
+        _S1258 = _S1257 >= 0.0lf;
     }
     else
     {
-        _S1256 = false;
+        _S1258 = false;
     }
-    if(_S1256)
+    if(_S1258)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -5853,43 +5864,43 @@ fn intersect_0( ray_1 : Ray_0,  axes_9 : u32,  at_16 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_5 : f64 = (rounded_0(u_8 * a_18.z, ray_1.largest_1) + rounded_0(v_9 * b_15.z, ray_1.largest_1) + rounded_0(w_4 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
+    var t_5 : f64 = (rounded_0(u_8 * a_18.z, ray_1.largest_1) + rounded_0(v_10 * b_15.z, ray_1.largest_1) + rounded_0(w_5 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_5)
     {
-        _S1256 = t_5 <= (ray_1.t_max_0);
+        _S1258 = t_5 <= (ray_1.t_max_0);
     }
     else
     {
-        _S1256 = false;
+        _S1258 = false;
     }
-    crossing_0.is_hit_0 = _S1256;
+    crossing_0.is_hit_0 = _S1258;
     crossing_0.t_4 = t_5;
-    crossing_0.v_8 = v_9 / determinant_0;
-    crossing_0.w_3 = w_4 / determinant_0;
+    crossing_0.v_9 = v_10 / determinant_0;
+    crossing_0.w_4 = w_5 / determinant_0;
     return crossing_0;
 }
 
-fn face_6( triangle_6 : u32) -> u32
+fn face_6( triangle_7 : u32) -> u32
 {
-    return rough_0[triangle_6 / u32(4)][triangle_6 % u32(4)];
+    return rough_0[triangle_7 / u32(4)][triangle_7 % u32(4)];
 }
 
 struct Found_0
 {
      face_7 : u32,
-     triangle_7 : u32,
-     v_10 : f64,
-     w_5 : f64,
+     triangle_8 : u32,
+     v_11 : f64,
+     w_6 : f64,
 };
 
 fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S1257 : bool;
+    var _S1259 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
-    found_3.triangle_7 = u32(4294967295);
-    found_3.v_10 = 0.0lf;
-    found_3.w_5 = 0.0lf;
+    found_3.triangle_8 = u32(4294967295);
+    found_3.v_11 = 0.0lf;
+    found_3.w_6 = 0.0lf;
     if(!((view_4.limit_0) >= 0.0f))
     {
         return found_3;
@@ -5916,31 +5927,31 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_1[level_0];
-        var _S1258 : u32 = way_1[level_0].y;
-        if(_S1258 == u32(0))
+        var _S1260 : u32 = way_1[level_0].y;
+        if(_S1260 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S1259 : u32 = level_0 - u32(1);
+            var _S1261 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S1259;
+            level_0 = _S1261;
             continue;
         }
-        var slot_5 : u32 = ((_S1258 & (u32(15)))) - u32(1);
-        way_1[level_0][i32(1)] = (_S1258 >> (u32(4)));
-        var _S1260 : bool;
+        var slot_5 : u32 = ((_S1260 & (u32(15)))) - u32(1);
+        way_1[level_0][i32(1)] = (_S1260 >> (u32(4)));
+        var _S1262 : bool;
         if(!is_new_1)
         {
-            _S1260 = (ray_bound_0(view_4, limit_4, here_1.x, slot_5)) > limit_4;
+            _S1262 = (ray_bound_0(view_4, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S1260 = false;
+            _S1262 = false;
         }
-        if(_S1260)
+        if(_S1262)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -5949,20 +5960,20 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S1261 : u32 = level_0 + u32(1);
+            var _S1263 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S1261;
+            level_0 = _S1263;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S1262 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S1263 : u32 = leaf_starts_0[leaf_0];
+        var _S1264 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S1265 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S1263;
+        var i_3 : u32 = _S1265;
         for(;;)
         {
-            if(i_3 < _S1262)
+            if(i_3 < _S1264)
             {
             }
             else
@@ -5977,29 +5988,29 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S1257 = true;
+                _S1259 = true;
             }
             else
             {
-                _S1257 = (crossing_1.t_4) < ((*ray_2).t_max_0);
+                _S1259 = (crossing_1.t_4) < ((*ray_2).t_max_0);
             }
-            var _S1264 : bool;
-            if(_S1257)
+            var _S1266 : bool;
+            if(_S1259)
             {
-                _S1264 = true;
+                _S1266 = true;
             }
             else
             {
-                _S1264 = (face_6(i_3)) < (found_3.face_7);
+                _S1266 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S1264)
+            if(_S1266)
             {
                 found_3.face_7 = face_6(i_3);
-                found_3.triangle_7 = i_3;
+                found_3.triangle_8 = i_3;
                 (*ray_2).t_max_0 = crossing_1.t_4;
-                found_3.v_10 = crossing_1.v_8;
-                found_3.w_5 = crossing_1.w_3;
+                found_3.v_11 = crossing_1.v_9;
+                found_3.w_6 = crossing_1.w_4;
                 limit_6 = min(limit_5, f32(crossing_1.t_4 * (*ray_2).local_per_t_0 - (*ray_2).enter_0) + 2.0f * view_4.margin_0);
             }
             else
@@ -6011,13 +6022,13 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S1257 = (found_3.face_7) != u32(4294967295);
+            _S1259 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S1257 = false;
+            _S1259 = false;
         }
-        if(_S1257)
+        if(_S1259)
         {
             break;
         }
@@ -6031,34 +6042,34 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_1 : vec3<f64>,  direction_10 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_6 : ptr<function, f32>) -> Found_0
 {
     var size_2 : vec3<f32> = abs(vec3<f32>(direction_10));
-    var _S1265 : f32 = size_2.x;
-    var _S1266 : f32 = size_2.y;
-    var _S1267 : bool;
-    if(_S1265 >= _S1266)
+    var _S1267 : f32 = size_2.x;
+    var _S1268 : f32 = size_2.y;
+    var _S1269 : bool;
+    if(_S1267 >= _S1268)
     {
-        _S1267 = _S1265 >= (size_2.z);
+        _S1269 = _S1267 >= (size_2.z);
     }
     else
     {
-        _S1267 = false;
+        _S1269 = false;
     }
-    var _S1268 : i32;
-    if(_S1267)
+    var _S1270 : i32;
+    if(_S1269)
     {
-        _S1268 = i32(0);
+        _S1270 = i32(0);
     }
     else
     {
-        if(_S1266 >= (size_2.z))
+        if(_S1268 >= (size_2.z))
         {
-            _S1268 = i32(1);
+            _S1270 = i32(1);
         }
         else
         {
-            _S1268 = i32(2);
+            _S1270 = i32(2);
         }
     }
-    var z_6 : u32 = u32(_S1268);
+    var z_6 : u32 = u32(_S1270);
     var x_22 : u32 = (z_6 + u32(1)) % u32(3);
     var y_8 : u32 = (z_6 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
@@ -6069,13 +6080,13 @@ fn cast_0( origin_1 : vec3<f64>,  direction_10 : vec3<f64>,  t_min_1 : f64,  t_m
     ray_3.shear_y_0 = component_0(direction_10, y_8) / along_3;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S1269 : f64 = abs(along_3);
-    ray_3.local_per_t_0 = _S1269;
+    var _S1271 : f64 = abs(along_3);
+    ray_3.local_per_t_0 = _S1271;
     ray_3.enter_0 = 0.0lf;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
     var view_5 : RayView_0;
-    var _S1270 : vec3<f32> = vec3<f32>(direction_10 / vec3<f64>(_S1269));
+    var _S1272 : vec3<f32> = vec3<f32>(direction_10 / vec3<f64>(_S1271));
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -6086,17 +6097,17 @@ fn cast_0( origin_1 : vec3<f64>,  direction_10 : vec3<f64>,  t_min_1 : f64,  t_m
         {
             break;
         }
-        var _S1271 : f32 = max(abs(_S1270[axis_4]), 8.67361737988403547e-19f);
-        var _S1272 : f32;
-        if((_S1270[axis_4]) < 0.0f)
+        var _S1273 : f32 = max(abs(_S1272[axis_4]), 8.67361737988403547e-19f);
+        var _S1274 : f32;
+        if((_S1272[axis_4]) < 0.0f)
         {
-            _S1272 = -1.0f / _S1271;
+            _S1274 = -1.0f / _S1273;
         }
         else
         {
-            _S1272 = 1.0f / _S1271;
+            _S1274 = 1.0f / _S1273;
         }
-        view_5.inverse_2[axis_4] = _S1272;
+        view_5.inverse_2[axis_4] = _S1274;
         axis_4 = axis_4 + u32(1);
     }
     var offset_4 : vec3<f32> = vec3<f32>(origin_1) * view_5.inverse_2;
@@ -6114,34 +6125,34 @@ fn cast_0( origin_1 : vec3<f64>,  direction_10 : vec3<f64>,  t_min_1 : f64,  t_m
 fn cast_1( origin_2 : vec3<f64>,  direction_11 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_2 : bool,  t_7 : ptr<function, f32>) -> Found_0
 {
     var size_3 : vec3<f32> = abs(vec3<f32>(direction_11));
-    var _S1273 : f32 = size_3.x;
-    var _S1274 : f32 = size_3.y;
-    var _S1275 : bool;
-    if(_S1273 >= _S1274)
+    var _S1275 : f32 = size_3.x;
+    var _S1276 : f32 = size_3.y;
+    var _S1277 : bool;
+    if(_S1275 >= _S1276)
     {
-        _S1275 = _S1273 >= (size_3.z);
+        _S1277 = _S1275 >= (size_3.z);
     }
     else
     {
-        _S1275 = false;
+        _S1277 = false;
     }
-    var _S1276 : i32;
-    if(_S1275)
+    var _S1278 : i32;
+    if(_S1277)
     {
-        _S1276 = i32(0);
+        _S1278 = i32(0);
     }
     else
     {
-        if(_S1274 >= (size_3.z))
+        if(_S1276 >= (size_3.z))
         {
-            _S1276 = i32(1);
+            _S1278 = i32(1);
         }
         else
         {
-            _S1276 = i32(2);
+            _S1278 = i32(2);
         }
     }
-    var z_7 : u32 = u32(_S1276);
+    var z_7 : u32 = u32(_S1278);
     var x_23 : u32 = (z_7 + u32(1)) % u32(3);
     var y_9 : u32 = (z_7 + u32(2)) % u32(3);
     var ray_4 : Ray_0;
@@ -6152,13 +6163,13 @@ fn cast_1( origin_2 : vec3<f64>,  direction_11 : vec3<f64>,  t_min_2 : f64,  t_m
     ray_4.shear_y_0 = component_0(direction_11, y_9) / along_4;
     ray_4.t_min_0 = t_min_2;
     ray_4.t_max_0 = t_max_2;
-    var _S1277 : f64 = abs(along_4);
-    ray_4.local_per_t_0 = _S1277;
+    var _S1279 : f64 = abs(along_4);
+    ray_4.local_per_t_0 = _S1279;
     ray_4.enter_0 = 0.0lf;
     ray_4.edge_on_0 = limit_at_0(u32(0));
     ray_4.largest_1 = limit_at_0(u32(1));
     var view_6 : RayView_0;
-    var _S1278 : vec3<f32> = vec3<f32>(direction_11 / vec3<f64>(_S1277));
+    var _S1280 : vec3<f32> = vec3<f32>(direction_11 / vec3<f64>(_S1279));
     var axis_5 : u32 = u32(0);
     for(;;)
     {
@@ -6169,17 +6180,17 @@ fn cast_1( origin_2 : vec3<f64>,  direction_11 : vec3<f64>,  t_min_2 : f64,  t_m
         {
             break;
         }
-        var _S1279 : f32 = max(abs(_S1278[axis_5]), 8.67361737988403547e-19f);
-        var _S1280 : f32;
-        if((_S1278[axis_5]) < 0.0f)
+        var _S1281 : f32 = max(abs(_S1280[axis_5]), 8.67361737988403547e-19f);
+        var _S1282 : f32;
+        if((_S1280[axis_5]) < 0.0f)
         {
-            _S1280 = -1.0f / _S1279;
+            _S1282 = -1.0f / _S1281;
         }
         else
         {
-            _S1280 = 1.0f / _S1279;
+            _S1282 = 1.0f / _S1281;
         }
-        view_6.inverse_2[axis_5] = _S1280;
+        view_6.inverse_2[axis_5] = _S1282;
         axis_5 = axis_5 + u32(1);
     }
     var offset_5 : vec3<f32> = vec3<f32>(origin_2) * view_6.inverse_2;
@@ -6201,16 +6212,16 @@ fn turning_0( vertex_1 : Vertex_0,  direction_12 : vec3<f32>) -> vec3<f32>
 
 fn towards_emitter_0( vertex_2 : Vertex_0,  direction_13 : vec3<f32>,  record_12 : u32) -> vec3<f32>
 {
-    var _S1281 : vec3<f32>;
+    var _S1283 : vec3<f32>;
     if((word_0(record_12)) == u32(1))
     {
-        _S1281 = changing_0(direction_13, turning_0(vertex_2, direction_13));
+        _S1283 = changing_0(direction_13, turning_0(vertex_2, direction_13));
     }
     else
     {
-        _S1281 = still_0(direction_13);
+        _S1283 = still_0(direction_13);
     }
-    return _S1281;
+    return _S1283;
 }
 
 fn local_change_0( vertex_3 : Vertex_0,  direction_14 : vec3<f32>) -> vec3<f32>
@@ -6220,11 +6231,11 @@ fn local_change_0( vertex_3 : Vertex_0,  direction_14 : vec3<f32>) -> vec3<f32>
 
 fn Mirrored_x24init_0( cosine_5 : f32,  pdf_4 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S1282 : Mirrored_0;
-    _S1282.cosine_0 = cosine_5;
-    _S1282.pdf_1 = pdf_4;
-    _S1282.scattered_0 = scattered_1;
-    return _S1282;
+    var _S1284 : Mirrored_0;
+    _S1284.cosine_0 = cosine_5;
+    _S1284.pdf_1 = pdf_4;
+    _S1284.scattered_0 = scattered_1;
+    return _S1284;
 }
 
 fn facets_of_0( lobe_8 : Lobe_0,  numbers_5 : Numbers_0) -> Microfacets_0
@@ -6237,50 +6248,50 @@ fn facets_of_0( lobe_8 : Lobe_0,  numbers_5 : Numbers_0) -> Microfacets_0
 
 fn density_0( facets_1 : Microfacets_0,  m_0 : vec3<f32>) -> f32
 {
-    var _S1283 : f32 = m_0.z;
-    if(_S1283 <= 0.0f)
+    var _S1285 : f32 = m_0.z;
+    if(_S1285 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_2 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_3 : vec2<f32> = m_0.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_3, slope_3);
-    var cos2_6 : f32 = _S1283 * _S1283;
+    var cos2_6 : f32 = _S1285 * _S1285;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_5 : f32 = spread_0 + cos2_6;
         return 1.0f / (scale_2 * sum_5 * sum_5);
     }
     var exponent_2 : f32 = spread_0 / cos2_6;
-    var _S1284 : f32;
+    var _S1286 : f32;
     if(exponent_2 > 80.0f)
     {
-        _S1284 = 0.0f;
+        _S1286 = 0.0f;
     }
     else
     {
-        _S1284 = exponential_0(- exponent_2) / (scale_2 * cos2_6 * cos2_6);
+        _S1286 = exponential_0(- exponent_2) / (scale_2 * cos2_6 * cos2_6);
     }
-    return _S1284;
+    return _S1286;
 }
 
-fn visible_over_cos_0( facets_2 : Microfacets_0,  w_6 : vec3<f32>) -> f32
+fn visible_over_cos_0( facets_2 : Microfacets_0,  w_7 : vec3<f32>) -> f32
 {
-    var stretched_2 : vec2<f32> = w_6.xy * facets_2.alpha_1;
+    var stretched_2 : vec2<f32> = w_7.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_2, stretched_2);
-    var _S1285 : f32 = w_6.z;
-    var z2_3 : f32 = _S1285 * _S1285;
+    var _S1287 : f32 = w_7.z;
+    var z2_3 : f32 = _S1287 * _S1287;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S1285 + sqrt(z2_3 + spread2_0));
+        return 2.0f / (_S1287 + sqrt(z2_3 + spread2_0));
     }
     if(z2_3 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S1285;
+        return 1.0f / _S1287;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S1285 / spread_1);
-    return 2.0f / (_S1285 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S1287 / spread_1);
+    return 2.0f / (_S1287 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_1 : vec3<f32>) -> Mirrored_0
@@ -6288,9 +6299,9 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_1 : vec3<f32>) -
     var h_1 : vec3<f32> = normalize(wi_3 + wo_1);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_0 = dot(wi_3, h_1);
-    var _S1286 : f32 = 0.25f * density_0(facets_3, h_1) * visible_over_cos_0(facets_3, wi_3);
-    mirrored_1.pdf_1 = _S1286;
-    mirrored_1.scattered_0 = _S1286 * visible_over_cos_0(facets_3, wo_1) * wo_1.z;
+    var _S1288 : f32 = 0.25f * density_0(facets_3, h_1) * visible_over_cos_0(facets_3, wi_3);
+    mirrored_1.pdf_1 = _S1288;
+    mirrored_1.scattered_0 = _S1288 * visible_over_cos_0(facets_3, wo_1) * wo_1.z;
     return mirrored_1;
 }
 
@@ -6307,9 +6318,9 @@ fn fresnel_conductor_channel_0( cosine_6 : f32,  eta_1 : f32,  k_4 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_2)));
     var smaller_2 : f32 = product_4 / larger_0;
-    var _S1287 : bool = real_2 < 0.0f;
+    var _S1289 : bool = real_2 < 0.0f;
     var a_19 : f32;
-    if(_S1287)
+    if(_S1289)
     {
         a_19 = smaller_2;
     }
@@ -6318,7 +6329,7 @@ fn fresnel_conductor_channel_0( cosine_6 : f32,  eta_1 : f32,  k_4 : f32) -> f32
         a_19 = larger_0;
     }
     var b_16 : f32;
-    if(_S1287)
+    if(_S1289)
     {
         b_16 = larger_0;
     }
@@ -6328,9 +6339,9 @@ fn fresnel_conductor_channel_0( cosine_6 : f32,  eta_1 : f32,  k_4 : f32) -> f32
     }
     var less_2 : f32 = a_19 - cosine_6;
     var more_2 : f32 = a_19 + cosine_6;
-    var _S1288 : f32 = b_16 * b_16;
+    var _S1290 : f32 = b_16 * b_16;
     var p_sum_4 : f32 = modulus_0 * cos2_7 + sin2_2 * sin2_2;
-    return (less_2 * less_2 + _S1288) / (more_2 * more_2 + _S1288) * p_sum_4 / (p_sum_4 + 2.0f * a_19 * cosine_6 * sin2_2);
+    return (less_2 * less_2 + _S1290) / (more_2 * more_2 + _S1290) * p_sum_4 / (p_sum_4 + 2.0f * a_19 * cosine_6 * sin2_2);
 }
 
 fn fresnel_conductor_0( cosine_7 : f32,  eta_2 : vec3<f32>,  k_5 : vec3<f32>) -> vec3<f32>
@@ -6368,10 +6379,10 @@ fn transmittance_0( lobe_9 : Lobe_0,  eta_4 : f32,  cosine_9 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_9, eta_4);
     }
     var place_15 : f32 = cosine_9 * 63.0f;
-    var _S1289 : u32 = min(u32(place_15), u32(62));
-    var at_17 : u32 = word_0(lobe_9.record_0 + u32(3)) + _S1289;
+    var _S1291 : u32 = min(u32(place_15), u32(62));
+    var at_17 : u32 = word_0(lobe_9.record_0 + u32(3)) + _S1291;
     var here_2 : f32 = number_0(at_17);
-    return here_2 + (number_0(at_17 + u32(1)) - here_2) * (place_15 - f32(_S1289));
+    return here_2 + (number_0(at_17 + u32(1)) - here_2) * (place_15 - f32(_S1291));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -6405,15 +6416,15 @@ fn base_0( lobe_10 : Lobe_0,  eta_6 : f32,  diffuse_0 : vec3<f32>) -> vec3<f32>
 fn scattering_1( lobe_11 : Lobe_0,  numbers_7 : Numbers_0,  wi_4 : vec3<f32>,  wo_2 : vec3<f32>) -> Scattering_0
 {
     var scattering_2 : Scattering_0;
-    var _S1290 : f32 = wo_2.z;
-    var by_cosine_2 : f32 = _S1290 * 0.31830987334251404f;
+    var _S1292 : f32 = wo_2.z;
+    var by_cosine_2 : f32 = _S1292 * 0.31830987334251404f;
     if((lobe_11.kind_0) == u32(0))
     {
         scattering_2.value_1 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_2);
         scattering_2.pdf_0 = by_cosine_2;
         return scattering_2;
     }
-    var _S1291 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S1293 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_2 : Mirrored_0;
     if(is_rough_0(lobe_11))
     {
@@ -6421,7 +6432,7 @@ fn scattering_1( lobe_11 : Lobe_0,  numbers_7 : Numbers_0,  wi_4 : vec3<f32>,  w
     }
     else
     {
-        by_facets_2 = _S1291;
+        by_facets_2 = _S1293;
     }
     if((lobe_11.kind_0) == u32(2))
     {
@@ -6431,7 +6442,7 @@ fn scattering_1( lobe_11 : Lobe_0,  numbers_7 : Numbers_0,  wi_4 : vec3<f32>,  w
     }
     var eta_7 : f32 = coat_eta_0(numbers_7);
     var enters_1 : f32 = transmittance_0(lobe_11, eta_7, wi_4.z);
-    scattering_2.value_1 = base_0(lobe_11, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_11, eta_7, _S1290) * by_cosine_2 / (eta_7 * eta_7)));
+    scattering_2.value_1 = base_0(lobe_11, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_11, eta_7, _S1292) * by_cosine_2 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_7, enters_1);
     scattering_2.pdf_0 = probability_3 * by_cosine_2;
     if((lobe_11.kind_0) == u32(4))
@@ -6453,16 +6464,16 @@ fn eval_and_pdf_0( lobe_12 : Lobe_0,  wi_5 : vec3<f32>,  wo_3 : vec3<f32>) -> Sc
     var scattered_2 : Scattered_0;
     scattered_2.value_9 = still_0(vec3<f32>(0.0f));
     scattered_2.pdf_5 = 0.0f;
-    var _S1292 : bool;
+    var _S1294 : bool;
     if((value_of_0(wo_3).z) <= 0.0f)
     {
-        _S1292 = true;
+        _S1294 = true;
     }
     else
     {
-        _S1292 = !has_smooth_0(lobe_12);
+        _S1294 = !has_smooth_0(lobe_12);
     }
-    if(_S1292)
+    if(_S1294)
     {
         return scattered_2;
     }
@@ -6505,11 +6516,11 @@ fn in_map_0( map_6 : u32,  direction_17 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_6 + u32(1)));
     var left_1 : u32 = wrapped_0(x_24, width_4, u32(0));
     var right_1 : u32 = wrapped_0(x_24 + i32(1), width_4, u32(0));
-    var _S1293 : u32 = wrapped_0(y_10, height_1, u32(2));
-    var _S1294 : u32 = u32(width_4);
-    var first_3 : u32 = _S1293 * _S1294;
-    var _S1295 : u32 = wrapped_0(y_10 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S1295 * _S1294;
+    var _S1295 : u32 = wrapped_0(y_10, height_1, u32(2));
+    var _S1296 : u32 = u32(width_4);
+    var first_3 : u32 = _S1295 * _S1296;
+    var _S1297 : u32 = wrapped_0(y_10 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S1297 * _S1296;
     return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), point_1);
 }
 
@@ -6519,14 +6530,14 @@ fn emitted_0( emitter_5 : u32,  place_18 : Place_0,  direction_18 : vec3<f32>) -
     var texture_6 : u32 = word_0(record_13 + u32(1));
     if(!is_map_0(record_13))
     {
-        var _S1296 : vec3<f32> = shown_0(texture_6, place_18);
-        return _S1296;
+        var _S1298 : vec3<f32> = shown_0(texture_6, place_18);
+        return _S1298;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_1 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S1297 : u32 = word_0(texture_6 + u32(11));
-    var _S1298 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_18));
-    return looked_up_0(_S1297, _S1298, change_1) * factor_1;
+    var _S1299 : u32 = word_0(texture_6 + u32(11));
+    var _S1300 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_18));
+    return looked_up_0(_S1299, _S1300, change_1) * factor_1;
 }
 
 fn change_word_0( at_18 : u32) -> u32
@@ -6541,59 +6552,59 @@ fn numbers_of_0( texture_7 : u32) -> u32
 
 fn add_word_0( sum_6 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
 {
-    var _S1299 : u32 = u32(2) + u32(4) * sum_6;
-    var _S1300 : u32 = number_1;
+    var _S1301 : u32 = u32(2) + u32(4) * sum_6;
+    var _S1302 : u32 = number_1;
     var k_6 : u32 = word_of_sum_0;
     for(;;)
     {
-        var _S1301 : bool;
+        var _S1303 : bool;
         if(k_6 < u32(4))
         {
-            _S1301 = _S1300 != u32(0);
+            _S1303 = _S1302 != u32(0);
         }
         else
         {
-            _S1301 = false;
+            _S1303 = false;
         }
-        if(_S1301)
+        if(_S1303)
         {
         }
         else
         {
             break;
         }
-        var _S1302 : u32;
+        var _S1304 : u32;
         if(is_negative_0)
         {
-            _S1302 = u32(0) - _S1300;
+            _S1304 = u32(0) - _S1302;
         }
         else
         {
-            _S1302 = _S1300;
+            _S1304 = _S1302;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S1299 + k_6]), _S1302);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S1301 + k_6]), _S1304);
         var overflows_0 : bool;
         if(is_negative_0)
         {
-            overflows_0 = before_0 < _S1300;
+            overflows_0 = before_0 < _S1302;
         }
         else
         {
-            overflows_0 = (before_0 + _S1300) < before_0;
+            overflows_0 = (before_0 + _S1302) < before_0;
         }
-        var _S1303 : i32;
+        var _S1305 : i32;
         if(overflows_0)
         {
-            _S1303 = i32(1);
+            _S1305 = i32(1);
         }
         else
         {
-            _S1303 = i32(0);
+            _S1305 = i32(0);
         }
-        var _S1304 : u32 = u32(_S1303);
-        var _S1305 : u32 = k_6 + u32(1);
-        _S1300 = _S1304;
-        k_6 = _S1305;
+        var _S1306 : u32 = u32(_S1305);
+        var _S1307 : u32 = k_6 + u32(1);
+        _S1302 = _S1306;
+        k_6 = _S1307;
     }
     return;
 }
@@ -6602,14 +6613,14 @@ fn add_to_sum_0( sum_7 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S1306 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S1308 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_4 : f32 = abs(scaled_0);
     if(size_4 > 7.73712524553362672e+25f)
     {
-        var _S1307 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S1309 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
     var is_negative_1 : bool = scaled_0 < 0.0f;
@@ -6617,16 +6628,16 @@ fn add_to_sum_0( sum_7 : u32,  derivative_0 : f32)
     var size_5 : f32 = size_4;
     for(;;)
     {
-        var _S1308 : bool;
+        var _S1310 : bool;
         if(highest_1 < u32(2))
         {
-            _S1308 = size_5 >= 4.294967296e+09f;
+            _S1310 = size_5 >= 4.294967296e+09f;
         }
         else
         {
-            _S1308 = false;
+            _S1310 = false;
         }
-        if(_S1308)
+        if(_S1310)
         {
         }
         else
@@ -6637,24 +6648,24 @@ fn add_to_sum_0( sum_7 : u32,  derivative_0 : f32)
         highest_1 = highest_1 + u32(1);
         size_5 = size_6;
     }
-    var _S1309 : bool = highest_1 == u32(0);
-    var _S1310 : f32;
-    if(_S1309)
+    var _S1311 : bool = highest_1 == u32(0);
+    var _S1312 : f32;
+    if(_S1311)
     {
-        _S1310 = size_5 + 0.5f;
+        _S1312 = size_5 + 0.5f;
     }
     else
     {
-        _S1310 = size_5;
+        _S1312 = size_5;
     }
-    var whole_0 : u32 = u32(_S1310);
+    var whole_0 : u32 = u32(_S1312);
     add_word_0(sum_7, highest_1, whole_0, is_negative_1);
-    if(_S1309)
+    if(_S1311)
     {
         return;
     }
     var rest_7 : f32 = (size_5 - f32(whole_0)) * 4.294967296e+09f;
-    var _S1311 : u32 = highest_1 - u32(1);
+    var _S1313 : u32 = highest_1 - u32(1);
     if(highest_1 == u32(1))
     {
         size_5 = rest_7 + 0.5f;
@@ -6663,7 +6674,7 @@ fn add_to_sum_0( sum_7 : u32,  derivative_0 : f32)
     {
         size_5 = rest_7;
     }
-    add_word_0(sum_7, _S1311, u32(size_5), is_negative_1);
+    add_word_0(sum_7, _S1313, u32(size_5), is_negative_1);
     return;
 }
 
@@ -6692,7 +6703,7 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
     {
         return;
     }
-    var _S1312 : u32 = word_0(texture_8 + u32(1));
+    var _S1314 : u32 = word_0(texture_8 + u32(1));
     var k_7 : u32 = u32(0);
     for(;;)
     {
@@ -6703,9 +6714,9 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         {
             break;
         }
-        var at_19 : u32 = first_5 + _S1312 * lookup_5.texels_0[k_7];
+        var at_19 : u32 = first_5 + _S1314 * lookup_5.texels_0[k_7];
         var own_3 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_1[k_7]);
-        if(_S1312 == u32(1))
+        if(_S1314 == u32(1))
         {
             add_to_sum_0(at_19, own_3.x + own_3.y + own_3.z);
             k_7 = k_7 + u32(1);
@@ -6728,18 +6739,18 @@ fn is_moving_0() -> bool
     return (change_word_0(u32(0))) != u32(4294967295);
 }
 
-fn points_of_0( triangle_8 : u32) -> u32
+fn points_of_0( triangle_9 : u32) -> u32
 {
-    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_8)));
+    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_9)));
 }
 
-fn add_to_corners_0( sums_at_0 : u32,  triangle_9 : u32,  by_a_0 : vec3<f32>,  by_b_0 : vec3<f32>,  by_c_0 : vec3<f32>)
+fn add_to_corners_0( sums_at_0 : u32,  triangle_10 : u32,  by_a_0 : vec3<f32>,  by_b_0 : vec3<f32>,  by_c_0 : vec3<f32>)
 {
     if(sums_at_0 == u32(4294967295))
     {
         return;
     }
-    var record_14 : u32 = triangle_record_0(triangle_9) + u32(2);
+    var record_14 : u32 = triangle_record_0(triangle_10) + u32(2);
     add_to_sums_0(sums_at_0 + u32(3) * word_0(record_14), by_a_0);
     add_to_sums_0(sums_at_0 + u32(3) * word_0(record_14 + u32(1)), by_b_0);
     add_to_sums_0(sums_at_0 + u32(3) * word_0(record_14 + u32(2)), by_c_0);
@@ -6756,12 +6767,12 @@ fn place_back_0( place_20 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : v
 {
     var corner_1 : u32 = u32(9) * place_20.triangle_0;
     var a_20 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S1313 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_20);
-    var _S1314 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_20);
-    var across_1 : vec3<f32> = cross(_S1313, _S1314);
-    var _S1315 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
-    var normal_7 : vec3<f32> = across_1 / vec3<f32>(_S1315);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S1314, normal_7) * vec3<f32>(by_place_0.x) + cross(normal_7, _S1313) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_7, normal_7) * _S1315)));
+    var _S1315 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_20);
+    var _S1316 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_20);
+    var across_1 : vec3<f32> = cross(_S1315, _S1316);
+    var _S1317 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
+    var normal_7 : vec3<f32> = across_1 / vec3<f32>(_S1317);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S1316, normal_7) * vec3<f32>(by_place_0.x) + cross(normal_7, _S1315) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_7, normal_7) * _S1317)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_7 * vec3<f32>((dot(direction_19, by_slip_0) / dot(normal_7, direction_19)));
     add_at_place_0(points_of_0(place_20.triangle_0), place_20, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -6773,26 +6784,26 @@ fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_6 : u32,  pla
     var texture_10 : u32 = word_0(record_15 + u32(1));
     if(!is_map_0(record_15))
     {
-        var _S1316 : Lookup_0 = lookup_at_0(texture_10, place_21);
-        var by_place_1 : vec2<f32> = lookup_back_0(texture_10, _S1316, importance_0);
-        var _S1317 : bool;
+        var _S1318 : Lookup_0 = lookup_at_0(texture_10, place_21);
+        var by_place_1 : vec2<f32> = lookup_back_0(texture_10, _S1318, importance_0);
+        var _S1319 : bool;
         if(!is_area_0(record_15))
         {
-            _S1317 = true;
+            _S1319 = true;
         }
         else
         {
-            _S1317 = !is_moving_0();
+            _S1319 = !is_moving_0();
         }
-        if(_S1317)
+        if(_S1319)
         {
-            _S1317 = true;
+            _S1319 = true;
         }
         else
         {
-            _S1317 = (all((by_place_1 == vec2<f32>(0.0f))));
+            _S1319 = (all((by_place_1 == vec2<f32>(0.0f))));
         }
-        if(_S1317)
+        if(_S1319)
         {
             return vec3<f32>(0.0f);
         }
@@ -6803,14 +6814,14 @@ fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_6 : u32,  pla
     var texels_2 : u32 = word_0(texture_10 + u32(11));
     var scale_3 : u32 = word_0(texture_10 + u32(12));
     var lookup_7 : Lookup_0 = in_map_0(texture_10, direction_20);
-    var _S1318 : Lookup_0 = one_texel_0(u32(0));
-    var factor_2 : vec3<f32> = weighted_texels_0(scale_3, _S1318, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
-    var _S1319 : vec2<f32> = lookup_back_0(scale_3, _S1318, importance_0 * weighted_texels_0(texels_2, lookup_7, lookup_7.weights_1));
+    var _S1320 : Lookup_0 = one_texel_0(u32(0));
+    var factor_2 : vec3<f32> = weighted_texels_0(scale_3, _S1320, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
+    var _S1321 : vec2<f32> = lookup_back_0(scale_3, _S1320, importance_0 * weighted_texels_0(texels_2, lookup_7, lookup_7.weights_1));
     var by_place_2 : vec2<f32> = lookup_back_0(texels_2, lookup_7, importance_0 * factor_2);
-    var _S1320 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1322 : vec3<f32> = vec3<f32>(0.0f);
     var moving_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     moving_0.primal_0 = direction_20;
-    moving_0.differential_0 = _S1320;
+    moving_0.differential_0 = _S1322;
     _S1105(texture_10, &(moving_0), by_place_2);
     return moving_0.differential_0;
 }
@@ -6834,17 +6845,17 @@ fn axes_back_0( axes_10 : ptr<function, Axes_0>,  local_1 : vec3<f32>,  world_0 
 
 fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_6 : Vertex_0,  wo_5 : vec3<f32>,  direction_21 : vec3<f32>,  is_specular_1 : bool,  by_value_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S1321 : Numbers_0 = no_numbers_0();
+    var _S1323 : Numbers_0 = no_numbers_0();
     var numbers_9 : DiffPair_Numbers_0;
     numbers_9.primal_0 = vertex_6.lobe_6.numbers_0;
-    numbers_9.differential_0 = _S1321;
-    var _S1322 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_9.differential_0 = _S1323;
+    var _S1324 : vec3<f32> = vec3<f32>(0.0f);
     var wi_7 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     wi_7.primal_0 = vertex_6.wi_1;
-    wi_7.differential_0 = _S1322;
+    wi_7.differential_0 = _S1324;
     var onward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     onward_1.primal_0 = wo_5;
-    onward_1.differential_0 = _S1322;
+    onward_1.differential_0 = _S1324;
     if(is_specular_1)
     {
         _S1014(vertex_6.lobe_6, &(numbers_9), &(wi_7), by_value_0);
@@ -6854,30 +6865,30 @@ fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_6 : Vertex_0,  
         var by_scattering_0 : Scattering_Differential_0;
         by_scattering_0.value_0 = by_value_0;
         _S956(vertex_6.lobe_6, &(numbers_9), &(wi_7), &(onward_1), by_scattering_0);
-        var _S1323 : Axes_0 = (*pulled_1).axes_5;
-        axes_back_0(&(_S1323), onward_1.differential_0, direction_21);
-        (*pulled_1).axes_5 = _S1323;
+        var _S1325 : Axes_0 = (*pulled_1).axes_5;
+        axes_back_0(&(_S1325), onward_1.differential_0, direction_21);
+        (*pulled_1).axes_5 = _S1325;
     }
     (*pulled_1).numbers_4 = Numbers_x24_syn_dadd_0((*pulled_1).numbers_4, numbers_9.differential_0);
     (*pulled_1).wi_2 = (*pulled_1).wi_2 + wi_7.differential_0;
-    var _S1324 : vec3<f32>;
+    var _S1326 : vec3<f32>;
     if(is_specular_1)
     {
-        _S1324 = _S1322;
+        _S1326 = _S1324;
     }
     else
     {
-        _S1324 = to_world_0(vertex_6.axes_4, onward_1.differential_0);
+        _S1326 = to_world_0(vertex_6.axes_4, onward_1.differential_0);
     }
-    return _S1324;
+    return _S1326;
 }
 
 fn specular_direction_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  wo_6 : vec3<f32>,  by_direction_0 : vec3<f32>)
 {
     var local_2 : vec3<f32> = to_local_0(vertex_7.axes_4, by_direction_0);
-    var _S1325 : Axes_0 = (*pulled_2).axes_5;
-    axes_back_0(&(_S1325), wo_6, by_direction_0);
-    (*pulled_2).axes_5 = _S1325;
+    var _S1327 : Axes_0 = (*pulled_2).axes_5;
+    axes_back_0(&(_S1327), wo_6, by_direction_0);
+    (*pulled_2).axes_5 = _S1327;
     (*pulled_2).wi_2 = (*pulled_2).wi_2 + vec3<f32>((vec2<f32>(0) - local_2.xy), local_2.z);
     return;
 }
@@ -6898,12 +6909,12 @@ fn turning_back_0( pulled_3 : ptr<function, Pulled_0>,  vertex_9 : Vertex_0,  di
 
 fn direct_back_0( pulled_4 : ptr<function, Pulled_0>,  vertex_10 : Vertex_0,  emitter_7 : u32,  place_22 : Place_0,  wo_7 : vec3<f32>,  direction_23 : vec3<f32>,  is_specular_2 : bool,  t_10 : f32,  scattered_3 : Scattered_0,  weight_0 : f32,  light_1 : vec3<f32>,  importance_1 : vec3<f32>)
 {
-    var _S1326 : vec3<f32> = importance_1 * scattered_3.value_9 * vec3<f32>(weight_0);
-    var _S1327 : vec3<f32> = (*pulled_4).position_2;
-    var by_direction_2 : vec3<f32> = emitted_back_0(&(_S1327), emitter_7, place_22, direction_23, t_10, _S1326);
-    (*pulled_4).position_2 = _S1327;
-    var _S1328 : vec3<f32> = scattered_back_0(&((*pulled_4)), vertex_10, wo_7, direction_23, is_specular_2, importance_1 * light_1);
-    var by_direction_3 : vec3<f32> = by_direction_2 + _S1328;
+    var _S1328 : vec3<f32> = importance_1 * scattered_3.value_9 * vec3<f32>(weight_0);
+    var _S1329 : vec3<f32> = (*pulled_4).position_2;
+    var by_direction_2 : vec3<f32> = emitted_back_0(&(_S1329), emitter_7, place_22, direction_23, t_10, _S1328);
+    (*pulled_4).position_2 = _S1329;
+    var _S1330 : vec3<f32> = scattered_back_0(&((*pulled_4)), vertex_10, wo_7, direction_23, is_specular_2, importance_1 * light_1);
+    var by_direction_3 : vec3<f32> = by_direction_2 + _S1330;
     if(is_specular_2)
     {
         specular_direction_back_0(&((*pulled_4)), vertex_10, wo_7, by_direction_3);
@@ -6942,13 +6953,13 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_1
             return;
         }
         var way_3 : vec3<f64> = position_of_0(point_2.place_13) - vertex_11.surface_3.exact_0;
-        var _S1329 : vec3<f32> = vec3<f32>(way_3);
-        var distance_7 : f32 = length(_S1329);
+        var _S1331 : vec3<f32> = vec3<f32>(way_3);
+        var distance_7 : f32 = length(_S1331);
         var nearest_2 : f64 = nearest_0 / f64(distance_7);
-        var _S1330 : f64 = limit_at_0(u32(3));
-        direction_24 = _S1329 / vec3<f32>(distance_7);
+        var _S1332 : f64 = limit_at_0(u32(3));
+        direction_24 = _S1331 / vec3<f32>(distance_7);
         way_2 = way_3;
-        farthest_0 = _S1330;
+        farthest_0 = _S1332;
         distance_6 = distance_7;
         nearest_1 = nearest_2;
     }
@@ -6956,24 +6967,24 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_1
     {
         if(is_map_0(record_16))
         {
-            var _S1331 : u32 = word_0(record_16 + u32(1));
-            var _S1332 : u32 = first_6 + u32(1);
-            var _S1333 : f32 = point_2.pdf_2;
-            var _S1334 : vec3<f32> = sample_map_0(_S1331, key_7, _S1332, &(_S1333));
-            point_2.pdf_2 = _S1333;
-            direction_24 = _S1334;
+            var _S1333 : u32 = word_0(record_16 + u32(1));
+            var _S1334 : u32 = first_6 + u32(1);
+            var _S1335 : f32 = point_2.pdf_2;
+            var _S1336 : vec3<f32> = sample_map_0(_S1333, key_7, _S1334, &(_S1335));
+            point_2.pdf_2 = _S1335;
+            direction_24 = _S1336;
         }
         else
         {
             var local_3 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_6 + u32(1)));
-            var _S1335 : vec3<f32> = normalize(to_world_0(vertex_11.axes_4, local_3));
+            var _S1337 : vec3<f32> = normalize(to_world_0(vertex_11.axes_4, local_3));
             point_2.pdf_2 = local_3.z * 0.31830987334251404f;
-            direction_24 = _S1335;
+            direction_24 = _S1337;
         }
         point_2.place_13 = vertex_11.surface_3.place_5;
-        var _S1336 : f64 = limit_at_0(u32(1));
+        var _S1338 : f64 = limit_at_0(u32(1));
         way_2 = vec3<f64>(direction_24);
-        farthest_0 = _S1336;
+        farthest_0 = _S1338;
         distance_6 = 0.0f;
         nearest_1 = nearest_0;
     }
@@ -7005,8 +7016,8 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_1
         place_24 = place_23;
     }
     var weight_1 : f32 = weight_over_0(own_4, bsdf_samples_0 * scattered_4.pdf_5);
-    var _S1337 : vec3<f32> = emitted_0(emitter_8, place_24, moving_1);
-    var light_2 : vec3<f32> = _S1337 * vec3<f32>(weight_1);
+    var _S1339 : vec3<f32> = emitted_0(emitter_8, place_24, moving_1);
+    var light_2 : vec3<f32> = _S1339 * vec3<f32>(weight_1);
     (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_4.value_9 * light_2;
     direct_back_0(&((*pulled_5)), vertex_11, emitter_8, place_24, wo_8, direction_24, false, distance_6, scattered_4, weight_1, light_2, importance_2);
     return;
@@ -7024,37 +7035,37 @@ fn stretched_3( facets_4 : Microfacets_0,  wi_8 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_8.xy * facets_4.alpha_1, wi_8.z);
     var view_7 : Stretched_0;
-    var _S1338 : f32 = length(longer_0);
-    view_7.length_0 = _S1338;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S1338);
-    var _S1339 : vec2<f32> = longer_1.xy;
-    var _S1340 : f32 = length(_S1339);
-    view_7.sine_4 = _S1340;
+    var _S1340 : f32 = length(longer_0);
+    view_7.length_0 = _S1340;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S1340);
+    var _S1341 : vec2<f32> = longer_1.xy;
+    var _S1342 : f32 = length(_S1341);
+    view_7.sine_4 = _S1342;
     view_7.cosine_10 = longer_1.z;
-    var _S1341 : vec2<f32>;
-    if(_S1340 > 0.0f)
+    var _S1343 : vec2<f32>;
+    if(_S1342 > 0.0f)
     {
-        _S1341 = _S1339 / vec2<f32>(view_7.sine_4);
+        _S1343 = _S1341 / vec2<f32>(view_7.sine_4);
     }
     else
     {
-        _S1341 = vec2<f32>(1.0f, 0.0f);
+        _S1343 = vec2<f32>(1.0f, 0.0f);
     }
-    view_7.around_0 = _S1341;
+    view_7.around_0 = _S1343;
     return view_7;
 }
 
 fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
 {
-    var _S1342 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S1342);
+    var _S1344 : f32 = u_9.x;
+    var radius_2 : f32 = sqrt(_S1344);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
     var across_2 : f32 = radius_2 * turn_3.y;
     var along_5 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_10);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S1343 : f32 = 1.0f - _S1342;
-    var edge_0 : f32 = sqrt(_S1343 + along_5 * along_5);
+    var _S1345 : f32 = 1.0f - _S1344;
+    var edge_0 : f32 = sqrt(_S1345 + along_5 * along_5);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
     var from_top_0 : f32 = edge_0 - along_5;
     var from_bottom_0 : f32 = edge_0 + along_5;
@@ -7062,14 +7073,14 @@ fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_5 > 0.0f)
     {
-        from_top_1 = _S1343 / from_bottom_0;
+        from_top_1 = _S1345 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S1344 : f32 = _S1343 / from_top_0;
+        var _S1346 : f32 = _S1345 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S1344;
+        from_bottom_1 = _S1346;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_10, across_2, max(towards_0 * view_8.cosine_10 + up_0 * view_8.sine_4, 0.0f));
@@ -7100,14 +7111,14 @@ fn logarithm_0( x_25 : f32) -> f32
 
 fn error_function_inverse_0( p_0 : f32) -> f32
 {
-    var w_7 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
-    if(w_7 < 5.0f)
+    var w_8 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
+    if(w_8 < 5.0f)
     {
-        var w_8 : f32 = w_7 - 2.5f;
-        return ((((((((2.81022636272609816e-08f * w_8 + 3.43273939051869093e-07f) * w_8 - 3.52338770426285919e-06f) * w_8 - 4.39150653619435616e-06f) * w_8 + 0.00021858086984139f) * w_8 - 0.00125372502952814f) * w_8 - 0.00417768163606524f) * w_8 + 0.24664072692394257f) * w_8 + 1.50140941143035889f) * p_0;
+        var w_9 : f32 = w_8 - 2.5f;
+        return ((((((((2.81022636272609816e-08f * w_9 + 3.43273939051869093e-07f) * w_9 - 3.52338770426285919e-06f) * w_9 - 4.39150653619435616e-06f) * w_9 + 0.00021858086984139f) * w_9 - 0.00125372502952814f) * w_9 - 0.00417768163606524f) * w_9 + 0.24664072692394257f) * w_9 + 1.50140941143035889f) * p_0;
     }
-    var w_9 : f32 = sqrt(w_7) - 3.0f;
-    return ((((((((-0.0002002142573474f * w_9 + 0.00010095055768033f) * w_9 + 0.00134934321977198f) * w_9 - 0.00367342843674123f) * w_9 + 0.00573950773105025f) * w_9 - 0.00762246130034328f) * w_9 + 0.00943887047469616f) * w_9 + 1.00167405605316162f) * w_9 + 2.8329768180847168f) * p_0;
+    var w_10 : f32 = sqrt(w_8) - 3.0f;
+    return ((((((((-0.0002002142573474f * w_10 + 0.00010095055768033f) * w_10 + 0.00134934321977198f) * w_10 - 0.00367342843674123f) * w_10 + 0.00573950773105025f) * w_10 - 0.00762246130034328f) * w_10 + 0.00943887047469616f) * w_10 + 1.00167405605316162f) * w_10 + 2.8329768180847168f) * p_0;
 }
 
 fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>) -> vec3<f32>
@@ -7122,8 +7133,8 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S1345 : f32 = max(view_9.cosine_10, view_9.sine_4);
-    var slope_4 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S1345 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S1345, -6.0f, 0.5f * steepest_0);
+    var _S1347 : f32 = max(view_9.cosine_10, view_9.sine_4);
+    var slope_4 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S1347 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S1347, -6.0f, 0.5f * steepest_0);
     var low_5 : f32 = -6.0f;
     var high_2 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -7137,10 +7148,10 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             break;
         }
         var both_2 : vec2<f32> = error_function_plus_one_0(slope_4);
-        var _S1346 : f32 = both_2.y;
-        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S1346 - target_1;
-        var own_5 : f32 = _S1346 * (view_9.cosine_10 - slope_4 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_4 * own_5 - _S1346 * view_9.sine_4;
+        var _S1348 : f32 = both_2.y;
+        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S1348 - target_1;
+        var own_5 : f32 = _S1348 * (view_9.cosine_10 - slope_4 * view_9.sine_4);
+        var bend_0 : f32 = -2.0f * slope_4 * own_5 - _S1348 * view_9.sine_4;
         if(error_0 > 0.0f)
         {
             high_2 = slope_4;
@@ -7150,17 +7161,17 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             low_5 = slope_4;
         }
         var next_1 : f32 = slope_4 - error_0 * own_5 / (own_5 * own_5 - 0.5f * error_0 * bend_0);
-        var _S1347 : bool;
+        var _S1349 : bool;
         if(next_1 >= low_5)
         {
-            _S1347 = next_1 <= high_2;
+            _S1349 = next_1 <= high_2;
         }
         else
         {
-            _S1347 = false;
+            _S1349 = false;
         }
         var next_2 : f32;
-        if(!_S1347)
+        if(!_S1349)
         {
             next_2 = 0.5f * (low_5 + high_2);
         }
@@ -7173,9 +7184,9 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             slope_4 = next_2;
             break;
         }
-        var _S1348 : u32 = step_0 + u32(1);
+        var _S1350 : u32 = step_0 + u32(1);
         slope_4 = next_2;
-        step_0 = _S1348;
+        step_0 = _S1350;
     }
     return vec3<f32>(- slope_4, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -7192,11 +7203,11 @@ fn mirrored_at_facet_0( facets_5 : Microfacets_0,  wi_9 : vec3<f32>,  u_11 : vec
     {
         normal_8 = beckmann_normal_0(view_10, visible_over_cos_0(facets_5, wi_9), u_11);
     }
-    var _S1349 : f32 = view_10.around_0.x;
-    var _S1350 : f32 = normal_8.x;
-    var _S1351 : f32 = view_10.around_0.y;
-    var _S1352 : f32 = normal_8.y;
-    var normal_9 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S1349 * _S1350 - _S1351 * _S1352, _S1351 * _S1350 + _S1349 * _S1352) * facets_5.alpha_1, normal_8.z));
+    var _S1351 : f32 = view_10.around_0.x;
+    var _S1352 : f32 = normal_8.x;
+    var _S1353 : f32 = view_10.around_0.y;
+    var _S1354 : f32 = normal_8.y;
+    var normal_9 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S1351 * _S1352 - _S1353 * _S1354, _S1353 * _S1352 + _S1351 * _S1354) * facets_5.alpha_1, normal_8.z));
     return normalize(normal_9 * vec3<f32>((2.0f * dot(wi_9, normal_9))) - wi_9);
 }
 
@@ -7209,9 +7220,9 @@ struct Drawn_0
 
 fn draw_0( lobe_14 : Lobe_0,  wi_10 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
 {
-    var _S1353 : bool = (lobe_14.kind_0) == u32(0);
+    var _S1355 : bool = (lobe_14.kind_0) == u32(0);
     var has_base_0 : bool;
-    if(_S1353)
+    if(_S1355)
     {
         has_base_0 = true;
     }
@@ -7228,7 +7239,7 @@ fn draw_0( lobe_14 : Lobe_0,  wi_10 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f
         has_base_0 = (lobe_14.kind_0) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S1353)
+    if(_S1355)
     {
         of_base_1 = 1.0f;
     }
@@ -7236,16 +7247,16 @@ fn draw_0( lobe_14 : Lobe_0,  wi_10 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f
     {
         of_base_1 = 0.0f;
     }
-    var _S1354 : bool;
+    var _S1356 : bool;
     if((lobe_14.kind_0) == u32(3))
     {
-        _S1354 = true;
+        _S1356 = true;
     }
     else
     {
-        _S1354 = (lobe_14.kind_0) == u32(4);
+        _S1356 = (lobe_14.kind_0) == u32(4);
     }
-    if(_S1354)
+    if(_S1356)
     {
         of_base_1 = base_probability_0(lobe_14.numbers_0, transmittance_0(lobe_14, coat_eta_0(lobe_14.numbers_0), wi_10.z));
     }
@@ -7292,13 +7303,13 @@ fn specular_0( lobe_15 : Lobe_0,  wi_11 : vec3<f32>) -> vec3<f32>
 
 fn first_from_0( position_7 : vec3<f64>,  direction_26 : vec3<f32>,  t_11 : ptr<function, f32>) -> Found_0
 {
-    var _S1355 : Found_0 = cast_1(position_7, vec3<f64>(direction_26), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_11)));
-    return _S1355;
+    var _S1357 : Found_0 = cast_1(position_7, vec3<f64>(direction_26), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_11)));
+    return _S1357;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
 {
-    return place_at_0(found_6.triangle_7, f32(found_6.v_10), f32(found_6.w_5));
+    return exact_place_0(found_6.triangle_8, found_6.v_11, found_6.w_6);
 }
 
 fn emitter_seen_0( found_7 : Found_0,  direction_27 : vec3<f32>) -> u32
@@ -7307,26 +7318,26 @@ fn emitter_seen_0( found_7 : Found_0,  direction_27 : vec3<f32>) -> u32
     {
         return word_0(u32(8));
     }
-    var emitter_9 : u32 = word_0(shape_of_0(found_7.triangle_7) + u32(4));
-    var _S1356 : bool;
+    var emitter_9 : u32 = word_0(shape_of_0(found_7.triangle_8) + u32(4));
+    var _S1358 : bool;
     if(emitter_9 != u32(4294967295))
     {
-        _S1356 = (dot(cross_of_0(found_7.triangle_7), direction_27)) < 0.0f;
+        _S1358 = (dot(cross_of_0(found_7.triangle_8), direction_27)) < 0.0f;
     }
     else
     {
-        _S1356 = false;
+        _S1358 = false;
     }
-    var _S1357 : u32;
-    if(_S1356)
+    var _S1359 : u32;
+    if(_S1358)
     {
-        _S1357 = emitter_9;
+        _S1359 = emitter_9;
     }
     else
     {
-        _S1357 = u32(4294967295);
+        _S1359 = u32(4294967295);
     }
-    return _S1357;
+    return _S1359;
 }
 
 fn area_pdf_0( record_17 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_28 : vec3<f32>,  distance_8 : f32) -> f32
@@ -7335,17 +7346,17 @@ fn area_pdf_0( record_17 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
     var rectangle_1 : u32 = word_0(record_17 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S1358 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S1358.solid_angle_0) > 0.0f))
+        var _S1360 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S1360.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S1358.solid_angle_0) >= 0.00100000004749745f)
+        if((_S1360.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S1358.solid_angle_0;
+            return 1.0f / _S1360.solid_angle_0;
         }
     }
-    var _S1359 : u32 = word_0(word_0(record_17 + u32(7)) + face_8);
+    var _S1361 : u32 = word_0(word_0(record_17 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_17 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -7359,7 +7370,7 @@ fn area_pdf_0( record_17 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S1359 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S1361 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_6 = shares_1.y;
@@ -7369,22 +7380,22 @@ fn area_pdf_0( record_17 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             own_6 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_6;
-        var _S1360 : i32;
+        var _S1362 : i32;
         if(is_second_1)
         {
-            _S1360 = i32(3);
+            _S1362 = i32(3);
         }
         else
         {
-            _S1360 = i32(2);
+            _S1362 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S1360));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S1362));
         chosen_2 = chosen_3;
     }
-    var _S1361 : u32 = word_0(record_17 + u32(6));
-    var _S1362 : u32 = word_0(node_6);
+    var _S1363 : u32 = word_0(record_17 + u32(6));
+    var _S1364 : u32 = word_0(node_6);
     own_6 = 0.0f;
-    var k_8 : u32 = _S1362;
+    var k_8 : u32 = _S1364;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -7395,9 +7406,9 @@ fn area_pdf_0( record_17 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
         {
             break;
         }
-        var angle_6 : f32 = face_solid_angle_0(record_17, word_0(_S1361 + k_8), from_2.exact_0);
+        var angle_6 : f32 = face_solid_angle_0(record_17, word_0(_S1363 + k_8), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_6;
-        if(k_8 == _S1359)
+        if(k_8 == _S1361)
         {
             own_6 = angle_6;
         }
@@ -7416,8 +7427,8 @@ fn emitter_pdf_0( emitter_10 : u32,  found_8 : Found_0,  vertex_13 : Vertex_0,  
     var record_18 : u32 = emitter_record_0(emitter_10);
     if(is_map_0(record_18))
     {
-        var _S1363 : f32 = map_pdf_0(word_0(record_18 + u32(1)), direction_29);
-        return _S1363;
+        var _S1365 : f32 = map_pdf_0(word_0(record_18 + u32(1)), direction_29);
+        return _S1365;
     }
     if(!is_area_0(record_18))
     {
@@ -7459,13 +7470,13 @@ fn slot_derivative_0( numbers_10 : Numbers_0,  slot_6 : u32) -> vec3<f32>
 
 fn numbers_back_0( material_1 : u32,  place_25 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
 {
-    var _S1364 : vec2<f32> = vec2<f32>(0.0f);
-    var _S1365 : u32 = word_0(material_1 + u32(4));
+    var _S1366 : vec2<f32> = vec2<f32>(0.0f);
+    var _S1367 : u32 = word_0(material_1 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_3 : vec2<f32> = _S1364;
+    var by_place_3 : vec2<f32> = _S1366;
     for(;;)
     {
-        if(slot_7 < _S1365)
+        if(slot_7 < _S1367)
         {
         }
         else
@@ -7478,9 +7489,9 @@ fn numbers_back_0( material_1 : u32,  place_25 : Place_0,  numbers_11 : Numbers_
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S1366 : Lookup_0 = lookup_at_0(texture_11, place_25);
-        var _S1367 : vec2<f32> = lookup_back_0(texture_11, _S1366, slot_derivative_0(numbers_11, slot_7));
-        by_place_3 = by_place_3 + _S1367;
+        var _S1368 : Lookup_0 = lookup_at_0(texture_11, place_25);
+        var _S1369 : vec2<f32> = lookup_back_0(texture_11, _S1368, slot_derivative_0(numbers_11, slot_7));
+        by_place_3 = by_place_3 + _S1369;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_3;
@@ -7491,50 +7502,50 @@ fn unit_back_0( vector_1 : vec3<f32>,  derivative_5 : vec3<f32>,  size_7 : f32) 
     return (derivative_5 - vector_1 * vec3<f32>(dot(vector_1, derivative_5))) / vec3<f32>(size_7);
 }
 
-fn tangent_back_0( triangle_10 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : vec3<f32>)
+fn tangent_back_0( triangle_11 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : vec3<f32>)
 {
-    var points_0 : u32 = points_of_0(triangle_10);
-    var corner_2 : u32 = u32(9) * triangle_10;
+    var points_0 : u32 = points_of_0(triangle_11);
+    var corner_2 : u32 = u32(9) * triangle_11;
     if(points_0 == u32(4294967295))
     {
         return;
     }
-    var uvs_2 : Corners2_0 = uvs_of_0(triangle_10);
+    var uvs_2 : Corners2_0 = uvs_of_0(triangle_11);
     var first_7 : vec2<f32> = uvs_2.b_4 - uvs_2.a_7;
     var second_3 : vec2<f32> = uvs_2.c_1 - uvs_2.a_7;
-    var _S1368 : f32 = second_3.y;
-    var _S1369 : f32 = first_7.y;
-    var scale_4 : f32 = 1.0f / (first_7.x * _S1368 - second_3.x * _S1369);
-    var of_ab_0 : f32 = _S1368 * scale_4;
-    var of_ac_0 : f32 = - _S1369 * scale_4;
+    var _S1370 : f32 = second_3.y;
+    var _S1371 : f32 = first_7.y;
+    var scale_4 : f32 = 1.0f / (first_7.x * _S1370 - second_3.x * _S1371);
+    var of_ab_0 : f32 = _S1370 * scale_4;
+    var of_ac_0 : f32 = - _S1371 * scale_4;
     var a_21 : vec3<f64> = primitive_vector_0(corner_2);
-    var _S1370 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S1371 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_6 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_21) * _S1370 + vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_21) * _S1371));
-    add_to_corners_0(points_0, triangle_10, derivative_6 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_6 * _S1370, derivative_6 * _S1371);
+    var _S1372 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S1373 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_6 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_21) * _S1372 + vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_21) * _S1373));
+    add_to_corners_0(points_0, triangle_11, derivative_6 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_6 * _S1372, derivative_6 * _S1373);
     return;
 }
 
-fn normals_of_0( triangle_11 : u32) -> u32
+fn normals_of_0( triangle_12 : u32) -> u32
 {
-    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_11)) + u32(1));
+    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_12)) + u32(1));
 }
 
 fn surface_back_0( surface_5 : Surface_0,  by_place_4 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_30 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_5.shape_0);
-    var _S1372 : vec2<f32>;
+    var _S1374 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_3 : u32 = u32(9) * surface_5.place_5.triangle_0;
         var a_22 : vec3<f64> = primitive_vector_0(corner_3);
-        var _S1373 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_22);
-        var _S1374 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_22);
-        var derivative_7 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(_S1373, _S1374)));
-        var by_ab_0 : vec3<f32> = cross(_S1374, derivative_7);
-        var by_ac_0 : vec3<f32> = cross(derivative_7, _S1373);
+        var _S1375 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_22);
+        var _S1376 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_22);
+        var derivative_7 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(_S1375, _S1376)));
+        var by_ab_0 : vec3<f32> = cross(_S1376, derivative_7);
+        var by_ac_0 : vec3<f32> = cross(derivative_7, _S1375);
         add_to_corners_0(points_of_0(surface_5.place_5.triangle_0), surface_5.place_5.triangle_0, (vec3<f32>(0) - by_ab_0) - by_ac_0, by_ab_0, by_ac_0);
-        _S1372 = by_place_4;
+        _S1374 = by_place_4;
     }
     else
     {
@@ -7544,41 +7555,41 @@ fn surface_back_0( surface_5 : Surface_0,  by_place_4 : vec2<f32>,  by_position_
         var ac_1 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_19 + u32(2))) - a_23;
         var derivative_8 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(a_23 + ab_2 * vec3<f32>(surface_5.place_5.v_0) + ac_1 * vec3<f32>(surface_5.place_5.w_0)));
         add_at_place_0(normals_of_0(surface_5.place_5.triangle_0), surface_5.place_5, derivative_8);
-        _S1372 = by_place_4 + vec2<f32>(dot(ab_2, derivative_8), dot(ac_1, derivative_8));
+        _S1374 = by_place_4 + vec2<f32>(dot(ab_2, derivative_8), dot(ac_1, derivative_8));
     }
-    var _S1375 : vec3<f32> = place_back_0(surface_5.place_5, _S1372, by_position_1, direction_30);
-    return _S1375;
+    var _S1377 : vec3<f32> = place_back_0(surface_5.place_5, _S1374, by_position_1, direction_30);
+    return _S1377;
 }
 
 fn vertex_back_0( pulled_6 : Pulled_0,  vertex_14 : Vertex_0,  material_2 : u32,  direction_31 : vec3<f32>) -> ByRay_0
 {
     var by_ray_2 : ByRay_0;
-    var _S1376 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_2.direction_0 = _S1376;
-    by_ray_2.drift_0 = _S1376;
+    var _S1378 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_2.direction_0 = _S1378;
+    by_ray_2.drift_0 = _S1378;
     var by_place_5 : vec2<f32> = numbers_back_0(material_2, vertex_14.surface_3.place_5, pulled_6.numbers_4);
     if(!is_moving_0())
     {
         return by_ray_2;
     }
-    var _S1377 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S1379 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_1 : DiffPair_Axes_0;
     towards_1.primal_0 = vertex_14.axes_4;
-    towards_1.differential_0 = _S1377;
+    towards_1.differential_0 = _S1379;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_31;
-    incoming_0.differential_0 = _S1376;
+    incoming_0.differential_0 = _S1378;
     _S220(&(towards_1), &(incoming_0), pulled_6.wi_2);
     by_ray_2.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_14.surface_3.outward_0;
-    outward_1.differential_0 = _S1376;
-    var _S1378 : vec3<f32> = tangent_at_0(vertex_14.surface_3);
+    outward_1.differential_0 = _S1378;
+    var _S1380 : vec3<f32> = tangent_at_0(vertex_14.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S1378;
-    tangent_4.differential_0 = _S1376;
+    tangent_4.primal_0 = _S1380;
+    tangent_4.differential_0 = _S1378;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_6.axes_5, towards_1.differential_0);
-    if((any((_S1378 != _S1376))))
+    if((any((_S1380 != _S1378))))
     {
         _S171(&(outward_1), &(tangent_4), vertex_14.surface_3.is_front_0, by_axes_0);
         tangent_back_0(vertex_14.surface_3.place_5.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -7587,8 +7598,8 @@ fn vertex_back_0( pulled_6 : Pulled_0,  vertex_14 : Vertex_0,  material_2 : u32,
     {
         _S140(&(outward_1), vertex_14.surface_3.is_front_0, by_axes_0);
     }
-    var _S1379 : vec3<f32> = surface_back_0(vertex_14.surface_3, by_place_5, pulled_6.position_2, outward_1.differential_0, direction_31);
-    by_ray_2.drift_0 = _S1379;
+    var _S1381 : vec3<f32> = surface_back_0(vertex_14.surface_3, by_place_5, pulled_6.position_2, outward_1.differential_0, direction_31);
+    by_ray_2.drift_0 = _S1381;
     return by_ray_2;
 }
 
@@ -7605,10 +7616,10 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     var vertex_15 : Vertex_0 = vertex_at_0(surface_6, material_3, (*path_6).direction_1);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S1380 : u32 = word_0(u32(3));
-    var _S1381 : bool = !reaches_0(depth_2 + u32(3));
+    var _S1382 : u32 = word_0(u32(3));
+    var _S1383 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S1381)
+    if(_S1383)
     {
         goes_on_0 = (vertex_15.lobe_6.kind_0) == u32(0);
     }
@@ -7631,7 +7642,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     else
     {
-        bsdf_samples_1 = _S1380;
+        bsdf_samples_1 = _S1382;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_15.lobe_6))
@@ -7643,7 +7654,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         on_emitters_0 = u32(0);
     }
     var pulled_7 : Pulled_0 = nothing_pulled_0();
-    var _S1382 : Choice_0 = choice_at_0(surface_6.position_0, vertex_15.axes_4.n_0, on_emitters_0 == u32(0));
+    var _S1384 : Choice_0 = choice_at_0(surface_6.position_0, vertex_15.axes_4.n_0, on_emitters_0 == u32(0));
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -7654,7 +7665,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         {
             break;
         }
-        add_light_from_emitter_0(&((*reflected_2)), vertex_15, _S1382, (*path_6).key_0, first_8 + u32(3) * i_4, f32(bsdf_samples_1), importance_3, &(pulled_7));
+        add_light_from_emitter_0(&((*reflected_2)), vertex_15, _S1384, (*path_6).key_0, first_8 + u32(3) * i_4, f32(bsdf_samples_1), importance_3, &(pulled_7));
         i_4 = i_4 + u32(1);
     }
     var first_9 : u32 = first_8 + u32(3) * emitter_samples_0;
@@ -7705,15 +7716,15 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         var next_direction_1 : vec3<f32>;
         if(k_9 == u32(0))
         {
-            var _S1383 : bool = (found_9.face_7) != u32(4294967295);
-            var _S1384 : Place_0 = place_of_0(found_9);
+            var _S1385 : bool = (found_9.face_7) != u32(4294967295);
+            var _S1386 : Place_0 = place_of_0(found_9);
             (*reflected_2).onward_0 = scattered_5.value_9 * vec3<f32>((1.0f / scattered_5.pdf_5));
             (*reflected_2).wo_0 = drawn_1.wo_9;
             (*reflected_2).is_specular_0 = drawn_1.is_specular_3;
             (*reflected_2).factor_0 = 1.0f / scattered_5.pdf_5;
             (*reflected_2).distance_1 = t_13;
-            goes_on_1 = _S1383;
-            next_4 = _S1384;
+            goes_on_1 = _S1385;
+            next_4 = _S1386;
             next_direction_1 = moving_2;
         }
         else
@@ -7732,28 +7743,28 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             continue;
         }
         var own_7 : f32 = f32(bsdf_samples_1) * scattered_5.pdf_5;
-        var _S1385 : bool = !drawn_1.is_specular_3;
-        var _S1386 : bool;
-        if(_S1385)
+        var _S1387 : bool = !drawn_1.is_specular_3;
+        var _S1388 : bool;
+        if(_S1387)
         {
-            _S1386 = emitter_samples_0 != u32(0);
+            _S1388 = emitter_samples_0 != u32(0);
         }
         else
         {
-            _S1386 = false;
+            _S1388 = false;
         }
         var other_1 : f32;
-        if(_S1386)
+        if(_S1388)
         {
             var pdf_6 : f32 = emitter_pdf_0(emitter_11, found_9, vertex_15, direction_32, t_13);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_11, _S1382) * pdf_6;
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_11, _S1384) * pdf_6;
         }
         else
         {
             other_1 = 0.0f;
         }
         var moving_3 : vec3<f32>;
-        if(_S1385)
+        if(_S1387)
         {
             moving_3 = towards_emitter_0(vertex_15, direction_32, emitter_record_0(emitter_11));
         }
@@ -7772,8 +7783,8 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             place_27 = place_26;
         }
         var weight_2 : f32 = weight_over_0(own_7, other_1);
-        var _S1387 : vec3<f32> = emitted_0(emitter_11, place_27, moving_3);
-        var light_3 : vec3<f32> = _S1387 * vec3<f32>(weight_2);
+        var _S1389 : vec3<f32> = emitted_0(emitter_11, place_27, moving_3);
+        var light_3 : vec3<f32> = _S1389 * vec3<f32>(weight_2);
         (*reflected_2).direct_0 = (*reflected_2).direct_0 + scattered_5.value_9 * light_3;
         direct_back_0(&(pulled_7), vertex_15, emitter_11, place_27, drawn_1.wo_9, direction_32, drawn_1.is_specular_3, t_13, scattered_5, weight_2, light_3, importance_3);
         goes_on_0 = goes_on_1;
@@ -7781,9 +7792,9 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         next_direction_0 = next_direction_1;
         k_9 = k_9 + u32(1);
     }
-    var _S1388 : ByRay_0 = vertex_back_0(pulled_7, vertex_15, material_3, incoming_1);
-    (*reflected_2).by_ray_1 = _S1388;
-    if(_S1381)
+    var _S1390 : ByRay_0 = vertex_back_0(pulled_7, vertex_15, material_3, incoming_1);
+    (*reflected_2).by_ray_1 = _S1390;
+    if(_S1383)
     {
         goes_on_0 = true;
     }
@@ -7796,12 +7807,12 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         return false;
     }
     var throughput_1 : vec3<f32> = value_of_0((*path_6).throughput_0) * value_of_0((*reflected_2).onward_0);
-    var _S1389 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    var _S1390 : u32 = depth_2 + u32(1);
-    if(_S1390 >= (word_0(u32(1))))
+    var _S1391 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    var _S1392 : u32 = depth_2 + u32(1);
+    if(_S1392 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S1389, 0.05000000074505806f, 0.94999998807907104f);
-        if((random_0((*path_6).key_0, vertex_numbers_0(_S1390) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S1391, 0.05000000074505806f, 0.94999998807907104f);
+        if((random_0((*path_6).key_0, vertex_numbers_0(_S1392) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -7815,7 +7826,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
 
 fn kept_at_0( depth_3 : u32) -> u32
 {
-    return u32(31) + u32(27) * depth_3;
+    return u32(33) + u32(29) * depth_3;
 }
 
 fn set_word_0( path_7 : u32,  which_6 : u32,  value_10 : u32)
@@ -7886,7 +7897,9 @@ fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_28 : Place
     set_word_0(path_11, (*which_10), place_28.triangle_0);
     set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_28.v_0))));
     set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_28.w_0))));
-    (*which_10) = (*which_10) + u32(3);
+    set_word_0(path_11, (*which_10) + u32(3), (bitcast<u32>((place_28.v_rest_0))));
+    set_word_0(path_11, (*which_10) + u32(4), (bitcast<u32>((place_28.w_rest_0))));
+    (*which_10) = (*which_10) + u32(5);
     return;
 }
 
@@ -7895,7 +7908,9 @@ fn set_place_1( path_12 : u32,  which_11 : ptr<function, u32>,  place_29 : Place
     set_word_0(path_12, (*which_11), place_29.triangle_0);
     set_word_0(path_12, (*which_11) + u32(1), (bitcast<u32>((place_29.v_0))));
     set_word_0(path_12, (*which_11) + u32(2), (bitcast<u32>((place_29.w_0))));
-    (*which_11) = (*which_11) + u32(3);
+    set_word_0(path_12, (*which_11) + u32(3), (bitcast<u32>((place_29.v_rest_0))));
+    set_word_0(path_12, (*which_11) + u32(4), (bitcast<u32>((place_29.w_rest_0))));
+    (*which_11) = (*which_11) + u32(5);
     return;
 }
 
@@ -7942,41 +7957,41 @@ fn go_on_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     set_vector_1(number_of_path_2, &(kept_0), reflected_3.wo_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_3.by_ray_1.drift_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_3.by_ray_1.direction_0);
-    var _S1391 : u32 = kept_0;
-    kept_0 = kept_0 + u32(1);
-    var _S1392 : i32;
-    if(reflected_3.is_specular_0)
-    {
-        _S1392 = i32(1);
-    }
-    else
-    {
-        _S1392 = i32(0);
-    }
-    set_word_0(number_of_path_2, _S1391, u32(_S1392));
     var _S1393 : u32 = kept_0;
     kept_0 = kept_0 + u32(1);
-    var _S1394 : u32;
-    if(goes_on_2)
+    var _S1394 : i32;
+    if(reflected_3.is_specular_0)
     {
-        _S1394 = (bitcast<u32>((reflected_3.factor_0)));
+        _S1394 = i32(1);
     }
     else
     {
-        _S1394 = u32(0);
+        _S1394 = i32(0);
     }
-    set_word_0(number_of_path_2, _S1393, _S1394);
+    set_word_0(number_of_path_2, _S1393, u32(_S1394));
+    var _S1395 : u32 = kept_0;
+    kept_0 = kept_0 + u32(1);
+    var _S1396 : u32;
+    if(goes_on_2)
+    {
+        _S1396 = (bitcast<u32>((reflected_3.factor_0)));
+    }
+    else
+    {
+        _S1396 = u32(0);
+    }
+    set_word_0(number_of_path_2, _S1395, _S1396);
     set_word_0(number_of_path_2, kept_0, (bitcast<u32>((reflected_3.distance_1))));
     path_15.throughput_0 = path_15.throughput_0 * reflected_3.onward_0;
     store_0(number_of_path_2, path_15);
     if(goes_on_2)
     {
-        _S1394 = number_of_path_2;
+        _S1396 = number_of_path_2;
     }
     else
     {
-        _S1394 = u32(4294967295);
+        _S1396 = u32(4294967295);
     }
-    set_word_0(at_21, u32(0), _S1394);
+    set_word_0(at_21, u32(0), _S1396);
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 2f5cb71f39c27c50
-// result: f9caa1c0579672d1
+// source: 34f6f725355e4320
+// result: 426663c145ab3d4e
 
 struct Launch_std140_0
 {
@@ -3882,22 +3882,26 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+fn exact_place_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
 {
     var place_2 : Place_0;
     place_2.triangle_0 = triangle_1;
     place_2.v_0 = v_1;
     place_2.w_0 = w_1;
+    place_2.v_rest_0 = 0.0f;
+    place_2.w_rest_0 = 0.0f;
     return place_2;
 }
 
 fn path_place_0( path_4 : u32,  which_4 : ptr<function, u32>) -> Place_0
 {
-    var _S1115 : u32 = (*which_4) + u32(3);
+    var _S1115 : u32 = (*which_4) + u32(5);
     (*which_4) = _S1115;
-    return place_at_0(path_word_0(path_4, _S1115 - u32(3)), (bitcast<f32>((path_word_0(path_4, _S1115 - u32(2))))), (bitcast<f32>((path_word_0(path_4, _S1115 - u32(1))))));
+    return exact_place_0(path_word_0(path_4, _S1115 - u32(5)), (bitcast<f32>((path_word_0(path_4, _S1115 - u32(4))))) + (bitcast<f32>((path_word_0(path_4, _S1115 - u32(2))))), (bitcast<f32>((path_word_0(path_4, _S1115 - u32(3))))) + (bitcast<f32>((path_word_0(path_4, _S1115 - u32(1))))));
 }
 
 struct ByRay_0
@@ -4003,7 +4007,7 @@ fn position_of_0( place_4 : Place_0) -> vec3<f32>
 {
     var at_6 : u32 = u32(9) * place_4.triangle_0;
     var a_4 : vec3<f32> = primitive_vector_0(at_6);
-    return a_4 + (primitive_vector_0(at_6 + u32(3)) - a_4) * vec3<f32>(place_4.v_0) + (primitive_vector_0(at_6 + u32(6)) - a_4) * vec3<f32>(place_4.w_0);
+    return a_4 + (primitive_vector_0(at_6 + u32(3)) - a_4) * vec3<f32>((place_4.v_0 + place_4.v_rest_0)) + (primitive_vector_0(at_6 + u32(6)) - a_4) * vec3<f32>((place_4.w_0 + place_4.w_rest_0));
 }
 
 fn cross_of_0( triangle_4 : u32) -> vec3<f32>
@@ -4902,6 +4906,11 @@ fn limit_at_0( which_5 : u32) -> f32
     return primitives_0[word_0(u32(13)) + which_5];
 }
 
+fn place_at_0( triangle_6 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
+{
+    return exact_place_0(triangle_6, v_4, w_2);
+}
+
 fn angle_of_0( x_18 : f32,  y_6 : f32) -> f32
 {
     var _S1175 : f32 = abs(x_18);
@@ -5106,13 +5115,13 @@ fn rectangle_face_0( at_12 : u32,  place_12 : vec2<f32>,  weights_3 : ptr<functi
         var row_1 : u32 = at_12 + u32(14) + u32(6) * face_0;
         var _S1193 : f32 = place_12.x;
         var _S1194 : f32 = place_12.y;
-        var v_4 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S1193 + number_0(row_1 + u32(2)) * _S1194;
-        var w_2 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S1193 + number_0(row_1 + u32(5)) * _S1194;
-        var _S1195 : f32 = min(min(v_4, w_2), 1.0f - v_4 - w_2);
+        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S1193 + number_0(row_1 + u32(2)) * _S1194;
+        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S1193 + number_0(row_1 + u32(5)) * _S1194;
+        var _S1195 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
         if(_S1195 > best_0)
         {
-            (*weights_3)[i32(0)] = clamp(v_4, 0.0f, 1.0f);
-            (*weights_3)[i32(1)] = clamp(w_2, 0.0f, 1.0f - (*weights_3).x);
+            (*weights_3)[i32(0)] = clamp(v_5, 0.0f, 1.0f);
+            (*weights_3)[i32(1)] = clamp(w_3, 0.0f, 1.0f - (*weights_3).x);
             best_0 = _S1195;
             found_2 = face_0;
         }
@@ -5172,9 +5181,9 @@ fn face_solid_angle_0( record_9 : u32,  face_3 : u32,  viewpoint_4 : vec3<f32>) 
     return solid_angle_of_0(corners_1.a_16, corners_1.b_13, corners_1.c_5);
 }
 
-fn unit_across_0( v_5 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
+fn unit_across_0( v_6 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 {
-    return normalize(v_5 - axis_1 * vec3<f32>(dot(v_5, axis_1)));
+    return normalize(v_6 - axis_1 * vec3<f32>(dot(v_6, axis_1)));
 }
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_4 : f32) -> vec3<f32>
@@ -5572,27 +5581,27 @@ fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
     return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S1230));
 }
 
-fn to_world_0( axes_6 : Axes_0,  v_6 : vec3<f32>) -> vec3<f32>
+fn to_world_0( axes_6 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
 {
-    return axes_6.s_0 * vec3<f32>(v_6.x) + axes_6.t_0 * vec3<f32>(v_6.y) + axes_6.n_0 * vec3<f32>(v_6.z);
+    return axes_6.s_0 * vec3<f32>(v_7.x) + axes_6.t_0 * vec3<f32>(v_7.y) + axes_6.n_0 * vec3<f32>(v_7.z);
 }
 
-fn component_0( v_7 : vec3<f32>,  axis_2 : u32) -> f32
+fn component_0( v_8 : vec3<f32>,  axis_2 : u32) -> f32
 {
     var _S1231 : f32;
     if(axis_2 == u32(0))
     {
-        _S1231 = v_7.x;
+        _S1231 = v_8.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S1231 = v_7.y;
+            _S1231 = v_8.y;
         }
         else
         {
-            _S1231 = v_7.z;
+            _S1231 = v_8.z;
         }
     }
     return _S1231;
@@ -5786,8 +5795,8 @@ struct Crossing_0
 {
      is_hit_0 : bool,
      t_4 : f32,
-     v_8 : f32,
-     w_3 : f32,
+     v_9 : f32,
+     w_4 : f32,
 };
 
 fn intersect_0( ray_1 : Ray_0,  axes_9 : u32,  at_16 : u32) -> Crossing_0
@@ -5795,8 +5804,8 @@ fn intersect_0( ray_1 : Ray_0,  axes_9 : u32,  at_16 : u32) -> Crossing_0
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_4 = 0.0f;
-    crossing_0.v_8 = 0.0f;
-    crossing_0.w_3 = 0.0f;
+    crossing_0.v_9 = 0.0f;
+    crossing_0.w_4 = 0.0f;
     var a_18 : vec3<f32> = corner_0(ray_1, axes_9, at_16);
     var b_15 : vec3<f32> = corner_0(ray_1, axes_9, at_16 + u32(3));
     var c_7 : vec3<f32> = corner_0(ray_1, axes_9, at_16 + u32(6));
@@ -5813,10 +5822,10 @@ fn intersect_0( ray_1 : Ray_0,  axes_9 : u32,  at_16 : u32) -> Crossing_0
     var bx_ay_0 : f32 = rounded_0(_S1249 * _S1251, ray_1.largest_1);
     var by_ax_0 : f32 = rounded_0(_S1247 * _S1250, ray_1.largest_1);
     var u_8 : f32 = cx_by_0 - cy_bx_0;
-    var v_9 : f32 = ax_cy_0 - ay_cx_0;
-    var w_4 : f32 = bx_ay_0 - by_ax_0;
-    var _S1252 : f32 = min(min(u_8, v_9), w_4);
-    var _S1253 : f32 = max(max(u_8, v_9), w_4);
+    var v_10 : f32 = ax_cy_0 - ay_cx_0;
+    var w_5 : f32 = bx_ay_0 - by_ax_0;
+    var _S1252 : f32 = min(min(u_8, v_10), w_5);
+    var _S1253 : f32 = max(max(u_8, v_10), w_5);
     var _S1254 : bool;
     if(_S1252 < 0.0f)
     {
@@ -5830,7 +5839,7 @@ fn intersect_0( ray_1 : Ray_0,  axes_9 : u32,  at_16 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var determinant_0 : f32 = u_8 + v_9 + w_4;
+    var determinant_0 : f32 = u_8 + v_10 + w_5;
     if(_S1252 <= 0.0f)
     {
         _S1254 = _S1253 >= 0.0f;
@@ -5850,7 +5859,7 @@ fn intersect_0( ray_1 : Ray_0,  axes_9 : u32,  at_16 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_5 : f32 = (rounded_0(u_8 * a_18.z, ray_1.largest_1) + rounded_0(v_9 * b_15.z, ray_1.largest_1) + rounded_0(w_4 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
+    var t_5 : f32 = (rounded_0(u_8 * a_18.z, ray_1.largest_1) + rounded_0(v_10 * b_15.z, ray_1.largest_1) + rounded_0(w_5 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_5)
     {
         _S1254 = t_5 <= (ray_1.t_max_0);
@@ -5861,22 +5870,22 @@ fn intersect_0( ray_1 : Ray_0,  axes_9 : u32,  at_16 : u32) -> Crossing_0
     }
     crossing_0.is_hit_0 = _S1254;
     crossing_0.t_4 = t_5;
-    crossing_0.v_8 = v_9 / determinant_0;
-    crossing_0.w_3 = w_4 / determinant_0;
+    crossing_0.v_9 = v_10 / determinant_0;
+    crossing_0.w_4 = w_5 / determinant_0;
     return crossing_0;
 }
 
-fn face_6( triangle_6 : u32) -> u32
+fn face_6( triangle_7 : u32) -> u32
 {
-    return rough_0[triangle_6 / u32(4)][triangle_6 % u32(4)];
+    return rough_0[triangle_7 / u32(4)][triangle_7 % u32(4)];
 }
 
 struct Found_0
 {
      face_7 : u32,
-     triangle_7 : u32,
-     v_10 : f32,
-     w_5 : f32,
+     triangle_8 : u32,
+     v_11 : f32,
+     w_6 : f32,
 };
 
 fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
@@ -5884,9 +5893,9 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     var _S1255 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
-    found_3.triangle_7 = u32(4294967295);
-    found_3.v_10 = 0.0f;
-    found_3.w_5 = 0.0f;
+    found_3.triangle_8 = u32(4294967295);
+    found_3.v_11 = 0.0f;
+    found_3.w_6 = 0.0f;
     if(!((view_4.limit_0) >= 0.0f))
     {
         return found_3;
@@ -5993,10 +6002,10 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             if(_S1262)
             {
                 found_3.face_7 = face_6(i_3);
-                found_3.triangle_7 = i_3;
+                found_3.triangle_8 = i_3;
                 (*ray_2).t_max_0 = crossing_1.t_4;
-                found_3.v_10 = crossing_1.v_8;
-                found_3.w_5 = crossing_1.w_3;
+                found_3.v_11 = crossing_1.v_9;
+                found_3.w_6 = crossing_1.w_4;
                 limit_6 = min(limit_5, crossing_1.t_4 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_4.margin_0);
             }
             else
@@ -6261,11 +6270,11 @@ fn density_0( facets_1 : Microfacets_0,  m_0 : vec3<f32>) -> f32
     return _S1282;
 }
 
-fn visible_over_cos_0( facets_2 : Microfacets_0,  w_6 : vec3<f32>) -> f32
+fn visible_over_cos_0( facets_2 : Microfacets_0,  w_7 : vec3<f32>) -> f32
 {
-    var stretched_2 : vec2<f32> = w_6.xy * facets_2.alpha_1;
+    var stretched_2 : vec2<f32> = w_7.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_2, stretched_2);
-    var _S1283 : f32 = w_6.z;
+    var _S1283 : f32 = w_7.z;
     var z2_3 : f32 = _S1283 * _S1283;
     if((facets_2.distribution_1) == u32(1))
     {
@@ -6725,18 +6734,18 @@ fn is_moving_0() -> bool
     return (change_word_0(u32(0))) != u32(4294967295);
 }
 
-fn points_of_0( triangle_8 : u32) -> u32
+fn points_of_0( triangle_9 : u32) -> u32
 {
-    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_8)));
+    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_9)));
 }
 
-fn add_to_corners_0( sums_at_0 : u32,  triangle_9 : u32,  by_a_0 : vec3<f32>,  by_b_0 : vec3<f32>,  by_c_0 : vec3<f32>)
+fn add_to_corners_0( sums_at_0 : u32,  triangle_10 : u32,  by_a_0 : vec3<f32>,  by_b_0 : vec3<f32>,  by_c_0 : vec3<f32>)
 {
     if(sums_at_0 == u32(4294967295))
     {
         return;
     }
-    var record_14 : u32 = triangle_record_0(triangle_9) + u32(2);
+    var record_14 : u32 = triangle_record_0(triangle_10) + u32(2);
     add_to_sums_0(sums_at_0 + u32(3) * word_0(record_14), by_a_0);
     add_to_sums_0(sums_at_0 + u32(3) * word_0(record_14 + u32(1)), by_b_0);
     add_to_sums_0(sums_at_0 + u32(3) * word_0(record_14 + u32(2)), by_c_0);
@@ -7096,14 +7105,14 @@ fn logarithm_0( x_25 : f32) -> f32
 
 fn error_function_inverse_0( p_0 : f32) -> f32
 {
-    var w_7 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
-    if(w_7 < 5.0f)
+    var w_8 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
+    if(w_8 < 5.0f)
     {
-        var w_8 : f32 = w_7 - 2.5f;
-        return ((((((((2.81022636272609816e-08f * w_8 + 3.43273939051869093e-07f) * w_8 - 3.52338770426285919e-06f) * w_8 - 4.39150653619435616e-06f) * w_8 + 0.00021858086984139f) * w_8 - 0.00125372502952814f) * w_8 - 0.00417768163606524f) * w_8 + 0.24664072692394257f) * w_8 + 1.50140941143035889f) * p_0;
+        var w_9 : f32 = w_8 - 2.5f;
+        return ((((((((2.81022636272609816e-08f * w_9 + 3.43273939051869093e-07f) * w_9 - 3.52338770426285919e-06f) * w_9 - 4.39150653619435616e-06f) * w_9 + 0.00021858086984139f) * w_9 - 0.00125372502952814f) * w_9 - 0.00417768163606524f) * w_9 + 0.24664072692394257f) * w_9 + 1.50140941143035889f) * p_0;
     }
-    var w_9 : f32 = sqrt(w_7) - 3.0f;
-    return ((((((((-0.0002002142573474f * w_9 + 0.00010095055768033f) * w_9 + 0.00134934321977198f) * w_9 - 0.00367342843674123f) * w_9 + 0.00573950773105025f) * w_9 - 0.00762246130034328f) * w_9 + 0.00943887047469616f) * w_9 + 1.00167405605316162f) * w_9 + 2.8329768180847168f) * p_0;
+    var w_10 : f32 = sqrt(w_8) - 3.0f;
+    return ((((((((-0.0002002142573474f * w_10 + 0.00010095055768033f) * w_10 + 0.00134934321977198f) * w_10 - 0.00367342843674123f) * w_10 + 0.00573950773105025f) * w_10 - 0.00762246130034328f) * w_10 + 0.00943887047469616f) * w_10 + 1.00167405605316162f) * w_10 + 2.8329768180847168f) * p_0;
 }
 
 fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>) -> vec3<f32>
@@ -7294,7 +7303,7 @@ fn first_from_0( position_7 : vec3<f32>,  direction_26 : vec3<f32>,  t_11 : ptr<
 
 fn place_of_0( found_6 : Found_0) -> Place_0
 {
-    return place_at_0(found_6.triangle_7, found_6.v_10, found_6.w_5);
+    return exact_place_0(found_6.triangle_8, found_6.v_11, found_6.w_6);
 }
 
 fn emitter_seen_0( found_7 : Found_0,  direction_27 : vec3<f32>) -> u32
@@ -7303,11 +7312,11 @@ fn emitter_seen_0( found_7 : Found_0,  direction_27 : vec3<f32>) -> u32
     {
         return word_0(u32(8));
     }
-    var emitter_9 : u32 = word_0(shape_of_0(found_7.triangle_7) + u32(4));
+    var emitter_9 : u32 = word_0(shape_of_0(found_7.triangle_8) + u32(4));
     var _S1351 : bool;
     if(emitter_9 != u32(4294967295))
     {
-        _S1351 = (dot(cross_of_0(found_7.triangle_7), direction_27)) < 0.0f;
+        _S1351 = (dot(cross_of_0(found_7.triangle_8), direction_27)) < 0.0f;
     }
     else
     {
@@ -7487,15 +7496,15 @@ fn unit_back_0( vector_1 : vec3<f32>,  derivative_5 : vec3<f32>,  size_7 : f32) 
     return (derivative_5 - vector_1 * vec3<f32>(dot(vector_1, derivative_5))) / vec3<f32>(size_7);
 }
 
-fn tangent_back_0( triangle_10 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : vec3<f32>)
+fn tangent_back_0( triangle_11 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : vec3<f32>)
 {
-    var points_0 : u32 = points_of_0(triangle_10);
-    var corner_2 : u32 = u32(9) * triangle_10;
+    var points_0 : u32 = points_of_0(triangle_11);
+    var corner_2 : u32 = u32(9) * triangle_11;
     if(points_0 == u32(4294967295))
     {
         return;
     }
-    var uvs_2 : Corners2_0 = uvs_of_0(triangle_10);
+    var uvs_2 : Corners2_0 = uvs_of_0(triangle_11);
     var first_7 : vec2<f32> = uvs_2.b_4 - uvs_2.a_7;
     var second_3 : vec2<f32> = uvs_2.c_1 - uvs_2.a_7;
     var _S1363 : f32 = second_3.y;
@@ -7507,13 +7516,13 @@ fn tangent_back_0( triangle_10 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : ve
     var _S1365 : vec3<f32> = vec3<f32>(of_ab_0);
     var _S1366 : vec3<f32> = vec3<f32>(of_ac_0);
     var derivative_6 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_2 + u32(3)) - a_21) * _S1365 + (primitive_vector_0(corner_2 + u32(6)) - a_21) * _S1366));
-    add_to_corners_0(points_0, triangle_10, derivative_6 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_6 * _S1365, derivative_6 * _S1366);
+    add_to_corners_0(points_0, triangle_11, derivative_6 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_6 * _S1365, derivative_6 * _S1366);
     return;
 }
 
-fn normals_of_0( triangle_11 : u32) -> u32
+fn normals_of_0( triangle_12 : u32) -> u32
 {
-    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_11)) + u32(1));
+    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_12)) + u32(1));
 }
 
 fn surface_back_0( surface_5 : Surface_0,  by_place_4 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_30 : vec3<f32>) -> vec3<f32>
@@ -7811,7 +7820,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
 
 fn kept_at_0( depth_3 : u32) -> u32
 {
-    return u32(31) + u32(27) * depth_3;
+    return u32(33) + u32(29) * depth_3;
 }
 
 fn set_word_0( path_7 : u32,  which_6 : u32,  value_10 : u32)
@@ -7882,7 +7891,9 @@ fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_28 : Place
     set_word_0(path_11, (*which_10), place_28.triangle_0);
     set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_28.v_0))));
     set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_28.w_0))));
-    (*which_10) = (*which_10) + u32(3);
+    set_word_0(path_11, (*which_10) + u32(3), (bitcast<u32>((place_28.v_rest_0))));
+    set_word_0(path_11, (*which_10) + u32(4), (bitcast<u32>((place_28.w_rest_0))));
+    (*which_10) = (*which_10) + u32(5);
     return;
 }
 
@@ -7891,7 +7902,9 @@ fn set_place_1( path_12 : u32,  which_11 : ptr<function, u32>,  place_29 : Place
     set_word_0(path_12, (*which_11), place_29.triangle_0);
     set_word_0(path_12, (*which_11) + u32(1), (bitcast<u32>((place_29.v_0))));
     set_word_0(path_12, (*which_11) + u32(2), (bitcast<u32>((place_29.w_0))));
-    (*which_11) = (*which_11) + u32(3);
+    set_word_0(path_12, (*which_11) + u32(3), (bitcast<u32>((place_29.v_rest_0))));
+    set_word_0(path_12, (*which_11) + u32(4), (bitcast<u32>((place_29.w_rest_0))));
+    (*which_11) = (*which_11) + u32(5);
     return;
 }
 

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d3677381eb681a32
-// result: 8a9fd105ff51996b
+// source: d1d53f31f9d4e09e
+// result: c92e699bedcd224f
 
 struct Launch_std140_0
 {
@@ -49,22 +49,26 @@ struct Place_0
      triangle_0 : u32,
      v_0 : f32,
      w_0 : f32,
+     v_rest_0 : f32,
+     w_rest_0 : f32,
 };
 
-fn place_at_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
+fn exact_place_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_0 = triangle_1;
     place_0.v_0 = v_1;
     place_0.w_0 = w_1;
+    place_0.v_rest_0 = 0.0f;
+    place_0.w_rest_0 = 0.0f;
     return place_0;
 }
 
 fn path_place_0( path_3 : u32,  which_3 : ptr<function, u32>) -> Place_0
 {
-    var _S2 : u32 = (*which_3) + u32(3);
+    var _S2 : u32 = (*which_3) + u32(5);
     (*which_3) = _S2;
-    return place_at_0(path_word_0(path_3, _S2 - u32(3)), (bitcast<f32>((path_word_0(path_3, _S2 - u32(2))))), (bitcast<f32>((path_word_0(path_3, _S2 - u32(1))))));
+    return exact_place_0(path_word_0(path_3, _S2 - u32(5)), (bitcast<f32>((path_word_0(path_3, _S2 - u32(4))))) + (bitcast<f32>((path_word_0(path_3, _S2 - u32(2))))), (bitcast<f32>((path_word_0(path_3, _S2 - u32(3))))) + (bitcast<f32>((path_word_0(path_3, _S2 - u32(1))))));
 }
 
 struct Path_0
@@ -151,7 +155,7 @@ fn position_of_0( place_2 : Place_0) -> vec3<f32>
 {
     var at_3 : u32 = u32(9) * place_2.triangle_0;
     var a_0 : vec3<f32> = primitive_vector_0(at_3);
-    return a_0 + (primitive_vector_0(at_3 + u32(3)) - a_0) * vec3<f32>(place_2.v_0) + (primitive_vector_0(at_3 + u32(6)) - a_0) * vec3<f32>(place_2.w_0);
+    return a_0 + (primitive_vector_0(at_3 + u32(3)) - a_0) * vec3<f32>((place_2.v_0 + place_2.v_rest_0)) + (primitive_vector_0(at_3 + u32(6)) - a_0) * vec3<f32>((place_2.w_0 + place_2.w_rest_0));
 }
 
 fn cross_of_0( triangle_4 : u32) -> vec3<f32>
@@ -1039,6 +1043,11 @@ fn limit_at_0( which_4 : u32) -> f32
     return primitives_0[word_0(u32(13)) + which_4];
 }
 
+fn place_at_0( triangle_6 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
+{
+    return exact_place_0(triangle_6, v_4, w_2);
+}
+
 fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 {
     var _S56 : f32 = abs(x_4);
@@ -1243,13 +1252,13 @@ fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<functi
         var row_1 : u32 = at_11 + u32(14) + u32(6) * face_0;
         var _S74 : f32 = place_10.x;
         var _S75 : f32 = place_10.y;
-        var v_4 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S74 + number_0(row_1 + u32(2)) * _S75;
-        var w_2 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S74 + number_0(row_1 + u32(5)) * _S75;
-        var _S76 : f32 = min(min(v_4, w_2), 1.0f - v_4 - w_2);
+        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S74 + number_0(row_1 + u32(2)) * _S75;
+        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S74 + number_0(row_1 + u32(5)) * _S75;
+        var _S76 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
         if(_S76 > best_0)
         {
-            (*weights_2)[i32(0)] = clamp(v_4, 0.0f, 1.0f);
-            (*weights_2)[i32(1)] = clamp(w_2, 0.0f, 1.0f - (*weights_2).x);
+            (*weights_2)[i32(0)] = clamp(v_5, 0.0f, 1.0f);
+            (*weights_2)[i32(1)] = clamp(w_3, 0.0f, 1.0f - (*weights_2).x);
             best_0 = _S76;
             found_2 = face_0;
         }
@@ -1309,9 +1318,9 @@ fn face_solid_angle_0( record_9 : u32,  face_3 : u32,  viewpoint_4 : vec3<f32>) 
     return solid_angle_of_0(corners_1.a_12, corners_1.b_10, corners_1.c_5);
 }
 
-fn unit_across_0( v_5 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
+fn unit_across_0( v_6 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 {
-    return normalize(v_5 - axis_1 * vec3<f32>(dot(v_5, axis_1)));
+    return normalize(v_6 - axis_1 * vec3<f32>(dot(v_6, axis_1)));
 }
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_3 : f32) -> vec3<f32>
@@ -1709,27 +1718,27 @@ fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
     return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S111));
 }
 
-fn to_world_0( axes_5 : Axes_0,  v_6 : vec3<f32>) -> vec3<f32>
+fn to_world_0( axes_5 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
 {
-    return axes_5.s_0 * vec3<f32>(v_6.x) + axes_5.t_0 * vec3<f32>(v_6.y) + axes_5.n_1 * vec3<f32>(v_6.z);
+    return axes_5.s_0 * vec3<f32>(v_7.x) + axes_5.t_0 * vec3<f32>(v_7.y) + axes_5.n_1 * vec3<f32>(v_7.z);
 }
 
-fn component_0( v_7 : vec3<f32>,  axis_2 : u32) -> f32
+fn component_0( v_8 : vec3<f32>,  axis_2 : u32) -> f32
 {
     var _S112 : f32;
     if(axis_2 == u32(0))
     {
-        _S112 = v_7.x;
+        _S112 = v_8.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S112 = v_7.y;
+            _S112 = v_8.y;
         }
         else
         {
-            _S112 = v_7.z;
+            _S112 = v_8.z;
         }
     }
     return _S112;
@@ -1923,8 +1932,8 @@ struct Crossing_0
 {
      is_hit_0 : bool,
      t_2 : f32,
-     v_8 : f32,
-     w_3 : f32,
+     v_9 : f32,
+     w_4 : f32,
 };
 
 fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_15 : u32) -> Crossing_0
@@ -1932,8 +1941,8 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_15 : u32) -> Crossing_0
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_2 = 0.0f;
-    crossing_0.v_8 = 0.0f;
-    crossing_0.w_3 = 0.0f;
+    crossing_0.v_9 = 0.0f;
+    crossing_0.w_4 = 0.0f;
     var a_14 : vec3<f32> = corner_0(ray_1, axes_8, at_15);
     var b_12 : vec3<f32> = corner_0(ray_1, axes_8, at_15 + u32(3));
     var c_7 : vec3<f32> = corner_0(ray_1, axes_8, at_15 + u32(6));
@@ -1950,10 +1959,10 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_15 : u32) -> Crossing_0
     var bx_ay_0 : f32 = rounded_0(_S130 * _S132, ray_1.largest_1);
     var by_ax_0 : f32 = rounded_0(_S128 * _S131, ray_1.largest_1);
     var u_8 : f32 = cx_by_0 - cy_bx_0;
-    var v_9 : f32 = ax_cy_0 - ay_cx_0;
-    var w_4 : f32 = bx_ay_0 - by_ax_0;
-    var _S133 : f32 = min(min(u_8, v_9), w_4);
-    var _S134 : f32 = max(max(u_8, v_9), w_4);
+    var v_10 : f32 = ax_cy_0 - ay_cx_0;
+    var w_5 : f32 = bx_ay_0 - by_ax_0;
+    var _S133 : f32 = min(min(u_8, v_10), w_5);
+    var _S134 : f32 = max(max(u_8, v_10), w_5);
     var _S135 : bool;
     if(_S133 < 0.0f)
     {
@@ -1967,7 +1976,7 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_15 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var determinant_0 : f32 = u_8 + v_9 + w_4;
+    var determinant_0 : f32 = u_8 + v_10 + w_5;
     if(_S133 <= 0.0f)
     {
         _S135 = _S134 >= 0.0f;
@@ -1987,7 +1996,7 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_15 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_3 : f32 = (rounded_0(u_8 * a_14.z, ray_1.largest_1) + rounded_0(v_9 * b_12.z, ray_1.largest_1) + rounded_0(w_4 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
+    var t_3 : f32 = (rounded_0(u_8 * a_14.z, ray_1.largest_1) + rounded_0(v_10 * b_12.z, ray_1.largest_1) + rounded_0(w_5 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_3)
     {
         _S135 = t_3 <= (ray_1.t_max_0);
@@ -1998,22 +2007,22 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_15 : u32) -> Crossing_0
     }
     crossing_0.is_hit_0 = _S135;
     crossing_0.t_2 = t_3;
-    crossing_0.v_8 = v_9 / determinant_0;
-    crossing_0.w_3 = w_4 / determinant_0;
+    crossing_0.v_9 = v_10 / determinant_0;
+    crossing_0.w_4 = w_5 / determinant_0;
     return crossing_0;
 }
 
-fn face_6( triangle_6 : u32) -> u32
+fn face_6( triangle_7 : u32) -> u32
 {
-    return rough_0[triangle_6 / u32(4)][triangle_6 % u32(4)];
+    return rough_0[triangle_7 / u32(4)][triangle_7 % u32(4)];
 }
 
 struct Found_0
 {
      face_7 : u32,
-     triangle_7 : u32,
-     v_10 : f32,
-     w_5 : f32,
+     triangle_8 : u32,
+     v_11 : f32,
+     w_6 : f32,
 };
 
 fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
@@ -2021,9 +2030,9 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     var _S136 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
-    found_3.triangle_7 = u32(4294967295);
-    found_3.v_10 = 0.0f;
-    found_3.w_5 = 0.0f;
+    found_3.triangle_8 = u32(4294967295);
+    found_3.v_11 = 0.0f;
+    found_3.w_6 = 0.0f;
     if(!((view_4.limit_0) >= 0.0f))
     {
         return found_3;
@@ -2130,10 +2139,10 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             if(_S143)
             {
                 found_3.face_7 = face_6(i_3);
-                found_3.triangle_7 = i_3;
+                found_3.triangle_8 = i_3;
                 (*ray_2).t_max_0 = crossing_1.t_2;
-                found_3.v_10 = crossing_1.v_8;
-                found_3.w_5 = crossing_1.w_3;
+                found_3.v_11 = crossing_1.v_9;
+                found_3.w_6 = crossing_1.w_4;
                 limit_6 = min(limit_5, crossing_1.t_2 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_4.margin_0);
             }
             else
@@ -2454,11 +2463,11 @@ fn error_function_plus_one_0( x_11 : f32) -> vec2<f32>
     return vec2<f32>(_S166, 1.128379225730896f * gaussian_0);
 }
 
-fn visible_over_cos_0( facets_2 : Microfacets_0,  w_6 : vec3<f32>) -> f32
+fn visible_over_cos_0( facets_2 : Microfacets_0,  w_7 : vec3<f32>) -> f32
 {
-    var stretched_0 : vec2<f32> = w_6.xy * facets_2.alpha_1;
+    var stretched_0 : vec2<f32> = w_7.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S167 : f32 = w_6.z;
+    var _S167 : f32 = w_7.z;
     var z2_1 : f32 = _S167 * _S167;
     if((facets_2.distribution_1) == u32(1))
     {
@@ -2913,14 +2922,14 @@ fn logarithm_0( x_13 : f32) -> f32
 
 fn error_function_inverse_0( p_0 : f32) -> f32
 {
-    var w_7 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
-    if(w_7 < 5.0f)
+    var w_8 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
+    if(w_8 < 5.0f)
     {
-        var w_8 : f32 = w_7 - 2.5f;
-        return ((((((((2.81022636272609816e-08f * w_8 + 3.43273939051869093e-07f) * w_8 - 3.52338770426285919e-06f) * w_8 - 4.39150653619435616e-06f) * w_8 + 0.00021858086984139f) * w_8 - 0.00125372502952814f) * w_8 - 0.00417768163606524f) * w_8 + 0.24664072692394257f) * w_8 + 1.50140941143035889f) * p_0;
+        var w_9 : f32 = w_8 - 2.5f;
+        return ((((((((2.81022636272609816e-08f * w_9 + 3.43273939051869093e-07f) * w_9 - 3.52338770426285919e-06f) * w_9 - 4.39150653619435616e-06f) * w_9 + 0.00021858086984139f) * w_9 - 0.00125372502952814f) * w_9 - 0.00417768163606524f) * w_9 + 0.24664072692394257f) * w_9 + 1.50140941143035889f) * p_0;
     }
-    var w_9 : f32 = sqrt(w_7) - 3.0f;
-    return ((((((((-0.0002002142573474f * w_9 + 0.00010095055768033f) * w_9 + 0.00134934321977198f) * w_9 - 0.00367342843674123f) * w_9 + 0.00573950773105025f) * w_9 - 0.00762246130034328f) * w_9 + 0.00943887047469616f) * w_9 + 1.00167405605316162f) * w_9 + 2.8329768180847168f) * p_0;
+    var w_10 : f32 = sqrt(w_8) - 3.0f;
+    return ((((((((-0.0002002142573474f * w_10 + 0.00010095055768033f) * w_10 + 0.00134934321977198f) * w_10 - 0.00367342843674123f) * w_10 + 0.00573950773105025f) * w_10 - 0.00762246130034328f) * w_10 + 0.00943887047469616f) * w_10 + 1.00167405605316162f) * w_10 + 2.8329768180847168f) * p_0;
 }
 
 fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>) -> vec3<f32>
@@ -3120,7 +3129,7 @@ fn first_from_0( position_6 : vec3<f32>,  direction_20 : vec3<f32>,  t_7 : ptr<f
 
 fn place_of_0( found_6 : Found_0) -> Place_0
 {
-    return place_at_0(found_6.triangle_7, found_6.v_10, found_6.w_5);
+    return exact_place_0(found_6.triangle_8, found_6.v_11, found_6.w_6);
 }
 
 fn emitter_seen_0( found_7 : Found_0,  direction_21 : vec3<f32>) -> u32
@@ -3129,11 +3138,11 @@ fn emitter_seen_0( found_7 : Found_0,  direction_21 : vec3<f32>) -> u32
     {
         return word_0(u32(8));
     }
-    var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_7) + u32(4));
+    var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_8) + u32(4));
     var _S207 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S207 = (dot(cross_of_0(found_7.triangle_7), direction_21)) < 0.0f;
+        _S207 = (dot(cross_of_0(found_7.triangle_8), direction_21)) < 0.0f;
     }
     else
     {
@@ -3498,7 +3507,9 @@ fn set_place_0( path_9 : u32,  which_8 : ptr<function, u32>,  place_22 : Place_0
     set_word_0(path_9, (*which_8), place_22.triangle_0);
     set_word_0(path_9, (*which_8) + u32(1), (bitcast<u32>((place_22.v_0))));
     set_word_0(path_9, (*which_8) + u32(2), (bitcast<u32>((place_22.w_0))));
-    (*which_8) = (*which_8) + u32(3);
+    set_word_0(path_9, (*which_8) + u32(3), (bitcast<u32>((place_22.v_rest_0))));
+    set_word_0(path_9, (*which_8) + u32(4), (bitcast<u32>((place_22.w_rest_0))));
+    (*which_8) = (*which_8) + u32(5);
     return;
 }
 
