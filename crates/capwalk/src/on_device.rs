@@ -70,8 +70,7 @@ impl Prepared {
         })
     }
 
-    /// [`Prepared::backward`] on a device, see [`Prepared::gradient_on`]; of what moves, only the
-    /// processor has it.
+    /// [`Prepared::backward`] on a device, see [`Prepared::gradient_on`].
     pub fn backward_on<N: AsRef<str>>(
         &self,
         device: Device,
@@ -90,7 +89,8 @@ impl Prepared {
             },
             Found::Processor { remark } => Found::Processor { remark },
         };
-        or_else(found, Some(by_method(options, false)), || {
+        let there = by_method(options, work.wanted().moves());
+        or_else(found, Some(there), || {
             let chosen = work.chosen(watch)?;
             Ok((work.whole(watch)?, Some(chosen)))
         })

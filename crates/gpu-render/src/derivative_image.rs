@@ -54,7 +54,9 @@ impl DeviceScene<'_> {
 
     /// The interior term of the derivative alone (METHOD 8): how the light along sampled directions
     /// changes, which stay or turn with the surface. What moves across them is left out, so that this
-    /// is the derivative of the image only where nothing does.
+    /// is the derivative of the image only where nothing does. For tests: nothing is checked or
+    /// refused.
+    #[doc(hidden)]
     pub fn interior_term(
         &self,
         tangent: &Tangent,

@@ -42,6 +42,11 @@ impl DeviceEdges {
         })
     }
 
+    /// How many words there are.
+    pub fn words(&self) -> usize {
+        self.words.len()
+    }
+
     /// Appends the words of the edges to those that tell what changes, see `changes.slang`.
     pub fn append(&self, changes: &mut Vec<u32>) {
         changes[EDGES_AT] = changes.len() as u32;

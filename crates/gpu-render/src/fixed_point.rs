@@ -18,6 +18,9 @@ const WORDS: usize = 4;
 /// room in a sum (`LARGEST_DERIVATIVE`).
 const DIGITS: i32 = 80;
 
+/// The same where something moves: one over the distance of an edge may be large.
+const DIGITS_IN_MOTION: i32 = 50;
+
 /// What has room, in units, see `sums.slang`.
 const LARGEST_DERIVATIVE: f64 = (1_u128 << 86) as f64;
 
@@ -130,6 +133,10 @@ impl<'a> Sums<'a> {
         let sensor = wanted.sensor().then(|| room(3 * SENSOR_VECTORS)).flatten();
         // Units that single precision has, whatever is expected.
         let exponent = brightness.max(1.0).log2().ceil().clamp(0.0, 120.0);
+        let digits = match wanted.moves() {
+            true => DIGITS_IN_MOTION,
+            false => DIGITS,
+        };
         Self {
             accel,
             boundaries,
@@ -140,7 +147,7 @@ impl<'a> Sums<'a> {
             sensor,
             inverse_scale,
             count,
-            digits: DIGITS - exponent as i32,
+            digits: digits - exponent as i32,
         }
     }
 
@@ -178,7 +185,7 @@ impl<'a> Sums<'a> {
     }
 
     /// Adds a derivative with respect to a vector of the world to sums, to which the device adds others.
-    /// One that is too large, or not finite, is counted instead.
+    /// One that is too large, or that single precision does not have, is counted instead.
     pub fn add(&self, to: &mut PartSums, target: Target, covector: Vec3) {
         let first = match target {
             Target::Point(point) => self.points.map(|first| first + 3 * point as usize),
@@ -197,7 +204,7 @@ impl<'a> Sums<'a> {
         };
         for (sum, derivative) in to.sums[first..].iter_mut().zip(covector.to_array()) {
             let units = (derivative * 2_f64.powi(self.digits)).round();
-            if !derivative.is_finite() {
+            if !(derivative.abs() <= f64::from(f32::MAX)) {
                 to.non_finite += 1;
             } else if units.abs() > LARGEST_DERIVATIVE {
                 to.too_large += 1;

@@ -20,10 +20,11 @@
 //! own: in a fixed order, in double precision, with standard errors. So the same scene, options and
 //! device give the same bits.
 //!
-//! Derivatives are with respect to texels: that of the image along a direction
-//! ([`DeviceScene::gradient`]), whose kernels carry a derivative beside each colour, and that of a
-//! loss with respect to all of them at once ([`DeviceScene::backward`]), whose kernels keep the
-//! vertices of paths and go back along them.
+//! Derivatives are that of the image along a direction ([`DeviceScene::gradient`]), whose kernels
+//! carry a derivative beside each number, and that of a loss with respect to all numbers of the scene
+//! at once ([`DeviceScene::backward`]), whose kernels keep the vertices of paths and go back along
+//! them. Both have the boundary terms of what moves: edges are sampled at each vertex, and before the
+//! camera, where the processor draws them.
 //!
 //! What a scene may have is not all yet: see [`unsupported()`].
 

@@ -1,4 +1,4 @@
-//! The gradient of a loss with respect to texels from a device, in reverse mode.
+//! The gradient of a loss from a device, in reverse mode.
 
 use std::sync::Arc;
 
@@ -38,10 +38,10 @@ const CAMERA_BACK: usize = 20;
 const MOST_DERIVATIVES: usize = 1 << 24;
 
 impl DeviceScene<'_> {
-    /// The gradient of `Σ adjoint · image` in the texels that are wanted, as
-    /// [`capwalk_diff::backward`] has it: of its samples, with its batches and refusals. An error
-    /// if anything else is wanted, or more texels than there is room for. Derivatives that are not
-    /// finite are left out, each by itself, and counted, at most as many as a part has samples.
+    /// The gradient of `Σ adjoint · image` in what is wanted, as [`capwalk_diff::backward`] has it, with
+    /// its batches and refusals: where anything moves by [`Method::EDGES`]. An error if there is no room
+    /// for so many numbers. Derivatives that are not finite are left out, each by itself, and
+    /// counted, at most as many as a part has samples.
     ///
     /// Sums are in fixed point, so their bits do not depend on which thread comes first.
     pub fn backward(
@@ -75,6 +75,7 @@ impl DeviceScene<'_> {
     }
 
     /// The interior term of the gradient alone, see [`DeviceScene::interior_term`].
+    #[doc(hidden)]
     pub fn interior_term_back(
         &self,
         adjoint: &Image,
@@ -128,6 +129,8 @@ impl DeviceScene<'_> {
             self.edges(&eval, boundaries, &motion)
         });
         let crossed = crossed.transpose()?;
+        let words = crossed.as_ref().map_or(0, DeviceEdges::words);
+        self.check_room_of_numbers(sums.changes().len() + words)?;
         loop {
             let job = Job {
                 scene: self,

@@ -18,8 +18,8 @@ pub struct Paths<'a> {
     edges: Option<&'a DeviceEdges>,
     /// How many vertices of each path can be kept.
     levels: usize,
-    /// The camera's rays, and then the list of the paths that go on; behind them how textures
-    /// change.
+    /// The camera's rays, and then the list of the paths that go on; behind them what
+    /// changes.
     pub(crate) input: DeviceArray,
     /// What is known of each.
     pub(crate) state: DeviceArray,
@@ -40,7 +40,7 @@ pub enum Followed {
 
 impl<'a> Paths<'a> {
     /// Room for so many paths, of each of which so many vertices can be kept if the kernels keep any,
-    /// with these words that tell how textures change, and with so many words of sums.
+    /// with these words that tell what changes, and with so many words of sums.
     pub fn new(
         gpu: &'a Gpu,
         scene: [&'a DeviceArray; 5],

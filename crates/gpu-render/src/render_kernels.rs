@@ -165,6 +165,10 @@ mod tests {
             }
             source
         };
+        // What `edge_paths.rs` takes for granted.
+        let windows = include_str!("kernels/edge_windows.slang");
+        assert!(windows.contains("FIRST_SUBTREES = 2, LATER_SUBTREES = 1,"));
+        assert!(windows.contains("launch.depth & 0xffffff") && windows.contains("depth >> 24"));
         let image = [IMAGE.begin, IMAGE.go_on, DIFFUSE_IMAGE.go_on];
         let hits = [IMAGE_FROM_HITS.begin];
         let forward = [FORWARD.begin, FORWARD.go_on];

@@ -32,8 +32,8 @@ pub fn unsupported_options(options: &RenderOptions) -> Option<Unsupported> {
 }
 
 /// The first thing of a derivative that the device's renderer does not have, by a method. It has those
-/// with respect to the numbers of materials, but for rough coats, to what emitters send, and to what
-/// moves, by edges.
+/// with respect to the numbers of materials, but for rough coats, to what emitters send, and by edges to
+/// what moves, unless rays are parallel, something is perfectly specular, or the film alone changes.
 pub fn unsupported_derivative(
     prepared: &PreparedScene,
     wanted: &Wanted,
@@ -81,10 +81,11 @@ fn in_motion(prepared: &PreparedScene, wanted: &Wanted, method: &Method) -> Opti
         let along = |gathers: Gathers| Gathers::ALL.without(gathers).is_nowhere();
         let is_by_edges = match method {
             Method::Auto => true,
-            Method::Edges(gathers) => along(*gathers),
+            Method::Edges(gathers) => along(*gathers) && gathers.points == Gathers::POINTS,
             _ => false,
         };
-        (!is_by_edges).then(|| "directions are to walk".to_owned())
+        let what = "directions are to walk, or other numbers of points are asked for";
+        (!is_by_edges).then(|| what.to_owned())
     };
     let what = parallel.or_else(specular).or_else(film).or_else(walks)?;
     Some(format!("{what}, {}", what_moves(scene, wanted)))

@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: dde1a58c472d4d9f
-// result: feb946f307c7a867
+// source: 45e750d2eca9d018
+// result: d2d5b053fc5569bf
 
 struct Launch_std140_0
 {
@@ -1251,10 +1251,35 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
 {
     var lobe_0 : Lobe_0;
     lobe_0.record_2 = record_3;
-    lobe_0.kind_1 = word_0(record_3);
-    lobe_0.distribution_0 = word_0(record_3 + u32(1));
+    var is_black_0 : bool = record_3 == u32(4294967295);
+    var _S222 : u32;
+    if(is_black_0)
+    {
+        _S222 = u32(0);
+    }
+    else
+    {
+        _S222 = word_0(record_3);
+    }
+    lobe_0.kind_1 = _S222;
+    if(is_black_0)
+    {
+        _S222 = u32(1);
+    }
+    else
+    {
+        _S222 = word_0(record_3 + u32(1));
+    }
+    lobe_0.distribution_0 = _S222;
     lobe_0.numbers_3 = no_numbers_0();
-    var _S222 : u32 = word_0(record_3 + u32(4));
+    if(is_black_0)
+    {
+        _S222 = u32(0);
+    }
+    else
+    {
+        _S222 = word_0(record_3 + u32(4));
+    }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
@@ -1431,16 +1456,7 @@ fn shading_point_0( path_10 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> 
 {
     var surface_5 : Surface_0 = surface_at_0(path_10.place_1, value_of_0(path_10.direction_1));
     var material_1 : u32 = material_of_0(surface_5);
-    var k_2 : u32;
-    if(material_1 == u32(4294967295))
-    {
-        k_2 = u32(0);
-    }
-    else
-    {
-        k_2 = material_1;
-    }
-    var _S234 : Vertex_0 = vertex_at_0(surface_5, k_2, path_10.direction_1);
+    var _S234 : Vertex_0 = vertex_at_0(surface_5, material_1, path_10.direction_1);
     (*at_9).vertex_2 = _S234;
     var _S235 : VertexMotion_0 = motion_of_0(_S234);
     (*at_9).motion_1 = _S235;
@@ -1454,7 +1470,7 @@ fn shading_point_0( path_10 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> 
     var _S236 : vec3<f32> = vec3<f32>(0.0f);
     (*at_9).front_offset_0 = _S236;
     (*at_9).front_0 = _S236;
-    k_2 = u32(0);
+    var k_2 : u32 = u32(0);
     for(;;)
     {
         if(k_2 < u32(8))

@@ -1,6 +1,6 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: f66f3f3d79f719be
+// source: 265b0bcc3a7e7f3d
 // result: 38774c339b617ce2
 
 struct Launch_std140_0

@@ -1,6 +1,6 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d1d53f31f9d4e09e
+// source: b404772ed9e6d12f
 // result: 93c1e149c8fc501d
 
 struct Launch_std140_0

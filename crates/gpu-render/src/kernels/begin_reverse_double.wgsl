@@ -1,6 +1,6 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 34f6f725355e4320
+// source: 7582534cfcf93ba0
 // result: e837dde2f3c4a4d0
 
 struct Launch_std140_0

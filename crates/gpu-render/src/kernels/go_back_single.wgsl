@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 34f6f725355e4320
-// result: 77ba9f2f5a33fc18
+// source: 7582534cfcf93ba0
+// result: a86da0ac2a80b07a
 
 struct Launch_std140_0
 {
@@ -3841,10 +3841,35 @@ fn lobe_at_0( record_3 : u32,  place_10 : Place_0) -> Lobe_0
 {
     var lobe_5 : Lobe_0;
     lobe_5.record_0 = record_3;
-    lobe_5.kind_0 = word_0(record_3);
-    lobe_5.distribution_0 = word_0(record_3 + u32(1));
+    var is_black_0 : bool = record_3 == u32(4294967295);
+    var _S1021 : u32;
+    if(is_black_0)
+    {
+        _S1021 = u32(0);
+    }
+    else
+    {
+        _S1021 = word_0(record_3);
+    }
+    lobe_5.kind_0 = _S1021;
+    if(is_black_0)
+    {
+        _S1021 = u32(1);
+    }
+    else
+    {
+        _S1021 = word_0(record_3 + u32(1));
+    }
+    lobe_5.distribution_0 = _S1021;
     lobe_5.numbers_0 = no_numbers_0();
-    var _S1021 : u32 = word_0(record_3 + u32(4));
+    if(is_black_0)
+    {
+        _S1021 = u32(0);
+    }
+    else
+    {
+        _S1021 = word_0(record_3 + u32(4));
+    }
     var slot_1 : u32 = u32(0);
     for(;;)
     {

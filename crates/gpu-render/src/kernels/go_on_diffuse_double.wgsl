@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d1d53f31f9d4e09e
-// result: 13c682dbe23d1d05
+// source: b404772ed9e6d12f
+// result: e8ea1e1892ff3d3b
 
 struct Launch_std140_0
 {
@@ -543,13 +543,31 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
 {
     var lobe_0 : Lobe_0;
     lobe_0.record_2 = record_3;
+    var is_black_0 : bool = record_3 == u32(4294967295);
     lobe_0.kind_1 = u32(0);
-    lobe_0.distribution_0 = word_0(record_3 + u32(1));
+    var _S33 : u32;
+    if(is_black_0)
+    {
+        _S33 = u32(1);
+    }
+    else
+    {
+        _S33 = word_0(record_3 + u32(1));
+    }
+    lobe_0.distribution_0 = _S33;
     lobe_0.numbers_2 = no_numbers_0();
+    if(is_black_0)
+    {
+        _S33 = u32(0);
+    }
+    else
+    {
+        _S33 = u32(1);
+    }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < u32(1))
+        if(slot_1 < _S33)
         {
         }
         else
@@ -563,10 +581,10 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
-        var _S33 : vec3<f32> = value_of_0(colour_1);
-        var _S34 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S34), slot_1, _S33);
-        lobe_0.numbers_2 = _S34;
+        var _S34 : vec3<f32> = value_of_0(colour_1);
+        var _S35 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S35), slot_1, _S34);
+        lobe_0.numbers_2 = _S35;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -581,16 +599,16 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S35 : vec3<f32>;
+    var _S36 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S35 = tangent_0;
+        _S36 = tangent_0;
     }
     else
     {
-        _S35 = vec3<f32>(0.0f);
+        _S36 = vec3<f32>(0.0f);
     }
-    return _S35;
+    return _S36;
 }
 
 struct Axes_0
@@ -603,38 +621,38 @@ struct Axes_0
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S36 : vec3<f32>;
+    var _S37 : vec3<f32>;
     if(is_front_1)
     {
-        _S36 = n_2;
+        _S37 = n_2;
     }
     else
     {
-        _S36 = (vec3<f32>(0) - n_2);
+        _S37 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_1 = _S36;
-    var _S37 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S37;
-    axes_0.t_0 = cross(n_2, _S37);
+    axes_0.n_1 = _S37;
+    var _S38 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S38;
+    axes_0.t_0 = cross(n_2, _S38);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S38 : vec3<f32>;
+    var _S39 : vec3<f32>;
     if(is_front_2)
     {
-        _S38 = n_3;
+        _S39 = n_3;
     }
     else
     {
-        _S38 = (vec3<f32>(0) - n_3);
+        _S39 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_1 = _S38;
-    var _S39 : f32 = n_3.z;
+    axes_1.n_1 = _S39;
+    var _S40 : f32 = n_3.z;
     var sign_0 : f32;
-    if(_S39 < 0.0f)
+    if(_S40 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -642,12 +660,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_0 = 1.0f;
     }
-    var a_5 : f32 = -1.0f / (sign_0 + _S39);
-    var _S40 : f32 = n_3.x;
-    var _S41 : f32 = n_3.y;
-    var b_3 : f32 = _S40 * _S41 * a_5;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_0 * _S40 * _S40 * a_5, sign_0 * b_3, - sign_0 * _S40);
-    axes_1.t_0 = vec3<f32>(b_3, sign_0 + _S41 * _S41 * a_5, - _S41);
+    var a_5 : f32 = -1.0f / (sign_0 + _S40);
+    var _S41 : f32 = n_3.x;
+    var _S42 : f32 = n_3.y;
+    var b_3 : f32 = _S41 * _S42 * a_5;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_0 * _S41 * _S41 * a_5, sign_0 * b_3, - sign_0 * _S41);
+    axes_1.t_0 = vec3<f32>(b_3, sign_0 + _S42 * _S42 * a_5, - _S42);
     return axes_1;
 }
 
@@ -674,8 +692,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_3 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S42 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S42;
+    var _S43 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S43;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -747,35 +765,35 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_0, 0.0f) / squared_0;
     }
-    var _S43 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S43 * _S43 / (2.0f * (_S43 - max(lowest_0, -1.0f)) * squared_0);
+    var _S44 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S44 * _S44 / (2.0f * (_S44 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S44 : bool;
+    var _S45 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S44 = true;
+        _S45 = true;
     }
     else
     {
-        _S44 = (word_0(u32(2))) == u32(0);
+        _S45 = (word_0(u32(2))) == u32(0);
     }
-    if(_S44)
+    if(_S45)
     {
         return false;
     }
     var record_5 : u32 = emitter_record_0(u32(0));
     if(is_area_0(record_5))
     {
-        _S44 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
+        _S45 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S44 = false;
+        _S45 = false;
     }
-    return _S44;
+    return _S45;
 }
 
 fn has_smooth_0( lobe_2 : Lobe_0) -> bool
@@ -822,24 +840,8 @@ struct Choice_0
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_4, choice_0.normal_2);
-    var _S45 : f32;
-    if(view_0 > 0.0f)
-    {
-        _S45 = 1.0f;
-    }
-    else
-    {
-        _S45 = 0.0f;
-    }
-    (*can_light_0) = _S45;
-    return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
-}
-
-fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
-{
-    var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_2);
     var _S46 : f32;
-    if(view_1 > 0.0f)
+    if(view_0 > 0.0f)
     {
         _S46 = 1.0f;
     }
@@ -847,7 +849,23 @@ fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<functio
     {
         _S46 = 0.0f;
     }
-    (*can_light_1) = _S46;
+    (*can_light_0) = _S46;
+    return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
+}
+
+fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
+{
+    var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_2);
+    var _S47 : f32;
+    if(view_1 > 0.0f)
+    {
+        _S47 = 1.0f;
+    }
+    else
+    {
+        _S47 = 0.0f;
+    }
+    (*can_light_1) = _S47;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -859,32 +877,32 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
     var count_1 : u32 = word_0(u32(6));
-    var _S47 : bool;
+    var _S48 : bool;
     if(alike_0)
     {
-        _S47 = true;
+        _S48 = true;
     }
     else
     {
-        _S47 = (word_0(u32(5))) != u32(0);
+        _S48 = (word_0(u32(5))) != u32(0);
     }
-    if(_S47)
+    if(_S48)
     {
-        _S47 = true;
+        _S48 = true;
     }
     else
     {
-        _S47 = count_1 < u32(2);
+        _S48 = count_1 < u32(2);
     }
-    if(_S47)
+    if(_S48)
     {
-        _S47 = true;
+        _S48 = true;
     }
     else
     {
-        _S47 = count_1 > u32(32);
+        _S48 = count_1 > u32(32);
     }
-    if(_S47)
+    if(_S48)
     {
         return choice_2;
     }
@@ -899,20 +917,20 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
             break;
         }
         var can_light_2 : f32;
-        var _S48 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S48;
+        var _S49 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S49;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S47 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S48 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S47 = false;
+        _S48 = false;
     }
-    if(!_S47)
+    if(!_S48)
     {
         choice_2.all_0 = 0.0f;
     }
@@ -933,33 +951,33 @@ fn product_0( a_6 : u32,  b_4 : u32) -> vec2<u32>
 
 fn times_0( a_7 : vec2<u32>,  b_5 : vec2<u32>) -> vec2<u32>
 {
-    var _S49 : u32 = a_7.x;
-    var _S50 : u32 = b_5.x;
-    var low_1 : vec2<u32> = product_0(_S49, _S50);
-    return vec2<u32>(low_1.x, low_1.y + _S49 * b_5.y + a_7.y * _S50);
+    var _S50 : u32 = a_7.x;
+    var _S51 : u32 = b_5.x;
+    var low_1 : vec2<u32> = product_0(_S50, _S51);
+    return vec2<u32>(low_1.x, low_1.y + _S50 * b_5.y + a_7.y * _S51);
 }
 
 fn plus_0( a_8 : vec2<u32>,  b_6 : vec2<u32>) -> vec2<u32>
 {
-    var _S51 : u32 = a_8.x;
-    var low_2 : u32 = _S51 + b_6.x;
-    var _S52 : u32 = a_8.y + b_6.y;
-    var _S53 : i32;
-    if(low_2 < _S51)
+    var _S52 : u32 = a_8.x;
+    var low_2 : u32 = _S52 + b_6.x;
+    var _S53 : u32 = a_8.y + b_6.y;
+    var _S54 : i32;
+    if(low_2 < _S52)
     {
-        _S53 = i32(1);
+        _S54 = i32(1);
     }
     else
     {
-        _S53 = i32(0);
+        _S54 = i32(0);
     }
-    return vec2<u32>(low_2, _S52 + u32(_S53));
+    return vec2<u32>(low_2, _S53 + u32(_S54));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S54 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S54 << ((u32(32) - by_0)))))), (_S54 >> (by_0)))));
+    var _S55 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S55 << ((u32(32) - by_0)))))), (_S55 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -998,9 +1016,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S55 : f32 = f32(count_2);
-        (*probability_0) = 1.0f / _S55;
-        return min(u32(u_0 * _S55), count_2 - u32(1));
+        var _S56 : f32 = f32(count_2);
+        (*probability_0) = 1.0f / _S56;
+        return min(u32(u_0 * _S56), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
@@ -1031,9 +1049,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S56 : u32 = i_2 + u32(1);
+        var _S57 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S56;
+        i_2 = _S57;
         rest_1 = rest_2;
     }
     return found_0;
@@ -1051,28 +1069,28 @@ fn place_at_0( triangle_6 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
 
 fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 {
-    var _S57 : f32 = abs(x_4);
-    var _S58 : f32 = abs(y_1);
-    var _S59 : f32 = min(_S57, _S58);
-    var _S60 : f32 = max(_S57, _S58);
-    var is_steep_0 : bool = _S59 > (0.41421356797218323f * _S60);
+    var _S58 : f32 = abs(x_4);
+    var _S59 : f32 = abs(y_1);
+    var _S60 : f32 = min(_S58, _S59);
+    var _S61 : f32 = max(_S58, _S59);
+    var is_steep_0 : bool = _S60 > (0.41421356797218323f * _S61);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S59 - _S60;
+        above_0 = _S60 - _S61;
     }
     else
     {
-        above_0 = _S59;
+        above_0 = _S60;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S59 + _S60;
+        below_0 = _S60 + _S61;
     }
     else
     {
-        below_0 = _S60;
+        below_0 = _S61;
     }
     if(below_0 > 0.0f)
     {
@@ -1093,7 +1111,7 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S58 > _S57)
+    if(_S59 > _S58)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -1128,11 +1146,11 @@ fn solid_angle_of_0( a_9 : vec3<f32>,  b_7 : vec3<f32>,  c_3 : vec3<f32>) -> f32
 
 fn complex_product_0( a_10 : vec2<f32>,  b_8 : vec2<f32>) -> vec2<f32>
 {
-    var _S61 : f32 = a_10.x;
-    var _S62 : f32 = b_8.x;
-    var _S63 : f32 = a_10.y;
-    var _S64 : f32 = b_8.y;
-    return vec2<f32>(_S61 * _S62 - _S63 * _S64, _S61 * _S64 + _S63 * _S62);
+    var _S62 : f32 = a_10.x;
+    var _S63 : f32 = b_8.x;
+    var _S64 : f32 = a_10.y;
+    var _S65 : f32 = b_8.y;
+    return vec2<f32>(_S62 * _S63 - _S64 * _S65, _S62 * _S65 + _S64 * _S63);
 }
 
 struct SeenRectangle_0
@@ -1155,26 +1173,26 @@ fn seen_rectangle_0( at_9 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
     var seen_1 : SeenRectangle_0;
     seen_1.x_5 = vec2<f32>(x0_0, x1_0);
     seen_1.y_2 = vec2<f32>(y0_0, y1_0);
-    var _S65 : f32 = - dot(vector_at_0(at_9 + u32(9)), offset_2);
-    seen_1.z_1 = _S65;
-    var a_11 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S65);
-    var b_9 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S65);
-    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S65);
-    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S65);
-    var _S66 : f32 = length(a_11);
-    var _S67 : f32 = length(c_4);
-    var _S68 : f32;
-    if(_S65 > (9.99999997475242708e-07f * max(max(_S66, length(b_9)), max(_S67, length(d_0)))))
+    var _S66 : f32 = - dot(vector_at_0(at_9 + u32(9)), offset_2);
+    seen_1.z_1 = _S66;
+    var a_11 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S66);
+    var b_9 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S66);
+    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S66);
+    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S66);
+    var _S67 : f32 = length(a_11);
+    var _S68 : f32 = length(c_4);
+    var _S69 : f32;
+    if(_S66 > (9.99999997475242708e-07f * max(max(_S67, length(b_9)), max(_S68, length(d_0)))))
     {
-        _S68 = solid_angle_of_0(a_11, c_4, b_9) + solid_angle_of_0(d_0, b_9, c_4);
+        _S69 = solid_angle_of_0(a_11, c_4, b_9) + solid_angle_of_0(d_0, b_9, c_4);
     }
     else
     {
-        _S68 = 0.0f;
+        _S69 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S68;
+    seen_1.solid_angle_0 = _S69;
     var z2_0 : f32 = seen_1.z_1 * seen_1.z_1;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S67), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S66));
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S68), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S67));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_2 * seen_1.y_2 + vec2<f32>(z2_0));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_0) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
@@ -1212,28 +1230,28 @@ fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
     var at_10 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S69 : f32 = seen_2.y_2.x;
-    var _S70 : f32 = seen_2.inverse_to_line_0.x;
-    var _S71 : f32 = seen_2.y_2.y;
-    var n_4 : f32 = - at_10.x * _S69 * _S70 - _S71 * seen_2.inverse_to_line_0.y;
-    var _S72 : f32 = at_10.y;
-    var flat_0 : f32 = _S72 * seen_2.z_1 * _S70;
-    var size_0 : f32 = seen_2.z_1 * abs(_S72) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
-    var _S73 : f32;
-    if((n_4 * _S72) < 0.0f)
+    var _S70 : f32 = seen_2.y_2.x;
+    var _S71 : f32 = seen_2.inverse_to_line_0.x;
+    var _S72 : f32 = seen_2.y_2.y;
+    var n_4 : f32 = - at_10.x * _S70 * _S71 - _S72 * seen_2.inverse_to_line_0.y;
+    var _S73 : f32 = at_10.y;
+    var flat_0 : f32 = _S73 * seen_2.z_1 * _S71;
+    var size_0 : f32 = seen_2.z_1 * abs(_S73) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
+    var _S74 : f32;
+    if((n_4 * _S73) < 0.0f)
     {
-        _S73 = - size_0;
+        _S74 = - size_0;
     }
     else
     {
-        _S73 = size_0;
+        _S74 = size_0;
     }
-    var x_7 : f32 = clamp(_S73, seen_2.x_5.x, seen_2.x_5.y);
+    var x_7 : f32 = clamp(_S74, seen_2.x_5.x, seen_2.x_5.y);
     var squared_1 : f32 = x_7 * x_7 + seen_2.z_1 * seen_2.z_1;
     var h_0 : vec2<f32> = seen_2.y_2 / sqrt(vec2<f32>(squared_1) + seen_2.y_2 * seen_2.y_2);
-    var _S74 : f32 = h_0.x;
-    var sine_2 : f32 = _S74 + u_1.y * (h_0.y - _S74);
-    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S69, _S71));
+    var _S75 : f32 = h_0.x;
+    var sine_2 : f32 = _S75 + u_1.y * (h_0.y - _S75);
+    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S70, _S72));
 }
 
 fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
@@ -1251,16 +1269,16 @@ fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<functi
             break;
         }
         var row_1 : u32 = at_11 + u32(14) + u32(6) * face_0;
-        var _S75 : f32 = place_10.x;
-        var _S76 : f32 = place_10.y;
-        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S75 + number_0(row_1 + u32(2)) * _S76;
-        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S75 + number_0(row_1 + u32(5)) * _S76;
-        var _S77 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
-        if(_S77 > best_0)
+        var _S76 : f32 = place_10.x;
+        var _S77 : f32 = place_10.y;
+        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S76 + number_0(row_1 + u32(2)) * _S77;
+        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S76 + number_0(row_1 + u32(5)) * _S77;
+        var _S78 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
+        if(_S78 > best_0)
         {
             (*weights_2)[i32(0)] = clamp(v_5, 0.0f, 1.0f);
             (*weights_2)[i32(1)] = clamp(w_3, 0.0f, 1.0f - (*weights_2).x);
-            best_0 = _S77;
+            best_0 = _S78;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -1276,26 +1294,26 @@ fn emitter_triangle_0( record_7 : u32,  face_1 : u32) -> u32
 fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f64
 {
     var bits_0 : vec2<u32> = random_bits_0(key_3, dimension_2);
-    var _S78 : u32 = bits_0.y;
-    return (f64((_S78 >> (u32(11)))) + f64((((_S78 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
+    var _S79 : u32 = bits_0.y;
+    return (f64((_S79 >> (u32(11)))) + f64((((_S79 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S79 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S80 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S79, _S80);
-    var sum_0 : f32 = _S79 + _S80;
-    var _S81 : vec2<f32>;
+    var _S80 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S81 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S80, _S81);
+    var sum_0 : f32 = _S80 + _S81;
+    var _S82 : vec2<f32>;
     if(sum_0 > 0.0f)
     {
-        _S81 = seen_3 / vec2<f32>(sum_0);
+        _S82 = seen_3 / vec2<f32>(sum_0);
     }
     else
     {
-        _S81 = vec2<f32>(0.0f);
+        _S82 = vec2<f32>(0.0f);
     }
-    return _S81;
+    return _S82;
 }
 
 struct Corners_0
@@ -1328,28 +1346,28 @@ fn unit_across_0( v_6 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_3 : f32) -> vec3<f32>
 {
-    var _S82 : f32 = clamp(cosine_3, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S82) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S82) * (1.0f + _S82)));
+    var _S83 : f32 = clamp(cosine_3, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S83) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S83) * (1.0f + _S83)));
 }
 
 fn triangle_direction_0( a_13 : vec3<f32>,  b_11 : vec3<f32>,  c_6 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S83 : vec3<f32> = normalize(a_13);
-    var _S84 : vec3<f32> = normalize(b_11);
-    var _S85 : vec3<f32> = normalize(c_6);
-    var ab_0 : vec3<f32> = normalize(cross(_S83, _S84));
-    var ca_0 : vec3<f32> = normalize(cross(_S85, _S83));
+    var _S84 : vec3<f32> = normalize(a_13);
+    var _S85 : vec3<f32> = normalize(b_11);
+    var _S86 : vec3<f32> = normalize(c_6);
+    var ab_0 : vec3<f32> = normalize(cross(_S84, _S85));
+    var ca_0 : vec3<f32> = normalize(cross(_S86, _S84));
     var sine_alpha_0 : f32 = length(cross(ab_0, ca_0));
     var cosine_alpha_0 : f32 = - dot(ab_0, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S86 : f32 = part_0.x;
-    var _S87 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S86 * cosine_alpha_0 - _S87 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S87 * cosine_alpha_0 + _S86 * sine_alpha_0;
+    var _S87 : f32 = part_0.x;
+    var _S88 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S87 * cosine_alpha_0 - _S88 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S88 * cosine_alpha_0 + _S87 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S83, _S84);
-    var between_1 : vec3<f32> = along_0(_S83, _S85, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S84, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S84)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S84, _S85);
+    var between_1 : vec3<f32> = along_0(_S84, _S86, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S85, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S85)));
 }
 
 fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_2 : f32,  direction_4 : vec3<f32>) -> f32
@@ -1393,10 +1411,10 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             return point_0;
         }
     }
-    var _S88 : f64 = precise_random_0(key_4, dimension_3);
+    var _S89 : f64 = precise_random_0(key_4, dimension_3);
     var nodes_at_1 : u32 = word_0(record_10 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f64 = _S88;
+    var u_3 : f64 = _S89;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -1408,17 +1426,17 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S89 : f32 = shares_0.x;
-        var _S90 : f32 = shares_0.y;
-        if(!((_S89 + _S90) > 0.0f))
+        var _S90 : f32 = shares_0.x;
+        var _S91 : f32 = shares_0.y;
+        if(!((_S90 + _S91) > 0.0f))
         {
             return point_0;
         }
-        var _S91 : f64 = f64(_S89);
+        var _S92 : f64 = f64(_S90);
         var is_second_0 : bool;
-        if(u_3 >= _S91)
+        if(u_3 >= _S92)
         {
-            is_second_0 = _S90 > 0.0f;
+            is_second_0 = _S91 > 0.0f;
         }
         else
         {
@@ -1426,86 +1444,86 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S91) / f64(_S90);
+            u_3 = (u_3 - _S92) / f64(_S91);
         }
         else
         {
-            u_3 = min(u_3 / _S91, 1.0lf);
+            u_3 = min(u_3 / _S92, 1.0lf);
         }
         if(is_second_0)
+        {
+            total_0 = _S91;
+        }
+        else
         {
             total_0 = _S90;
         }
-        else
-        {
-            total_0 = _S89;
-        }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S92 : i32;
+        var _S93 : i32;
         if(is_second_0)
         {
-            _S92 = i32(3);
+            _S93 = i32(3);
         }
         else
         {
-            _S92 = i32(2);
+            _S93 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S92));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S93));
         chosen_0 = chosen_1;
     }
     var first_2 : u32 = word_0(node_2);
-    var _S93 : u32 = word_0(node_2 + u32(1));
-    var _S94 : u32 = word_0(record_10 + u32(6));
+    var _S94 : u32 = word_0(node_2 + u32(1));
+    var _S95 : u32 = word_0(record_10 + u32(6));
     var k_2 : u32 = first_2;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_2 < _S93)
+        if(k_2 < _S94)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S94 + k_2), from_1.exact_0);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S95 + k_2), from_1.exact_0);
         k_2 = k_2 + u32(1);
         total_0 = total_1;
     }
-    var _S95 : f32 = f32(u_3) * total_0;
+    var _S96 : f32 = f32(u_3) * total_0;
     var face_5 : u32 = u32(4294967295);
     var angle_3 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
     k_2 = first_2;
-    var rest_3 : f32 = _S95;
+    var rest_3 : f32 = _S96;
     for(;;)
     {
-        if(k_2 < _S93)
+        if(k_2 < _S94)
         {
         }
         else
         {
             break;
         }
-        var _S96 : u32 = _S94 + k_2;
-        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S96), from_1.exact_0);
+        var _S97 : u32 = _S95 + k_2;
+        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S97), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
             k_2 = k_2 + u32(1);
             continue;
         }
-        var _S97 : u32 = word_0(_S96);
-        var _S98 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S98 : u32 = word_0(_S97);
+        var _S99 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S97;
+            face_5 = _S98;
             angle_3 = own_1;
-            inside_2 = _S98;
+            inside_2 = _S99;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S97;
+        face_5 = _S98;
         angle_3 = own_1;
-        inside_2 = _S98;
+        inside_2 = _S99;
         rest_3 = rest_4;
         k_2 = k_2 + u32(1);
     }
@@ -1529,9 +1547,9 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         var direction_5 : vec3<f32> = triangle_direction_0(corners_2.a_12, corners_2.b_10, corners_2.c_5, angle_3, vec2<f32>(inside_2, second_1));
         var within_0 : vec3<f32> = direction_5 * vec3<f32>((dot(corners_2.a_12, normal_6) / dot(direction_5, normal_6))) - corners_2.a_12;
         var squared_2 : f32 = dot(normal_6, normal_6);
-        var _S99 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
-        point_0.place_11.v_0 = _S99;
-        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S99);
+        var _S100 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
+        point_0.place_11.v_0 = _S100;
+        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S100);
     }
     var offset_3 : vec3<f32> = corners_2.a_12 + ab_1 * vec3<f32>(point_0.place_11.v_0) + ac_0 * vec3<f32>(point_0.place_11.w_0);
     var distance_3 : f32 = length(offset_3);
@@ -1550,15 +1568,15 @@ fn is_map_0( record_11 : u32) -> bool
 
 fn uniform_direction_0( u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S100 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S100 * (1.0f - _S100))));
-    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S100);
+    var _S101 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S101 * (1.0f - _S101))));
+    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S101);
 }
 
 fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
 {
-    var _S101 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S101) * vec3<f32>(direction_6.x) + vector_at_0(_S101 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S101 + u32(6)) * vec3<f32>(direction_6.z);
+    var _S102 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S102) * vec3<f32>(direction_6.x) + vector_at_0(_S102 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S102 + u32(6)) * vec3<f32>(direction_6.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -1586,11 +1604,11 @@ fn sum_at_0( at_13 : u32) -> f64
 
 fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr<function, f32>) -> u32
 {
-    var _S102 : u32 = count_3 - u32(1);
-    var total_2 : f64 = sum_at_0(sums_0 + u32(2) * _S102);
+    var _S103 : u32 = count_3 - u32(1);
+    var total_2 : f64 = sum_at_0(sums_0 + u32(2) * _S103);
     var target_0 : f64 = u_5 * total_2;
     var low_3 : u32 = u32(0);
-    var high_0 : u32 = _S102;
+    var high_0 : u32 = _S103;
     for(;;)
     {
         if(low_3 < high_0)
@@ -1602,16 +1620,16 @@ fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
         var sum_1 : f64 = sum_at_0(sums_0 + u32(2) * middle_1);
-        var _S103 : bool;
+        var _S104 : bool;
         if(sum_1 <= target_0)
         {
-            _S103 = sum_1 < total_2;
+            _S104 = sum_1 < total_2;
         }
         else
         {
-            _S103 = false;
+            _S104 = false;
         }
-        if(_S103)
+        if(_S104)
         {
             low_3 = middle_1 + u32(1);
         }
@@ -1642,52 +1660,52 @@ fn cell_direction_0( map_3 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,
     var rows_1 : vec2<f32>;
     if(is_lower_0)
     {
-        var _S104 : u32 = last_0 - row_2;
-        rows_1 = vec2<f32>(f32(_S104), f32(_S104 - u32(1)));
+        var _S105 : u32 = last_0 - row_2;
+        rows_1 = vec2<f32>(f32(_S105), f32(_S105 - u32(1)));
     }
     else
     {
         rows_1 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
     }
-    var _S105 : f32 = f32(last_0);
-    var _S106 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S105)).x;
-    var _S107 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S105)).x;
-    var off_0 : f32 = 2.0f * mix(_S106 * _S106, _S107 * _S107, down_0);
+    var _S106 : f32 = f32(last_0);
+    var _S107 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S106)).x;
+    var _S108 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S106)).x;
+    var off_0 : f32 = 2.0f * mix(_S107 * _S107, _S108 * _S108, down_0);
     var sine_3 : f32 = sqrt(off_0 * (2.0f - off_0));
-    var _S108 : f32 = azimuth_0.x * sine_3;
-    var _S109 : f32;
+    var _S109 : f32 = azimuth_0.x * sine_3;
+    var _S110 : f32;
     if(is_lower_0)
     {
-        _S109 = off_0 - 1.0f;
+        _S110 = off_0 - 1.0f;
     }
     else
     {
-        _S109 = 1.0f - off_0;
+        _S110 = 1.0f - off_0;
     }
-    var local_0 : vec3<f32> = vec3<f32>(_S108, _S109, - azimuth_0.y * sine_3);
-    var _S110 : u32 = map_3 + u32(2);
-    return vec3<f32>(dot(vector_at_0(_S110), local_0), dot(vector_at_0(_S110 + u32(3)), local_0), dot(vector_at_0(_S110 + u32(6)), local_0));
+    var local_0 : vec3<f32> = vec3<f32>(_S109, _S110, - azimuth_0.y * sine_3);
+    var _S111 : u32 = map_3 + u32(2);
+    return vec3<f32>(dot(vector_at_0(_S111), local_0), dot(vector_at_0(_S111 + u32(3)), local_0), dot(vector_at_0(_S111 + u32(6)), local_0));
 }
 
 fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : ptr<function, f32>) -> vec3<f32>
 {
     var u_6 : f64 = precise_random_0(key_5, dimension_4);
     var rest_5 : f64 = u_6 * 20.0lf - 1.0lf;
-    var _S111 : u32 = map_4 + u32(13);
-    var is_black_0 : bool = (word_0(_S111)) == u32(4294967295);
-    var _S112 : bool;
-    if(is_black_0)
+    var _S112 : u32 = map_4 + u32(13);
+    var is_black_1 : bool = (word_0(_S112)) == u32(4294967295);
+    var _S113 : bool;
+    if(is_black_1)
     {
-        _S112 = true;
+        _S113 = true;
     }
     else
     {
-        _S112 = rest_5 < 0.0lf;
+        _S113 = rest_5 < 0.0lf;
     }
-    if(_S112)
+    if(_S113)
     {
         var share_0 : f32;
-        if(is_black_0)
+        if(is_black_1)
         {
             share_0 = 1.0f;
         }
@@ -1696,14 +1714,14 @@ fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
             share_0 = 0.05000000074505806f;
         }
         var direction_8 : vec3<f32> = uniform_direction_0(vec2<f32>(f32(u_6) / share_0, random_0(key_5, dimension_4 + u32(1))));
-        var _S113 : f32 = map_pdf_0(map_4, direction_8);
-        (*pdf_1) = _S113;
+        var _S114 : f32 = map_pdf_0(map_4, direction_8);
+        (*pdf_1) = _S114;
         return direction_8;
     }
     var rest_6 : f64 = rest_5 / 19.0lf;
     var width_2 : u32 = word_0(map_4);
     var down_1 : f32;
-    var row_3 : u32 = chosen_interval_0(word_0(_S111), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
+    var row_3 : u32 = chosen_interval_0(word_0(_S112), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
     var along_2 : f32;
     var column_2 : u32 = chosen_interval_0(word_0(map_4 + u32(14)) + u32(2) * width_2 * row_3, width_2, rest_6, &(along_2));
     (*pdf_1) = cell_pdf_0(map_4, row_3 * width_2 + column_2);
@@ -1717,9 +1735,9 @@ fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
 
 fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
 {
-    var _S114 : f32 = u_7.x;
-    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S114));
-    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S114));
+    var _S115 : f32 = u_7.x;
+    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S115));
+    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S115));
 }
 
 fn to_world_0( axes_5 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
@@ -1729,23 +1747,23 @@ fn to_world_0( axes_5 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
 
 fn component_0( v_8 : vec3<f64>,  axis_2 : u32) -> f64
 {
-    var _S115 : f64;
+    var _S116 : f64;
     if(axis_2 == u32(0))
     {
-        _S115 = v_8.x;
+        _S116 = v_8.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S115 = v_8.y;
+            _S116 = v_8.y;
         }
         else
         {
-            _S115 = v_8.z;
+            _S116 = v_8.z;
         }
     }
-    return _S115;
+    return _S116;
 }
 
 fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
@@ -1765,7 +1783,7 @@ struct RayView_0
 
 fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S116 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S117 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -1778,36 +1796,36 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S117 : u32 = axis_3;
-        var _S118 : u32 = _S116 + u32(2) * axis_3;
-        var _S119 : u32 = slot_3 % u32(4);
-        var low_4 : f32 = (bitcast<f32>((nodes_0[_S118][_S119])));
-        var high_1 : f32 = (bitcast<f32>((nodes_0[_S118 + u32(6)][_S119])));
-        var _S120 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
-        var _S121 : f32;
-        if(_S120)
+        var _S118 : u32 = axis_3;
+        var _S119 : u32 = _S117 + u32(2) * axis_3;
+        var _S120 : u32 = slot_3 % u32(4);
+        var low_4 : f32 = (bitcast<f32>((nodes_0[_S119][_S120])));
+        var high_1 : f32 = (bitcast<f32>((nodes_0[_S119 + u32(6)][_S120])));
+        var _S121 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
+        var _S122 : f32;
+        if(_S121)
         {
-            _S121 = high_1;
+            _S122 = high_1;
         }
         else
         {
-            _S121 = low_4;
+            _S122 = low_4;
         }
-        var _S122 : f32 = max(near_0, _S121 * view_2.inverse_0[_S117] - view_2.offset_near_0[axis_3]);
-        var _S123 : f32;
-        if(_S120)
+        var _S123 : f32 = max(near_0, _S122 * view_2.inverse_0[_S118] - view_2.offset_near_0[axis_3]);
+        var _S124 : f32;
+        if(_S121)
         {
-            _S123 = low_4;
+            _S124 = low_4;
         }
         else
         {
-            _S123 = high_1;
+            _S124 = high_1;
         }
-        var _S124 : f32 = min(far_0, _S123 * view_2.inverse_0[_S117] - view_2.offset_far_0[axis_3]);
-        var _S125 : u32 = axis_3 + u32(1);
-        near_0 = _S122;
-        far_0 = _S124;
-        axis_3 = _S125;
+        var _S125 : f32 = min(far_0, _S124 * view_2.inverse_0[_S118] - view_2.offset_far_0[axis_3]);
+        var _S126 : u32 = axis_3 + u32(1);
+        near_0 = _S123;
+        far_0 = _S125;
+        axis_3 = _S126;
     }
     if(near_0 <= far_0)
     {
@@ -1832,7 +1850,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S126 : u32 = k_3;
+        var _S127 : u32 = k_3;
         if((bounds_0[k_3]) > limit_2)
         {
             k_3 = k_3 + u32(1);
@@ -1849,24 +1867,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S127 : u32 = j_0;
-            var _S128 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S126]))
+            var _S128 : u32 = j_0;
+            var _S129 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S127]))
             {
-                _S128 = true;
+                _S129 = true;
             }
             else
             {
-                if((bounds_0[_S127]) == (bounds_0[_S126]))
+                if((bounds_0[_S128]) == (bounds_0[_S127]))
                 {
-                    _S128 = j_0 < k_3;
+                    _S129 = j_0 < k_3;
                 }
                 else
                 {
-                    _S128 = false;
+                    _S129 = false;
                 }
             }
-            if(_S128)
+            if(_S129)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -1891,16 +1909,16 @@ fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S129 : f32;
+        var _S130 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S129 = 3.00000000549775576e+38f;
+            _S130 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S129 = ray_bound_0(view_3, limit_3, node_5, slot_4);
+            _S130 = ray_bound_0(view_3, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S129;
+        bounds_1[slot_4] = _S130;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -1950,46 +1968,46 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_15 : u32) -> Crossing_0
     var a_14 : vec3<f64> = corner_0(ray_1, axes_8, at_15);
     var b_12 : vec3<f64> = corner_0(ray_1, axes_8, at_15 + u32(3));
     var c_7 : vec3<f64> = corner_0(ray_1, axes_8, at_15 + u32(6));
-    var _S130 : f64 = c_7.x;
-    var _S131 : f64 = b_12.y;
-    var cx_by_0 : f64 = rounded_0(_S130 * _S131, ray_1.largest_1);
-    var _S132 : f64 = c_7.y;
-    var _S133 : f64 = b_12.x;
-    var cy_bx_0 : f64 = rounded_0(_S132 * _S133, ray_1.largest_1);
-    var _S134 : f64 = a_14.x;
-    var ax_cy_0 : f64 = rounded_0(_S134 * _S132, ray_1.largest_1);
-    var _S135 : f64 = a_14.y;
-    var ay_cx_0 : f64 = rounded_0(_S135 * _S130, ray_1.largest_1);
-    var bx_ay_0 : f64 = rounded_0(_S133 * _S135, ray_1.largest_1);
-    var by_ax_0 : f64 = rounded_0(_S131 * _S134, ray_1.largest_1);
+    var _S131 : f64 = c_7.x;
+    var _S132 : f64 = b_12.y;
+    var cx_by_0 : f64 = rounded_0(_S131 * _S132, ray_1.largest_1);
+    var _S133 : f64 = c_7.y;
+    var _S134 : f64 = b_12.x;
+    var cy_bx_0 : f64 = rounded_0(_S133 * _S134, ray_1.largest_1);
+    var _S135 : f64 = a_14.x;
+    var ax_cy_0 : f64 = rounded_0(_S135 * _S133, ray_1.largest_1);
+    var _S136 : f64 = a_14.y;
+    var ay_cx_0 : f64 = rounded_0(_S136 * _S131, ray_1.largest_1);
+    var bx_ay_0 : f64 = rounded_0(_S134 * _S136, ray_1.largest_1);
+    var by_ax_0 : f64 = rounded_0(_S132 * _S135, ray_1.largest_1);
     var u_8 : f64 = cx_by_0 - cy_bx_0;
     var v_10 : f64 = ax_cy_0 - ay_cx_0;
     var w_5 : f64 = bx_ay_0 - by_ax_0;
-    var _S136 : f64 = min(min(u_8, v_10), w_5);
-    var _S137 : f64 = max(max(u_8, v_10), w_5);
-    var _S138 : bool;
-    if(_S136 < 0.0lf)
+    var _S137 : f64 = min(min(u_8, v_10), w_5);
+    var _S138 : f64 = max(max(u_8, v_10), w_5);
+    var _S139 : bool;
+    if(_S137 < 0.0lf)
     {
-        _S138 = _S137 > 0.0lf;
+        _S139 = _S138 > 0.0lf;
     }
     else
     {
-        _S138 = false;
+        _S139 = false;
     }
-    if(_S138)
+    if(_S139)
     {
         return crossing_0;
     }
     var determinant_0 : f64 = u_8 + v_10 + w_5;
-    if(_S136 <= 0.0lf)
+    if(_S137 <= 0.0lf)
     {
-        _S138 = _S137 >= 0.0lf;
+        _S139 = _S138 >= 0.0lf;
     }
     else
     {
-        _S138 = false;
+        _S139 = false;
     }
-    if(_S138)
+    if(_S139)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -2003,13 +2021,13 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_15 : u32) -> Crossing_0
     var t_3 : f64 = (rounded_0(u_8 * a_14.z, ray_1.largest_1) + rounded_0(v_10 * b_12.z, ray_1.largest_1) + rounded_0(w_5 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_3)
     {
-        _S138 = t_3 <= (ray_1.t_max_0);
+        _S139 = t_3 <= (ray_1.t_max_0);
     }
     else
     {
-        _S138 = false;
+        _S139 = false;
     }
-    crossing_0.is_hit_0 = _S138;
+    crossing_0.is_hit_0 = _S139;
     crossing_0.t_2 = t_3;
     crossing_0.v_9 = v_10 / determinant_0;
     crossing_0.w_4 = w_5 / determinant_0;
@@ -2031,7 +2049,7 @@ struct Found_0
 
 fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S139 : bool;
+    var _S140 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
     found_3.triangle_8 = u32(4294967295);
@@ -2063,31 +2081,31 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_1[level_0];
-        var _S140 : u32 = way_1[level_0].y;
-        if(_S140 == u32(0))
+        var _S141 : u32 = way_1[level_0].y;
+        if(_S141 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S141 : u32 = level_0 - u32(1);
+            var _S142 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S141;
+            level_0 = _S142;
             continue;
         }
-        var slot_5 : u32 = ((_S140 & (u32(15)))) - u32(1);
-        way_1[level_0][i32(1)] = (_S140 >> (u32(4)));
-        var _S142 : bool;
+        var slot_5 : u32 = ((_S141 & (u32(15)))) - u32(1);
+        way_1[level_0][i32(1)] = (_S141 >> (u32(4)));
+        var _S143 : bool;
         if(!is_new_1)
         {
-            _S142 = (ray_bound_0(view_4, limit_4, here_0.x, slot_5)) > limit_4;
+            _S143 = (ray_bound_0(view_4, limit_4, here_0.x, slot_5)) > limit_4;
         }
         else
         {
-            _S142 = false;
+            _S143 = false;
         }
-        if(_S142)
+        if(_S143)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -2096,20 +2114,20 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_0.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S143 : u32 = level_0 + u32(1);
+            var _S144 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S143;
+            level_0 = _S144;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S144 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S145 : u32 = leaf_starts_0[leaf_0];
+        var _S145 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S146 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S145;
+        var i_3 : u32 = _S146;
         for(;;)
         {
-            if(i_3 < _S144)
+            if(i_3 < _S145)
             {
             }
             else
@@ -2124,23 +2142,23 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S139 = true;
+                _S140 = true;
             }
             else
             {
-                _S139 = (crossing_1.t_2) < ((*ray_2).t_max_0);
+                _S140 = (crossing_1.t_2) < ((*ray_2).t_max_0);
             }
-            var _S146 : bool;
-            if(_S139)
+            var _S147 : bool;
+            if(_S140)
             {
-                _S146 = true;
+                _S147 = true;
             }
             else
             {
-                _S146 = (face_6(i_3)) < (found_3.face_7);
+                _S147 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S146)
+            if(_S147)
             {
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_8 = i_3;
@@ -2158,13 +2176,13 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S139 = (found_3.face_7) != u32(4294967295);
+            _S140 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S139 = false;
+            _S140 = false;
         }
-        if(_S139)
+        if(_S140)
         {
             break;
         }
@@ -2178,34 +2196,34 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_1 : vec3<f64>,  direction_9 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
 {
     var size_1 : vec3<f32> = abs(vec3<f32>(direction_9));
-    var _S147 : f32 = size_1.x;
-    var _S148 : f32 = size_1.y;
-    var _S149 : bool;
-    if(_S147 >= _S148)
+    var _S148 : f32 = size_1.x;
+    var _S149 : f32 = size_1.y;
+    var _S150 : bool;
+    if(_S148 >= _S149)
     {
-        _S149 = _S147 >= (size_1.z);
+        _S150 = _S148 >= (size_1.z);
     }
     else
     {
-        _S149 = false;
+        _S150 = false;
     }
-    var _S150 : i32;
-    if(_S149)
+    var _S151 : i32;
+    if(_S150)
     {
-        _S150 = i32(0);
+        _S151 = i32(0);
     }
     else
     {
-        if(_S148 >= (size_1.z))
+        if(_S149 >= (size_1.z))
         {
-            _S150 = i32(1);
+            _S151 = i32(1);
         }
         else
         {
-            _S150 = i32(2);
+            _S151 = i32(2);
         }
     }
-    var z_4 : u32 = u32(_S150);
+    var z_4 : u32 = u32(_S151);
     var x_8 : u32 = (z_4 + u32(1)) % u32(3);
     var y_3 : u32 = (z_4 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
@@ -2216,13 +2234,13 @@ fn cast_0( origin_1 : vec3<f64>,  direction_9 : vec3<f64>,  t_min_1 : f64,  t_ma
     ray_3.shear_y_0 = component_0(direction_9, y_3) / along_3;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S151 : f64 = abs(along_3);
-    ray_3.local_per_t_0 = _S151;
+    var _S152 : f64 = abs(along_3);
+    ray_3.local_per_t_0 = _S152;
     ray_3.enter_0 = 0.0lf;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
     var view_5 : RayView_0;
-    var _S152 : vec3<f32> = vec3<f32>(direction_9 / vec3<f64>(_S151));
+    var _S153 : vec3<f32> = vec3<f32>(direction_9 / vec3<f64>(_S152));
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -2233,17 +2251,17 @@ fn cast_0( origin_1 : vec3<f64>,  direction_9 : vec3<f64>,  t_min_1 : f64,  t_ma
         {
             break;
         }
-        var _S153 : f32 = max(abs(_S152[axis_4]), 8.67361737988403547e-19f);
-        var _S154 : f32;
-        if((_S152[axis_4]) < 0.0f)
+        var _S154 : f32 = max(abs(_S153[axis_4]), 8.67361737988403547e-19f);
+        var _S155 : f32;
+        if((_S153[axis_4]) < 0.0f)
         {
-            _S154 = -1.0f / _S153;
+            _S155 = -1.0f / _S154;
         }
         else
         {
-            _S154 = 1.0f / _S153;
+            _S155 = 1.0f / _S154;
         }
-        view_5.inverse_0[axis_4] = _S154;
+        view_5.inverse_0[axis_4] = _S155;
         axis_4 = axis_4 + u32(1);
     }
     var offset_4 : vec3<f32> = vec3<f32>(origin_1) * view_5.inverse_0;
@@ -2261,34 +2279,34 @@ fn cast_0( origin_1 : vec3<f64>,  direction_9 : vec3<f64>,  t_min_1 : f64,  t_ma
 fn cast_1( origin_2 : vec3<f64>,  direction_10 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_2 : bool,  t_5 : ptr<function, f32>) -> Found_0
 {
     var size_2 : vec3<f32> = abs(vec3<f32>(direction_10));
-    var _S155 : f32 = size_2.x;
-    var _S156 : f32 = size_2.y;
-    var _S157 : bool;
-    if(_S155 >= _S156)
+    var _S156 : f32 = size_2.x;
+    var _S157 : f32 = size_2.y;
+    var _S158 : bool;
+    if(_S156 >= _S157)
     {
-        _S157 = _S155 >= (size_2.z);
+        _S158 = _S156 >= (size_2.z);
     }
     else
     {
-        _S157 = false;
+        _S158 = false;
     }
-    var _S158 : i32;
-    if(_S157)
+    var _S159 : i32;
+    if(_S158)
     {
-        _S158 = i32(0);
+        _S159 = i32(0);
     }
     else
     {
-        if(_S156 >= (size_2.z))
+        if(_S157 >= (size_2.z))
         {
-            _S158 = i32(1);
+            _S159 = i32(1);
         }
         else
         {
-            _S158 = i32(2);
+            _S159 = i32(2);
         }
     }
-    var z_5 : u32 = u32(_S158);
+    var z_5 : u32 = u32(_S159);
     var x_9 : u32 = (z_5 + u32(1)) % u32(3);
     var y_4 : u32 = (z_5 + u32(2)) % u32(3);
     var ray_4 : Ray_0;
@@ -2299,13 +2317,13 @@ fn cast_1( origin_2 : vec3<f64>,  direction_10 : vec3<f64>,  t_min_2 : f64,  t_m
     ray_4.shear_y_0 = component_0(direction_10, y_4) / along_4;
     ray_4.t_min_0 = t_min_2;
     ray_4.t_max_0 = t_max_2;
-    var _S159 : f64 = abs(along_4);
-    ray_4.local_per_t_0 = _S159;
+    var _S160 : f64 = abs(along_4);
+    ray_4.local_per_t_0 = _S160;
     ray_4.enter_0 = 0.0lf;
     ray_4.edge_on_0 = limit_at_0(u32(0));
     ray_4.largest_1 = limit_at_0(u32(1));
     var view_6 : RayView_0;
-    var _S160 : vec3<f32> = vec3<f32>(direction_10 / vec3<f64>(_S159));
+    var _S161 : vec3<f32> = vec3<f32>(direction_10 / vec3<f64>(_S160));
     var axis_5 : u32 = u32(0);
     for(;;)
     {
@@ -2316,17 +2334,17 @@ fn cast_1( origin_2 : vec3<f64>,  direction_10 : vec3<f64>,  t_min_2 : f64,  t_m
         {
             break;
         }
-        var _S161 : f32 = max(abs(_S160[axis_5]), 8.67361737988403547e-19f);
-        var _S162 : f32;
-        if((_S160[axis_5]) < 0.0f)
+        var _S162 : f32 = max(abs(_S161[axis_5]), 8.67361737988403547e-19f);
+        var _S163 : f32;
+        if((_S161[axis_5]) < 0.0f)
         {
-            _S162 = -1.0f / _S161;
+            _S163 = -1.0f / _S162;
         }
         else
         {
-            _S162 = 1.0f / _S161;
+            _S163 = 1.0f / _S162;
         }
-        view_6.inverse_0[axis_5] = _S162;
+        view_6.inverse_0[axis_5] = _S163;
         axis_5 = axis_5 + u32(1);
     }
     var offset_5 : vec3<f32> = vec3<f32>(origin_2) * view_6.inverse_0;
@@ -2348,16 +2366,16 @@ fn turning_0( vertex_1 : Vertex_0,  direction_11 : vec3<f32>) -> vec3<f32>
 
 fn towards_emitter_0( vertex_2 : Vertex_0,  direction_12 : vec3<f32>,  record_12 : u32) -> vec3<f32>
 {
-    var _S163 : vec3<f32>;
+    var _S164 : vec3<f32>;
     if((word_0(record_12)) == u32(1))
     {
-        _S163 = changing_0(direction_12, turning_0(vertex_2, direction_12));
+        _S164 = changing_0(direction_12, turning_0(vertex_2, direction_12));
     }
     else
     {
-        _S163 = still_0(direction_12);
+        _S164 = still_0(direction_12);
     }
-    return _S163;
+    return _S164;
 }
 
 fn local_change_0( vertex_3 : Vertex_0,  direction_13 : vec3<f32>) -> vec3<f32>
@@ -2374,25 +2392,25 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_5 : f32,  pdf_3 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S164 : Mirrored_0;
-    _S164.cosine_4 = cosine_5;
-    _S164.pdf_2 = pdf_3;
-    _S164.scattered_0 = scattered_1;
-    return _S164;
+    var _S165 : Mirrored_0;
+    _S165.cosine_4 = cosine_5;
+    _S165.pdf_2 = pdf_3;
+    _S165.scattered_0 = scattered_1;
+    return _S165;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S165 : bool;
+    var _S166 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S165 = true;
+        _S166 = true;
     }
     else
     {
-        _S165 = (lobe_3.kind_1) == u32(4);
+        _S166 = (lobe_3.kind_1) == u32(4);
     }
-    return _S165;
+    return _S166;
 }
 
 struct Microfacets_0
@@ -2422,68 +2440,68 @@ fn exponential_0( x_10 : f32) -> f32
 
 fn density_0( facets_1 : Microfacets_0,  m_0 : vec3<f32>) -> f32
 {
-    var _S166 : f32 = m_0.z;
-    if(_S166 <= 0.0f)
+    var _S167 : f32 = m_0.z;
+    if(_S167 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_0 : vec2<f32> = m_0.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S166 * _S166;
+    var cos2_0 : f32 = _S167 * _S167;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_2 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_2 * sum_2);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S167 : f32;
+    var _S168 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S167 = 0.0f;
+        _S168 = 0.0f;
     }
     else
     {
-        _S167 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S168 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S167;
+    return _S168;
 }
 
 fn error_function_plus_one_0( x_11 : f32) -> vec2<f32>
 {
-    var _S168 : f32 = min(abs(x_11), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S168 * _S168);
-    var place_13 : f32 = (_S168 - 2.0f) / (_S168 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_13 - 0.00127731403335929f) * place_13 + 0.00131371302995831f) * place_13 + 0.008666617795825f) * place_13 - 0.00805134233087301f) * place_13 - 0.05421232059597969f) * place_13 + 0.1640533059835434f) * place_13 - 0.16603080928325653f) * place_13 - 0.09276388585567474f) * place_13 + 1.27697837352752686f) / (1.0f + 2.0f * _S168);
-    var _S169 : f32;
+    var _S169 : f32 = min(abs(x_11), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S169 * _S169);
+    var place_13 : f32 = (_S169 - 2.0f) / (_S169 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_13 - 0.00127731403335929f) * place_13 + 0.00131371302995831f) * place_13 + 0.008666617795825f) * place_13 - 0.00805134233087301f) * place_13 - 0.05421232059597969f) * place_13 + 0.1640533059835434f) * place_13 - 0.16603080928325653f) * place_13 - 0.09276388585567474f) * place_13 + 1.27697837352752686f) / (1.0f + 2.0f * _S169);
+    var _S170 : f32;
     if(x_11 < 0.0f)
     {
-        _S169 = complement_0;
+        _S170 = complement_0;
     }
     else
     {
-        _S169 = 2.0f - complement_0;
+        _S170 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S169, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S170, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_7 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_7.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S170 : f32 = w_7.z;
-    var z2_1 : f32 = _S170 * _S170;
+    var _S171 : f32 = w_7.z;
+    var z2_1 : f32 = _S171 * _S171;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S170 + sqrt(z2_1 + spread2_0));
+        return 2.0f / (_S171 + sqrt(z2_1 + spread2_0));
     }
     if(z2_1 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S170;
+        return 1.0f / _S171;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S170 / spread_1);
-    return 2.0f / (_S170 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S171 / spread_1);
+    return 2.0f / (_S171 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
@@ -2491,9 +2509,9 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_1 : vec3<f32> = normalize(wi_2 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_4 = dot(wi_2, h_1);
-    var _S171 : f32 = 0.25f * density_0(facets_3, h_1) * visible_over_cos_0(facets_3, wi_2);
-    mirrored_1.pdf_2 = _S171;
-    mirrored_1.scattered_0 = _S171 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    var _S172 : f32 = 0.25f * density_0(facets_3, h_1) * visible_over_cos_0(facets_3, wi_2);
+    mirrored_1.pdf_2 = _S172;
+    mirrored_1.scattered_0 = _S172 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
@@ -2510,9 +2528,9 @@ fn fresnel_conductor_channel_0( cosine_6 : f32,  eta_1 : f32,  k_4 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_2 / larger_0;
-    var _S172 : bool = real_0 < 0.0f;
+    var _S173 : bool = real_0 < 0.0f;
     var a_15 : f32;
-    if(_S172)
+    if(_S173)
     {
         a_15 = smaller_0;
     }
@@ -2521,7 +2539,7 @@ fn fresnel_conductor_channel_0( cosine_6 : f32,  eta_1 : f32,  k_4 : f32) -> f32
         a_15 = larger_0;
     }
     var b_13 : f32;
-    if(_S172)
+    if(_S173)
     {
         b_13 = larger_0;
     }
@@ -2531,9 +2549,9 @@ fn fresnel_conductor_channel_0( cosine_6 : f32,  eta_1 : f32,  k_4 : f32) -> f32
     }
     var less_0 : f32 = a_15 - cosine_6;
     var more_0 : f32 = a_15 + cosine_6;
-    var _S173 : f32 = b_13 * b_13;
+    var _S174 : f32 = b_13 * b_13;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S173) / (more_0 * more_0 + _S173) * p_sum_0 / (p_sum_0 + 2.0f * a_15 * cosine_6 * sin2_0);
+    return (less_0 * less_0 + _S174) / (more_0 * more_0 + _S174) * p_sum_0 / (p_sum_0 + 2.0f * a_15 * cosine_6 * sin2_0);
 }
 
 fn fresnel_conductor_0( cosine_7 : f32,  eta_2 : vec3<f32>,  k_5 : vec3<f32>) -> vec3<f32>
@@ -2571,10 +2589,10 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_9 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_9, eta_4);
     }
     var place_14 : f32 = cosine_9 * 63.0f;
-    var _S174 : u32 = min(u32(place_14), u32(62));
-    var at_16 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S174;
+    var _S175 : u32 = min(u32(place_14), u32(62));
+    var at_16 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S175;
     var here_1 : f32 = number_0(at_16);
-    return here_1 + (number_0(at_16 + u32(1)) - here_1) * (place_14 - f32(_S174));
+    return here_1 + (number_0(at_16 + u32(1)) - here_1) * (place_14 - f32(_S175));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2625,15 +2643,15 @@ struct Scattering_0
 fn scattering_0( lobe_7 : Lobe_0,  numbers_6 : Numbers_0,  wi_3 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S175 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S175 * 0.31830987334251404f;
+    var _S176 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S176 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattering_1.value_7 = numbers_6.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_4 = by_cosine_0;
         return scattering_1;
     }
-    var _S176 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S177 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_7))
     {
@@ -2641,7 +2659,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_6 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     else
     {
-        by_facets_0 = _S176;
+        by_facets_0 = _S177;
     }
     if((lobe_7.kind_1) == u32(2))
     {
@@ -2651,7 +2669,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_6 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     var eta_7 : f32 = coat_eta_0(numbers_6);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_3.z);
-    scattering_1.value_7 = base_0(lobe_7, eta_7, numbers_6.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S175) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_7 = base_0(lobe_7, eta_7, numbers_6.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S176) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_1 : f32 = base_probability_0(numbers_6, enters_1);
     scattering_1.pdf_4 = probability_1 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -2673,16 +2691,16 @@ fn eval_and_pdf_0( lobe_8 : Lobe_0,  wi_4 : vec3<f32>,  wo_2 : vec3<f32>) -> Sca
     var scattered_2 : Scattered_0;
     scattered_2.value_8 = still_0(vec3<f32>(0.0f));
     scattered_2.pdf_5 = 0.0f;
-    var _S177 : bool;
+    var _S178 : bool;
     if((value_of_0(wo_2).z) <= 0.0f)
     {
-        _S177 = true;
+        _S178 = true;
     }
     else
     {
-        _S177 = !has_smooth_0(lobe_8);
+        _S178 = !has_smooth_0(lobe_8);
     }
-    if(_S177)
+    if(_S178)
     {
         return scattered_2;
     }
@@ -2723,11 +2741,11 @@ fn in_map_0( map_5 : u32,  direction_16 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_5 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_3, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_3, u32(0));
-    var _S178 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S179 : u32 = u32(width_3);
-    var first_3 : u32 = _S178 * _S179;
-    var _S180 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S180 * _S179;
+    var _S179 : u32 = wrapped_0(y_5, height_1, u32(2));
+    var _S180 : u32 = u32(width_3);
+    var first_3 : u32 = _S179 * _S180;
+    var _S181 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S181 * _S180;
     return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), point_1);
 }
 
@@ -2737,14 +2755,14 @@ fn emitted_0( emitter_5 : u32,  place_17 : Place_0,  direction_17 : vec3<f32>) -
     var texture_6 : u32 = word_0(record_13 + u32(1));
     if(!is_map_0(record_13))
     {
-        var _S181 : vec3<f32> = shown_0(texture_6, place_17);
-        return _S181;
+        var _S182 : vec3<f32> = shown_0(texture_6, place_17);
+        return _S182;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S182 : u32 = word_0(texture_6 + u32(11));
-    var _S183 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_17));
-    return looked_up_0(_S182, _S183, change_1) * factor_0;
+    var _S183 : u32 = word_0(texture_6 + u32(11));
+    var _S184 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_17));
+    return looked_up_0(_S183, _S184, change_1) * factor_0;
 }
 
 fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_4 : u32,  bsdf_samples_0 : f32,  importance_0 : vec3<f32>)
@@ -2771,13 +2789,13 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6
             return;
         }
         var way_3 : vec3<f64> = position_of_0(point_2.place_11) - vertex_6.surface_3.exact_0;
-        var _S184 : vec3<f32> = vec3<f32>(way_3);
-        var distance_5 : f32 = length(_S184);
+        var _S185 : vec3<f32> = vec3<f32>(way_3);
+        var distance_5 : f32 = length(_S185);
         var nearest_2 : f64 = nearest_0 / f64(distance_5);
-        var _S185 : f64 = limit_at_0(u32(3));
-        direction_18 = _S184 / vec3<f32>(distance_5);
+        var _S186 : f64 = limit_at_0(u32(3));
+        direction_18 = _S185 / vec3<f32>(distance_5);
         way_2 = way_3;
-        farthest_0 = _S185;
+        farthest_0 = _S186;
         distance_4 = distance_5;
         nearest_1 = nearest_2;
     }
@@ -2785,24 +2803,24 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6
     {
         if(is_map_0(record_14))
         {
-            var _S186 : u32 = word_0(record_14 + u32(1));
-            var _S187 : u32 = first_4 + u32(1);
-            var _S188 : f32 = point_2.pdf_0;
-            var _S189 : vec3<f32> = sample_map_0(_S186, key_7, _S187, &(_S188));
-            point_2.pdf_0 = _S188;
-            direction_18 = _S189;
+            var _S187 : u32 = word_0(record_14 + u32(1));
+            var _S188 : u32 = first_4 + u32(1);
+            var _S189 : f32 = point_2.pdf_0;
+            var _S190 : vec3<f32> = sample_map_0(_S187, key_7, _S188, &(_S189));
+            point_2.pdf_0 = _S189;
+            direction_18 = _S190;
         }
         else
         {
             var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_4 + u32(1)));
-            var _S190 : vec3<f32> = normalize(to_world_0(vertex_6.axes_4, local_1));
+            var _S191 : vec3<f32> = normalize(to_world_0(vertex_6.axes_4, local_1));
             point_2.pdf_0 = local_1.z * 0.31830987334251404f;
-            direction_18 = _S190;
+            direction_18 = _S191;
         }
         point_2.place_11 = vertex_6.surface_3.place_3;
-        var _S191 : f64 = limit_at_0(u32(1));
+        var _S192 : f64 = limit_at_0(u32(1));
         way_2 = vec3<f64>(direction_18);
-        farthest_0 = _S191;
+        farthest_0 = _S192;
         distance_4 = 0.0f;
         nearest_1 = nearest_0;
     }
@@ -2834,8 +2852,8 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6
         place_19 = place_18;
     }
     var weight_0 : f32 = weight_over_0(own_3, bsdf_samples_0 * scattered_3.pdf_5);
-    var _S192 : vec3<f32> = emitted_0(emitter_6, place_19, moving_0);
-    (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_3.value_8 * (_S192 * vec3<f32>(weight_0));
+    var _S193 : vec3<f32> = emitted_0(emitter_6, place_19, moving_0);
+    (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_3.value_8 * (_S193 * vec3<f32>(weight_0));
     return;
 }
 
@@ -2851,37 +2869,37 @@ fn stretched_1( facets_4 : Microfacets_0,  wi_5 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_5.xy * facets_4.alpha_1, wi_5.z);
     var view_7 : Stretched_0;
-    var _S193 : f32 = length(longer_0);
-    view_7.length_0 = _S193;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S193);
-    var _S194 : vec2<f32> = longer_1.xy;
-    var _S195 : f32 = length(_S194);
-    view_7.sine_4 = _S195;
+    var _S194 : f32 = length(longer_0);
+    view_7.length_0 = _S194;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S194);
+    var _S195 : vec2<f32> = longer_1.xy;
+    var _S196 : f32 = length(_S195);
+    view_7.sine_4 = _S196;
     view_7.cosine_10 = longer_1.z;
-    var _S196 : vec2<f32>;
-    if(_S195 > 0.0f)
+    var _S197 : vec2<f32>;
+    if(_S196 > 0.0f)
     {
-        _S196 = _S194 / vec2<f32>(view_7.sine_4);
+        _S197 = _S195 / vec2<f32>(view_7.sine_4);
     }
     else
     {
-        _S196 = vec2<f32>(1.0f, 0.0f);
+        _S197 = vec2<f32>(1.0f, 0.0f);
     }
-    view_7.around_0 = _S196;
+    view_7.around_0 = _S197;
     return view_7;
 }
 
 fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
 {
-    var _S197 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S197);
+    var _S198 : f32 = u_9.x;
+    var radius_2 : f32 = sqrt(_S198);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
     var across_1 : f32 = radius_2 * turn_3.y;
     var along_5 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_10);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S198 : f32 = 1.0f - _S197;
-    var edge_0 : f32 = sqrt(_S198 + along_5 * along_5);
+    var _S199 : f32 = 1.0f - _S198;
+    var edge_0 : f32 = sqrt(_S199 + along_5 * along_5);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
     var from_top_0 : f32 = edge_0 - along_5;
     var from_bottom_0 : f32 = edge_0 + along_5;
@@ -2889,14 +2907,14 @@ fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_5 > 0.0f)
     {
-        from_top_1 = _S198 / from_bottom_0;
+        from_top_1 = _S199 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S199 : f32 = _S198 / from_top_0;
+        var _S200 : f32 = _S199 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S199;
+        from_bottom_1 = _S200;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_10, across_1, max(towards_0 * view_8.cosine_10 + up_0 * view_8.sine_4, 0.0f));
@@ -2949,8 +2967,8 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S200 : f32 = max(view_9.cosine_10, view_9.sine_4);
-    var slope_1 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S200 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S200, -6.0f, 0.5f * steepest_0);
+    var _S201 : f32 = max(view_9.cosine_10, view_9.sine_4);
+    var slope_1 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S201 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S201, -6.0f, 0.5f * steepest_0);
     var low_5 : f32 = -6.0f;
     var high_2 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -2964,10 +2982,10 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             break;
         }
         var both_2 : vec2<f32> = error_function_plus_one_0(slope_1);
-        var _S201 : f32 = both_2.y;
-        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S201 - target_1;
-        var own_4 : f32 = _S201 * (view_9.cosine_10 - slope_1 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_1 * own_4 - _S201 * view_9.sine_4;
+        var _S202 : f32 = both_2.y;
+        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S202 - target_1;
+        var own_4 : f32 = _S202 * (view_9.cosine_10 - slope_1 * view_9.sine_4);
+        var bend_0 : f32 = -2.0f * slope_1 * own_4 - _S202 * view_9.sine_4;
         if(error_0 > 0.0f)
         {
             high_2 = slope_1;
@@ -2977,17 +2995,17 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             low_5 = slope_1;
         }
         var next_0 : f32 = slope_1 - error_0 * own_4 / (own_4 * own_4 - 0.5f * error_0 * bend_0);
-        var _S202 : bool;
+        var _S203 : bool;
         if(next_0 >= low_5)
         {
-            _S202 = next_0 <= high_2;
+            _S203 = next_0 <= high_2;
         }
         else
         {
-            _S202 = false;
+            _S203 = false;
         }
         var next_1 : f32;
-        if(!_S202)
+        if(!_S203)
         {
             next_1 = 0.5f * (low_5 + high_2);
         }
@@ -3000,9 +3018,9 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             slope_1 = next_1;
             break;
         }
-        var _S203 : u32 = step_0 + u32(1);
+        var _S204 : u32 = step_0 + u32(1);
         slope_1 = next_1;
-        step_0 = _S203;
+        step_0 = _S204;
     }
     return vec3<f32>(- slope_1, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -3019,11 +3037,11 @@ fn mirrored_at_facet_0( facets_5 : Microfacets_0,  wi_6 : vec3<f32>,  u_11 : vec
     {
         normal_7 = beckmann_normal_0(view_10, visible_over_cos_0(facets_5, wi_6), u_11);
     }
-    var _S204 : f32 = view_10.around_0.x;
-    var _S205 : f32 = normal_7.x;
-    var _S206 : f32 = view_10.around_0.y;
-    var _S207 : f32 = normal_7.y;
-    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S204 * _S205 - _S206 * _S207, _S206 * _S205 + _S204 * _S207) * facets_5.alpha_1, normal_7.z));
+    var _S205 : f32 = view_10.around_0.x;
+    var _S206 : f32 = normal_7.x;
+    var _S207 : f32 = view_10.around_0.y;
+    var _S208 : f32 = normal_7.y;
+    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S205 * _S206 - _S207 * _S208, _S207 * _S206 + _S205 * _S208) * facets_5.alpha_1, normal_7.z));
     return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_6, normal_8))) - wi_6);
 }
 
@@ -3036,9 +3054,9 @@ struct Drawn_0
 
 fn draw_0( lobe_9 : Lobe_0,  wi_7 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
 {
-    var _S208 : bool = (lobe_9.kind_1) == u32(0);
+    var _S209 : bool = (lobe_9.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S208)
+    if(_S209)
     {
         has_base_0 = true;
     }
@@ -3055,7 +3073,7 @@ fn draw_0( lobe_9 : Lobe_0,  wi_7 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
         has_base_0 = (lobe_9.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S208)
+    if(_S209)
     {
         of_base_1 = 1.0f;
     }
@@ -3063,16 +3081,16 @@ fn draw_0( lobe_9 : Lobe_0,  wi_7 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
     {
         of_base_1 = 0.0f;
     }
-    var _S209 : bool;
+    var _S210 : bool;
     if((lobe_9.kind_1) == u32(3))
     {
-        _S209 = true;
+        _S210 = true;
     }
     else
     {
-        _S209 = (lobe_9.kind_1) == u32(4);
+        _S210 = (lobe_9.kind_1) == u32(4);
     }
-    if(_S209)
+    if(_S210)
     {
         of_base_1 = base_probability_0(lobe_9.numbers_2, transmittance_0(lobe_9, coat_eta_0(lobe_9.numbers_2), wi_7.z));
     }
@@ -3128,8 +3146,8 @@ fn specular_0( lobe_11 : Lobe_0,  wi_9 : vec3<f32>) -> vec3<f32>
 
 fn first_from_0( position_6 : vec3<f64>,  direction_20 : vec3<f32>,  t_7 : ptr<function, f32>) -> Found_0
 {
-    var _S210 : Found_0 = cast_1(position_6, vec3<f64>(direction_20), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_7)));
-    return _S210;
+    var _S211 : Found_0 = cast_1(position_6, vec3<f64>(direction_20), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_7)));
+    return _S211;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
@@ -3144,25 +3162,25 @@ fn emitter_seen_0( found_7 : Found_0,  direction_21 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_8) + u32(4));
-    var _S211 : bool;
+    var _S212 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S211 = (dot(cross_of_0(found_7.triangle_8), direction_21)) < 0.0f;
+        _S212 = (dot(cross_of_0(found_7.triangle_8), direction_21)) < 0.0f;
     }
     else
     {
-        _S211 = false;
+        _S212 = false;
     }
-    var _S212 : u32;
-    if(_S211)
+    var _S213 : u32;
+    if(_S212)
     {
-        _S212 = emitter_7;
+        _S213 = emitter_7;
     }
     else
     {
-        _S212 = u32(4294967295);
+        _S213 = u32(4294967295);
     }
-    return _S212;
+    return _S213;
 }
 
 fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_22 : vec3<f32>,  distance_6 : f32) -> f32
@@ -3171,17 +3189,17 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
     var rectangle_1 : u32 = word_0(record_15 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S213 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S213.solid_angle_0) > 0.0f))
+        var _S214 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S214.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S213.solid_angle_0) >= 0.00100000004749745f)
+        if((_S214.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S213.solid_angle_0;
+            return 1.0f / _S214.solid_angle_0;
         }
     }
-    var _S214 : u32 = word_0(word_0(record_15 + u32(7)) + face_8);
+    var _S215 : u32 = word_0(word_0(record_15 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_15 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -3195,7 +3213,7 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S214 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S215 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_5 = shares_1.y;
@@ -3205,22 +3223,22 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             own_5 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_5;
-        var _S215 : i32;
+        var _S216 : i32;
         if(is_second_1)
         {
-            _S215 = i32(3);
+            _S216 = i32(3);
         }
         else
         {
-            _S215 = i32(2);
+            _S216 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S215));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S216));
         chosen_2 = chosen_3;
     }
-    var _S216 : u32 = word_0(record_15 + u32(6));
-    var _S217 : u32 = word_0(node_6);
+    var _S217 : u32 = word_0(record_15 + u32(6));
+    var _S218 : u32 = word_0(node_6);
     own_5 = 0.0f;
-    var k_6 : u32 = _S217;
+    var k_6 : u32 = _S218;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -3231,9 +3249,9 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_15, word_0(_S216 + k_6), from_2.exact_0);
+        var angle_4 : f32 = face_solid_angle_0(record_15, word_0(_S217 + k_6), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_4;
-        if(k_6 == _S214)
+        if(k_6 == _S215)
         {
             own_5 = angle_4;
         }
@@ -3252,8 +3270,8 @@ fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  vertex_8 : Vertex_0,  di
     var record_16 : u32 = emitter_record_0(emitter_8);
     if(is_map_0(record_16))
     {
-        var _S218 : f32 = map_pdf_0(word_0(record_16 + u32(1)), direction_23);
-        return _S218;
+        var _S219 : f32 = map_pdf_0(word_0(record_16 + u32(1)), direction_23);
+        return _S219;
     }
     if(!is_area_0(record_16))
     {
@@ -3274,10 +3292,10 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     var vertex_9 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_5).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S219 : u32 = word_0(u32(3));
-    var _S220 : bool = !reaches_0(depth_2 + u32(3));
+    var _S220 : u32 = word_0(u32(3));
+    var _S221 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S220)
+    if(_S221)
     {
         goes_on_0 = (vertex_9.lobe_1.kind_1) == u32(0);
     }
@@ -3300,7 +3318,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     else
     {
-        bsdf_samples_1 = _S219;
+        bsdf_samples_1 = _S220;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_9.lobe_1))
@@ -3311,7 +3329,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S221 : Choice_0 = choice_at_0(surface_5.position_0, vertex_9.axes_4.n_1, on_emitters_0 == u32(0));
+    var _S222 : Choice_0 = choice_at_0(surface_5.position_0, vertex_9.axes_4.n_1, on_emitters_0 == u32(0));
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -3322,7 +3340,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         {
             break;
         }
-        add_light_from_emitter_0(&((*reflected_2)), vertex_9, _S221, (*path_5).key_0, first_5 + u32(3) * i_4, f32(bsdf_samples_1), importance_1);
+        add_light_from_emitter_0(&((*reflected_2)), vertex_9, _S222, (*path_5).key_0, first_5 + u32(3) * i_4, f32(bsdf_samples_1), importance_1);
         i_4 = i_4 + u32(1);
     }
     var first_6 : u32 = first_5 + u32(3) * emitter_samples_0;
@@ -3373,11 +3391,11 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         var next_direction_1 : vec3<f32>;
         if(k_7 == u32(0))
         {
-            var _S222 : bool = (found_9.face_7) != u32(4294967295);
-            var _S223 : Place_0 = place_of_0(found_9);
+            var _S223 : bool = (found_9.face_7) != u32(4294967295);
+            var _S224 : Place_0 = place_of_0(found_9);
             (*reflected_2).onward_0 = scattered_4.value_8 * vec3<f32>((1.0f / scattered_4.pdf_5));
-            goes_on_1 = _S222;
-            next_3 = _S223;
+            goes_on_1 = _S223;
+            next_3 = _S224;
             next_direction_1 = moving_1;
         }
         else
@@ -3396,28 +3414,28 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             continue;
         }
         var own_6 : f32 = f32(bsdf_samples_1) * scattered_4.pdf_5;
-        var _S224 : bool = !drawn_1.is_specular_0;
-        var _S225 : bool;
-        if(_S224)
+        var _S225 : bool = !drawn_1.is_specular_0;
+        var _S226 : bool;
+        if(_S225)
         {
-            _S225 = emitter_samples_0 != u32(0);
+            _S226 = emitter_samples_0 != u32(0);
         }
         else
         {
-            _S225 = false;
+            _S226 = false;
         }
         var other_1 : f32;
-        if(_S225)
+        if(_S226)
         {
             var pdf_6 : f32 = emitter_pdf_0(emitter_9, found_9, vertex_9, direction_24, t_9);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S221) * pdf_6;
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S222) * pdf_6;
         }
         else
         {
             other_1 = 0.0f;
         }
         var moving_2 : vec3<f32>;
-        if(_S224)
+        if(_S225)
         {
             moving_2 = towards_emitter_0(vertex_9, direction_24, emitter_record_0(emitter_9));
         }
@@ -3436,14 +3454,14 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             place_21 = place_20;
         }
         var weight_1 : f32 = weight_over_0(own_6, other_1);
-        var _S226 : vec3<f32> = emitted_0(emitter_9, place_21, moving_2);
-        (*reflected_2).direct_0 = (*reflected_2).direct_0 + scattered_4.value_8 * (_S226 * vec3<f32>(weight_1));
+        var _S227 : vec3<f32> = emitted_0(emitter_9, place_21, moving_2);
+        (*reflected_2).direct_0 = (*reflected_2).direct_0 + scattered_4.value_8 * (_S227 * vec3<f32>(weight_1));
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
         k_7 = k_7 + u32(1);
     }
-    if(_S220)
+    if(_S221)
     {
         goes_on_0 = true;
     }
@@ -3456,16 +3474,16 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         return false;
     }
     var throughput_1 : vec3<f32> = value_of_0((*path_5).throughput_0) * value_of_0((*reflected_2).onward_0);
-    var _S227 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    if(!(_S227 > 0.0f))
+    var _S228 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    if(!(_S228 > 0.0f))
     {
         return false;
     }
-    var _S228 : u32 = depth_2 + u32(1);
-    if(_S228 >= (word_0(u32(1))))
+    var _S229 : u32 = depth_2 + u32(1);
+    if(_S229 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S227, 0.0f, 0.94999998807907104f);
-        if((random_0((*path_5).key_0, vertex_numbers_0(_S228) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S228, 0.0f, 0.94999998807907104f);
+        if((random_0((*path_5).key_0, vertex_numbers_0(_S229) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -3544,16 +3562,16 @@ fn take_thread_further_0( thread_0 : u32)
     path_11.light_0 = path_11.light_0 + path_11.throughput_0 * reflected_3.direct_0;
     path_11.throughput_0 = path_11.throughput_0 * reflected_3.onward_0;
     store_0(number_of_path_2, path_11);
-    var _S229 : u32;
+    var _S230 : u32;
     if(goes_on_2)
     {
-        _S229 = number_of_path_2;
+        _S230 = number_of_path_2;
     }
     else
     {
-        _S229 = u32(4294967295);
+        _S230 = u32(4294967295);
     }
-    set_word_0(at_18, u32(0), _S229);
+    set_word_0(at_18, u32(0), _S230);
     return;
 }
 

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d1d53f31f9d4e09e
-// result: 76fe6cd69a5704c2
+// source: b404772ed9e6d12f
+// result: 131af789ed0e4d02
 
 struct Launch_std140_0
 {
@@ -541,13 +541,31 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
 {
     var lobe_0 : Lobe_0;
     lobe_0.record_2 = record_3;
+    var is_black_0 : bool = record_3 == u32(4294967295);
     lobe_0.kind_1 = u32(0);
-    lobe_0.distribution_0 = word_0(record_3 + u32(1));
+    var _S31 : u32;
+    if(is_black_0)
+    {
+        _S31 = u32(1);
+    }
+    else
+    {
+        _S31 = word_0(record_3 + u32(1));
+    }
+    lobe_0.distribution_0 = _S31;
     lobe_0.numbers_2 = no_numbers_0();
+    if(is_black_0)
+    {
+        _S31 = u32(0);
+    }
+    else
+    {
+        _S31 = u32(1);
+    }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < u32(1))
+        if(slot_1 < _S31)
         {
         }
         else
@@ -561,10 +579,10 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
-        var _S31 : vec3<f32> = value_of_0(colour_1);
-        var _S32 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S32), slot_1, _S31);
-        lobe_0.numbers_2 = _S32;
+        var _S32 : vec3<f32> = value_of_0(colour_1);
+        var _S33 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S33), slot_1, _S32);
+        lobe_0.numbers_2 = _S33;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -579,16 +597,16 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S33 : vec3<f32>;
+    var _S34 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S33 = tangent_0;
+        _S34 = tangent_0;
     }
     else
     {
-        _S33 = vec3<f32>(0.0f);
+        _S34 = vec3<f32>(0.0f);
     }
-    return _S33;
+    return _S34;
 }
 
 struct Axes_0
@@ -601,38 +619,38 @@ struct Axes_0
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S34 : vec3<f32>;
+    var _S35 : vec3<f32>;
     if(is_front_1)
     {
-        _S34 = n_2;
+        _S35 = n_2;
     }
     else
     {
-        _S34 = (vec3<f32>(0) - n_2);
+        _S35 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_1 = _S34;
-    var _S35 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S35;
-    axes_0.t_0 = cross(n_2, _S35);
+    axes_0.n_1 = _S35;
+    var _S36 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S36;
+    axes_0.t_0 = cross(n_2, _S36);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S36 : vec3<f32>;
+    var _S37 : vec3<f32>;
     if(is_front_2)
     {
-        _S36 = n_3;
+        _S37 = n_3;
     }
     else
     {
-        _S36 = (vec3<f32>(0) - n_3);
+        _S37 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_1 = _S36;
-    var _S37 : f32 = n_3.z;
+    axes_1.n_1 = _S37;
+    var _S38 : f32 = n_3.z;
     var sign_0 : f32;
-    if(_S37 < 0.0f)
+    if(_S38 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -640,12 +658,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_0 = 1.0f;
     }
-    var a_5 : f32 = -1.0f / (sign_0 + _S37);
-    var _S38 : f32 = n_3.x;
-    var _S39 : f32 = n_3.y;
-    var b_3 : f32 = _S38 * _S39 * a_5;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_0 * _S38 * _S38 * a_5, sign_0 * b_3, - sign_0 * _S38);
-    axes_1.t_0 = vec3<f32>(b_3, sign_0 + _S39 * _S39 * a_5, - _S39);
+    var a_5 : f32 = -1.0f / (sign_0 + _S38);
+    var _S39 : f32 = n_3.x;
+    var _S40 : f32 = n_3.y;
+    var b_3 : f32 = _S39 * _S40 * a_5;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_0 * _S39 * _S39 * a_5, sign_0 * b_3, - sign_0 * _S39);
+    axes_1.t_0 = vec3<f32>(b_3, sign_0 + _S40 * _S40 * a_5, - _S40);
     return axes_1;
 }
 
@@ -672,8 +690,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_3 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S40 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S40;
+    var _S41 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S41;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -745,35 +763,35 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_0, 0.0f) / squared_0;
     }
-    var _S41 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S41 * _S41 / (2.0f * (_S41 - max(lowest_0, -1.0f)) * squared_0);
+    var _S42 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S42 * _S42 / (2.0f * (_S42 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S42 : bool;
+    var _S43 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S42 = true;
+        _S43 = true;
     }
     else
     {
-        _S42 = (word_0(u32(2))) == u32(0);
+        _S43 = (word_0(u32(2))) == u32(0);
     }
-    if(_S42)
+    if(_S43)
     {
         return false;
     }
     var record_5 : u32 = emitter_record_0(u32(0));
     if(is_area_0(record_5))
     {
-        _S42 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
+        _S43 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S42 = false;
+        _S43 = false;
     }
-    return _S42;
+    return _S43;
 }
 
 fn has_smooth_0( lobe_2 : Lobe_0) -> bool
@@ -820,24 +838,8 @@ struct Choice_0
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_4, choice_0.normal_2);
-    var _S43 : f32;
-    if(view_0 > 0.0f)
-    {
-        _S43 = 1.0f;
-    }
-    else
-    {
-        _S43 = 0.0f;
-    }
-    (*can_light_0) = _S43;
-    return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
-}
-
-fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
-{
-    var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_2);
     var _S44 : f32;
-    if(view_1 > 0.0f)
+    if(view_0 > 0.0f)
     {
         _S44 = 1.0f;
     }
@@ -845,7 +847,23 @@ fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<functio
     {
         _S44 = 0.0f;
     }
-    (*can_light_1) = _S44;
+    (*can_light_0) = _S44;
+    return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
+}
+
+fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
+{
+    var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_2);
+    var _S45 : f32;
+    if(view_1 > 0.0f)
+    {
+        _S45 = 1.0f;
+    }
+    else
+    {
+        _S45 = 0.0f;
+    }
+    (*can_light_1) = _S45;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -857,32 +875,32 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
     var count_1 : u32 = word_0(u32(6));
-    var _S45 : bool;
+    var _S46 : bool;
     if(alike_0)
     {
-        _S45 = true;
+        _S46 = true;
     }
     else
     {
-        _S45 = (word_0(u32(5))) != u32(0);
+        _S46 = (word_0(u32(5))) != u32(0);
     }
-    if(_S45)
+    if(_S46)
     {
-        _S45 = true;
+        _S46 = true;
     }
     else
     {
-        _S45 = count_1 < u32(2);
+        _S46 = count_1 < u32(2);
     }
-    if(_S45)
+    if(_S46)
     {
-        _S45 = true;
+        _S46 = true;
     }
     else
     {
-        _S45 = count_1 > u32(32);
+        _S46 = count_1 > u32(32);
     }
-    if(_S45)
+    if(_S46)
     {
         return choice_2;
     }
@@ -897,20 +915,20 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
             break;
         }
         var can_light_2 : f32;
-        var _S46 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S46;
+        var _S47 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S47;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S45 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S46 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S45 = false;
+        _S46 = false;
     }
-    if(!_S45)
+    if(!_S46)
     {
         choice_2.all_0 = 0.0f;
     }
@@ -931,33 +949,33 @@ fn product_0( a_6 : u32,  b_4 : u32) -> vec2<u32>
 
 fn times_0( a_7 : vec2<u32>,  b_5 : vec2<u32>) -> vec2<u32>
 {
-    var _S47 : u32 = a_7.x;
-    var _S48 : u32 = b_5.x;
-    var low_1 : vec2<u32> = product_0(_S47, _S48);
-    return vec2<u32>(low_1.x, low_1.y + _S47 * b_5.y + a_7.y * _S48);
+    var _S48 : u32 = a_7.x;
+    var _S49 : u32 = b_5.x;
+    var low_1 : vec2<u32> = product_0(_S48, _S49);
+    return vec2<u32>(low_1.x, low_1.y + _S48 * b_5.y + a_7.y * _S49);
 }
 
 fn plus_0( a_8 : vec2<u32>,  b_6 : vec2<u32>) -> vec2<u32>
 {
-    var _S49 : u32 = a_8.x;
-    var low_2 : u32 = _S49 + b_6.x;
-    var _S50 : u32 = a_8.y + b_6.y;
-    var _S51 : i32;
-    if(low_2 < _S49)
+    var _S50 : u32 = a_8.x;
+    var low_2 : u32 = _S50 + b_6.x;
+    var _S51 : u32 = a_8.y + b_6.y;
+    var _S52 : i32;
+    if(low_2 < _S50)
     {
-        _S51 = i32(1);
+        _S52 = i32(1);
     }
     else
     {
-        _S51 = i32(0);
+        _S52 = i32(0);
     }
-    return vec2<u32>(low_2, _S50 + u32(_S51));
+    return vec2<u32>(low_2, _S51 + u32(_S52));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S52 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S52 << ((u32(32) - by_0)))))), (_S52 >> (by_0)))));
+    var _S53 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S53 << ((u32(32) - by_0)))))), (_S53 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -996,9 +1014,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S53 : f32 = f32(count_2);
-        (*probability_0) = 1.0f / _S53;
-        return min(u32(u_0 * _S53), count_2 - u32(1));
+        var _S54 : f32 = f32(count_2);
+        (*probability_0) = 1.0f / _S54;
+        return min(u32(u_0 * _S54), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
@@ -1029,9 +1047,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S54 : u32 = i_2 + u32(1);
+        var _S55 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S54;
+        i_2 = _S55;
         rest_1 = rest_2;
     }
     return found_0;
@@ -1049,28 +1067,28 @@ fn place_at_0( triangle_6 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
 
 fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 {
-    var _S55 : f32 = abs(x_4);
-    var _S56 : f32 = abs(y_1);
-    var _S57 : f32 = min(_S55, _S56);
-    var _S58 : f32 = max(_S55, _S56);
-    var is_steep_0 : bool = _S57 > (0.41421356797218323f * _S58);
+    var _S56 : f32 = abs(x_4);
+    var _S57 : f32 = abs(y_1);
+    var _S58 : f32 = min(_S56, _S57);
+    var _S59 : f32 = max(_S56, _S57);
+    var is_steep_0 : bool = _S58 > (0.41421356797218323f * _S59);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S57 - _S58;
+        above_0 = _S58 - _S59;
     }
     else
     {
-        above_0 = _S57;
+        above_0 = _S58;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S57 + _S58;
+        below_0 = _S58 + _S59;
     }
     else
     {
-        below_0 = _S58;
+        below_0 = _S59;
     }
     if(below_0 > 0.0f)
     {
@@ -1091,7 +1109,7 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S56 > _S55)
+    if(_S57 > _S56)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -1126,11 +1144,11 @@ fn solid_angle_of_0( a_9 : vec3<f32>,  b_7 : vec3<f32>,  c_3 : vec3<f32>) -> f32
 
 fn complex_product_0( a_10 : vec2<f32>,  b_8 : vec2<f32>) -> vec2<f32>
 {
-    var _S59 : f32 = a_10.x;
-    var _S60 : f32 = b_8.x;
-    var _S61 : f32 = a_10.y;
-    var _S62 : f32 = b_8.y;
-    return vec2<f32>(_S59 * _S60 - _S61 * _S62, _S59 * _S62 + _S61 * _S60);
+    var _S60 : f32 = a_10.x;
+    var _S61 : f32 = b_8.x;
+    var _S62 : f32 = a_10.y;
+    var _S63 : f32 = b_8.y;
+    return vec2<f32>(_S60 * _S61 - _S62 * _S63, _S60 * _S63 + _S62 * _S61);
 }
 
 struct SeenRectangle_0
@@ -1153,26 +1171,26 @@ fn seen_rectangle_0( at_9 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
     var seen_1 : SeenRectangle_0;
     seen_1.x_5 = vec2<f32>(x0_0, x1_0);
     seen_1.y_2 = vec2<f32>(y0_0, y1_0);
-    var _S63 : f32 = - dot(vector_at_0(at_9 + u32(9)), offset_2);
-    seen_1.z_1 = _S63;
-    var a_11 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S63);
-    var b_9 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S63);
-    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S63);
-    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S63);
-    var _S64 : f32 = length(a_11);
-    var _S65 : f32 = length(c_4);
-    var _S66 : f32;
-    if(_S63 > (9.99999997475242708e-07f * max(max(_S64, length(b_9)), max(_S65, length(d_0)))))
+    var _S64 : f32 = - dot(vector_at_0(at_9 + u32(9)), offset_2);
+    seen_1.z_1 = _S64;
+    var a_11 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S64);
+    var b_9 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S64);
+    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S64);
+    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S64);
+    var _S65 : f32 = length(a_11);
+    var _S66 : f32 = length(c_4);
+    var _S67 : f32;
+    if(_S64 > (9.99999997475242708e-07f * max(max(_S65, length(b_9)), max(_S66, length(d_0)))))
     {
-        _S66 = solid_angle_of_0(a_11, c_4, b_9) + solid_angle_of_0(d_0, b_9, c_4);
+        _S67 = solid_angle_of_0(a_11, c_4, b_9) + solid_angle_of_0(d_0, b_9, c_4);
     }
     else
     {
-        _S66 = 0.0f;
+        _S67 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S66;
+    seen_1.solid_angle_0 = _S67;
     var z2_0 : f32 = seen_1.z_1 * seen_1.z_1;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S65), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S64));
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S66), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S65));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_2 * seen_1.y_2 + vec2<f32>(z2_0));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_0) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
@@ -1210,28 +1228,28 @@ fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
     var at_10 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S67 : f32 = seen_2.y_2.x;
-    var _S68 : f32 = seen_2.inverse_to_line_0.x;
-    var _S69 : f32 = seen_2.y_2.y;
-    var n_4 : f32 = - at_10.x * _S67 * _S68 - _S69 * seen_2.inverse_to_line_0.y;
-    var _S70 : f32 = at_10.y;
-    var flat_0 : f32 = _S70 * seen_2.z_1 * _S68;
-    var size_0 : f32 = seen_2.z_1 * abs(_S70) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
-    var _S71 : f32;
-    if((n_4 * _S70) < 0.0f)
+    var _S68 : f32 = seen_2.y_2.x;
+    var _S69 : f32 = seen_2.inverse_to_line_0.x;
+    var _S70 : f32 = seen_2.y_2.y;
+    var n_4 : f32 = - at_10.x * _S68 * _S69 - _S70 * seen_2.inverse_to_line_0.y;
+    var _S71 : f32 = at_10.y;
+    var flat_0 : f32 = _S71 * seen_2.z_1 * _S69;
+    var size_0 : f32 = seen_2.z_1 * abs(_S71) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
+    var _S72 : f32;
+    if((n_4 * _S71) < 0.0f)
     {
-        _S71 = - size_0;
+        _S72 = - size_0;
     }
     else
     {
-        _S71 = size_0;
+        _S72 = size_0;
     }
-    var x_7 : f32 = clamp(_S71, seen_2.x_5.x, seen_2.x_5.y);
+    var x_7 : f32 = clamp(_S72, seen_2.x_5.x, seen_2.x_5.y);
     var squared_1 : f32 = x_7 * x_7 + seen_2.z_1 * seen_2.z_1;
     var h_0 : vec2<f32> = seen_2.y_2 / sqrt(vec2<f32>(squared_1) + seen_2.y_2 * seen_2.y_2);
-    var _S72 : f32 = h_0.x;
-    var sine_2 : f32 = _S72 + u_1.y * (h_0.y - _S72);
-    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S67, _S69));
+    var _S73 : f32 = h_0.x;
+    var sine_2 : f32 = _S73 + u_1.y * (h_0.y - _S73);
+    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S68, _S70));
 }
 
 fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
@@ -1249,16 +1267,16 @@ fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<functi
             break;
         }
         var row_1 : u32 = at_11 + u32(14) + u32(6) * face_0;
-        var _S73 : f32 = place_10.x;
-        var _S74 : f32 = place_10.y;
-        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S73 + number_0(row_1 + u32(2)) * _S74;
-        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S73 + number_0(row_1 + u32(5)) * _S74;
-        var _S75 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
-        if(_S75 > best_0)
+        var _S74 : f32 = place_10.x;
+        var _S75 : f32 = place_10.y;
+        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S74 + number_0(row_1 + u32(2)) * _S75;
+        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S74 + number_0(row_1 + u32(5)) * _S75;
+        var _S76 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
+        if(_S76 > best_0)
         {
             (*weights_2)[i32(0)] = clamp(v_5, 0.0f, 1.0f);
             (*weights_2)[i32(1)] = clamp(w_3, 0.0f, 1.0f - (*weights_2).x);
-            best_0 = _S75;
+            best_0 = _S76;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -1278,20 +1296,20 @@ fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f32
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S76 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S77 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S76, _S77);
-    var sum_0 : f32 = _S76 + _S77;
-    var _S78 : vec2<f32>;
+    var _S77 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S78 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S77, _S78);
+    var sum_0 : f32 = _S77 + _S78;
+    var _S79 : vec2<f32>;
     if(sum_0 > 0.0f)
     {
-        _S78 = seen_3 / vec2<f32>(sum_0);
+        _S79 = seen_3 / vec2<f32>(sum_0);
     }
     else
     {
-        _S78 = vec2<f32>(0.0f);
+        _S79 = vec2<f32>(0.0f);
     }
-    return _S78;
+    return _S79;
 }
 
 struct Corners_0
@@ -1324,28 +1342,28 @@ fn unit_across_0( v_6 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_3 : f32) -> vec3<f32>
 {
-    var _S79 : f32 = clamp(cosine_3, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S79) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S79) * (1.0f + _S79)));
+    var _S80 : f32 = clamp(cosine_3, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S80) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S80) * (1.0f + _S80)));
 }
 
 fn triangle_direction_0( a_13 : vec3<f32>,  b_11 : vec3<f32>,  c_6 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S80 : vec3<f32> = normalize(a_13);
-    var _S81 : vec3<f32> = normalize(b_11);
-    var _S82 : vec3<f32> = normalize(c_6);
-    var ab_0 : vec3<f32> = normalize(cross(_S80, _S81));
-    var ca_0 : vec3<f32> = normalize(cross(_S82, _S80));
+    var _S81 : vec3<f32> = normalize(a_13);
+    var _S82 : vec3<f32> = normalize(b_11);
+    var _S83 : vec3<f32> = normalize(c_6);
+    var ab_0 : vec3<f32> = normalize(cross(_S81, _S82));
+    var ca_0 : vec3<f32> = normalize(cross(_S83, _S81));
     var sine_alpha_0 : f32 = length(cross(ab_0, ca_0));
     var cosine_alpha_0 : f32 = - dot(ab_0, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S83 : f32 = part_0.x;
-    var _S84 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S83 * cosine_alpha_0 - _S84 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S84 * cosine_alpha_0 + _S83 * sine_alpha_0;
+    var _S84 : f32 = part_0.x;
+    var _S85 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S84 * cosine_alpha_0 - _S85 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S85 * cosine_alpha_0 + _S84 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S80, _S81);
-    var between_1 : vec3<f32> = along_0(_S80, _S82, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S81, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S81)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S81, _S82);
+    var between_1 : vec3<f32> = along_0(_S81, _S83, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S82, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S82)));
 }
 
 fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_2 : f32,  direction_4 : vec3<f32>) -> f32
@@ -1389,10 +1407,10 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             return point_0;
         }
     }
-    var _S85 : f32 = precise_random_0(key_4, dimension_3);
+    var _S86 : f32 = precise_random_0(key_4, dimension_3);
     var nodes_at_1 : u32 = word_0(record_10 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f32 = _S85;
+    var u_3 : f32 = _S86;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -1404,16 +1422,16 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S86 : f32 = shares_0.x;
-        var _S87 : f32 = shares_0.y;
-        if(!((_S86 + _S87) > 0.0f))
+        var _S87 : f32 = shares_0.x;
+        var _S88 : f32 = shares_0.y;
+        if(!((_S87 + _S88) > 0.0f))
         {
             return point_0;
         }
         var is_second_0 : bool;
-        if(u_3 >= _S86)
+        if(u_3 >= _S87)
         {
-            is_second_0 = _S87 > 0.0f;
+            is_second_0 = _S88 > 0.0f;
         }
         else
         {
@@ -1421,86 +1439,86 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S86) / _S87;
+            u_3 = (u_3 - _S87) / _S88;
         }
         else
         {
-            u_3 = min(u_3 / _S86, 1.0f);
+            u_3 = min(u_3 / _S87, 1.0f);
         }
         if(is_second_0)
+        {
+            total_0 = _S88;
+        }
+        else
         {
             total_0 = _S87;
         }
-        else
-        {
-            total_0 = _S86;
-        }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S88 : i32;
+        var _S89 : i32;
         if(is_second_0)
         {
-            _S88 = i32(3);
+            _S89 = i32(3);
         }
         else
         {
-            _S88 = i32(2);
+            _S89 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S88));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S89));
         chosen_0 = chosen_1;
     }
     var first_2 : u32 = word_0(node_2);
-    var _S89 : u32 = word_0(node_2 + u32(1));
-    var _S90 : u32 = word_0(record_10 + u32(6));
+    var _S90 : u32 = word_0(node_2 + u32(1));
+    var _S91 : u32 = word_0(record_10 + u32(6));
     var k_2 : u32 = first_2;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_2 < _S89)
+        if(k_2 < _S90)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S90 + k_2), from_1.exact_0);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S91 + k_2), from_1.exact_0);
         k_2 = k_2 + u32(1);
         total_0 = total_1;
     }
-    var _S91 : f32 = u_3 * total_0;
+    var _S92 : f32 = u_3 * total_0;
     var face_5 : u32 = u32(4294967295);
     var angle_3 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
     k_2 = first_2;
-    var rest_3 : f32 = _S91;
+    var rest_3 : f32 = _S92;
     for(;;)
     {
-        if(k_2 < _S89)
+        if(k_2 < _S90)
         {
         }
         else
         {
             break;
         }
-        var _S92 : u32 = _S90 + k_2;
-        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S92), from_1.exact_0);
+        var _S93 : u32 = _S91 + k_2;
+        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S93), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
             k_2 = k_2 + u32(1);
             continue;
         }
-        var _S93 : u32 = word_0(_S92);
-        var _S94 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S94 : u32 = word_0(_S93);
+        var _S95 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S93;
+            face_5 = _S94;
             angle_3 = own_1;
-            inside_2 = _S94;
+            inside_2 = _S95;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S93;
+        face_5 = _S94;
         angle_3 = own_1;
-        inside_2 = _S94;
+        inside_2 = _S95;
         rest_3 = rest_4;
         k_2 = k_2 + u32(1);
     }
@@ -1524,9 +1542,9 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         var direction_5 : vec3<f32> = triangle_direction_0(corners_2.a_12, corners_2.b_10, corners_2.c_5, angle_3, vec2<f32>(inside_2, second_1));
         var within_0 : vec3<f32> = direction_5 * vec3<f32>((dot(corners_2.a_12, normal_6) / dot(direction_5, normal_6))) - corners_2.a_12;
         var squared_2 : f32 = dot(normal_6, normal_6);
-        var _S95 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
-        point_0.place_11.v_0 = _S95;
-        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S95);
+        var _S96 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
+        point_0.place_11.v_0 = _S96;
+        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S96);
     }
     var offset_3 : vec3<f32> = corners_2.a_12 + ab_1 * vec3<f32>(point_0.place_11.v_0) + ac_0 * vec3<f32>(point_0.place_11.w_0);
     var distance_3 : f32 = length(offset_3);
@@ -1545,15 +1563,15 @@ fn is_map_0( record_11 : u32) -> bool
 
 fn uniform_direction_0( u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S96 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S96 * (1.0f - _S96))));
-    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S96);
+    var _S97 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S97 * (1.0f - _S97))));
+    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S97);
 }
 
 fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
 {
-    var _S97 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S97) * vec3<f32>(direction_6.x) + vector_at_0(_S97 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S97 + u32(6)) * vec3<f32>(direction_6.z);
+    var _S98 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S98) * vec3<f32>(direction_6.x) + vector_at_0(_S98 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S98 + u32(6)) * vec3<f32>(direction_6.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -1581,11 +1599,11 @@ fn sum_at_0( at_13 : u32) -> f32
 
 fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr<function, f32>) -> u32
 {
-    var _S98 : u32 = count_3 - u32(1);
-    var total_2 : f32 = sum_at_0(sums_0 + u32(2) * _S98);
+    var _S99 : u32 = count_3 - u32(1);
+    var total_2 : f32 = sum_at_0(sums_0 + u32(2) * _S99);
     var target_0 : f32 = u_5 * total_2;
     var low_3 : u32 = u32(0);
-    var high_0 : u32 = _S98;
+    var high_0 : u32 = _S99;
     for(;;)
     {
         if(low_3 < high_0)
@@ -1597,16 +1615,16 @@ fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
         var sum_1 : f32 = sum_at_0(sums_0 + u32(2) * middle_1);
-        var _S99 : bool;
+        var _S100 : bool;
         if(sum_1 <= target_0)
         {
-            _S99 = sum_1 < total_2;
+            _S100 = sum_1 < total_2;
         }
         else
         {
-            _S99 = false;
+            _S100 = false;
         }
-        if(_S99)
+        if(_S100)
         {
             low_3 = middle_1 + u32(1);
         }
@@ -1637,52 +1655,52 @@ fn cell_direction_0( map_3 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,
     var rows_1 : vec2<f32>;
     if(is_lower_0)
     {
-        var _S100 : u32 = last_0 - row_2;
-        rows_1 = vec2<f32>(f32(_S100), f32(_S100 - u32(1)));
+        var _S101 : u32 = last_0 - row_2;
+        rows_1 = vec2<f32>(f32(_S101), f32(_S101 - u32(1)));
     }
     else
     {
         rows_1 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
     }
-    var _S101 : f32 = f32(last_0);
-    var _S102 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S101)).x;
-    var _S103 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S101)).x;
-    var off_0 : f32 = 2.0f * mix(_S102 * _S102, _S103 * _S103, down_0);
+    var _S102 : f32 = f32(last_0);
+    var _S103 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S102)).x;
+    var _S104 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S102)).x;
+    var off_0 : f32 = 2.0f * mix(_S103 * _S103, _S104 * _S104, down_0);
     var sine_3 : f32 = sqrt(off_0 * (2.0f - off_0));
-    var _S104 : f32 = azimuth_0.x * sine_3;
-    var _S105 : f32;
+    var _S105 : f32 = azimuth_0.x * sine_3;
+    var _S106 : f32;
     if(is_lower_0)
     {
-        _S105 = off_0 - 1.0f;
+        _S106 = off_0 - 1.0f;
     }
     else
     {
-        _S105 = 1.0f - off_0;
+        _S106 = 1.0f - off_0;
     }
-    var local_0 : vec3<f32> = vec3<f32>(_S104, _S105, - azimuth_0.y * sine_3);
-    var _S106 : u32 = map_3 + u32(2);
-    return vec3<f32>(dot(vector_at_0(_S106), local_0), dot(vector_at_0(_S106 + u32(3)), local_0), dot(vector_at_0(_S106 + u32(6)), local_0));
+    var local_0 : vec3<f32> = vec3<f32>(_S105, _S106, - azimuth_0.y * sine_3);
+    var _S107 : u32 = map_3 + u32(2);
+    return vec3<f32>(dot(vector_at_0(_S107), local_0), dot(vector_at_0(_S107 + u32(3)), local_0), dot(vector_at_0(_S107 + u32(6)), local_0));
 }
 
 fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : ptr<function, f32>) -> vec3<f32>
 {
     var u_6 : f32 = precise_random_0(key_5, dimension_4);
     var rest_5 : f32 = u_6 * 20.0f - 1.0f;
-    var _S107 : u32 = map_4 + u32(13);
-    var is_black_0 : bool = (word_0(_S107)) == u32(4294967295);
-    var _S108 : bool;
-    if(is_black_0)
+    var _S108 : u32 = map_4 + u32(13);
+    var is_black_1 : bool = (word_0(_S108)) == u32(4294967295);
+    var _S109 : bool;
+    if(is_black_1)
     {
-        _S108 = true;
+        _S109 = true;
     }
     else
     {
-        _S108 = rest_5 < 0.0f;
+        _S109 = rest_5 < 0.0f;
     }
-    if(_S108)
+    if(_S109)
     {
         var share_0 : f32;
-        if(is_black_0)
+        if(is_black_1)
         {
             share_0 = 1.0f;
         }
@@ -1691,14 +1709,14 @@ fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
             share_0 = 0.05000000074505806f;
         }
         var direction_8 : vec3<f32> = uniform_direction_0(vec2<f32>(u_6 / share_0, random_0(key_5, dimension_4 + u32(1))));
-        var _S109 : f32 = map_pdf_0(map_4, direction_8);
-        (*pdf_1) = _S109;
+        var _S110 : f32 = map_pdf_0(map_4, direction_8);
+        (*pdf_1) = _S110;
         return direction_8;
     }
     var rest_6 : f32 = rest_5 / 19.0f;
     var width_2 : u32 = word_0(map_4);
     var down_1 : f32;
-    var row_3 : u32 = chosen_interval_0(word_0(_S107), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
+    var row_3 : u32 = chosen_interval_0(word_0(_S108), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
     var along_2 : f32;
     var column_2 : u32 = chosen_interval_0(word_0(map_4 + u32(14)) + u32(2) * width_2 * row_3, width_2, rest_6, &(along_2));
     (*pdf_1) = cell_pdf_0(map_4, row_3 * width_2 + column_2);
@@ -1712,9 +1730,9 @@ fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
 
 fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
 {
-    var _S110 : f32 = u_7.x;
-    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S110));
-    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S110));
+    var _S111 : f32 = u_7.x;
+    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S111));
+    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S111));
 }
 
 fn to_world_0( axes_5 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
@@ -1724,23 +1742,23 @@ fn to_world_0( axes_5 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
 
 fn component_0( v_8 : vec3<f32>,  axis_2 : u32) -> f32
 {
-    var _S111 : f32;
+    var _S112 : f32;
     if(axis_2 == u32(0))
     {
-        _S111 = v_8.x;
+        _S112 = v_8.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S111 = v_8.y;
+            _S112 = v_8.y;
         }
         else
         {
-            _S111 = v_8.z;
+            _S112 = v_8.z;
         }
     }
-    return _S111;
+    return _S112;
 }
 
 fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
@@ -1760,7 +1778,7 @@ struct RayView_0
 
 fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S112 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S113 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -1773,36 +1791,36 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S113 : u32 = axis_3;
-        var _S114 : u32 = _S112 + u32(2) * axis_3;
-        var _S115 : u32 = slot_3 % u32(4);
-        var low_4 : f32 = (bitcast<f32>((nodes_0[_S114][_S115])));
-        var high_1 : f32 = (bitcast<f32>((nodes_0[_S114 + u32(6)][_S115])));
-        var _S116 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
-        var _S117 : f32;
-        if(_S116)
+        var _S114 : u32 = axis_3;
+        var _S115 : u32 = _S113 + u32(2) * axis_3;
+        var _S116 : u32 = slot_3 % u32(4);
+        var low_4 : f32 = (bitcast<f32>((nodes_0[_S115][_S116])));
+        var high_1 : f32 = (bitcast<f32>((nodes_0[_S115 + u32(6)][_S116])));
+        var _S117 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
+        var _S118 : f32;
+        if(_S117)
         {
-            _S117 = high_1;
+            _S118 = high_1;
         }
         else
         {
-            _S117 = low_4;
+            _S118 = low_4;
         }
-        var _S118 : f32 = max(near_0, _S117 * view_2.inverse_0[_S113] - view_2.offset_near_0[axis_3]);
-        var _S119 : f32;
-        if(_S116)
+        var _S119 : f32 = max(near_0, _S118 * view_2.inverse_0[_S114] - view_2.offset_near_0[axis_3]);
+        var _S120 : f32;
+        if(_S117)
         {
-            _S119 = low_4;
+            _S120 = low_4;
         }
         else
         {
-            _S119 = high_1;
+            _S120 = high_1;
         }
-        var _S120 : f32 = min(far_0, _S119 * view_2.inverse_0[_S113] - view_2.offset_far_0[axis_3]);
-        var _S121 : u32 = axis_3 + u32(1);
-        near_0 = _S118;
-        far_0 = _S120;
-        axis_3 = _S121;
+        var _S121 : f32 = min(far_0, _S120 * view_2.inverse_0[_S114] - view_2.offset_far_0[axis_3]);
+        var _S122 : u32 = axis_3 + u32(1);
+        near_0 = _S119;
+        far_0 = _S121;
+        axis_3 = _S122;
     }
     if(near_0 <= far_0)
     {
@@ -1827,7 +1845,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S122 : u32 = k_3;
+        var _S123 : u32 = k_3;
         if((bounds_0[k_3]) > limit_2)
         {
             k_3 = k_3 + u32(1);
@@ -1844,24 +1862,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S123 : u32 = j_0;
-            var _S124 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S122]))
+            var _S124 : u32 = j_0;
+            var _S125 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S123]))
             {
-                _S124 = true;
+                _S125 = true;
             }
             else
             {
-                if((bounds_0[_S123]) == (bounds_0[_S122]))
+                if((bounds_0[_S124]) == (bounds_0[_S123]))
                 {
-                    _S124 = j_0 < k_3;
+                    _S125 = j_0 < k_3;
                 }
                 else
                 {
-                    _S124 = false;
+                    _S125 = false;
                 }
             }
-            if(_S124)
+            if(_S125)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -1886,16 +1904,16 @@ fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S125 : f32;
+        var _S126 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S125 = 3.00000000549775576e+38f;
+            _S126 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S125 = ray_bound_0(view_3, limit_3, node_5, slot_4);
+            _S126 = ray_bound_0(view_3, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S125;
+        bounds_1[slot_4] = _S126;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -1945,46 +1963,46 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_15 : u32) -> Crossing_0
     var a_14 : vec3<f32> = corner_0(ray_1, axes_8, at_15);
     var b_12 : vec3<f32> = corner_0(ray_1, axes_8, at_15 + u32(3));
     var c_7 : vec3<f32> = corner_0(ray_1, axes_8, at_15 + u32(6));
-    var _S126 : f32 = c_7.x;
-    var _S127 : f32 = b_12.y;
-    var cx_by_0 : f32 = rounded_0(_S126 * _S127, ray_1.largest_1);
-    var _S128 : f32 = c_7.y;
-    var _S129 : f32 = b_12.x;
-    var cy_bx_0 : f32 = rounded_0(_S128 * _S129, ray_1.largest_1);
-    var _S130 : f32 = a_14.x;
-    var ax_cy_0 : f32 = rounded_0(_S130 * _S128, ray_1.largest_1);
-    var _S131 : f32 = a_14.y;
-    var ay_cx_0 : f32 = rounded_0(_S131 * _S126, ray_1.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S129 * _S131, ray_1.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S127 * _S130, ray_1.largest_1);
+    var _S127 : f32 = c_7.x;
+    var _S128 : f32 = b_12.y;
+    var cx_by_0 : f32 = rounded_0(_S127 * _S128, ray_1.largest_1);
+    var _S129 : f32 = c_7.y;
+    var _S130 : f32 = b_12.x;
+    var cy_bx_0 : f32 = rounded_0(_S129 * _S130, ray_1.largest_1);
+    var _S131 : f32 = a_14.x;
+    var ax_cy_0 : f32 = rounded_0(_S131 * _S129, ray_1.largest_1);
+    var _S132 : f32 = a_14.y;
+    var ay_cx_0 : f32 = rounded_0(_S132 * _S127, ray_1.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S130 * _S132, ray_1.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S128 * _S131, ray_1.largest_1);
     var u_8 : f32 = cx_by_0 - cy_bx_0;
     var v_10 : f32 = ax_cy_0 - ay_cx_0;
     var w_5 : f32 = bx_ay_0 - by_ax_0;
-    var _S132 : f32 = min(min(u_8, v_10), w_5);
-    var _S133 : f32 = max(max(u_8, v_10), w_5);
-    var _S134 : bool;
-    if(_S132 < 0.0f)
+    var _S133 : f32 = min(min(u_8, v_10), w_5);
+    var _S134 : f32 = max(max(u_8, v_10), w_5);
+    var _S135 : bool;
+    if(_S133 < 0.0f)
     {
-        _S134 = _S133 > 0.0f;
+        _S135 = _S134 > 0.0f;
     }
     else
     {
-        _S134 = false;
+        _S135 = false;
     }
-    if(_S134)
+    if(_S135)
     {
         return crossing_0;
     }
     var determinant_0 : f32 = u_8 + v_10 + w_5;
-    if(_S132 <= 0.0f)
+    if(_S133 <= 0.0f)
     {
-        _S134 = _S133 >= 0.0f;
+        _S135 = _S134 >= 0.0f;
     }
     else
     {
-        _S134 = false;
+        _S135 = false;
     }
-    if(_S134)
+    if(_S135)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -1998,13 +2016,13 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_15 : u32) -> Crossing_0
     var t_3 : f32 = (rounded_0(u_8 * a_14.z, ray_1.largest_1) + rounded_0(v_10 * b_12.z, ray_1.largest_1) + rounded_0(w_5 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_3)
     {
-        _S134 = t_3 <= (ray_1.t_max_0);
+        _S135 = t_3 <= (ray_1.t_max_0);
     }
     else
     {
-        _S134 = false;
+        _S135 = false;
     }
-    crossing_0.is_hit_0 = _S134;
+    crossing_0.is_hit_0 = _S135;
     crossing_0.t_2 = t_3;
     crossing_0.v_9 = v_10 / determinant_0;
     crossing_0.w_4 = w_5 / determinant_0;
@@ -2026,7 +2044,7 @@ struct Found_0
 
 fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S135 : bool;
+    var _S136 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
     found_3.triangle_8 = u32(4294967295);
@@ -2058,31 +2076,31 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_1[level_0];
-        var _S136 : u32 = way_1[level_0].y;
-        if(_S136 == u32(0))
+        var _S137 : u32 = way_1[level_0].y;
+        if(_S137 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S137 : u32 = level_0 - u32(1);
+            var _S138 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S137;
+            level_0 = _S138;
             continue;
         }
-        var slot_5 : u32 = ((_S136 & (u32(15)))) - u32(1);
-        way_1[level_0][i32(1)] = (_S136 >> (u32(4)));
-        var _S138 : bool;
+        var slot_5 : u32 = ((_S137 & (u32(15)))) - u32(1);
+        way_1[level_0][i32(1)] = (_S137 >> (u32(4)));
+        var _S139 : bool;
         if(!is_new_1)
         {
-            _S138 = (ray_bound_0(view_4, limit_4, here_0.x, slot_5)) > limit_4;
+            _S139 = (ray_bound_0(view_4, limit_4, here_0.x, slot_5)) > limit_4;
         }
         else
         {
-            _S138 = false;
+            _S139 = false;
         }
-        if(_S138)
+        if(_S139)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -2091,20 +2109,20 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_0.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S139 : u32 = level_0 + u32(1);
+            var _S140 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S139;
+            level_0 = _S140;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S140 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S141 : u32 = leaf_starts_0[leaf_0];
+        var _S141 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S142 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S141;
+        var i_3 : u32 = _S142;
         for(;;)
         {
-            if(i_3 < _S140)
+            if(i_3 < _S141)
             {
             }
             else
@@ -2119,23 +2137,23 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S135 = true;
+                _S136 = true;
             }
             else
             {
-                _S135 = (crossing_1.t_2) < ((*ray_2).t_max_0);
+                _S136 = (crossing_1.t_2) < ((*ray_2).t_max_0);
             }
-            var _S142 : bool;
-            if(_S135)
+            var _S143 : bool;
+            if(_S136)
             {
-                _S142 = true;
+                _S143 = true;
             }
             else
             {
-                _S142 = (face_6(i_3)) < (found_3.face_7);
+                _S143 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S142)
+            if(_S143)
             {
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_8 = i_3;
@@ -2153,13 +2171,13 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S135 = (found_3.face_7) != u32(4294967295);
+            _S136 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S135 = false;
+            _S136 = false;
         }
-        if(_S135)
+        if(_S136)
         {
             break;
         }
@@ -2173,34 +2191,34 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_1 : vec3<f32>,  direction_9 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
 {
     var size_1 : vec3<f32> = abs(direction_9);
-    var _S143 : f32 = size_1.x;
-    var _S144 : f32 = size_1.y;
-    var _S145 : bool;
-    if(_S143 >= _S144)
+    var _S144 : f32 = size_1.x;
+    var _S145 : f32 = size_1.y;
+    var _S146 : bool;
+    if(_S144 >= _S145)
     {
-        _S145 = _S143 >= (size_1.z);
+        _S146 = _S144 >= (size_1.z);
     }
     else
     {
-        _S145 = false;
+        _S146 = false;
     }
-    var _S146 : i32;
-    if(_S145)
+    var _S147 : i32;
+    if(_S146)
     {
-        _S146 = i32(0);
+        _S147 = i32(0);
     }
     else
     {
-        if(_S144 >= (size_1.z))
+        if(_S145 >= (size_1.z))
         {
-            _S146 = i32(1);
+            _S147 = i32(1);
         }
         else
         {
-            _S146 = i32(2);
+            _S147 = i32(2);
         }
     }
-    var z_4 : u32 = u32(_S146);
+    var z_4 : u32 = u32(_S147);
     var x_8 : u32 = (z_4 + u32(1)) % u32(3);
     var y_3 : u32 = (z_4 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
@@ -2211,13 +2229,13 @@ fn cast_0( origin_1 : vec3<f32>,  direction_9 : vec3<f32>,  t_min_1 : f32,  t_ma
     ray_3.shear_y_0 = component_0(direction_9, y_3) / along_3;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S147 : f32 = abs(along_3);
-    ray_3.local_per_t_0 = _S147;
+    var _S148 : f32 = abs(along_3);
+    ray_3.local_per_t_0 = _S148;
     ray_3.enter_0 = 0.0f;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
     var view_5 : RayView_0;
-    var _S148 : vec3<f32> = direction_9 / vec3<f32>(_S147);
+    var _S149 : vec3<f32> = direction_9 / vec3<f32>(_S148);
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -2228,17 +2246,17 @@ fn cast_0( origin_1 : vec3<f32>,  direction_9 : vec3<f32>,  t_min_1 : f32,  t_ma
         {
             break;
         }
-        var _S149 : f32 = max(abs(_S148[axis_4]), 8.67361737988403547e-19f);
-        var _S150 : f32;
-        if((_S148[axis_4]) < 0.0f)
+        var _S150 : f32 = max(abs(_S149[axis_4]), 8.67361737988403547e-19f);
+        var _S151 : f32;
+        if((_S149[axis_4]) < 0.0f)
         {
-            _S150 = -1.0f / _S149;
+            _S151 = -1.0f / _S150;
         }
         else
         {
-            _S150 = 1.0f / _S149;
+            _S151 = 1.0f / _S150;
         }
-        view_5.inverse_0[axis_4] = _S150;
+        view_5.inverse_0[axis_4] = _S151;
         axis_4 = axis_4 + u32(1);
     }
     var offset_4 : vec3<f32> = origin_1 * view_5.inverse_0;
@@ -2256,34 +2274,34 @@ fn cast_0( origin_1 : vec3<f32>,  direction_9 : vec3<f32>,  t_min_1 : f32,  t_ma
 fn cast_1( origin_2 : vec3<f32>,  direction_10 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_2 : bool,  t_5 : ptr<function, f32>) -> Found_0
 {
     var size_2 : vec3<f32> = abs(direction_10);
-    var _S151 : f32 = size_2.x;
-    var _S152 : f32 = size_2.y;
-    var _S153 : bool;
-    if(_S151 >= _S152)
+    var _S152 : f32 = size_2.x;
+    var _S153 : f32 = size_2.y;
+    var _S154 : bool;
+    if(_S152 >= _S153)
     {
-        _S153 = _S151 >= (size_2.z);
+        _S154 = _S152 >= (size_2.z);
     }
     else
     {
-        _S153 = false;
+        _S154 = false;
     }
-    var _S154 : i32;
-    if(_S153)
+    var _S155 : i32;
+    if(_S154)
     {
-        _S154 = i32(0);
+        _S155 = i32(0);
     }
     else
     {
-        if(_S152 >= (size_2.z))
+        if(_S153 >= (size_2.z))
         {
-            _S154 = i32(1);
+            _S155 = i32(1);
         }
         else
         {
-            _S154 = i32(2);
+            _S155 = i32(2);
         }
     }
-    var z_5 : u32 = u32(_S154);
+    var z_5 : u32 = u32(_S155);
     var x_9 : u32 = (z_5 + u32(1)) % u32(3);
     var y_4 : u32 = (z_5 + u32(2)) % u32(3);
     var ray_4 : Ray_0;
@@ -2294,13 +2312,13 @@ fn cast_1( origin_2 : vec3<f32>,  direction_10 : vec3<f32>,  t_min_2 : f32,  t_m
     ray_4.shear_y_0 = component_0(direction_10, y_4) / along_4;
     ray_4.t_min_0 = t_min_2;
     ray_4.t_max_0 = t_max_2;
-    var _S155 : f32 = abs(along_4);
-    ray_4.local_per_t_0 = _S155;
+    var _S156 : f32 = abs(along_4);
+    ray_4.local_per_t_0 = _S156;
     ray_4.enter_0 = 0.0f;
     ray_4.edge_on_0 = limit_at_0(u32(0));
     ray_4.largest_1 = limit_at_0(u32(1));
     var view_6 : RayView_0;
-    var _S156 : vec3<f32> = direction_10 / vec3<f32>(_S155);
+    var _S157 : vec3<f32> = direction_10 / vec3<f32>(_S156);
     var axis_5 : u32 = u32(0);
     for(;;)
     {
@@ -2311,17 +2329,17 @@ fn cast_1( origin_2 : vec3<f32>,  direction_10 : vec3<f32>,  t_min_2 : f32,  t_m
         {
             break;
         }
-        var _S157 : f32 = max(abs(_S156[axis_5]), 8.67361737988403547e-19f);
-        var _S158 : f32;
-        if((_S156[axis_5]) < 0.0f)
+        var _S158 : f32 = max(abs(_S157[axis_5]), 8.67361737988403547e-19f);
+        var _S159 : f32;
+        if((_S157[axis_5]) < 0.0f)
         {
-            _S158 = -1.0f / _S157;
+            _S159 = -1.0f / _S158;
         }
         else
         {
-            _S158 = 1.0f / _S157;
+            _S159 = 1.0f / _S158;
         }
-        view_6.inverse_0[axis_5] = _S158;
+        view_6.inverse_0[axis_5] = _S159;
         axis_5 = axis_5 + u32(1);
     }
     var offset_5 : vec3<f32> = origin_2 * view_6.inverse_0;
@@ -2343,16 +2361,16 @@ fn turning_0( vertex_1 : Vertex_0,  direction_11 : vec3<f32>) -> vec3<f32>
 
 fn towards_emitter_0( vertex_2 : Vertex_0,  direction_12 : vec3<f32>,  record_12 : u32) -> vec3<f32>
 {
-    var _S159 : vec3<f32>;
+    var _S160 : vec3<f32>;
     if((word_0(record_12)) == u32(1))
     {
-        _S159 = changing_0(direction_12, turning_0(vertex_2, direction_12));
+        _S160 = changing_0(direction_12, turning_0(vertex_2, direction_12));
     }
     else
     {
-        _S159 = still_0(direction_12);
+        _S160 = still_0(direction_12);
     }
-    return _S159;
+    return _S160;
 }
 
 fn local_change_0( vertex_3 : Vertex_0,  direction_13 : vec3<f32>) -> vec3<f32>
@@ -2369,25 +2387,25 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_5 : f32,  pdf_3 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S160 : Mirrored_0;
-    _S160.cosine_4 = cosine_5;
-    _S160.pdf_2 = pdf_3;
-    _S160.scattered_0 = scattered_1;
-    return _S160;
+    var _S161 : Mirrored_0;
+    _S161.cosine_4 = cosine_5;
+    _S161.pdf_2 = pdf_3;
+    _S161.scattered_0 = scattered_1;
+    return _S161;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S161 : bool;
+    var _S162 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S161 = true;
+        _S162 = true;
     }
     else
     {
-        _S161 = (lobe_3.kind_1) == u32(4);
+        _S162 = (lobe_3.kind_1) == u32(4);
     }
-    return _S161;
+    return _S162;
 }
 
 struct Microfacets_0
@@ -2417,68 +2435,68 @@ fn exponential_0( x_10 : f32) -> f32
 
 fn density_0( facets_1 : Microfacets_0,  m_0 : vec3<f32>) -> f32
 {
-    var _S162 : f32 = m_0.z;
-    if(_S162 <= 0.0f)
+    var _S163 : f32 = m_0.z;
+    if(_S163 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_0 : vec2<f32> = m_0.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S162 * _S162;
+    var cos2_0 : f32 = _S163 * _S163;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_2 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_2 * sum_2);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S163 : f32;
+    var _S164 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S163 = 0.0f;
+        _S164 = 0.0f;
     }
     else
     {
-        _S163 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S164 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S163;
+    return _S164;
 }
 
 fn error_function_plus_one_0( x_11 : f32) -> vec2<f32>
 {
-    var _S164 : f32 = min(abs(x_11), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S164 * _S164);
-    var place_13 : f32 = (_S164 - 2.0f) / (_S164 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_13 - 0.00127731403335929f) * place_13 + 0.00131371302995831f) * place_13 + 0.008666617795825f) * place_13 - 0.00805134233087301f) * place_13 - 0.05421232059597969f) * place_13 + 0.1640533059835434f) * place_13 - 0.16603080928325653f) * place_13 - 0.09276388585567474f) * place_13 + 1.27697837352752686f) / (1.0f + 2.0f * _S164);
-    var _S165 : f32;
+    var _S165 : f32 = min(abs(x_11), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S165 * _S165);
+    var place_13 : f32 = (_S165 - 2.0f) / (_S165 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_13 - 0.00127731403335929f) * place_13 + 0.00131371302995831f) * place_13 + 0.008666617795825f) * place_13 - 0.00805134233087301f) * place_13 - 0.05421232059597969f) * place_13 + 0.1640533059835434f) * place_13 - 0.16603080928325653f) * place_13 - 0.09276388585567474f) * place_13 + 1.27697837352752686f) / (1.0f + 2.0f * _S165);
+    var _S166 : f32;
     if(x_11 < 0.0f)
     {
-        _S165 = complement_0;
+        _S166 = complement_0;
     }
     else
     {
-        _S165 = 2.0f - complement_0;
+        _S166 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S165, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S166, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_7 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_7.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S166 : f32 = w_7.z;
-    var z2_1 : f32 = _S166 * _S166;
+    var _S167 : f32 = w_7.z;
+    var z2_1 : f32 = _S167 * _S167;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S166 + sqrt(z2_1 + spread2_0));
+        return 2.0f / (_S167 + sqrt(z2_1 + spread2_0));
     }
     if(z2_1 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S166;
+        return 1.0f / _S167;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S166 / spread_1);
-    return 2.0f / (_S166 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S167 / spread_1);
+    return 2.0f / (_S167 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
@@ -2486,9 +2504,9 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_1 : vec3<f32> = normalize(wi_2 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_4 = dot(wi_2, h_1);
-    var _S167 : f32 = 0.25f * density_0(facets_3, h_1) * visible_over_cos_0(facets_3, wi_2);
-    mirrored_1.pdf_2 = _S167;
-    mirrored_1.scattered_0 = _S167 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    var _S168 : f32 = 0.25f * density_0(facets_3, h_1) * visible_over_cos_0(facets_3, wi_2);
+    mirrored_1.pdf_2 = _S168;
+    mirrored_1.scattered_0 = _S168 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
@@ -2505,9 +2523,9 @@ fn fresnel_conductor_channel_0( cosine_6 : f32,  eta_1 : f32,  k_4 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_2 / larger_0;
-    var _S168 : bool = real_0 < 0.0f;
+    var _S169 : bool = real_0 < 0.0f;
     var a_15 : f32;
-    if(_S168)
+    if(_S169)
     {
         a_15 = smaller_0;
     }
@@ -2516,7 +2534,7 @@ fn fresnel_conductor_channel_0( cosine_6 : f32,  eta_1 : f32,  k_4 : f32) -> f32
         a_15 = larger_0;
     }
     var b_13 : f32;
-    if(_S168)
+    if(_S169)
     {
         b_13 = larger_0;
     }
@@ -2526,9 +2544,9 @@ fn fresnel_conductor_channel_0( cosine_6 : f32,  eta_1 : f32,  k_4 : f32) -> f32
     }
     var less_0 : f32 = a_15 - cosine_6;
     var more_0 : f32 = a_15 + cosine_6;
-    var _S169 : f32 = b_13 * b_13;
+    var _S170 : f32 = b_13 * b_13;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S169) / (more_0 * more_0 + _S169) * p_sum_0 / (p_sum_0 + 2.0f * a_15 * cosine_6 * sin2_0);
+    return (less_0 * less_0 + _S170) / (more_0 * more_0 + _S170) * p_sum_0 / (p_sum_0 + 2.0f * a_15 * cosine_6 * sin2_0);
 }
 
 fn fresnel_conductor_0( cosine_7 : f32,  eta_2 : vec3<f32>,  k_5 : vec3<f32>) -> vec3<f32>
@@ -2566,10 +2584,10 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_9 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_9, eta_4);
     }
     var place_14 : f32 = cosine_9 * 63.0f;
-    var _S170 : u32 = min(u32(place_14), u32(62));
-    var at_16 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S170;
+    var _S171 : u32 = min(u32(place_14), u32(62));
+    var at_16 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S171;
     var here_1 : f32 = number_0(at_16);
-    return here_1 + (number_0(at_16 + u32(1)) - here_1) * (place_14 - f32(_S170));
+    return here_1 + (number_0(at_16 + u32(1)) - here_1) * (place_14 - f32(_S171));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2620,15 +2638,15 @@ struct Scattering_0
 fn scattering_0( lobe_7 : Lobe_0,  numbers_6 : Numbers_0,  wi_3 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S171 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S171 * 0.31830987334251404f;
+    var _S172 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S172 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattering_1.value_7 = numbers_6.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_4 = by_cosine_0;
         return scattering_1;
     }
-    var _S172 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S173 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_7))
     {
@@ -2636,7 +2654,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_6 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     else
     {
-        by_facets_0 = _S172;
+        by_facets_0 = _S173;
     }
     if((lobe_7.kind_1) == u32(2))
     {
@@ -2646,7 +2664,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_6 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     var eta_7 : f32 = coat_eta_0(numbers_6);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_3.z);
-    scattering_1.value_7 = base_0(lobe_7, eta_7, numbers_6.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S171) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_7 = base_0(lobe_7, eta_7, numbers_6.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S172) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_1 : f32 = base_probability_0(numbers_6, enters_1);
     scattering_1.pdf_4 = probability_1 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -2668,16 +2686,16 @@ fn eval_and_pdf_0( lobe_8 : Lobe_0,  wi_4 : vec3<f32>,  wo_2 : vec3<f32>) -> Sca
     var scattered_2 : Scattered_0;
     scattered_2.value_8 = still_0(vec3<f32>(0.0f));
     scattered_2.pdf_5 = 0.0f;
-    var _S173 : bool;
+    var _S174 : bool;
     if((value_of_0(wo_2).z) <= 0.0f)
     {
-        _S173 = true;
+        _S174 = true;
     }
     else
     {
-        _S173 = !has_smooth_0(lobe_8);
+        _S174 = !has_smooth_0(lobe_8);
     }
-    if(_S173)
+    if(_S174)
     {
         return scattered_2;
     }
@@ -2718,11 +2736,11 @@ fn in_map_0( map_5 : u32,  direction_16 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_5 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_3, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_3, u32(0));
-    var _S174 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S175 : u32 = u32(width_3);
-    var first_3 : u32 = _S174 * _S175;
-    var _S176 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S176 * _S175;
+    var _S175 : u32 = wrapped_0(y_5, height_1, u32(2));
+    var _S176 : u32 = u32(width_3);
+    var first_3 : u32 = _S175 * _S176;
+    var _S177 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S177 * _S176;
     return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), point_1);
 }
 
@@ -2732,14 +2750,14 @@ fn emitted_0( emitter_5 : u32,  place_17 : Place_0,  direction_17 : vec3<f32>) -
     var texture_6 : u32 = word_0(record_13 + u32(1));
     if(!is_map_0(record_13))
     {
-        var _S177 : vec3<f32> = shown_0(texture_6, place_17);
-        return _S177;
+        var _S178 : vec3<f32> = shown_0(texture_6, place_17);
+        return _S178;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S178 : u32 = word_0(texture_6 + u32(11));
-    var _S179 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_17));
-    return looked_up_0(_S178, _S179, change_1) * factor_0;
+    var _S179 : u32 = word_0(texture_6 + u32(11));
+    var _S180 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_17));
+    return looked_up_0(_S179, _S180, change_1) * factor_0;
 }
 
 fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_4 : u32,  bsdf_samples_0 : f32,  importance_0 : vec3<f32>)
@@ -2768,10 +2786,10 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6
         var way_3 : vec3<f32> = position_of_0(point_2.place_11) - vertex_6.surface_3.exact_0;
         var distance_5 : f32 = length(way_3);
         var nearest_2 : f32 = nearest_0 / distance_5;
-        var _S180 : f32 = limit_at_0(u32(3));
+        var _S181 : f32 = limit_at_0(u32(3));
         direction_18 = way_3 / vec3<f32>(distance_5);
         way_2 = way_3;
-        farthest_0 = _S180;
+        farthest_0 = _S181;
         distance_4 = distance_5;
         nearest_1 = nearest_2;
     }
@@ -2779,24 +2797,24 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6
     {
         if(is_map_0(record_14))
         {
-            var _S181 : u32 = word_0(record_14 + u32(1));
-            var _S182 : u32 = first_4 + u32(1);
-            var _S183 : f32 = point_2.pdf_0;
-            var _S184 : vec3<f32> = sample_map_0(_S181, key_7, _S182, &(_S183));
-            point_2.pdf_0 = _S183;
-            direction_18 = _S184;
+            var _S182 : u32 = word_0(record_14 + u32(1));
+            var _S183 : u32 = first_4 + u32(1);
+            var _S184 : f32 = point_2.pdf_0;
+            var _S185 : vec3<f32> = sample_map_0(_S182, key_7, _S183, &(_S184));
+            point_2.pdf_0 = _S184;
+            direction_18 = _S185;
         }
         else
         {
             var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_4 + u32(1)));
-            var _S185 : vec3<f32> = normalize(to_world_0(vertex_6.axes_4, local_1));
+            var _S186 : vec3<f32> = normalize(to_world_0(vertex_6.axes_4, local_1));
             point_2.pdf_0 = local_1.z * 0.31830987334251404f;
-            direction_18 = _S185;
+            direction_18 = _S186;
         }
         point_2.place_11 = vertex_6.surface_3.place_3;
-        var _S186 : f32 = limit_at_0(u32(1));
+        var _S187 : f32 = limit_at_0(u32(1));
         way_2 = direction_18;
-        farthest_0 = _S186;
+        farthest_0 = _S187;
         distance_4 = 0.0f;
         nearest_1 = nearest_0;
     }
@@ -2828,8 +2846,8 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6
         place_19 = place_18;
     }
     var weight_0 : f32 = weight_over_0(own_3, bsdf_samples_0 * scattered_3.pdf_5);
-    var _S187 : vec3<f32> = emitted_0(emitter_6, place_19, moving_0);
-    (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_3.value_8 * (_S187 * vec3<f32>(weight_0));
+    var _S188 : vec3<f32> = emitted_0(emitter_6, place_19, moving_0);
+    (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_3.value_8 * (_S188 * vec3<f32>(weight_0));
     return;
 }
 
@@ -2845,37 +2863,37 @@ fn stretched_1( facets_4 : Microfacets_0,  wi_5 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_5.xy * facets_4.alpha_1, wi_5.z);
     var view_7 : Stretched_0;
-    var _S188 : f32 = length(longer_0);
-    view_7.length_0 = _S188;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S188);
-    var _S189 : vec2<f32> = longer_1.xy;
-    var _S190 : f32 = length(_S189);
-    view_7.sine_4 = _S190;
+    var _S189 : f32 = length(longer_0);
+    view_7.length_0 = _S189;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S189);
+    var _S190 : vec2<f32> = longer_1.xy;
+    var _S191 : f32 = length(_S190);
+    view_7.sine_4 = _S191;
     view_7.cosine_10 = longer_1.z;
-    var _S191 : vec2<f32>;
-    if(_S190 > 0.0f)
+    var _S192 : vec2<f32>;
+    if(_S191 > 0.0f)
     {
-        _S191 = _S189 / vec2<f32>(view_7.sine_4);
+        _S192 = _S190 / vec2<f32>(view_7.sine_4);
     }
     else
     {
-        _S191 = vec2<f32>(1.0f, 0.0f);
+        _S192 = vec2<f32>(1.0f, 0.0f);
     }
-    view_7.around_0 = _S191;
+    view_7.around_0 = _S192;
     return view_7;
 }
 
 fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
 {
-    var _S192 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S192);
+    var _S193 : f32 = u_9.x;
+    var radius_2 : f32 = sqrt(_S193);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
     var across_1 : f32 = radius_2 * turn_3.y;
     var along_5 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_10);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S193 : f32 = 1.0f - _S192;
-    var edge_0 : f32 = sqrt(_S193 + along_5 * along_5);
+    var _S194 : f32 = 1.0f - _S193;
+    var edge_0 : f32 = sqrt(_S194 + along_5 * along_5);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
     var from_top_0 : f32 = edge_0 - along_5;
     var from_bottom_0 : f32 = edge_0 + along_5;
@@ -2883,14 +2901,14 @@ fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_5 > 0.0f)
     {
-        from_top_1 = _S193 / from_bottom_0;
+        from_top_1 = _S194 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S194 : f32 = _S193 / from_top_0;
+        var _S195 : f32 = _S194 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S194;
+        from_bottom_1 = _S195;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_10, across_1, max(towards_0 * view_8.cosine_10 + up_0 * view_8.sine_4, 0.0f));
@@ -2943,8 +2961,8 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S195 : f32 = max(view_9.cosine_10, view_9.sine_4);
-    var slope_1 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S195 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S195, -6.0f, 0.5f * steepest_0);
+    var _S196 : f32 = max(view_9.cosine_10, view_9.sine_4);
+    var slope_1 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S196 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S196, -6.0f, 0.5f * steepest_0);
     var low_5 : f32 = -6.0f;
     var high_2 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -2958,10 +2976,10 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             break;
         }
         var both_2 : vec2<f32> = error_function_plus_one_0(slope_1);
-        var _S196 : f32 = both_2.y;
-        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S196 - target_1;
-        var own_4 : f32 = _S196 * (view_9.cosine_10 - slope_1 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_1 * own_4 - _S196 * view_9.sine_4;
+        var _S197 : f32 = both_2.y;
+        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S197 - target_1;
+        var own_4 : f32 = _S197 * (view_9.cosine_10 - slope_1 * view_9.sine_4);
+        var bend_0 : f32 = -2.0f * slope_1 * own_4 - _S197 * view_9.sine_4;
         if(error_0 > 0.0f)
         {
             high_2 = slope_1;
@@ -2971,17 +2989,17 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             low_5 = slope_1;
         }
         var next_0 : f32 = slope_1 - error_0 * own_4 / (own_4 * own_4 - 0.5f * error_0 * bend_0);
-        var _S197 : bool;
+        var _S198 : bool;
         if(next_0 >= low_5)
         {
-            _S197 = next_0 <= high_2;
+            _S198 = next_0 <= high_2;
         }
         else
         {
-            _S197 = false;
+            _S198 = false;
         }
         var next_1 : f32;
-        if(!_S197)
+        if(!_S198)
         {
             next_1 = 0.5f * (low_5 + high_2);
         }
@@ -2994,9 +3012,9 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             slope_1 = next_1;
             break;
         }
-        var _S198 : u32 = step_0 + u32(1);
+        var _S199 : u32 = step_0 + u32(1);
         slope_1 = next_1;
-        step_0 = _S198;
+        step_0 = _S199;
     }
     return vec3<f32>(- slope_1, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -3013,11 +3031,11 @@ fn mirrored_at_facet_0( facets_5 : Microfacets_0,  wi_6 : vec3<f32>,  u_11 : vec
     {
         normal_7 = beckmann_normal_0(view_10, visible_over_cos_0(facets_5, wi_6), u_11);
     }
-    var _S199 : f32 = view_10.around_0.x;
-    var _S200 : f32 = normal_7.x;
-    var _S201 : f32 = view_10.around_0.y;
-    var _S202 : f32 = normal_7.y;
-    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S199 * _S200 - _S201 * _S202, _S201 * _S200 + _S199 * _S202) * facets_5.alpha_1, normal_7.z));
+    var _S200 : f32 = view_10.around_0.x;
+    var _S201 : f32 = normal_7.x;
+    var _S202 : f32 = view_10.around_0.y;
+    var _S203 : f32 = normal_7.y;
+    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S200 * _S201 - _S202 * _S203, _S202 * _S201 + _S200 * _S203) * facets_5.alpha_1, normal_7.z));
     return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_6, normal_8))) - wi_6);
 }
 
@@ -3030,9 +3048,9 @@ struct Drawn_0
 
 fn draw_0( lobe_9 : Lobe_0,  wi_7 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
 {
-    var _S203 : bool = (lobe_9.kind_1) == u32(0);
+    var _S204 : bool = (lobe_9.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S203)
+    if(_S204)
     {
         has_base_0 = true;
     }
@@ -3049,7 +3067,7 @@ fn draw_0( lobe_9 : Lobe_0,  wi_7 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
         has_base_0 = (lobe_9.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S203)
+    if(_S204)
     {
         of_base_1 = 1.0f;
     }
@@ -3057,16 +3075,16 @@ fn draw_0( lobe_9 : Lobe_0,  wi_7 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
     {
         of_base_1 = 0.0f;
     }
-    var _S204 : bool;
+    var _S205 : bool;
     if((lobe_9.kind_1) == u32(3))
     {
-        _S204 = true;
+        _S205 = true;
     }
     else
     {
-        _S204 = (lobe_9.kind_1) == u32(4);
+        _S205 = (lobe_9.kind_1) == u32(4);
     }
-    if(_S204)
+    if(_S205)
     {
         of_base_1 = base_probability_0(lobe_9.numbers_2, transmittance_0(lobe_9, coat_eta_0(lobe_9.numbers_2), wi_7.z));
     }
@@ -3122,8 +3140,8 @@ fn specular_0( lobe_11 : Lobe_0,  wi_9 : vec3<f32>) -> vec3<f32>
 
 fn first_from_0( position_6 : vec3<f32>,  direction_20 : vec3<f32>,  t_7 : ptr<function, f32>) -> Found_0
 {
-    var _S205 : Found_0 = cast_1(position_6, direction_20, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_7)));
-    return _S205;
+    var _S206 : Found_0 = cast_1(position_6, direction_20, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_7)));
+    return _S206;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
@@ -3138,25 +3156,25 @@ fn emitter_seen_0( found_7 : Found_0,  direction_21 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_8) + u32(4));
-    var _S206 : bool;
+    var _S207 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S206 = (dot(cross_of_0(found_7.triangle_8), direction_21)) < 0.0f;
+        _S207 = (dot(cross_of_0(found_7.triangle_8), direction_21)) < 0.0f;
     }
     else
     {
-        _S206 = false;
+        _S207 = false;
     }
-    var _S207 : u32;
-    if(_S206)
+    var _S208 : u32;
+    if(_S207)
     {
-        _S207 = emitter_7;
+        _S208 = emitter_7;
     }
     else
     {
-        _S207 = u32(4294967295);
+        _S208 = u32(4294967295);
     }
-    return _S207;
+    return _S208;
 }
 
 fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_22 : vec3<f32>,  distance_6 : f32) -> f32
@@ -3165,17 +3183,17 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
     var rectangle_1 : u32 = word_0(record_15 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S208 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S208.solid_angle_0) > 0.0f))
+        var _S209 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S209.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S208.solid_angle_0) >= 0.00100000004749745f)
+        if((_S209.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S208.solid_angle_0;
+            return 1.0f / _S209.solid_angle_0;
         }
     }
-    var _S209 : u32 = word_0(word_0(record_15 + u32(7)) + face_8);
+    var _S210 : u32 = word_0(word_0(record_15 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_15 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -3189,7 +3207,7 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S209 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S210 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_5 = shares_1.y;
@@ -3199,22 +3217,22 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             own_5 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_5;
-        var _S210 : i32;
+        var _S211 : i32;
         if(is_second_1)
         {
-            _S210 = i32(3);
+            _S211 = i32(3);
         }
         else
         {
-            _S210 = i32(2);
+            _S211 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S210));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S211));
         chosen_2 = chosen_3;
     }
-    var _S211 : u32 = word_0(record_15 + u32(6));
-    var _S212 : u32 = word_0(node_6);
+    var _S212 : u32 = word_0(record_15 + u32(6));
+    var _S213 : u32 = word_0(node_6);
     own_5 = 0.0f;
-    var k_6 : u32 = _S212;
+    var k_6 : u32 = _S213;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -3225,9 +3243,9 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_15, word_0(_S211 + k_6), from_2.exact_0);
+        var angle_4 : f32 = face_solid_angle_0(record_15, word_0(_S212 + k_6), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_4;
-        if(k_6 == _S209)
+        if(k_6 == _S210)
         {
             own_5 = angle_4;
         }
@@ -3246,8 +3264,8 @@ fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  vertex_8 : Vertex_0,  di
     var record_16 : u32 = emitter_record_0(emitter_8);
     if(is_map_0(record_16))
     {
-        var _S213 : f32 = map_pdf_0(word_0(record_16 + u32(1)), direction_23);
-        return _S213;
+        var _S214 : f32 = map_pdf_0(word_0(record_16 + u32(1)), direction_23);
+        return _S214;
     }
     if(!is_area_0(record_16))
     {
@@ -3268,10 +3286,10 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     var vertex_9 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_5).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S214 : u32 = word_0(u32(3));
-    var _S215 : bool = !reaches_0(depth_2 + u32(3));
+    var _S215 : u32 = word_0(u32(3));
+    var _S216 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S215)
+    if(_S216)
     {
         goes_on_0 = (vertex_9.lobe_1.kind_1) == u32(0);
     }
@@ -3294,7 +3312,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     else
     {
-        bsdf_samples_1 = _S214;
+        bsdf_samples_1 = _S215;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_9.lobe_1))
@@ -3305,7 +3323,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S216 : Choice_0 = choice_at_0(surface_5.position_0, vertex_9.axes_4.n_1, on_emitters_0 == u32(0));
+    var _S217 : Choice_0 = choice_at_0(surface_5.position_0, vertex_9.axes_4.n_1, on_emitters_0 == u32(0));
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -3316,7 +3334,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         {
             break;
         }
-        add_light_from_emitter_0(&((*reflected_2)), vertex_9, _S216, (*path_5).key_0, first_5 + u32(3) * i_4, f32(bsdf_samples_1), importance_1);
+        add_light_from_emitter_0(&((*reflected_2)), vertex_9, _S217, (*path_5).key_0, first_5 + u32(3) * i_4, f32(bsdf_samples_1), importance_1);
         i_4 = i_4 + u32(1);
     }
     var first_6 : u32 = first_5 + u32(3) * emitter_samples_0;
@@ -3367,11 +3385,11 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         var next_direction_1 : vec3<f32>;
         if(k_7 == u32(0))
         {
-            var _S217 : bool = (found_9.face_7) != u32(4294967295);
-            var _S218 : Place_0 = place_of_0(found_9);
+            var _S218 : bool = (found_9.face_7) != u32(4294967295);
+            var _S219 : Place_0 = place_of_0(found_9);
             (*reflected_2).onward_0 = scattered_4.value_8 * vec3<f32>((1.0f / scattered_4.pdf_5));
-            goes_on_1 = _S217;
-            next_3 = _S218;
+            goes_on_1 = _S218;
+            next_3 = _S219;
             next_direction_1 = moving_1;
         }
         else
@@ -3390,28 +3408,28 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             continue;
         }
         var own_6 : f32 = f32(bsdf_samples_1) * scattered_4.pdf_5;
-        var _S219 : bool = !drawn_1.is_specular_0;
-        var _S220 : bool;
-        if(_S219)
+        var _S220 : bool = !drawn_1.is_specular_0;
+        var _S221 : bool;
+        if(_S220)
         {
-            _S220 = emitter_samples_0 != u32(0);
+            _S221 = emitter_samples_0 != u32(0);
         }
         else
         {
-            _S220 = false;
+            _S221 = false;
         }
         var other_1 : f32;
-        if(_S220)
+        if(_S221)
         {
             var pdf_6 : f32 = emitter_pdf_0(emitter_9, found_9, vertex_9, direction_24, t_9);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S216) * pdf_6;
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S217) * pdf_6;
         }
         else
         {
             other_1 = 0.0f;
         }
         var moving_2 : vec3<f32>;
-        if(_S219)
+        if(_S220)
         {
             moving_2 = towards_emitter_0(vertex_9, direction_24, emitter_record_0(emitter_9));
         }
@@ -3430,14 +3448,14 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             place_21 = place_20;
         }
         var weight_1 : f32 = weight_over_0(own_6, other_1);
-        var _S221 : vec3<f32> = emitted_0(emitter_9, place_21, moving_2);
-        (*reflected_2).direct_0 = (*reflected_2).direct_0 + scattered_4.value_8 * (_S221 * vec3<f32>(weight_1));
+        var _S222 : vec3<f32> = emitted_0(emitter_9, place_21, moving_2);
+        (*reflected_2).direct_0 = (*reflected_2).direct_0 + scattered_4.value_8 * (_S222 * vec3<f32>(weight_1));
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
         k_7 = k_7 + u32(1);
     }
-    if(_S215)
+    if(_S216)
     {
         goes_on_0 = true;
     }
@@ -3450,16 +3468,16 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         return false;
     }
     var throughput_1 : vec3<f32> = value_of_0((*path_5).throughput_0) * value_of_0((*reflected_2).onward_0);
-    var _S222 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    if(!(_S222 > 0.0f))
+    var _S223 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    if(!(_S223 > 0.0f))
     {
         return false;
     }
-    var _S223 : u32 = depth_2 + u32(1);
-    if(_S223 >= (word_0(u32(1))))
+    var _S224 : u32 = depth_2 + u32(1);
+    if(_S224 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S222, 0.0f, 0.94999998807907104f);
-        if((random_0((*path_5).key_0, vertex_numbers_0(_S223) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S223, 0.0f, 0.94999998807907104f);
+        if((random_0((*path_5).key_0, vertex_numbers_0(_S224) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -3538,16 +3556,16 @@ fn take_thread_further_0( thread_0 : u32)
     path_11.light_0 = path_11.light_0 + path_11.throughput_0 * reflected_3.direct_0;
     path_11.throughput_0 = path_11.throughput_0 * reflected_3.onward_0;
     store_0(number_of_path_2, path_11);
-    var _S224 : u32;
+    var _S225 : u32;
     if(goes_on_2)
     {
-        _S224 = number_of_path_2;
+        _S225 = number_of_path_2;
     }
     else
     {
-        _S224 = u32(4294967295);
+        _S225 = u32(4294967295);
     }
-    set_word_0(at_18, u32(0), _S224);
+    set_word_0(at_18, u32(0), _S225);
     return;
 }
 

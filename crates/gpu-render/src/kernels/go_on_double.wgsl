@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d1d53f31f9d4e09e
-// result: a8d82b51b4481f10
+// source: b404772ed9e6d12f
+// result: c83c7d0c90fc301b
 
 struct Launch_std140_0
 {
@@ -543,10 +543,35 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
 {
     var lobe_0 : Lobe_0;
     lobe_0.record_2 = record_3;
-    lobe_0.kind_1 = word_0(record_3);
-    lobe_0.distribution_0 = word_0(record_3 + u32(1));
+    var is_black_0 : bool = record_3 == u32(4294967295);
+    var _S33 : u32;
+    if(is_black_0)
+    {
+        _S33 = u32(0);
+    }
+    else
+    {
+        _S33 = word_0(record_3);
+    }
+    lobe_0.kind_1 = _S33;
+    if(is_black_0)
+    {
+        _S33 = u32(1);
+    }
+    else
+    {
+        _S33 = word_0(record_3 + u32(1));
+    }
+    lobe_0.distribution_0 = _S33;
     lobe_0.numbers_2 = no_numbers_0();
-    var _S33 : u32 = word_0(record_3 + u32(4));
+    if(is_black_0)
+    {
+        _S33 = u32(0);
+    }
+    else
+    {
+        _S33 = word_0(record_3 + u32(4));
+    }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
@@ -1675,9 +1700,9 @@ fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
     var u_6 : f64 = precise_random_0(key_5, dimension_4);
     var rest_5 : f64 = u_6 * 20.0lf - 1.0lf;
     var _S112 : u32 = map_4 + u32(13);
-    var is_black_0 : bool = (word_0(_S112)) == u32(4294967295);
+    var is_black_1 : bool = (word_0(_S112)) == u32(4294967295);
     var _S113 : bool;
-    if(is_black_0)
+    if(is_black_1)
     {
         _S113 = true;
     }
@@ -1688,7 +1713,7 @@ fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
     if(_S113)
     {
         var share_0 : f32;
-        if(is_black_0)
+        if(is_black_1)
         {
             share_0 = 1.0f;
         }

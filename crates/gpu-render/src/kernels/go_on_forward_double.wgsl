@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: f66f3f3d79f719be
-// result: bcc47a0db6a46bd7
+// source: 265b0bcc3a7e7f3d
+// result: 3e126e2db477b580
 
 struct Launch_std140_0
 {
@@ -926,16 +926,41 @@ fn lobe_at_0( record_4 : u32,  place_13 : Place_0) -> Lobe_0
 {
     var lobe_0 : Lobe_0;
     lobe_0.record_3 = record_4;
-    lobe_0.kind_1 = word_0(record_4);
-    lobe_0.distribution_0 = word_0(record_4 + u32(1));
-    var _S106 : Numbers_0 = no_numbers_0();
-    lobe_0.numbers_2 = _S106;
-    lobe_0.changes_0 = _S106;
-    var _S107 : u32 = word_0(record_4 + u32(4));
+    var is_black_0 : bool = record_4 == u32(4294967295);
+    var _S106 : u32;
+    if(is_black_0)
+    {
+        _S106 = u32(0);
+    }
+    else
+    {
+        _S106 = word_0(record_4);
+    }
+    lobe_0.kind_1 = _S106;
+    if(is_black_0)
+    {
+        _S106 = u32(1);
+    }
+    else
+    {
+        _S106 = word_0(record_4 + u32(1));
+    }
+    lobe_0.distribution_0 = _S106;
+    var _S107 : Numbers_0 = no_numbers_0();
+    lobe_0.numbers_2 = _S107;
+    lobe_0.changes_0 = _S107;
+    if(is_black_0)
+    {
+        _S106 = u32(0);
+    }
+    else
+    {
+        _S106 = word_0(record_4 + u32(4));
+    }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S107)
+        if(slot_1 < _S106)
         {
         }
         else
@@ -2255,9 +2280,9 @@ fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
     var u_6 : f64 = precise_random_0(key_5, dimension_4);
     var rest_5 : f64 = u_6 * 20.0lf - 1.0lf;
     var _S269 : u32 = map_5 + u32(13);
-    var is_black_0 : bool = (word_0(_S269)) == u32(4294967295);
+    var is_black_1 : bool = (word_0(_S269)) == u32(4294967295);
     var _S270 : bool;
-    if(is_black_0)
+    if(is_black_1)
     {
         _S270 = true;
     }
@@ -2268,7 +2293,7 @@ fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
     if(_S270)
     {
         var share_0 : f32;
-        if(is_black_0)
+        if(is_black_1)
         {
             share_0 = 1.0f;
         }

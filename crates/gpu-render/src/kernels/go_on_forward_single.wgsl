@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: f66f3f3d79f719be
-// result: 0c9b2163c94ea4b2
+// source: 265b0bcc3a7e7f3d
+// result: 31ca7eae89f4277d
 
 struct Launch_std140_0
 {
@@ -924,16 +924,41 @@ fn lobe_at_0( record_4 : u32,  place_13 : Place_0) -> Lobe_0
 {
     var lobe_0 : Lobe_0;
     lobe_0.record_3 = record_4;
-    lobe_0.kind_1 = word_0(record_4);
-    lobe_0.distribution_0 = word_0(record_4 + u32(1));
-    var _S98 : Numbers_0 = no_numbers_0();
-    lobe_0.numbers_2 = _S98;
-    lobe_0.changes_0 = _S98;
-    var _S99 : u32 = word_0(record_4 + u32(4));
+    var is_black_0 : bool = record_4 == u32(4294967295);
+    var _S98 : u32;
+    if(is_black_0)
+    {
+        _S98 = u32(0);
+    }
+    else
+    {
+        _S98 = word_0(record_4);
+    }
+    lobe_0.kind_1 = _S98;
+    if(is_black_0)
+    {
+        _S98 = u32(1);
+    }
+    else
+    {
+        _S98 = word_0(record_4 + u32(1));
+    }
+    lobe_0.distribution_0 = _S98;
+    var _S99 : Numbers_0 = no_numbers_0();
+    lobe_0.numbers_2 = _S99;
+    lobe_0.changes_0 = _S99;
+    if(is_black_0)
+    {
+        _S98 = u32(0);
+    }
+    else
+    {
+        _S98 = word_0(record_4 + u32(4));
+    }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S99)
+        if(slot_1 < _S98)
         {
         }
         else
@@ -2250,9 +2275,9 @@ fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
     var u_6 : f32 = precise_random_0(key_5, dimension_4);
     var rest_5 : f32 = u_6 * 20.0f - 1.0f;
     var _S259 : u32 = map_5 + u32(13);
-    var is_black_0 : bool = (word_0(_S259)) == u32(4294967295);
+    var is_black_1 : bool = (word_0(_S259)) == u32(4294967295);
     var _S260 : bool;
-    if(is_black_0)
+    if(is_black_1)
     {
         _S260 = true;
     }
@@ -2263,7 +2288,7 @@ fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
     if(_S260)
     {
         var share_0 : f32;
-        if(is_black_0)
+        if(is_black_1)
         {
             share_0 = 1.0f;
         }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 34f6f725355e4320
-// result: 38c46377aa422833
+// source: 7582534cfcf93ba0
+// result: b171f1af68b3af14
 
 struct Launch_std140_0
 {
@@ -4392,10 +4392,35 @@ fn lobe_at_0( record_3 : u32,  place_11 : Place_0) -> Lobe_0
 {
     var lobe_5 : Lobe_0;
     lobe_5.record_0 = record_3;
-    lobe_5.kind_0 = word_0(record_3);
-    lobe_5.distribution_0 = word_0(record_3 + u32(1));
+    var is_black_0 : bool = record_3 == u32(4294967295);
+    var _S1151 : u32;
+    if(is_black_0)
+    {
+        _S1151 = u32(0);
+    }
+    else
+    {
+        _S1151 = word_0(record_3);
+    }
+    lobe_5.kind_0 = _S1151;
+    if(is_black_0)
+    {
+        _S1151 = u32(1);
+    }
+    else
+    {
+        _S1151 = word_0(record_3 + u32(1));
+    }
+    lobe_5.distribution_0 = _S1151;
     lobe_5.numbers_0 = no_numbers_0();
-    var _S1151 : u32 = word_0(record_3 + u32(4));
+    if(is_black_0)
+    {
+        _S1151 = u32(0);
+    }
+    else
+    {
+        _S1151 = word_0(record_3 + u32(4));
+    }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
@@ -5538,9 +5563,9 @@ fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_3 : p
     var u_6 : f64 = precise_random_0(key_5, dimension_4);
     var rest_5 : f64 = u_6 * 20.0lf - 1.0lf;
     var _S1231 : u32 = map_5 + u32(13);
-    var is_black_0 : bool = (word_0(_S1231)) == u32(4294967295);
+    var is_black_1 : bool = (word_0(_S1231)) == u32(4294967295);
     var _S1232 : bool;
-    if(is_black_0)
+    if(is_black_1)
     {
         _S1232 = true;
     }
@@ -5551,7 +5576,7 @@ fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_3 : p
     if(_S1232)
     {
         var share_0 : f32;
-        if(is_black_0)
+        if(is_black_1)
         {
             share_0 = 1.0f;
         }

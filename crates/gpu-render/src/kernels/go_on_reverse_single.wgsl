@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 34f6f725355e4320
-// result: 426663c145ab3d4e
+// source: 7582534cfcf93ba0
+// result: 49df5b3a06b45f27
 
 struct Launch_std140_0
 {
@@ -4390,10 +4390,35 @@ fn lobe_at_0( record_3 : u32,  place_11 : Place_0) -> Lobe_0
 {
     var lobe_5 : Lobe_0;
     lobe_5.record_0 = record_3;
-    lobe_5.kind_0 = word_0(record_3);
-    lobe_5.distribution_0 = word_0(record_3 + u32(1));
+    var is_black_0 : bool = record_3 == u32(4294967295);
+    var _S1149 : u32;
+    if(is_black_0)
+    {
+        _S1149 = u32(0);
+    }
+    else
+    {
+        _S1149 = word_0(record_3);
+    }
+    lobe_5.kind_0 = _S1149;
+    if(is_black_0)
+    {
+        _S1149 = u32(1);
+    }
+    else
+    {
+        _S1149 = word_0(record_3 + u32(1));
+    }
+    lobe_5.distribution_0 = _S1149;
     lobe_5.numbers_0 = no_numbers_0();
-    var _S1149 : u32 = word_0(record_3 + u32(4));
+    if(is_black_0)
+    {
+        _S1149 = u32(0);
+    }
+    else
+    {
+        _S1149 = word_0(record_3 + u32(4));
+    }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
@@ -5533,9 +5558,9 @@ fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_3 : p
     var u_6 : f32 = precise_random_0(key_5, dimension_4);
     var rest_5 : f32 = u_6 * 20.0f - 1.0f;
     var _S1227 : u32 = map_5 + u32(13);
-    var is_black_0 : bool = (word_0(_S1227)) == u32(4294967295);
+    var is_black_1 : bool = (word_0(_S1227)) == u32(4294967295);
     var _S1228 : bool;
-    if(is_black_0)
+    if(is_black_1)
     {
         _S1228 = true;
     }
@@ -5546,7 +5571,7 @@ fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_3 : p
     if(_S1228)
     {
         var share_0 : f32;
-        if(is_black_0)
+        if(is_black_1)
         {
             share_0 = 1.0f;
         }

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d1d53f31f9d4e09e
-// result: c92e699bedcd224f
+// source: b404772ed9e6d12f
+// result: b298a1012f544788
 
 struct Launch_std140_0
 {
@@ -541,10 +541,35 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
 {
     var lobe_0 : Lobe_0;
     lobe_0.record_2 = record_3;
-    lobe_0.kind_1 = word_0(record_3);
-    lobe_0.distribution_0 = word_0(record_3 + u32(1));
+    var is_black_0 : bool = record_3 == u32(4294967295);
+    var _S31 : u32;
+    if(is_black_0)
+    {
+        _S31 = u32(0);
+    }
+    else
+    {
+        _S31 = word_0(record_3);
+    }
+    lobe_0.kind_1 = _S31;
+    if(is_black_0)
+    {
+        _S31 = u32(1);
+    }
+    else
+    {
+        _S31 = word_0(record_3 + u32(1));
+    }
+    lobe_0.distribution_0 = _S31;
     lobe_0.numbers_2 = no_numbers_0();
-    var _S31 : u32 = word_0(record_3 + u32(4));
+    if(is_black_0)
+    {
+        _S31 = u32(0);
+    }
+    else
+    {
+        _S31 = word_0(record_3 + u32(4));
+    }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
@@ -1670,9 +1695,9 @@ fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
     var u_6 : f32 = precise_random_0(key_5, dimension_4);
     var rest_5 : f32 = u_6 * 20.0f - 1.0f;
     var _S108 : u32 = map_4 + u32(13);
-    var is_black_0 : bool = (word_0(_S108)) == u32(4294967295);
+    var is_black_1 : bool = (word_0(_S108)) == u32(4294967295);
     var _S109 : bool;
-    if(is_black_0)
+    if(is_black_1)
     {
         _S109 = true;
     }
@@ -1683,7 +1708,7 @@ fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
     if(_S109)
     {
         var share_0 : f32;
-        if(is_black_0)
+        if(is_black_1)
         {
             share_0 = 1.0f;
         }
