@@ -204,7 +204,8 @@ impl<'a> Sums<'a> {
         };
         for (sum, derivative) in to.sums[first..].iter_mut().zip(covector.to_array()) {
             let units = (derivative * 2_f64.powi(self.digits)).round();
-            if !(derivative.abs() <= f64::from(f32::MAX)) {
+            let is_finite = derivative.abs() <= f64::from(f32::MAX); // false for NaN
+            if !is_finite {
                 to.non_finite += 1;
             } else if units.abs() > LARGEST_DERIVATIVE {
                 to.too_large += 1;
