@@ -70,7 +70,8 @@ impl Prepared {
         })
     }
 
-    /// [`Prepared::backward`] on a device, see [`Prepared::gradient_on`].
+    /// [`Prepared::backward`] on a device, see [`Prepared::gradient_on`]; of what moves, only the
+    /// processor has it.
     pub fn backward_on<N: AsRef<str>>(
         &self,
         device: Device,

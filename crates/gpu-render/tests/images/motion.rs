@@ -217,7 +217,13 @@ fn derivatives_are_the_processors_in_both_modes() {
         let z = difference / variance.sqrt();
         assert!(z.abs() < 4.0 && worst < 7.0, "{name}: {z}, {worst}");
 
-        let reverse = on_device.backward(&adjoint, &Wanted::by(&tangent), &options(32), &Unwatched);
+        let reverse = on_device.backward_in_motion(
+            &adjoint,
+            &Wanted::by(&tangent),
+            &options(32),
+            1 << 16,
+            &Unwatched,
+        );
         let reverse = reverse.expect("supported");
         assert_eq!(reverse.statistics.non_finite, 0, "{name}");
         let by_pixels = adjoint.pixels.iter().zip(&ours.mean.pixels);
@@ -247,7 +253,7 @@ fn gradients_in_parts_of_any_size_have_the_same_bits() {
     let options = GradientOptions::new(RenderOptions::new(6, 7));
     let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
     let gradient = |most| {
-        let found = on_device.backward_in_parts(&adjoint, &wanted, &options, most, &Unwatched);
+        let found = on_device.backward_in_motion(&adjoint, &wanted, &options, most, &Unwatched);
         let found = found.expect("supported");
         (found.gradient().clone(), found.standard_error())
     };
@@ -255,4 +261,21 @@ fn gradients_in_parts_of_any_size_have_the_same_bits() {
     for most in [13, 71, 100] {
         assert!(gradient(most) == whole, "{most}");
     }
+}
+
+/// What moves is named where the gradient of a loss is asked for.
+#[test]
+fn what_moves_is_refused_in_reverse_mode() {
+    let Some(gpu) = device::open(Precision::Double) else {
+        return;
+    };
+    let prepared = PreparedScene::new(scenes::scene("parity/colour_bleeding.xml"));
+    let scene = prepared.scene();
+    let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
+    let options = GradientOptions::new(RenderOptions::new(1, 7));
+    let (adjoint, all) = (adjoint(scene), Wanted::all(scene));
+    let error = on_device.backward(&adjoint, &all, &options, &Unwatched);
+    let text = error.expect_err("shapes move").to_string();
+    let expected = format!("shape \"{}\" moves, and the gradient", scene.shapes[0].id);
+    assert!(text.starts_with(&expected), "{text}");
 }
