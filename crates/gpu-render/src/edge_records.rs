@@ -1,4 +1,4 @@
-//! The edges of a scene that moves, as the kernels read them: `edges.slang` says which word is what.
+//! The edges of a scene that moves, as the kernels read them: `edge_tree.slang` says which word is what.
 
 use capwalk_boundary::{AreaEmitter, Boundaries, EdgeSampler, Extent, MANY_CORNERS, Motion};
 use capwalk_geometry::edge::ON_PLANE;
