@@ -4,6 +4,7 @@ use capwalk_gpu::{CompiledKernel, DeviceArray, Gpu, GpuError};
 use capwalk_render::Watch;
 
 use crate::device_edges::{COLUMNS, DeviceEdges};
+use crate::fixed_point::{COUNTS, CUT_SHORT};
 use crate::render_kernels::{GO_BACK, PathKernels};
 
 /// Room for so many paths in a scene.
@@ -23,7 +24,7 @@ pub struct Paths<'a> {
     pub(crate) input: DeviceArray,
     /// What is known of each.
     pub(crate) state: DeviceArray,
-    /// Sums over all paths.
+    /// Counts of faults, and sums over all paths.
     sums: DeviceArray,
 }
 
@@ -56,7 +57,7 @@ impl<'a> Paths<'a> {
         words.extend(changes);
         let input = array(words.len())?;
         gpu.write(&input, bytemuck::cast_slice(&words))?;
-        Ok(Self {
+        let paths = Self {
             gpu,
             scene,
             kernels,
@@ -65,8 +66,10 @@ impl<'a> Paths<'a> {
             levels,
             input,
             state: array(kernels.words(levels) * columns)?,
-            sums: array(sums)?,
-        })
+            sums: array(sums.max(COUNTS))?,
+        };
+        paths.clear_sums(sums.max(COUNTS))?;
+        Ok(paths)
     }
 
     /// How many there is room for.
@@ -83,6 +86,7 @@ impl<'a> Paths<'a> {
         let mut list = self.listed(count)?;
         loop {
             if list.is_empty() {
+                self.check_loops()?;
                 return Ok(Followed::ToTheEnd(lists));
             }
             if watch.should_stop() {
@@ -146,12 +150,22 @@ impl<'a> Paths<'a> {
             self.write_list(list)?;
             self.launch(&GO_BACK, list.len(), depth)?;
         }
+        self.check_loops()?;
         Ok(true)
     }
 
     /// Begins sums anew.
     pub fn clear_sums(&self, sums: usize) -> Result<(), GpuError> {
         self.gpu.write(&self.sums, &vec![0; 4 * sums])
+    }
+
+    /// An error if any thread of the launches so far did not run its loops to their ends.
+    fn check_loops(&self) -> Result<(), GpuError> {
+        let counts = self.sums(COUNTS)?;
+        match counts[CUT_SHORT] {
+            0 => Ok(()),
+            threads => Err(self.gpu.loops_cut_short(threads)),
+        }
     }
 
     /// The words of the sums.

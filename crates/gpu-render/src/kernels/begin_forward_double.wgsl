@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 265b0bcc3a7e7f3d
-// result: 38774c339b617ce2
+// source: 65166edce001b654
+// result: 068a986db0d564f5
 
 struct Launch_std140_0
 {
@@ -25,6 +25,8 @@ struct Launch_std140_0
 @binding(3) @group(0) var<storage, read> rough_0 : array<vec4<u32>>;
 
 @binding(6) @group(0) var<storage, read_write> paths_0 : array<u32>;
+
+@binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
 
 struct DiffPair_float_0
 {
@@ -1519,6 +1521,31 @@ fn store_0( number_of_path_1 : u32,  path_6 : Path_0)
     return;
 }
 
+fn check_loops_0()
+{
+    var _S138 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S139 : bool = rounds_0 < wanted_0;
+        _S138 = _S139;
+        if(_S139)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S138)
+    {
+        var _S140 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
+    return;
+}
+
 @compute
 @workgroup_size(64, 1, 1)
 fn begin_forward(@builtin(global_invocation_id) thread_0 : vec3<u32>)
@@ -1531,15 +1558,16 @@ fn begin_forward(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_7 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_2, &(path_7));
     store_0(number_of_path_2, path_7);
-    var _S138 : u32;
+    var _S141 : u32;
     if(goes_on_0)
     {
-        _S138 = number_of_path_2;
+        _S141 = number_of_path_2;
     }
     else
     {
-        _S138 = u32(4294967295);
+        _S141 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), _S138);
+    set_word_0(number_of_path_2, u32(0), _S141);
+    check_loops_0();
     return;
 }

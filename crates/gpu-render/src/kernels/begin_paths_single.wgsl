@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: b404772ed9e6d12f
-// result: a6e092f8389cd93e
+// source: e513b56909aa2b86
+// result: 8a7c1e7b1e998c1e
 
 struct Launch_std140_0
 {
@@ -25,6 +25,8 @@ struct Launch_std140_0
 @binding(3) @group(0) var<storage, read> rough_0 : array<vec4<u32>>;
 
 @binding(6) @group(0) var<storage, read_write> paths_0 : array<u32>;
+
+@binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
 
 fn changing_0( value_0 : vec3<f32>,  change_0 : vec3<f32>) -> vec3<f32>
 {
@@ -1135,6 +1137,31 @@ fn store_0( number_of_path_1 : u32,  path_5 : Path_0)
     return;
 }
 
+fn check_loops_0()
+{
+    var _S77 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S78 : bool = rounds_0 < wanted_0;
+        _S77 = _S78;
+        if(_S78)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S77)
+    {
+        var _S79 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
+    return;
+}
+
 @compute
 @workgroup_size(64, 1, 1)
 fn begin_paths(@builtin(global_invocation_id) thread_0 : vec3<u32>)
@@ -1147,15 +1174,16 @@ fn begin_paths(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_6 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_2, &(path_6));
     store_0(number_of_path_2, path_6);
-    var _S77 : u32;
+    var _S80 : u32;
     if(goes_on_0)
     {
-        _S77 = number_of_path_2;
+        _S80 = number_of_path_2;
     }
     else
     {
-        _S77 = u32(4294967295);
+        _S80 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), _S77);
+    set_word_0(number_of_path_2, u32(0), _S80);
+    check_loops_0();
     return;
 }

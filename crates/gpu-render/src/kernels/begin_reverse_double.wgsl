@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 7582534cfcf93ba0
-// result: e837dde2f3c4a4d0
+// source: e72d0a9b25db02c5
+// result: cbe308046915d8b5
 
 struct Launch_std140_0
 {
@@ -1634,188 +1634,162 @@ fn numbers_of_0( texture_6 : u32) -> u32
     return change_word_0(u32(5) + word_0(texture_6 + u32(12)));
 }
 
-fn add_word_0( sum_0 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
-{
-    var _S212 : u32 = u32(2) + u32(4) * sum_0;
-    var _S213 : u32 = number_1;
-    var k_2 : u32 = word_of_sum_0;
-    for(;;)
-    {
-        var _S214 : bool;
-        if(k_2 < u32(4))
-        {
-            _S214 = _S213 != u32(0);
-        }
-        else
-        {
-            _S214 = false;
-        }
-        if(_S214)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S215 : u32;
-        if(is_negative_0)
-        {
-            _S215 = u32(0) - _S213;
-        }
-        else
-        {
-            _S215 = _S213;
-        }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S212 + k_2]), _S215);
-        var overflows_0 : bool;
-        if(is_negative_0)
-        {
-            overflows_0 = before_0 < _S213;
-        }
-        else
-        {
-            overflows_0 = (before_0 + _S213) < before_0;
-        }
-        var _S216 : i32;
-        if(overflows_0)
-        {
-            _S216 = i32(1);
-        }
-        else
-        {
-            _S216 = i32(0);
-        }
-        var _S217 : u32 = u32(_S216);
-        var _S218 : u32 = k_2 + u32(1);
-        _S213 = _S217;
-        k_2 = _S218;
-    }
-    return;
-}
-
-fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32)
+fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S219 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S212 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_2 : f32 = abs(scaled_0);
     if(size_2 > 7.73712524553362672e+25f)
     {
-        var _S220 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S213 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var is_negative_1 : bool = scaled_0 < 0.0f;
-    var highest_0 : u32 = u32(0);
-    var size_3 : f32 = size_2;
+    var _S214 : bool = scaled_0 < 0.0f;
+    var _S215 : i32;
+    if(size_2 >= 1.84467440737095516e+19f)
+    {
+        _S215 = i32(1);
+    }
+    else
+    {
+        _S215 = i32(0);
+    }
+    var first_3 : u32 = u32(_S215);
+    var size_3 : f32;
+    if(first_3 == u32(1))
+    {
+        size_3 = size_2 * 2.32830643653869629e-10f;
+    }
+    else
+    {
+        size_3 = size_2;
+    }
+    var higher_0 : f32 = floor(size_3 * 2.32830643653869629e-10f);
+    var lower_0 : f32 = size_3 - higher_0 * 4.294967296e+09f;
+    if(first_3 == u32(0))
+    {
+        size_3 = lower_0 + 0.5f;
+    }
+    else
+    {
+        size_3 = lower_0;
+    }
+    var _S216 : u32 = u32(3) + u32(4) * sum_0;
+    var digits_0 : vec2<u32> = vec2<u32>(u32(size_3), u32(higher_0));
+    var k_2 : u32 = first_3;
     for(;;)
     {
-        var _S221 : bool;
-        if(highest_0 < u32(2))
+        var _S217 : bool;
+        if(k_2 < u32(4))
         {
-            _S221 = size_3 >= 4.294967296e+09f;
+            _S217 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S221 = false;
+            _S217 = false;
         }
-        if(_S221)
+        if(_S217)
         {
         }
         else
         {
             break;
         }
-        var size_4 : f32 = size_3 * 2.32830643653869629e-10f;
-        highest_0 = highest_0 + u32(1);
-        size_3 = size_4;
-    }
-    var _S222 : bool = highest_0 == u32(0);
-    var _S223 : f32;
-    if(_S222)
-    {
-        _S223 = size_3 + 0.5f;
-    }
-    else
-    {
-        _S223 = size_3;
-    }
-    var whole_0 : u32 = u32(_S223);
-    add_word_0(sum_1, highest_0, whole_0, is_negative_1);
-    if(_S222)
-    {
-        return;
-    }
-    var rest_0 : f32 = (size_3 - f32(whole_0)) * 4.294967296e+09f;
-    var _S224 : u32 = highest_0 - u32(1);
-    if(highest_0 == u32(1))
-    {
-        size_3 = rest_0 + 0.5f;
-    }
-    else
-    {
-        size_3 = rest_0;
-    }
-    add_word_0(sum_1, _S224, u32(size_3), is_negative_1);
-    return;
-}
-
-fn add_to_sums_0( first_3 : u32,  derivative_1 : vec3<f32>)
-{
-    var axis_3 : u32 = u32(0);
-    for(;;)
-    {
-        if(axis_3 < u32(3))
+        var _S218 : u32;
+        if(_S214)
         {
+            _S218 = u32(0) - digits_0.x;
         }
         else
         {
-            break;
+            _S218 = digits_0.x;
         }
-        add_to_sum_0(first_3 + axis_3, derivative_1[axis_3]);
-        axis_3 = axis_3 + u32(1);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S216 + k_2]), _S218);
+        var overflows_0 : bool;
+        if(_S214)
+        {
+            overflows_0 = before_0 < (digits_0.x);
+        }
+        else
+        {
+            overflows_0 = (before_0 + digits_0.x) < before_0;
+        }
+        var _S219 : u32 = digits_0.y;
+        if(overflows_0)
+        {
+            _S215 = i32(1);
+        }
+        else
+        {
+            _S215 = i32(0);
+        }
+        var _S220 : vec2<u32> = vec2<u32>(_S219 + u32(_S215), u32(0));
+        var _S221 : u32 = k_2 + u32(1);
+        digits_0 = _S220;
+        k_2 = _S221;
     }
     return;
 }
 
-fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
+fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
 {
     var first_4 : u32 = numbers_of_0(texture_7);
+    var _S222 : u32 = word_0(texture_7 + u32(1));
+    var _S223 : u32;
     if(first_4 == u32(4294967295))
     {
-        return;
+        _S223 = u32(0);
     }
-    var _S225 : u32 = word_0(texture_7 + u32(1));
+    else
+    {
+        _S223 = lookup_5.count_0;
+    }
     var k_3 : u32 = u32(0);
     for(;;)
     {
-        if(k_3 < (lookup_5.count_0))
+        if(k_3 < _S223)
         {
         }
         else
         {
             break;
         }
-        var at_10 : u32 = first_4 + _S225 * lookup_5.texels_0[k_3];
-        var own_0 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_3]);
-        if(_S225 == u32(1))
+        var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_0[k_3]);
+        var own_1 : vec3<f32>;
+        if(_S222 == u32(1))
         {
-            add_to_sum_0(at_10, own_0.x + own_0.y + own_0.z);
-            k_3 = k_3 + u32(1);
-            continue;
+            own_1 = vec3<f32>((own_0.x + own_0.y + own_0.z));
         }
-        add_to_sums_0(at_10, own_0);
+        else
+        {
+            own_1 = own_0;
+        }
+        var c_3 : u32 = u32(0);
+        for(;;)
+        {
+            if(c_3 < _S222)
+            {
+            }
+            else
+            {
+                break;
+            }
+            add_to_sum_0(first_4 + _S222 * lookup_5.texels_0[k_3] + c_3, own_1[c_3]);
+            c_3 = c_3 + u32(1);
+        }
         k_3 = k_3 + u32(1);
     }
     return;
 }
 
-fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f32>) -> vec2<f32>
+fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_2 : vec3<f32>) -> vec2<f32>
 {
-    add_to_texels_0(texture_8, lookup_6, derivative_3);
-    return vec2<f32>(dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_first_0), derivative_3), dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_second_0), derivative_3));
+    add_to_texels_0(texture_8, lookup_6, derivative_2);
+    return vec2<f32>(dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_first_0), derivative_2), dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_second_0), derivative_2));
 }
 
 fn is_area_0( record_3 : u32) -> bool
@@ -1828,91 +1802,192 @@ fn is_moving_0() -> bool
     return (change_word_0(u32(0))) != u32(4294967295);
 }
 
+struct AtCorners_0
+{
+     a_4 : vec3<f32>,
+     b_3 : vec3<f32>,
+     c_4 : vec3<f32>,
+};
+
+fn at_no_corner_0() -> AtCorners_0
+{
+    var corners_0 : AtCorners_0;
+    var _S224 : vec3<f32> = vec3<f32>(0.0f);
+    corners_0.c_4 = _S224;
+    corners_0.b_3 = _S224;
+    corners_0.a_4 = _S224;
+    return corners_0;
+}
+
+fn add_at_place_0( corners_1 : ptr<function, AtCorners_0>,  place_7 : Place_0,  derivative_3 : vec3<f32>)
+{
+    (*corners_1).a_4 = (*corners_1).a_4 + derivative_3 * vec3<f32>((1.0f - place_7.v_4 - place_7.w_3));
+    (*corners_1).b_3 = (*corners_1).b_3 + derivative_3 * vec3<f32>(place_7.v_4);
+    (*corners_1).c_4 = (*corners_1).c_4 + derivative_3 * vec3<f32>(place_7.w_3);
+    return;
+}
+
+fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_8 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_5 : vec3<f32>) -> vec3<f32>
+{
+    var corner_1 : u32 = u32(9) * place_8.triangle_2;
+    var a_5 : vec3<f64> = primitive_vector_0(corner_1);
+    var _S225 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_5);
+    var _S226 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_5);
+    var across_0 : vec3<f32> = cross(_S225, _S226);
+    var _S227 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S227);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S226, normal_0) * vec3<f32>(by_place_0.x) + cross(normal_0, _S225) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S227)));
+    var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_5, by_slip_0) / dot(normal_0, direction_5)));
+    add_at_place_0(&((*points_0)), place_8, by_position_0 - by_drift_0);
+    return by_drift_0;
+}
+
 fn points_of_0( triangle_8 : u32) -> u32
 {
     return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_8)));
 }
 
-fn add_to_corners_0( sums_at_0 : u32,  triangle_9 : u32,  by_a_0 : vec3<f32>,  by_b_0 : vec3<f32>,  by_c_0 : vec3<f32>)
+fn add_to_sums_0( first_5 : u32,  derivative_4 : vec3<f32>)
 {
+    var _S228 : i32;
+    if(first_5 == u32(4294967295))
+    {
+        _S228 = i32(0);
+    }
+    else
+    {
+        _S228 = i32(3);
+    }
+    var _S229 : u32 = u32(_S228);
+    var axis_3 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_3 < _S229)
+        {
+        }
+        else
+        {
+            break;
+        }
+        add_to_sum_0(first_5 + axis_3, derivative_4[axis_3]);
+        axis_3 = axis_3 + u32(1);
+    }
+    return;
+}
+
+fn add_to_corners_0( sums_at_0 : u32,  triangle_9 : u32,  corners_2 : AtCorners_0)
+{
+    var _S230 : u32 = triangle_record_0(triangle_9) + u32(2);
+    var _S231 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        return;
+        _S231 = i32(0);
     }
-    var record_4 : u32 = triangle_record_0(triangle_9) + u32(2);
-    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_4), by_a_0);
-    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_4 + u32(1)), by_b_0);
-    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_4 + u32(2)), by_c_0);
+    else
+    {
+        _S231 = i32(3);
+    }
+    var _S232 : u32 = u32(_S231);
+    var k_4 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_4 < _S232)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S233 : u32 = sums_at_0 + u32(3) * word_0(_S230 + k_4);
+        var _S234 : vec3<f32>;
+        if(k_4 == u32(0))
+        {
+            _S234 = corners_2.a_4;
+        }
+        else
+        {
+            if(k_4 == u32(1))
+            {
+                _S234 = corners_2.b_3;
+            }
+            else
+            {
+                _S234 = corners_2.c_4;
+            }
+        }
+        add_to_sums_0(_S233, _S234);
+        k_4 = k_4 + u32(1);
+    }
     return;
-}
-
-fn add_at_place_0( sums_at_1 : u32,  place_7 : Place_0,  derivative_4 : vec3<f32>)
-{
-    add_to_corners_0(sums_at_1, place_7.triangle_2, derivative_4 * vec3<f32>((1.0f - place_7.v_4 - place_7.w_3)), derivative_4 * vec3<f32>(place_7.v_4), derivative_4 * vec3<f32>(place_7.w_3));
-    return;
-}
-
-fn place_back_0( place_8 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_5 : vec3<f32>) -> vec3<f32>
-{
-    var corner_1 : u32 = u32(9) * place_8.triangle_2;
-    var a_4 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S226 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_4);
-    var _S227 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_4);
-    var across_0 : vec3<f32> = cross(_S226, _S227);
-    var _S228 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
-    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S228);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S227, normal_0) * vec3<f32>(by_place_0.x) + cross(normal_0, _S226) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S228)));
-    var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_5, by_slip_0) / dot(normal_0, direction_5)));
-    add_at_place_0(points_of_0(place_8.triangle_2), place_8, by_position_0 - by_drift_0);
-    return by_drift_0;
 }
 
 fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_3 : u32,  place_9 : Place_0,  direction_6 : vec3<f32>,  t_6 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
 {
-    var record_5 : u32 = emitter_record_0(emitter_3);
-    var texture_9 : u32 = word_0(record_5 + u32(1));
-    if(!is_map_0(record_5))
+    var record_4 : u32 = emitter_record_0(emitter_3);
+    var texture_9 : u32 = word_0(record_4 + u32(1));
+    var lookup_7 : Lookup_0;
+    var by_texels_0 : vec3<f32>;
+    if(is_map_0(record_4))
     {
-        var _S229 : Lookup_0 = lookup_at_0(texture_9, place_9);
-        var by_place_1 : vec2<f32> = lookup_back_0(texture_9, _S229, importance_0);
-        var _S230 : bool;
-        if(!is_area_0(record_5))
-        {
-            _S230 = true;
-        }
-        else
-        {
-            _S230 = !is_moving_0();
-        }
-        if(_S230)
-        {
-            _S230 = true;
-        }
-        else
-        {
-            _S230 = (all((by_place_1 == vec2<f32>(0.0f))));
-        }
-        if(_S230)
-        {
-            return vec3<f32>(0.0f);
-        }
-        var by_drift_1 : vec3<f32> = place_back_0(place_9, by_place_1, vec3<f32>(0.0f), direction_6);
-        (*by_start_0) = (*by_start_0) + by_drift_1;
-        return by_drift_1 * vec3<f32>(t_6);
+        var scale_0 : u32 = word_0(texture_9 + u32(12));
+        var lookup_8 : Lookup_0 = in_map_0(texture_9, direction_6);
+        var _S235 : Lookup_0 = one_texel_0(u32(0));
+        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_0, _S235, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
+        add_to_texels_0(scale_0, _S235, importance_0 * weighted_texels_0(word_0(texture_9 + u32(11)), lookup_8, lookup_8.weights_0));
+        lookup_7 = lookup_8;
+        by_texels_0 = by_texels_1;
     }
-    var texels_2 : u32 = word_0(texture_9 + u32(11));
-    var scale_0 : u32 = word_0(texture_9 + u32(12));
-    var lookup_7 : Lookup_0 = in_map_0(texture_9, direction_6);
-    var _S231 : Lookup_0 = one_texel_0(u32(0));
-    var factor_1 : vec3<f32> = weighted_texels_0(scale_0, _S231, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
-    var _S232 : vec2<f32> = lookup_back_0(scale_0, _S231, importance_0 * weighted_texels_0(texels_2, lookup_7, lookup_7.weights_0));
-    var by_place_2 : vec2<f32> = lookup_back_0(texels_2, lookup_7, importance_0 * factor_1);
-    var _S233 : vec3<f32> = vec3<f32>(0.0f);
-    var moving_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    moving_0.primal_0 = direction_6;
-    moving_0.differential_0 = _S233;
-    _S127(texture_9, &(moving_0), by_place_2);
-    return moving_0.differential_0;
+    else
+    {
+        var _S236 : Lookup_0 = lookup_at_0(texture_9, place_9);
+        lookup_7 = _S236;
+        by_texels_0 = importance_0;
+    }
+    var _S237 : u32;
+    if(is_map_0(record_4))
+    {
+        _S237 = word_0(texture_9 + u32(11));
+    }
+    else
+    {
+        _S237 = texture_9;
+    }
+    var by_place_1 : vec2<f32> = lookup_back_0(_S237, lookup_7, by_texels_0);
+    if(is_map_0(record_4))
+    {
+        var _S238 : vec3<f32> = vec3<f32>(0.0f);
+        var moving_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
+        moving_0.primal_0 = direction_6;
+        moving_0.differential_0 = _S238;
+        _S127(texture_9, &(moving_0), by_place_1);
+        return moving_0.differential_0;
+    }
+    var _S239 : bool;
+    if(!is_area_0(record_4))
+    {
+        _S239 = true;
+    }
+    else
+    {
+        _S239 = !is_moving_0();
+    }
+    if(_S239)
+    {
+        _S239 = true;
+    }
+    else
+    {
+        _S239 = (all((by_place_1 == vec2<f32>(0.0f))));
+    }
+    if(_S239)
+    {
+        return vec3<f32>(0.0f);
+    }
+    var points_1 : AtCorners_0 = at_no_corner_0();
+    var by_drift_1 : vec3<f32> = place_back_0(&(points_1), place_9, by_place_1, vec3<f32>(0.0f), direction_6);
+    add_to_corners_0(points_of_0(place_9.triangle_2), place_9.triangle_2, points_1);
+    (*by_start_0) = (*by_start_0) + by_drift_1;
+    return by_drift_1 * vec3<f32>(t_6);
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1939,75 +2014,75 @@ struct Path_0
 
 fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
-    var at_11 : u32 = u32(12) * number_of_path_0;
-    var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11], input_0[at_11 + u32(1)], input_0[at_11 + u32(2)]))));
-    var direction_9 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(3)], input_0[at_11 + u32(4)], input_0[at_11 + u32(5)]))));
-    (*path_0).key_0 = vec2<u32>(input_0[at_11 + u32(7)], input_0[at_11 + u32(8)]);
+    var at_10 : u32 = u32(12) * number_of_path_0;
+    var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_10], input_0[at_10 + u32(1)], input_0[at_10 + u32(2)]))));
+    var direction_9 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_10 + u32(3)], input_0[at_10 + u32(4)], input_0[at_10 + u32(5)]))));
+    (*path_0).key_0 = vec2<u32>(input_0[at_10 + u32(7)], input_0[at_10 + u32(8)]);
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
-    (*path_0).adjoint_0 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(9)], input_0[at_11 + u32(10)], input_0[at_11 + u32(11)]))));
-    var _S234 : vec3<f32> = vec3<f32>(0.0f);
-    (*path_0).by_ray_0.direction_7 = _S234;
-    (*path_0).by_ray_0.drift_0 = _S234;
+    (*path_0).adjoint_0 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_10 + u32(9)], input_0[at_10 + u32(10)], input_0[at_10 + u32(11)]))));
+    var _S240 : vec3<f32> = vec3<f32>(0.0f);
+    (*path_0).by_ray_0.direction_7 = _S240;
+    (*path_0).by_ray_0.drift_0 = _S240;
     var t_7 : f32 = 0.0f;
-    var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_11 + u32(6)])));
+    var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_10 + u32(6)])));
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0lf;
     found_4.w_2 = 0.0lf;
-    var _S235 : bool;
+    var _S241 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S235 = (word_0(u32(13))) != u32(0);
+        _S241 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S235 = false;
+        _S241 = false;
     }
-    if(_S235)
+    if(_S241)
     {
-        var _S236 : Found_0 = cast_0(vec3<f64>(origin_2), vec3<f64>(direction_9), 0.0lf, f64(length_of_ray_0), false, &(t_7));
-        found_4 = _S236;
+        var _S242 : Found_0 = cast_0(vec3<f64>(origin_2), vec3<f64>(direction_9), 0.0lf, f64(length_of_ray_0), false, &(t_7));
+        found_4 = _S242;
     }
-    var _S237 : Place_0 = place_of_0(found_4);
-    (*path_0).place_10 = _S237;
+    var _S243 : Place_0 = place_of_0(found_4);
+    (*path_0).place_10 = _S243;
     (*path_0).direction_8 = direction_9;
-    var _S238 : f32;
+    var _S244 : f32;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S238 = t_7;
+        _S244 = t_7;
     }
     else
     {
-        _S238 = 0.0f;
+        _S244 = 0.0f;
     }
-    (*path_0).distance_0 = _S238;
+    (*path_0).distance_0 = _S244;
     var emitter_4 : u32 = emitter_seen_0(found_4, direction_9);
     if(emitter_4 != u32(4294967295))
     {
-        _S235 = (word_0(u32(4))) != u32(0);
+        _S241 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S235 = false;
+        _S241 = false;
     }
-    if(_S235)
+    if(_S241)
     {
-        var _S239 : vec3<f32> = emitted_0(emitter_4, _S237, (*path_0).direction_8);
-        var _S240 : vec3<f32> = (*path_0).by_ray_0.drift_0;
-        var _S241 : vec3<f32> = emitted_back_0(&(_S240), emitter_4, _S237, direction_9, t_7, (*path_0).adjoint_0);
-        (*path_0).by_ray_0.drift_0 = _S240;
-        (*path_0).by_ray_0.direction_7 = _S241;
+        var _S245 : vec3<f32> = emitted_0(emitter_4, _S243, (*path_0).direction_8);
+        var _S246 : vec3<f32> = (*path_0).by_ray_0.drift_0;
+        var _S247 : vec3<f32> = emitted_back_0(&(_S246), emitter_4, _S243, direction_9, t_7, (*path_0).adjoint_0);
+        (*path_0).by_ray_0.drift_0 = _S246;
+        (*path_0).by_ray_0.direction_7 = _S247;
     }
     if((found_4.face_1) != u32(4294967295))
     {
-        _S235 = reaches_0(u32(2));
+        _S241 = reaches_0(u32(2));
     }
     else
     {
-        _S235 = false;
+        _S241 = false;
     }
-    return _S235;
+    return _S241;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
@@ -2092,13 +2167,38 @@ fn set_place_0( path_6 : u32,  which_6 : ptr<function, u32>,  place_11 : Place_0
 
 fn store_0( number_of_path_1 : u32,  path_7 : Path_0)
 {
-    var at_12 : u32 = u32(1);
-    set_vector_0(number_of_path_1, &(at_12), path_7.adjoint_0);
-    set_changing_0(number_of_path_1, &(at_12), path_7.throughput_0);
-    set_changing_0(number_of_path_1, &(at_12), path_7.direction_8);
-    set_place_0(number_of_path_1, &(at_12), path_7.place_10);
-    set_word_0(number_of_path_1, at_12, path_7.key_0.x);
-    set_word_0(number_of_path_1, at_12 + u32(1), path_7.key_0.y);
+    var at_11 : u32 = u32(1);
+    set_vector_0(number_of_path_1, &(at_11), path_7.adjoint_0);
+    set_changing_0(number_of_path_1, &(at_11), path_7.throughput_0);
+    set_changing_0(number_of_path_1, &(at_11), path_7.direction_8);
+    set_place_0(number_of_path_1, &(at_11), path_7.place_10);
+    set_word_0(number_of_path_1, at_11, path_7.key_0.x);
+    set_word_0(number_of_path_1, at_11 + u32(1), path_7.key_0.y);
+    return;
+}
+
+fn check_loops_0()
+{
+    var _S248 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S249 : bool = rounds_0 < wanted_0;
+        _S248 = _S249;
+        if(_S249)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S248)
+    {
+        var _S250 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
     return;
 }
 
@@ -2140,5 +2240,6 @@ fn begin_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         which_7 = u32(4294967295);
     }
     set_word_0(number_of_path_2, u32(0), which_7);
+    check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 7582534cfcf93ba0
-// result: 7a619314b3b79ba9
+// source: e72d0a9b25db02c5
+// result: 4b6f5c1b109294e9
 
 struct Launch_std140_0
 {
@@ -1632,188 +1632,162 @@ fn numbers_of_0( texture_6 : u32) -> u32
     return change_word_0(u32(5) + word_0(texture_6 + u32(12)));
 }
 
-fn add_word_0( sum_0 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
-{
-    var _S210 : u32 = u32(2) + u32(4) * sum_0;
-    var _S211 : u32 = number_1;
-    var k_2 : u32 = word_of_sum_0;
-    for(;;)
-    {
-        var _S212 : bool;
-        if(k_2 < u32(4))
-        {
-            _S212 = _S211 != u32(0);
-        }
-        else
-        {
-            _S212 = false;
-        }
-        if(_S212)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S213 : u32;
-        if(is_negative_0)
-        {
-            _S213 = u32(0) - _S211;
-        }
-        else
-        {
-            _S213 = _S211;
-        }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S210 + k_2]), _S213);
-        var overflows_0 : bool;
-        if(is_negative_0)
-        {
-            overflows_0 = before_0 < _S211;
-        }
-        else
-        {
-            overflows_0 = (before_0 + _S211) < before_0;
-        }
-        var _S214 : i32;
-        if(overflows_0)
-        {
-            _S214 = i32(1);
-        }
-        else
-        {
-            _S214 = i32(0);
-        }
-        var _S215 : u32 = u32(_S214);
-        var _S216 : u32 = k_2 + u32(1);
-        _S211 = _S215;
-        k_2 = _S216;
-    }
-    return;
-}
-
-fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32)
+fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S217 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S210 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_2 : f32 = abs(scaled_0);
     if(size_2 > 7.73712524553362672e+25f)
     {
-        var _S218 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S211 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var is_negative_1 : bool = scaled_0 < 0.0f;
-    var highest_0 : u32 = u32(0);
-    var size_3 : f32 = size_2;
+    var _S212 : bool = scaled_0 < 0.0f;
+    var _S213 : i32;
+    if(size_2 >= 1.84467440737095516e+19f)
+    {
+        _S213 = i32(1);
+    }
+    else
+    {
+        _S213 = i32(0);
+    }
+    var first_3 : u32 = u32(_S213);
+    var size_3 : f32;
+    if(first_3 == u32(1))
+    {
+        size_3 = size_2 * 2.32830643653869629e-10f;
+    }
+    else
+    {
+        size_3 = size_2;
+    }
+    var higher_0 : f32 = floor(size_3 * 2.32830643653869629e-10f);
+    var lower_0 : f32 = size_3 - higher_0 * 4.294967296e+09f;
+    if(first_3 == u32(0))
+    {
+        size_3 = lower_0 + 0.5f;
+    }
+    else
+    {
+        size_3 = lower_0;
+    }
+    var _S214 : u32 = u32(3) + u32(4) * sum_0;
+    var digits_0 : vec2<u32> = vec2<u32>(u32(size_3), u32(higher_0));
+    var k_2 : u32 = first_3;
     for(;;)
     {
-        var _S219 : bool;
-        if(highest_0 < u32(2))
+        var _S215 : bool;
+        if(k_2 < u32(4))
         {
-            _S219 = size_3 >= 4.294967296e+09f;
+            _S215 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S219 = false;
+            _S215 = false;
         }
-        if(_S219)
+        if(_S215)
         {
         }
         else
         {
             break;
         }
-        var size_4 : f32 = size_3 * 2.32830643653869629e-10f;
-        highest_0 = highest_0 + u32(1);
-        size_3 = size_4;
-    }
-    var _S220 : bool = highest_0 == u32(0);
-    var _S221 : f32;
-    if(_S220)
-    {
-        _S221 = size_3 + 0.5f;
-    }
-    else
-    {
-        _S221 = size_3;
-    }
-    var whole_0 : u32 = u32(_S221);
-    add_word_0(sum_1, highest_0, whole_0, is_negative_1);
-    if(_S220)
-    {
-        return;
-    }
-    var rest_0 : f32 = (size_3 - f32(whole_0)) * 4.294967296e+09f;
-    var _S222 : u32 = highest_0 - u32(1);
-    if(highest_0 == u32(1))
-    {
-        size_3 = rest_0 + 0.5f;
-    }
-    else
-    {
-        size_3 = rest_0;
-    }
-    add_word_0(sum_1, _S222, u32(size_3), is_negative_1);
-    return;
-}
-
-fn add_to_sums_0( first_3 : u32,  derivative_1 : vec3<f32>)
-{
-    var axis_3 : u32 = u32(0);
-    for(;;)
-    {
-        if(axis_3 < u32(3))
+        var _S216 : u32;
+        if(_S212)
         {
+            _S216 = u32(0) - digits_0.x;
         }
         else
         {
-            break;
+            _S216 = digits_0.x;
         }
-        add_to_sum_0(first_3 + axis_3, derivative_1[axis_3]);
-        axis_3 = axis_3 + u32(1);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S214 + k_2]), _S216);
+        var overflows_0 : bool;
+        if(_S212)
+        {
+            overflows_0 = before_0 < (digits_0.x);
+        }
+        else
+        {
+            overflows_0 = (before_0 + digits_0.x) < before_0;
+        }
+        var _S217 : u32 = digits_0.y;
+        if(overflows_0)
+        {
+            _S213 = i32(1);
+        }
+        else
+        {
+            _S213 = i32(0);
+        }
+        var _S218 : vec2<u32> = vec2<u32>(_S217 + u32(_S213), u32(0));
+        var _S219 : u32 = k_2 + u32(1);
+        digits_0 = _S218;
+        k_2 = _S219;
     }
     return;
 }
 
-fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
+fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
 {
     var first_4 : u32 = numbers_of_0(texture_7);
+    var _S220 : u32 = word_0(texture_7 + u32(1));
+    var _S221 : u32;
     if(first_4 == u32(4294967295))
     {
-        return;
+        _S221 = u32(0);
     }
-    var _S223 : u32 = word_0(texture_7 + u32(1));
+    else
+    {
+        _S221 = lookup_5.count_0;
+    }
     var k_3 : u32 = u32(0);
     for(;;)
     {
-        if(k_3 < (lookup_5.count_0))
+        if(k_3 < _S221)
         {
         }
         else
         {
             break;
         }
-        var at_10 : u32 = first_4 + _S223 * lookup_5.texels_0[k_3];
-        var own_0 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_3]);
-        if(_S223 == u32(1))
+        var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_0[k_3]);
+        var own_1 : vec3<f32>;
+        if(_S220 == u32(1))
         {
-            add_to_sum_0(at_10, own_0.x + own_0.y + own_0.z);
-            k_3 = k_3 + u32(1);
-            continue;
+            own_1 = vec3<f32>((own_0.x + own_0.y + own_0.z));
         }
-        add_to_sums_0(at_10, own_0);
+        else
+        {
+            own_1 = own_0;
+        }
+        var c_3 : u32 = u32(0);
+        for(;;)
+        {
+            if(c_3 < _S220)
+            {
+            }
+            else
+            {
+                break;
+            }
+            add_to_sum_0(first_4 + _S220 * lookup_5.texels_0[k_3] + c_3, own_1[c_3]);
+            c_3 = c_3 + u32(1);
+        }
         k_3 = k_3 + u32(1);
     }
     return;
 }
 
-fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f32>) -> vec2<f32>
+fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_2 : vec3<f32>) -> vec2<f32>
 {
-    add_to_texels_0(texture_8, lookup_6, derivative_3);
-    return vec2<f32>(dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_first_0), derivative_3), dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_second_0), derivative_3));
+    add_to_texels_0(texture_8, lookup_6, derivative_2);
+    return vec2<f32>(dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_first_0), derivative_2), dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_second_0), derivative_2));
 }
 
 fn is_area_0( record_3 : u32) -> bool
@@ -1826,91 +1800,192 @@ fn is_moving_0() -> bool
     return (change_word_0(u32(0))) != u32(4294967295);
 }
 
+struct AtCorners_0
+{
+     a_4 : vec3<f32>,
+     b_3 : vec3<f32>,
+     c_4 : vec3<f32>,
+};
+
+fn at_no_corner_0() -> AtCorners_0
+{
+    var corners_0 : AtCorners_0;
+    var _S222 : vec3<f32> = vec3<f32>(0.0f);
+    corners_0.c_4 = _S222;
+    corners_0.b_3 = _S222;
+    corners_0.a_4 = _S222;
+    return corners_0;
+}
+
+fn add_at_place_0( corners_1 : ptr<function, AtCorners_0>,  place_7 : Place_0,  derivative_3 : vec3<f32>)
+{
+    (*corners_1).a_4 = (*corners_1).a_4 + derivative_3 * vec3<f32>((1.0f - place_7.v_4 - place_7.w_3));
+    (*corners_1).b_3 = (*corners_1).b_3 + derivative_3 * vec3<f32>(place_7.v_4);
+    (*corners_1).c_4 = (*corners_1).c_4 + derivative_3 * vec3<f32>(place_7.w_3);
+    return;
+}
+
+fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_8 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_5 : vec3<f32>) -> vec3<f32>
+{
+    var corner_1 : u32 = u32(9) * place_8.triangle_2;
+    var a_5 : vec3<f32> = primitive_vector_0(corner_1);
+    var ab_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_5;
+    var ac_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_5;
+    var across_0 : vec3<f32> = cross(ab_0, ac_0);
+    var _S223 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S223);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_0) * vec3<f32>(by_place_0.x) + cross(normal_0, ab_0) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S223)));
+    var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_5, by_slip_0) / dot(normal_0, direction_5)));
+    add_at_place_0(&((*points_0)), place_8, by_position_0 - by_drift_0);
+    return by_drift_0;
+}
+
 fn points_of_0( triangle_8 : u32) -> u32
 {
     return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_8)));
 }
 
-fn add_to_corners_0( sums_at_0 : u32,  triangle_9 : u32,  by_a_0 : vec3<f32>,  by_b_0 : vec3<f32>,  by_c_0 : vec3<f32>)
+fn add_to_sums_0( first_5 : u32,  derivative_4 : vec3<f32>)
 {
+    var _S224 : i32;
+    if(first_5 == u32(4294967295))
+    {
+        _S224 = i32(0);
+    }
+    else
+    {
+        _S224 = i32(3);
+    }
+    var _S225 : u32 = u32(_S224);
+    var axis_3 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_3 < _S225)
+        {
+        }
+        else
+        {
+            break;
+        }
+        add_to_sum_0(first_5 + axis_3, derivative_4[axis_3]);
+        axis_3 = axis_3 + u32(1);
+    }
+    return;
+}
+
+fn add_to_corners_0( sums_at_0 : u32,  triangle_9 : u32,  corners_2 : AtCorners_0)
+{
+    var _S226 : u32 = triangle_record_0(triangle_9) + u32(2);
+    var _S227 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        return;
+        _S227 = i32(0);
     }
-    var record_4 : u32 = triangle_record_0(triangle_9) + u32(2);
-    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_4), by_a_0);
-    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_4 + u32(1)), by_b_0);
-    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_4 + u32(2)), by_c_0);
+    else
+    {
+        _S227 = i32(3);
+    }
+    var _S228 : u32 = u32(_S227);
+    var k_4 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_4 < _S228)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S229 : u32 = sums_at_0 + u32(3) * word_0(_S226 + k_4);
+        var _S230 : vec3<f32>;
+        if(k_4 == u32(0))
+        {
+            _S230 = corners_2.a_4;
+        }
+        else
+        {
+            if(k_4 == u32(1))
+            {
+                _S230 = corners_2.b_3;
+            }
+            else
+            {
+                _S230 = corners_2.c_4;
+            }
+        }
+        add_to_sums_0(_S229, _S230);
+        k_4 = k_4 + u32(1);
+    }
     return;
-}
-
-fn add_at_place_0( sums_at_1 : u32,  place_7 : Place_0,  derivative_4 : vec3<f32>)
-{
-    add_to_corners_0(sums_at_1, place_7.triangle_2, derivative_4 * vec3<f32>((1.0f - place_7.v_4 - place_7.w_3)), derivative_4 * vec3<f32>(place_7.v_4), derivative_4 * vec3<f32>(place_7.w_3));
-    return;
-}
-
-fn place_back_0( place_8 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_5 : vec3<f32>) -> vec3<f32>
-{
-    var corner_1 : u32 = u32(9) * place_8.triangle_2;
-    var a_4 : vec3<f32> = primitive_vector_0(corner_1);
-    var ab_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_4;
-    var ac_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_4;
-    var across_0 : vec3<f32> = cross(ab_0, ac_0);
-    var _S224 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
-    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S224);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_0) * vec3<f32>(by_place_0.x) + cross(normal_0, ab_0) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S224)));
-    var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_5, by_slip_0) / dot(normal_0, direction_5)));
-    add_at_place_0(points_of_0(place_8.triangle_2), place_8, by_position_0 - by_drift_0);
-    return by_drift_0;
 }
 
 fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_3 : u32,  place_9 : Place_0,  direction_6 : vec3<f32>,  t_6 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
 {
-    var record_5 : u32 = emitter_record_0(emitter_3);
-    var texture_9 : u32 = word_0(record_5 + u32(1));
-    if(!is_map_0(record_5))
+    var record_4 : u32 = emitter_record_0(emitter_3);
+    var texture_9 : u32 = word_0(record_4 + u32(1));
+    var lookup_7 : Lookup_0;
+    var by_texels_0 : vec3<f32>;
+    if(is_map_0(record_4))
     {
-        var _S225 : Lookup_0 = lookup_at_0(texture_9, place_9);
-        var by_place_1 : vec2<f32> = lookup_back_0(texture_9, _S225, importance_0);
-        var _S226 : bool;
-        if(!is_area_0(record_5))
-        {
-            _S226 = true;
-        }
-        else
-        {
-            _S226 = !is_moving_0();
-        }
-        if(_S226)
-        {
-            _S226 = true;
-        }
-        else
-        {
-            _S226 = (all((by_place_1 == vec2<f32>(0.0f))));
-        }
-        if(_S226)
-        {
-            return vec3<f32>(0.0f);
-        }
-        var by_drift_1 : vec3<f32> = place_back_0(place_9, by_place_1, vec3<f32>(0.0f), direction_6);
-        (*by_start_0) = (*by_start_0) + by_drift_1;
-        return by_drift_1 * vec3<f32>(t_6);
+        var scale_0 : u32 = word_0(texture_9 + u32(12));
+        var lookup_8 : Lookup_0 = in_map_0(texture_9, direction_6);
+        var _S231 : Lookup_0 = one_texel_0(u32(0));
+        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_0, _S231, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
+        add_to_texels_0(scale_0, _S231, importance_0 * weighted_texels_0(word_0(texture_9 + u32(11)), lookup_8, lookup_8.weights_0));
+        lookup_7 = lookup_8;
+        by_texels_0 = by_texels_1;
     }
-    var texels_2 : u32 = word_0(texture_9 + u32(11));
-    var scale_0 : u32 = word_0(texture_9 + u32(12));
-    var lookup_7 : Lookup_0 = in_map_0(texture_9, direction_6);
-    var _S227 : Lookup_0 = one_texel_0(u32(0));
-    var factor_1 : vec3<f32> = weighted_texels_0(scale_0, _S227, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
-    var _S228 : vec2<f32> = lookup_back_0(scale_0, _S227, importance_0 * weighted_texels_0(texels_2, lookup_7, lookup_7.weights_0));
-    var by_place_2 : vec2<f32> = lookup_back_0(texels_2, lookup_7, importance_0 * factor_1);
-    var _S229 : vec3<f32> = vec3<f32>(0.0f);
-    var moving_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    moving_0.primal_0 = direction_6;
-    moving_0.differential_0 = _S229;
-    _S127(texture_9, &(moving_0), by_place_2);
-    return moving_0.differential_0;
+    else
+    {
+        var _S232 : Lookup_0 = lookup_at_0(texture_9, place_9);
+        lookup_7 = _S232;
+        by_texels_0 = importance_0;
+    }
+    var _S233 : u32;
+    if(is_map_0(record_4))
+    {
+        _S233 = word_0(texture_9 + u32(11));
+    }
+    else
+    {
+        _S233 = texture_9;
+    }
+    var by_place_1 : vec2<f32> = lookup_back_0(_S233, lookup_7, by_texels_0);
+    if(is_map_0(record_4))
+    {
+        var _S234 : vec3<f32> = vec3<f32>(0.0f);
+        var moving_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
+        moving_0.primal_0 = direction_6;
+        moving_0.differential_0 = _S234;
+        _S127(texture_9, &(moving_0), by_place_1);
+        return moving_0.differential_0;
+    }
+    var _S235 : bool;
+    if(!is_area_0(record_4))
+    {
+        _S235 = true;
+    }
+    else
+    {
+        _S235 = !is_moving_0();
+    }
+    if(_S235)
+    {
+        _S235 = true;
+    }
+    else
+    {
+        _S235 = (all((by_place_1 == vec2<f32>(0.0f))));
+    }
+    if(_S235)
+    {
+        return vec3<f32>(0.0f);
+    }
+    var points_1 : AtCorners_0 = at_no_corner_0();
+    var by_drift_1 : vec3<f32> = place_back_0(&(points_1), place_9, by_place_1, vec3<f32>(0.0f), direction_6);
+    add_to_corners_0(points_of_0(place_9.triangle_2), place_9.triangle_2, points_1);
+    (*by_start_0) = (*by_start_0) + by_drift_1;
+    return by_drift_1 * vec3<f32>(t_6);
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1937,75 +2012,75 @@ struct Path_0
 
 fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
-    var at_11 : u32 = u32(12) * number_of_path_0;
-    var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11], input_0[at_11 + u32(1)], input_0[at_11 + u32(2)]))));
-    var direction_9 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(3)], input_0[at_11 + u32(4)], input_0[at_11 + u32(5)]))));
-    (*path_0).key_0 = vec2<u32>(input_0[at_11 + u32(7)], input_0[at_11 + u32(8)]);
+    var at_10 : u32 = u32(12) * number_of_path_0;
+    var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_10], input_0[at_10 + u32(1)], input_0[at_10 + u32(2)]))));
+    var direction_9 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_10 + u32(3)], input_0[at_10 + u32(4)], input_0[at_10 + u32(5)]))));
+    (*path_0).key_0 = vec2<u32>(input_0[at_10 + u32(7)], input_0[at_10 + u32(8)]);
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
-    (*path_0).adjoint_0 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(9)], input_0[at_11 + u32(10)], input_0[at_11 + u32(11)]))));
-    var _S230 : vec3<f32> = vec3<f32>(0.0f);
-    (*path_0).by_ray_0.direction_7 = _S230;
-    (*path_0).by_ray_0.drift_0 = _S230;
+    (*path_0).adjoint_0 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_10 + u32(9)], input_0[at_10 + u32(10)], input_0[at_10 + u32(11)]))));
+    var _S236 : vec3<f32> = vec3<f32>(0.0f);
+    (*path_0).by_ray_0.direction_7 = _S236;
+    (*path_0).by_ray_0.drift_0 = _S236;
     var t_7 : f32 = 0.0f;
-    var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_11 + u32(6)])));
+    var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_10 + u32(6)])));
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0f;
     found_4.w_2 = 0.0f;
-    var _S231 : bool;
+    var _S237 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S231 = (word_0(u32(13))) != u32(0);
+        _S237 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S231 = false;
+        _S237 = false;
     }
-    if(_S231)
+    if(_S237)
     {
-        var _S232 : Found_0 = cast_0(origin_2, direction_9, 0.0f, length_of_ray_0, false, &(t_7));
-        found_4 = _S232;
+        var _S238 : Found_0 = cast_0(origin_2, direction_9, 0.0f, length_of_ray_0, false, &(t_7));
+        found_4 = _S238;
     }
-    var _S233 : Place_0 = place_of_0(found_4);
-    (*path_0).place_10 = _S233;
+    var _S239 : Place_0 = place_of_0(found_4);
+    (*path_0).place_10 = _S239;
     (*path_0).direction_8 = direction_9;
-    var _S234 : f32;
+    var _S240 : f32;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S234 = t_7;
+        _S240 = t_7;
     }
     else
     {
-        _S234 = 0.0f;
+        _S240 = 0.0f;
     }
-    (*path_0).distance_0 = _S234;
+    (*path_0).distance_0 = _S240;
     var emitter_4 : u32 = emitter_seen_0(found_4, direction_9);
     if(emitter_4 != u32(4294967295))
     {
-        _S231 = (word_0(u32(4))) != u32(0);
+        _S237 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S231 = false;
+        _S237 = false;
     }
-    if(_S231)
+    if(_S237)
     {
-        var _S235 : vec3<f32> = emitted_0(emitter_4, _S233, (*path_0).direction_8);
-        var _S236 : vec3<f32> = (*path_0).by_ray_0.drift_0;
-        var _S237 : vec3<f32> = emitted_back_0(&(_S236), emitter_4, _S233, direction_9, t_7, (*path_0).adjoint_0);
-        (*path_0).by_ray_0.drift_0 = _S236;
-        (*path_0).by_ray_0.direction_7 = _S237;
+        var _S241 : vec3<f32> = emitted_0(emitter_4, _S239, (*path_0).direction_8);
+        var _S242 : vec3<f32> = (*path_0).by_ray_0.drift_0;
+        var _S243 : vec3<f32> = emitted_back_0(&(_S242), emitter_4, _S239, direction_9, t_7, (*path_0).adjoint_0);
+        (*path_0).by_ray_0.drift_0 = _S242;
+        (*path_0).by_ray_0.direction_7 = _S243;
     }
     if((found_4.face_1) != u32(4294967295))
     {
-        _S231 = reaches_0(u32(2));
+        _S237 = reaches_0(u32(2));
     }
     else
     {
-        _S231 = false;
+        _S237 = false;
     }
-    return _S231;
+    return _S237;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
@@ -2090,13 +2165,38 @@ fn set_place_0( path_6 : u32,  which_6 : ptr<function, u32>,  place_11 : Place_0
 
 fn store_0( number_of_path_1 : u32,  path_7 : Path_0)
 {
-    var at_12 : u32 = u32(1);
-    set_vector_0(number_of_path_1, &(at_12), path_7.adjoint_0);
-    set_changing_0(number_of_path_1, &(at_12), path_7.throughput_0);
-    set_changing_0(number_of_path_1, &(at_12), path_7.direction_8);
-    set_place_0(number_of_path_1, &(at_12), path_7.place_10);
-    set_word_0(number_of_path_1, at_12, path_7.key_0.x);
-    set_word_0(number_of_path_1, at_12 + u32(1), path_7.key_0.y);
+    var at_11 : u32 = u32(1);
+    set_vector_0(number_of_path_1, &(at_11), path_7.adjoint_0);
+    set_changing_0(number_of_path_1, &(at_11), path_7.throughput_0);
+    set_changing_0(number_of_path_1, &(at_11), path_7.direction_8);
+    set_place_0(number_of_path_1, &(at_11), path_7.place_10);
+    set_word_0(number_of_path_1, at_11, path_7.key_0.x);
+    set_word_0(number_of_path_1, at_11 + u32(1), path_7.key_0.y);
+    return;
+}
+
+fn check_loops_0()
+{
+    var _S244 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S245 : bool = rounds_0 < wanted_0;
+        _S244 = _S245;
+        if(_S245)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S244)
+    {
+        var _S246 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
     return;
 }
 
@@ -2138,5 +2238,6 @@ fn begin_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         which_7 = u32(4294967295);
     }
     set_word_0(number_of_path_2, u32(0), which_7);
+    check_loops_0();
     return;
 }
