@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 65166edce001b654
-// result: 068a986db0d564f5
+// source: 8dedb7035812a872
+// result: 809088d4494248e6
 
 struct Launch_std140_0
 {
@@ -1521,16 +1521,15 @@ fn store_0( number_of_path_1 : u32,  path_6 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S138 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S138 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S139 : bool = rounds_0 < wanted_0;
+        var _S139 : u32 = u32(2) + zero_0;
         _S138 = _S139;
-        if(_S139)
+        if(rounds_0 < _S139)
         {
         }
         else
@@ -1539,7 +1538,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S138)
+    return rounds_0 == _S138;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S140 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

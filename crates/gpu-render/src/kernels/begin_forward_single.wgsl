@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 65166edce001b654
-// result: 5e2a217966f6597d
+// source: 8dedb7035812a872
+// result: 62514ec01221ef20
 
 struct Launch_std140_0
 {
@@ -1519,16 +1519,15 @@ fn store_0( number_of_path_1 : u32,  path_6 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S134 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S134 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S135 : bool = rounds_0 < wanted_0;
+        var _S135 : u32 = u32(2) + zero_0;
         _S134 = _S135;
-        if(_S135)
+        if(rounds_0 < _S135)
         {
         }
         else
@@ -1537,7 +1536,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S134)
+    return rounds_0 == _S134;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S136 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: e513b56909aa2b86
-// result: 94929f9d416daeab
+// source: 43916d66b1c96448
+// result: b918436c00d04462
 
 struct Launch_std140_0
 {
@@ -1139,16 +1139,15 @@ fn store_0( number_of_path_1 : u32,  path_5 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S79 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S79 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S80 : bool = rounds_0 < wanted_0;
+        var _S80 : u32 = u32(2) + zero_0;
         _S79 = _S80;
-        if(_S80)
+        if(rounds_0 < _S80)
         {
         }
         else
@@ -1157,7 +1156,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S79)
+    return rounds_0 == _S79;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S81 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: e513b56909aa2b86
-// result: 8a7c1e7b1e998c1e
+// source: 43916d66b1c96448
+// result: ec6efdf900adbbd5
 
 struct Launch_std140_0
 {
@@ -1137,16 +1137,15 @@ fn store_0( number_of_path_1 : u32,  path_5 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S77 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S77 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S78 : bool = rounds_0 < wanted_0;
+        var _S78 : u32 = u32(2) + zero_0;
         _S77 = _S78;
-        if(_S78)
+        if(rounds_0 < _S78)
         {
         }
         else
@@ -1155,7 +1154,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S77)
+    return rounds_0 == _S77;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S79 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: e72d0a9b25db02c5
-// result: cbe308046915d8b5
+// source: c9ae3777bc1517cb
+// result: 11e0a81a4eb17c0e
 
 struct Launch_std140_0
 {
@@ -2177,16 +2177,15 @@ fn store_0( number_of_path_1 : u32,  path_7 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S248 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S248 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S249 : bool = rounds_0 < wanted_0;
+        var _S249 : u32 = u32(2) + zero_0;
         _S248 = _S249;
-        if(_S249)
+        if(rounds_0 < _S249)
         {
         }
         else
@@ -2195,7 +2194,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S248)
+    return rounds_0 == _S248;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S250 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: e72d0a9b25db02c5
-// result: 4b6f5c1b109294e9
+// source: c9ae3777bc1517cb
+// result: 9563342fb2e680b4
 
 struct Launch_std140_0
 {
@@ -2175,16 +2175,15 @@ fn store_0( number_of_path_1 : u32,  path_7 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S244 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S244 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S245 : bool = rounds_0 < wanted_0;
+        var _S245 : u32 = u32(2) + zero_0;
         _S244 = _S245;
-        if(_S245)
+        if(rounds_0 < _S245)
         {
         }
         else
@@ -2193,7 +2192,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S244)
+    return rounds_0 == _S244;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S246 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: e72d0a9b25db02c5
-// result: 0a196dbf4f35d851
+// source: c9ae3777bc1517cb
+// result: d869919369538100
 
 struct Launch_std140_0
 {
@@ -8043,16 +8043,15 @@ fn store_0( number_of_path_1 : u32,  path_14 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S1399 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S1399 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S1400 : bool = rounds_0 < wanted_0;
+        var _S1400 : u32 = u32(2) + zero_0;
         _S1399 = _S1400;
-        if(_S1400)
+        if(rounds_0 < _S1400)
         {
         }
         else
@@ -8061,7 +8060,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S1399)
+    return rounds_0 == _S1399;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S1401 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
