@@ -1,6 +1,6 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 8dedb7035812a872
+// source: 6d9ec5e121453302
 // result: 62514ec01221ef20
 
 struct Launch_std140_0

@@ -1,6 +1,6 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 43916d66b1c96448
+// source: 062a046754b034e0
 // result: ec6efdf900adbbd5
 
 struct Launch_std140_0

@@ -1,6 +1,6 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 8b12031a19bf3be4
+// source: 1e2107cc7d81c148
 // result: 628c0e72aec144dd
 
 struct Launch_std140_0

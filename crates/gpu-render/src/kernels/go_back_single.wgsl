@@ -1,6 +1,6 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: c9ae3777bc1517cb
+// source: 72694fe2b1dd365f
 // result: f1c55517a825aefe
 
 struct Launch_std140_0

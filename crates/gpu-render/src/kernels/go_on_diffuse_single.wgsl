@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 43916d66b1c96448
-// result: e60fb5a5a54015cf
+// source: 062a046754b034e0
+// result: 5ff80b15784c578e
 
 struct Launch_std140_0
 {
@@ -937,6 +937,11 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
     return choice_2;
 }
 
+fn limit_at_0( which_4 : u32) -> f32
+{
+    return primitives_0[word_0(u32(13)) + which_4];
+}
+
 fn product_0( a_6 : u32,  b_4 : u32) -> vec2<u32>
 {
     var a0_0 : u32 = (a_6 & (u32(65535)));
@@ -1055,11 +1060,6 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
         rest_1 = rest_2;
     }
     return found_0;
-}
-
-fn limit_at_0( which_4 : u32) -> f32
-{
-    return primitives_0[word_0(u32(13)) + which_4];
 }
 
 fn place_at_0( triangle_6 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
@@ -1742,25 +1742,788 @@ fn to_world_0( axes_5 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
     return axes_5.s_0 * vec3<f32>(v_7.x) + axes_5.t_0 * vec3<f32>(v_7.y) + axes_5.n_1 * vec3<f32>(v_7.z);
 }
 
+struct LightSample_0
+{
+     direction_9 : vec3<f32>,
+     wo_0 : vec3<f32>,
+     way_1 : vec3<f32>,
+     nearest_0 : f32,
+     farthest_0 : f32,
+     is_on_emitter_0 : bool,
+     emitter_5 : u32,
+     probability_1 : f32,
+     pdf_2 : f32,
+     distance_4 : f32,
+     place_13 : Place_0,
+     is_specular_0 : bool,
+};
+
+fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_3 : u32,  sample_0 : ptr<function, LightSample_0>) -> bool
+{
+    (*sample_0).is_on_emitter_0 = true;
+    (*sample_0).is_specular_0 = false;
+    (*sample_0).direction_9 = vertex_1.axes_4.n_1;
+    (*sample_0).wo_0 = vec3<f32>(0.0f);
+    (*sample_0).way_1 = vertex_1.surface_3.exact_0;
+    (*sample_0).distance_4 = 0.0f;
+    (*sample_0).pdf_2 = 0.0f;
+    (*sample_0).place_13 = vertex_1.surface_3.place_3;
+    (*sample_0).nearest_0 = limit_at_0(u32(2));
+    (*sample_0).farthest_0 = limit_at_0(u32(1));
+    var _S112 : f32 = random_0(key_7, first_3);
+    var _S113 : f32 = (*sample_0).probability_1;
+    var _S114 : u32 = chosen_emitter_0(choice_5, _S112, &(_S113));
+    (*sample_0).probability_1 = _S113;
+    (*sample_0).emitter_5 = _S114;
+    if(_S113 == 0.0f)
+    {
+        return false;
+    }
+    var record_12 : u32 = emitter_record_0((*sample_0).emitter_5);
+    if(is_area_0(record_12))
+    {
+        var point_1 : EmitterPoint_0 = area_point_0(record_12, vertex_1.surface_3, key_7, first_3 + u32(1));
+        if(!((point_1.pdf_0) > 0.0f))
+        {
+            return false;
+        }
+        (*sample_0).pdf_2 = point_1.pdf_0;
+        (*sample_0).place_13 = point_1.place_11;
+        var _S115 : vec3<f32> = position_of_0(point_1.place_11) - vertex_1.surface_3.exact_0;
+        (*sample_0).way_1 = _S115;
+        var _S116 : f32 = length(_S115);
+        (*sample_0).distance_4 = _S116;
+        (*sample_0).direction_9 = _S115 / vec3<f32>(_S116);
+        (*sample_0).nearest_0 = (*sample_0).nearest_0 / _S116;
+        (*sample_0).farthest_0 = limit_at_0(u32(3));
+    }
+    else
+    {
+        if(is_map_0(record_12))
+        {
+            var _S117 : u32 = word_0(record_12 + u32(1));
+            var _S118 : u32 = first_3 + u32(1);
+            var _S119 : f32 = (*sample_0).pdf_2;
+            var _S120 : vec3<f32> = sample_map_0(_S117, key_7, _S118, &(_S119));
+            (*sample_0).pdf_2 = _S119;
+            (*sample_0).direction_9 = _S120;
+        }
+        else
+        {
+            var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_3 + u32(1)));
+            (*sample_0).direction_9 = normalize(to_world_0(vertex_1.axes_4, local_1));
+            (*sample_0).pdf_2 = local_1.z * 0.31830987334251404f;
+        }
+        (*sample_0).way_1 = (*sample_0).direction_9;
+    }
+    var _S121 : vec3<f32> = to_local_0(vertex_1.axes_4, (*sample_0).direction_9);
+    (*sample_0).wo_0 = _S121;
+    return (_S121.z) > 0.0f;
+}
+
+fn coat_eta_0( numbers_3 : Numbers_0) -> f32
+{
+    return luminance_0(numbers_3.eta_0) / luminance_0(numbers_3.k_0);
+}
+
+fn fresnel_dielectric_0( cosine_4 : f32,  eta_1 : f32) -> f32
+{
+    var eta2_0 : f32 = eta_1 * eta_1;
+    var cos2_0 : f32 = cosine_4 * cosine_4;
+    var denser_0 : f32 = (eta_1 - 1.0f) * (eta_1 + 1.0f);
+    var squared_3 : f32 = denser_0 + cos2_0;
+    if(squared_3 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    var refracted_0 : f32 = sqrt(squared_3);
+    var s_sum_0 : f32 = cosine_4 + refracted_0;
+    var p_sum_0 : f32 = eta2_0 * cosine_4 + refracted_0;
+    var senkrecht_0 : f32 = denser_0 / (s_sum_0 * s_sum_0);
+    var parallel_0 : f32 = denser_0 * ((eta2_0 + 1.0f) * cos2_0 - 1.0f) / (p_sum_0 * p_sum_0);
+    return 0.5f * (senkrecht_0 * senkrecht_0 + parallel_0 * parallel_0);
+}
+
+fn transmittance_0( lobe_3 : Lobe_0,  eta_2 : f32,  cosine_5 : f32) -> f32
+{
+    if((lobe_3.kind_1) == u32(3))
+    {
+        return 1.0f - fresnel_dielectric_0(cosine_5, eta_2);
+    }
+    var place_14 : f32 = cosine_5 * 63.0f;
+    var _S122 : u32 = min(u32(place_14), u32(62));
+    var at_14 : u32 = word_0(lobe_3.record_2 + u32(3)) + _S122;
+    var here_0 : f32 = number_0(at_14);
+    return here_0 + (number_0(at_14 + u32(1)) - here_0) * (place_14 - f32(_S122));
+}
+
+fn choice_weight_0( colour_2 : vec3<f32>) -> f32
+{
+    return max((colour_2.x + colour_2.y + colour_2.z) / 3.0f, 0.05000000074505806f);
+}
+
+fn base_probability_0( numbers_4 : Numbers_0,  enters_0 : f32) -> f32
+{
+    var of_base_0 : f32 = enters_0 * choice_weight_0(numbers_4.diffuse_reflectance_0);
+    return of_base_0 / (of_base_0 + (1.0f - enters_0) * choice_weight_0(numbers_4.specular_reflectance_0));
+}
+
+fn is_rough_0( lobe_4 : Lobe_0) -> bool
+{
+    var _S123 : bool;
+    if((lobe_4.kind_1) == u32(2))
+    {
+        _S123 = true;
+    }
+    else
+    {
+        _S123 = (lobe_4.kind_1) == u32(4);
+    }
+    return _S123;
+}
+
+struct Microfacets_0
+{
+     distribution_1 : u32,
+     alpha_1 : vec2<f32>,
+};
+
+fn facets_of_0( lobe_5 : Lobe_0,  numbers_5 : Numbers_0) -> Microfacets_0
+{
+    var facets_0 : Microfacets_0;
+    facets_0.distribution_1 = lobe_5.distribution_0;
+    facets_0.alpha_1 = max(numbers_5.alpha_0, vec2<f32>(0.00009999999747379f));
+    return facets_0;
+}
+
+struct Stretched_0
+{
+     sine_4 : f32,
+     cosine_6 : f32,
+     around_0 : vec2<f32>,
+     length_0 : f32,
+};
+
+fn stretched_0( facets_1 : Microfacets_0,  wi_2 : vec3<f32>) -> Stretched_0
+{
+    var longer_0 : vec3<f32> = vec3<f32>(wi_2.xy * facets_1.alpha_1, wi_2.z);
+    var view_2 : Stretched_0;
+    var _S124 : f32 = length(longer_0);
+    view_2.length_0 = _S124;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S124);
+    var _S125 : vec2<f32> = longer_1.xy;
+    var _S126 : f32 = length(_S125);
+    view_2.sine_4 = _S126;
+    view_2.cosine_6 = longer_1.z;
+    var _S127 : vec2<f32>;
+    if(_S126 > 0.0f)
+    {
+        _S127 = _S125 / vec2<f32>(view_2.sine_4);
+    }
+    else
+    {
+        _S127 = vec2<f32>(1.0f, 0.0f);
+    }
+    view_2.around_0 = _S127;
+    return view_2;
+}
+
+fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
+{
+    var _S128 : f32 = u_8.x;
+    var radius_2 : f32 = sqrt(_S128);
+    var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_8.y);
+    var across_1 : f32 = radius_2 * turn_3.y;
+    var along_3 : f32 = radius_2 * turn_3.x;
+    var visible_0 : f32 = 0.5f * (1.0f + view_3.cosine_6);
+    var hidden_0 : f32 = 1.0f - visible_0;
+    var _S129 : f32 = 1.0f - _S128;
+    var edge_0 : f32 = sqrt(_S129 + along_3 * along_3);
+    var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_3;
+    var from_top_0 : f32 = edge_0 - along_3;
+    var from_bottom_0 : f32 = edge_0 + along_3;
+    var from_top_1 : f32;
+    var from_bottom_1 : f32;
+    if(along_3 > 0.0f)
+    {
+        from_top_1 = _S129 / from_bottom_0;
+        from_bottom_1 = from_bottom_0;
+    }
+    else
+    {
+        var _S130 : f32 = _S129 / from_top_0;
+        from_top_1 = from_top_0;
+        from_bottom_1 = _S130;
+    }
+    var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
+    return vec3<f32>(towards_0 * view_3.sine_4 - up_0 * view_3.cosine_6, across_1, max(towards_0 * view_3.cosine_6 + up_0 * view_3.sine_4, 0.0f));
+}
+
+fn exponential_0( x_8 : f32) -> f32
+{
+    if(x_8 < -87.0f)
+    {
+        return 0.0f;
+    }
+    var power_0 : f32 = floor(x_8 * 1.4426950216293335f + 0.5f);
+    var r_0 : f32 = x_8 - power_0 * 0.693359375f + power_0 * 0.00021219444170129f;
+    return ((((((0.00019875691214111f * r_0 + 0.00139819993637502f) * r_0 + 0.00833345204591751f) * r_0 + 0.04166579619050026f) * r_0 + 0.1666666567325592f) * r_0 + 0.5f) * r_0 * r_0 + r_0 + 1.0f) * (bitcast<f32>(((u32(i32(power_0) + i32(127)) << (u32(23))))));
+}
+
+fn error_function_plus_one_0( x_9 : f32) -> vec2<f32>
+{
+    var _S131 : f32 = min(abs(x_9), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S131 * _S131);
+    var place_15 : f32 = (_S131 - 2.0f) / (_S131 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S131);
+    var _S132 : f32;
+    if(x_9 < 0.0f)
+    {
+        _S132 = complement_0;
+    }
+    else
+    {
+        _S132 = 2.0f - complement_0;
+    }
+    return vec2<f32>(_S132, 1.128379225730896f * gaussian_0);
+}
+
+fn visible_over_cos_0( facets_2 : Microfacets_0,  w_4 : vec3<f32>) -> f32
+{
+    var stretched_1 : vec2<f32> = w_4.xy * facets_2.alpha_1;
+    var spread2_0 : f32 = dot(stretched_1, stretched_1);
+    var _S133 : f32 = w_4.z;
+    var z2_1 : f32 = _S133 * _S133;
+    if((facets_2.distribution_1) == u32(1))
+    {
+        return 2.0f / (_S133 + sqrt(z2_1 + spread2_0));
+    }
+    if(z2_1 >= (36.0f * spread2_0))
+    {
+        return 1.0f / _S133;
+    }
+    var spread_0 : f32 = sqrt(spread2_0);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S133 / spread_0);
+    return 2.0f / (_S133 * both_0.x + 0.5f * spread_0 * both_0.y);
+}
+
+fn logarithm_0( x_10 : f32) -> f32
+{
+    var bits_0 : u32 = (bitcast<u32>((x_10)));
+    var power_1 : f32 = f32(i32((bits_0 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((bits_0 & (u32(8388607)))) | (u32(1056964608))))));
+    var m_1 : f32;
+    var power_2 : f32;
+    if(m_0 < 0.70710676908493042f)
+    {
+        var power_3 : f32 = power_1 - 1.0f;
+        m_1 = m_0 + m_0;
+        power_2 = power_3;
+    }
+    else
+    {
+        m_1 = m_0;
+        power_2 = power_1;
+    }
+    var m_2 : f32 = m_1 - 1.0f;
+    var z_3 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * z_3 - 0.00021219444170129f * power_2 - 0.5f * z_3) + 0.693359375f * power_2;
+}
+
+fn error_function_inverse_0( p_0 : f32) -> f32
+{
+    var w_5 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
+    if(w_5 < 5.0f)
+    {
+        var w_6 : f32 = w_5 - 2.5f;
+        return ((((((((2.81022636272609816e-08f * w_6 + 3.43273939051869093e-07f) * w_6 - 3.52338770426285919e-06f) * w_6 - 4.39150653619435616e-06f) * w_6 + 0.00021858086984139f) * w_6 - 0.00125372502952814f) * w_6 - 0.00417768163606524f) * w_6 + 0.24664072692394257f) * w_6 + 1.50140941143035889f) * p_0;
+    }
+    var w_7 : f32 = sqrt(w_5) - 3.0f;
+    return ((((((((-0.0002002142573474f * w_7 + 0.00010095055768033f) * w_7 + 0.00134934321977198f) * w_7 - 0.00367342843674123f) * w_7 + 0.00573950773105025f) * w_7 - 0.00762246130034328f) * w_7 + 0.00943887047469616f) * w_7 + 1.00167405605316162f) * w_7 + 2.8329768180847168f) * p_0;
+}
+
+fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) -> vec3<f32>
+{
+    var steepest_0 : f32;
+    if((view_4.sine_4 * 6.0f) > (view_4.cosine_6))
+    {
+        steepest_0 = view_4.cosine_6 / view_4.sine_4;
+    }
+    else
+    {
+        steepest_0 = 6.0f;
+    }
+    var target_1 : f32 = u_9.x * (2.0f / (visible_1 * view_4.length_0));
+    var _S134 : f32 = max(view_4.cosine_6, view_4.sine_4);
+    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S134 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S134, -6.0f, 0.5f * steepest_0);
+    var low_4 : f32 = -6.0f;
+    var high_1 : f32 = steepest_0;
+    var step_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(step_0 < u32(32))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var both_1 : vec2<f32> = error_function_plus_one_0(slope_0);
+        var _S135 : f32 = both_1.y;
+        var error_0 : f32 = view_4.cosine_6 * both_1.x + 0.5f * view_4.sine_4 * _S135 - target_1;
+        var own_2 : f32 = _S135 * (view_4.cosine_6 - slope_0 * view_4.sine_4);
+        var bend_0 : f32 = -2.0f * slope_0 * own_2 - _S135 * view_4.sine_4;
+        if(error_0 > 0.0f)
+        {
+            high_1 = slope_0;
+        }
+        else
+        {
+            low_4 = slope_0;
+        }
+        var next_0 : f32 = slope_0 - error_0 * own_2 / (own_2 * own_2 - 0.5f * error_0 * bend_0);
+        var _S136 : bool;
+        if(next_0 >= low_4)
+        {
+            _S136 = next_0 <= high_1;
+        }
+        else
+        {
+            _S136 = false;
+        }
+        var next_1 : f32;
+        if(!_S136)
+        {
+            next_1 = 0.5f * (low_4 + high_1);
+        }
+        else
+        {
+            next_1 = next_0;
+        }
+        if((abs(next_1 - slope_0)) < 0.00030000001424924f)
+        {
+            slope_0 = next_1;
+            break;
+        }
+        var _S137 : u32 = step_0 + u32(1);
+        slope_0 = next_1;
+        step_0 = _S137;
+    }
+    return vec3<f32>(- slope_0, error_function_inverse_0(max(2.0f * u_9.y - 1.0f, -0.99999994039535522f)), 1.0f);
+}
+
+fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  u_10 : vec2<f32>) -> vec3<f32>
+{
+    var view_5 : Stretched_0 = stretched_0(facets_3, wi_3);
+    var normal_7 : vec3<f32>;
+    if((facets_3.distribution_1) == u32(1))
+    {
+        normal_7 = ggx_normal_0(view_5, u_10);
+    }
+    else
+    {
+        normal_7 = beckmann_normal_0(view_5, visible_over_cos_0(facets_3, wi_3), u_10);
+    }
+    var _S138 : f32 = view_5.around_0.x;
+    var _S139 : f32 = normal_7.x;
+    var _S140 : f32 = view_5.around_0.y;
+    var _S141 : f32 = normal_7.y;
+    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S138 * _S139 - _S140 * _S141, _S140 * _S139 + _S138 * _S141) * facets_3.alpha_1, normal_7.z));
+    return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_3, normal_8))) - wi_3);
+}
+
+struct Drawn_0
+{
+     wo_1 : vec3<f32>,
+     is_specular_1 : bool,
+     probability_2 : f32,
+};
+
+fn draw_0( lobe_6 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32>) -> Drawn_0
+{
+    var _S142 : bool = (lobe_6.kind_1) == u32(0);
+    var has_base_0 : bool;
+    if(_S142)
+    {
+        has_base_0 = true;
+    }
+    else
+    {
+        has_base_0 = (lobe_6.kind_1) == u32(3);
+    }
+    if(has_base_0)
+    {
+        has_base_0 = true;
+    }
+    else
+    {
+        has_base_0 = (lobe_6.kind_1) == u32(4);
+    }
+    var of_base_1 : f32;
+    if(_S142)
+    {
+        of_base_1 = 1.0f;
+    }
+    else
+    {
+        of_base_1 = 0.0f;
+    }
+    var _S143 : bool;
+    if((lobe_6.kind_1) == u32(3))
+    {
+        _S143 = true;
+    }
+    else
+    {
+        _S143 = (lobe_6.kind_1) == u32(4);
+    }
+    if(_S143)
+    {
+        of_base_1 = base_probability_0(lobe_6.numbers_2, transmittance_0(lobe_6, coat_eta_0(lobe_6.numbers_2), wi_4.z));
+    }
+    var drawn_0 : Drawn_0;
+    drawn_0.is_specular_1 = false;
+    drawn_0.probability_2 = 1.0f;
+    if(has_base_0)
+    {
+        has_base_0 = choice_6 < of_base_1;
+    }
+    else
+    {
+        has_base_0 = false;
+    }
+    if(has_base_0)
+    {
+        drawn_0.wo_1 = sample_cosine_0(u_11);
+    }
+    else
+    {
+        if(is_rough_0(lobe_6))
+        {
+            drawn_0.wo_1 = mirrored_at_facet_0(facets_of_0(lobe_6, lobe_6.numbers_2), wi_4, u_11);
+        }
+        else
+        {
+            drawn_0.wo_1 = vec3<f32>((vec2<f32>(0) - wi_4.xy), wi_4.z);
+            drawn_0.is_specular_1 = true;
+            drawn_0.probability_2 = 1.0f - of_base_1;
+        }
+    }
+    return drawn_0;
+}
+
+fn sample_material_0( vertex_2 : Vertex_0,  key_8 : vec2<u32>,  first_4 : u32) -> LightSample_0
+{
+    var drawn_1 : Drawn_0 = draw_0(vertex_2.lobe_1, value_of_0(vertex_2.wi_1), random_0(key_8, first_4), random_pair_0(key_8, first_4 + u32(1)));
+    var sample_1 : LightSample_0;
+    sample_1.is_on_emitter_0 = false;
+    sample_1.is_specular_0 = drawn_1.is_specular_1;
+    sample_1.probability_1 = drawn_1.probability_2;
+    sample_1.wo_0 = drawn_1.wo_1;
+    var _S144 : vec3<f32> = normalize(to_world_0(vertex_2.axes_4, drawn_1.wo_1));
+    sample_1.direction_9 = _S144;
+    sample_1.way_1 = _S144;
+    sample_1.nearest_0 = limit_at_0(u32(2));
+    sample_1.farthest_0 = limit_at_0(u32(1));
+    sample_1.emitter_5 = u32(4294967295);
+    sample_1.distance_4 = 0.0f;
+    sample_1.pdf_2 = 0.0f;
+    sample_1.place_13 = vertex_2.surface_3.place_3;
+    return sample_1;
+}
+
+fn specular_direction_0( vertex_3 : Vertex_0,  direction_10 : vec3<f32>,  wo_2 : vec3<f32>) -> vec3<f32>
+{
+    return direction_10;
+}
+
+fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_3 : f32,  k_3 : f32) -> f32
+{
+    var cos2_1 : f32 = cosine_7 * cosine_7;
+    var sin2_0 : f32 = 1.0f - cos2_1;
+    var real_0 : f32 = eta_3 * eta_3 - k_3 * k_3 - sin2_0;
+    var product_1 : f32 = eta_3 * k_3;
+    var modulus_0 : f32 = sqrt(real_0 * real_0 + 4.0f * (product_1 * product_1));
+    if(modulus_0 == 0.0f)
+    {
+        return 1.0f;
+    }
+    var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
+    var smaller_0 : f32 = product_1 / larger_0;
+    var _S145 : bool = real_0 < 0.0f;
+    var a_14 : f32;
+    if(_S145)
+    {
+        a_14 = smaller_0;
+    }
+    else
+    {
+        a_14 = larger_0;
+    }
+    var b_12 : f32;
+    if(_S145)
+    {
+        b_12 = larger_0;
+    }
+    else
+    {
+        b_12 = smaller_0;
+    }
+    var less_0 : f32 = a_14 - cosine_7;
+    var more_0 : f32 = a_14 + cosine_7;
+    var _S146 : f32 = b_12 * b_12;
+    var p_sum_1 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
+    return (less_0 * less_0 + _S146) / (more_0 * more_0 + _S146) * p_sum_1 / (p_sum_1 + 2.0f * a_14 * cosine_7 * sin2_0);
+}
+
+fn fresnel_conductor_0( cosine_8 : f32,  eta_4 : vec3<f32>,  k_4 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(fresnel_conductor_channel_0(cosine_8, eta_4.x, k_4.x), fresnel_conductor_channel_0(cosine_8, eta_4.y, k_4.y), fresnel_conductor_channel_0(cosine_8, eta_4.z, k_4.z));
+}
+
+fn specular_fraction_0( lobe_7 : Lobe_0,  numbers_6 : Numbers_0,  wi_5 : vec3<f32>) -> vec3<f32>
+{
+    if((lobe_7.kind_1) == u32(1))
+    {
+        return numbers_6.specular_reflectance_0 * fresnel_conductor_0(wi_5.z, numbers_6.eta_0, numbers_6.k_0);
+    }
+    return numbers_6.specular_reflectance_0 * vec3<f32>(fresnel_dielectric_0(wi_5.z, coat_eta_0(numbers_6)));
+}
+
+fn specular_0( lobe_8 : Lobe_0,  wi_6 : vec3<f32>) -> vec3<f32>
+{
+    return specular_fraction_0(lobe_8, lobe_8.numbers_2, wi_6);
+}
+
+fn turning_0( vertex_4 : Vertex_0,  direction_11 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(0.0f);
+}
+
+fn towards_emitter_0( vertex_5 : Vertex_0,  direction_12 : vec3<f32>,  record_13 : u32) -> vec3<f32>
+{
+    var _S147 : vec3<f32>;
+    if((word_0(record_13)) == u32(1))
+    {
+        _S147 = changing_0(direction_12, turning_0(vertex_5, direction_12));
+    }
+    else
+    {
+        _S147 = still_0(direction_12);
+    }
+    return _S147;
+}
+
+fn local_change_0( vertex_6 : Vertex_0,  direction_13 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(0.0f);
+}
+
+struct Mirrored_0
+{
+     cosine_9 : f32,
+     pdf_3 : f32,
+     scattered_0 : f32,
+};
+
+fn Mirrored_x24init_0( cosine_10 : f32,  pdf_4 : f32,  scattered_1 : f32) -> Mirrored_0
+{
+    var _S148 : Mirrored_0;
+    _S148.cosine_9 = cosine_10;
+    _S148.pdf_3 = pdf_4;
+    _S148.scattered_0 = scattered_1;
+    return _S148;
+}
+
+fn density_0( facets_4 : Microfacets_0,  m_3 : vec3<f32>) -> f32
+{
+    var _S149 : f32 = m_3.z;
+    if(_S149 <= 0.0f)
+    {
+        return 0.0f;
+    }
+    var scale_0 : f32 = 3.14159274101257324f * facets_4.alpha_1.x * facets_4.alpha_1.y;
+    var slope_1 : vec2<f32> = m_3.xy / facets_4.alpha_1;
+    var spread_1 : f32 = dot(slope_1, slope_1);
+    var cos2_2 : f32 = _S149 * _S149;
+    if((facets_4.distribution_1) == u32(1))
+    {
+        var sum_2 : f32 = spread_1 + cos2_2;
+        return 1.0f / (scale_0 * sum_2 * sum_2);
+    }
+    var exponent_0 : f32 = spread_1 / cos2_2;
+    var _S150 : f32;
+    if(exponent_0 > 80.0f)
+    {
+        _S150 = 0.0f;
+    }
+    else
+    {
+        _S150 = exponential_0(- exponent_0) / (scale_0 * cos2_2 * cos2_2);
+    }
+    return _S150;
+}
+
+fn mirrored_0( facets_5 : Microfacets_0,  wi_7 : vec3<f32>,  wo_3 : vec3<f32>) -> Mirrored_0
+{
+    var h_1 : vec3<f32> = normalize(wi_7 + wo_3);
+    var mirrored_1 : Mirrored_0;
+    mirrored_1.cosine_9 = dot(wi_7, h_1);
+    var _S151 : f32 = 0.25f * density_0(facets_5, h_1) * visible_over_cos_0(facets_5, wi_7);
+    mirrored_1.pdf_3 = _S151;
+    mirrored_1.scattered_0 = _S151 * visible_over_cos_0(facets_5, wo_3) * wo_3.z;
+    return mirrored_1;
+}
+
+fn fresnel_diffuse_0( eta_5 : f32) -> f32
+{
+    var inverse_0 : f32 = 1.0f / eta_5;
+    if(eta_5 < 1.0f)
+    {
+        return (-1.43990004062652588f * eta_5 + 0.70990002155303955f) * eta_5 + 0.66809999942779541f + 0.06360000371932983f * inverse_0;
+    }
+    return ((((-1.36881005764007568f * inverse_0 + 4.98553991317749023f) * inverse_0 - 7.80988979339599609f) * inverse_0 + 6.75334978103637695f) * inverse_0 - 3.47930002212524414f) * inverse_0 + 0.91931700706481934f;
+}
+
+fn base_0( lobe_9 : Lobe_0,  eta_6 : f32,  diffuse_0 : vec3<f32>) -> vec3<f32>
+{
+    var internal_reflectance_0 : f32;
+    if((lobe_9.kind_1) == u32(3))
+    {
+        internal_reflectance_0 = fresnel_diffuse_0(1.0f / eta_6);
+    }
+    else
+    {
+        internal_reflectance_0 = number_0(word_0(lobe_9.record_2 + u32(3)) + u32(64));
+    }
+    if((word_0(lobe_9.record_2 + u32(2))) == u32(0))
+    {
+        return diffuse_0 * vec3<f32>((1.0f / (1.0f - internal_reflectance_0)));
+    }
+    return diffuse_0 / (vec3<f32>(1.0f) - diffuse_0 * vec3<f32>(internal_reflectance_0));
+}
+
+struct Scattering_0
+{
+     value_7 : vec3<f32>,
+     pdf_5 : f32,
+};
+
+fn scattering_0( lobe_10 : Lobe_0,  numbers_7 : Numbers_0,  wi_8 : vec3<f32>,  wo_4 : vec3<f32>) -> Scattering_0
+{
+    var scattering_1 : Scattering_0;
+    var _S152 : f32 = wo_4.z;
+    var by_cosine_0 : f32 = _S152 * 0.31830987334251404f;
+    if((lobe_10.kind_1) == u32(0))
+    {
+        scattering_1.value_7 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
+        scattering_1.pdf_5 = by_cosine_0;
+        return scattering_1;
+    }
+    var _S153 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var by_facets_0 : Mirrored_0;
+    if(is_rough_0(lobe_10))
+    {
+        by_facets_0 = mirrored_0(facets_of_0(lobe_10, numbers_7), wi_8, wo_4);
+    }
+    else
+    {
+        by_facets_0 = _S153;
+    }
+    if((lobe_10.kind_1) == u32(2))
+    {
+        scattering_1.value_7 = numbers_7.specular_reflectance_0 * (fresnel_conductor_0(by_facets_0.cosine_9, numbers_7.eta_0, numbers_7.k_0) * vec3<f32>(by_facets_0.scattered_0));
+        scattering_1.pdf_5 = by_facets_0.pdf_3;
+        return scattering_1;
+    }
+    var eta_7 : f32 = coat_eta_0(numbers_7);
+    var enters_1 : f32 = transmittance_0(lobe_10, eta_7, wi_8.z);
+    scattering_1.value_7 = base_0(lobe_10, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_10, eta_7, _S152) * by_cosine_0 / (eta_7 * eta_7)));
+    var probability_3 : f32 = base_probability_0(numbers_7, enters_1);
+    scattering_1.pdf_5 = probability_3 * by_cosine_0;
+    if((lobe_10.kind_1) == u32(4))
+    {
+        scattering_1.value_7 = scattering_1.value_7 + numbers_7.specular_reflectance_0 * vec3<f32>((fresnel_dielectric_0(by_facets_0.cosine_9, eta_7) * by_facets_0.scattered_0));
+        scattering_1.pdf_5 = scattering_1.pdf_5 + (1.0f - probability_3) * by_facets_0.pdf_3;
+    }
+    return scattering_1;
+}
+
+struct Scattered_0
+{
+     value_8 : vec3<f32>,
+     pdf_6 : f32,
+};
+
+fn eval_and_pdf_0( lobe_11 : Lobe_0,  wi_9 : vec3<f32>,  wo_5 : vec3<f32>) -> Scattered_0
+{
+    var scattered_2 : Scattered_0;
+    scattered_2.value_8 = still_0(vec3<f32>(0.0f));
+    scattered_2.pdf_6 = 0.0f;
+    var _S154 : bool;
+    if((value_of_0(wo_5).z) <= 0.0f)
+    {
+        _S154 = true;
+    }
+    else
+    {
+        _S154 = !has_smooth_0(lobe_11);
+    }
+    if(_S154)
+    {
+        return scattered_2;
+    }
+    var both_2 : Scattering_0 = scattering_0(lobe_11, lobe_11.numbers_2, wi_9, wo_5);
+    scattered_2.value_8 = both_2.value_7;
+    scattered_2.pdf_6 = both_2.pdf_5;
+    return scattered_2;
+}
+
+fn scattered_to_0( vertex_7 : Vertex_0,  wo_6 : vec3<f32>,  direction_14 : vec3<f32>) -> Scattered_0
+{
+    return eval_and_pdf_0(vertex_7.lobe_1, vertex_7.wi_1, changing_0(wo_6, local_change_0(vertex_7, direction_14)));
+}
+
+fn scattered_along_0( vertex_8 : Vertex_0,  sample_2 : LightSample_0,  moving_0 : ptr<function, vec3<f32>>) -> Scattered_0
+{
+    if(sample_2.is_specular_0)
+    {
+        (*moving_0) = specular_direction_0(vertex_8, sample_2.direction_9, sample_2.wo_0);
+        var scattered_3 : Scattered_0;
+        scattered_3.value_8 = specular_0(vertex_8.lobe_1, vertex_8.wi_1);
+        scattered_3.pdf_6 = sample_2.probability_1;
+        return scattered_3;
+    }
+    if((sample_2.emitter_5) != u32(4294967295))
+    {
+        (*moving_0) = towards_emitter_0(vertex_8, sample_2.direction_9, emitter_record_0(sample_2.emitter_5));
+    }
+    else
+    {
+        (*moving_0) = changing_0(sample_2.direction_9, turning_0(vertex_8, sample_2.direction_9));
+    }
+    return scattered_to_0(vertex_8, sample_2.wo_0, (*moving_0));
+}
+
 fn component_0( v_8 : vec3<f32>,  axis_2 : u32) -> f32
 {
-    var _S112 : f32;
+    var _S155 : f32;
     if(axis_2 == u32(0))
     {
-        _S112 = v_8.x;
+        _S155 = v_8.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S112 = v_8.y;
+            _S155 = v_8.y;
         }
         else
         {
-            _S112 = v_8.z;
+            _S155 = v_8.z;
         }
     }
-    return _S112;
+    return _S155;
 }
 
 fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
@@ -1770,7 +2533,7 @@ fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
 
 struct RayView_0
 {
-     inverse_0 : vec3<f32>,
+     inverse_1 : vec3<f32>,
      offset_near_0 : vec3<f32>,
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
@@ -1778,9 +2541,9 @@ struct RayView_0
      axes_6 : u32,
 };
 
-fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
+fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S113 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S156 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -1793,36 +2556,36 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S114 : u32 = axis_3;
-        var _S115 : u32 = _S113 + u32(2) * axis_3;
-        var _S116 : u32 = slot_3 % u32(4);
-        var low_4 : f32 = (bitcast<f32>((nodes_0[_S115][_S116])));
-        var high_1 : f32 = (bitcast<f32>((nodes_0[_S115 + u32(6)][_S116])));
-        var _S117 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
-        var _S118 : f32;
-        if(_S117)
+        var _S157 : u32 = axis_3;
+        var _S158 : u32 = _S156 + u32(2) * axis_3;
+        var _S159 : u32 = slot_3 % u32(4);
+        var low_5 : f32 = (bitcast<f32>((nodes_0[_S158][_S159])));
+        var high_2 : f32 = (bitcast<f32>((nodes_0[_S158 + u32(6)][_S159])));
+        var _S160 : bool = (view_6.inverse_1[axis_3]) < 0.0f;
+        var _S161 : f32;
+        if(_S160)
         {
-            _S118 = high_1;
+            _S161 = high_2;
         }
         else
         {
-            _S118 = low_4;
+            _S161 = low_5;
         }
-        var _S119 : f32 = max(near_0, _S118 * view_2.inverse_0[_S114] - view_2.offset_near_0[axis_3]);
-        var _S120 : f32;
-        if(_S117)
+        var _S162 : f32 = max(near_0, _S161 * view_6.inverse_1[_S157] - view_6.offset_near_0[axis_3]);
+        var _S163 : f32;
+        if(_S160)
         {
-            _S120 = low_4;
+            _S163 = low_5;
         }
         else
         {
-            _S120 = high_1;
+            _S163 = high_2;
         }
-        var _S121 : f32 = min(far_0, _S120 * view_2.inverse_0[_S114] - view_2.offset_far_0[axis_3]);
-        var _S122 : u32 = axis_3 + u32(1);
-        near_0 = _S119;
-        far_0 = _S121;
-        axis_3 = _S122;
+        var _S164 : f32 = min(far_0, _S163 * view_6.inverse_1[_S157] - view_6.offset_far_0[axis_3]);
+        var _S165 : u32 = axis_3 + u32(1);
+        near_0 = _S162;
+        far_0 = _S164;
+        axis_3 = _S165;
     }
     if(near_0 <= far_0)
     {
@@ -1836,21 +2599,21 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
 
 fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 {
-    var k_3 : u32 = u32(0);
+    var k_5 : u32 = u32(0);
     var order_0 : u32 = u32(0);
     for(;;)
     {
-        if(k_3 < u32(8))
+        if(k_5 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S123 : u32 = k_3;
-        if((bounds_0[k_3]) > limit_2)
+        var _S166 : u32 = k_5;
+        if((bounds_0[k_5]) > limit_2)
         {
-            k_3 = k_3 + u32(1);
+            k_5 = k_5 + u32(1);
             continue;
         }
         var j_0 : u32 = u32(0);
@@ -1864,36 +2627,36 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S124 : u32 = j_0;
-            var _S125 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S123]))
+            var _S167 : u32 = j_0;
+            var _S168 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S166]))
             {
-                _S125 = true;
+                _S168 = true;
             }
             else
             {
-                if((bounds_0[_S124]) == (bounds_0[_S123]))
+                if((bounds_0[_S167]) == (bounds_0[_S166]))
                 {
-                    _S125 = j_0 < k_3;
+                    _S168 = j_0 < k_5;
                 }
                 else
                 {
-                    _S125 = false;
+                    _S168 = false;
                 }
             }
-            if(_S125)
+            if(_S168)
             {
                 rank_0 = rank_0 + u32(1);
             }
             j_0 = j_0 + u32(1);
         }
-        order_0 = (order_0 | ((((k_3 + u32(1)) << ((u32(4) * rank_0))))));
-        k_3 = k_3 + u32(1);
+        order_0 = (order_0 | ((((k_5 + u32(1)) << ((u32(4) * rank_0))))));
+        k_5 = k_5 + u32(1);
     }
     return order_0;
 }
 
-fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
+fn crossed_0( view_7 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
     var slot_4 : u32 = u32(0);
@@ -1906,24 +2669,24 @@ fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S126 : f32;
+        var _S169 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S126 = 3.00000000549775576e+38f;
+            _S169 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S126 = ray_bound_0(view_3, limit_3, node_5, slot_4);
+            _S169 = ray_bound_0(view_7, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S126;
+        bounds_1[slot_4] = _S169;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn rounded_0( product_1 : f32,  largest_0 : f32) -> f32
+fn rounded_0( product_2 : f32,  largest_0 : f32) -> f32
 {
-    return min(product_1, largest_0);
+    return min(product_2, largest_0);
 }
 
 struct Ray_0
@@ -1940,11 +2703,11 @@ struct Ray_0
      largest_1 : f32,
 };
 
-fn corner_0( ray_0 : Ray_0,  axes_7 : u32,  at_14 : u32) -> vec3<f32>
+fn corner_0( ray_0 : Ray_0,  axes_7 : u32,  at_15 : u32) -> vec3<f32>
 {
-    var relative_0 : vec3<f32> = primitive_vector_0(at_14) - ray_0.origin_0;
-    var z_3 : f32 = component_0(relative_0, (axes_7 >> (u32(4))));
-    return vec3<f32>(component_0(relative_0, (axes_7 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_3, ray_0.largest_1), component_0(relative_0, (((axes_7 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_3, ray_0.largest_1), z_3);
+    var relative_0 : vec3<f32> = primitive_vector_0(at_15) - ray_0.origin_0;
+    var z_4 : f32 = component_0(relative_0, (axes_7 >> (u32(4))));
+    return vec3<f32>(component_0(relative_0, (axes_7 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_4, ray_0.largest_1), component_0(relative_0, (((axes_7 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_4, ray_0.largest_1), z_4);
 }
 
 struct Crossing_0
@@ -1952,59 +2715,59 @@ struct Crossing_0
      is_hit_0 : bool,
      t_2 : f32,
      v_9 : f32,
-     w_4 : f32,
+     w_8 : f32,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_15 : u32) -> Crossing_0
+fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_16 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_2 = 0.0f;
     crossing_0.v_9 = 0.0f;
-    crossing_0.w_4 = 0.0f;
-    var a_14 : vec3<f32> = corner_0(ray_1, axes_8, at_15);
-    var b_12 : vec3<f32> = corner_0(ray_1, axes_8, at_15 + u32(3));
-    var c_7 : vec3<f32> = corner_0(ray_1, axes_8, at_15 + u32(6));
-    var _S127 : f32 = c_7.x;
-    var _S128 : f32 = b_12.y;
-    var cx_by_0 : f32 = rounded_0(_S127 * _S128, ray_1.largest_1);
-    var _S129 : f32 = c_7.y;
-    var _S130 : f32 = b_12.x;
-    var cy_bx_0 : f32 = rounded_0(_S129 * _S130, ray_1.largest_1);
-    var _S131 : f32 = a_14.x;
-    var ax_cy_0 : f32 = rounded_0(_S131 * _S129, ray_1.largest_1);
-    var _S132 : f32 = a_14.y;
-    var ay_cx_0 : f32 = rounded_0(_S132 * _S127, ray_1.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S130 * _S132, ray_1.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S128 * _S131, ray_1.largest_1);
-    var u_8 : f32 = cx_by_0 - cy_bx_0;
+    crossing_0.w_8 = 0.0f;
+    var a_15 : vec3<f32> = corner_0(ray_1, axes_8, at_16);
+    var b_13 : vec3<f32> = corner_0(ray_1, axes_8, at_16 + u32(3));
+    var c_7 : vec3<f32> = corner_0(ray_1, axes_8, at_16 + u32(6));
+    var _S170 : f32 = c_7.x;
+    var _S171 : f32 = b_13.y;
+    var cx_by_0 : f32 = rounded_0(_S170 * _S171, ray_1.largest_1);
+    var _S172 : f32 = c_7.y;
+    var _S173 : f32 = b_13.x;
+    var cy_bx_0 : f32 = rounded_0(_S172 * _S173, ray_1.largest_1);
+    var _S174 : f32 = a_15.x;
+    var ax_cy_0 : f32 = rounded_0(_S174 * _S172, ray_1.largest_1);
+    var _S175 : f32 = a_15.y;
+    var ay_cx_0 : f32 = rounded_0(_S175 * _S170, ray_1.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S173 * _S175, ray_1.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S171 * _S174, ray_1.largest_1);
+    var u_12 : f32 = cx_by_0 - cy_bx_0;
     var v_10 : f32 = ax_cy_0 - ay_cx_0;
-    var w_5 : f32 = bx_ay_0 - by_ax_0;
-    var _S133 : f32 = min(min(u_8, v_10), w_5);
-    var _S134 : f32 = max(max(u_8, v_10), w_5);
-    var _S135 : bool;
-    if(_S133 < 0.0f)
+    var w_9 : f32 = bx_ay_0 - by_ax_0;
+    var _S176 : f32 = min(min(u_12, v_10), w_9);
+    var _S177 : f32 = max(max(u_12, v_10), w_9);
+    var _S178 : bool;
+    if(_S176 < 0.0f)
     {
-        _S135 = _S134 > 0.0f;
+        _S178 = _S177 > 0.0f;
     }
     else
     {
-        _S135 = false;
+        _S178 = false;
     }
-    if(_S135)
+    if(_S178)
     {
         return crossing_0;
     }
-    var determinant_0 : f32 = u_8 + v_10 + w_5;
-    if(_S133 <= 0.0f)
+    var determinant_0 : f32 = u_12 + v_10 + w_9;
+    if(_S176 <= 0.0f)
     {
-        _S135 = _S134 >= 0.0f;
+        _S178 = _S177 >= 0.0f;
     }
     else
     {
-        _S135 = false;
+        _S178 = false;
     }
-    if(_S135)
+    if(_S178)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -2015,19 +2778,19 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_15 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_3 : f32 = (rounded_0(u_8 * a_14.z, ray_1.largest_1) + rounded_0(v_10 * b_12.z, ray_1.largest_1) + rounded_0(w_5 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
+    var t_3 : f32 = (rounded_0(u_12 * a_15.z, ray_1.largest_1) + rounded_0(v_10 * b_13.z, ray_1.largest_1) + rounded_0(w_9 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_3)
     {
-        _S135 = t_3 <= (ray_1.t_max_0);
+        _S178 = t_3 <= (ray_1.t_max_0);
     }
     else
     {
-        _S135 = false;
+        _S178 = false;
     }
-    crossing_0.is_hit_0 = _S135;
+    crossing_0.is_hit_0 = _S178;
     crossing_0.t_2 = t_3;
     crossing_0.v_9 = v_10 / determinant_0;
-    crossing_0.w_4 = w_5 / determinant_0;
+    crossing_0.w_8 = w_9 / determinant_0;
     return crossing_0;
 }
 
@@ -2041,25 +2804,25 @@ struct Found_0
      face_7 : u32,
      triangle_8 : u32,
      v_11 : f32,
-     w_6 : f32,
+     w_10 : f32,
 };
 
-fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S136 : bool;
+    var _S179 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
     found_3.triangle_8 = u32(4294967295);
     found_3.v_11 = 0.0f;
-    found_3.w_6 = 0.0f;
-    if(!((view_4.limit_0) >= 0.0f))
+    found_3.w_10 = 0.0f;
+    if(!((view_8.limit_0) >= 0.0f))
     {
         return found_3;
     }
-    var way_1 : array<vec2<u32>, i32(40)>;
-    way_1[i32(0)] = vec2<u32>(u32(0), u32(0));
+    var way_2 : array<vec2<u32>, i32(40)>;
+    way_2[i32(0)] = vec2<u32>(u32(0), u32(0));
     var entered_0 : u32 = u32(0);
-    var limit_4 : f32 = view_4.limit_0;
+    var limit_4 : f32 = view_8.limit_0;
     var is_new_0 : bool = true;
     var level_0 : u32 = u32(0);
     for(;;)
@@ -2068,7 +2831,7 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var is_new_1 : bool;
         if(entered_0 != u32(4294967295))
         {
-            way_1[level_0] = vec2<u32>(entered_0, crossed_0(view_4, limit_4, entered_0));
+            way_2[level_0] = vec2<u32>(entered_0, crossed_0(view_8, limit_4, entered_0));
             is_new_1 = true;
             entered_1 = u32(4294967295);
         }
@@ -2077,61 +2840,61 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             is_new_1 = is_new_0;
             entered_1 = entered_0;
         }
-        var here_0 : vec2<u32> = way_1[level_0];
-        var _S137 : u32 = way_1[level_0].y;
-        if(_S137 == u32(0))
+        var here_1 : vec2<u32> = way_2[level_0];
+        var _S180 : u32 = way_2[level_0].y;
+        if(_S180 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S138 : u32 = level_0 - u32(1);
+            var _S181 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S138;
+            level_0 = _S181;
             continue;
         }
-        var slot_5 : u32 = ((_S137 & (u32(15)))) - u32(1);
-        way_1[level_0][i32(1)] = (_S137 >> (u32(4)));
-        var _S139 : bool;
+        var slot_5 : u32 = ((_S180 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S180 >> (u32(4)));
+        var _S182 : bool;
         if(!is_new_1)
         {
-            _S139 = (ray_bound_0(view_4, limit_4, here_0.x, slot_5)) > limit_4;
+            _S182 = (ray_bound_0(view_8, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S139 = false;
+            _S182 = false;
         }
-        if(_S139)
+        if(_S182)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
             continue;
         }
-        var child_0 : u32 = ray_child_0(here_0.x, slot_5);
+        var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S140 : u32 = level_0 + u32(1);
+            var _S183 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S140;
+            level_0 = _S183;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S141 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S142 : u32 = leaf_starts_0[leaf_0];
+        var _S184 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S185 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S142;
+        var i_3 : u32 = _S185;
         for(;;)
         {
-            if(i_3 < _S141)
+            if(i_3 < _S184)
             {
             }
             else
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_4.axes_6, u32(9) * i_3);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_8.axes_6, u32(9) * i_3);
             if(!crossing_1.is_hit_0)
             {
                 i_3 = i_3 + u32(1);
@@ -2139,30 +2902,30 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S136 = true;
+                _S179 = true;
             }
             else
             {
-                _S136 = (crossing_1.t_2) < ((*ray_2).t_max_0);
+                _S179 = (crossing_1.t_2) < ((*ray_2).t_max_0);
             }
-            var _S143 : bool;
-            if(_S136)
+            var _S186 : bool;
+            if(_S179)
             {
-                _S143 = true;
+                _S186 = true;
             }
             else
             {
-                _S143 = (face_6(i_3)) < (found_3.face_7);
+                _S186 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S143)
+            if(_S186)
             {
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_8 = i_3;
                 (*ray_2).t_max_0 = crossing_1.t_2;
                 found_3.v_11 = crossing_1.v_9;
-                found_3.w_6 = crossing_1.w_4;
-                limit_6 = min(limit_5, crossing_1.t_2 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_4.margin_0);
+                found_3.w_10 = crossing_1.w_8;
+                limit_6 = min(limit_5, crossing_1.t_2 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_8.margin_0);
             }
             else
             {
@@ -2173,13 +2936,13 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S136 = (found_3.face_7) != u32(4294967295);
+            _S179 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S136 = false;
+            _S179 = false;
         }
-        if(_S136)
+        if(_S179)
         {
             break;
         }
@@ -2190,54 +2953,54 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_3;
 }
 
-fn cast_0( origin_1 : vec3<f32>,  direction_9 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_1 : vec3<f32>,  direction_15 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
 {
-    var size_1 : vec3<f32> = abs(direction_9);
-    var _S144 : f32 = size_1.x;
-    var _S145 : f32 = size_1.y;
-    var _S146 : bool;
-    if(_S144 >= _S145)
+    var size_1 : vec3<f32> = abs(direction_15);
+    var _S187 : f32 = size_1.x;
+    var _S188 : f32 = size_1.y;
+    var _S189 : bool;
+    if(_S187 >= _S188)
     {
-        _S146 = _S144 >= (size_1.z);
+        _S189 = _S187 >= (size_1.z);
     }
     else
     {
-        _S146 = false;
+        _S189 = false;
     }
-    var _S147 : i32;
-    if(_S146)
+    var _S190 : i32;
+    if(_S189)
     {
-        _S147 = i32(0);
+        _S190 = i32(0);
     }
     else
     {
-        if(_S145 >= (size_1.z))
+        if(_S188 >= (size_1.z))
         {
-            _S147 = i32(1);
+            _S190 = i32(1);
         }
         else
         {
-            _S147 = i32(2);
+            _S190 = i32(2);
         }
     }
-    var z_4 : u32 = u32(_S147);
-    var x_8 : u32 = (z_4 + u32(1)) % u32(3);
-    var y_3 : u32 = (z_4 + u32(2)) % u32(3);
+    var z_5 : u32 = u32(_S190);
+    var x_11 : u32 = (z_5 + u32(1)) % u32(3);
+    var y_3 : u32 = (z_5 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
     ray_3.origin_0 = origin_1;
-    var along_3 : f32 = component_0(direction_9, z_4);
-    ray_3.inverse_z_0 = 1.0f / along_3;
-    ray_3.shear_x_0 = component_0(direction_9, x_8) / along_3;
-    ray_3.shear_y_0 = component_0(direction_9, y_3) / along_3;
+    var along_4 : f32 = component_0(direction_15, z_5);
+    ray_3.inverse_z_0 = 1.0f / along_4;
+    ray_3.shear_x_0 = component_0(direction_15, x_11) / along_4;
+    ray_3.shear_y_0 = component_0(direction_15, y_3) / along_4;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S148 : f32 = abs(along_3);
-    ray_3.local_per_t_0 = _S148;
+    var _S191 : f32 = abs(along_4);
+    ray_3.local_per_t_0 = _S191;
     ray_3.enter_0 = 0.0f;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
-    var view_5 : RayView_0;
-    var _S149 : vec3<f32> = direction_9 / vec3<f32>(_S148);
+    var view_9 : RayView_0;
+    var _S192 : vec3<f32> = direction_15 / vec3<f32>(_S191);
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -2248,955 +3011,82 @@ fn cast_0( origin_1 : vec3<f32>,  direction_9 : vec3<f32>,  t_min_1 : f32,  t_ma
         {
             break;
         }
-        var _S150 : f32 = max(abs(_S149[axis_4]), 8.67361737988403547e-19f);
-        var _S151 : f32;
-        if((_S149[axis_4]) < 0.0f)
+        var _S193 : f32 = max(abs(_S192[axis_4]), 8.67361737988403547e-19f);
+        var _S194 : f32;
+        if((_S192[axis_4]) < 0.0f)
         {
-            _S151 = -1.0f / _S150;
+            _S194 = -1.0f / _S193;
         }
         else
         {
-            _S151 = 1.0f / _S150;
+            _S194 = 1.0f / _S193;
         }
-        view_5.inverse_0[axis_4] = _S151;
+        view_9.inverse_1[axis_4] = _S194;
         axis_4 = axis_4 + u32(1);
     }
-    var offset_4 : vec3<f32> = origin_1 * view_5.inverse_0;
-    var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_5.inverse_0);
-    view_5.offset_near_0 = offset_4 + wider_0;
-    view_5.offset_far_0 = offset_4 - wider_0;
-    view_5.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
-    view_5.margin_0 = 3.814697265625e-06f;
-    view_5.axes_6 = (((x_8 | (((y_3 << (u32(2))))))) | (((z_4 << (u32(4))))));
-    var found_4 : Found_0 = first_found_0(view_5, &(ray_3), any_1);
+    var offset_4 : vec3<f32> = origin_1 * view_9.inverse_1;
+    var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_9.inverse_1);
+    view_9.offset_near_0 = offset_4 + wider_0;
+    view_9.offset_far_0 = offset_4 - wider_0;
+    view_9.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
+    view_9.margin_0 = 3.814697265625e-06f;
+    view_9.axes_6 = (((x_11 | (((y_3 << (u32(2))))))) | (((z_5 << (u32(4))))));
+    var found_4 : Found_0 = first_found_0(view_9, &(ray_3), any_1);
     (*t_4) = ray_3.t_max_0;
     return found_4;
 }
 
-fn cast_1( origin_2 : vec3<f32>,  direction_10 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_2 : bool,  t_5 : ptr<function, f32>) -> Found_0
+fn place_of_0( found_5 : Found_0) -> Place_0
 {
-    var size_2 : vec3<f32> = abs(direction_10);
-    var _S152 : f32 = size_2.x;
-    var _S153 : f32 = size_2.y;
-    var _S154 : bool;
-    if(_S152 >= _S153)
-    {
-        _S154 = _S152 >= (size_2.z);
-    }
-    else
-    {
-        _S154 = false;
-    }
-    var _S155 : i32;
-    if(_S154)
-    {
-        _S155 = i32(0);
-    }
-    else
-    {
-        if(_S153 >= (size_2.z))
-        {
-            _S155 = i32(1);
-        }
-        else
-        {
-            _S155 = i32(2);
-        }
-    }
-    var z_5 : u32 = u32(_S155);
-    var x_9 : u32 = (z_5 + u32(1)) % u32(3);
-    var y_4 : u32 = (z_5 + u32(2)) % u32(3);
-    var ray_4 : Ray_0;
-    ray_4.origin_0 = origin_2;
-    var along_4 : f32 = component_0(direction_10, z_5);
-    ray_4.inverse_z_0 = 1.0f / along_4;
-    ray_4.shear_x_0 = component_0(direction_10, x_9) / along_4;
-    ray_4.shear_y_0 = component_0(direction_10, y_4) / along_4;
-    ray_4.t_min_0 = t_min_2;
-    ray_4.t_max_0 = t_max_2;
-    var _S156 : f32 = abs(along_4);
-    ray_4.local_per_t_0 = _S156;
-    ray_4.enter_0 = 0.0f;
-    ray_4.edge_on_0 = limit_at_0(u32(0));
-    ray_4.largest_1 = limit_at_0(u32(1));
-    var view_6 : RayView_0;
-    var _S157 : vec3<f32> = direction_10 / vec3<f32>(_S156);
-    var axis_5 : u32 = u32(0);
-    for(;;)
-    {
-        if(axis_5 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S158 : f32 = max(abs(_S157[axis_5]), 8.67361737988403547e-19f);
-        var _S159 : f32;
-        if((_S157[axis_5]) < 0.0f)
-        {
-            _S159 = -1.0f / _S158;
-        }
-        else
-        {
-            _S159 = 1.0f / _S158;
-        }
-        view_6.inverse_0[axis_5] = _S159;
-        axis_5 = axis_5 + u32(1);
-    }
-    var offset_5 : vec3<f32> = origin_2 * view_6.inverse_0;
-    var wider_1 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_6.inverse_0);
-    view_6.offset_near_0 = offset_5 + wider_1;
-    view_6.offset_far_0 = offset_5 - wider_1;
-    view_6.limit_0 = min(t_max_2 * ray_4.local_per_t_0, 8.0f) + 3.814697265625e-06f;
-    view_6.margin_0 = 3.814697265625e-06f;
-    view_6.axes_6 = (((x_9 | (((y_4 << (u32(2))))))) | (((z_5 << (u32(4))))));
-    var found_5 : Found_0 = first_found_0(view_6, &(ray_4), any_2);
-    (*t_5) = ray_4.t_max_0;
-    return found_5;
+    return exact_place_0(found_5.triangle_8, found_5.v_11, found_5.w_10);
 }
 
-fn turning_0( vertex_1 : Vertex_0,  direction_11 : vec3<f32>) -> vec3<f32>
+fn emitter_seen_0( found_6 : Found_0,  direction_16 : vec3<f32>) -> u32
 {
-    return vec3<f32>(0.0f);
-}
-
-fn towards_emitter_0( vertex_2 : Vertex_0,  direction_12 : vec3<f32>,  record_12 : u32) -> vec3<f32>
-{
-    var _S160 : vec3<f32>;
-    if((word_0(record_12)) == u32(1))
-    {
-        _S160 = changing_0(direction_12, turning_0(vertex_2, direction_12));
-    }
-    else
-    {
-        _S160 = still_0(direction_12);
-    }
-    return _S160;
-}
-
-fn local_change_0( vertex_3 : Vertex_0,  direction_13 : vec3<f32>) -> vec3<f32>
-{
-    return vec3<f32>(0.0f);
-}
-
-struct Mirrored_0
-{
-     cosine_4 : f32,
-     pdf_2 : f32,
-     scattered_0 : f32,
-};
-
-fn Mirrored_x24init_0( cosine_5 : f32,  pdf_3 : f32,  scattered_1 : f32) -> Mirrored_0
-{
-    var _S161 : Mirrored_0;
-    _S161.cosine_4 = cosine_5;
-    _S161.pdf_2 = pdf_3;
-    _S161.scattered_0 = scattered_1;
-    return _S161;
-}
-
-fn is_rough_0( lobe_3 : Lobe_0) -> bool
-{
-    var _S162 : bool;
-    if((lobe_3.kind_1) == u32(2))
-    {
-        _S162 = true;
-    }
-    else
-    {
-        _S162 = (lobe_3.kind_1) == u32(4);
-    }
-    return _S162;
-}
-
-struct Microfacets_0
-{
-     distribution_1 : u32,
-     alpha_1 : vec2<f32>,
-};
-
-fn facets_of_0( lobe_4 : Lobe_0,  numbers_3 : Numbers_0) -> Microfacets_0
-{
-    var facets_0 : Microfacets_0;
-    facets_0.distribution_1 = lobe_4.distribution_0;
-    facets_0.alpha_1 = max(numbers_3.alpha_0, vec2<f32>(0.00009999999747379f));
-    return facets_0;
-}
-
-fn exponential_0( x_10 : f32) -> f32
-{
-    if(x_10 < -87.0f)
-    {
-        return 0.0f;
-    }
-    var power_0 : f32 = floor(x_10 * 1.4426950216293335f + 0.5f);
-    var r_0 : f32 = x_10 - power_0 * 0.693359375f + power_0 * 0.00021219444170129f;
-    return ((((((0.00019875691214111f * r_0 + 0.00139819993637502f) * r_0 + 0.00833345204591751f) * r_0 + 0.04166579619050026f) * r_0 + 0.1666666567325592f) * r_0 + 0.5f) * r_0 * r_0 + r_0 + 1.0f) * (bitcast<f32>(((u32(i32(power_0) + i32(127)) << (u32(23))))));
-}
-
-fn density_0( facets_1 : Microfacets_0,  m_0 : vec3<f32>) -> f32
-{
-    var _S163 : f32 = m_0.z;
-    if(_S163 <= 0.0f)
-    {
-        return 0.0f;
-    }
-    var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
-    var slope_0 : vec2<f32> = m_0.xy / facets_1.alpha_1;
-    var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S163 * _S163;
-    if((facets_1.distribution_1) == u32(1))
-    {
-        var sum_2 : f32 = spread_0 + cos2_0;
-        return 1.0f / (scale_0 * sum_2 * sum_2);
-    }
-    var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S164 : f32;
-    if(exponent_0 > 80.0f)
-    {
-        _S164 = 0.0f;
-    }
-    else
-    {
-        _S164 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
-    }
-    return _S164;
-}
-
-fn error_function_plus_one_0( x_11 : f32) -> vec2<f32>
-{
-    var _S165 : f32 = min(abs(x_11), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S165 * _S165);
-    var place_13 : f32 = (_S165 - 2.0f) / (_S165 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_13 - 0.00127731403335929f) * place_13 + 0.00131371302995831f) * place_13 + 0.008666617795825f) * place_13 - 0.00805134233087301f) * place_13 - 0.05421232059597969f) * place_13 + 0.1640533059835434f) * place_13 - 0.16603080928325653f) * place_13 - 0.09276388585567474f) * place_13 + 1.27697837352752686f) / (1.0f + 2.0f * _S165);
-    var _S166 : f32;
-    if(x_11 < 0.0f)
-    {
-        _S166 = complement_0;
-    }
-    else
-    {
-        _S166 = 2.0f - complement_0;
-    }
-    return vec2<f32>(_S166, 1.128379225730896f * gaussian_0);
-}
-
-fn visible_over_cos_0( facets_2 : Microfacets_0,  w_7 : vec3<f32>) -> f32
-{
-    var stretched_0 : vec2<f32> = w_7.xy * facets_2.alpha_1;
-    var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S167 : f32 = w_7.z;
-    var z2_1 : f32 = _S167 * _S167;
-    if((facets_2.distribution_1) == u32(1))
-    {
-        return 2.0f / (_S167 + sqrt(z2_1 + spread2_0));
-    }
-    if(z2_1 >= (36.0f * spread2_0))
-    {
-        return 1.0f / _S167;
-    }
-    var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S167 / spread_1);
-    return 2.0f / (_S167 * both_0.x + 0.5f * spread_1 * both_0.y);
-}
-
-fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
-{
-    var h_1 : vec3<f32> = normalize(wi_2 + wo_0);
-    var mirrored_1 : Mirrored_0;
-    mirrored_1.cosine_4 = dot(wi_2, h_1);
-    var _S168 : f32 = 0.25f * density_0(facets_3, h_1) * visible_over_cos_0(facets_3, wi_2);
-    mirrored_1.pdf_2 = _S168;
-    mirrored_1.scattered_0 = _S168 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
-    return mirrored_1;
-}
-
-fn fresnel_conductor_channel_0( cosine_6 : f32,  eta_1 : f32,  k_4 : f32) -> f32
-{
-    var cos2_1 : f32 = cosine_6 * cosine_6;
-    var sin2_0 : f32 = 1.0f - cos2_1;
-    var real_0 : f32 = eta_1 * eta_1 - k_4 * k_4 - sin2_0;
-    var product_2 : f32 = eta_1 * k_4;
-    var modulus_0 : f32 = sqrt(real_0 * real_0 + 4.0f * (product_2 * product_2));
-    if(modulus_0 == 0.0f)
-    {
-        return 1.0f;
-    }
-    var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
-    var smaller_0 : f32 = product_2 / larger_0;
-    var _S169 : bool = real_0 < 0.0f;
-    var a_15 : f32;
-    if(_S169)
-    {
-        a_15 = smaller_0;
-    }
-    else
-    {
-        a_15 = larger_0;
-    }
-    var b_13 : f32;
-    if(_S169)
-    {
-        b_13 = larger_0;
-    }
-    else
-    {
-        b_13 = smaller_0;
-    }
-    var less_0 : f32 = a_15 - cosine_6;
-    var more_0 : f32 = a_15 + cosine_6;
-    var _S170 : f32 = b_13 * b_13;
-    var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S170) / (more_0 * more_0 + _S170) * p_sum_0 / (p_sum_0 + 2.0f * a_15 * cosine_6 * sin2_0);
-}
-
-fn fresnel_conductor_0( cosine_7 : f32,  eta_2 : vec3<f32>,  k_5 : vec3<f32>) -> vec3<f32>
-{
-    return vec3<f32>(fresnel_conductor_channel_0(cosine_7, eta_2.x, k_5.x), fresnel_conductor_channel_0(cosine_7, eta_2.y, k_5.y), fresnel_conductor_channel_0(cosine_7, eta_2.z, k_5.z));
-}
-
-fn coat_eta_0( numbers_4 : Numbers_0) -> f32
-{
-    return luminance_0(numbers_4.eta_0) / luminance_0(numbers_4.k_0);
-}
-
-fn fresnel_dielectric_0( cosine_8 : f32,  eta_3 : f32) -> f32
-{
-    var eta2_0 : f32 = eta_3 * eta_3;
-    var cos2_2 : f32 = cosine_8 * cosine_8;
-    var denser_0 : f32 = (eta_3 - 1.0f) * (eta_3 + 1.0f);
-    var squared_3 : f32 = denser_0 + cos2_2;
-    if(squared_3 <= 0.0f)
-    {
-        return 1.0f;
-    }
-    var refracted_0 : f32 = sqrt(squared_3);
-    var s_sum_0 : f32 = cosine_8 + refracted_0;
-    var p_sum_1 : f32 = eta2_0 * cosine_8 + refracted_0;
-    var senkrecht_0 : f32 = denser_0 / (s_sum_0 * s_sum_0);
-    var parallel_0 : f32 = denser_0 * ((eta2_0 + 1.0f) * cos2_2 - 1.0f) / (p_sum_1 * p_sum_1);
-    return 0.5f * (senkrecht_0 * senkrecht_0 + parallel_0 * parallel_0);
-}
-
-fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_9 : f32) -> f32
-{
-    if((lobe_5.kind_1) == u32(3))
-    {
-        return 1.0f - fresnel_dielectric_0(cosine_9, eta_4);
-    }
-    var place_14 : f32 = cosine_9 * 63.0f;
-    var _S171 : u32 = min(u32(place_14), u32(62));
-    var at_16 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S171;
-    var here_1 : f32 = number_0(at_16);
-    return here_1 + (number_0(at_16 + u32(1)) - here_1) * (place_14 - f32(_S171));
-}
-
-fn fresnel_diffuse_0( eta_5 : f32) -> f32
-{
-    var inverse_1 : f32 = 1.0f / eta_5;
-    if(eta_5 < 1.0f)
-    {
-        return (-1.43990004062652588f * eta_5 + 0.70990002155303955f) * eta_5 + 0.66809999942779541f + 0.06360000371932983f * inverse_1;
-    }
-    return ((((-1.36881005764007568f * inverse_1 + 4.98553991317749023f) * inverse_1 - 7.80988979339599609f) * inverse_1 + 6.75334978103637695f) * inverse_1 - 3.47930002212524414f) * inverse_1 + 0.91931700706481934f;
-}
-
-fn base_0( lobe_6 : Lobe_0,  eta_6 : f32,  diffuse_0 : vec3<f32>) -> vec3<f32>
-{
-    var internal_reflectance_0 : f32;
-    if((lobe_6.kind_1) == u32(3))
-    {
-        internal_reflectance_0 = fresnel_diffuse_0(1.0f / eta_6);
-    }
-    else
-    {
-        internal_reflectance_0 = number_0(word_0(lobe_6.record_2 + u32(3)) + u32(64));
-    }
-    if((word_0(lobe_6.record_2 + u32(2))) == u32(0))
-    {
-        return diffuse_0 * vec3<f32>((1.0f / (1.0f - internal_reflectance_0)));
-    }
-    return diffuse_0 / (vec3<f32>(1.0f) - diffuse_0 * vec3<f32>(internal_reflectance_0));
-}
-
-fn choice_weight_0( colour_2 : vec3<f32>) -> f32
-{
-    return max((colour_2.x + colour_2.y + colour_2.z) / 3.0f, 0.05000000074505806f);
-}
-
-fn base_probability_0( numbers_5 : Numbers_0,  enters_0 : f32) -> f32
-{
-    var of_base_0 : f32 = enters_0 * choice_weight_0(numbers_5.diffuse_reflectance_0);
-    return of_base_0 / (of_base_0 + (1.0f - enters_0) * choice_weight_0(numbers_5.specular_reflectance_0));
-}
-
-struct Scattering_0
-{
-     value_7 : vec3<f32>,
-     pdf_4 : f32,
-};
-
-fn scattering_0( lobe_7 : Lobe_0,  numbers_6 : Numbers_0,  wi_3 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
-{
-    var scattering_1 : Scattering_0;
-    var _S172 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S172 * 0.31830987334251404f;
-    if((lobe_7.kind_1) == u32(0))
-    {
-        scattering_1.value_7 = numbers_6.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
-        scattering_1.pdf_4 = by_cosine_0;
-        return scattering_1;
-    }
-    var _S173 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
-    var by_facets_0 : Mirrored_0;
-    if(is_rough_0(lobe_7))
-    {
-        by_facets_0 = mirrored_0(facets_of_0(lobe_7, numbers_6), wi_3, wo_1);
-    }
-    else
-    {
-        by_facets_0 = _S173;
-    }
-    if((lobe_7.kind_1) == u32(2))
-    {
-        scattering_1.value_7 = numbers_6.specular_reflectance_0 * (fresnel_conductor_0(by_facets_0.cosine_4, numbers_6.eta_0, numbers_6.k_0) * vec3<f32>(by_facets_0.scattered_0));
-        scattering_1.pdf_4 = by_facets_0.pdf_2;
-        return scattering_1;
-    }
-    var eta_7 : f32 = coat_eta_0(numbers_6);
-    var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_3.z);
-    scattering_1.value_7 = base_0(lobe_7, eta_7, numbers_6.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S172) * by_cosine_0 / (eta_7 * eta_7)));
-    var probability_1 : f32 = base_probability_0(numbers_6, enters_1);
-    scattering_1.pdf_4 = probability_1 * by_cosine_0;
-    if((lobe_7.kind_1) == u32(4))
-    {
-        scattering_1.value_7 = scattering_1.value_7 + numbers_6.specular_reflectance_0 * vec3<f32>((fresnel_dielectric_0(by_facets_0.cosine_4, eta_7) * by_facets_0.scattered_0));
-        scattering_1.pdf_4 = scattering_1.pdf_4 + (1.0f - probability_1) * by_facets_0.pdf_2;
-    }
-    return scattering_1;
-}
-
-struct Scattered_0
-{
-     value_8 : vec3<f32>,
-     pdf_5 : f32,
-};
-
-fn eval_and_pdf_0( lobe_8 : Lobe_0,  wi_4 : vec3<f32>,  wo_2 : vec3<f32>) -> Scattered_0
-{
-    var scattered_2 : Scattered_0;
-    scattered_2.value_8 = still_0(vec3<f32>(0.0f));
-    scattered_2.pdf_5 = 0.0f;
-    var _S174 : bool;
-    if((value_of_0(wo_2).z) <= 0.0f)
-    {
-        _S174 = true;
-    }
-    else
-    {
-        _S174 = !has_smooth_0(lobe_8);
-    }
-    if(_S174)
-    {
-        return scattered_2;
-    }
-    var both_1 : Scattering_0 = scattering_0(lobe_8, lobe_8.numbers_2, wi_4, wo_2);
-    scattered_2.value_8 = both_1.value_7;
-    scattered_2.pdf_5 = both_1.pdf_4;
-    return scattered_2;
-}
-
-fn scattered_to_0( vertex_4 : Vertex_0,  wo_3 : vec3<f32>,  direction_14 : vec3<f32>) -> Scattered_0
-{
-    return eval_and_pdf_0(vertex_4.lobe_1, vertex_4.wi_1, changing_0(wo_3, local_change_0(vertex_4, direction_14)));
-}
-
-fn met_0( vertex_5 : Vertex_0,  direction_15 : vec3<f32>,  t_6 : f32,  place_15 : Place_0) -> Place_0
-{
-    return place_15;
-}
-
-fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
-{
-    var ratio_0 : f32 = other_0 / own_2;
-    if(ratio_0 > 9.9999998430674944e+17f)
-    {
-        return 0.0f;
-    }
-    return 1.0f / (own_2 * (1.0f + ratio_0 * ratio_0));
-}
-
-fn in_map_0( map_5 : u32,  direction_16 : vec3<f32>) -> Lookup_0
-{
-    var place_16 : vec2<f32> = map_place_0(map_5, direction_16);
-    var point_1 : Point_0;
-    point_1.value_3 = place_16;
-    var x_12 : i32 = floor_of_0(place_16.x);
-    var y_5 : i32 = floor_of_0(place_16.y);
-    var width_3 : i32 = i32(word_0(map_5));
-    var height_1 : i32 = i32(word_0(map_5 + u32(1)));
-    var left_1 : u32 = wrapped_0(x_12, width_3, u32(0));
-    var right_1 : u32 = wrapped_0(x_12 + i32(1), width_3, u32(0));
-    var _S175 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S176 : u32 = u32(width_3);
-    var first_3 : u32 = _S175 * _S176;
-    var _S177 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S177 * _S176;
-    return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), point_1);
-}
-
-fn emitted_0( emitter_5 : u32,  place_17 : Place_0,  direction_17 : vec3<f32>) -> vec3<f32>
-{
-    var record_13 : u32 = emitter_record_0(emitter_5);
-    var texture_6 : u32 = word_0(record_13 + u32(1));
-    if(!is_map_0(record_13))
-    {
-        var _S178 : vec3<f32> = shown_0(texture_6, place_17);
-        return _S178;
-    }
-    var change_1 : vec2<f32> = vec2<f32>(0.0f);
-    var factor_0 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S179 : u32 = word_0(texture_6 + u32(11));
-    var _S180 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_17));
-    return looked_up_0(_S179, _S180, change_1) * factor_0;
-}
-
-fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_6 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_4 : u32,  bsdf_samples_0 : f32,  importance_0 : vec3<f32>)
-{
-    var probability_2 : f32;
-    var emitter_6 : u32 = chosen_emitter_0(choice_5, random_0(key_7, first_4), &(probability_2));
-    if(probability_2 == 0.0f)
-    {
-        return;
-    }
-    var record_14 : u32 = emitter_record_0(emitter_6);
-    var point_2 : EmitterPoint_0;
-    var nearest_0 : f32 = limit_at_0(u32(2));
-    var direction_18 : vec3<f32>;
-    var way_2 : vec3<f32>;
-    var farthest_0 : f32;
-    var distance_4 : f32;
-    var nearest_1 : f32;
-    if(is_area_0(record_14))
-    {
-        point_2 = area_point_0(record_14, vertex_6.surface_3, key_7, first_4 + u32(1));
-        if(!((point_2.pdf_0) > 0.0f))
-        {
-            return;
-        }
-        var way_3 : vec3<f32> = position_of_0(point_2.place_11) - vertex_6.surface_3.exact_0;
-        var distance_5 : f32 = length(way_3);
-        var nearest_2 : f32 = nearest_0 / distance_5;
-        var _S181 : f32 = limit_at_0(u32(3));
-        direction_18 = way_3 / vec3<f32>(distance_5);
-        way_2 = way_3;
-        farthest_0 = _S181;
-        distance_4 = distance_5;
-        nearest_1 = nearest_2;
-    }
-    else
-    {
-        if(is_map_0(record_14))
-        {
-            var _S182 : u32 = word_0(record_14 + u32(1));
-            var _S183 : u32 = first_4 + u32(1);
-            var _S184 : f32 = point_2.pdf_0;
-            var _S185 : vec3<f32> = sample_map_0(_S182, key_7, _S183, &(_S184));
-            point_2.pdf_0 = _S184;
-            direction_18 = _S185;
-        }
-        else
-        {
-            var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_4 + u32(1)));
-            var _S186 : vec3<f32> = normalize(to_world_0(vertex_6.axes_4, local_1));
-            point_2.pdf_0 = local_1.z * 0.31830987334251404f;
-            direction_18 = _S186;
-        }
-        point_2.place_11 = vertex_6.surface_3.place_3;
-        var _S187 : f32 = limit_at_0(u32(1));
-        way_2 = direction_18;
-        farthest_0 = _S187;
-        distance_4 = 0.0f;
-        nearest_1 = nearest_0;
-    }
-    var wo_4 : vec3<f32> = to_local_0(vertex_6.axes_4, direction_18);
-    if((wo_4.z) <= 0.0f)
-    {
-        return;
-    }
-    var unused_0 : f32;
-    if((cast_0(vertex_6.surface_3.exact_0, way_2, nearest_1, farthest_0, true, &(unused_0)).face_7) != u32(4294967295))
-    {
-        return;
-    }
-    var own_3 : f32 = f32(word_0(u32(2))) * probability_2 * point_2.pdf_0;
-    if(!(own_3 > 0.0f))
-    {
-        return;
-    }
-    var moving_0 : vec3<f32> = towards_emitter_0(vertex_6, direction_18, record_14);
-    var scattered_3 : Scattered_0 = scattered_to_0(vertex_6, wo_4, moving_0);
-    var place_18 : Place_0 = point_2.place_11;
-    var place_19 : Place_0;
-    if(is_area_0(record_14))
-    {
-        place_19 = met_0(vertex_6, moving_0, distance_4, place_18);
-    }
-    else
-    {
-        place_19 = place_18;
-    }
-    var weight_0 : f32 = weight_over_0(own_3, bsdf_samples_0 * scattered_3.pdf_5);
-    var _S188 : vec3<f32> = emitted_0(emitter_6, place_19, moving_0);
-    (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_3.value_8 * (_S188 * vec3<f32>(weight_0));
-    return;
-}
-
-struct Stretched_0
-{
-     sine_4 : f32,
-     cosine_10 : f32,
-     around_0 : vec2<f32>,
-     length_0 : f32,
-};
-
-fn stretched_1( facets_4 : Microfacets_0,  wi_5 : vec3<f32>) -> Stretched_0
-{
-    var longer_0 : vec3<f32> = vec3<f32>(wi_5.xy * facets_4.alpha_1, wi_5.z);
-    var view_7 : Stretched_0;
-    var _S189 : f32 = length(longer_0);
-    view_7.length_0 = _S189;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S189);
-    var _S190 : vec2<f32> = longer_1.xy;
-    var _S191 : f32 = length(_S190);
-    view_7.sine_4 = _S191;
-    view_7.cosine_10 = longer_1.z;
-    var _S192 : vec2<f32>;
-    if(_S191 > 0.0f)
-    {
-        _S192 = _S190 / vec2<f32>(view_7.sine_4);
-    }
-    else
-    {
-        _S192 = vec2<f32>(1.0f, 0.0f);
-    }
-    view_7.around_0 = _S192;
-    return view_7;
-}
-
-fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
-{
-    var _S193 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S193);
-    var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
-    var across_1 : f32 = radius_2 * turn_3.y;
-    var along_5 : f32 = radius_2 * turn_3.x;
-    var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_10);
-    var hidden_0 : f32 = 1.0f - visible_0;
-    var _S194 : f32 = 1.0f - _S193;
-    var edge_0 : f32 = sqrt(_S194 + along_5 * along_5);
-    var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
-    var from_top_0 : f32 = edge_0 - along_5;
-    var from_bottom_0 : f32 = edge_0 + along_5;
-    var from_top_1 : f32;
-    var from_bottom_1 : f32;
-    if(along_5 > 0.0f)
-    {
-        from_top_1 = _S194 / from_bottom_0;
-        from_bottom_1 = from_bottom_0;
-    }
-    else
-    {
-        var _S195 : f32 = _S194 / from_top_0;
-        from_top_1 = from_top_0;
-        from_bottom_1 = _S195;
-    }
-    var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
-    return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_10, across_1, max(towards_0 * view_8.cosine_10 + up_0 * view_8.sine_4, 0.0f));
-}
-
-fn logarithm_0( x_13 : f32) -> f32
-{
-    var bits_0 : u32 = (bitcast<u32>((x_13)));
-    var power_1 : f32 = f32(i32((bits_0 >> (u32(23)))) - i32(126));
-    var m_1 : f32 = (bitcast<f32>(((((bits_0 & (u32(8388607)))) | (u32(1056964608))))));
-    var m_2 : f32;
-    var power_2 : f32;
-    if(m_1 < 0.70710676908493042f)
-    {
-        var power_3 : f32 = power_1 - 1.0f;
-        m_2 = m_1 + m_1;
-        power_2 = power_3;
-    }
-    else
-    {
-        m_2 = m_1;
-        power_2 = power_1;
-    }
-    var m_3 : f32 = m_2 - 1.0f;
-    var z_6 : f32 = m_3 * m_3;
-    return m_3 + (((((((((0.07037683576345444f * m_3 - 0.11514610052108765f) * m_3 + 0.11676998436450958f) * m_3 - 0.12420140951871872f) * m_3 + 0.14249323308467865f) * m_3 - 0.16668057441711426f) * m_3 + 0.20000714063644409f) * m_3 - 0.24999994039535522f) * m_3 + 0.33333331346511841f) * m_3 * z_6 - 0.00021219444170129f * power_2 - 0.5f * z_6) + 0.693359375f * power_2;
-}
-
-fn error_function_inverse_0( p_0 : f32) -> f32
-{
-    var w_8 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
-    if(w_8 < 5.0f)
-    {
-        var w_9 : f32 = w_8 - 2.5f;
-        return ((((((((2.81022636272609816e-08f * w_9 + 3.43273939051869093e-07f) * w_9 - 3.52338770426285919e-06f) * w_9 - 4.39150653619435616e-06f) * w_9 + 0.00021858086984139f) * w_9 - 0.00125372502952814f) * w_9 - 0.00417768163606524f) * w_9 + 0.24664072692394257f) * w_9 + 1.50140941143035889f) * p_0;
-    }
-    var w_10 : f32 = sqrt(w_8) - 3.0f;
-    return ((((((((-0.0002002142573474f * w_10 + 0.00010095055768033f) * w_10 + 0.00134934321977198f) * w_10 - 0.00367342843674123f) * w_10 + 0.00573950773105025f) * w_10 - 0.00762246130034328f) * w_10 + 0.00943887047469616f) * w_10 + 1.00167405605316162f) * w_10 + 2.8329768180847168f) * p_0;
-}
-
-fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>) -> vec3<f32>
-{
-    var steepest_0 : f32;
-    if((view_9.sine_4 * 6.0f) > (view_9.cosine_10))
-    {
-        steepest_0 = view_9.cosine_10 / view_9.sine_4;
-    }
-    else
-    {
-        steepest_0 = 6.0f;
-    }
-    var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S196 : f32 = max(view_9.cosine_10, view_9.sine_4);
-    var slope_1 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S196 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S196, -6.0f, 0.5f * steepest_0);
-    var low_5 : f32 = -6.0f;
-    var high_2 : f32 = steepest_0;
-    var step_0 : u32 = u32(0);
-    for(;;)
-    {
-        if(step_0 < u32(32))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var both_2 : vec2<f32> = error_function_plus_one_0(slope_1);
-        var _S197 : f32 = both_2.y;
-        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S197 - target_1;
-        var own_4 : f32 = _S197 * (view_9.cosine_10 - slope_1 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_1 * own_4 - _S197 * view_9.sine_4;
-        if(error_0 > 0.0f)
-        {
-            high_2 = slope_1;
-        }
-        else
-        {
-            low_5 = slope_1;
-        }
-        var next_0 : f32 = slope_1 - error_0 * own_4 / (own_4 * own_4 - 0.5f * error_0 * bend_0);
-        var _S198 : bool;
-        if(next_0 >= low_5)
-        {
-            _S198 = next_0 <= high_2;
-        }
-        else
-        {
-            _S198 = false;
-        }
-        var next_1 : f32;
-        if(!_S198)
-        {
-            next_1 = 0.5f * (low_5 + high_2);
-        }
-        else
-        {
-            next_1 = next_0;
-        }
-        if((abs(next_1 - slope_1)) < 0.00030000001424924f)
-        {
-            slope_1 = next_1;
-            break;
-        }
-        var _S199 : u32 = step_0 + u32(1);
-        slope_1 = next_1;
-        step_0 = _S199;
-    }
-    return vec3<f32>(- slope_1, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
-}
-
-fn mirrored_at_facet_0( facets_5 : Microfacets_0,  wi_6 : vec3<f32>,  u_11 : vec2<f32>) -> vec3<f32>
-{
-    var view_10 : Stretched_0 = stretched_1(facets_5, wi_6);
-    var normal_7 : vec3<f32>;
-    if((facets_5.distribution_1) == u32(1))
-    {
-        normal_7 = ggx_normal_0(view_10, u_11);
-    }
-    else
-    {
-        normal_7 = beckmann_normal_0(view_10, visible_over_cos_0(facets_5, wi_6), u_11);
-    }
-    var _S200 : f32 = view_10.around_0.x;
-    var _S201 : f32 = normal_7.x;
-    var _S202 : f32 = view_10.around_0.y;
-    var _S203 : f32 = normal_7.y;
-    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S200 * _S201 - _S202 * _S203, _S202 * _S201 + _S200 * _S203) * facets_5.alpha_1, normal_7.z));
-    return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_6, normal_8))) - wi_6);
-}
-
-struct Drawn_0
-{
-     wo_5 : vec3<f32>,
-     is_specular_0 : bool,
-     probability_3 : f32,
-};
-
-fn draw_0( lobe_9 : Lobe_0,  wi_7 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
-{
-    var _S204 : bool = (lobe_9.kind_1) == u32(0);
-    var has_base_0 : bool;
-    if(_S204)
-    {
-        has_base_0 = true;
-    }
-    else
-    {
-        has_base_0 = (lobe_9.kind_1) == u32(3);
-    }
-    if(has_base_0)
-    {
-        has_base_0 = true;
-    }
-    else
-    {
-        has_base_0 = (lobe_9.kind_1) == u32(4);
-    }
-    var of_base_1 : f32;
-    if(_S204)
-    {
-        of_base_1 = 1.0f;
-    }
-    else
-    {
-        of_base_1 = 0.0f;
-    }
-    var _S205 : bool;
-    if((lobe_9.kind_1) == u32(3))
-    {
-        _S205 = true;
-    }
-    else
-    {
-        _S205 = (lobe_9.kind_1) == u32(4);
-    }
-    if(_S205)
-    {
-        of_base_1 = base_probability_0(lobe_9.numbers_2, transmittance_0(lobe_9, coat_eta_0(lobe_9.numbers_2), wi_7.z));
-    }
-    var drawn_0 : Drawn_0;
-    drawn_0.is_specular_0 = false;
-    drawn_0.probability_3 = 1.0f;
-    if(has_base_0)
-    {
-        has_base_0 = choice_6 < of_base_1;
-    }
-    else
-    {
-        has_base_0 = false;
-    }
-    if(has_base_0)
-    {
-        drawn_0.wo_5 = sample_cosine_0(u_12);
-    }
-    else
-    {
-        if(is_rough_0(lobe_9))
-        {
-            drawn_0.wo_5 = mirrored_at_facet_0(facets_of_0(lobe_9, lobe_9.numbers_2), wi_7, u_12);
-        }
-        else
-        {
-            drawn_0.wo_5 = vec3<f32>((vec2<f32>(0) - wi_7.xy), wi_7.z);
-            drawn_0.is_specular_0 = true;
-            drawn_0.probability_3 = 1.0f - of_base_1;
-        }
-    }
-    return drawn_0;
-}
-
-fn specular_direction_0( vertex_7 : Vertex_0,  direction_19 : vec3<f32>,  wo_6 : vec3<f32>) -> vec3<f32>
-{
-    return direction_19;
-}
-
-fn specular_fraction_0( lobe_10 : Lobe_0,  numbers_7 : Numbers_0,  wi_8 : vec3<f32>) -> vec3<f32>
-{
-    if((lobe_10.kind_1) == u32(1))
-    {
-        return numbers_7.specular_reflectance_0 * fresnel_conductor_0(wi_8.z, numbers_7.eta_0, numbers_7.k_0);
-    }
-    return numbers_7.specular_reflectance_0 * vec3<f32>(fresnel_dielectric_0(wi_8.z, coat_eta_0(numbers_7)));
-}
-
-fn specular_0( lobe_11 : Lobe_0,  wi_9 : vec3<f32>) -> vec3<f32>
-{
-    return specular_fraction_0(lobe_11, lobe_11.numbers_2, wi_9);
-}
-
-fn first_from_0( position_6 : vec3<f32>,  direction_20 : vec3<f32>,  t_7 : ptr<function, f32>) -> Found_0
-{
-    var _S206 : Found_0 = cast_1(position_6, direction_20, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_7)));
-    return _S206;
-}
-
-fn place_of_0( found_6 : Found_0) -> Place_0
-{
-    return exact_place_0(found_6.triangle_8, found_6.v_11, found_6.w_6);
-}
-
-fn emitter_seen_0( found_7 : Found_0,  direction_21 : vec3<f32>) -> u32
-{
-    if((found_7.face_7) == u32(4294967295))
+    if((found_6.face_7) == u32(4294967295))
     {
         return word_0(u32(8));
     }
-    var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_8) + u32(4));
-    var _S207 : bool;
-    if(emitter_7 != u32(4294967295))
+    var emitter_6 : u32 = word_0(shape_of_0(found_6.triangle_8) + u32(4));
+    var _S195 : bool;
+    if(emitter_6 != u32(4294967295))
     {
-        _S207 = (dot(cross_of_0(found_7.triangle_8), direction_21)) < 0.0f;
+        _S195 = (dot(cross_of_0(found_6.triangle_8), direction_16)) < 0.0f;
     }
     else
     {
-        _S207 = false;
+        _S195 = false;
     }
-    var _S208 : u32;
-    if(_S207)
+    var _S196 : u32;
+    if(_S195)
     {
-        _S208 = emitter_7;
+        _S196 = emitter_6;
     }
     else
     {
-        _S208 = u32(4294967295);
+        _S196 = u32(4294967295);
     }
-    return _S208;
+    return _S196;
 }
 
-fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_22 : vec3<f32>,  distance_6 : f32) -> f32
+fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_17 : vec3<f32>,  distance_5 : f32) -> f32
 {
-    var own_5 : f32;
-    var rectangle_1 : u32 = word_0(record_15 + u32(4));
+    var own_3 : f32;
+    var rectangle_1 : u32 = word_0(record_14 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S209 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S209.solid_angle_0) > 0.0f))
+        var _S197 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S197.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S209.solid_angle_0) >= 0.00100000004749745f)
+        if((_S197.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S209.solid_angle_0;
+            return 1.0f / _S197.solid_angle_0;
         }
     }
-    var _S210 : u32 = word_0(word_0(record_15 + u32(7)) + face_8);
-    var nodes_at_2 : u32 = word_0(record_15 + u32(5));
+    var _S198 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
+    var nodes_at_2 : u32 = word_0(record_14 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
     for(;;)
@@ -3209,32 +3099,32 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S210 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S198 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
-            own_5 = shares_1.y;
+            own_3 = shares_1.y;
         }
         else
         {
-            own_5 = shares_1.x;
+            own_3 = shares_1.x;
         }
-        var chosen_3 : f32 = chosen_2 * own_5;
-        var _S211 : i32;
+        var chosen_3 : f32 = chosen_2 * own_3;
+        var _S199 : i32;
         if(is_second_1)
         {
-            _S211 = i32(3);
+            _S199 = i32(3);
         }
         else
         {
-            _S211 = i32(2);
+            _S199 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S211));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S199));
         chosen_2 = chosen_3;
     }
-    var _S212 : u32 = word_0(record_15 + u32(6));
-    var _S213 : u32 = word_0(node_6);
-    own_5 = 0.0f;
-    var k_6 : u32 = _S213;
+    var _S200 : u32 = word_0(record_14 + u32(6));
+    var _S201 : u32 = word_0(node_6);
+    own_3 = 0.0f;
+    var k_6 : u32 = _S201;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -3245,55 +3135,105 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_15, word_0(_S212 + k_6), from_2.exact_0);
+        var angle_4 : f32 = face_solid_angle_0(record_14, word_0(_S200 + k_6), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_4;
-        if(k_6 == _S210)
+        if(k_6 == _S198)
         {
-            own_5 = angle_4;
+            own_3 = angle_4;
         }
         k_6 = k_6 + u32(1);
         total_3 = total_4;
     }
-    if(!(own_5 > 0.0f))
+    if(!(own_3 > 0.0f))
     {
         return 0.0f;
     }
-    return chosen_2 / total_3 * density_of_0(own_5, cross_of_0(emitter_triangle_0(record_15, face_8)), distance_6, direction_22);
+    return chosen_2 / total_3 * density_of_0(own_3, cross_of_0(emitter_triangle_0(record_14, face_8)), distance_5, direction_17);
 }
 
-fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  vertex_8 : Vertex_0,  direction_23 : vec3<f32>,  t_8 : f32) -> f32
+fn emitter_pdf_0( emitter_7 : u32,  found_7 : Found_0,  vertex_9 : Vertex_0,  direction_18 : vec3<f32>,  t_5 : f32) -> f32
+{
+    var record_15 : u32 = emitter_record_0(emitter_7);
+    if(is_map_0(record_15))
+    {
+        var _S202 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_18);
+        return _S202;
+    }
+    if(!is_area_0(record_15))
+    {
+        return max(dot(vertex_9.axes_4.n_1, direction_18), 0.0f) * 0.31830987334251404f;
+    }
+    return area_pdf_0(record_15, found_7.face_7 - word_0(record_15 + u32(3)), vertex_9.surface_3, direction_18, t_5);
+}
+
+fn met_0( vertex_10 : Vertex_0,  direction_19 : vec3<f32>,  t_6 : f32,  place_16 : Place_0) -> Place_0
+{
+    return place_16;
+}
+
+fn weight_over_0( own_4 : f32,  other_0 : f32) -> f32
+{
+    var ratio_0 : f32 = other_0 / own_4;
+    if(ratio_0 > 9.9999998430674944e+17f)
+    {
+        return 0.0f;
+    }
+    return 1.0f / (own_4 * (1.0f + ratio_0 * ratio_0));
+}
+
+fn in_map_0( map_5 : u32,  direction_20 : vec3<f32>) -> Lookup_0
+{
+    var place_17 : vec2<f32> = map_place_0(map_5, direction_20);
+    var point_2 : Point_0;
+    point_2.value_3 = place_17;
+    var x_12 : i32 = floor_of_0(place_17.x);
+    var y_4 : i32 = floor_of_0(place_17.y);
+    var width_3 : i32 = i32(word_0(map_5));
+    var height_1 : i32 = i32(word_0(map_5 + u32(1)));
+    var left_1 : u32 = wrapped_0(x_12, width_3, u32(0));
+    var right_1 : u32 = wrapped_0(x_12 + i32(1), width_3, u32(0));
+    var _S203 : u32 = wrapped_0(y_4, height_1, u32(2));
+    var _S204 : u32 = u32(width_3);
+    var first_5 : u32 = _S203 * _S204;
+    var _S205 : u32 = wrapped_0(y_4 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S205 * _S204;
+    return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_2 + left_1, second_2 + right_1), point_2);
+}
+
+fn emitted_0( emitter_8 : u32,  place_18 : Place_0,  direction_21 : vec3<f32>) -> vec3<f32>
 {
     var record_16 : u32 = emitter_record_0(emitter_8);
-    if(is_map_0(record_16))
+    var texture_6 : u32 = word_0(record_16 + u32(1));
+    if(!is_map_0(record_16))
     {
-        var _S214 : f32 = map_pdf_0(word_0(record_16 + u32(1)), direction_23);
-        return _S214;
+        var _S206 : vec3<f32> = shown_0(texture_6, place_18);
+        return _S206;
     }
-    if(!is_area_0(record_16))
-    {
-        return max(dot(vertex_8.axes_4.n_1, direction_23), 0.0f) * 0.31830987334251404f;
-    }
-    return area_pdf_0(record_16, found_8.face_7 - word_0(record_16 + u32(3)), vertex_8.surface_3, direction_23, t_8);
+    var change_1 : vec2<f32> = vec2<f32>(0.0f);
+    var factor_0 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
+    var _S207 : u32 = word_0(texture_6 + u32(11));
+    var _S208 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_21));
+    return looked_up_0(_S207, _S208, change_1) * factor_0;
 }
 
-fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, Reflected_0>,  importance_1 : vec3<f32>) -> bool
+fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_0 : vec3<f32>) -> bool
 {
     var depth_2 : u32 = launch_0.depth_0;
-    var first_5 : u32 = vertex_numbers_0(launch_0.depth_0);
+    var _S209 : u32 = vertex_numbers_0(launch_0.depth_0);
     var surface_5 : Surface_0 = surface_at_0((*path_5).place_1, value_of_0((*path_5).direction_0));
     var material_1 : u32 = material_of_0(surface_5);
     if(material_1 == u32(4294967295))
     {
         return false;
     }
-    var vertex_9 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_5).direction_0);
+    var vertex_11 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_5).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S215 : u32 = word_0(u32(3));
-    var _S216 : bool = !reaches_0(depth_2 + u32(3));
+    var _S210 : u32 = word_0(u32(3));
+    var _S211 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S216)
+    if(_S211)
     {
-        goes_on_0 = (vertex_9.lobe_1.kind_1) == u32(0);
+        goes_on_0 = (vertex_11.lobe_1.kind_1) == u32(0);
     }
     else
     {
@@ -3307,17 +3247,17 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         goes_on_0 = false;
     }
-    var bsdf_samples_1 : u32;
+    var bsdf_samples_0 : u32;
     if(goes_on_0)
     {
-        bsdf_samples_1 = u32(0);
+        bsdf_samples_0 = u32(0);
     }
     else
     {
-        bsdf_samples_1 = _S215;
+        bsdf_samples_0 = _S210;
     }
     var on_emitters_0 : u32;
-    if(has_smooth_0(vertex_9.lobe_1))
+    if(has_smooth_0(vertex_11.lobe_1))
     {
         on_emitters_0 = emitter_samples_0;
     }
@@ -3325,139 +3265,178 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S217 : Choice_0 = choice_at_0(surface_5.position_0, vertex_9.axes_4.n_1, on_emitters_0 == u32(0));
-    var i_4 : u32 = u32(0);
-    for(;;)
-    {
-        if(i_4 < on_emitters_0)
-        {
-        }
-        else
-        {
-            break;
-        }
-        add_light_from_emitter_0(&((*reflected_2)), vertex_9, _S217, (*path_5).key_0, first_5 + u32(3) * i_4, f32(bsdf_samples_1), importance_1);
-        i_4 = i_4 + u32(1);
-    }
-    var first_6 : u32 = first_5 + u32(3) * emitter_samples_0;
+    var _S212 : Choice_0 = choice_at_0(surface_5.position_0, vertex_11.axes_4.n_1, on_emitters_0 == u32(0));
     goes_on_0 = false;
     var next_2 : Place_0 = (*path_5).place_1;
     var next_direction_0 : vec3<f32> = (*path_5).direction_0;
-    var k_7 : u32 = u32(0);
+    var i_4 : u32 = u32(0);
     for(;;)
     {
-        if(k_7 < bsdf_samples_1)
+        if(i_4 < (on_emitters_0 + bsdf_samples_0))
         {
         }
         else
         {
             break;
         }
-        var own_first_0 : u32 = first_6 + u32(3) * k_7;
-        var drawn_1 : Drawn_0 = draw_0(vertex_9.lobe_1, value_of_0(vertex_9.wi_1), random_0((*path_5).key_0, own_first_0), random_pair_0((*path_5).key_0, own_first_0 + u32(1)));
-        var direction_24 : vec3<f32> = normalize(to_world_0(vertex_9.axes_4, drawn_1.wo_5));
-        var moving_1 : vec3<f32>;
-        if(drawn_1.is_specular_0)
-        {
-            moving_1 = specular_direction_0(vertex_9, direction_24, drawn_1.wo_5);
-        }
-        else
-        {
-            moving_1 = changing_0(direction_24, turning_0(vertex_9, direction_24));
-        }
-        var scattered_4 : Scattered_0;
-        if(drawn_1.is_specular_0)
-        {
-            scattered_4.value_8 = specular_0(vertex_9.lobe_1, vertex_9.wi_1);
-            scattered_4.pdf_5 = drawn_1.probability_3;
-        }
-        else
-        {
-            scattered_4 = scattered_to_0(vertex_9, drawn_1.wo_5, moving_1);
-        }
-        if(!((scattered_4.pdf_5) > 0.0f))
-        {
-            k_7 = k_7 + u32(1);
-            continue;
-        }
-        var t_9 : f32;
-        var found_9 : Found_0 = first_from_0(surface_5.exact_0, direction_24, &(t_9));
+        var sample_3 : LightSample_0;
         var goes_on_1 : bool;
         var next_3 : Place_0;
         var next_direction_1 : vec3<f32>;
-        if(k_7 == u32(0))
+        if(i_4 < on_emitters_0)
         {
-            var _S218 : bool = (found_9.face_7) != u32(4294967295);
-            var _S219 : Place_0 = place_of_0(found_9);
-            (*reflected_2).onward_0 = scattered_4.value_8 * vec3<f32>((1.0f / scattered_4.pdf_5));
-            goes_on_1 = _S218;
-            next_3 = _S219;
-            next_direction_1 = moving_1;
+            var _S213 : bool = sample_emitter_0(vertex_11, _S212, (*path_5).key_0, _S209 + u32(3) * i_4, &(sample_3));
+            if(!_S213)
+            {
+                goes_on_1 = goes_on_0;
+                next_3 = next_2;
+                next_direction_1 = next_direction_0;
+                var _S214 : u32 = i_4 + u32(1);
+                goes_on_0 = goes_on_1;
+                next_2 = next_3;
+                next_direction_0 = next_direction_1;
+                i_4 = _S214;
+                continue;
+            }
         }
         else
+        {
+            sample_3 = sample_material_0(vertex_11, (*path_5).key_0, _S209 + u32(3) * emitter_samples_0 + u32(3) * (i_4 - on_emitters_0));
+        }
+        var moving_1 : vec3<f32>;
+        var scattered_4 : Scattered_0 = scattered_along_0(vertex_11, sample_3, &(moving_1));
+        var _S215 : bool;
+        if(!sample_3.is_on_emitter_0)
+        {
+            _S215 = !((scattered_4.pdf_6) > 0.0f);
+        }
+        else
+        {
+            _S215 = false;
+        }
+        if(_S215)
         {
             goes_on_1 = goes_on_0;
             next_3 = next_2;
             next_direction_1 = next_direction_0;
-        }
-        var emitter_9 : u32 = emitter_seen_0(found_9, direction_24);
-        if(emitter_9 == u32(4294967295))
-        {
+            var _S214 : u32 = i_4 + u32(1);
             goes_on_0 = goes_on_1;
             next_2 = next_3;
             next_direction_0 = next_direction_1;
-            k_7 = k_7 + u32(1);
+            i_4 = _S214;
             continue;
         }
-        var own_6 : f32 = f32(bsdf_samples_1) * scattered_4.pdf_5;
-        var _S220 : bool = !drawn_1.is_specular_0;
-        var _S221 : bool;
-        if(_S220)
-        {
-            _S221 = emitter_samples_0 != u32(0);
-        }
-        else
-        {
-            _S221 = false;
-        }
+        var t_7 : f32;
+        var found_8 : Found_0 = cast_0(surface_5.exact_0, sample_3.way_1, sample_3.nearest_0, sample_3.farthest_0, sample_3.is_on_emitter_0, &(t_7));
+        var own_5 : f32;
         var other_1 : f32;
-        if(_S221)
+        if(sample_3.is_on_emitter_0)
         {
-            var pdf_6 : f32 = emitter_pdf_0(emitter_9, found_9, vertex_9, direction_24, t_9);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S217) * pdf_6;
+            if((found_8.face_7) != u32(4294967295))
+            {
+                goes_on_1 = goes_on_0;
+                next_3 = next_2;
+                next_direction_1 = next_direction_0;
+                var _S214 : u32 = i_4 + u32(1);
+                goes_on_0 = goes_on_1;
+                next_2 = next_3;
+                next_direction_0 = next_direction_1;
+                i_4 = _S214;
+                continue;
+            }
+            var own_6 : f32 = f32(emitter_samples_0) * sample_3.probability_1 * sample_3.pdf_2;
+            if(!(own_6 > 0.0f))
+            {
+                goes_on_1 = goes_on_0;
+                next_3 = next_2;
+                next_direction_1 = next_direction_0;
+                var _S214 : u32 = i_4 + u32(1);
+                goes_on_0 = goes_on_1;
+                next_2 = next_3;
+                next_direction_0 = next_direction_1;
+                i_4 = _S214;
+                continue;
+            }
+            var _S216 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
+            own_5 = own_6;
+            other_1 = _S216;
+            goes_on_1 = goes_on_0;
+            next_3 = next_2;
+            next_direction_1 = next_direction_0;
         }
         else
         {
-            other_1 = 0.0f;
+            if(i_4 == on_emitters_0)
+            {
+                var _S217 : bool = (found_8.face_7) != u32(4294967295);
+                var _S218 : Place_0 = place_of_0(found_8);
+                (*reflected_1).onward_0 = scattered_4.value_8 * vec3<f32>((1.0f / scattered_4.pdf_6));
+                goes_on_1 = _S217;
+                next_3 = _S218;
+                next_direction_1 = moving_1;
+            }
+            else
+            {
+                goes_on_1 = goes_on_0;
+                next_3 = next_2;
+                next_direction_1 = next_direction_0;
+            }
+            var _S219 : u32 = emitter_seen_0(found_8, sample_3.direction_9);
+            sample_3.emitter_5 = _S219;
+            if(_S219 == u32(4294967295))
+            {
+                var _S214 : u32 = i_4 + u32(1);
+                goes_on_0 = goes_on_1;
+                next_2 = next_3;
+                next_direction_0 = next_direction_1;
+                i_4 = _S214;
+                continue;
+            }
+            sample_3.place_13 = place_of_0(found_8);
+            sample_3.distance_4 = t_7;
+            var _S220 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
+            var _S221 : bool;
+            if(!sample_3.is_specular_0)
+            {
+                _S221 = emitter_samples_0 != u32(0);
+            }
+            else
+            {
+                _S221 = false;
+            }
+            if(_S221)
+            {
+                var pdf_7 : f32 = emitter_pdf_0(sample_3.emitter_5, found_8, vertex_11, sample_3.direction_9, t_7);
+                own_5 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S212) * pdf_7;
+            }
+            else
+            {
+                own_5 = 0.0f;
+            }
+            var _S222 : f32 = own_5;
+            own_5 = _S220;
+            other_1 = _S222;
         }
-        var moving_2 : vec3<f32>;
-        if(_S220)
+        var place_19 : Place_0 = sample_3.place_13;
+        var place_20 : Place_0;
+        if(is_area_0(emitter_record_0(sample_3.emitter_5)))
         {
-            moving_2 = towards_emitter_0(vertex_9, direction_24, emitter_record_0(emitter_9));
+            place_20 = met_0(vertex_11, moving_1, sample_3.distance_4, place_19);
         }
         else
         {
-            moving_2 = moving_1;
+            place_20 = place_19;
         }
-        var place_20 : Place_0 = place_of_0(found_9);
-        var place_21 : Place_0;
-        if((found_9.face_7) != u32(4294967295))
-        {
-            place_21 = met_0(vertex_9, moving_2, t_9, place_20);
-        }
-        else
-        {
-            place_21 = place_20;
-        }
-        var weight_1 : f32 = weight_over_0(own_6, other_1);
-        var _S222 : vec3<f32> = emitted_0(emitter_9, place_21, moving_2);
-        (*reflected_2).direct_0 = (*reflected_2).direct_0 + scattered_4.value_8 * (_S222 * vec3<f32>(weight_1));
+        var weight_0 : f32 = weight_over_0(own_5, other_1);
+        var _S223 : vec3<f32> = emitted_0(sample_3.emitter_5, place_20, moving_1);
+        (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_4.value_8 * (_S223 * vec3<f32>(weight_0));
+        var _S214 : u32 = i_4 + u32(1);
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
-        k_7 = k_7 + u32(1);
+        i_4 = _S214;
     }
-    if(_S216)
+    if(_S211)
     {
         goes_on_0 = true;
     }
@@ -3469,21 +3448,21 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         return false;
     }
-    var throughput_1 : vec3<f32> = value_of_0((*path_5).throughput_0) * value_of_0((*reflected_2).onward_0);
-    var _S223 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    if(!(_S223 > 0.0f))
+    var throughput_1 : vec3<f32> = value_of_0((*path_5).throughput_0) * value_of_0((*reflected_1).onward_0);
+    var _S224 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    if(!(_S224 > 0.0f))
     {
         return false;
     }
-    var _S224 : u32 = depth_2 + u32(1);
-    if(_S224 >= (word_0(u32(1))))
+    var _S225 : u32 = depth_2 + u32(1);
+    if(_S225 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S223, 0.0f, 0.94999998807907104f);
-        if((random_0((*path_5).key_0, vertex_numbers_0(_S224) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S224, 0.0f, 0.94999998807907104f);
+        if((random_0((*path_5).key_0, vertex_numbers_0(_S225) - u32(1))) >= survival_0)
         {
             return false;
         }
-        (*reflected_2).onward_0 = (*reflected_2).onward_0 * vec3<f32>((1.0f / survival_0));
+        (*reflected_1).onward_0 = (*reflected_1).onward_0 * vec3<f32>((1.0f / survival_0));
     }
     (*path_5).place_1 = next_2;
     (*path_5).direction_0 = next_direction_0;
@@ -3498,18 +3477,18 @@ fn set_word_0( path_6 : u32,  which_5 : u32,  value_9 : u32)
 
 fn set_vector_0( path_7 : u32,  which_6 : ptr<function, u32>,  value_10 : vec3<f32>)
 {
-    var axis_6 : u32 = u32(0);
+    var axis_5 : u32 = u32(0);
     for(;;)
     {
-        if(axis_6 < u32(3))
+        if(axis_5 < u32(3))
         {
         }
         else
         {
             break;
         }
-        set_word_0(path_7, (*which_6) + axis_6, (bitcast<u32>((value_10[axis_6]))));
-        axis_6 = axis_6 + u32(1);
+        set_word_0(path_7, (*which_6) + axis_5, (bitcast<u32>((value_10[axis_5]))));
+        axis_5 = axis_5 + u32(1);
     }
     (*which_6) = (*which_6) + u32(3);
     return;
@@ -3521,13 +3500,13 @@ fn set_changing_0( path_8 : u32,  which_7 : ptr<function, u32>,  vector_1 : vec3
     return;
 }
 
-fn set_place_0( path_9 : u32,  which_8 : ptr<function, u32>,  place_22 : Place_0)
+fn set_place_0( path_9 : u32,  which_8 : ptr<function, u32>,  place_21 : Place_0)
 {
-    set_word_0(path_9, (*which_8), place_22.triangle_0);
-    set_word_0(path_9, (*which_8) + u32(1), (bitcast<u32>((place_22.v_0))));
-    set_word_0(path_9, (*which_8) + u32(2), (bitcast<u32>((place_22.w_0))));
-    set_word_0(path_9, (*which_8) + u32(3), (bitcast<u32>((place_22.v_rest_0))));
-    set_word_0(path_9, (*which_8) + u32(4), (bitcast<u32>((place_22.w_rest_0))));
+    set_word_0(path_9, (*which_8), place_21.triangle_0);
+    set_word_0(path_9, (*which_8) + u32(1), (bitcast<u32>((place_21.v_0))));
+    set_word_0(path_9, (*which_8) + u32(2), (bitcast<u32>((place_21.w_0))));
+    set_word_0(path_9, (*which_8) + u32(3), (bitcast<u32>((place_21.v_rest_0))));
+    set_word_0(path_9, (*which_8) + u32(4), (bitcast<u32>((place_21.w_rest_0))));
     (*which_8) = (*which_8) + u32(5);
     return;
 }
@@ -3546,13 +3525,13 @@ fn store_0( number_of_path_1 : u32,  path_10 : Path_0)
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S225 : u32;
+    var _S226 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S226 : u32 = u32(2) + zero_0;
-        _S225 = _S226;
-        if(rounds_0 < _S226)
+        var _S227 : u32 = u32(2) + zero_0;
+        _S226 = _S227;
+        if(rounds_0 < _S227)
         {
         }
         else
@@ -3561,14 +3540,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S225;
+    return rounds_0 == _S226;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S227 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S228 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -3582,21 +3561,21 @@ fn take_thread_further_0( thread_0 : u32)
     }
     var number_of_path_2 : u32 = input_0[at_18];
     var path_11 : Path_0 = load_0(number_of_path_2);
-    var reflected_3 : Reflected_0 = nothing_reflected_0();
-    var goes_on_2 : bool = take_further_0(&(path_11), &(reflected_3), vec3<f32>(0.0f));
-    path_11.light_0 = path_11.light_0 + path_11.throughput_0 * reflected_3.direct_0;
-    path_11.throughput_0 = path_11.throughput_0 * reflected_3.onward_0;
+    var reflected_2 : Reflected_0 = nothing_reflected_0();
+    var goes_on_2 : bool = take_further_0(&(path_11), &(reflected_2), vec3<f32>(0.0f));
+    path_11.light_0 = path_11.light_0 + path_11.throughput_0 * reflected_2.direct_0;
+    path_11.throughput_0 = path_11.throughput_0 * reflected_2.onward_0;
     store_0(number_of_path_2, path_11);
-    var _S228 : u32;
+    var _S229 : u32;
     if(goes_on_2)
     {
-        _S228 = number_of_path_2;
+        _S229 = number_of_path_2;
     }
     else
     {
-        _S228 = u32(4294967295);
+        _S229 = u32(4294967295);
     }
-    set_word_0(at_18, u32(0), _S228);
+    set_word_0(at_18, u32(0), _S229);
     check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 8dedb7035812a872
-// result: f2cb1626ccb80d4f
+// source: 6d9ec5e121453302
+// result: 43f5cd63128f2b6c
 
 struct Launch_std140_0
 {
@@ -1408,6 +1408,11 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_5 : vec3<f32>,  alike_0 : bool) 
     return choice_2;
 }
 
+fn limit_at_0( which_5 : u32) -> f64
+{
+    return primitives_0[word_0(u32(13)) + which_5];
+}
+
 fn product_0( a_12 : u32,  b_6 : u32) -> vec2<u32>
 {
     var a0_0 : u32 = (a_12 & (u32(65535)));
@@ -1526,11 +1531,6 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
         rest_1 = rest_2;
     }
     return found_0;
-}
-
-fn limit_at_0( which_5 : u32) -> f64
-{
-    return primitives_0[word_0(u32(13)) + which_5];
 }
 
 fn place_at_0( triangle_7 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
@@ -2335,25 +2335,1148 @@ fn to_world_0( axes_3 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
     return axes_3.s_0 * vec3<f32>(v_7.x) + axes_3.t_0 * vec3<f32>(v_7.y) + axes_3.n_1 * vec3<f32>(v_7.z);
 }
 
+struct LightSample_0
+{
+     direction_11 : vec3<f32>,
+     wo_0 : vec3<f32>,
+     way_1 : vec3<f64>,
+     nearest_0 : f64,
+     farthest_0 : f64,
+     is_on_emitter_0 : bool,
+     emitter_5 : u32,
+     probability_1 : f32,
+     pdf_2 : f32,
+     distance_4 : f32,
+     place_17 : Place_0,
+     is_specular_0 : bool,
+};
+
+fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_4 : u32,  sample_0 : ptr<function, LightSample_0>) -> bool
+{
+    (*sample_0).is_on_emitter_0 = true;
+    (*sample_0).is_specular_0 = false;
+    (*sample_0).direction_11 = vertex_1.axes_1.n_1;
+    (*sample_0).wo_0 = vec3<f32>(0.0f);
+    (*sample_0).way_1 = vertex_1.surface_4.exact_0;
+    (*sample_0).distance_4 = 0.0f;
+    (*sample_0).pdf_2 = 0.0f;
+    (*sample_0).place_17 = vertex_1.surface_4.place_3;
+    (*sample_0).nearest_0 = limit_at_0(u32(2));
+    (*sample_0).farthest_0 = limit_at_0(u32(1));
+    var _S273 : f32 = random_0(key_7, first_4);
+    var _S274 : f32 = (*sample_0).probability_1;
+    var _S275 : u32 = chosen_emitter_0(choice_5, _S273, &(_S274));
+    (*sample_0).probability_1 = _S274;
+    (*sample_0).emitter_5 = _S275;
+    if(_S274 == 0.0f)
+    {
+        return false;
+    }
+    var record_13 : u32 = emitter_record_0((*sample_0).emitter_5);
+    if(is_area_0(record_13))
+    {
+        var point_1 : EmitterPoint_0 = area_point_0(record_13, vertex_1.surface_4, key_7, first_4 + u32(1));
+        if(!((point_1.pdf_0) > 0.0f))
+        {
+            return false;
+        }
+        (*sample_0).pdf_2 = point_1.pdf_0;
+        (*sample_0).place_17 = point_1.place_15;
+        var _S276 : vec3<f64> = position_of_0(point_1.place_15) - vertex_1.surface_4.exact_0;
+        (*sample_0).way_1 = _S276;
+        var _S277 : vec3<f32> = vec3<f32>(_S276);
+        var _S278 : f32 = length(_S277);
+        (*sample_0).distance_4 = _S278;
+        (*sample_0).direction_11 = _S277 / vec3<f32>(_S278);
+        (*sample_0).nearest_0 = (*sample_0).nearest_0 / f64(_S278);
+        (*sample_0).farthest_0 = limit_at_0(u32(3));
+    }
+    else
+    {
+        if(is_map_0(record_13))
+        {
+            var _S279 : u32 = word_0(record_13 + u32(1));
+            var _S280 : u32 = first_4 + u32(1);
+            var _S281 : f32 = (*sample_0).pdf_2;
+            var _S282 : vec3<f32> = sample_map_0(_S279, key_7, _S280, &(_S281));
+            (*sample_0).pdf_2 = _S281;
+            (*sample_0).direction_11 = _S282;
+        }
+        else
+        {
+            var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_4 + u32(1)));
+            (*sample_0).direction_11 = normalize(to_world_0(vertex_1.axes_1, local_1));
+            (*sample_0).pdf_2 = local_1.z * 0.31830987334251404f;
+        }
+        (*sample_0).way_1 = vec3<f64>((*sample_0).direction_11);
+    }
+    var _S283 : vec3<f32> = to_local_0(vertex_1.axes_1, (*sample_0).direction_11);
+    (*sample_0).wo_0 = _S283;
+    return (_S283.z) > 0.0f;
+}
+
+fn coat_eta_0( numbers_3 : Numbers_0) -> f32
+{
+    return luminance_0(numbers_3.eta_0) / luminance_0(numbers_3.k_0);
+}
+
+struct DiffPair_Numbers_0
+{
+     primal_0 : Numbers_0,
+     differential_0 : Numbers_0,
+};
+
+fn s_fwd_coat_eta_0( dpnumbers_0 : DiffPair_Numbers_0) -> DiffPair_float_0
+{
+    var _S284 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_0.primal_0.eta_0, dpnumbers_0.differential_0.eta_0 );
+    var _S285 : DiffPair_float_0 = s_fwd_luminance_0(_S284);
+    var _S286 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_0.primal_0.k_0, dpnumbers_0.differential_0.k_0 );
+    var _S287 : DiffPair_float_0 = s_fwd_luminance_0(_S286);
+    var _S288 : DiffPair_float_0 = DiffPair_float_0( _S285.primal_0 / _S287.primal_0, (_S285.differential_0 * _S287.primal_0 - _S285.primal_0 * _S287.differential_0) / (_S287.primal_0 * _S287.primal_0) );
+    return _S288;
+}
+
+fn fresnel_dielectric_0( cosine_4 : f32,  eta_1 : f32) -> f32
+{
+    var eta2_0 : f32 = eta_1 * eta_1;
+    var cos2_0 : f32 = cosine_4 * cosine_4;
+    var denser_0 : f32 = (eta_1 - 1.0f) * (eta_1 + 1.0f);
+    var squared_3 : f32 = denser_0 + cos2_0;
+    if(squared_3 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    var refracted_0 : f32 = sqrt(squared_3);
+    var s_sum_0 : f32 = cosine_4 + refracted_0;
+    var p_sum_0 : f32 = eta2_0 * cosine_4 + refracted_0;
+    var senkrecht_0 : f32 = denser_0 / (s_sum_0 * s_sum_0);
+    var parallel_0 : f32 = denser_0 * ((eta2_0 + 1.0f) * cos2_0 - 1.0f) / (p_sum_0 * p_sum_0);
+    return 0.5f * (senkrecht_0 * senkrecht_0 + parallel_0 * parallel_0);
+}
+
+fn s_fwd_fresnel_dielectric_0( dpcosine_0 : DiffPair_float_0,  dpeta_0 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S289 : f32 = dpeta_0.primal_0;
+    var eta2_1 : f32 = _S289 * _S289;
+    var _S290 : f32 = dpeta_0.differential_0 * dpeta_0.primal_0;
+    var s_diff_eta2_0 : f32 = _S290 + _S290;
+    var cos2_1 : f32 = dpcosine_0.primal_0 * dpcosine_0.primal_0;
+    var _S291 : f32 = dpcosine_0.differential_0 * dpcosine_0.primal_0;
+    var s_diff_cos2_0 : f32 = _S291 + _S291;
+    var _S292 : f32 = dpeta_0.primal_0 - 1.0f;
+    var _S293 : f32 = dpeta_0.primal_0 + 1.0f;
+    var denser_1 : f32 = _S292 * _S293;
+    var s_diff_denser_0 : f32 = dpeta_0.differential_0 * _S293 + dpeta_0.differential_0 * _S292;
+    var squared_4 : f32 = denser_1 + cos2_1;
+    var s_diff_squared_0 : f32 = s_diff_denser_0 + s_diff_cos2_0;
+    if(squared_4 <= 0.0f)
+    {
+        var _S294 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
+        return _S294;
+    }
+    var _S295 : DiffPair_float_0 = DiffPair_float_0( squared_4, s_diff_squared_0 );
+    var _S296 : DiffPair_float_0 = _d_sqrt_0(_S295);
+    var s_sum_1 : f32 = dpcosine_0.primal_0 + _S296.primal_0;
+    var p_sum_1 : f32 = eta2_1 * dpcosine_0.primal_0 + _S296.primal_0;
+    var _S297 : f32 = s_sum_1 * s_sum_1;
+    var _S298 : f32 = (dpcosine_0.differential_0 + _S296.differential_0) * s_sum_1;
+    var senkrecht_1 : f32 = denser_1 / _S297;
+    var _S299 : f32 = eta2_1 + 1.0f;
+    var _S300 : f32 = _S299 * cos2_1 - 1.0f;
+    var _S301 : f32 = denser_1 * _S300;
+    var _S302 : f32 = p_sum_1 * p_sum_1;
+    var _S303 : f32 = (s_diff_eta2_0 * dpcosine_0.primal_0 + dpcosine_0.differential_0 * eta2_1 + _S296.differential_0) * p_sum_1;
+    var parallel_1 : f32 = _S301 / _S302;
+    var _S304 : f32 = (s_diff_denser_0 * _S297 - denser_1 * (_S298 + _S298)) / (_S297 * _S297) * senkrecht_1;
+    var _S305 : f32 = ((s_diff_denser_0 * _S300 + (s_diff_eta2_0 * cos2_1 + s_diff_cos2_0 * _S299) * denser_1) * _S302 - _S301 * (_S303 + _S303)) / (_S302 * _S302) * parallel_1;
+    var _S306 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (senkrecht_1 * senkrecht_1 + parallel_1 * parallel_1), (_S304 + _S304 + (_S305 + _S305)) * 0.5f );
+    return _S306;
+}
+
+fn transmittance_0( lobe_3 : Lobe_0,  eta_2 : f32,  cosine_5 : f32) -> f32
+{
+    if((lobe_3.kind_1) == u32(3))
+    {
+        return 1.0f - fresnel_dielectric_0(cosine_5, eta_2);
+    }
+    var place_18 : f32 = cosine_5 * 63.0f;
+    var _S307 : u32 = min(u32(place_18), u32(62));
+    var at_21 : u32 = word_0(lobe_3.record_3 + u32(3)) + _S307;
+    var here_0 : f32 = number_0(at_21);
+    return here_0 + (number_0(at_21 + u32(1)) - here_0) * (place_18 - f32(_S307));
+}
+
+fn s_fwd_transmittance_0( lobe_4 : Lobe_0,  dpeta_1 : DiffPair_float_0,  dpcosine_1 : DiffPair_float_0) -> DiffPair_float_0
+{
+    if((lobe_4.kind_1) == u32(3))
+    {
+        var _S308 : DiffPair_float_0 = DiffPair_float_0( dpcosine_1.primal_0, dpcosine_1.differential_0 );
+        var _S309 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0, dpeta_1.differential_0 );
+        var _S310 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S308, _S309);
+        var _S311 : DiffPair_float_0 = DiffPair_float_0( 1.0f - _S310.primal_0, 0.0f - _S310.differential_0 );
+        return _S311;
+    }
+    var place_19 : f32 = dpcosine_1.primal_0 * 63.0f;
+    var _S312 : u32 = min(u32(place_19), u32(62));
+    var at_22 : u32 = word_0(lobe_4.record_3 + u32(3)) + _S312;
+    var here_1 : f32 = number_0(at_22);
+    var _S313 : f32 = number_0(at_22 + u32(1)) - here_1;
+    var _S314 : DiffPair_float_0 = DiffPair_float_0( here_1 + _S313 * (place_19 - f32(_S312)), dpcosine_1.differential_0 * 63.0f * _S313 );
+    return _S314;
+}
+
+fn choice_weight_0( colour_2 : vec3<f32>) -> f32
+{
+    return max((colour_2.x + colour_2.y + colour_2.z) / 3.0f, 0.05000000074505806f);
+}
+
+fn base_probability_0( numbers_4 : Numbers_0,  enters_0 : f32) -> f32
+{
+    var of_base_0 : f32 = enters_0 * choice_weight_0(numbers_4.diffuse_reflectance_0);
+    return of_base_0 / (of_base_0 + (1.0f - enters_0) * choice_weight_0(numbers_4.specular_reflectance_0));
+}
+
+fn is_rough_0( lobe_5 : Lobe_0) -> bool
+{
+    var _S315 : bool;
+    if((lobe_5.kind_1) == u32(2))
+    {
+        _S315 = true;
+    }
+    else
+    {
+        _S315 = (lobe_5.kind_1) == u32(4);
+    }
+    return _S315;
+}
+
+struct Microfacets_0
+{
+     distribution_1 : u32,
+     alpha_1 : vec2<f32>,
+};
+
+fn facets_of_0( lobe_6 : Lobe_0,  numbers_5 : Numbers_0) -> Microfacets_0
+{
+    var facets_0 : Microfacets_0;
+    facets_0.distribution_1 = lobe_6.distribution_0;
+    facets_0.alpha_1 = max(numbers_5.alpha_0, vec2<f32>(0.00009999999747379f));
+    return facets_0;
+}
+
+struct Microfacets_Differential_0
+{
+     alpha_2 : vec2<f32>,
+};
+
+struct DiffPair_Microfacets_0
+{
+     primal_0 : Microfacets_0,
+     differential_0 : Microfacets_Differential_0,
+};
+
+fn s_fwd_facets_of_0( lobe_7 : Lobe_0,  dpnumbers_1 : DiffPair_Numbers_0) -> DiffPair_Microfacets_0
+{
+    var _S316 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( dpnumbers_1.primal_0.alpha_0, dpnumbers_1.differential_0.alpha_0 );
+    var _S317 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(0.00009999999747379f), vec2<f32>(0.0f) );
+    var _S318 : DiffPair_vectorx3Cfloatx2C2x3E_0 = _d_max_vector_0(_S316, _S317);
+    var _S319 : Microfacets_0 = Microfacets_0( lobe_7.distribution_0, _S318.primal_0 );
+    var _S320 : Microfacets_Differential_0 = Microfacets_Differential_0( _S318.differential_0 );
+    var _S321 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S319, _S320 );
+    return _S321;
+}
+
+struct Stretched_0
+{
+     sine_4 : f32,
+     cosine_6 : f32,
+     around_0 : vec2<f32>,
+     length_0 : f32,
+};
+
+fn stretched_0( facets_1 : Microfacets_0,  wi_2 : vec3<f32>) -> Stretched_0
+{
+    var longer_0 : vec3<f32> = vec3<f32>(wi_2.xy * facets_1.alpha_1, wi_2.z);
+    var view_2 : Stretched_0;
+    var _S322 : f32 = length(longer_0);
+    view_2.length_0 = _S322;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S322);
+    var _S323 : vec2<f32> = longer_1.xy;
+    var _S324 : f32 = length(_S323);
+    view_2.sine_4 = _S324;
+    view_2.cosine_6 = longer_1.z;
+    var _S325 : vec2<f32>;
+    if(_S324 > 0.0f)
+    {
+        _S325 = _S323 / vec2<f32>(view_2.sine_4);
+    }
+    else
+    {
+        _S325 = vec2<f32>(1.0f, 0.0f);
+    }
+    view_2.around_0 = _S325;
+    return view_2;
+}
+
+fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
+{
+    var _S326 : f32 = u_8.x;
+    var radius_2 : f32 = sqrt(_S326);
+    var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_8.y);
+    var across_3 : f32 = radius_2 * turn_3.y;
+    var along_3 : f32 = radius_2 * turn_3.x;
+    var visible_0 : f32 = 0.5f * (1.0f + view_3.cosine_6);
+    var hidden_0 : f32 = 1.0f - visible_0;
+    var _S327 : f32 = 1.0f - _S326;
+    var edge_0 : f32 = sqrt(_S327 + along_3 * along_3);
+    var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_3;
+    var from_top_0 : f32 = edge_0 - along_3;
+    var from_bottom_0 : f32 = edge_0 + along_3;
+    var from_top_1 : f32;
+    var from_bottom_1 : f32;
+    if(along_3 > 0.0f)
+    {
+        from_top_1 = _S327 / from_bottom_0;
+        from_bottom_1 = from_bottom_0;
+    }
+    else
+    {
+        var _S328 : f32 = _S327 / from_top_0;
+        from_top_1 = from_top_0;
+        from_bottom_1 = _S328;
+    }
+    var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
+    return vec3<f32>(towards_0 * view_3.sine_4 - up_0 * view_3.cosine_6, across_3, max(towards_0 * view_3.cosine_6 + up_0 * view_3.sine_4, 0.0f));
+}
+
+fn exponential_0( x_8 : f32) -> f32
+{
+    if(x_8 < -87.0f)
+    {
+        return 0.0f;
+    }
+    var power_0 : f32 = floor(x_8 * 1.4426950216293335f + 0.5f);
+    var r_0 : f32 = x_8 - power_0 * 0.693359375f + power_0 * 0.00021219444170129f;
+    return ((((((0.00019875691214111f * r_0 + 0.00139819993637502f) * r_0 + 0.00833345204591751f) * r_0 + 0.04166579619050026f) * r_0 + 0.1666666567325592f) * r_0 + 0.5f) * r_0 * r_0 + r_0 + 1.0f) * (bitcast<f32>(((u32(i32(power_0) + i32(127)) << (u32(23))))));
+}
+
+fn s_fwd_exponential_0( dpx_11 : DiffPair_float_0) -> DiffPair_float_0
+{
+    if((dpx_11.primal_0) < -87.0f)
+    {
+        var _S329 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+        return _S329;
+    }
+    var power_1 : f32 = floor(dpx_11.primal_0 * 1.4426950216293335f + 0.5f);
+    var r_1 : f32 = dpx_11.primal_0 - power_1 * 0.693359375f + power_1 * 0.00021219444170129f;
+    var _S330 : f32 = 0.00019875691214111f * r_1 + 0.00139819993637502f;
+    var _S331 : f32 = _S330 * r_1 + 0.00833345204591751f;
+    var tail_1 : f32 = _S331 * r_1 + 0.04166579619050026f;
+    var _S332 : f32 = tail_1 * r_1 + 0.1666666567325592f;
+    var tail_2 : f32 = _S332 * r_1 + 0.5f;
+    var _S333 : f32 = tail_2 * r_1;
+    var _S334 : f32 = (bitcast<f32>(((u32(i32(power_1) + i32(127)) << (u32(23))))));
+    var _S335 : DiffPair_float_0 = DiffPair_float_0( (_S333 * r_1 + r_1 + 1.0f) * _S334, ((((((dpx_11.differential_0 * 0.00019875691214111f * r_1 + dpx_11.differential_0 * _S330) * r_1 + dpx_11.differential_0 * _S331) * r_1 + dpx_11.differential_0 * tail_1) * r_1 + dpx_11.differential_0 * _S332) * r_1 + dpx_11.differential_0 * tail_2) * r_1 + dpx_11.differential_0 * _S333 + dpx_11.differential_0) * _S334 );
+    return _S335;
+}
+
+fn error_function_plus_one_0( x_9 : f32) -> vec2<f32>
+{
+    var _S336 : f32 = min(abs(x_9), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S336 * _S336);
+    var place_20 : f32 = (_S336 - 2.0f) / (_S336 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_20 - 0.00127731403335929f) * place_20 + 0.00131371302995831f) * place_20 + 0.008666617795825f) * place_20 - 0.00805134233087301f) * place_20 - 0.05421232059597969f) * place_20 + 0.1640533059835434f) * place_20 - 0.16603080928325653f) * place_20 - 0.09276388585567474f) * place_20 + 1.27697837352752686f) / (1.0f + 2.0f * _S336);
+    var _S337 : f32;
+    if(x_9 < 0.0f)
+    {
+        _S337 = complement_0;
+    }
+    else
+    {
+        _S337 = 2.0f - complement_0;
+    }
+    return vec2<f32>(_S337, 1.128379225730896f * gaussian_0);
+}
+
+fn error_function_changed_0( x_10 : DiffPair_float_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
+{
+    var both_0 : vec2<f32> = error_function_plus_one_0(x_10.primal_0);
+    var _S338 : f32 = both_0.y;
+    var _S339 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( both_0, vec2<f32>(_S338, -2.0f * x_10.primal_0 * _S338) * vec2<f32>(x_10.differential_0) );
+    return _S339;
+}
+
+fn visible_over_cos_0( facets_2 : Microfacets_0,  w_4 : vec3<f32>) -> f32
+{
+    var stretched_1 : vec2<f32> = w_4.xy * facets_2.alpha_1;
+    var spread2_0 : f32 = dot(stretched_1, stretched_1);
+    var _S340 : f32 = w_4.z;
+    var z2_1 : f32 = _S340 * _S340;
+    if((facets_2.distribution_1) == u32(1))
+    {
+        return 2.0f / (_S340 + sqrt(z2_1 + spread2_0));
+    }
+    if(z2_1 >= (36.0f * spread2_0))
+    {
+        return 1.0f / _S340;
+    }
+    var spread_0 : f32 = sqrt(spread2_0);
+    var both_1 : vec2<f32> = error_function_plus_one_0(_S340 / spread_0);
+    return 2.0f / (_S340 * both_1.x + 0.5f * spread_0 * both_1.y);
+}
+
+fn s_fwd_visible_over_cos_0( dpfacets_0 : DiffPair_Microfacets_0,  dpw_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
+{
+    var _S341 : vec2<f32> = dpw_0.primal_0.xy;
+    var _S342 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S341 * dpfacets_0.primal_0.alpha_1, dpw_0.differential_0.xy * dpfacets_0.primal_0.alpha_1 + dpfacets_0.differential_0.alpha_2 * _S341 );
+    var _S343 : DiffPair_float_0 = _d_dot_0(_S342, _S342);
+    var _S344 : f32 = dpw_0.primal_0.z;
+    var _S345 : f32 = dpw_0.differential_0.z;
+    var z2_2 : f32 = _S344 * _S344;
+    var _S346 : f32 = _S345 * _S344;
+    var s_diff_z2_0 : f32 = _S346 + _S346;
+    if((dpfacets_0.primal_0.distribution_1) == u32(1))
+    {
+        var _S347 : DiffPair_float_0 = DiffPair_float_0( z2_2 + _S343.primal_0, s_diff_z2_0 + _S343.differential_0 );
+        var _S348 : DiffPair_float_0 = _d_sqrt_0(_S347);
+        var _S349 : f32 = _S344 + _S348.primal_0;
+        var _S350 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S349, (0.0f - 2.0f * (_S345 + _S348.differential_0)) / (_S349 * _S349) );
+        return _S350;
+    }
+    if(z2_2 >= (36.0f * _S343.primal_0))
+    {
+        var _S351 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S344, (0.0f - _S345) / z2_2 );
+        return _S351;
+    }
+    var _S352 : DiffPair_float_0 = DiffPair_float_0( _S343.primal_0, _S343.differential_0 );
+    var _S353 : DiffPair_float_0 = _d_sqrt_0(_S352);
+    var _S354 : DiffPair_float_0 = DiffPair_float_0( _S344 / _S353.primal_0, (_S345 * _S353.primal_0 - _S344 * _S353.differential_0) / (_S353.primal_0 * _S353.primal_0) );
+    var _S355 : DiffPair_vectorx3Cfloatx2C2x3E_0 = error_function_changed_0(_S354);
+    var _S356 : f32 = _S355.primal_0.x;
+    var _S357 : f32 = 0.5f * _S353.primal_0;
+    var _S358 : f32 = _S355.primal_0.y;
+    var _S359 : f32 = _S344 * _S356 + _S357 * _S358;
+    var _S360 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S359, (0.0f - 2.0f * (_S345 * _S356 + _S355.differential_0.x * _S344 + (_S353.differential_0 * 0.5f * _S358 + _S355.differential_0.y * _S357))) / (_S359 * _S359) );
+    return _S360;
+}
+
+fn logarithm_0( x_11 : f32) -> f32
+{
+    var bits_1 : u32 = (bitcast<u32>((x_11)));
+    var power_2 : f32 = f32(i32((bits_1 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((bits_1 & (u32(8388607)))) | (u32(1056964608))))));
+    var m_1 : f32;
+    var power_3 : f32;
+    if(m_0 < 0.70710676908493042f)
+    {
+        var power_4 : f32 = power_2 - 1.0f;
+        m_1 = m_0 + m_0;
+        power_3 = power_4;
+    }
+    else
+    {
+        m_1 = m_0;
+        power_3 = power_2;
+    }
+    var m_2 : f32 = m_1 - 1.0f;
+    var z_4 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * z_4 - 0.00021219444170129f * power_3 - 0.5f * z_4) + 0.693359375f * power_3;
+}
+
+fn error_function_inverse_0( p_0 : f32) -> f32
+{
+    var w_5 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
+    if(w_5 < 5.0f)
+    {
+        var w_6 : f32 = w_5 - 2.5f;
+        return ((((((((2.81022636272609816e-08f * w_6 + 3.43273939051869093e-07f) * w_6 - 3.52338770426285919e-06f) * w_6 - 4.39150653619435616e-06f) * w_6 + 0.00021858086984139f) * w_6 - 0.00125372502952814f) * w_6 - 0.00417768163606524f) * w_6 + 0.24664072692394257f) * w_6 + 1.50140941143035889f) * p_0;
+    }
+    var w_7 : f32 = sqrt(w_5) - 3.0f;
+    return ((((((((-0.0002002142573474f * w_7 + 0.00010095055768033f) * w_7 + 0.00134934321977198f) * w_7 - 0.00367342843674123f) * w_7 + 0.00573950773105025f) * w_7 - 0.00762246130034328f) * w_7 + 0.00943887047469616f) * w_7 + 1.00167405605316162f) * w_7 + 2.8329768180847168f) * p_0;
+}
+
+fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) -> vec3<f32>
+{
+    var steepest_0 : f32;
+    if((view_4.sine_4 * 6.0f) > (view_4.cosine_6))
+    {
+        steepest_0 = view_4.cosine_6 / view_4.sine_4;
+    }
+    else
+    {
+        steepest_0 = 6.0f;
+    }
+    var target_1 : f32 = u_9.x * (2.0f / (visible_1 * view_4.length_0));
+    var _S361 : f32 = max(view_4.cosine_6, view_4.sine_4);
+    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S361 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S361, -6.0f, 0.5f * steepest_0);
+    var low_4 : f32 = -6.0f;
+    var high_1 : f32 = steepest_0;
+    var step_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(step_0 < u32(32))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var both_2 : vec2<f32> = error_function_plus_one_0(slope_0);
+        var _S362 : f32 = both_2.y;
+        var error_0 : f32 = view_4.cosine_6 * both_2.x + 0.5f * view_4.sine_4 * _S362 - target_1;
+        var own_2 : f32 = _S362 * (view_4.cosine_6 - slope_0 * view_4.sine_4);
+        var bend_0 : f32 = -2.0f * slope_0 * own_2 - _S362 * view_4.sine_4;
+        if(error_0 > 0.0f)
+        {
+            high_1 = slope_0;
+        }
+        else
+        {
+            low_4 = slope_0;
+        }
+        var next_0 : f32 = slope_0 - error_0 * own_2 / (own_2 * own_2 - 0.5f * error_0 * bend_0);
+        var _S363 : bool;
+        if(next_0 >= low_4)
+        {
+            _S363 = next_0 <= high_1;
+        }
+        else
+        {
+            _S363 = false;
+        }
+        var next_1 : f32;
+        if(!_S363)
+        {
+            next_1 = 0.5f * (low_4 + high_1);
+        }
+        else
+        {
+            next_1 = next_0;
+        }
+        if((abs(next_1 - slope_0)) < 0.00030000001424924f)
+        {
+            slope_0 = next_1;
+            break;
+        }
+        var _S364 : u32 = step_0 + u32(1);
+        slope_0 = next_1;
+        step_0 = _S364;
+    }
+    return vec3<f32>(- slope_0, error_function_inverse_0(max(2.0f * u_9.y - 1.0f, -0.99999994039535522f)), 1.0f);
+}
+
+fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  u_10 : vec2<f32>) -> vec3<f32>
+{
+    var view_5 : Stretched_0 = stretched_0(facets_3, wi_3);
+    var normal_9 : vec3<f32>;
+    if((facets_3.distribution_1) == u32(1))
+    {
+        normal_9 = ggx_normal_0(view_5, u_10);
+    }
+    else
+    {
+        normal_9 = beckmann_normal_0(view_5, visible_over_cos_0(facets_3, wi_3), u_10);
+    }
+    var _S365 : f32 = view_5.around_0.x;
+    var _S366 : f32 = normal_9.x;
+    var _S367 : f32 = view_5.around_0.y;
+    var _S368 : f32 = normal_9.y;
+    var normal_10 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S365 * _S366 - _S367 * _S368, _S367 * _S366 + _S365 * _S368) * facets_3.alpha_1, normal_9.z));
+    return normalize(normal_10 * vec3<f32>((2.0f * dot(wi_3, normal_10))) - wi_3);
+}
+
+struct Drawn_0
+{
+     wo_1 : vec3<f32>,
+     is_specular_1 : bool,
+     probability_2 : f32,
+};
+
+fn draw_0( lobe_8 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32>) -> Drawn_0
+{
+    var _S369 : bool = (lobe_8.kind_1) == u32(0);
+    var has_base_0 : bool;
+    if(_S369)
+    {
+        has_base_0 = true;
+    }
+    else
+    {
+        has_base_0 = (lobe_8.kind_1) == u32(3);
+    }
+    if(has_base_0)
+    {
+        has_base_0 = true;
+    }
+    else
+    {
+        has_base_0 = (lobe_8.kind_1) == u32(4);
+    }
+    var of_base_1 : f32;
+    if(_S369)
+    {
+        of_base_1 = 1.0f;
+    }
+    else
+    {
+        of_base_1 = 0.0f;
+    }
+    var _S370 : bool;
+    if((lobe_8.kind_1) == u32(3))
+    {
+        _S370 = true;
+    }
+    else
+    {
+        _S370 = (lobe_8.kind_1) == u32(4);
+    }
+    if(_S370)
+    {
+        of_base_1 = base_probability_0(lobe_8.numbers_2, transmittance_0(lobe_8, coat_eta_0(lobe_8.numbers_2), wi_4.z));
+    }
+    var drawn_0 : Drawn_0;
+    drawn_0.is_specular_1 = false;
+    drawn_0.probability_2 = 1.0f;
+    if(has_base_0)
+    {
+        has_base_0 = choice_6 < of_base_1;
+    }
+    else
+    {
+        has_base_0 = false;
+    }
+    if(has_base_0)
+    {
+        drawn_0.wo_1 = sample_cosine_0(u_11);
+    }
+    else
+    {
+        if(is_rough_0(lobe_8))
+        {
+            drawn_0.wo_1 = mirrored_at_facet_0(facets_of_0(lobe_8, lobe_8.numbers_2), wi_4, u_11);
+        }
+        else
+        {
+            drawn_0.wo_1 = vec3<f32>((vec2<f32>(0) - wi_4.xy), wi_4.z);
+            drawn_0.is_specular_1 = true;
+            drawn_0.probability_2 = 1.0f - of_base_1;
+        }
+    }
+    return drawn_0;
+}
+
+fn sample_material_0( vertex_2 : Vertex_0,  key_8 : vec2<u32>,  first_5 : u32) -> LightSample_0
+{
+    var drawn_1 : Drawn_0 = draw_0(vertex_2.lobe_1, value_of_0(vertex_2.wi_1), random_0(key_8, first_5), random_pair_0(key_8, first_5 + u32(1)));
+    var sample_1 : LightSample_0;
+    sample_1.is_on_emitter_0 = false;
+    sample_1.is_specular_0 = drawn_1.is_specular_1;
+    sample_1.probability_1 = drawn_1.probability_2;
+    sample_1.wo_0 = drawn_1.wo_1;
+    var _S371 : vec3<f32> = normalize(to_world_0(vertex_2.axes_1, drawn_1.wo_1));
+    sample_1.direction_11 = _S371;
+    sample_1.way_1 = vec3<f64>(_S371);
+    sample_1.nearest_0 = limit_at_0(u32(2));
+    sample_1.farthest_0 = limit_at_0(u32(1));
+    sample_1.emitter_5 = u32(4294967295);
+    sample_1.distance_4 = 0.0f;
+    sample_1.pdf_2 = 0.0f;
+    sample_1.place_17 = vertex_2.surface_4.place_3;
+    return sample_1;
+}
+
+fn specular_direction_0( vertex_3 : Vertex_0,  direction_12 : vec3<f32>,  wo_2 : vec3<f32>) -> Vector_0
+{
+    var change_7 : vec3<f32> = change_of_0(vertex_3.wi_1);
+    return changing_0(direction_12, to_world_0(vertex_3.axes_change_0, wo_2) + to_world_0(vertex_3.axes_1, vec3<f32>((vec2<f32>(0) - change_7.xy), change_7.z)));
+}
+
+fn s_fwd_fresnel_conductor_channel_0( dpcosine_2 : DiffPair_float_0,  dpeta_2 : DiffPair_float_0,  dpk_0 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S372 : f32 = dpcosine_2.primal_0;
+    var cos2_2 : f32 = _S372 * _S372;
+    var _S373 : f32 = dpcosine_2.differential_0 * dpcosine_2.primal_0;
+    var s_diff_cos2_1 : f32 = _S373 + _S373;
+    var sin2_0 : f32 = 1.0f - cos2_2;
+    var s_diff_sin2_0 : f32 = 0.0f - s_diff_cos2_1;
+    var _S374 : f32 = dpeta_2.differential_0 * dpeta_2.primal_0;
+    var _S375 : f32 = dpk_0.differential_0 * dpk_0.primal_0;
+    var real_0 : f32 = dpeta_2.primal_0 * dpeta_2.primal_0 - dpk_0.primal_0 * dpk_0.primal_0 - sin2_0;
+    var s_diff_real_0 : f32 = _S374 + _S374 - (_S375 + _S375) - s_diff_sin2_0;
+    var product_1 : f32 = dpeta_2.primal_0 * dpk_0.primal_0;
+    var s_diff_product_0 : f32 = dpeta_2.differential_0 * dpk_0.primal_0 + dpk_0.differential_0 * dpeta_2.primal_0;
+    var _S376 : f32 = s_diff_real_0 * real_0;
+    var _S377 : f32 = s_diff_product_0 * product_1;
+    var _S378 : DiffPair_float_0 = DiffPair_float_0( real_0 * real_0 + 4.0f * (product_1 * product_1), _S376 + _S376 + (_S377 + _S377) * 4.0f );
+    var _S379 : DiffPair_float_0 = _d_sqrt_0(_S378);
+    if((_S379.primal_0) == 0.0f)
+    {
+        var _S380 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
+        return _S380;
+    }
+    var _S381 : DiffPair_float_0 = DiffPair_float_0( real_0, s_diff_real_0 );
+    var _S382 : DiffPair_float_0 = _d_abs_0(_S381);
+    var _S383 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (_S379.primal_0 + _S382.primal_0), (_S379.differential_0 + _S382.differential_0) * 0.5f );
+    var _S384 : DiffPair_float_0 = _d_sqrt_0(_S383);
+    var smaller_0 : f32 = product_1 / _S384.primal_0;
+    var s_diff_smaller_0 : f32 = (s_diff_product_0 * _S384.primal_0 - product_1 * _S384.differential_0) / (_S384.primal_0 * _S384.primal_0);
+    var _S385 : bool = real_0 < 0.0f;
+    var a_20 : f32;
+    var s_diff_a_1 : f32;
+    if(_S385)
+    {
+        a_20 = smaller_0;
+        s_diff_a_1 = s_diff_smaller_0;
+    }
+    else
+    {
+        a_20 = _S384.primal_0;
+        s_diff_a_1 = _S384.differential_0;
+    }
+    var b_14 : f32;
+    var s_diff_b_1 : f32;
+    if(_S385)
+    {
+        b_14 = _S384.primal_0;
+        s_diff_b_1 = _S384.differential_0;
+    }
+    else
+    {
+        b_14 = smaller_0;
+        s_diff_b_1 = s_diff_smaller_0;
+    }
+    var less_0 : f32 = a_20 - dpcosine_2.primal_0;
+    var more_0 : f32 = a_20 + dpcosine_2.primal_0;
+    var _S386 : f32 = (s_diff_a_1 - dpcosine_2.differential_0) * less_0;
+    var _S387 : f32 = b_14 * b_14;
+    var _S388 : f32 = s_diff_b_1 * b_14;
+    var _S389 : f32 = _S388 + _S388;
+    var _S390 : f32 = less_0 * less_0 + _S387;
+    var _S391 : f32 = (s_diff_a_1 + dpcosine_2.differential_0) * more_0;
+    var _S392 : f32 = more_0 * more_0 + _S387;
+    var senkrecht_2 : f32 = _S390 / _S392;
+    var _S393 : f32 = s_diff_sin2_0 * sin2_0;
+    var p_sum_2 : f32 = _S379.primal_0 * cos2_2 + sin2_0 * sin2_0;
+    var s_diff_p_sum_0 : f32 = _S379.differential_0 * cos2_2 + s_diff_cos2_1 * _S379.primal_0 + (_S393 + _S393);
+    var _S394 : f32 = senkrecht_2 * p_sum_2;
+    var _S395 : f32 = 2.0f * a_20;
+    var _S396 : f32 = _S395 * dpcosine_2.primal_0;
+    var _S397 : f32 = p_sum_2 + _S396 * sin2_0;
+    var _S398 : DiffPair_float_0 = DiffPair_float_0( _S394 / _S397, ((((_S386 + _S386 + _S389) * _S392 - _S390 * (_S391 + _S391 + _S389)) / (_S392 * _S392) * p_sum_2 + s_diff_p_sum_0 * senkrecht_2) * _S397 - _S394 * (s_diff_p_sum_0 + ((s_diff_a_1 * 2.0f * dpcosine_2.primal_0 + dpcosine_2.differential_0 * _S395) * sin2_0 + s_diff_sin2_0 * _S396))) / (_S397 * _S397) );
+    return _S398;
+}
+
+fn s_fwd_fresnel_conductor_0( dpcosine_3 : DiffPair_float_0,  dpeta_3 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpk_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+    var _S399 : DiffPair_float_0 = DiffPair_float_0( dpcosine_3.primal_0, dpcosine_3.differential_0 );
+    var _S400 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0.x, dpeta_3.differential_0.x );
+    var _S401 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.x, dpk_1.differential_0.x );
+    var _S402 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S399, _S400, _S401);
+    var _S403 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0.y, dpeta_3.differential_0.y );
+    var _S404 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.y, dpk_1.differential_0.y );
+    var _S405 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S399, _S403, _S404);
+    var _S406 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0.z, dpeta_3.differential_0.z );
+    var _S407 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.z, dpk_1.differential_0.z );
+    var _S408 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S399, _S406, _S407);
+    var _S409 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S402.primal_0, _S405.primal_0, _S408.primal_0), vec3<f32>(_S402.differential_0, _S405.differential_0, _S408.differential_0) );
+    return _S409;
+}
+
+fn s_fwd_specular_fraction_0( lobe_9 : Lobe_0,  dpnumbers_2 : DiffPair_Numbers_0,  dpwi_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+    if((lobe_9.kind_1) == u32(1))
+    {
+        var _S410 : DiffPair_float_0 = DiffPair_float_0( dpwi_0.primal_0.z, dpwi_0.differential_0.z );
+        var _S411 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.eta_0, dpnumbers_2.differential_0.eta_0 );
+        var _S412 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.k_0, dpnumbers_2.differential_0.k_0 );
+        var _S413 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S410, _S411, _S412);
+        var _S414 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.specular_reflectance_0 * _S413.primal_0, dpnumbers_2.differential_0.specular_reflectance_0 * _S413.primal_0 + _S413.differential_0 * dpnumbers_2.primal_0.specular_reflectance_0 );
+        return _S414;
+    }
+    var _S415 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
+    var _S416 : DiffPair_float_0 = s_fwd_coat_eta_0(_S415);
+    var _S417 : DiffPair_float_0 = DiffPair_float_0( dpwi_0.primal_0.z, dpwi_0.differential_0.z );
+    var _S418 : DiffPair_float_0 = DiffPair_float_0( _S416.primal_0, _S416.differential_0 );
+    var _S419 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S417, _S418);
+    var _S420 : vec3<f32> = vec3<f32>(_S419.primal_0);
+    var _S421 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.specular_reflectance_0 * _S420, dpnumbers_2.differential_0.specular_reflectance_0 * _S420 + vec3<f32>(_S419.differential_0) * dpnumbers_2.primal_0.specular_reflectance_0 );
+    return _S421;
+}
+
+fn specular_0( lobe_10 : Lobe_0,  wi_5 : Vector_0) -> Vector_0
+{
+    var _S422 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_10.numbers_2, lobe_10.changes_0 );
+    var _S423 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_5.value_0, wi_5.change_0 );
+    var _S424 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_specular_fraction_0(lobe_10, _S422, _S423);
+    return changing_0(_S424.primal_0, _S424.differential_0);
+}
+
+fn turns_1( vertex_4 : Vertex_0) -> bool
+{
+    if((any(((vertex_4.surface_4.position_change_0) != vec3<f32>(0.0f)))))
+    {
+        return true;
+    }
+    return (change_word_0(u32(1))) != u32(0);
+}
+
+fn turning_0( vertex_5 : Vertex_0,  direction_13 : vec3<f32>) -> vec3<f32>
+{
+    var _S425 : vec3<f32>;
+    if(turns_1(vertex_5))
+    {
+        _S425 = vertex_5.axes_change_0.n_1 * vec3<f32>(dot(vertex_5.axes_1.n_1, direction_13)) - vertex_5.axes_1.n_1 * vec3<f32>(dot(vertex_5.axes_change_0.n_1, direction_13));
+    }
+    else
+    {
+        _S425 = vec3<f32>(0.0f);
+    }
+    return _S425;
+}
+
+fn towards_emitter_0( vertex_6 : Vertex_0,  direction_14 : vec3<f32>,  record_14 : u32) -> Vector_0
+{
+    var _S426 : Vector_0;
+    if((word_0(record_14)) == u32(1))
+    {
+        _S426 = changing_0(direction_14, turning_0(vertex_6, direction_14));
+    }
+    else
+    {
+        _S426 = still_0(direction_14);
+    }
+    return _S426;
+}
+
+fn local_change_0( vertex_7 : Vertex_0,  direction_15 : Vector_0) -> vec3<f32>
+{
+    return to_local_0(vertex_7.axes_change_0, value_of_0(direction_15)) + to_local_0(vertex_7.axes_1, change_of_0(direction_15));
+}
+
+struct Mirrored_0
+{
+     cosine_7 : f32,
+     pdf_3 : f32,
+     scattered_0 : f32,
+};
+
+struct DiffPair_Mirrored_0
+{
+     primal_0 : Mirrored_0,
+     differential_0 : Mirrored_0,
+};
+
+fn s_fwd_Mirrored_x24init_0( dpcosine_4 : DiffPair_float_0,  dppdf_0 : DiffPair_float_0,  dpscattered_0 : DiffPair_float_0) -> DiffPair_Mirrored_0
+{
+    var _S427 : Mirrored_0 = Mirrored_0( dpcosine_4.primal_0, dppdf_0.primal_0, dpscattered_0.primal_0 );
+    var _S428 : Mirrored_0 = Mirrored_0( dpcosine_4.differential_0, dppdf_0.differential_0, dpscattered_0.differential_0 );
+    var _S429 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S427, _S428 );
+    return _S429;
+}
+
+fn s_fwd_density_0( dpfacets_1 : DiffPair_Microfacets_0,  dpm_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
+{
+    var _S430 : f32 = dpm_0.primal_0.z;
+    var _S431 : f32 = dpm_0.differential_0.z;
+    if(_S430 <= 0.0f)
+    {
+        var _S432 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+        return _S432;
+    }
+    var _S433 : f32 = 3.14159274101257324f * dpfacets_1.primal_0.alpha_1.x;
+    var _S434 : f32 = dpfacets_1.primal_0.alpha_1.y;
+    var scale_0 : f32 = _S433 * _S434;
+    var s_diff_scale_0 : f32 = dpfacets_1.differential_0.alpha_2.x * 3.14159274101257324f * _S434 + dpfacets_1.differential_0.alpha_2.y * _S433;
+    var _S435 : vec2<f32> = dpm_0.primal_0.xy;
+    var _S436 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S435 / dpfacets_1.primal_0.alpha_1, (dpm_0.differential_0.xy * dpfacets_1.primal_0.alpha_1 - _S435 * dpfacets_1.differential_0.alpha_2) / (dpfacets_1.primal_0.alpha_1 * dpfacets_1.primal_0.alpha_1) );
+    var _S437 : DiffPair_float_0 = _d_dot_0(_S436, _S436);
+    var cos2_3 : f32 = _S430 * _S430;
+    var _S438 : f32 = _S431 * _S430;
+    var s_diff_cos2_2 : f32 = _S438 + _S438;
+    if((dpfacets_1.primal_0.distribution_1) == u32(1))
+    {
+        var sum_2 : f32 = _S437.primal_0 + cos2_3;
+        var s_diff_sum_0 : f32 = _S437.differential_0 + s_diff_cos2_2;
+        var _S439 : f32 = scale_0 * sum_2;
+        var _S440 : f32 = _S439 * sum_2;
+        var _S441 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S440, (0.0f - ((s_diff_scale_0 * sum_2 + s_diff_sum_0 * scale_0) * sum_2 + s_diff_sum_0 * _S439)) / (_S440 * _S440) );
+        return _S441;
+    }
+    var exponent_0 : f32 = _S437.primal_0 / cos2_3;
+    var s_diff_exponent_0 : f32 = (_S437.differential_0 * cos2_3 - _S437.primal_0 * s_diff_cos2_2) / (cos2_3 * cos2_3);
+    var _S442 : f32;
+    var _S443 : f32;
+    if(exponent_0 > 80.0f)
+    {
+        _S442 = 0.0f;
+        _S443 = 0.0f;
+    }
+    else
+    {
+        var _S444 : DiffPair_float_0 = DiffPair_float_0( - exponent_0, - s_diff_exponent_0 );
+        var _S445 : DiffPair_float_0 = s_fwd_exponential_0(_S444);
+        var _S446 : f32 = scale_0 * cos2_3;
+        var _S447 : f32 = _S446 * cos2_3;
+        var _S448 : f32 = (_S445.differential_0 * _S447 - _S445.primal_0 * ((s_diff_scale_0 * cos2_3 + s_diff_cos2_2 * scale_0) * cos2_3 + s_diff_cos2_2 * _S446)) / (_S447 * _S447);
+        _S442 = _S445.primal_0 / _S447;
+        _S443 = _S448;
+    }
+    var _S449 : DiffPair_float_0 = DiffPair_float_0( _S442, _S443 );
+    return _S449;
+}
+
+fn s_fwd_mirrored_0( dpfacets_2 : DiffPair_Microfacets_0,  dpwi_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Mirrored_0
+{
+    var _S450 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_1.primal_0 + dpwo_0.primal_0, dpwi_1.differential_0 + dpwo_0.differential_0 );
+    var _S451 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S450);
+    var _S452 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_1.primal_0, dpwi_1.differential_0 );
+    var _S453 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S451.primal_0, _S451.differential_0 );
+    var _S454 : DiffPair_float_0 = _d_dot_1(_S452, _S453);
+    var _S455 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( dpfacets_2.primal_0, dpfacets_2.differential_0 );
+    var _S456 : DiffPair_float_0 = s_fwd_density_0(_S455, _S453);
+    var _S457 : f32 = 0.25f * _S456.primal_0;
+    var _S458 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S455, _S452);
+    var _S459 : f32 = _S457 * _S458.primal_0;
+    var _S460 : f32 = _S456.differential_0 * 0.25f * _S458.primal_0 + _S458.differential_0 * _S457;
+    var _S461 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_0.primal_0, dpwo_0.differential_0 );
+    var _S462 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S455, _S461);
+    var _S463 : f32 = _S459 * _S462.primal_0;
+    var _S464 : f32 = dpwo_0.primal_0.z;
+    var _S465 : Mirrored_0 = Mirrored_0( _S454.primal_0, _S459, _S463 * _S464 );
+    var _S466 : Mirrored_0 = Mirrored_0( _S454.differential_0, _S460, (_S460 * _S462.primal_0 + _S462.differential_0 * _S459) * _S464 + dpwo_0.differential_0.z * _S463 );
+    var _S467 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S465, _S466 );
+    return _S467;
+}
+
+fn s_fwd_fresnel_diffuse_0( dpeta_4 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var inverse_0 : f32 = 1.0f / dpeta_4.primal_0;
+    var s_diff_inverse_0 : f32 = (0.0f - dpeta_4.differential_0) / (dpeta_4.primal_0 * dpeta_4.primal_0);
+    if((dpeta_4.primal_0) < 1.0f)
+    {
+        var _S468 : f32 = -1.43990004062652588f * dpeta_4.primal_0 + 0.70990002155303955f;
+        var _S469 : DiffPair_float_0 = DiffPair_float_0( _S468 * dpeta_4.primal_0 + 0.66809999942779541f + 0.06360000371932983f * inverse_0, dpeta_4.differential_0 * -1.43990004062652588f * dpeta_4.primal_0 + dpeta_4.differential_0 * _S468 + s_diff_inverse_0 * 0.06360000371932983f );
+        return _S469;
+    }
+    var _S470 : f32 = -1.36881005764007568f * inverse_0 + 4.98553991317749023f;
+    var _S471 : f32 = _S470 * inverse_0 - 7.80988979339599609f;
+    var sum_3 : f32 = _S471 * inverse_0 + 6.75334978103637695f;
+    var _S472 : f32 = sum_3 * inverse_0 - 3.47930002212524414f;
+    var _S473 : DiffPair_float_0 = DiffPair_float_0( _S472 * inverse_0 + 0.91931700706481934f, (((s_diff_inverse_0 * -1.36881005764007568f * inverse_0 + s_diff_inverse_0 * _S470) * inverse_0 + s_diff_inverse_0 * _S471) * inverse_0 + s_diff_inverse_0 * sum_3) * inverse_0 + s_diff_inverse_0 * _S472 );
+    return _S473;
+}
+
+fn s_fwd_base_0( lobe_11 : Lobe_0,  dpeta_5 : DiffPair_float_0,  dpdiffuse_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+    var internal_reflectance_0 : f32;
+    var s_diff_internal_reflectance_0 : f32;
+    if((lobe_11.kind_1) == u32(3))
+    {
+        var _S474 : DiffPair_float_0 = DiffPair_float_0( 1.0f / dpeta_5.primal_0, (0.0f - dpeta_5.differential_0) / (dpeta_5.primal_0 * dpeta_5.primal_0) );
+        var _S475 : DiffPair_float_0 = s_fwd_fresnel_diffuse_0(_S474);
+        internal_reflectance_0 = _S475.primal_0;
+        s_diff_internal_reflectance_0 = _S475.differential_0;
+    }
+    else
+    {
+        internal_reflectance_0 = number_0(word_0(lobe_11.record_3 + u32(3)) + u32(64));
+        s_diff_internal_reflectance_0 = 0.0f;
+    }
+    if((word_0(lobe_11.record_3 + u32(2))) == u32(0))
+    {
+        var _S476 : f32 = 1.0f - internal_reflectance_0;
+        var _S477 : vec3<f32> = vec3<f32>((1.0f / _S476));
+        var _S478 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 * _S477, dpdiffuse_0.differential_0 * _S477 + vec3<f32>(((0.0f - (0.0f - s_diff_internal_reflectance_0)) / (_S476 * _S476))) * dpdiffuse_0.primal_0 );
+        return _S478;
+    }
+    var _S479 : vec3<f32> = vec3<f32>(1.0f) - dpdiffuse_0.primal_0 * vec3<f32>(internal_reflectance_0);
+    var _S480 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 / _S479, (dpdiffuse_0.differential_0 * _S479 - dpdiffuse_0.primal_0 * (vec3<f32>(0.0f) - (dpdiffuse_0.differential_0 * vec3<f32>(internal_reflectance_0) + vec3<f32>(s_diff_internal_reflectance_0) * dpdiffuse_0.primal_0))) / (_S479 * _S479) );
+    return _S480;
+}
+
+struct Scattering_0
+{
+     value_9 : vec3<f32>,
+     pdf_4 : f32,
+};
+
+struct Scattering_Differential_0
+{
+     value_10 : vec3<f32>,
+};
+
+struct DiffPair_Scattering_0
+{
+     primal_0 : Scattering_0,
+     differential_0 : Scattering_Differential_0,
+};
+
+fn s_fwd_scattering_0( lobe_12 : Lobe_0,  dpnumbers_3 : DiffPair_Numbers_0,  dpwi_2 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Scattering_0
+{
+    var _S481 : f32 = dpwo_1.primal_0.z;
+    var _S482 : f32 = dpwo_1.differential_0.z;
+    var by_cosine_0 : f32 = _S481 * 0.31830987334251404f;
+    var _S483 : f32 = _S482 * 0.31830987334251404f;
+    if((lobe_12.kind_1) == u32(0))
+    {
+        var _S484 : vec3<f32> = vec3<f32>(by_cosine_0);
+        var _S485 : Scattering_0 = Scattering_0( dpnumbers_3.primal_0.diffuse_reflectance_0 * _S484, by_cosine_0 );
+        var _S486 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_3.differential_0.diffuse_reflectance_0 * _S484 + vec3<f32>(_S483) * dpnumbers_3.primal_0.diffuse_reflectance_0 );
+        var _S487 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S485, _S486 );
+        return _S487;
+    }
+    var _S488 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+    var _S489 : DiffPair_Mirrored_0 = s_fwd_Mirrored_x24init_0(_S488, _S488, _S488);
+    var by_facets_0 : Mirrored_0;
+    var s_diff_by_facets_0 : Mirrored_0;
+    if(is_rough_0(lobe_12))
+    {
+        var _S490 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_3.primal_0, dpnumbers_3.differential_0 );
+        var _S491 : DiffPair_Microfacets_0 = s_fwd_facets_of_0(lobe_12, _S490);
+        var _S492 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S491.primal_0, _S491.differential_0 );
+        var _S493 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_2.primal_0, dpwi_2.differential_0 );
+        var _S494 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_1.primal_0, dpwo_1.differential_0 );
+        var _S495 : DiffPair_Mirrored_0 = s_fwd_mirrored_0(_S492, _S493, _S494);
+        by_facets_0 = _S495.primal_0;
+        s_diff_by_facets_0 = _S495.differential_0;
+    }
+    else
+    {
+        by_facets_0 = _S489.primal_0;
+        s_diff_by_facets_0 = _S489.differential_0;
+    }
+    if((lobe_12.kind_1) == u32(2))
+    {
+        var _S496 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_7, s_diff_by_facets_0.cosine_7 );
+        var _S497 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.eta_0, dpnumbers_3.differential_0.eta_0 );
+        var _S498 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.k_0, dpnumbers_3.differential_0.k_0 );
+        var _S499 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S496, _S497, _S498);
+        var _S500 : vec3<f32> = vec3<f32>(by_facets_0.scattered_0);
+        var _S501 : vec3<f32> = _S499.primal_0 * _S500;
+        var _S502 : Scattering_0 = Scattering_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S501, by_facets_0.pdf_3 );
+        var _S503 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_3.differential_0.specular_reflectance_0 * _S501 + (_S499.differential_0 * _S500 + vec3<f32>(s_diff_by_facets_0.scattered_0) * _S499.primal_0) * dpnumbers_3.primal_0.specular_reflectance_0 );
+        var _S504 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S502, _S503 );
+        return _S504;
+    }
+    var _S505 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_3.primal_0, dpnumbers_3.differential_0 );
+    var _S506 : DiffPair_float_0 = s_fwd_coat_eta_0(_S505);
+    var _S507 : DiffPair_float_0 = DiffPair_float_0( _S506.primal_0, _S506.differential_0 );
+    var _S508 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
+    var _S509 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_12, _S507, _S508);
+    var _S510 : DiffPair_float_0 = DiffPair_float_0( _S481, _S482 );
+    var _S511 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_12, _S507, _S510);
+    var _S512 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.diffuse_reflectance_0, dpnumbers_3.differential_0.diffuse_reflectance_0 );
+    var _S513 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_base_0(lobe_12, _S507, _S512);
+    var _S514 : f32 = _S509.primal_0 * _S511.primal_0;
+    var _S515 : f32 = _S514 * by_cosine_0;
+    var _S516 : f32 = _S506.primal_0 * _S506.primal_0;
+    var _S517 : f32 = _S506.differential_0 * _S506.primal_0;
+    var _S518 : vec3<f32> = vec3<f32>((_S515 / _S516));
+    var _S519 : vec3<f32> = _S513.primal_0 * _S518;
+    var _S520 : vec3<f32> = _S513.differential_0 * _S518 + vec3<f32>(((((_S509.differential_0 * _S511.primal_0 + _S511.differential_0 * _S509.primal_0) * by_cosine_0 + _S483 * _S514) * _S516 - _S515 * (_S517 + _S517)) / (_S516 * _S516))) * _S513.primal_0;
+    var probability_3 : f32 = base_probability_0(dpnumbers_3.primal_0, _S509.primal_0);
+    var _S521 : f32 = probability_3 * by_cosine_0;
+    var scattering_0 : Scattering_0;
+    var s_diff_scattering_0 : Scattering_Differential_0;
+    if((lobe_12.kind_1) == u32(4))
+    {
+        var _S522 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_7, s_diff_by_facets_0.cosine_7 );
+        var _S523 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S522, _S507);
+        var _S524 : vec3<f32> = vec3<f32>((_S523.primal_0 * by_facets_0.scattered_0));
+        var _S525 : vec3<f32> = _S520 + (dpnumbers_3.differential_0.specular_reflectance_0 * _S524 + vec3<f32>((_S523.differential_0 * by_facets_0.scattered_0 + s_diff_by_facets_0.scattered_0 * _S523.primal_0)) * dpnumbers_3.primal_0.specular_reflectance_0);
+        var _S526 : f32 = _S521 + (1.0f - probability_3) * by_facets_0.pdf_3;
+        scattering_0.value_9 = _S519 + dpnumbers_3.primal_0.specular_reflectance_0 * _S524;
+        scattering_0.pdf_4 = _S526;
+        s_diff_scattering_0.value_10 = _S525;
+    }
+    else
+    {
+        scattering_0.value_9 = _S519;
+        scattering_0.pdf_4 = _S521;
+        s_diff_scattering_0.value_10 = _S520;
+    }
+    var _S527 : DiffPair_Scattering_0 = DiffPair_Scattering_0( scattering_0, s_diff_scattering_0 );
+    return _S527;
+}
+
+struct Scattered_0
+{
+     value_11 : Vector_0,
+     pdf_5 : f32,
+};
+
+fn eval_and_pdf_0( lobe_13 : Lobe_0,  wi_6 : Vector_0,  wo_3 : Vector_0) -> Scattered_0
+{
+    var scattered_1 : Scattered_0;
+    scattered_1.value_11 = still_0(vec3<f32>(0.0f));
+    scattered_1.pdf_5 = 0.0f;
+    var _S528 : bool;
+    if((value_of_0(wo_3).z) <= 0.0f)
+    {
+        _S528 = true;
+    }
+    else
+    {
+        _S528 = !has_smooth_0(lobe_13);
+    }
+    if(_S528)
+    {
+        return scattered_1;
+    }
+    var _S529 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_13.numbers_2, lobe_13.changes_0 );
+    var _S530 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_6.value_0, wi_6.change_0 );
+    var _S531 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wo_3.value_0, wo_3.change_0 );
+    var _S532 : DiffPair_Scattering_0 = s_fwd_scattering_0(lobe_13, _S529, _S530, _S531);
+    scattered_1.value_11 = changing_0(_S532.primal_0.value_9, _S532.differential_0.value_10);
+    scattered_1.pdf_5 = _S532.primal_0.pdf_4;
+    return scattered_1;
+}
+
+fn scattered_to_0( vertex_8 : Vertex_0,  wo_4 : vec3<f32>,  direction_16 : Vector_0) -> Scattered_0
+{
+    return eval_and_pdf_0(vertex_8.lobe_1, vertex_8.wi_1, changing_0(wo_4, local_change_0(vertex_8, direction_16)));
+}
+
+fn scattered_along_0( vertex_9 : Vertex_0,  sample_2 : LightSample_0,  moving_0 : ptr<function, Vector_0>) -> Scattered_0
+{
+    if(sample_2.is_specular_0)
+    {
+        (*moving_0) = specular_direction_0(vertex_9, sample_2.direction_11, sample_2.wo_0);
+        var scattered_2 : Scattered_0;
+        scattered_2.value_11 = specular_0(vertex_9.lobe_1, vertex_9.wi_1);
+        scattered_2.pdf_5 = sample_2.probability_1;
+        return scattered_2;
+    }
+    if((sample_2.emitter_5) != u32(4294967295))
+    {
+        (*moving_0) = towards_emitter_0(vertex_9, sample_2.direction_11, emitter_record_0(sample_2.emitter_5));
+    }
+    else
+    {
+        (*moving_0) = changing_0(sample_2.direction_11, turning_0(vertex_9, sample_2.direction_11));
+    }
+    return scattered_to_0(vertex_9, sample_2.wo_0, (*moving_0));
+}
+
 fn component_0( v_8 : vec3<f64>,  axis_2 : u32) -> f64
 {
-    var _S273 : f64;
+    var _S533 : f64;
     if(axis_2 == u32(0))
     {
-        _S273 = v_8.x;
+        _S533 = v_8.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S273 = v_8.y;
+            _S533 = v_8.y;
         }
         else
         {
-            _S273 = v_8.z;
+            _S533 = v_8.z;
         }
     }
-    return _S273;
+    return _S533;
 }
 
 fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
@@ -2363,7 +3486,7 @@ fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
 
 struct RayView_0
 {
-     inverse_0 : vec3<f32>,
+     inverse_1 : vec3<f32>,
      offset_near_0 : vec3<f32>,
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
@@ -2371,9 +3494,9 @@ struct RayView_0
      axes_4 : u32,
 };
 
-fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
+fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S274 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S534 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -2386,36 +3509,36 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S275 : u32 = axis_3;
-        var _S276 : u32 = _S274 + u32(2) * axis_3;
-        var _S277 : u32 = slot_3 % u32(4);
-        var low_4 : f32 = (bitcast<f32>((nodes_0[_S276][_S277])));
-        var high_1 : f32 = (bitcast<f32>((nodes_0[_S276 + u32(6)][_S277])));
-        var _S278 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
-        var _S279 : f32;
-        if(_S278)
+        var _S535 : u32 = axis_3;
+        var _S536 : u32 = _S534 + u32(2) * axis_3;
+        var _S537 : u32 = slot_3 % u32(4);
+        var low_5 : f32 = (bitcast<f32>((nodes_0[_S536][_S537])));
+        var high_2 : f32 = (bitcast<f32>((nodes_0[_S536 + u32(6)][_S537])));
+        var _S538 : bool = (view_6.inverse_1[axis_3]) < 0.0f;
+        var _S539 : f32;
+        if(_S538)
         {
-            _S279 = high_1;
+            _S539 = high_2;
         }
         else
         {
-            _S279 = low_4;
+            _S539 = low_5;
         }
-        var _S280 : f32 = max(near_0, _S279 * view_2.inverse_0[_S275] - view_2.offset_near_0[axis_3]);
-        var _S281 : f32;
-        if(_S278)
+        var _S540 : f32 = max(near_0, _S539 * view_6.inverse_1[_S535] - view_6.offset_near_0[axis_3]);
+        var _S541 : f32;
+        if(_S538)
         {
-            _S281 = low_4;
+            _S541 = low_5;
         }
         else
         {
-            _S281 = high_1;
+            _S541 = high_2;
         }
-        var _S282 : f32 = min(far_0, _S281 * view_2.inverse_0[_S275] - view_2.offset_far_0[axis_3]);
-        var _S283 : u32 = axis_3 + u32(1);
-        near_0 = _S280;
-        far_0 = _S282;
-        axis_3 = _S283;
+        var _S542 : f32 = min(far_0, _S541 * view_6.inverse_1[_S535] - view_6.offset_far_0[axis_3]);
+        var _S543 : u32 = axis_3 + u32(1);
+        near_0 = _S540;
+        far_0 = _S542;
+        axis_3 = _S543;
     }
     if(near_0 <= far_0)
     {
@@ -2440,7 +3563,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S284 : u32 = k_4;
+        var _S544 : u32 = k_4;
         if((bounds_0[k_4]) > limit_2)
         {
             k_4 = k_4 + u32(1);
@@ -2457,24 +3580,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S285 : u32 = j_0;
-            var _S286 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S284]))
+            var _S545 : u32 = j_0;
+            var _S546 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S544]))
             {
-                _S286 = true;
+                _S546 = true;
             }
             else
             {
-                if((bounds_0[_S285]) == (bounds_0[_S284]))
+                if((bounds_0[_S545]) == (bounds_0[_S544]))
                 {
-                    _S286 = j_0 < k_4;
+                    _S546 = j_0 < k_4;
                 }
                 else
                 {
-                    _S286 = false;
+                    _S546 = false;
                 }
             }
-            if(_S286)
+            if(_S546)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -2486,7 +3609,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
     return order_0;
 }
 
-fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
+fn crossed_0( view_7 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
     var slot_4 : u32 = u32(0);
@@ -2499,24 +3622,24 @@ fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S287 : f32;
+        var _S547 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S287 = 3.00000000549775576e+38f;
+            _S547 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S287 = ray_bound_0(view_3, limit_3, node_5, slot_4);
+            _S547 = ray_bound_0(view_7, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S287;
+        bounds_1[slot_4] = _S547;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn rounded_0( product_1 : f64,  largest_0 : f64) -> f64
+fn rounded_0( product_2 : f64,  largest_0 : f64) -> f64
 {
-    return min(product_1, largest_0);
+    return min(product_2, largest_0);
 }
 
 struct Ray_0
@@ -2533,11 +3656,11 @@ struct Ray_0
      largest_1 : f64,
 };
 
-fn corner_3( ray_0 : Ray_0,  axes_5 : u32,  at_21 : u32) -> vec3<f64>
+fn corner_3( ray_0 : Ray_0,  axes_5 : u32,  at_23 : u32) -> vec3<f64>
 {
-    var relative_0 : vec3<f64> = primitive_vector_0(at_21) - ray_0.origin_0;
-    var z_4 : f64 = component_0(relative_0, (axes_5 >> (u32(4))));
-    return vec3<f64>(component_0(relative_0, (axes_5 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_4, ray_0.largest_1), component_0(relative_0, (((axes_5 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_4, ray_0.largest_1), z_4);
+    var relative_0 : vec3<f64> = primitive_vector_0(at_23) - ray_0.origin_0;
+    var z_5 : f64 = component_0(relative_0, (axes_5 >> (u32(4))));
+    return vec3<f64>(component_0(relative_0, (axes_5 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_5, ray_0.largest_1), component_0(relative_0, (((axes_5 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_5, ray_0.largest_1), z_5);
 }
 
 struct Crossing_0
@@ -2545,59 +3668,59 @@ struct Crossing_0
      is_hit_0 : bool,
      t_3 : f64,
      v_9 : f64,
-     w_4 : f64,
+     w_8 : f64,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_22 : u32) -> Crossing_0
+fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_24 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_3 = 0.0lf;
     crossing_0.v_9 = 0.0lf;
-    crossing_0.w_4 = 0.0lf;
-    var a_20 : vec3<f64> = corner_3(ray_1, axes_6, at_22);
-    var b_14 : vec3<f64> = corner_3(ray_1, axes_6, at_22 + u32(3));
-    var c_8 : vec3<f64> = corner_3(ray_1, axes_6, at_22 + u32(6));
-    var _S288 : f64 = c_8.x;
-    var _S289 : f64 = b_14.y;
-    var cx_by_0 : f64 = rounded_0(_S288 * _S289, ray_1.largest_1);
-    var _S290 : f64 = c_8.y;
-    var _S291 : f64 = b_14.x;
-    var cy_bx_0 : f64 = rounded_0(_S290 * _S291, ray_1.largest_1);
-    var _S292 : f64 = a_20.x;
-    var ax_cy_0 : f64 = rounded_0(_S292 * _S290, ray_1.largest_1);
-    var _S293 : f64 = a_20.y;
-    var ay_cx_0 : f64 = rounded_0(_S293 * _S288, ray_1.largest_1);
-    var bx_ay_0 : f64 = rounded_0(_S291 * _S293, ray_1.largest_1);
-    var by_ax_0 : f64 = rounded_0(_S289 * _S292, ray_1.largest_1);
-    var u_8 : f64 = cx_by_0 - cy_bx_0;
+    crossing_0.w_8 = 0.0lf;
+    var a_21 : vec3<f64> = corner_3(ray_1, axes_6, at_24);
+    var b_15 : vec3<f64> = corner_3(ray_1, axes_6, at_24 + u32(3));
+    var c_8 : vec3<f64> = corner_3(ray_1, axes_6, at_24 + u32(6));
+    var _S548 : f64 = c_8.x;
+    var _S549 : f64 = b_15.y;
+    var cx_by_0 : f64 = rounded_0(_S548 * _S549, ray_1.largest_1);
+    var _S550 : f64 = c_8.y;
+    var _S551 : f64 = b_15.x;
+    var cy_bx_0 : f64 = rounded_0(_S550 * _S551, ray_1.largest_1);
+    var _S552 : f64 = a_21.x;
+    var ax_cy_0 : f64 = rounded_0(_S552 * _S550, ray_1.largest_1);
+    var _S553 : f64 = a_21.y;
+    var ay_cx_0 : f64 = rounded_0(_S553 * _S548, ray_1.largest_1);
+    var bx_ay_0 : f64 = rounded_0(_S551 * _S553, ray_1.largest_1);
+    var by_ax_0 : f64 = rounded_0(_S549 * _S552, ray_1.largest_1);
+    var u_12 : f64 = cx_by_0 - cy_bx_0;
     var v_10 : f64 = ax_cy_0 - ay_cx_0;
-    var w_5 : f64 = bx_ay_0 - by_ax_0;
-    var _S294 : f64 = min(min(u_8, v_10), w_5);
-    var _S295 : f64 = max(max(u_8, v_10), w_5);
-    var _S296 : bool;
-    if(_S294 < 0.0lf)
+    var w_9 : f64 = bx_ay_0 - by_ax_0;
+    var _S554 : f64 = min(min(u_12, v_10), w_9);
+    var _S555 : f64 = max(max(u_12, v_10), w_9);
+    var _S556 : bool;
+    if(_S554 < 0.0lf)
     {
-        _S296 = _S295 > 0.0lf;
+        _S556 = _S555 > 0.0lf;
     }
     else
     {
-        _S296 = false;
+        _S556 = false;
     }
-    if(_S296)
+    if(_S556)
     {
         return crossing_0;
     }
-    var determinant_0 : f64 = u_8 + v_10 + w_5;
-    if(_S294 <= 0.0lf)
+    var determinant_0 : f64 = u_12 + v_10 + w_9;
+    if(_S554 <= 0.0lf)
     {
-        _S296 = _S295 >= 0.0lf;
+        _S556 = _S555 >= 0.0lf;
     }
     else
     {
-        _S296 = false;
+        _S556 = false;
     }
-    if(_S296)
+    if(_S556)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -2608,19 +3731,19 @@ fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_22 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_4 : f64 = (rounded_0(u_8 * a_20.z, ray_1.largest_1) + rounded_0(v_10 * b_14.z, ray_1.largest_1) + rounded_0(w_5 * c_8.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
+    var t_4 : f64 = (rounded_0(u_12 * a_21.z, ray_1.largest_1) + rounded_0(v_10 * b_15.z, ray_1.largest_1) + rounded_0(w_9 * c_8.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_4)
     {
-        _S296 = t_4 <= (ray_1.t_max_0);
+        _S556 = t_4 <= (ray_1.t_max_0);
     }
     else
     {
-        _S296 = false;
+        _S556 = false;
     }
-    crossing_0.is_hit_0 = _S296;
+    crossing_0.is_hit_0 = _S556;
     crossing_0.t_3 = t_4;
     crossing_0.v_9 = v_10 / determinant_0;
-    crossing_0.w_4 = w_5 / determinant_0;
+    crossing_0.w_8 = w_9 / determinant_0;
     return crossing_0;
 }
 
@@ -2634,25 +3757,25 @@ struct Found_0
      face_7 : u32,
      triangle_9 : u32,
      v_11 : f64,
-     w_6 : f64,
+     w_10 : f64,
 };
 
-fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S297 : bool;
+    var _S557 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
     found_3.triangle_9 = u32(4294967295);
     found_3.v_11 = 0.0lf;
-    found_3.w_6 = 0.0lf;
-    if(!((view_4.limit_0) >= 0.0f))
+    found_3.w_10 = 0.0lf;
+    if(!((view_8.limit_0) >= 0.0f))
     {
         return found_3;
     }
-    var way_1 : array<vec2<u32>, i32(40)>;
-    way_1[i32(0)] = vec2<u32>(u32(0), u32(0));
+    var way_2 : array<vec2<u32>, i32(40)>;
+    way_2[i32(0)] = vec2<u32>(u32(0), u32(0));
     var entered_0 : u32 = u32(0);
-    var limit_4 : f32 = view_4.limit_0;
+    var limit_4 : f32 = view_8.limit_0;
     var is_new_0 : bool = true;
     var level_0 : u32 = u32(0);
     for(;;)
@@ -2661,7 +3784,7 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var is_new_1 : bool;
         if(entered_0 != u32(4294967295))
         {
-            way_1[level_0] = vec2<u32>(entered_0, crossed_0(view_4, limit_4, entered_0));
+            way_2[level_0] = vec2<u32>(entered_0, crossed_0(view_8, limit_4, entered_0));
             is_new_1 = true;
             entered_1 = u32(4294967295);
         }
@@ -2670,61 +3793,61 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             is_new_1 = is_new_0;
             entered_1 = entered_0;
         }
-        var here_0 : vec2<u32> = way_1[level_0];
-        var _S298 : u32 = way_1[level_0].y;
-        if(_S298 == u32(0))
+        var here_2 : vec2<u32> = way_2[level_0];
+        var _S558 : u32 = way_2[level_0].y;
+        if(_S558 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S299 : u32 = level_0 - u32(1);
+            var _S559 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S299;
+            level_0 = _S559;
             continue;
         }
-        var slot_5 : u32 = ((_S298 & (u32(15)))) - u32(1);
-        way_1[level_0][i32(1)] = (_S298 >> (u32(4)));
-        var _S300 : bool;
+        var slot_5 : u32 = ((_S558 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S558 >> (u32(4)));
+        var _S560 : bool;
         if(!is_new_1)
         {
-            _S300 = (ray_bound_0(view_4, limit_4, here_0.x, slot_5)) > limit_4;
+            _S560 = (ray_bound_0(view_8, limit_4, here_2.x, slot_5)) > limit_4;
         }
         else
         {
-            _S300 = false;
+            _S560 = false;
         }
-        if(_S300)
+        if(_S560)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
             continue;
         }
-        var child_0 : u32 = ray_child_0(here_0.x, slot_5);
+        var child_0 : u32 = ray_child_0(here_2.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S301 : u32 = level_0 + u32(1);
+            var _S561 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S301;
+            level_0 = _S561;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S302 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S303 : u32 = leaf_starts_0[leaf_0];
+        var _S562 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S563 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S303;
+        var i_3 : u32 = _S563;
         for(;;)
         {
-            if(i_3 < _S302)
+            if(i_3 < _S562)
             {
             }
             else
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_4.axes_4, u32(9) * i_3);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_8.axes_4, u32(9) * i_3);
             if(!crossing_1.is_hit_0)
             {
                 i_3 = i_3 + u32(1);
@@ -2732,30 +3855,30 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S297 = true;
+                _S557 = true;
             }
             else
             {
-                _S297 = (crossing_1.t_3) < ((*ray_2).t_max_0);
+                _S557 = (crossing_1.t_3) < ((*ray_2).t_max_0);
             }
-            var _S304 : bool;
-            if(_S297)
+            var _S564 : bool;
+            if(_S557)
             {
-                _S304 = true;
+                _S564 = true;
             }
             else
             {
-                _S304 = (face_6(i_3)) < (found_3.face_7);
+                _S564 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S304)
+            if(_S564)
             {
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_9 = i_3;
                 (*ray_2).t_max_0 = crossing_1.t_3;
                 found_3.v_11 = crossing_1.v_9;
-                found_3.w_6 = crossing_1.w_4;
-                limit_6 = min(limit_5, f32(crossing_1.t_3 * (*ray_2).local_per_t_0 - (*ray_2).enter_0) + 2.0f * view_4.margin_0);
+                found_3.w_10 = crossing_1.w_8;
+                limit_6 = min(limit_5, f32(crossing_1.t_3 * (*ray_2).local_per_t_0 - (*ray_2).enter_0) + 2.0f * view_8.margin_0);
             }
             else
             {
@@ -2766,13 +3889,13 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S297 = (found_3.face_7) != u32(4294967295);
+            _S557 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S297 = false;
+            _S557 = false;
         }
-        if(_S297)
+        if(_S557)
         {
             break;
         }
@@ -2783,54 +3906,54 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_3;
 }
 
-fn cast_0( origin_1 : vec3<f64>,  direction_11 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_5 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_1 : vec3<f64>,  direction_17 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_5 : ptr<function, f32>) -> Found_0
 {
-    var size_3 : vec3<f32> = abs(vec3<f32>(direction_11));
-    var _S305 : f32 = size_3.x;
-    var _S306 : f32 = size_3.y;
-    var _S307 : bool;
-    if(_S305 >= _S306)
+    var size_3 : vec3<f32> = abs(vec3<f32>(direction_17));
+    var _S565 : f32 = size_3.x;
+    var _S566 : f32 = size_3.y;
+    var _S567 : bool;
+    if(_S565 >= _S566)
     {
-        _S307 = _S305 >= (size_3.z);
+        _S567 = _S565 >= (size_3.z);
     }
     else
     {
-        _S307 = false;
+        _S567 = false;
     }
-    var _S308 : i32;
-    if(_S307)
+    var _S568 : i32;
+    if(_S567)
     {
-        _S308 = i32(0);
+        _S568 = i32(0);
     }
     else
     {
-        if(_S306 >= (size_3.z))
+        if(_S566 >= (size_3.z))
         {
-            _S308 = i32(1);
+            _S568 = i32(1);
         }
         else
         {
-            _S308 = i32(2);
+            _S568 = i32(2);
         }
     }
-    var z_5 : u32 = u32(_S308);
-    var x_8 : u32 = (z_5 + u32(1)) % u32(3);
-    var y_3 : u32 = (z_5 + u32(2)) % u32(3);
+    var z_6 : u32 = u32(_S568);
+    var x_12 : u32 = (z_6 + u32(1)) % u32(3);
+    var y_3 : u32 = (z_6 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
     ray_3.origin_0 = origin_1;
-    var along_3 : f64 = component_0(direction_11, z_5);
-    ray_3.inverse_z_0 = 1.0lf / along_3;
-    ray_3.shear_x_0 = component_0(direction_11, x_8) / along_3;
-    ray_3.shear_y_0 = component_0(direction_11, y_3) / along_3;
+    var along_4 : f64 = component_0(direction_17, z_6);
+    ray_3.inverse_z_0 = 1.0lf / along_4;
+    ray_3.shear_x_0 = component_0(direction_17, x_12) / along_4;
+    ray_3.shear_y_0 = component_0(direction_17, y_3) / along_4;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S309 : f64 = abs(along_3);
-    ray_3.local_per_t_0 = _S309;
+    var _S569 : f64 = abs(along_4);
+    ray_3.local_per_t_0 = _S569;
     ray_3.enter_0 = 0.0lf;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
-    var view_5 : RayView_0;
-    var _S310 : vec3<f32> = vec3<f32>(direction_11 / vec3<f64>(_S309));
+    var view_9 : RayView_0;
+    var _S570 : vec3<f32> = vec3<f32>(direction_17 / vec3<f64>(_S569));
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -2841,1342 +3964,88 @@ fn cast_0( origin_1 : vec3<f64>,  direction_11 : vec3<f64>,  t_min_1 : f64,  t_m
         {
             break;
         }
-        var _S311 : f32 = max(abs(_S310[axis_4]), 8.67361737988403547e-19f);
-        var _S312 : f32;
-        if((_S310[axis_4]) < 0.0f)
+        var _S571 : f32 = max(abs(_S570[axis_4]), 8.67361737988403547e-19f);
+        var _S572 : f32;
+        if((_S570[axis_4]) < 0.0f)
         {
-            _S312 = -1.0f / _S311;
+            _S572 = -1.0f / _S571;
         }
         else
         {
-            _S312 = 1.0f / _S311;
+            _S572 = 1.0f / _S571;
         }
-        view_5.inverse_0[axis_4] = _S312;
+        view_9.inverse_1[axis_4] = _S572;
         axis_4 = axis_4 + u32(1);
     }
-    var offset_4 : vec3<f32> = vec3<f32>(origin_1) * view_5.inverse_0;
-    var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_5.inverse_0);
-    view_5.offset_near_0 = offset_4 + wider_0;
-    view_5.offset_far_0 = offset_4 - wider_0;
-    view_5.limit_0 = min(f32(t_max_1 * ray_3.local_per_t_0), 8.0f) + 3.814697265625e-06f;
-    view_5.margin_0 = 3.814697265625e-06f;
-    view_5.axes_4 = (((x_8 | (((y_3 << (u32(2))))))) | (((z_5 << (u32(4))))));
-    var found_4 : Found_0 = first_found_0(view_5, &(ray_3), any_1);
+    var offset_4 : vec3<f32> = vec3<f32>(origin_1) * view_9.inverse_1;
+    var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_9.inverse_1);
+    view_9.offset_near_0 = offset_4 + wider_0;
+    view_9.offset_far_0 = offset_4 - wider_0;
+    view_9.limit_0 = min(f32(t_max_1 * ray_3.local_per_t_0), 8.0f) + 3.814697265625e-06f;
+    view_9.margin_0 = 3.814697265625e-06f;
+    view_9.axes_4 = (((x_12 | (((y_3 << (u32(2))))))) | (((z_6 << (u32(4))))));
+    var found_4 : Found_0 = first_found_0(view_9, &(ray_3), any_1);
     (*t_5) = f32(ray_3.t_max_0);
     return found_4;
 }
 
-fn cast_1( origin_2 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_2 : bool,  t_6 : ptr<function, f32>) -> Found_0
+fn place_of_0( found_5 : Found_0) -> Place_0
 {
-    var size_4 : vec3<f32> = abs(vec3<f32>(direction_12));
-    var _S313 : f32 = size_4.x;
-    var _S314 : f32 = size_4.y;
-    var _S315 : bool;
-    if(_S313 >= _S314)
-    {
-        _S315 = _S313 >= (size_4.z);
-    }
-    else
-    {
-        _S315 = false;
-    }
-    var _S316 : i32;
-    if(_S315)
-    {
-        _S316 = i32(0);
-    }
-    else
-    {
-        if(_S314 >= (size_4.z))
-        {
-            _S316 = i32(1);
-        }
-        else
-        {
-            _S316 = i32(2);
-        }
-    }
-    var z_6 : u32 = u32(_S316);
-    var x_9 : u32 = (z_6 + u32(1)) % u32(3);
-    var y_4 : u32 = (z_6 + u32(2)) % u32(3);
-    var ray_4 : Ray_0;
-    ray_4.origin_0 = origin_2;
-    var along_4 : f64 = component_0(direction_12, z_6);
-    ray_4.inverse_z_0 = 1.0lf / along_4;
-    ray_4.shear_x_0 = component_0(direction_12, x_9) / along_4;
-    ray_4.shear_y_0 = component_0(direction_12, y_4) / along_4;
-    ray_4.t_min_0 = t_min_2;
-    ray_4.t_max_0 = t_max_2;
-    var _S317 : f64 = abs(along_4);
-    ray_4.local_per_t_0 = _S317;
-    ray_4.enter_0 = 0.0lf;
-    ray_4.edge_on_0 = limit_at_0(u32(0));
-    ray_4.largest_1 = limit_at_0(u32(1));
-    var view_6 : RayView_0;
-    var _S318 : vec3<f32> = vec3<f32>(direction_12 / vec3<f64>(_S317));
-    var axis_5 : u32 = u32(0);
-    for(;;)
-    {
-        if(axis_5 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S319 : f32 = max(abs(_S318[axis_5]), 8.67361737988403547e-19f);
-        var _S320 : f32;
-        if((_S318[axis_5]) < 0.0f)
-        {
-            _S320 = -1.0f / _S319;
-        }
-        else
-        {
-            _S320 = 1.0f / _S319;
-        }
-        view_6.inverse_0[axis_5] = _S320;
-        axis_5 = axis_5 + u32(1);
-    }
-    var offset_5 : vec3<f32> = vec3<f32>(origin_2) * view_6.inverse_0;
-    var wider_1 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_6.inverse_0);
-    view_6.offset_near_0 = offset_5 + wider_1;
-    view_6.offset_far_0 = offset_5 - wider_1;
-    view_6.limit_0 = min(f32(t_max_2 * ray_4.local_per_t_0), 8.0f) + 3.814697265625e-06f;
-    view_6.margin_0 = 3.814697265625e-06f;
-    view_6.axes_4 = (((x_9 | (((y_4 << (u32(2))))))) | (((z_6 << (u32(4))))));
-    var found_5 : Found_0 = first_found_0(view_6, &(ray_4), any_2);
-    (*t_6) = f32(ray_4.t_max_0);
-    return found_5;
+    return exact_place_0(found_5.triangle_9, found_5.v_11, found_5.w_10);
 }
 
-fn turns_1( vertex_1 : Vertex_0) -> bool
+fn x2A_0( a_22 : Vector_0,  b_16 : f32) -> Vector_0
 {
-    if((any(((vertex_1.surface_4.position_change_0) != vec3<f32>(0.0f)))))
-    {
-        return true;
-    }
-    return (change_word_0(u32(1))) != u32(0);
+    var _S573 : vec3<f32> = vec3<f32>(b_16);
+    return changing_0(a_22.value_0 * _S573, a_22.change_0 * _S573);
 }
 
-fn turning_0( vertex_2 : Vertex_0,  direction_13 : vec3<f32>) -> vec3<f32>
+fn emitter_seen_0( found_6 : Found_0,  direction_18 : vec3<f32>) -> u32
 {
-    var _S321 : vec3<f32>;
-    if(turns_1(vertex_2))
-    {
-        _S321 = vertex_2.axes_change_0.n_1 * vec3<f32>(dot(vertex_2.axes_1.n_1, direction_13)) - vertex_2.axes_1.n_1 * vec3<f32>(dot(vertex_2.axes_change_0.n_1, direction_13));
-    }
-    else
-    {
-        _S321 = vec3<f32>(0.0f);
-    }
-    return _S321;
-}
-
-fn towards_emitter_0( vertex_3 : Vertex_0,  direction_14 : vec3<f32>,  record_13 : u32) -> Vector_0
-{
-    var _S322 : Vector_0;
-    if((word_0(record_13)) == u32(1))
-    {
-        _S322 = changing_0(direction_14, turning_0(vertex_3, direction_14));
-    }
-    else
-    {
-        _S322 = still_0(direction_14);
-    }
-    return _S322;
-}
-
-fn local_change_0( vertex_4 : Vertex_0,  direction_15 : Vector_0) -> vec3<f32>
-{
-    return to_local_0(vertex_4.axes_change_0, value_of_0(direction_15)) + to_local_0(vertex_4.axes_1, change_of_0(direction_15));
-}
-
-struct Mirrored_0
-{
-     cosine_4 : f32,
-     pdf_2 : f32,
-     scattered_0 : f32,
-};
-
-struct DiffPair_Mirrored_0
-{
-     primal_0 : Mirrored_0,
-     differential_0 : Mirrored_0,
-};
-
-fn s_fwd_Mirrored_x24init_0( dpcosine_0 : DiffPair_float_0,  dppdf_0 : DiffPair_float_0,  dpscattered_0 : DiffPair_float_0) -> DiffPair_Mirrored_0
-{
-    var _S323 : Mirrored_0 = Mirrored_0( dpcosine_0.primal_0, dppdf_0.primal_0, dpscattered_0.primal_0 );
-    var _S324 : Mirrored_0 = Mirrored_0( dpcosine_0.differential_0, dppdf_0.differential_0, dpscattered_0.differential_0 );
-    var _S325 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S323, _S324 );
-    return _S325;
-}
-
-fn is_rough_0( lobe_3 : Lobe_0) -> bool
-{
-    var _S326 : bool;
-    if((lobe_3.kind_1) == u32(2))
-    {
-        _S326 = true;
-    }
-    else
-    {
-        _S326 = (lobe_3.kind_1) == u32(4);
-    }
-    return _S326;
-}
-
-struct Microfacets_0
-{
-     distribution_1 : u32,
-     alpha_1 : vec2<f32>,
-};
-
-fn facets_of_0( lobe_4 : Lobe_0,  numbers_3 : Numbers_0) -> Microfacets_0
-{
-    var facets_0 : Microfacets_0;
-    facets_0.distribution_1 = lobe_4.distribution_0;
-    facets_0.alpha_1 = max(numbers_3.alpha_0, vec2<f32>(0.00009999999747379f));
-    return facets_0;
-}
-
-struct Microfacets_Differential_0
-{
-     alpha_2 : vec2<f32>,
-};
-
-struct DiffPair_Microfacets_0
-{
-     primal_0 : Microfacets_0,
-     differential_0 : Microfacets_Differential_0,
-};
-
-struct DiffPair_Numbers_0
-{
-     primal_0 : Numbers_0,
-     differential_0 : Numbers_0,
-};
-
-fn s_fwd_facets_of_0( lobe_5 : Lobe_0,  dpnumbers_0 : DiffPair_Numbers_0) -> DiffPair_Microfacets_0
-{
-    var _S327 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( dpnumbers_0.primal_0.alpha_0, dpnumbers_0.differential_0.alpha_0 );
-    var _S328 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(0.00009999999747379f), vec2<f32>(0.0f) );
-    var _S329 : DiffPair_vectorx3Cfloatx2C2x3E_0 = _d_max_vector_0(_S327, _S328);
-    var _S330 : Microfacets_0 = Microfacets_0( lobe_5.distribution_0, _S329.primal_0 );
-    var _S331 : Microfacets_Differential_0 = Microfacets_Differential_0( _S329.differential_0 );
-    var _S332 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S330, _S331 );
-    return _S332;
-}
-
-fn exponential_0( x_10 : f32) -> f32
-{
-    if(x_10 < -87.0f)
-    {
-        return 0.0f;
-    }
-    var power_0 : f32 = floor(x_10 * 1.4426950216293335f + 0.5f);
-    var r_0 : f32 = x_10 - power_0 * 0.693359375f + power_0 * 0.00021219444170129f;
-    return ((((((0.00019875691214111f * r_0 + 0.00139819993637502f) * r_0 + 0.00833345204591751f) * r_0 + 0.04166579619050026f) * r_0 + 0.1666666567325592f) * r_0 + 0.5f) * r_0 * r_0 + r_0 + 1.0f) * (bitcast<f32>(((u32(i32(power_0) + i32(127)) << (u32(23))))));
-}
-
-fn s_fwd_exponential_0( dpx_11 : DiffPair_float_0) -> DiffPair_float_0
-{
-    if((dpx_11.primal_0) < -87.0f)
-    {
-        var _S333 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
-        return _S333;
-    }
-    var power_1 : f32 = floor(dpx_11.primal_0 * 1.4426950216293335f + 0.5f);
-    var r_1 : f32 = dpx_11.primal_0 - power_1 * 0.693359375f + power_1 * 0.00021219444170129f;
-    var _S334 : f32 = 0.00019875691214111f * r_1 + 0.00139819993637502f;
-    var _S335 : f32 = _S334 * r_1 + 0.00833345204591751f;
-    var tail_1 : f32 = _S335 * r_1 + 0.04166579619050026f;
-    var _S336 : f32 = tail_1 * r_1 + 0.1666666567325592f;
-    var tail_2 : f32 = _S336 * r_1 + 0.5f;
-    var _S337 : f32 = tail_2 * r_1;
-    var _S338 : f32 = (bitcast<f32>(((u32(i32(power_1) + i32(127)) << (u32(23))))));
-    var _S339 : DiffPair_float_0 = DiffPair_float_0( (_S337 * r_1 + r_1 + 1.0f) * _S338, ((((((dpx_11.differential_0 * 0.00019875691214111f * r_1 + dpx_11.differential_0 * _S334) * r_1 + dpx_11.differential_0 * _S335) * r_1 + dpx_11.differential_0 * tail_1) * r_1 + dpx_11.differential_0 * _S336) * r_1 + dpx_11.differential_0 * tail_2) * r_1 + dpx_11.differential_0 * _S337 + dpx_11.differential_0) * _S338 );
-    return _S339;
-}
-
-fn s_fwd_density_0( dpfacets_0 : DiffPair_Microfacets_0,  dpm_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
-{
-    var _S340 : f32 = dpm_0.primal_0.z;
-    var _S341 : f32 = dpm_0.differential_0.z;
-    if(_S340 <= 0.0f)
-    {
-        var _S342 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
-        return _S342;
-    }
-    var _S343 : f32 = 3.14159274101257324f * dpfacets_0.primal_0.alpha_1.x;
-    var _S344 : f32 = dpfacets_0.primal_0.alpha_1.y;
-    var scale_0 : f32 = _S343 * _S344;
-    var s_diff_scale_0 : f32 = dpfacets_0.differential_0.alpha_2.x * 3.14159274101257324f * _S344 + dpfacets_0.differential_0.alpha_2.y * _S343;
-    var _S345 : vec2<f32> = dpm_0.primal_0.xy;
-    var _S346 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S345 / dpfacets_0.primal_0.alpha_1, (dpm_0.differential_0.xy * dpfacets_0.primal_0.alpha_1 - _S345 * dpfacets_0.differential_0.alpha_2) / (dpfacets_0.primal_0.alpha_1 * dpfacets_0.primal_0.alpha_1) );
-    var _S347 : DiffPair_float_0 = _d_dot_0(_S346, _S346);
-    var cos2_0 : f32 = _S340 * _S340;
-    var _S348 : f32 = _S341 * _S340;
-    var s_diff_cos2_0 : f32 = _S348 + _S348;
-    if((dpfacets_0.primal_0.distribution_1) == u32(1))
-    {
-        var sum_2 : f32 = _S347.primal_0 + cos2_0;
-        var s_diff_sum_0 : f32 = _S347.differential_0 + s_diff_cos2_0;
-        var _S349 : f32 = scale_0 * sum_2;
-        var _S350 : f32 = _S349 * sum_2;
-        var _S351 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S350, (0.0f - ((s_diff_scale_0 * sum_2 + s_diff_sum_0 * scale_0) * sum_2 + s_diff_sum_0 * _S349)) / (_S350 * _S350) );
-        return _S351;
-    }
-    var exponent_0 : f32 = _S347.primal_0 / cos2_0;
-    var s_diff_exponent_0 : f32 = (_S347.differential_0 * cos2_0 - _S347.primal_0 * s_diff_cos2_0) / (cos2_0 * cos2_0);
-    var _S352 : f32;
-    var _S353 : f32;
-    if(exponent_0 > 80.0f)
-    {
-        _S352 = 0.0f;
-        _S353 = 0.0f;
-    }
-    else
-    {
-        var _S354 : DiffPair_float_0 = DiffPair_float_0( - exponent_0, - s_diff_exponent_0 );
-        var _S355 : DiffPair_float_0 = s_fwd_exponential_0(_S354);
-        var _S356 : f32 = scale_0 * cos2_0;
-        var _S357 : f32 = _S356 * cos2_0;
-        var _S358 : f32 = (_S355.differential_0 * _S357 - _S355.primal_0 * ((s_diff_scale_0 * cos2_0 + s_diff_cos2_0 * scale_0) * cos2_0 + s_diff_cos2_0 * _S356)) / (_S357 * _S357);
-        _S352 = _S355.primal_0 / _S357;
-        _S353 = _S358;
-    }
-    var _S359 : DiffPair_float_0 = DiffPair_float_0( _S352, _S353 );
-    return _S359;
-}
-
-fn error_function_plus_one_0( x_11 : f32) -> vec2<f32>
-{
-    var _S360 : f32 = min(abs(x_11), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S360 * _S360);
-    var place_17 : f32 = (_S360 - 2.0f) / (_S360 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_17 - 0.00127731403335929f) * place_17 + 0.00131371302995831f) * place_17 + 0.008666617795825f) * place_17 - 0.00805134233087301f) * place_17 - 0.05421232059597969f) * place_17 + 0.1640533059835434f) * place_17 - 0.16603080928325653f) * place_17 - 0.09276388585567474f) * place_17 + 1.27697837352752686f) / (1.0f + 2.0f * _S360);
-    var _S361 : f32;
-    if(x_11 < 0.0f)
-    {
-        _S361 = complement_0;
-    }
-    else
-    {
-        _S361 = 2.0f - complement_0;
-    }
-    return vec2<f32>(_S361, 1.128379225730896f * gaussian_0);
-}
-
-fn error_function_changed_0( x_12 : DiffPair_float_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
-{
-    var both_0 : vec2<f32> = error_function_plus_one_0(x_12.primal_0);
-    var _S362 : f32 = both_0.y;
-    var _S363 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( both_0, vec2<f32>(_S362, -2.0f * x_12.primal_0 * _S362) * vec2<f32>(x_12.differential_0) );
-    return _S363;
-}
-
-fn visible_over_cos_0( facets_1 : Microfacets_0,  w_7 : vec3<f32>) -> f32
-{
-    var stretched_0 : vec2<f32> = w_7.xy * facets_1.alpha_1;
-    var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S364 : f32 = w_7.z;
-    var z2_1 : f32 = _S364 * _S364;
-    if((facets_1.distribution_1) == u32(1))
-    {
-        return 2.0f / (_S364 + sqrt(z2_1 + spread2_0));
-    }
-    if(z2_1 >= (36.0f * spread2_0))
-    {
-        return 1.0f / _S364;
-    }
-    var spread_0 : f32 = sqrt(spread2_0);
-    var both_1 : vec2<f32> = error_function_plus_one_0(_S364 / spread_0);
-    return 2.0f / (_S364 * both_1.x + 0.5f * spread_0 * both_1.y);
-}
-
-fn s_fwd_visible_over_cos_0( dpfacets_1 : DiffPair_Microfacets_0,  dpw_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
-{
-    var _S365 : vec2<f32> = dpw_0.primal_0.xy;
-    var _S366 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S365 * dpfacets_1.primal_0.alpha_1, dpw_0.differential_0.xy * dpfacets_1.primal_0.alpha_1 + dpfacets_1.differential_0.alpha_2 * _S365 );
-    var _S367 : DiffPair_float_0 = _d_dot_0(_S366, _S366);
-    var _S368 : f32 = dpw_0.primal_0.z;
-    var _S369 : f32 = dpw_0.differential_0.z;
-    var z2_2 : f32 = _S368 * _S368;
-    var _S370 : f32 = _S369 * _S368;
-    var s_diff_z2_0 : f32 = _S370 + _S370;
-    if((dpfacets_1.primal_0.distribution_1) == u32(1))
-    {
-        var _S371 : DiffPair_float_0 = DiffPair_float_0( z2_2 + _S367.primal_0, s_diff_z2_0 + _S367.differential_0 );
-        var _S372 : DiffPair_float_0 = _d_sqrt_0(_S371);
-        var _S373 : f32 = _S368 + _S372.primal_0;
-        var _S374 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S373, (0.0f - 2.0f * (_S369 + _S372.differential_0)) / (_S373 * _S373) );
-        return _S374;
-    }
-    if(z2_2 >= (36.0f * _S367.primal_0))
-    {
-        var _S375 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S368, (0.0f - _S369) / z2_2 );
-        return _S375;
-    }
-    var _S376 : DiffPair_float_0 = DiffPair_float_0( _S367.primal_0, _S367.differential_0 );
-    var _S377 : DiffPair_float_0 = _d_sqrt_0(_S376);
-    var _S378 : DiffPair_float_0 = DiffPair_float_0( _S368 / _S377.primal_0, (_S369 * _S377.primal_0 - _S368 * _S377.differential_0) / (_S377.primal_0 * _S377.primal_0) );
-    var _S379 : DiffPair_vectorx3Cfloatx2C2x3E_0 = error_function_changed_0(_S378);
-    var _S380 : f32 = _S379.primal_0.x;
-    var _S381 : f32 = 0.5f * _S377.primal_0;
-    var _S382 : f32 = _S379.primal_0.y;
-    var _S383 : f32 = _S368 * _S380 + _S381 * _S382;
-    var _S384 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S383, (0.0f - 2.0f * (_S369 * _S380 + _S379.differential_0.x * _S368 + (_S377.differential_0 * 0.5f * _S382 + _S379.differential_0.y * _S381))) / (_S383 * _S383) );
-    return _S384;
-}
-
-fn s_fwd_mirrored_0( dpfacets_2 : DiffPair_Microfacets_0,  dpwi_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Mirrored_0
-{
-    var _S385 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_0.primal_0 + dpwo_0.primal_0, dpwi_0.differential_0 + dpwo_0.differential_0 );
-    var _S386 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S385);
-    var _S387 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_0.primal_0, dpwi_0.differential_0 );
-    var _S388 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S386.primal_0, _S386.differential_0 );
-    var _S389 : DiffPair_float_0 = _d_dot_1(_S387, _S388);
-    var _S390 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( dpfacets_2.primal_0, dpfacets_2.differential_0 );
-    var _S391 : DiffPair_float_0 = s_fwd_density_0(_S390, _S388);
-    var _S392 : f32 = 0.25f * _S391.primal_0;
-    var _S393 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S390, _S387);
-    var _S394 : f32 = _S392 * _S393.primal_0;
-    var _S395 : f32 = _S391.differential_0 * 0.25f * _S393.primal_0 + _S393.differential_0 * _S392;
-    var _S396 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_0.primal_0, dpwo_0.differential_0 );
-    var _S397 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S390, _S396);
-    var _S398 : f32 = _S394 * _S397.primal_0;
-    var _S399 : f32 = dpwo_0.primal_0.z;
-    var _S400 : Mirrored_0 = Mirrored_0( _S389.primal_0, _S394, _S398 * _S399 );
-    var _S401 : Mirrored_0 = Mirrored_0( _S389.differential_0, _S395, (_S395 * _S397.primal_0 + _S397.differential_0 * _S394) * _S399 + dpwo_0.differential_0.z * _S398 );
-    var _S402 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S400, _S401 );
-    return _S402;
-}
-
-fn s_fwd_fresnel_conductor_channel_0( dpcosine_1 : DiffPair_float_0,  dpeta_0 : DiffPair_float_0,  dpk_0 : DiffPair_float_0) -> DiffPair_float_0
-{
-    var _S403 : f32 = dpcosine_1.primal_0;
-    var cos2_1 : f32 = _S403 * _S403;
-    var _S404 : f32 = dpcosine_1.differential_0 * dpcosine_1.primal_0;
-    var s_diff_cos2_1 : f32 = _S404 + _S404;
-    var sin2_0 : f32 = 1.0f - cos2_1;
-    var s_diff_sin2_0 : f32 = 0.0f - s_diff_cos2_1;
-    var _S405 : f32 = dpeta_0.differential_0 * dpeta_0.primal_0;
-    var _S406 : f32 = dpk_0.differential_0 * dpk_0.primal_0;
-    var real_0 : f32 = dpeta_0.primal_0 * dpeta_0.primal_0 - dpk_0.primal_0 * dpk_0.primal_0 - sin2_0;
-    var s_diff_real_0 : f32 = _S405 + _S405 - (_S406 + _S406) - s_diff_sin2_0;
-    var product_2 : f32 = dpeta_0.primal_0 * dpk_0.primal_0;
-    var s_diff_product_0 : f32 = dpeta_0.differential_0 * dpk_0.primal_0 + dpk_0.differential_0 * dpeta_0.primal_0;
-    var _S407 : f32 = s_diff_real_0 * real_0;
-    var _S408 : f32 = s_diff_product_0 * product_2;
-    var _S409 : DiffPair_float_0 = DiffPair_float_0( real_0 * real_0 + 4.0f * (product_2 * product_2), _S407 + _S407 + (_S408 + _S408) * 4.0f );
-    var _S410 : DiffPair_float_0 = _d_sqrt_0(_S409);
-    if((_S410.primal_0) == 0.0f)
-    {
-        var _S411 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
-        return _S411;
-    }
-    var _S412 : DiffPair_float_0 = DiffPair_float_0( real_0, s_diff_real_0 );
-    var _S413 : DiffPair_float_0 = _d_abs_0(_S412);
-    var _S414 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (_S410.primal_0 + _S413.primal_0), (_S410.differential_0 + _S413.differential_0) * 0.5f );
-    var _S415 : DiffPair_float_0 = _d_sqrt_0(_S414);
-    var smaller_0 : f32 = product_2 / _S415.primal_0;
-    var s_diff_smaller_0 : f32 = (s_diff_product_0 * _S415.primal_0 - product_2 * _S415.differential_0) / (_S415.primal_0 * _S415.primal_0);
-    var _S416 : bool = real_0 < 0.0f;
-    var a_21 : f32;
-    var s_diff_a_1 : f32;
-    if(_S416)
-    {
-        a_21 = smaller_0;
-        s_diff_a_1 = s_diff_smaller_0;
-    }
-    else
-    {
-        a_21 = _S415.primal_0;
-        s_diff_a_1 = _S415.differential_0;
-    }
-    var b_15 : f32;
-    var s_diff_b_1 : f32;
-    if(_S416)
-    {
-        b_15 = _S415.primal_0;
-        s_diff_b_1 = _S415.differential_0;
-    }
-    else
-    {
-        b_15 = smaller_0;
-        s_diff_b_1 = s_diff_smaller_0;
-    }
-    var less_0 : f32 = a_21 - dpcosine_1.primal_0;
-    var more_0 : f32 = a_21 + dpcosine_1.primal_0;
-    var _S417 : f32 = (s_diff_a_1 - dpcosine_1.differential_0) * less_0;
-    var _S418 : f32 = b_15 * b_15;
-    var _S419 : f32 = s_diff_b_1 * b_15;
-    var _S420 : f32 = _S419 + _S419;
-    var _S421 : f32 = less_0 * less_0 + _S418;
-    var _S422 : f32 = (s_diff_a_1 + dpcosine_1.differential_0) * more_0;
-    var _S423 : f32 = more_0 * more_0 + _S418;
-    var senkrecht_0 : f32 = _S421 / _S423;
-    var _S424 : f32 = s_diff_sin2_0 * sin2_0;
-    var p_sum_0 : f32 = _S410.primal_0 * cos2_1 + sin2_0 * sin2_0;
-    var s_diff_p_sum_0 : f32 = _S410.differential_0 * cos2_1 + s_diff_cos2_1 * _S410.primal_0 + (_S424 + _S424);
-    var _S425 : f32 = senkrecht_0 * p_sum_0;
-    var _S426 : f32 = 2.0f * a_21;
-    var _S427 : f32 = _S426 * dpcosine_1.primal_0;
-    var _S428 : f32 = p_sum_0 + _S427 * sin2_0;
-    var _S429 : DiffPair_float_0 = DiffPair_float_0( _S425 / _S428, ((((_S417 + _S417 + _S420) * _S423 - _S421 * (_S422 + _S422 + _S420)) / (_S423 * _S423) * p_sum_0 + s_diff_p_sum_0 * senkrecht_0) * _S428 - _S425 * (s_diff_p_sum_0 + ((s_diff_a_1 * 2.0f * dpcosine_1.primal_0 + dpcosine_1.differential_0 * _S426) * sin2_0 + s_diff_sin2_0 * _S427))) / (_S428 * _S428) );
-    return _S429;
-}
-
-fn s_fwd_fresnel_conductor_0( dpcosine_2 : DiffPair_float_0,  dpeta_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpk_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
-{
-    var _S430 : DiffPair_float_0 = DiffPair_float_0( dpcosine_2.primal_0, dpcosine_2.differential_0 );
-    var _S431 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.x, dpeta_1.differential_0.x );
-    var _S432 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.x, dpk_1.differential_0.x );
-    var _S433 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S430, _S431, _S432);
-    var _S434 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.y, dpeta_1.differential_0.y );
-    var _S435 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.y, dpk_1.differential_0.y );
-    var _S436 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S430, _S434, _S435);
-    var _S437 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.z, dpeta_1.differential_0.z );
-    var _S438 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.z, dpk_1.differential_0.z );
-    var _S439 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S430, _S437, _S438);
-    var _S440 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S433.primal_0, _S436.primal_0, _S439.primal_0), vec3<f32>(_S433.differential_0, _S436.differential_0, _S439.differential_0) );
-    return _S440;
-}
-
-fn coat_eta_0( numbers_4 : Numbers_0) -> f32
-{
-    return luminance_0(numbers_4.eta_0) / luminance_0(numbers_4.k_0);
-}
-
-fn s_fwd_coat_eta_0( dpnumbers_1 : DiffPair_Numbers_0) -> DiffPair_float_0
-{
-    var _S441 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_1.primal_0.eta_0, dpnumbers_1.differential_0.eta_0 );
-    var _S442 : DiffPair_float_0 = s_fwd_luminance_0(_S441);
-    var _S443 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_1.primal_0.k_0, dpnumbers_1.differential_0.k_0 );
-    var _S444 : DiffPair_float_0 = s_fwd_luminance_0(_S443);
-    var _S445 : DiffPair_float_0 = DiffPair_float_0( _S442.primal_0 / _S444.primal_0, (_S442.differential_0 * _S444.primal_0 - _S442.primal_0 * _S444.differential_0) / (_S444.primal_0 * _S444.primal_0) );
-    return _S445;
-}
-
-fn fresnel_dielectric_0( cosine_5 : f32,  eta_1 : f32) -> f32
-{
-    var eta2_0 : f32 = eta_1 * eta_1;
-    var cos2_2 : f32 = cosine_5 * cosine_5;
-    var denser_0 : f32 = (eta_1 - 1.0f) * (eta_1 + 1.0f);
-    var squared_3 : f32 = denser_0 + cos2_2;
-    if(squared_3 <= 0.0f)
-    {
-        return 1.0f;
-    }
-    var refracted_0 : f32 = sqrt(squared_3);
-    var s_sum_0 : f32 = cosine_5 + refracted_0;
-    var p_sum_1 : f32 = eta2_0 * cosine_5 + refracted_0;
-    var senkrecht_1 : f32 = denser_0 / (s_sum_0 * s_sum_0);
-    var parallel_0 : f32 = denser_0 * ((eta2_0 + 1.0f) * cos2_2 - 1.0f) / (p_sum_1 * p_sum_1);
-    return 0.5f * (senkrecht_1 * senkrecht_1 + parallel_0 * parallel_0);
-}
-
-fn s_fwd_fresnel_dielectric_0( dpcosine_3 : DiffPair_float_0,  dpeta_2 : DiffPair_float_0) -> DiffPair_float_0
-{
-    var _S446 : f32 = dpeta_2.primal_0;
-    var eta2_1 : f32 = _S446 * _S446;
-    var _S447 : f32 = dpeta_2.differential_0 * dpeta_2.primal_0;
-    var s_diff_eta2_0 : f32 = _S447 + _S447;
-    var cos2_3 : f32 = dpcosine_3.primal_0 * dpcosine_3.primal_0;
-    var _S448 : f32 = dpcosine_3.differential_0 * dpcosine_3.primal_0;
-    var s_diff_cos2_2 : f32 = _S448 + _S448;
-    var _S449 : f32 = dpeta_2.primal_0 - 1.0f;
-    var _S450 : f32 = dpeta_2.primal_0 + 1.0f;
-    var denser_1 : f32 = _S449 * _S450;
-    var s_diff_denser_0 : f32 = dpeta_2.differential_0 * _S450 + dpeta_2.differential_0 * _S449;
-    var squared_4 : f32 = denser_1 + cos2_3;
-    var s_diff_squared_0 : f32 = s_diff_denser_0 + s_diff_cos2_2;
-    if(squared_4 <= 0.0f)
-    {
-        var _S451 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
-        return _S451;
-    }
-    var _S452 : DiffPair_float_0 = DiffPair_float_0( squared_4, s_diff_squared_0 );
-    var _S453 : DiffPair_float_0 = _d_sqrt_0(_S452);
-    var s_sum_1 : f32 = dpcosine_3.primal_0 + _S453.primal_0;
-    var p_sum_2 : f32 = eta2_1 * dpcosine_3.primal_0 + _S453.primal_0;
-    var _S454 : f32 = s_sum_1 * s_sum_1;
-    var _S455 : f32 = (dpcosine_3.differential_0 + _S453.differential_0) * s_sum_1;
-    var senkrecht_2 : f32 = denser_1 / _S454;
-    var _S456 : f32 = eta2_1 + 1.0f;
-    var _S457 : f32 = _S456 * cos2_3 - 1.0f;
-    var _S458 : f32 = denser_1 * _S457;
-    var _S459 : f32 = p_sum_2 * p_sum_2;
-    var _S460 : f32 = (s_diff_eta2_0 * dpcosine_3.primal_0 + dpcosine_3.differential_0 * eta2_1 + _S453.differential_0) * p_sum_2;
-    var parallel_1 : f32 = _S458 / _S459;
-    var _S461 : f32 = (s_diff_denser_0 * _S454 - denser_1 * (_S455 + _S455)) / (_S454 * _S454) * senkrecht_2;
-    var _S462 : f32 = ((s_diff_denser_0 * _S457 + (s_diff_eta2_0 * cos2_3 + s_diff_cos2_2 * _S456) * denser_1) * _S459 - _S458 * (_S460 + _S460)) / (_S459 * _S459) * parallel_1;
-    var _S463 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (senkrecht_2 * senkrecht_2 + parallel_1 * parallel_1), (_S461 + _S461 + (_S462 + _S462)) * 0.5f );
-    return _S463;
-}
-
-fn transmittance_0( lobe_6 : Lobe_0,  eta_2 : f32,  cosine_6 : f32) -> f32
-{
-    if((lobe_6.kind_1) == u32(3))
-    {
-        return 1.0f - fresnel_dielectric_0(cosine_6, eta_2);
-    }
-    var place_18 : f32 = cosine_6 * 63.0f;
-    var _S464 : u32 = min(u32(place_18), u32(62));
-    var at_23 : u32 = word_0(lobe_6.record_3 + u32(3)) + _S464;
-    var here_1 : f32 = number_0(at_23);
-    return here_1 + (number_0(at_23 + u32(1)) - here_1) * (place_18 - f32(_S464));
-}
-
-fn s_fwd_transmittance_0( lobe_7 : Lobe_0,  dpeta_3 : DiffPair_float_0,  dpcosine_4 : DiffPair_float_0) -> DiffPair_float_0
-{
-    if((lobe_7.kind_1) == u32(3))
-    {
-        var _S465 : DiffPair_float_0 = DiffPair_float_0( dpcosine_4.primal_0, dpcosine_4.differential_0 );
-        var _S466 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0, dpeta_3.differential_0 );
-        var _S467 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S465, _S466);
-        var _S468 : DiffPair_float_0 = DiffPair_float_0( 1.0f - _S467.primal_0, 0.0f - _S467.differential_0 );
-        return _S468;
-    }
-    var place_19 : f32 = dpcosine_4.primal_0 * 63.0f;
-    var _S469 : u32 = min(u32(place_19), u32(62));
-    var at_24 : u32 = word_0(lobe_7.record_3 + u32(3)) + _S469;
-    var here_2 : f32 = number_0(at_24);
-    var _S470 : f32 = number_0(at_24 + u32(1)) - here_2;
-    var _S471 : DiffPair_float_0 = DiffPair_float_0( here_2 + _S470 * (place_19 - f32(_S469)), dpcosine_4.differential_0 * 63.0f * _S470 );
-    return _S471;
-}
-
-fn s_fwd_fresnel_diffuse_0( dpeta_4 : DiffPair_float_0) -> DiffPair_float_0
-{
-    var inverse_1 : f32 = 1.0f / dpeta_4.primal_0;
-    var s_diff_inverse_0 : f32 = (0.0f - dpeta_4.differential_0) / (dpeta_4.primal_0 * dpeta_4.primal_0);
-    if((dpeta_4.primal_0) < 1.0f)
-    {
-        var _S472 : f32 = -1.43990004062652588f * dpeta_4.primal_0 + 0.70990002155303955f;
-        var _S473 : DiffPair_float_0 = DiffPair_float_0( _S472 * dpeta_4.primal_0 + 0.66809999942779541f + 0.06360000371932983f * inverse_1, dpeta_4.differential_0 * -1.43990004062652588f * dpeta_4.primal_0 + dpeta_4.differential_0 * _S472 + s_diff_inverse_0 * 0.06360000371932983f );
-        return _S473;
-    }
-    var _S474 : f32 = -1.36881005764007568f * inverse_1 + 4.98553991317749023f;
-    var _S475 : f32 = _S474 * inverse_1 - 7.80988979339599609f;
-    var sum_3 : f32 = _S475 * inverse_1 + 6.75334978103637695f;
-    var _S476 : f32 = sum_3 * inverse_1 - 3.47930002212524414f;
-    var _S477 : DiffPair_float_0 = DiffPair_float_0( _S476 * inverse_1 + 0.91931700706481934f, (((s_diff_inverse_0 * -1.36881005764007568f * inverse_1 + s_diff_inverse_0 * _S474) * inverse_1 + s_diff_inverse_0 * _S475) * inverse_1 + s_diff_inverse_0 * sum_3) * inverse_1 + s_diff_inverse_0 * _S476 );
-    return _S477;
-}
-
-fn s_fwd_base_0( lobe_8 : Lobe_0,  dpeta_5 : DiffPair_float_0,  dpdiffuse_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
-{
-    var internal_reflectance_0 : f32;
-    var s_diff_internal_reflectance_0 : f32;
-    if((lobe_8.kind_1) == u32(3))
-    {
-        var _S478 : DiffPair_float_0 = DiffPair_float_0( 1.0f / dpeta_5.primal_0, (0.0f - dpeta_5.differential_0) / (dpeta_5.primal_0 * dpeta_5.primal_0) );
-        var _S479 : DiffPair_float_0 = s_fwd_fresnel_diffuse_0(_S478);
-        internal_reflectance_0 = _S479.primal_0;
-        s_diff_internal_reflectance_0 = _S479.differential_0;
-    }
-    else
-    {
-        internal_reflectance_0 = number_0(word_0(lobe_8.record_3 + u32(3)) + u32(64));
-        s_diff_internal_reflectance_0 = 0.0f;
-    }
-    if((word_0(lobe_8.record_3 + u32(2))) == u32(0))
-    {
-        var _S480 : f32 = 1.0f - internal_reflectance_0;
-        var _S481 : vec3<f32> = vec3<f32>((1.0f / _S480));
-        var _S482 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 * _S481, dpdiffuse_0.differential_0 * _S481 + vec3<f32>(((0.0f - (0.0f - s_diff_internal_reflectance_0)) / (_S480 * _S480))) * dpdiffuse_0.primal_0 );
-        return _S482;
-    }
-    var _S483 : vec3<f32> = vec3<f32>(1.0f) - dpdiffuse_0.primal_0 * vec3<f32>(internal_reflectance_0);
-    var _S484 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 / _S483, (dpdiffuse_0.differential_0 * _S483 - dpdiffuse_0.primal_0 * (vec3<f32>(0.0f) - (dpdiffuse_0.differential_0 * vec3<f32>(internal_reflectance_0) + vec3<f32>(s_diff_internal_reflectance_0) * dpdiffuse_0.primal_0))) / (_S483 * _S483) );
-    return _S484;
-}
-
-fn choice_weight_0( colour_2 : vec3<f32>) -> f32
-{
-    return max((colour_2.x + colour_2.y + colour_2.z) / 3.0f, 0.05000000074505806f);
-}
-
-fn base_probability_0( numbers_5 : Numbers_0,  enters_0 : f32) -> f32
-{
-    var of_base_0 : f32 = enters_0 * choice_weight_0(numbers_5.diffuse_reflectance_0);
-    return of_base_0 / (of_base_0 + (1.0f - enters_0) * choice_weight_0(numbers_5.specular_reflectance_0));
-}
-
-struct Scattering_0
-{
-     value_9 : vec3<f32>,
-     pdf_3 : f32,
-};
-
-struct Scattering_Differential_0
-{
-     value_10 : vec3<f32>,
-};
-
-struct DiffPair_Scattering_0
-{
-     primal_0 : Scattering_0,
-     differential_0 : Scattering_Differential_0,
-};
-
-fn s_fwd_scattering_0( lobe_9 : Lobe_0,  dpnumbers_2 : DiffPair_Numbers_0,  dpwi_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Scattering_0
-{
-    var _S485 : f32 = dpwo_1.primal_0.z;
-    var _S486 : f32 = dpwo_1.differential_0.z;
-    var by_cosine_0 : f32 = _S485 * 0.31830987334251404f;
-    var _S487 : f32 = _S486 * 0.31830987334251404f;
-    if((lobe_9.kind_1) == u32(0))
-    {
-        var _S488 : vec3<f32> = vec3<f32>(by_cosine_0);
-        var _S489 : Scattering_0 = Scattering_0( dpnumbers_2.primal_0.diffuse_reflectance_0 * _S488, by_cosine_0 );
-        var _S490 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_2.differential_0.diffuse_reflectance_0 * _S488 + vec3<f32>(_S487) * dpnumbers_2.primal_0.diffuse_reflectance_0 );
-        var _S491 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S489, _S490 );
-        return _S491;
-    }
-    var _S492 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
-    var _S493 : DiffPair_Mirrored_0 = s_fwd_Mirrored_x24init_0(_S492, _S492, _S492);
-    var by_facets_0 : Mirrored_0;
-    var s_diff_by_facets_0 : Mirrored_0;
-    if(is_rough_0(lobe_9))
-    {
-        var _S494 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
-        var _S495 : DiffPair_Microfacets_0 = s_fwd_facets_of_0(lobe_9, _S494);
-        var _S496 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S495.primal_0, _S495.differential_0 );
-        var _S497 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_1.primal_0, dpwi_1.differential_0 );
-        var _S498 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_1.primal_0, dpwo_1.differential_0 );
-        var _S499 : DiffPair_Mirrored_0 = s_fwd_mirrored_0(_S496, _S497, _S498);
-        by_facets_0 = _S499.primal_0;
-        s_diff_by_facets_0 = _S499.differential_0;
-    }
-    else
-    {
-        by_facets_0 = _S493.primal_0;
-        s_diff_by_facets_0 = _S493.differential_0;
-    }
-    if((lobe_9.kind_1) == u32(2))
-    {
-        var _S500 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_4, s_diff_by_facets_0.cosine_4 );
-        var _S501 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.eta_0, dpnumbers_2.differential_0.eta_0 );
-        var _S502 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.k_0, dpnumbers_2.differential_0.k_0 );
-        var _S503 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S500, _S501, _S502);
-        var _S504 : vec3<f32> = vec3<f32>(by_facets_0.scattered_0);
-        var _S505 : vec3<f32> = _S503.primal_0 * _S504;
-        var _S506 : Scattering_0 = Scattering_0( dpnumbers_2.primal_0.specular_reflectance_0 * _S505, by_facets_0.pdf_2 );
-        var _S507 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_2.differential_0.specular_reflectance_0 * _S505 + (_S503.differential_0 * _S504 + vec3<f32>(s_diff_by_facets_0.scattered_0) * _S503.primal_0) * dpnumbers_2.primal_0.specular_reflectance_0 );
-        var _S508 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S506, _S507 );
-        return _S508;
-    }
-    var _S509 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
-    var _S510 : DiffPair_float_0 = s_fwd_coat_eta_0(_S509);
-    var _S511 : DiffPair_float_0 = DiffPair_float_0( _S510.primal_0, _S510.differential_0 );
-    var _S512 : DiffPair_float_0 = DiffPair_float_0( dpwi_1.primal_0.z, dpwi_1.differential_0.z );
-    var _S513 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_9, _S511, _S512);
-    var _S514 : DiffPair_float_0 = DiffPair_float_0( _S485, _S486 );
-    var _S515 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_9, _S511, _S514);
-    var _S516 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.diffuse_reflectance_0, dpnumbers_2.differential_0.diffuse_reflectance_0 );
-    var _S517 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_base_0(lobe_9, _S511, _S516);
-    var _S518 : f32 = _S513.primal_0 * _S515.primal_0;
-    var _S519 : f32 = _S518 * by_cosine_0;
-    var _S520 : f32 = _S510.primal_0 * _S510.primal_0;
-    var _S521 : f32 = _S510.differential_0 * _S510.primal_0;
-    var _S522 : vec3<f32> = vec3<f32>((_S519 / _S520));
-    var _S523 : vec3<f32> = _S517.primal_0 * _S522;
-    var _S524 : vec3<f32> = _S517.differential_0 * _S522 + vec3<f32>(((((_S513.differential_0 * _S515.primal_0 + _S515.differential_0 * _S513.primal_0) * by_cosine_0 + _S487 * _S518) * _S520 - _S519 * (_S521 + _S521)) / (_S520 * _S520))) * _S517.primal_0;
-    var probability_1 : f32 = base_probability_0(dpnumbers_2.primal_0, _S513.primal_0);
-    var _S525 : f32 = probability_1 * by_cosine_0;
-    var scattering_0 : Scattering_0;
-    var s_diff_scattering_0 : Scattering_Differential_0;
-    if((lobe_9.kind_1) == u32(4))
-    {
-        var _S526 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_4, s_diff_by_facets_0.cosine_4 );
-        var _S527 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S526, _S511);
-        var _S528 : vec3<f32> = vec3<f32>((_S527.primal_0 * by_facets_0.scattered_0));
-        var _S529 : vec3<f32> = _S524 + (dpnumbers_2.differential_0.specular_reflectance_0 * _S528 + vec3<f32>((_S527.differential_0 * by_facets_0.scattered_0 + s_diff_by_facets_0.scattered_0 * _S527.primal_0)) * dpnumbers_2.primal_0.specular_reflectance_0);
-        var _S530 : f32 = _S525 + (1.0f - probability_1) * by_facets_0.pdf_2;
-        scattering_0.value_9 = _S523 + dpnumbers_2.primal_0.specular_reflectance_0 * _S528;
-        scattering_0.pdf_3 = _S530;
-        s_diff_scattering_0.value_10 = _S529;
-    }
-    else
-    {
-        scattering_0.value_9 = _S523;
-        scattering_0.pdf_3 = _S525;
-        s_diff_scattering_0.value_10 = _S524;
-    }
-    var _S531 : DiffPair_Scattering_0 = DiffPair_Scattering_0( scattering_0, s_diff_scattering_0 );
-    return _S531;
-}
-
-struct Scattered_0
-{
-     value_11 : Vector_0,
-     pdf_4 : f32,
-};
-
-fn eval_and_pdf_0( lobe_10 : Lobe_0,  wi_2 : Vector_0,  wo_0 : Vector_0) -> Scattered_0
-{
-    var scattered_1 : Scattered_0;
-    scattered_1.value_11 = still_0(vec3<f32>(0.0f));
-    scattered_1.pdf_4 = 0.0f;
-    var _S532 : bool;
-    if((value_of_0(wo_0).z) <= 0.0f)
-    {
-        _S532 = true;
-    }
-    else
-    {
-        _S532 = !has_smooth_0(lobe_10);
-    }
-    if(_S532)
-    {
-        return scattered_1;
-    }
-    var _S533 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_10.numbers_2, lobe_10.changes_0 );
-    var _S534 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_2.value_0, wi_2.change_0 );
-    var _S535 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wo_0.value_0, wo_0.change_0 );
-    var _S536 : DiffPair_Scattering_0 = s_fwd_scattering_0(lobe_10, _S533, _S534, _S535);
-    scattered_1.value_11 = changing_0(_S536.primal_0.value_9, _S536.differential_0.value_10);
-    scattered_1.pdf_4 = _S536.primal_0.pdf_3;
-    return scattered_1;
-}
-
-fn scattered_to_0( vertex_5 : Vertex_0,  wo_1 : vec3<f32>,  direction_16 : Vector_0) -> Scattered_0
-{
-    return eval_and_pdf_0(vertex_5.lobe_1, vertex_5.wi_1, changing_0(wo_1, local_change_0(vertex_5, direction_16)));
-}
-
-fn drift_at_0( vertex_6 : Vertex_0,  direction_17 : Vector_0,  t_7 : f32) -> vec3<f32>
-{
-    return vertex_6.surface_4.position_change_0 + change_of_0(direction_17) * vec3<f32>(t_7);
-}
-
-fn met_0( vertex_7 : Vertex_0,  direction_18 : Vector_0,  t_8 : f32,  place_20 : Place_0) -> Place_0
-{
-    var _S537 : Place_0 = place_20;
-    var unused_0 : vec3<f32>;
-    move_place_0(&(_S537), &(unused_0), value_of_0(direction_18), drift_at_0(vertex_7, direction_18, t_8));
-    return _S537;
-}
-
-fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
-{
-    var ratio_0 : f32 = other_0 / own_2;
-    if(ratio_0 > 9.9999998430674944e+17f)
-    {
-        return 0.0f;
-    }
-    return 1.0f / (own_2 * (1.0f + ratio_0 * ratio_0));
-}
-
-fn in_map_0( map_6 : u32,  direction_19 : vec3<f32>) -> Lookup_0
-{
-    var place_21 : vec2<f32> = map_place_0(map_6, direction_19);
-    var point_1 : Point_0;
-    point_1.value_4 = place_21;
-    point_1.by_first_1 = vec2<f32>(1.0f, 0.0f);
-    point_1.by_second_1 = vec2<f32>(0.0f, 1.0f);
-    var x_13 : i32 = floor_of_0(place_21.x);
-    var y_5 : i32 = floor_of_0(place_21.y);
-    var width_4 : i32 = i32(word_0(map_6));
-    var height_1 : i32 = i32(word_0(map_6 + u32(1)));
-    var left_1 : u32 = wrapped_0(x_13, width_4, u32(0));
-    var right_1 : u32 = wrapped_0(x_13 + i32(1), width_4, u32(0));
-    var _S538 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S539 : u32 = u32(width_4);
-    var first_4 : u32 = _S538 * _S539;
-    var _S540 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S540 * _S539;
-    return between_0(vec4<u32>(first_4 + left_1, first_4 + right_1, second_2 + left_1, second_2 + right_1), point_1);
-}
-
-fn x2A_0( a_22 : Vector_0,  b_16 : Vector_0) -> Vector_0
-{
-    return changing_0(a_22.value_0 * b_16.value_0, a_22.change_0 * b_16.value_0 + a_22.value_0 * b_16.change_0);
-}
-
-fn emitted_0( emitter_5 : u32,  place_22 : Place_0,  direction_20 : Vector_0) -> Vector_0
-{
-    var record_14 : u32 = emitter_record_0(emitter_5);
-    var texture_7 : u32 = word_0(record_14 + u32(1));
-    if(!is_map_0(record_14))
-    {
-        var _S541 : Vector_0 = shown_0(texture_7, place_22);
-        return _S541;
-    }
-    var _S542 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_20.value_0, direction_20.change_0 );
-    var _S543 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S542);
-    var factor_0 : Vector_0 = looked_up_0(word_0(texture_7 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
-    var _S544 : u32 = word_0(texture_7 + u32(11));
-    var _S545 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_20));
-    return x2A_0(looked_up_0(_S544, _S545, _S543.differential_0), factor_0);
-}
-
-fn x2A_1( a_23 : Vector_0,  b_17 : f32) -> Vector_0
-{
-    var _S546 : vec3<f32> = vec3<f32>(b_17);
-    return changing_0(a_23.value_0 * _S546, a_23.change_0 * _S546);
-}
-
-fn x2B_0( a_24 : Vector_0,  b_18 : Vector_0) -> Vector_0
-{
-    return changing_0(a_24.value_0 + b_18.value_0, a_24.change_0 + b_18.change_0);
-}
-
-fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_8 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_5 : u32,  bsdf_samples_0 : f32,  importance_0 : vec3<f32>)
-{
-    var probability_2 : f32;
-    var emitter_6 : u32 = chosen_emitter_0(choice_5, random_0(key_7, first_5), &(probability_2));
-    if(probability_2 == 0.0f)
-    {
-        return;
-    }
-    var record_15 : u32 = emitter_record_0(emitter_6);
-    var point_2 : EmitterPoint_0;
-    var nearest_0 : f64 = limit_at_0(u32(2));
-    var direction_21 : vec3<f32>;
-    var way_2 : vec3<f64>;
-    var farthest_0 : f64;
-    var nearest_1 : f64;
-    var distance_4 : f32;
-    if(is_area_0(record_15))
-    {
-        point_2 = area_point_0(record_15, vertex_8.surface_4, key_7, first_5 + u32(1));
-        if(!((point_2.pdf_0) > 0.0f))
-        {
-            return;
-        }
-        var way_3 : vec3<f64> = position_of_0(point_2.place_15) - vertex_8.surface_4.exact_0;
-        var _S547 : vec3<f32> = vec3<f32>(way_3);
-        var distance_5 : f32 = length(_S547);
-        var nearest_2 : f64 = nearest_0 / f64(distance_5);
-        var _S548 : f64 = limit_at_0(u32(3));
-        direction_21 = _S547 / vec3<f32>(distance_5);
-        way_2 = way_3;
-        farthest_0 = _S548;
-        distance_4 = distance_5;
-        nearest_1 = nearest_2;
-    }
-    else
-    {
-        if(is_map_0(record_15))
-        {
-            var _S549 : u32 = word_0(record_15 + u32(1));
-            var _S550 : u32 = first_5 + u32(1);
-            var _S551 : f32 = point_2.pdf_0;
-            var _S552 : vec3<f32> = sample_map_0(_S549, key_7, _S550, &(_S551));
-            point_2.pdf_0 = _S551;
-            direction_21 = _S552;
-        }
-        else
-        {
-            var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_5 + u32(1)));
-            var _S553 : vec3<f32> = normalize(to_world_0(vertex_8.axes_1, local_1));
-            point_2.pdf_0 = local_1.z * 0.31830987334251404f;
-            direction_21 = _S553;
-        }
-        point_2.place_15 = vertex_8.surface_4.place_3;
-        var _S554 : f64 = limit_at_0(u32(1));
-        way_2 = vec3<f64>(direction_21);
-        farthest_0 = _S554;
-        distance_4 = 0.0f;
-        nearest_1 = nearest_0;
-    }
-    var wo_2 : vec3<f32> = to_local_0(vertex_8.axes_1, direction_21);
-    if((wo_2.z) <= 0.0f)
-    {
-        return;
-    }
-    var unused_1 : f32;
-    if((cast_0(vertex_8.surface_4.exact_0, way_2, nearest_1, farthest_0, true, &(unused_1)).face_7) != u32(4294967295))
-    {
-        return;
-    }
-    var own_3 : f32 = f32(word_0(u32(2))) * probability_2 * point_2.pdf_0;
-    if(!(own_3 > 0.0f))
-    {
-        return;
-    }
-    var moving_0 : Vector_0 = towards_emitter_0(vertex_8, direction_21, record_15);
-    var scattered_2 : Scattered_0 = scattered_to_0(vertex_8, wo_2, moving_0);
-    var place_23 : Place_0 = point_2.place_15;
-    var place_24 : Place_0;
-    if(is_area_0(record_15))
-    {
-        place_24 = met_0(vertex_8, moving_0, distance_4, place_23);
-    }
-    else
-    {
-        place_24 = place_23;
-    }
-    var weight_0 : f32 = weight_over_0(own_3, bsdf_samples_0 * scattered_2.pdf_4);
-    var _S555 : Vector_0 = emitted_0(emitter_6, place_24, moving_0);
-    (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, x2A_0(scattered_2.value_11, x2A_1(_S555, weight_0)));
-    return;
-}
-
-struct Stretched_0
-{
-     sine_4 : f32,
-     cosine_7 : f32,
-     around_0 : vec2<f32>,
-     length_0 : f32,
-};
-
-fn stretched_1( facets_2 : Microfacets_0,  wi_3 : vec3<f32>) -> Stretched_0
-{
-    var longer_0 : vec3<f32> = vec3<f32>(wi_3.xy * facets_2.alpha_1, wi_3.z);
-    var view_7 : Stretched_0;
-    var _S556 : f32 = length(longer_0);
-    view_7.length_0 = _S556;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S556);
-    var _S557 : vec2<f32> = longer_1.xy;
-    var _S558 : f32 = length(_S557);
-    view_7.sine_4 = _S558;
-    view_7.cosine_7 = longer_1.z;
-    var _S559 : vec2<f32>;
-    if(_S558 > 0.0f)
-    {
-        _S559 = _S557 / vec2<f32>(view_7.sine_4);
-    }
-    else
-    {
-        _S559 = vec2<f32>(1.0f, 0.0f);
-    }
-    view_7.around_0 = _S559;
-    return view_7;
-}
-
-fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
-{
-    var _S560 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S560);
-    var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
-    var across_3 : f32 = radius_2 * turn_3.y;
-    var along_5 : f32 = radius_2 * turn_3.x;
-    var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_7);
-    var hidden_0 : f32 = 1.0f - visible_0;
-    var _S561 : f32 = 1.0f - _S560;
-    var edge_0 : f32 = sqrt(_S561 + along_5 * along_5);
-    var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
-    var from_top_0 : f32 = edge_0 - along_5;
-    var from_bottom_0 : f32 = edge_0 + along_5;
-    var from_top_1 : f32;
-    var from_bottom_1 : f32;
-    if(along_5 > 0.0f)
-    {
-        from_top_1 = _S561 / from_bottom_0;
-        from_bottom_1 = from_bottom_0;
-    }
-    else
-    {
-        var _S562 : f32 = _S561 / from_top_0;
-        from_top_1 = from_top_0;
-        from_bottom_1 = _S562;
-    }
-    var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
-    return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_7, across_3, max(towards_0 * view_8.cosine_7 + up_0 * view_8.sine_4, 0.0f));
-}
-
-fn logarithm_0( x_14 : f32) -> f32
-{
-    var bits_1 : u32 = (bitcast<u32>((x_14)));
-    var power_2 : f32 = f32(i32((bits_1 >> (u32(23)))) - i32(126));
-    var m_0 : f32 = (bitcast<f32>(((((bits_1 & (u32(8388607)))) | (u32(1056964608))))));
-    var m_1 : f32;
-    var power_3 : f32;
-    if(m_0 < 0.70710676908493042f)
-    {
-        var power_4 : f32 = power_2 - 1.0f;
-        m_1 = m_0 + m_0;
-        power_3 = power_4;
-    }
-    else
-    {
-        m_1 = m_0;
-        power_3 = power_2;
-    }
-    var m_2 : f32 = m_1 - 1.0f;
-    var z_7 : f32 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * z_7 - 0.00021219444170129f * power_3 - 0.5f * z_7) + 0.693359375f * power_3;
-}
-
-fn error_function_inverse_0( p_0 : f32) -> f32
-{
-    var w_8 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
-    if(w_8 < 5.0f)
-    {
-        var w_9 : f32 = w_8 - 2.5f;
-        return ((((((((2.81022636272609816e-08f * w_9 + 3.43273939051869093e-07f) * w_9 - 3.52338770426285919e-06f) * w_9 - 4.39150653619435616e-06f) * w_9 + 0.00021858086984139f) * w_9 - 0.00125372502952814f) * w_9 - 0.00417768163606524f) * w_9 + 0.24664072692394257f) * w_9 + 1.50140941143035889f) * p_0;
-    }
-    var w_10 : f32 = sqrt(w_8) - 3.0f;
-    return ((((((((-0.0002002142573474f * w_10 + 0.00010095055768033f) * w_10 + 0.00134934321977198f) * w_10 - 0.00367342843674123f) * w_10 + 0.00573950773105025f) * w_10 - 0.00762246130034328f) * w_10 + 0.00943887047469616f) * w_10 + 1.00167405605316162f) * w_10 + 2.8329768180847168f) * p_0;
-}
-
-fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>) -> vec3<f32>
-{
-    var steepest_0 : f32;
-    if((view_9.sine_4 * 6.0f) > (view_9.cosine_7))
-    {
-        steepest_0 = view_9.cosine_7 / view_9.sine_4;
-    }
-    else
-    {
-        steepest_0 = 6.0f;
-    }
-    var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S563 : f32 = max(view_9.cosine_7, view_9.sine_4);
-    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S563 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S563, -6.0f, 0.5f * steepest_0);
-    var low_5 : f32 = -6.0f;
-    var high_2 : f32 = steepest_0;
-    var step_0 : u32 = u32(0);
-    for(;;)
-    {
-        if(step_0 < u32(32))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var both_2 : vec2<f32> = error_function_plus_one_0(slope_0);
-        var _S564 : f32 = both_2.y;
-        var error_0 : f32 = view_9.cosine_7 * both_2.x + 0.5f * view_9.sine_4 * _S564 - target_1;
-        var own_4 : f32 = _S564 * (view_9.cosine_7 - slope_0 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_0 * own_4 - _S564 * view_9.sine_4;
-        if(error_0 > 0.0f)
-        {
-            high_2 = slope_0;
-        }
-        else
-        {
-            low_5 = slope_0;
-        }
-        var next_0 : f32 = slope_0 - error_0 * own_4 / (own_4 * own_4 - 0.5f * error_0 * bend_0);
-        var _S565 : bool;
-        if(next_0 >= low_5)
-        {
-            _S565 = next_0 <= high_2;
-        }
-        else
-        {
-            _S565 = false;
-        }
-        var next_1 : f32;
-        if(!_S565)
-        {
-            next_1 = 0.5f * (low_5 + high_2);
-        }
-        else
-        {
-            next_1 = next_0;
-        }
-        if((abs(next_1 - slope_0)) < 0.00030000001424924f)
-        {
-            slope_0 = next_1;
-            break;
-        }
-        var _S566 : u32 = step_0 + u32(1);
-        slope_0 = next_1;
-        step_0 = _S566;
-    }
-    return vec3<f32>(- slope_0, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
-}
-
-fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_4 : vec3<f32>,  u_11 : vec2<f32>) -> vec3<f32>
-{
-    var view_10 : Stretched_0 = stretched_1(facets_3, wi_4);
-    var normal_9 : vec3<f32>;
-    if((facets_3.distribution_1) == u32(1))
-    {
-        normal_9 = ggx_normal_0(view_10, u_11);
-    }
-    else
-    {
-        normal_9 = beckmann_normal_0(view_10, visible_over_cos_0(facets_3, wi_4), u_11);
-    }
-    var _S567 : f32 = view_10.around_0.x;
-    var _S568 : f32 = normal_9.x;
-    var _S569 : f32 = view_10.around_0.y;
-    var _S570 : f32 = normal_9.y;
-    var normal_10 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S567 * _S568 - _S569 * _S570, _S569 * _S568 + _S567 * _S570) * facets_3.alpha_1, normal_9.z));
-    return normalize(normal_10 * vec3<f32>((2.0f * dot(wi_4, normal_10))) - wi_4);
-}
-
-struct Drawn_0
-{
-     wo_3 : vec3<f32>,
-     is_specular_0 : bool,
-     probability_3 : f32,
-};
-
-fn draw_0( lobe_11 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
-{
-    var _S571 : bool = (lobe_11.kind_1) == u32(0);
-    var has_base_0 : bool;
-    if(_S571)
-    {
-        has_base_0 = true;
-    }
-    else
-    {
-        has_base_0 = (lobe_11.kind_1) == u32(3);
-    }
-    if(has_base_0)
-    {
-        has_base_0 = true;
-    }
-    else
-    {
-        has_base_0 = (lobe_11.kind_1) == u32(4);
-    }
-    var of_base_1 : f32;
-    if(_S571)
-    {
-        of_base_1 = 1.0f;
-    }
-    else
-    {
-        of_base_1 = 0.0f;
-    }
-    var _S572 : bool;
-    if((lobe_11.kind_1) == u32(3))
-    {
-        _S572 = true;
-    }
-    else
-    {
-        _S572 = (lobe_11.kind_1) == u32(4);
-    }
-    if(_S572)
-    {
-        of_base_1 = base_probability_0(lobe_11.numbers_2, transmittance_0(lobe_11, coat_eta_0(lobe_11.numbers_2), wi_5.z));
-    }
-    var drawn_0 : Drawn_0;
-    drawn_0.is_specular_0 = false;
-    drawn_0.probability_3 = 1.0f;
-    if(has_base_0)
-    {
-        has_base_0 = choice_6 < of_base_1;
-    }
-    else
-    {
-        has_base_0 = false;
-    }
-    if(has_base_0)
-    {
-        drawn_0.wo_3 = sample_cosine_0(u_12);
-    }
-    else
-    {
-        if(is_rough_0(lobe_11))
-        {
-            drawn_0.wo_3 = mirrored_at_facet_0(facets_of_0(lobe_11, lobe_11.numbers_2), wi_5, u_12);
-        }
-        else
-        {
-            drawn_0.wo_3 = vec3<f32>((vec2<f32>(0) - wi_5.xy), wi_5.z);
-            drawn_0.is_specular_0 = true;
-            drawn_0.probability_3 = 1.0f - of_base_1;
-        }
-    }
-    return drawn_0;
-}
-
-fn specular_direction_0( vertex_9 : Vertex_0,  direction_22 : vec3<f32>,  wo_4 : vec3<f32>) -> Vector_0
-{
-    var change_7 : vec3<f32> = change_of_0(vertex_9.wi_1);
-    return changing_0(direction_22, to_world_0(vertex_9.axes_change_0, wo_4) + to_world_0(vertex_9.axes_1, vec3<f32>((vec2<f32>(0) - change_7.xy), change_7.z)));
-}
-
-fn s_fwd_specular_fraction_0( lobe_12 : Lobe_0,  dpnumbers_3 : DiffPair_Numbers_0,  dpwi_2 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
-{
-    if((lobe_12.kind_1) == u32(1))
-    {
-        var _S573 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
-        var _S574 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.eta_0, dpnumbers_3.differential_0.eta_0 );
-        var _S575 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.k_0, dpnumbers_3.differential_0.k_0 );
-        var _S576 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S573, _S574, _S575);
-        var _S577 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S576.primal_0, dpnumbers_3.differential_0.specular_reflectance_0 * _S576.primal_0 + _S576.differential_0 * dpnumbers_3.primal_0.specular_reflectance_0 );
-        return _S577;
-    }
-    var _S578 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_3.primal_0, dpnumbers_3.differential_0 );
-    var _S579 : DiffPair_float_0 = s_fwd_coat_eta_0(_S578);
-    var _S580 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
-    var _S581 : DiffPair_float_0 = DiffPair_float_0( _S579.primal_0, _S579.differential_0 );
-    var _S582 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S580, _S581);
-    var _S583 : vec3<f32> = vec3<f32>(_S582.primal_0);
-    var _S584 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S583, dpnumbers_3.differential_0.specular_reflectance_0 * _S583 + vec3<f32>(_S582.differential_0) * dpnumbers_3.primal_0.specular_reflectance_0 );
-    return _S584;
-}
-
-fn specular_0( lobe_13 : Lobe_0,  wi_6 : Vector_0) -> Vector_0
-{
-    var _S585 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_13.numbers_2, lobe_13.changes_0 );
-    var _S586 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_6.value_0, wi_6.change_0 );
-    var _S587 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_specular_fraction_0(lobe_13, _S585, _S586);
-    return changing_0(_S587.primal_0, _S587.differential_0);
-}
-
-fn first_from_0( position_6 : vec3<f64>,  direction_23 : vec3<f32>,  t_9 : ptr<function, f32>) -> Found_0
-{
-    var _S588 : Found_0 = cast_1(position_6, vec3<f64>(direction_23), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_9)));
-    return _S588;
-}
-
-fn place_of_0( found_6 : Found_0) -> Place_0
-{
-    return exact_place_0(found_6.triangle_9, found_6.v_11, found_6.w_6);
-}
-
-fn emitter_seen_0( found_7 : Found_0,  direction_24 : vec3<f32>) -> u32
-{
-    if((found_7.face_7) == u32(4294967295))
+    if((found_6.face_7) == u32(4294967295))
     {
         return word_0(u32(8));
     }
-    var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_9) + u32(4));
-    var _S589 : bool;
-    if(emitter_7 != u32(4294967295))
+    var emitter_6 : u32 = word_0(shape_of_0(found_6.triangle_9) + u32(4));
+    var _S574 : bool;
+    if(emitter_6 != u32(4294967295))
     {
-        _S589 = (dot(cross_of_0(found_7.triangle_9), direction_24)) < 0.0f;
+        _S574 = (dot(cross_of_0(found_6.triangle_9), direction_18)) < 0.0f;
     }
     else
     {
-        _S589 = false;
+        _S574 = false;
     }
-    var _S590 : u32;
-    if(_S589)
+    var _S575 : u32;
+    if(_S574)
     {
-        _S590 = emitter_7;
+        _S575 = emitter_6;
     }
     else
     {
-        _S590 = u32(4294967295);
+        _S575 = u32(4294967295);
     }
-    return _S590;
+    return _S575;
 }
 
-fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_25 : vec3<f32>,  distance_6 : f32) -> f32
+fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_19 : vec3<f32>,  distance_5 : f32) -> f32
 {
-    var own_5 : f32;
-    var rectangle_1 : u32 = word_0(record_16 + u32(4));
+    var own_3 : f32;
+    var rectangle_1 : u32 = word_0(record_15 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S591 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S591.solid_angle_0) > 0.0f))
+        var _S576 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S576.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S591.solid_angle_0) >= 0.00100000004749745f)
+        if((_S576.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S591.solid_angle_0;
+            return 1.0f / _S576.solid_angle_0;
         }
     }
-    var _S592 : u32 = word_0(word_0(record_16 + u32(7)) + face_8);
-    var nodes_at_2 : u32 = word_0(record_16 + u32(5));
+    var _S577 : u32 = word_0(word_0(record_15 + u32(7)) + face_8);
+    var nodes_at_2 : u32 = word_0(record_15 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
     for(;;)
@@ -4189,32 +4058,32 @@ fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S592 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S577 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
-            own_5 = shares_1.y;
+            own_3 = shares_1.y;
         }
         else
         {
-            own_5 = shares_1.x;
+            own_3 = shares_1.x;
         }
-        var chosen_3 : f32 = chosen_2 * own_5;
-        var _S593 : i32;
+        var chosen_3 : f32 = chosen_2 * own_3;
+        var _S578 : i32;
         if(is_second_1)
         {
-            _S593 = i32(3);
+            _S578 = i32(3);
         }
         else
         {
-            _S593 = i32(2);
+            _S578 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S593));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S578));
         chosen_2 = chosen_3;
     }
-    var _S594 : u32 = word_0(record_16 + u32(6));
-    var _S595 : u32 = word_0(node_6);
-    own_5 = 0.0f;
-    var k_5 : u32 = _S595;
+    var _S579 : u32 = word_0(record_15 + u32(6));
+    var _S580 : u32 = word_0(node_6);
+    own_3 = 0.0f;
+    var k_5 : u32 = _S580;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -4225,41 +4094,112 @@ fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
         {
             break;
         }
-        var angle_6 : f32 = face_solid_angle_0(record_16, word_0(_S594 + k_5), from_2.exact_0);
+        var angle_6 : f32 = face_solid_angle_0(record_15, word_0(_S579 + k_5), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_6;
-        if(k_5 == _S592)
+        if(k_5 == _S577)
         {
-            own_5 = angle_6;
+            own_3 = angle_6;
         }
         k_5 = k_5 + u32(1);
         total_3 = total_4;
     }
-    if(!(own_5 > 0.0f))
+    if(!(own_3 > 0.0f))
     {
         return 0.0f;
     }
-    return chosen_2 / total_3 * density_of_0(own_5, cross_of_0(emitter_triangle_0(record_16, face_8)), distance_6, direction_25);
+    return chosen_2 / total_3 * density_of_0(own_3, cross_of_0(emitter_triangle_0(record_15, face_8)), distance_5, direction_19);
 }
 
-fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  vertex_10 : Vertex_0,  direction_26 : vec3<f32>,  t_10 : f32) -> f32
+fn emitter_pdf_0( emitter_7 : u32,  found_7 : Found_0,  vertex_10 : Vertex_0,  direction_20 : vec3<f32>,  t_6 : f32) -> f32
+{
+    var record_16 : u32 = emitter_record_0(emitter_7);
+    if(is_map_0(record_16))
+    {
+        var _S581 : f32 = map_pdf_0(word_0(record_16 + u32(1)), direction_20);
+        return _S581;
+    }
+    if(!is_area_0(record_16))
+    {
+        return max(dot(vertex_10.axes_1.n_1, direction_20), 0.0f) * 0.31830987334251404f;
+    }
+    return area_pdf_0(record_16, found_7.face_7 - word_0(record_16 + u32(3)), vertex_10.surface_4, direction_20, t_6);
+}
+
+fn drift_at_0( vertex_11 : Vertex_0,  direction_21 : Vector_0,  t_7 : f32) -> vec3<f32>
+{
+    return vertex_11.surface_4.position_change_0 + change_of_0(direction_21) * vec3<f32>(t_7);
+}
+
+fn met_0( vertex_12 : Vertex_0,  direction_22 : Vector_0,  t_8 : f32,  place_21 : Place_0) -> Place_0
+{
+    var _S582 : Place_0 = place_21;
+    var unused_0 : vec3<f32>;
+    move_place_0(&(_S582), &(unused_0), value_of_0(direction_22), drift_at_0(vertex_12, direction_22, t_8));
+    return _S582;
+}
+
+fn weight_over_0( own_4 : f32,  other_0 : f32) -> f32
+{
+    var ratio_0 : f32 = other_0 / own_4;
+    if(ratio_0 > 9.9999998430674944e+17f)
+    {
+        return 0.0f;
+    }
+    return 1.0f / (own_4 * (1.0f + ratio_0 * ratio_0));
+}
+
+fn in_map_0( map_6 : u32,  direction_23 : vec3<f32>) -> Lookup_0
+{
+    var place_22 : vec2<f32> = map_place_0(map_6, direction_23);
+    var point_2 : Point_0;
+    point_2.value_4 = place_22;
+    point_2.by_first_1 = vec2<f32>(1.0f, 0.0f);
+    point_2.by_second_1 = vec2<f32>(0.0f, 1.0f);
+    var x_13 : i32 = floor_of_0(place_22.x);
+    var y_4 : i32 = floor_of_0(place_22.y);
+    var width_4 : i32 = i32(word_0(map_6));
+    var height_1 : i32 = i32(word_0(map_6 + u32(1)));
+    var left_1 : u32 = wrapped_0(x_13, width_4, u32(0));
+    var right_1 : u32 = wrapped_0(x_13 + i32(1), width_4, u32(0));
+    var _S583 : u32 = wrapped_0(y_4, height_1, u32(2));
+    var _S584 : u32 = u32(width_4);
+    var first_6 : u32 = _S583 * _S584;
+    var _S585 : u32 = wrapped_0(y_4 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S585 * _S584;
+    return between_0(vec4<u32>(first_6 + left_1, first_6 + right_1, second_2 + left_1, second_2 + right_1), point_2);
+}
+
+fn x2A_1( a_23 : Vector_0,  b_17 : Vector_0) -> Vector_0
+{
+    return changing_0(a_23.value_0 * b_17.value_0, a_23.change_0 * b_17.value_0 + a_23.value_0 * b_17.change_0);
+}
+
+fn emitted_0( emitter_8 : u32,  place_23 : Place_0,  direction_24 : Vector_0) -> Vector_0
 {
     var record_17 : u32 = emitter_record_0(emitter_8);
-    if(is_map_0(record_17))
+    var texture_7 : u32 = word_0(record_17 + u32(1));
+    if(!is_map_0(record_17))
     {
-        var _S596 : f32 = map_pdf_0(word_0(record_17 + u32(1)), direction_26);
-        return _S596;
+        var _S586 : Vector_0 = shown_0(texture_7, place_23);
+        return _S586;
     }
-    if(!is_area_0(record_17))
-    {
-        return max(dot(vertex_10.axes_1.n_1, direction_26), 0.0f) * 0.31830987334251404f;
-    }
-    return area_pdf_0(record_17, found_8.face_7 - word_0(record_17 + u32(3)), vertex_10.surface_4, direction_26, t_10);
+    var _S587 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_24.value_0, direction_24.change_0 );
+    var _S588 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S587);
+    var factor_0 : Vector_0 = looked_up_0(word_0(texture_7 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
+    var _S589 : u32 = word_0(texture_7 + u32(11));
+    var _S590 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_24));
+    return x2A_1(looked_up_0(_S589, _S590, _S588.differential_0), factor_0);
 }
 
-fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, Reflected_0>,  importance_1 : vec3<f32>) -> bool
+fn x2B_0( a_24 : Vector_0,  b_18 : Vector_0) -> Vector_0
+{
+    return changing_0(a_24.value_0 + b_18.value_0, a_24.change_0 + b_18.change_0);
+}
+
+fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_0 : vec3<f32>) -> bool
 {
     var depth_2 : u32 = launch_0.depth_0;
-    var first_6 : u32 = vertex_numbers_0(launch_0.depth_0);
+    var _S591 : u32 = vertex_numbers_0(launch_0.depth_0);
     var incoming_0 : vec3<f32> = value_of_0((*path_6).direction_0);
     var surface_6 : Surface_0 = surface_at_0((*path_6).place_1, incoming_0);
     move_surface_0(&(surface_6), incoming_0, (*path_6).drift_0);
@@ -4268,14 +4208,14 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         return false;
     }
-    var vertex_11 : Vertex_0 = vertex_at_0(surface_6, material_1, (*path_6).direction_0);
+    var vertex_13 : Vertex_0 = vertex_at_0(surface_6, material_1, (*path_6).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S597 : u32 = word_0(u32(3));
-    var _S598 : bool = !reaches_0(depth_2 + u32(3));
+    var _S592 : u32 = word_0(u32(3));
+    var _S593 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S598)
+    if(_S593)
     {
-        goes_on_0 = (vertex_11.lobe_1.kind_1) == u32(0);
+        goes_on_0 = (vertex_13.lobe_1.kind_1) == u32(0);
     }
     else
     {
@@ -4289,17 +4229,17 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         goes_on_0 = false;
     }
-    var bsdf_samples_1 : u32;
+    var bsdf_samples_0 : u32;
     if(goes_on_0)
     {
-        bsdf_samples_1 = u32(0);
+        bsdf_samples_0 = u32(0);
     }
     else
     {
-        bsdf_samples_1 = _S597;
+        bsdf_samples_0 = _S592;
     }
     var on_emitters_0 : u32;
-    if(has_smooth_0(vertex_11.lobe_1))
+    if(has_smooth_0(vertex_13.lobe_1))
     {
         on_emitters_0 = emitter_samples_0;
     }
@@ -4307,147 +4247,189 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S599 : Choice_0 = choice_at_0(surface_6.position_0, vertex_11.axes_1.n_1, on_emitters_0 == u32(0));
-    var i_4 : u32 = u32(0);
-    for(;;)
-    {
-        if(i_4 < on_emitters_0)
-        {
-        }
-        else
-        {
-            break;
-        }
-        add_light_from_emitter_0(&((*reflected_2)), vertex_11, _S599, (*path_6).key_0, first_6 + u32(3) * i_4, f32(bsdf_samples_1), importance_1);
-        i_4 = i_4 + u32(1);
-    }
-    var first_7 : u32 = first_6 + u32(3) * emitter_samples_0;
+    var _S594 : Choice_0 = choice_at_0(surface_6.position_0, vertex_13.axes_1.n_1, on_emitters_0 == u32(0));
     goes_on_0 = false;
     var next_2 : Place_0 = (*path_6).place_1;
     var next_direction_0 : Vector_0 = (*path_6).direction_0;
     var next_distance_0 : f32 = 0.0f;
-    var k_6 : u32 = u32(0);
+    var i_4 : u32 = u32(0);
     for(;;)
     {
-        if(k_6 < bsdf_samples_1)
+        if(i_4 < (on_emitters_0 + bsdf_samples_0))
         {
         }
         else
         {
             break;
         }
-        var own_first_0 : u32 = first_7 + u32(3) * k_6;
-        var drawn_1 : Drawn_0 = draw_0(vertex_11.lobe_1, value_of_0(vertex_11.wi_1), random_0((*path_6).key_0, own_first_0), random_pair_0((*path_6).key_0, own_first_0 + u32(1)));
-        var direction_27 : vec3<f32> = normalize(to_world_0(vertex_11.axes_1, drawn_1.wo_3));
-        var moving_1 : Vector_0;
-        if(drawn_1.is_specular_0)
-        {
-            moving_1 = specular_direction_0(vertex_11, direction_27, drawn_1.wo_3);
-        }
-        else
-        {
-            moving_1 = changing_0(direction_27, turning_0(vertex_11, direction_27));
-        }
-        var scattered_3 : Scattered_0;
-        if(drawn_1.is_specular_0)
-        {
-            scattered_3.value_11 = specular_0(vertex_11.lobe_1, vertex_11.wi_1);
-            scattered_3.pdf_4 = drawn_1.probability_3;
-        }
-        else
-        {
-            scattered_3 = scattered_to_0(vertex_11, drawn_1.wo_3, moving_1);
-        }
-        if(!((scattered_3.pdf_4) > 0.0f))
-        {
-            k_6 = k_6 + u32(1);
-            continue;
-        }
-        var t_11 : f32;
-        var found_9 : Found_0 = first_from_0(surface_6.exact_0, direction_27, &(t_11));
+        var sample_3 : LightSample_0;
         var goes_on_1 : bool;
         var next_3 : Place_0;
         var next_direction_1 : Vector_0;
-        var next_distance_1 : f32;
-        if(k_6 == u32(0))
+        if(i_4 < on_emitters_0)
         {
-            var _S600 : bool = (found_9.face_7) != u32(4294967295);
-            var _S601 : Place_0 = place_of_0(found_9);
-            (*reflected_2).onward_0 = x2A_1(scattered_3.value_11, 1.0f / scattered_3.pdf_4);
-            goes_on_1 = _S600;
-            next_3 = _S601;
-            next_direction_1 = moving_1;
-            next_distance_1 = t_11;
+            var _S595 : bool = sample_emitter_0(vertex_13, _S594, (*path_6).key_0, _S591 + u32(3) * i_4, &(sample_3));
+            if(!_S595)
+            {
+                goes_on_1 = goes_on_0;
+                next_3 = next_2;
+                next_direction_1 = next_direction_0;
+                var _S596 : u32 = i_4 + u32(1);
+                goes_on_0 = goes_on_1;
+                next_2 = next_3;
+                next_direction_0 = next_direction_1;
+                i_4 = _S596;
+                continue;
+            }
         }
         else
         {
+            sample_3 = sample_material_0(vertex_13, (*path_6).key_0, _S591 + u32(3) * emitter_samples_0 + u32(3) * (i_4 - on_emitters_0));
+        }
+        var moving_1 : Vector_0;
+        var scattered_3 : Scattered_0 = scattered_along_0(vertex_13, sample_3, &(moving_1));
+        var _S597 : bool;
+        if(!sample_3.is_on_emitter_0)
+        {
+            _S597 = !((scattered_3.pdf_5) > 0.0f);
+        }
+        else
+        {
+            _S597 = false;
+        }
+        if(_S597)
+        {
+            goes_on_1 = goes_on_0;
+            next_3 = next_2;
+            next_direction_1 = next_direction_0;
+            var _S596 : u32 = i_4 + u32(1);
+            goes_on_0 = goes_on_1;
+            next_2 = next_3;
+            next_direction_0 = next_direction_1;
+            i_4 = _S596;
+            continue;
+        }
+        var t_9 : f32;
+        var found_8 : Found_0 = cast_0(surface_6.exact_0, sample_3.way_1, sample_3.nearest_0, sample_3.farthest_0, sample_3.is_on_emitter_0, &(t_9));
+        var own_5 : f32;
+        var other_1 : f32;
+        var next_distance_1 : f32;
+        var scattered_4 : Scattered_0;
+        if(sample_3.is_on_emitter_0)
+        {
+            if((found_8.face_7) != u32(4294967295))
+            {
+                goes_on_1 = goes_on_0;
+                next_3 = next_2;
+                next_direction_1 = next_direction_0;
+                var _S596 : u32 = i_4 + u32(1);
+                goes_on_0 = goes_on_1;
+                next_2 = next_3;
+                next_direction_0 = next_direction_1;
+                i_4 = _S596;
+                continue;
+            }
+            var own_6 : f32 = f32(emitter_samples_0) * sample_3.probability_1 * sample_3.pdf_2;
+            if(!(own_6 > 0.0f))
+            {
+                goes_on_1 = goes_on_0;
+                next_3 = next_2;
+                next_direction_1 = next_direction_0;
+                var _S596 : u32 = i_4 + u32(1);
+                goes_on_0 = goes_on_1;
+                next_2 = next_3;
+                next_direction_0 = next_direction_1;
+                i_4 = _S596;
+                continue;
+            }
+            var _S598 : f32 = f32(bsdf_samples_0) * scattered_3.pdf_5;
+            own_5 = own_6;
+            other_1 = _S598;
+            scattered_4 = scattered_3;
             goes_on_1 = goes_on_0;
             next_3 = next_2;
             next_direction_1 = next_direction_0;
             next_distance_1 = next_distance_0;
         }
-        var emitter_9 : u32 = emitter_seen_0(found_9, direction_27);
-        if(emitter_9 == u32(4294967295))
+        else
         {
-            goes_on_0 = goes_on_1;
-            next_2 = next_3;
-            next_direction_0 = next_direction_1;
-            next_distance_0 = next_distance_1;
-            k_6 = k_6 + u32(1);
-            continue;
+            if(i_4 == on_emitters_0)
+            {
+                var _S599 : bool = (found_8.face_7) != u32(4294967295);
+                var _S600 : Place_0 = place_of_0(found_8);
+                (*reflected_1).onward_0 = x2A_0(scattered_3.value_11, 1.0f / scattered_3.pdf_5);
+                goes_on_1 = _S599;
+                next_3 = _S600;
+                next_direction_1 = moving_1;
+                own_5 = t_9;
+            }
+            else
+            {
+                goes_on_1 = goes_on_0;
+                next_3 = next_2;
+                next_direction_1 = next_direction_0;
+                own_5 = next_distance_0;
+            }
+            var _S601 : u32 = emitter_seen_0(found_8, sample_3.direction_11);
+            sample_3.emitter_5 = _S601;
+            if(_S601 == u32(4294967295))
+            {
+                next_distance_0 = own_5;
+                var _S596 : u32 = i_4 + u32(1);
+                goes_on_0 = goes_on_1;
+                next_2 = next_3;
+                next_direction_0 = next_direction_1;
+                i_4 = _S596;
+                continue;
+            }
+            sample_3.place_17 = place_of_0(found_8);
+            sample_3.distance_4 = t_9;
+            var _S602 : f32 = f32(bsdf_samples_0) * scattered_3.pdf_5;
+            var _S603 : bool;
+            if(!sample_3.is_specular_0)
+            {
+                _S603 = emitter_samples_0 != u32(0);
+            }
+            else
+            {
+                _S603 = false;
+            }
+            if(_S603)
+            {
+                var pdf_6 : f32 = emitter_pdf_0(sample_3.emitter_5, found_8, vertex_13, sample_3.direction_11, t_9);
+                other_1 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S594) * pdf_6;
+            }
+            else
+            {
+                other_1 = 0.0f;
+            }
+            var _S604 : Scattered_0 = scattered_along_0(vertex_13, sample_3, &(moving_1));
+            var _S605 : f32 = own_5;
+            own_5 = _S602;
+            scattered_4 = _S604;
+            next_distance_1 = _S605;
         }
-        var own_6 : f32 = f32(bsdf_samples_1) * scattered_3.pdf_4;
-        var _S602 : bool = !drawn_1.is_specular_0;
-        var _S603 : bool;
-        if(_S602)
+        var place_24 : Place_0 = sample_3.place_17;
+        var place_25 : Place_0;
+        if(is_area_0(emitter_record_0(sample_3.emitter_5)))
         {
-            _S603 = emitter_samples_0 != u32(0);
+            place_25 = met_0(vertex_13, moving_1, sample_3.distance_4, place_24);
         }
         else
         {
-            _S603 = false;
+            place_25 = place_24;
         }
-        var other_1 : f32;
-        if(_S603)
-        {
-            var pdf_5 : f32 = emitter_pdf_0(emitter_9, found_9, vertex_11, direction_27, t_11);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S599) * pdf_5;
-        }
-        else
-        {
-            other_1 = 0.0f;
-        }
-        var moving_2 : Vector_0;
-        if(_S602)
-        {
-            var moving_3 : Vector_0 = towards_emitter_0(vertex_11, direction_27, emitter_record_0(emitter_9));
-            scattered_3 = scattered_to_0(vertex_11, drawn_1.wo_3, moving_3);
-            moving_2 = moving_3;
-        }
-        else
-        {
-            moving_2 = moving_1;
-        }
-        var place_25 : Place_0 = place_of_0(found_9);
-        var place_26 : Place_0;
-        if((found_9.face_7) != u32(4294967295))
-        {
-            place_26 = met_0(vertex_11, moving_2, t_11, place_25);
-        }
-        else
-        {
-            place_26 = place_25;
-        }
-        var weight_1 : f32 = weight_over_0(own_6, other_1);
-        var _S604 : Vector_0 = emitted_0(emitter_9, place_26, moving_2);
-        (*reflected_2).direct_0 = x2B_0((*reflected_2).direct_0, x2A_0(scattered_3.value_11, x2A_1(_S604, weight_1)));
+        var weight_0 : f32 = weight_over_0(own_5, other_1);
+        var _S606 : Vector_0 = emitted_0(sample_3.emitter_5, place_25, moving_1);
+        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, x2A_1(scattered_4.value_11, x2A_0(_S606, weight_0)));
+        next_distance_0 = next_distance_1;
+        var _S596 : u32 = i_4 + u32(1);
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
-        next_distance_0 = next_distance_1;
-        k_6 = k_6 + u32(1);
+        i_4 = _S596;
     }
-    if(_S598)
+    if(_S593)
     {
         goes_on_0 = true;
     }
@@ -4459,21 +4441,21 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         return false;
     }
-    var throughput_1 : vec3<f32> = value_of_0((*path_6).throughput_0) * value_of_0((*reflected_2).onward_0);
-    var _S605 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    var _S606 : u32 = depth_2 + u32(1);
-    if(_S606 >= (word_0(u32(1))))
+    var throughput_1 : vec3<f32> = value_of_0((*path_6).throughput_0) * value_of_0((*reflected_1).onward_0);
+    var _S607 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    var _S608 : u32 = depth_2 + u32(1);
+    if(_S608 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S605, 0.05000000074505806f, 0.94999998807907104f);
-        if((random_0((*path_6).key_0, vertex_numbers_0(_S606) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S607, 0.05000000074505806f, 0.94999998807907104f);
+        if((random_0((*path_6).key_0, vertex_numbers_0(_S608) - u32(1))) >= survival_0)
         {
             return false;
         }
-        (*reflected_2).onward_0 = x2A_1((*reflected_2).onward_0, 1.0f / survival_0);
+        (*reflected_1).onward_0 = x2A_0((*reflected_1).onward_0, 1.0f / survival_0);
     }
     (*path_6).place_1 = next_2;
     (*path_6).direction_0 = next_direction_0;
-    (*path_6).drift_0 = drift_at_0(vertex_11, next_direction_0, next_distance_0);
+    (*path_6).drift_0 = drift_at_0(vertex_13, next_direction_0, next_distance_0);
     return true;
 }
 
@@ -4485,6 +4467,25 @@ fn set_word_0( path_7 : u32,  which_6 : u32,  value_12 : u32)
 
 fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_13 : vec3<f32>)
 {
+    var axis_5 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_5 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_8, (*which_7) + axis_5, (bitcast<u32>((value_13[axis_5]))));
+        axis_5 = axis_5 + u32(1);
+    }
+    (*which_7) = (*which_7) + u32(3);
+    return;
+}
+
+fn set_vector_1( path_9 : u32,  which_8 : ptr<function, u32>,  value_14 : vec3<f32>)
+{
     var axis_6 : u32 = u32(0);
     for(;;)
     {
@@ -4495,27 +4496,8 @@ fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_13 : vec3<f
         {
             break;
         }
-        set_word_0(path_8, (*which_7) + axis_6, (bitcast<u32>((value_13[axis_6]))));
+        set_word_0(path_9, (*which_8) + axis_6, (bitcast<u32>((value_14[axis_6]))));
         axis_6 = axis_6 + u32(1);
-    }
-    (*which_7) = (*which_7) + u32(3);
-    return;
-}
-
-fn set_vector_1( path_9 : u32,  which_8 : ptr<function, u32>,  value_14 : vec3<f32>)
-{
-    var axis_7 : u32 = u32(0);
-    for(;;)
-    {
-        if(axis_7 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        set_word_0(path_9, (*which_8) + axis_7, (bitcast<u32>((value_14[axis_7]))));
-        axis_7 = axis_7 + u32(1);
     }
     (*which_8) = (*which_8) + u32(3);
     return;
@@ -4528,13 +4510,13 @@ fn set_changing_0( path_10 : u32,  which_9 : ptr<function, u32>,  vector_4 : Vec
     return;
 }
 
-fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_27 : Place_0)
+fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_26 : Place_0)
 {
-    set_word_0(path_11, (*which_10), place_27.triangle_0);
-    set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_27.v_0))));
-    set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_27.w_0))));
-    set_word_0(path_11, (*which_10) + u32(3), (bitcast<u32>((place_27.v_rest_0))));
-    set_word_0(path_11, (*which_10) + u32(4), (bitcast<u32>((place_27.w_rest_0))));
+    set_word_0(path_11, (*which_10), place_26.triangle_0);
+    set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_26.v_0))));
+    set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_26.w_0))));
+    set_word_0(path_11, (*which_10) + u32(3), (bitcast<u32>((place_26.v_rest_0))));
+    set_word_0(path_11, (*which_10) + u32(4), (bitcast<u32>((place_26.w_rest_0))));
     (*which_10) = (*which_10) + u32(5);
     return;
 }
@@ -4554,13 +4536,13 @@ fn store_0( number_of_path_1 : u32,  path_12 : Path_0)
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S607 : u32;
+    var _S609 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S608 : u32 = u32(2) + zero_0;
-        _S607 = _S608;
-        if(rounds_0 < _S608)
+        var _S610 : u32 = u32(2) + zero_0;
+        _S609 = _S610;
+        if(rounds_0 < _S610)
         {
         }
         else
@@ -4569,14 +4551,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S607;
+    return rounds_0 == _S609;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S609 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S611 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4590,21 +4572,21 @@ fn take_thread_further_0( thread_0 : u32)
     }
     var number_of_path_2 : u32 = input_0[at_26];
     var path_13 : Path_0 = load_0(number_of_path_2);
-    var reflected_3 : Reflected_0 = nothing_reflected_0();
-    var goes_on_2 : bool = take_further_0(&(path_13), &(reflected_3), vec3<f32>(0.0f));
-    path_13.light_0 = x2B_0(path_13.light_0, x2A_0(path_13.throughput_0, reflected_3.direct_0));
-    path_13.throughput_0 = x2A_0(path_13.throughput_0, reflected_3.onward_0);
+    var reflected_2 : Reflected_0 = nothing_reflected_0();
+    var goes_on_2 : bool = take_further_0(&(path_13), &(reflected_2), vec3<f32>(0.0f));
+    path_13.light_0 = x2B_0(path_13.light_0, x2A_1(path_13.throughput_0, reflected_2.direct_0));
+    path_13.throughput_0 = x2A_1(path_13.throughput_0, reflected_2.onward_0);
     store_0(number_of_path_2, path_13);
-    var _S610 : u32;
+    var _S612 : u32;
     if(goes_on_2)
     {
-        _S610 = number_of_path_2;
+        _S612 = number_of_path_2;
     }
     else
     {
-        _S610 = u32(4294967295);
+        _S612 = u32(4294967295);
     }
-    set_word_0(at_26, u32(0), _S610);
+    set_word_0(at_26, u32(0), _S612);
     check_loops_0();
     return;
 }

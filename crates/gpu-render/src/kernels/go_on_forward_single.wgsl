@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 8dedb7035812a872
-// result: 1dc2b163c7890291
+// source: 6d9ec5e121453302
+// result: b8de893c964682db
 
 struct Launch_std140_0
 {
@@ -1406,6 +1406,11 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_5 : vec3<f32>,  alike_0 : bool) 
     return choice_2;
 }
 
+fn limit_at_0( which_5 : u32) -> f32
+{
+    return primitives_0[word_0(u32(13)) + which_5];
+}
+
 fn product_0( a_12 : u32,  b_6 : u32) -> vec2<u32>
 {
     var a0_0 : u32 = (a_12 & (u32(65535)));
@@ -1524,11 +1529,6 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
         rest_1 = rest_2;
     }
     return found_0;
-}
-
-fn limit_at_0( which_5 : u32) -> f32
-{
-    return primitives_0[word_0(u32(13)) + which_5];
 }
 
 fn place_at_0( triangle_7 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
@@ -2330,25 +2330,1147 @@ fn to_world_0( axes_3 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
     return axes_3.s_0 * vec3<f32>(v_7.x) + axes_3.t_0 * vec3<f32>(v_7.y) + axes_3.n_1 * vec3<f32>(v_7.z);
 }
 
+struct LightSample_0
+{
+     direction_11 : vec3<f32>,
+     wo_0 : vec3<f32>,
+     way_1 : vec3<f32>,
+     nearest_0 : f32,
+     farthest_0 : f32,
+     is_on_emitter_0 : bool,
+     emitter_5 : u32,
+     probability_1 : f32,
+     pdf_2 : f32,
+     distance_4 : f32,
+     place_17 : Place_0,
+     is_specular_0 : bool,
+};
+
+fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_4 : u32,  sample_0 : ptr<function, LightSample_0>) -> bool
+{
+    (*sample_0).is_on_emitter_0 = true;
+    (*sample_0).is_specular_0 = false;
+    (*sample_0).direction_11 = vertex_1.axes_1.n_1;
+    (*sample_0).wo_0 = vec3<f32>(0.0f);
+    (*sample_0).way_1 = vertex_1.surface_4.exact_0;
+    (*sample_0).distance_4 = 0.0f;
+    (*sample_0).pdf_2 = 0.0f;
+    (*sample_0).place_17 = vertex_1.surface_4.place_3;
+    (*sample_0).nearest_0 = limit_at_0(u32(2));
+    (*sample_0).farthest_0 = limit_at_0(u32(1));
+    var _S263 : f32 = random_0(key_7, first_4);
+    var _S264 : f32 = (*sample_0).probability_1;
+    var _S265 : u32 = chosen_emitter_0(choice_5, _S263, &(_S264));
+    (*sample_0).probability_1 = _S264;
+    (*sample_0).emitter_5 = _S265;
+    if(_S264 == 0.0f)
+    {
+        return false;
+    }
+    var record_13 : u32 = emitter_record_0((*sample_0).emitter_5);
+    if(is_area_0(record_13))
+    {
+        var point_1 : EmitterPoint_0 = area_point_0(record_13, vertex_1.surface_4, key_7, first_4 + u32(1));
+        if(!((point_1.pdf_0) > 0.0f))
+        {
+            return false;
+        }
+        (*sample_0).pdf_2 = point_1.pdf_0;
+        (*sample_0).place_17 = point_1.place_15;
+        var _S266 : vec3<f32> = position_of_0(point_1.place_15) - vertex_1.surface_4.exact_0;
+        (*sample_0).way_1 = _S266;
+        var _S267 : f32 = length(_S266);
+        (*sample_0).distance_4 = _S267;
+        (*sample_0).direction_11 = _S266 / vec3<f32>(_S267);
+        (*sample_0).nearest_0 = (*sample_0).nearest_0 / _S267;
+        (*sample_0).farthest_0 = limit_at_0(u32(3));
+    }
+    else
+    {
+        if(is_map_0(record_13))
+        {
+            var _S268 : u32 = word_0(record_13 + u32(1));
+            var _S269 : u32 = first_4 + u32(1);
+            var _S270 : f32 = (*sample_0).pdf_2;
+            var _S271 : vec3<f32> = sample_map_0(_S268, key_7, _S269, &(_S270));
+            (*sample_0).pdf_2 = _S270;
+            (*sample_0).direction_11 = _S271;
+        }
+        else
+        {
+            var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_4 + u32(1)));
+            (*sample_0).direction_11 = normalize(to_world_0(vertex_1.axes_1, local_1));
+            (*sample_0).pdf_2 = local_1.z * 0.31830987334251404f;
+        }
+        (*sample_0).way_1 = (*sample_0).direction_11;
+    }
+    var _S272 : vec3<f32> = to_local_0(vertex_1.axes_1, (*sample_0).direction_11);
+    (*sample_0).wo_0 = _S272;
+    return (_S272.z) > 0.0f;
+}
+
+fn coat_eta_0( numbers_3 : Numbers_0) -> f32
+{
+    return luminance_0(numbers_3.eta_0) / luminance_0(numbers_3.k_0);
+}
+
+struct DiffPair_Numbers_0
+{
+     primal_0 : Numbers_0,
+     differential_0 : Numbers_0,
+};
+
+fn s_fwd_coat_eta_0( dpnumbers_0 : DiffPair_Numbers_0) -> DiffPair_float_0
+{
+    var _S273 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_0.primal_0.eta_0, dpnumbers_0.differential_0.eta_0 );
+    var _S274 : DiffPair_float_0 = s_fwd_luminance_0(_S273);
+    var _S275 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_0.primal_0.k_0, dpnumbers_0.differential_0.k_0 );
+    var _S276 : DiffPair_float_0 = s_fwd_luminance_0(_S275);
+    var _S277 : DiffPair_float_0 = DiffPair_float_0( _S274.primal_0 / _S276.primal_0, (_S274.differential_0 * _S276.primal_0 - _S274.primal_0 * _S276.differential_0) / (_S276.primal_0 * _S276.primal_0) );
+    return _S277;
+}
+
+fn fresnel_dielectric_0( cosine_4 : f32,  eta_1 : f32) -> f32
+{
+    var eta2_0 : f32 = eta_1 * eta_1;
+    var cos2_0 : f32 = cosine_4 * cosine_4;
+    var denser_0 : f32 = (eta_1 - 1.0f) * (eta_1 + 1.0f);
+    var squared_3 : f32 = denser_0 + cos2_0;
+    if(squared_3 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    var refracted_0 : f32 = sqrt(squared_3);
+    var s_sum_0 : f32 = cosine_4 + refracted_0;
+    var p_sum_0 : f32 = eta2_0 * cosine_4 + refracted_0;
+    var senkrecht_0 : f32 = denser_0 / (s_sum_0 * s_sum_0);
+    var parallel_0 : f32 = denser_0 * ((eta2_0 + 1.0f) * cos2_0 - 1.0f) / (p_sum_0 * p_sum_0);
+    return 0.5f * (senkrecht_0 * senkrecht_0 + parallel_0 * parallel_0);
+}
+
+fn s_fwd_fresnel_dielectric_0( dpcosine_0 : DiffPair_float_0,  dpeta_0 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S278 : f32 = dpeta_0.primal_0;
+    var eta2_1 : f32 = _S278 * _S278;
+    var _S279 : f32 = dpeta_0.differential_0 * dpeta_0.primal_0;
+    var s_diff_eta2_0 : f32 = _S279 + _S279;
+    var cos2_1 : f32 = dpcosine_0.primal_0 * dpcosine_0.primal_0;
+    var _S280 : f32 = dpcosine_0.differential_0 * dpcosine_0.primal_0;
+    var s_diff_cos2_0 : f32 = _S280 + _S280;
+    var _S281 : f32 = dpeta_0.primal_0 - 1.0f;
+    var _S282 : f32 = dpeta_0.primal_0 + 1.0f;
+    var denser_1 : f32 = _S281 * _S282;
+    var s_diff_denser_0 : f32 = dpeta_0.differential_0 * _S282 + dpeta_0.differential_0 * _S281;
+    var squared_4 : f32 = denser_1 + cos2_1;
+    var s_diff_squared_0 : f32 = s_diff_denser_0 + s_diff_cos2_0;
+    if(squared_4 <= 0.0f)
+    {
+        var _S283 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
+        return _S283;
+    }
+    var _S284 : DiffPair_float_0 = DiffPair_float_0( squared_4, s_diff_squared_0 );
+    var _S285 : DiffPair_float_0 = _d_sqrt_0(_S284);
+    var s_sum_1 : f32 = dpcosine_0.primal_0 + _S285.primal_0;
+    var p_sum_1 : f32 = eta2_1 * dpcosine_0.primal_0 + _S285.primal_0;
+    var _S286 : f32 = s_sum_1 * s_sum_1;
+    var _S287 : f32 = (dpcosine_0.differential_0 + _S285.differential_0) * s_sum_1;
+    var senkrecht_1 : f32 = denser_1 / _S286;
+    var _S288 : f32 = eta2_1 + 1.0f;
+    var _S289 : f32 = _S288 * cos2_1 - 1.0f;
+    var _S290 : f32 = denser_1 * _S289;
+    var _S291 : f32 = p_sum_1 * p_sum_1;
+    var _S292 : f32 = (s_diff_eta2_0 * dpcosine_0.primal_0 + dpcosine_0.differential_0 * eta2_1 + _S285.differential_0) * p_sum_1;
+    var parallel_1 : f32 = _S290 / _S291;
+    var _S293 : f32 = (s_diff_denser_0 * _S286 - denser_1 * (_S287 + _S287)) / (_S286 * _S286) * senkrecht_1;
+    var _S294 : f32 = ((s_diff_denser_0 * _S289 + (s_diff_eta2_0 * cos2_1 + s_diff_cos2_0 * _S288) * denser_1) * _S291 - _S290 * (_S292 + _S292)) / (_S291 * _S291) * parallel_1;
+    var _S295 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (senkrecht_1 * senkrecht_1 + parallel_1 * parallel_1), (_S293 + _S293 + (_S294 + _S294)) * 0.5f );
+    return _S295;
+}
+
+fn transmittance_0( lobe_3 : Lobe_0,  eta_2 : f32,  cosine_5 : f32) -> f32
+{
+    if((lobe_3.kind_1) == u32(3))
+    {
+        return 1.0f - fresnel_dielectric_0(cosine_5, eta_2);
+    }
+    var place_18 : f32 = cosine_5 * 63.0f;
+    var _S296 : u32 = min(u32(place_18), u32(62));
+    var at_21 : u32 = word_0(lobe_3.record_3 + u32(3)) + _S296;
+    var here_0 : f32 = number_0(at_21);
+    return here_0 + (number_0(at_21 + u32(1)) - here_0) * (place_18 - f32(_S296));
+}
+
+fn s_fwd_transmittance_0( lobe_4 : Lobe_0,  dpeta_1 : DiffPair_float_0,  dpcosine_1 : DiffPair_float_0) -> DiffPair_float_0
+{
+    if((lobe_4.kind_1) == u32(3))
+    {
+        var _S297 : DiffPair_float_0 = DiffPair_float_0( dpcosine_1.primal_0, dpcosine_1.differential_0 );
+        var _S298 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0, dpeta_1.differential_0 );
+        var _S299 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S297, _S298);
+        var _S300 : DiffPair_float_0 = DiffPair_float_0( 1.0f - _S299.primal_0, 0.0f - _S299.differential_0 );
+        return _S300;
+    }
+    var place_19 : f32 = dpcosine_1.primal_0 * 63.0f;
+    var _S301 : u32 = min(u32(place_19), u32(62));
+    var at_22 : u32 = word_0(lobe_4.record_3 + u32(3)) + _S301;
+    var here_1 : f32 = number_0(at_22);
+    var _S302 : f32 = number_0(at_22 + u32(1)) - here_1;
+    var _S303 : DiffPair_float_0 = DiffPair_float_0( here_1 + _S302 * (place_19 - f32(_S301)), dpcosine_1.differential_0 * 63.0f * _S302 );
+    return _S303;
+}
+
+fn choice_weight_0( colour_2 : vec3<f32>) -> f32
+{
+    return max((colour_2.x + colour_2.y + colour_2.z) / 3.0f, 0.05000000074505806f);
+}
+
+fn base_probability_0( numbers_4 : Numbers_0,  enters_0 : f32) -> f32
+{
+    var of_base_0 : f32 = enters_0 * choice_weight_0(numbers_4.diffuse_reflectance_0);
+    return of_base_0 / (of_base_0 + (1.0f - enters_0) * choice_weight_0(numbers_4.specular_reflectance_0));
+}
+
+fn is_rough_0( lobe_5 : Lobe_0) -> bool
+{
+    var _S304 : bool;
+    if((lobe_5.kind_1) == u32(2))
+    {
+        _S304 = true;
+    }
+    else
+    {
+        _S304 = (lobe_5.kind_1) == u32(4);
+    }
+    return _S304;
+}
+
+struct Microfacets_0
+{
+     distribution_1 : u32,
+     alpha_1 : vec2<f32>,
+};
+
+fn facets_of_0( lobe_6 : Lobe_0,  numbers_5 : Numbers_0) -> Microfacets_0
+{
+    var facets_0 : Microfacets_0;
+    facets_0.distribution_1 = lobe_6.distribution_0;
+    facets_0.alpha_1 = max(numbers_5.alpha_0, vec2<f32>(0.00009999999747379f));
+    return facets_0;
+}
+
+struct Microfacets_Differential_0
+{
+     alpha_2 : vec2<f32>,
+};
+
+struct DiffPair_Microfacets_0
+{
+     primal_0 : Microfacets_0,
+     differential_0 : Microfacets_Differential_0,
+};
+
+fn s_fwd_facets_of_0( lobe_7 : Lobe_0,  dpnumbers_1 : DiffPair_Numbers_0) -> DiffPair_Microfacets_0
+{
+    var _S305 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( dpnumbers_1.primal_0.alpha_0, dpnumbers_1.differential_0.alpha_0 );
+    var _S306 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(0.00009999999747379f), vec2<f32>(0.0f) );
+    var _S307 : DiffPair_vectorx3Cfloatx2C2x3E_0 = _d_max_vector_0(_S305, _S306);
+    var _S308 : Microfacets_0 = Microfacets_0( lobe_7.distribution_0, _S307.primal_0 );
+    var _S309 : Microfacets_Differential_0 = Microfacets_Differential_0( _S307.differential_0 );
+    var _S310 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S308, _S309 );
+    return _S310;
+}
+
+struct Stretched_0
+{
+     sine_4 : f32,
+     cosine_6 : f32,
+     around_0 : vec2<f32>,
+     length_0 : f32,
+};
+
+fn stretched_0( facets_1 : Microfacets_0,  wi_2 : vec3<f32>) -> Stretched_0
+{
+    var longer_0 : vec3<f32> = vec3<f32>(wi_2.xy * facets_1.alpha_1, wi_2.z);
+    var view_2 : Stretched_0;
+    var _S311 : f32 = length(longer_0);
+    view_2.length_0 = _S311;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S311);
+    var _S312 : vec2<f32> = longer_1.xy;
+    var _S313 : f32 = length(_S312);
+    view_2.sine_4 = _S313;
+    view_2.cosine_6 = longer_1.z;
+    var _S314 : vec2<f32>;
+    if(_S313 > 0.0f)
+    {
+        _S314 = _S312 / vec2<f32>(view_2.sine_4);
+    }
+    else
+    {
+        _S314 = vec2<f32>(1.0f, 0.0f);
+    }
+    view_2.around_0 = _S314;
+    return view_2;
+}
+
+fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
+{
+    var _S315 : f32 = u_8.x;
+    var radius_2 : f32 = sqrt(_S315);
+    var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_8.y);
+    var across_3 : f32 = radius_2 * turn_3.y;
+    var along_3 : f32 = radius_2 * turn_3.x;
+    var visible_0 : f32 = 0.5f * (1.0f + view_3.cosine_6);
+    var hidden_0 : f32 = 1.0f - visible_0;
+    var _S316 : f32 = 1.0f - _S315;
+    var edge_0 : f32 = sqrt(_S316 + along_3 * along_3);
+    var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_3;
+    var from_top_0 : f32 = edge_0 - along_3;
+    var from_bottom_0 : f32 = edge_0 + along_3;
+    var from_top_1 : f32;
+    var from_bottom_1 : f32;
+    if(along_3 > 0.0f)
+    {
+        from_top_1 = _S316 / from_bottom_0;
+        from_bottom_1 = from_bottom_0;
+    }
+    else
+    {
+        var _S317 : f32 = _S316 / from_top_0;
+        from_top_1 = from_top_0;
+        from_bottom_1 = _S317;
+    }
+    var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
+    return vec3<f32>(towards_0 * view_3.sine_4 - up_0 * view_3.cosine_6, across_3, max(towards_0 * view_3.cosine_6 + up_0 * view_3.sine_4, 0.0f));
+}
+
+fn exponential_0( x_8 : f32) -> f32
+{
+    if(x_8 < -87.0f)
+    {
+        return 0.0f;
+    }
+    var power_0 : f32 = floor(x_8 * 1.4426950216293335f + 0.5f);
+    var r_0 : f32 = x_8 - power_0 * 0.693359375f + power_0 * 0.00021219444170129f;
+    return ((((((0.00019875691214111f * r_0 + 0.00139819993637502f) * r_0 + 0.00833345204591751f) * r_0 + 0.04166579619050026f) * r_0 + 0.1666666567325592f) * r_0 + 0.5f) * r_0 * r_0 + r_0 + 1.0f) * (bitcast<f32>(((u32(i32(power_0) + i32(127)) << (u32(23))))));
+}
+
+fn s_fwd_exponential_0( dpx_11 : DiffPair_float_0) -> DiffPair_float_0
+{
+    if((dpx_11.primal_0) < -87.0f)
+    {
+        var _S318 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+        return _S318;
+    }
+    var power_1 : f32 = floor(dpx_11.primal_0 * 1.4426950216293335f + 0.5f);
+    var r_1 : f32 = dpx_11.primal_0 - power_1 * 0.693359375f + power_1 * 0.00021219444170129f;
+    var _S319 : f32 = 0.00019875691214111f * r_1 + 0.00139819993637502f;
+    var _S320 : f32 = _S319 * r_1 + 0.00833345204591751f;
+    var tail_1 : f32 = _S320 * r_1 + 0.04166579619050026f;
+    var _S321 : f32 = tail_1 * r_1 + 0.1666666567325592f;
+    var tail_2 : f32 = _S321 * r_1 + 0.5f;
+    var _S322 : f32 = tail_2 * r_1;
+    var _S323 : f32 = (bitcast<f32>(((u32(i32(power_1) + i32(127)) << (u32(23))))));
+    var _S324 : DiffPair_float_0 = DiffPair_float_0( (_S322 * r_1 + r_1 + 1.0f) * _S323, ((((((dpx_11.differential_0 * 0.00019875691214111f * r_1 + dpx_11.differential_0 * _S319) * r_1 + dpx_11.differential_0 * _S320) * r_1 + dpx_11.differential_0 * tail_1) * r_1 + dpx_11.differential_0 * _S321) * r_1 + dpx_11.differential_0 * tail_2) * r_1 + dpx_11.differential_0 * _S322 + dpx_11.differential_0) * _S323 );
+    return _S324;
+}
+
+fn error_function_plus_one_0( x_9 : f32) -> vec2<f32>
+{
+    var _S325 : f32 = min(abs(x_9), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S325 * _S325);
+    var place_20 : f32 = (_S325 - 2.0f) / (_S325 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_20 - 0.00127731403335929f) * place_20 + 0.00131371302995831f) * place_20 + 0.008666617795825f) * place_20 - 0.00805134233087301f) * place_20 - 0.05421232059597969f) * place_20 + 0.1640533059835434f) * place_20 - 0.16603080928325653f) * place_20 - 0.09276388585567474f) * place_20 + 1.27697837352752686f) / (1.0f + 2.0f * _S325);
+    var _S326 : f32;
+    if(x_9 < 0.0f)
+    {
+        _S326 = complement_0;
+    }
+    else
+    {
+        _S326 = 2.0f - complement_0;
+    }
+    return vec2<f32>(_S326, 1.128379225730896f * gaussian_0);
+}
+
+fn error_function_changed_0( x_10 : DiffPair_float_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
+{
+    var both_0 : vec2<f32> = error_function_plus_one_0(x_10.primal_0);
+    var _S327 : f32 = both_0.y;
+    var _S328 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( both_0, vec2<f32>(_S327, -2.0f * x_10.primal_0 * _S327) * vec2<f32>(x_10.differential_0) );
+    return _S328;
+}
+
+fn visible_over_cos_0( facets_2 : Microfacets_0,  w_4 : vec3<f32>) -> f32
+{
+    var stretched_1 : vec2<f32> = w_4.xy * facets_2.alpha_1;
+    var spread2_0 : f32 = dot(stretched_1, stretched_1);
+    var _S329 : f32 = w_4.z;
+    var z2_1 : f32 = _S329 * _S329;
+    if((facets_2.distribution_1) == u32(1))
+    {
+        return 2.0f / (_S329 + sqrt(z2_1 + spread2_0));
+    }
+    if(z2_1 >= (36.0f * spread2_0))
+    {
+        return 1.0f / _S329;
+    }
+    var spread_0 : f32 = sqrt(spread2_0);
+    var both_1 : vec2<f32> = error_function_plus_one_0(_S329 / spread_0);
+    return 2.0f / (_S329 * both_1.x + 0.5f * spread_0 * both_1.y);
+}
+
+fn s_fwd_visible_over_cos_0( dpfacets_0 : DiffPair_Microfacets_0,  dpw_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
+{
+    var _S330 : vec2<f32> = dpw_0.primal_0.xy;
+    var _S331 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S330 * dpfacets_0.primal_0.alpha_1, dpw_0.differential_0.xy * dpfacets_0.primal_0.alpha_1 + dpfacets_0.differential_0.alpha_2 * _S330 );
+    var _S332 : DiffPair_float_0 = _d_dot_0(_S331, _S331);
+    var _S333 : f32 = dpw_0.primal_0.z;
+    var _S334 : f32 = dpw_0.differential_0.z;
+    var z2_2 : f32 = _S333 * _S333;
+    var _S335 : f32 = _S334 * _S333;
+    var s_diff_z2_0 : f32 = _S335 + _S335;
+    if((dpfacets_0.primal_0.distribution_1) == u32(1))
+    {
+        var _S336 : DiffPair_float_0 = DiffPair_float_0( z2_2 + _S332.primal_0, s_diff_z2_0 + _S332.differential_0 );
+        var _S337 : DiffPair_float_0 = _d_sqrt_0(_S336);
+        var _S338 : f32 = _S333 + _S337.primal_0;
+        var _S339 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S338, (0.0f - 2.0f * (_S334 + _S337.differential_0)) / (_S338 * _S338) );
+        return _S339;
+    }
+    if(z2_2 >= (36.0f * _S332.primal_0))
+    {
+        var _S340 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S333, (0.0f - _S334) / z2_2 );
+        return _S340;
+    }
+    var _S341 : DiffPair_float_0 = DiffPair_float_0( _S332.primal_0, _S332.differential_0 );
+    var _S342 : DiffPair_float_0 = _d_sqrt_0(_S341);
+    var _S343 : DiffPair_float_0 = DiffPair_float_0( _S333 / _S342.primal_0, (_S334 * _S342.primal_0 - _S333 * _S342.differential_0) / (_S342.primal_0 * _S342.primal_0) );
+    var _S344 : DiffPair_vectorx3Cfloatx2C2x3E_0 = error_function_changed_0(_S343);
+    var _S345 : f32 = _S344.primal_0.x;
+    var _S346 : f32 = 0.5f * _S342.primal_0;
+    var _S347 : f32 = _S344.primal_0.y;
+    var _S348 : f32 = _S333 * _S345 + _S346 * _S347;
+    var _S349 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S348, (0.0f - 2.0f * (_S334 * _S345 + _S344.differential_0.x * _S333 + (_S342.differential_0 * 0.5f * _S347 + _S344.differential_0.y * _S346))) / (_S348 * _S348) );
+    return _S349;
+}
+
+fn logarithm_0( x_11 : f32) -> f32
+{
+    var bits_0 : u32 = (bitcast<u32>((x_11)));
+    var power_2 : f32 = f32(i32((bits_0 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((bits_0 & (u32(8388607)))) | (u32(1056964608))))));
+    var m_1 : f32;
+    var power_3 : f32;
+    if(m_0 < 0.70710676908493042f)
+    {
+        var power_4 : f32 = power_2 - 1.0f;
+        m_1 = m_0 + m_0;
+        power_3 = power_4;
+    }
+    else
+    {
+        m_1 = m_0;
+        power_3 = power_2;
+    }
+    var m_2 : f32 = m_1 - 1.0f;
+    var z_4 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * z_4 - 0.00021219444170129f * power_3 - 0.5f * z_4) + 0.693359375f * power_3;
+}
+
+fn error_function_inverse_0( p_0 : f32) -> f32
+{
+    var w_5 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
+    if(w_5 < 5.0f)
+    {
+        var w_6 : f32 = w_5 - 2.5f;
+        return ((((((((2.81022636272609816e-08f * w_6 + 3.43273939051869093e-07f) * w_6 - 3.52338770426285919e-06f) * w_6 - 4.39150653619435616e-06f) * w_6 + 0.00021858086984139f) * w_6 - 0.00125372502952814f) * w_6 - 0.00417768163606524f) * w_6 + 0.24664072692394257f) * w_6 + 1.50140941143035889f) * p_0;
+    }
+    var w_7 : f32 = sqrt(w_5) - 3.0f;
+    return ((((((((-0.0002002142573474f * w_7 + 0.00010095055768033f) * w_7 + 0.00134934321977198f) * w_7 - 0.00367342843674123f) * w_7 + 0.00573950773105025f) * w_7 - 0.00762246130034328f) * w_7 + 0.00943887047469616f) * w_7 + 1.00167405605316162f) * w_7 + 2.8329768180847168f) * p_0;
+}
+
+fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) -> vec3<f32>
+{
+    var steepest_0 : f32;
+    if((view_4.sine_4 * 6.0f) > (view_4.cosine_6))
+    {
+        steepest_0 = view_4.cosine_6 / view_4.sine_4;
+    }
+    else
+    {
+        steepest_0 = 6.0f;
+    }
+    var target_1 : f32 = u_9.x * (2.0f / (visible_1 * view_4.length_0));
+    var _S350 : f32 = max(view_4.cosine_6, view_4.sine_4);
+    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S350 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S350, -6.0f, 0.5f * steepest_0);
+    var low_4 : f32 = -6.0f;
+    var high_1 : f32 = steepest_0;
+    var step_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(step_0 < u32(32))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var both_2 : vec2<f32> = error_function_plus_one_0(slope_0);
+        var _S351 : f32 = both_2.y;
+        var error_0 : f32 = view_4.cosine_6 * both_2.x + 0.5f * view_4.sine_4 * _S351 - target_1;
+        var own_2 : f32 = _S351 * (view_4.cosine_6 - slope_0 * view_4.sine_4);
+        var bend_0 : f32 = -2.0f * slope_0 * own_2 - _S351 * view_4.sine_4;
+        if(error_0 > 0.0f)
+        {
+            high_1 = slope_0;
+        }
+        else
+        {
+            low_4 = slope_0;
+        }
+        var next_0 : f32 = slope_0 - error_0 * own_2 / (own_2 * own_2 - 0.5f * error_0 * bend_0);
+        var _S352 : bool;
+        if(next_0 >= low_4)
+        {
+            _S352 = next_0 <= high_1;
+        }
+        else
+        {
+            _S352 = false;
+        }
+        var next_1 : f32;
+        if(!_S352)
+        {
+            next_1 = 0.5f * (low_4 + high_1);
+        }
+        else
+        {
+            next_1 = next_0;
+        }
+        if((abs(next_1 - slope_0)) < 0.00030000001424924f)
+        {
+            slope_0 = next_1;
+            break;
+        }
+        var _S353 : u32 = step_0 + u32(1);
+        slope_0 = next_1;
+        step_0 = _S353;
+    }
+    return vec3<f32>(- slope_0, error_function_inverse_0(max(2.0f * u_9.y - 1.0f, -0.99999994039535522f)), 1.0f);
+}
+
+fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  u_10 : vec2<f32>) -> vec3<f32>
+{
+    var view_5 : Stretched_0 = stretched_0(facets_3, wi_3);
+    var normal_9 : vec3<f32>;
+    if((facets_3.distribution_1) == u32(1))
+    {
+        normal_9 = ggx_normal_0(view_5, u_10);
+    }
+    else
+    {
+        normal_9 = beckmann_normal_0(view_5, visible_over_cos_0(facets_3, wi_3), u_10);
+    }
+    var _S354 : f32 = view_5.around_0.x;
+    var _S355 : f32 = normal_9.x;
+    var _S356 : f32 = view_5.around_0.y;
+    var _S357 : f32 = normal_9.y;
+    var normal_10 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S354 * _S355 - _S356 * _S357, _S356 * _S355 + _S354 * _S357) * facets_3.alpha_1, normal_9.z));
+    return normalize(normal_10 * vec3<f32>((2.0f * dot(wi_3, normal_10))) - wi_3);
+}
+
+struct Drawn_0
+{
+     wo_1 : vec3<f32>,
+     is_specular_1 : bool,
+     probability_2 : f32,
+};
+
+fn draw_0( lobe_8 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32>) -> Drawn_0
+{
+    var _S358 : bool = (lobe_8.kind_1) == u32(0);
+    var has_base_0 : bool;
+    if(_S358)
+    {
+        has_base_0 = true;
+    }
+    else
+    {
+        has_base_0 = (lobe_8.kind_1) == u32(3);
+    }
+    if(has_base_0)
+    {
+        has_base_0 = true;
+    }
+    else
+    {
+        has_base_0 = (lobe_8.kind_1) == u32(4);
+    }
+    var of_base_1 : f32;
+    if(_S358)
+    {
+        of_base_1 = 1.0f;
+    }
+    else
+    {
+        of_base_1 = 0.0f;
+    }
+    var _S359 : bool;
+    if((lobe_8.kind_1) == u32(3))
+    {
+        _S359 = true;
+    }
+    else
+    {
+        _S359 = (lobe_8.kind_1) == u32(4);
+    }
+    if(_S359)
+    {
+        of_base_1 = base_probability_0(lobe_8.numbers_2, transmittance_0(lobe_8, coat_eta_0(lobe_8.numbers_2), wi_4.z));
+    }
+    var drawn_0 : Drawn_0;
+    drawn_0.is_specular_1 = false;
+    drawn_0.probability_2 = 1.0f;
+    if(has_base_0)
+    {
+        has_base_0 = choice_6 < of_base_1;
+    }
+    else
+    {
+        has_base_0 = false;
+    }
+    if(has_base_0)
+    {
+        drawn_0.wo_1 = sample_cosine_0(u_11);
+    }
+    else
+    {
+        if(is_rough_0(lobe_8))
+        {
+            drawn_0.wo_1 = mirrored_at_facet_0(facets_of_0(lobe_8, lobe_8.numbers_2), wi_4, u_11);
+        }
+        else
+        {
+            drawn_0.wo_1 = vec3<f32>((vec2<f32>(0) - wi_4.xy), wi_4.z);
+            drawn_0.is_specular_1 = true;
+            drawn_0.probability_2 = 1.0f - of_base_1;
+        }
+    }
+    return drawn_0;
+}
+
+fn sample_material_0( vertex_2 : Vertex_0,  key_8 : vec2<u32>,  first_5 : u32) -> LightSample_0
+{
+    var drawn_1 : Drawn_0 = draw_0(vertex_2.lobe_1, value_of_0(vertex_2.wi_1), random_0(key_8, first_5), random_pair_0(key_8, first_5 + u32(1)));
+    var sample_1 : LightSample_0;
+    sample_1.is_on_emitter_0 = false;
+    sample_1.is_specular_0 = drawn_1.is_specular_1;
+    sample_1.probability_1 = drawn_1.probability_2;
+    sample_1.wo_0 = drawn_1.wo_1;
+    var _S360 : vec3<f32> = normalize(to_world_0(vertex_2.axes_1, drawn_1.wo_1));
+    sample_1.direction_11 = _S360;
+    sample_1.way_1 = _S360;
+    sample_1.nearest_0 = limit_at_0(u32(2));
+    sample_1.farthest_0 = limit_at_0(u32(1));
+    sample_1.emitter_5 = u32(4294967295);
+    sample_1.distance_4 = 0.0f;
+    sample_1.pdf_2 = 0.0f;
+    sample_1.place_17 = vertex_2.surface_4.place_3;
+    return sample_1;
+}
+
+fn specular_direction_0( vertex_3 : Vertex_0,  direction_12 : vec3<f32>,  wo_2 : vec3<f32>) -> Vector_0
+{
+    var change_7 : vec3<f32> = change_of_0(vertex_3.wi_1);
+    return changing_0(direction_12, to_world_0(vertex_3.axes_change_0, wo_2) + to_world_0(vertex_3.axes_1, vec3<f32>((vec2<f32>(0) - change_7.xy), change_7.z)));
+}
+
+fn s_fwd_fresnel_conductor_channel_0( dpcosine_2 : DiffPair_float_0,  dpeta_2 : DiffPair_float_0,  dpk_0 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S361 : f32 = dpcosine_2.primal_0;
+    var cos2_2 : f32 = _S361 * _S361;
+    var _S362 : f32 = dpcosine_2.differential_0 * dpcosine_2.primal_0;
+    var s_diff_cos2_1 : f32 = _S362 + _S362;
+    var sin2_0 : f32 = 1.0f - cos2_2;
+    var s_diff_sin2_0 : f32 = 0.0f - s_diff_cos2_1;
+    var _S363 : f32 = dpeta_2.differential_0 * dpeta_2.primal_0;
+    var _S364 : f32 = dpk_0.differential_0 * dpk_0.primal_0;
+    var real_0 : f32 = dpeta_2.primal_0 * dpeta_2.primal_0 - dpk_0.primal_0 * dpk_0.primal_0 - sin2_0;
+    var s_diff_real_0 : f32 = _S363 + _S363 - (_S364 + _S364) - s_diff_sin2_0;
+    var product_1 : f32 = dpeta_2.primal_0 * dpk_0.primal_0;
+    var s_diff_product_0 : f32 = dpeta_2.differential_0 * dpk_0.primal_0 + dpk_0.differential_0 * dpeta_2.primal_0;
+    var _S365 : f32 = s_diff_real_0 * real_0;
+    var _S366 : f32 = s_diff_product_0 * product_1;
+    var _S367 : DiffPair_float_0 = DiffPair_float_0( real_0 * real_0 + 4.0f * (product_1 * product_1), _S365 + _S365 + (_S366 + _S366) * 4.0f );
+    var _S368 : DiffPair_float_0 = _d_sqrt_0(_S367);
+    if((_S368.primal_0) == 0.0f)
+    {
+        var _S369 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
+        return _S369;
+    }
+    var _S370 : DiffPair_float_0 = DiffPair_float_0( real_0, s_diff_real_0 );
+    var _S371 : DiffPair_float_0 = _d_abs_0(_S370);
+    var _S372 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (_S368.primal_0 + _S371.primal_0), (_S368.differential_0 + _S371.differential_0) * 0.5f );
+    var _S373 : DiffPair_float_0 = _d_sqrt_0(_S372);
+    var smaller_0 : f32 = product_1 / _S373.primal_0;
+    var s_diff_smaller_0 : f32 = (s_diff_product_0 * _S373.primal_0 - product_1 * _S373.differential_0) / (_S373.primal_0 * _S373.primal_0);
+    var _S374 : bool = real_0 < 0.0f;
+    var a_20 : f32;
+    var s_diff_a_1 : f32;
+    if(_S374)
+    {
+        a_20 = smaller_0;
+        s_diff_a_1 = s_diff_smaller_0;
+    }
+    else
+    {
+        a_20 = _S373.primal_0;
+        s_diff_a_1 = _S373.differential_0;
+    }
+    var b_14 : f32;
+    var s_diff_b_1 : f32;
+    if(_S374)
+    {
+        b_14 = _S373.primal_0;
+        s_diff_b_1 = _S373.differential_0;
+    }
+    else
+    {
+        b_14 = smaller_0;
+        s_diff_b_1 = s_diff_smaller_0;
+    }
+    var less_0 : f32 = a_20 - dpcosine_2.primal_0;
+    var more_0 : f32 = a_20 + dpcosine_2.primal_0;
+    var _S375 : f32 = (s_diff_a_1 - dpcosine_2.differential_0) * less_0;
+    var _S376 : f32 = b_14 * b_14;
+    var _S377 : f32 = s_diff_b_1 * b_14;
+    var _S378 : f32 = _S377 + _S377;
+    var _S379 : f32 = less_0 * less_0 + _S376;
+    var _S380 : f32 = (s_diff_a_1 + dpcosine_2.differential_0) * more_0;
+    var _S381 : f32 = more_0 * more_0 + _S376;
+    var senkrecht_2 : f32 = _S379 / _S381;
+    var _S382 : f32 = s_diff_sin2_0 * sin2_0;
+    var p_sum_2 : f32 = _S368.primal_0 * cos2_2 + sin2_0 * sin2_0;
+    var s_diff_p_sum_0 : f32 = _S368.differential_0 * cos2_2 + s_diff_cos2_1 * _S368.primal_0 + (_S382 + _S382);
+    var _S383 : f32 = senkrecht_2 * p_sum_2;
+    var _S384 : f32 = 2.0f * a_20;
+    var _S385 : f32 = _S384 * dpcosine_2.primal_0;
+    var _S386 : f32 = p_sum_2 + _S385 * sin2_0;
+    var _S387 : DiffPair_float_0 = DiffPair_float_0( _S383 / _S386, ((((_S375 + _S375 + _S378) * _S381 - _S379 * (_S380 + _S380 + _S378)) / (_S381 * _S381) * p_sum_2 + s_diff_p_sum_0 * senkrecht_2) * _S386 - _S383 * (s_diff_p_sum_0 + ((s_diff_a_1 * 2.0f * dpcosine_2.primal_0 + dpcosine_2.differential_0 * _S384) * sin2_0 + s_diff_sin2_0 * _S385))) / (_S386 * _S386) );
+    return _S387;
+}
+
+fn s_fwd_fresnel_conductor_0( dpcosine_3 : DiffPair_float_0,  dpeta_3 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpk_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+    var _S388 : DiffPair_float_0 = DiffPair_float_0( dpcosine_3.primal_0, dpcosine_3.differential_0 );
+    var _S389 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0.x, dpeta_3.differential_0.x );
+    var _S390 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.x, dpk_1.differential_0.x );
+    var _S391 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S388, _S389, _S390);
+    var _S392 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0.y, dpeta_3.differential_0.y );
+    var _S393 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.y, dpk_1.differential_0.y );
+    var _S394 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S388, _S392, _S393);
+    var _S395 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0.z, dpeta_3.differential_0.z );
+    var _S396 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.z, dpk_1.differential_0.z );
+    var _S397 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S388, _S395, _S396);
+    var _S398 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S391.primal_0, _S394.primal_0, _S397.primal_0), vec3<f32>(_S391.differential_0, _S394.differential_0, _S397.differential_0) );
+    return _S398;
+}
+
+fn s_fwd_specular_fraction_0( lobe_9 : Lobe_0,  dpnumbers_2 : DiffPair_Numbers_0,  dpwi_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+    if((lobe_9.kind_1) == u32(1))
+    {
+        var _S399 : DiffPair_float_0 = DiffPair_float_0( dpwi_0.primal_0.z, dpwi_0.differential_0.z );
+        var _S400 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.eta_0, dpnumbers_2.differential_0.eta_0 );
+        var _S401 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.k_0, dpnumbers_2.differential_0.k_0 );
+        var _S402 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S399, _S400, _S401);
+        var _S403 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.specular_reflectance_0 * _S402.primal_0, dpnumbers_2.differential_0.specular_reflectance_0 * _S402.primal_0 + _S402.differential_0 * dpnumbers_2.primal_0.specular_reflectance_0 );
+        return _S403;
+    }
+    var _S404 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
+    var _S405 : DiffPair_float_0 = s_fwd_coat_eta_0(_S404);
+    var _S406 : DiffPair_float_0 = DiffPair_float_0( dpwi_0.primal_0.z, dpwi_0.differential_0.z );
+    var _S407 : DiffPair_float_0 = DiffPair_float_0( _S405.primal_0, _S405.differential_0 );
+    var _S408 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S406, _S407);
+    var _S409 : vec3<f32> = vec3<f32>(_S408.primal_0);
+    var _S410 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.specular_reflectance_0 * _S409, dpnumbers_2.differential_0.specular_reflectance_0 * _S409 + vec3<f32>(_S408.differential_0) * dpnumbers_2.primal_0.specular_reflectance_0 );
+    return _S410;
+}
+
+fn specular_0( lobe_10 : Lobe_0,  wi_5 : Vector_0) -> Vector_0
+{
+    var _S411 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_10.numbers_2, lobe_10.changes_0 );
+    var _S412 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_5.value_0, wi_5.change_0 );
+    var _S413 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_specular_fraction_0(lobe_10, _S411, _S412);
+    return changing_0(_S413.primal_0, _S413.differential_0);
+}
+
+fn turns_1( vertex_4 : Vertex_0) -> bool
+{
+    if((any(((vertex_4.surface_4.position_change_0) != vec3<f32>(0.0f)))))
+    {
+        return true;
+    }
+    return (change_word_0(u32(1))) != u32(0);
+}
+
+fn turning_0( vertex_5 : Vertex_0,  direction_13 : vec3<f32>) -> vec3<f32>
+{
+    var _S414 : vec3<f32>;
+    if(turns_1(vertex_5))
+    {
+        _S414 = vertex_5.axes_change_0.n_1 * vec3<f32>(dot(vertex_5.axes_1.n_1, direction_13)) - vertex_5.axes_1.n_1 * vec3<f32>(dot(vertex_5.axes_change_0.n_1, direction_13));
+    }
+    else
+    {
+        _S414 = vec3<f32>(0.0f);
+    }
+    return _S414;
+}
+
+fn towards_emitter_0( vertex_6 : Vertex_0,  direction_14 : vec3<f32>,  record_14 : u32) -> Vector_0
+{
+    var _S415 : Vector_0;
+    if((word_0(record_14)) == u32(1))
+    {
+        _S415 = changing_0(direction_14, turning_0(vertex_6, direction_14));
+    }
+    else
+    {
+        _S415 = still_0(direction_14);
+    }
+    return _S415;
+}
+
+fn local_change_0( vertex_7 : Vertex_0,  direction_15 : Vector_0) -> vec3<f32>
+{
+    return to_local_0(vertex_7.axes_change_0, value_of_0(direction_15)) + to_local_0(vertex_7.axes_1, change_of_0(direction_15));
+}
+
+struct Mirrored_0
+{
+     cosine_7 : f32,
+     pdf_3 : f32,
+     scattered_0 : f32,
+};
+
+struct DiffPair_Mirrored_0
+{
+     primal_0 : Mirrored_0,
+     differential_0 : Mirrored_0,
+};
+
+fn s_fwd_Mirrored_x24init_0( dpcosine_4 : DiffPair_float_0,  dppdf_0 : DiffPair_float_0,  dpscattered_0 : DiffPair_float_0) -> DiffPair_Mirrored_0
+{
+    var _S416 : Mirrored_0 = Mirrored_0( dpcosine_4.primal_0, dppdf_0.primal_0, dpscattered_0.primal_0 );
+    var _S417 : Mirrored_0 = Mirrored_0( dpcosine_4.differential_0, dppdf_0.differential_0, dpscattered_0.differential_0 );
+    var _S418 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S416, _S417 );
+    return _S418;
+}
+
+fn s_fwd_density_0( dpfacets_1 : DiffPair_Microfacets_0,  dpm_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
+{
+    var _S419 : f32 = dpm_0.primal_0.z;
+    var _S420 : f32 = dpm_0.differential_0.z;
+    if(_S419 <= 0.0f)
+    {
+        var _S421 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+        return _S421;
+    }
+    var _S422 : f32 = 3.14159274101257324f * dpfacets_1.primal_0.alpha_1.x;
+    var _S423 : f32 = dpfacets_1.primal_0.alpha_1.y;
+    var scale_0 : f32 = _S422 * _S423;
+    var s_diff_scale_0 : f32 = dpfacets_1.differential_0.alpha_2.x * 3.14159274101257324f * _S423 + dpfacets_1.differential_0.alpha_2.y * _S422;
+    var _S424 : vec2<f32> = dpm_0.primal_0.xy;
+    var _S425 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S424 / dpfacets_1.primal_0.alpha_1, (dpm_0.differential_0.xy * dpfacets_1.primal_0.alpha_1 - _S424 * dpfacets_1.differential_0.alpha_2) / (dpfacets_1.primal_0.alpha_1 * dpfacets_1.primal_0.alpha_1) );
+    var _S426 : DiffPair_float_0 = _d_dot_0(_S425, _S425);
+    var cos2_3 : f32 = _S419 * _S419;
+    var _S427 : f32 = _S420 * _S419;
+    var s_diff_cos2_2 : f32 = _S427 + _S427;
+    if((dpfacets_1.primal_0.distribution_1) == u32(1))
+    {
+        var sum_2 : f32 = _S426.primal_0 + cos2_3;
+        var s_diff_sum_0 : f32 = _S426.differential_0 + s_diff_cos2_2;
+        var _S428 : f32 = scale_0 * sum_2;
+        var _S429 : f32 = _S428 * sum_2;
+        var _S430 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S429, (0.0f - ((s_diff_scale_0 * sum_2 + s_diff_sum_0 * scale_0) * sum_2 + s_diff_sum_0 * _S428)) / (_S429 * _S429) );
+        return _S430;
+    }
+    var exponent_0 : f32 = _S426.primal_0 / cos2_3;
+    var s_diff_exponent_0 : f32 = (_S426.differential_0 * cos2_3 - _S426.primal_0 * s_diff_cos2_2) / (cos2_3 * cos2_3);
+    var _S431 : f32;
+    var _S432 : f32;
+    if(exponent_0 > 80.0f)
+    {
+        _S431 = 0.0f;
+        _S432 = 0.0f;
+    }
+    else
+    {
+        var _S433 : DiffPair_float_0 = DiffPair_float_0( - exponent_0, - s_diff_exponent_0 );
+        var _S434 : DiffPair_float_0 = s_fwd_exponential_0(_S433);
+        var _S435 : f32 = scale_0 * cos2_3;
+        var _S436 : f32 = _S435 * cos2_3;
+        var _S437 : f32 = (_S434.differential_0 * _S436 - _S434.primal_0 * ((s_diff_scale_0 * cos2_3 + s_diff_cos2_2 * scale_0) * cos2_3 + s_diff_cos2_2 * _S435)) / (_S436 * _S436);
+        _S431 = _S434.primal_0 / _S436;
+        _S432 = _S437;
+    }
+    var _S438 : DiffPair_float_0 = DiffPair_float_0( _S431, _S432 );
+    return _S438;
+}
+
+fn s_fwd_mirrored_0( dpfacets_2 : DiffPair_Microfacets_0,  dpwi_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Mirrored_0
+{
+    var _S439 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_1.primal_0 + dpwo_0.primal_0, dpwi_1.differential_0 + dpwo_0.differential_0 );
+    var _S440 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S439);
+    var _S441 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_1.primal_0, dpwi_1.differential_0 );
+    var _S442 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S440.primal_0, _S440.differential_0 );
+    var _S443 : DiffPair_float_0 = _d_dot_1(_S441, _S442);
+    var _S444 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( dpfacets_2.primal_0, dpfacets_2.differential_0 );
+    var _S445 : DiffPair_float_0 = s_fwd_density_0(_S444, _S442);
+    var _S446 : f32 = 0.25f * _S445.primal_0;
+    var _S447 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S444, _S441);
+    var _S448 : f32 = _S446 * _S447.primal_0;
+    var _S449 : f32 = _S445.differential_0 * 0.25f * _S447.primal_0 + _S447.differential_0 * _S446;
+    var _S450 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_0.primal_0, dpwo_0.differential_0 );
+    var _S451 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S444, _S450);
+    var _S452 : f32 = _S448 * _S451.primal_0;
+    var _S453 : f32 = dpwo_0.primal_0.z;
+    var _S454 : Mirrored_0 = Mirrored_0( _S443.primal_0, _S448, _S452 * _S453 );
+    var _S455 : Mirrored_0 = Mirrored_0( _S443.differential_0, _S449, (_S449 * _S451.primal_0 + _S451.differential_0 * _S448) * _S453 + dpwo_0.differential_0.z * _S452 );
+    var _S456 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S454, _S455 );
+    return _S456;
+}
+
+fn s_fwd_fresnel_diffuse_0( dpeta_4 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var inverse_0 : f32 = 1.0f / dpeta_4.primal_0;
+    var s_diff_inverse_0 : f32 = (0.0f - dpeta_4.differential_0) / (dpeta_4.primal_0 * dpeta_4.primal_0);
+    if((dpeta_4.primal_0) < 1.0f)
+    {
+        var _S457 : f32 = -1.43990004062652588f * dpeta_4.primal_0 + 0.70990002155303955f;
+        var _S458 : DiffPair_float_0 = DiffPair_float_0( _S457 * dpeta_4.primal_0 + 0.66809999942779541f + 0.06360000371932983f * inverse_0, dpeta_4.differential_0 * -1.43990004062652588f * dpeta_4.primal_0 + dpeta_4.differential_0 * _S457 + s_diff_inverse_0 * 0.06360000371932983f );
+        return _S458;
+    }
+    var _S459 : f32 = -1.36881005764007568f * inverse_0 + 4.98553991317749023f;
+    var _S460 : f32 = _S459 * inverse_0 - 7.80988979339599609f;
+    var sum_3 : f32 = _S460 * inverse_0 + 6.75334978103637695f;
+    var _S461 : f32 = sum_3 * inverse_0 - 3.47930002212524414f;
+    var _S462 : DiffPair_float_0 = DiffPair_float_0( _S461 * inverse_0 + 0.91931700706481934f, (((s_diff_inverse_0 * -1.36881005764007568f * inverse_0 + s_diff_inverse_0 * _S459) * inverse_0 + s_diff_inverse_0 * _S460) * inverse_0 + s_diff_inverse_0 * sum_3) * inverse_0 + s_diff_inverse_0 * _S461 );
+    return _S462;
+}
+
+fn s_fwd_base_0( lobe_11 : Lobe_0,  dpeta_5 : DiffPair_float_0,  dpdiffuse_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
+{
+    var internal_reflectance_0 : f32;
+    var s_diff_internal_reflectance_0 : f32;
+    if((lobe_11.kind_1) == u32(3))
+    {
+        var _S463 : DiffPair_float_0 = DiffPair_float_0( 1.0f / dpeta_5.primal_0, (0.0f - dpeta_5.differential_0) / (dpeta_5.primal_0 * dpeta_5.primal_0) );
+        var _S464 : DiffPair_float_0 = s_fwd_fresnel_diffuse_0(_S463);
+        internal_reflectance_0 = _S464.primal_0;
+        s_diff_internal_reflectance_0 = _S464.differential_0;
+    }
+    else
+    {
+        internal_reflectance_0 = number_0(word_0(lobe_11.record_3 + u32(3)) + u32(64));
+        s_diff_internal_reflectance_0 = 0.0f;
+    }
+    if((word_0(lobe_11.record_3 + u32(2))) == u32(0))
+    {
+        var _S465 : f32 = 1.0f - internal_reflectance_0;
+        var _S466 : vec3<f32> = vec3<f32>((1.0f / _S465));
+        var _S467 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 * _S466, dpdiffuse_0.differential_0 * _S466 + vec3<f32>(((0.0f - (0.0f - s_diff_internal_reflectance_0)) / (_S465 * _S465))) * dpdiffuse_0.primal_0 );
+        return _S467;
+    }
+    var _S468 : vec3<f32> = vec3<f32>(1.0f) - dpdiffuse_0.primal_0 * vec3<f32>(internal_reflectance_0);
+    var _S469 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 / _S468, (dpdiffuse_0.differential_0 * _S468 - dpdiffuse_0.primal_0 * (vec3<f32>(0.0f) - (dpdiffuse_0.differential_0 * vec3<f32>(internal_reflectance_0) + vec3<f32>(s_diff_internal_reflectance_0) * dpdiffuse_0.primal_0))) / (_S468 * _S468) );
+    return _S469;
+}
+
+struct Scattering_0
+{
+     value_9 : vec3<f32>,
+     pdf_4 : f32,
+};
+
+struct Scattering_Differential_0
+{
+     value_10 : vec3<f32>,
+};
+
+struct DiffPair_Scattering_0
+{
+     primal_0 : Scattering_0,
+     differential_0 : Scattering_Differential_0,
+};
+
+fn s_fwd_scattering_0( lobe_12 : Lobe_0,  dpnumbers_3 : DiffPair_Numbers_0,  dpwi_2 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Scattering_0
+{
+    var _S470 : f32 = dpwo_1.primal_0.z;
+    var _S471 : f32 = dpwo_1.differential_0.z;
+    var by_cosine_0 : f32 = _S470 * 0.31830987334251404f;
+    var _S472 : f32 = _S471 * 0.31830987334251404f;
+    if((lobe_12.kind_1) == u32(0))
+    {
+        var _S473 : vec3<f32> = vec3<f32>(by_cosine_0);
+        var _S474 : Scattering_0 = Scattering_0( dpnumbers_3.primal_0.diffuse_reflectance_0 * _S473, by_cosine_0 );
+        var _S475 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_3.differential_0.diffuse_reflectance_0 * _S473 + vec3<f32>(_S472) * dpnumbers_3.primal_0.diffuse_reflectance_0 );
+        var _S476 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S474, _S475 );
+        return _S476;
+    }
+    var _S477 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+    var _S478 : DiffPair_Mirrored_0 = s_fwd_Mirrored_x24init_0(_S477, _S477, _S477);
+    var by_facets_0 : Mirrored_0;
+    var s_diff_by_facets_0 : Mirrored_0;
+    if(is_rough_0(lobe_12))
+    {
+        var _S479 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_3.primal_0, dpnumbers_3.differential_0 );
+        var _S480 : DiffPair_Microfacets_0 = s_fwd_facets_of_0(lobe_12, _S479);
+        var _S481 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S480.primal_0, _S480.differential_0 );
+        var _S482 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_2.primal_0, dpwi_2.differential_0 );
+        var _S483 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_1.primal_0, dpwo_1.differential_0 );
+        var _S484 : DiffPair_Mirrored_0 = s_fwd_mirrored_0(_S481, _S482, _S483);
+        by_facets_0 = _S484.primal_0;
+        s_diff_by_facets_0 = _S484.differential_0;
+    }
+    else
+    {
+        by_facets_0 = _S478.primal_0;
+        s_diff_by_facets_0 = _S478.differential_0;
+    }
+    if((lobe_12.kind_1) == u32(2))
+    {
+        var _S485 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_7, s_diff_by_facets_0.cosine_7 );
+        var _S486 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.eta_0, dpnumbers_3.differential_0.eta_0 );
+        var _S487 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.k_0, dpnumbers_3.differential_0.k_0 );
+        var _S488 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S485, _S486, _S487);
+        var _S489 : vec3<f32> = vec3<f32>(by_facets_0.scattered_0);
+        var _S490 : vec3<f32> = _S488.primal_0 * _S489;
+        var _S491 : Scattering_0 = Scattering_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S490, by_facets_0.pdf_3 );
+        var _S492 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_3.differential_0.specular_reflectance_0 * _S490 + (_S488.differential_0 * _S489 + vec3<f32>(s_diff_by_facets_0.scattered_0) * _S488.primal_0) * dpnumbers_3.primal_0.specular_reflectance_0 );
+        var _S493 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S491, _S492 );
+        return _S493;
+    }
+    var _S494 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_3.primal_0, dpnumbers_3.differential_0 );
+    var _S495 : DiffPair_float_0 = s_fwd_coat_eta_0(_S494);
+    var _S496 : DiffPair_float_0 = DiffPair_float_0( _S495.primal_0, _S495.differential_0 );
+    var _S497 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
+    var _S498 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_12, _S496, _S497);
+    var _S499 : DiffPair_float_0 = DiffPair_float_0( _S470, _S471 );
+    var _S500 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_12, _S496, _S499);
+    var _S501 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.diffuse_reflectance_0, dpnumbers_3.differential_0.diffuse_reflectance_0 );
+    var _S502 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_base_0(lobe_12, _S496, _S501);
+    var _S503 : f32 = _S498.primal_0 * _S500.primal_0;
+    var _S504 : f32 = _S503 * by_cosine_0;
+    var _S505 : f32 = _S495.primal_0 * _S495.primal_0;
+    var _S506 : f32 = _S495.differential_0 * _S495.primal_0;
+    var _S507 : vec3<f32> = vec3<f32>((_S504 / _S505));
+    var _S508 : vec3<f32> = _S502.primal_0 * _S507;
+    var _S509 : vec3<f32> = _S502.differential_0 * _S507 + vec3<f32>(((((_S498.differential_0 * _S500.primal_0 + _S500.differential_0 * _S498.primal_0) * by_cosine_0 + _S472 * _S503) * _S505 - _S504 * (_S506 + _S506)) / (_S505 * _S505))) * _S502.primal_0;
+    var probability_3 : f32 = base_probability_0(dpnumbers_3.primal_0, _S498.primal_0);
+    var _S510 : f32 = probability_3 * by_cosine_0;
+    var scattering_0 : Scattering_0;
+    var s_diff_scattering_0 : Scattering_Differential_0;
+    if((lobe_12.kind_1) == u32(4))
+    {
+        var _S511 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_7, s_diff_by_facets_0.cosine_7 );
+        var _S512 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S511, _S496);
+        var _S513 : vec3<f32> = vec3<f32>((_S512.primal_0 * by_facets_0.scattered_0));
+        var _S514 : vec3<f32> = _S509 + (dpnumbers_3.differential_0.specular_reflectance_0 * _S513 + vec3<f32>((_S512.differential_0 * by_facets_0.scattered_0 + s_diff_by_facets_0.scattered_0 * _S512.primal_0)) * dpnumbers_3.primal_0.specular_reflectance_0);
+        var _S515 : f32 = _S510 + (1.0f - probability_3) * by_facets_0.pdf_3;
+        scattering_0.value_9 = _S508 + dpnumbers_3.primal_0.specular_reflectance_0 * _S513;
+        scattering_0.pdf_4 = _S515;
+        s_diff_scattering_0.value_10 = _S514;
+    }
+    else
+    {
+        scattering_0.value_9 = _S508;
+        scattering_0.pdf_4 = _S510;
+        s_diff_scattering_0.value_10 = _S509;
+    }
+    var _S516 : DiffPair_Scattering_0 = DiffPair_Scattering_0( scattering_0, s_diff_scattering_0 );
+    return _S516;
+}
+
+struct Scattered_0
+{
+     value_11 : Vector_0,
+     pdf_5 : f32,
+};
+
+fn eval_and_pdf_0( lobe_13 : Lobe_0,  wi_6 : Vector_0,  wo_3 : Vector_0) -> Scattered_0
+{
+    var scattered_1 : Scattered_0;
+    scattered_1.value_11 = still_0(vec3<f32>(0.0f));
+    scattered_1.pdf_5 = 0.0f;
+    var _S517 : bool;
+    if((value_of_0(wo_3).z) <= 0.0f)
+    {
+        _S517 = true;
+    }
+    else
+    {
+        _S517 = !has_smooth_0(lobe_13);
+    }
+    if(_S517)
+    {
+        return scattered_1;
+    }
+    var _S518 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_13.numbers_2, lobe_13.changes_0 );
+    var _S519 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_6.value_0, wi_6.change_0 );
+    var _S520 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wo_3.value_0, wo_3.change_0 );
+    var _S521 : DiffPair_Scattering_0 = s_fwd_scattering_0(lobe_13, _S518, _S519, _S520);
+    scattered_1.value_11 = changing_0(_S521.primal_0.value_9, _S521.differential_0.value_10);
+    scattered_1.pdf_5 = _S521.primal_0.pdf_4;
+    return scattered_1;
+}
+
+fn scattered_to_0( vertex_8 : Vertex_0,  wo_4 : vec3<f32>,  direction_16 : Vector_0) -> Scattered_0
+{
+    return eval_and_pdf_0(vertex_8.lobe_1, vertex_8.wi_1, changing_0(wo_4, local_change_0(vertex_8, direction_16)));
+}
+
+fn scattered_along_0( vertex_9 : Vertex_0,  sample_2 : LightSample_0,  moving_0 : ptr<function, Vector_0>) -> Scattered_0
+{
+    if(sample_2.is_specular_0)
+    {
+        (*moving_0) = specular_direction_0(vertex_9, sample_2.direction_11, sample_2.wo_0);
+        var scattered_2 : Scattered_0;
+        scattered_2.value_11 = specular_0(vertex_9.lobe_1, vertex_9.wi_1);
+        scattered_2.pdf_5 = sample_2.probability_1;
+        return scattered_2;
+    }
+    if((sample_2.emitter_5) != u32(4294967295))
+    {
+        (*moving_0) = towards_emitter_0(vertex_9, sample_2.direction_11, emitter_record_0(sample_2.emitter_5));
+    }
+    else
+    {
+        (*moving_0) = changing_0(sample_2.direction_11, turning_0(vertex_9, sample_2.direction_11));
+    }
+    return scattered_to_0(vertex_9, sample_2.wo_0, (*moving_0));
+}
+
 fn component_0( v_8 : vec3<f32>,  axis_2 : u32) -> f32
 {
-    var _S263 : f32;
+    var _S522 : f32;
     if(axis_2 == u32(0))
     {
-        _S263 = v_8.x;
+        _S522 = v_8.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S263 = v_8.y;
+            _S522 = v_8.y;
         }
         else
         {
-            _S263 = v_8.z;
+            _S522 = v_8.z;
         }
     }
-    return _S263;
+    return _S522;
 }
 
 fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
@@ -2358,7 +3480,7 @@ fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
 
 struct RayView_0
 {
-     inverse_0 : vec3<f32>,
+     inverse_1 : vec3<f32>,
      offset_near_0 : vec3<f32>,
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
@@ -2366,9 +3488,9 @@ struct RayView_0
      axes_4 : u32,
 };
 
-fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
+fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S264 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S523 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -2381,36 +3503,36 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S265 : u32 = axis_3;
-        var _S266 : u32 = _S264 + u32(2) * axis_3;
-        var _S267 : u32 = slot_3 % u32(4);
-        var low_4 : f32 = (bitcast<f32>((nodes_0[_S266][_S267])));
-        var high_1 : f32 = (bitcast<f32>((nodes_0[_S266 + u32(6)][_S267])));
-        var _S268 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
-        var _S269 : f32;
-        if(_S268)
+        var _S524 : u32 = axis_3;
+        var _S525 : u32 = _S523 + u32(2) * axis_3;
+        var _S526 : u32 = slot_3 % u32(4);
+        var low_5 : f32 = (bitcast<f32>((nodes_0[_S525][_S526])));
+        var high_2 : f32 = (bitcast<f32>((nodes_0[_S525 + u32(6)][_S526])));
+        var _S527 : bool = (view_6.inverse_1[axis_3]) < 0.0f;
+        var _S528 : f32;
+        if(_S527)
         {
-            _S269 = high_1;
+            _S528 = high_2;
         }
         else
         {
-            _S269 = low_4;
+            _S528 = low_5;
         }
-        var _S270 : f32 = max(near_0, _S269 * view_2.inverse_0[_S265] - view_2.offset_near_0[axis_3]);
-        var _S271 : f32;
-        if(_S268)
+        var _S529 : f32 = max(near_0, _S528 * view_6.inverse_1[_S524] - view_6.offset_near_0[axis_3]);
+        var _S530 : f32;
+        if(_S527)
         {
-            _S271 = low_4;
+            _S530 = low_5;
         }
         else
         {
-            _S271 = high_1;
+            _S530 = high_2;
         }
-        var _S272 : f32 = min(far_0, _S271 * view_2.inverse_0[_S265] - view_2.offset_far_0[axis_3]);
-        var _S273 : u32 = axis_3 + u32(1);
-        near_0 = _S270;
-        far_0 = _S272;
-        axis_3 = _S273;
+        var _S531 : f32 = min(far_0, _S530 * view_6.inverse_1[_S524] - view_6.offset_far_0[axis_3]);
+        var _S532 : u32 = axis_3 + u32(1);
+        near_0 = _S529;
+        far_0 = _S531;
+        axis_3 = _S532;
     }
     if(near_0 <= far_0)
     {
@@ -2435,7 +3557,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S274 : u32 = k_4;
+        var _S533 : u32 = k_4;
         if((bounds_0[k_4]) > limit_2)
         {
             k_4 = k_4 + u32(1);
@@ -2452,24 +3574,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S275 : u32 = j_0;
-            var _S276 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S274]))
+            var _S534 : u32 = j_0;
+            var _S535 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S533]))
             {
-                _S276 = true;
+                _S535 = true;
             }
             else
             {
-                if((bounds_0[_S275]) == (bounds_0[_S274]))
+                if((bounds_0[_S534]) == (bounds_0[_S533]))
                 {
-                    _S276 = j_0 < k_4;
+                    _S535 = j_0 < k_4;
                 }
                 else
                 {
-                    _S276 = false;
+                    _S535 = false;
                 }
             }
-            if(_S276)
+            if(_S535)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -2481,7 +3603,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
     return order_0;
 }
 
-fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
+fn crossed_0( view_7 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
     var slot_4 : u32 = u32(0);
@@ -2494,24 +3616,24 @@ fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S277 : f32;
+        var _S536 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S277 = 3.00000000549775576e+38f;
+            _S536 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S277 = ray_bound_0(view_3, limit_3, node_5, slot_4);
+            _S536 = ray_bound_0(view_7, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S277;
+        bounds_1[slot_4] = _S536;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn rounded_0( product_1 : f32,  largest_0 : f32) -> f32
+fn rounded_0( product_2 : f32,  largest_0 : f32) -> f32
 {
-    return min(product_1, largest_0);
+    return min(product_2, largest_0);
 }
 
 struct Ray_0
@@ -2528,11 +3650,11 @@ struct Ray_0
      largest_1 : f32,
 };
 
-fn corner_3( ray_0 : Ray_0,  axes_5 : u32,  at_21 : u32) -> vec3<f32>
+fn corner_3( ray_0 : Ray_0,  axes_5 : u32,  at_23 : u32) -> vec3<f32>
 {
-    var relative_0 : vec3<f32> = primitive_vector_0(at_21) - ray_0.origin_0;
-    var z_4 : f32 = component_0(relative_0, (axes_5 >> (u32(4))));
-    return vec3<f32>(component_0(relative_0, (axes_5 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_4, ray_0.largest_1), component_0(relative_0, (((axes_5 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_4, ray_0.largest_1), z_4);
+    var relative_0 : vec3<f32> = primitive_vector_0(at_23) - ray_0.origin_0;
+    var z_5 : f32 = component_0(relative_0, (axes_5 >> (u32(4))));
+    return vec3<f32>(component_0(relative_0, (axes_5 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_5, ray_0.largest_1), component_0(relative_0, (((axes_5 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_5, ray_0.largest_1), z_5);
 }
 
 struct Crossing_0
@@ -2540,59 +3662,59 @@ struct Crossing_0
      is_hit_0 : bool,
      t_3 : f32,
      v_9 : f32,
-     w_4 : f32,
+     w_8 : f32,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_22 : u32) -> Crossing_0
+fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_24 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_3 = 0.0f;
     crossing_0.v_9 = 0.0f;
-    crossing_0.w_4 = 0.0f;
-    var a_20 : vec3<f32> = corner_3(ray_1, axes_6, at_22);
-    var b_14 : vec3<f32> = corner_3(ray_1, axes_6, at_22 + u32(3));
-    var c_8 : vec3<f32> = corner_3(ray_1, axes_6, at_22 + u32(6));
-    var _S278 : f32 = c_8.x;
-    var _S279 : f32 = b_14.y;
-    var cx_by_0 : f32 = rounded_0(_S278 * _S279, ray_1.largest_1);
-    var _S280 : f32 = c_8.y;
-    var _S281 : f32 = b_14.x;
-    var cy_bx_0 : f32 = rounded_0(_S280 * _S281, ray_1.largest_1);
-    var _S282 : f32 = a_20.x;
-    var ax_cy_0 : f32 = rounded_0(_S282 * _S280, ray_1.largest_1);
-    var _S283 : f32 = a_20.y;
-    var ay_cx_0 : f32 = rounded_0(_S283 * _S278, ray_1.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S281 * _S283, ray_1.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S279 * _S282, ray_1.largest_1);
-    var u_8 : f32 = cx_by_0 - cy_bx_0;
+    crossing_0.w_8 = 0.0f;
+    var a_21 : vec3<f32> = corner_3(ray_1, axes_6, at_24);
+    var b_15 : vec3<f32> = corner_3(ray_1, axes_6, at_24 + u32(3));
+    var c_8 : vec3<f32> = corner_3(ray_1, axes_6, at_24 + u32(6));
+    var _S537 : f32 = c_8.x;
+    var _S538 : f32 = b_15.y;
+    var cx_by_0 : f32 = rounded_0(_S537 * _S538, ray_1.largest_1);
+    var _S539 : f32 = c_8.y;
+    var _S540 : f32 = b_15.x;
+    var cy_bx_0 : f32 = rounded_0(_S539 * _S540, ray_1.largest_1);
+    var _S541 : f32 = a_21.x;
+    var ax_cy_0 : f32 = rounded_0(_S541 * _S539, ray_1.largest_1);
+    var _S542 : f32 = a_21.y;
+    var ay_cx_0 : f32 = rounded_0(_S542 * _S537, ray_1.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S540 * _S542, ray_1.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S538 * _S541, ray_1.largest_1);
+    var u_12 : f32 = cx_by_0 - cy_bx_0;
     var v_10 : f32 = ax_cy_0 - ay_cx_0;
-    var w_5 : f32 = bx_ay_0 - by_ax_0;
-    var _S284 : f32 = min(min(u_8, v_10), w_5);
-    var _S285 : f32 = max(max(u_8, v_10), w_5);
-    var _S286 : bool;
-    if(_S284 < 0.0f)
+    var w_9 : f32 = bx_ay_0 - by_ax_0;
+    var _S543 : f32 = min(min(u_12, v_10), w_9);
+    var _S544 : f32 = max(max(u_12, v_10), w_9);
+    var _S545 : bool;
+    if(_S543 < 0.0f)
     {
-        _S286 = _S285 > 0.0f;
+        _S545 = _S544 > 0.0f;
     }
     else
     {
-        _S286 = false;
+        _S545 = false;
     }
-    if(_S286)
+    if(_S545)
     {
         return crossing_0;
     }
-    var determinant_0 : f32 = u_8 + v_10 + w_5;
-    if(_S284 <= 0.0f)
+    var determinant_0 : f32 = u_12 + v_10 + w_9;
+    if(_S543 <= 0.0f)
     {
-        _S286 = _S285 >= 0.0f;
+        _S545 = _S544 >= 0.0f;
     }
     else
     {
-        _S286 = false;
+        _S545 = false;
     }
-    if(_S286)
+    if(_S545)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -2603,19 +3725,19 @@ fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_22 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_4 : f32 = (rounded_0(u_8 * a_20.z, ray_1.largest_1) + rounded_0(v_10 * b_14.z, ray_1.largest_1) + rounded_0(w_5 * c_8.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
+    var t_4 : f32 = (rounded_0(u_12 * a_21.z, ray_1.largest_1) + rounded_0(v_10 * b_15.z, ray_1.largest_1) + rounded_0(w_9 * c_8.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_4)
     {
-        _S286 = t_4 <= (ray_1.t_max_0);
+        _S545 = t_4 <= (ray_1.t_max_0);
     }
     else
     {
-        _S286 = false;
+        _S545 = false;
     }
-    crossing_0.is_hit_0 = _S286;
+    crossing_0.is_hit_0 = _S545;
     crossing_0.t_3 = t_4;
     crossing_0.v_9 = v_10 / determinant_0;
-    crossing_0.w_4 = w_5 / determinant_0;
+    crossing_0.w_8 = w_9 / determinant_0;
     return crossing_0;
 }
 
@@ -2629,25 +3751,25 @@ struct Found_0
      face_7 : u32,
      triangle_9 : u32,
      v_11 : f32,
-     w_6 : f32,
+     w_10 : f32,
 };
 
-fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S287 : bool;
+    var _S546 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
     found_3.triangle_9 = u32(4294967295);
     found_3.v_11 = 0.0f;
-    found_3.w_6 = 0.0f;
-    if(!((view_4.limit_0) >= 0.0f))
+    found_3.w_10 = 0.0f;
+    if(!((view_8.limit_0) >= 0.0f))
     {
         return found_3;
     }
-    var way_1 : array<vec2<u32>, i32(40)>;
-    way_1[i32(0)] = vec2<u32>(u32(0), u32(0));
+    var way_2 : array<vec2<u32>, i32(40)>;
+    way_2[i32(0)] = vec2<u32>(u32(0), u32(0));
     var entered_0 : u32 = u32(0);
-    var limit_4 : f32 = view_4.limit_0;
+    var limit_4 : f32 = view_8.limit_0;
     var is_new_0 : bool = true;
     var level_0 : u32 = u32(0);
     for(;;)
@@ -2656,7 +3778,7 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var is_new_1 : bool;
         if(entered_0 != u32(4294967295))
         {
-            way_1[level_0] = vec2<u32>(entered_0, crossed_0(view_4, limit_4, entered_0));
+            way_2[level_0] = vec2<u32>(entered_0, crossed_0(view_8, limit_4, entered_0));
             is_new_1 = true;
             entered_1 = u32(4294967295);
         }
@@ -2665,61 +3787,61 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             is_new_1 = is_new_0;
             entered_1 = entered_0;
         }
-        var here_0 : vec2<u32> = way_1[level_0];
-        var _S288 : u32 = way_1[level_0].y;
-        if(_S288 == u32(0))
+        var here_2 : vec2<u32> = way_2[level_0];
+        var _S547 : u32 = way_2[level_0].y;
+        if(_S547 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S289 : u32 = level_0 - u32(1);
+            var _S548 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S289;
+            level_0 = _S548;
             continue;
         }
-        var slot_5 : u32 = ((_S288 & (u32(15)))) - u32(1);
-        way_1[level_0][i32(1)] = (_S288 >> (u32(4)));
-        var _S290 : bool;
+        var slot_5 : u32 = ((_S547 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S547 >> (u32(4)));
+        var _S549 : bool;
         if(!is_new_1)
         {
-            _S290 = (ray_bound_0(view_4, limit_4, here_0.x, slot_5)) > limit_4;
+            _S549 = (ray_bound_0(view_8, limit_4, here_2.x, slot_5)) > limit_4;
         }
         else
         {
-            _S290 = false;
+            _S549 = false;
         }
-        if(_S290)
+        if(_S549)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
             continue;
         }
-        var child_0 : u32 = ray_child_0(here_0.x, slot_5);
+        var child_0 : u32 = ray_child_0(here_2.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S291 : u32 = level_0 + u32(1);
+            var _S550 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S291;
+            level_0 = _S550;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S292 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S293 : u32 = leaf_starts_0[leaf_0];
+        var _S551 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S552 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S293;
+        var i_3 : u32 = _S552;
         for(;;)
         {
-            if(i_3 < _S292)
+            if(i_3 < _S551)
             {
             }
             else
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_4.axes_4, u32(9) * i_3);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_8.axes_4, u32(9) * i_3);
             if(!crossing_1.is_hit_0)
             {
                 i_3 = i_3 + u32(1);
@@ -2727,30 +3849,30 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S287 = true;
+                _S546 = true;
             }
             else
             {
-                _S287 = (crossing_1.t_3) < ((*ray_2).t_max_0);
+                _S546 = (crossing_1.t_3) < ((*ray_2).t_max_0);
             }
-            var _S294 : bool;
-            if(_S287)
+            var _S553 : bool;
+            if(_S546)
             {
-                _S294 = true;
+                _S553 = true;
             }
             else
             {
-                _S294 = (face_6(i_3)) < (found_3.face_7);
+                _S553 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S294)
+            if(_S553)
             {
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_9 = i_3;
                 (*ray_2).t_max_0 = crossing_1.t_3;
                 found_3.v_11 = crossing_1.v_9;
-                found_3.w_6 = crossing_1.w_4;
-                limit_6 = min(limit_5, crossing_1.t_3 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_4.margin_0);
+                found_3.w_10 = crossing_1.w_8;
+                limit_6 = min(limit_5, crossing_1.t_3 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_8.margin_0);
             }
             else
             {
@@ -2761,13 +3883,13 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S287 = (found_3.face_7) != u32(4294967295);
+            _S546 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S287 = false;
+            _S546 = false;
         }
-        if(_S287)
+        if(_S546)
         {
             break;
         }
@@ -2778,54 +3900,54 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_3;
 }
 
-fn cast_0( origin_1 : vec3<f32>,  direction_11 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_5 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_1 : vec3<f32>,  direction_17 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_5 : ptr<function, f32>) -> Found_0
 {
-    var size_3 : vec3<f32> = abs(direction_11);
-    var _S295 : f32 = size_3.x;
-    var _S296 : f32 = size_3.y;
-    var _S297 : bool;
-    if(_S295 >= _S296)
+    var size_3 : vec3<f32> = abs(direction_17);
+    var _S554 : f32 = size_3.x;
+    var _S555 : f32 = size_3.y;
+    var _S556 : bool;
+    if(_S554 >= _S555)
     {
-        _S297 = _S295 >= (size_3.z);
+        _S556 = _S554 >= (size_3.z);
     }
     else
     {
-        _S297 = false;
+        _S556 = false;
     }
-    var _S298 : i32;
-    if(_S297)
+    var _S557 : i32;
+    if(_S556)
     {
-        _S298 = i32(0);
+        _S557 = i32(0);
     }
     else
     {
-        if(_S296 >= (size_3.z))
+        if(_S555 >= (size_3.z))
         {
-            _S298 = i32(1);
+            _S557 = i32(1);
         }
         else
         {
-            _S298 = i32(2);
+            _S557 = i32(2);
         }
     }
-    var z_5 : u32 = u32(_S298);
-    var x_8 : u32 = (z_5 + u32(1)) % u32(3);
-    var y_3 : u32 = (z_5 + u32(2)) % u32(3);
+    var z_6 : u32 = u32(_S557);
+    var x_12 : u32 = (z_6 + u32(1)) % u32(3);
+    var y_3 : u32 = (z_6 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
     ray_3.origin_0 = origin_1;
-    var along_3 : f32 = component_0(direction_11, z_5);
-    ray_3.inverse_z_0 = 1.0f / along_3;
-    ray_3.shear_x_0 = component_0(direction_11, x_8) / along_3;
-    ray_3.shear_y_0 = component_0(direction_11, y_3) / along_3;
+    var along_4 : f32 = component_0(direction_17, z_6);
+    ray_3.inverse_z_0 = 1.0f / along_4;
+    ray_3.shear_x_0 = component_0(direction_17, x_12) / along_4;
+    ray_3.shear_y_0 = component_0(direction_17, y_3) / along_4;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S299 : f32 = abs(along_3);
-    ray_3.local_per_t_0 = _S299;
+    var _S558 : f32 = abs(along_4);
+    ray_3.local_per_t_0 = _S558;
     ray_3.enter_0 = 0.0f;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
-    var view_5 : RayView_0;
-    var _S300 : vec3<f32> = direction_11 / vec3<f32>(_S299);
+    var view_9 : RayView_0;
+    var _S559 : vec3<f32> = direction_17 / vec3<f32>(_S558);
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -2836,1341 +3958,88 @@ fn cast_0( origin_1 : vec3<f32>,  direction_11 : vec3<f32>,  t_min_1 : f32,  t_m
         {
             break;
         }
-        var _S301 : f32 = max(abs(_S300[axis_4]), 8.67361737988403547e-19f);
-        var _S302 : f32;
-        if((_S300[axis_4]) < 0.0f)
+        var _S560 : f32 = max(abs(_S559[axis_4]), 8.67361737988403547e-19f);
+        var _S561 : f32;
+        if((_S559[axis_4]) < 0.0f)
         {
-            _S302 = -1.0f / _S301;
+            _S561 = -1.0f / _S560;
         }
         else
         {
-            _S302 = 1.0f / _S301;
+            _S561 = 1.0f / _S560;
         }
-        view_5.inverse_0[axis_4] = _S302;
+        view_9.inverse_1[axis_4] = _S561;
         axis_4 = axis_4 + u32(1);
     }
-    var offset_4 : vec3<f32> = origin_1 * view_5.inverse_0;
-    var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_5.inverse_0);
-    view_5.offset_near_0 = offset_4 + wider_0;
-    view_5.offset_far_0 = offset_4 - wider_0;
-    view_5.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
-    view_5.margin_0 = 3.814697265625e-06f;
-    view_5.axes_4 = (((x_8 | (((y_3 << (u32(2))))))) | (((z_5 << (u32(4))))));
-    var found_4 : Found_0 = first_found_0(view_5, &(ray_3), any_1);
+    var offset_4 : vec3<f32> = origin_1 * view_9.inverse_1;
+    var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_9.inverse_1);
+    view_9.offset_near_0 = offset_4 + wider_0;
+    view_9.offset_far_0 = offset_4 - wider_0;
+    view_9.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
+    view_9.margin_0 = 3.814697265625e-06f;
+    view_9.axes_4 = (((x_12 | (((y_3 << (u32(2))))))) | (((z_6 << (u32(4))))));
+    var found_4 : Found_0 = first_found_0(view_9, &(ray_3), any_1);
     (*t_5) = ray_3.t_max_0;
     return found_4;
 }
 
-fn cast_1( origin_2 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_2 : bool,  t_6 : ptr<function, f32>) -> Found_0
+fn place_of_0( found_5 : Found_0) -> Place_0
 {
-    var size_4 : vec3<f32> = abs(direction_12);
-    var _S303 : f32 = size_4.x;
-    var _S304 : f32 = size_4.y;
-    var _S305 : bool;
-    if(_S303 >= _S304)
-    {
-        _S305 = _S303 >= (size_4.z);
-    }
-    else
-    {
-        _S305 = false;
-    }
-    var _S306 : i32;
-    if(_S305)
-    {
-        _S306 = i32(0);
-    }
-    else
-    {
-        if(_S304 >= (size_4.z))
-        {
-            _S306 = i32(1);
-        }
-        else
-        {
-            _S306 = i32(2);
-        }
-    }
-    var z_6 : u32 = u32(_S306);
-    var x_9 : u32 = (z_6 + u32(1)) % u32(3);
-    var y_4 : u32 = (z_6 + u32(2)) % u32(3);
-    var ray_4 : Ray_0;
-    ray_4.origin_0 = origin_2;
-    var along_4 : f32 = component_0(direction_12, z_6);
-    ray_4.inverse_z_0 = 1.0f / along_4;
-    ray_4.shear_x_0 = component_0(direction_12, x_9) / along_4;
-    ray_4.shear_y_0 = component_0(direction_12, y_4) / along_4;
-    ray_4.t_min_0 = t_min_2;
-    ray_4.t_max_0 = t_max_2;
-    var _S307 : f32 = abs(along_4);
-    ray_4.local_per_t_0 = _S307;
-    ray_4.enter_0 = 0.0f;
-    ray_4.edge_on_0 = limit_at_0(u32(0));
-    ray_4.largest_1 = limit_at_0(u32(1));
-    var view_6 : RayView_0;
-    var _S308 : vec3<f32> = direction_12 / vec3<f32>(_S307);
-    var axis_5 : u32 = u32(0);
-    for(;;)
-    {
-        if(axis_5 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S309 : f32 = max(abs(_S308[axis_5]), 8.67361737988403547e-19f);
-        var _S310 : f32;
-        if((_S308[axis_5]) < 0.0f)
-        {
-            _S310 = -1.0f / _S309;
-        }
-        else
-        {
-            _S310 = 1.0f / _S309;
-        }
-        view_6.inverse_0[axis_5] = _S310;
-        axis_5 = axis_5 + u32(1);
-    }
-    var offset_5 : vec3<f32> = origin_2 * view_6.inverse_0;
-    var wider_1 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_6.inverse_0);
-    view_6.offset_near_0 = offset_5 + wider_1;
-    view_6.offset_far_0 = offset_5 - wider_1;
-    view_6.limit_0 = min(t_max_2 * ray_4.local_per_t_0, 8.0f) + 3.814697265625e-06f;
-    view_6.margin_0 = 3.814697265625e-06f;
-    view_6.axes_4 = (((x_9 | (((y_4 << (u32(2))))))) | (((z_6 << (u32(4))))));
-    var found_5 : Found_0 = first_found_0(view_6, &(ray_4), any_2);
-    (*t_6) = ray_4.t_max_0;
-    return found_5;
+    return exact_place_0(found_5.triangle_9, found_5.v_11, found_5.w_10);
 }
 
-fn turns_1( vertex_1 : Vertex_0) -> bool
+fn x2A_0( a_22 : Vector_0,  b_16 : f32) -> Vector_0
 {
-    if((any(((vertex_1.surface_4.position_change_0) != vec3<f32>(0.0f)))))
-    {
-        return true;
-    }
-    return (change_word_0(u32(1))) != u32(0);
+    var _S562 : vec3<f32> = vec3<f32>(b_16);
+    return changing_0(a_22.value_0 * _S562, a_22.change_0 * _S562);
 }
 
-fn turning_0( vertex_2 : Vertex_0,  direction_13 : vec3<f32>) -> vec3<f32>
+fn emitter_seen_0( found_6 : Found_0,  direction_18 : vec3<f32>) -> u32
 {
-    var _S311 : vec3<f32>;
-    if(turns_1(vertex_2))
-    {
-        _S311 = vertex_2.axes_change_0.n_1 * vec3<f32>(dot(vertex_2.axes_1.n_1, direction_13)) - vertex_2.axes_1.n_1 * vec3<f32>(dot(vertex_2.axes_change_0.n_1, direction_13));
-    }
-    else
-    {
-        _S311 = vec3<f32>(0.0f);
-    }
-    return _S311;
-}
-
-fn towards_emitter_0( vertex_3 : Vertex_0,  direction_14 : vec3<f32>,  record_13 : u32) -> Vector_0
-{
-    var _S312 : Vector_0;
-    if((word_0(record_13)) == u32(1))
-    {
-        _S312 = changing_0(direction_14, turning_0(vertex_3, direction_14));
-    }
-    else
-    {
-        _S312 = still_0(direction_14);
-    }
-    return _S312;
-}
-
-fn local_change_0( vertex_4 : Vertex_0,  direction_15 : Vector_0) -> vec3<f32>
-{
-    return to_local_0(vertex_4.axes_change_0, value_of_0(direction_15)) + to_local_0(vertex_4.axes_1, change_of_0(direction_15));
-}
-
-struct Mirrored_0
-{
-     cosine_4 : f32,
-     pdf_2 : f32,
-     scattered_0 : f32,
-};
-
-struct DiffPair_Mirrored_0
-{
-     primal_0 : Mirrored_0,
-     differential_0 : Mirrored_0,
-};
-
-fn s_fwd_Mirrored_x24init_0( dpcosine_0 : DiffPair_float_0,  dppdf_0 : DiffPair_float_0,  dpscattered_0 : DiffPair_float_0) -> DiffPair_Mirrored_0
-{
-    var _S313 : Mirrored_0 = Mirrored_0( dpcosine_0.primal_0, dppdf_0.primal_0, dpscattered_0.primal_0 );
-    var _S314 : Mirrored_0 = Mirrored_0( dpcosine_0.differential_0, dppdf_0.differential_0, dpscattered_0.differential_0 );
-    var _S315 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S313, _S314 );
-    return _S315;
-}
-
-fn is_rough_0( lobe_3 : Lobe_0) -> bool
-{
-    var _S316 : bool;
-    if((lobe_3.kind_1) == u32(2))
-    {
-        _S316 = true;
-    }
-    else
-    {
-        _S316 = (lobe_3.kind_1) == u32(4);
-    }
-    return _S316;
-}
-
-struct Microfacets_0
-{
-     distribution_1 : u32,
-     alpha_1 : vec2<f32>,
-};
-
-fn facets_of_0( lobe_4 : Lobe_0,  numbers_3 : Numbers_0) -> Microfacets_0
-{
-    var facets_0 : Microfacets_0;
-    facets_0.distribution_1 = lobe_4.distribution_0;
-    facets_0.alpha_1 = max(numbers_3.alpha_0, vec2<f32>(0.00009999999747379f));
-    return facets_0;
-}
-
-struct Microfacets_Differential_0
-{
-     alpha_2 : vec2<f32>,
-};
-
-struct DiffPair_Microfacets_0
-{
-     primal_0 : Microfacets_0,
-     differential_0 : Microfacets_Differential_0,
-};
-
-struct DiffPair_Numbers_0
-{
-     primal_0 : Numbers_0,
-     differential_0 : Numbers_0,
-};
-
-fn s_fwd_facets_of_0( lobe_5 : Lobe_0,  dpnumbers_0 : DiffPair_Numbers_0) -> DiffPair_Microfacets_0
-{
-    var _S317 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( dpnumbers_0.primal_0.alpha_0, dpnumbers_0.differential_0.alpha_0 );
-    var _S318 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(0.00009999999747379f), vec2<f32>(0.0f) );
-    var _S319 : DiffPair_vectorx3Cfloatx2C2x3E_0 = _d_max_vector_0(_S317, _S318);
-    var _S320 : Microfacets_0 = Microfacets_0( lobe_5.distribution_0, _S319.primal_0 );
-    var _S321 : Microfacets_Differential_0 = Microfacets_Differential_0( _S319.differential_0 );
-    var _S322 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S320, _S321 );
-    return _S322;
-}
-
-fn exponential_0( x_10 : f32) -> f32
-{
-    if(x_10 < -87.0f)
-    {
-        return 0.0f;
-    }
-    var power_0 : f32 = floor(x_10 * 1.4426950216293335f + 0.5f);
-    var r_0 : f32 = x_10 - power_0 * 0.693359375f + power_0 * 0.00021219444170129f;
-    return ((((((0.00019875691214111f * r_0 + 0.00139819993637502f) * r_0 + 0.00833345204591751f) * r_0 + 0.04166579619050026f) * r_0 + 0.1666666567325592f) * r_0 + 0.5f) * r_0 * r_0 + r_0 + 1.0f) * (bitcast<f32>(((u32(i32(power_0) + i32(127)) << (u32(23))))));
-}
-
-fn s_fwd_exponential_0( dpx_11 : DiffPair_float_0) -> DiffPair_float_0
-{
-    if((dpx_11.primal_0) < -87.0f)
-    {
-        var _S323 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
-        return _S323;
-    }
-    var power_1 : f32 = floor(dpx_11.primal_0 * 1.4426950216293335f + 0.5f);
-    var r_1 : f32 = dpx_11.primal_0 - power_1 * 0.693359375f + power_1 * 0.00021219444170129f;
-    var _S324 : f32 = 0.00019875691214111f * r_1 + 0.00139819993637502f;
-    var _S325 : f32 = _S324 * r_1 + 0.00833345204591751f;
-    var tail_1 : f32 = _S325 * r_1 + 0.04166579619050026f;
-    var _S326 : f32 = tail_1 * r_1 + 0.1666666567325592f;
-    var tail_2 : f32 = _S326 * r_1 + 0.5f;
-    var _S327 : f32 = tail_2 * r_1;
-    var _S328 : f32 = (bitcast<f32>(((u32(i32(power_1) + i32(127)) << (u32(23))))));
-    var _S329 : DiffPair_float_0 = DiffPair_float_0( (_S327 * r_1 + r_1 + 1.0f) * _S328, ((((((dpx_11.differential_0 * 0.00019875691214111f * r_1 + dpx_11.differential_0 * _S324) * r_1 + dpx_11.differential_0 * _S325) * r_1 + dpx_11.differential_0 * tail_1) * r_1 + dpx_11.differential_0 * _S326) * r_1 + dpx_11.differential_0 * tail_2) * r_1 + dpx_11.differential_0 * _S327 + dpx_11.differential_0) * _S328 );
-    return _S329;
-}
-
-fn s_fwd_density_0( dpfacets_0 : DiffPair_Microfacets_0,  dpm_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
-{
-    var _S330 : f32 = dpm_0.primal_0.z;
-    var _S331 : f32 = dpm_0.differential_0.z;
-    if(_S330 <= 0.0f)
-    {
-        var _S332 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
-        return _S332;
-    }
-    var _S333 : f32 = 3.14159274101257324f * dpfacets_0.primal_0.alpha_1.x;
-    var _S334 : f32 = dpfacets_0.primal_0.alpha_1.y;
-    var scale_0 : f32 = _S333 * _S334;
-    var s_diff_scale_0 : f32 = dpfacets_0.differential_0.alpha_2.x * 3.14159274101257324f * _S334 + dpfacets_0.differential_0.alpha_2.y * _S333;
-    var _S335 : vec2<f32> = dpm_0.primal_0.xy;
-    var _S336 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S335 / dpfacets_0.primal_0.alpha_1, (dpm_0.differential_0.xy * dpfacets_0.primal_0.alpha_1 - _S335 * dpfacets_0.differential_0.alpha_2) / (dpfacets_0.primal_0.alpha_1 * dpfacets_0.primal_0.alpha_1) );
-    var _S337 : DiffPair_float_0 = _d_dot_0(_S336, _S336);
-    var cos2_0 : f32 = _S330 * _S330;
-    var _S338 : f32 = _S331 * _S330;
-    var s_diff_cos2_0 : f32 = _S338 + _S338;
-    if((dpfacets_0.primal_0.distribution_1) == u32(1))
-    {
-        var sum_2 : f32 = _S337.primal_0 + cos2_0;
-        var s_diff_sum_0 : f32 = _S337.differential_0 + s_diff_cos2_0;
-        var _S339 : f32 = scale_0 * sum_2;
-        var _S340 : f32 = _S339 * sum_2;
-        var _S341 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S340, (0.0f - ((s_diff_scale_0 * sum_2 + s_diff_sum_0 * scale_0) * sum_2 + s_diff_sum_0 * _S339)) / (_S340 * _S340) );
-        return _S341;
-    }
-    var exponent_0 : f32 = _S337.primal_0 / cos2_0;
-    var s_diff_exponent_0 : f32 = (_S337.differential_0 * cos2_0 - _S337.primal_0 * s_diff_cos2_0) / (cos2_0 * cos2_0);
-    var _S342 : f32;
-    var _S343 : f32;
-    if(exponent_0 > 80.0f)
-    {
-        _S342 = 0.0f;
-        _S343 = 0.0f;
-    }
-    else
-    {
-        var _S344 : DiffPair_float_0 = DiffPair_float_0( - exponent_0, - s_diff_exponent_0 );
-        var _S345 : DiffPair_float_0 = s_fwd_exponential_0(_S344);
-        var _S346 : f32 = scale_0 * cos2_0;
-        var _S347 : f32 = _S346 * cos2_0;
-        var _S348 : f32 = (_S345.differential_0 * _S347 - _S345.primal_0 * ((s_diff_scale_0 * cos2_0 + s_diff_cos2_0 * scale_0) * cos2_0 + s_diff_cos2_0 * _S346)) / (_S347 * _S347);
-        _S342 = _S345.primal_0 / _S347;
-        _S343 = _S348;
-    }
-    var _S349 : DiffPair_float_0 = DiffPair_float_0( _S342, _S343 );
-    return _S349;
-}
-
-fn error_function_plus_one_0( x_11 : f32) -> vec2<f32>
-{
-    var _S350 : f32 = min(abs(x_11), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S350 * _S350);
-    var place_17 : f32 = (_S350 - 2.0f) / (_S350 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_17 - 0.00127731403335929f) * place_17 + 0.00131371302995831f) * place_17 + 0.008666617795825f) * place_17 - 0.00805134233087301f) * place_17 - 0.05421232059597969f) * place_17 + 0.1640533059835434f) * place_17 - 0.16603080928325653f) * place_17 - 0.09276388585567474f) * place_17 + 1.27697837352752686f) / (1.0f + 2.0f * _S350);
-    var _S351 : f32;
-    if(x_11 < 0.0f)
-    {
-        _S351 = complement_0;
-    }
-    else
-    {
-        _S351 = 2.0f - complement_0;
-    }
-    return vec2<f32>(_S351, 1.128379225730896f * gaussian_0);
-}
-
-fn error_function_changed_0( x_12 : DiffPair_float_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
-{
-    var both_0 : vec2<f32> = error_function_plus_one_0(x_12.primal_0);
-    var _S352 : f32 = both_0.y;
-    var _S353 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( both_0, vec2<f32>(_S352, -2.0f * x_12.primal_0 * _S352) * vec2<f32>(x_12.differential_0) );
-    return _S353;
-}
-
-fn visible_over_cos_0( facets_1 : Microfacets_0,  w_7 : vec3<f32>) -> f32
-{
-    var stretched_0 : vec2<f32> = w_7.xy * facets_1.alpha_1;
-    var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S354 : f32 = w_7.z;
-    var z2_1 : f32 = _S354 * _S354;
-    if((facets_1.distribution_1) == u32(1))
-    {
-        return 2.0f / (_S354 + sqrt(z2_1 + spread2_0));
-    }
-    if(z2_1 >= (36.0f * spread2_0))
-    {
-        return 1.0f / _S354;
-    }
-    var spread_0 : f32 = sqrt(spread2_0);
-    var both_1 : vec2<f32> = error_function_plus_one_0(_S354 / spread_0);
-    return 2.0f / (_S354 * both_1.x + 0.5f * spread_0 * both_1.y);
-}
-
-fn s_fwd_visible_over_cos_0( dpfacets_1 : DiffPair_Microfacets_0,  dpw_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
-{
-    var _S355 : vec2<f32> = dpw_0.primal_0.xy;
-    var _S356 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S355 * dpfacets_1.primal_0.alpha_1, dpw_0.differential_0.xy * dpfacets_1.primal_0.alpha_1 + dpfacets_1.differential_0.alpha_2 * _S355 );
-    var _S357 : DiffPair_float_0 = _d_dot_0(_S356, _S356);
-    var _S358 : f32 = dpw_0.primal_0.z;
-    var _S359 : f32 = dpw_0.differential_0.z;
-    var z2_2 : f32 = _S358 * _S358;
-    var _S360 : f32 = _S359 * _S358;
-    var s_diff_z2_0 : f32 = _S360 + _S360;
-    if((dpfacets_1.primal_0.distribution_1) == u32(1))
-    {
-        var _S361 : DiffPair_float_0 = DiffPair_float_0( z2_2 + _S357.primal_0, s_diff_z2_0 + _S357.differential_0 );
-        var _S362 : DiffPair_float_0 = _d_sqrt_0(_S361);
-        var _S363 : f32 = _S358 + _S362.primal_0;
-        var _S364 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S363, (0.0f - 2.0f * (_S359 + _S362.differential_0)) / (_S363 * _S363) );
-        return _S364;
-    }
-    if(z2_2 >= (36.0f * _S357.primal_0))
-    {
-        var _S365 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S358, (0.0f - _S359) / z2_2 );
-        return _S365;
-    }
-    var _S366 : DiffPair_float_0 = DiffPair_float_0( _S357.primal_0, _S357.differential_0 );
-    var _S367 : DiffPair_float_0 = _d_sqrt_0(_S366);
-    var _S368 : DiffPair_float_0 = DiffPair_float_0( _S358 / _S367.primal_0, (_S359 * _S367.primal_0 - _S358 * _S367.differential_0) / (_S367.primal_0 * _S367.primal_0) );
-    var _S369 : DiffPair_vectorx3Cfloatx2C2x3E_0 = error_function_changed_0(_S368);
-    var _S370 : f32 = _S369.primal_0.x;
-    var _S371 : f32 = 0.5f * _S367.primal_0;
-    var _S372 : f32 = _S369.primal_0.y;
-    var _S373 : f32 = _S358 * _S370 + _S371 * _S372;
-    var _S374 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S373, (0.0f - 2.0f * (_S359 * _S370 + _S369.differential_0.x * _S358 + (_S367.differential_0 * 0.5f * _S372 + _S369.differential_0.y * _S371))) / (_S373 * _S373) );
-    return _S374;
-}
-
-fn s_fwd_mirrored_0( dpfacets_2 : DiffPair_Microfacets_0,  dpwi_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Mirrored_0
-{
-    var _S375 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_0.primal_0 + dpwo_0.primal_0, dpwi_0.differential_0 + dpwo_0.differential_0 );
-    var _S376 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S375);
-    var _S377 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_0.primal_0, dpwi_0.differential_0 );
-    var _S378 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S376.primal_0, _S376.differential_0 );
-    var _S379 : DiffPair_float_0 = _d_dot_1(_S377, _S378);
-    var _S380 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( dpfacets_2.primal_0, dpfacets_2.differential_0 );
-    var _S381 : DiffPair_float_0 = s_fwd_density_0(_S380, _S378);
-    var _S382 : f32 = 0.25f * _S381.primal_0;
-    var _S383 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S380, _S377);
-    var _S384 : f32 = _S382 * _S383.primal_0;
-    var _S385 : f32 = _S381.differential_0 * 0.25f * _S383.primal_0 + _S383.differential_0 * _S382;
-    var _S386 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_0.primal_0, dpwo_0.differential_0 );
-    var _S387 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S380, _S386);
-    var _S388 : f32 = _S384 * _S387.primal_0;
-    var _S389 : f32 = dpwo_0.primal_0.z;
-    var _S390 : Mirrored_0 = Mirrored_0( _S379.primal_0, _S384, _S388 * _S389 );
-    var _S391 : Mirrored_0 = Mirrored_0( _S379.differential_0, _S385, (_S385 * _S387.primal_0 + _S387.differential_0 * _S384) * _S389 + dpwo_0.differential_0.z * _S388 );
-    var _S392 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S390, _S391 );
-    return _S392;
-}
-
-fn s_fwd_fresnel_conductor_channel_0( dpcosine_1 : DiffPair_float_0,  dpeta_0 : DiffPair_float_0,  dpk_0 : DiffPair_float_0) -> DiffPair_float_0
-{
-    var _S393 : f32 = dpcosine_1.primal_0;
-    var cos2_1 : f32 = _S393 * _S393;
-    var _S394 : f32 = dpcosine_1.differential_0 * dpcosine_1.primal_0;
-    var s_diff_cos2_1 : f32 = _S394 + _S394;
-    var sin2_0 : f32 = 1.0f - cos2_1;
-    var s_diff_sin2_0 : f32 = 0.0f - s_diff_cos2_1;
-    var _S395 : f32 = dpeta_0.differential_0 * dpeta_0.primal_0;
-    var _S396 : f32 = dpk_0.differential_0 * dpk_0.primal_0;
-    var real_0 : f32 = dpeta_0.primal_0 * dpeta_0.primal_0 - dpk_0.primal_0 * dpk_0.primal_0 - sin2_0;
-    var s_diff_real_0 : f32 = _S395 + _S395 - (_S396 + _S396) - s_diff_sin2_0;
-    var product_2 : f32 = dpeta_0.primal_0 * dpk_0.primal_0;
-    var s_diff_product_0 : f32 = dpeta_0.differential_0 * dpk_0.primal_0 + dpk_0.differential_0 * dpeta_0.primal_0;
-    var _S397 : f32 = s_diff_real_0 * real_0;
-    var _S398 : f32 = s_diff_product_0 * product_2;
-    var _S399 : DiffPair_float_0 = DiffPair_float_0( real_0 * real_0 + 4.0f * (product_2 * product_2), _S397 + _S397 + (_S398 + _S398) * 4.0f );
-    var _S400 : DiffPair_float_0 = _d_sqrt_0(_S399);
-    if((_S400.primal_0) == 0.0f)
-    {
-        var _S401 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
-        return _S401;
-    }
-    var _S402 : DiffPair_float_0 = DiffPair_float_0( real_0, s_diff_real_0 );
-    var _S403 : DiffPair_float_0 = _d_abs_0(_S402);
-    var _S404 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (_S400.primal_0 + _S403.primal_0), (_S400.differential_0 + _S403.differential_0) * 0.5f );
-    var _S405 : DiffPair_float_0 = _d_sqrt_0(_S404);
-    var smaller_0 : f32 = product_2 / _S405.primal_0;
-    var s_diff_smaller_0 : f32 = (s_diff_product_0 * _S405.primal_0 - product_2 * _S405.differential_0) / (_S405.primal_0 * _S405.primal_0);
-    var _S406 : bool = real_0 < 0.0f;
-    var a_21 : f32;
-    var s_diff_a_1 : f32;
-    if(_S406)
-    {
-        a_21 = smaller_0;
-        s_diff_a_1 = s_diff_smaller_0;
-    }
-    else
-    {
-        a_21 = _S405.primal_0;
-        s_diff_a_1 = _S405.differential_0;
-    }
-    var b_15 : f32;
-    var s_diff_b_1 : f32;
-    if(_S406)
-    {
-        b_15 = _S405.primal_0;
-        s_diff_b_1 = _S405.differential_0;
-    }
-    else
-    {
-        b_15 = smaller_0;
-        s_diff_b_1 = s_diff_smaller_0;
-    }
-    var less_0 : f32 = a_21 - dpcosine_1.primal_0;
-    var more_0 : f32 = a_21 + dpcosine_1.primal_0;
-    var _S407 : f32 = (s_diff_a_1 - dpcosine_1.differential_0) * less_0;
-    var _S408 : f32 = b_15 * b_15;
-    var _S409 : f32 = s_diff_b_1 * b_15;
-    var _S410 : f32 = _S409 + _S409;
-    var _S411 : f32 = less_0 * less_0 + _S408;
-    var _S412 : f32 = (s_diff_a_1 + dpcosine_1.differential_0) * more_0;
-    var _S413 : f32 = more_0 * more_0 + _S408;
-    var senkrecht_0 : f32 = _S411 / _S413;
-    var _S414 : f32 = s_diff_sin2_0 * sin2_0;
-    var p_sum_0 : f32 = _S400.primal_0 * cos2_1 + sin2_0 * sin2_0;
-    var s_diff_p_sum_0 : f32 = _S400.differential_0 * cos2_1 + s_diff_cos2_1 * _S400.primal_0 + (_S414 + _S414);
-    var _S415 : f32 = senkrecht_0 * p_sum_0;
-    var _S416 : f32 = 2.0f * a_21;
-    var _S417 : f32 = _S416 * dpcosine_1.primal_0;
-    var _S418 : f32 = p_sum_0 + _S417 * sin2_0;
-    var _S419 : DiffPair_float_0 = DiffPair_float_0( _S415 / _S418, ((((_S407 + _S407 + _S410) * _S413 - _S411 * (_S412 + _S412 + _S410)) / (_S413 * _S413) * p_sum_0 + s_diff_p_sum_0 * senkrecht_0) * _S418 - _S415 * (s_diff_p_sum_0 + ((s_diff_a_1 * 2.0f * dpcosine_1.primal_0 + dpcosine_1.differential_0 * _S416) * sin2_0 + s_diff_sin2_0 * _S417))) / (_S418 * _S418) );
-    return _S419;
-}
-
-fn s_fwd_fresnel_conductor_0( dpcosine_2 : DiffPair_float_0,  dpeta_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpk_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
-{
-    var _S420 : DiffPair_float_0 = DiffPair_float_0( dpcosine_2.primal_0, dpcosine_2.differential_0 );
-    var _S421 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.x, dpeta_1.differential_0.x );
-    var _S422 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.x, dpk_1.differential_0.x );
-    var _S423 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S420, _S421, _S422);
-    var _S424 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.y, dpeta_1.differential_0.y );
-    var _S425 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.y, dpk_1.differential_0.y );
-    var _S426 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S420, _S424, _S425);
-    var _S427 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0.z, dpeta_1.differential_0.z );
-    var _S428 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.z, dpk_1.differential_0.z );
-    var _S429 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S420, _S427, _S428);
-    var _S430 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S423.primal_0, _S426.primal_0, _S429.primal_0), vec3<f32>(_S423.differential_0, _S426.differential_0, _S429.differential_0) );
-    return _S430;
-}
-
-fn coat_eta_0( numbers_4 : Numbers_0) -> f32
-{
-    return luminance_0(numbers_4.eta_0) / luminance_0(numbers_4.k_0);
-}
-
-fn s_fwd_coat_eta_0( dpnumbers_1 : DiffPair_Numbers_0) -> DiffPair_float_0
-{
-    var _S431 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_1.primal_0.eta_0, dpnumbers_1.differential_0.eta_0 );
-    var _S432 : DiffPair_float_0 = s_fwd_luminance_0(_S431);
-    var _S433 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_1.primal_0.k_0, dpnumbers_1.differential_0.k_0 );
-    var _S434 : DiffPair_float_0 = s_fwd_luminance_0(_S433);
-    var _S435 : DiffPair_float_0 = DiffPair_float_0( _S432.primal_0 / _S434.primal_0, (_S432.differential_0 * _S434.primal_0 - _S432.primal_0 * _S434.differential_0) / (_S434.primal_0 * _S434.primal_0) );
-    return _S435;
-}
-
-fn fresnel_dielectric_0( cosine_5 : f32,  eta_1 : f32) -> f32
-{
-    var eta2_0 : f32 = eta_1 * eta_1;
-    var cos2_2 : f32 = cosine_5 * cosine_5;
-    var denser_0 : f32 = (eta_1 - 1.0f) * (eta_1 + 1.0f);
-    var squared_3 : f32 = denser_0 + cos2_2;
-    if(squared_3 <= 0.0f)
-    {
-        return 1.0f;
-    }
-    var refracted_0 : f32 = sqrt(squared_3);
-    var s_sum_0 : f32 = cosine_5 + refracted_0;
-    var p_sum_1 : f32 = eta2_0 * cosine_5 + refracted_0;
-    var senkrecht_1 : f32 = denser_0 / (s_sum_0 * s_sum_0);
-    var parallel_0 : f32 = denser_0 * ((eta2_0 + 1.0f) * cos2_2 - 1.0f) / (p_sum_1 * p_sum_1);
-    return 0.5f * (senkrecht_1 * senkrecht_1 + parallel_0 * parallel_0);
-}
-
-fn s_fwd_fresnel_dielectric_0( dpcosine_3 : DiffPair_float_0,  dpeta_2 : DiffPair_float_0) -> DiffPair_float_0
-{
-    var _S436 : f32 = dpeta_2.primal_0;
-    var eta2_1 : f32 = _S436 * _S436;
-    var _S437 : f32 = dpeta_2.differential_0 * dpeta_2.primal_0;
-    var s_diff_eta2_0 : f32 = _S437 + _S437;
-    var cos2_3 : f32 = dpcosine_3.primal_0 * dpcosine_3.primal_0;
-    var _S438 : f32 = dpcosine_3.differential_0 * dpcosine_3.primal_0;
-    var s_diff_cos2_2 : f32 = _S438 + _S438;
-    var _S439 : f32 = dpeta_2.primal_0 - 1.0f;
-    var _S440 : f32 = dpeta_2.primal_0 + 1.0f;
-    var denser_1 : f32 = _S439 * _S440;
-    var s_diff_denser_0 : f32 = dpeta_2.differential_0 * _S440 + dpeta_2.differential_0 * _S439;
-    var squared_4 : f32 = denser_1 + cos2_3;
-    var s_diff_squared_0 : f32 = s_diff_denser_0 + s_diff_cos2_2;
-    if(squared_4 <= 0.0f)
-    {
-        var _S441 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
-        return _S441;
-    }
-    var _S442 : DiffPair_float_0 = DiffPair_float_0( squared_4, s_diff_squared_0 );
-    var _S443 : DiffPair_float_0 = _d_sqrt_0(_S442);
-    var s_sum_1 : f32 = dpcosine_3.primal_0 + _S443.primal_0;
-    var p_sum_2 : f32 = eta2_1 * dpcosine_3.primal_0 + _S443.primal_0;
-    var _S444 : f32 = s_sum_1 * s_sum_1;
-    var _S445 : f32 = (dpcosine_3.differential_0 + _S443.differential_0) * s_sum_1;
-    var senkrecht_2 : f32 = denser_1 / _S444;
-    var _S446 : f32 = eta2_1 + 1.0f;
-    var _S447 : f32 = _S446 * cos2_3 - 1.0f;
-    var _S448 : f32 = denser_1 * _S447;
-    var _S449 : f32 = p_sum_2 * p_sum_2;
-    var _S450 : f32 = (s_diff_eta2_0 * dpcosine_3.primal_0 + dpcosine_3.differential_0 * eta2_1 + _S443.differential_0) * p_sum_2;
-    var parallel_1 : f32 = _S448 / _S449;
-    var _S451 : f32 = (s_diff_denser_0 * _S444 - denser_1 * (_S445 + _S445)) / (_S444 * _S444) * senkrecht_2;
-    var _S452 : f32 = ((s_diff_denser_0 * _S447 + (s_diff_eta2_0 * cos2_3 + s_diff_cos2_2 * _S446) * denser_1) * _S449 - _S448 * (_S450 + _S450)) / (_S449 * _S449) * parallel_1;
-    var _S453 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (senkrecht_2 * senkrecht_2 + parallel_1 * parallel_1), (_S451 + _S451 + (_S452 + _S452)) * 0.5f );
-    return _S453;
-}
-
-fn transmittance_0( lobe_6 : Lobe_0,  eta_2 : f32,  cosine_6 : f32) -> f32
-{
-    if((lobe_6.kind_1) == u32(3))
-    {
-        return 1.0f - fresnel_dielectric_0(cosine_6, eta_2);
-    }
-    var place_18 : f32 = cosine_6 * 63.0f;
-    var _S454 : u32 = min(u32(place_18), u32(62));
-    var at_23 : u32 = word_0(lobe_6.record_3 + u32(3)) + _S454;
-    var here_1 : f32 = number_0(at_23);
-    return here_1 + (number_0(at_23 + u32(1)) - here_1) * (place_18 - f32(_S454));
-}
-
-fn s_fwd_transmittance_0( lobe_7 : Lobe_0,  dpeta_3 : DiffPair_float_0,  dpcosine_4 : DiffPair_float_0) -> DiffPair_float_0
-{
-    if((lobe_7.kind_1) == u32(3))
-    {
-        var _S455 : DiffPair_float_0 = DiffPair_float_0( dpcosine_4.primal_0, dpcosine_4.differential_0 );
-        var _S456 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0, dpeta_3.differential_0 );
-        var _S457 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S455, _S456);
-        var _S458 : DiffPair_float_0 = DiffPair_float_0( 1.0f - _S457.primal_0, 0.0f - _S457.differential_0 );
-        return _S458;
-    }
-    var place_19 : f32 = dpcosine_4.primal_0 * 63.0f;
-    var _S459 : u32 = min(u32(place_19), u32(62));
-    var at_24 : u32 = word_0(lobe_7.record_3 + u32(3)) + _S459;
-    var here_2 : f32 = number_0(at_24);
-    var _S460 : f32 = number_0(at_24 + u32(1)) - here_2;
-    var _S461 : DiffPair_float_0 = DiffPair_float_0( here_2 + _S460 * (place_19 - f32(_S459)), dpcosine_4.differential_0 * 63.0f * _S460 );
-    return _S461;
-}
-
-fn s_fwd_fresnel_diffuse_0( dpeta_4 : DiffPair_float_0) -> DiffPair_float_0
-{
-    var inverse_1 : f32 = 1.0f / dpeta_4.primal_0;
-    var s_diff_inverse_0 : f32 = (0.0f - dpeta_4.differential_0) / (dpeta_4.primal_0 * dpeta_4.primal_0);
-    if((dpeta_4.primal_0) < 1.0f)
-    {
-        var _S462 : f32 = -1.43990004062652588f * dpeta_4.primal_0 + 0.70990002155303955f;
-        var _S463 : DiffPair_float_0 = DiffPair_float_0( _S462 * dpeta_4.primal_0 + 0.66809999942779541f + 0.06360000371932983f * inverse_1, dpeta_4.differential_0 * -1.43990004062652588f * dpeta_4.primal_0 + dpeta_4.differential_0 * _S462 + s_diff_inverse_0 * 0.06360000371932983f );
-        return _S463;
-    }
-    var _S464 : f32 = -1.36881005764007568f * inverse_1 + 4.98553991317749023f;
-    var _S465 : f32 = _S464 * inverse_1 - 7.80988979339599609f;
-    var sum_3 : f32 = _S465 * inverse_1 + 6.75334978103637695f;
-    var _S466 : f32 = sum_3 * inverse_1 - 3.47930002212524414f;
-    var _S467 : DiffPair_float_0 = DiffPair_float_0( _S466 * inverse_1 + 0.91931700706481934f, (((s_diff_inverse_0 * -1.36881005764007568f * inverse_1 + s_diff_inverse_0 * _S464) * inverse_1 + s_diff_inverse_0 * _S465) * inverse_1 + s_diff_inverse_0 * sum_3) * inverse_1 + s_diff_inverse_0 * _S466 );
-    return _S467;
-}
-
-fn s_fwd_base_0( lobe_8 : Lobe_0,  dpeta_5 : DiffPair_float_0,  dpdiffuse_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
-{
-    var internal_reflectance_0 : f32;
-    var s_diff_internal_reflectance_0 : f32;
-    if((lobe_8.kind_1) == u32(3))
-    {
-        var _S468 : DiffPair_float_0 = DiffPair_float_0( 1.0f / dpeta_5.primal_0, (0.0f - dpeta_5.differential_0) / (dpeta_5.primal_0 * dpeta_5.primal_0) );
-        var _S469 : DiffPair_float_0 = s_fwd_fresnel_diffuse_0(_S468);
-        internal_reflectance_0 = _S469.primal_0;
-        s_diff_internal_reflectance_0 = _S469.differential_0;
-    }
-    else
-    {
-        internal_reflectance_0 = number_0(word_0(lobe_8.record_3 + u32(3)) + u32(64));
-        s_diff_internal_reflectance_0 = 0.0f;
-    }
-    if((word_0(lobe_8.record_3 + u32(2))) == u32(0))
-    {
-        var _S470 : f32 = 1.0f - internal_reflectance_0;
-        var _S471 : vec3<f32> = vec3<f32>((1.0f / _S470));
-        var _S472 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 * _S471, dpdiffuse_0.differential_0 * _S471 + vec3<f32>(((0.0f - (0.0f - s_diff_internal_reflectance_0)) / (_S470 * _S470))) * dpdiffuse_0.primal_0 );
-        return _S472;
-    }
-    var _S473 : vec3<f32> = vec3<f32>(1.0f) - dpdiffuse_0.primal_0 * vec3<f32>(internal_reflectance_0);
-    var _S474 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 / _S473, (dpdiffuse_0.differential_0 * _S473 - dpdiffuse_0.primal_0 * (vec3<f32>(0.0f) - (dpdiffuse_0.differential_0 * vec3<f32>(internal_reflectance_0) + vec3<f32>(s_diff_internal_reflectance_0) * dpdiffuse_0.primal_0))) / (_S473 * _S473) );
-    return _S474;
-}
-
-fn choice_weight_0( colour_2 : vec3<f32>) -> f32
-{
-    return max((colour_2.x + colour_2.y + colour_2.z) / 3.0f, 0.05000000074505806f);
-}
-
-fn base_probability_0( numbers_5 : Numbers_0,  enters_0 : f32) -> f32
-{
-    var of_base_0 : f32 = enters_0 * choice_weight_0(numbers_5.diffuse_reflectance_0);
-    return of_base_0 / (of_base_0 + (1.0f - enters_0) * choice_weight_0(numbers_5.specular_reflectance_0));
-}
-
-struct Scattering_0
-{
-     value_9 : vec3<f32>,
-     pdf_3 : f32,
-};
-
-struct Scattering_Differential_0
-{
-     value_10 : vec3<f32>,
-};
-
-struct DiffPair_Scattering_0
-{
-     primal_0 : Scattering_0,
-     differential_0 : Scattering_Differential_0,
-};
-
-fn s_fwd_scattering_0( lobe_9 : Lobe_0,  dpnumbers_2 : DiffPair_Numbers_0,  dpwi_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Scattering_0
-{
-    var _S475 : f32 = dpwo_1.primal_0.z;
-    var _S476 : f32 = dpwo_1.differential_0.z;
-    var by_cosine_0 : f32 = _S475 * 0.31830987334251404f;
-    var _S477 : f32 = _S476 * 0.31830987334251404f;
-    if((lobe_9.kind_1) == u32(0))
-    {
-        var _S478 : vec3<f32> = vec3<f32>(by_cosine_0);
-        var _S479 : Scattering_0 = Scattering_0( dpnumbers_2.primal_0.diffuse_reflectance_0 * _S478, by_cosine_0 );
-        var _S480 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_2.differential_0.diffuse_reflectance_0 * _S478 + vec3<f32>(_S477) * dpnumbers_2.primal_0.diffuse_reflectance_0 );
-        var _S481 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S479, _S480 );
-        return _S481;
-    }
-    var _S482 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
-    var _S483 : DiffPair_Mirrored_0 = s_fwd_Mirrored_x24init_0(_S482, _S482, _S482);
-    var by_facets_0 : Mirrored_0;
-    var s_diff_by_facets_0 : Mirrored_0;
-    if(is_rough_0(lobe_9))
-    {
-        var _S484 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
-        var _S485 : DiffPair_Microfacets_0 = s_fwd_facets_of_0(lobe_9, _S484);
-        var _S486 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S485.primal_0, _S485.differential_0 );
-        var _S487 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_1.primal_0, dpwi_1.differential_0 );
-        var _S488 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_1.primal_0, dpwo_1.differential_0 );
-        var _S489 : DiffPair_Mirrored_0 = s_fwd_mirrored_0(_S486, _S487, _S488);
-        by_facets_0 = _S489.primal_0;
-        s_diff_by_facets_0 = _S489.differential_0;
-    }
-    else
-    {
-        by_facets_0 = _S483.primal_0;
-        s_diff_by_facets_0 = _S483.differential_0;
-    }
-    if((lobe_9.kind_1) == u32(2))
-    {
-        var _S490 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_4, s_diff_by_facets_0.cosine_4 );
-        var _S491 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.eta_0, dpnumbers_2.differential_0.eta_0 );
-        var _S492 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.k_0, dpnumbers_2.differential_0.k_0 );
-        var _S493 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S490, _S491, _S492);
-        var _S494 : vec3<f32> = vec3<f32>(by_facets_0.scattered_0);
-        var _S495 : vec3<f32> = _S493.primal_0 * _S494;
-        var _S496 : Scattering_0 = Scattering_0( dpnumbers_2.primal_0.specular_reflectance_0 * _S495, by_facets_0.pdf_2 );
-        var _S497 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_2.differential_0.specular_reflectance_0 * _S495 + (_S493.differential_0 * _S494 + vec3<f32>(s_diff_by_facets_0.scattered_0) * _S493.primal_0) * dpnumbers_2.primal_0.specular_reflectance_0 );
-        var _S498 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S496, _S497 );
-        return _S498;
-    }
-    var _S499 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
-    var _S500 : DiffPair_float_0 = s_fwd_coat_eta_0(_S499);
-    var _S501 : DiffPair_float_0 = DiffPair_float_0( _S500.primal_0, _S500.differential_0 );
-    var _S502 : DiffPair_float_0 = DiffPair_float_0( dpwi_1.primal_0.z, dpwi_1.differential_0.z );
-    var _S503 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_9, _S501, _S502);
-    var _S504 : DiffPair_float_0 = DiffPair_float_0( _S475, _S476 );
-    var _S505 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_9, _S501, _S504);
-    var _S506 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.diffuse_reflectance_0, dpnumbers_2.differential_0.diffuse_reflectance_0 );
-    var _S507 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_base_0(lobe_9, _S501, _S506);
-    var _S508 : f32 = _S503.primal_0 * _S505.primal_0;
-    var _S509 : f32 = _S508 * by_cosine_0;
-    var _S510 : f32 = _S500.primal_0 * _S500.primal_0;
-    var _S511 : f32 = _S500.differential_0 * _S500.primal_0;
-    var _S512 : vec3<f32> = vec3<f32>((_S509 / _S510));
-    var _S513 : vec3<f32> = _S507.primal_0 * _S512;
-    var _S514 : vec3<f32> = _S507.differential_0 * _S512 + vec3<f32>(((((_S503.differential_0 * _S505.primal_0 + _S505.differential_0 * _S503.primal_0) * by_cosine_0 + _S477 * _S508) * _S510 - _S509 * (_S511 + _S511)) / (_S510 * _S510))) * _S507.primal_0;
-    var probability_1 : f32 = base_probability_0(dpnumbers_2.primal_0, _S503.primal_0);
-    var _S515 : f32 = probability_1 * by_cosine_0;
-    var scattering_0 : Scattering_0;
-    var s_diff_scattering_0 : Scattering_Differential_0;
-    if((lobe_9.kind_1) == u32(4))
-    {
-        var _S516 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_4, s_diff_by_facets_0.cosine_4 );
-        var _S517 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S516, _S501);
-        var _S518 : vec3<f32> = vec3<f32>((_S517.primal_0 * by_facets_0.scattered_0));
-        var _S519 : vec3<f32> = _S514 + (dpnumbers_2.differential_0.specular_reflectance_0 * _S518 + vec3<f32>((_S517.differential_0 * by_facets_0.scattered_0 + s_diff_by_facets_0.scattered_0 * _S517.primal_0)) * dpnumbers_2.primal_0.specular_reflectance_0);
-        var _S520 : f32 = _S515 + (1.0f - probability_1) * by_facets_0.pdf_2;
-        scattering_0.value_9 = _S513 + dpnumbers_2.primal_0.specular_reflectance_0 * _S518;
-        scattering_0.pdf_3 = _S520;
-        s_diff_scattering_0.value_10 = _S519;
-    }
-    else
-    {
-        scattering_0.value_9 = _S513;
-        scattering_0.pdf_3 = _S515;
-        s_diff_scattering_0.value_10 = _S514;
-    }
-    var _S521 : DiffPair_Scattering_0 = DiffPair_Scattering_0( scattering_0, s_diff_scattering_0 );
-    return _S521;
-}
-
-struct Scattered_0
-{
-     value_11 : Vector_0,
-     pdf_4 : f32,
-};
-
-fn eval_and_pdf_0( lobe_10 : Lobe_0,  wi_2 : Vector_0,  wo_0 : Vector_0) -> Scattered_0
-{
-    var scattered_1 : Scattered_0;
-    scattered_1.value_11 = still_0(vec3<f32>(0.0f));
-    scattered_1.pdf_4 = 0.0f;
-    var _S522 : bool;
-    if((value_of_0(wo_0).z) <= 0.0f)
-    {
-        _S522 = true;
-    }
-    else
-    {
-        _S522 = !has_smooth_0(lobe_10);
-    }
-    if(_S522)
-    {
-        return scattered_1;
-    }
-    var _S523 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_10.numbers_2, lobe_10.changes_0 );
-    var _S524 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_2.value_0, wi_2.change_0 );
-    var _S525 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wo_0.value_0, wo_0.change_0 );
-    var _S526 : DiffPair_Scattering_0 = s_fwd_scattering_0(lobe_10, _S523, _S524, _S525);
-    scattered_1.value_11 = changing_0(_S526.primal_0.value_9, _S526.differential_0.value_10);
-    scattered_1.pdf_4 = _S526.primal_0.pdf_3;
-    return scattered_1;
-}
-
-fn scattered_to_0( vertex_5 : Vertex_0,  wo_1 : vec3<f32>,  direction_16 : Vector_0) -> Scattered_0
-{
-    return eval_and_pdf_0(vertex_5.lobe_1, vertex_5.wi_1, changing_0(wo_1, local_change_0(vertex_5, direction_16)));
-}
-
-fn drift_at_0( vertex_6 : Vertex_0,  direction_17 : Vector_0,  t_7 : f32) -> vec3<f32>
-{
-    return vertex_6.surface_4.position_change_0 + change_of_0(direction_17) * vec3<f32>(t_7);
-}
-
-fn met_0( vertex_7 : Vertex_0,  direction_18 : Vector_0,  t_8 : f32,  place_20 : Place_0) -> Place_0
-{
-    var _S527 : Place_0 = place_20;
-    var unused_0 : vec3<f32>;
-    move_place_0(&(_S527), &(unused_0), value_of_0(direction_18), drift_at_0(vertex_7, direction_18, t_8));
-    return _S527;
-}
-
-fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
-{
-    var ratio_0 : f32 = other_0 / own_2;
-    if(ratio_0 > 9.9999998430674944e+17f)
-    {
-        return 0.0f;
-    }
-    return 1.0f / (own_2 * (1.0f + ratio_0 * ratio_0));
-}
-
-fn in_map_0( map_6 : u32,  direction_19 : vec3<f32>) -> Lookup_0
-{
-    var place_21 : vec2<f32> = map_place_0(map_6, direction_19);
-    var point_1 : Point_0;
-    point_1.value_4 = place_21;
-    point_1.by_first_1 = vec2<f32>(1.0f, 0.0f);
-    point_1.by_second_1 = vec2<f32>(0.0f, 1.0f);
-    var x_13 : i32 = floor_of_0(place_21.x);
-    var y_5 : i32 = floor_of_0(place_21.y);
-    var width_4 : i32 = i32(word_0(map_6));
-    var height_1 : i32 = i32(word_0(map_6 + u32(1)));
-    var left_1 : u32 = wrapped_0(x_13, width_4, u32(0));
-    var right_1 : u32 = wrapped_0(x_13 + i32(1), width_4, u32(0));
-    var _S528 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S529 : u32 = u32(width_4);
-    var first_4 : u32 = _S528 * _S529;
-    var _S530 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S530 * _S529;
-    return between_0(vec4<u32>(first_4 + left_1, first_4 + right_1, second_2 + left_1, second_2 + right_1), point_1);
-}
-
-fn x2A_0( a_22 : Vector_0,  b_16 : Vector_0) -> Vector_0
-{
-    return changing_0(a_22.value_0 * b_16.value_0, a_22.change_0 * b_16.value_0 + a_22.value_0 * b_16.change_0);
-}
-
-fn emitted_0( emitter_5 : u32,  place_22 : Place_0,  direction_20 : Vector_0) -> Vector_0
-{
-    var record_14 : u32 = emitter_record_0(emitter_5);
-    var texture_7 : u32 = word_0(record_14 + u32(1));
-    if(!is_map_0(record_14))
-    {
-        var _S531 : Vector_0 = shown_0(texture_7, place_22);
-        return _S531;
-    }
-    var _S532 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_20.value_0, direction_20.change_0 );
-    var _S533 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S532);
-    var factor_0 : Vector_0 = looked_up_0(word_0(texture_7 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
-    var _S534 : u32 = word_0(texture_7 + u32(11));
-    var _S535 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_20));
-    return x2A_0(looked_up_0(_S534, _S535, _S533.differential_0), factor_0);
-}
-
-fn x2A_1( a_23 : Vector_0,  b_17 : f32) -> Vector_0
-{
-    var _S536 : vec3<f32> = vec3<f32>(b_17);
-    return changing_0(a_23.value_0 * _S536, a_23.change_0 * _S536);
-}
-
-fn x2B_0( a_24 : Vector_0,  b_18 : Vector_0) -> Vector_0
-{
-    return changing_0(a_24.value_0 + b_18.value_0, a_24.change_0 + b_18.change_0);
-}
-
-fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_8 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_5 : u32,  bsdf_samples_0 : f32,  importance_0 : vec3<f32>)
-{
-    var probability_2 : f32;
-    var emitter_6 : u32 = chosen_emitter_0(choice_5, random_0(key_7, first_5), &(probability_2));
-    if(probability_2 == 0.0f)
-    {
-        return;
-    }
-    var record_15 : u32 = emitter_record_0(emitter_6);
-    var point_2 : EmitterPoint_0;
-    var nearest_0 : f32 = limit_at_0(u32(2));
-    var direction_21 : vec3<f32>;
-    var way_2 : vec3<f32>;
-    var farthest_0 : f32;
-    var distance_4 : f32;
-    var nearest_1 : f32;
-    if(is_area_0(record_15))
-    {
-        point_2 = area_point_0(record_15, vertex_8.surface_4, key_7, first_5 + u32(1));
-        if(!((point_2.pdf_0) > 0.0f))
-        {
-            return;
-        }
-        var way_3 : vec3<f32> = position_of_0(point_2.place_15) - vertex_8.surface_4.exact_0;
-        var distance_5 : f32 = length(way_3);
-        var nearest_2 : f32 = nearest_0 / distance_5;
-        var _S537 : f32 = limit_at_0(u32(3));
-        direction_21 = way_3 / vec3<f32>(distance_5);
-        way_2 = way_3;
-        farthest_0 = _S537;
-        distance_4 = distance_5;
-        nearest_1 = nearest_2;
-    }
-    else
-    {
-        if(is_map_0(record_15))
-        {
-            var _S538 : u32 = word_0(record_15 + u32(1));
-            var _S539 : u32 = first_5 + u32(1);
-            var _S540 : f32 = point_2.pdf_0;
-            var _S541 : vec3<f32> = sample_map_0(_S538, key_7, _S539, &(_S540));
-            point_2.pdf_0 = _S540;
-            direction_21 = _S541;
-        }
-        else
-        {
-            var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_5 + u32(1)));
-            var _S542 : vec3<f32> = normalize(to_world_0(vertex_8.axes_1, local_1));
-            point_2.pdf_0 = local_1.z * 0.31830987334251404f;
-            direction_21 = _S542;
-        }
-        point_2.place_15 = vertex_8.surface_4.place_3;
-        var _S543 : f32 = limit_at_0(u32(1));
-        way_2 = direction_21;
-        farthest_0 = _S543;
-        distance_4 = 0.0f;
-        nearest_1 = nearest_0;
-    }
-    var wo_2 : vec3<f32> = to_local_0(vertex_8.axes_1, direction_21);
-    if((wo_2.z) <= 0.0f)
-    {
-        return;
-    }
-    var unused_1 : f32;
-    if((cast_0(vertex_8.surface_4.exact_0, way_2, nearest_1, farthest_0, true, &(unused_1)).face_7) != u32(4294967295))
-    {
-        return;
-    }
-    var own_3 : f32 = f32(word_0(u32(2))) * probability_2 * point_2.pdf_0;
-    if(!(own_3 > 0.0f))
-    {
-        return;
-    }
-    var moving_0 : Vector_0 = towards_emitter_0(vertex_8, direction_21, record_15);
-    var scattered_2 : Scattered_0 = scattered_to_0(vertex_8, wo_2, moving_0);
-    var place_23 : Place_0 = point_2.place_15;
-    var place_24 : Place_0;
-    if(is_area_0(record_15))
-    {
-        place_24 = met_0(vertex_8, moving_0, distance_4, place_23);
-    }
-    else
-    {
-        place_24 = place_23;
-    }
-    var weight_0 : f32 = weight_over_0(own_3, bsdf_samples_0 * scattered_2.pdf_4);
-    var _S544 : Vector_0 = emitted_0(emitter_6, place_24, moving_0);
-    (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, x2A_0(scattered_2.value_11, x2A_1(_S544, weight_0)));
-    return;
-}
-
-struct Stretched_0
-{
-     sine_4 : f32,
-     cosine_7 : f32,
-     around_0 : vec2<f32>,
-     length_0 : f32,
-};
-
-fn stretched_1( facets_2 : Microfacets_0,  wi_3 : vec3<f32>) -> Stretched_0
-{
-    var longer_0 : vec3<f32> = vec3<f32>(wi_3.xy * facets_2.alpha_1, wi_3.z);
-    var view_7 : Stretched_0;
-    var _S545 : f32 = length(longer_0);
-    view_7.length_0 = _S545;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S545);
-    var _S546 : vec2<f32> = longer_1.xy;
-    var _S547 : f32 = length(_S546);
-    view_7.sine_4 = _S547;
-    view_7.cosine_7 = longer_1.z;
-    var _S548 : vec2<f32>;
-    if(_S547 > 0.0f)
-    {
-        _S548 = _S546 / vec2<f32>(view_7.sine_4);
-    }
-    else
-    {
-        _S548 = vec2<f32>(1.0f, 0.0f);
-    }
-    view_7.around_0 = _S548;
-    return view_7;
-}
-
-fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
-{
-    var _S549 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S549);
-    var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
-    var across_3 : f32 = radius_2 * turn_3.y;
-    var along_5 : f32 = radius_2 * turn_3.x;
-    var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_7);
-    var hidden_0 : f32 = 1.0f - visible_0;
-    var _S550 : f32 = 1.0f - _S549;
-    var edge_0 : f32 = sqrt(_S550 + along_5 * along_5);
-    var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
-    var from_top_0 : f32 = edge_0 - along_5;
-    var from_bottom_0 : f32 = edge_0 + along_5;
-    var from_top_1 : f32;
-    var from_bottom_1 : f32;
-    if(along_5 > 0.0f)
-    {
-        from_top_1 = _S550 / from_bottom_0;
-        from_bottom_1 = from_bottom_0;
-    }
-    else
-    {
-        var _S551 : f32 = _S550 / from_top_0;
-        from_top_1 = from_top_0;
-        from_bottom_1 = _S551;
-    }
-    var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
-    return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_7, across_3, max(towards_0 * view_8.cosine_7 + up_0 * view_8.sine_4, 0.0f));
-}
-
-fn logarithm_0( x_14 : f32) -> f32
-{
-    var bits_0 : u32 = (bitcast<u32>((x_14)));
-    var power_2 : f32 = f32(i32((bits_0 >> (u32(23)))) - i32(126));
-    var m_0 : f32 = (bitcast<f32>(((((bits_0 & (u32(8388607)))) | (u32(1056964608))))));
-    var m_1 : f32;
-    var power_3 : f32;
-    if(m_0 < 0.70710676908493042f)
-    {
-        var power_4 : f32 = power_2 - 1.0f;
-        m_1 = m_0 + m_0;
-        power_3 = power_4;
-    }
-    else
-    {
-        m_1 = m_0;
-        power_3 = power_2;
-    }
-    var m_2 : f32 = m_1 - 1.0f;
-    var z_7 : f32 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * z_7 - 0.00021219444170129f * power_3 - 0.5f * z_7) + 0.693359375f * power_3;
-}
-
-fn error_function_inverse_0( p_0 : f32) -> f32
-{
-    var w_8 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
-    if(w_8 < 5.0f)
-    {
-        var w_9 : f32 = w_8 - 2.5f;
-        return ((((((((2.81022636272609816e-08f * w_9 + 3.43273939051869093e-07f) * w_9 - 3.52338770426285919e-06f) * w_9 - 4.39150653619435616e-06f) * w_9 + 0.00021858086984139f) * w_9 - 0.00125372502952814f) * w_9 - 0.00417768163606524f) * w_9 + 0.24664072692394257f) * w_9 + 1.50140941143035889f) * p_0;
-    }
-    var w_10 : f32 = sqrt(w_8) - 3.0f;
-    return ((((((((-0.0002002142573474f * w_10 + 0.00010095055768033f) * w_10 + 0.00134934321977198f) * w_10 - 0.00367342843674123f) * w_10 + 0.00573950773105025f) * w_10 - 0.00762246130034328f) * w_10 + 0.00943887047469616f) * w_10 + 1.00167405605316162f) * w_10 + 2.8329768180847168f) * p_0;
-}
-
-fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>) -> vec3<f32>
-{
-    var steepest_0 : f32;
-    if((view_9.sine_4 * 6.0f) > (view_9.cosine_7))
-    {
-        steepest_0 = view_9.cosine_7 / view_9.sine_4;
-    }
-    else
-    {
-        steepest_0 = 6.0f;
-    }
-    var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S552 : f32 = max(view_9.cosine_7, view_9.sine_4);
-    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S552 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S552, -6.0f, 0.5f * steepest_0);
-    var low_5 : f32 = -6.0f;
-    var high_2 : f32 = steepest_0;
-    var step_0 : u32 = u32(0);
-    for(;;)
-    {
-        if(step_0 < u32(32))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var both_2 : vec2<f32> = error_function_plus_one_0(slope_0);
-        var _S553 : f32 = both_2.y;
-        var error_0 : f32 = view_9.cosine_7 * both_2.x + 0.5f * view_9.sine_4 * _S553 - target_1;
-        var own_4 : f32 = _S553 * (view_9.cosine_7 - slope_0 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_0 * own_4 - _S553 * view_9.sine_4;
-        if(error_0 > 0.0f)
-        {
-            high_2 = slope_0;
-        }
-        else
-        {
-            low_5 = slope_0;
-        }
-        var next_0 : f32 = slope_0 - error_0 * own_4 / (own_4 * own_4 - 0.5f * error_0 * bend_0);
-        var _S554 : bool;
-        if(next_0 >= low_5)
-        {
-            _S554 = next_0 <= high_2;
-        }
-        else
-        {
-            _S554 = false;
-        }
-        var next_1 : f32;
-        if(!_S554)
-        {
-            next_1 = 0.5f * (low_5 + high_2);
-        }
-        else
-        {
-            next_1 = next_0;
-        }
-        if((abs(next_1 - slope_0)) < 0.00030000001424924f)
-        {
-            slope_0 = next_1;
-            break;
-        }
-        var _S555 : u32 = step_0 + u32(1);
-        slope_0 = next_1;
-        step_0 = _S555;
-    }
-    return vec3<f32>(- slope_0, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
-}
-
-fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_4 : vec3<f32>,  u_11 : vec2<f32>) -> vec3<f32>
-{
-    var view_10 : Stretched_0 = stretched_1(facets_3, wi_4);
-    var normal_9 : vec3<f32>;
-    if((facets_3.distribution_1) == u32(1))
-    {
-        normal_9 = ggx_normal_0(view_10, u_11);
-    }
-    else
-    {
-        normal_9 = beckmann_normal_0(view_10, visible_over_cos_0(facets_3, wi_4), u_11);
-    }
-    var _S556 : f32 = view_10.around_0.x;
-    var _S557 : f32 = normal_9.x;
-    var _S558 : f32 = view_10.around_0.y;
-    var _S559 : f32 = normal_9.y;
-    var normal_10 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S556 * _S557 - _S558 * _S559, _S558 * _S557 + _S556 * _S559) * facets_3.alpha_1, normal_9.z));
-    return normalize(normal_10 * vec3<f32>((2.0f * dot(wi_4, normal_10))) - wi_4);
-}
-
-struct Drawn_0
-{
-     wo_3 : vec3<f32>,
-     is_specular_0 : bool,
-     probability_3 : f32,
-};
-
-fn draw_0( lobe_11 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
-{
-    var _S560 : bool = (lobe_11.kind_1) == u32(0);
-    var has_base_0 : bool;
-    if(_S560)
-    {
-        has_base_0 = true;
-    }
-    else
-    {
-        has_base_0 = (lobe_11.kind_1) == u32(3);
-    }
-    if(has_base_0)
-    {
-        has_base_0 = true;
-    }
-    else
-    {
-        has_base_0 = (lobe_11.kind_1) == u32(4);
-    }
-    var of_base_1 : f32;
-    if(_S560)
-    {
-        of_base_1 = 1.0f;
-    }
-    else
-    {
-        of_base_1 = 0.0f;
-    }
-    var _S561 : bool;
-    if((lobe_11.kind_1) == u32(3))
-    {
-        _S561 = true;
-    }
-    else
-    {
-        _S561 = (lobe_11.kind_1) == u32(4);
-    }
-    if(_S561)
-    {
-        of_base_1 = base_probability_0(lobe_11.numbers_2, transmittance_0(lobe_11, coat_eta_0(lobe_11.numbers_2), wi_5.z));
-    }
-    var drawn_0 : Drawn_0;
-    drawn_0.is_specular_0 = false;
-    drawn_0.probability_3 = 1.0f;
-    if(has_base_0)
-    {
-        has_base_0 = choice_6 < of_base_1;
-    }
-    else
-    {
-        has_base_0 = false;
-    }
-    if(has_base_0)
-    {
-        drawn_0.wo_3 = sample_cosine_0(u_12);
-    }
-    else
-    {
-        if(is_rough_0(lobe_11))
-        {
-            drawn_0.wo_3 = mirrored_at_facet_0(facets_of_0(lobe_11, lobe_11.numbers_2), wi_5, u_12);
-        }
-        else
-        {
-            drawn_0.wo_3 = vec3<f32>((vec2<f32>(0) - wi_5.xy), wi_5.z);
-            drawn_0.is_specular_0 = true;
-            drawn_0.probability_3 = 1.0f - of_base_1;
-        }
-    }
-    return drawn_0;
-}
-
-fn specular_direction_0( vertex_9 : Vertex_0,  direction_22 : vec3<f32>,  wo_4 : vec3<f32>) -> Vector_0
-{
-    var change_7 : vec3<f32> = change_of_0(vertex_9.wi_1);
-    return changing_0(direction_22, to_world_0(vertex_9.axes_change_0, wo_4) + to_world_0(vertex_9.axes_1, vec3<f32>((vec2<f32>(0) - change_7.xy), change_7.z)));
-}
-
-fn s_fwd_specular_fraction_0( lobe_12 : Lobe_0,  dpnumbers_3 : DiffPair_Numbers_0,  dpwi_2 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
-{
-    if((lobe_12.kind_1) == u32(1))
-    {
-        var _S562 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
-        var _S563 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.eta_0, dpnumbers_3.differential_0.eta_0 );
-        var _S564 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.k_0, dpnumbers_3.differential_0.k_0 );
-        var _S565 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S562, _S563, _S564);
-        var _S566 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S565.primal_0, dpnumbers_3.differential_0.specular_reflectance_0 * _S565.primal_0 + _S565.differential_0 * dpnumbers_3.primal_0.specular_reflectance_0 );
-        return _S566;
-    }
-    var _S567 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_3.primal_0, dpnumbers_3.differential_0 );
-    var _S568 : DiffPair_float_0 = s_fwd_coat_eta_0(_S567);
-    var _S569 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
-    var _S570 : DiffPair_float_0 = DiffPair_float_0( _S568.primal_0, _S568.differential_0 );
-    var _S571 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S569, _S570);
-    var _S572 : vec3<f32> = vec3<f32>(_S571.primal_0);
-    var _S573 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S572, dpnumbers_3.differential_0.specular_reflectance_0 * _S572 + vec3<f32>(_S571.differential_0) * dpnumbers_3.primal_0.specular_reflectance_0 );
-    return _S573;
-}
-
-fn specular_0( lobe_13 : Lobe_0,  wi_6 : Vector_0) -> Vector_0
-{
-    var _S574 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_13.numbers_2, lobe_13.changes_0 );
-    var _S575 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_6.value_0, wi_6.change_0 );
-    var _S576 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_specular_fraction_0(lobe_13, _S574, _S575);
-    return changing_0(_S576.primal_0, _S576.differential_0);
-}
-
-fn first_from_0( position_6 : vec3<f32>,  direction_23 : vec3<f32>,  t_9 : ptr<function, f32>) -> Found_0
-{
-    var _S577 : Found_0 = cast_1(position_6, direction_23, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_9)));
-    return _S577;
-}
-
-fn place_of_0( found_6 : Found_0) -> Place_0
-{
-    return exact_place_0(found_6.triangle_9, found_6.v_11, found_6.w_6);
-}
-
-fn emitter_seen_0( found_7 : Found_0,  direction_24 : vec3<f32>) -> u32
-{
-    if((found_7.face_7) == u32(4294967295))
+    if((found_6.face_7) == u32(4294967295))
     {
         return word_0(u32(8));
     }
-    var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_9) + u32(4));
-    var _S578 : bool;
-    if(emitter_7 != u32(4294967295))
+    var emitter_6 : u32 = word_0(shape_of_0(found_6.triangle_9) + u32(4));
+    var _S563 : bool;
+    if(emitter_6 != u32(4294967295))
     {
-        _S578 = (dot(cross_of_0(found_7.triangle_9), direction_24)) < 0.0f;
+        _S563 = (dot(cross_of_0(found_6.triangle_9), direction_18)) < 0.0f;
     }
     else
     {
-        _S578 = false;
+        _S563 = false;
     }
-    var _S579 : u32;
-    if(_S578)
+    var _S564 : u32;
+    if(_S563)
     {
-        _S579 = emitter_7;
+        _S564 = emitter_6;
     }
     else
     {
-        _S579 = u32(4294967295);
+        _S564 = u32(4294967295);
     }
-    return _S579;
+    return _S564;
 }
 
-fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_25 : vec3<f32>,  distance_6 : f32) -> f32
+fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_19 : vec3<f32>,  distance_5 : f32) -> f32
 {
-    var own_5 : f32;
-    var rectangle_1 : u32 = word_0(record_16 + u32(4));
+    var own_3 : f32;
+    var rectangle_1 : u32 = word_0(record_15 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S580 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S580.solid_angle_0) > 0.0f))
+        var _S565 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S565.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S580.solid_angle_0) >= 0.00100000004749745f)
+        if((_S565.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S580.solid_angle_0;
+            return 1.0f / _S565.solid_angle_0;
         }
     }
-    var _S581 : u32 = word_0(word_0(record_16 + u32(7)) + face_8);
-    var nodes_at_2 : u32 = word_0(record_16 + u32(5));
+    var _S566 : u32 = word_0(word_0(record_15 + u32(7)) + face_8);
+    var nodes_at_2 : u32 = word_0(record_15 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
     for(;;)
@@ -4183,32 +4052,32 @@ fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S581 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S566 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
-            own_5 = shares_1.y;
+            own_3 = shares_1.y;
         }
         else
         {
-            own_5 = shares_1.x;
+            own_3 = shares_1.x;
         }
-        var chosen_3 : f32 = chosen_2 * own_5;
-        var _S582 : i32;
+        var chosen_3 : f32 = chosen_2 * own_3;
+        var _S567 : i32;
         if(is_second_1)
         {
-            _S582 = i32(3);
+            _S567 = i32(3);
         }
         else
         {
-            _S582 = i32(2);
+            _S567 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S582));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S567));
         chosen_2 = chosen_3;
     }
-    var _S583 : u32 = word_0(record_16 + u32(6));
-    var _S584 : u32 = word_0(node_6);
-    own_5 = 0.0f;
-    var k_5 : u32 = _S584;
+    var _S568 : u32 = word_0(record_15 + u32(6));
+    var _S569 : u32 = word_0(node_6);
+    own_3 = 0.0f;
+    var k_5 : u32 = _S569;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -4219,41 +4088,112 @@ fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
         {
             break;
         }
-        var angle_6 : f32 = face_solid_angle_0(record_16, word_0(_S583 + k_5), from_2.exact_0);
+        var angle_6 : f32 = face_solid_angle_0(record_15, word_0(_S568 + k_5), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_6;
-        if(k_5 == _S581)
+        if(k_5 == _S566)
         {
-            own_5 = angle_6;
+            own_3 = angle_6;
         }
         k_5 = k_5 + u32(1);
         total_3 = total_4;
     }
-    if(!(own_5 > 0.0f))
+    if(!(own_3 > 0.0f))
     {
         return 0.0f;
     }
-    return chosen_2 / total_3 * density_of_0(own_5, cross_of_0(emitter_triangle_0(record_16, face_8)), distance_6, direction_25);
+    return chosen_2 / total_3 * density_of_0(own_3, cross_of_0(emitter_triangle_0(record_15, face_8)), distance_5, direction_19);
 }
 
-fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  vertex_10 : Vertex_0,  direction_26 : vec3<f32>,  t_10 : f32) -> f32
+fn emitter_pdf_0( emitter_7 : u32,  found_7 : Found_0,  vertex_10 : Vertex_0,  direction_20 : vec3<f32>,  t_6 : f32) -> f32
+{
+    var record_16 : u32 = emitter_record_0(emitter_7);
+    if(is_map_0(record_16))
+    {
+        var _S570 : f32 = map_pdf_0(word_0(record_16 + u32(1)), direction_20);
+        return _S570;
+    }
+    if(!is_area_0(record_16))
+    {
+        return max(dot(vertex_10.axes_1.n_1, direction_20), 0.0f) * 0.31830987334251404f;
+    }
+    return area_pdf_0(record_16, found_7.face_7 - word_0(record_16 + u32(3)), vertex_10.surface_4, direction_20, t_6);
+}
+
+fn drift_at_0( vertex_11 : Vertex_0,  direction_21 : Vector_0,  t_7 : f32) -> vec3<f32>
+{
+    return vertex_11.surface_4.position_change_0 + change_of_0(direction_21) * vec3<f32>(t_7);
+}
+
+fn met_0( vertex_12 : Vertex_0,  direction_22 : Vector_0,  t_8 : f32,  place_21 : Place_0) -> Place_0
+{
+    var _S571 : Place_0 = place_21;
+    var unused_0 : vec3<f32>;
+    move_place_0(&(_S571), &(unused_0), value_of_0(direction_22), drift_at_0(vertex_12, direction_22, t_8));
+    return _S571;
+}
+
+fn weight_over_0( own_4 : f32,  other_0 : f32) -> f32
+{
+    var ratio_0 : f32 = other_0 / own_4;
+    if(ratio_0 > 9.9999998430674944e+17f)
+    {
+        return 0.0f;
+    }
+    return 1.0f / (own_4 * (1.0f + ratio_0 * ratio_0));
+}
+
+fn in_map_0( map_6 : u32,  direction_23 : vec3<f32>) -> Lookup_0
+{
+    var place_22 : vec2<f32> = map_place_0(map_6, direction_23);
+    var point_2 : Point_0;
+    point_2.value_4 = place_22;
+    point_2.by_first_1 = vec2<f32>(1.0f, 0.0f);
+    point_2.by_second_1 = vec2<f32>(0.0f, 1.0f);
+    var x_13 : i32 = floor_of_0(place_22.x);
+    var y_4 : i32 = floor_of_0(place_22.y);
+    var width_4 : i32 = i32(word_0(map_6));
+    var height_1 : i32 = i32(word_0(map_6 + u32(1)));
+    var left_1 : u32 = wrapped_0(x_13, width_4, u32(0));
+    var right_1 : u32 = wrapped_0(x_13 + i32(1), width_4, u32(0));
+    var _S572 : u32 = wrapped_0(y_4, height_1, u32(2));
+    var _S573 : u32 = u32(width_4);
+    var first_6 : u32 = _S572 * _S573;
+    var _S574 : u32 = wrapped_0(y_4 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S574 * _S573;
+    return between_0(vec4<u32>(first_6 + left_1, first_6 + right_1, second_2 + left_1, second_2 + right_1), point_2);
+}
+
+fn x2A_1( a_23 : Vector_0,  b_17 : Vector_0) -> Vector_0
+{
+    return changing_0(a_23.value_0 * b_17.value_0, a_23.change_0 * b_17.value_0 + a_23.value_0 * b_17.change_0);
+}
+
+fn emitted_0( emitter_8 : u32,  place_23 : Place_0,  direction_24 : Vector_0) -> Vector_0
 {
     var record_17 : u32 = emitter_record_0(emitter_8);
-    if(is_map_0(record_17))
+    var texture_7 : u32 = word_0(record_17 + u32(1));
+    if(!is_map_0(record_17))
     {
-        var _S585 : f32 = map_pdf_0(word_0(record_17 + u32(1)), direction_26);
-        return _S585;
+        var _S575 : Vector_0 = shown_0(texture_7, place_23);
+        return _S575;
     }
-    if(!is_area_0(record_17))
-    {
-        return max(dot(vertex_10.axes_1.n_1, direction_26), 0.0f) * 0.31830987334251404f;
-    }
-    return area_pdf_0(record_17, found_8.face_7 - word_0(record_17 + u32(3)), vertex_10.surface_4, direction_26, t_10);
+    var _S576 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_24.value_0, direction_24.change_0 );
+    var _S577 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S576);
+    var factor_0 : Vector_0 = looked_up_0(word_0(texture_7 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
+    var _S578 : u32 = word_0(texture_7 + u32(11));
+    var _S579 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_24));
+    return x2A_1(looked_up_0(_S578, _S579, _S577.differential_0), factor_0);
 }
 
-fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, Reflected_0>,  importance_1 : vec3<f32>) -> bool
+fn x2B_0( a_24 : Vector_0,  b_18 : Vector_0) -> Vector_0
+{
+    return changing_0(a_24.value_0 + b_18.value_0, a_24.change_0 + b_18.change_0);
+}
+
+fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_0 : vec3<f32>) -> bool
 {
     var depth_2 : u32 = launch_0.depth_0;
-    var first_6 : u32 = vertex_numbers_0(launch_0.depth_0);
+    var _S580 : u32 = vertex_numbers_0(launch_0.depth_0);
     var incoming_0 : vec3<f32> = value_of_0((*path_6).direction_0);
     var surface_6 : Surface_0 = surface_at_0((*path_6).place_1, incoming_0);
     move_surface_0(&(surface_6), incoming_0, (*path_6).drift_0);
@@ -4262,14 +4202,14 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         return false;
     }
-    var vertex_11 : Vertex_0 = vertex_at_0(surface_6, material_1, (*path_6).direction_0);
+    var vertex_13 : Vertex_0 = vertex_at_0(surface_6, material_1, (*path_6).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S586 : u32 = word_0(u32(3));
-    var _S587 : bool = !reaches_0(depth_2 + u32(3));
+    var _S581 : u32 = word_0(u32(3));
+    var _S582 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S587)
+    if(_S582)
     {
-        goes_on_0 = (vertex_11.lobe_1.kind_1) == u32(0);
+        goes_on_0 = (vertex_13.lobe_1.kind_1) == u32(0);
     }
     else
     {
@@ -4283,17 +4223,17 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         goes_on_0 = false;
     }
-    var bsdf_samples_1 : u32;
+    var bsdf_samples_0 : u32;
     if(goes_on_0)
     {
-        bsdf_samples_1 = u32(0);
+        bsdf_samples_0 = u32(0);
     }
     else
     {
-        bsdf_samples_1 = _S586;
+        bsdf_samples_0 = _S581;
     }
     var on_emitters_0 : u32;
-    if(has_smooth_0(vertex_11.lobe_1))
+    if(has_smooth_0(vertex_13.lobe_1))
     {
         on_emitters_0 = emitter_samples_0;
     }
@@ -4301,147 +4241,189 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S588 : Choice_0 = choice_at_0(surface_6.position_0, vertex_11.axes_1.n_1, on_emitters_0 == u32(0));
-    var i_4 : u32 = u32(0);
-    for(;;)
-    {
-        if(i_4 < on_emitters_0)
-        {
-        }
-        else
-        {
-            break;
-        }
-        add_light_from_emitter_0(&((*reflected_2)), vertex_11, _S588, (*path_6).key_0, first_6 + u32(3) * i_4, f32(bsdf_samples_1), importance_1);
-        i_4 = i_4 + u32(1);
-    }
-    var first_7 : u32 = first_6 + u32(3) * emitter_samples_0;
+    var _S583 : Choice_0 = choice_at_0(surface_6.position_0, vertex_13.axes_1.n_1, on_emitters_0 == u32(0));
     goes_on_0 = false;
     var next_2 : Place_0 = (*path_6).place_1;
     var next_direction_0 : Vector_0 = (*path_6).direction_0;
     var next_distance_0 : f32 = 0.0f;
-    var k_6 : u32 = u32(0);
+    var i_4 : u32 = u32(0);
     for(;;)
     {
-        if(k_6 < bsdf_samples_1)
+        if(i_4 < (on_emitters_0 + bsdf_samples_0))
         {
         }
         else
         {
             break;
         }
-        var own_first_0 : u32 = first_7 + u32(3) * k_6;
-        var drawn_1 : Drawn_0 = draw_0(vertex_11.lobe_1, value_of_0(vertex_11.wi_1), random_0((*path_6).key_0, own_first_0), random_pair_0((*path_6).key_0, own_first_0 + u32(1)));
-        var direction_27 : vec3<f32> = normalize(to_world_0(vertex_11.axes_1, drawn_1.wo_3));
-        var moving_1 : Vector_0;
-        if(drawn_1.is_specular_0)
-        {
-            moving_1 = specular_direction_0(vertex_11, direction_27, drawn_1.wo_3);
-        }
-        else
-        {
-            moving_1 = changing_0(direction_27, turning_0(vertex_11, direction_27));
-        }
-        var scattered_3 : Scattered_0;
-        if(drawn_1.is_specular_0)
-        {
-            scattered_3.value_11 = specular_0(vertex_11.lobe_1, vertex_11.wi_1);
-            scattered_3.pdf_4 = drawn_1.probability_3;
-        }
-        else
-        {
-            scattered_3 = scattered_to_0(vertex_11, drawn_1.wo_3, moving_1);
-        }
-        if(!((scattered_3.pdf_4) > 0.0f))
-        {
-            k_6 = k_6 + u32(1);
-            continue;
-        }
-        var t_11 : f32;
-        var found_9 : Found_0 = first_from_0(surface_6.exact_0, direction_27, &(t_11));
+        var sample_3 : LightSample_0;
         var goes_on_1 : bool;
         var next_3 : Place_0;
         var next_direction_1 : Vector_0;
-        var next_distance_1 : f32;
-        if(k_6 == u32(0))
+        if(i_4 < on_emitters_0)
         {
-            var _S589 : bool = (found_9.face_7) != u32(4294967295);
-            var _S590 : Place_0 = place_of_0(found_9);
-            (*reflected_2).onward_0 = x2A_1(scattered_3.value_11, 1.0f / scattered_3.pdf_4);
-            goes_on_1 = _S589;
-            next_3 = _S590;
-            next_direction_1 = moving_1;
-            next_distance_1 = t_11;
+            var _S584 : bool = sample_emitter_0(vertex_13, _S583, (*path_6).key_0, _S580 + u32(3) * i_4, &(sample_3));
+            if(!_S584)
+            {
+                goes_on_1 = goes_on_0;
+                next_3 = next_2;
+                next_direction_1 = next_direction_0;
+                var _S585 : u32 = i_4 + u32(1);
+                goes_on_0 = goes_on_1;
+                next_2 = next_3;
+                next_direction_0 = next_direction_1;
+                i_4 = _S585;
+                continue;
+            }
         }
         else
         {
+            sample_3 = sample_material_0(vertex_13, (*path_6).key_0, _S580 + u32(3) * emitter_samples_0 + u32(3) * (i_4 - on_emitters_0));
+        }
+        var moving_1 : Vector_0;
+        var scattered_3 : Scattered_0 = scattered_along_0(vertex_13, sample_3, &(moving_1));
+        var _S586 : bool;
+        if(!sample_3.is_on_emitter_0)
+        {
+            _S586 = !((scattered_3.pdf_5) > 0.0f);
+        }
+        else
+        {
+            _S586 = false;
+        }
+        if(_S586)
+        {
+            goes_on_1 = goes_on_0;
+            next_3 = next_2;
+            next_direction_1 = next_direction_0;
+            var _S585 : u32 = i_4 + u32(1);
+            goes_on_0 = goes_on_1;
+            next_2 = next_3;
+            next_direction_0 = next_direction_1;
+            i_4 = _S585;
+            continue;
+        }
+        var t_9 : f32;
+        var found_8 : Found_0 = cast_0(surface_6.exact_0, sample_3.way_1, sample_3.nearest_0, sample_3.farthest_0, sample_3.is_on_emitter_0, &(t_9));
+        var own_5 : f32;
+        var other_1 : f32;
+        var next_distance_1 : f32;
+        var scattered_4 : Scattered_0;
+        if(sample_3.is_on_emitter_0)
+        {
+            if((found_8.face_7) != u32(4294967295))
+            {
+                goes_on_1 = goes_on_0;
+                next_3 = next_2;
+                next_direction_1 = next_direction_0;
+                var _S585 : u32 = i_4 + u32(1);
+                goes_on_0 = goes_on_1;
+                next_2 = next_3;
+                next_direction_0 = next_direction_1;
+                i_4 = _S585;
+                continue;
+            }
+            var own_6 : f32 = f32(emitter_samples_0) * sample_3.probability_1 * sample_3.pdf_2;
+            if(!(own_6 > 0.0f))
+            {
+                goes_on_1 = goes_on_0;
+                next_3 = next_2;
+                next_direction_1 = next_direction_0;
+                var _S585 : u32 = i_4 + u32(1);
+                goes_on_0 = goes_on_1;
+                next_2 = next_3;
+                next_direction_0 = next_direction_1;
+                i_4 = _S585;
+                continue;
+            }
+            var _S587 : f32 = f32(bsdf_samples_0) * scattered_3.pdf_5;
+            own_5 = own_6;
+            other_1 = _S587;
+            scattered_4 = scattered_3;
             goes_on_1 = goes_on_0;
             next_3 = next_2;
             next_direction_1 = next_direction_0;
             next_distance_1 = next_distance_0;
         }
-        var emitter_9 : u32 = emitter_seen_0(found_9, direction_27);
-        if(emitter_9 == u32(4294967295))
+        else
         {
-            goes_on_0 = goes_on_1;
-            next_2 = next_3;
-            next_direction_0 = next_direction_1;
-            next_distance_0 = next_distance_1;
-            k_6 = k_6 + u32(1);
-            continue;
+            if(i_4 == on_emitters_0)
+            {
+                var _S588 : bool = (found_8.face_7) != u32(4294967295);
+                var _S589 : Place_0 = place_of_0(found_8);
+                (*reflected_1).onward_0 = x2A_0(scattered_3.value_11, 1.0f / scattered_3.pdf_5);
+                goes_on_1 = _S588;
+                next_3 = _S589;
+                next_direction_1 = moving_1;
+                own_5 = t_9;
+            }
+            else
+            {
+                goes_on_1 = goes_on_0;
+                next_3 = next_2;
+                next_direction_1 = next_direction_0;
+                own_5 = next_distance_0;
+            }
+            var _S590 : u32 = emitter_seen_0(found_8, sample_3.direction_11);
+            sample_3.emitter_5 = _S590;
+            if(_S590 == u32(4294967295))
+            {
+                next_distance_0 = own_5;
+                var _S585 : u32 = i_4 + u32(1);
+                goes_on_0 = goes_on_1;
+                next_2 = next_3;
+                next_direction_0 = next_direction_1;
+                i_4 = _S585;
+                continue;
+            }
+            sample_3.place_17 = place_of_0(found_8);
+            sample_3.distance_4 = t_9;
+            var _S591 : f32 = f32(bsdf_samples_0) * scattered_3.pdf_5;
+            var _S592 : bool;
+            if(!sample_3.is_specular_0)
+            {
+                _S592 = emitter_samples_0 != u32(0);
+            }
+            else
+            {
+                _S592 = false;
+            }
+            if(_S592)
+            {
+                var pdf_6 : f32 = emitter_pdf_0(sample_3.emitter_5, found_8, vertex_13, sample_3.direction_11, t_9);
+                other_1 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S583) * pdf_6;
+            }
+            else
+            {
+                other_1 = 0.0f;
+            }
+            var _S593 : Scattered_0 = scattered_along_0(vertex_13, sample_3, &(moving_1));
+            var _S594 : f32 = own_5;
+            own_5 = _S591;
+            scattered_4 = _S593;
+            next_distance_1 = _S594;
         }
-        var own_6 : f32 = f32(bsdf_samples_1) * scattered_3.pdf_4;
-        var _S591 : bool = !drawn_1.is_specular_0;
-        var _S592 : bool;
-        if(_S591)
+        var place_24 : Place_0 = sample_3.place_17;
+        var place_25 : Place_0;
+        if(is_area_0(emitter_record_0(sample_3.emitter_5)))
         {
-            _S592 = emitter_samples_0 != u32(0);
+            place_25 = met_0(vertex_13, moving_1, sample_3.distance_4, place_24);
         }
         else
         {
-            _S592 = false;
+            place_25 = place_24;
         }
-        var other_1 : f32;
-        if(_S592)
-        {
-            var pdf_5 : f32 = emitter_pdf_0(emitter_9, found_9, vertex_11, direction_27, t_11);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S588) * pdf_5;
-        }
-        else
-        {
-            other_1 = 0.0f;
-        }
-        var moving_2 : Vector_0;
-        if(_S591)
-        {
-            var moving_3 : Vector_0 = towards_emitter_0(vertex_11, direction_27, emitter_record_0(emitter_9));
-            scattered_3 = scattered_to_0(vertex_11, drawn_1.wo_3, moving_3);
-            moving_2 = moving_3;
-        }
-        else
-        {
-            moving_2 = moving_1;
-        }
-        var place_25 : Place_0 = place_of_0(found_9);
-        var place_26 : Place_0;
-        if((found_9.face_7) != u32(4294967295))
-        {
-            place_26 = met_0(vertex_11, moving_2, t_11, place_25);
-        }
-        else
-        {
-            place_26 = place_25;
-        }
-        var weight_1 : f32 = weight_over_0(own_6, other_1);
-        var _S593 : Vector_0 = emitted_0(emitter_9, place_26, moving_2);
-        (*reflected_2).direct_0 = x2B_0((*reflected_2).direct_0, x2A_0(scattered_3.value_11, x2A_1(_S593, weight_1)));
+        var weight_0 : f32 = weight_over_0(own_5, other_1);
+        var _S595 : Vector_0 = emitted_0(sample_3.emitter_5, place_25, moving_1);
+        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, x2A_1(scattered_4.value_11, x2A_0(_S595, weight_0)));
+        next_distance_0 = next_distance_1;
+        var _S585 : u32 = i_4 + u32(1);
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
-        next_distance_0 = next_distance_1;
-        k_6 = k_6 + u32(1);
+        i_4 = _S585;
     }
-    if(_S587)
+    if(_S582)
     {
         goes_on_0 = true;
     }
@@ -4453,21 +4435,21 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         return false;
     }
-    var throughput_1 : vec3<f32> = value_of_0((*path_6).throughput_0) * value_of_0((*reflected_2).onward_0);
-    var _S594 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    var _S595 : u32 = depth_2 + u32(1);
-    if(_S595 >= (word_0(u32(1))))
+    var throughput_1 : vec3<f32> = value_of_0((*path_6).throughput_0) * value_of_0((*reflected_1).onward_0);
+    var _S596 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    var _S597 : u32 = depth_2 + u32(1);
+    if(_S597 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S594, 0.05000000074505806f, 0.94999998807907104f);
-        if((random_0((*path_6).key_0, vertex_numbers_0(_S595) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S596, 0.05000000074505806f, 0.94999998807907104f);
+        if((random_0((*path_6).key_0, vertex_numbers_0(_S597) - u32(1))) >= survival_0)
         {
             return false;
         }
-        (*reflected_2).onward_0 = x2A_1((*reflected_2).onward_0, 1.0f / survival_0);
+        (*reflected_1).onward_0 = x2A_0((*reflected_1).onward_0, 1.0f / survival_0);
     }
     (*path_6).place_1 = next_2;
     (*path_6).direction_0 = next_direction_0;
-    (*path_6).drift_0 = drift_at_0(vertex_11, next_direction_0, next_distance_0);
+    (*path_6).drift_0 = drift_at_0(vertex_13, next_direction_0, next_distance_0);
     return true;
 }
 
@@ -4479,6 +4461,25 @@ fn set_word_0( path_7 : u32,  which_6 : u32,  value_12 : u32)
 
 fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_13 : vec3<f32>)
 {
+    var axis_5 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_5 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_8, (*which_7) + axis_5, (bitcast<u32>((value_13[axis_5]))));
+        axis_5 = axis_5 + u32(1);
+    }
+    (*which_7) = (*which_7) + u32(3);
+    return;
+}
+
+fn set_vector_1( path_9 : u32,  which_8 : ptr<function, u32>,  value_14 : vec3<f32>)
+{
     var axis_6 : u32 = u32(0);
     for(;;)
     {
@@ -4489,27 +4490,8 @@ fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_13 : vec3<f
         {
             break;
         }
-        set_word_0(path_8, (*which_7) + axis_6, (bitcast<u32>((value_13[axis_6]))));
+        set_word_0(path_9, (*which_8) + axis_6, (bitcast<u32>((value_14[axis_6]))));
         axis_6 = axis_6 + u32(1);
-    }
-    (*which_7) = (*which_7) + u32(3);
-    return;
-}
-
-fn set_vector_1( path_9 : u32,  which_8 : ptr<function, u32>,  value_14 : vec3<f32>)
-{
-    var axis_7 : u32 = u32(0);
-    for(;;)
-    {
-        if(axis_7 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        set_word_0(path_9, (*which_8) + axis_7, (bitcast<u32>((value_14[axis_7]))));
-        axis_7 = axis_7 + u32(1);
     }
     (*which_8) = (*which_8) + u32(3);
     return;
@@ -4522,13 +4504,13 @@ fn set_changing_0( path_10 : u32,  which_9 : ptr<function, u32>,  vector_4 : Vec
     return;
 }
 
-fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_27 : Place_0)
+fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_26 : Place_0)
 {
-    set_word_0(path_11, (*which_10), place_27.triangle_0);
-    set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_27.v_0))));
-    set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_27.w_0))));
-    set_word_0(path_11, (*which_10) + u32(3), (bitcast<u32>((place_27.v_rest_0))));
-    set_word_0(path_11, (*which_10) + u32(4), (bitcast<u32>((place_27.w_rest_0))));
+    set_word_0(path_11, (*which_10), place_26.triangle_0);
+    set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_26.v_0))));
+    set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_26.w_0))));
+    set_word_0(path_11, (*which_10) + u32(3), (bitcast<u32>((place_26.v_rest_0))));
+    set_word_0(path_11, (*which_10) + u32(4), (bitcast<u32>((place_26.w_rest_0))));
     (*which_10) = (*which_10) + u32(5);
     return;
 }
@@ -4548,13 +4530,13 @@ fn store_0( number_of_path_1 : u32,  path_12 : Path_0)
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S596 : u32;
+    var _S598 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S597 : u32 = u32(2) + zero_0;
-        _S596 = _S597;
-        if(rounds_0 < _S597)
+        var _S599 : u32 = u32(2) + zero_0;
+        _S598 = _S599;
+        if(rounds_0 < _S599)
         {
         }
         else
@@ -4563,14 +4545,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S596;
+    return rounds_0 == _S598;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S598 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S600 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4584,21 +4566,21 @@ fn take_thread_further_0( thread_0 : u32)
     }
     var number_of_path_2 : u32 = input_0[at_26];
     var path_13 : Path_0 = load_0(number_of_path_2);
-    var reflected_3 : Reflected_0 = nothing_reflected_0();
-    var goes_on_2 : bool = take_further_0(&(path_13), &(reflected_3), vec3<f32>(0.0f));
-    path_13.light_0 = x2B_0(path_13.light_0, x2A_0(path_13.throughput_0, reflected_3.direct_0));
-    path_13.throughput_0 = x2A_0(path_13.throughput_0, reflected_3.onward_0);
+    var reflected_2 : Reflected_0 = nothing_reflected_0();
+    var goes_on_2 : bool = take_further_0(&(path_13), &(reflected_2), vec3<f32>(0.0f));
+    path_13.light_0 = x2B_0(path_13.light_0, x2A_1(path_13.throughput_0, reflected_2.direct_0));
+    path_13.throughput_0 = x2A_1(path_13.throughput_0, reflected_2.onward_0);
     store_0(number_of_path_2, path_13);
-    var _S599 : u32;
+    var _S601 : u32;
     if(goes_on_2)
     {
-        _S599 = number_of_path_2;
+        _S601 = number_of_path_2;
     }
     else
     {
-        _S599 = u32(4294967295);
+        _S601 = u32(4294967295);
     }
-    set_word_0(at_26, u32(0), _S599);
+    set_word_0(at_26, u32(0), _S601);
     check_loops_0();
     return;
 }

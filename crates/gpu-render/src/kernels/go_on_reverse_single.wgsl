@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: c9ae3777bc1517cb
-// result: e5236d8befbf22e5
+// source: 72694fe2b1dd365f
+// result: a31ecec87396d9f1
 
 struct Launch_std140_0
 {
@@ -4806,6 +4806,11 @@ fn choice_at_0( position_6 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
     return choice_2;
 }
 
+fn limit_at_0( which_5 : u32) -> f32
+{
+    return primitives_0[word_0(u32(13)) + which_5];
+}
+
 fn product_2( a_10 : u32,  b_7 : u32) -> vec2<u32>
 {
     var a0_0 : u32 = (a_10 & (u32(65535)));
@@ -4924,11 +4929,6 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_2 : ptr<funct
         rest_1 = rest_2;
     }
     return found_0;
-}
-
-fn limit_at_0( which_5 : u32) -> f32
-{
-    return primitives_0[word_0(u32(13)) + which_5];
 }
 
 fn place_at_0( triangle_6 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
@@ -5611,25 +5611,715 @@ fn to_world_0( axes_6 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
     return axes_6.s_0 * vec3<f32>(v_7.x) + axes_6.t_0 * vec3<f32>(v_7.y) + axes_6.n_0 * vec3<f32>(v_7.z);
 }
 
+struct LightSample_0
+{
+     direction_10 : vec3<f32>,
+     wo_1 : vec3<f32>,
+     way_1 : vec3<f32>,
+     nearest_0 : f32,
+     farthest_0 : f32,
+     is_on_emitter_0 : bool,
+     emitter_5 : u32,
+     probability_3 : f32,
+     pdf_4 : f32,
+     distance_6 : f32,
+     place_15 : Place_0,
+     is_specular_1 : bool,
+};
+
+fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_3 : u32,  sample_0 : ptr<function, LightSample_0>) -> bool
+{
+    (*sample_0).is_on_emitter_0 = true;
+    (*sample_0).is_specular_1 = false;
+    (*sample_0).direction_10 = vertex_1.axes_4.n_0;
+    (*sample_0).wo_1 = vec3<f32>(0.0f);
+    (*sample_0).way_1 = vertex_1.surface_3.exact_0;
+    (*sample_0).distance_6 = 0.0f;
+    (*sample_0).pdf_4 = 0.0f;
+    (*sample_0).place_15 = vertex_1.surface_3.place_5;
+    (*sample_0).nearest_0 = limit_at_0(u32(2));
+    (*sample_0).farthest_0 = limit_at_0(u32(1));
+    var _S1231 : f32 = random_0(key_7, first_3);
+    var _S1232 : f32 = (*sample_0).probability_3;
+    var _S1233 : u32 = chosen_emitter_0(choice_5, _S1231, &(_S1232));
+    (*sample_0).probability_3 = _S1232;
+    (*sample_0).emitter_5 = _S1233;
+    if(_S1232 == 0.0f)
+    {
+        return false;
+    }
+    var record_12 : u32 = emitter_record_0((*sample_0).emitter_5);
+    if(is_area_0(record_12))
+    {
+        var point_1 : EmitterPoint_0 = area_point_0(record_12, vertex_1.surface_3, key_7, first_3 + u32(1));
+        if(!((point_1.pdf_2) > 0.0f))
+        {
+            return false;
+        }
+        (*sample_0).pdf_4 = point_1.pdf_2;
+        (*sample_0).place_15 = point_1.place_13;
+        var _S1234 : vec3<f32> = position_of_0(point_1.place_13) - vertex_1.surface_3.exact_0;
+        (*sample_0).way_1 = _S1234;
+        var _S1235 : f32 = length(_S1234);
+        (*sample_0).distance_6 = _S1235;
+        (*sample_0).direction_10 = _S1234 / vec3<f32>(_S1235);
+        (*sample_0).nearest_0 = (*sample_0).nearest_0 / _S1235;
+        (*sample_0).farthest_0 = limit_at_0(u32(3));
+    }
+    else
+    {
+        if(is_map_0(record_12))
+        {
+            var _S1236 : u32 = word_0(record_12 + u32(1));
+            var _S1237 : u32 = first_3 + u32(1);
+            var _S1238 : f32 = (*sample_0).pdf_4;
+            var _S1239 : vec3<f32> = sample_map_0(_S1236, key_7, _S1237, &(_S1238));
+            (*sample_0).pdf_4 = _S1238;
+            (*sample_0).direction_10 = _S1239;
+        }
+        else
+        {
+            var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_3 + u32(1)));
+            (*sample_0).direction_10 = normalize(to_world_0(vertex_1.axes_4, local_1));
+            (*sample_0).pdf_4 = local_1.z * 0.31830987334251404f;
+        }
+        (*sample_0).way_1 = (*sample_0).direction_10;
+    }
+    var _S1240 : vec3<f32> = to_local_0(vertex_1.axes_4, (*sample_0).direction_10);
+    (*sample_0).wo_1 = _S1240;
+    return (_S1240.z) > 0.0f;
+}
+
+fn coat_eta_0( numbers_5 : Numbers_0) -> f32
+{
+    return luminance_0(numbers_5.eta_0) / luminance_0(numbers_5.k_0);
+}
+
+fn fresnel_dielectric_0( cosine_5 : f32,  eta_1 : f32) -> f32
+{
+    var eta2_2 : f32 = eta_1 * eta_1;
+    var cos2_6 : f32 = cosine_5 * cosine_5;
+    var denser_2 : f32 = (eta_1 - 1.0f) * (eta_1 + 1.0f);
+    var squared_5 : f32 = denser_2 + cos2_6;
+    if(squared_5 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    var refracted_0 : f32 = sqrt(squared_5);
+    var s_sum_2 : f32 = cosine_5 + refracted_0;
+    var p_sum_4 : f32 = eta2_2 * cosine_5 + refracted_0;
+    var senkrecht_3 : f32 = denser_2 / (s_sum_2 * s_sum_2);
+    var parallel_1 : f32 = denser_2 * ((eta2_2 + 1.0f) * cos2_6 - 1.0f) / (p_sum_4 * p_sum_4);
+    return 0.5f * (senkrecht_3 * senkrecht_3 + parallel_1 * parallel_1);
+}
+
+fn transmittance_0( lobe_8 : Lobe_0,  eta_2 : f32,  cosine_6 : f32) -> f32
+{
+    if((lobe_8.kind_0) == u32(3))
+    {
+        return 1.0f - fresnel_dielectric_0(cosine_6, eta_2);
+    }
+    var place_16 : f32 = cosine_6 * 63.0f;
+    var _S1241 : u32 = min(u32(place_16), u32(62));
+    var at_15 : u32 = word_0(lobe_8.record_0 + u32(3)) + _S1241;
+    var here_1 : f32 = number_0(at_15);
+    return here_1 + (number_0(at_15 + u32(1)) - here_1) * (place_16 - f32(_S1241));
+}
+
+fn facets_of_0( lobe_9 : Lobe_0,  numbers_6 : Numbers_0) -> Microfacets_0
+{
+    var facets_0 : Microfacets_0;
+    facets_0.distribution_1 = lobe_9.distribution_0;
+    facets_0.alpha_1 = max(numbers_6.alpha_0, vec2<f32>(0.00009999999747379f));
+    return facets_0;
+}
+
+struct Stretched_0
+{
+     sine_4 : f32,
+     cosine_7 : f32,
+     around_0 : vec2<f32>,
+     length_0 : f32,
+};
+
+fn stretched_2( facets_1 : Microfacets_0,  wi_3 : vec3<f32>) -> Stretched_0
+{
+    var longer_0 : vec3<f32> = vec3<f32>(wi_3.xy * facets_1.alpha_1, wi_3.z);
+    var view_2 : Stretched_0;
+    var _S1242 : f32 = length(longer_0);
+    view_2.length_0 = _S1242;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S1242);
+    var _S1243 : vec2<f32> = longer_1.xy;
+    var _S1244 : f32 = length(_S1243);
+    view_2.sine_4 = _S1244;
+    view_2.cosine_7 = longer_1.z;
+    var _S1245 : vec2<f32>;
+    if(_S1244 > 0.0f)
+    {
+        _S1245 = _S1243 / vec2<f32>(view_2.sine_4);
+    }
+    else
+    {
+        _S1245 = vec2<f32>(1.0f, 0.0f);
+    }
+    view_2.around_0 = _S1245;
+    return view_2;
+}
+
+fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
+{
+    var _S1246 : f32 = u_8.x;
+    var radius_2 : f32 = sqrt(_S1246);
+    var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_8.y);
+    var across_1 : f32 = radius_2 * turn_3.y;
+    var along_3 : f32 = radius_2 * turn_3.x;
+    var visible_0 : f32 = 0.5f * (1.0f + view_3.cosine_7);
+    var hidden_0 : f32 = 1.0f - visible_0;
+    var _S1247 : f32 = 1.0f - _S1246;
+    var edge_0 : f32 = sqrt(_S1247 + along_3 * along_3);
+    var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_3;
+    var from_top_0 : f32 = edge_0 - along_3;
+    var from_bottom_0 : f32 = edge_0 + along_3;
+    var from_top_1 : f32;
+    var from_bottom_1 : f32;
+    if(along_3 > 0.0f)
+    {
+        from_top_1 = _S1247 / from_bottom_0;
+        from_bottom_1 = from_bottom_0;
+    }
+    else
+    {
+        var _S1248 : f32 = _S1247 / from_top_0;
+        from_top_1 = from_top_0;
+        from_bottom_1 = _S1248;
+    }
+    var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
+    return vec3<f32>(towards_0 * view_3.sine_4 - up_0 * view_3.cosine_7, across_1, max(towards_0 * view_3.cosine_7 + up_0 * view_3.sine_4, 0.0f));
+}
+
+fn visible_over_cos_0( facets_2 : Microfacets_0,  w_4 : vec3<f32>) -> f32
+{
+    var stretched_3 : vec2<f32> = w_4.xy * facets_2.alpha_1;
+    var spread2_0 : f32 = dot(stretched_3, stretched_3);
+    var _S1249 : f32 = w_4.z;
+    var z2_3 : f32 = _S1249 * _S1249;
+    if((facets_2.distribution_1) == u32(1))
+    {
+        return 2.0f / (_S1249 + sqrt(z2_3 + spread2_0));
+    }
+    if(z2_3 >= (36.0f * spread2_0))
+    {
+        return 1.0f / _S1249;
+    }
+    var spread_0 : f32 = sqrt(spread2_0);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S1249 / spread_0);
+    return 2.0f / (_S1249 * both_0.x + 0.5f * spread_0 * both_0.y);
+}
+
+fn logarithm_0( x_22 : f32) -> f32
+{
+    var bits_0 : u32 = (bitcast<u32>((x_22)));
+    var power_3 : f32 = f32(i32((bits_0 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((bits_0 & (u32(8388607)))) | (u32(1056964608))))));
+    var m_1 : f32;
+    var power_4 : f32;
+    if(m_0 < 0.70710676908493042f)
+    {
+        var power_5 : f32 = power_3 - 1.0f;
+        m_1 = m_0 + m_0;
+        power_4 = power_5;
+    }
+    else
+    {
+        m_1 = m_0;
+        power_4 = power_3;
+    }
+    var m_2 : f32 = m_1 - 1.0f;
+    var z_5 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * z_5 - 0.00021219444170129f * power_4 - 0.5f * z_5) + 0.693359375f * power_4;
+}
+
+fn error_function_inverse_0( p_0 : f32) -> f32
+{
+    var w_5 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
+    if(w_5 < 5.0f)
+    {
+        var w_6 : f32 = w_5 - 2.5f;
+        return ((((((((2.81022636272609816e-08f * w_6 + 3.43273939051869093e-07f) * w_6 - 3.52338770426285919e-06f) * w_6 - 4.39150653619435616e-06f) * w_6 + 0.00021858086984139f) * w_6 - 0.00125372502952814f) * w_6 - 0.00417768163606524f) * w_6 + 0.24664072692394257f) * w_6 + 1.50140941143035889f) * p_0;
+    }
+    var w_7 : f32 = sqrt(w_5) - 3.0f;
+    return ((((((((-0.0002002142573474f * w_7 + 0.00010095055768033f) * w_7 + 0.00134934321977198f) * w_7 - 0.00367342843674123f) * w_7 + 0.00573950773105025f) * w_7 - 0.00762246130034328f) * w_7 + 0.00943887047469616f) * w_7 + 1.00167405605316162f) * w_7 + 2.8329768180847168f) * p_0;
+}
+
+fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) -> vec3<f32>
+{
+    var steepest_0 : f32;
+    if((view_4.sine_4 * 6.0f) > (view_4.cosine_7))
+    {
+        steepest_0 = view_4.cosine_7 / view_4.sine_4;
+    }
+    else
+    {
+        steepest_0 = 6.0f;
+    }
+    var target_1 : f32 = u_9.x * (2.0f / (visible_1 * view_4.length_0));
+    var _S1250 : f32 = max(view_4.cosine_7, view_4.sine_4);
+    var slope_3 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S1250 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S1250, -6.0f, 0.5f * steepest_0);
+    var low_4 : f32 = -6.0f;
+    var high_1 : f32 = steepest_0;
+    var step_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(step_0 < u32(32))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var both_1 : vec2<f32> = error_function_plus_one_0(slope_3);
+        var _S1251 : f32 = both_1.y;
+        var error_0 : f32 = view_4.cosine_7 * both_1.x + 0.5f * view_4.sine_4 * _S1251 - target_1;
+        var own_2 : f32 = _S1251 * (view_4.cosine_7 - slope_3 * view_4.sine_4);
+        var bend_0 : f32 = -2.0f * slope_3 * own_2 - _S1251 * view_4.sine_4;
+        if(error_0 > 0.0f)
+        {
+            high_1 = slope_3;
+        }
+        else
+        {
+            low_4 = slope_3;
+        }
+        var next_1 : f32 = slope_3 - error_0 * own_2 / (own_2 * own_2 - 0.5f * error_0 * bend_0);
+        var _S1252 : bool;
+        if(next_1 >= low_4)
+        {
+            _S1252 = next_1 <= high_1;
+        }
+        else
+        {
+            _S1252 = false;
+        }
+        var next_2 : f32;
+        if(!_S1252)
+        {
+            next_2 = 0.5f * (low_4 + high_1);
+        }
+        else
+        {
+            next_2 = next_1;
+        }
+        if((abs(next_2 - slope_3)) < 0.00030000001424924f)
+        {
+            slope_3 = next_2;
+            break;
+        }
+        var _S1253 : u32 = step_0 + u32(1);
+        slope_3 = next_2;
+        step_0 = _S1253;
+    }
+    return vec3<f32>(- slope_3, error_function_inverse_0(max(2.0f * u_9.y - 1.0f, -0.99999994039535522f)), 1.0f);
+}
+
+fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_4 : vec3<f32>,  u_10 : vec2<f32>) -> vec3<f32>
+{
+    var view_5 : Stretched_0 = stretched_2(facets_3, wi_4);
+    var normal_7 : vec3<f32>;
+    if((facets_3.distribution_1) == u32(1))
+    {
+        normal_7 = ggx_normal_0(view_5, u_10);
+    }
+    else
+    {
+        normal_7 = beckmann_normal_0(view_5, visible_over_cos_0(facets_3, wi_4), u_10);
+    }
+    var _S1254 : f32 = view_5.around_0.x;
+    var _S1255 : f32 = normal_7.x;
+    var _S1256 : f32 = view_5.around_0.y;
+    var _S1257 : f32 = normal_7.y;
+    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S1254 * _S1255 - _S1256 * _S1257, _S1256 * _S1255 + _S1254 * _S1257) * facets_3.alpha_1, normal_7.z));
+    return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_4, normal_8))) - wi_4);
+}
+
+struct Drawn_0
+{
+     wo_2 : vec3<f32>,
+     is_specular_2 : bool,
+     probability_4 : f32,
+};
+
+fn draw_0( lobe_10 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32>) -> Drawn_0
+{
+    var _S1258 : bool = (lobe_10.kind_0) == u32(0);
+    var has_base_0 : bool;
+    if(_S1258)
+    {
+        has_base_0 = true;
+    }
+    else
+    {
+        has_base_0 = (lobe_10.kind_0) == u32(3);
+    }
+    if(has_base_0)
+    {
+        has_base_0 = true;
+    }
+    else
+    {
+        has_base_0 = (lobe_10.kind_0) == u32(4);
+    }
+    var of_base_1 : f32;
+    if(_S1258)
+    {
+        of_base_1 = 1.0f;
+    }
+    else
+    {
+        of_base_1 = 0.0f;
+    }
+    var _S1259 : bool;
+    if((lobe_10.kind_0) == u32(3))
+    {
+        _S1259 = true;
+    }
+    else
+    {
+        _S1259 = (lobe_10.kind_0) == u32(4);
+    }
+    if(_S1259)
+    {
+        of_base_1 = base_probability_0(lobe_10.numbers_0, transmittance_0(lobe_10, coat_eta_0(lobe_10.numbers_0), wi_5.z));
+    }
+    var drawn_0 : Drawn_0;
+    drawn_0.is_specular_2 = false;
+    drawn_0.probability_4 = 1.0f;
+    if(has_base_0)
+    {
+        has_base_0 = choice_6 < of_base_1;
+    }
+    else
+    {
+        has_base_0 = false;
+    }
+    if(has_base_0)
+    {
+        drawn_0.wo_2 = sample_cosine_0(u_11);
+    }
+    else
+    {
+        if(is_rough_0(lobe_10))
+        {
+            drawn_0.wo_2 = mirrored_at_facet_0(facets_of_0(lobe_10, lobe_10.numbers_0), wi_5, u_11);
+        }
+        else
+        {
+            drawn_0.wo_2 = vec3<f32>((vec2<f32>(0) - wi_5.xy), wi_5.z);
+            drawn_0.is_specular_2 = true;
+            drawn_0.probability_4 = 1.0f - of_base_1;
+        }
+    }
+    return drawn_0;
+}
+
+fn sample_material_0( vertex_2 : Vertex_0,  key_8 : vec2<u32>,  first_4 : u32) -> LightSample_0
+{
+    var drawn_1 : Drawn_0 = draw_0(vertex_2.lobe_6, value_of_0(vertex_2.wi_1), random_0(key_8, first_4), random_pair_0(key_8, first_4 + u32(1)));
+    var sample_1 : LightSample_0;
+    sample_1.is_on_emitter_0 = false;
+    sample_1.is_specular_1 = drawn_1.is_specular_2;
+    sample_1.probability_3 = drawn_1.probability_4;
+    sample_1.wo_1 = drawn_1.wo_2;
+    var _S1260 : vec3<f32> = normalize(to_world_0(vertex_2.axes_4, drawn_1.wo_2));
+    sample_1.direction_10 = _S1260;
+    sample_1.way_1 = _S1260;
+    sample_1.nearest_0 = limit_at_0(u32(2));
+    sample_1.farthest_0 = limit_at_0(u32(1));
+    sample_1.emitter_5 = u32(4294967295);
+    sample_1.distance_6 = 0.0f;
+    sample_1.pdf_4 = 0.0f;
+    sample_1.place_15 = vertex_2.surface_3.place_5;
+    return sample_1;
+}
+
+fn specular_direction_0( vertex_3 : Vertex_0,  direction_11 : vec3<f32>,  wo_3 : vec3<f32>) -> vec3<f32>
+{
+    return direction_11;
+}
+
+fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_3 : f32,  k_3 : f32) -> f32
+{
+    var cos2_7 : f32 = cosine_8 * cosine_8;
+    var sin2_2 : f32 = 1.0f - cos2_7;
+    var real_2 : f32 = eta_3 * eta_3 - k_3 * k_3 - sin2_2;
+    var product_3 : f32 = eta_3 * k_3;
+    var modulus_0 : f32 = sqrt(real_2 * real_2 + 4.0f * (product_3 * product_3));
+    if(modulus_0 == 0.0f)
+    {
+        return 1.0f;
+    }
+    var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_2)));
+    var smaller_2 : f32 = product_3 / larger_0;
+    var _S1261 : bool = real_2 < 0.0f;
+    var a_18 : f32;
+    if(_S1261)
+    {
+        a_18 = smaller_2;
+    }
+    else
+    {
+        a_18 = larger_0;
+    }
+    var b_15 : f32;
+    if(_S1261)
+    {
+        b_15 = larger_0;
+    }
+    else
+    {
+        b_15 = smaller_2;
+    }
+    var less_2 : f32 = a_18 - cosine_8;
+    var more_2 : f32 = a_18 + cosine_8;
+    var _S1262 : f32 = b_15 * b_15;
+    var p_sum_5 : f32 = modulus_0 * cos2_7 + sin2_2 * sin2_2;
+    return (less_2 * less_2 + _S1262) / (more_2 * more_2 + _S1262) * p_sum_5 / (p_sum_5 + 2.0f * a_18 * cosine_8 * sin2_2);
+}
+
+fn fresnel_conductor_0( cosine_9 : f32,  eta_4 : vec3<f32>,  k_4 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(fresnel_conductor_channel_0(cosine_9, eta_4.x, k_4.x), fresnel_conductor_channel_0(cosine_9, eta_4.y, k_4.y), fresnel_conductor_channel_0(cosine_9, eta_4.z, k_4.z));
+}
+
+fn specular_fraction_0( lobe_11 : Lobe_0,  numbers_7 : Numbers_0,  wi_6 : vec3<f32>) -> vec3<f32>
+{
+    if((lobe_11.kind_0) == u32(1))
+    {
+        return numbers_7.specular_reflectance_0 * fresnel_conductor_0(wi_6.z, numbers_7.eta_0, numbers_7.k_0);
+    }
+    return numbers_7.specular_reflectance_0 * vec3<f32>(fresnel_dielectric_0(wi_6.z, coat_eta_0(numbers_7)));
+}
+
+fn specular_0( lobe_12 : Lobe_0,  wi_7 : vec3<f32>) -> vec3<f32>
+{
+    return specular_fraction_0(lobe_12, lobe_12.numbers_0, wi_7);
+}
+
+fn turning_0( vertex_4 : Vertex_0,  direction_12 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(0.0f);
+}
+
+fn towards_emitter_0( vertex_5 : Vertex_0,  direction_13 : vec3<f32>,  record_13 : u32) -> vec3<f32>
+{
+    var _S1263 : vec3<f32>;
+    if((word_0(record_13)) == u32(1))
+    {
+        _S1263 = changing_0(direction_13, turning_0(vertex_5, direction_13));
+    }
+    else
+    {
+        _S1263 = still_0(direction_13);
+    }
+    return _S1263;
+}
+
+fn local_change_0( vertex_6 : Vertex_0,  direction_14 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(0.0f);
+}
+
+fn Mirrored_x24init_0( cosine_10 : f32,  pdf_5 : f32,  scattered_1 : f32) -> Mirrored_0
+{
+    var _S1264 : Mirrored_0;
+    _S1264.cosine_0 = cosine_10;
+    _S1264.pdf_1 = pdf_5;
+    _S1264.scattered_0 = scattered_1;
+    return _S1264;
+}
+
+fn density_0( facets_4 : Microfacets_0,  m_3 : vec3<f32>) -> f32
+{
+    var _S1265 : f32 = m_3.z;
+    if(_S1265 <= 0.0f)
+    {
+        return 0.0f;
+    }
+    var scale_2 : f32 = 3.14159274101257324f * facets_4.alpha_1.x * facets_4.alpha_1.y;
+    var slope_4 : vec2<f32> = m_3.xy / facets_4.alpha_1;
+    var spread_1 : f32 = dot(slope_4, slope_4);
+    var cos2_8 : f32 = _S1265 * _S1265;
+    if((facets_4.distribution_1) == u32(1))
+    {
+        var sum_5 : f32 = spread_1 + cos2_8;
+        return 1.0f / (scale_2 * sum_5 * sum_5);
+    }
+    var exponent_2 : f32 = spread_1 / cos2_8;
+    var _S1266 : f32;
+    if(exponent_2 > 80.0f)
+    {
+        _S1266 = 0.0f;
+    }
+    else
+    {
+        _S1266 = exponential_0(- exponent_2) / (scale_2 * cos2_8 * cos2_8);
+    }
+    return _S1266;
+}
+
+fn mirrored_0( facets_5 : Microfacets_0,  wi_8 : vec3<f32>,  wo_4 : vec3<f32>) -> Mirrored_0
+{
+    var h_1 : vec3<f32> = normalize(wi_8 + wo_4);
+    var mirrored_1 : Mirrored_0;
+    mirrored_1.cosine_0 = dot(wi_8, h_1);
+    var _S1267 : f32 = 0.25f * density_0(facets_5, h_1) * visible_over_cos_0(facets_5, wi_8);
+    mirrored_1.pdf_1 = _S1267;
+    mirrored_1.scattered_0 = _S1267 * visible_over_cos_0(facets_5, wo_4) * wo_4.z;
+    return mirrored_1;
+}
+
+fn fresnel_diffuse_0( eta_5 : f32) -> f32
+{
+    var inverse_2 : f32 = 1.0f / eta_5;
+    if(eta_5 < 1.0f)
+    {
+        return (-1.43990004062652588f * eta_5 + 0.70990002155303955f) * eta_5 + 0.66809999942779541f + 0.06360000371932983f * inverse_2;
+    }
+    return ((((-1.36881005764007568f * inverse_2 + 4.98553991317749023f) * inverse_2 - 7.80988979339599609f) * inverse_2 + 6.75334978103637695f) * inverse_2 - 3.47930002212524414f) * inverse_2 + 0.91931700706481934f;
+}
+
+fn base_0( lobe_13 : Lobe_0,  eta_6 : f32,  diffuse_0 : vec3<f32>) -> vec3<f32>
+{
+    var internal_reflectance_2 : f32;
+    if((lobe_13.kind_0) == u32(3))
+    {
+        internal_reflectance_2 = fresnel_diffuse_0(1.0f / eta_6);
+    }
+    else
+    {
+        internal_reflectance_2 = number_0(word_0(lobe_13.record_0 + u32(3)) + u32(64));
+    }
+    if((word_0(lobe_13.record_0 + u32(2))) == u32(0))
+    {
+        return diffuse_0 * vec3<f32>((1.0f / (1.0f - internal_reflectance_2)));
+    }
+    return diffuse_0 / (vec3<f32>(1.0f) - diffuse_0 * vec3<f32>(internal_reflectance_2));
+}
+
+fn scattering_1( lobe_14 : Lobe_0,  numbers_8 : Numbers_0,  wi_9 : vec3<f32>,  wo_5 : vec3<f32>) -> Scattering_0
+{
+    var scattering_2 : Scattering_0;
+    var _S1268 : f32 = wo_5.z;
+    var by_cosine_2 : f32 = _S1268 * 0.31830987334251404f;
+    if((lobe_14.kind_0) == u32(0))
+    {
+        scattering_2.value_1 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_2);
+        scattering_2.pdf_0 = by_cosine_2;
+        return scattering_2;
+    }
+    var _S1269 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var by_facets_2 : Mirrored_0;
+    if(is_rough_0(lobe_14))
+    {
+        by_facets_2 = mirrored_0(facets_of_0(lobe_14, numbers_8), wi_9, wo_5);
+    }
+    else
+    {
+        by_facets_2 = _S1269;
+    }
+    if((lobe_14.kind_0) == u32(2))
+    {
+        scattering_2.value_1 = numbers_8.specular_reflectance_0 * (fresnel_conductor_0(by_facets_2.cosine_0, numbers_8.eta_0, numbers_8.k_0) * vec3<f32>(by_facets_2.scattered_0));
+        scattering_2.pdf_0 = by_facets_2.pdf_1;
+        return scattering_2;
+    }
+    var eta_7 : f32 = coat_eta_0(numbers_8);
+    var enters_1 : f32 = transmittance_0(lobe_14, eta_7, wi_9.z);
+    scattering_2.value_1 = base_0(lobe_14, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_14, eta_7, _S1268) * by_cosine_2 / (eta_7 * eta_7)));
+    var probability_5 : f32 = base_probability_0(numbers_8, enters_1);
+    scattering_2.pdf_0 = probability_5 * by_cosine_2;
+    if((lobe_14.kind_0) == u32(4))
+    {
+        scattering_2.value_1 = scattering_2.value_1 + numbers_8.specular_reflectance_0 * vec3<f32>((fresnel_dielectric_0(by_facets_2.cosine_0, eta_7) * by_facets_2.scattered_0));
+        scattering_2.pdf_0 = scattering_2.pdf_0 + (1.0f - probability_5) * by_facets_2.pdf_1;
+    }
+    return scattering_2;
+}
+
+struct Scattered_0
+{
+     value_9 : vec3<f32>,
+     pdf_6 : f32,
+};
+
+fn eval_and_pdf_0( lobe_15 : Lobe_0,  wi_10 : vec3<f32>,  wo_6 : vec3<f32>) -> Scattered_0
+{
+    var scattered_2 : Scattered_0;
+    scattered_2.value_9 = still_0(vec3<f32>(0.0f));
+    scattered_2.pdf_6 = 0.0f;
+    var _S1270 : bool;
+    if((value_of_0(wo_6).z) <= 0.0f)
+    {
+        _S1270 = true;
+    }
+    else
+    {
+        _S1270 = !has_smooth_0(lobe_15);
+    }
+    if(_S1270)
+    {
+        return scattered_2;
+    }
+    var both_2 : Scattering_0 = scattering_1(lobe_15, lobe_15.numbers_0, wi_10, wo_6);
+    scattered_2.value_9 = both_2.value_1;
+    scattered_2.pdf_6 = both_2.pdf_0;
+    return scattered_2;
+}
+
+fn scattered_to_0( vertex_7 : Vertex_0,  wo_7 : vec3<f32>,  direction_15 : vec3<f32>) -> Scattered_0
+{
+    return eval_and_pdf_0(vertex_7.lobe_6, vertex_7.wi_1, changing_0(wo_7, local_change_0(vertex_7, direction_15)));
+}
+
+fn scattered_along_0( vertex_8 : Vertex_0,  sample_2 : LightSample_0,  moving_0 : ptr<function, vec3<f32>>) -> Scattered_0
+{
+    if(sample_2.is_specular_1)
+    {
+        (*moving_0) = specular_direction_0(vertex_8, sample_2.direction_10, sample_2.wo_1);
+        var scattered_3 : Scattered_0;
+        scattered_3.value_9 = specular_0(vertex_8.lobe_6, vertex_8.wi_1);
+        scattered_3.pdf_6 = sample_2.probability_3;
+        return scattered_3;
+    }
+    if((sample_2.emitter_5) != u32(4294967295))
+    {
+        (*moving_0) = towards_emitter_0(vertex_8, sample_2.direction_10, emitter_record_0(sample_2.emitter_5));
+    }
+    else
+    {
+        (*moving_0) = changing_0(sample_2.direction_10, turning_0(vertex_8, sample_2.direction_10));
+    }
+    return scattered_to_0(vertex_8, sample_2.wo_1, (*moving_0));
+}
+
 fn component_0( v_8 : vec3<f32>,  axis_2 : u32) -> f32
 {
-    var _S1231 : f32;
+    var _S1271 : f32;
     if(axis_2 == u32(0))
     {
-        _S1231 = v_8.x;
+        _S1271 = v_8.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S1231 = v_8.y;
+            _S1271 = v_8.y;
         }
         else
         {
-            _S1231 = v_8.z;
+            _S1271 = v_8.z;
         }
     }
-    return _S1231;
+    return _S1271;
 }
 
 fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
@@ -5639,7 +6329,7 @@ fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
 
 struct RayView_0
 {
-     inverse_2 : vec3<f32>,
+     inverse_3 : vec3<f32>,
      offset_near_0 : vec3<f32>,
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
@@ -5647,9 +6337,9 @@ struct RayView_0
      axes_7 : u32,
 };
 
-fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
+fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S1232 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S1272 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -5662,36 +6352,36 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S1233 : u32 = axis_3;
-        var _S1234 : u32 = _S1232 + u32(2) * axis_3;
-        var _S1235 : u32 = slot_3 % u32(4);
-        var low_4 : f32 = (bitcast<f32>((nodes_0[_S1234][_S1235])));
-        var high_1 : f32 = (bitcast<f32>((nodes_0[_S1234 + u32(6)][_S1235])));
-        var _S1236 : bool = (view_2.inverse_2[axis_3]) < 0.0f;
-        var _S1237 : f32;
-        if(_S1236)
+        var _S1273 : u32 = axis_3;
+        var _S1274 : u32 = _S1272 + u32(2) * axis_3;
+        var _S1275 : u32 = slot_3 % u32(4);
+        var low_5 : f32 = (bitcast<f32>((nodes_0[_S1274][_S1275])));
+        var high_2 : f32 = (bitcast<f32>((nodes_0[_S1274 + u32(6)][_S1275])));
+        var _S1276 : bool = (view_6.inverse_3[axis_3]) < 0.0f;
+        var _S1277 : f32;
+        if(_S1276)
         {
-            _S1237 = high_1;
+            _S1277 = high_2;
         }
         else
         {
-            _S1237 = low_4;
+            _S1277 = low_5;
         }
-        var _S1238 : f32 = max(near_0, _S1237 * view_2.inverse_2[_S1233] - view_2.offset_near_0[axis_3]);
-        var _S1239 : f32;
-        if(_S1236)
+        var _S1278 : f32 = max(near_0, _S1277 * view_6.inverse_3[_S1273] - view_6.offset_near_0[axis_3]);
+        var _S1279 : f32;
+        if(_S1276)
         {
-            _S1239 = low_4;
+            _S1279 = low_5;
         }
         else
         {
-            _S1239 = high_1;
+            _S1279 = high_2;
         }
-        var _S1240 : f32 = min(far_0, _S1239 * view_2.inverse_2[_S1233] - view_2.offset_far_0[axis_3]);
-        var _S1241 : u32 = axis_3 + u32(1);
-        near_0 = _S1238;
-        far_0 = _S1240;
-        axis_3 = _S1241;
+        var _S1280 : f32 = min(far_0, _S1279 * view_6.inverse_3[_S1273] - view_6.offset_far_0[axis_3]);
+        var _S1281 : u32 = axis_3 + u32(1);
+        near_0 = _S1278;
+        far_0 = _S1280;
+        axis_3 = _S1281;
     }
     if(near_0 <= far_0)
     {
@@ -5705,21 +6395,21 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
 
 fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 {
-    var k_3 : u32 = u32(0);
+    var k_5 : u32 = u32(0);
     var order_0 : u32 = u32(0);
     for(;;)
     {
-        if(k_3 < u32(8))
+        if(k_5 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S1242 : u32 = k_3;
-        if((bounds_0[k_3]) > limit_2)
+        var _S1282 : u32 = k_5;
+        if((bounds_0[k_5]) > limit_2)
         {
-            k_3 = k_3 + u32(1);
+            k_5 = k_5 + u32(1);
             continue;
         }
         var j_0 : u32 = u32(0);
@@ -5733,36 +6423,36 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S1243 : u32 = j_0;
-            var _S1244 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S1242]))
+            var _S1283 : u32 = j_0;
+            var _S1284 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S1282]))
             {
-                _S1244 = true;
+                _S1284 = true;
             }
             else
             {
-                if((bounds_0[_S1243]) == (bounds_0[_S1242]))
+                if((bounds_0[_S1283]) == (bounds_0[_S1282]))
                 {
-                    _S1244 = j_0 < k_3;
+                    _S1284 = j_0 < k_5;
                 }
                 else
                 {
-                    _S1244 = false;
+                    _S1284 = false;
                 }
             }
-            if(_S1244)
+            if(_S1284)
             {
                 rank_0 = rank_0 + u32(1);
             }
             j_0 = j_0 + u32(1);
         }
-        order_0 = (order_0 | ((((k_3 + u32(1)) << ((u32(4) * rank_0))))));
-        k_3 = k_3 + u32(1);
+        order_0 = (order_0 | ((((k_5 + u32(1)) << ((u32(4) * rank_0))))));
+        k_5 = k_5 + u32(1);
     }
     return order_0;
 }
 
-fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
+fn crossed_0( view_7 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
     var slot_4 : u32 = u32(0);
@@ -5775,24 +6465,24 @@ fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S1245 : f32;
+        var _S1285 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S1245 = 3.00000000549775576e+38f;
+            _S1285 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S1245 = ray_bound_0(view_3, limit_3, node_5, slot_4);
+            _S1285 = ray_bound_0(view_7, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S1245;
+        bounds_1[slot_4] = _S1285;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn rounded_0( product_3 : f32,  largest_0 : f32) -> f32
+fn rounded_0( product_4 : f32,  largest_0 : f32) -> f32
 {
-    return min(product_3, largest_0);
+    return min(product_4, largest_0);
 }
 
 struct Ray_0
@@ -5809,11 +6499,11 @@ struct Ray_0
      largest_1 : f32,
 };
 
-fn corner_0( ray_0 : Ray_0,  axes_8 : u32,  at_15 : u32) -> vec3<f32>
+fn corner_0( ray_0 : Ray_0,  axes_8 : u32,  at_16 : u32) -> vec3<f32>
 {
-    var relative_0 : vec3<f32> = primitive_vector_0(at_15) - ray_0.origin_0;
-    var z_5 : f32 = component_0(relative_0, (axes_8 >> (u32(4))));
-    return vec3<f32>(component_0(relative_0, (axes_8 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_5, ray_0.largest_1), component_0(relative_0, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_5, ray_0.largest_1), z_5);
+    var relative_0 : vec3<f32> = primitive_vector_0(at_16) - ray_0.origin_0;
+    var z_6 : f32 = component_0(relative_0, (axes_8 >> (u32(4))));
+    return vec3<f32>(component_0(relative_0, (axes_8 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_6, ray_0.largest_1), component_0(relative_0, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_6, ray_0.largest_1), z_6);
 }
 
 struct Crossing_0
@@ -5821,59 +6511,59 @@ struct Crossing_0
      is_hit_0 : bool,
      t_4 : f32,
      v_9 : f32,
-     w_4 : f32,
+     w_8 : f32,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_9 : u32,  at_16 : u32) -> Crossing_0
+fn intersect_0( ray_1 : Ray_0,  axes_9 : u32,  at_17 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_4 = 0.0f;
     crossing_0.v_9 = 0.0f;
-    crossing_0.w_4 = 0.0f;
-    var a_18 : vec3<f32> = corner_0(ray_1, axes_9, at_16);
-    var b_15 : vec3<f32> = corner_0(ray_1, axes_9, at_16 + u32(3));
-    var c_7 : vec3<f32> = corner_0(ray_1, axes_9, at_16 + u32(6));
-    var _S1246 : f32 = c_7.x;
-    var _S1247 : f32 = b_15.y;
-    var cx_by_0 : f32 = rounded_0(_S1246 * _S1247, ray_1.largest_1);
-    var _S1248 : f32 = c_7.y;
-    var _S1249 : f32 = b_15.x;
-    var cy_bx_0 : f32 = rounded_0(_S1248 * _S1249, ray_1.largest_1);
-    var _S1250 : f32 = a_18.x;
-    var ax_cy_0 : f32 = rounded_0(_S1250 * _S1248, ray_1.largest_1);
-    var _S1251 : f32 = a_18.y;
-    var ay_cx_0 : f32 = rounded_0(_S1251 * _S1246, ray_1.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S1249 * _S1251, ray_1.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S1247 * _S1250, ray_1.largest_1);
-    var u_8 : f32 = cx_by_0 - cy_bx_0;
+    crossing_0.w_8 = 0.0f;
+    var a_19 : vec3<f32> = corner_0(ray_1, axes_9, at_17);
+    var b_16 : vec3<f32> = corner_0(ray_1, axes_9, at_17 + u32(3));
+    var c_7 : vec3<f32> = corner_0(ray_1, axes_9, at_17 + u32(6));
+    var _S1286 : f32 = c_7.x;
+    var _S1287 : f32 = b_16.y;
+    var cx_by_0 : f32 = rounded_0(_S1286 * _S1287, ray_1.largest_1);
+    var _S1288 : f32 = c_7.y;
+    var _S1289 : f32 = b_16.x;
+    var cy_bx_0 : f32 = rounded_0(_S1288 * _S1289, ray_1.largest_1);
+    var _S1290 : f32 = a_19.x;
+    var ax_cy_0 : f32 = rounded_0(_S1290 * _S1288, ray_1.largest_1);
+    var _S1291 : f32 = a_19.y;
+    var ay_cx_0 : f32 = rounded_0(_S1291 * _S1286, ray_1.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S1289 * _S1291, ray_1.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S1287 * _S1290, ray_1.largest_1);
+    var u_12 : f32 = cx_by_0 - cy_bx_0;
     var v_10 : f32 = ax_cy_0 - ay_cx_0;
-    var w_5 : f32 = bx_ay_0 - by_ax_0;
-    var _S1252 : f32 = min(min(u_8, v_10), w_5);
-    var _S1253 : f32 = max(max(u_8, v_10), w_5);
-    var _S1254 : bool;
-    if(_S1252 < 0.0f)
+    var w_9 : f32 = bx_ay_0 - by_ax_0;
+    var _S1292 : f32 = min(min(u_12, v_10), w_9);
+    var _S1293 : f32 = max(max(u_12, v_10), w_9);
+    var _S1294 : bool;
+    if(_S1292 < 0.0f)
     {
-        _S1254 = _S1253 > 0.0f;
+        _S1294 = _S1293 > 0.0f;
     }
     else
     {
-        _S1254 = false;
+        _S1294 = false;
     }
-    if(_S1254)
+    if(_S1294)
     {
         return crossing_0;
     }
-    var determinant_0 : f32 = u_8 + v_10 + w_5;
-    if(_S1252 <= 0.0f)
+    var determinant_0 : f32 = u_12 + v_10 + w_9;
+    if(_S1292 <= 0.0f)
     {
-        _S1254 = _S1253 >= 0.0f;
+        _S1294 = _S1293 >= 0.0f;
     }
     else
     {
-        _S1254 = false;
+        _S1294 = false;
     }
-    if(_S1254)
+    if(_S1294)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -5884,19 +6574,19 @@ fn intersect_0( ray_1 : Ray_0,  axes_9 : u32,  at_16 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_5 : f32 = (rounded_0(u_8 * a_18.z, ray_1.largest_1) + rounded_0(v_10 * b_15.z, ray_1.largest_1) + rounded_0(w_5 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
+    var t_5 : f32 = (rounded_0(u_12 * a_19.z, ray_1.largest_1) + rounded_0(v_10 * b_16.z, ray_1.largest_1) + rounded_0(w_9 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_5)
     {
-        _S1254 = t_5 <= (ray_1.t_max_0);
+        _S1294 = t_5 <= (ray_1.t_max_0);
     }
     else
     {
-        _S1254 = false;
+        _S1294 = false;
     }
-    crossing_0.is_hit_0 = _S1254;
+    crossing_0.is_hit_0 = _S1294;
     crossing_0.t_4 = t_5;
     crossing_0.v_9 = v_10 / determinant_0;
-    crossing_0.w_4 = w_5 / determinant_0;
+    crossing_0.w_8 = w_9 / determinant_0;
     return crossing_0;
 }
 
@@ -5910,25 +6600,25 @@ struct Found_0
      face_7 : u32,
      triangle_8 : u32,
      v_11 : f32,
-     w_6 : f32,
+     w_10 : f32,
 };
 
-fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S1255 : bool;
+    var _S1295 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
     found_3.triangle_8 = u32(4294967295);
     found_3.v_11 = 0.0f;
-    found_3.w_6 = 0.0f;
-    if(!((view_4.limit_0) >= 0.0f))
+    found_3.w_10 = 0.0f;
+    if(!((view_8.limit_0) >= 0.0f))
     {
         return found_3;
     }
-    var way_1 : array<vec2<u32>, i32(40)>;
-    way_1[i32(0)] = vec2<u32>(u32(0), u32(0));
+    var way_2 : array<vec2<u32>, i32(40)>;
+    way_2[i32(0)] = vec2<u32>(u32(0), u32(0));
     var entered_0 : u32 = u32(0);
-    var limit_4 : f32 = view_4.limit_0;
+    var limit_4 : f32 = view_8.limit_0;
     var is_new_0 : bool = true;
     var level_0 : u32 = u32(0);
     for(;;)
@@ -5937,7 +6627,7 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var is_new_1 : bool;
         if(entered_0 != u32(4294967295))
         {
-            way_1[level_0] = vec2<u32>(entered_0, crossed_0(view_4, limit_4, entered_0));
+            way_2[level_0] = vec2<u32>(entered_0, crossed_0(view_8, limit_4, entered_0));
             is_new_1 = true;
             entered_1 = u32(4294967295);
         }
@@ -5946,61 +6636,61 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             is_new_1 = is_new_0;
             entered_1 = entered_0;
         }
-        var here_1 : vec2<u32> = way_1[level_0];
-        var _S1256 : u32 = way_1[level_0].y;
-        if(_S1256 == u32(0))
+        var here_2 : vec2<u32> = way_2[level_0];
+        var _S1296 : u32 = way_2[level_0].y;
+        if(_S1296 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S1257 : u32 = level_0 - u32(1);
+            var _S1297 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S1257;
+            level_0 = _S1297;
             continue;
         }
-        var slot_5 : u32 = ((_S1256 & (u32(15)))) - u32(1);
-        way_1[level_0][i32(1)] = (_S1256 >> (u32(4)));
-        var _S1258 : bool;
+        var slot_5 : u32 = ((_S1296 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S1296 >> (u32(4)));
+        var _S1298 : bool;
         if(!is_new_1)
         {
-            _S1258 = (ray_bound_0(view_4, limit_4, here_1.x, slot_5)) > limit_4;
+            _S1298 = (ray_bound_0(view_8, limit_4, here_2.x, slot_5)) > limit_4;
         }
         else
         {
-            _S1258 = false;
+            _S1298 = false;
         }
-        if(_S1258)
+        if(_S1298)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
             continue;
         }
-        var child_0 : u32 = ray_child_0(here_1.x, slot_5);
+        var child_0 : u32 = ray_child_0(here_2.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S1259 : u32 = level_0 + u32(1);
+            var _S1299 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S1259;
+            level_0 = _S1299;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S1260 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S1261 : u32 = leaf_starts_0[leaf_0];
+        var _S1300 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S1301 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S1261;
+        var i_3 : u32 = _S1301;
         for(;;)
         {
-            if(i_3 < _S1260)
+            if(i_3 < _S1300)
             {
             }
             else
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_4.axes_7, u32(9) * i_3);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_8.axes_7, u32(9) * i_3);
             if(!crossing_1.is_hit_0)
             {
                 i_3 = i_3 + u32(1);
@@ -6008,30 +6698,30 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S1255 = true;
+                _S1295 = true;
             }
             else
             {
-                _S1255 = (crossing_1.t_4) < ((*ray_2).t_max_0);
+                _S1295 = (crossing_1.t_4) < ((*ray_2).t_max_0);
             }
-            var _S1262 : bool;
-            if(_S1255)
+            var _S1302 : bool;
+            if(_S1295)
             {
-                _S1262 = true;
+                _S1302 = true;
             }
             else
             {
-                _S1262 = (face_6(i_3)) < (found_3.face_7);
+                _S1302 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S1262)
+            if(_S1302)
             {
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_8 = i_3;
                 (*ray_2).t_max_0 = crossing_1.t_4;
                 found_3.v_11 = crossing_1.v_9;
-                found_3.w_6 = crossing_1.w_4;
-                limit_6 = min(limit_5, crossing_1.t_4 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_4.margin_0);
+                found_3.w_10 = crossing_1.w_8;
+                limit_6 = min(limit_5, crossing_1.t_4 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_8.margin_0);
             }
             else
             {
@@ -6042,13 +6732,13 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S1255 = (found_3.face_7) != u32(4294967295);
+            _S1295 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S1255 = false;
+            _S1295 = false;
         }
-        if(_S1255)
+        if(_S1295)
         {
             break;
         }
@@ -6059,54 +6749,54 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_3;
 }
 
-fn cast_0( origin_1 : vec3<f32>,  direction_10 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_6 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_1 : vec3<f32>,  direction_16 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_6 : ptr<function, f32>) -> Found_0
 {
-    var size_2 : vec3<f32> = abs(direction_10);
-    var _S1263 : f32 = size_2.x;
-    var _S1264 : f32 = size_2.y;
-    var _S1265 : bool;
-    if(_S1263 >= _S1264)
+    var size_2 : vec3<f32> = abs(direction_16);
+    var _S1303 : f32 = size_2.x;
+    var _S1304 : f32 = size_2.y;
+    var _S1305 : bool;
+    if(_S1303 >= _S1304)
     {
-        _S1265 = _S1263 >= (size_2.z);
+        _S1305 = _S1303 >= (size_2.z);
     }
     else
     {
-        _S1265 = false;
+        _S1305 = false;
     }
-    var _S1266 : i32;
-    if(_S1265)
+    var _S1306 : i32;
+    if(_S1305)
     {
-        _S1266 = i32(0);
+        _S1306 = i32(0);
     }
     else
     {
-        if(_S1264 >= (size_2.z))
+        if(_S1304 >= (size_2.z))
         {
-            _S1266 = i32(1);
+            _S1306 = i32(1);
         }
         else
         {
-            _S1266 = i32(2);
+            _S1306 = i32(2);
         }
     }
-    var z_6 : u32 = u32(_S1266);
-    var x_22 : u32 = (z_6 + u32(1)) % u32(3);
-    var y_8 : u32 = (z_6 + u32(2)) % u32(3);
+    var z_7 : u32 = u32(_S1306);
+    var x_23 : u32 = (z_7 + u32(1)) % u32(3);
+    var y_8 : u32 = (z_7 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
     ray_3.origin_0 = origin_1;
-    var along_3 : f32 = component_0(direction_10, z_6);
-    ray_3.inverse_z_0 = 1.0f / along_3;
-    ray_3.shear_x_0 = component_0(direction_10, x_22) / along_3;
-    ray_3.shear_y_0 = component_0(direction_10, y_8) / along_3;
+    var along_4 : f32 = component_0(direction_16, z_7);
+    ray_3.inverse_z_0 = 1.0f / along_4;
+    ray_3.shear_x_0 = component_0(direction_16, x_23) / along_4;
+    ray_3.shear_y_0 = component_0(direction_16, y_8) / along_4;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S1267 : f32 = abs(along_3);
-    ray_3.local_per_t_0 = _S1267;
+    var _S1307 : f32 = abs(along_4);
+    ray_3.local_per_t_0 = _S1307;
     ray_3.enter_0 = 0.0f;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
-    var view_5 : RayView_0;
-    var _S1268 : vec3<f32> = direction_10 / vec3<f32>(_S1267);
+    var view_9 : RayView_0;
+    var _S1308 : vec3<f32> = direction_16 / vec3<f32>(_S1307);
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -6117,447 +6807,211 @@ fn cast_0( origin_1 : vec3<f32>,  direction_10 : vec3<f32>,  t_min_1 : f32,  t_m
         {
             break;
         }
-        var _S1269 : f32 = max(abs(_S1268[axis_4]), 8.67361737988403547e-19f);
-        var _S1270 : f32;
-        if((_S1268[axis_4]) < 0.0f)
+        var _S1309 : f32 = max(abs(_S1308[axis_4]), 8.67361737988403547e-19f);
+        var _S1310 : f32;
+        if((_S1308[axis_4]) < 0.0f)
         {
-            _S1270 = -1.0f / _S1269;
+            _S1310 = -1.0f / _S1309;
         }
         else
         {
-            _S1270 = 1.0f / _S1269;
+            _S1310 = 1.0f / _S1309;
         }
-        view_5.inverse_2[axis_4] = _S1270;
+        view_9.inverse_3[axis_4] = _S1310;
         axis_4 = axis_4 + u32(1);
     }
-    var offset_4 : vec3<f32> = origin_1 * view_5.inverse_2;
-    var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_5.inverse_2);
-    view_5.offset_near_0 = offset_4 + wider_0;
-    view_5.offset_far_0 = offset_4 - wider_0;
-    view_5.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
-    view_5.margin_0 = 3.814697265625e-06f;
-    view_5.axes_7 = (((x_22 | (((y_8 << (u32(2))))))) | (((z_6 << (u32(4))))));
-    var found_4 : Found_0 = first_found_0(view_5, &(ray_3), any_1);
+    var offset_4 : vec3<f32> = origin_1 * view_9.inverse_3;
+    var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_9.inverse_3);
+    view_9.offset_near_0 = offset_4 + wider_0;
+    view_9.offset_far_0 = offset_4 - wider_0;
+    view_9.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
+    view_9.margin_0 = 3.814697265625e-06f;
+    view_9.axes_7 = (((x_23 | (((y_8 << (u32(2))))))) | (((z_7 << (u32(4))))));
+    var found_4 : Found_0 = first_found_0(view_9, &(ray_3), any_1);
     (*t_6) = ray_3.t_max_0;
     return found_4;
 }
 
-fn cast_1( origin_2 : vec3<f32>,  direction_11 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_2 : bool,  t_7 : ptr<function, f32>) -> Found_0
+fn place_of_0( found_5 : Found_0) -> Place_0
 {
-    var size_3 : vec3<f32> = abs(direction_11);
-    var _S1271 : f32 = size_3.x;
-    var _S1272 : f32 = size_3.y;
-    var _S1273 : bool;
-    if(_S1271 >= _S1272)
+    return exact_place_0(found_5.triangle_8, found_5.v_11, found_5.w_10);
+}
+
+fn emitter_seen_0( found_6 : Found_0,  direction_17 : vec3<f32>) -> u32
+{
+    if((found_6.face_7) == u32(4294967295))
     {
-        _S1273 = _S1271 >= (size_3.z);
+        return word_0(u32(8));
+    }
+    var emitter_6 : u32 = word_0(shape_of_0(found_6.triangle_8) + u32(4));
+    var _S1311 : bool;
+    if(emitter_6 != u32(4294967295))
+    {
+        _S1311 = (dot(cross_of_0(found_6.triangle_8), direction_17)) < 0.0f;
     }
     else
     {
-        _S1273 = false;
+        _S1311 = false;
     }
-    var _S1274 : i32;
-    if(_S1273)
+    var _S1312 : u32;
+    if(_S1311)
     {
-        _S1274 = i32(0);
+        _S1312 = emitter_6;
     }
     else
     {
-        if(_S1272 >= (size_3.z))
+        _S1312 = u32(4294967295);
+    }
+    return _S1312;
+}
+
+fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_18 : vec3<f32>,  distance_7 : f32) -> f32
+{
+    var own_3 : f32;
+    var rectangle_1 : u32 = word_0(record_14 + u32(4));
+    if(rectangle_1 != u32(4294967295))
+    {
+        var _S1313 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S1313.solid_angle_0) > 0.0f))
         {
-            _S1274 = i32(1);
+            return 0.0f;
         }
-        else
+        if((_S1313.solid_angle_0) >= 0.00100000004749745f)
         {
-            _S1274 = i32(2);
+            return 1.0f / _S1313.solid_angle_0;
         }
     }
-    var z_7 : u32 = u32(_S1274);
-    var x_23 : u32 = (z_7 + u32(1)) % u32(3);
-    var y_9 : u32 = (z_7 + u32(2)) % u32(3);
-    var ray_4 : Ray_0;
-    ray_4.origin_0 = origin_2;
-    var along_4 : f32 = component_0(direction_11, z_7);
-    ray_4.inverse_z_0 = 1.0f / along_4;
-    ray_4.shear_x_0 = component_0(direction_11, x_23) / along_4;
-    ray_4.shear_y_0 = component_0(direction_11, y_9) / along_4;
-    ray_4.t_min_0 = t_min_2;
-    ray_4.t_max_0 = t_max_2;
-    var _S1275 : f32 = abs(along_4);
-    ray_4.local_per_t_0 = _S1275;
-    ray_4.enter_0 = 0.0f;
-    ray_4.edge_on_0 = limit_at_0(u32(0));
-    ray_4.largest_1 = limit_at_0(u32(1));
-    var view_6 : RayView_0;
-    var _S1276 : vec3<f32> = direction_11 / vec3<f32>(_S1275);
-    var axis_5 : u32 = u32(0);
+    var _S1314 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
+    var nodes_at_2 : u32 = word_0(record_14 + u32(5));
+    var node_6 : u32 = nodes_at_2;
+    var chosen_2 : f32 = 1.0f;
     for(;;)
     {
-        if(axis_5 < u32(3))
+        if((word_0(node_6 + u32(2))) != u32(4294967295))
         {
         }
         else
         {
             break;
         }
-        var _S1277 : f32 = max(abs(_S1276[axis_5]), 8.67361737988403547e-19f);
-        var _S1278 : f32;
-        if((_S1276[axis_5]) < 0.0f)
+        var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
+        var is_second_1 : bool = _S1314 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        if(is_second_1)
         {
-            _S1278 = -1.0f / _S1277;
+            own_3 = shares_1.y;
         }
         else
         {
-            _S1278 = 1.0f / _S1277;
+            own_3 = shares_1.x;
         }
-        view_6.inverse_2[axis_5] = _S1278;
-        axis_5 = axis_5 + u32(1);
+        var chosen_3 : f32 = chosen_2 * own_3;
+        var _S1315 : i32;
+        if(is_second_1)
+        {
+            _S1315 = i32(3);
+        }
+        else
+        {
+            _S1315 = i32(2);
+        }
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S1315));
+        chosen_2 = chosen_3;
     }
-    var offset_5 : vec3<f32> = origin_2 * view_6.inverse_2;
-    var wider_1 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_6.inverse_2);
-    view_6.offset_near_0 = offset_5 + wider_1;
-    view_6.offset_far_0 = offset_5 - wider_1;
-    view_6.limit_0 = min(t_max_2 * ray_4.local_per_t_0, 8.0f) + 3.814697265625e-06f;
-    view_6.margin_0 = 3.814697265625e-06f;
-    view_6.axes_7 = (((x_23 | (((y_9 << (u32(2))))))) | (((z_7 << (u32(4))))));
-    var found_5 : Found_0 = first_found_0(view_6, &(ray_4), any_2);
-    (*t_7) = ray_4.t_max_0;
-    return found_5;
-}
-
-fn turning_0( vertex_1 : Vertex_0,  direction_12 : vec3<f32>) -> vec3<f32>
-{
-    return vec3<f32>(0.0f);
-}
-
-fn towards_emitter_0( vertex_2 : Vertex_0,  direction_13 : vec3<f32>,  record_12 : u32) -> vec3<f32>
-{
-    var _S1279 : vec3<f32>;
-    if((word_0(record_12)) == u32(1))
+    var _S1316 : u32 = word_0(record_14 + u32(6));
+    var _S1317 : u32 = word_0(node_6);
+    own_3 = 0.0f;
+    var k_6 : u32 = _S1317;
+    var total_3 : f32 = 0.0f;
+    for(;;)
     {
-        _S1279 = changing_0(direction_13, turning_0(vertex_2, direction_13));
+        if(k_6 < (word_0(node_6 + u32(1))))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var angle_6 : f32 = face_solid_angle_0(record_14, word_0(_S1316 + k_6), from_2.exact_0);
+        var total_4 : f32 = total_3 + angle_6;
+        if(k_6 == _S1314)
+        {
+            own_3 = angle_6;
+        }
+        k_6 = k_6 + u32(1);
+        total_3 = total_4;
     }
-    else
-    {
-        _S1279 = still_0(direction_13);
-    }
-    return _S1279;
-}
-
-fn local_change_0( vertex_3 : Vertex_0,  direction_14 : vec3<f32>) -> vec3<f32>
-{
-    return vec3<f32>(0.0f);
-}
-
-fn Mirrored_x24init_0( cosine_5 : f32,  pdf_4 : f32,  scattered_1 : f32) -> Mirrored_0
-{
-    var _S1280 : Mirrored_0;
-    _S1280.cosine_0 = cosine_5;
-    _S1280.pdf_1 = pdf_4;
-    _S1280.scattered_0 = scattered_1;
-    return _S1280;
-}
-
-fn facets_of_0( lobe_8 : Lobe_0,  numbers_5 : Numbers_0) -> Microfacets_0
-{
-    var facets_0 : Microfacets_0;
-    facets_0.distribution_1 = lobe_8.distribution_0;
-    facets_0.alpha_1 = max(numbers_5.alpha_0, vec2<f32>(0.00009999999747379f));
-    return facets_0;
-}
-
-fn density_0( facets_1 : Microfacets_0,  m_0 : vec3<f32>) -> f32
-{
-    var _S1281 : f32 = m_0.z;
-    if(_S1281 <= 0.0f)
+    if(!(own_3 > 0.0f))
     {
         return 0.0f;
     }
-    var scale_2 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
-    var slope_3 : vec2<f32> = m_0.xy / facets_1.alpha_1;
-    var spread_0 : f32 = dot(slope_3, slope_3);
-    var cos2_6 : f32 = _S1281 * _S1281;
-    if((facets_1.distribution_1) == u32(1))
-    {
-        var sum_5 : f32 = spread_0 + cos2_6;
-        return 1.0f / (scale_2 * sum_5 * sum_5);
-    }
-    var exponent_2 : f32 = spread_0 / cos2_6;
-    var _S1282 : f32;
-    if(exponent_2 > 80.0f)
-    {
-        _S1282 = 0.0f;
-    }
-    else
-    {
-        _S1282 = exponential_0(- exponent_2) / (scale_2 * cos2_6 * cos2_6);
-    }
-    return _S1282;
+    return chosen_2 / total_3 * density_of_0(own_3, cross_of_0(emitter_triangle_0(record_14, face_8)), distance_7, direction_18);
 }
 
-fn visible_over_cos_0( facets_2 : Microfacets_0,  w_7 : vec3<f32>) -> f32
+fn emitter_pdf_0( emitter_7 : u32,  found_7 : Found_0,  vertex_9 : Vertex_0,  direction_19 : vec3<f32>,  t_7 : f32) -> f32
 {
-    var stretched_2 : vec2<f32> = w_7.xy * facets_2.alpha_1;
-    var spread2_0 : f32 = dot(stretched_2, stretched_2);
-    var _S1283 : f32 = w_7.z;
-    var z2_3 : f32 = _S1283 * _S1283;
-    if((facets_2.distribution_1) == u32(1))
+    var record_15 : u32 = emitter_record_0(emitter_7);
+    if(is_map_0(record_15))
     {
-        return 2.0f / (_S1283 + sqrt(z2_3 + spread2_0));
+        var _S1318 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_19);
+        return _S1318;
     }
-    if(z2_3 >= (36.0f * spread2_0))
+    if(!is_area_0(record_15))
     {
-        return 1.0f / _S1283;
+        return max(dot(vertex_9.axes_4.n_0, direction_19), 0.0f) * 0.31830987334251404f;
     }
-    var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S1283 / spread_1);
-    return 2.0f / (_S1283 * both_0.x + 0.5f * spread_1 * both_0.y);
+    return area_pdf_0(record_15, found_7.face_7 - word_0(record_15 + u32(3)), vertex_9.surface_3, direction_19, t_7);
 }
 
-fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_1 : vec3<f32>) -> Mirrored_0
+fn met_0( vertex_10 : Vertex_0,  direction_20 : vec3<f32>,  t_8 : f32,  place_17 : Place_0) -> Place_0
 {
-    var h_1 : vec3<f32> = normalize(wi_3 + wo_1);
-    var mirrored_1 : Mirrored_0;
-    mirrored_1.cosine_0 = dot(wi_3, h_1);
-    var _S1284 : f32 = 0.25f * density_0(facets_3, h_1) * visible_over_cos_0(facets_3, wi_3);
-    mirrored_1.pdf_1 = _S1284;
-    mirrored_1.scattered_0 = _S1284 * visible_over_cos_0(facets_3, wo_1) * wo_1.z;
-    return mirrored_1;
+    return place_17;
 }
 
-fn fresnel_conductor_channel_0( cosine_6 : f32,  eta_1 : f32,  k_4 : f32) -> f32
+fn weight_over_0( own_4 : f32,  other_0 : f32) -> f32
 {
-    var cos2_7 : f32 = cosine_6 * cosine_6;
-    var sin2_2 : f32 = 1.0f - cos2_7;
-    var real_2 : f32 = eta_1 * eta_1 - k_4 * k_4 - sin2_2;
-    var product_4 : f32 = eta_1 * k_4;
-    var modulus_0 : f32 = sqrt(real_2 * real_2 + 4.0f * (product_4 * product_4));
-    if(modulus_0 == 0.0f)
-    {
-        return 1.0f;
-    }
-    var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_2)));
-    var smaller_2 : f32 = product_4 / larger_0;
-    var _S1285 : bool = real_2 < 0.0f;
-    var a_19 : f32;
-    if(_S1285)
-    {
-        a_19 = smaller_2;
-    }
-    else
-    {
-        a_19 = larger_0;
-    }
-    var b_16 : f32;
-    if(_S1285)
-    {
-        b_16 = larger_0;
-    }
-    else
-    {
-        b_16 = smaller_2;
-    }
-    var less_2 : f32 = a_19 - cosine_6;
-    var more_2 : f32 = a_19 + cosine_6;
-    var _S1286 : f32 = b_16 * b_16;
-    var p_sum_4 : f32 = modulus_0 * cos2_7 + sin2_2 * sin2_2;
-    return (less_2 * less_2 + _S1286) / (more_2 * more_2 + _S1286) * p_sum_4 / (p_sum_4 + 2.0f * a_19 * cosine_6 * sin2_2);
-}
-
-fn fresnel_conductor_0( cosine_7 : f32,  eta_2 : vec3<f32>,  k_5 : vec3<f32>) -> vec3<f32>
-{
-    return vec3<f32>(fresnel_conductor_channel_0(cosine_7, eta_2.x, k_5.x), fresnel_conductor_channel_0(cosine_7, eta_2.y, k_5.y), fresnel_conductor_channel_0(cosine_7, eta_2.z, k_5.z));
-}
-
-fn coat_eta_0( numbers_6 : Numbers_0) -> f32
-{
-    return luminance_0(numbers_6.eta_0) / luminance_0(numbers_6.k_0);
-}
-
-fn fresnel_dielectric_0( cosine_8 : f32,  eta_3 : f32) -> f32
-{
-    var eta2_2 : f32 = eta_3 * eta_3;
-    var cos2_8 : f32 = cosine_8 * cosine_8;
-    var denser_2 : f32 = (eta_3 - 1.0f) * (eta_3 + 1.0f);
-    var squared_5 : f32 = denser_2 + cos2_8;
-    if(squared_5 <= 0.0f)
-    {
-        return 1.0f;
-    }
-    var refracted_0 : f32 = sqrt(squared_5);
-    var s_sum_2 : f32 = cosine_8 + refracted_0;
-    var p_sum_5 : f32 = eta2_2 * cosine_8 + refracted_0;
-    var senkrecht_3 : f32 = denser_2 / (s_sum_2 * s_sum_2);
-    var parallel_1 : f32 = denser_2 * ((eta2_2 + 1.0f) * cos2_8 - 1.0f) / (p_sum_5 * p_sum_5);
-    return 0.5f * (senkrecht_3 * senkrecht_3 + parallel_1 * parallel_1);
-}
-
-fn transmittance_0( lobe_9 : Lobe_0,  eta_4 : f32,  cosine_9 : f32) -> f32
-{
-    if((lobe_9.kind_0) == u32(3))
-    {
-        return 1.0f - fresnel_dielectric_0(cosine_9, eta_4);
-    }
-    var place_15 : f32 = cosine_9 * 63.0f;
-    var _S1287 : u32 = min(u32(place_15), u32(62));
-    var at_17 : u32 = word_0(lobe_9.record_0 + u32(3)) + _S1287;
-    var here_2 : f32 = number_0(at_17);
-    return here_2 + (number_0(at_17 + u32(1)) - here_2) * (place_15 - f32(_S1287));
-}
-
-fn fresnel_diffuse_0( eta_5 : f32) -> f32
-{
-    var inverse_3 : f32 = 1.0f / eta_5;
-    if(eta_5 < 1.0f)
-    {
-        return (-1.43990004062652588f * eta_5 + 0.70990002155303955f) * eta_5 + 0.66809999942779541f + 0.06360000371932983f * inverse_3;
-    }
-    return ((((-1.36881005764007568f * inverse_3 + 4.98553991317749023f) * inverse_3 - 7.80988979339599609f) * inverse_3 + 6.75334978103637695f) * inverse_3 - 3.47930002212524414f) * inverse_3 + 0.91931700706481934f;
-}
-
-fn base_0( lobe_10 : Lobe_0,  eta_6 : f32,  diffuse_0 : vec3<f32>) -> vec3<f32>
-{
-    var internal_reflectance_2 : f32;
-    if((lobe_10.kind_0) == u32(3))
-    {
-        internal_reflectance_2 = fresnel_diffuse_0(1.0f / eta_6);
-    }
-    else
-    {
-        internal_reflectance_2 = number_0(word_0(lobe_10.record_0 + u32(3)) + u32(64));
-    }
-    if((word_0(lobe_10.record_0 + u32(2))) == u32(0))
-    {
-        return diffuse_0 * vec3<f32>((1.0f / (1.0f - internal_reflectance_2)));
-    }
-    return diffuse_0 / (vec3<f32>(1.0f) - diffuse_0 * vec3<f32>(internal_reflectance_2));
-}
-
-fn scattering_1( lobe_11 : Lobe_0,  numbers_7 : Numbers_0,  wi_4 : vec3<f32>,  wo_2 : vec3<f32>) -> Scattering_0
-{
-    var scattering_2 : Scattering_0;
-    var _S1288 : f32 = wo_2.z;
-    var by_cosine_2 : f32 = _S1288 * 0.31830987334251404f;
-    if((lobe_11.kind_0) == u32(0))
-    {
-        scattering_2.value_1 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_2);
-        scattering_2.pdf_0 = by_cosine_2;
-        return scattering_2;
-    }
-    var _S1289 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
-    var by_facets_2 : Mirrored_0;
-    if(is_rough_0(lobe_11))
-    {
-        by_facets_2 = mirrored_0(facets_of_0(lobe_11, numbers_7), wi_4, wo_2);
-    }
-    else
-    {
-        by_facets_2 = _S1289;
-    }
-    if((lobe_11.kind_0) == u32(2))
-    {
-        scattering_2.value_1 = numbers_7.specular_reflectance_0 * (fresnel_conductor_0(by_facets_2.cosine_0, numbers_7.eta_0, numbers_7.k_0) * vec3<f32>(by_facets_2.scattered_0));
-        scattering_2.pdf_0 = by_facets_2.pdf_1;
-        return scattering_2;
-    }
-    var eta_7 : f32 = coat_eta_0(numbers_7);
-    var enters_1 : f32 = transmittance_0(lobe_11, eta_7, wi_4.z);
-    scattering_2.value_1 = base_0(lobe_11, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_11, eta_7, _S1288) * by_cosine_2 / (eta_7 * eta_7)));
-    var probability_3 : f32 = base_probability_0(numbers_7, enters_1);
-    scattering_2.pdf_0 = probability_3 * by_cosine_2;
-    if((lobe_11.kind_0) == u32(4))
-    {
-        scattering_2.value_1 = scattering_2.value_1 + numbers_7.specular_reflectance_0 * vec3<f32>((fresnel_dielectric_0(by_facets_2.cosine_0, eta_7) * by_facets_2.scattered_0));
-        scattering_2.pdf_0 = scattering_2.pdf_0 + (1.0f - probability_3) * by_facets_2.pdf_1;
-    }
-    return scattering_2;
-}
-
-struct Scattered_0
-{
-     value_9 : vec3<f32>,
-     pdf_5 : f32,
-};
-
-fn eval_and_pdf_0( lobe_12 : Lobe_0,  wi_5 : vec3<f32>,  wo_3 : vec3<f32>) -> Scattered_0
-{
-    var scattered_2 : Scattered_0;
-    scattered_2.value_9 = still_0(vec3<f32>(0.0f));
-    scattered_2.pdf_5 = 0.0f;
-    var _S1290 : bool;
-    if((value_of_0(wo_3).z) <= 0.0f)
-    {
-        _S1290 = true;
-    }
-    else
-    {
-        _S1290 = !has_smooth_0(lobe_12);
-    }
-    if(_S1290)
-    {
-        return scattered_2;
-    }
-    var both_1 : Scattering_0 = scattering_1(lobe_12, lobe_12.numbers_0, wi_5, wo_3);
-    scattered_2.value_9 = both_1.value_1;
-    scattered_2.pdf_5 = both_1.pdf_0;
-    return scattered_2;
-}
-
-fn scattered_to_0( vertex_4 : Vertex_0,  wo_4 : vec3<f32>,  direction_15 : vec3<f32>) -> Scattered_0
-{
-    return eval_and_pdf_0(vertex_4.lobe_6, vertex_4.wi_1, changing_0(wo_4, local_change_0(vertex_4, direction_15)));
-}
-
-fn met_0( vertex_5 : Vertex_0,  direction_16 : vec3<f32>,  t_8 : f32,  place_16 : Place_0) -> Place_0
-{
-    return place_16;
-}
-
-fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
-{
-    var ratio_0 : f32 = other_0 / own_2;
+    var ratio_0 : f32 = other_0 / own_4;
     if(ratio_0 > 9.9999998430674944e+17f)
     {
         return 0.0f;
     }
-    return 1.0f / (own_2 * (1.0f + ratio_0 * ratio_0));
+    return 1.0f / (own_4 * (1.0f + ratio_0 * ratio_0));
 }
 
-fn in_map_0( map_6 : u32,  direction_17 : vec3<f32>) -> Lookup_0
+fn in_map_0( map_6 : u32,  direction_21 : vec3<f32>) -> Lookup_0
 {
-    var place_17 : vec2<f32> = map_place_0(map_6, direction_17);
-    var point_1 : Point_0;
-    point_1.value_5 = place_17;
-    point_1.by_first_1 = vec2<f32>(1.0f, 0.0f);
-    point_1.by_second_1 = vec2<f32>(0.0f, 1.0f);
-    var x_24 : i32 = floor_of_0(place_17.x);
-    var y_10 : i32 = floor_of_0(place_17.y);
+    var place_18 : vec2<f32> = map_place_0(map_6, direction_21);
+    var point_2 : Point_0;
+    point_2.value_5 = place_18;
+    point_2.by_first_1 = vec2<f32>(1.0f, 0.0f);
+    point_2.by_second_1 = vec2<f32>(0.0f, 1.0f);
+    var x_24 : i32 = floor_of_0(place_18.x);
+    var y_9 : i32 = floor_of_0(place_18.y);
     var width_4 : i32 = i32(word_0(map_6));
     var height_1 : i32 = i32(word_0(map_6 + u32(1)));
     var left_1 : u32 = wrapped_0(x_24, width_4, u32(0));
     var right_1 : u32 = wrapped_0(x_24 + i32(1), width_4, u32(0));
-    var _S1291 : u32 = wrapped_0(y_10, height_1, u32(2));
-    var _S1292 : u32 = u32(width_4);
-    var first_3 : u32 = _S1291 * _S1292;
-    var _S1293 : u32 = wrapped_0(y_10 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S1293 * _S1292;
-    return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), point_1);
+    var _S1319 : u32 = wrapped_0(y_9, height_1, u32(2));
+    var _S1320 : u32 = u32(width_4);
+    var first_5 : u32 = _S1319 * _S1320;
+    var _S1321 : u32 = wrapped_0(y_9 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S1321 * _S1320;
+    return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_2 + left_1, second_2 + right_1), point_2);
 }
 
-fn emitted_0( emitter_5 : u32,  place_18 : Place_0,  direction_18 : vec3<f32>) -> vec3<f32>
+fn emitted_0( emitter_8 : u32,  place_19 : Place_0,  direction_22 : vec3<f32>) -> vec3<f32>
 {
-    var record_13 : u32 = emitter_record_0(emitter_5);
-    var texture_6 : u32 = word_0(record_13 + u32(1));
-    if(!is_map_0(record_13))
+    var record_16 : u32 = emitter_record_0(emitter_8);
+    var texture_6 : u32 = word_0(record_16 + u32(1));
+    if(!is_map_0(record_16))
     {
-        var _S1294 : vec3<f32> = shown_0(texture_6, place_18);
-        return _S1294;
+        var _S1322 : vec3<f32> = shown_0(texture_6, place_19);
+        return _S1322;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_1 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S1295 : u32 = word_0(texture_6 + u32(11));
-    var _S1296 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_18));
-    return looked_up_0(_S1295, _S1296, change_1) * factor_1;
+    var _S1323 : u32 = word_0(texture_6 + u32(11));
+    var _S1324 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_22));
+    return looked_up_0(_S1323, _S1324, change_1) * factor_1;
 }
 
 fn change_word_0( at_18 : u32) -> u32
@@ -6574,79 +7028,79 @@ fn add_to_sum_0( sum_6 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S1297 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S1325 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
-    var size_4 : f32 = abs(scaled_0);
-    if(size_4 > 7.73712524553362672e+25f)
+    var size_3 : f32 = abs(scaled_0);
+    if(size_3 > 7.73712524553362672e+25f)
     {
-        var _S1298 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S1326 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S1299 : bool = scaled_0 < 0.0f;
-    var _S1300 : i32;
-    if(size_4 >= 1.84467440737095516e+19f)
+    var _S1327 : bool = scaled_0 < 0.0f;
+    var _S1328 : i32;
+    if(size_3 >= 1.84467440737095516e+19f)
     {
-        _S1300 = i32(1);
+        _S1328 = i32(1);
     }
     else
     {
-        _S1300 = i32(0);
+        _S1328 = i32(0);
     }
-    var first_4 : u32 = u32(_S1300);
-    var size_5 : f32;
-    if(first_4 == u32(1))
+    var first_6 : u32 = u32(_S1328);
+    var size_4 : f32;
+    if(first_6 == u32(1))
     {
-        size_5 = size_4 * 2.32830643653869629e-10f;
+        size_4 = size_3 * 2.32830643653869629e-10f;
     }
     else
     {
-        size_5 = size_4;
+        size_4 = size_3;
     }
-    var higher_0 : f32 = floor(size_5 * 2.32830643653869629e-10f);
-    var lower_0 : f32 = size_5 - higher_0 * 4.294967296e+09f;
-    if(first_4 == u32(0))
+    var higher_0 : f32 = floor(size_4 * 2.32830643653869629e-10f);
+    var lower_0 : f32 = size_4 - higher_0 * 4.294967296e+09f;
+    if(first_6 == u32(0))
     {
-        size_5 = lower_0 + 0.5f;
+        size_4 = lower_0 + 0.5f;
     }
     else
     {
-        size_5 = lower_0;
+        size_4 = lower_0;
     }
-    var _S1301 : u32 = u32(3) + u32(4) * sum_6;
-    var digits_0 : vec2<u32> = vec2<u32>(u32(size_5), u32(higher_0));
-    var k_6 : u32 = first_4;
+    var _S1329 : u32 = u32(3) + u32(4) * sum_6;
+    var digits_0 : vec2<u32> = vec2<u32>(u32(size_4), u32(higher_0));
+    var k_7 : u32 = first_6;
     for(;;)
     {
-        var _S1302 : bool;
-        if(k_6 < u32(4))
+        var _S1330 : bool;
+        if(k_7 < u32(4))
         {
-            _S1302 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S1330 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S1302 = false;
+            _S1330 = false;
         }
-        if(_S1302)
+        if(_S1330)
         {
         }
         else
         {
             break;
         }
-        var _S1303 : u32;
-        if(_S1299)
+        var _S1331 : u32;
+        if(_S1327)
         {
-            _S1303 = u32(0) - digits_0.x;
+            _S1331 = u32(0) - digits_0.x;
         }
         else
         {
-            _S1303 = digits_0.x;
+            _S1331 = digits_0.x;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S1301 + k_6]), _S1303);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S1329 + k_7]), _S1331);
         var overflows_0 : bool;
-        if(_S1299)
+        if(_S1327)
         {
             overflows_0 = before_0 < (digits_0.x);
         }
@@ -6654,70 +7108,70 @@ fn add_to_sum_0( sum_6 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_0 + digits_0.x) < before_0;
         }
-        var _S1304 : u32 = digits_0.y;
+        var _S1332 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S1300 = i32(1);
+            _S1328 = i32(1);
         }
         else
         {
-            _S1300 = i32(0);
+            _S1328 = i32(0);
         }
-        var _S1305 : vec2<u32> = vec2<u32>(_S1304 + u32(_S1300), u32(0));
-        var _S1306 : u32 = k_6 + u32(1);
-        digits_0 = _S1305;
-        k_6 = _S1306;
+        var _S1333 : vec2<u32> = vec2<u32>(_S1332 + u32(_S1328), u32(0));
+        var _S1334 : u32 = k_7 + u32(1);
+        digits_0 = _S1333;
+        k_7 = _S1334;
     }
     return;
 }
 
 fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
 {
-    var first_5 : u32 = numbers_of_0(texture_8);
-    var _S1307 : u32 = word_0(texture_8 + u32(1));
-    var _S1308 : u32;
-    if(first_5 == u32(4294967295))
+    var first_7 : u32 = numbers_of_0(texture_8);
+    var _S1335 : u32 = word_0(texture_8 + u32(1));
+    var _S1336 : u32;
+    if(first_7 == u32(4294967295))
     {
-        _S1308 = u32(0);
+        _S1336 = u32(0);
     }
     else
     {
-        _S1308 = lookup_5.count_0;
+        _S1336 = lookup_5.count_0;
     }
-    var k_7 : u32 = u32(0);
+    var k_8 : u32 = u32(0);
     for(;;)
     {
-        if(k_7 < _S1308)
+        if(k_8 < _S1336)
         {
         }
         else
         {
             break;
         }
-        var own_3 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_1[k_7]);
-        var own_4 : vec3<f32>;
-        if(_S1307 == u32(1))
+        var own_5 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_1[k_8]);
+        var own_6 : vec3<f32>;
+        if(_S1335 == u32(1))
         {
-            own_4 = vec3<f32>((own_3.x + own_3.y + own_3.z));
+            own_6 = vec3<f32>((own_5.x + own_5.y + own_5.z));
         }
         else
         {
-            own_4 = own_3;
+            own_6 = own_5;
         }
         var c_8 : u32 = u32(0);
         for(;;)
         {
-            if(c_8 < _S1307)
+            if(c_8 < _S1335)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_5 + _S1307 * lookup_5.texels_0[k_7] + c_8, own_4[c_8]);
+            add_to_sum_0(first_7 + _S1335 * lookup_5.texels_0[k_8] + c_8, own_6[c_8]);
             c_8 = c_8 + u32(1);
         }
-        k_7 = k_7 + u32(1);
+        k_8 = k_8 + u32(1);
     }
     return;
 }
@@ -6743,41 +7197,41 @@ struct AtCorners_0
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_3 : AtCorners_0;
-    var _S1309 : vec3<f32> = vec3<f32>(0.0f);
-    corners_3.c_9 = _S1309;
-    corners_3.b_17 = _S1309;
-    corners_3.a_20 = _S1309;
+    var _S1337 : vec3<f32> = vec3<f32>(0.0f);
+    corners_3.c_9 = _S1337;
+    corners_3.b_17 = _S1337;
+    corners_3.a_20 = _S1337;
     return corners_3;
 }
 
-fn add_at_place_0( corners_4 : ptr<function, AtCorners_0>,  place_19 : Place_0,  derivative_3 : vec3<f32>)
+fn add_at_place_0( corners_4 : ptr<function, AtCorners_0>,  place_20 : Place_0,  derivative_3 : vec3<f32>)
 {
-    (*corners_4).a_20 = (*corners_4).a_20 + derivative_3 * vec3<f32>((1.0f - place_19.v_0 - place_19.w_0));
-    (*corners_4).b_17 = (*corners_4).b_17 + derivative_3 * vec3<f32>(place_19.v_0);
-    (*corners_4).c_9 = (*corners_4).c_9 + derivative_3 * vec3<f32>(place_19.w_0);
+    (*corners_4).a_20 = (*corners_4).a_20 + derivative_3 * vec3<f32>((1.0f - place_20.v_0 - place_20.w_0));
+    (*corners_4).b_17 = (*corners_4).b_17 + derivative_3 * vec3<f32>(place_20.v_0);
+    (*corners_4).c_9 = (*corners_4).c_9 + derivative_3 * vec3<f32>(place_20.w_0);
     return;
 }
 
-fn add_at_place_1( corners_5 : ptr<function, AtCorners_0>,  place_20 : Place_0,  derivative_4 : vec3<f32>)
+fn add_at_place_1( corners_5 : ptr<function, AtCorners_0>,  place_21 : Place_0,  derivative_4 : vec3<f32>)
 {
-    (*corners_5).a_20 = (*corners_5).a_20 + derivative_4 * vec3<f32>((1.0f - place_20.v_0 - place_20.w_0));
-    (*corners_5).b_17 = (*corners_5).b_17 + derivative_4 * vec3<f32>(place_20.v_0);
-    (*corners_5).c_9 = (*corners_5).c_9 + derivative_4 * vec3<f32>(place_20.w_0);
+    (*corners_5).a_20 = (*corners_5).a_20 + derivative_4 * vec3<f32>((1.0f - place_21.v_0 - place_21.w_0));
+    (*corners_5).b_17 = (*corners_5).b_17 + derivative_4 * vec3<f32>(place_21.v_0);
+    (*corners_5).c_9 = (*corners_5).c_9 + derivative_4 * vec3<f32>(place_21.w_0);
     return;
 }
 
-fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_21 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_19 : vec3<f32>) -> vec3<f32>
+fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_22 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_23 : vec3<f32>) -> vec3<f32>
 {
-    var corner_1 : u32 = u32(9) * place_21.triangle_0;
+    var corner_1 : u32 = u32(9) * place_22.triangle_0;
     var a_21 : vec3<f32> = primitive_vector_0(corner_1);
     var ab_2 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_21;
     var ac_1 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_21;
-    var across_1 : vec3<f32> = cross(ab_2, ac_1);
-    var _S1310 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
-    var normal_7 : vec3<f32> = across_1 / vec3<f32>(_S1310);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_1, normal_7) * vec3<f32>(by_place_0.x) + cross(normal_7, ab_2) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_7, normal_7) * _S1310)));
-    var by_drift_0 : vec3<f32> = by_slip_0 - normal_7 * vec3<f32>((dot(direction_19, by_slip_0) / dot(normal_7, direction_19)));
-    add_at_place_1(&((*points_0)), place_21, by_position_0 - by_drift_0);
+    var across_2 : vec3<f32> = cross(ab_2, ac_1);
+    var _S1338 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
+    var normal_9 : vec3<f32> = across_2 / vec3<f32>(_S1338);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_1, normal_9) * vec3<f32>(by_place_0.x) + cross(normal_9, ab_2) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_9, normal_9) * _S1338)));
+    var by_drift_0 : vec3<f32> = by_slip_0 - normal_9 * vec3<f32>((dot(direction_23, by_slip_0) / dot(normal_9, direction_23)));
+    add_at_place_1(&((*points_0)), place_22, by_position_0 - by_drift_0);
     return by_drift_0;
 }
 
@@ -6786,757 +7240,241 @@ fn points_of_0( triangle_9 : u32) -> u32
     return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_9)));
 }
 
-fn add_to_sums_0( first_6 : u32,  derivative_5 : vec3<f32>)
+fn add_to_sums_0( first_8 : u32,  derivative_5 : vec3<f32>)
 {
-    var _S1311 : i32;
-    if(first_6 == u32(4294967295))
+    var _S1339 : i32;
+    if(first_8 == u32(4294967295))
     {
-        _S1311 = i32(0);
+        _S1339 = i32(0);
     }
     else
     {
-        _S1311 = i32(3);
+        _S1339 = i32(3);
     }
-    var _S1312 : u32 = u32(_S1311);
-    var axis_6 : u32 = u32(0);
+    var _S1340 : u32 = u32(_S1339);
+    var axis_5 : u32 = u32(0);
     for(;;)
     {
-        if(axis_6 < _S1312)
+        if(axis_5 < _S1340)
         {
         }
         else
         {
             break;
         }
-        add_to_sum_0(first_6 + axis_6, derivative_5[axis_6]);
-        axis_6 = axis_6 + u32(1);
+        add_to_sum_0(first_8 + axis_5, derivative_5[axis_5]);
+        axis_5 = axis_5 + u32(1);
     }
     return;
 }
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_10 : u32,  corners_6 : AtCorners_0)
 {
-    var _S1313 : u32 = triangle_record_0(triangle_10) + u32(2);
-    var _S1314 : i32;
+    var _S1341 : u32 = triangle_record_0(triangle_10) + u32(2);
+    var _S1342 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S1314 = i32(0);
+        _S1342 = i32(0);
     }
     else
     {
-        _S1314 = i32(3);
+        _S1342 = i32(3);
     }
-    var _S1315 : u32 = u32(_S1314);
-    var k_8 : u32 = u32(0);
+    var _S1343 : u32 = u32(_S1342);
+    var k_9 : u32 = u32(0);
     for(;;)
     {
-        if(k_8 < _S1315)
+        if(k_9 < _S1343)
         {
         }
         else
         {
             break;
         }
-        var _S1316 : u32 = sums_at_0 + u32(3) * word_0(_S1313 + k_8);
-        var _S1317 : vec3<f32>;
-        if(k_8 == u32(0))
+        var _S1344 : u32 = sums_at_0 + u32(3) * word_0(_S1341 + k_9);
+        var _S1345 : vec3<f32>;
+        if(k_9 == u32(0))
         {
-            _S1317 = corners_6.a_20;
+            _S1345 = corners_6.a_20;
         }
         else
         {
-            if(k_8 == u32(1))
+            if(k_9 == u32(1))
             {
-                _S1317 = corners_6.b_17;
+                _S1345 = corners_6.b_17;
             }
             else
             {
-                _S1317 = corners_6.c_9;
+                _S1345 = corners_6.c_9;
             }
         }
-        add_to_sums_0(_S1316, _S1317);
-        k_8 = k_8 + u32(1);
+        add_to_sums_0(_S1344, _S1345);
+        k_9 = k_9 + u32(1);
     }
     return;
 }
 
-fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_6 : u32,  place_22 : Place_0,  direction_20 : vec3<f32>,  t_9 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
+fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_9 : u32,  place_23 : Place_0,  direction_24 : vec3<f32>,  t_9 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
 {
-    var record_14 : u32 = emitter_record_0(emitter_6);
-    var texture_10 : u32 = word_0(record_14 + u32(1));
+    var record_17 : u32 = emitter_record_0(emitter_9);
+    var texture_10 : u32 = word_0(record_17 + u32(1));
     var lookup_7 : Lookup_0;
     var by_texels_0 : vec3<f32>;
-    if(is_map_0(record_14))
+    if(is_map_0(record_17))
     {
         var scale_3 : u32 = word_0(texture_10 + u32(12));
-        var lookup_8 : Lookup_0 = in_map_0(texture_10, direction_20);
-        var _S1318 : Lookup_0 = one_texel_0(u32(0));
-        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_3, _S1318, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
-        add_to_texels_0(scale_3, _S1318, importance_0 * weighted_texels_0(word_0(texture_10 + u32(11)), lookup_8, lookup_8.weights_1));
+        var lookup_8 : Lookup_0 = in_map_0(texture_10, direction_24);
+        var _S1346 : Lookup_0 = one_texel_0(u32(0));
+        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_3, _S1346, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
+        add_to_texels_0(scale_3, _S1346, importance_0 * weighted_texels_0(word_0(texture_10 + u32(11)), lookup_8, lookup_8.weights_1));
         lookup_7 = lookup_8;
         by_texels_0 = by_texels_1;
     }
     else
     {
-        var _S1319 : Lookup_0 = lookup_at_0(texture_10, place_22);
-        lookup_7 = _S1319;
+        var _S1347 : Lookup_0 = lookup_at_0(texture_10, place_23);
+        lookup_7 = _S1347;
         by_texels_0 = importance_0;
     }
-    var _S1320 : u32;
-    if(is_map_0(record_14))
+    var _S1348 : u32;
+    if(is_map_0(record_17))
     {
-        _S1320 = word_0(texture_10 + u32(11));
+        _S1348 = word_0(texture_10 + u32(11));
     }
     else
     {
-        _S1320 = texture_10;
+        _S1348 = texture_10;
     }
-    var by_place_1 : vec2<f32> = lookup_back_0(_S1320, lookup_7, by_texels_0);
-    if(is_map_0(record_14))
+    var by_place_1 : vec2<f32> = lookup_back_0(_S1348, lookup_7, by_texels_0);
+    if(is_map_0(record_17))
     {
-        var _S1321 : vec3<f32> = vec3<f32>(0.0f);
-        var moving_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-        moving_0.primal_0 = direction_20;
-        moving_0.differential_0 = _S1321;
-        _S1105(texture_10, &(moving_0), by_place_1);
-        return moving_0.differential_0;
+        var _S1349 : vec3<f32> = vec3<f32>(0.0f);
+        var moving_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
+        moving_1.primal_0 = direction_24;
+        moving_1.differential_0 = _S1349;
+        _S1105(texture_10, &(moving_1), by_place_1);
+        return moving_1.differential_0;
     }
-    var _S1322 : bool;
-    if(!is_area_0(record_14))
+    var _S1350 : bool;
+    if(!is_area_0(record_17))
     {
-        _S1322 = true;
+        _S1350 = true;
     }
     else
     {
-        _S1322 = !is_moving_0();
+        _S1350 = !is_moving_0();
     }
-    if(_S1322)
+    if(_S1350)
     {
-        _S1322 = true;
+        _S1350 = true;
     }
     else
     {
-        _S1322 = (all((by_place_1 == vec2<f32>(0.0f))));
+        _S1350 = (all((by_place_1 == vec2<f32>(0.0f))));
     }
-    if(_S1322)
+    if(_S1350)
     {
         return vec3<f32>(0.0f);
     }
     var points_1 : AtCorners_0 = at_no_corner_0();
-    var by_drift_1 : vec3<f32> = place_back_0(&(points_1), place_22, by_place_1, vec3<f32>(0.0f), direction_20);
-    add_to_corners_0(points_of_0(place_22.triangle_0), place_22.triangle_0, points_1);
+    var by_drift_1 : vec3<f32> = place_back_0(&(points_1), place_23, by_place_1, vec3<f32>(0.0f), direction_24);
+    add_to_corners_0(points_of_0(place_23.triangle_0), place_23.triangle_0, points_1);
     (*by_start_0) = (*by_start_0) + by_drift_1;
     return by_drift_1 * vec3<f32>(t_9);
 }
 
-fn specular_fraction_0( lobe_13 : Lobe_0,  numbers_8 : Numbers_0,  wi_6 : vec3<f32>) -> vec3<f32>
+fn axes_back_0( axes_10 : ptr<function, Axes_0>,  local_2 : vec3<f32>,  world_0 : vec3<f32>)
 {
-    if((lobe_13.kind_0) == u32(1))
-    {
-        return numbers_8.specular_reflectance_0 * fresnel_conductor_0(wi_6.z, numbers_8.eta_0, numbers_8.k_0);
-    }
-    return numbers_8.specular_reflectance_0 * vec3<f32>(fresnel_dielectric_0(wi_6.z, coat_eta_0(numbers_8)));
-}
-
-fn axes_back_0( axes_10 : ptr<function, Axes_0>,  local_1 : vec3<f32>,  world_0 : vec3<f32>)
-{
-    (*axes_10).s_0 = (*axes_10).s_0 + world_0 * vec3<f32>(local_1.x);
-    (*axes_10).t_0 = (*axes_10).t_0 + world_0 * vec3<f32>(local_1.y);
-    (*axes_10).n_0 = (*axes_10).n_0 + world_0 * vec3<f32>(local_1.z);
+    (*axes_10).s_0 = (*axes_10).s_0 + world_0 * vec3<f32>(local_2.x);
+    (*axes_10).t_0 = (*axes_10).t_0 + world_0 * vec3<f32>(local_2.y);
+    (*axes_10).n_0 = (*axes_10).n_0 + world_0 * vec3<f32>(local_2.z);
     return;
 }
 
-fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_6 : Vertex_0,  wo_5 : vec3<f32>,  direction_21 : vec3<f32>,  is_specular_1 : bool,  by_value_0 : vec3<f32>) -> vec3<f32>
+fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_11 : Vertex_0,  wo_8 : vec3<f32>,  direction_25 : vec3<f32>,  is_specular_3 : bool,  by_value_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S1323 : Numbers_0 = no_numbers_0();
+    var _S1351 : Numbers_0 = no_numbers_0();
     var numbers_9 : DiffPair_Numbers_0;
-    numbers_9.primal_0 = vertex_6.lobe_6.numbers_0;
-    numbers_9.differential_0 = _S1323;
-    var _S1324 : vec3<f32> = vec3<f32>(0.0f);
-    var wi_7 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    wi_7.primal_0 = vertex_6.wi_1;
-    wi_7.differential_0 = _S1324;
+    numbers_9.primal_0 = vertex_11.lobe_6.numbers_0;
+    numbers_9.differential_0 = _S1351;
+    var _S1352 : vec3<f32> = vec3<f32>(0.0f);
+    var wi_11 : DiffPair_vectorx3Cfloatx2C3x3E_0;
+    wi_11.primal_0 = vertex_11.wi_1;
+    wi_11.differential_0 = _S1352;
     var onward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    onward_1.primal_0 = wo_5;
-    onward_1.differential_0 = _S1324;
-    if(is_specular_1)
+    onward_1.primal_0 = wo_8;
+    onward_1.differential_0 = _S1352;
+    if(is_specular_3)
     {
-        _S1014(vertex_6.lobe_6, &(numbers_9), &(wi_7), by_value_0);
+        _S1014(vertex_11.lobe_6, &(numbers_9), &(wi_11), by_value_0);
     }
     else
     {
         var by_scattering_0 : Scattering_Differential_0;
         by_scattering_0.value_0 = by_value_0;
-        _S956(vertex_6.lobe_6, &(numbers_9), &(wi_7), &(onward_1), by_scattering_0);
-        var _S1325 : Axes_0 = (*pulled_1).axes_5;
-        axes_back_0(&(_S1325), onward_1.differential_0, direction_21);
-        (*pulled_1).axes_5 = _S1325;
+        _S956(vertex_11.lobe_6, &(numbers_9), &(wi_11), &(onward_1), by_scattering_0);
+        var _S1353 : Axes_0 = (*pulled_1).axes_5;
+        axes_back_0(&(_S1353), onward_1.differential_0, direction_25);
+        (*pulled_1).axes_5 = _S1353;
     }
     (*pulled_1).numbers_4 = Numbers_x24_syn_dadd_0((*pulled_1).numbers_4, numbers_9.differential_0);
-    (*pulled_1).wi_2 = (*pulled_1).wi_2 + wi_7.differential_0;
-    var _S1326 : vec3<f32>;
-    if(is_specular_1)
+    (*pulled_1).wi_2 = (*pulled_1).wi_2 + wi_11.differential_0;
+    var _S1354 : vec3<f32>;
+    if(is_specular_3)
     {
-        _S1326 = _S1324;
+        _S1354 = _S1352;
     }
     else
     {
-        _S1326 = to_world_0(vertex_6.axes_4, onward_1.differential_0);
+        _S1354 = to_world_0(vertex_11.axes_4, onward_1.differential_0);
     }
-    return _S1326;
+    return _S1354;
 }
 
-fn specular_direction_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  wo_6 : vec3<f32>,  by_direction_0 : vec3<f32>)
+fn specular_direction_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_12 : Vertex_0,  wo_9 : vec3<f32>,  by_direction_0 : vec3<f32>)
 {
-    var local_2 : vec3<f32> = to_local_0(vertex_7.axes_4, by_direction_0);
-    var _S1327 : Axes_0 = (*pulled_2).axes_5;
-    axes_back_0(&(_S1327), wo_6, by_direction_0);
-    (*pulled_2).axes_5 = _S1327;
-    (*pulled_2).wi_2 = (*pulled_2).wi_2 + vec3<f32>((vec2<f32>(0) - local_2.xy), local_2.z);
+    var local_3 : vec3<f32> = to_local_0(vertex_12.axes_4, by_direction_0);
+    var _S1355 : Axes_0 = (*pulled_2).axes_5;
+    axes_back_0(&(_S1355), wo_9, by_direction_0);
+    (*pulled_2).axes_5 = _S1355;
+    (*pulled_2).wi_2 = (*pulled_2).wi_2 + vec3<f32>((vec2<f32>(0) - local_3.xy), local_3.z);
     return;
 }
 
-fn turns_1( vertex_8 : Vertex_0) -> bool
+fn turns_1( vertex_13 : Vertex_0) -> bool
 {
     return (change_word_0(u32(1))) != u32(0);
 }
 
-fn turning_back_0( pulled_3 : ptr<function, Pulled_0>,  vertex_9 : Vertex_0,  direction_22 : vec3<f32>,  by_direction_1 : vec3<f32>)
+fn turning_back_0( pulled_3 : ptr<function, Pulled_0>,  vertex_14 : Vertex_0,  direction_26 : vec3<f32>,  by_direction_1 : vec3<f32>)
 {
-    if(turns_1(vertex_9))
+    if(turns_1(vertex_14))
     {
-        (*pulled_3).axes_5.n_0 = (*pulled_3).axes_5.n_0 + (by_direction_1 * vec3<f32>(dot(vertex_9.axes_4.n_0, direction_22)) - direction_22 * vec3<f32>(dot(vertex_9.axes_4.n_0, by_direction_1)));
+        (*pulled_3).axes_5.n_0 = (*pulled_3).axes_5.n_0 + (by_direction_1 * vec3<f32>(dot(vertex_14.axes_4.n_0, direction_26)) - direction_26 * vec3<f32>(dot(vertex_14.axes_4.n_0, by_direction_1)));
     }
     return;
 }
 
-fn direct_back_0( pulled_4 : ptr<function, Pulled_0>,  vertex_10 : Vertex_0,  emitter_7 : u32,  place_23 : Place_0,  wo_7 : vec3<f32>,  direction_23 : vec3<f32>,  is_specular_2 : bool,  t_10 : f32,  scattered_3 : Scattered_0,  weight_0 : f32,  light_1 : vec3<f32>,  importance_1 : vec3<f32>)
+fn direct_back_0( pulled_4 : ptr<function, Pulled_0>,  vertex_15 : Vertex_0,  emitter_10 : u32,  place_24 : Place_0,  wo_10 : vec3<f32>,  direction_27 : vec3<f32>,  is_specular_4 : bool,  t_10 : f32,  scattered_4 : Scattered_0,  weight_0 : f32,  light_1 : vec3<f32>,  importance_1 : vec3<f32>)
 {
-    var _S1328 : vec3<f32> = importance_1 * scattered_3.value_9 * vec3<f32>(weight_0);
-    var _S1329 : vec3<f32> = (*pulled_4).position_2;
-    var by_direction_2 : vec3<f32> = emitted_back_0(&(_S1329), emitter_7, place_23, direction_23, t_10, _S1328);
-    (*pulled_4).position_2 = _S1329;
-    var _S1330 : vec3<f32> = scattered_back_0(&((*pulled_4)), vertex_10, wo_7, direction_23, is_specular_2, importance_1 * light_1);
-    var by_direction_3 : vec3<f32> = by_direction_2 + _S1330;
-    if(is_specular_2)
+    var _S1356 : vec3<f32> = importance_1 * scattered_4.value_9 * vec3<f32>(weight_0);
+    var _S1357 : vec3<f32> = (*pulled_4).position_2;
+    var by_direction_2 : vec3<f32> = emitted_back_0(&(_S1357), emitter_10, place_24, direction_27, t_10, _S1356);
+    (*pulled_4).position_2 = _S1357;
+    var _S1358 : vec3<f32> = scattered_back_0(&((*pulled_4)), vertex_15, wo_10, direction_27, is_specular_4, importance_1 * light_1);
+    var by_direction_3 : vec3<f32> = by_direction_2 + _S1358;
+    if(is_specular_4)
     {
-        specular_direction_back_0(&((*pulled_4)), vertex_10, wo_7, by_direction_3);
+        specular_direction_back_0(&((*pulled_4)), vertex_15, wo_10, by_direction_3);
     }
     else
     {
-        if((word_0(emitter_record_0(emitter_7))) == u32(1))
+        if((word_0(emitter_record_0(emitter_10))) == u32(1))
         {
-            turning_back_0(&((*pulled_4)), vertex_10, direction_23, by_direction_3);
+            turning_back_0(&((*pulled_4)), vertex_15, direction_27, by_direction_3);
         }
     }
     return;
-}
-
-fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_11 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_7 : u32,  bsdf_samples_0 : f32,  importance_2 : vec3<f32>,  pulled_5 : ptr<function, Pulled_0>)
-{
-    var probability_4 : f32;
-    var emitter_8 : u32 = chosen_emitter_0(choice_5, random_0(key_7, first_7), &(probability_4));
-    if(probability_4 == 0.0f)
-    {
-        return;
-    }
-    var record_15 : u32 = emitter_record_0(emitter_8);
-    var point_2 : EmitterPoint_0;
-    var nearest_0 : f32 = limit_at_0(u32(2));
-    var direction_24 : vec3<f32>;
-    var way_2 : vec3<f32>;
-    var farthest_0 : f32;
-    var distance_6 : f32;
-    var nearest_1 : f32;
-    if(is_area_0(record_15))
-    {
-        point_2 = area_point_0(record_15, vertex_11.surface_3, key_7, first_7 + u32(1));
-        if(!((point_2.pdf_2) > 0.0f))
-        {
-            return;
-        }
-        var way_3 : vec3<f32> = position_of_0(point_2.place_13) - vertex_11.surface_3.exact_0;
-        var distance_7 : f32 = length(way_3);
-        var nearest_2 : f32 = nearest_0 / distance_7;
-        var _S1331 : f32 = limit_at_0(u32(3));
-        direction_24 = way_3 / vec3<f32>(distance_7);
-        way_2 = way_3;
-        farthest_0 = _S1331;
-        distance_6 = distance_7;
-        nearest_1 = nearest_2;
-    }
-    else
-    {
-        if(is_map_0(record_15))
-        {
-            var _S1332 : u32 = word_0(record_15 + u32(1));
-            var _S1333 : u32 = first_7 + u32(1);
-            var _S1334 : f32 = point_2.pdf_2;
-            var _S1335 : vec3<f32> = sample_map_0(_S1332, key_7, _S1333, &(_S1334));
-            point_2.pdf_2 = _S1334;
-            direction_24 = _S1335;
-        }
-        else
-        {
-            var local_3 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_7 + u32(1)));
-            var _S1336 : vec3<f32> = normalize(to_world_0(vertex_11.axes_4, local_3));
-            point_2.pdf_2 = local_3.z * 0.31830987334251404f;
-            direction_24 = _S1336;
-        }
-        point_2.place_13 = vertex_11.surface_3.place_5;
-        var _S1337 : f32 = limit_at_0(u32(1));
-        way_2 = direction_24;
-        farthest_0 = _S1337;
-        distance_6 = 0.0f;
-        nearest_1 = nearest_0;
-    }
-    var wo_8 : vec3<f32> = to_local_0(vertex_11.axes_4, direction_24);
-    if((wo_8.z) <= 0.0f)
-    {
-        return;
-    }
-    var unused_0 : f32;
-    if((cast_0(vertex_11.surface_3.exact_0, way_2, nearest_1, farthest_0, true, &(unused_0)).face_7) != u32(4294967295))
-    {
-        return;
-    }
-    var own_5 : f32 = f32(word_0(u32(2))) * probability_4 * point_2.pdf_2;
-    if(!(own_5 > 0.0f))
-    {
-        return;
-    }
-    var moving_1 : vec3<f32> = towards_emitter_0(vertex_11, direction_24, record_15);
-    var scattered_4 : Scattered_0 = scattered_to_0(vertex_11, wo_8, moving_1);
-    var place_24 : Place_0 = point_2.place_13;
-    var place_25 : Place_0;
-    if(is_area_0(record_15))
-    {
-        place_25 = met_0(vertex_11, moving_1, distance_6, place_24);
-    }
-    else
-    {
-        place_25 = place_24;
-    }
-    var weight_1 : f32 = weight_over_0(own_5, bsdf_samples_0 * scattered_4.pdf_5);
-    var _S1338 : vec3<f32> = emitted_0(emitter_8, place_25, moving_1);
-    var light_2 : vec3<f32> = _S1338 * vec3<f32>(weight_1);
-    (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_4.value_9 * light_2;
-    direct_back_0(&((*pulled_5)), vertex_11, emitter_8, place_25, wo_8, direction_24, false, distance_6, scattered_4, weight_1, light_2, importance_2);
-    return;
-}
-
-struct Stretched_0
-{
-     sine_4 : f32,
-     cosine_10 : f32,
-     around_0 : vec2<f32>,
-     length_0 : f32,
-};
-
-fn stretched_3( facets_4 : Microfacets_0,  wi_8 : vec3<f32>) -> Stretched_0
-{
-    var longer_0 : vec3<f32> = vec3<f32>(wi_8.xy * facets_4.alpha_1, wi_8.z);
-    var view_7 : Stretched_0;
-    var _S1339 : f32 = length(longer_0);
-    view_7.length_0 = _S1339;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S1339);
-    var _S1340 : vec2<f32> = longer_1.xy;
-    var _S1341 : f32 = length(_S1340);
-    view_7.sine_4 = _S1341;
-    view_7.cosine_10 = longer_1.z;
-    var _S1342 : vec2<f32>;
-    if(_S1341 > 0.0f)
-    {
-        _S1342 = _S1340 / vec2<f32>(view_7.sine_4);
-    }
-    else
-    {
-        _S1342 = vec2<f32>(1.0f, 0.0f);
-    }
-    view_7.around_0 = _S1342;
-    return view_7;
-}
-
-fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
-{
-    var _S1343 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S1343);
-    var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
-    var across_2 : f32 = radius_2 * turn_3.y;
-    var along_5 : f32 = radius_2 * turn_3.x;
-    var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_10);
-    var hidden_0 : f32 = 1.0f - visible_0;
-    var _S1344 : f32 = 1.0f - _S1343;
-    var edge_0 : f32 = sqrt(_S1344 + along_5 * along_5);
-    var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
-    var from_top_0 : f32 = edge_0 - along_5;
-    var from_bottom_0 : f32 = edge_0 + along_5;
-    var from_top_1 : f32;
-    var from_bottom_1 : f32;
-    if(along_5 > 0.0f)
-    {
-        from_top_1 = _S1344 / from_bottom_0;
-        from_bottom_1 = from_bottom_0;
-    }
-    else
-    {
-        var _S1345 : f32 = _S1344 / from_top_0;
-        from_top_1 = from_top_0;
-        from_bottom_1 = _S1345;
-    }
-    var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
-    return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_10, across_2, max(towards_0 * view_8.cosine_10 + up_0 * view_8.sine_4, 0.0f));
-}
-
-fn logarithm_0( x_25 : f32) -> f32
-{
-    var bits_0 : u32 = (bitcast<u32>((x_25)));
-    var power_3 : f32 = f32(i32((bits_0 >> (u32(23)))) - i32(126));
-    var m_1 : f32 = (bitcast<f32>(((((bits_0 & (u32(8388607)))) | (u32(1056964608))))));
-    var m_2 : f32;
-    var power_4 : f32;
-    if(m_1 < 0.70710676908493042f)
-    {
-        var power_5 : f32 = power_3 - 1.0f;
-        m_2 = m_1 + m_1;
-        power_4 = power_5;
-    }
-    else
-    {
-        m_2 = m_1;
-        power_4 = power_3;
-    }
-    var m_3 : f32 = m_2 - 1.0f;
-    var z_8 : f32 = m_3 * m_3;
-    return m_3 + (((((((((0.07037683576345444f * m_3 - 0.11514610052108765f) * m_3 + 0.11676998436450958f) * m_3 - 0.12420140951871872f) * m_3 + 0.14249323308467865f) * m_3 - 0.16668057441711426f) * m_3 + 0.20000714063644409f) * m_3 - 0.24999994039535522f) * m_3 + 0.33333331346511841f) * m_3 * z_8 - 0.00021219444170129f * power_4 - 0.5f * z_8) + 0.693359375f * power_4;
-}
-
-fn error_function_inverse_0( p_0 : f32) -> f32
-{
-    var w_8 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
-    if(w_8 < 5.0f)
-    {
-        var w_9 : f32 = w_8 - 2.5f;
-        return ((((((((2.81022636272609816e-08f * w_9 + 3.43273939051869093e-07f) * w_9 - 3.52338770426285919e-06f) * w_9 - 4.39150653619435616e-06f) * w_9 + 0.00021858086984139f) * w_9 - 0.00125372502952814f) * w_9 - 0.00417768163606524f) * w_9 + 0.24664072692394257f) * w_9 + 1.50140941143035889f) * p_0;
-    }
-    var w_10 : f32 = sqrt(w_8) - 3.0f;
-    return ((((((((-0.0002002142573474f * w_10 + 0.00010095055768033f) * w_10 + 0.00134934321977198f) * w_10 - 0.00367342843674123f) * w_10 + 0.00573950773105025f) * w_10 - 0.00762246130034328f) * w_10 + 0.00943887047469616f) * w_10 + 1.00167405605316162f) * w_10 + 2.8329768180847168f) * p_0;
-}
-
-fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>) -> vec3<f32>
-{
-    var steepest_0 : f32;
-    if((view_9.sine_4 * 6.0f) > (view_9.cosine_10))
-    {
-        steepest_0 = view_9.cosine_10 / view_9.sine_4;
-    }
-    else
-    {
-        steepest_0 = 6.0f;
-    }
-    var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S1346 : f32 = max(view_9.cosine_10, view_9.sine_4);
-    var slope_4 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S1346 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S1346, -6.0f, 0.5f * steepest_0);
-    var low_5 : f32 = -6.0f;
-    var high_2 : f32 = steepest_0;
-    var step_0 : u32 = u32(0);
-    for(;;)
-    {
-        if(step_0 < u32(32))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var both_2 : vec2<f32> = error_function_plus_one_0(slope_4);
-        var _S1347 : f32 = both_2.y;
-        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S1347 - target_1;
-        var own_6 : f32 = _S1347 * (view_9.cosine_10 - slope_4 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_4 * own_6 - _S1347 * view_9.sine_4;
-        if(error_0 > 0.0f)
-        {
-            high_2 = slope_4;
-        }
-        else
-        {
-            low_5 = slope_4;
-        }
-        var next_1 : f32 = slope_4 - error_0 * own_6 / (own_6 * own_6 - 0.5f * error_0 * bend_0);
-        var _S1348 : bool;
-        if(next_1 >= low_5)
-        {
-            _S1348 = next_1 <= high_2;
-        }
-        else
-        {
-            _S1348 = false;
-        }
-        var next_2 : f32;
-        if(!_S1348)
-        {
-            next_2 = 0.5f * (low_5 + high_2);
-        }
-        else
-        {
-            next_2 = next_1;
-        }
-        if((abs(next_2 - slope_4)) < 0.00030000001424924f)
-        {
-            slope_4 = next_2;
-            break;
-        }
-        var _S1349 : u32 = step_0 + u32(1);
-        slope_4 = next_2;
-        step_0 = _S1349;
-    }
-    return vec3<f32>(- slope_4, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
-}
-
-fn mirrored_at_facet_0( facets_5 : Microfacets_0,  wi_9 : vec3<f32>,  u_11 : vec2<f32>) -> vec3<f32>
-{
-    var view_10 : Stretched_0 = stretched_3(facets_5, wi_9);
-    var normal_8 : vec3<f32>;
-    if((facets_5.distribution_1) == u32(1))
-    {
-        normal_8 = ggx_normal_0(view_10, u_11);
-    }
-    else
-    {
-        normal_8 = beckmann_normal_0(view_10, visible_over_cos_0(facets_5, wi_9), u_11);
-    }
-    var _S1350 : f32 = view_10.around_0.x;
-    var _S1351 : f32 = normal_8.x;
-    var _S1352 : f32 = view_10.around_0.y;
-    var _S1353 : f32 = normal_8.y;
-    var normal_9 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S1350 * _S1351 - _S1352 * _S1353, _S1352 * _S1351 + _S1350 * _S1353) * facets_5.alpha_1, normal_8.z));
-    return normalize(normal_9 * vec3<f32>((2.0f * dot(wi_9, normal_9))) - wi_9);
-}
-
-struct Drawn_0
-{
-     wo_9 : vec3<f32>,
-     is_specular_3 : bool,
-     probability_5 : f32,
-};
-
-fn draw_0( lobe_14 : Lobe_0,  wi_10 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
-{
-    var _S1354 : bool = (lobe_14.kind_0) == u32(0);
-    var has_base_0 : bool;
-    if(_S1354)
-    {
-        has_base_0 = true;
-    }
-    else
-    {
-        has_base_0 = (lobe_14.kind_0) == u32(3);
-    }
-    if(has_base_0)
-    {
-        has_base_0 = true;
-    }
-    else
-    {
-        has_base_0 = (lobe_14.kind_0) == u32(4);
-    }
-    var of_base_1 : f32;
-    if(_S1354)
-    {
-        of_base_1 = 1.0f;
-    }
-    else
-    {
-        of_base_1 = 0.0f;
-    }
-    var _S1355 : bool;
-    if((lobe_14.kind_0) == u32(3))
-    {
-        _S1355 = true;
-    }
-    else
-    {
-        _S1355 = (lobe_14.kind_0) == u32(4);
-    }
-    if(_S1355)
-    {
-        of_base_1 = base_probability_0(lobe_14.numbers_0, transmittance_0(lobe_14, coat_eta_0(lobe_14.numbers_0), wi_10.z));
-    }
-    var drawn_0 : Drawn_0;
-    drawn_0.is_specular_3 = false;
-    drawn_0.probability_5 = 1.0f;
-    if(has_base_0)
-    {
-        has_base_0 = choice_6 < of_base_1;
-    }
-    else
-    {
-        has_base_0 = false;
-    }
-    if(has_base_0)
-    {
-        drawn_0.wo_9 = sample_cosine_0(u_12);
-    }
-    else
-    {
-        if(is_rough_0(lobe_14))
-        {
-            drawn_0.wo_9 = mirrored_at_facet_0(facets_of_0(lobe_14, lobe_14.numbers_0), wi_10, u_12);
-        }
-        else
-        {
-            drawn_0.wo_9 = vec3<f32>((vec2<f32>(0) - wi_10.xy), wi_10.z);
-            drawn_0.is_specular_3 = true;
-            drawn_0.probability_5 = 1.0f - of_base_1;
-        }
-    }
-    return drawn_0;
-}
-
-fn specular_direction_0( vertex_12 : Vertex_0,  direction_25 : vec3<f32>,  wo_10 : vec3<f32>) -> vec3<f32>
-{
-    return direction_25;
-}
-
-fn specular_0( lobe_15 : Lobe_0,  wi_11 : vec3<f32>) -> vec3<f32>
-{
-    return specular_fraction_0(lobe_15, lobe_15.numbers_0, wi_11);
-}
-
-fn first_from_0( position_7 : vec3<f32>,  direction_26 : vec3<f32>,  t_11 : ptr<function, f32>) -> Found_0
-{
-    var _S1356 : Found_0 = cast_1(position_7, direction_26, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_11)));
-    return _S1356;
-}
-
-fn place_of_0( found_6 : Found_0) -> Place_0
-{
-    return exact_place_0(found_6.triangle_8, found_6.v_11, found_6.w_6);
-}
-
-fn emitter_seen_0( found_7 : Found_0,  direction_27 : vec3<f32>) -> u32
-{
-    if((found_7.face_7) == u32(4294967295))
-    {
-        return word_0(u32(8));
-    }
-    var emitter_9 : u32 = word_0(shape_of_0(found_7.triangle_8) + u32(4));
-    var _S1357 : bool;
-    if(emitter_9 != u32(4294967295))
-    {
-        _S1357 = (dot(cross_of_0(found_7.triangle_8), direction_27)) < 0.0f;
-    }
-    else
-    {
-        _S1357 = false;
-    }
-    var _S1358 : u32;
-    if(_S1357)
-    {
-        _S1358 = emitter_9;
-    }
-    else
-    {
-        _S1358 = u32(4294967295);
-    }
-    return _S1358;
-}
-
-fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_28 : vec3<f32>,  distance_8 : f32) -> f32
-{
-    var own_7 : f32;
-    var rectangle_1 : u32 = word_0(record_16 + u32(4));
-    if(rectangle_1 != u32(4294967295))
-    {
-        var _S1359 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S1359.solid_angle_0) > 0.0f))
-        {
-            return 0.0f;
-        }
-        if((_S1359.solid_angle_0) >= 0.00100000004749745f)
-        {
-            return 1.0f / _S1359.solid_angle_0;
-        }
-    }
-    var _S1360 : u32 = word_0(word_0(record_16 + u32(7)) + face_8);
-    var nodes_at_2 : u32 = word_0(record_16 + u32(5));
-    var node_6 : u32 = nodes_at_2;
-    var chosen_2 : f32 = 1.0f;
-    for(;;)
-    {
-        if((word_0(node_6 + u32(2))) != u32(4294967295))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S1360 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
-        if(is_second_1)
-        {
-            own_7 = shares_1.y;
-        }
-        else
-        {
-            own_7 = shares_1.x;
-        }
-        var chosen_3 : f32 = chosen_2 * own_7;
-        var _S1361 : i32;
-        if(is_second_1)
-        {
-            _S1361 = i32(3);
-        }
-        else
-        {
-            _S1361 = i32(2);
-        }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S1361));
-        chosen_2 = chosen_3;
-    }
-    var _S1362 : u32 = word_0(record_16 + u32(6));
-    var _S1363 : u32 = word_0(node_6);
-    own_7 = 0.0f;
-    var k_9 : u32 = _S1363;
-    var total_3 : f32 = 0.0f;
-    for(;;)
-    {
-        if(k_9 < (word_0(node_6 + u32(1))))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var angle_6 : f32 = face_solid_angle_0(record_16, word_0(_S1362 + k_9), from_2.exact_0);
-        var total_4 : f32 = total_3 + angle_6;
-        if(k_9 == _S1360)
-        {
-            own_7 = angle_6;
-        }
-        k_9 = k_9 + u32(1);
-        total_3 = total_4;
-    }
-    if(!(own_7 > 0.0f))
-    {
-        return 0.0f;
-    }
-    return chosen_2 / total_3 * density_of_0(own_7, cross_of_0(emitter_triangle_0(record_16, face_8)), distance_8, direction_28);
-}
-
-fn emitter_pdf_0( emitter_10 : u32,  found_8 : Found_0,  vertex_13 : Vertex_0,  direction_29 : vec3<f32>,  t_12 : f32) -> f32
-{
-    var record_17 : u32 = emitter_record_0(emitter_10);
-    if(is_map_0(record_17))
-    {
-        var _S1364 : f32 = map_pdf_0(word_0(record_17 + u32(1)), direction_29);
-        return _S1364;
-    }
-    if(!is_area_0(record_17))
-    {
-        return max(dot(vertex_13.axes_4.n_0, direction_29), 0.0f) * 0.31830987334251404f;
-    }
-    return area_pdf_0(record_17, found_8.face_7 - word_0(record_17 + u32(3)), vertex_13.surface_3, direction_29, t_12);
 }
 
 fn slot_derivative_0( numbers_10 : Numbers_0,  slot_6 : u32) -> vec3<f32>
@@ -7570,15 +7508,15 @@ fn slot_derivative_0( numbers_10 : Numbers_0,  slot_6 : u32) -> vec3<f32>
     }
 }
 
-fn numbers_back_0( material_1 : u32,  place_26 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
+fn numbers_back_0( material_1 : u32,  place_25 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
 {
-    var _S1365 : vec2<f32> = vec2<f32>(0.0f);
-    var _S1366 : u32 = word_0(material_1 + u32(4));
+    var _S1359 : vec2<f32> = vec2<f32>(0.0f);
+    var _S1360 : u32 = word_0(material_1 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_2 : vec2<f32> = _S1365;
+    var by_place_2 : vec2<f32> = _S1359;
     for(;;)
     {
-        if(slot_7 < _S1366)
+        if(slot_7 < _S1360)
         {
         }
         else
@@ -7591,37 +7529,37 @@ fn numbers_back_0( material_1 : u32,  place_26 : Place_0,  numbers_11 : Numbers_
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S1367 : Lookup_0 = lookup_at_0(texture_11, place_26);
-        var _S1368 : vec2<f32> = lookup_back_0(texture_11, _S1367, slot_derivative_0(numbers_11, slot_7));
-        by_place_2 = by_place_2 + _S1368;
+        var _S1361 : Lookup_0 = lookup_at_0(texture_11, place_25);
+        var _S1362 : vec2<f32> = lookup_back_0(texture_11, _S1361, slot_derivative_0(numbers_11, slot_7));
+        by_place_2 = by_place_2 + _S1362;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_2;
 }
 
-fn unit_back_0( vector_1 : vec3<f32>,  derivative_6 : vec3<f32>,  size_6 : f32) -> vec3<f32>
+fn unit_back_0( vector_1 : vec3<f32>,  derivative_6 : vec3<f32>,  size_5 : f32) -> vec3<f32>
 {
-    return (derivative_6 - vector_1 * vec3<f32>(dot(vector_1, derivative_6))) / vec3<f32>(size_6);
+    return (derivative_6 - vector_1 * vec3<f32>(dot(vector_1, derivative_6))) / vec3<f32>(size_5);
 }
 
 fn tangent_back_0( points_2 : ptr<function, AtCorners_0>,  triangle_11 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : vec3<f32>)
 {
     var corner_2 : u32 = u32(9) * triangle_11;
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_11);
-    var first_8 : vec2<f32> = uvs_2.b_4 - uvs_2.a_7;
+    var first_9 : vec2<f32> = uvs_2.b_4 - uvs_2.a_7;
     var second_3 : vec2<f32> = uvs_2.c_1 - uvs_2.a_7;
-    var _S1369 : f32 = second_3.y;
-    var _S1370 : f32 = first_8.y;
-    var scale_4 : f32 = 1.0f / (first_8.x * _S1369 - second_3.x * _S1370);
-    var of_ab_0 : f32 = _S1369 * scale_4;
-    var of_ac_0 : f32 = - _S1370 * scale_4;
+    var _S1363 : f32 = second_3.y;
+    var _S1364 : f32 = first_9.y;
+    var scale_4 : f32 = 1.0f / (first_9.x * _S1363 - second_3.x * _S1364);
+    var of_ab_0 : f32 = _S1363 * scale_4;
+    var of_ac_0 : f32 = - _S1364 * scale_4;
     var a_22 : vec3<f32> = primitive_vector_0(corner_2);
-    var _S1371 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S1372 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_7 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_2 + u32(3)) - a_22) * _S1371 + (primitive_vector_0(corner_2 + u32(6)) - a_22) * _S1372));
+    var _S1365 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S1366 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_7 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_2 + u32(3)) - a_22) * _S1365 + (primitive_vector_0(corner_2 + u32(6)) - a_22) * _S1366));
     (*points_2).a_20 = (*points_2).a_20 - derivative_7 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_2).b_17 = (*points_2).b_17 + derivative_7 * _S1371;
-    (*points_2).c_9 = (*points_2).c_9 + derivative_7 * _S1372;
+    (*points_2).b_17 = (*points_2).b_17 + derivative_7 * _S1365;
+    (*points_2).c_9 = (*points_2).c_9 + derivative_7 * _S1366;
     return;
 }
 
@@ -7630,10 +7568,10 @@ fn normals_of_0( triangle_12 : u32) -> u32
     return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_12)) + u32(1));
 }
 
-fn surface_back_0( points_3 : ptr<function, AtCorners_0>,  surface_5 : Surface_0,  by_place_3 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_30 : vec3<f32>) -> vec3<f32>
+fn surface_back_0( points_3 : ptr<function, AtCorners_0>,  surface_5 : Surface_0,  by_place_3 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_28 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_5.shape_0);
-    var _S1373 : vec2<f32>;
+    var _S1367 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_3 : u32 = u32(9) * surface_5.place_5.triangle_0;
@@ -7646,7 +7584,7 @@ fn surface_back_0( points_3 : ptr<function, AtCorners_0>,  surface_5 : Surface_0
         (*points_3).a_20 = (*points_3).a_20 - (by_ab_0 + by_ac_0);
         (*points_3).b_17 = (*points_3).b_17 + by_ab_0;
         (*points_3).c_9 = (*points_3).c_9 + by_ac_0;
-        _S1373 = by_place_3;
+        _S1367 = by_place_3;
     }
     else
     {
@@ -7658,60 +7596,60 @@ fn surface_back_0( points_3 : ptr<function, AtCorners_0>,  surface_5 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_5.place_5, derivative_9);
         add_to_corners_0(normals_of_0(surface_5.place_5.triangle_0), surface_5.place_5.triangle_0, of_normals_0);
-        _S1373 = by_place_3 + vec2<f32>(dot(ab_4, derivative_9), dot(ac_3, derivative_9));
+        _S1367 = by_place_3 + vec2<f32>(dot(ab_4, derivative_9), dot(ac_3, derivative_9));
     }
-    var _S1374 : vec3<f32> = place_back_0(&((*points_3)), surface_5.place_5, _S1373, by_position_1, direction_30);
-    return _S1374;
+    var _S1368 : vec3<f32> = place_back_0(&((*points_3)), surface_5.place_5, _S1367, by_position_1, direction_28);
+    return _S1368;
 }
 
-fn vertex_back_0( pulled_6 : Pulled_0,  vertex_14 : Vertex_0,  material_2 : u32,  direction_31 : vec3<f32>) -> ByRay_0
+fn vertex_back_0( pulled_5 : Pulled_0,  vertex_16 : Vertex_0,  material_2 : u32,  direction_29 : vec3<f32>) -> ByRay_0
 {
     var by_ray_2 : ByRay_0;
-    var _S1375 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_2.direction_0 = _S1375;
-    by_ray_2.drift_0 = _S1375;
-    var by_place_4 : vec2<f32> = numbers_back_0(material_2, vertex_14.surface_3.place_5, pulled_6.numbers_4);
+    var _S1369 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_2.direction_0 = _S1369;
+    by_ray_2.drift_0 = _S1369;
+    var by_place_4 : vec2<f32> = numbers_back_0(material_2, vertex_16.surface_3.place_5, pulled_5.numbers_4);
     if(!is_moving_0())
     {
         return by_ray_2;
     }
-    var _S1376 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S1370 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_1 : DiffPair_Axes_0;
-    towards_1.primal_0 = vertex_14.axes_4;
-    towards_1.differential_0 = _S1376;
+    towards_1.primal_0 = vertex_16.axes_4;
+    towards_1.differential_0 = _S1370;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    incoming_0.primal_0 = direction_31;
-    incoming_0.differential_0 = _S1375;
-    _S220(&(towards_1), &(incoming_0), pulled_6.wi_2);
+    incoming_0.primal_0 = direction_29;
+    incoming_0.differential_0 = _S1369;
+    _S220(&(towards_1), &(incoming_0), pulled_5.wi_2);
     by_ray_2.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    outward_1.primal_0 = vertex_14.surface_3.outward_0;
-    outward_1.differential_0 = _S1375;
-    var _S1377 : vec3<f32> = tangent_at_0(vertex_14.surface_3);
+    outward_1.primal_0 = vertex_16.surface_3.outward_0;
+    outward_1.differential_0 = _S1369;
+    var _S1371 : vec3<f32> = tangent_at_0(vertex_16.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S1377;
-    tangent_4.differential_0 = _S1375;
-    var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_6.axes_5, towards_1.differential_0);
+    tangent_4.primal_0 = _S1371;
+    tangent_4.differential_0 = _S1369;
+    var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_5.axes_5, towards_1.differential_0);
     var points_4 : AtCorners_0 = at_no_corner_0();
-    if((any((_S1377 != _S1375))))
+    if((any((_S1371 != _S1369))))
     {
-        _S171(&(outward_1), &(tangent_4), vertex_14.surface_3.is_front_0, by_axes_0);
-        tangent_back_0(&(points_4), vertex_14.surface_3.place_5.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
+        _S171(&(outward_1), &(tangent_4), vertex_16.surface_3.is_front_0, by_axes_0);
+        tangent_back_0(&(points_4), vertex_16.surface_3.place_5.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
     }
     else
     {
-        _S140(&(outward_1), vertex_14.surface_3.is_front_0, by_axes_0);
+        _S140(&(outward_1), vertex_16.surface_3.is_front_0, by_axes_0);
     }
-    var _S1378 : vec3<f32> = surface_back_0(&(points_4), vertex_14.surface_3, by_place_4, pulled_6.position_2, outward_1.differential_0, direction_31);
-    by_ray_2.drift_0 = _S1378;
-    add_to_corners_0(points_of_0(vertex_14.surface_3.place_5.triangle_0), vertex_14.surface_3.place_5.triangle_0, points_4);
+    var _S1372 : vec3<f32> = surface_back_0(&(points_4), vertex_16.surface_3, by_place_4, pulled_5.position_2, outward_1.differential_0, direction_29);
+    by_ray_2.drift_0 = _S1372;
+    add_to_corners_0(points_of_0(vertex_16.surface_3.place_5.triangle_0), vertex_16.surface_3.place_5.triangle_0, points_4);
     return by_ray_2;
 }
 
-fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, Reflected_0>,  importance_3 : vec3<f32>) -> bool
+fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_2 : vec3<f32>) -> bool
 {
     var depth_2 : u32 = launch_0.depth_0;
-    var first_9 : u32 = vertex_numbers_0(launch_0.depth_0);
+    var _S1373 : u32 = vertex_numbers_0(launch_0.depth_0);
     var incoming_1 : vec3<f32> = value_of_0((*path_6).direction_1);
     var surface_6 : Surface_0 = surface_at_0((*path_6).place_3, incoming_1);
     var material_3 : u32 = material_of_0(surface_6);
@@ -7719,14 +7657,14 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         return false;
     }
-    var vertex_15 : Vertex_0 = vertex_at_0(surface_6, material_3, (*path_6).direction_1);
+    var vertex_17 : Vertex_0 = vertex_at_0(surface_6, material_3, (*path_6).direction_1);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S1379 : u32 = word_0(u32(3));
-    var _S1380 : bool = !reaches_0(depth_2 + u32(3));
+    var _S1374 : u32 = word_0(u32(3));
+    var _S1375 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S1380)
+    if(_S1375)
     {
-        goes_on_0 = (vertex_15.lobe_6.kind_0) == u32(0);
+        goes_on_0 = (vertex_17.lobe_6.kind_0) == u32(0);
     }
     else
     {
@@ -7740,17 +7678,17 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         goes_on_0 = false;
     }
-    var bsdf_samples_1 : u32;
+    var bsdf_samples_0 : u32;
     if(goes_on_0)
     {
-        bsdf_samples_1 = u32(0);
+        bsdf_samples_0 = u32(0);
     }
     else
     {
-        bsdf_samples_1 = _S1379;
+        bsdf_samples_0 = _S1374;
     }
     var on_emitters_0 : u32;
-    if(has_smooth_0(vertex_15.lobe_6))
+    if(has_smooth_0(vertex_17.lobe_6))
     {
         on_emitters_0 = emitter_samples_0;
     }
@@ -7758,148 +7696,187 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var pulled_7 : Pulled_0 = nothing_pulled_0();
-    var _S1381 : Choice_0 = choice_at_0(surface_6.position_0, vertex_15.axes_4.n_0, on_emitters_0 == u32(0));
-    var i_4 : u32 = u32(0);
-    for(;;)
-    {
-        if(i_4 < on_emitters_0)
-        {
-        }
-        else
-        {
-            break;
-        }
-        add_light_from_emitter_0(&((*reflected_2)), vertex_15, _S1381, (*path_6).key_0, first_9 + u32(3) * i_4, f32(bsdf_samples_1), importance_3, &(pulled_7));
-        i_4 = i_4 + u32(1);
-    }
-    var first_10 : u32 = first_9 + u32(3) * emitter_samples_0;
+    var pulled_6 : Pulled_0 = nothing_pulled_0();
+    var _S1376 : Choice_0 = choice_at_0(surface_6.position_0, vertex_17.axes_4.n_0, on_emitters_0 == u32(0));
     goes_on_0 = false;
     var next_3 : Place_0 = (*path_6).place_3;
     var next_direction_0 : vec3<f32> = (*path_6).direction_1;
-    var k_10 : u32 = u32(0);
+    var i_4 : u32 = u32(0);
     for(;;)
     {
-        if(k_10 < bsdf_samples_1)
+        if(i_4 < (on_emitters_0 + bsdf_samples_0))
         {
         }
         else
         {
             break;
         }
-        var own_first_0 : u32 = first_10 + u32(3) * k_10;
-        var drawn_1 : Drawn_0 = draw_0(vertex_15.lobe_6, value_of_0(vertex_15.wi_1), random_0((*path_6).key_0, own_first_0), random_pair_0((*path_6).key_0, own_first_0 + u32(1)));
-        var direction_32 : vec3<f32> = normalize(to_world_0(vertex_15.axes_4, drawn_1.wo_9));
-        var moving_2 : vec3<f32>;
-        if(drawn_1.is_specular_3)
-        {
-            moving_2 = specular_direction_0(vertex_15, direction_32, drawn_1.wo_9);
-        }
-        else
-        {
-            moving_2 = changing_0(direction_32, turning_0(vertex_15, direction_32));
-        }
-        var scattered_5 : Scattered_0;
-        if(drawn_1.is_specular_3)
-        {
-            scattered_5.value_9 = specular_0(vertex_15.lobe_6, vertex_15.wi_1);
-            scattered_5.pdf_5 = drawn_1.probability_5;
-        }
-        else
-        {
-            scattered_5 = scattered_to_0(vertex_15, drawn_1.wo_9, moving_2);
-        }
-        if(!((scattered_5.pdf_5) > 0.0f))
-        {
-            k_10 = k_10 + u32(1);
-            continue;
-        }
-        var t_13 : f32;
-        var found_9 : Found_0 = first_from_0(surface_6.exact_0, direction_32, &(t_13));
+        var sample_3 : LightSample_0;
         var goes_on_1 : bool;
         var next_4 : Place_0;
         var next_direction_1 : vec3<f32>;
-        if(k_10 == u32(0))
+        if(i_4 < on_emitters_0)
         {
-            var _S1382 : bool = (found_9.face_7) != u32(4294967295);
-            var _S1383 : Place_0 = place_of_0(found_9);
-            (*reflected_2).onward_0 = scattered_5.value_9 * vec3<f32>((1.0f / scattered_5.pdf_5));
-            (*reflected_2).wo_0 = drawn_1.wo_9;
-            (*reflected_2).is_specular_0 = drawn_1.is_specular_3;
-            (*reflected_2).factor_0 = 1.0f / scattered_5.pdf_5;
-            (*reflected_2).distance_1 = t_13;
-            goes_on_1 = _S1382;
-            next_4 = _S1383;
-            next_direction_1 = moving_2;
+            var _S1377 : bool = sample_emitter_0(vertex_17, _S1376, (*path_6).key_0, _S1373 + u32(3) * i_4, &(sample_3));
+            if(!_S1377)
+            {
+                goes_on_1 = goes_on_0;
+                next_4 = next_3;
+                next_direction_1 = next_direction_0;
+                var _S1378 : u32 = i_4 + u32(1);
+                goes_on_0 = goes_on_1;
+                next_3 = next_4;
+                next_direction_0 = next_direction_1;
+                i_4 = _S1378;
+                continue;
+            }
         }
         else
+        {
+            sample_3 = sample_material_0(vertex_17, (*path_6).key_0, _S1373 + u32(3) * emitter_samples_0 + u32(3) * (i_4 - on_emitters_0));
+        }
+        var moving_2 : vec3<f32>;
+        var scattered_5 : Scattered_0 = scattered_along_0(vertex_17, sample_3, &(moving_2));
+        var _S1379 : bool;
+        if(!sample_3.is_on_emitter_0)
+        {
+            _S1379 = !((scattered_5.pdf_6) > 0.0f);
+        }
+        else
+        {
+            _S1379 = false;
+        }
+        if(_S1379)
         {
             goes_on_1 = goes_on_0;
             next_4 = next_3;
             next_direction_1 = next_direction_0;
-        }
-        var emitter_11 : u32 = emitter_seen_0(found_9, direction_32);
-        if(emitter_11 == u32(4294967295))
-        {
+            var _S1378 : u32 = i_4 + u32(1);
             goes_on_0 = goes_on_1;
             next_3 = next_4;
             next_direction_0 = next_direction_1;
-            k_10 = k_10 + u32(1);
+            i_4 = _S1378;
             continue;
         }
-        var own_8 : f32 = f32(bsdf_samples_1) * scattered_5.pdf_5;
-        var _S1384 : bool = !drawn_1.is_specular_3;
-        var _S1385 : bool;
-        if(_S1384)
-        {
-            _S1385 = emitter_samples_0 != u32(0);
-        }
-        else
-        {
-            _S1385 = false;
-        }
+        var t_11 : f32;
+        var found_8 : Found_0 = cast_0(surface_6.exact_0, sample_3.way_1, sample_3.nearest_0, sample_3.farthest_0, sample_3.is_on_emitter_0, &(t_11));
+        var own_7 : f32;
         var other_1 : f32;
-        if(_S1385)
+        if(sample_3.is_on_emitter_0)
         {
-            var pdf_6 : f32 = emitter_pdf_0(emitter_11, found_9, vertex_15, direction_32, t_13);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_11, _S1381) * pdf_6;
+            if((found_8.face_7) != u32(4294967295))
+            {
+                goes_on_1 = goes_on_0;
+                next_4 = next_3;
+                next_direction_1 = next_direction_0;
+                var _S1378 : u32 = i_4 + u32(1);
+                goes_on_0 = goes_on_1;
+                next_3 = next_4;
+                next_direction_0 = next_direction_1;
+                i_4 = _S1378;
+                continue;
+            }
+            var own_8 : f32 = f32(emitter_samples_0) * sample_3.probability_3 * sample_3.pdf_4;
+            if(!(own_8 > 0.0f))
+            {
+                goes_on_1 = goes_on_0;
+                next_4 = next_3;
+                next_direction_1 = next_direction_0;
+                var _S1378 : u32 = i_4 + u32(1);
+                goes_on_0 = goes_on_1;
+                next_3 = next_4;
+                next_direction_0 = next_direction_1;
+                i_4 = _S1378;
+                continue;
+            }
+            var _S1380 : f32 = f32(bsdf_samples_0) * scattered_5.pdf_6;
+            own_7 = own_8;
+            other_1 = _S1380;
+            goes_on_1 = goes_on_0;
+            next_4 = next_3;
+            next_direction_1 = next_direction_0;
         }
         else
         {
-            other_1 = 0.0f;
+            if(i_4 == on_emitters_0)
+            {
+                var _S1381 : bool = (found_8.face_7) != u32(4294967295);
+                var _S1382 : Place_0 = place_of_0(found_8);
+                (*reflected_1).onward_0 = scattered_5.value_9 * vec3<f32>((1.0f / scattered_5.pdf_6));
+                (*reflected_1).wo_0 = sample_3.wo_1;
+                (*reflected_1).is_specular_0 = sample_3.is_specular_1;
+                (*reflected_1).factor_0 = 1.0f / scattered_5.pdf_6;
+                (*reflected_1).distance_1 = t_11;
+                goes_on_1 = _S1381;
+                next_4 = _S1382;
+                next_direction_1 = moving_2;
+            }
+            else
+            {
+                goes_on_1 = goes_on_0;
+                next_4 = next_3;
+                next_direction_1 = next_direction_0;
+            }
+            var _S1383 : u32 = emitter_seen_0(found_8, sample_3.direction_10);
+            sample_3.emitter_5 = _S1383;
+            if(_S1383 == u32(4294967295))
+            {
+                var _S1378 : u32 = i_4 + u32(1);
+                goes_on_0 = goes_on_1;
+                next_3 = next_4;
+                next_direction_0 = next_direction_1;
+                i_4 = _S1378;
+                continue;
+            }
+            sample_3.place_15 = place_of_0(found_8);
+            sample_3.distance_6 = t_11;
+            var _S1384 : f32 = f32(bsdf_samples_0) * scattered_5.pdf_6;
+            var _S1385 : bool;
+            if(!sample_3.is_specular_1)
+            {
+                _S1385 = emitter_samples_0 != u32(0);
+            }
+            else
+            {
+                _S1385 = false;
+            }
+            if(_S1385)
+            {
+                var pdf_7 : f32 = emitter_pdf_0(sample_3.emitter_5, found_8, vertex_17, sample_3.direction_10, t_11);
+                own_7 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S1376) * pdf_7;
+            }
+            else
+            {
+                own_7 = 0.0f;
+            }
+            var _S1386 : f32 = own_7;
+            own_7 = _S1384;
+            other_1 = _S1386;
         }
-        var moving_3 : vec3<f32>;
-        if(_S1384)
+        var place_26 : Place_0 = sample_3.place_15;
+        var place_27 : Place_0;
+        if(is_area_0(emitter_record_0(sample_3.emitter_5)))
         {
-            moving_3 = towards_emitter_0(vertex_15, direction_32, emitter_record_0(emitter_11));
+            place_27 = met_0(vertex_17, moving_2, sample_3.distance_6, place_26);
         }
         else
         {
-            moving_3 = moving_2;
+            place_27 = place_26;
         }
-        var place_27 : Place_0 = place_of_0(found_9);
-        var place_28 : Place_0;
-        if((found_9.face_7) != u32(4294967295))
-        {
-            place_28 = met_0(vertex_15, moving_3, t_13, place_27);
-        }
-        else
-        {
-            place_28 = place_27;
-        }
-        var weight_2 : f32 = weight_over_0(own_8, other_1);
-        var _S1386 : vec3<f32> = emitted_0(emitter_11, place_28, moving_3);
-        var light_3 : vec3<f32> = _S1386 * vec3<f32>(weight_2);
-        (*reflected_2).direct_0 = (*reflected_2).direct_0 + scattered_5.value_9 * light_3;
-        direct_back_0(&(pulled_7), vertex_15, emitter_11, place_28, drawn_1.wo_9, direction_32, drawn_1.is_specular_3, t_13, scattered_5, weight_2, light_3, importance_3);
+        var weight_1 : f32 = weight_over_0(own_7, other_1);
+        var _S1387 : vec3<f32> = emitted_0(sample_3.emitter_5, place_27, moving_2);
+        var light_2 : vec3<f32> = _S1387 * vec3<f32>(weight_1);
+        (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_5.value_9 * light_2;
+        direct_back_0(&(pulled_6), vertex_17, sample_3.emitter_5, place_27, sample_3.wo_1, sample_3.direction_10, sample_3.is_specular_1, sample_3.distance_6, scattered_5, weight_1, light_2, importance_2);
+        var _S1378 : u32 = i_4 + u32(1);
         goes_on_0 = goes_on_1;
         next_3 = next_4;
         next_direction_0 = next_direction_1;
-        k_10 = k_10 + u32(1);
+        i_4 = _S1378;
     }
-    var _S1387 : ByRay_0 = vertex_back_0(pulled_7, vertex_15, material_3, incoming_1);
-    (*reflected_2).by_ray_1 = _S1387;
-    if(_S1380)
+    var _S1388 : ByRay_0 = vertex_back_0(pulled_6, vertex_17, material_3, incoming_1);
+    (*reflected_1).by_ray_1 = _S1388;
+    if(_S1375)
     {
         goes_on_0 = true;
     }
@@ -7911,18 +7888,18 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     {
         return false;
     }
-    var throughput_1 : vec3<f32> = value_of_0((*path_6).throughput_0) * value_of_0((*reflected_2).onward_0);
-    var _S1388 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    var _S1389 : u32 = depth_2 + u32(1);
-    if(_S1389 >= (word_0(u32(1))))
+    var throughput_1 : vec3<f32> = value_of_0((*path_6).throughput_0) * value_of_0((*reflected_1).onward_0);
+    var _S1389 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    var _S1390 : u32 = depth_2 + u32(1);
+    if(_S1390 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S1388, 0.05000000074505806f, 0.94999998807907104f);
-        if((random_0((*path_6).key_0, vertex_numbers_0(_S1389) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S1389, 0.05000000074505806f, 0.94999998807907104f);
+        if((random_0((*path_6).key_0, vertex_numbers_0(_S1390) - u32(1))) >= survival_0)
         {
             return false;
         }
-        (*reflected_2).onward_0 = (*reflected_2).onward_0 * vec3<f32>((1.0f / survival_0));
-        (*reflected_2).factor_0 = (*reflected_2).factor_0 / survival_0;
+        (*reflected_1).onward_0 = (*reflected_1).onward_0 * vec3<f32>((1.0f / survival_0));
+        (*reflected_1).factor_0 = (*reflected_1).factor_0 / survival_0;
     }
     (*path_6).place_3 = next_3;
     (*path_6).direction_1 = next_direction_0;
@@ -7942,6 +7919,25 @@ fn set_word_0( path_7 : u32,  which_6 : u32,  value_10 : u32)
 
 fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_11 : vec3<f32>)
 {
+    var axis_6 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_6 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_8, (*which_7) + axis_6, (bitcast<u32>((value_11[axis_6]))));
+        axis_6 = axis_6 + u32(1);
+    }
+    (*which_7) = (*which_7) + u32(3);
+    return;
+}
+
+fn set_vector_1( path_9 : u32,  which_8 : ptr<function, u32>,  value_12 : vec3<f32>)
+{
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -7952,14 +7948,14 @@ fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_11 : vec3<f
         {
             break;
         }
-        set_word_0(path_8, (*which_7) + axis_7, (bitcast<u32>((value_11[axis_7]))));
+        set_word_0(path_9, (*which_8) + axis_7, (bitcast<u32>((value_12[axis_7]))));
         axis_7 = axis_7 + u32(1);
     }
-    (*which_7) = (*which_7) + u32(3);
+    (*which_8) = (*which_8) + u32(3);
     return;
 }
 
-fn set_vector_1( path_9 : u32,  which_8 : ptr<function, u32>,  value_12 : vec3<f32>)
+fn set_vector_2( path_10 : u32,  which_9 : ptr<function, u32>,  value_13 : vec3<f32>)
 {
     var axis_8 : u32 = u32(0);
     for(;;)
@@ -7971,50 +7967,31 @@ fn set_vector_1( path_9 : u32,  which_8 : ptr<function, u32>,  value_12 : vec3<f
         {
             break;
         }
-        set_word_0(path_9, (*which_8) + axis_8, (bitcast<u32>((value_12[axis_8]))));
+        set_word_0(path_10, (*which_9) + axis_8, (bitcast<u32>((value_13[axis_8]))));
         axis_8 = axis_8 + u32(1);
-    }
-    (*which_8) = (*which_8) + u32(3);
-    return;
-}
-
-fn set_vector_2( path_10 : u32,  which_9 : ptr<function, u32>,  value_13 : vec3<f32>)
-{
-    var axis_9 : u32 = u32(0);
-    for(;;)
-    {
-        if(axis_9 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        set_word_0(path_10, (*which_9) + axis_9, (bitcast<u32>((value_13[axis_9]))));
-        axis_9 = axis_9 + u32(1);
     }
     (*which_9) = (*which_9) + u32(3);
     return;
 }
 
-fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_29 : Place_0)
+fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_28 : Place_0)
 {
-    set_word_0(path_11, (*which_10), place_29.triangle_0);
-    set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_29.v_0))));
-    set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_29.w_0))));
-    set_word_0(path_11, (*which_10) + u32(3), (bitcast<u32>((place_29.v_rest_0))));
-    set_word_0(path_11, (*which_10) + u32(4), (bitcast<u32>((place_29.w_rest_0))));
+    set_word_0(path_11, (*which_10), place_28.triangle_0);
+    set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_28.v_0))));
+    set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_28.w_0))));
+    set_word_0(path_11, (*which_10) + u32(3), (bitcast<u32>((place_28.v_rest_0))));
+    set_word_0(path_11, (*which_10) + u32(4), (bitcast<u32>((place_28.w_rest_0))));
     (*which_10) = (*which_10) + u32(5);
     return;
 }
 
-fn set_place_1( path_12 : u32,  which_11 : ptr<function, u32>,  place_30 : Place_0)
+fn set_place_1( path_12 : u32,  which_11 : ptr<function, u32>,  place_29 : Place_0)
 {
-    set_word_0(path_12, (*which_11), place_30.triangle_0);
-    set_word_0(path_12, (*which_11) + u32(1), (bitcast<u32>((place_30.v_0))));
-    set_word_0(path_12, (*which_11) + u32(2), (bitcast<u32>((place_30.w_0))));
-    set_word_0(path_12, (*which_11) + u32(3), (bitcast<u32>((place_30.v_rest_0))));
-    set_word_0(path_12, (*which_11) + u32(4), (bitcast<u32>((place_30.w_rest_0))));
+    set_word_0(path_12, (*which_11), place_29.triangle_0);
+    set_word_0(path_12, (*which_11) + u32(1), (bitcast<u32>((place_29.v_0))));
+    set_word_0(path_12, (*which_11) + u32(2), (bitcast<u32>((place_29.w_0))));
+    set_word_0(path_12, (*which_11) + u32(3), (bitcast<u32>((place_29.v_rest_0))));
+    set_word_0(path_12, (*which_11) + u32(4), (bitcast<u32>((place_29.w_rest_0))));
     (*which_11) = (*which_11) + u32(5);
     return;
 }
@@ -8039,13 +8016,13 @@ fn store_0( number_of_path_1 : u32,  path_14 : Path_0)
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S1390 : u32;
+    var _S1391 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S1391 : u32 = u32(2) + zero_0;
-        _S1390 = _S1391;
-        if(rounds_0 < _S1391)
+        var _S1392 : u32 = u32(2) + zero_0;
+        _S1391 = _S1392;
+        if(rounds_0 < _S1392)
         {
         }
         else
@@ -8054,14 +8031,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S1390;
+    return rounds_0 == _S1391;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S1392 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S1393 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -8077,56 +8054,56 @@ fn go_on_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     }
     var number_of_path_2 : u32 = input_0[at_20];
     var path_15 : Path_0 = load_0(number_of_path_2);
-    var importance_4 : vec3<f32> = path_15.adjoint_0 * path_15.throughput_0;
-    var direction_33 : vec3<f32> = path_15.direction_1;
-    var place_31 : Place_0 = path_15.place_3;
-    var reflected_3 : Reflected_0 = nothing_reflected_0();
-    var goes_on_2 : bool = take_further_0(&(path_15), &(reflected_3), importance_4);
+    var importance_3 : vec3<f32> = path_15.adjoint_0 * path_15.throughput_0;
+    var direction_30 : vec3<f32> = path_15.direction_1;
+    var place_30 : Place_0 = path_15.place_3;
+    var reflected_2 : Reflected_0 = nothing_reflected_0();
+    var goes_on_2 : bool = take_further_0(&(path_15), &(reflected_2), importance_3);
     var kept_0 : u32 = kept_at_0(launch_0.depth_0);
-    set_vector_1(number_of_path_2, &(kept_0), importance_4);
-    set_place_1(number_of_path_2, &(kept_0), place_31);
-    set_vector_1(number_of_path_2, &(kept_0), direction_33);
-    set_vector_1(number_of_path_2, &(kept_0), reflected_3.direct_0);
-    set_vector_1(number_of_path_2, &(kept_0), reflected_3.onward_0);
-    set_vector_1(number_of_path_2, &(kept_0), reflected_3.wo_0);
-    set_vector_1(number_of_path_2, &(kept_0), reflected_3.by_ray_1.drift_0);
-    set_vector_1(number_of_path_2, &(kept_0), reflected_3.by_ray_1.direction_0);
-    var _S1393 : u32 = kept_0;
+    set_vector_1(number_of_path_2, &(kept_0), importance_3);
+    set_place_1(number_of_path_2, &(kept_0), place_30);
+    set_vector_1(number_of_path_2, &(kept_0), direction_30);
+    set_vector_1(number_of_path_2, &(kept_0), reflected_2.direct_0);
+    set_vector_1(number_of_path_2, &(kept_0), reflected_2.onward_0);
+    set_vector_1(number_of_path_2, &(kept_0), reflected_2.wo_0);
+    set_vector_1(number_of_path_2, &(kept_0), reflected_2.by_ray_1.drift_0);
+    set_vector_1(number_of_path_2, &(kept_0), reflected_2.by_ray_1.direction_0);
+    var _S1394 : u32 = kept_0;
     kept_0 = kept_0 + u32(1);
-    var _S1394 : i32;
-    if(reflected_3.is_specular_0)
+    var _S1395 : i32;
+    if(reflected_2.is_specular_0)
     {
-        _S1394 = i32(1);
+        _S1395 = i32(1);
     }
     else
     {
-        _S1394 = i32(0);
+        _S1395 = i32(0);
     }
-    set_word_0(number_of_path_2, _S1393, u32(_S1394));
-    var _S1395 : u32 = kept_0;
+    set_word_0(number_of_path_2, _S1394, u32(_S1395));
+    var _S1396 : u32 = kept_0;
     kept_0 = kept_0 + u32(1);
-    var _S1396 : u32;
+    var _S1397 : u32;
     if(goes_on_2)
     {
-        _S1396 = (bitcast<u32>((reflected_3.factor_0)));
+        _S1397 = (bitcast<u32>((reflected_2.factor_0)));
     }
     else
     {
-        _S1396 = u32(0);
+        _S1397 = u32(0);
     }
-    set_word_0(number_of_path_2, _S1395, _S1396);
-    set_word_0(number_of_path_2, kept_0, (bitcast<u32>((reflected_3.distance_1))));
-    path_15.throughput_0 = path_15.throughput_0 * reflected_3.onward_0;
+    set_word_0(number_of_path_2, _S1396, _S1397);
+    set_word_0(number_of_path_2, kept_0, (bitcast<u32>((reflected_2.distance_1))));
+    path_15.throughput_0 = path_15.throughput_0 * reflected_2.onward_0;
     store_0(number_of_path_2, path_15);
     if(goes_on_2)
     {
-        _S1396 = number_of_path_2;
+        _S1397 = number_of_path_2;
     }
     else
     {
-        _S1396 = u32(4294967295);
+        _S1397 = u32(4294967295);
     }
-    set_word_0(at_20, u32(0), _S1396);
+    set_word_0(at_20, u32(0), _S1397);
     check_loops_0();
     return;
 }
