@@ -1,6 +1,6 @@
 // Compiled from hits.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 3d11e37339c01efa
+// source: acc0ec3baa3b648a
 // result: 0d17e7b29d41fd65
 
 struct Launch_std140_0

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: b404772ed9e6d12f
-// result: c83c7d0c90fc301b
+// source: 4964a59a38910633
+// result: d5b53df0e3d0e931
 
 struct Launch_std140_0
 {
@@ -1067,7 +1067,7 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
 
 fn limit_at_0( which_4 : u32) -> f64
 {
-    return primitives_0[word_0(u32(13)) + which_4];
+    return primitives_0[word_0(u32(15)) + which_4];
 }
 
 fn place_at_0( triangle_6 : u32,  v_4 : f32,  w_2 : f32) -> Place_0

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 7582534cfcf93ba0
-// result: 49df5b3a06b45f27
+// source: 9031857028a9d8e4
+// result: c1acd3531d0240b2
 
 struct Launch_std140_0
 {
@@ -4928,7 +4928,7 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_2 : ptr<funct
 
 fn limit_at_0( which_5 : u32) -> f32
 {
-    return primitives_0[word_0(u32(13)) + which_5];
+    return primitives_0[word_0(u32(15)) + which_5];
 }
 
 fn place_at_0( triangle_6 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
@@ -6562,12 +6562,12 @@ fn emitted_0( emitter_5 : u32,  place_18 : Place_0,  direction_18 : vec3<f32>) -
 
 fn change_word_0( at_18 : u32) -> u32
 {
-    return input_0[u32(12) * launch_0.room_0 + at_18];
+    return input_0[launch_0.room_0 + at_18];
 }
 
 fn numbers_of_0( texture_7 : u32) -> u32
 {
-    return change_word_0(u32(5) + word_0(texture_7 + u32(12)));
+    return change_word_0(u32(6) + word_0(texture_7 + u32(12)));
 }
 
 fn add_word_0( sum_6 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
