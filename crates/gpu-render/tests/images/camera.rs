@@ -8,6 +8,7 @@ use capwalk_render::{PreparedScene, RenderOptions, Unwatched, render};
 use capwalk_scene::{Film, Filter, Scene, SensorModel, Tangent};
 
 use crate::beside::{compare, different};
+use crate::derivatives::all_texels;
 use crate::motion::on_processor;
 use crate::{device, scenes};
 
@@ -91,6 +92,26 @@ fn every_sample_has_its_random_numbers() {
     let theirs = render(&prepared, &options, &Unwatched).value.mean;
     let (count, all) = different(&ours, &theirs, DIFFERENT);
     assert!(100 * count <= all, "{count} of {all} pixels differ");
+}
+
+/// A part of one sample, which takes less room than what tells it.
+#[test]
+fn single_samples_have_room() {
+    let Some(gpu) = device::open(Precision::Double) else {
+        return;
+    };
+    let mut scene = scenes::scene("parity/bitmap_ball.xml");
+    scene.film.resize([4, 3]);
+    let prepared = PreparedScene::new(scene);
+    let tangent = all_texels(prepared.scene());
+    let options = GradientOptions::new(RenderOptions::new(2, 7));
+    let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
+    let [whole, single] = [24, 1].map(|most| {
+        let image = on_device.gradient_in_parts(&tangent, &options, most, &Unwatched);
+        image.expect("supported").gradient
+    });
+    assert!(whole.mean.pixels.iter().any(|x| x.max_component() > 0.0));
+    assert_eq!(whole, single);
 }
 
 /// A telescope far from what it sees has pixels of 3 · 10⁻⁸ rad: single precision does not tell
