@@ -130,12 +130,13 @@ def test_derivatives_by_what_moves_agree_with_the_processor(scene: cw.Scene, ada
     errors = np.hypot(cpu.stderr, gpu.stderr)
     z = (gpu.gradient - cpu.gradient)[errors > 0] / errors[errors > 0]
     assert len(z) > 0 and abs(z.mean()) * np.sqrt(len(z)) < 5 and z.std() < 1.3
-    # In reverse mode, what moves is for the processor.
-    adjoint = np.ones_like(gpu.gradient)
-    with pytest.raises(cw.ArgumentError, match='shape "box" moves'):
-        cw.backward(scene, adjoint, ["box.positions"], device="gpu")
-    auto = cw.backward(scene, adjoint, ["box.positions"], spp=1, device="auto")
-    assert auto.device == "cpu"
+    # In reverse mode, all vertices at once.
+    adjoint = np.random.default_rng(1).random((*gpu.gradient.shape,))
+    found = cw.backward(scene, adjoint, ["box.positions"], spp=64, method="edges", device="gpu")
+    by_pixels = (adjoint * gpu.gradient).sum()
+    error = np.sqrt(((adjoint * gpu.stderr) ** 2).sum())
+    by_vertices = found["box.positions"][:, 0].sum()
+    assert found.device == adapter and abs(by_vertices - by_pixels) < 6 * error
     with pytest.raises(cw.ArgumentError, match="walk"):
         cw.gradient(scene, "box.translate.x", method="walk", device="gpu")
 

@@ -7,7 +7,6 @@ use capwalk_diff::{
 use capwalk_gpu::{GpuError, Precision};
 use capwalk_gpu_render::{
     DeviceError, DeviceScene, Unsupported, unsupported, unsupported_derivative,
-    unsupported_gradient,
 };
 use capwalk_scene::{Image, Tangent};
 
@@ -56,7 +55,7 @@ pub fn backward(
 ) -> Result<Found<Backward>, Error> {
     let missing = || {
         let scene = unsupported(prepared);
-        scene.or_else(|| unsupported_gradient(prepared, wanted))
+        scene.or_else(|| unsupported_derivative(prepared, wanted, &options.method))
     };
     found(prepared, device, missing, |scene| {
         scene.backward(adjoint, wanted, options, watch)

@@ -70,8 +70,7 @@ impl Prepared {
         })
     }
 
-    /// [`Prepared::backward`] on a device, see [`Prepared::gradient_on`]; of what moves, only the
-    /// processor has it.
+    /// [`Prepared::backward`] on a device, see [`Prepared::gradient_on`].
     pub fn backward_on<N: AsRef<str>>(
         &self,
         device: Device,

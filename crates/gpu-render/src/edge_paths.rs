@@ -8,8 +8,10 @@ use crate::device_edges::DeviceEdges;
 use crate::paths::Paths;
 use crate::render_kernels::{BOUNDARY, BOUNDARY_BACK};
 
-/// Subtrees of which paths begin at the vertex that the camera sees, and at later ones.
+/// Subtrees of which paths begin at the vertex that the camera sees, and at later ones; and, before
+/// emitters, how many times as many.
 const SUBTREES: [usize; 2] = [2, 1];
+const MORE_SUBTREES: usize = 4;
 /// The bits of a launch's depth that are the depth; those above are the number of a subtree.
 const DEPTH_BITS: usize = 24;
 
@@ -27,20 +29,24 @@ impl Paths<'_> {
             true => &BOUNDARY_BACK,
             false => &BOUNDARY,
         };
+        // Each launch samples one subtree at each vertex, so that no thread works for long.
+        let subtrees = SUBTREES[usize::from(depth > 0)];
+        let of_subtree = |subtree: usize| depth | subtree << DEPTH_BITS;
         if edges.crosses.before_emitters(depth) {
             self.write_list(list)?;
-            self.launch(&kernels.cross_edges, list.len(), depth)?;
+            for subtree in 0..MORE_SUBTREES * subtrees {
+                if watch.should_stop() {
+                    return Ok(false);
+                }
+                self.launch(&kernels.cross_edges, list.len(), of_subtree(subtree))?;
+            }
         }
         if !edges.crosses.before_surfaces(depth) {
             return Ok(true);
         }
-        for subtree in 0..SUBTREES[usize::from(depth > 0)] {
+        for subtree in 0..subtrees {
             self.write_list(list)?;
-            self.launch(
-                &kernels.begin_sides,
-                list.len(),
-                depth | subtree << DEPTH_BITS,
-            )?;
+            self.launch(&kernels.begin_sides, list.len(), of_subtree(subtree))?;
             let mut listed = 2 * list.len();
             let mut has_sides = false;
             // Follow the sides as paths of an image, from the next vertex on.

@@ -8,8 +8,11 @@ use capwalk_scene::{Emitter, Gradient, Pattern, Scene};
 
 use crate::texture_records::Shown;
 
-/// Words before the sums: how many derivatives were too large, and how many not finite.
-const COUNTS: usize = 2;
+/// Words before the sums (`faults.slang`): how many derivatives were too large, how many not finite,
+/// and in how many threads loops were cut short.
+pub const COUNTS: usize = 3;
+/// Which of them is the last one.
+pub const CUT_SHORT: usize = 2;
 
 /// Words of a sum.
 const WORDS: usize = 4;
@@ -292,7 +295,7 @@ mod tests {
     fn sums_are_read_with_their_sign() {
         let minus_three = [u32::MAX - 2, u32::MAX, u32::MAX, u32::MAX];
         let large = [5, 0, 7, 0];
-        let words = [&[4, 9][..], &minus_three, &large].concat();
+        let words = [&[4, 9, 0][..], &minus_three, &large].concat();
         assert_eq!(words.len(), COUNTS + 2 * WORDS);
         let read = PartSums::read(&words);
         assert_eq!(read.sums, [-3, (7 << 64) + 5]);

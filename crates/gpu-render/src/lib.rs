@@ -56,4 +56,4 @@ mod upload;
 
 pub use device_error::DeviceError;
 pub use device_scene::DeviceScene;
-pub use unsupported::{Unsupported, unsupported, unsupported_derivative, unsupported_gradient};
+pub use unsupported::{Unsupported, unsupported, unsupported_derivative};

@@ -20,7 +20,7 @@ use crate::part_size::PartSize;
 use crate::paths::{Followed, Paths};
 use crate::render_kernels::REVERSE;
 use crate::texture_records::float;
-use crate::unsupported::{unsupported_derivative, unsupported_gradient, unsupported_options};
+use crate::unsupported::{unsupported_derivative, unsupported_options};
 
 /// Most samples that are on the device at a time: all their vertices are.
 const MOST_WITH_VERTICES: usize = 1 << 16;
@@ -41,8 +41,8 @@ const MOST_DERIVATIVES: usize = 1 << 24;
 
 impl DeviceScene<'_> {
     /// The gradient of `Σ adjoint · image` in what is wanted, as [`capwalk_diff::backward`] has it, with
-    /// its batches and refusals. An error if anything that moves is wanted, or if there is no room for so
-    /// many numbers. Derivatives that are not finite are left out, each by itself, and
+    /// its batches and refusals: where anything moves by [`Method::EDGES`]. An error if there is no room
+    /// for so many numbers. Derivatives that are not finite are left out, each by itself, and
     /// counted, at most as many as a part has samples.
     ///
     /// Sums are in fixed point, so their bits do not depend on which thread comes first.
@@ -58,24 +58,6 @@ impl DeviceScene<'_> {
 
     /// The same with so many samples on the device at a time at most, which changes no bit.
     pub fn backward_in_parts(
-        &self,
-        adjoint: &Image,
-        wanted: &Wanted,
-        options: &GradientOptions,
-        most: usize,
-        watch: &dyn Watch,
-    ) -> Result<Backward, DeviceError> {
-        let unsupported = unsupported_gradient(self.prepared, wanted);
-        if let Some(unsupported) = unsupported {
-            return Err(unsupported.into());
-        }
-        self.backward_in_motion(adjoint, wanted, options, most, watch)
-    }
-
-    /// The same where anything moves, too, for tests: of 90 scenes, two (`parity/cylinder.xml` and
-    /// `parity/checkerboard.xml`) have other sums than forward mode, for a reason that is not known.
-    #[doc(hidden)]
-    pub fn backward_in_motion(
         &self,
         adjoint: &Image,
         wanted: &Wanted,

@@ -5,6 +5,7 @@ use capwalk_render::Watch;
 
 use crate::camera_records::SAMPLE_WORDS;
 use crate::device_edges::{COLUMNS, DeviceEdges};
+use crate::fixed_point::{COUNTS, CUT_SHORT};
 use crate::render_kernels::{GO_BACK, PathKernels};
 
 /// Room for so many paths in a scene.
@@ -23,7 +24,8 @@ pub struct Paths<'a> {
     pub(crate) input: DeviceArray,
     /// What is known of each.
     pub(crate) state: DeviceArray,
-    /// Sums over all paths, or the weights of the camera's rays in their pixels.
+    /// Counts of faults, and behind them sums over all paths, or the weights of the camera's rays in
+    /// their pixels.
     results: DeviceArray,
 }
 
@@ -40,7 +42,7 @@ pub enum Followed {
 
 impl<'a> Paths<'a> {
     /// Room for so many paths, of each of which so many vertices can be kept if the kernels keep any,
-    /// with these words that tell what changes, and with so many words of sums or weights.
+    /// with these words that tell what changes, and with so many words of faults and sums or weights.
     pub fn new(
         gpu: &'a Gpu,
         scene: [&'a DeviceArray; 5],
@@ -52,13 +54,14 @@ impl<'a> Paths<'a> {
     ) -> Result<Self, GpuError> {
         // What tells the samples that paths begin with takes the place of the list.
         let room = room.max(SAMPLE_WORDS);
+        let results = results.max(COUNTS);
         let columns = columns(room, edges);
         let array = |words: usize| gpu.array(4 * words as u64);
         let mut words = vec![0; kernels.input * columns];
         words.extend(changes);
         let input = array(words.len())?;
         gpu.write(&input, bytemuck::cast_slice(&words))?;
-        Ok(Self {
+        let paths = Self {
             gpu,
             scene,
             kernels,
@@ -68,7 +71,9 @@ impl<'a> Paths<'a> {
             input,
             state: array(kernels.words(levels) * columns)?,
             results: array(results)?,
-        })
+        };
+        paths.clear_sums(results)?;
+        Ok(paths)
     }
 
     /// How many there is room for.
@@ -90,6 +95,7 @@ impl<'a> Paths<'a> {
         let mut list = self.listed(count)?;
         loop {
             if list.is_empty() {
+                self.check_loops()?;
                 return Ok(Followed::ToTheEnd(lists));
             }
             if watch.should_stop() {
@@ -153,20 +159,29 @@ impl<'a> Paths<'a> {
             self.write_list(list)?;
             self.launch(&GO_BACK, list.len(), depth)?;
         }
+        self.check_loops()?;
         Ok(true)
     }
 
     /// The weights of the camera's rays in their pixels.
     pub fn weights(&self, count: usize) -> Result<Vec<f32>, GpuError> {
-        let mut weights = vec![0.0; count];
-        self.gpu
-            .read(&self.results, bytemuck::cast_slice_mut(&mut weights))?;
-        Ok(weights)
+        let words = self.sums(COUNTS + count)?;
+        let weights = words[COUNTS..].iter().copied().map(f32::from_bits);
+        Ok(weights.collect())
     }
 
     /// Begins sums anew.
     pub fn clear_sums(&self, sums: usize) -> Result<(), GpuError> {
         self.gpu.write(&self.results, &vec![0; 4 * sums])
+    }
+
+    /// An error if any thread of the launches so far did not run its loops to their ends.
+    fn check_loops(&self) -> Result<(), GpuError> {
+        let counts = self.sums(COUNTS)?;
+        match counts[CUT_SHORT] {
+            0 => Ok(()),
+            threads => Err(self.gpu.loops_cut_short(threads)),
+        }
     }
 
     /// The words of the sums.

@@ -143,6 +143,7 @@ mod tests {
                 ("edges", include_str!("kernels/edges.slang")),
                 ("paths", include_str!("kernels/paths.slang")),
                 ("rays", RAYS_SOURCE),
+                ("faults", include_str!("kernels/faults.slang")),
                 ("numbers", include_str!("kernels/numbers.slang")),
                 ("changes", include_str!("kernels/changes.slang")),
                 ("surfaces", include_str!("kernels/surfaces.slang")),
@@ -166,7 +167,7 @@ mod tests {
         };
         // What `edge_paths.rs` takes for granted.
         let windows = include_str!("kernels/edge_windows.slang");
-        assert!(windows.contains("FIRST_SUBTREES = 2, LATER_SUBTREES = 1,"));
+        assert!(windows.contains("FIRST_SUBTREES = 2, LATER_SUBTREES = 1, MORE_SUBTREES = 4"));
         assert!(windows.contains("launch.depth & 0xffffff") && windows.contains("depth >> 24"));
         let image = [IMAGE.begin, IMAGE.go_on, DIFFUSE_IMAGE.go_on];
         let hits = [IMAGE_FROM_HITS.begin];

@@ -47,17 +47,6 @@ pub fn unsupported_derivative(
     })
 }
 
-/// The same of the gradient of a loss, which the device's renderer does not have with respect to what
-/// moves.
-pub fn unsupported_gradient(prepared: &PreparedScene, wanted: &Wanted) -> Option<Unsupported> {
-    let scene = prepared.scene();
-    let moving = wanted.moves().then(|| what_moves(scene, wanted));
-    let what = moving.or_else(|| other_number(scene, wanted))?;
-    Some(Unsupported {
-        what: format!("{what}, and the gradient of a loss with respect to that is asked for"),
-    })
-}
-
 /// The first thing that moves.
 fn what_moves(scene: &Scene, wanted: &Wanted) -> String {
     let mut shapes = scene.shapes.iter().enumerate();

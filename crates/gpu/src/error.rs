@@ -81,6 +81,18 @@ pub enum GpuError {
         /// How long was waited.
         allowed: Duration,
     },
+    /// The driver ended loops early and went on, so all results would be wrong. Mesa's software device
+    /// does so where a kernel has much to do.
+    #[error(
+        "{adapter} ended the loops of {threads} threads before their end (Mesa's software device allows \
+         65,535 rounds for each): use the CPU, or a device with a driver of its own"
+    )]
+    CutShort {
+        /// The adapter's name.
+        adapter: String,
+        /// How many threads noticed it.
+        threads: u32,
+    },
     /// The driver refused a kernel, a buffer, or a launch: a bug of this program or of the
     /// driver.
     #[error("{adapter} refused: {reason}. Please report this, and use the CPU meanwhile")]

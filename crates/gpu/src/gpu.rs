@@ -18,6 +18,9 @@ use crate::wgpu_driver::WgpuDriver;
 /// Queries of the first launch of a kernel, when it is not known yet how long they take.
 const FIRST: usize = 1 << 12;
 
+/// How many times as long as others a launch may take that a software device compiles a kernel for.
+const COMPILING: u32 = 10;
+
 /// How the device is reached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -44,7 +47,8 @@ pub struct GpuOptions {
     /// A launch should take about this long: screens of a GPU that also shows a desktop
     /// stand still meanwhile.
     pub launch: Duration,
-    /// A launch that takes longer than this is an error.
+    /// A launch that takes longer than this is an error. The first one of a kernel may take ten
+    /// times as long on a software device, which compiles it then.
     pub timeout: Duration,
 }
 
@@ -139,7 +143,7 @@ impl Gpu {
 
     /// An error if the device is lost.
     pub fn check(&self) -> Result<(), GpuError> {
-        self.driver.check().map_err(|fault| self.error(fault, 0, 0))
+        self.driver.check().map_err(|fault| self.error(fault, 0))
     }
 
     /// An error if cones cannot be asked: threads exchange nothing, or run in step in fewer
@@ -181,20 +185,20 @@ impl Gpu {
     /// A new piece of memory; nobody knows what is in it.
     pub(crate) fn allocate(&self, bytes: u64) -> Result<Memory, GpuError> {
         let memory = self.driver.allocate(bytes);
-        memory.map_err(|fault| self.error(fault, bytes, 0))
+        memory.map_err(|fault| self.error(fault, bytes))
     }
 
     /// Fills the first bytes of a piece.
     pub(crate) fn upload(&self, to: &Memory, bytes: &[u8]) -> Result<(), GpuError> {
         let copied = self.driver.upload(to, bytes, self.options.timeout);
-        copied.map_err(|fault| self.error(fault, bytes.len() as u64, 0))
+        copied.map_err(|fault| self.error(fault, bytes.len() as u64))
     }
 
     /// Reads the first bytes of a piece.
     pub(crate) fn download(&self, from: &Memory, to: &mut [u8]) -> Result<(), GpuError> {
         let bytes = to.len() as u64;
         let read = self.driver.download(from, to, self.options.timeout);
-        read.map_err(|fault| self.error(fault, bytes, 0))
+        read.map_err(|fault| self.error(fault, bytes))
     }
 
     /// The processor's copies of batches; new ones while another caller has them.
@@ -225,10 +229,13 @@ impl Gpu {
         arrays: [&Memory; ARRAYS],
         whole: Launch,
     ) -> Result<(), GpuError> {
-        let timeout = self.options.timeout;
         let mut rest = whole;
         while rest.first < whole.end {
-            let size = *locked(&self.pace).entry(kernel.key()).or_insert(FIRST);
+            let known = locked(&self.pace).get(&kernel.key()).copied();
+            let size = known.unwrap_or(FIRST);
+            let compiles = known.is_none() && self.is_software();
+            let times = if compiles { COMPILING } else { 1 };
+            let timeout = self.options.timeout * times;
             let launch = Launch {
                 end: whole.end.min(rest.first.saturating_add(size as u32)),
                 ..rest
@@ -236,7 +243,14 @@ impl Gpu {
             let done = self
                 .driver
                 .launch(kernel, self.precision, arrays, launch, timeout);
-            let took = done.map_err(|fault| self.error(fault, 0, launch.queries()))?;
+            let took = done.map_err(|fault| match fault {
+                Fault::Timeout => GpuError::Timeout {
+                    adapter: self.name().to_owned(),
+                    queries: launch.queries(),
+                    allowed: timeout,
+                },
+                other => self.error(other, 0),
+            })?;
             self.busy
                 .fetch_add(took.as_nanos() as u64, Ordering::Relaxed);
             let next = if took > self.options.launch {
@@ -252,15 +266,23 @@ impl Gpu {
         Ok(())
     }
 
-    /// `bytes` is how much memory was asked for, `queries` how many a launch had.
-    fn error(&self, fault: Fault, bytes: u64, queries: usize) -> GpuError {
+    /// What kernels noticed in so many threads.
+    pub fn loops_cut_short(&self, threads: u32) -> GpuError {
+        GpuError::CutShort {
+            adapter: self.name().to_owned(),
+            threads,
+        }
+    }
+
+    /// `bytes` is how much memory was asked for.
+    fn error(&self, fault: Fault, bytes: u64) -> GpuError {
         let adapter = self.name().to_owned();
         match fault {
             Fault::OutOfMemory => GpuError::OutOfMemory { adapter, bytes },
             Fault::Lost(reason) => GpuError::DeviceLost { adapter, reason },
             Fault::Timeout => GpuError::Timeout {
                 adapter,
-                queries,
+                queries: 0,
                 allowed: self.options.timeout,
             },
             Fault::Refused(reason) => GpuError::Refused { adapter, reason },

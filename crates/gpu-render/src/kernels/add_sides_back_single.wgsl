@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 110bdd9cd1d17c48
-// result: 011819e7912bed2a
+// source: 6e5009b0000687d3
+// result: 712d944e5729eaf5
 
 struct Launch_std140_0
 {
@@ -1510,147 +1510,130 @@ fn edge_word_0( at_11 : u32) -> u32
     return change_word_0(change_word_0(u32(3)) + at_11);
 }
 
-fn add_word_0( sum_0 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
-{
-    var _S238 : u32 = u32(2) + u32(4) * sum_0;
-    var _S239 : u32 = number_1;
-    var k_3 : u32 = word_of_sum_0;
-    for(;;)
-    {
-        var _S240 : bool;
-        if(k_3 < u32(4))
-        {
-            _S240 = _S239 != u32(0);
-        }
-        else
-        {
-            _S240 = false;
-        }
-        if(_S240)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S241 : u32;
-        if(is_negative_0)
-        {
-            _S241 = u32(0) - _S239;
-        }
-        else
-        {
-            _S241 = _S239;
-        }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S238 + k_3]), _S241);
-        var overflows_0 : bool;
-        if(is_negative_0)
-        {
-            overflows_0 = before_0 < _S239;
-        }
-        else
-        {
-            overflows_0 = (before_0 + _S239) < before_0;
-        }
-        var _S242 : i32;
-        if(overflows_0)
-        {
-            _S242 = i32(1);
-        }
-        else
-        {
-            _S242 = i32(0);
-        }
-        var _S243 : u32 = u32(_S242);
-        var _S244 : u32 = k_3 + u32(1);
-        _S239 = _S243;
-        k_3 = _S244;
-    }
-    return;
-}
-
-fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32)
+fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S245 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S238 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_1 : f32 = abs(scaled_0);
     if(size_1 > 7.73712524553362672e+25f)
     {
-        var _S246 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S239 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var is_negative_1 : bool = scaled_0 < 0.0f;
-    var highest_0 : u32 = u32(0);
-    var size_2 : f32 = size_1;
+    var _S240 : bool = scaled_0 < 0.0f;
+    var _S241 : i32;
+    if(size_1 >= 1.84467440737095516e+19f)
+    {
+        _S241 = i32(1);
+    }
+    else
+    {
+        _S241 = i32(0);
+    }
+    var first_2 : u32 = u32(_S241);
+    var size_2 : f32;
+    if(first_2 == u32(1))
+    {
+        size_2 = size_1 * 2.32830643653869629e-10f;
+    }
+    else
+    {
+        size_2 = size_1;
+    }
+    var higher_0 : f32 = floor(size_2 * 2.32830643653869629e-10f);
+    var lower_0 : f32 = size_2 - higher_0 * 4.294967296e+09f;
+    if(first_2 == u32(0))
+    {
+        size_2 = lower_0 + 0.5f;
+    }
+    else
+    {
+        size_2 = lower_0;
+    }
+    var _S242 : u32 = u32(3) + u32(4) * sum_0;
+    var digits_0 : vec2<u32> = vec2<u32>(u32(size_2), u32(higher_0));
+    var k_3 : u32 = first_2;
     for(;;)
     {
-        var _S247 : bool;
-        if(highest_0 < u32(2))
+        var _S243 : bool;
+        if(k_3 < u32(4))
         {
-            _S247 = size_2 >= 4.294967296e+09f;
+            _S243 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S247 = false;
+            _S243 = false;
         }
-        if(_S247)
+        if(_S243)
         {
         }
         else
         {
             break;
         }
-        var size_3 : f32 = size_2 * 2.32830643653869629e-10f;
-        highest_0 = highest_0 + u32(1);
-        size_2 = size_3;
+        var _S244 : u32;
+        if(_S240)
+        {
+            _S244 = u32(0) - digits_0.x;
+        }
+        else
+        {
+            _S244 = digits_0.x;
+        }
+        var before_0 : u32 = atomicAdd(&(sums_0[_S242 + k_3]), _S244);
+        var overflows_0 : bool;
+        if(_S240)
+        {
+            overflows_0 = before_0 < (digits_0.x);
+        }
+        else
+        {
+            overflows_0 = (before_0 + digits_0.x) < before_0;
+        }
+        var _S245 : u32 = digits_0.y;
+        if(overflows_0)
+        {
+            _S241 = i32(1);
+        }
+        else
+        {
+            _S241 = i32(0);
+        }
+        var _S246 : vec2<u32> = vec2<u32>(_S245 + u32(_S241), u32(0));
+        var _S247 : u32 = k_3 + u32(1);
+        digits_0 = _S246;
+        k_3 = _S247;
     }
-    var _S248 : bool = highest_0 == u32(0);
-    var _S249 : f32;
-    if(_S248)
-    {
-        _S249 = size_2 + 0.5f;
-    }
-    else
-    {
-        _S249 = size_2;
-    }
-    var whole_1 : u32 = u32(_S249);
-    add_word_0(sum_1, highest_0, whole_1, is_negative_1);
-    if(_S248)
-    {
-        return;
-    }
-    var rest_0 : f32 = (size_2 - f32(whole_1)) * 4.294967296e+09f;
-    var _S250 : u32 = highest_0 - u32(1);
-    if(highest_0 == u32(1))
-    {
-        size_2 = rest_0 + 0.5f;
-    }
-    else
-    {
-        size_2 = rest_0;
-    }
-    add_word_0(sum_1, _S250, u32(size_2), is_negative_1);
     return;
 }
 
-fn add_to_sums_0( first_2 : u32,  derivative_1 : vec3<f32>)
+fn add_to_sums_0( first_3 : u32,  derivative_1 : vec3<f32>)
 {
+    var _S248 : i32;
+    if(first_3 == u32(4294967295))
+    {
+        _S248 = i32(0);
+    }
+    else
+    {
+        _S248 = i32(3);
+    }
+    var _S249 : u32 = u32(_S248);
     var axis_0 : u32 = u32(0);
     for(;;)
     {
-        if(axis_0 < u32(3))
+        if(axis_0 < _S249)
         {
         }
         else
         {
             break;
         }
-        add_to_sum_0(first_2 + axis_0, derivative_1[axis_0]);
+        add_to_sum_0(first_3 + axis_0, derivative_1[axis_0]);
         axis_0 = axis_0 + u32(1);
     }
     return;
@@ -1668,20 +1651,17 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_4 : Vertex_0,  direc
         {
             break;
         }
-        var sums_at_0 : u32 = edge_word_0(record_4 + u32(2) + end_1);
-        if(sums_at_0 != u32(4294967295))
+        var _S250 : u32 = edge_word_0(record_4 + u32(2) + end_1);
+        var _S251 : f32;
+        if(end_1 == u32(0))
         {
-            var _S251 : f32;
-            if(end_1 == u32(0))
-            {
-                _S251 = 1.0f - t_1;
-            }
-            else
-            {
-                _S251 = t_1;
-            }
-            add_to_sums_0(sums_at_0, by_velocity_0 * vec3<f32>(_S251));
+            _S251 = 1.0f - t_1;
         }
+        else
+        {
+            _S251 = t_1;
+        }
+        add_to_sums_0(_S250, by_velocity_0 * vec3<f32>(_S251));
         end_1 = end_1 + u32(1);
     }
     (*pulled_2).position_0 = (*pulled_2).position_0 - by_velocity_0;
@@ -1730,31 +1710,50 @@ fn numbers_of_0( texture_6 : u32) -> u32
 
 fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
 {
-    var first_3 : u32 = numbers_of_0(texture_7);
-    if(first_3 == u32(4294967295))
-    {
-        return;
-    }
+    var first_4 : u32 = numbers_of_0(texture_7);
     var _S252 : u32 = word_0(texture_7 + u32(1));
+    var _S253 : u32;
+    if(first_4 == u32(4294967295))
+    {
+        _S253 = u32(0);
+    }
+    else
+    {
+        _S253 = lookup_5.count_0;
+    }
     var k_4 : u32 = u32(0);
     for(;;)
     {
-        if(k_4 < (lookup_5.count_0))
+        if(k_4 < _S253)
         {
         }
         else
         {
             break;
         }
-        var at_12 : u32 = first_3 + _S252 * lookup_5.texels_0[k_4];
         var own_0 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_4]);
+        var own_1 : vec3<f32>;
         if(_S252 == u32(1))
         {
-            add_to_sum_0(at_12, own_0.x + own_0.y + own_0.z);
-            k_4 = k_4 + u32(1);
-            continue;
+            own_1 = vec3<f32>((own_0.x + own_0.y + own_0.z));
         }
-        add_to_sums_0(at_12, own_0);
+        else
+        {
+            own_1 = own_0;
+        }
+        var c_3 : u32 = u32(0);
+        for(;;)
+        {
+            if(c_3 < _S252)
+            {
+            }
+            else
+            {
+                break;
+            }
+            add_to_sum_0(first_4 + _S252 * lookup_5.texels_0[k_4] + c_3, own_1[c_3]);
+            c_3 = c_3 + u32(1);
+        }
         k_4 = k_4 + u32(1);
     }
     return;
@@ -1768,13 +1767,13 @@ fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
 
 fn numbers_back_0( material_2 : u32,  place_10 : Place_0,  numbers_5 : Numbers_0) -> vec2<f32>
 {
-    var _S253 : vec2<f32> = vec2<f32>(0.0f);
-    var _S254 : u32 = word_0(material_2 + u32(4));
+    var _S254 : vec2<f32> = vec2<f32>(0.0f);
+    var _S255 : u32 = word_0(material_2 + u32(4));
     var slot_3 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S253;
+    var by_place_0 : vec2<f32> = _S254;
     for(;;)
     {
-        if(slot_3 < _S254)
+        if(slot_3 < _S255)
         {
         }
         else
@@ -1787,9 +1786,9 @@ fn numbers_back_0( material_2 : u32,  place_10 : Place_0,  numbers_5 : Numbers_0
             slot_3 = slot_3 + u32(1);
             continue;
         }
-        var _S255 : Lookup_0 = lookup_at_0(texture_9, place_10);
-        var _S256 : vec2<f32> = lookup_back_0(texture_9, _S255, slot_derivative_0(numbers_5, slot_3));
-        by_place_0 = by_place_0 + _S256;
+        var _S256 : Lookup_0 = lookup_at_0(texture_9, place_10);
+        var _S257 : vec2<f32> = lookup_back_0(texture_9, _S256, slot_derivative_0(numbers_5, slot_3));
+        by_place_0 = by_place_0 + _S257;
         slot_3 = slot_3 + u32(1);
     }
     return by_place_0;
@@ -1800,148 +1799,211 @@ fn is_moving_0() -> bool
     return (change_word_0(u32(0))) != u32(4294967295);
 }
 
-fn points_of_0( triangle_6 : u32) -> u32
+struct AtCorners_0
 {
-    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_6)));
+     a_8 : vec3<f32>,
+     b_5 : vec3<f32>,
+     c_4 : vec3<f32>,
+};
+
+fn at_no_corner_0() -> AtCorners_0
+{
+    var corners_0 : AtCorners_0;
+    var _S258 : vec3<f32> = vec3<f32>(0.0f);
+    corners_0.c_4 = _S258;
+    corners_0.b_5 = _S258;
+    corners_0.a_8 = _S258;
+    return corners_0;
 }
 
-fn unit_back_0( vector_1 : vec3<f32>,  derivative_4 : vec3<f32>,  size_4 : f32) -> vec3<f32>
+fn unit_back_0( vector_1 : vec3<f32>,  derivative_4 : vec3<f32>,  size_3 : f32) -> vec3<f32>
 {
-    return (derivative_4 - vector_1 * vec3<f32>(dot(vector_1, derivative_4))) / vec3<f32>(size_4);
+    return (derivative_4 - vector_1 * vec3<f32>(dot(vector_1, derivative_4))) / vec3<f32>(size_3);
 }
 
-fn add_to_corners_0( sums_at_1 : u32,  triangle_7 : u32,  by_a_0 : vec3<f32>,  by_b_0 : vec3<f32>,  by_c_0 : vec3<f32>)
+fn tangent_back_0( points_0 : ptr<function, AtCorners_0>,  triangle_6 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : vec3<f32>)
 {
-    if(sums_at_1 == u32(4294967295))
-    {
-        return;
-    }
-    var record_5 : u32 = triangle_record_0(triangle_7) + u32(2);
-    add_to_sums_0(sums_at_1 + u32(3) * word_0(record_5), by_a_0);
-    add_to_sums_0(sums_at_1 + u32(3) * word_0(record_5 + u32(1)), by_b_0);
-    add_to_sums_0(sums_at_1 + u32(3) * word_0(record_5 + u32(2)), by_c_0);
-    return;
-}
-
-fn tangent_back_0( triangle_8 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : vec3<f32>)
-{
-    var points_0 : u32 = points_of_0(triangle_8);
-    var corner_0 : u32 = u32(9) * triangle_8;
-    if(points_0 == u32(4294967295))
-    {
-        return;
-    }
-    var uvs_2 : Corners2_0 = uvs_of_0(triangle_8);
-    var first_4 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
+    var corner_0 : u32 = u32(9) * triangle_6;
+    var uvs_2 : Corners2_0 = uvs_of_0(triangle_6);
+    var first_5 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
     var second_1 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
-    var _S257 : f32 = second_1.y;
-    var _S258 : f32 = first_4.y;
-    var scale_0 : f32 = 1.0f / (first_4.x * _S257 - second_1.x * _S258);
-    var of_ab_0 : f32 = _S257 * scale_0;
-    var of_ac_0 : f32 = - _S258 * scale_0;
-    var a_8 : vec3<f32> = primitive_vector_0(corner_0);
-    var _S259 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S260 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_0 + u32(3)) - a_8) * _S259 + (primitive_vector_0(corner_0 + u32(6)) - a_8) * _S260));
-    add_to_corners_0(points_0, triangle_8, derivative_5 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_5 * _S259, derivative_5 * _S260);
+    var _S259 : f32 = second_1.y;
+    var _S260 : f32 = first_5.y;
+    var scale_0 : f32 = 1.0f / (first_5.x * _S259 - second_1.x * _S260);
+    var of_ab_0 : f32 = _S259 * scale_0;
+    var of_ac_0 : f32 = - _S260 * scale_0;
+    var a_9 : vec3<f32> = primitive_vector_0(corner_0);
+    var _S261 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S262 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_0 + u32(3)) - a_9) * _S261 + (primitive_vector_0(corner_0 + u32(6)) - a_9) * _S262));
+    (*points_0).a_8 = (*points_0).a_8 - derivative_5 * vec3<f32>((of_ab_0 + of_ac_0));
+    (*points_0).b_5 = (*points_0).b_5 + derivative_5 * _S261;
+    (*points_0).c_4 = (*points_0).c_4 + derivative_5 * _S262;
     return;
 }
 
-fn normals_of_0( triangle_9 : u32) -> u32
+fn add_at_place_0( corners_1 : ptr<function, AtCorners_0>,  place_11 : Place_0,  derivative_6 : vec3<f32>)
 {
-    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_9)) + u32(1));
-}
-
-fn add_at_place_0( sums_at_2 : u32,  place_11 : Place_0,  derivative_6 : vec3<f32>)
-{
-    add_to_corners_0(sums_at_2, place_11.triangle_0, derivative_6 * vec3<f32>((1.0f - place_11.v_0 - place_11.w_0)), derivative_6 * vec3<f32>(place_11.v_0), derivative_6 * vec3<f32>(place_11.w_0));
+    (*corners_1).a_8 = (*corners_1).a_8 + derivative_6 * vec3<f32>((1.0f - place_11.v_0 - place_11.w_0));
+    (*corners_1).b_5 = (*corners_1).b_5 + derivative_6 * vec3<f32>(place_11.v_0);
+    (*corners_1).c_4 = (*corners_1).c_4 + derivative_6 * vec3<f32>(place_11.w_0);
     return;
 }
 
-fn place_back_0( place_12 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_5 : vec3<f32>) -> vec3<f32>
+fn add_at_place_1( corners_2 : ptr<function, AtCorners_0>,  place_12 : Place_0,  derivative_7 : vec3<f32>)
 {
-    var corner_1 : u32 = u32(9) * place_12.triangle_0;
-    var a_9 : vec3<f32> = primitive_vector_0(corner_1);
-    var ab_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_9;
-    var ac_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_9;
-    var across_1 : vec3<f32> = cross(ab_0, ac_0);
-    var _S261 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
-    var normal_0 : vec3<f32> = across_1 / vec3<f32>(_S261);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_0) * vec3<f32>(by_place_1.x) + cross(normal_0, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S261)));
-    var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_5, by_slip_0) / dot(normal_0, direction_5)));
-    add_at_place_0(points_of_0(place_12.triangle_0), place_12, by_position_0 - by_drift_0);
-    return by_drift_0;
+    (*corners_2).a_8 = (*corners_2).a_8 + derivative_7 * vec3<f32>((1.0f - place_12.v_0 - place_12.w_0));
+    (*corners_2).b_5 = (*corners_2).b_5 + derivative_7 * vec3<f32>(place_12.v_0);
+    (*corners_2).c_4 = (*corners_2).c_4 + derivative_7 * vec3<f32>(place_12.w_0);
+    return;
 }
 
-fn surface_back_0( surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_6 : vec3<f32>) -> vec3<f32>
+fn normals_of_0( triangle_7 : u32) -> u32
 {
-    var normals_1 : u32 = word_0(surface_6.shape_0);
-    var _S262 : vec2<f32>;
-    if(normals_1 == u32(4294967295))
+    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_7)) + u32(1));
+}
+
+fn add_to_corners_0( sums_at_0 : u32,  triangle_8 : u32,  corners_3 : AtCorners_0)
+{
+    var _S263 : u32 = triangle_record_0(triangle_8) + u32(2);
+    var _S264 : i32;
+    if(sums_at_0 == u32(4294967295))
     {
-        var corner_2 : u32 = u32(9) * surface_6.place_3.triangle_0;
-        var a_10 : vec3<f32> = primitive_vector_0(corner_2);
-        var ab_1 : vec3<f32> = primitive_vector_0(corner_2 + u32(3)) - a_10;
-        var ac_1 : vec3<f32> = primitive_vector_0(corner_2 + u32(6)) - a_10;
-        var derivative_7 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(cross(ab_1, ac_1)));
-        var by_ab_0 : vec3<f32> = cross(ac_1, derivative_7);
-        var by_ac_0 : vec3<f32> = cross(derivative_7, ab_1);
-        add_to_corners_0(points_of_0(surface_6.place_3.triangle_0), surface_6.place_3.triangle_0, (vec3<f32>(0) - by_ab_0) - by_ac_0, by_ab_0, by_ac_0);
-        _S262 = by_place_2;
+        _S264 = i32(0);
     }
     else
     {
-        var record_6 : u32 = triangle_record_0(surface_6.place_3.triangle_0) + u32(2);
-        var a_11 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_6));
-        var ab_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_6 + u32(1))) - a_11;
-        var ac_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_6 + u32(2))) - a_11;
-        var derivative_8 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(a_11 + ab_2 * vec3<f32>(surface_6.place_3.v_0) + ac_2 * vec3<f32>(surface_6.place_3.w_0)));
-        add_at_place_0(normals_of_0(surface_6.place_3.triangle_0), surface_6.place_3, derivative_8);
-        _S262 = by_place_2 + vec2<f32>(dot(ab_2, derivative_8), dot(ac_2, derivative_8));
+        _S264 = i32(3);
     }
-    var _S263 : vec3<f32> = place_back_0(surface_6.place_3, _S262, by_position_1, direction_6);
-    return _S263;
+    var _S265 : u32 = u32(_S264);
+    var k_5 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_5 < _S265)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S266 : u32 = sums_at_0 + u32(3) * word_0(_S263 + k_5);
+        var _S267 : vec3<f32>;
+        if(k_5 == u32(0))
+        {
+            _S267 = corners_3.a_8;
+        }
+        else
+        {
+            if(k_5 == u32(1))
+            {
+                _S267 = corners_3.b_5;
+            }
+            else
+            {
+                _S267 = corners_3.c_4;
+            }
+        }
+        add_to_sums_0(_S266, _S267);
+        k_5 = k_5 + u32(1);
+    }
+    return;
+}
+
+fn place_back_0( points_1 : ptr<function, AtCorners_0>,  place_13 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_5 : vec3<f32>) -> vec3<f32>
+{
+    var corner_1 : u32 = u32(9) * place_13.triangle_0;
+    var a_10 : vec3<f32> = primitive_vector_0(corner_1);
+    var ab_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_10;
+    var ac_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_10;
+    var across_1 : vec3<f32> = cross(ab_0, ac_0);
+    var _S268 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
+    var normal_0 : vec3<f32> = across_1 / vec3<f32>(_S268);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_0) * vec3<f32>(by_place_1.x) + cross(normal_0, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S268)));
+    var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_5, by_slip_0) / dot(normal_0, direction_5)));
+    add_at_place_1(&((*points_1)), place_13, by_position_0 - by_drift_0);
+    return by_drift_0;
+}
+
+fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_6 : vec3<f32>) -> vec3<f32>
+{
+    var normals_1 : u32 = word_0(surface_6.shape_0);
+    var _S269 : vec2<f32>;
+    if(normals_1 == u32(4294967295))
+    {
+        var corner_2 : u32 = u32(9) * surface_6.place_3.triangle_0;
+        var a_11 : vec3<f32> = primitive_vector_0(corner_2);
+        var ab_1 : vec3<f32> = primitive_vector_0(corner_2 + u32(3)) - a_11;
+        var ac_1 : vec3<f32> = primitive_vector_0(corner_2 + u32(6)) - a_11;
+        var derivative_8 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(cross(ab_1, ac_1)));
+        var by_ab_0 : vec3<f32> = cross(ac_1, derivative_8);
+        var by_ac_0 : vec3<f32> = cross(derivative_8, ab_1);
+        (*points_2).a_8 = (*points_2).a_8 - (by_ab_0 + by_ac_0);
+        (*points_2).b_5 = (*points_2).b_5 + by_ab_0;
+        (*points_2).c_4 = (*points_2).c_4 + by_ac_0;
+        _S269 = by_place_2;
+    }
+    else
+    {
+        var record_5 : u32 = triangle_record_0(surface_6.place_3.triangle_0) + u32(2);
+        var a_12 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_5));
+        var ab_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_5 + u32(1))) - a_12;
+        var ac_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_5 + u32(2))) - a_12;
+        var derivative_9 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(a_12 + ab_2 * vec3<f32>(surface_6.place_3.v_0) + ac_2 * vec3<f32>(surface_6.place_3.w_0)));
+        var of_normals_0 : AtCorners_0 = at_no_corner_0();
+        add_at_place_0(&(of_normals_0), surface_6.place_3, derivative_9);
+        add_to_corners_0(normals_of_0(surface_6.place_3.triangle_0), surface_6.place_3.triangle_0, of_normals_0);
+        _S269 = by_place_2 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_2, derivative_9));
+    }
+    var _S270 : vec3<f32> = place_back_0(&((*points_2)), surface_6.place_3, _S269, by_position_1, direction_6);
+    return _S270;
+}
+
+fn points_of_0( triangle_9 : u32) -> u32
+{
+    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_9)));
 }
 
 fn vertex_back_0( pulled_3 : Pulled_0,  vertex_5 : Vertex_0,  material_3 : u32,  direction_7 : vec3<f32>) -> ByRay_0
 {
     var by_ray_1 : ByRay_0;
-    var _S264 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_0 = _S264;
-    by_ray_1.drift_0 = _S264;
+    var _S271 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S271;
+    by_ray_1.drift_0 = _S271;
     var by_place_3 : vec2<f32> = numbers_back_0(material_3, vertex_5.surface_3.place_3, pulled_3.numbers_1);
     if(!is_moving_0())
     {
         return by_ray_1;
     }
-    var _S265 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S272 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_0 : DiffPair_Axes_0;
     towards_0.primal_0 = vertex_5.axes_5;
-    towards_0.differential_0 = _S265;
+    towards_0.differential_0 = _S272;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_7;
-    incoming_0.differential_0 = _S264;
+    incoming_0.differential_0 = _S271;
     _S173(&(towards_0), &(incoming_0), pulled_3.wi_0);
     by_ray_1.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_5.surface_3.outward_0;
-    outward_1.differential_0 = _S264;
-    var _S266 : vec3<f32> = tangent_at_0(vertex_5.surface_3);
+    outward_1.differential_0 = _S271;
+    var _S273 : vec3<f32> = tangent_at_0(vertex_5.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S266;
-    tangent_4.differential_0 = _S264;
+    tangent_4.primal_0 = _S273;
+    tangent_4.differential_0 = _S271;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_3.axes_0, towards_0.differential_0);
-    if((any((_S266 != _S264))))
+    var points_3 : AtCorners_0 = at_no_corner_0();
+    if((any((_S273 != _S271))))
     {
         _S124(&(outward_1), &(tangent_4), vertex_5.surface_3.is_front_0, by_axes_0);
-        tangent_back_0(vertex_5.surface_3.place_3.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
+        tangent_back_0(&(points_3), vertex_5.surface_3.place_3.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
     }
     else
     {
         _S93(&(outward_1), vertex_5.surface_3.is_front_0, by_axes_0);
     }
-    var _S267 : vec3<f32> = surface_back_0(vertex_5.surface_3, by_place_3, pulled_3.position_0, outward_1.differential_0, direction_7);
-    by_ray_1.drift_0 = _S267;
+    var _S274 : vec3<f32> = surface_back_0(&(points_3), vertex_5.surface_3, by_place_3, pulled_3.position_0, outward_1.differential_0, direction_7);
+    by_ray_1.drift_0 = _S274;
+    add_to_corners_0(points_of_0(vertex_5.surface_3.place_3.triangle_0), vertex_5.surface_3.place_3.triangle_0, points_3);
     return by_ray_1;
 }
 
@@ -1970,12 +2032,26 @@ fn set_vector_0( path_12 : u32,  which_9 : ptr<function, u32>,  value_6 : vec3<f
     return;
 }
 
-fn add_0( number_of_path_3 : u32,  crossed_1 : Crossed_0,  at_13 : ShadingPoint_0,  direction_8 : vec3<f32>)
+fn add_0( number_of_path_3 : u32,  crossed_1 : Crossed_0,  at_12 : ShadingPoint_0,  direction_8 : vec3<f32>)
 {
-    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_1.pulled_1, at_13.vertex_2, material_of_0(at_13.vertex_2.surface_3), direction_8);
-    var _S268 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
-    var kept_1 : u32 = _S268;
-    var which_10 : u32 = _S268;
+    var _S275 : vec3<f32> = vec3<f32>(0.0f);
+    var _S276 : bool;
+    if((all(((crossed_1.pulled_1.position_0) == _S275))))
+    {
+        _S276 = (all(((crossed_1.pulled_1.axes_0.n_0) == _S275)));
+    }
+    else
+    {
+        _S276 = false;
+    }
+    if(_S276)
+    {
+        return;
+    }
+    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_1.pulled_1, at_12.vertex_2, material_of_0(at_12.vertex_2.surface_3), direction_8);
+    var _S277 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
+    var kept_1 : u32 = _S277;
+    var which_10 : u32 = _S277;
     var drift_1 : vec3<f32> = path_vector_1(number_of_path_3, &(which_10));
     var by_direction_0 : vec3<f32> = path_vector_1(number_of_path_3, &(which_10));
     set_vector_0(number_of_path_3, &(kept_1), drift_1 + by_ray_2.drift_0);
@@ -1993,9 +2069,9 @@ fn add_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         return;
     }
     var number_of_path_4 : u32 = input_0[listed_0];
-    var _S269 : vec3<f32> = vec3<f32>(0.0f);
+    var _S278 : vec3<f32> = vec3<f32>(0.0f);
     var side_1 : u32 = u32(0);
-    var sum_2 : vec3<f32> = _S269;
+    var sum_1 : vec3<f32> = _S278;
     for(;;)
     {
         if(side_1 < u32(2))
@@ -2005,49 +2081,49 @@ fn add_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         {
             break;
         }
-        var number_2 : u32 = side_path_0(number_of_path_4, side_1);
+        var number_1 : u32 = side_path_0(number_of_path_4, side_1);
         var which_11 : u32 = u32(17);
-        var weight_0 : vec3<f32> = path_vector_2(number_2, &(which_11));
+        var weight_0 : vec3<f32> = path_vector_2(number_1, &(which_11));
         which_11 = u32(1);
-        if((any((weight_0 != _S269))))
+        if((any((weight_0 != _S278))))
         {
-            var _S270 : vec3<f32> = path_vector_2(number_2, &(which_11));
-            sum_2 = sum_2 + weight_0 * _S270;
+            var _S279 : vec3<f32> = path_vector_2(number_1, &(which_11));
+            sum_1 = sum_1 + weight_0 * _S279;
         }
         side_1 = side_1 + u32(1);
     }
-    var crossed_2 : Crossed_0 = nothing_crossed_0(_S269);
+    var crossed_2 : Crossed_0 = nothing_crossed_0(_S278);
     var unused_0 : vec3<f32>;
     var path_13 : Path_0 = path_at_vertex_0(number_of_path_4, &(unused_0));
-    var at_14 : ShadingPoint_0;
-    var _S271 : bool;
-    if((all((sum_2 == _S269))))
+    var at_13 : ShadingPoint_0;
+    var _S280 : bool;
+    if((all((sum_1 == _S278))))
     {
-        _S271 = true;
+        _S280 = true;
     }
     else
     {
-        var _S272 : bool = shading_point_0(path_13, &(at_14));
-        _S271 = !_S272;
+        var _S281 : bool = shading_point_0(path_13, &(at_13));
+        _S280 = !_S281;
     }
-    if(_S271)
+    if(_S280)
     {
         return;
     }
-    var first_5 : u32 = side_path_0(number_of_path_4, u32(0));
+    var first_6 : u32 = side_path_0(number_of_path_4, u32(0));
     var kept_2 : u32 = u32(20);
-    var _S273 : vec3<f32> = path_vector_2(first_5, &(kept_2));
-    var by_velocity_1 : vec3<f32> = _S273 * vec3<f32>((sum_2.x + sum_2.y + sum_2.z));
-    var offset_1 : vec3<f32> = path_vector_2(first_5, &(kept_2));
-    var _S274 : u32 = kept_2;
-    var _S275 : u32 = kept_2 + u32(1);
-    kept_2 = _S275;
-    var t_2 : f32 = (bitcast<f32>((path_word_0(first_5, _S274))));
-    var _S276 : bool = turns_1(at_14.vertex_2);
-    var _S277 : u32 = path_word_0(first_5, _S275);
-    var _S278 : Pulled_0 = crossed_2.pulled_1;
-    edge_back_0(&(_S278), at_14.vertex_2, _S276, _S277, t_2, offset_1, by_velocity_1);
-    crossed_2.pulled_1 = _S278;
-    add_0(number_of_path_4, crossed_2, at_14, path_13.direction_1);
+    var _S282 : vec3<f32> = path_vector_2(first_6, &(kept_2));
+    var by_velocity_1 : vec3<f32> = _S282 * vec3<f32>((sum_1.x + sum_1.y + sum_1.z));
+    var offset_1 : vec3<f32> = path_vector_2(first_6, &(kept_2));
+    var _S283 : u32 = kept_2;
+    var _S284 : u32 = kept_2 + u32(1);
+    kept_2 = _S284;
+    var t_2 : f32 = (bitcast<f32>((path_word_0(first_6, _S283))));
+    var _S285 : bool = turns_1(at_13.vertex_2);
+    var _S286 : u32 = path_word_0(first_6, _S284);
+    var _S287 : Pulled_0 = crossed_2.pulled_1;
+    edge_back_0(&(_S287), at_13.vertex_2, _S285, _S286, t_2, offset_1, by_velocity_1);
+    crossed_2.pulled_1 = _S287;
+    add_0(number_of_path_4, crossed_2, at_13, path_13.direction_1);
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from hits.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: acc0ec3baa3b648a
-// result: 213a169b335f1de0
+// source: 548780700b98f862
+// result: 4555046d268f4122
 
 struct Launch_std140_0
 {
@@ -19,6 +19,8 @@ struct Launch_std140_0
 @binding(2) @group(0) var<storage, read> primitives_0 : array<f32>;
 
 @binding(6) @group(0) var<storage, read_write> paths_0 : array<u32>;
+
+@binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
 
 fn word_0( at_0 : u32) -> u32
 {
@@ -545,6 +547,31 @@ fn reaches_0( segments_0 : u32) -> bool
     return segments_0 <= (word_0(u32(0)));
 }
 
+fn check_loops_0()
+{
+    var _S33 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S34 : bool = rounds_0 < wanted_0;
+        _S33 = _S34;
+        if(_S34)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S33)
+    {
+        var _S35 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
+    return;
+}
+
 @compute
 @workgroup_size(64, 1, 1)
 fn begin_at_hits(@builtin(global_invocation_id) thread_0 : vec3<u32>)
@@ -556,59 +583,60 @@ fn begin_at_hits(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     }
     var at_8 : u32 = u32(10) * number_of_path_1;
     var found_2 : Found_0;
-    var _S33 : u32 = input_0[at_8];
-    found_2.face_0 = _S33;
-    var _S34 : u32;
-    if(_S33 == u32(4294967295))
+    var _S36 : u32 = input_0[at_8];
+    found_2.face_0 = _S36;
+    var _S37 : u32;
+    if(_S36 == u32(4294967295))
     {
-        _S34 = u32(0);
+        _S37 = u32(0);
     }
     else
     {
-        _S34 = word_0(word_0(u32(12)) + found_2.face_0);
+        _S37 = word_0(word_0(u32(12)) + found_2.face_0);
     }
-    found_2.triangle_2 = _S34;
+    found_2.triangle_2 = _S37;
     found_2.v_2 = (bitcast<f32>((input_0[at_8 + u32(1)]))) + (bitcast<f32>((input_0[at_8 + u32(2)])));
     found_2.w_2 = (bitcast<f32>((input_0[at_8 + u32(3)]))) + (bitcast<f32>((input_0[at_8 + u32(4)])));
     var path_5 : Path_0;
     path_5.place_8 = place_of_0(found_2);
-    var _S35 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_8 + u32(5)], input_0[at_8 + u32(6)], input_0[at_8 + u32(7)]))));
-    path_5.direction_4 = _S35;
+    var _S38 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_8 + u32(5)], input_0[at_8 + u32(6)], input_0[at_8 + u32(7)]))));
+    path_5.direction_4 = _S38;
     path_5.key_0 = vec2<u32>(input_0[at_8 + u32(8)], input_0[at_8 + u32(9)]);
     path_5.throughput_0 = still_0(vec3<f32>(1.0f));
     path_5.light_0 = still_0(vec3<f32>(0.0f));
-    var emitter_3 : u32 = emitter_seen_0(found_2, _S35);
-    var _S36 : bool;
+    var emitter_3 : u32 = emitter_seen_0(found_2, _S38);
+    var _S39 : bool;
     if(emitter_3 != u32(4294967295))
     {
-        _S36 = (word_0(u32(4))) != u32(0);
+        _S39 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S36 = false;
+        _S39 = false;
     }
-    if(_S36)
+    if(_S39)
     {
-        var _S37 : vec3<f32> = emitted_0(emitter_3, path_5.place_8, path_5.direction_4);
-        path_5.light_0 = _S37;
+        var _S40 : vec3<f32> = emitted_0(emitter_3, path_5.place_8, path_5.direction_4);
+        path_5.light_0 = _S40;
     }
     store_0(number_of_path_1, path_5);
     if((found_2.face_0) != u32(4294967295))
     {
-        _S36 = reaches_0(u32(2));
+        _S39 = reaches_0(u32(2));
     }
     else
     {
-        _S36 = false;
+        _S39 = false;
     }
-    if(_S36)
+    if(_S39)
     {
-        _S34 = number_of_path_1;
+        _S37 = number_of_path_1;
     }
     else
     {
-        _S34 = u32(4294967295);
+        _S37 = u32(4294967295);
     }
-    set_word_0(number_of_path_1, u32(0), _S34);
+    set_word_0(number_of_path_1, u32(0), _S37);
+    check_loops_0();
     return;
 }

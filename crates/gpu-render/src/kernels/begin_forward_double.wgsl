@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 14f6d74335f2a9c5
-// result: 3f4afe21e423b44d
+// source: b49affe9f8957f25
+// result: 9f316043d3a1f462
 
 struct Launch_std140_0
 {
@@ -18,7 +18,7 @@ struct Launch_std140_0
 
 @binding(2) @group(0) var<storage, read> primitives_0 : array<f64>;
 
-@binding(7) @group(0) var<storage, read_write> weights_0 : array<f32>;
+@binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
 
 @binding(0) @group(0) var<storage, read> nodes_0 : array<vec4<u32>>;
 
@@ -1164,7 +1164,7 @@ struct Lookup_0
 {
      count_0 : u32,
      texels_0 : vec4<u32>,
-     weights_1 : vec4<f32>,
+     weights_0 : vec4<f32>,
      by_first_0 : vec4<f32>,
      by_second_0 : vec4<f32>,
 };
@@ -1174,7 +1174,7 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     var lookup_0 : Lookup_0;
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
-    lookup_0.weights_1 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
     var _S85 : vec4<f32> = vec4<f32>(0.0f);
     lookup_0.by_second_0 = _S85;
     lookup_0.by_first_0 = _S85;
@@ -1281,7 +1281,7 @@ fn between_0( texels_1 : vec4<u32>,  place_4 : Point_0) -> Lookup_0
     var _S88 : f32 = back_0.y;
     var _S89 : f32 = way_1.x;
     var _S90 : f32 = way_1.y;
-    lookup_1.weights_1 = vec4<f32>(_S87 * _S88, _S89 * _S88, _S87 * _S90, _S89 * _S90);
+    lookup_1.weights_0 = vec4<f32>(_S87 * _S88, _S89 * _S88, _S87 * _S90, _S89 * _S90);
     var by_x_0 : vec4<f32> = vec4<f32>(- _S88, _S88, - _S90, _S90);
     var by_y_0 : vec4<f32> = vec4<f32>(- _S87, - _S89, _S87, _S89);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_4.by_first_1.x) + by_y_0 * vec4<f32>(place_4.by_first_1.y);
@@ -1337,7 +1337,7 @@ fn lookup_at_0( texture_1 : u32,  place_6 : Place_0) -> Lookup_0
         var lookup_2 : Lookup_0;
         lookup_2.count_0 = u32(3);
         lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
-        lookup_2.weights_1 = vec4<f32>(1.0f - place_6.v_4 - place_6.w_3, place_6.v_4, place_6.w_3, 0.0f);
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_6.v_4 - place_6.w_3, place_6.v_4, place_6.w_3, 0.0f);
         lookup_2.by_first_0 = vec4<f32>(-1.0f, 1.0f, 0.0f, 0.0f);
         lookup_2.by_second_0 = vec4<f32>(-1.0f, 0.0f, 1.0f, 0.0f);
         return lookup_2;
@@ -1373,7 +1373,7 @@ fn lookup_at_0( texture_1 : u32,  place_6 : Place_0) -> Lookup_0
     return one_texel_0(u32(_S101));
 }
 
-fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f32>) -> vec3<f32>
+fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
     var _S102 : u32 = word_0(texture_2 + u32(1));
     var _S103 : u32 = texture_2 + u32(13);
@@ -1399,7 +1399,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f
         {
             _S105 = vector_at_0(at_16);
         }
-        var value_5 : vec3<f32> = value_4 + _S105 * vec3<f32>(weights_2[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S105 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -1413,7 +1413,7 @@ fn numbers_of_0( texture_3 : u32) -> u32
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
 {
-    var value_6 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.weights_1);
+    var value_6 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.weights_0);
     var change_4 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.by_first_0 * vec4<f32>(place_change_0.x) + lookup_4.by_second_0 * vec4<f32>(place_change_0.y));
     var first_3 : u32 = numbers_of_0(texture_4);
     if(first_3 == u32(4294967295))
@@ -1451,7 +1451,7 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
         {
             of_texel_0 = change_vector_0(at_17);
         }
-        var change_6 : vec3<f32> = change_5 + of_texel_0 * vec3<f32>(lookup_4.weights_1[k_2]);
+        var change_6 : vec3<f32> = change_5 + of_texel_0 * vec3<f32>(lookup_4.weights_0[k_2]);
         k_2 = k_2 + u32(1);
         change_5 = change_6;
     }
@@ -1729,7 +1729,7 @@ fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
     var _S154 : vec3<f32> = vec3<f32>(ray_5.direction_0);
     (*path_0).key_4 = drawn_4.key_3;
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
-    weights_0[number_of_path_1] = drawn_4.weight_1;
+    atomicStore(&(sums_0[u32(3) + number_of_path_1]), (bitcast<u32>((drawn_4.weight_1))));
     var t_5 : f32 = 0.0f;
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
@@ -1872,6 +1872,31 @@ fn store_0( number_of_path_2 : u32,  path_6 : Path_0)
     return;
 }
 
+fn check_loops_0()
+{
+    var _S160 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S161 : bool = rounds_0 < wanted_0;
+        _S160 = _S161;
+        if(_S161)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S160)
+    {
+        var _S162 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
+    return;
+}
+
 @compute
 @workgroup_size(64, 1, 1)
 fn begin_forward(@builtin(global_invocation_id) thread_0 : vec3<u32>)
@@ -1884,15 +1909,16 @@ fn begin_forward(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_7 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_3, &(path_7));
     store_0(number_of_path_3, path_7);
-    var _S160 : u32;
+    var _S163 : u32;
     if(goes_on_0)
     {
-        _S160 = number_of_path_3;
+        _S163 = number_of_path_3;
     }
     else
     {
-        _S160 = u32(4294967295);
+        _S163 = u32(4294967295);
     }
-    set_word_0(number_of_path_3, u32(0), _S160);
+    set_word_0(number_of_path_3, u32(0), _S163);
+    check_loops_0();
     return;
 }

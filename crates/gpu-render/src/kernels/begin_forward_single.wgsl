@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 14f6d74335f2a9c5
-// result: 857700e8776edb67
+// source: b49affe9f8957f25
+// result: c70d98c86185d316
 
 struct Launch_std140_0
 {
@@ -18,7 +18,7 @@ struct Launch_std140_0
 
 @binding(2) @group(0) var<storage, read> primitives_0 : array<f32>;
 
-@binding(7) @group(0) var<storage, read_write> weights_0 : array<f32>;
+@binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
 
 @binding(0) @group(0) var<storage, read> nodes_0 : array<vec4<u32>>;
 
@@ -1159,7 +1159,7 @@ struct Lookup_0
 {
      count_0 : u32,
      texels_0 : vec4<u32>,
-     weights_1 : vec4<f32>,
+     weights_0 : vec4<f32>,
      by_first_0 : vec4<f32>,
      by_second_0 : vec4<f32>,
 };
@@ -1169,7 +1169,7 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     var lookup_0 : Lookup_0;
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
-    lookup_0.weights_1 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
     var _S79 : vec4<f32> = vec4<f32>(0.0f);
     lookup_0.by_second_0 = _S79;
     lookup_0.by_first_0 = _S79;
@@ -1276,7 +1276,7 @@ fn between_0( texels_1 : vec4<u32>,  place_4 : Point_0) -> Lookup_0
     var _S82 : f32 = back_0.y;
     var _S83 : f32 = way_1.x;
     var _S84 : f32 = way_1.y;
-    lookup_1.weights_1 = vec4<f32>(_S81 * _S82, _S83 * _S82, _S81 * _S84, _S83 * _S84);
+    lookup_1.weights_0 = vec4<f32>(_S81 * _S82, _S83 * _S82, _S81 * _S84, _S83 * _S84);
     var by_x_0 : vec4<f32> = vec4<f32>(- _S82, _S82, - _S84, _S84);
     var by_y_0 : vec4<f32> = vec4<f32>(- _S81, - _S83, _S81, _S83);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_4.by_first_1.x) + by_y_0 * vec4<f32>(place_4.by_first_1.y);
@@ -1332,7 +1332,7 @@ fn lookup_at_0( texture_1 : u32,  place_6 : Place_0) -> Lookup_0
         var lookup_2 : Lookup_0;
         lookup_2.count_0 = u32(3);
         lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
-        lookup_2.weights_1 = vec4<f32>(1.0f - place_6.v_4 - place_6.w_3, place_6.v_4, place_6.w_3, 0.0f);
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_6.v_4 - place_6.w_3, place_6.v_4, place_6.w_3, 0.0f);
         lookup_2.by_first_0 = vec4<f32>(-1.0f, 1.0f, 0.0f, 0.0f);
         lookup_2.by_second_0 = vec4<f32>(-1.0f, 0.0f, 1.0f, 0.0f);
         return lookup_2;
@@ -1368,7 +1368,7 @@ fn lookup_at_0( texture_1 : u32,  place_6 : Place_0) -> Lookup_0
     return one_texel_0(u32(_S95));
 }
 
-fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f32>) -> vec3<f32>
+fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
     var _S96 : u32 = word_0(texture_2 + u32(1));
     var _S97 : u32 = texture_2 + u32(13);
@@ -1394,7 +1394,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f
         {
             _S99 = vector_at_0(at_16);
         }
-        var value_5 : vec3<f32> = value_4 + _S99 * vec3<f32>(weights_2[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S99 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -1408,7 +1408,7 @@ fn numbers_of_0( texture_3 : u32) -> u32
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
 {
-    var value_6 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.weights_1);
+    var value_6 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.weights_0);
     var change_4 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.by_first_0 * vec4<f32>(place_change_0.x) + lookup_4.by_second_0 * vec4<f32>(place_change_0.y));
     var first_3 : u32 = numbers_of_0(texture_4);
     if(first_3 == u32(4294967295))
@@ -1446,7 +1446,7 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
         {
             of_texel_0 = change_vector_0(at_17);
         }
-        var change_6 : vec3<f32> = change_5 + of_texel_0 * vec3<f32>(lookup_4.weights_1[k_2]);
+        var change_6 : vec3<f32> = change_5 + of_texel_0 * vec3<f32>(lookup_4.weights_0[k_2]);
         k_2 = k_2 + u32(1);
         change_5 = change_6;
     }
@@ -1723,7 +1723,7 @@ fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
     var ray_5 : CameraRay_0 = camera_ray_0(drawn_4);
     (*path_0).key_4 = drawn_4.key_3;
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
-    weights_0[number_of_path_1] = drawn_4.weight_1;
+    atomicStore(&(sums_0[u32(3) + number_of_path_1]), (bitcast<u32>((drawn_4.weight_1))));
     var t_5 : f32 = 0.0f;
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
@@ -1866,6 +1866,31 @@ fn store_0( number_of_path_2 : u32,  path_6 : Path_0)
     return;
 }
 
+fn check_loops_0()
+{
+    var _S153 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S154 : bool = rounds_0 < wanted_0;
+        _S153 = _S154;
+        if(_S154)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S153)
+    {
+        var _S155 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
+    return;
+}
+
 @compute
 @workgroup_size(64, 1, 1)
 fn begin_forward(@builtin(global_invocation_id) thread_0 : vec3<u32>)
@@ -1878,15 +1903,16 @@ fn begin_forward(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_7 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_3, &(path_7));
     store_0(number_of_path_3, path_7);
-    var _S153 : u32;
+    var _S156 : u32;
     if(goes_on_0)
     {
-        _S153 = number_of_path_3;
+        _S156 = number_of_path_3;
     }
     else
     {
-        _S153 = u32(4294967295);
+        _S156 = u32(4294967295);
     }
-    set_word_0(number_of_path_3, u32(0), _S153);
+    set_word_0(number_of_path_3, u32(0), _S156);
+    check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 4964a59a38910633
-// result: 28f524173188e9ab
+// source: 81299129e2f6d31b
+// result: 0c7fa659f72e5341
 
 struct Launch_std140_0
 {
@@ -18,7 +18,7 @@ struct Launch_std140_0
 
 @binding(2) @group(0) var<storage, read> primitives_0 : array<f32>;
 
-@binding(7) @group(0) var<storage, read_write> weights_0 : array<f32>;
+@binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
 
 @binding(0) @group(0) var<storage, read> nodes_0 : array<vec4<u32>>;
 
@@ -1002,7 +1002,7 @@ struct Lookup_0
 {
      count_0 : u32,
      texels_0 : vec4<u32>,
-     weights_1 : vec4<f32>,
+     weights_0 : vec4<f32>,
 };
 
 fn one_texel_0( texel_0 : u32) -> Lookup_0
@@ -1010,7 +1010,7 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     var lookup_0 : Lookup_0;
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
-    lookup_0.weights_1 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
     return lookup_0;
 }
 
@@ -1112,7 +1112,7 @@ fn between_0( texels_1 : vec4<u32>,  place_2 : Point_0) -> Lookup_0
     var _S64 : f32 = back_0.y;
     var _S65 : f32 = way_1.x;
     var _S66 : f32 = way_1.y;
-    lookup_1.weights_1 = vec4<f32>(_S63 * _S64, _S65 * _S64, _S63 * _S66, _S65 * _S66);
+    lookup_1.weights_0 = vec4<f32>(_S63 * _S64, _S65 * _S64, _S63 * _S66, _S65 * _S66);
     return lookup_1;
 }
 
@@ -1161,7 +1161,7 @@ fn lookup_at_0( texture_1 : u32,  place_4 : Place_0) -> Lookup_0
         var lookup_2 : Lookup_0;
         lookup_2.count_0 = u32(3);
         lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
-        lookup_2.weights_1 = vec4<f32>(1.0f - place_4.v_4 - place_4.w_3, place_4.v_4, place_4.w_3, 0.0f);
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_4.v_4 - place_4.w_3, place_4.v_4, place_4.w_3, 0.0f);
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_4.triangle_2);
@@ -1187,7 +1187,7 @@ fn lookup_at_0( texture_1 : u32,  place_4 : Place_0) -> Lookup_0
     return one_texel_0(u32(_S75));
 }
 
-fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f32>) -> vec3<f32>
+fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
     var _S76 : u32 = word_0(texture_2 + u32(1));
     var _S77 : u32 = texture_2 + u32(13);
@@ -1213,7 +1213,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f
         {
             _S79 = vector_at_0(at_12);
         }
-        var value_4 : vec3<f32> = value_3 + _S79 * vec3<f32>(weights_2[k_1]);
+        var value_4 : vec3<f32> = value_3 + _S79 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_3 = value_4;
     }
@@ -1222,7 +1222,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f
 
 fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> vec3<f32>
 {
-    return weighted_texels_0(texture_3, lookup_4, lookup_4.weights_1);
+    return weighted_texels_0(texture_3, lookup_4, lookup_4.weights_0);
 }
 
 fn shown_0( texture_4 : u32,  place_5 : Place_0) -> vec3<f32>
@@ -1361,7 +1361,7 @@ fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
     var ray_5 : CameraRay_0 = camera_ray_0(drawn_3);
     (*path_0).key_4 = drawn_3.key_3;
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
-    weights_0[number_of_path_1] = drawn_3.weight_1;
+    atomicStore(&(sums_0[u32(3) + number_of_path_1]), (bitcast<u32>((drawn_3.weight_1))));
     var t_4 : f32 = 0.0f;
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
@@ -1470,6 +1470,31 @@ fn store_0( number_of_path_2 : u32,  path_5 : Path_0)
     return;
 }
 
+fn check_loops_0()
+{
+    var _S96 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S97 : bool = rounds_0 < wanted_0;
+        _S96 = _S97;
+        if(_S97)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S96)
+    {
+        var _S98 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
+    return;
+}
+
 @compute
 @workgroup_size(64, 1, 1)
 fn begin_paths(@builtin(global_invocation_id) thread_0 : vec3<u32>)
@@ -1482,15 +1507,16 @@ fn begin_paths(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_6 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_3, &(path_6));
     store_0(number_of_path_3, path_6);
-    var _S96 : u32;
+    var _S99 : u32;
     if(goes_on_0)
     {
-        _S96 = number_of_path_3;
+        _S99 = number_of_path_3;
     }
     else
     {
-        _S96 = u32(4294967295);
+        _S99 = u32(4294967295);
     }
-    set_word_0(number_of_path_3, u32(0), _S96);
+    set_word_0(number_of_path_3, u32(0), _S99);
+    check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 9031857028a9d8e4
-// result: a85ffd85ca2bf5c6
+// source: 845d6e344633a69a
+// result: f7a123fdef2c404b
 
 struct Launch_std140_0
 {
@@ -1971,188 +1971,162 @@ fn numbers_of_0( texture_6 : u32) -> u32
     return change_word_0(u32(6) + word_0(texture_6 + u32(12)));
 }
 
-fn add_word_0( sum_0 : u32,  word_of_sum_0 : u32,  number_2 : u32,  is_negative_0 : bool)
-{
-    var _S229 : u32 = u32(2) + u32(4) * sum_0;
-    var _S230 : u32 = number_2;
-    var k_2 : u32 = word_of_sum_0;
-    for(;;)
-    {
-        var _S231 : bool;
-        if(k_2 < u32(4))
-        {
-            _S231 = _S230 != u32(0);
-        }
-        else
-        {
-            _S231 = false;
-        }
-        if(_S231)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S232 : u32;
-        if(is_negative_0)
-        {
-            _S232 = u32(0) - _S230;
-        }
-        else
-        {
-            _S232 = _S230;
-        }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S229 + k_2]), _S232);
-        var overflows_0 : bool;
-        if(is_negative_0)
-        {
-            overflows_0 = before_0 < _S230;
-        }
-        else
-        {
-            overflows_0 = (before_0 + _S230) < before_0;
-        }
-        var _S233 : i32;
-        if(overflows_0)
-        {
-            _S233 = i32(1);
-        }
-        else
-        {
-            _S233 = i32(0);
-        }
-        var _S234 : u32 = u32(_S233);
-        var _S235 : u32 = k_2 + u32(1);
-        _S230 = _S234;
-        k_2 = _S235;
-    }
-    return;
-}
-
-fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32)
+fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S236 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S229 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_4 : f32 = abs(scaled_0);
     if(size_4 > 7.73712524553362672e+25f)
     {
-        var _S237 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S230 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var is_negative_1 : bool = scaled_0 < 0.0f;
-    var highest_0 : u32 = u32(0);
-    var size_5 : f32 = size_4;
+    var _S231 : bool = scaled_0 < 0.0f;
+    var _S232 : i32;
+    if(size_4 >= 1.84467440737095516e+19f)
+    {
+        _S232 = i32(1);
+    }
+    else
+    {
+        _S232 = i32(0);
+    }
+    var first_4 : u32 = u32(_S232);
+    var size_5 : f32;
+    if(first_4 == u32(1))
+    {
+        size_5 = size_4 * 2.32830643653869629e-10f;
+    }
+    else
+    {
+        size_5 = size_4;
+    }
+    var higher_0 : f32 = floor(size_5 * 2.32830643653869629e-10f);
+    var lower_0 : f32 = size_5 - higher_0 * 4.294967296e+09f;
+    if(first_4 == u32(0))
+    {
+        size_5 = lower_0 + 0.5f;
+    }
+    else
+    {
+        size_5 = lower_0;
+    }
+    var _S233 : u32 = u32(3) + u32(4) * sum_0;
+    var digits_0 : vec2<u32> = vec2<u32>(u32(size_5), u32(higher_0));
+    var k_2 : u32 = first_4;
     for(;;)
     {
-        var _S238 : bool;
-        if(highest_0 < u32(2))
+        var _S234 : bool;
+        if(k_2 < u32(4))
         {
-            _S238 = size_5 >= 4.294967296e+09f;
+            _S234 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S238 = false;
+            _S234 = false;
         }
-        if(_S238)
+        if(_S234)
         {
         }
         else
         {
             break;
         }
-        var size_6 : f32 = size_5 * 2.32830643653869629e-10f;
-        highest_0 = highest_0 + u32(1);
-        size_5 = size_6;
-    }
-    var _S239 : bool = highest_0 == u32(0);
-    var _S240 : f32;
-    if(_S239)
-    {
-        _S240 = size_5 + 0.5f;
-    }
-    else
-    {
-        _S240 = size_5;
-    }
-    var whole_0 : u32 = u32(_S240);
-    add_word_0(sum_1, highest_0, whole_0, is_negative_1);
-    if(_S239)
-    {
-        return;
-    }
-    var rest_2 : f32 = (size_5 - f32(whole_0)) * 4.294967296e+09f;
-    var _S241 : u32 = highest_0 - u32(1);
-    if(highest_0 == u32(1))
-    {
-        size_5 = rest_2 + 0.5f;
-    }
-    else
-    {
-        size_5 = rest_2;
-    }
-    add_word_0(sum_1, _S241, u32(size_5), is_negative_1);
-    return;
-}
-
-fn add_to_sums_0( first_4 : u32,  derivative_1 : vec3<f32>)
-{
-    var axis_4 : u32 = u32(0);
-    for(;;)
-    {
-        if(axis_4 < u32(3))
+        var _S235 : u32;
+        if(_S231)
         {
+            _S235 = u32(0) - digits_0.x;
         }
         else
         {
-            break;
+            _S235 = digits_0.x;
         }
-        add_to_sum_0(first_4 + axis_4, derivative_1[axis_4]);
-        axis_4 = axis_4 + u32(1);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S233 + k_2]), _S235);
+        var overflows_0 : bool;
+        if(_S231)
+        {
+            overflows_0 = before_0 < (digits_0.x);
+        }
+        else
+        {
+            overflows_0 = (before_0 + digits_0.x) < before_0;
+        }
+        var _S236 : u32 = digits_0.y;
+        if(overflows_0)
+        {
+            _S232 = i32(1);
+        }
+        else
+        {
+            _S232 = i32(0);
+        }
+        var _S237 : vec2<u32> = vec2<u32>(_S236 + u32(_S232), u32(0));
+        var _S238 : u32 = k_2 + u32(1);
+        digits_0 = _S237;
+        k_2 = _S238;
     }
     return;
 }
 
-fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
+fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
 {
     var first_5 : u32 = numbers_of_0(texture_7);
+    var _S239 : u32 = word_0(texture_7 + u32(1));
+    var _S240 : u32;
     if(first_5 == u32(4294967295))
     {
-        return;
+        _S240 = u32(0);
     }
-    var _S242 : u32 = word_0(texture_7 + u32(1));
+    else
+    {
+        _S240 = lookup_5.count_0;
+    }
     var k_3 : u32 = u32(0);
     for(;;)
     {
-        if(k_3 < (lookup_5.count_0))
+        if(k_3 < _S240)
         {
         }
         else
         {
             break;
         }
-        var at_15 : u32 = first_5 + _S242 * lookup_5.texels_0[k_3];
-        var own_0 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_3]);
-        if(_S242 == u32(1))
+        var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_0[k_3]);
+        var own_1 : vec3<f32>;
+        if(_S239 == u32(1))
         {
-            add_to_sum_0(at_15, own_0.x + own_0.y + own_0.z);
-            k_3 = k_3 + u32(1);
-            continue;
+            own_1 = vec3<f32>((own_0.x + own_0.y + own_0.z));
         }
-        add_to_sums_0(at_15, own_0);
+        else
+        {
+            own_1 = own_0;
+        }
+        var c_3 : u32 = u32(0);
+        for(;;)
+        {
+            if(c_3 < _S239)
+            {
+            }
+            else
+            {
+                break;
+            }
+            add_to_sum_0(first_5 + _S239 * lookup_5.texels_0[k_3] + c_3, own_1[c_3]);
+            c_3 = c_3 + u32(1);
+        }
         k_3 = k_3 + u32(1);
     }
     return;
 }
 
-fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f32>) -> vec2<f32>
+fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_2 : vec3<f32>) -> vec2<f32>
 {
-    add_to_texels_0(texture_8, lookup_6, derivative_3);
-    return vec2<f32>(dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_first_0), derivative_3), dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_second_0), derivative_3));
+    add_to_texels_0(texture_8, lookup_6, derivative_2);
+    return vec2<f32>(dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_first_0), derivative_2), dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_second_0), derivative_2));
 }
 
 fn is_area_0( record_3 : u32) -> bool
@@ -2165,91 +2139,192 @@ fn is_moving_0() -> bool
     return (change_word_0(u32(0))) != u32(4294967295);
 }
 
+struct AtCorners_0
+{
+     a_7 : vec3<f32>,
+     b_6 : vec3<f32>,
+     c_4 : vec3<f32>,
+};
+
+fn at_no_corner_0() -> AtCorners_0
+{
+    var corners_0 : AtCorners_0;
+    var _S241 : vec3<f32> = vec3<f32>(0.0f);
+    corners_0.c_4 = _S241;
+    corners_0.b_6 = _S241;
+    corners_0.a_7 = _S241;
+    return corners_0;
+}
+
+fn add_at_place_0( corners_1 : ptr<function, AtCorners_0>,  place_8 : Place_0,  derivative_3 : vec3<f32>)
+{
+    (*corners_1).a_7 = (*corners_1).a_7 + derivative_3 * vec3<f32>((1.0f - place_8.v_4 - place_8.w_3));
+    (*corners_1).b_6 = (*corners_1).b_6 + derivative_3 * vec3<f32>(place_8.v_4);
+    (*corners_1).c_4 = (*corners_1).c_4 + derivative_3 * vec3<f32>(place_8.w_3);
+    return;
+}
+
+fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_9 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_6 : vec3<f32>) -> vec3<f32>
+{
+    var corner_1 : u32 = u32(9) * place_9.triangle_2;
+    var a_8 : vec3<f32> = primitive_vector_0(corner_1);
+    var ab_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_8;
+    var ac_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_8;
+    var across_0 : vec3<f32> = cross(ab_0, ac_0);
+    var _S242 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S242);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_0) * vec3<f32>(by_place_0.x) + cross(normal_0, ab_0) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S242)));
+    var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_6, by_slip_0) / dot(normal_0, direction_6)));
+    add_at_place_0(&((*points_0)), place_9, by_position_0 - by_drift_0);
+    return by_drift_0;
+}
+
 fn points_of_0( triangle_8 : u32) -> u32
 {
     return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_8)));
 }
 
-fn add_to_corners_0( sums_at_0 : u32,  triangle_9 : u32,  by_a_0 : vec3<f32>,  by_b_0 : vec3<f32>,  by_c_0 : vec3<f32>)
+fn add_to_sums_0( first_6 : u32,  derivative_4 : vec3<f32>)
 {
+    var _S243 : i32;
+    if(first_6 == u32(4294967295))
+    {
+        _S243 = i32(0);
+    }
+    else
+    {
+        _S243 = i32(3);
+    }
+    var _S244 : u32 = u32(_S243);
+    var axis_4 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_4 < _S244)
+        {
+        }
+        else
+        {
+            break;
+        }
+        add_to_sum_0(first_6 + axis_4, derivative_4[axis_4]);
+        axis_4 = axis_4 + u32(1);
+    }
+    return;
+}
+
+fn add_to_corners_0( sums_at_0 : u32,  triangle_9 : u32,  corners_2 : AtCorners_0)
+{
+    var _S245 : u32 = triangle_record_0(triangle_9) + u32(2);
+    var _S246 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        return;
+        _S246 = i32(0);
     }
-    var record_4 : u32 = triangle_record_0(triangle_9) + u32(2);
-    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_4), by_a_0);
-    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_4 + u32(1)), by_b_0);
-    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_4 + u32(2)), by_c_0);
+    else
+    {
+        _S246 = i32(3);
+    }
+    var _S247 : u32 = u32(_S246);
+    var k_4 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_4 < _S247)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S248 : u32 = sums_at_0 + u32(3) * word_0(_S245 + k_4);
+        var _S249 : vec3<f32>;
+        if(k_4 == u32(0))
+        {
+            _S249 = corners_2.a_7;
+        }
+        else
+        {
+            if(k_4 == u32(1))
+            {
+                _S249 = corners_2.b_6;
+            }
+            else
+            {
+                _S249 = corners_2.c_4;
+            }
+        }
+        add_to_sums_0(_S248, _S249);
+        k_4 = k_4 + u32(1);
+    }
     return;
-}
-
-fn add_at_place_0( sums_at_1 : u32,  place_8 : Place_0,  derivative_4 : vec3<f32>)
-{
-    add_to_corners_0(sums_at_1, place_8.triangle_2, derivative_4 * vec3<f32>((1.0f - place_8.v_4 - place_8.w_3)), derivative_4 * vec3<f32>(place_8.v_4), derivative_4 * vec3<f32>(place_8.w_3));
-    return;
-}
-
-fn place_back_0( place_9 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_6 : vec3<f32>) -> vec3<f32>
-{
-    var corner_1 : u32 = u32(9) * place_9.triangle_2;
-    var a_7 : vec3<f32> = primitive_vector_0(corner_1);
-    var ab_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_7;
-    var ac_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_7;
-    var across_0 : vec3<f32> = cross(ab_0, ac_0);
-    var _S243 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
-    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S243);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_0) * vec3<f32>(by_place_0.x) + cross(normal_0, ab_0) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S243)));
-    var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_6, by_slip_0) / dot(normal_0, direction_6)));
-    add_at_place_0(points_of_0(place_9.triangle_2), place_9, by_position_0 - by_drift_0);
-    return by_drift_0;
 }
 
 fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_3 : u32,  place_10 : Place_0,  direction_7 : vec3<f32>,  t_6 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
 {
-    var record_5 : u32 = emitter_record_0(emitter_3);
-    var texture_9 : u32 = word_0(record_5 + u32(1));
-    if(!is_map_0(record_5))
+    var record_4 : u32 = emitter_record_0(emitter_3);
+    var texture_9 : u32 = word_0(record_4 + u32(1));
+    var lookup_7 : Lookup_0;
+    var by_texels_0 : vec3<f32>;
+    if(is_map_0(record_4))
     {
-        var _S244 : Lookup_0 = lookup_at_0(texture_9, place_10);
-        var by_place_1 : vec2<f32> = lookup_back_0(texture_9, _S244, importance_0);
-        var _S245 : bool;
-        if(!is_area_0(record_5))
-        {
-            _S245 = true;
-        }
-        else
-        {
-            _S245 = !is_moving_0();
-        }
-        if(_S245)
-        {
-            _S245 = true;
-        }
-        else
-        {
-            _S245 = (all((by_place_1 == vec2<f32>(0.0f))));
-        }
-        if(_S245)
-        {
-            return vec3<f32>(0.0f);
-        }
-        var by_drift_1 : vec3<f32> = place_back_0(place_10, by_place_1, vec3<f32>(0.0f), direction_7);
-        (*by_start_0) = (*by_start_0) + by_drift_1;
-        return by_drift_1 * vec3<f32>(t_6);
+        var scale_0 : u32 = word_0(texture_9 + u32(12));
+        var lookup_8 : Lookup_0 = in_map_0(texture_9, direction_7);
+        var _S250 : Lookup_0 = one_texel_0(u32(0));
+        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_0, _S250, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
+        add_to_texels_0(scale_0, _S250, importance_0 * weighted_texels_0(word_0(texture_9 + u32(11)), lookup_8, lookup_8.weights_0));
+        lookup_7 = lookup_8;
+        by_texels_0 = by_texels_1;
     }
-    var texels_2 : u32 = word_0(texture_9 + u32(11));
-    var scale_0 : u32 = word_0(texture_9 + u32(12));
-    var lookup_7 : Lookup_0 = in_map_0(texture_9, direction_7);
-    var _S246 : Lookup_0 = one_texel_0(u32(0));
-    var factor_1 : vec3<f32> = weighted_texels_0(scale_0, _S246, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
-    var _S247 : vec2<f32> = lookup_back_0(scale_0, _S246, importance_0 * weighted_texels_0(texels_2, lookup_7, lookup_7.weights_0));
-    var by_place_2 : vec2<f32> = lookup_back_0(texels_2, lookup_7, importance_0 * factor_1);
-    var _S248 : vec3<f32> = vec3<f32>(0.0f);
-    var moving_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    moving_0.primal_0 = direction_7;
-    moving_0.differential_0 = _S248;
-    _S127(texture_9, &(moving_0), by_place_2);
-    return moving_0.differential_0;
+    else
+    {
+        var _S251 : Lookup_0 = lookup_at_0(texture_9, place_10);
+        lookup_7 = _S251;
+        by_texels_0 = importance_0;
+    }
+    var _S252 : u32;
+    if(is_map_0(record_4))
+    {
+        _S252 = word_0(texture_9 + u32(11));
+    }
+    else
+    {
+        _S252 = texture_9;
+    }
+    var by_place_1 : vec2<f32> = lookup_back_0(_S252, lookup_7, by_texels_0);
+    if(is_map_0(record_4))
+    {
+        var _S253 : vec3<f32> = vec3<f32>(0.0f);
+        var moving_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
+        moving_0.primal_0 = direction_7;
+        moving_0.differential_0 = _S253;
+        _S127(texture_9, &(moving_0), by_place_1);
+        return moving_0.differential_0;
+    }
+    var _S254 : bool;
+    if(!is_area_0(record_4))
+    {
+        _S254 = true;
+    }
+    else
+    {
+        _S254 = !is_moving_0();
+    }
+    if(_S254)
+    {
+        _S254 = true;
+    }
+    else
+    {
+        _S254 = (all((by_place_1 == vec2<f32>(0.0f))));
+    }
+    if(_S254)
+    {
+        return vec3<f32>(0.0f);
+    }
+    var points_1 : AtCorners_0 = at_no_corner_0();
+    var by_drift_1 : vec3<f32> = place_back_0(&(points_1), place_10, by_place_1, vec3<f32>(0.0f), direction_7);
+    add_to_corners_0(points_of_0(place_10.triangle_2), place_10.triangle_2, points_1);
+    (*by_start_0) = (*by_start_0) + by_drift_1;
+    return by_drift_1 * vec3<f32>(t_6);
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -2281,68 +2356,68 @@ fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
     (*path_0).key_4 = drawn_3.key_3;
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
     (*path_0).adjoint_0 = change_vector_0(change_word_0(u32(5)) + u32(3) * drawn_3.pixel_1) * vec3<f32>(drawn_3.weight_1);
-    var _S249 : vec3<f32> = vec3<f32>(0.0f);
-    (*path_0).by_ray_0.direction_8 = _S249;
-    (*path_0).by_ray_0.drift_0 = _S249;
+    var _S255 : vec3<f32> = vec3<f32>(0.0f);
+    (*path_0).by_ray_0.direction_8 = _S255;
+    (*path_0).by_ray_0.drift_0 = _S255;
     var t_7 : f32 = 0.0f;
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0f;
     found_4.w_2 = 0.0f;
-    var _S250 : bool;
+    var _S256 : bool;
     if((ray_5.length_0) >= 0.0f)
     {
-        _S250 = (word_0(u32(14))) != u32(0);
+        _S256 = (word_0(u32(14))) != u32(0);
     }
     else
     {
-        _S250 = false;
+        _S256 = false;
     }
-    if(_S250)
+    if(_S256)
     {
-        var _S251 : Found_0 = cast_0(ray_5.start_1, ray_5.direction_0, 0.0f, ray_5.length_0, false, &(t_7));
-        found_4 = _S251;
+        var _S257 : Found_0 = cast_0(ray_5.start_1, ray_5.direction_0, 0.0f, ray_5.length_0, false, &(t_7));
+        found_4 = _S257;
     }
-    var _S252 : Place_0 = place_of_0(found_4);
-    (*path_0).place_11 = _S252;
+    var _S258 : Place_0 = place_of_0(found_4);
+    (*path_0).place_11 = _S258;
     (*path_0).direction_9 = ray_5.direction_0;
-    var _S253 : f32;
+    var _S259 : f32;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S253 = ray_5.from_camera_0 + t_7;
+        _S259 = ray_5.from_camera_0 + t_7;
     }
     else
     {
-        _S253 = 0.0f;
+        _S259 = 0.0f;
     }
-    (*path_0).distance_0 = _S253;
+    (*path_0).distance_0 = _S259;
     var emitter_4 : u32 = emitter_seen_0(found_4, ray_5.direction_0);
     if(emitter_4 != u32(4294967295))
     {
-        _S250 = (word_0(u32(4))) != u32(0);
+        _S256 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S250 = false;
+        _S256 = false;
     }
-    if(_S250)
+    if(_S256)
     {
-        var _S254 : vec3<f32> = emitted_0(emitter_4, _S252, (*path_0).direction_9);
-        var _S255 : vec3<f32> = (*path_0).by_ray_0.drift_0;
-        var _S256 : vec3<f32> = emitted_back_0(&(_S255), emitter_4, _S252, ray_5.direction_0, (*path_0).distance_0, (*path_0).adjoint_0);
-        (*path_0).by_ray_0.drift_0 = _S255;
-        (*path_0).by_ray_0.direction_8 = _S256;
+        var _S260 : vec3<f32> = emitted_0(emitter_4, _S258, (*path_0).direction_9);
+        var _S261 : vec3<f32> = (*path_0).by_ray_0.drift_0;
+        var _S262 : vec3<f32> = emitted_back_0(&(_S261), emitter_4, _S258, ray_5.direction_0, (*path_0).distance_0, (*path_0).adjoint_0);
+        (*path_0).by_ray_0.drift_0 = _S261;
+        (*path_0).by_ray_0.direction_8 = _S262;
     }
     if((found_4.face_1) != u32(4294967295))
     {
-        _S250 = reaches_0(u32(2));
+        _S256 = reaches_0(u32(2));
     }
     else
     {
-        _S250 = false;
+        _S256 = false;
     }
-    return _S250;
+    return _S256;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
@@ -2427,13 +2502,38 @@ fn set_place_0( path_6 : u32,  which_6 : ptr<function, u32>,  place_12 : Place_0
 
 fn store_0( number_of_path_2 : u32,  path_7 : Path_0)
 {
-    var at_16 : u32 = u32(1);
-    set_vector_0(number_of_path_2, &(at_16), path_7.adjoint_0);
-    set_changing_0(number_of_path_2, &(at_16), path_7.throughput_0);
-    set_changing_0(number_of_path_2, &(at_16), path_7.direction_9);
-    set_place_0(number_of_path_2, &(at_16), path_7.place_11);
-    set_word_0(number_of_path_2, at_16, path_7.key_4.x);
-    set_word_0(number_of_path_2, at_16 + u32(1), path_7.key_4.y);
+    var at_15 : u32 = u32(1);
+    set_vector_0(number_of_path_2, &(at_15), path_7.adjoint_0);
+    set_changing_0(number_of_path_2, &(at_15), path_7.throughput_0);
+    set_changing_0(number_of_path_2, &(at_15), path_7.direction_9);
+    set_place_0(number_of_path_2, &(at_15), path_7.place_11);
+    set_word_0(number_of_path_2, at_15, path_7.key_4.x);
+    set_word_0(number_of_path_2, at_15 + u32(1), path_7.key_4.y);
+    return;
+}
+
+fn check_loops_0()
+{
+    var _S263 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S264 : bool = rounds_0 < wanted_0;
+        _S263 = _S264;
+        if(_S264)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S263)
+    {
+        var _S265 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
     return;
 }
 
@@ -2475,5 +2575,6 @@ fn begin_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         which_7 = u32(4294967295);
     }
     set_word_0(number_of_path_3, u32(0), which_7);
+    check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 110bdd9cd1d17c48
-// result: 1f228f1773710a9c
+// source: 6e5009b0000687d3
+// result: 262ad4d4972dad69
 
 struct Launch_std140_0
 {
@@ -25,6 +25,8 @@ struct Launch_std140_0
 @binding(1) @group(0) var<storage, read> leaf_starts_0 : array<u32>;
 
 @binding(3) @group(0) var<storage, read> rough_0 : array<vec4<u32>>;
+
+@binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
 
 fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
 {
@@ -3343,9 +3345,8 @@ fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_41 : ShadingPoint_0,  p
 
 struct Share_0
 {
-     over_all_0 : f32,
      share_0 : f32,
-     same_0 : f32,
+     over_all_0 : f32,
      place_18 : f32,
 };
 
@@ -3387,7 +3388,7 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
             }
             else
             {
-                target_1 = asked_0.same_0;
+                target_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(target_1 - 0.00100000004749745f));
             var _S210 : f32 = f32(points_1);
@@ -3534,82 +3535,58 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
     return;
 }
 
-fn sample_points_0( at_43 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : Path_0,  subtrees_0 : vec3<u32>,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_43 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
 {
     var numbers_9 : u32 = numbers_for_0(at_43.purpose_0) + u32(1);
-    var _S217 : u32 = subtrees_0.x;
-    var _S218 : f32 = precise_random_0(path_19.key_0, numbers_9);
-    var _S219 : f32 = precise_random_0(path_19.key_0, numbers_9 + u32(1));
-    var first_8 : u32 = _S217;
-    var leaf_3 : u32 = u32(4294967295);
-    var probability_4 : f32 = 1.0f;
-    var i_3 : u32 = _S217;
+    var _S217 : f32 = f32(subtree_0);
+    var _S218 : f32 = f32(subtrees_0);
+    var leaf_3 : u32;
+    var probability_4 : f32;
+    var _S219 : bool = descend_0(at_43, (_S217 + precise_random_0(path_19.key_0, numbers_9)) / _S218, &(leaf_3), &(probability_4));
+    if(!_S219)
+    {
+        return;
+    }
+    var asked_1 : Share_0;
+    asked_1.share_0 = 1.0f / _S218;
+    asked_1.over_all_0 = probability_4 * _S218;
+    asked_1.place_18 = precise_random_0(path_19.key_0, numbers_9 + u32(1)) + 0.6180340051651001f * _S217;
     for(;;)
     {
-        var _S220 : u32 = subtrees_0.y;
-        if(i_3 <= _S220)
+        if((asked_1.place_18) >= 1.0f)
         {
         }
         else
         {
             break;
         }
-        var next_0 : u32 = u32(4294967295);
-        var of_next_0 : f32 = 1.0f;
-        var _S221 : bool;
-        if(i_3 < _S220)
-        {
-            var _S222 : bool = descend_0(at_43, (f32(i_3) + _S218) / f32(subtrees_0.z), &(next_0), &(of_next_0));
-            _S221 = !_S222;
-        }
-        else
-        {
-            _S221 = false;
-        }
+        asked_1.place_18 = asked_1.place_18 - 1.0f;
+    }
+    draw_points_0(at_43, leaf_3, asked_1, number_of_path_6, path_19, &((*crossed_4)));
+    return;
+}
+
+fn check_loops_0()
+{
+    var _S220 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S221 : bool = rounds_0 < wanted_0;
+        _S220 = _S221;
         if(_S221)
         {
-            next_0 = u32(4294967295);
-        }
-        var _S223 : bool;
-        if(i_3 > first_8)
-        {
-            _S223 = next_0 == leaf_3;
         }
         else
         {
-            _S223 = false;
+            break;
         }
-        if(_S223)
-        {
-            i_3 = i_3 + u32(1);
-            continue;
-        }
-        if(leaf_3 != u32(4294967295))
-        {
-            var asked_1 : Share_0;
-            var _S224 : f32 = f32(i_3 - first_8);
-            asked_1.same_0 = _S224;
-            var _S225 : f32 = _S224 / f32(subtrees_0.z);
-            asked_1.share_0 = _S225;
-            asked_1.over_all_0 = probability_4 / _S225;
-            asked_1.place_18 = _S219 + 0.6180340051651001f * f32(first_8);
-            for(;;)
-            {
-                if((asked_1.place_18) >= 1.0f)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                asked_1.place_18 = asked_1.place_18 - 1.0f;
-            }
-            draw_points_0(at_43, leaf_3, asked_1, number_of_path_6, path_19, &((*crossed_4)));
-        }
-        first_8 = i_3;
-        leaf_3 = next_0;
-        probability_4 = of_next_0;
-        i_3 = i_3 + u32(1);
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S220)
+    {
+        var _S222 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -3628,21 +3605,20 @@ fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_20 : Path_0 = path_at_vertex_0(number_of_path_7, &(factor_6));
     var crossed_5 : Crossed_0 = nothing_crossed_0(factor_6);
     var at_44 : ShadingPoint_0;
-    var _S226 : bool = shading_point_0(path_20, &(at_44));
-    var _S227 : bool;
-    if(_S226)
+    var _S223 : bool = shading_point_0(path_20, &(at_44));
+    var _S224 : bool;
+    if(_S223)
     {
-        var _S228 : f32 = turn_to_0(u32(2), path_20.key_0, &(at_44));
-        _S227 = _S228 > 0.0f;
+        var _S225 : f32 = turn_to_0(u32(2), path_20.key_0, &(at_44));
+        _S224 = _S225 > 0.0f;
     }
     else
     {
-        _S227 = false;
+        _S224 = false;
     }
-    if(_S227)
+    if(_S224)
     {
-        var own_2 : u32 = subtree_of_launch_0();
-        sample_points_0(at_44, number_of_path_7, path_20, vec3<u32>(own_2, own_2 + u32(1), subtrees_of_0(at_44)), &(crossed_5));
+        sample_points_0(at_44, number_of_path_7, path_20, subtree_of_launch_0(), subtrees_of_0(at_44), &(crossed_5));
     }
     var side_4 : u32 = u32(0);
     for(;;)
@@ -3657,22 +3633,23 @@ fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         var goes_on_2 : bool = crossed_5.goes_on_0[side_4];
         var number_2 : u32 = side_path_0(number_of_path_7, side_4);
         var which_13 : u32 = u32(17);
-        var _S229 : u32 = u32(2) * listed_0 + side_4;
-        var _S230 : u32;
+        var _S226 : u32 = u32(2) * listed_0 + side_4;
+        var _S227 : u32;
         if(crossed_5.goes_on_0[side_4])
         {
-            _S230 = number_2;
+            _S227 = number_2;
         }
         else
         {
-            _S230 = u32(4294967295);
+            _S227 = u32(4294967295);
         }
-        set_word_0(_S229, u32(0), _S230);
+        set_word_0(_S226, u32(0), _S227);
         if(!goes_on_2)
         {
             set_vector_2(number_2, &(which_13), vec3<f32>(0.0f));
         }
         side_4 = side_4 + u32(1);
     }
+    check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 34b81690d5b58117
-// result: 8d7f2cc66402d505
+// source: fa020fd54e9ee2de
+// result: b9d895831b45d3c9
 
 struct Launch_std140_0
 {
@@ -25,6 +25,8 @@ struct Launch_std140_0
 @binding(1) @group(0) var<storage, read> leaf_starts_0 : array<u32>;
 
 @binding(3) @group(0) var<storage, read> rough_0 : array<vec4<u32>>;
+
+@binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
 
 struct DiffPair_float_0
 {
@@ -3780,9 +3782,8 @@ fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_47 : ShadingPoint_0,  p
 
 struct Share_0
 {
-     over_all_0 : f32,
      share_0 : f32,
-     same_0 : f32,
+     over_all_0 : f32,
      place_21 : f64,
 };
 
@@ -3825,7 +3826,7 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
             }
             else
             {
-                contributions_1 = asked_0.same_0;
+                contributions_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(contributions_1 - 0.00100000004749745f));
             var _S349 : f32 = asked_0.over_all_0 * f32(points_1);
@@ -3971,82 +3972,57 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
     return;
 }
 
-fn sample_points_0( at_49 : ShadingPoint_0,  number_of_path_6 : u32,  path_16 : Path_0,  subtrees_0 : vec3<u32>,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_49 : ShadingPoint_0,  number_of_path_6 : u32,  path_16 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
 {
     var numbers_8 : u32 = numbers_for_0(at_49.purpose_0) + u32(1);
-    var _S355 : u32 = subtrees_0.x;
-    var _S356 : f64 = precise_random_0(path_16.key_0, numbers_8);
-    var _S357 : f64 = precise_random_0(path_16.key_0, numbers_8 + u32(1));
-    var first_8 : u32 = _S355;
-    var leaf_3 : u32 = u32(4294967295);
-    var probability_4 : f32 = 1.0f;
-    var i_3 : u32 = _S355;
+    var leaf_3 : u32;
+    var probability_4 : f32;
+    var _S355 : bool = descend_0(at_49, (f64(subtree_0) + precise_random_0(path_16.key_0, numbers_8)) / f64(subtrees_0), &(leaf_3), &(probability_4));
+    if(!_S355)
+    {
+        return;
+    }
+    var asked_1 : Share_0;
+    var _S356 : f32 = f32(subtrees_0);
+    asked_1.share_0 = 1.0f / _S356;
+    asked_1.over_all_0 = probability_4 * _S356;
+    asked_1.place_21 = precise_random_0(path_16.key_0, numbers_8 + u32(1)) + f64(0.6180340051651001f * f32(subtree_0));
     for(;;)
     {
-        var _S358 : u32 = subtrees_0.y;
-        if(i_3 <= _S358)
+        if((asked_1.place_21) >= 1.0lf)
         {
         }
         else
         {
             break;
         }
-        var next_0 : u32 = u32(4294967295);
-        var of_next_0 : f32 = 1.0f;
-        var _S359 : bool;
-        if(i_3 < _S358)
+        asked_1.place_21 = asked_1.place_21 - 1.0lf;
+    }
+    draw_points_0(at_49, leaf_3, asked_1, number_of_path_6, path_16, &((*crossed_4)));
+    return;
+}
+
+fn check_loops_0()
+{
+    var _S357 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S358 : bool = rounds_0 < wanted_0;
+        _S357 = _S358;
+        if(_S358)
         {
-            var _S360 : bool = descend_0(at_49, (f64(i_3) + _S356) / f64(subtrees_0.z), &(next_0), &(of_next_0));
-            _S359 = !_S360;
         }
         else
         {
-            _S359 = false;
+            break;
         }
-        if(_S359)
-        {
-            next_0 = u32(4294967295);
-        }
-        var _S361 : bool;
-        if(i_3 > first_8)
-        {
-            _S361 = next_0 == leaf_3;
-        }
-        else
-        {
-            _S361 = false;
-        }
-        if(_S361)
-        {
-            i_3 = i_3 + u32(1);
-            continue;
-        }
-        if(leaf_3 != u32(4294967295))
-        {
-            var asked_1 : Share_0;
-            var _S362 : f32 = f32(i_3 - first_8);
-            asked_1.same_0 = _S362;
-            var _S363 : f32 = _S362 / f32(subtrees_0.z);
-            asked_1.share_0 = _S363;
-            asked_1.over_all_0 = probability_4 / _S363;
-            asked_1.place_21 = _S357 + f64(0.6180340051651001f * f32(first_8));
-            for(;;)
-            {
-                if((asked_1.place_21) >= 1.0lf)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                asked_1.place_21 = asked_1.place_21 - 1.0lf;
-            }
-            draw_points_0(at_49, leaf_3, asked_1, number_of_path_6, path_16, &((*crossed_4)));
-        }
-        first_8 = i_3;
-        leaf_3 = next_0;
-        probability_4 = of_next_0;
-        i_3 = i_3 + u32(1);
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S357)
+    {
+        var _S359 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4065,21 +4041,20 @@ fn begin_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_17 : Path_0 = path_at_vertex_0(number_of_path_7, &(factor_6));
     var crossed_5 : Crossed_0 = nothing_crossed_0(factor_6);
     var at_50 : ShadingPoint_0;
-    var _S364 : bool = shading_point_0(path_17, &(at_50));
-    var _S365 : bool;
-    if(_S364)
+    var _S360 : bool = shading_point_0(path_17, &(at_50));
+    var _S361 : bool;
+    if(_S360)
     {
-        var _S366 : f32 = turn_to_0(u32(2), path_17.key_0, &(at_50));
-        _S365 = _S366 > 0.0f;
+        var _S362 : f32 = turn_to_0(u32(2), path_17.key_0, &(at_50));
+        _S361 = _S362 > 0.0f;
     }
     else
     {
-        _S365 = false;
+        _S361 = false;
     }
-    if(_S365)
+    if(_S361)
     {
-        var own_2 : u32 = subtree_of_launch_0();
-        sample_points_0(at_50, number_of_path_7, path_17, vec3<u32>(own_2, own_2 + u32(1), subtrees_of_0(at_50)), &(crossed_5));
+        sample_points_0(at_50, number_of_path_7, path_17, subtree_of_launch_0(), subtrees_of_0(at_50), &(crossed_5));
     }
     var side_4 : u32 = u32(0);
     for(;;)
@@ -4094,22 +4069,23 @@ fn begin_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         var goes_on_2 : bool = crossed_5.goes_on_0[side_4];
         var number_2 : u32 = side_path_0(number_of_path_7, side_4);
         var which_10 : u32 = u32(17);
-        var _S367 : u32 = u32(2) * listed_0 + side_4;
-        var _S368 : u32;
+        var _S363 : u32 = u32(2) * listed_0 + side_4;
+        var _S364 : u32;
         if(crossed_5.goes_on_0[side_4])
         {
-            _S368 = number_2;
+            _S364 = number_2;
         }
         else
         {
-            _S368 = u32(4294967295);
+            _S364 = u32(4294967295);
         }
-        set_word_0(_S367, u32(0), _S368);
+        set_word_0(_S363, u32(0), _S364);
         if(!goes_on_2)
         {
             set_vector_1(number_2, &(which_10), vec3<f32>(0.0f));
         }
         side_4 = side_4 + u32(1);
     }
+    check_loops_0();
     return;
 }

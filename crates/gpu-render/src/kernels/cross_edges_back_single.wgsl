@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 110bdd9cd1d17c48
-// result: 060b865af130cf55
+// source: 6e5009b0000687d3
+// result: 184380a4acb59f23
 
 struct Launch_std140_0
 {
@@ -1989,6 +1989,11 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_16 : ptr<function, Shadin
     return _S268;
 }
 
+fn subtree_of_launch_0() -> u32
+{
+    return ((launch_0.depth_0) >> (u32(24)));
+}
+
 fn subtrees_of_0( at_17 : ShadingPoint_0) -> u32
 {
     var count_2 : u32;
@@ -3865,147 +3870,130 @@ fn jump_of_light_0( at_39 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
     return jump_0;
 }
 
-fn add_word_0( sum_2 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
-{
-    var _S388 : u32 = u32(2) + u32(4) * sum_2;
-    var _S389 : u32 = number_1;
-    var k_10 : u32 = word_of_sum_0;
-    for(;;)
-    {
-        var _S390 : bool;
-        if(k_10 < u32(4))
-        {
-            _S390 = _S389 != u32(0);
-        }
-        else
-        {
-            _S390 = false;
-        }
-        if(_S390)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S391 : u32;
-        if(is_negative_0)
-        {
-            _S391 = u32(0) - _S389;
-        }
-        else
-        {
-            _S391 = _S389;
-        }
-        var before_2 : u32 = atomicAdd(&(sums_0[_S388 + k_10]), _S391);
-        var overflows_0 : bool;
-        if(is_negative_0)
-        {
-            overflows_0 = before_2 < _S389;
-        }
-        else
-        {
-            overflows_0 = (before_2 + _S389) < before_2;
-        }
-        var _S392 : i32;
-        if(overflows_0)
-        {
-            _S392 = i32(1);
-        }
-        else
-        {
-            _S392 = i32(0);
-        }
-        var _S393 : u32 = u32(_S392);
-        var _S394 : u32 = k_10 + u32(1);
-        _S389 = _S393;
-        k_10 = _S394;
-    }
-    return;
-}
-
-fn add_to_sum_0( sum_3 : u32,  derivative_0 : f32)
+fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S395 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S388 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_2 : f32 = abs(scaled_0);
     if(size_2 > 7.73712524553362672e+25f)
     {
-        var _S396 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S389 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var is_negative_1 : bool = scaled_0 < 0.0f;
-    var highest_1 : u32 = u32(0);
-    var size_3 : f32 = size_2;
+    var _S390 : bool = scaled_0 < 0.0f;
+    var _S391 : i32;
+    if(size_2 >= 1.84467440737095516e+19f)
+    {
+        _S391 = i32(1);
+    }
+    else
+    {
+        _S391 = i32(0);
+    }
+    var first_7 : u32 = u32(_S391);
+    var size_3 : f32;
+    if(first_7 == u32(1))
+    {
+        size_3 = size_2 * 2.32830643653869629e-10f;
+    }
+    else
+    {
+        size_3 = size_2;
+    }
+    var higher_0 : f32 = floor(size_3 * 2.32830643653869629e-10f);
+    var lower_0 : f32 = size_3 - higher_0 * 4.294967296e+09f;
+    if(first_7 == u32(0))
+    {
+        size_3 = lower_0 + 0.5f;
+    }
+    else
+    {
+        size_3 = lower_0;
+    }
+    var _S392 : u32 = u32(3) + u32(4) * sum_2;
+    var digits_0 : vec2<u32> = vec2<u32>(u32(size_3), u32(higher_0));
+    var k_10 : u32 = first_7;
     for(;;)
     {
-        var _S397 : bool;
-        if(highest_1 < u32(2))
+        var _S393 : bool;
+        if(k_10 < u32(4))
         {
-            _S397 = size_3 >= 4.294967296e+09f;
+            _S393 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S397 = false;
+            _S393 = false;
         }
-        if(_S397)
+        if(_S393)
         {
         }
         else
         {
             break;
         }
-        var size_4 : f32 = size_3 * 2.32830643653869629e-10f;
-        highest_1 = highest_1 + u32(1);
-        size_3 = size_4;
+        var _S394 : u32;
+        if(_S390)
+        {
+            _S394 = u32(0) - digits_0.x;
+        }
+        else
+        {
+            _S394 = digits_0.x;
+        }
+        var before_2 : u32 = atomicAdd(&(sums_0[_S392 + k_10]), _S394);
+        var overflows_0 : bool;
+        if(_S390)
+        {
+            overflows_0 = before_2 < (digits_0.x);
+        }
+        else
+        {
+            overflows_0 = (before_2 + digits_0.x) < before_2;
+        }
+        var _S395 : u32 = digits_0.y;
+        if(overflows_0)
+        {
+            _S391 = i32(1);
+        }
+        else
+        {
+            _S391 = i32(0);
+        }
+        var _S396 : vec2<u32> = vec2<u32>(_S395 + u32(_S391), u32(0));
+        var _S397 : u32 = k_10 + u32(1);
+        digits_0 = _S396;
+        k_10 = _S397;
     }
-    var _S398 : bool = highest_1 == u32(0);
-    var _S399 : f32;
-    if(_S398)
-    {
-        _S399 = size_3 + 0.5f;
-    }
-    else
-    {
-        _S399 = size_3;
-    }
-    var whole_1 : u32 = u32(_S399);
-    add_word_0(sum_3, highest_1, whole_1, is_negative_1);
-    if(_S398)
-    {
-        return;
-    }
-    var rest_3 : f32 = (size_3 - f32(whole_1)) * 4.294967296e+09f;
-    var _S400 : u32 = highest_1 - u32(1);
-    if(highest_1 == u32(1))
-    {
-        size_3 = rest_3 + 0.5f;
-    }
-    else
-    {
-        size_3 = rest_3;
-    }
-    add_word_0(sum_3, _S400, u32(size_3), is_negative_1);
     return;
 }
 
-fn add_to_sums_0( first_7 : u32,  derivative_1 : vec3<f32>)
+fn add_to_sums_0( first_8 : u32,  derivative_1 : vec3<f32>)
 {
+    var _S398 : i32;
+    if(first_8 == u32(4294967295))
+    {
+        _S398 = i32(0);
+    }
+    else
+    {
+        _S398 = i32(3);
+    }
+    var _S399 : u32 = u32(_S398);
     var axis_9 : u32 = u32(0);
     for(;;)
     {
-        if(axis_9 < u32(3))
+        if(axis_9 < _S399)
         {
         }
         else
         {
             break;
         }
-        add_to_sum_0(first_7 + axis_9, derivative_1[axis_9]);
+        add_to_sum_0(first_8 + axis_9, derivative_1[axis_9]);
         axis_9 = axis_9 + u32(1);
     }
     return;
@@ -4023,20 +4011,17 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
         {
             break;
         }
-        var sums_at_0 : u32 = edge_word_0(record_9 + u32(2) + end_2);
-        if(sums_at_0 != u32(4294967295))
+        var _S400 : u32 = edge_word_0(record_9 + u32(2) + end_2);
+        var _S401 : f32;
+        if(end_2 == u32(0))
         {
-            var _S401 : f32;
-            if(end_2 == u32(0))
-            {
-                _S401 = 1.0f - t_11;
-            }
-            else
-            {
-                _S401 = t_11;
-            }
-            add_to_sums_0(sums_at_0, by_velocity_0 * vec3<f32>(_S401));
+            _S401 = 1.0f - t_11;
         }
+        else
+        {
+            _S401 = t_11;
+        }
+        add_to_sums_0(_S400, by_velocity_0 * vec3<f32>(_S401));
         end_2 = end_2 + u32(1);
     }
     (*pulled_2).position_1 = (*pulled_2).position_1 - by_velocity_0;
@@ -4060,9 +4045,8 @@ fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_40 : ShadingPoint_0,  p
 
 struct Share_0
 {
-     over_all_0 : f32,
      share_0 : f32,
-     same_0 : f32,
+     over_all_0 : f32,
      place_17 : f32,
 };
 
@@ -4104,7 +4088,7 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
             }
             else
             {
-                target_1 = asked_0.same_0;
+                target_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(target_1 - 0.00100000004749745f));
             var _S405 : f32 = f32(points_1);
@@ -4251,83 +4235,34 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
     return;
 }
 
-fn sample_points_0( at_42 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : Path_0,  subtrees_0 : vec3<u32>,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_42 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
 {
     var numbers_9 : u32 = numbers_for_0(at_42.purpose_0) + u32(1);
-    var _S412 : u32 = subtrees_0.x;
-    var _S413 : f32 = precise_random_0(path_15.key_0, numbers_9);
-    var _S414 : f32 = precise_random_0(path_15.key_0, numbers_9 + u32(1));
-    var first_8 : u32 = _S412;
-    var leaf_3 : u32 = u32(4294967295);
-    var probability_4 : f32 = 1.0f;
-    var i_3 : u32 = _S412;
+    var _S412 : f32 = f32(subtree_0);
+    var _S413 : f32 = f32(subtrees_0);
+    var leaf_3 : u32;
+    var probability_4 : f32;
+    var _S414 : bool = descend_0(at_42, (_S412 + precise_random_0(path_15.key_0, numbers_9)) / _S413, &(leaf_3), &(probability_4));
+    if(!_S414)
+    {
+        return;
+    }
+    var asked_1 : Share_0;
+    asked_1.share_0 = 1.0f / _S413;
+    asked_1.over_all_0 = probability_4 * _S413;
+    asked_1.place_17 = precise_random_0(path_15.key_0, numbers_9 + u32(1)) + 0.6180340051651001f * _S412;
     for(;;)
     {
-        var _S415 : u32 = subtrees_0.y;
-        if(i_3 <= _S415)
+        if((asked_1.place_17) >= 1.0f)
         {
         }
         else
         {
             break;
         }
-        var next_0 : u32 = u32(4294967295);
-        var of_next_0 : f32 = 1.0f;
-        var _S416 : bool;
-        if(i_3 < _S415)
-        {
-            var _S417 : bool = descend_0(at_42, (f32(i_3) + _S413) / f32(subtrees_0.z), &(next_0), &(of_next_0));
-            _S416 = !_S417;
-        }
-        else
-        {
-            _S416 = false;
-        }
-        if(_S416)
-        {
-            next_0 = u32(4294967295);
-        }
-        var _S418 : bool;
-        if(i_3 > first_8)
-        {
-            _S418 = next_0 == leaf_3;
-        }
-        else
-        {
-            _S418 = false;
-        }
-        if(_S418)
-        {
-            i_3 = i_3 + u32(1);
-            continue;
-        }
-        if(leaf_3 != u32(4294967295))
-        {
-            var asked_1 : Share_0;
-            var _S419 : f32 = f32(i_3 - first_8);
-            asked_1.same_0 = _S419;
-            var _S420 : f32 = _S419 / f32(subtrees_0.z);
-            asked_1.share_0 = _S420;
-            asked_1.over_all_0 = probability_4 / _S420;
-            asked_1.place_17 = _S414 + 0.6180340051651001f * f32(first_8);
-            for(;;)
-            {
-                if((asked_1.place_17) >= 1.0f)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                asked_1.place_17 = asked_1.place_17 - 1.0f;
-            }
-            draw_points_0(at_42, leaf_3, asked_1, number_of_path_4, path_15, &((*crossed_4)));
-        }
-        first_8 = i_3;
-        leaf_3 = next_0;
-        probability_4 = of_next_0;
-        i_3 = i_3 + u32(1);
+        asked_1.place_17 = asked_1.place_17 - 1.0f;
     }
+    draw_points_0(at_42, leaf_3, asked_1, number_of_path_4, path_15, &((*crossed_4)));
     return;
 }
 
@@ -4370,30 +4305,49 @@ fn numbers_of_0( texture_7 : u32) -> u32
 fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
 {
     var first_9 : u32 = numbers_of_0(texture_8);
+    var _S415 : u32 = word_0(texture_8 + u32(1));
+    var _S416 : u32;
     if(first_9 == u32(4294967295))
     {
-        return;
+        _S416 = u32(0);
     }
-    var _S421 : u32 = word_0(texture_8 + u32(1));
+    else
+    {
+        _S416 = lookup_5.count_0;
+    }
     var k_12 : u32 = u32(0);
     for(;;)
     {
-        if(k_12 < (lookup_5.count_0))
+        if(k_12 < _S416)
         {
         }
         else
         {
             break;
         }
-        var at_43 : u32 = first_9 + _S421 * lookup_5.texels_0[k_12];
         var own_2 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_12]);
-        if(_S421 == u32(1))
+        var own_3 : vec3<f32>;
+        if(_S415 == u32(1))
         {
-            add_to_sum_0(at_43, own_2.x + own_2.y + own_2.z);
-            k_12 = k_12 + u32(1);
-            continue;
+            own_3 = vec3<f32>((own_2.x + own_2.y + own_2.z));
         }
-        add_to_sums_0(at_43, own_2);
+        else
+        {
+            own_3 = own_2;
+        }
+        var c_4 : u32 = u32(0);
+        for(;;)
+        {
+            if(c_4 < _S415)
+            {
+            }
+            else
+            {
+                break;
+            }
+            add_to_sum_0(first_9 + _S415 * lookup_5.texels_0[k_12] + c_4, own_3[c_4]);
+            c_4 = c_4 + u32(1);
+        }
         k_12 = k_12 + u32(1);
     }
     return;
@@ -4407,13 +4361,13 @@ fn lookup_back_0( texture_9 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
 
 fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
 {
-    var _S422 : vec2<f32> = vec2<f32>(0.0f);
-    var _S423 : u32 = word_0(material_2 + u32(4));
+    var _S417 : vec2<f32> = vec2<f32>(0.0f);
+    var _S418 : u32 = word_0(material_2 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S422;
+    var by_place_0 : vec2<f32> = _S417;
     for(;;)
     {
-        if(slot_7 < _S423)
+        if(slot_7 < _S418)
         {
         }
         else
@@ -4426,9 +4380,9 @@ fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S424 : Lookup_0 = lookup_at_0(texture_10, place_18);
-        var _S425 : vec2<f32> = lookup_back_0(texture_10, _S424, slot_derivative_0(numbers_11, slot_7));
-        by_place_0 = by_place_0 + _S425;
+        var _S419 : Lookup_0 = lookup_at_0(texture_10, place_18);
+        var _S420 : vec2<f32> = lookup_back_0(texture_10, _S419, slot_derivative_0(numbers_11, slot_7));
+        by_place_0 = by_place_0 + _S420;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_0;
@@ -4439,161 +4393,263 @@ fn is_moving_0() -> bool
     return (change_word_0(u32(0))) != u32(4294967295);
 }
 
-fn points_of_0( triangle_8 : u32) -> u32
+struct AtCorners_0
 {
-    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_8)));
+     a_18 : vec3<f32>,
+     b_13 : vec3<f32>,
+     c_5 : vec3<f32>,
+};
+
+fn at_no_corner_0() -> AtCorners_0
+{
+    var corners_2 : AtCorners_0;
+    var _S421 : vec3<f32> = vec3<f32>(0.0f);
+    corners_2.c_5 = _S421;
+    corners_2.b_13 = _S421;
+    corners_2.a_18 = _S421;
+    return corners_2;
 }
 
-fn unit_back_0( vector_1 : vec3<f32>,  derivative_4 : vec3<f32>,  size_5 : f32) -> vec3<f32>
+fn unit_back_0( vector_1 : vec3<f32>,  derivative_4 : vec3<f32>,  size_4 : f32) -> vec3<f32>
 {
-    return (derivative_4 - vector_1 * vec3<f32>(dot(vector_1, derivative_4))) / vec3<f32>(size_5);
+    return (derivative_4 - vector_1 * vec3<f32>(dot(vector_1, derivative_4))) / vec3<f32>(size_4);
 }
 
-fn add_to_corners_0( sums_at_1 : u32,  triangle_9 : u32,  by_a_0 : vec3<f32>,  by_b_0 : vec3<f32>,  by_c_0 : vec3<f32>)
+fn tangent_back_0( points_2 : ptr<function, AtCorners_0>,  triangle_8 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : vec3<f32>)
 {
-    if(sums_at_1 == u32(4294967295))
-    {
-        return;
-    }
-    var record_10 : u32 = triangle_record_0(triangle_9) + u32(2);
-    add_to_sums_0(sums_at_1 + u32(3) * word_0(record_10), by_a_0);
-    add_to_sums_0(sums_at_1 + u32(3) * word_0(record_10 + u32(1)), by_b_0);
-    add_to_sums_0(sums_at_1 + u32(3) * word_0(record_10 + u32(2)), by_c_0);
-    return;
-}
-
-fn tangent_back_0( triangle_10 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : vec3<f32>)
-{
-    var points_2 : u32 = points_of_0(triangle_10);
-    var corner_1 : u32 = u32(9) * triangle_10;
-    if(points_2 == u32(4294967295))
-    {
-        return;
-    }
-    var uvs_2 : Corners2_0 = uvs_of_0(triangle_10);
+    var corner_1 : u32 = u32(9) * triangle_8;
+    var uvs_2 : Corners2_0 = uvs_of_0(triangle_8);
     var first_10 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
     var second_4 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
-    var _S426 : f32 = second_4.y;
-    var _S427 : f32 = first_10.y;
-    var scale_1 : f32 = 1.0f / (first_10.x * _S426 - second_4.x * _S427);
-    var of_ab_0 : f32 = _S426 * scale_1;
-    var of_ac_0 : f32 = - _S427 * scale_1;
-    var a_18 : vec3<f32> = primitive_vector_0(corner_1);
-    var _S428 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S429 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_1 + u32(3)) - a_18) * _S428 + (primitive_vector_0(corner_1 + u32(6)) - a_18) * _S429));
-    add_to_corners_0(points_2, triangle_10, derivative_5 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_5 * _S428, derivative_5 * _S429);
+    var _S422 : f32 = second_4.y;
+    var _S423 : f32 = first_10.y;
+    var scale_1 : f32 = 1.0f / (first_10.x * _S422 - second_4.x * _S423);
+    var of_ab_0 : f32 = _S422 * scale_1;
+    var of_ac_0 : f32 = - _S423 * scale_1;
+    var a_19 : vec3<f32> = primitive_vector_0(corner_1);
+    var _S424 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S425 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_1 + u32(3)) - a_19) * _S424 + (primitive_vector_0(corner_1 + u32(6)) - a_19) * _S425));
+    (*points_2).a_18 = (*points_2).a_18 - derivative_5 * vec3<f32>((of_ab_0 + of_ac_0));
+    (*points_2).b_13 = (*points_2).b_13 + derivative_5 * _S424;
+    (*points_2).c_5 = (*points_2).c_5 + derivative_5 * _S425;
     return;
 }
 
-fn normals_of_0( triangle_11 : u32) -> u32
+fn add_at_place_0( corners_3 : ptr<function, AtCorners_0>,  place_19 : Place_0,  derivative_6 : vec3<f32>)
 {
-    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_11)) + u32(1));
-}
-
-fn add_at_place_0( sums_at_2 : u32,  place_19 : Place_0,  derivative_6 : vec3<f32>)
-{
-    add_to_corners_0(sums_at_2, place_19.triangle_0, derivative_6 * vec3<f32>((1.0f - place_19.v_0 - place_19.w_0)), derivative_6 * vec3<f32>(place_19.v_0), derivative_6 * vec3<f32>(place_19.w_0));
+    (*corners_3).a_18 = (*corners_3).a_18 + derivative_6 * vec3<f32>((1.0f - place_19.v_0 - place_19.w_0));
+    (*corners_3).b_13 = (*corners_3).b_13 + derivative_6 * vec3<f32>(place_19.v_0);
+    (*corners_3).c_5 = (*corners_3).c_5 + derivative_6 * vec3<f32>(place_19.w_0);
     return;
 }
 
-fn place_back_0( place_20 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_16 : vec3<f32>) -> vec3<f32>
+fn add_at_place_1( corners_4 : ptr<function, AtCorners_0>,  place_20 : Place_0,  derivative_7 : vec3<f32>)
 {
-    var corner_2 : u32 = u32(9) * place_20.triangle_0;
-    var a_19 : vec3<f32> = primitive_vector_0(corner_2);
-    var ab_0 : vec3<f32> = primitive_vector_0(corner_2 + u32(3)) - a_19;
-    var ac_0 : vec3<f32> = primitive_vector_0(corner_2 + u32(6)) - a_19;
-    var across_2 : vec3<f32> = cross(ab_0, ac_0);
-    var _S430 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
-    var normal_8 : vec3<f32> = across_2 / vec3<f32>(_S430);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_8) * vec3<f32>(by_place_1.x) + cross(normal_8, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_8, normal_8) * _S430)));
-    var by_drift_0 : vec3<f32> = by_slip_0 - normal_8 * vec3<f32>((dot(direction_16, by_slip_0) / dot(normal_8, direction_16)));
-    add_at_place_0(points_of_0(place_20.triangle_0), place_20, by_position_0 - by_drift_0);
-    return by_drift_0;
+    (*corners_4).a_18 = (*corners_4).a_18 + derivative_7 * vec3<f32>((1.0f - place_20.v_0 - place_20.w_0));
+    (*corners_4).b_13 = (*corners_4).b_13 + derivative_7 * vec3<f32>(place_20.v_0);
+    (*corners_4).c_5 = (*corners_4).c_5 + derivative_7 * vec3<f32>(place_20.w_0);
+    return;
 }
 
-fn surface_back_0( surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_17 : vec3<f32>) -> vec3<f32>
+fn normals_of_0( triangle_9 : u32) -> u32
 {
-    var normals_1 : u32 = word_0(surface_6.shape_0);
-    var _S431 : vec2<f32>;
-    if(normals_1 == u32(4294967295))
+    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_9)) + u32(1));
+}
+
+fn add_to_corners_0( sums_at_0 : u32,  triangle_10 : u32,  corners_5 : AtCorners_0)
+{
+    var _S426 : u32 = triangle_record_0(triangle_10) + u32(2);
+    var _S427 : i32;
+    if(sums_at_0 == u32(4294967295))
     {
-        var corner_3 : u32 = u32(9) * surface_6.place_3.triangle_0;
-        var a_20 : vec3<f32> = primitive_vector_0(corner_3);
-        var ab_1 : vec3<f32> = primitive_vector_0(corner_3 + u32(3)) - a_20;
-        var ac_1 : vec3<f32> = primitive_vector_0(corner_3 + u32(6)) - a_20;
-        var derivative_7 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(cross(ab_1, ac_1)));
-        var by_ab_0 : vec3<f32> = cross(ac_1, derivative_7);
-        var by_ac_0 : vec3<f32> = cross(derivative_7, ab_1);
-        add_to_corners_0(points_of_0(surface_6.place_3.triangle_0), surface_6.place_3.triangle_0, (vec3<f32>(0) - by_ab_0) - by_ac_0, by_ab_0, by_ac_0);
-        _S431 = by_place_2;
+        _S427 = i32(0);
     }
     else
     {
-        var record_11 : u32 = triangle_record_0(surface_6.place_3.triangle_0) + u32(2);
-        var a_21 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_11));
-        var ab_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_11 + u32(1))) - a_21;
-        var ac_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_11 + u32(2))) - a_21;
-        var derivative_8 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(a_21 + ab_2 * vec3<f32>(surface_6.place_3.v_0) + ac_2 * vec3<f32>(surface_6.place_3.w_0)));
-        add_at_place_0(normals_of_0(surface_6.place_3.triangle_0), surface_6.place_3, derivative_8);
-        _S431 = by_place_2 + vec2<f32>(dot(ab_2, derivative_8), dot(ac_2, derivative_8));
+        _S427 = i32(3);
     }
-    var _S432 : vec3<f32> = place_back_0(surface_6.place_3, _S431, by_position_1, direction_17);
-    return _S432;
+    var _S428 : u32 = u32(_S427);
+    var k_13 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_13 < _S428)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S429 : u32 = sums_at_0 + u32(3) * word_0(_S426 + k_13);
+        var _S430 : vec3<f32>;
+        if(k_13 == u32(0))
+        {
+            _S430 = corners_5.a_18;
+        }
+        else
+        {
+            if(k_13 == u32(1))
+            {
+                _S430 = corners_5.b_13;
+            }
+            else
+            {
+                _S430 = corners_5.c_5;
+            }
+        }
+        add_to_sums_0(_S429, _S430);
+        k_13 = k_13 + u32(1);
+    }
+    return;
+}
+
+fn place_back_0( points_3 : ptr<function, AtCorners_0>,  place_21 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_16 : vec3<f32>) -> vec3<f32>
+{
+    var corner_2 : u32 = u32(9) * place_21.triangle_0;
+    var a_20 : vec3<f32> = primitive_vector_0(corner_2);
+    var ab_0 : vec3<f32> = primitive_vector_0(corner_2 + u32(3)) - a_20;
+    var ac_0 : vec3<f32> = primitive_vector_0(corner_2 + u32(6)) - a_20;
+    var across_2 : vec3<f32> = cross(ab_0, ac_0);
+    var _S431 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
+    var normal_8 : vec3<f32> = across_2 / vec3<f32>(_S431);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_8) * vec3<f32>(by_place_1.x) + cross(normal_8, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_8, normal_8) * _S431)));
+    var by_drift_0 : vec3<f32> = by_slip_0 - normal_8 * vec3<f32>((dot(direction_16, by_slip_0) / dot(normal_8, direction_16)));
+    add_at_place_1(&((*points_3)), place_21, by_position_0 - by_drift_0);
+    return by_drift_0;
+}
+
+fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_17 : vec3<f32>) -> vec3<f32>
+{
+    var normals_1 : u32 = word_0(surface_6.shape_0);
+    var _S432 : vec2<f32>;
+    if(normals_1 == u32(4294967295))
+    {
+        var corner_3 : u32 = u32(9) * surface_6.place_3.triangle_0;
+        var a_21 : vec3<f32> = primitive_vector_0(corner_3);
+        var ab_1 : vec3<f32> = primitive_vector_0(corner_3 + u32(3)) - a_21;
+        var ac_1 : vec3<f32> = primitive_vector_0(corner_3 + u32(6)) - a_21;
+        var derivative_8 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(cross(ab_1, ac_1)));
+        var by_ab_0 : vec3<f32> = cross(ac_1, derivative_8);
+        var by_ac_0 : vec3<f32> = cross(derivative_8, ab_1);
+        (*points_4).a_18 = (*points_4).a_18 - (by_ab_0 + by_ac_0);
+        (*points_4).b_13 = (*points_4).b_13 + by_ab_0;
+        (*points_4).c_5 = (*points_4).c_5 + by_ac_0;
+        _S432 = by_place_2;
+    }
+    else
+    {
+        var record_10 : u32 = triangle_record_0(surface_6.place_3.triangle_0) + u32(2);
+        var a_22 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_10));
+        var ab_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_10 + u32(1))) - a_22;
+        var ac_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_10 + u32(2))) - a_22;
+        var derivative_9 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(a_22 + ab_2 * vec3<f32>(surface_6.place_3.v_0) + ac_2 * vec3<f32>(surface_6.place_3.w_0)));
+        var of_normals_0 : AtCorners_0 = at_no_corner_0();
+        add_at_place_0(&(of_normals_0), surface_6.place_3, derivative_9);
+        add_to_corners_0(normals_of_0(surface_6.place_3.triangle_0), surface_6.place_3.triangle_0, of_normals_0);
+        _S432 = by_place_2 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_2, derivative_9));
+    }
+    var _S433 : vec3<f32> = place_back_0(&((*points_4)), surface_6.place_3, _S432, by_position_1, direction_17);
+    return _S433;
+}
+
+fn points_of_0( triangle_11 : u32) -> u32
+{
+    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_11)));
 }
 
 fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32,  direction_18 : vec3<f32>) -> ByRay_0
 {
     var by_ray_1 : ByRay_0;
-    var _S433 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_0 = _S433;
-    by_ray_1.drift_0 = _S433;
+    var _S434 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S434;
+    by_ray_1.drift_0 = _S434;
     var by_place_3 : vec2<f32> = numbers_back_0(material_3, vertex_8.surface_3.place_3, pulled_3.numbers_3);
     if(!is_moving_0())
     {
         return by_ray_1;
     }
-    var _S434 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S435 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_0 : DiffPair_Axes_0;
     towards_0.primal_0 = vertex_8.axes_4;
-    towards_0.differential_0 = _S434;
+    towards_0.differential_0 = _S435;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_18;
-    incoming_0.differential_0 = _S433;
+    incoming_0.differential_0 = _S434;
     _S173(&(towards_0), &(incoming_0), pulled_3.wi_2);
     by_ray_1.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_8.surface_3.outward_0;
-    outward_1.differential_0 = _S433;
-    var _S435 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
+    outward_1.differential_0 = _S434;
+    var _S436 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S435;
-    tangent_4.differential_0 = _S433;
+    tangent_4.primal_0 = _S436;
+    tangent_4.differential_0 = _S434;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_3.axes_5, towards_0.differential_0);
-    if((any((_S435 != _S433))))
+    var points_5 : AtCorners_0 = at_no_corner_0();
+    if((any((_S436 != _S434))))
     {
         _S124(&(outward_1), &(tangent_4), vertex_8.surface_3.is_front_0, by_axes_0);
-        tangent_back_0(vertex_8.surface_3.place_3.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
+        tangent_back_0(&(points_5), vertex_8.surface_3.place_3.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
     }
     else
     {
         _S93(&(outward_1), vertex_8.surface_3.is_front_0, by_axes_0);
     }
-    var _S436 : vec3<f32> = surface_back_0(vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_18);
-    by_ray_1.drift_0 = _S436;
+    var _S437 : vec3<f32> = surface_back_0(&(points_5), vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_18);
+    by_ray_1.drift_0 = _S437;
+    add_to_corners_0(points_of_0(vertex_8.surface_3.place_3.triangle_0), vertex_8.surface_3.place_3.triangle_0, points_5);
     return by_ray_1;
 }
 
-fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_44 : ShadingPoint_0,  direction_19 : vec3<f32>)
+fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_43 : ShadingPoint_0,  direction_19 : vec3<f32>)
 {
-    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_44.vertex_2, material_of_0(at_44.vertex_2.surface_3), direction_19);
-    var _S437 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
-    var kept_1 : u32 = _S437;
-    var which_11 : u32 = _S437;
+    var _S438 : vec3<f32> = vec3<f32>(0.0f);
+    var _S439 : bool;
+    if((all(((crossed_5.pulled_1.position_1) == _S438))))
+    {
+        _S439 = (all(((crossed_5.pulled_1.axes_5.n_0) == _S438)));
+    }
+    else
+    {
+        _S439 = false;
+    }
+    if(_S439)
+    {
+        return;
+    }
+    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_43.vertex_2, material_of_0(at_43.vertex_2.surface_3), direction_19);
+    var _S440 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
+    var kept_1 : u32 = _S440;
+    var which_11 : u32 = _S440;
     var drift_1 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     var by_direction_0 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     set_vector_0(number_of_path_5, &(kept_1), drift_1 + by_ray_2.drift_0);
     set_vector_0(number_of_path_5, &(kept_1), by_direction_0 + by_ray_2.direction_0);
+    return;
+}
+
+fn check_loops_0()
+{
+    var _S441 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S442 : bool = rounds_0 < wanted_0;
+        _S441 = _S442;
+        if(_S442)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S441)
+    {
+        var _S443 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
     return;
 }
 
@@ -4609,9 +4665,9 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var number_of_path_6 : u32 = input_0[listed_0];
     var factor_5 : vec3<f32>;
     var path_16 : Path_0 = path_at_vertex_0(number_of_path_6, &(factor_5));
-    var at_45 : ShadingPoint_0;
-    var _S438 : bool = shading_point_0(path_16, &(at_45));
-    if(!_S438)
+    var at_44 : ShadingPoint_0;
+    var _S444 : bool = shading_point_0(path_16, &(at_44));
+    if(!_S444)
     {
         return;
     }
@@ -4626,17 +4682,22 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         {
             break;
         }
-        var probability_5 : f32 = turn_to_0(purpose_3, path_16.key_0, &(at_45));
+        var probability_5 : f32 = turn_to_0(purpose_3, path_16.key_0, &(at_44));
         if(!(probability_5 > 0.0f))
         {
             purpose_3 = purpose_3 + u32(1);
             continue;
         }
         crossed_6.factor_1 = factor_5 / vec3<f32>(probability_5);
-        var subtrees_1 : u32 = subtrees_of_0(at_45);
-        sample_points_0(at_45, number_of_path_6, path_16, vec3<u32>(u32(0), subtrees_1, subtrees_1), &(crossed_6));
+        var subtree_1 : u32 = subtree_of_launch_0();
+        var subtrees_1 : u32 = subtrees_of_0(at_44);
+        if(subtree_1 < subtrees_1)
+        {
+            sample_points_0(at_44, number_of_path_6, path_16, subtree_1, subtrees_1, &(crossed_6));
+        }
         purpose_3 = purpose_3 + u32(1);
     }
-    add_0(number_of_path_6, crossed_6, at_45, path_16.direction_1);
+    add_0(number_of_path_6, crossed_6, at_44, path_16.direction_1);
+    check_loops_0();
     return;
 }

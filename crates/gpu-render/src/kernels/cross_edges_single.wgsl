@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 34b81690d5b58117
-// result: c98d7748dbf36666
+// source: fa020fd54e9ee2de
+// result: 473da8fde2c071d4
 
 struct Launch_std140_0
 {
@@ -25,6 +25,8 @@ struct Launch_std140_0
 @binding(1) @group(0) var<storage, read> leaf_starts_0 : array<u32>;
 
 @binding(3) @group(0) var<storage, read> rough_0 : array<vec4<u32>>;
+
+@binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
 
 struct DiffPair_float_0
 {
@@ -1698,6 +1700,11 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_21 : ptr<function, Shadin
         _S182 = probability_1;
     }
     return _S182;
+}
+
+fn subtree_of_launch_0() -> u32
+{
+    return ((launch_0.depth_0) >> (u32(24)));
 }
 
 fn subtrees_of_0( at_22 : ShadingPoint_0) -> u32
@@ -3715,9 +3722,8 @@ fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_46 : ShadingPoint_0,  p
 
 struct Share_0
 {
-     over_all_0 : f32,
      share_0 : f32,
-     same_0 : f32,
+     over_all_0 : f32,
      place_20 : f32,
 };
 
@@ -3759,7 +3765,7 @@ fn draw_points_0( at_47 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
             }
             else
             {
-                target_1 = asked_0.same_0;
+                target_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(target_1 - 0.00100000004749745f));
             var _S337 : f32 = f32(points_1);
@@ -3906,83 +3912,34 @@ fn draw_points_0( at_47 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
     return;
 }
 
-fn sample_points_0( at_48 : ShadingPoint_0,  number_of_path_4 : u32,  path_12 : Path_0,  subtrees_0 : vec3<u32>,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_48 : ShadingPoint_0,  number_of_path_4 : u32,  path_12 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
 {
     var numbers_8 : u32 = numbers_for_0(at_48.purpose_0) + u32(1);
-    var _S344 : u32 = subtrees_0.x;
-    var _S345 : f32 = precise_random_0(path_12.key_0, numbers_8);
-    var _S346 : f32 = precise_random_0(path_12.key_0, numbers_8 + u32(1));
-    var first_8 : u32 = _S344;
-    var leaf_3 : u32 = u32(4294967295);
-    var probability_4 : f32 = 1.0f;
-    var i_3 : u32 = _S344;
+    var _S344 : f32 = f32(subtree_0);
+    var _S345 : f32 = f32(subtrees_0);
+    var leaf_3 : u32;
+    var probability_4 : f32;
+    var _S346 : bool = descend_0(at_48, (_S344 + precise_random_0(path_12.key_0, numbers_8)) / _S345, &(leaf_3), &(probability_4));
+    if(!_S346)
+    {
+        return;
+    }
+    var asked_1 : Share_0;
+    asked_1.share_0 = 1.0f / _S345;
+    asked_1.over_all_0 = probability_4 * _S345;
+    asked_1.place_20 = precise_random_0(path_12.key_0, numbers_8 + u32(1)) + 0.6180340051651001f * _S344;
     for(;;)
     {
-        var _S347 : u32 = subtrees_0.y;
-        if(i_3 <= _S347)
+        if((asked_1.place_20) >= 1.0f)
         {
         }
         else
         {
             break;
         }
-        var next_0 : u32 = u32(4294967295);
-        var of_next_0 : f32 = 1.0f;
-        var _S348 : bool;
-        if(i_3 < _S347)
-        {
-            var _S349 : bool = descend_0(at_48, (f32(i_3) + _S345) / f32(subtrees_0.z), &(next_0), &(of_next_0));
-            _S348 = !_S349;
-        }
-        else
-        {
-            _S348 = false;
-        }
-        if(_S348)
-        {
-            next_0 = u32(4294967295);
-        }
-        var _S350 : bool;
-        if(i_3 > first_8)
-        {
-            _S350 = next_0 == leaf_3;
-        }
-        else
-        {
-            _S350 = false;
-        }
-        if(_S350)
-        {
-            i_3 = i_3 + u32(1);
-            continue;
-        }
-        if(leaf_3 != u32(4294967295))
-        {
-            var asked_1 : Share_0;
-            var _S351 : f32 = f32(i_3 - first_8);
-            asked_1.same_0 = _S351;
-            var _S352 : f32 = _S351 / f32(subtrees_0.z);
-            asked_1.share_0 = _S352;
-            asked_1.over_all_0 = probability_4 / _S352;
-            asked_1.place_20 = _S346 + 0.6180340051651001f * f32(first_8);
-            for(;;)
-            {
-                if((asked_1.place_20) >= 1.0f)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                asked_1.place_20 = asked_1.place_20 - 1.0f;
-            }
-            draw_points_0(at_48, leaf_3, asked_1, number_of_path_4, path_12, &((*crossed_4)));
-        }
-        first_8 = i_3;
-        leaf_3 = next_0;
-        probability_4 = of_next_0;
-        i_3 = i_3 + u32(1);
+        asked_1.place_20 = asked_1.place_20 - 1.0f;
     }
+    draw_points_0(at_48, leaf_3, asked_1, number_of_path_4, path_12, &((*crossed_4)));
     return;
 }
 
@@ -3992,6 +3949,31 @@ fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0)
     var before_2 : vec3<f32> = path_vector_0(number_of_path_5, &(change_7));
     change_7 = u32(4);
     set_vector_0(number_of_path_5, &(change_7), before_2 + crossed_5.term_0);
+    return;
+}
+
+fn check_loops_0()
+{
+    var _S347 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S348 : bool = rounds_0 < wanted_0;
+        _S347 = _S348;
+        if(_S348)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S347)
+    {
+        var _S349 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
     return;
 }
 
@@ -4008,8 +3990,8 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var factor_5 : vec3<f32>;
     var path_13 : Path_0 = path_at_vertex_0(number_of_path_6, &(factor_5));
     var at_49 : ShadingPoint_0;
-    var _S353 : bool = shading_point_0(path_13, &(at_49));
-    if(!_S353)
+    var _S350 : bool = shading_point_0(path_13, &(at_49));
+    if(!_S350)
     {
         return;
     }
@@ -4031,10 +4013,15 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
             continue;
         }
         crossed_6.factor_1 = factor_5 / vec3<f32>(probability_5);
+        var subtree_1 : u32 = subtree_of_launch_0();
         var subtrees_1 : u32 = subtrees_of_0(at_49);
-        sample_points_0(at_49, number_of_path_6, path_13, vec3<u32>(u32(0), subtrees_1, subtrees_1), &(crossed_6));
+        if(subtree_1 < subtrees_1)
+        {
+            sample_points_0(at_49, number_of_path_6, path_13, subtree_1, subtrees_1, &(crossed_6));
+        }
         purpose_3 = purpose_3 + u32(1);
     }
     add_0(number_of_path_6, crossed_6);
+    check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 9031857028a9d8e4
-// result: c301ff0ec66f4eff
+// source: 845d6e344633a69a
+// result: e77617d02ed1089c
 
 struct Launch_std140_0
 {
@@ -4145,199 +4145,173 @@ fn numbers_of_0( texture_6 : u32) -> u32
     return change_word_0(u32(6) + word_0(texture_6 + u32(12)));
 }
 
-fn add_word_0( sum_3 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
-{
-    var _S1038 : u32 = u32(2) + u32(4) * sum_3;
-    var _S1039 : u32 = number_1;
-    var k_2 : u32 = word_of_sum_0;
-    for(;;)
-    {
-        var _S1040 : bool;
-        if(k_2 < u32(4))
-        {
-            _S1040 = _S1039 != u32(0);
-        }
-        else
-        {
-            _S1040 = false;
-        }
-        if(_S1040)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S1041 : u32;
-        if(is_negative_0)
-        {
-            _S1041 = u32(0) - _S1039;
-        }
-        else
-        {
-            _S1041 = _S1039;
-        }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S1038 + k_2]), _S1041);
-        var overflows_0 : bool;
-        if(is_negative_0)
-        {
-            overflows_0 = before_0 < _S1039;
-        }
-        else
-        {
-            overflows_0 = (before_0 + _S1039) < before_0;
-        }
-        var _S1042 : i32;
-        if(overflows_0)
-        {
-            _S1042 = i32(1);
-        }
-        else
-        {
-            _S1042 = i32(0);
-        }
-        var _S1043 : u32 = u32(_S1042);
-        var _S1044 : u32 = k_2 + u32(1);
-        _S1039 = _S1043;
-        k_2 = _S1044;
-    }
-    return;
-}
-
-fn add_to_sum_0( sum_4 : u32,  derivative_0 : f32)
+fn add_to_sum_0( sum_3 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S1045 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S1038 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_1 : f32 = abs(scaled_0);
     if(size_1 > 7.73712524553362672e+25f)
     {
-        var _S1046 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S1039 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var is_negative_1 : bool = scaled_0 < 0.0f;
-    var highest_0 : u32 = u32(0);
-    var size_2 : f32 = size_1;
+    var _S1040 : bool = scaled_0 < 0.0f;
+    var _S1041 : i32;
+    if(size_1 >= 1.84467440737095516e+19f)
+    {
+        _S1041 = i32(1);
+    }
+    else
+    {
+        _S1041 = i32(0);
+    }
+    var first_2 : u32 = u32(_S1041);
+    var size_2 : f32;
+    if(first_2 == u32(1))
+    {
+        size_2 = size_1 * 2.32830643653869629e-10f;
+    }
+    else
+    {
+        size_2 = size_1;
+    }
+    var higher_0 : f32 = floor(size_2 * 2.32830643653869629e-10f);
+    var lower_0 : f32 = size_2 - higher_0 * 4.294967296e+09f;
+    if(first_2 == u32(0))
+    {
+        size_2 = lower_0 + 0.5f;
+    }
+    else
+    {
+        size_2 = lower_0;
+    }
+    var _S1042 : u32 = u32(3) + u32(4) * sum_3;
+    var digits_0 : vec2<u32> = vec2<u32>(u32(size_2), u32(higher_0));
+    var k_2 : u32 = first_2;
     for(;;)
     {
-        var _S1047 : bool;
-        if(highest_0 < u32(2))
+        var _S1043 : bool;
+        if(k_2 < u32(4))
         {
-            _S1047 = size_2 >= 4.294967296e+09f;
+            _S1043 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S1047 = false;
+            _S1043 = false;
         }
-        if(_S1047)
+        if(_S1043)
         {
         }
         else
         {
             break;
         }
-        var size_3 : f32 = size_2 * 2.32830643653869629e-10f;
-        highest_0 = highest_0 + u32(1);
-        size_2 = size_3;
-    }
-    var _S1048 : bool = highest_0 == u32(0);
-    var _S1049 : f32;
-    if(_S1048)
-    {
-        _S1049 = size_2 + 0.5f;
-    }
-    else
-    {
-        _S1049 = size_2;
-    }
-    var whole_0 : u32 = u32(_S1049);
-    add_word_0(sum_4, highest_0, whole_0, is_negative_1);
-    if(_S1048)
-    {
-        return;
-    }
-    var rest_0 : f32 = (size_2 - f32(whole_0)) * 4.294967296e+09f;
-    var _S1050 : u32 = highest_0 - u32(1);
-    if(highest_0 == u32(1))
-    {
-        size_2 = rest_0 + 0.5f;
-    }
-    else
-    {
-        size_2 = rest_0;
-    }
-    add_word_0(sum_4, _S1050, u32(size_2), is_negative_1);
-    return;
-}
-
-fn add_to_sums_0( first_2 : u32,  derivative_1 : vec3<f32>)
-{
-    var axis_0 : u32 = u32(0);
-    for(;;)
-    {
-        if(axis_0 < u32(3))
+        var _S1044 : u32;
+        if(_S1040)
         {
+            _S1044 = u32(0) - digits_0.x;
         }
         else
         {
-            break;
+            _S1044 = digits_0.x;
         }
-        add_to_sum_0(first_2 + axis_0, derivative_1[axis_0]);
-        axis_0 = axis_0 + u32(1);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S1042 + k_2]), _S1044);
+        var overflows_0 : bool;
+        if(_S1040)
+        {
+            overflows_0 = before_0 < (digits_0.x);
+        }
+        else
+        {
+            overflows_0 = (before_0 + digits_0.x) < before_0;
+        }
+        var _S1045 : u32 = digits_0.y;
+        if(overflows_0)
+        {
+            _S1041 = i32(1);
+        }
+        else
+        {
+            _S1041 = i32(0);
+        }
+        var _S1046 : vec2<u32> = vec2<u32>(_S1045 + u32(_S1041), u32(0));
+        var _S1047 : u32 = k_2 + u32(1);
+        digits_0 = _S1046;
+        k_2 = _S1047;
     }
     return;
 }
 
-fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
+fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
 {
     var first_3 : u32 = numbers_of_0(texture_7);
+    var _S1048 : u32 = word_0(texture_7 + u32(1));
+    var _S1049 : u32;
     if(first_3 == u32(4294967295))
     {
-        return;
+        _S1049 = u32(0);
     }
-    var _S1051 : u32 = word_0(texture_7 + u32(1));
+    else
+    {
+        _S1049 = lookup_5.count_0;
+    }
     var k_3 : u32 = u32(0);
     for(;;)
     {
-        if(k_3 < (lookup_5.count_0))
+        if(k_3 < _S1049)
         {
         }
         else
         {
             break;
         }
-        var at_10 : u32 = first_3 + _S1051 * lookup_5.texels_0[k_3];
-        var own_0 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_1[k_3]);
-        if(_S1051 == u32(1))
+        var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_1[k_3]);
+        var own_1 : vec3<f32>;
+        if(_S1048 == u32(1))
         {
-            add_to_sum_0(at_10, own_0.x + own_0.y + own_0.z);
-            k_3 = k_3 + u32(1);
-            continue;
+            own_1 = vec3<f32>((own_0.x + own_0.y + own_0.z));
         }
-        add_to_sums_0(at_10, own_0);
+        else
+        {
+            own_1 = own_0;
+        }
+        var c_3 : u32 = u32(0);
+        for(;;)
+        {
+            if(c_3 < _S1048)
+            {
+            }
+            else
+            {
+                break;
+            }
+            add_to_sum_0(first_3 + _S1048 * lookup_5.texels_0[k_3] + c_3, own_1[c_3]);
+            c_3 = c_3 + u32(1);
+        }
         k_3 = k_3 + u32(1);
     }
     return;
 }
 
-fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f32>) -> vec2<f32>
+fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_2 : vec3<f32>) -> vec2<f32>
 {
-    add_to_texels_0(texture_8, lookup_6, derivative_3);
-    return vec2<f32>(dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_first_0), derivative_3), dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_second_0), derivative_3));
+    add_to_texels_0(texture_8, lookup_6, derivative_2);
+    return vec2<f32>(dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_first_0), derivative_2), dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_second_0), derivative_2));
 }
 
 fn numbers_back_0( material_1 : u32,  place_11 : Place_0,  numbers_7 : Numbers_0) -> vec2<f32>
 {
-    var _S1052 : vec2<f32> = vec2<f32>(0.0f);
-    var _S1053 : u32 = word_0(material_1 + u32(4));
+    var _S1050 : vec2<f32> = vec2<f32>(0.0f);
+    var _S1051 : u32 = word_0(material_1 + u32(4));
     var slot_3 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S1052;
+    var by_place_0 : vec2<f32> = _S1050;
     for(;;)
     {
-        if(slot_3 < _S1053)
+        if(slot_3 < _S1051)
         {
         }
         else
@@ -4350,9 +4324,9 @@ fn numbers_back_0( material_1 : u32,  place_11 : Place_0,  numbers_7 : Numbers_0
             slot_3 = slot_3 + u32(1);
             continue;
         }
-        var _S1054 : Lookup_0 = lookup_at_0(texture_9, place_11);
-        var _S1055 : vec2<f32> = lookup_back_0(texture_9, _S1054, slot_derivative_0(numbers_7, slot_3));
-        by_place_0 = by_place_0 + _S1055;
+        var _S1052 : Lookup_0 = lookup_at_0(texture_9, place_11);
+        var _S1053 : vec2<f32> = lookup_back_0(texture_9, _S1052, slot_derivative_0(numbers_7, slot_3));
+        by_place_0 = by_place_0 + _S1053;
         slot_3 = slot_3 + u32(1);
     }
     return by_place_0;
@@ -4363,107 +4337,196 @@ fn is_moving_0() -> bool
     return (change_word_0(u32(0))) != u32(4294967295);
 }
 
-fn points_of_0( triangle_6 : u32) -> u32
+struct AtCorners_0
 {
-    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_6)));
+     a_10 : vec3<f32>,
+     b_7 : vec3<f32>,
+     c_4 : vec3<f32>,
+};
+
+fn at_no_corner_0() -> AtCorners_0
+{
+    var corners_0 : AtCorners_0;
+    var _S1054 : vec3<f32> = vec3<f32>(0.0f);
+    corners_0.c_4 = _S1054;
+    corners_0.b_7 = _S1054;
+    corners_0.a_10 = _S1054;
+    return corners_0;
 }
 
-fn unit_back_0( vector_1 : vec3<f32>,  derivative_4 : vec3<f32>,  size_4 : f32) -> vec3<f32>
+fn unit_back_0( vector_1 : vec3<f32>,  derivative_3 : vec3<f32>,  size_3 : f32) -> vec3<f32>
 {
-    return (derivative_4 - vector_1 * vec3<f32>(dot(vector_1, derivative_4))) / vec3<f32>(size_4);
+    return (derivative_3 - vector_1 * vec3<f32>(dot(vector_1, derivative_3))) / vec3<f32>(size_3);
 }
 
-fn add_to_corners_0( sums_at_0 : u32,  triangle_7 : u32,  by_a_0 : vec3<f32>,  by_b_0 : vec3<f32>,  by_c_0 : vec3<f32>)
+fn tangent_back_0( points_0 : ptr<function, AtCorners_0>,  triangle_6 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : vec3<f32>)
 {
-    if(sums_at_0 == u32(4294967295))
-    {
-        return;
-    }
-    var record_4 : u32 = triangle_record_0(triangle_7) + u32(2);
-    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_4), by_a_0);
-    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_4 + u32(1)), by_b_0);
-    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_4 + u32(2)), by_c_0);
-    return;
-}
-
-fn tangent_back_0( triangle_8 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : vec3<f32>)
-{
-    var points_0 : u32 = points_of_0(triangle_8);
-    var corner_0 : u32 = u32(9) * triangle_8;
-    if(points_0 == u32(4294967295))
-    {
-        return;
-    }
-    var uvs_2 : Corners2_0 = uvs_of_0(triangle_8);
+    var corner_0 : u32 = u32(9) * triangle_6;
+    var uvs_2 : Corners2_0 = uvs_of_0(triangle_6);
     var first_4 : vec2<f32> = uvs_2.b_4 - uvs_2.a_7;
     var second_1 : vec2<f32> = uvs_2.c_1 - uvs_2.a_7;
-    var _S1056 : f32 = second_1.y;
-    var _S1057 : f32 = first_4.y;
-    var scale_2 : f32 = 1.0f / (first_4.x * _S1056 - second_1.x * _S1057);
-    var of_ab_0 : f32 = _S1056 * scale_2;
-    var of_ac_0 : f32 = - _S1057 * scale_2;
-    var a_10 : vec3<f32> = primitive_vector_0(corner_0);
-    var _S1058 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S1059 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_0 + u32(3)) - a_10) * _S1058 + (primitive_vector_0(corner_0 + u32(6)) - a_10) * _S1059));
-    add_to_corners_0(points_0, triangle_8, derivative_5 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_5 * _S1058, derivative_5 * _S1059);
+    var _S1055 : f32 = second_1.y;
+    var _S1056 : f32 = first_4.y;
+    var scale_2 : f32 = 1.0f / (first_4.x * _S1055 - second_1.x * _S1056);
+    var of_ab_0 : f32 = _S1055 * scale_2;
+    var of_ac_0 : f32 = - _S1056 * scale_2;
+    var a_11 : vec3<f32> = primitive_vector_0(corner_0);
+    var _S1057 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S1058 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_4 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_0 + u32(3)) - a_11) * _S1057 + (primitive_vector_0(corner_0 + u32(6)) - a_11) * _S1058));
+    (*points_0).a_10 = (*points_0).a_10 - derivative_4 * vec3<f32>((of_ab_0 + of_ac_0));
+    (*points_0).b_7 = (*points_0).b_7 + derivative_4 * _S1057;
+    (*points_0).c_4 = (*points_0).c_4 + derivative_4 * _S1058;
     return;
 }
 
-fn normals_of_0( triangle_9 : u32) -> u32
+fn add_at_place_0( corners_1 : ptr<function, AtCorners_0>,  place_12 : Place_0,  derivative_5 : vec3<f32>)
 {
-    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_9)) + u32(1));
-}
-
-fn add_at_place_0( sums_at_1 : u32,  place_12 : Place_0,  derivative_6 : vec3<f32>)
-{
-    add_to_corners_0(sums_at_1, place_12.triangle_0, derivative_6 * vec3<f32>((1.0f - place_12.v_0 - place_12.w_0)), derivative_6 * vec3<f32>(place_12.v_0), derivative_6 * vec3<f32>(place_12.w_0));
+    (*corners_1).a_10 = (*corners_1).a_10 + derivative_5 * vec3<f32>((1.0f - place_12.v_0 - place_12.w_0));
+    (*corners_1).b_7 = (*corners_1).b_7 + derivative_5 * vec3<f32>(place_12.v_0);
+    (*corners_1).c_4 = (*corners_1).c_4 + derivative_5 * vec3<f32>(place_12.w_0);
     return;
 }
 
-fn place_back_0( place_13 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_5 : vec3<f32>) -> vec3<f32>
+fn add_at_place_1( corners_2 : ptr<function, AtCorners_0>,  place_13 : Place_0,  derivative_6 : vec3<f32>)
 {
-    var corner_1 : u32 = u32(9) * place_13.triangle_0;
-    var a_11 : vec3<f32> = primitive_vector_0(corner_1);
-    var ab_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_11;
-    var ac_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_11;
-    var across_1 : vec3<f32> = cross(ab_0, ac_0);
-    var _S1060 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
-    var normal_0 : vec3<f32> = across_1 / vec3<f32>(_S1060);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_0) * vec3<f32>(by_place_1.x) + cross(normal_0, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S1060)));
-    var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_5, by_slip_0) / dot(normal_0, direction_5)));
-    add_at_place_0(points_of_0(place_13.triangle_0), place_13, by_position_0 - by_drift_0);
-    return by_drift_0;
+    (*corners_2).a_10 = (*corners_2).a_10 + derivative_6 * vec3<f32>((1.0f - place_13.v_0 - place_13.w_0));
+    (*corners_2).b_7 = (*corners_2).b_7 + derivative_6 * vec3<f32>(place_13.v_0);
+    (*corners_2).c_4 = (*corners_2).c_4 + derivative_6 * vec3<f32>(place_13.w_0);
+    return;
 }
 
-fn surface_back_0( surface_5 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_6 : vec3<f32>) -> vec3<f32>
+fn normals_of_0( triangle_7 : u32) -> u32
 {
-    var normals_1 : u32 = word_0(surface_5.shape_0);
-    var _S1061 : vec2<f32>;
-    if(normals_1 == u32(4294967295))
+    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_7)) + u32(1));
+}
+
+fn add_to_sums_0( first_5 : u32,  derivative_7 : vec3<f32>)
+{
+    var _S1059 : i32;
+    if(first_5 == u32(4294967295))
     {
-        var corner_2 : u32 = u32(9) * surface_5.place_4.triangle_0;
-        var a_12 : vec3<f32> = primitive_vector_0(corner_2);
-        var ab_1 : vec3<f32> = primitive_vector_0(corner_2 + u32(3)) - a_12;
-        var ac_1 : vec3<f32> = primitive_vector_0(corner_2 + u32(6)) - a_12;
-        var derivative_7 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(ab_1, ac_1)));
-        var by_ab_0 : vec3<f32> = cross(ac_1, derivative_7);
-        var by_ac_0 : vec3<f32> = cross(derivative_7, ab_1);
-        add_to_corners_0(points_of_0(surface_5.place_4.triangle_0), surface_5.place_4.triangle_0, (vec3<f32>(0) - by_ab_0) - by_ac_0, by_ab_0, by_ac_0);
-        _S1061 = by_place_2;
+        _S1059 = i32(0);
     }
     else
     {
-        var record_5 : u32 = triangle_record_0(surface_5.place_4.triangle_0) + u32(2);
-        var a_13 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_5));
-        var ab_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_5 + u32(1))) - a_13;
-        var ac_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_5 + u32(2))) - a_13;
-        var derivative_8 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(a_13 + ab_2 * vec3<f32>(surface_5.place_4.v_0) + ac_2 * vec3<f32>(surface_5.place_4.w_0)));
-        add_at_place_0(normals_of_0(surface_5.place_4.triangle_0), surface_5.place_4, derivative_8);
-        _S1061 = by_place_2 + vec2<f32>(dot(ab_2, derivative_8), dot(ac_2, derivative_8));
+        _S1059 = i32(3);
     }
-    var _S1062 : vec3<f32> = place_back_0(surface_5.place_4, _S1061, by_position_1, direction_6);
-    return _S1062;
+    var _S1060 : u32 = u32(_S1059);
+    var axis_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_0 < _S1060)
+        {
+        }
+        else
+        {
+            break;
+        }
+        add_to_sum_0(first_5 + axis_0, derivative_7[axis_0]);
+        axis_0 = axis_0 + u32(1);
+    }
+    return;
+}
+
+fn add_to_corners_0( sums_at_0 : u32,  triangle_8 : u32,  corners_3 : AtCorners_0)
+{
+    var _S1061 : u32 = triangle_record_0(triangle_8) + u32(2);
+    var _S1062 : i32;
+    if(sums_at_0 == u32(4294967295))
+    {
+        _S1062 = i32(0);
+    }
+    else
+    {
+        _S1062 = i32(3);
+    }
+    var _S1063 : u32 = u32(_S1062);
+    var k_4 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_4 < _S1063)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S1064 : u32 = sums_at_0 + u32(3) * word_0(_S1061 + k_4);
+        var _S1065 : vec3<f32>;
+        if(k_4 == u32(0))
+        {
+            _S1065 = corners_3.a_10;
+        }
+        else
+        {
+            if(k_4 == u32(1))
+            {
+                _S1065 = corners_3.b_7;
+            }
+            else
+            {
+                _S1065 = corners_3.c_4;
+            }
+        }
+        add_to_sums_0(_S1064, _S1065);
+        k_4 = k_4 + u32(1);
+    }
+    return;
+}
+
+fn place_back_0( points_1 : ptr<function, AtCorners_0>,  place_14 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_5 : vec3<f32>) -> vec3<f32>
+{
+    var corner_1 : u32 = u32(9) * place_14.triangle_0;
+    var a_12 : vec3<f32> = primitive_vector_0(corner_1);
+    var ab_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_12;
+    var ac_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_12;
+    var across_1 : vec3<f32> = cross(ab_0, ac_0);
+    var _S1066 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
+    var normal_0 : vec3<f32> = across_1 / vec3<f32>(_S1066);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_0) * vec3<f32>(by_place_1.x) + cross(normal_0, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S1066)));
+    var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_5, by_slip_0) / dot(normal_0, direction_5)));
+    add_at_place_1(&((*points_1)), place_14, by_position_0 - by_drift_0);
+    return by_drift_0;
+}
+
+fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_5 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_6 : vec3<f32>) -> vec3<f32>
+{
+    var normals_1 : u32 = word_0(surface_5.shape_0);
+    var _S1067 : vec2<f32>;
+    if(normals_1 == u32(4294967295))
+    {
+        var corner_2 : u32 = u32(9) * surface_5.place_4.triangle_0;
+        var a_13 : vec3<f32> = primitive_vector_0(corner_2);
+        var ab_1 : vec3<f32> = primitive_vector_0(corner_2 + u32(3)) - a_13;
+        var ac_1 : vec3<f32> = primitive_vector_0(corner_2 + u32(6)) - a_13;
+        var derivative_8 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(ab_1, ac_1)));
+        var by_ab_0 : vec3<f32> = cross(ac_1, derivative_8);
+        var by_ac_0 : vec3<f32> = cross(derivative_8, ab_1);
+        (*points_2).a_10 = (*points_2).a_10 - (by_ab_0 + by_ac_0);
+        (*points_2).b_7 = (*points_2).b_7 + by_ab_0;
+        (*points_2).c_4 = (*points_2).c_4 + by_ac_0;
+        _S1067 = by_place_2;
+    }
+    else
+    {
+        var record_4 : u32 = triangle_record_0(surface_5.place_4.triangle_0) + u32(2);
+        var a_14 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_4));
+        var ab_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_4 + u32(1))) - a_14;
+        var ac_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_4 + u32(2))) - a_14;
+        var derivative_9 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(a_14 + ab_2 * vec3<f32>(surface_5.place_4.v_0) + ac_2 * vec3<f32>(surface_5.place_4.w_0)));
+        var of_normals_0 : AtCorners_0 = at_no_corner_0();
+        add_at_place_0(&(of_normals_0), surface_5.place_4, derivative_9);
+        add_to_corners_0(normals_of_0(surface_5.place_4.triangle_0), surface_5.place_4.triangle_0, of_normals_0);
+        _S1067 = by_place_2 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_2, derivative_9));
+    }
+    var _S1068 : vec3<f32> = place_back_0(&((*points_2)), surface_5.place_4, _S1067, by_position_1, direction_6);
+    return _S1068;
+}
+
+fn points_of_0( triangle_9 : u32) -> u32
+{
+    return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_9)));
 }
 
 struct ByRay_0
@@ -4475,42 +4538,44 @@ struct ByRay_0
 fn vertex_back_0( pulled_4 : Pulled_0,  vertex_5 : Vertex_0,  material_2 : u32,  direction_8 : vec3<f32>) -> ByRay_0
 {
     var by_ray_0 : ByRay_0;
-    var _S1063 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_0.direction_7 = _S1063;
-    by_ray_0.drift_0 = _S1063;
+    var _S1069 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_0.direction_7 = _S1069;
+    by_ray_0.drift_0 = _S1069;
     var by_place_3 : vec2<f32> = numbers_back_0(material_2, vertex_5.surface_3.place_4, pulled_4.numbers_4);
     if(!is_moving_0())
     {
         return by_ray_0;
     }
-    var _S1064 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S1070 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_0 : DiffPair_Axes_0;
     towards_0.primal_0 = vertex_5.axes_4;
-    towards_0.differential_0 = _S1064;
+    towards_0.differential_0 = _S1070;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_8;
-    incoming_0.differential_0 = _S1063;
+    incoming_0.differential_0 = _S1069;
     _S190(&(towards_0), &(incoming_0), pulled_4.wi_2);
     by_ray_0.direction_7 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_5.surface_3.outward_0;
-    outward_1.differential_0 = _S1063;
-    var _S1065 : vec3<f32> = tangent_at_0(vertex_5.surface_3);
+    outward_1.differential_0 = _S1069;
+    var _S1071 : vec3<f32> = tangent_at_0(vertex_5.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S1065;
-    tangent_4.differential_0 = _S1063;
+    tangent_4.primal_0 = _S1071;
+    tangent_4.differential_0 = _S1069;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_4.axes_5, towards_0.differential_0);
-    if((any((_S1065 != _S1063))))
+    var points_3 : AtCorners_0 = at_no_corner_0();
+    if((any((_S1071 != _S1069))))
     {
         _S141(&(outward_1), &(tangent_4), vertex_5.surface_3.is_front_0, by_axes_0);
-        tangent_back_0(vertex_5.surface_3.place_4.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
+        tangent_back_0(&(points_3), vertex_5.surface_3.place_4.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
     }
     else
     {
         _S110(&(outward_1), vertex_5.surface_3.is_front_0, by_axes_0);
     }
-    var _S1066 : vec3<f32> = surface_back_0(vertex_5.surface_3, by_place_3, pulled_4.position_1, outward_1.differential_0, direction_8);
-    by_ray_0.drift_0 = _S1066;
+    var _S1072 : vec3<f32> = surface_back_0(&(points_3), vertex_5.surface_3, by_place_3, pulled_4.position_1, outward_1.differential_0, direction_8);
+    by_ray_0.drift_0 = _S1072;
+    add_to_corners_0(points_of_0(vertex_5.surface_3.place_4.triangle_0), vertex_5.surface_3.place_4.triangle_0, points_3);
     return by_ray_0;
 }
 
@@ -4539,55 +4604,80 @@ fn set_vector_0( path_4 : u32,  which_4 : ptr<function, u32>,  value_7 : vec3<f3
     return;
 }
 
+fn check_loops_0()
+{
+    var _S1073 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S1074 : bool = rounds_0 < wanted_0;
+        _S1073 = _S1074;
+        if(_S1074)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S1073)
+    {
+        var _S1075 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
+    return;
+}
+
 @compute
 @workgroup_size(64, 1, 1)
 fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
 {
-    var at_11 : u32 = launch_0.first_0 + thread_0.x;
-    if(at_11 >= (launch_0.end_0))
+    var at_10 : u32 = launch_0.first_0 + thread_0.x;
+    if(at_10 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_0 : u32 = input_0[at_11];
+    var number_of_path_0 : u32 = input_0[at_10];
     var kept_0 : u32 = kept_at_0(launch_0.depth_0);
     var which_5 : u32 = u32(17);
     var importance_0 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
-    var place_14 : Place_0 = path_place_0(number_of_path_0, &(kept_0));
+    var place_15 : Place_0 = path_place_0(number_of_path_0, &(kept_0));
     var direction_9 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
     var direct_0 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
     var onward_1 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
     var wo_2 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
     var by_ray_1 : ByRay_0;
-    var _S1067 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
-    by_ray_1.drift_0 = _S1067;
-    var _S1068 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
-    by_ray_1.direction_7 = _S1068;
+    var _S1076 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
+    by_ray_1.drift_0 = _S1076;
+    var _S1077 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
+    by_ray_1.direction_7 = _S1077;
     var is_specular_1 : bool = (path_word_0(number_of_path_0, kept_0)) != u32(0);
     var factor_0 : f32 = (bitcast<f32>((path_word_0(number_of_path_0, kept_0 + u32(1)))));
     var t_1 : f32 = (bitcast<f32>((path_word_0(number_of_path_0, kept_0 + u32(2)))));
     var beyond_0 : vec3<f32> = path_vector_0(number_of_path_0, &(which_5));
     var by_drift_1 : vec3<f32> = path_vector_0(number_of_path_0, &(which_5));
     var by_direction_2 : vec3<f32> = path_vector_0(number_of_path_0, &(which_5));
-    var surface_6 : Surface_0 = surface_at_0(place_14, direction_9);
+    var surface_6 : Surface_0 = surface_at_0(place_15, direction_9);
     var material_3 : u32 = material_of_0(surface_6);
-    var _S1069 : bool;
+    var _S1078 : bool;
     if(material_3 != u32(4294967295))
     {
-        _S1069 = factor_0 != 0.0f;
+        _S1078 = factor_0 != 0.0f;
     }
     else
     {
-        _S1069 = false;
+        _S1078 = false;
     }
-    if(_S1069)
+    if(_S1078)
     {
         var vertex_6 : Vertex_0 = vertex_at_0(surface_6, material_3, direction_9);
         var pulled_5 : Pulled_0 = nothing_pulled_0();
         var onward_direction_0 : vec3<f32> = normalize(to_world_0(vertex_6.axes_4, wo_2));
         pulled_5.position_1 = by_drift_1;
         var by_direction_3 : vec3<f32> = by_direction_2 + by_drift_1 * vec3<f32>(t_1);
-        var _S1070 : vec3<f32> = scattered_back_0(&(pulled_5), vertex_6, wo_2, onward_direction_0, is_specular_1, importance_0 * beyond_0 * vec3<f32>(factor_0));
-        var by_direction_4 : vec3<f32> = by_direction_3 + _S1070;
+        var _S1079 : vec3<f32> = scattered_back_0(&(pulled_5), vertex_6, wo_2, onward_direction_0, is_specular_1, importance_0 * beyond_0 * vec3<f32>(factor_0));
+        var by_direction_4 : vec3<f32> = by_direction_3 + _S1079;
         if(is_specular_1)
         {
             specular_direction_back_0(&(pulled_5), vertex_6, wo_2, by_direction_4);
@@ -4604,5 +4694,6 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     set_vector_0(number_of_path_0, &(which_5), direct_0 + onward_1 * beyond_0);
     set_vector_0(number_of_path_0, &(which_5), by_ray_1.drift_0);
     set_vector_0(number_of_path_0, &(which_5), by_ray_1.direction_7);
+    check_loops_0();
     return;
 }

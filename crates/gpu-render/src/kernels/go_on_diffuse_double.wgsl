@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 4964a59a38910633
-// result: dcdd8fa2655f9e09
+// source: 81299129e2f6d31b
+// result: e6a2bdb55e67266f
 
 struct Launch_std140_0
 {
@@ -25,6 +25,8 @@ struct Launch_std140_0
 @binding(1) @group(0) var<storage, read> leaf_starts_0 : array<u32>;
 
 @binding(3) @group(0) var<storage, read> rough_0 : array<vec4<u32>>;
+
+@binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
 
 fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
 {
@@ -1602,10 +1604,10 @@ fn sum_at_0( at_13 : u32) -> f64
     return f64(number_0(at_13)) + f64(number_0(at_13 + u32(1)));
 }
 
-fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr<function, f32>) -> u32
+fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr<function, f32>) -> u32
 {
     var _S103 : u32 = count_3 - u32(1);
-    var total_2 : f64 = sum_at_0(sums_0 + u32(2) * _S103);
+    var total_2 : f64 = sum_at_0(sums_1 + u32(2) * _S103);
     var target_0 : f64 = u_5 * total_2;
     var low_3 : u32 = u32(0);
     var high_0 : u32 = _S103;
@@ -1619,7 +1621,7 @@ fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr
             break;
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
-        var sum_1 : f64 = sum_at_0(sums_0 + u32(2) * middle_1);
+        var sum_1 : f64 = sum_at_0(sums_1 + u32(2) * middle_1);
         var _S104 : bool;
         if(sum_1 <= target_0)
         {
@@ -1641,13 +1643,13 @@ fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr
     var below_1 : f64;
     if(low_3 > u32(0))
     {
-        below_1 = sum_at_0(sums_0 + u32(2) * (low_3 - u32(1)));
+        below_1 = sum_at_0(sums_1 + u32(2) * (low_3 - u32(1)));
     }
     else
     {
         below_1 = 0.0lf;
     }
-    (*through_0) = clamp(f32((target_0 - below_1) / (sum_at_0(sums_0 + u32(2) * low_3) - below_1)), 0.0f, 1.0f);
+    (*through_0) = clamp(f32((target_0 - below_1) / (sum_at_0(sums_1 + u32(2) * low_3) - below_1)), 0.0f, 1.0f);
     return low_3;
 }
 
@@ -3548,6 +3550,31 @@ fn store_0( number_of_path_1 : u32,  path_10 : Path_0)
     return;
 }
 
+fn check_loops_0()
+{
+    var _S230 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S231 : bool = rounds_0 < wanted_0;
+        _S230 = _S231;
+        if(_S231)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S230)
+    {
+        var _S232 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
+    return;
+}
+
 fn take_thread_further_0( thread_0 : u32)
 {
     var at_18 : u32 = launch_0.first_0 + thread_0;
@@ -3562,16 +3589,17 @@ fn take_thread_further_0( thread_0 : u32)
     path_11.light_0 = path_11.light_0 + path_11.throughput_0 * reflected_3.direct_0;
     path_11.throughput_0 = path_11.throughput_0 * reflected_3.onward_0;
     store_0(number_of_path_2, path_11);
-    var _S230 : u32;
+    var _S233 : u32;
     if(goes_on_2)
     {
-        _S230 = number_of_path_2;
+        _S233 = number_of_path_2;
     }
     else
     {
-        _S230 = u32(4294967295);
+        _S233 = u32(4294967295);
     }
-    set_word_0(at_18, u32(0), _S230);
+    set_word_0(at_18, u32(0), _S233);
+    check_loops_0();
     return;
 }
 

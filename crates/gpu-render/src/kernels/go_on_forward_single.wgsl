@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 14f6d74335f2a9c5
-// result: b8beee0586f278bd
+// source: b49affe9f8957f25
+// result: 3d057ba308ceab20
 
 struct Launch_std140_0
 {
@@ -25,6 +25,8 @@ struct Launch_std140_0
 @binding(1) @group(0) var<storage, read> leaf_starts_0 : array<u32>;
 
 @binding(3) @group(0) var<storage, read> rough_0 : array<vec4<u32>>;
+
+@binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
 
 struct DiffPair_float_0
 {
@@ -2185,10 +2187,10 @@ fn sum_at_0( at_20 : u32) -> f32
     return number_0(at_20) + number_0(at_20 + u32(1));
 }
 
-fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr<function, f32>) -> u32
+fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr<function, f32>) -> u32
 {
     var _S250 : u32 = count_3 - u32(1);
-    var total_2 : f32 = sum_at_0(sums_0 + u32(2) * _S250);
+    var total_2 : f32 = sum_at_0(sums_1 + u32(2) * _S250);
     var target_0 : f32 = u_5 * total_2;
     var low_3 : u32 = u32(0);
     var high_0 : u32 = _S250;
@@ -2202,7 +2204,7 @@ fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr
             break;
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
-        var sum_1 : f32 = sum_at_0(sums_0 + u32(2) * middle_1);
+        var sum_1 : f32 = sum_at_0(sums_1 + u32(2) * middle_1);
         var _S251 : bool;
         if(sum_1 <= target_0)
         {
@@ -2224,13 +2226,13 @@ fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr
     var below_2 : f32;
     if(low_3 > u32(0))
     {
-        below_2 = sum_at_0(sums_0 + u32(2) * (low_3 - u32(1)));
+        below_2 = sum_at_0(sums_1 + u32(2) * (low_3 - u32(1)));
     }
     else
     {
         below_2 = 0.0f;
     }
-    (*through_0) = clamp((target_0 - below_2) / (sum_at_0(sums_0 + u32(2) * low_3) - below_2), 0.0f, 1.0f);
+    (*through_0) = clamp((target_0 - below_2) / (sum_at_0(sums_1 + u32(2) * low_3) - below_2), 0.0f, 1.0f);
     return low_3;
 }
 
@@ -4544,6 +4546,31 @@ fn store_0( number_of_path_1 : u32,  path_12 : Path_0)
     return;
 }
 
+fn check_loops_0()
+{
+    var _S596 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S597 : bool = rounds_0 < wanted_0;
+        _S596 = _S597;
+        if(_S597)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S596)
+    {
+        var _S598 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
+    return;
+}
+
 fn take_thread_further_0( thread_0 : u32)
 {
     var at_26 : u32 = launch_0.first_0 + thread_0;
@@ -4558,16 +4585,17 @@ fn take_thread_further_0( thread_0 : u32)
     path_13.light_0 = x2B_0(path_13.light_0, x2A_0(path_13.throughput_0, reflected_3.direct_0));
     path_13.throughput_0 = x2A_0(path_13.throughput_0, reflected_3.onward_0);
     store_0(number_of_path_2, path_13);
-    var _S596 : u32;
+    var _S599 : u32;
     if(goes_on_2)
     {
-        _S596 = number_of_path_2;
+        _S599 = number_of_path_2;
     }
     else
     {
-        _S596 = u32(4294967295);
+        _S599 = u32(4294967295);
     }
-    set_word_0(at_26, u32(0), _S596);
+    set_word_0(at_26, u32(0), _S599);
+    check_loops_0();
     return;
 }
 

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 9031857028a9d8e4
-// result: daee695418051921
+// source: 845d6e344633a69a
+// result: 60592c9f1b1e38f6
 
 struct Launch_std140_0
 {
@@ -6575,188 +6575,162 @@ fn numbers_of_0( texture_7 : u32) -> u32
     return change_word_0(u32(6) + word_0(texture_7 + u32(12)));
 }
 
-fn add_word_0( sum_6 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
-{
-    var _S1301 : u32 = u32(2) + u32(4) * sum_6;
-    var _S1302 : u32 = number_1;
-    var k_6 : u32 = word_of_sum_0;
-    for(;;)
-    {
-        var _S1303 : bool;
-        if(k_6 < u32(4))
-        {
-            _S1303 = _S1302 != u32(0);
-        }
-        else
-        {
-            _S1303 = false;
-        }
-        if(_S1303)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S1304 : u32;
-        if(is_negative_0)
-        {
-            _S1304 = u32(0) - _S1302;
-        }
-        else
-        {
-            _S1304 = _S1302;
-        }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S1301 + k_6]), _S1304);
-        var overflows_0 : bool;
-        if(is_negative_0)
-        {
-            overflows_0 = before_0 < _S1302;
-        }
-        else
-        {
-            overflows_0 = (before_0 + _S1302) < before_0;
-        }
-        var _S1305 : i32;
-        if(overflows_0)
-        {
-            _S1305 = i32(1);
-        }
-        else
-        {
-            _S1305 = i32(0);
-        }
-        var _S1306 : u32 = u32(_S1305);
-        var _S1307 : u32 = k_6 + u32(1);
-        _S1302 = _S1306;
-        k_6 = _S1307;
-    }
-    return;
-}
-
-fn add_to_sum_0( sum_7 : u32,  derivative_0 : f32)
+fn add_to_sum_0( sum_6 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S1308 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S1301 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_4 : f32 = abs(scaled_0);
     if(size_4 > 7.73712524553362672e+25f)
     {
-        var _S1309 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S1302 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var is_negative_1 : bool = scaled_0 < 0.0f;
-    var highest_1 : u32 = u32(0);
-    var size_5 : f32 = size_4;
+    var _S1303 : bool = scaled_0 < 0.0f;
+    var _S1304 : i32;
+    if(size_4 >= 1.84467440737095516e+19f)
+    {
+        _S1304 = i32(1);
+    }
+    else
+    {
+        _S1304 = i32(0);
+    }
+    var first_4 : u32 = u32(_S1304);
+    var size_5 : f32;
+    if(first_4 == u32(1))
+    {
+        size_5 = size_4 * 2.32830643653869629e-10f;
+    }
+    else
+    {
+        size_5 = size_4;
+    }
+    var higher_0 : f32 = floor(size_5 * 2.32830643653869629e-10f);
+    var lower_0 : f32 = size_5 - higher_0 * 4.294967296e+09f;
+    if(first_4 == u32(0))
+    {
+        size_5 = lower_0 + 0.5f;
+    }
+    else
+    {
+        size_5 = lower_0;
+    }
+    var _S1305 : u32 = u32(3) + u32(4) * sum_6;
+    var digits_0 : vec2<u32> = vec2<u32>(u32(size_5), u32(higher_0));
+    var k_6 : u32 = first_4;
     for(;;)
     {
-        var _S1310 : bool;
-        if(highest_1 < u32(2))
+        var _S1306 : bool;
+        if(k_6 < u32(4))
         {
-            _S1310 = size_5 >= 4.294967296e+09f;
+            _S1306 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S1310 = false;
+            _S1306 = false;
         }
-        if(_S1310)
+        if(_S1306)
         {
         }
         else
         {
             break;
         }
-        var size_6 : f32 = size_5 * 2.32830643653869629e-10f;
-        highest_1 = highest_1 + u32(1);
-        size_5 = size_6;
-    }
-    var _S1311 : bool = highest_1 == u32(0);
-    var _S1312 : f32;
-    if(_S1311)
-    {
-        _S1312 = size_5 + 0.5f;
-    }
-    else
-    {
-        _S1312 = size_5;
-    }
-    var whole_0 : u32 = u32(_S1312);
-    add_word_0(sum_7, highest_1, whole_0, is_negative_1);
-    if(_S1311)
-    {
-        return;
-    }
-    var rest_7 : f32 = (size_5 - f32(whole_0)) * 4.294967296e+09f;
-    var _S1313 : u32 = highest_1 - u32(1);
-    if(highest_1 == u32(1))
-    {
-        size_5 = rest_7 + 0.5f;
-    }
-    else
-    {
-        size_5 = rest_7;
-    }
-    add_word_0(sum_7, _S1313, u32(size_5), is_negative_1);
-    return;
-}
-
-fn add_to_sums_0( first_4 : u32,  derivative_1 : vec3<f32>)
-{
-    var axis_6 : u32 = u32(0);
-    for(;;)
-    {
-        if(axis_6 < u32(3))
+        var _S1307 : u32;
+        if(_S1303)
         {
+            _S1307 = u32(0) - digits_0.x;
         }
         else
         {
-            break;
+            _S1307 = digits_0.x;
         }
-        add_to_sum_0(first_4 + axis_6, derivative_1[axis_6]);
-        axis_6 = axis_6 + u32(1);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S1305 + k_6]), _S1307);
+        var overflows_0 : bool;
+        if(_S1303)
+        {
+            overflows_0 = before_0 < (digits_0.x);
+        }
+        else
+        {
+            overflows_0 = (before_0 + digits_0.x) < before_0;
+        }
+        var _S1308 : u32 = digits_0.y;
+        if(overflows_0)
+        {
+            _S1304 = i32(1);
+        }
+        else
+        {
+            _S1304 = i32(0);
+        }
+        var _S1309 : vec2<u32> = vec2<u32>(_S1308 + u32(_S1304), u32(0));
+        var _S1310 : u32 = k_6 + u32(1);
+        digits_0 = _S1309;
+        k_6 = _S1310;
     }
     return;
 }
 
-fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
+fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
 {
     var first_5 : u32 = numbers_of_0(texture_8);
+    var _S1311 : u32 = word_0(texture_8 + u32(1));
+    var _S1312 : u32;
     if(first_5 == u32(4294967295))
     {
-        return;
+        _S1312 = u32(0);
     }
-    var _S1314 : u32 = word_0(texture_8 + u32(1));
+    else
+    {
+        _S1312 = lookup_5.count_0;
+    }
     var k_7 : u32 = u32(0);
     for(;;)
     {
-        if(k_7 < (lookup_5.count_0))
+        if(k_7 < _S1312)
         {
         }
         else
         {
             break;
         }
-        var at_19 : u32 = first_5 + _S1314 * lookup_5.texels_0[k_7];
-        var own_3 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_1[k_7]);
-        if(_S1314 == u32(1))
+        var own_3 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_1[k_7]);
+        var own_4 : vec3<f32>;
+        if(_S1311 == u32(1))
         {
-            add_to_sum_0(at_19, own_3.x + own_3.y + own_3.z);
-            k_7 = k_7 + u32(1);
-            continue;
+            own_4 = vec3<f32>((own_3.x + own_3.y + own_3.z));
         }
-        add_to_sums_0(at_19, own_3);
+        else
+        {
+            own_4 = own_3;
+        }
+        var c_8 : u32 = u32(0);
+        for(;;)
+        {
+            if(c_8 < _S1311)
+            {
+            }
+            else
+            {
+                break;
+            }
+            add_to_sum_0(first_5 + _S1311 * lookup_5.texels_0[k_7] + c_8, own_4[c_8]);
+            c_8 = c_8 + u32(1);
+        }
         k_7 = k_7 + u32(1);
     }
     return;
 }
 
-fn lookup_back_0( texture_9 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f32>) -> vec2<f32>
+fn lookup_back_0( texture_9 : u32,  lookup_6 : Lookup_0,  derivative_2 : vec3<f32>) -> vec2<f32>
 {
-    add_to_texels_0(texture_9, lookup_6, derivative_3);
-    return vec2<f32>(dot(weighted_texels_0(texture_9, lookup_6, lookup_6.by_first_0), derivative_3), dot(weighted_texels_0(texture_9, lookup_6, lookup_6.by_second_0), derivative_3));
+    add_to_texels_0(texture_9, lookup_6, derivative_2);
+    return vec2<f32>(dot(weighted_texels_0(texture_9, lookup_6, lookup_6.by_first_0), derivative_2), dot(weighted_texels_0(texture_9, lookup_6, lookup_6.by_second_0), derivative_2));
 }
 
 fn is_moving_0() -> bool
@@ -6764,91 +6738,200 @@ fn is_moving_0() -> bool
     return (change_word_0(u32(0))) != u32(4294967295);
 }
 
+struct AtCorners_0
+{
+     a_20 : vec3<f32>,
+     b_17 : vec3<f32>,
+     c_9 : vec3<f32>,
+};
+
+fn at_no_corner_0() -> AtCorners_0
+{
+    var corners_3 : AtCorners_0;
+    var _S1313 : vec3<f32> = vec3<f32>(0.0f);
+    corners_3.c_9 = _S1313;
+    corners_3.b_17 = _S1313;
+    corners_3.a_20 = _S1313;
+    return corners_3;
+}
+
+fn add_at_place_0( corners_4 : ptr<function, AtCorners_0>,  place_19 : Place_0,  derivative_3 : vec3<f32>)
+{
+    (*corners_4).a_20 = (*corners_4).a_20 + derivative_3 * vec3<f32>((1.0f - place_19.v_0 - place_19.w_0));
+    (*corners_4).b_17 = (*corners_4).b_17 + derivative_3 * vec3<f32>(place_19.v_0);
+    (*corners_4).c_9 = (*corners_4).c_9 + derivative_3 * vec3<f32>(place_19.w_0);
+    return;
+}
+
+fn add_at_place_1( corners_5 : ptr<function, AtCorners_0>,  place_20 : Place_0,  derivative_4 : vec3<f32>)
+{
+    (*corners_5).a_20 = (*corners_5).a_20 + derivative_4 * vec3<f32>((1.0f - place_20.v_0 - place_20.w_0));
+    (*corners_5).b_17 = (*corners_5).b_17 + derivative_4 * vec3<f32>(place_20.v_0);
+    (*corners_5).c_9 = (*corners_5).c_9 + derivative_4 * vec3<f32>(place_20.w_0);
+    return;
+}
+
+fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_21 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_19 : vec3<f32>) -> vec3<f32>
+{
+    var corner_1 : u32 = u32(9) * place_21.triangle_0;
+    var a_21 : vec3<f64> = primitive_vector_0(corner_1);
+    var _S1314 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_21);
+    var _S1315 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_21);
+    var across_1 : vec3<f32> = cross(_S1314, _S1315);
+    var _S1316 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
+    var normal_7 : vec3<f32> = across_1 / vec3<f32>(_S1316);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S1315, normal_7) * vec3<f32>(by_place_0.x) + cross(normal_7, _S1314) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_7, normal_7) * _S1316)));
+    var by_drift_0 : vec3<f32> = by_slip_0 - normal_7 * vec3<f32>((dot(direction_19, by_slip_0) / dot(normal_7, direction_19)));
+    add_at_place_1(&((*points_0)), place_21, by_position_0 - by_drift_0);
+    return by_drift_0;
+}
+
 fn points_of_0( triangle_9 : u32) -> u32
 {
     return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_9)));
 }
 
-fn add_to_corners_0( sums_at_0 : u32,  triangle_10 : u32,  by_a_0 : vec3<f32>,  by_b_0 : vec3<f32>,  by_c_0 : vec3<f32>)
+fn add_to_sums_0( first_6 : u32,  derivative_5 : vec3<f32>)
 {
+    var _S1317 : i32;
+    if(first_6 == u32(4294967295))
+    {
+        _S1317 = i32(0);
+    }
+    else
+    {
+        _S1317 = i32(3);
+    }
+    var _S1318 : u32 = u32(_S1317);
+    var axis_6 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_6 < _S1318)
+        {
+        }
+        else
+        {
+            break;
+        }
+        add_to_sum_0(first_6 + axis_6, derivative_5[axis_6]);
+        axis_6 = axis_6 + u32(1);
+    }
+    return;
+}
+
+fn add_to_corners_0( sums_at_0 : u32,  triangle_10 : u32,  corners_6 : AtCorners_0)
+{
+    var _S1319 : u32 = triangle_record_0(triangle_10) + u32(2);
+    var _S1320 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        return;
+        _S1320 = i32(0);
     }
-    var record_14 : u32 = triangle_record_0(triangle_10) + u32(2);
-    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_14), by_a_0);
-    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_14 + u32(1)), by_b_0);
-    add_to_sums_0(sums_at_0 + u32(3) * word_0(record_14 + u32(2)), by_c_0);
-    return;
-}
-
-fn add_at_place_0( sums_at_1 : u32,  place_19 : Place_0,  derivative_4 : vec3<f32>)
-{
-    add_to_corners_0(sums_at_1, place_19.triangle_0, derivative_4 * vec3<f32>((1.0f - place_19.v_0 - place_19.w_0)), derivative_4 * vec3<f32>(place_19.v_0), derivative_4 * vec3<f32>(place_19.w_0));
-    return;
-}
-
-fn place_back_0( place_20 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_19 : vec3<f32>) -> vec3<f32>
-{
-    var corner_1 : u32 = u32(9) * place_20.triangle_0;
-    var a_20 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S1315 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_20);
-    var _S1316 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_20);
-    var across_1 : vec3<f32> = cross(_S1315, _S1316);
-    var _S1317 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
-    var normal_7 : vec3<f32> = across_1 / vec3<f32>(_S1317);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S1316, normal_7) * vec3<f32>(by_place_0.x) + cross(normal_7, _S1315) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_7, normal_7) * _S1317)));
-    var by_drift_0 : vec3<f32> = by_slip_0 - normal_7 * vec3<f32>((dot(direction_19, by_slip_0) / dot(normal_7, direction_19)));
-    add_at_place_0(points_of_0(place_20.triangle_0), place_20, by_position_0 - by_drift_0);
-    return by_drift_0;
-}
-
-fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_6 : u32,  place_21 : Place_0,  direction_20 : vec3<f32>,  t_9 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
-{
-    var record_15 : u32 = emitter_record_0(emitter_6);
-    var texture_10 : u32 = word_0(record_15 + u32(1));
-    if(!is_map_0(record_15))
+    else
     {
-        var _S1318 : Lookup_0 = lookup_at_0(texture_10, place_21);
-        var by_place_1 : vec2<f32> = lookup_back_0(texture_10, _S1318, importance_0);
-        var _S1319 : bool;
-        if(!is_area_0(record_15))
-        {
-            _S1319 = true;
-        }
-        else
-        {
-            _S1319 = !is_moving_0();
-        }
-        if(_S1319)
-        {
-            _S1319 = true;
-        }
-        else
-        {
-            _S1319 = (all((by_place_1 == vec2<f32>(0.0f))));
-        }
-        if(_S1319)
-        {
-            return vec3<f32>(0.0f);
-        }
-        var by_drift_1 : vec3<f32> = place_back_0(place_21, by_place_1, vec3<f32>(0.0f), direction_20);
-        (*by_start_0) = (*by_start_0) + by_drift_1;
-        return by_drift_1 * vec3<f32>(t_9);
+        _S1320 = i32(3);
     }
-    var texels_2 : u32 = word_0(texture_10 + u32(11));
-    var scale_3 : u32 = word_0(texture_10 + u32(12));
-    var lookup_7 : Lookup_0 = in_map_0(texture_10, direction_20);
-    var _S1320 : Lookup_0 = one_texel_0(u32(0));
-    var factor_2 : vec3<f32> = weighted_texels_0(scale_3, _S1320, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
-    var _S1321 : vec2<f32> = lookup_back_0(scale_3, _S1320, importance_0 * weighted_texels_0(texels_2, lookup_7, lookup_7.weights_1));
-    var by_place_2 : vec2<f32> = lookup_back_0(texels_2, lookup_7, importance_0 * factor_2);
-    var _S1322 : vec3<f32> = vec3<f32>(0.0f);
-    var moving_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    moving_0.primal_0 = direction_20;
-    moving_0.differential_0 = _S1322;
-    _S1105(texture_10, &(moving_0), by_place_2);
-    return moving_0.differential_0;
+    var _S1321 : u32 = u32(_S1320);
+    var k_8 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_8 < _S1321)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S1322 : u32 = sums_at_0 + u32(3) * word_0(_S1319 + k_8);
+        var _S1323 : vec3<f32>;
+        if(k_8 == u32(0))
+        {
+            _S1323 = corners_6.a_20;
+        }
+        else
+        {
+            if(k_8 == u32(1))
+            {
+                _S1323 = corners_6.b_17;
+            }
+            else
+            {
+                _S1323 = corners_6.c_9;
+            }
+        }
+        add_to_sums_0(_S1322, _S1323);
+        k_8 = k_8 + u32(1);
+    }
+    return;
+}
+
+fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_6 : u32,  place_22 : Place_0,  direction_20 : vec3<f32>,  t_9 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
+{
+    var record_14 : u32 = emitter_record_0(emitter_6);
+    var texture_10 : u32 = word_0(record_14 + u32(1));
+    var lookup_7 : Lookup_0;
+    var by_texels_0 : vec3<f32>;
+    if(is_map_0(record_14))
+    {
+        var scale_3 : u32 = word_0(texture_10 + u32(12));
+        var lookup_8 : Lookup_0 = in_map_0(texture_10, direction_20);
+        var _S1324 : Lookup_0 = one_texel_0(u32(0));
+        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_3, _S1324, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
+        add_to_texels_0(scale_3, _S1324, importance_0 * weighted_texels_0(word_0(texture_10 + u32(11)), lookup_8, lookup_8.weights_1));
+        lookup_7 = lookup_8;
+        by_texels_0 = by_texels_1;
+    }
+    else
+    {
+        var _S1325 : Lookup_0 = lookup_at_0(texture_10, place_22);
+        lookup_7 = _S1325;
+        by_texels_0 = importance_0;
+    }
+    var _S1326 : u32;
+    if(is_map_0(record_14))
+    {
+        _S1326 = word_0(texture_10 + u32(11));
+    }
+    else
+    {
+        _S1326 = texture_10;
+    }
+    var by_place_1 : vec2<f32> = lookup_back_0(_S1326, lookup_7, by_texels_0);
+    if(is_map_0(record_14))
+    {
+        var _S1327 : vec3<f32> = vec3<f32>(0.0f);
+        var moving_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
+        moving_0.primal_0 = direction_20;
+        moving_0.differential_0 = _S1327;
+        _S1105(texture_10, &(moving_0), by_place_1);
+        return moving_0.differential_0;
+    }
+    var _S1328 : bool;
+    if(!is_area_0(record_14))
+    {
+        _S1328 = true;
+    }
+    else
+    {
+        _S1328 = !is_moving_0();
+    }
+    if(_S1328)
+    {
+        _S1328 = true;
+    }
+    else
+    {
+        _S1328 = (all((by_place_1 == vec2<f32>(0.0f))));
+    }
+    if(_S1328)
+    {
+        return vec3<f32>(0.0f);
+    }
+    var points_1 : AtCorners_0 = at_no_corner_0();
+    var by_drift_1 : vec3<f32> = place_back_0(&(points_1), place_22, by_place_1, vec3<f32>(0.0f), direction_20);
+    add_to_corners_0(points_of_0(place_22.triangle_0), place_22.triangle_0, points_1);
+    (*by_start_0) = (*by_start_0) + by_drift_1;
+    return by_drift_1 * vec3<f32>(t_9);
 }
 
 fn specular_fraction_0( lobe_13 : Lobe_0,  numbers_8 : Numbers_0,  wi_6 : vec3<f32>) -> vec3<f32>
@@ -6870,17 +6953,17 @@ fn axes_back_0( axes_10 : ptr<function, Axes_0>,  local_1 : vec3<f32>,  world_0 
 
 fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_6 : Vertex_0,  wo_5 : vec3<f32>,  direction_21 : vec3<f32>,  is_specular_1 : bool,  by_value_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S1323 : Numbers_0 = no_numbers_0();
+    var _S1329 : Numbers_0 = no_numbers_0();
     var numbers_9 : DiffPair_Numbers_0;
     numbers_9.primal_0 = vertex_6.lobe_6.numbers_0;
-    numbers_9.differential_0 = _S1323;
-    var _S1324 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_9.differential_0 = _S1329;
+    var _S1330 : vec3<f32> = vec3<f32>(0.0f);
     var wi_7 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     wi_7.primal_0 = vertex_6.wi_1;
-    wi_7.differential_0 = _S1324;
+    wi_7.differential_0 = _S1330;
     var onward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     onward_1.primal_0 = wo_5;
-    onward_1.differential_0 = _S1324;
+    onward_1.differential_0 = _S1330;
     if(is_specular_1)
     {
         _S1014(vertex_6.lobe_6, &(numbers_9), &(wi_7), by_value_0);
@@ -6890,30 +6973,30 @@ fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_6 : Vertex_0,  
         var by_scattering_0 : Scattering_Differential_0;
         by_scattering_0.value_0 = by_value_0;
         _S956(vertex_6.lobe_6, &(numbers_9), &(wi_7), &(onward_1), by_scattering_0);
-        var _S1325 : Axes_0 = (*pulled_1).axes_5;
-        axes_back_0(&(_S1325), onward_1.differential_0, direction_21);
-        (*pulled_1).axes_5 = _S1325;
+        var _S1331 : Axes_0 = (*pulled_1).axes_5;
+        axes_back_0(&(_S1331), onward_1.differential_0, direction_21);
+        (*pulled_1).axes_5 = _S1331;
     }
     (*pulled_1).numbers_4 = Numbers_x24_syn_dadd_0((*pulled_1).numbers_4, numbers_9.differential_0);
     (*pulled_1).wi_2 = (*pulled_1).wi_2 + wi_7.differential_0;
-    var _S1326 : vec3<f32>;
+    var _S1332 : vec3<f32>;
     if(is_specular_1)
     {
-        _S1326 = _S1324;
+        _S1332 = _S1330;
     }
     else
     {
-        _S1326 = to_world_0(vertex_6.axes_4, onward_1.differential_0);
+        _S1332 = to_world_0(vertex_6.axes_4, onward_1.differential_0);
     }
-    return _S1326;
+    return _S1332;
 }
 
 fn specular_direction_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  wo_6 : vec3<f32>,  by_direction_0 : vec3<f32>)
 {
     var local_2 : vec3<f32> = to_local_0(vertex_7.axes_4, by_direction_0);
-    var _S1327 : Axes_0 = (*pulled_2).axes_5;
-    axes_back_0(&(_S1327), wo_6, by_direction_0);
-    (*pulled_2).axes_5 = _S1327;
+    var _S1333 : Axes_0 = (*pulled_2).axes_5;
+    axes_back_0(&(_S1333), wo_6, by_direction_0);
+    (*pulled_2).axes_5 = _S1333;
     (*pulled_2).wi_2 = (*pulled_2).wi_2 + vec3<f32>((vec2<f32>(0) - local_2.xy), local_2.z);
     return;
 }
@@ -6932,14 +7015,14 @@ fn turning_back_0( pulled_3 : ptr<function, Pulled_0>,  vertex_9 : Vertex_0,  di
     return;
 }
 
-fn direct_back_0( pulled_4 : ptr<function, Pulled_0>,  vertex_10 : Vertex_0,  emitter_7 : u32,  place_22 : Place_0,  wo_7 : vec3<f32>,  direction_23 : vec3<f32>,  is_specular_2 : bool,  t_10 : f32,  scattered_3 : Scattered_0,  weight_0 : f32,  light_1 : vec3<f32>,  importance_1 : vec3<f32>)
+fn direct_back_0( pulled_4 : ptr<function, Pulled_0>,  vertex_10 : Vertex_0,  emitter_7 : u32,  place_23 : Place_0,  wo_7 : vec3<f32>,  direction_23 : vec3<f32>,  is_specular_2 : bool,  t_10 : f32,  scattered_3 : Scattered_0,  weight_0 : f32,  light_1 : vec3<f32>,  importance_1 : vec3<f32>)
 {
-    var _S1328 : vec3<f32> = importance_1 * scattered_3.value_9 * vec3<f32>(weight_0);
-    var _S1329 : vec3<f32> = (*pulled_4).position_2;
-    var by_direction_2 : vec3<f32> = emitted_back_0(&(_S1329), emitter_7, place_22, direction_23, t_10, _S1328);
-    (*pulled_4).position_2 = _S1329;
-    var _S1330 : vec3<f32> = scattered_back_0(&((*pulled_4)), vertex_10, wo_7, direction_23, is_specular_2, importance_1 * light_1);
-    var by_direction_3 : vec3<f32> = by_direction_2 + _S1330;
+    var _S1334 : vec3<f32> = importance_1 * scattered_3.value_9 * vec3<f32>(weight_0);
+    var _S1335 : vec3<f32> = (*pulled_4).position_2;
+    var by_direction_2 : vec3<f32> = emitted_back_0(&(_S1335), emitter_7, place_23, direction_23, t_10, _S1334);
+    (*pulled_4).position_2 = _S1335;
+    var _S1336 : vec3<f32> = scattered_back_0(&((*pulled_4)), vertex_10, wo_7, direction_23, is_specular_2, importance_1 * light_1);
+    var by_direction_3 : vec3<f32> = by_direction_2 + _S1336;
     if(is_specular_2)
     {
         specular_direction_back_0(&((*pulled_4)), vertex_10, wo_7, by_direction_3);
@@ -6954,15 +7037,15 @@ fn direct_back_0( pulled_4 : ptr<function, Pulled_0>,  vertex_10 : Vertex_0,  em
     return;
 }
 
-fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_11 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_6 : u32,  bsdf_samples_0 : f32,  importance_2 : vec3<f32>,  pulled_5 : ptr<function, Pulled_0>)
+fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_11 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_7 : u32,  bsdf_samples_0 : f32,  importance_2 : vec3<f32>,  pulled_5 : ptr<function, Pulled_0>)
 {
     var probability_4 : f32;
-    var emitter_8 : u32 = chosen_emitter_0(choice_5, random_0(key_7, first_6), &(probability_4));
+    var emitter_8 : u32 = chosen_emitter_0(choice_5, random_0(key_7, first_7), &(probability_4));
     if(probability_4 == 0.0f)
     {
         return;
     }
-    var record_16 : u32 = emitter_record_0(emitter_8);
+    var record_15 : u32 = emitter_record_0(emitter_8);
     var point_2 : EmitterPoint_0;
     var nearest_0 : f64 = limit_at_0(u32(2));
     var direction_24 : vec3<f32>;
@@ -6970,46 +7053,46 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_1
     var farthest_0 : f64;
     var nearest_1 : f64;
     var distance_6 : f32;
-    if(is_area_0(record_16))
+    if(is_area_0(record_15))
     {
-        point_2 = area_point_0(record_16, vertex_11.surface_3, key_7, first_6 + u32(1));
+        point_2 = area_point_0(record_15, vertex_11.surface_3, key_7, first_7 + u32(1));
         if(!((point_2.pdf_2) > 0.0f))
         {
             return;
         }
         var way_3 : vec3<f64> = position_of_0(point_2.place_13) - vertex_11.surface_3.exact_0;
-        var _S1331 : vec3<f32> = vec3<f32>(way_3);
-        var distance_7 : f32 = length(_S1331);
+        var _S1337 : vec3<f32> = vec3<f32>(way_3);
+        var distance_7 : f32 = length(_S1337);
         var nearest_2 : f64 = nearest_0 / f64(distance_7);
-        var _S1332 : f64 = limit_at_0(u32(3));
-        direction_24 = _S1331 / vec3<f32>(distance_7);
+        var _S1338 : f64 = limit_at_0(u32(3));
+        direction_24 = _S1337 / vec3<f32>(distance_7);
         way_2 = way_3;
-        farthest_0 = _S1332;
+        farthest_0 = _S1338;
         distance_6 = distance_7;
         nearest_1 = nearest_2;
     }
     else
     {
-        if(is_map_0(record_16))
+        if(is_map_0(record_15))
         {
-            var _S1333 : u32 = word_0(record_16 + u32(1));
-            var _S1334 : u32 = first_6 + u32(1);
-            var _S1335 : f32 = point_2.pdf_2;
-            var _S1336 : vec3<f32> = sample_map_0(_S1333, key_7, _S1334, &(_S1335));
-            point_2.pdf_2 = _S1335;
-            direction_24 = _S1336;
+            var _S1339 : u32 = word_0(record_15 + u32(1));
+            var _S1340 : u32 = first_7 + u32(1);
+            var _S1341 : f32 = point_2.pdf_2;
+            var _S1342 : vec3<f32> = sample_map_0(_S1339, key_7, _S1340, &(_S1341));
+            point_2.pdf_2 = _S1341;
+            direction_24 = _S1342;
         }
         else
         {
-            var local_3 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_6 + u32(1)));
-            var _S1337 : vec3<f32> = normalize(to_world_0(vertex_11.axes_4, local_3));
+            var local_3 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_7 + u32(1)));
+            var _S1343 : vec3<f32> = normalize(to_world_0(vertex_11.axes_4, local_3));
             point_2.pdf_2 = local_3.z * 0.31830987334251404f;
-            direction_24 = _S1337;
+            direction_24 = _S1343;
         }
         point_2.place_13 = vertex_11.surface_3.place_5;
-        var _S1338 : f64 = limit_at_0(u32(1));
+        var _S1344 : f64 = limit_at_0(u32(1));
         way_2 = vec3<f64>(direction_24);
-        farthest_0 = _S1338;
+        farthest_0 = _S1344;
         distance_6 = 0.0f;
         nearest_1 = nearest_0;
     }
@@ -7023,28 +7106,28 @@ fn add_light_from_emitter_0( reflected_1 : ptr<function, Reflected_0>,  vertex_1
     {
         return;
     }
-    var own_4 : f32 = f32(word_0(u32(2))) * probability_4 * point_2.pdf_2;
-    if(!(own_4 > 0.0f))
+    var own_5 : f32 = f32(word_0(u32(2))) * probability_4 * point_2.pdf_2;
+    if(!(own_5 > 0.0f))
     {
         return;
     }
-    var moving_1 : vec3<f32> = towards_emitter_0(vertex_11, direction_24, record_16);
+    var moving_1 : vec3<f32> = towards_emitter_0(vertex_11, direction_24, record_15);
     var scattered_4 : Scattered_0 = scattered_to_0(vertex_11, wo_8, moving_1);
-    var place_23 : Place_0 = point_2.place_13;
-    var place_24 : Place_0;
-    if(is_area_0(record_16))
+    var place_24 : Place_0 = point_2.place_13;
+    var place_25 : Place_0;
+    if(is_area_0(record_15))
     {
-        place_24 = met_0(vertex_11, moving_1, distance_6, place_23);
+        place_25 = met_0(vertex_11, moving_1, distance_6, place_24);
     }
     else
     {
-        place_24 = place_23;
+        place_25 = place_24;
     }
-    var weight_1 : f32 = weight_over_0(own_4, bsdf_samples_0 * scattered_4.pdf_5);
-    var _S1339 : vec3<f32> = emitted_0(emitter_8, place_24, moving_1);
-    var light_2 : vec3<f32> = _S1339 * vec3<f32>(weight_1);
+    var weight_1 : f32 = weight_over_0(own_5, bsdf_samples_0 * scattered_4.pdf_5);
+    var _S1345 : vec3<f32> = emitted_0(emitter_8, place_25, moving_1);
+    var light_2 : vec3<f32> = _S1345 * vec3<f32>(weight_1);
     (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_4.value_9 * light_2;
-    direct_back_0(&((*pulled_5)), vertex_11, emitter_8, place_24, wo_8, direction_24, false, distance_6, scattered_4, weight_1, light_2, importance_2);
+    direct_back_0(&((*pulled_5)), vertex_11, emitter_8, place_25, wo_8, direction_24, false, distance_6, scattered_4, weight_1, light_2, importance_2);
     return;
 }
 
@@ -7060,37 +7143,37 @@ fn stretched_3( facets_4 : Microfacets_0,  wi_8 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_8.xy * facets_4.alpha_1, wi_8.z);
     var view_7 : Stretched_0;
-    var _S1340 : f32 = length(longer_0);
-    view_7.length_0 = _S1340;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S1340);
-    var _S1341 : vec2<f32> = longer_1.xy;
-    var _S1342 : f32 = length(_S1341);
-    view_7.sine_4 = _S1342;
+    var _S1346 : f32 = length(longer_0);
+    view_7.length_0 = _S1346;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S1346);
+    var _S1347 : vec2<f32> = longer_1.xy;
+    var _S1348 : f32 = length(_S1347);
+    view_7.sine_4 = _S1348;
     view_7.cosine_10 = longer_1.z;
-    var _S1343 : vec2<f32>;
-    if(_S1342 > 0.0f)
+    var _S1349 : vec2<f32>;
+    if(_S1348 > 0.0f)
     {
-        _S1343 = _S1341 / vec2<f32>(view_7.sine_4);
+        _S1349 = _S1347 / vec2<f32>(view_7.sine_4);
     }
     else
     {
-        _S1343 = vec2<f32>(1.0f, 0.0f);
+        _S1349 = vec2<f32>(1.0f, 0.0f);
     }
-    view_7.around_0 = _S1343;
+    view_7.around_0 = _S1349;
     return view_7;
 }
 
 fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
 {
-    var _S1344 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S1344);
+    var _S1350 : f32 = u_9.x;
+    var radius_2 : f32 = sqrt(_S1350);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
     var across_2 : f32 = radius_2 * turn_3.y;
     var along_5 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_10);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S1345 : f32 = 1.0f - _S1344;
-    var edge_0 : f32 = sqrt(_S1345 + along_5 * along_5);
+    var _S1351 : f32 = 1.0f - _S1350;
+    var edge_0 : f32 = sqrt(_S1351 + along_5 * along_5);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
     var from_top_0 : f32 = edge_0 - along_5;
     var from_bottom_0 : f32 = edge_0 + along_5;
@@ -7098,14 +7181,14 @@ fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_5 > 0.0f)
     {
-        from_top_1 = _S1345 / from_bottom_0;
+        from_top_1 = _S1351 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S1346 : f32 = _S1345 / from_top_0;
+        var _S1352 : f32 = _S1351 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S1346;
+        from_bottom_1 = _S1352;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_10, across_2, max(towards_0 * view_8.cosine_10 + up_0 * view_8.sine_4, 0.0f));
@@ -7158,8 +7241,8 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S1347 : f32 = max(view_9.cosine_10, view_9.sine_4);
-    var slope_4 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S1347 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S1347, -6.0f, 0.5f * steepest_0);
+    var _S1353 : f32 = max(view_9.cosine_10, view_9.sine_4);
+    var slope_4 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S1353 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S1353, -6.0f, 0.5f * steepest_0);
     var low_5 : f32 = -6.0f;
     var high_2 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -7173,10 +7256,10 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             break;
         }
         var both_2 : vec2<f32> = error_function_plus_one_0(slope_4);
-        var _S1348 : f32 = both_2.y;
-        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S1348 - target_1;
-        var own_5 : f32 = _S1348 * (view_9.cosine_10 - slope_4 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_4 * own_5 - _S1348 * view_9.sine_4;
+        var _S1354 : f32 = both_2.y;
+        var error_0 : f32 = view_9.cosine_10 * both_2.x + 0.5f * view_9.sine_4 * _S1354 - target_1;
+        var own_6 : f32 = _S1354 * (view_9.cosine_10 - slope_4 * view_9.sine_4);
+        var bend_0 : f32 = -2.0f * slope_4 * own_6 - _S1354 * view_9.sine_4;
         if(error_0 > 0.0f)
         {
             high_2 = slope_4;
@@ -7185,18 +7268,18 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         {
             low_5 = slope_4;
         }
-        var next_1 : f32 = slope_4 - error_0 * own_5 / (own_5 * own_5 - 0.5f * error_0 * bend_0);
-        var _S1349 : bool;
+        var next_1 : f32 = slope_4 - error_0 * own_6 / (own_6 * own_6 - 0.5f * error_0 * bend_0);
+        var _S1355 : bool;
         if(next_1 >= low_5)
         {
-            _S1349 = next_1 <= high_2;
+            _S1355 = next_1 <= high_2;
         }
         else
         {
-            _S1349 = false;
+            _S1355 = false;
         }
         var next_2 : f32;
-        if(!_S1349)
+        if(!_S1355)
         {
             next_2 = 0.5f * (low_5 + high_2);
         }
@@ -7209,9 +7292,9 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
             slope_4 = next_2;
             break;
         }
-        var _S1350 : u32 = step_0 + u32(1);
+        var _S1356 : u32 = step_0 + u32(1);
         slope_4 = next_2;
-        step_0 = _S1350;
+        step_0 = _S1356;
     }
     return vec3<f32>(- slope_4, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -7228,11 +7311,11 @@ fn mirrored_at_facet_0( facets_5 : Microfacets_0,  wi_9 : vec3<f32>,  u_11 : vec
     {
         normal_8 = beckmann_normal_0(view_10, visible_over_cos_0(facets_5, wi_9), u_11);
     }
-    var _S1351 : f32 = view_10.around_0.x;
-    var _S1352 : f32 = normal_8.x;
-    var _S1353 : f32 = view_10.around_0.y;
-    var _S1354 : f32 = normal_8.y;
-    var normal_9 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S1351 * _S1352 - _S1353 * _S1354, _S1353 * _S1352 + _S1351 * _S1354) * facets_5.alpha_1, normal_8.z));
+    var _S1357 : f32 = view_10.around_0.x;
+    var _S1358 : f32 = normal_8.x;
+    var _S1359 : f32 = view_10.around_0.y;
+    var _S1360 : f32 = normal_8.y;
+    var normal_9 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S1357 * _S1358 - _S1359 * _S1360, _S1359 * _S1358 + _S1357 * _S1360) * facets_5.alpha_1, normal_8.z));
     return normalize(normal_9 * vec3<f32>((2.0f * dot(wi_9, normal_9))) - wi_9);
 }
 
@@ -7245,9 +7328,9 @@ struct Drawn_0
 
 fn draw_0( lobe_14 : Lobe_0,  wi_10 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
 {
-    var _S1355 : bool = (lobe_14.kind_0) == u32(0);
+    var _S1361 : bool = (lobe_14.kind_0) == u32(0);
     var has_base_0 : bool;
-    if(_S1355)
+    if(_S1361)
     {
         has_base_0 = true;
     }
@@ -7264,7 +7347,7 @@ fn draw_0( lobe_14 : Lobe_0,  wi_10 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f
         has_base_0 = (lobe_14.kind_0) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S1355)
+    if(_S1361)
     {
         of_base_1 = 1.0f;
     }
@@ -7272,16 +7355,16 @@ fn draw_0( lobe_14 : Lobe_0,  wi_10 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f
     {
         of_base_1 = 0.0f;
     }
-    var _S1356 : bool;
+    var _S1362 : bool;
     if((lobe_14.kind_0) == u32(3))
     {
-        _S1356 = true;
+        _S1362 = true;
     }
     else
     {
-        _S1356 = (lobe_14.kind_0) == u32(4);
+        _S1362 = (lobe_14.kind_0) == u32(4);
     }
-    if(_S1356)
+    if(_S1362)
     {
         of_base_1 = base_probability_0(lobe_14.numbers_0, transmittance_0(lobe_14, coat_eta_0(lobe_14.numbers_0), wi_10.z));
     }
@@ -7328,8 +7411,8 @@ fn specular_0( lobe_15 : Lobe_0,  wi_11 : vec3<f32>) -> vec3<f32>
 
 fn first_from_0( position_7 : vec3<f64>,  direction_26 : vec3<f32>,  t_11 : ptr<function, f32>) -> Found_0
 {
-    var _S1357 : Found_0 = cast_1(position_7, vec3<f64>(direction_26), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_11)));
-    return _S1357;
+    var _S1363 : Found_0 = cast_1(position_7, vec3<f64>(direction_26), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_11)));
+    return _S1363;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
@@ -7344,45 +7427,45 @@ fn emitter_seen_0( found_7 : Found_0,  direction_27 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_9 : u32 = word_0(shape_of_0(found_7.triangle_8) + u32(4));
-    var _S1358 : bool;
+    var _S1364 : bool;
     if(emitter_9 != u32(4294967295))
     {
-        _S1358 = (dot(cross_of_0(found_7.triangle_8), direction_27)) < 0.0f;
+        _S1364 = (dot(cross_of_0(found_7.triangle_8), direction_27)) < 0.0f;
     }
     else
     {
-        _S1358 = false;
+        _S1364 = false;
     }
-    var _S1359 : u32;
-    if(_S1358)
+    var _S1365 : u32;
+    if(_S1364)
     {
-        _S1359 = emitter_9;
+        _S1365 = emitter_9;
     }
     else
     {
-        _S1359 = u32(4294967295);
+        _S1365 = u32(4294967295);
     }
-    return _S1359;
+    return _S1365;
 }
 
-fn area_pdf_0( record_17 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_28 : vec3<f32>,  distance_8 : f32) -> f32
+fn area_pdf_0( record_16 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_28 : vec3<f32>,  distance_8 : f32) -> f32
 {
-    var own_6 : f32;
-    var rectangle_1 : u32 = word_0(record_17 + u32(4));
+    var own_7 : f32;
+    var rectangle_1 : u32 = word_0(record_16 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S1360 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S1360.solid_angle_0) > 0.0f))
+        var _S1366 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S1366.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S1360.solid_angle_0) >= 0.00100000004749745f)
+        if((_S1366.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S1360.solid_angle_0;
+            return 1.0f / _S1366.solid_angle_0;
         }
     }
-    var _S1361 : u32 = word_0(word_0(record_17 + u32(7)) + face_8);
-    var nodes_at_2 : u32 = word_0(record_17 + u32(5));
+    var _S1367 : u32 = word_0(word_0(record_16 + u32(7)) + face_8);
+    var nodes_at_2 : u32 = word_0(record_16 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
     for(;;)
@@ -7395,71 +7478,71 @@ fn area_pdf_0( record_17 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S1361 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S1367 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
-            own_6 = shares_1.y;
+            own_7 = shares_1.y;
         }
         else
         {
-            own_6 = shares_1.x;
+            own_7 = shares_1.x;
         }
-        var chosen_3 : f32 = chosen_2 * own_6;
-        var _S1362 : i32;
+        var chosen_3 : f32 = chosen_2 * own_7;
+        var _S1368 : i32;
         if(is_second_1)
         {
-            _S1362 = i32(3);
+            _S1368 = i32(3);
         }
         else
         {
-            _S1362 = i32(2);
+            _S1368 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S1362));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S1368));
         chosen_2 = chosen_3;
     }
-    var _S1363 : u32 = word_0(record_17 + u32(6));
-    var _S1364 : u32 = word_0(node_6);
-    own_6 = 0.0f;
-    var k_8 : u32 = _S1364;
+    var _S1369 : u32 = word_0(record_16 + u32(6));
+    var _S1370 : u32 = word_0(node_6);
+    own_7 = 0.0f;
+    var k_9 : u32 = _S1370;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
-        if(k_8 < (word_0(node_6 + u32(1))))
+        if(k_9 < (word_0(node_6 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var angle_6 : f32 = face_solid_angle_0(record_17, word_0(_S1363 + k_8), from_2.exact_0);
+        var angle_6 : f32 = face_solid_angle_0(record_16, word_0(_S1369 + k_9), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_6;
-        if(k_8 == _S1361)
+        if(k_9 == _S1367)
         {
-            own_6 = angle_6;
+            own_7 = angle_6;
         }
-        k_8 = k_8 + u32(1);
+        k_9 = k_9 + u32(1);
         total_3 = total_4;
     }
-    if(!(own_6 > 0.0f))
+    if(!(own_7 > 0.0f))
     {
         return 0.0f;
     }
-    return chosen_2 / total_3 * density_of_0(own_6, cross_of_0(emitter_triangle_0(record_17, face_8)), distance_8, direction_28);
+    return chosen_2 / total_3 * density_of_0(own_7, cross_of_0(emitter_triangle_0(record_16, face_8)), distance_8, direction_28);
 }
 
 fn emitter_pdf_0( emitter_10 : u32,  found_8 : Found_0,  vertex_13 : Vertex_0,  direction_29 : vec3<f32>,  t_12 : f32) -> f32
 {
-    var record_18 : u32 = emitter_record_0(emitter_10);
-    if(is_map_0(record_18))
+    var record_17 : u32 = emitter_record_0(emitter_10);
+    if(is_map_0(record_17))
     {
-        var _S1365 : f32 = map_pdf_0(word_0(record_18 + u32(1)), direction_29);
-        return _S1365;
+        var _S1371 : f32 = map_pdf_0(word_0(record_17 + u32(1)), direction_29);
+        return _S1371;
     }
-    if(!is_area_0(record_18))
+    if(!is_area_0(record_17))
     {
         return max(dot(vertex_13.axes_4.n_0, direction_29), 0.0f) * 0.31830987334251404f;
     }
-    return area_pdf_0(record_18, found_8.face_7 - word_0(record_18 + u32(3)), vertex_13.surface_3, direction_29, t_12);
+    return area_pdf_0(record_17, found_8.face_7 - word_0(record_17 + u32(3)), vertex_13.surface_3, direction_29, t_12);
 }
 
 fn slot_derivative_0( numbers_10 : Numbers_0,  slot_6 : u32) -> vec3<f32>
@@ -7493,15 +7576,15 @@ fn slot_derivative_0( numbers_10 : Numbers_0,  slot_6 : u32) -> vec3<f32>
     }
 }
 
-fn numbers_back_0( material_1 : u32,  place_25 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
+fn numbers_back_0( material_1 : u32,  place_26 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
 {
-    var _S1366 : vec2<f32> = vec2<f32>(0.0f);
-    var _S1367 : u32 = word_0(material_1 + u32(4));
+    var _S1372 : vec2<f32> = vec2<f32>(0.0f);
+    var _S1373 : u32 = word_0(material_1 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_3 : vec2<f32> = _S1366;
+    var by_place_2 : vec2<f32> = _S1372;
     for(;;)
     {
-        if(slot_7 < _S1367)
+        if(slot_7 < _S1373)
         {
         }
         else
@@ -7514,40 +7597,37 @@ fn numbers_back_0( material_1 : u32,  place_25 : Place_0,  numbers_11 : Numbers_
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S1368 : Lookup_0 = lookup_at_0(texture_11, place_25);
-        var _S1369 : vec2<f32> = lookup_back_0(texture_11, _S1368, slot_derivative_0(numbers_11, slot_7));
-        by_place_3 = by_place_3 + _S1369;
+        var _S1374 : Lookup_0 = lookup_at_0(texture_11, place_26);
+        var _S1375 : vec2<f32> = lookup_back_0(texture_11, _S1374, slot_derivative_0(numbers_11, slot_7));
+        by_place_2 = by_place_2 + _S1375;
         slot_7 = slot_7 + u32(1);
     }
-    return by_place_3;
+    return by_place_2;
 }
 
-fn unit_back_0( vector_1 : vec3<f32>,  derivative_5 : vec3<f32>,  size_7 : f32) -> vec3<f32>
+fn unit_back_0( vector_1 : vec3<f32>,  derivative_6 : vec3<f32>,  size_6 : f32) -> vec3<f32>
 {
-    return (derivative_5 - vector_1 * vec3<f32>(dot(vector_1, derivative_5))) / vec3<f32>(size_7);
+    return (derivative_6 - vector_1 * vec3<f32>(dot(vector_1, derivative_6))) / vec3<f32>(size_6);
 }
 
-fn tangent_back_0( triangle_11 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : vec3<f32>)
+fn tangent_back_0( points_2 : ptr<function, AtCorners_0>,  triangle_11 : u32,  tangent_3 : vec3<f32>,  by_tangent_0 : vec3<f32>)
 {
-    var points_0 : u32 = points_of_0(triangle_11);
     var corner_2 : u32 = u32(9) * triangle_11;
-    if(points_0 == u32(4294967295))
-    {
-        return;
-    }
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_11);
-    var first_7 : vec2<f32> = uvs_2.b_4 - uvs_2.a_7;
+    var first_8 : vec2<f32> = uvs_2.b_4 - uvs_2.a_7;
     var second_3 : vec2<f32> = uvs_2.c_1 - uvs_2.a_7;
-    var _S1370 : f32 = second_3.y;
-    var _S1371 : f32 = first_7.y;
-    var scale_4 : f32 = 1.0f / (first_7.x * _S1370 - second_3.x * _S1371);
-    var of_ab_0 : f32 = _S1370 * scale_4;
-    var of_ac_0 : f32 = - _S1371 * scale_4;
-    var a_21 : vec3<f64> = primitive_vector_0(corner_2);
-    var _S1372 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S1373 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_6 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_21) * _S1372 + vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_21) * _S1373));
-    add_to_corners_0(points_0, triangle_11, derivative_6 * vec3<f32>(- (of_ab_0 + of_ac_0)), derivative_6 * _S1372, derivative_6 * _S1373);
+    var _S1376 : f32 = second_3.y;
+    var _S1377 : f32 = first_8.y;
+    var scale_4 : f32 = 1.0f / (first_8.x * _S1376 - second_3.x * _S1377);
+    var of_ab_0 : f32 = _S1376 * scale_4;
+    var of_ac_0 : f32 = - _S1377 * scale_4;
+    var a_22 : vec3<f64> = primitive_vector_0(corner_2);
+    var _S1378 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S1379 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_7 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_22) * _S1378 + vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_22) * _S1379));
+    (*points_2).a_20 = (*points_2).a_20 - derivative_7 * vec3<f32>((of_ab_0 + of_ac_0));
+    (*points_2).b_17 = (*points_2).b_17 + derivative_7 * _S1378;
+    (*points_2).c_9 = (*points_2).c_9 + derivative_7 * _S1379;
     return;
 }
 
@@ -7556,82 +7636,88 @@ fn normals_of_0( triangle_12 : u32) -> u32
     return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_12)) + u32(1));
 }
 
-fn surface_back_0( surface_5 : Surface_0,  by_place_4 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_30 : vec3<f32>) -> vec3<f32>
+fn surface_back_0( points_3 : ptr<function, AtCorners_0>,  surface_5 : Surface_0,  by_place_3 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_30 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_5.shape_0);
-    var _S1374 : vec2<f32>;
+    var _S1380 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_3 : u32 = u32(9) * surface_5.place_5.triangle_0;
-        var a_22 : vec3<f64> = primitive_vector_0(corner_3);
-        var _S1375 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_22);
-        var _S1376 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_22);
-        var derivative_7 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(_S1375, _S1376)));
-        var by_ab_0 : vec3<f32> = cross(_S1376, derivative_7);
-        var by_ac_0 : vec3<f32> = cross(derivative_7, _S1375);
-        add_to_corners_0(points_of_0(surface_5.place_5.triangle_0), surface_5.place_5.triangle_0, (vec3<f32>(0) - by_ab_0) - by_ac_0, by_ab_0, by_ac_0);
-        _S1374 = by_place_4;
+        var a_23 : vec3<f64> = primitive_vector_0(corner_3);
+        var _S1381 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_23);
+        var _S1382 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_23);
+        var derivative_8 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(_S1381, _S1382)));
+        var by_ab_0 : vec3<f32> = cross(_S1382, derivative_8);
+        var by_ac_0 : vec3<f32> = cross(derivative_8, _S1381);
+        (*points_3).a_20 = (*points_3).a_20 - (by_ab_0 + by_ac_0);
+        (*points_3).b_17 = (*points_3).b_17 + by_ab_0;
+        (*points_3).c_9 = (*points_3).c_9 + by_ac_0;
+        _S1380 = by_place_3;
     }
     else
     {
-        var record_19 : u32 = triangle_record_0(surface_5.place_5.triangle_0) + u32(2);
-        var a_23 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_19));
-        var ab_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_19 + u32(1))) - a_23;
-        var ac_1 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_19 + u32(2))) - a_23;
-        var derivative_8 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(a_23 + ab_2 * vec3<f32>(surface_5.place_5.v_0) + ac_1 * vec3<f32>(surface_5.place_5.w_0)));
-        add_at_place_0(normals_of_0(surface_5.place_5.triangle_0), surface_5.place_5, derivative_8);
-        _S1374 = by_place_4 + vec2<f32>(dot(ab_2, derivative_8), dot(ac_1, derivative_8));
+        var record_18 : u32 = triangle_record_0(surface_5.place_5.triangle_0) + u32(2);
+        var a_24 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_18));
+        var ab_2 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_18 + u32(1))) - a_24;
+        var ac_1 : vec3<f32> = vector_at_0(normals_1 + u32(3) * word_0(record_18 + u32(2))) - a_24;
+        var derivative_9 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(a_24 + ab_2 * vec3<f32>(surface_5.place_5.v_0) + ac_1 * vec3<f32>(surface_5.place_5.w_0)));
+        var of_normals_0 : AtCorners_0 = at_no_corner_0();
+        add_at_place_0(&(of_normals_0), surface_5.place_5, derivative_9);
+        add_to_corners_0(normals_of_0(surface_5.place_5.triangle_0), surface_5.place_5.triangle_0, of_normals_0);
+        _S1380 = by_place_3 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_1, derivative_9));
     }
-    var _S1377 : vec3<f32> = place_back_0(surface_5.place_5, _S1374, by_position_1, direction_30);
-    return _S1377;
+    var _S1383 : vec3<f32> = place_back_0(&((*points_3)), surface_5.place_5, _S1380, by_position_1, direction_30);
+    return _S1383;
 }
 
 fn vertex_back_0( pulled_6 : Pulled_0,  vertex_14 : Vertex_0,  material_2 : u32,  direction_31 : vec3<f32>) -> ByRay_0
 {
     var by_ray_2 : ByRay_0;
-    var _S1378 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_2.direction_0 = _S1378;
-    by_ray_2.drift_0 = _S1378;
-    var by_place_5 : vec2<f32> = numbers_back_0(material_2, vertex_14.surface_3.place_5, pulled_6.numbers_4);
+    var _S1384 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_2.direction_0 = _S1384;
+    by_ray_2.drift_0 = _S1384;
+    var by_place_4 : vec2<f32> = numbers_back_0(material_2, vertex_14.surface_3.place_5, pulled_6.numbers_4);
     if(!is_moving_0())
     {
         return by_ray_2;
     }
-    var _S1379 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S1385 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_1 : DiffPair_Axes_0;
     towards_1.primal_0 = vertex_14.axes_4;
-    towards_1.differential_0 = _S1379;
+    towards_1.differential_0 = _S1385;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_31;
-    incoming_0.differential_0 = _S1378;
+    incoming_0.differential_0 = _S1384;
     _S220(&(towards_1), &(incoming_0), pulled_6.wi_2);
     by_ray_2.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_14.surface_3.outward_0;
-    outward_1.differential_0 = _S1378;
-    var _S1380 : vec3<f32> = tangent_at_0(vertex_14.surface_3);
+    outward_1.differential_0 = _S1384;
+    var _S1386 : vec3<f32> = tangent_at_0(vertex_14.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S1380;
-    tangent_4.differential_0 = _S1378;
+    tangent_4.primal_0 = _S1386;
+    tangent_4.differential_0 = _S1384;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_6.axes_5, towards_1.differential_0);
-    if((any((_S1380 != _S1378))))
+    var points_4 : AtCorners_0 = at_no_corner_0();
+    if((any((_S1386 != _S1384))))
     {
         _S171(&(outward_1), &(tangent_4), vertex_14.surface_3.is_front_0, by_axes_0);
-        tangent_back_0(vertex_14.surface_3.place_5.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
+        tangent_back_0(&(points_4), vertex_14.surface_3.place_5.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
     }
     else
     {
         _S140(&(outward_1), vertex_14.surface_3.is_front_0, by_axes_0);
     }
-    var _S1381 : vec3<f32> = surface_back_0(vertex_14.surface_3, by_place_5, pulled_6.position_2, outward_1.differential_0, direction_31);
-    by_ray_2.drift_0 = _S1381;
+    var _S1387 : vec3<f32> = surface_back_0(&(points_4), vertex_14.surface_3, by_place_4, pulled_6.position_2, outward_1.differential_0, direction_31);
+    by_ray_2.drift_0 = _S1387;
+    add_to_corners_0(points_of_0(vertex_14.surface_3.place_5.triangle_0), vertex_14.surface_3.place_5.triangle_0, points_4);
     return by_ray_2;
 }
 
 fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, Reflected_0>,  importance_3 : vec3<f32>) -> bool
 {
     var depth_2 : u32 = launch_0.depth_0;
-    var first_8 : u32 = vertex_numbers_0(launch_0.depth_0);
+    var first_9 : u32 = vertex_numbers_0(launch_0.depth_0);
     var incoming_1 : vec3<f32> = value_of_0((*path_6).direction_1);
     var surface_6 : Surface_0 = surface_at_0((*path_6).place_3, incoming_1);
     var material_3 : u32 = material_of_0(surface_6);
@@ -7641,10 +7727,10 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     var vertex_15 : Vertex_0 = vertex_at_0(surface_6, material_3, (*path_6).direction_1);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S1382 : u32 = word_0(u32(3));
-    var _S1383 : bool = !reaches_0(depth_2 + u32(3));
+    var _S1388 : u32 = word_0(u32(3));
+    var _S1389 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S1383)
+    if(_S1389)
     {
         goes_on_0 = (vertex_15.lobe_6.kind_0) == u32(0);
     }
@@ -7667,7 +7753,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
     }
     else
     {
-        bsdf_samples_1 = _S1382;
+        bsdf_samples_1 = _S1388;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_15.lobe_6))
@@ -7679,7 +7765,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         on_emitters_0 = u32(0);
     }
     var pulled_7 : Pulled_0 = nothing_pulled_0();
-    var _S1384 : Choice_0 = choice_at_0(surface_6.position_0, vertex_15.axes_4.n_0, on_emitters_0 == u32(0));
+    var _S1390 : Choice_0 = choice_at_0(surface_6.position_0, vertex_15.axes_4.n_0, on_emitters_0 == u32(0));
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -7690,24 +7776,24 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         {
             break;
         }
-        add_light_from_emitter_0(&((*reflected_2)), vertex_15, _S1384, (*path_6).key_0, first_8 + u32(3) * i_4, f32(bsdf_samples_1), importance_3, &(pulled_7));
+        add_light_from_emitter_0(&((*reflected_2)), vertex_15, _S1390, (*path_6).key_0, first_9 + u32(3) * i_4, f32(bsdf_samples_1), importance_3, &(pulled_7));
         i_4 = i_4 + u32(1);
     }
-    var first_9 : u32 = first_8 + u32(3) * emitter_samples_0;
+    var first_10 : u32 = first_9 + u32(3) * emitter_samples_0;
     goes_on_0 = false;
     var next_3 : Place_0 = (*path_6).place_3;
     var next_direction_0 : vec3<f32> = (*path_6).direction_1;
-    var k_9 : u32 = u32(0);
+    var k_10 : u32 = u32(0);
     for(;;)
     {
-        if(k_9 < bsdf_samples_1)
+        if(k_10 < bsdf_samples_1)
         {
         }
         else
         {
             break;
         }
-        var own_first_0 : u32 = first_9 + u32(3) * k_9;
+        var own_first_0 : u32 = first_10 + u32(3) * k_10;
         var drawn_1 : Drawn_0 = draw_0(vertex_15.lobe_6, value_of_0(vertex_15.wi_1), random_0((*path_6).key_0, own_first_0), random_pair_0((*path_6).key_0, own_first_0 + u32(1)));
         var direction_32 : vec3<f32> = normalize(to_world_0(vertex_15.axes_4, drawn_1.wo_9));
         var moving_2 : vec3<f32>;
@@ -7731,7 +7817,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         }
         if(!((scattered_5.pdf_5) > 0.0f))
         {
-            k_9 = k_9 + u32(1);
+            k_10 = k_10 + u32(1);
             continue;
         }
         var t_13 : f32;
@@ -7739,17 +7825,17 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         var goes_on_1 : bool;
         var next_4 : Place_0;
         var next_direction_1 : vec3<f32>;
-        if(k_9 == u32(0))
+        if(k_10 == u32(0))
         {
-            var _S1385 : bool = (found_9.face_7) != u32(4294967295);
-            var _S1386 : Place_0 = place_of_0(found_9);
+            var _S1391 : bool = (found_9.face_7) != u32(4294967295);
+            var _S1392 : Place_0 = place_of_0(found_9);
             (*reflected_2).onward_0 = scattered_5.value_9 * vec3<f32>((1.0f / scattered_5.pdf_5));
             (*reflected_2).wo_0 = drawn_1.wo_9;
             (*reflected_2).is_specular_0 = drawn_1.is_specular_3;
             (*reflected_2).factor_0 = 1.0f / scattered_5.pdf_5;
             (*reflected_2).distance_1 = t_13;
-            goes_on_1 = _S1385;
-            next_4 = _S1386;
+            goes_on_1 = _S1391;
+            next_4 = _S1392;
             next_direction_1 = moving_2;
         }
         else
@@ -7764,32 +7850,32 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
             goes_on_0 = goes_on_1;
             next_3 = next_4;
             next_direction_0 = next_direction_1;
-            k_9 = k_9 + u32(1);
+            k_10 = k_10 + u32(1);
             continue;
         }
-        var own_7 : f32 = f32(bsdf_samples_1) * scattered_5.pdf_5;
-        var _S1387 : bool = !drawn_1.is_specular_3;
-        var _S1388 : bool;
-        if(_S1387)
+        var own_8 : f32 = f32(bsdf_samples_1) * scattered_5.pdf_5;
+        var _S1393 : bool = !drawn_1.is_specular_3;
+        var _S1394 : bool;
+        if(_S1393)
         {
-            _S1388 = emitter_samples_0 != u32(0);
+            _S1394 = emitter_samples_0 != u32(0);
         }
         else
         {
-            _S1388 = false;
+            _S1394 = false;
         }
         var other_1 : f32;
-        if(_S1388)
+        if(_S1394)
         {
             var pdf_6 : f32 = emitter_pdf_0(emitter_11, found_9, vertex_15, direction_32, t_13);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_11, _S1384) * pdf_6;
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_11, _S1390) * pdf_6;
         }
         else
         {
             other_1 = 0.0f;
         }
         var moving_3 : vec3<f32>;
-        if(_S1387)
+        if(_S1393)
         {
             moving_3 = towards_emitter_0(vertex_15, direction_32, emitter_record_0(emitter_11));
         }
@@ -7797,29 +7883,29 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         {
             moving_3 = moving_2;
         }
-        var place_26 : Place_0 = place_of_0(found_9);
-        var place_27 : Place_0;
+        var place_27 : Place_0 = place_of_0(found_9);
+        var place_28 : Place_0;
         if((found_9.face_7) != u32(4294967295))
         {
-            place_27 = met_0(vertex_15, moving_3, t_13, place_26);
+            place_28 = met_0(vertex_15, moving_3, t_13, place_27);
         }
         else
         {
-            place_27 = place_26;
+            place_28 = place_27;
         }
-        var weight_2 : f32 = weight_over_0(own_7, other_1);
-        var _S1389 : vec3<f32> = emitted_0(emitter_11, place_27, moving_3);
-        var light_3 : vec3<f32> = _S1389 * vec3<f32>(weight_2);
+        var weight_2 : f32 = weight_over_0(own_8, other_1);
+        var _S1395 : vec3<f32> = emitted_0(emitter_11, place_28, moving_3);
+        var light_3 : vec3<f32> = _S1395 * vec3<f32>(weight_2);
         (*reflected_2).direct_0 = (*reflected_2).direct_0 + scattered_5.value_9 * light_3;
-        direct_back_0(&(pulled_7), vertex_15, emitter_11, place_27, drawn_1.wo_9, direction_32, drawn_1.is_specular_3, t_13, scattered_5, weight_2, light_3, importance_3);
+        direct_back_0(&(pulled_7), vertex_15, emitter_11, place_28, drawn_1.wo_9, direction_32, drawn_1.is_specular_3, t_13, scattered_5, weight_2, light_3, importance_3);
         goes_on_0 = goes_on_1;
         next_3 = next_4;
         next_direction_0 = next_direction_1;
-        k_9 = k_9 + u32(1);
+        k_10 = k_10 + u32(1);
     }
-    var _S1390 : ByRay_0 = vertex_back_0(pulled_7, vertex_15, material_3, incoming_1);
-    (*reflected_2).by_ray_1 = _S1390;
-    if(_S1383)
+    var _S1396 : ByRay_0 = vertex_back_0(pulled_7, vertex_15, material_3, incoming_1);
+    (*reflected_2).by_ray_1 = _S1396;
+    if(_S1389)
     {
         goes_on_0 = true;
     }
@@ -7832,12 +7918,12 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_2 : ptr<function, 
         return false;
     }
     var throughput_1 : vec3<f32> = value_of_0((*path_6).throughput_0) * value_of_0((*reflected_2).onward_0);
-    var _S1391 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    var _S1392 : u32 = depth_2 + u32(1);
-    if(_S1392 >= (word_0(u32(1))))
+    var _S1397 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    var _S1398 : u32 = depth_2 + u32(1);
+    if(_S1398 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S1391, 0.05000000074505806f, 0.94999998807907104f);
-        if((random_0((*path_6).key_0, vertex_numbers_0(_S1392) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S1397, 0.05000000074505806f, 0.94999998807907104f);
+        if((random_0((*path_6).key_0, vertex_numbers_0(_S1398) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -7917,24 +8003,24 @@ fn set_vector_2( path_10 : u32,  which_9 : ptr<function, u32>,  value_13 : vec3<
     return;
 }
 
-fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_28 : Place_0)
+fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_29 : Place_0)
 {
-    set_word_0(path_11, (*which_10), place_28.triangle_0);
-    set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_28.v_0))));
-    set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_28.w_0))));
-    set_word_0(path_11, (*which_10) + u32(3), (bitcast<u32>((place_28.v_rest_0))));
-    set_word_0(path_11, (*which_10) + u32(4), (bitcast<u32>((place_28.w_rest_0))));
+    set_word_0(path_11, (*which_10), place_29.triangle_0);
+    set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_29.v_0))));
+    set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_29.w_0))));
+    set_word_0(path_11, (*which_10) + u32(3), (bitcast<u32>((place_29.v_rest_0))));
+    set_word_0(path_11, (*which_10) + u32(4), (bitcast<u32>((place_29.w_rest_0))));
     (*which_10) = (*which_10) + u32(5);
     return;
 }
 
-fn set_place_1( path_12 : u32,  which_11 : ptr<function, u32>,  place_29 : Place_0)
+fn set_place_1( path_12 : u32,  which_11 : ptr<function, u32>,  place_30 : Place_0)
 {
-    set_word_0(path_12, (*which_11), place_29.triangle_0);
-    set_word_0(path_12, (*which_11) + u32(1), (bitcast<u32>((place_29.v_0))));
-    set_word_0(path_12, (*which_11) + u32(2), (bitcast<u32>((place_29.w_0))));
-    set_word_0(path_12, (*which_11) + u32(3), (bitcast<u32>((place_29.v_rest_0))));
-    set_word_0(path_12, (*which_11) + u32(4), (bitcast<u32>((place_29.w_rest_0))));
+    set_word_0(path_12, (*which_11), place_30.triangle_0);
+    set_word_0(path_12, (*which_11) + u32(1), (bitcast<u32>((place_30.v_0))));
+    set_word_0(path_12, (*which_11) + u32(2), (bitcast<u32>((place_30.w_0))));
+    set_word_0(path_12, (*which_11) + u32(3), (bitcast<u32>((place_30.v_rest_0))));
+    set_word_0(path_12, (*which_11) + u32(4), (bitcast<u32>((place_30.w_rest_0))));
     (*which_11) = (*which_11) + u32(5);
     return;
 }
@@ -7947,13 +8033,38 @@ fn set_changing_0( path_13 : u32,  which_12 : ptr<function, u32>,  vector_2 : ve
 
 fn store_0( number_of_path_1 : u32,  path_14 : Path_0)
 {
-    var at_20 : u32 = u32(1);
-    set_vector_0(number_of_path_1, &(at_20), path_14.adjoint_0);
-    set_changing_0(number_of_path_1, &(at_20), path_14.throughput_0);
-    set_changing_0(number_of_path_1, &(at_20), path_14.direction_1);
-    set_place_0(number_of_path_1, &(at_20), path_14.place_3);
-    set_word_0(number_of_path_1, at_20, path_14.key_0.x);
-    set_word_0(number_of_path_1, at_20 + u32(1), path_14.key_0.y);
+    var at_19 : u32 = u32(1);
+    set_vector_0(number_of_path_1, &(at_19), path_14.adjoint_0);
+    set_changing_0(number_of_path_1, &(at_19), path_14.throughput_0);
+    set_changing_0(number_of_path_1, &(at_19), path_14.direction_1);
+    set_place_0(number_of_path_1, &(at_19), path_14.place_3);
+    set_word_0(number_of_path_1, at_19, path_14.key_0.x);
+    set_word_0(number_of_path_1, at_19 + u32(1), path_14.key_0.y);
+    return;
+}
+
+fn check_loops_0()
+{
+    var _S1399 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S1400 : bool = rounds_0 < wanted_0;
+        _S1399 = _S1400;
+        if(_S1400)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S1399)
+    {
+        var _S1401 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
     return;
 }
 
@@ -7961,62 +8072,63 @@ fn store_0( number_of_path_1 : u32,  path_14 : Path_0)
 @workgroup_size(64, 1, 1)
 fn go_on_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
 {
-    var at_21 : u32 = launch_0.first_0 + thread_0.x;
-    if(at_21 >= (launch_0.end_0))
+    var at_20 : u32 = launch_0.first_0 + thread_0.x;
+    if(at_20 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_2 : u32 = input_0[at_21];
+    var number_of_path_2 : u32 = input_0[at_20];
     var path_15 : Path_0 = load_0(number_of_path_2);
     var importance_4 : vec3<f32> = path_15.adjoint_0 * path_15.throughput_0;
     var direction_33 : vec3<f32> = path_15.direction_1;
-    var place_30 : Place_0 = path_15.place_3;
+    var place_31 : Place_0 = path_15.place_3;
     var reflected_3 : Reflected_0 = nothing_reflected_0();
     var goes_on_2 : bool = take_further_0(&(path_15), &(reflected_3), importance_4);
     var kept_0 : u32 = kept_at_0(launch_0.depth_0);
     set_vector_1(number_of_path_2, &(kept_0), importance_4);
-    set_place_1(number_of_path_2, &(kept_0), place_30);
+    set_place_1(number_of_path_2, &(kept_0), place_31);
     set_vector_1(number_of_path_2, &(kept_0), direction_33);
     set_vector_1(number_of_path_2, &(kept_0), reflected_3.direct_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_3.onward_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_3.wo_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_3.by_ray_1.drift_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_3.by_ray_1.direction_0);
-    var _S1393 : u32 = kept_0;
+    var _S1402 : u32 = kept_0;
     kept_0 = kept_0 + u32(1);
-    var _S1394 : i32;
+    var _S1403 : i32;
     if(reflected_3.is_specular_0)
     {
-        _S1394 = i32(1);
+        _S1403 = i32(1);
     }
     else
     {
-        _S1394 = i32(0);
+        _S1403 = i32(0);
     }
-    set_word_0(number_of_path_2, _S1393, u32(_S1394));
-    var _S1395 : u32 = kept_0;
+    set_word_0(number_of_path_2, _S1402, u32(_S1403));
+    var _S1404 : u32 = kept_0;
     kept_0 = kept_0 + u32(1);
-    var _S1396 : u32;
+    var _S1405 : u32;
     if(goes_on_2)
     {
-        _S1396 = (bitcast<u32>((reflected_3.factor_0)));
+        _S1405 = (bitcast<u32>((reflected_3.factor_0)));
     }
     else
     {
-        _S1396 = u32(0);
+        _S1405 = u32(0);
     }
-    set_word_0(number_of_path_2, _S1395, _S1396);
+    set_word_0(number_of_path_2, _S1404, _S1405);
     set_word_0(number_of_path_2, kept_0, (bitcast<u32>((reflected_3.distance_1))));
     path_15.throughput_0 = path_15.throughput_0 * reflected_3.onward_0;
     store_0(number_of_path_2, path_15);
     if(goes_on_2)
     {
-        _S1396 = number_of_path_2;
+        _S1405 = number_of_path_2;
     }
     else
     {
-        _S1396 = u32(4294967295);
+        _S1405 = u32(4294967295);
     }
-    set_word_0(at_21, u32(0), _S1396);
+    set_word_0(at_20, u32(0), _S1405);
+    check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 4964a59a38910633
-// result: d093c3644bc9b206
+// source: 81299129e2f6d31b
+// result: 1f9c34cbf64a440e
 
 struct Launch_std140_0
 {
@@ -25,6 +25,8 @@ struct Launch_std140_0
 @binding(1) @group(0) var<storage, read> leaf_starts_0 : array<u32>;
 
 @binding(3) @group(0) var<storage, read> rough_0 : array<vec4<u32>>;
+
+@binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
 
 fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
 {
@@ -1605,10 +1607,10 @@ fn sum_at_0( at_13 : u32) -> f32
     return number_0(at_13) + number_0(at_13 + u32(1));
 }
 
-fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr<function, f32>) -> u32
+fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr<function, f32>) -> u32
 {
     var _S99 : u32 = count_3 - u32(1);
-    var total_2 : f32 = sum_at_0(sums_0 + u32(2) * _S99);
+    var total_2 : f32 = sum_at_0(sums_1 + u32(2) * _S99);
     var target_0 : f32 = u_5 * total_2;
     var low_3 : u32 = u32(0);
     var high_0 : u32 = _S99;
@@ -1622,7 +1624,7 @@ fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr
             break;
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
-        var sum_1 : f32 = sum_at_0(sums_0 + u32(2) * middle_1);
+        var sum_1 : f32 = sum_at_0(sums_1 + u32(2) * middle_1);
         var _S100 : bool;
         if(sum_1 <= target_0)
         {
@@ -1644,13 +1646,13 @@ fn chosen_interval_0( sums_0 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr
     var below_1 : f32;
     if(low_3 > u32(0))
     {
-        below_1 = sum_at_0(sums_0 + u32(2) * (low_3 - u32(1)));
+        below_1 = sum_at_0(sums_1 + u32(2) * (low_3 - u32(1)));
     }
     else
     {
         below_1 = 0.0f;
     }
-    (*through_0) = clamp((target_0 - below_1) / (sum_at_0(sums_0 + u32(2) * low_3) - below_1), 0.0f, 1.0f);
+    (*through_0) = clamp((target_0 - below_1) / (sum_at_0(sums_1 + u32(2) * low_3) - below_1), 0.0f, 1.0f);
     return low_3;
 }
 
@@ -3550,6 +3552,31 @@ fn store_0( number_of_path_1 : u32,  path_10 : Path_0)
     return;
 }
 
+fn check_loops_0()
+{
+    var _S225 : bool;
+    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S226 : bool = rounds_0 < wanted_0;
+        _S225 = _S226;
+        if(_S226)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    if(_S225)
+    {
+        var _S227 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
+    return;
+}
+
 fn take_thread_further_0( thread_0 : u32)
 {
     var at_18 : u32 = launch_0.first_0 + thread_0;
@@ -3564,16 +3591,17 @@ fn take_thread_further_0( thread_0 : u32)
     path_11.light_0 = path_11.light_0 + path_11.throughput_0 * reflected_3.direct_0;
     path_11.throughput_0 = path_11.throughput_0 * reflected_3.onward_0;
     store_0(number_of_path_2, path_11);
-    var _S225 : u32;
+    var _S228 : u32;
     if(goes_on_2)
     {
-        _S225 = number_of_path_2;
+        _S228 = number_of_path_2;
     }
     else
     {
-        _S225 = u32(4294967295);
+        _S228 = u32(4294967295);
     }
-    set_word_0(at_18, u32(0), _S225);
+    set_word_0(at_18, u32(0), _S228);
+    check_loops_0();
     return;
 }
 

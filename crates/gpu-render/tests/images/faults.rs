@@ -3,9 +3,12 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use capwalk_geometry::Mesh;
 use capwalk_gpu::{Gpu, GpuError, GpuOptions, Precision};
 use capwalk_gpu_render::{DeviceError, DeviceScene};
+use capwalk_math::Vec3;
 use capwalk_render::{PreparedScene, RenderOptions, Unwatched, Watch};
+use capwalk_scene::{ShadingNormals, Shape};
 
 use crate::{device, scenes};
 
@@ -96,4 +99,47 @@ fn scenes_that_are_too_large_are_errors() {
         error,
         Some(DeviceError::Gpu(GpuError::TreeTooLarge { .. }))
     ));
+}
+
+/// Software that ends loops early, without a word, is found out: rays pass the boxes of very many
+/// slivers and hit none of them.
+#[test]
+fn loops_that_are_cut_short_are_noticed() {
+    let Some(gpu) = device::open(Precision::Double) else {
+        return;
+    };
+    if !gpu.is_software() {
+        return;
+    }
+    let mut scene = scenes::scene("parity/bitmap.xml");
+    scene.film.resize([8, 6]);
+    for (count, is_cut) in [(1_000, false), (100_000, true)] {
+        scene.shapes[0] = Arc::new(Shape {
+            mesh: slivers(count),
+            normals: ShadingNormals::Face,
+            uvs: None,
+            ..Shape::clone(&scene.shapes[0])
+        });
+        let prepared = PreparedScene::new(scene.clone());
+        let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
+        let rendered = on_device.render(&RenderOptions::new(1, 1), &Unwatched);
+        let error = rendered.err();
+        let noticed = matches!(
+            error,
+            Some(DeviceError::Gpu(GpuError::CutShort { threads: 1.., .. }))
+        );
+        assert_eq!(noticed, is_cut, "{count}: {error:?}");
+    }
+}
+
+/// Diagonals of squares one behind the other.
+fn slivers(count: u32) -> Mesh {
+    let corners = |k: u32| {
+        let z = f64::from(k) / f64::from(count);
+        [[-2.0, -2.0, z], [2.0, 2.0, z], [2.0, 2.0, z + 1e-7]].map(Vec3::from)
+    };
+    Mesh {
+        positions: (0..count).flat_map(corners).collect(),
+        faces: (0..count).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect(),
+    }
 }
