@@ -16,6 +16,9 @@ use crate::resident::Resident;
 /// to be busy, and little enough for the processor's copies to stay in its caches, or nearly.
 const LARGEST: u64 = 1 << 25;
 
+/// The first answer to a query whose loops were cut short, see `rays.slang`.
+const CUT_SHORT: u32 = u32::MAX - 1;
+
 /// What is asked of each query of a kernel: `numbers` for the exact tests, and so many
 /// words and numbers come back.
 #[derive(Clone, Copy, Debug)]
@@ -91,6 +94,11 @@ fn ask_with<Q: Sync>(
                     break;
                 }
                 answered => answered?,
+            }
+            let firsts = copies.answers.iter().step_by(shape.answers);
+            match firsts.filter(|&&answer| answer == CUT_SHORT).count() {
+                0 => {}
+                threads => return Err(gpu.loops_cut_short(threads as u32)),
             }
             finish(now, &copies.answers, &copies.values);
             rest = later;

@@ -1,6 +1,6 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 6e5009b0000687d3
+// source: c1e94212f7c7376b
 // result: d4082faa7278669d
 
 struct Launch_std140_0

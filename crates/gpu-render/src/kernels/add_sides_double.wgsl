@@ -1,6 +1,6 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: fa020fd54e9ee2de
+// source: 648a47577beb64a2
 // result: 29a3284f6f00f53b
 
 struct Launch_std140_0

@@ -1,7 +1,7 @@
 // Compiled from hits.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 548780700b98f862
-// result: bf553b6bcad8f58f
+// source: 19cea437a9bfd8fe
+// result: 4d4cb9edbe311578
 
 struct Launch_std140_0
 {
@@ -549,16 +549,15 @@ fn reaches_0( segments_0 : u32) -> bool
     return segments_0 <= (word_0(u32(0)));
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S35 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S35 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S36 : bool = rounds_0 < wanted_0;
+        var _S36 : u32 = u32(2) + zero_0;
         _S35 = _S36;
-        if(_S36)
+        if(rounds_0 < _S36)
         {
         }
         else
@@ -567,7 +566,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S35)
+    return rounds_0 == _S35;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S37 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: b49affe9f8957f25
-// result: 9f316043d3a1f462
+// source: a0d1b2e2c913bc99
+// result: 1326ef908186088d
 
 struct Launch_std140_0
 {
@@ -1872,16 +1872,15 @@ fn store_0( number_of_path_2 : u32,  path_6 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S160 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S160 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S161 : bool = rounds_0 < wanted_0;
+        var _S161 : u32 = u32(2) + zero_0;
         _S160 = _S161;
-        if(_S161)
+        if(rounds_0 < _S161)
         {
         }
         else
@@ -1890,7 +1889,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S160)
+    return rounds_0 == _S160;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S162 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

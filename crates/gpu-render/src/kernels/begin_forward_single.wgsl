@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: b49affe9f8957f25
-// result: c70d98c86185d316
+// source: a0d1b2e2c913bc99
+// result: 8e7db8d09c7d48f9
 
 struct Launch_std140_0
 {
@@ -1866,16 +1866,15 @@ fn store_0( number_of_path_2 : u32,  path_6 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S153 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S153 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S154 : bool = rounds_0 < wanted_0;
+        var _S154 : u32 = u32(2) + zero_0;
         _S153 = _S154;
-        if(_S154)
+        if(rounds_0 < _S154)
         {
         }
         else
@@ -1884,7 +1883,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S153)
+    return rounds_0 == _S153;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S155 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

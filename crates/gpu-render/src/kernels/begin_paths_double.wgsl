@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 81299129e2f6d31b
-// result: 9394df7b3289a513
+// source: ddb8c751a6afb573
+// result: a47b0969a3d90c2e
 
 struct Launch_std140_0
 {
@@ -1475,16 +1475,15 @@ fn store_0( number_of_path_2 : u32,  path_5 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S100 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S100 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S101 : bool = rounds_0 < wanted_0;
+        var _S101 : u32 = u32(2) + zero_0;
         _S100 = _S101;
-        if(_S101)
+        if(rounds_0 < _S101)
         {
         }
         else
@@ -1493,7 +1492,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S100)
+    return rounds_0 == _S100;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S102 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

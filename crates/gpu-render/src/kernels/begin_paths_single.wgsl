@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 81299129e2f6d31b
-// result: 0c7fa659f72e5341
+// source: ddb8c751a6afb573
+// result: dfb986895254d714
 
 struct Launch_std140_0
 {
@@ -1470,16 +1470,15 @@ fn store_0( number_of_path_2 : u32,  path_5 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S96 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S96 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S97 : bool = rounds_0 < wanted_0;
+        var _S97 : u32 = u32(2) + zero_0;
         _S96 = _S97;
-        if(_S97)
+        if(rounds_0 < _S97)
         {
         }
         else
@@ -1488,7 +1487,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S96)
+    return rounds_0 == _S96;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S98 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 845d6e344633a69a
-// result: 7dac740c9fc86087
+// source: 2325ed8c41a3e256
+// result: 6060de63c130a220
 
 struct Launch_std140_0
 {
@@ -2517,16 +2517,15 @@ fn store_0( number_of_path_2 : u32,  path_7 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S269 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S269 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S270 : bool = rounds_0 < wanted_0;
+        var _S270 : u32 = u32(2) + zero_0;
         _S269 = _S270;
-        if(_S270)
+        if(rounds_0 < _S270)
         {
         }
         else
@@ -2535,7 +2534,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S269)
+    return rounds_0 == _S269;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S271 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

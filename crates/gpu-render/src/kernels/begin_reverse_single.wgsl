@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 845d6e344633a69a
-// result: f7a123fdef2c404b
+// source: 2325ed8c41a3e256
+// result: df029e89b40fd7a0
 
 struct Launch_std140_0
 {
@@ -2512,16 +2512,15 @@ fn store_0( number_of_path_2 : u32,  path_7 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S263 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S263 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S264 : bool = rounds_0 < wanted_0;
+        var _S264 : u32 = u32(2) + zero_0;
         _S263 = _S264;
-        if(_S264)
+        if(rounds_0 < _S264)
         {
         }
         else
@@ -2530,7 +2529,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S263)
+    return rounds_0 == _S263;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S265 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 6e5009b0000687d3
-// result: 34752fea9427b8aa
+// source: c1e94212f7c7376b
+// result: 1f96f7d57ac1d7df
 
 struct Launch_std140_0
 {
@@ -3572,16 +3572,15 @@ fn sample_points_0( at_43 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : 
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S226 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S226 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S227 : bool = rounds_0 < wanted_0;
+        var _S227 : u32 = u32(2) + zero_0;
         _S226 = _S227;
-        if(_S227)
+        if(rounds_0 < _S227)
         {
         }
         else
@@ -3590,7 +3589,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S226)
+    return rounds_0 == _S226;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S228 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

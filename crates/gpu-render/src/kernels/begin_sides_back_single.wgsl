@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 6e5009b0000687d3
-// result: 262ad4d4972dad69
+// source: c1e94212f7c7376b
+// result: c60f7c15b3c59606
 
 struct Launch_std140_0
 {
@@ -3566,16 +3566,15 @@ fn sample_points_0( at_43 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : 
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S220 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S220 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S221 : bool = rounds_0 < wanted_0;
+        var _S221 : u32 = u32(2) + zero_0;
         _S220 = _S221;
-        if(_S221)
+        if(rounds_0 < _S221)
         {
         }
         else
@@ -3584,7 +3583,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S220)
+    return rounds_0 == _S220;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S222 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

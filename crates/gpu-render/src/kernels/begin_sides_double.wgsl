@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: fa020fd54e9ee2de
-// result: b9d895831b45d3c9
+// source: 648a47577beb64a2
+// result: 9c2f67be1c6091e8
 
 struct Launch_std140_0
 {
@@ -4002,16 +4002,15 @@ fn sample_points_0( at_49 : ShadingPoint_0,  number_of_path_6 : u32,  path_16 : 
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S357 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S357 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S358 : bool = rounds_0 < wanted_0;
+        var _S358 : u32 = u32(2) + zero_0;
         _S357 = _S358;
-        if(_S358)
+        if(rounds_0 < _S358)
         {
         }
         else
@@ -4020,7 +4019,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S357)
+    return rounds_0 == _S357;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S359 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: fa020fd54e9ee2de
-// result: c4aee85f92cda21d
+// source: 648a47577beb64a2
+// result: aea87c33f5515ea8
 
 struct Launch_std140_0
 {
@@ -3996,16 +3996,15 @@ fn sample_points_0( at_49 : ShadingPoint_0,  number_of_path_6 : u32,  path_16 : 
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S347 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S347 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S348 : bool = rounds_0 < wanted_0;
+        var _S348 : u32 = u32(2) + zero_0;
         _S347 = _S348;
-        if(_S348)
+        if(rounds_0 < _S348)
         {
         }
         else
@@ -4014,7 +4013,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S347)
+    return rounds_0 == _S347;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S349 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

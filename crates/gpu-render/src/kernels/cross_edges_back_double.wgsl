@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 6e5009b0000687d3
-// result: 85e50fe1c8316413
+// source: c1e94212f7c7376b
+// result: 8fa7581a2476ddcc
 
 struct Launch_std140_0
 {
@@ -4635,16 +4635,15 @@ fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_43 : ShadingPoint_
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S452 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S452 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S453 : bool = rounds_0 < wanted_0;
+        var _S453 : u32 = u32(2) + zero_0;
         _S452 = _S453;
-        if(_S453)
+        if(rounds_0 < _S453)
         {
         }
         else
@@ -4653,7 +4652,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S452)
+    return rounds_0 == _S452;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S454 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 6e5009b0000687d3
-// result: 184380a4acb59f23
+// source: c1e94212f7c7376b
+// result: f9da04a30d0c664c
 
 struct Launch_std140_0
 {
@@ -4628,16 +4628,15 @@ fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_43 : ShadingPoint_
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S441 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S441 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S442 : bool = rounds_0 < wanted_0;
+        var _S442 : u32 = u32(2) + zero_0;
         _S441 = _S442;
-        if(_S442)
+        if(rounds_0 < _S442)
         {
         }
         else
@@ -4646,7 +4645,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S441)
+    return rounds_0 == _S441;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S443 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

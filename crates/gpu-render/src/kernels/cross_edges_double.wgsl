@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: fa020fd54e9ee2de
-// result: fd12bc320b969d9d
+// source: 648a47577beb64a2
+// result: 867528397a72fcce
 
 struct Launch_std140_0
 {
@@ -3958,16 +3958,15 @@ fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S357 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S357 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S358 : bool = rounds_0 < wanted_0;
+        var _S358 : u32 = u32(2) + zero_0;
         _S357 = _S358;
-        if(_S358)
+        if(rounds_0 < _S358)
         {
         }
         else
@@ -3976,7 +3975,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S357)
+    return rounds_0 == _S357;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S359 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 845d6e344633a69a
-// result: 8457bfb5200f24a8
+// source: 2325ed8c41a3e256
+// result: bd13c5fa68bee20f
 
 struct Launch_std140_0
 {
@@ -4606,16 +4606,15 @@ fn set_vector_0( path_4 : u32,  which_4 : ptr<function, u32>,  value_7 : vec3<f3
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S1079 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S1079 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S1080 : bool = rounds_0 < wanted_0;
+        var _S1080 : u32 = u32(2) + zero_0;
         _S1079 = _S1080;
-        if(_S1080)
+        if(rounds_0 < _S1080)
         {
         }
         else
@@ -4624,7 +4623,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S1079)
+    return rounds_0 == _S1079;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S1081 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

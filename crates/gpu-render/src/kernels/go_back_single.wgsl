@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 845d6e344633a69a
-// result: e77617d02ed1089c
+// source: 2325ed8c41a3e256
+// result: 525e36d597d7d9db
 
 struct Launch_std140_0
 {
@@ -4604,16 +4604,15 @@ fn set_vector_0( path_4 : u32,  which_4 : ptr<function, u32>,  value_7 : vec3<f3
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S1073 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S1073 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S1074 : bool = rounds_0 < wanted_0;
+        var _S1074 : u32 = u32(2) + zero_0;
         _S1073 = _S1074;
-        if(_S1074)
+        if(rounds_0 < _S1074)
         {
         }
         else
@@ -4622,7 +4621,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S1073)
+    return rounds_0 == _S1073;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S1075 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 81299129e2f6d31b
-// result: e6a2bdb55e67266f
+// source: ddb8c751a6afb573
+// result: 298475b03f9693b4
 
 struct Launch_std140_0
 {
@@ -3550,16 +3550,15 @@ fn store_0( number_of_path_1 : u32,  path_10 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S230 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S230 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S231 : bool = rounds_0 < wanted_0;
+        var _S231 : u32 = u32(2) + zero_0;
         _S230 = _S231;
-        if(_S231)
+        if(rounds_0 < _S231)
         {
         }
         else
@@ -3568,7 +3567,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S230)
+    return rounds_0 == _S230;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S232 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

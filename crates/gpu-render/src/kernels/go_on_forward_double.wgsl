@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: b49affe9f8957f25
-// result: c7397788a3c6f62a
+// source: a0d1b2e2c913bc99
+// result: b0eaf7343bb78b6b
 
 struct Launch_std140_0
 {
@@ -4552,16 +4552,15 @@ fn store_0( number_of_path_1 : u32,  path_12 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S607 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S607 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S608 : bool = rounds_0 < wanted_0;
+        var _S608 : u32 = u32(2) + zero_0;
         _S607 = _S608;
-        if(_S608)
+        if(rounds_0 < _S608)
         {
         }
         else
@@ -4570,7 +4569,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S607)
+    return rounds_0 == _S607;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S609 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: b49affe9f8957f25
-// result: 3d057ba308ceab20
+// source: a0d1b2e2c913bc99
+// result: 61bb3bfa4b680fb5
 
 struct Launch_std140_0
 {
@@ -4546,16 +4546,15 @@ fn store_0( number_of_path_1 : u32,  path_12 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S596 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S596 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S597 : bool = rounds_0 < wanted_0;
+        var _S597 : u32 = u32(2) + zero_0;
         _S596 = _S597;
-        if(_S597)
+        if(rounds_0 < _S597)
         {
         }
         else
@@ -4564,7 +4563,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S596)
+    return rounds_0 == _S596;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S598 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 845d6e344633a69a
-// result: 026864d48fe10487
+// source: 2325ed8c41a3e256
+// result: d0866d9c600663ac
 
 struct Launch_std140_0
 {
@@ -8037,16 +8037,15 @@ fn store_0( number_of_path_1 : u32,  path_14 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S1390 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S1390 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S1391 : bool = rounds_0 < wanted_0;
+        var _S1391 : u32 = u32(2) + zero_0;
         _S1390 = _S1391;
-        if(_S1391)
+        if(rounds_0 < _S1391)
         {
         }
         else
@@ -8055,7 +8054,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S1390)
+    return rounds_0 == _S1390;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S1392 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 81299129e2f6d31b
-// result: 1f9c34cbf64a440e
+// source: ddb8c751a6afb573
+// result: 84852c9faff5e959
 
 struct Launch_std140_0
 {
@@ -3552,16 +3552,15 @@ fn store_0( number_of_path_1 : u32,  path_10 : Path_0)
     return;
 }
 
-fn check_loops_0()
+fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S225 : bool;
-    var wanted_0 : u32 = u32(2) + (((launch_0.room_0) >> (u32(31))));
+    var _S225 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S226 : bool = rounds_0 < wanted_0;
+        var _S226 : u32 = u32(2) + zero_0;
         _S225 = _S226;
-        if(_S226)
+        if(rounds_0 < _S226)
         {
         }
         else
@@ -3570,7 +3569,12 @@ fn check_loops_0()
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    if(_S225)
+    return rounds_0 == _S225;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
         var _S227 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }

@@ -1,7 +1,7 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: a8d5e6c5f5b70297
-// result: 35200582e427b2c9
+// source: 39060f59ecb67397
+// result: bcad67c5966fb3d8
 
 struct Launch_std140_0
 {
@@ -649,11 +649,36 @@ fn closest_on_edge_0( cone_3 : Cone_0,  at_4 : u32,  nearest_2 : ptr<function, N
     return _S45;
 }
 
+fn loops_end_0( zero_0 : u32) -> bool
+{
+    var _S46 : u32;
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S47 : u32 = u32(2) + zero_0;
+        _S46 = _S47;
+        if(rounds_0 < _S47)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    return rounds_0 == _S46;
+}
+
+fn is_cut_short_0() -> bool
+{
+    return !loops_end_0(((launch_0.end_0) >> (u32(31))));
+}
+
 fn real_of_lane_0( value_2 : f32,  other_3 : u32) -> f32
 {
     ;
-    var _S46 : f32 = subgroupShuffle(value_2, u32((((_S2 & (u32(4294967288)))) | (other_3))));
-    return _S46;
+    var _S48 : f32 = subgroupShuffle(value_2, u32((((_S2 & (u32(4294967288)))) | (other_3))));
+    return _S48;
 }
 
 @compute
@@ -663,25 +688,25 @@ fn closest(@builtin(global_invocation_id) thread_2 : vec3<u32>, @builtin(subgrou
     var limit_6 : f32;
     var found_0 : u32;
     var i_0 : u32;
-    var _S47 : bool;
-    var _S48 : bool;
+    var _S49 : bool;
+    var _S50 : bool;
     _S2 = _builtinWaveLaneIndex_0;
-    var _S49 : u32 = thread_2.x;
-    var query_2 : u32 = cone_query_0(_S49);
+    var _S51 : u32 = thread_2.x;
+    var query_2 : u32 = cone_query_0(_S51);
     var view_6 : ConeView_0 = cone_view_0(query_2);
-    var _S50 : Cone_0 = cone_at_0(query_2, view_6.all_edges_0);
-    var cone_4 : Cone_0 = _S50;
-    var _S51 : Nearest_0 = at_point_0(_S50, 0.0f, cone_4.axis_1);
-    var _S52 : bool = is_asked_0(_S49);
-    var _S53 : Way_0 = start_0(view_6, _S52);
-    var way_2 : Way_0 = _S53;
+    var _S52 : Cone_0 = cone_at_0(query_2, view_6.all_edges_0);
+    var cone_4 : Cone_0 = _S52;
+    var _S53 : Nearest_0 = at_point_0(_S52, 0.0f, cone_4.axis_1);
+    var _S54 : bool = is_asked_0(_S51);
+    var _S55 : Way_0 = start_0(view_6, _S54);
+    var way_2 : Way_0 = _S55;
     var limit_7 : f32 = view_6.limit_0;
     var found_1 : u32 = u32(4294967295);
-    var best_0 : Nearest_0 = _S51;
+    var best_0 : Nearest_0 = _S53;
     for(;;)
     {
-        var _S54 : bool = reach_leaf_0(&(way_2), view_6, limit_7);
-        if(_S54)
+        var _S56 : bool = reach_leaf_0(&(way_2), view_6, limit_7);
+        if(_S56)
         {
         }
         else
@@ -692,18 +717,18 @@ fn closest(@builtin(global_invocation_id) thread_2 : vec3<u32>, @builtin(subgrou
         if(!way_2.is_over_0)
         {
             var leaf_0 : u32 = ((way_2.child_0) & (u32(2147483647)));
-            var _S55 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+            var _S57 : u32 = leaf_starts_0[leaf_0 + u32(1)];
             way_2.child_0 = u32(4294967295);
-            var _S56 : u32 = leaf_starts_0[leaf_0];
-            var _S57 : u32 = lane_0();
-            var _S58 : u32 = _S56 + _S57;
+            var _S58 : u32 = leaf_starts_0[leaf_0];
+            var _S59 : u32 = lane_0();
+            var _S60 : u32 = _S58 + _S59;
             limit_6 = limit_7;
             found_0 = found_1;
             best_1 = best_0;
-            i_0 = _S58;
+            i_0 = _S60;
             for(;;)
             {
-                if(i_0 < _S55)
+                if(i_0 < _S57)
                 {
                 }
                 else
@@ -711,8 +736,8 @@ fn closest(@builtin(global_invocation_id) thread_2 : vec3<u32>, @builtin(subgrou
                     break;
                 }
                 var edge_1 : u32;
-                var _S59 : bool = may_count_0(view_6, limit_6, i_0, &(edge_1));
-                if(!_S59)
+                var _S61 : bool = may_count_0(view_6, limit_6, i_0, &(edge_1));
+                if(!_S61)
                 {
                     i_0 = i_0 + u32(8);
                     continue;
@@ -721,32 +746,32 @@ fn closest(@builtin(global_invocation_id) thread_2 : vec3<u32>, @builtin(subgrou
                 var angle_0 : f32 = closest_on_edge_0(cone_4, u32(14) * i_0, &(nearest_3));
                 if(angle_0 < (cone_4.limit_1))
                 {
-                    _S47 = true;
+                    _S49 = true;
                 }
                 else
                 {
                     if(angle_0 == (cone_4.limit_1))
                     {
-                        _S47 = found_0 != u32(4294967295);
+                        _S49 = found_0 != u32(4294967295);
                     }
                     else
                     {
-                        _S47 = false;
+                        _S49 = false;
                     }
-                    if(_S47)
+                    if(_S49)
                     {
-                        _S48 = edge_1 < found_0;
+                        _S50 = edge_1 < found_0;
                     }
                     else
                     {
-                        _S48 = false;
+                        _S50 = false;
                     }
-                    _S47 = _S48;
+                    _S49 = _S50;
                 }
                 var limit_8 : f32;
                 var found_2 : u32;
                 var best_2 : Nearest_0;
-                if(_S47)
+                if(_S49)
                 {
                     cone_4.limit_1 = angle_0;
                     limit_8 = min(limit_6, angle_0 * 1.0009765625f);
@@ -771,10 +796,23 @@ fn closest(@builtin(global_invocation_id) thread_2 : vec3<u32>, @builtin(subgrou
             found_0 = found_1;
             best_1 = best_0;
         }
-        var _S60 : u32 = least_0((bitcast<u32>((limit_6))));
-        limit_7 = (bitcast<f32>((_S60)));
+        var _S62 : u32 = least_0((bitcast<u32>((limit_6))));
+        limit_7 = (bitcast<f32>((_S62)));
         found_1 = found_0;
         best_0 = best_1;
+    }
+    var is_cut_0 : bool = is_cut_short_0();
+    if(is_cut_0)
+    {
+        _S49 = _S54;
+    }
+    else
+    {
+        _S49 = false;
+    }
+    if(_S49)
+    {
+        answers_0[query_2] = u32(4294967294);
     }
     found_0 = found_1;
     limit_6 = cone_4.limit_1;
@@ -788,81 +826,89 @@ fn closest(@builtin(global_invocation_id) thread_2 : vec3<u32>, @builtin(subgrou
         {
             break;
         }
-        var _S61 : u32 = lane_0();
-        var other_4 : u32 = of_lane_0(found_0, (_S61 ^ (i_0)));
-        var _S62 : u32 = lane_0();
-        var its_0 : f32 = real_of_lane_0(limit_6, (_S62 ^ (i_0)));
+        var _S63 : u32 = lane_0();
+        var other_4 : u32 = of_lane_0(found_0, (_S63 ^ (i_0)));
+        var _S64 : u32 = lane_0();
+        var its_0 : f32 = real_of_lane_0(limit_6, (_S64 ^ (i_0)));
         if(other_4 != u32(4294967295))
         {
             if(found_0 == u32(4294967295))
             {
-                _S47 = true;
+                _S49 = true;
             }
             else
             {
-                _S47 = its_0 < limit_6;
+                _S49 = its_0 < limit_6;
             }
-            if(_S47)
+            if(_S49)
             {
-                _S48 = true;
+                _S50 = true;
             }
             else
             {
                 if(its_0 == limit_6)
                 {
-                    _S48 = other_4 < found_0;
+                    _S50 = other_4 < found_0;
                 }
                 else
                 {
-                    _S48 = false;
+                    _S50 = false;
                 }
             }
-            _S47 = _S48;
+            _S49 = _S50;
         }
         else
         {
-            _S47 = false;
+            _S49 = false;
         }
-        if(_S47)
+        if(_S49)
         {
             found_0 = other_4;
             limit_6 = its_0;
         }
         i_0 = i_0 * u32(2);
     }
-    if(!_S52)
+    if(is_cut_0)
     {
-        _S47 = true;
+        _S49 = true;
     }
     else
     {
-        _S47 = found_1 != found_0;
+        _S49 = !_S54;
     }
-    if(_S47)
+    if(_S49)
     {
-        _S47 = true;
+        _S49 = true;
+    }
+    else
+    {
+        _S49 = found_1 != found_0;
+    }
+    if(_S49)
+    {
+        _S49 = true;
     }
     else
     {
         if(found_0 == u32(4294967295))
         {
-            var _S63 : u32 = lane_0();
-            _S47 = _S63 != u32(0);
+            var _S65 : u32 = lane_0();
+            _S49 = _S65 != u32(0);
         }
         else
         {
-            _S47 = false;
+            _S49 = false;
         }
     }
-    if(_S47)
+    if(_S49)
     {
         return;
     }
     answers_0[query_2] = found_1;
-    var _S64 : u32 = u32(4) * query_2;
-    values_0[_S64] = best_0.t_0;
-    values_0[_S64 + u32(1)] = best_0.position_0.x;
-    values_0[_S64 + u32(2)] = best_0.position_0.y;
-    values_0[_S64 + u32(3)] = best_0.position_0.z;
+    var _S66 : u32 = u32(4) * query_2;
+    values_0[_S66] = best_0.t_0;
+    values_0[_S66 + u32(1)] = best_0.position_0.x;
+    values_0[_S66 + u32(2)] = best_0.position_0.y;
+    values_0[_S66 + u32(3)] = best_0.position_0.z;
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: a8d5e6c5f5b70297
-// result: a00bee4598fbe6c6
+// source: 39060f59ecb67397
+// result: 5ea22e662aafa0d1
 
 struct Launch_std140_0
 {
@@ -519,17 +519,51 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
     return found_0;
 }
 
+fn loops_end_0( zero_0 : u32) -> bool
+{
+    var _S34 : u32;
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S35 : u32 = u32(2) + zero_0;
+        _S34 = _S35;
+        if(rounds_0 < _S35)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    return rounds_0 == _S34;
+}
+
+fn is_cut_short_0() -> bool
+{
+    return !loops_end_0(((launch_0.end_0) >> (u32(31))));
+}
+
 fn trace_0( query_2 : u32,  any_1 : bool)
 {
     var ray_4 : Ray_0 = ray_at_0(query_2);
     var found_1 : Found_0 = first_found_0(ray_view_0(query_2), &(ray_4), any_1);
-    answers_0[query_2] = found_1.face_1;
+    var _S36 : u32;
+    if(is_cut_short_0())
+    {
+        _S36 = u32(4294967294);
+    }
+    else
+    {
+        _S36 = found_1.face_1;
+    }
+    answers_0[query_2] = _S36;
     if(!any_1)
     {
-        var _S34 : u32 = u32(3) * query_2;
-        values_0[_S34] = ray_4.t_max_0;
-        values_0[_S34 + u32(1)] = found_1.v_3;
-        values_0[_S34 + u32(2)] = found_1.w_2;
+        var _S37 : u32 = u32(3) * query_2;
+        values_0[_S37] = ray_4.t_max_0;
+        values_0[_S37 + u32(1)] = found_1.v_3;
+        values_0[_S37 + u32(2)] = found_1.w_2;
     }
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: a8d5e6c5f5b70297
-// result: f5ba323929be9353
+// source: 39060f59ecb67397
+// result: 7fa5f9d53cfed152
 
 struct Launch_std140_0
 {
@@ -660,25 +660,50 @@ fn united_0( bits_0 : u32) -> u32
     return (_S51 | (_S53));
 }
 
+fn loops_end_0( zero_0 : u32) -> bool
+{
+    var _S54 : u32;
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S55 : u32 = u32(2) + zero_0;
+        _S54 = _S55;
+        if(rounds_0 < _S55)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    return rounds_0 == _S54;
+}
+
+fn is_cut_short_0() -> bool
+{
+    return !loops_end_0(((launch_0.end_0) >> (u32(31))));
+}
+
 @compute
 @workgroup_size(64, 1, 1)
 fn gather(@builtin(global_invocation_id) thread_2 : vec3<u32>, @builtin(subgroup_invocation_id) _builtinWaveLaneIndex_0 : u32)
 {
     var meets_0 : bool;
     _S2 = _builtinWaveLaneIndex_0;
-    var _S54 : u32 = thread_2.x;
-    var query_2 : u32 = cone_query_0(_S54);
+    var _S56 : u32 = thread_2.x;
+    var query_2 : u32 = cone_query_0(_S56);
     var view_6 : ConeView_0 = cone_view_0(query_2);
-    var _S55 : Cone_0 = cone_at_0(query_2, view_6.all_edges_0);
+    var _S57 : Cone_0 = cone_at_0(query_2, view_6.all_edges_0);
     var room_0 : u32 = (launch_0.capacity_0 + u32(1)) * query_2;
-    var _S56 : bool = is_asked_0(_S54);
-    var _S57 : Way_0 = start_0(view_6, _S56);
-    var way_2 : Way_0 = _S57;
+    var _S58 : bool = is_asked_0(_S56);
+    var _S59 : Way_0 = start_0(view_6, _S58);
+    var way_2 : Way_0 = _S59;
     var count_0 : u32 = u32(0);
     for(;;)
     {
-        var _S58 : bool = reach_leaf_0(&(way_2), view_6, view_6.limit_0);
-        if(_S58)
+        var _S60 : bool = reach_leaf_0(&(way_2), view_6, view_6.limit_0);
+        if(_S60)
         {
         }
         else
@@ -695,34 +720,34 @@ fn gather(@builtin(global_invocation_id) thread_2 : vec3<u32>, @builtin(subgroup
             leaf_0 = ((way_2.child_0) & (u32(2147483647)));
         }
         var first_3 : u32 = leaf_starts_0[leaf_0];
-        var _S59 : u32;
+        var _S61 : u32;
         if(way_2.is_over_0)
         {
-            _S59 = first_3;
+            _S61 = first_3;
         }
         else
         {
-            _S59 = leaf_starts_0[leaf_0 + u32(1)];
+            _S61 = leaf_starts_0[leaf_0 + u32(1)];
         }
         way_2.child_0 = u32(4294967295);
         var first_4 : u32 = first_3;
         for(;;)
         {
-            var _S60 : bool = any_in_step_0(first_4 < _S59);
-            if(_S60)
+            var _S62 : bool = any_in_step_0(first_4 < _S61);
+            if(_S62)
             {
             }
             else
             {
                 break;
             }
-            var _S61 : u32 = lane_0();
-            var i_0 : u32 = first_4 + _S61;
+            var _S63 : u32 = lane_0();
+            var i_0 : u32 = first_4 + _S63;
             var edge_1 : u32 = u32(4294967295);
-            if(i_0 < _S59)
+            if(i_0 < _S61)
             {
-                var _S62 : bool = may_count_0(view_6, view_6.limit_0, i_0, &(edge_1));
-                meets_0 = _S62;
+                var _S64 : bool = may_count_0(view_6, view_6.limit_0, i_0, &(edge_1));
+                meets_0 = _S64;
             }
             else
             {
@@ -732,35 +757,35 @@ fn gather(@builtin(global_invocation_id) thread_2 : vec3<u32>, @builtin(subgroup
             if(meets_0)
             {
                 var nearest_3 : Nearest_0;
-                meets_1 = (closest_on_edge_0(_S55, u32(14) * i_0, &(nearest_3))) < (_S55.limit_1);
+                meets_1 = (closest_on_edge_0(_S57, u32(14) * i_0, &(nearest_3))) < (_S57.limit_1);
             }
             else
             {
                 meets_1 = meets_0;
             }
-            var _S63 : u32;
+            var _S65 : u32;
             if(meets_1)
             {
-                var _S64 : u32 = lane_0();
-                _S63 = (u32(1) << (_S64));
+                var _S66 : u32 = lane_0();
+                _S65 = (u32(1) << (_S66));
             }
             else
             {
-                _S63 = u32(0);
+                _S65 = u32(0);
             }
-            var meeting_0 : u32 = united_0(_S63);
-            var _S65 : u32 = lane_0();
-            var place_0 : u32 = count_0 + countOneBits((meeting_0 & ((((u32(1) << (_S65))) - u32(1)))));
-            var _S66 : bool;
+            var meeting_0 : u32 = united_0(_S65);
+            var _S67 : u32 = lane_0();
+            var place_0 : u32 = count_0 + countOneBits((meeting_0 & ((((u32(1) << (_S67))) - u32(1)))));
+            var _S68 : bool;
             if(meets_1)
             {
-                _S66 = place_0 < (launch_0.capacity_0);
+                _S68 = place_0 < (launch_0.capacity_0);
             }
             else
             {
-                _S66 = false;
+                _S68 = false;
             }
-            if(_S66)
+            if(_S68)
             {
                 answers_0[room_0 + u32(1) + place_0] = edge_1;
             }
@@ -769,10 +794,10 @@ fn gather(@builtin(global_invocation_id) thread_2 : vec3<u32>, @builtin(subgroup
             count_0 = count_1;
         }
     }
-    if(_S56)
+    if(_S58)
     {
-        var _S67 : u32 = lane_0();
-        meets_0 = _S67 == u32(0);
+        var _S69 : u32 = lane_0();
+        meets_0 = _S69 == u32(0);
     }
     else
     {
@@ -780,6 +805,10 @@ fn gather(@builtin(global_invocation_id) thread_2 : vec3<u32>, @builtin(subgroup
     }
     if(meets_0)
     {
+        if(is_cut_short_0())
+        {
+            count_0 = u32(4294967294);
+        }
         answers_0[room_0] = count_0;
     }
     return;

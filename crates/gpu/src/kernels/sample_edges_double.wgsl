@@ -1,7 +1,7 @@
 // Compiled from sampled.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: a79ee5a0847d6687
-// result: 115f787799b4288b
+// source: 777108d93857b294
+// result: 298f7ff1f58bdbc3
 
 struct Launch_std140_0
 {
@@ -20,9 +20,9 @@ struct Launch_std140_0
 
 @binding(2) @group(0) var<storage, read> primitives_1 : array<f64>;
 
-@binding(6) @group(0) var<storage, read_write> answers_0 : array<u32>;
-
 @binding(1) @group(0) var<storage, read> leaf_starts_0 : array<u32>;
+
+@binding(6) @group(0) var<storage, read_write> answers_0 : array<u32>;
 
 @binding(7) @group(0) var<storage, read_write> values_0 : array<f64>;
 
@@ -540,6 +540,31 @@ fn weight_0( sampled_5 : Sampled_0,  edge_0 : u32) -> f64
     return factor_0 * sqrt(dot(along_2, along_2)) / (dot(a_2, a_2) + dot(b_2, b_2));
 }
 
+fn loops_end_0( zero_0 : u32) -> bool
+{
+    var _S31 : u32;
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S32 : u32 = u32(2) + zero_0;
+        _S31 = _S32;
+        if(rounds_0 < _S32)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    return rounds_0 == _S31;
+}
+
+fn is_cut_short_0() -> bool
+{
+    return !loops_end_0(((launch_0.end_0) >> (u32(31))));
+}
+
 @compute
 @workgroup_size(64, 1, 1)
 fn sample_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
@@ -557,53 +582,54 @@ fn sample_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     cone_6.plane_normal_0 = query_vector_0(at_5 + u32(9));
     cone_6.on_plane_0 = queries_0[at_5 + u32(12)];
     cone_6.size_0 = queries_0[at_5 + u32(13)];
-    var _S31 : f64 = queries_0[at_5 + u32(14)];
-    cone_6.limit_0 = _S31;
+    var _S33 : f64 = queries_0[at_5 + u32(14)];
+    cone_6.limit_0 = _S33;
     cone_6.largest_0 = queries_0[at_5 + u32(15)];
     cone_6.all_edges_0 = (views_0[u32(3) * query_1].x) != u32(0);
     var sampled_6 : Sampled_0;
     sampled_6.cone_0 = cone_6;
-    var _S32 : u32 = at_5 + u32(16);
-    sampled_6.sin_0 = queries_0[_S32];
-    sampled_6.cos_0 = queries_0[_S32 + u32(1)];
-    sampled_6.clear_0 = queries_0[_S32 + u32(2)];
-    sampled_6.size_1 = queries_0[_S32 + u32(3)];
+    var _S34 : u32 = at_5 + u32(16);
+    sampled_6.sin_0 = queries_0[_S34];
+    sampled_6.cos_0 = queries_0[_S34 + u32(1)];
+    sampled_6.clear_0 = queries_0[_S34 + u32(2)];
+    sampled_6.size_1 = queries_0[_S34 + u32(3)];
     var leaf_1 : u32 = u32(0);
     var probability_1 : f64 = 0.0lf;
     var is_chosen_0 : bool;
-    if(_S31 >= 0.0lf)
+    if(_S33 >= 0.0lf)
     {
-        var _S33 : bool = descend_0(sampled_6, number_at_0(query_1, u32(0)), &(leaf_1), &(probability_1));
-        is_chosen_0 = _S33;
+        var _S35 : bool = descend_0(sampled_6, number_at_0(query_1, u32(0)), &(leaf_1), &(probability_1));
+        is_chosen_0 = _S35;
     }
     else
     {
         is_chosen_0 = false;
     }
     var chosen_0 : u32;
+    var answer_0 : u32;
     var chosen_weight_0 : f64;
     var sum_1 : f64;
     if(is_chosen_0)
     {
         var number_2 : Number_0 = number_at_0(query_1, u32(1));
-        var _S34 : u32 = nodes_0[leaf_1].z;
+        var _S36 : u32 = nodes_0[leaf_1].z;
         chosen_0 = u32(4294967295);
         chosen_weight_0 = 0.0lf;
-        var i_2 : u32 = _S34;
+        answer_0 = _S36;
         sum_1 = 0.0lf;
         for(;;)
         {
-            if(i_2 < (nodes_0[leaf_1].w))
+            if(answer_0 < (nodes_0[leaf_1].w))
             {
             }
             else
             {
                 break;
             }
-            var own_0 : f64 = weight_0(sampled_6, i_2);
+            var own_0 : f64 = weight_0(sampled_6, answer_0);
             if(!(own_0 > 0.0lf))
             {
-                i_2 = i_2 + u32(1);
+                answer_0 = answer_0 + u32(1);
                 continue;
             }
             var sum_2 : f64 = sum_1 + own_0;
@@ -627,13 +653,13 @@ fn sample_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
             if(!is_chosen_0)
             {
                 sum_1 = sum_2;
-                i_2 = i_2 + u32(1);
+                answer_0 = answer_0 + u32(1);
                 continue;
             }
-            chosen_0 = i_2;
+            chosen_0 = answer_0;
             chosen_weight_0 = own_0;
             sum_1 = sum_2;
-            i_2 = i_2 + u32(1);
+            answer_0 = answer_0 + u32(1);
         }
     }
     else
@@ -642,17 +668,25 @@ fn sample_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         chosen_weight_0 = 0.0lf;
         sum_1 = 0.0lf;
     }
-    var _S35 : bool = chosen_0 == u32(4294967295);
-    if(_S35)
+    var _S37 : bool = chosen_0 == u32(4294967295);
+    if(_S37)
     {
-        chosen_0 = u32(4294967295);
+        answer_0 = u32(4294967295);
     }
     else
     {
-        chosen_0 = leaf_starts_0[chosen_0];
+        answer_0 = leaf_starts_0[chosen_0];
+    }
+    if(is_cut_short_0())
+    {
+        chosen_0 = u32(4294967294);
+    }
+    else
+    {
+        chosen_0 = answer_0;
     }
     answers_0[query_1] = chosen_0;
-    if(_S35)
+    if(_S37)
     {
         chosen_weight_0 = 0.0lf;
     }

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use capwalk_geometry::{Ray, RayTree, SilhouetteTree, topology};
+use capwalk_geometry::{ConeQuery, EdgeSelection, Ray, RayTree, SilhouetteTree, topology};
 use capwalk_gpu::{DeviceRayTree, DeviceSilhouetteTree, Gpu, GpuError, GpuOptions};
 use capwalk_math::Vec3;
 
@@ -110,4 +110,40 @@ fn degenerate_rays() {
     let bad = directions.map(|direction| Ray::new(Vec3::new(0.6, 0.0, -9.0), direction));
     assert_eq!(device.first_hits(&bad).expect("answers"), [None; 4]);
     assert_eq!(device.occluded(&bad).expect("answers"), [false; 4]);
+}
+
+/// Software that ends loops early, without a word, is found out: cones that gather everything, and
+/// rays that pass the boxes of very many slivers.
+#[test]
+fn loops_that_are_cut_short() {
+    let Some((gpu, _turn)) = open(&GpuOptions::default()) else {
+        return;
+    };
+    if !gpu.is_software() {
+        return;
+    }
+    for (count, is_cut) in [(1_000, false), (200_000, true)] {
+        let mesh = meshes::slivers(count);
+        let ray = Ray::new(Vec3::new(1.0, -1.0, -9.0), Vec3::new(0.0, 0.0, 1.0));
+        let rays = DeviceRayTree::new(&gpu, &RayTree::build(&mesh)).expect("room");
+        let tree = SilhouetteTree::build(&mesh, &topology::edges(&mesh));
+        let cones = DeviceSilhouetteTree::new(&gpu, &tree).expect("room");
+        let everything = ConeQuery {
+            apex: Vec3::new(0.0, 0.0, -9.0),
+            axis: Vec3::new(0.0, 0.0, 1.0),
+            max_angle: 3.0,
+            edges: EdgeSelection::All,
+            groups: u8::MAX,
+            in_front_of: None,
+        };
+        let errors = [
+            rays.first_hits(&[ray]).err(),
+            rays.occluded(&[ray]).err(),
+            cones.gather(&[everything], 10).err(),
+        ];
+        for error in errors {
+            let noticed = matches!(error, Some(GpuError::CutShort { .. }));
+            assert_eq!(noticed, is_cut, "{count}: {error:?}");
+        }
+    }
 }

@@ -173,3 +173,15 @@ fn cube() -> Mesh {
             .collect(),
     }
 }
+
+/// Diagonals of squares one behind the other.
+pub fn slivers(count: u32) -> Mesh {
+    let corners = |k: u32| {
+        let z = f64::from(k) / f64::from(count);
+        [[-2.0, -2.0, z], [2.0, 2.0, z], [2.0, 2.0, z + 1e-7]].map(Vec3::from)
+    };
+    Mesh {
+        positions: (0..count).flat_map(corners).collect(),
+        faces: (0..count).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect(),
+    }
+}
