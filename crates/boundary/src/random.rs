@@ -44,6 +44,12 @@ impl Sampler {
         self.group
     }
 
+    /// The seed from which a device makes the keys of streams ([`Stream::independent_key`]); `None`
+    /// for Sobol's points.
+    pub fn independent_seed(&self) -> Option<u64> {
+        (self.kind == SamplerKind::Independent).then_some(self.seed)
+    }
+
     /// The numbers of one sample of one pixel.
     pub fn stream(&self, pixel: u64, sample: u32) -> Stream {
         let pixel_key = mix(self.seed ^ mix(pixel.wrapping_add(GOLDEN)));

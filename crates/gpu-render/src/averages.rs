@@ -3,13 +3,16 @@
 use capwalk_boundary::pool;
 use capwalk_gpu::GpuError;
 use capwalk_render::tiles::{Averages, SamplePlace};
-use capwalk_render::{CameraEdge, RenderOptions, TooManyImages, Watch, average_elsewhere};
-use rayon::prelude::*;
+use capwalk_render::{
+    CameraEdge, RenderOptions, SampleRange, TooManyImages, Watch, average_elsewhere,
+};
 
 use crate::camera_edges::CameraEdges;
+use crate::camera_records::sample_words;
 use crate::device_edges::{COLUMNS, DeviceEdges};
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
+use crate::fixed_point::COUNTS;
 use crate::part_size::PartSize;
 use crate::paths::{Followed, Paths};
 use crate::render_kernels::PathKernels;
@@ -28,8 +31,6 @@ pub struct Task<'a> {
     pub kernels: &'static PathKernels,
     /// What changes.
     pub changes: &'a [u32],
-    /// Writes the camera's ray of a sample, and returns its weight.
-    pub write_ray: &'a (dyn Fn(&SamplePlace, &mut [u32]) -> f64 + Sync),
     /// The edges that the camera sees, which are added to the last three numbers, and how the flow
     /// across that of a sample changes.
     pub edges: Option<(&'a CameraEdges<'a>, &'a DrawEdge<'a>)>,
@@ -59,16 +60,16 @@ impl DeviceScene<'_> {
         watch: &dyn Watch,
     ) -> Result<Averages, DeviceError> {
         let most_words = (self.gpu.largest_buffer() / 4) as usize;
-        let by_input = most_words.saturating_sub(task.changes.len()) / task.kernels.ray;
+        let by_input = most_words.saturating_sub(task.changes.len()) / task.kernels.input;
         let by_state = most_words / task.kernels.path;
         let by_array = by_input.min(by_state) / task.crossed.map_or(1, |_| COLUMNS);
         let size = PartSize::new(task.most.min(by_array));
         let mut paths = None;
-        let take = |places: &[SamplePlace]| {
-            let mut taken = Vec::with_capacity(places.len());
-            while taken.len() < places.len() {
-                let rest = &places[taken.len()..];
-                let some = &rest[..rest.len().min(size.get())];
+        let take = |samples: &SampleRange| {
+            let mut taken = Vec::with_capacity(samples.len());
+            while taken.len() < samples.len() {
+                let end = samples.len().min(taken.len() + size.get());
+                let some = &samples.part(taken.len()..end);
                 let before = self.gpu.busy();
                 match self.take::<N>(some, size.get(), task, &mut paths, watch) {
                     Ok(Some(samples)) => taken.extend(samples),
@@ -89,7 +90,7 @@ impl DeviceScene<'_> {
     /// The numbers of some samples; `None` if the watch stopped the work.
     fn take<'p, const N: usize>(
         &'p self,
-        places: &[SamplePlace],
+        samples: &SampleRange,
         room: usize,
         task: Task<'p>,
         paths: &mut Option<Paths<'p>>,
@@ -100,31 +101,34 @@ impl DeviceScene<'_> {
             other => {
                 *other = None;
                 let (kernels, changes) = (task.kernels, task.changes);
-                other.insert(self.paths(kernels, [room, 0], changes, 0, task.crossed)?)
+                other.insert(self.paths(
+                    kernels,
+                    [room, 0],
+                    changes,
+                    COUNTS + room,
+                    task.crossed,
+                )?)
             }
         };
-        let words = task.kernels.ray;
-        let mut rays = vec![0; words * places.len()];
-        let weights = (places, rays.par_chunks_exact_mut(words))
-            .into_par_iter()
-            .map(|(place, ray)| (task.write_ray)(place, ray));
-        let weights: Vec<f64> = weights.collect();
-        let Followed::ToTheEnd(_) = paths.follow(&rays, watch)? else {
+        let (count, beginning) = (samples.len(), sample_words(samples));
+        let Followed::ToTheEnd(_) = paths.follow(count, &beginning, watch)? else {
             return Ok(None);
         };
-        let numbers = paths.numbers(places.len())?.into_iter().zip(weights);
-        let weighted = |(numbers, weight): ([f32; N], f64)| numbers.map(|x| f64::from(x) * weight);
-        let mut samples: Vec<[f64; N]> = numbers.map(weighted).collect();
+        let numbers = paths.numbers(count)?.into_iter();
+        let weighted =
+            |(numbers, weight): ([f32; N], f32)| numbers.map(|x| f64::from(x) * f64::from(weight));
+        let numbers = numbers.zip(paths.weights(count)?).map(weighted);
+        let mut taken: Vec<[f64; N]> = numbers.collect();
         if let Some((edges, draw)) = task.edges {
-            let Some(drawn) = edges.of(self, places, draw, room, watch)? else {
+            let Some(drawn) = edges.of(self, samples, draw, room, watch)? else {
                 return Ok(None);
             };
             for edge in drawn {
                 let term = (edge.jump * edge.flow).to_array();
-                let derivative = samples[edge.sample][N - 3..].iter_mut().zip(term);
+                let derivative = taken[edge.sample][N - 3..].iter_mut().zip(term);
                 derivative.for_each(|(number, term)| *number += term);
             }
         }
-        Ok(Some(samples))
+        Ok(Some(taken))
     }
 }

@@ -7,11 +7,10 @@ use capwalk_geometry::LocalFrame;
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Real, Rgb, Tape, Var, Vec3};
 use capwalk_render::tiles::SamplePlace;
-use capwalk_render::{Tracer, Watch};
+use capwalk_render::{SampleRange, Tracer, Watch};
 use rayon::prelude::*;
 
 use crate::camera_edges::{CameraEdges, DrawnEdge};
-use crate::camera_rays::CameraRay;
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
 use crate::fixed_point::{PartSums, Sums};
@@ -52,26 +51,24 @@ impl<'a> CameraBack<'a> {
     }
 
     /// Adds what follows from the derivatives with respect to the rays of some samples: how each moves
-    /// where it ends, and its direction, both twice, and its length (`reverse.slang`).
+    /// where it ends, and its direction, both twice, and how far away that is (`reverse.slang`).
     pub fn rays_back(
         &self,
         frame: &LocalFrame,
-        places: &[SamplePlace],
+        samples: &SampleRange,
         back: &[[f32; 13]],
         sums: &Sums,
         part: &mut PartSums,
     ) {
-        let each = places.par_iter().zip(back);
+        let each = samples.places().zip(back);
         let covectors = each.map(|(place, back)| {
             let vector = |at: usize| Vec3::from([0, 1, 2].map(|axis| f64::from(back[at + axis])));
-            let length = f64::from(back[12]);
+            let distance = f64::from(back[12]);
             let (covectors, ()) = self.recorded(|eval| {
                 let (moving, _) = self.tracer.camera_ray(eval, place.pixel, &place.stream);
-                let ray = CameraRay::new(frame, &moving.value());
                 // Where it ends moves with where it starts and with its direction; in the tree's units.
                 let by_start = vector(0) + vector(6);
-                let by_direction = vector(3) + vector(9) + vector(0) * length;
-                let by_direction = by_direction + by_start * ray.enter;
+                let by_direction = vector(3) + vector(9) + vector(0) * distance;
                 let by_origin = Vec3::constant(by_start * frame.inverse_scale);
                 let end = moving.origin.dot(by_origin)
                     + moving.direction.dot(Vec3::constant(by_direction));
@@ -90,7 +87,7 @@ impl<'a> CameraBack<'a> {
     pub fn edges(
         &self,
         scene: &DeviceScene,
-        places: &[SamplePlace],
+        samples: &SampleRange,
         room: usize,
         watch: &dyn Watch,
     ) -> Result<Option<Vec<DrawnEdge<Covectors>>>, DeviceError> {
@@ -107,7 +104,7 @@ impl<'a> CameraBack<'a> {
             });
             Ok(edge?.map(|edge| edge.map_flow(|()| covectors)))
         };
-        CameraEdges::new(self.tracer).of(scene, places, draw, room, watch)
+        CameraEdges::new(self.tracer).of(scene, samples, draw, room, watch)
     }
 
     /// The derivatives of a number that is computed from the scene, with respect to what is wanted, and

@@ -9,7 +9,7 @@ use capwalk_geometry::buffers::NONE;
 use capwalk_geometry::ray::Ray;
 use capwalk_math::Rgb;
 use capwalk_render::tiles::SamplePlace;
-use capwalk_render::{CameraEdge, TooManyImages, Tracer, Watch};
+use capwalk_render::{CameraEdge, SampleRange, TooManyImages, Tracer, Watch};
 use capwalk_scene::sensor::view::ViewRay;
 use rayon::prelude::*;
 
@@ -58,16 +58,16 @@ impl<'a> CameraEdges<'a> {
     pub fn of<T: Send>(
         &self,
         scene: &DeviceScene,
-        places: &[SamplePlace],
+        samples: &SampleRange,
         draw: impl Fn(&SamplePlace) -> Result<Option<CameraEdge<T>>, TooManyImages> + Sync,
         room: usize,
         watch: &dyn Watch,
     ) -> Result<Option<Vec<DrawnEdge<T>>>, DeviceError> {
         // Draw the edges, and keep the samples that have one.
-        let drawn = places.par_iter().enumerate().filter_map(|(sample, place)| {
-            let edge = draw(place).transpose()?;
+        let drawn = samples.places().enumerate().filter_map(|(sample, place)| {
+            let edge = draw(&place).transpose()?;
             Some(edge.map(|edge| {
-                let hits = edge.sides.map(|ray| self.hit(&ray, place));
+                let hits = edge.sides.map(|ray| self.hit(&ray, &place));
                 (sample, edge.flow, edge.weight, hits)
             }))
         });
@@ -84,7 +84,8 @@ impl<'a> CameraEdges<'a> {
         let hits: Vec<_> = drawn.iter().flat_map(|&(.., hits)| hits).collect();
         let mut light: Vec<[f32; 3]> = Vec::with_capacity(hits.len());
         for some in hits.chunks(2 * most) {
-            let Followed::ToTheEnd(_) = paths.follow(some.as_flattened(), watch)? else {
+            let Followed::ToTheEnd(_) = paths.follow(some.len(), some.as_flattened(), watch)?
+            else {
                 return Ok(None);
             };
             light.extend(paths.numbers::<3>(some.len())?);

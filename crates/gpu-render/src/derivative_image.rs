@@ -13,7 +13,7 @@ use capwalk_scene::Tangent;
 
 use crate::averages::{MOST_PATHS, Task};
 use crate::camera_edges::CameraEdges;
-use crate::camera_rays::write_moving_ray;
+use crate::camera_records::camera_changes;
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
 use crate::edge_records::{EdgeMotion, OfPoints};
@@ -104,9 +104,6 @@ impl DeviceScene<'_> {
         self.check_room_of_numbers(changes.len())?;
         let facts = Arc::new(MotionFacts::of(scene));
         let tracer = Tracer::moving(self.prepared, field, options.walk, &facts);
-        let write_ray = |place: &_, words: &mut [u32]| {
-            write_moving_ray(&tracer, &self.frame, &eval, place, words)
-        };
         let edges = CameraEdges::new(&tracer);
         let draw = |place: &SamplePlace| {
             let edge = tracer.camera_edge(&eval, place.pixel, &place.stream)?;
@@ -115,7 +112,6 @@ impl DeviceScene<'_> {
         let task = Task {
             kernels: &FORWARD,
             changes: &changes,
-            write_ray: &write_ray,
             crossed: crossed.as_ref(),
             edges: has_edges.then_some((&edges, &draw)),
             most,
@@ -130,11 +126,11 @@ impl DeviceScene<'_> {
     }
 
     /// What changes, as `changes.slang` reads it, but for edges: where the motion of the triangles is and
-    /// whether boundaries move, the texels of each texture, and that motion.
+    /// whether boundaries move, the texels of each texture, the camera, and that motion.
     fn changes(&self, eval: &Forward, tangent: &Tangent) -> Vec<u32> {
         let origin = Viewpoint::towards_surfaces(Vec3::zero(), Vec3::zero(), 0);
         let boundaries_move = !eval.is_still(&origin);
-        let first = 5;
+        let first = 6;
         let mut words = vec![NONE; first + self.textures.len()];
         words[1] = boundaries_move.into();
         for (number, shown) in self.textures.iter().enumerate() {
@@ -143,6 +139,10 @@ impl DeviceScene<'_> {
                 words.extend(change.iter().map(|x| float(shown.scale * x)));
             }
         }
+        let accel = self.prepared.accel();
+        let sensor = accel.scene.sensor.moving_state(&tangent.sensor);
+        words[5] = words.len() as u32;
+        words.extend(camera_changes(accel, &sensor, &self.frame));
         if Wanted::by(tangent).moves() {
             words[0] = words.len() as u32;
             words.extend(self.motion_records(eval));

@@ -15,7 +15,7 @@ use crate::edge_records::{EdgeMotion, EdgeRecords};
 use crate::lobe_records::only_diffuse;
 use crate::paths::Paths;
 use crate::render_kernels::{DIFFUSE_IMAGE, IMAGE, PathKernels};
-use crate::scene_records::{SceneRecords, triangles_and_tests};
+use crate::scene_records::{SceneRecords, exact_numbers};
 use crate::texture_records::Shown;
 use crate::unsupported::{Unsupported, unsupported};
 use crate::upload::{upload_numbers, upload_words};
@@ -99,7 +99,7 @@ impl<'a> DeviceScene<'a> {
         kernels: &'static PathKernels,
         room_and_levels: [usize; 2],
         changes: &[u32],
-        sums: usize,
+        results: usize,
         edges: Option<&'p DeviceEdges>,
     ) -> Result<Paths<'p>, GpuError> {
         let mut scene = self.arrays.each_ref();
@@ -112,7 +112,7 @@ impl<'a> DeviceScene<'a> {
             kernels,
             room_and_levels,
             changes,
-            sums,
+            results,
             edges,
         )
     }
@@ -124,12 +124,12 @@ impl<'a> DeviceScene<'a> {
         boundaries: &Boundaries,
         motion: &EdgeMotion,
     ) -> Result<DeviceEdges, GpuError> {
-        let triangles = triangles_and_tests(self.prepared.accel(), self.gpu.precision());
+        let numbers = exact_numbers(self.prepared.accel(), self.gpu.precision());
         let records = EdgeRecords::new(self.prepared, boundaries, eval, motion, &self.frame);
         let image = match only_diffuse(self.prepared.scene()) {
             true => &DIFFUSE_IMAGE,
             false => &IMAGE,
         };
-        DeviceEdges::new(&self.gpu, triangles, records, image)
+        DeviceEdges::new(&self.gpu, numbers, records, image)
     }
 }

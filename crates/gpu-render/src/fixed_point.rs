@@ -164,7 +164,7 @@ impl<'a> Sums<'a> {
         let word = |first: Option<usize>| first.map_or(NONE, |first| first as u32);
         let moves = self.wanted.moves();
         let units = 2_f32.powi(self.digits).to_bits();
-        let mut words = vec![NONE, self.wanted.geometry().into(), units, NONE, 1];
+        let mut words = vec![NONE, self.wanted.geometry().into(), units, NONE, 1, NONE];
         words.extend(self.textures.iter().map(|texture| word(texture.first)));
         if moves {
             words[0] = words.len() as u32;

@@ -1,9 +1,8 @@
 //! Images from a device.
 
-use capwalk_render::{RenderOptions, Rendering, Tracer, Watch};
+use capwalk_render::{RenderOptions, Rendering, Watch};
 
 use crate::averages::{MOST_PATHS, Task};
-use crate::camera_rays::write_camera_ray;
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
 use crate::lobe_records::only_diffuse;
@@ -30,13 +29,9 @@ impl DeviceScene<'_> {
             true => &DIFFUSE_IMAGE,
             false => &IMAGE,
         };
-        let tracer = Tracer::primal(self.prepared);
-        let write_ray =
-            |place: &_, words: &mut [u32]| write_camera_ray(&tracer, &self.frame, place, words);
         let task = Task {
             kernels,
             changes: &[],
-            write_ray: &write_ray,
             edges: None,
             crossed: None,
             most,

@@ -14,11 +14,11 @@
 //! # Ok(()) }
 //! ```
 //!
-//! A part of the image's samples at a time is on the device. One kernel follows the camera's rays,
-//! one takes paths further by a segment, and is run until none goes on. The processor makes the
-//! camera's rays, keeps the list of the paths that go on, and adds the samples up, as it does its
-//! own: in a fixed order, in double precision, with standard errors. So the same scene, options and
-//! device give the same bits.
+//! A part of the image's samples at a time is on the device. One kernel draws the camera's rays and
+//! follows them, one takes paths further by a segment, and is run until none goes on. The processor
+//! keeps the list of the paths that go on, and adds the samples up, as it does its own: in a fixed
+//! order, in double precision, with standard errors. So the same scene, options and device give the
+//! same bits.
 //!
 //! Derivatives are that of the image along a direction ([`DeviceScene::gradient`]), whose kernels
 //! carry a derivative beside each number, and that of a loss with respect to all numbers of the scene
@@ -31,7 +31,7 @@
 mod averages;
 mod camera_back;
 mod camera_edges;
-mod camera_rays;
+mod camera_records;
 mod derivative_image;
 mod device_edges;
 mod device_error;

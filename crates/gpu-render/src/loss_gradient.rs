@@ -2,17 +2,15 @@
 
 use std::sync::Arc;
 
-use capwalk_boundary::{Boundaries, Field, Sampler, Stream, pool};
+use capwalk_boundary::{Boundaries, Field, Sampler, pool};
 use capwalk_diff::{Backward, BackwardWork, GradientOptions, Method, Reverse, Wanted};
 use capwalk_gpu::GpuError;
 use capwalk_math::Tape;
-use capwalk_render::tiles::{self, SamplePlace};
-use capwalk_render::{MotionFacts, Plan, Statistics, Tracer, Watch};
+use capwalk_render::{MotionFacts, Plan, SampleRange, Statistics, Tracer, Watch, tiles};
 use capwalk_scene::{Gradient, Image};
-use rayon::prelude::*;
 
 use crate::camera_back::CameraBack;
-use crate::camera_rays::write_camera_ray;
+use crate::camera_records::sample_words;
 use crate::device_edges::{COLUMNS, DeviceEdges};
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
@@ -33,6 +31,10 @@ const FEW_LEVELS: usize = 8;
 /// The first word of a path's derivatives with respect to the camera's ray (`BEYOND` of
 /// `reverse.slang`, less the light).
 const CAMERA_BACK: usize = 20;
+
+/// Which of the words that tell what is asked for says where the derivatives with respect to pixels
+/// are.
+const ADJOINT_AT: usize = 5;
 
 /// No sum on the device may have more derivatives than this, see `sums.slang`.
 const MOST_DERIVATIVES: usize = 1 << 24;
@@ -130,7 +132,8 @@ impl DeviceScene<'_> {
         });
         let crossed = crossed.transpose()?;
         let words = crossed.as_ref().map_or(0, DeviceEdges::words);
-        self.check_room_of_numbers(sums.changes().len() + words)?;
+        let pixels = 3 * adjoint.pixels.len();
+        self.check_room_of_numbers(sums.changes().len() + pixels + words)?;
         loop {
             let job = Job {
                 scene: self,
@@ -219,13 +222,11 @@ impl<'a> Job<'a> {
                     true => (most / pixels * pixels).min(all - at),
                     false => most.min(rest),
                 };
-                let places = (at..at + count).into_par_iter().map(|i| {
-                    let (pixel, sample) = (i % pixels, samples.start + (i / pixels) as u32);
-                    (pixel, place.sampler.stream(pixel as u64, sample))
-                });
-                let places: Vec<_> = places.collect();
+                let start = u64::from(samples.start) * pixels as u64 + at as u64;
+                let numbers = start..start + count as u64;
+                let some = SampleRange::new(place.sampler, &scene.film, numbers);
                 let before = self.scene.gpu.busy();
-                let part = match self.part(&places, &mut place) {
+                let part = match self.part(&some, &mut place) {
                     Ok(Outcome::Done(part)) => part,
                     Ok(Outcome::Stopped) => break,
                     Ok(Outcome::NoLevel) => {
@@ -287,17 +288,16 @@ impl<'a> Job<'a> {
     }
 
     /// What some samples, each of a pixel, add to the sums.
-    fn part(
-        &self,
-        samples: &[(usize, Stream)],
-        place: &mut Place<'a>,
-    ) -> Result<Outcome, DeviceError> {
+    fn part(&self, samples: &SampleRange, place: &mut Place<'a>) -> Result<Outcome, DeviceError> {
         let room = place.size.get();
         let paths = match &mut place.paths {
             Some(paths) if paths.room() >= room => paths,
             other => {
                 *other = None;
                 let (mut changes, sums) = (self.sums.changes(), self.sums.words());
+                changes[ADJOINT_AT] = changes.len() as u32;
+                let adjoint = self.adjoint.pixels.iter();
+                changes.extend(adjoint.flat_map(|&x| (x / self.unit).to_array().map(float)));
                 if let Some(edges) = self.crossed {
                     edges.append(&mut changes);
                 }
@@ -308,38 +308,27 @@ impl<'a> Job<'a> {
                 other.insert(paths)
             }
         };
-        let width = self.adjoint.width;
-        let place_of = |&(pixel, stream): &(usize, Stream)| SamplePlace {
-            pixel: [(pixel % width) as u32, (pixel / width) as u32],
-            stream,
-        };
-        let places: Vec<SamplePlace> = samples.iter().map(place_of).collect();
-        let adjoint = |sample: usize| self.adjoint.pixels[samples[sample].0] / self.unit;
-        let mut rays = vec![0; REVERSE.ray * samples.len()];
-        let each = (&places, rays.par_chunks_exact_mut(REVERSE.ray)).into_par_iter();
-        each.enumerate().for_each(|(sample, (place, words))| {
-            let (ray, by_light) = words.split_at_mut(REVERSE.ray - 3);
-            let weight = write_camera_ray(self.camera.tracer, &self.scene.frame, place, ray);
-            by_light.copy_from_slice(&(adjoint(sample) * weight).to_array().map(float));
-        });
         paths.clear_sums(self.sums.words())?;
-        match paths.follow(&rays, self.watch)? {
+        let beginning = sample_words(samples);
+        match paths.follow(samples.len(), &beginning, self.watch)? {
             Followed::ToTheEnd(lists) if paths.go_back(&lists, self.watch)? => {}
             Followed::ToTheEnd(_) | Followed::Stopped => return Ok(Outcome::Stopped),
             Followed::NoLevel => return Ok(Outcome::NoLevel),
         }
         let mut part = PartSums::read(&paths.sums(self.sums.words())?);
         if self.camera.rays_are_wanted() {
-            let back = paths.numbers_from(CAMERA_BACK, places.len())?;
+            let back = paths.numbers_from(CAMERA_BACK, samples.len())?;
             self.camera
-                .rays_back(&self.scene.frame, &places, &back, self.sums, &mut part);
+                .rays_back(&self.scene.frame, samples, &back, self.sums, &mut part);
         }
-        let edges = self.camera.edges(self.scene, &places, room, self.watch)?;
+        let edges = self.camera.edges(self.scene, samples, room, self.watch)?;
         let Some(edges) = edges else {
             return Ok(Outcome::Stopped);
         };
         for edge in edges {
-            let by_flow = 3.0 * (adjoint(edge.sample) * edge.jump).mean();
+            let [pixel, _] = samples.pixel_and_sample(edge.sample);
+            let adjoint = self.adjoint.pixels[pixel as usize] / self.unit;
+            let by_flow = 3.0 * (adjoint * edge.jump).mean();
             for (target, covector) in edge.flow {
                 self.sums.add(&mut part, target, covector * by_flow);
             }

@@ -3,6 +3,7 @@
 use capwalk_gpu::{CompiledKernel, DeviceArray, Gpu, GpuError};
 use capwalk_render::Watch;
 
+use crate::camera_records::SAMPLE_WORDS;
 use crate::device_edges::{COLUMNS, DeviceEdges};
 use crate::fixed_point::{COUNTS, CUT_SHORT};
 use crate::render_kernels::{GO_BACK, PathKernels};
@@ -19,13 +20,13 @@ pub struct Paths<'a> {
     edges: Option<&'a DeviceEdges>,
     /// How many vertices of each path can be kept.
     levels: usize,
-    /// The camera's rays, and then the list of the paths that go on; behind them what
-    /// changes.
+    /// What paths begin with, and then the list of those that go on; behind it what changes.
     pub(crate) input: DeviceArray,
     /// What is known of each.
     pub(crate) state: DeviceArray,
-    /// Counts of faults, and sums over all paths.
-    sums: DeviceArray,
+    /// Counts of faults, and behind them sums over all paths, or the weights of the camera's rays in
+    /// their pixels.
+    results: DeviceArray,
 }
 
 /// How far paths were followed.
@@ -41,19 +42,22 @@ pub enum Followed {
 
 impl<'a> Paths<'a> {
     /// Room for so many paths, of each of which so many vertices can be kept if the kernels keep any,
-    /// with these words that tell what changes, and with so many words of sums.
+    /// with these words that tell what changes, and with so many words of faults and sums or weights.
     pub fn new(
         gpu: &'a Gpu,
         scene: [&'a DeviceArray; 5],
         kernels: &'static PathKernels,
         [room, levels]: [usize; 2],
         changes: &[u32],
-        sums: usize,
+        results: usize,
         edges: Option<&'a DeviceEdges>,
     ) -> Result<Self, GpuError> {
+        // What tells the samples that paths begin with takes the place of the list.
+        let room = room.max(SAMPLE_WORDS);
+        let results = results.max(COUNTS);
         let columns = columns(room, edges);
         let array = |words: usize| gpu.array(4 * words as u64);
-        let mut words = vec![0; kernels.ray * columns];
+        let mut words = vec![0; kernels.input * columns];
         words.extend(changes);
         let input = array(words.len())?;
         gpu.write(&input, bytemuck::cast_slice(&words))?;
@@ -66,9 +70,9 @@ impl<'a> Paths<'a> {
             levels,
             input,
             state: array(kernels.words(levels) * columns)?,
-            sums: array(sums.max(COUNTS))?,
+            results: array(results)?,
         };
-        paths.clear_sums(sums.max(COUNTS))?;
+        paths.clear_sums(results)?;
         Ok(paths)
     }
 
@@ -77,10 +81,15 @@ impl<'a> Paths<'a> {
         self.room
     }
 
-    /// Follows paths, given their camera rays.
-    pub fn follow(&self, rays: &[u32], watch: &dyn Watch) -> Result<Followed, GpuError> {
-        let count = rays.len() / self.kernels.ray;
-        self.gpu.write(&self.input, bytemuck::cast_slice(rays))?;
+    /// Follows so many paths, given what they begin with.
+    pub fn follow(
+        &self,
+        count: usize,
+        beginning: &[u32],
+        watch: &dyn Watch,
+    ) -> Result<Followed, GpuError> {
+        self.gpu
+            .write(&self.input, bytemuck::cast_slice(beginning))?;
         self.launch(&self.kernels.begin, count, 0)?;
         let mut lists = Vec::new();
         let mut list = self.listed(count)?;
@@ -154,9 +163,16 @@ impl<'a> Paths<'a> {
         Ok(true)
     }
 
+    /// The weights of the camera's rays in their pixels.
+    pub fn weights(&self, count: usize) -> Result<Vec<f32>, GpuError> {
+        let words = self.sums(COUNTS + count)?;
+        let weights = words[COUNTS..].iter().copied().map(f32::from_bits);
+        Ok(weights.collect())
+    }
+
     /// Begins sums anew.
     pub fn clear_sums(&self, sums: usize) -> Result<(), GpuError> {
-        self.gpu.write(&self.sums, &vec![0; 4 * sums])
+        self.gpu.write(&self.results, &vec![0; 4 * sums])
     }
 
     /// An error if any thread of the launches so far did not run its loops to their ends.
@@ -172,7 +188,7 @@ impl<'a> Paths<'a> {
     pub fn sums(&self, sums: usize) -> Result<Vec<u32>, GpuError> {
         let mut words = vec![0_u32; sums];
         self.gpu
-            .read(&self.sums, bytemuck::cast_slice_mut(&mut words))?;
+            .read(&self.results, bytemuck::cast_slice_mut(&mut words))?;
         Ok(words)
     }
 
@@ -205,13 +221,13 @@ impl<'a> Paths<'a> {
             records,
             &self.input,
             &self.state,
-            &self.sums,
+            &self.results,
         ];
         let words = [self.columns() as u32, depth as u32];
         // SAFETY: the arrays of a scene are those that its records were made with, which refer to
-        // nothing behind their ends; what is behind the rays refers to texels that the records have,
-        // to edges that are there and to sums that there is room for; and the others have room for
-        // all paths, and for as many vertices of each as there are levels.
+        // nothing behind their ends; what is behind the list refers to texels and pixels that the
+        // records have, to edges that are there and to sums that there is room for; and the others
+        // have room for all paths, and for as many vertices of each as there are levels.
         #[allow(unsafe_code)]
         unsafe {
             self.gpu.launch(kernel, arrays, count as u32, words)

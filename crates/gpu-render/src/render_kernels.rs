@@ -24,12 +24,12 @@ macro_rules! compiled {
 /// The kernels that follow paths for a purpose.
 #[derive(Debug)]
 pub struct PathKernels {
-    /// Follows the camera's rays to what they hit.
+    /// Draws the camera's rays and follows them to what they hit.
     pub begin: CompiledKernel,
     /// Takes the paths of a list further by a segment.
     pub go_on: CompiledKernel,
-    /// Words of what a path begins with, which is a camera's ray or what one hits.
-    pub ray: usize,
+    /// Words of a path in what a launch is given: its place in a list, or the hit it begins at.
+    pub input: usize,
     /// Words of a path: the first one lists the paths that go on.
     pub path: usize,
     /// Words that are kept of each of its vertices.
@@ -52,7 +52,7 @@ impl PathKernels {
 pub const IMAGE: PathKernels = PathKernels {
     begin: compiled!("begin_paths"),
     go_on: compiled!("go_on"),
-    ray: 9,
+    input: 1,
     path: 17,
     vertex: 0,
 };
@@ -66,7 +66,7 @@ pub const DIFFUSE_IMAGE: PathKernels = PathKernels {
 /// Images of paths that begin at what a camera's ray hits.
 pub const IMAGE_FROM_HITS: PathKernels = PathKernels {
     begin: compiled!("begin_at_hits"),
-    ray: 10,
+    input: 10,
     ..IMAGE
 };
 
@@ -76,22 +76,20 @@ pub const DIFFUSE_IMAGE_FROM_HITS: PathKernels = PathKernels {
     ..IMAGE_FROM_HITS
 };
 
-/// Images with their derivative: behind the list is the light of a path, then its derivative. Rays
-/// end with the derivatives of where they start and of their directions.
+/// Images with their derivative: behind the list is the light of a path, then its derivative.
 pub const FORWARD: PathKernels = PathKernels {
     begin: compiled!("begin_forward"),
     go_on: compiled!("go_on_forward"),
-    ray: 15,
+    input: 1,
     path: 29,
     vertex: 0,
 };
 
-/// Derivatives of a loss. Rays end with its derivative with respect to the light of the path, and
-/// behind a path is what is kept of its vertices.
+/// Derivatives of a loss. Behind a path is what is kept of its vertices.
 pub const REVERSE: PathKernels = PathKernels {
     begin: compiled!("begin_reverse"),
     go_on: compiled!("go_on_reverse"),
-    ray: 12,
+    input: 1,
     path: 33,
     vertex: 29,
 };
@@ -150,6 +148,7 @@ mod tests {
                 ("changes", include_str!("kernels/changes.slang")),
                 ("surfaces", include_str!("kernels/surfaces.slang")),
                 ("motion", include_str!("kernels/motion.slang")),
+                ("camera", include_str!("kernels/camera.slang")),
                 ("colours", include_str!("kernels/colours.slang")),
                 ("fresnel", include_str!("kernels/fresnel.slang")),
                 ("microfacets", include_str!("kernels/microfacets.slang")),
@@ -192,6 +191,15 @@ mod tests {
             let source = with_includes(source);
             for kernel in kernels {
                 assert_eq!(kernel.check(&source), Ok(()));
+                // NVIDIA's driver is given eight arrays and, behind them, the launch.
+                for code in kernel.ptx {
+                    let takes = ["SLANG_globalParams[136]", "SLANG_globalParams+128]"];
+                    assert!(
+                        takes.iter().all(|what| code.contains(what)),
+                        "{}",
+                        kernel.name
+                    );
+                }
             }
         }
     }

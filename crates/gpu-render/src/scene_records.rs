@@ -9,12 +9,13 @@ use capwalk_math::Vec3;
 use capwalk_render::{Plan, PreparedScene};
 use capwalk_scene::{EmitterId, Shape, ShapeId};
 
+use crate::camera_records::CameraRecords;
 use crate::emitter_records::emitter_record;
 use crate::lobe_records::add_lobe;
 use crate::texture_records::{Shown, TextureRecords, float};
 
 /// Words before the first array.
-const HEADER: usize = 14;
+const HEADER: usize = 16;
 
 /// Which numbers of tests the kernels take, by precision: a triangle that is seen under a smaller
 /// part of what its area is summed from is seen edge-on; nothing is larger; distances below this
@@ -36,7 +37,7 @@ pub struct SceneRecords {
     pub nodes: Vec<u32>,
     pub leaf_starts: Vec<u32>,
     pub faces: Vec<u32>,
-    /// Its triangles, in these coordinates, and the numbers of the tests behind them.
+    /// Its triangles, in these coordinates, then the numbers of the camera and those of the tests.
     pub primitives: Vec<f64>,
     /// Everything else.
     pub words: Vec<u32>,
@@ -82,6 +83,10 @@ impl SceneRecords {
             .collect();
         let emitters_at = append(emitters.as_flattened(), &mut words);
 
+        let camera = CameraRecords::new(accel, &frame);
+        let camera_at = append(&camera.words, &mut words);
+        let numbers_of_camera_at = TRIANGLE * buffers.faces.len();
+
         let plan = Plan::new(scene);
         let sees_emitters = plan.reaches(1) && !plan.hide_emitters;
         let header = [
@@ -98,7 +103,9 @@ impl SceneRecords {
             shapes_at,
             emitters_at,
             triangle_of_face_at as u32,
-            (TRIANGLE * buffers.faces.len()) as u32,
+            camera_at,
+            numbers_of_camera_at as u32,
+            (numbers_of_camera_at + camera.numbers.len()) as u32,
         ];
         words[..HEADER].copy_from_slice(&header);
 
@@ -107,22 +114,23 @@ impl SceneRecords {
             nodes: buffers.nodes,
             leaf_starts: buffers.leaf_starts,
             faces: buffers.faces,
-            primitives: triangles_and_tests(accel, precision),
+            primitives: exact_numbers(accel, precision),
             words,
             textures: textures.shown,
         }
     }
 }
 
-/// The corners of all triangles, in the order of the tree's leaves and in its coordinates, and the
-/// numbers of the tests.
-pub fn triangles_and_tests(accel: &Accel, precision: Precision) -> Vec<f64> {
+/// The corners of all triangles, in the order of the tree's leaves and in its coordinates, the
+/// numbers of the camera, and those of the tests.
+pub fn exact_numbers(accel: &Accel, precision: Precision) -> Vec<f64> {
     let RayBuffers {
         frame, triangles, ..
     } = accel.rays().buffers();
     let corners = triangles.as_chunks::<3>().0.iter();
     let corners = corners.flat_map(|&p| frame.local_from_world(p.into()).to_array());
     let mut numbers: Vec<f64> = corners.collect();
+    numbers.extend(CameraRecords::new(accel, &frame).numbers);
     numbers.extend(match precision {
         Precision::Single => SINGLE_TESTS,
         Precision::Double => {

@@ -3,22 +3,23 @@
 
 use capwalk_boundary::Sampler;
 use capwalk_scene::Scene;
-use rayon::prelude::*;
 
 use crate::options::{RenderOptions, Watch};
 use crate::ordered_sum::OrderedSum;
-use crate::tiles::{self, Averages, PixelSums, SamplePlace};
+use crate::sample_range::SampleRange;
+use crate::tiles::{self, Averages, PixelSums};
 
-/// The averages of the samples that `take` gives for some places, as many at a time as `most` says each
-/// time, in their order: each one's numbers, or `None` if the watch stopped the work before all of them
-/// were there. They are added as those of the processor are, so that equal samples give equal bits,
-/// whatever `most` is. Independent numbers only, and as many samples of each pixel as the options say.
+/// The averages of the samples that `take` gives for some of them, as many at a time as `most` says
+/// each time, in their order: each one's numbers, or `None` if the watch stopped the work before all
+/// of them were there. They are added as those of the processor are, so that equal samples give equal
+/// bits, whatever `most` is. Independent numbers only, and as many samples of each pixel as the
+/// options say.
 pub fn average_elsewhere<E, const N: usize>(
     scene: &Scene,
     options: &RenderOptions,
     most: impl Fn() -> usize,
     watch: &dyn Watch,
-    mut take: impl FnMut(&[SamplePlace]) -> Result<Option<Vec<[f64; N]>>, E>,
+    mut take: impl FnMut(&SampleRange) -> Result<Option<Vec<[f64; N]>>, E>,
 ) -> Result<Averages, E> {
     let sampler = Sampler::new(&scene.settings, options.seed, options.spp);
     let grid = tiles::grid(scene, options);
@@ -40,25 +41,20 @@ pub fn average_elsewhere<E, const N: usize>(
         let band = |band| PixelSums::new(pixels_of(band).map(|_| wanted), N);
         let mut bands: Vec<PixelSums> = (0..grid.bands).map(band).collect();
         // One sample of every pixel, then the next one.
-        let mut rest = samples.flat_map(|sample| (0..pixels).map(move |pixel| (pixel, sample)));
-        while !watch.should_stop() {
-            let some: Vec<(u32, u32)> = rest.by_ref().take(most().max(1)).collect();
-            if some.is_empty() {
-                break;
-            }
-            let places = some.par_iter().map(|&(pixel, sample)| SamplePlace {
-                pixel: [pixel % width, pixel / width],
-                stream: sampler.stream(u64::from(pixel), sample),
-            });
-            let places: Vec<SamplePlace> = places.collect();
-            let Some(taken) = take(&places)? else {
+        let [mut at, end] = [samples.start, samples.end].map(|n| u64::from(n) * u64::from(pixels));
+        while at < end && !watch.should_stop() {
+            let count = (most().max(1) as u64).min(end - at);
+            let some = SampleRange::new(sampler, &scene.film, at..at + count);
+            let Some(taken) = take(&some)? else {
                 break;
             };
-            debug_assert_eq!(taken.len(), places.len());
-            for (&(pixel, _), sample) in some.iter().zip(taken) {
+            debug_assert_eq!(taken.len(), some.len());
+            for (i, sample) in taken.into_iter().enumerate() {
+                let [pixel, _] = some.pixel_and_sample(i);
                 let (band, pixel) = in_band[pixel as usize];
                 bands[band as usize].add_sample(pixel, sample);
             }
+            at += count;
             done += some.len() as u64;
             watch.progress(done, total);
         }

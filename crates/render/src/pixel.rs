@@ -97,6 +97,13 @@ impl Supports {
         }
     }
 
+    /// What film points are drawn by along each column and then along each row of the image, for
+    /// devices: where it starts, from the pixel's centre; the width of a bin, and that over the
+    /// filter's integral; the probabilities of all bins below each; and its own.
+    pub fn tables(&self) -> impl Iterator<Item = [f64; 3 + 2 * BINS]> {
+        self.columns.iter().chain(&self.rows).map(Side::table)
+    }
+
     /// The support of the pixel in column `x` and row `y` of the image.
     #[inline]
     pub fn pixel(&self, [x, y]: [u32; 2]) -> Support<'_> {
@@ -190,6 +197,14 @@ impl Side {
             below,
             is_flat: filter == Filter::Box,
         }
+    }
+
+    /// What points along it are drawn by, see [`Supports::tables`].
+    fn table(&self) -> [f64; 3 + 2 * BINS] {
+        let width = self.width() / BINS as f64;
+        let numbers = [self.bounds[0] - self.centre, width, width / self.integral];
+        let mut numbers = numbers.iter().chain(&self.below).chain(&self.bins);
+        std::array::from_fn(|_| *numbers.next().expect("as many"))
     }
 
     /// Length of the support.

@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 1e2107cc7d81c148
-// result: 9143724017dff534
+// source: b7b415b56071dccf
+// result: 712d944e5729eaf5
 
 struct Launch_std140_0
 {
@@ -1497,7 +1497,7 @@ fn shading_point_0( path_10 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> 
 
 fn change_word_0( at_10 : u32) -> u32
 {
-    return input_0[u32(12) * launch_0.room_0 + at_10];
+    return input_0[launch_0.room_0 + at_10];
 }
 
 fn turns_1( vertex_3 : Vertex_0) -> bool
@@ -1705,7 +1705,7 @@ fn slot_derivative_0( numbers_4 : Numbers_0,  slot_2 : u32) -> vec3<f32>
 
 fn numbers_of_0( texture_6 : u32) -> u32
 {
-    return change_word_0(u32(5) + word_0(texture_6 + u32(12)));
+    return change_word_0(u32(6) + word_0(texture_6 + u32(12)));
 }
 
 fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)

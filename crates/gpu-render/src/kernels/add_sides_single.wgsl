@@ -1,6 +1,6 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 3a07b3e4f47723f3
+// source: 56c53898d658ca22
 // result: 29a3284f6f00f53b
 
 struct Launch_std140_0

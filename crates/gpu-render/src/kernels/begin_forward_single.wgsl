@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 6d9ec5e121453302
-// result: 62514ec01221ef20
+// source: ab5e7d9a4bbedd99
+// result: 8e7db8d09c7d48f9
 
 struct Launch_std140_0
 {
@@ -18,6 +18,8 @@ struct Launch_std140_0
 
 @binding(2) @group(0) var<storage, read> primitives_0 : array<f32>;
 
+@binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
+
 @binding(0) @group(0) var<storage, read> nodes_0 : array<vec4<u32>>;
 
 @binding(1) @group(0) var<storage, read> leaf_starts_0 : array<u32>;
@@ -26,12 +28,16 @@ struct Launch_std140_0
 
 @binding(6) @group(0) var<storage, read_write> paths_0 : array<u32>;
 
-@binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
-
 struct DiffPair_float_0
 {
      primal_0 : f32,
      differential_0 : f32,
+};
+
+struct DiffPair_vectorx3Cfloatx2C2x3E_0
+{
+     primal_0 : vec2<f32>,
+     differential_0 : vec2<f32>,
 };
 
 fn _d_sqrt_0( dpx_0 : DiffPair_float_0) -> DiffPair_float_0
@@ -39,12 +45,6 @@ fn _d_sqrt_0( dpx_0 : DiffPair_float_0) -> DiffPair_float_0
     var _S1 : DiffPair_float_0 = DiffPair_float_0( sqrt(dpx_0.primal_0), 0.5f / sqrt(max(1.00000001168609742e-07f, dpx_0.primal_0)) * dpx_0.differential_0 );
     return _S1;
 }
-
-struct DiffPair_vectorx3Cfloatx2C2x3E_0
-{
-     primal_0 : vec2<f32>,
-     differential_0 : vec2<f32>,
-};
 
 fn s_fwd_length_impl_0( dpx_1 : DiffPair_vectorx3Cfloatx2C2x3E_0) -> DiffPair_float_0
 {
@@ -58,17 +58,17 @@ fn s_fwd_length_impl_0( dpx_1 : DiffPair_vectorx3Cfloatx2C2x3E_0) -> DiffPair_fl
     return _S8;
 }
 
-fn _d_min_0( dpx_2 : DiffPair_float_0,  dpy_0 : DiffPair_float_0) -> DiffPair_float_0
+fn _d_max_0( dpx_2 : DiffPair_float_0,  dpy_0 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S9 : f32 = min(dpx_2.primal_0, dpy_0.primal_0);
+    var _S9 : f32 = max(dpx_2.primal_0, dpy_0.primal_0);
     var _S10 : f32;
-    if((dpx_2.primal_0) < (dpy_0.primal_0))
+    if((dpx_2.primal_0) > (dpy_0.primal_0))
     {
         _S10 = dpx_2.differential_0;
     }
     else
     {
-        if((dpx_2.primal_0) > (dpy_0.primal_0))
+        if((dpx_2.primal_0) < (dpy_0.primal_0))
         {
             _S10 = dpy_0.differential_0;
         }
@@ -81,52 +81,33 @@ fn _d_min_0( dpx_2 : DiffPair_float_0,  dpy_0 : DiffPair_float_0) -> DiffPair_fl
     return _S11;
 }
 
-fn _d_max_0( dpx_3 : DiffPair_float_0,  dpy_1 : DiffPair_float_0) -> DiffPair_float_0
+fn _d_abs_0( dpx_3 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S12 : f32 = max(dpx_3.primal_0, dpy_1.primal_0);
-    var _S13 : f32;
-    if((dpx_3.primal_0) > (dpy_1.primal_0))
+    var _S12 : DiffPair_float_0 = DiffPair_float_0( abs(dpx_3.primal_0), select(select(-1.0f, 0.0f, (dpx_3.primal_0) == 0.0f), 1.0f, (dpx_3.primal_0) > 0.0f) * dpx_3.differential_0 );
+    return _S12;
+}
+
+fn _d_min_0( dpx_4 : DiffPair_float_0,  dpy_1 : DiffPair_float_0) -> DiffPair_float_0
+{
+    var _S13 : f32 = min(dpx_4.primal_0, dpy_1.primal_0);
+    var _S14 : f32;
+    if((dpx_4.primal_0) < (dpy_1.primal_0))
     {
-        _S13 = dpx_3.differential_0;
+        _S14 = dpx_4.differential_0;
     }
     else
     {
-        if((dpx_3.primal_0) < (dpy_1.primal_0))
+        if((dpx_4.primal_0) > (dpy_1.primal_0))
         {
-            _S13 = dpy_1.differential_0;
+            _S14 = dpy_1.differential_0;
         }
         else
         {
-            _S13 = 0.5f * (dpx_3.differential_0 + dpy_1.differential_0);
+            _S14 = 0.5f * (dpx_4.differential_0 + dpy_1.differential_0);
         }
     }
-    var _S14 : DiffPair_float_0 = DiffPair_float_0( _S12, _S13 );
-    return _S14;
-}
-
-fn _d_abs_0( dpx_4 : DiffPair_float_0) -> DiffPair_float_0
-{
-    var _S15 : DiffPair_float_0 = DiffPair_float_0( abs(dpx_4.primal_0), select(select(-1.0f, 0.0f, (dpx_4.primal_0) == 0.0f), 1.0f, (dpx_4.primal_0) > 0.0f) * dpx_4.differential_0 );
+    var _S15 : DiffPair_float_0 = DiffPair_float_0( _S13, _S14 );
     return _S15;
-}
-
-struct Vector_0
-{
-     value_0 : vec3<f32>,
-     change_0 : vec3<f32>,
-};
-
-fn changing_0( value_1 : vec3<f32>,  change_1 : vec3<f32>) -> Vector_0
-{
-    var vector_0 : Vector_0;
-    vector_0.value_0 = value_1;
-    vector_0.change_0 = change_1;
-    return vector_0;
-}
-
-fn still_0( value_2 : vec3<f32>) -> Vector_0
-{
-    return changing_0(value_2, vec3<f32>(0.0f));
 }
 
 fn word_0( at_0 : u32) -> u32
@@ -134,30 +115,414 @@ fn word_0( at_0 : u32) -> u32
     return scene_0[at_0];
 }
 
+fn camera_word_0( at_1 : u32) -> u32
+{
+    return word_0(word_0(u32(13)) + at_1);
+}
+
+fn plus_0( a_0 : vec2<u32>,  b_0 : vec2<u32>) -> vec2<u32>
+{
+    var _S16 : u32 = a_0.x;
+    var low_0 : u32 = _S16 + b_0.x;
+    var _S17 : u32 = a_0.y + b_0.y;
+    var _S18 : i32;
+    if(low_0 < _S16)
+    {
+        _S18 = i32(1);
+    }
+    else
+    {
+        _S18 = i32(0);
+    }
+    return vec2<u32>(low_0, _S17 + u32(_S18));
+}
+
+fn shifted_xor_0( x_0 : vec2<u32>,  by_0 : u32) -> vec2<u32>
+{
+    var _S19 : u32 = x_0.y;
+    return (x_0 ^ (vec2<u32>(((((x_0.x) >> (by_0))) | (((_S19 << ((u32(32) - by_0)))))), (_S19 >> (by_0)))));
+}
+
+fn product_0( a_1 : u32,  b_1 : u32) -> vec2<u32>
+{
+    var a0_0 : u32 = (a_1 & (u32(65535)));
+    var a1_0 : u32 = (a_1 >> (u32(16)));
+    var b0_0 : u32 = (b_1 & (u32(65535)));
+    var b1_0 : u32 = (b_1 >> (u32(16)));
+    var low_1 : u32 = a0_0 * b0_0;
+    var middle_0 : u32 = a1_0 * b0_0 + ((low_1 >> (u32(16))));
+    var rest_0 : u32 = ((middle_0 & (u32(65535)))) + a0_0 * b1_0;
+    return vec2<u32>((((rest_0 << (u32(16)))) | (((low_1 & (u32(65535)))))), a1_0 * b1_0 + ((middle_0 >> (u32(16)))) + ((rest_0 >> (u32(16)))));
+}
+
+fn times_0( a_2 : vec2<u32>,  b_2 : vec2<u32>) -> vec2<u32>
+{
+    var _S20 : u32 = a_2.x;
+    var _S21 : u32 = b_2.x;
+    var low_2 : vec2<u32> = product_0(_S20, _S21);
+    return vec2<u32>(low_2.x, low_2.y + _S20 * b_2.y + a_2.y * _S21);
+}
+
+fn mix_0( x_1 : vec2<u32>) -> vec2<u32>
+{
+    return shifted_xor_0(times_0(shifted_xor_0(times_0(shifted_xor_0(x_1, u32(30)), vec2<u32>(u32(484763065), u32(3210233709))), u32(27)), vec2<u32>(u32(321982955), u32(2496678331))), u32(31));
+}
+
+fn key_of_sample_0( seed_0 : vec2<u32>,  pixel_0 : u32,  sample_0 : u32) -> vec2<u32>
+{
+    return mix_0(((mix_0((seed_0 ^ ((mix_0(plus_0(vec2<u32>(pixel_0, u32(0)), vec2<u32>(u32(2135587861), u32(2654435769))))))))) ^ ((times_0(vec2<u32>(sample_0, u32(0)), vec2<u32>(u32(2135587861), u32(2654435769)))))));
+}
+
+fn random_bits_0( key_0 : vec2<u32>,  dimension_0 : u32) -> vec2<u32>
+{
+    return mix_0(plus_0(key_0, times_0(vec2<u32>(dimension_0 + u32(1), u32(0)), vec2<u32>(u32(2135587861), u32(2654435769)))));
+}
+
+fn precise_random_0( key_1 : vec2<u32>,  dimension_1 : u32) -> f32
+{
+    return f32(((random_bits_0(key_1, dimension_1).y) >> (u32(8)))) / 4096.0f / 4096.0f;
+}
+
+fn camera_place_0( at_2 : u32) -> u32
+{
+    return word_0(u32(14)) + at_2;
+}
+
+fn camera_number_0( at_3 : u32) -> f32
+{
+    return primitives_0[camera_place_0(at_3)];
+}
+
+fn exponential_0( x_2 : f32) -> f32
+{
+    if(x_2 < -87.0f)
+    {
+        return 0.0f;
+    }
+    var power_0 : f32 = floor(x_2 * 1.4426950216293335f + 0.5f);
+    var r_0 : f32 = x_2 - power_0 * 0.693359375f + power_0 * 0.00021219444170129f;
+    return ((((((0.00019875691214111f * r_0 + 0.00139819993637502f) * r_0 + 0.00833345204591751f) * r_0 + 0.04166579619050026f) * r_0 + 0.1666666567325592f) * r_0 + 0.5f) * r_0 * r_0 + r_0 + 1.0f) * (bitcast<f32>(((u32(i32(power_0) + i32(127)) << (u32(23))))));
+}
+
+fn sine_cosine_0( angle_0 : f32) -> vec2<f32>
+{
+    var quarters_0 : f32 = floor(angle_0 * 0.63661974668502808f + 0.5f);
+    var x_3 : f32 = angle_0 - quarters_0 * 1.5703125f - quarters_0 * 0.00048375129699707f - quarters_0 * 7.54979012640433211e-08f;
+    var z_0 : f32 = x_3 * x_3;
+    var sine_0 : f32 = ((-0.00019515295571182f * z_0 + 0.00833216123282909f) * z_0 - 0.16666655242443085f) * z_0 * x_3 + x_3;
+    var cosine_0 : f32 = ((0.00002443315679557f * z_0 - 0.00138873164542019f) * z_0 + 0.04166664555668831f) * z_0 * z_0 - 0.5f * z_0 + 1.0f;
+    var quarter_0 : i32 = (i32(quarters_0) & (i32(3)));
+    var turned_0 : vec2<f32>;
+    if(((quarter_0 & (i32(1)))) != i32(0))
+    {
+        turned_0 = vec2<f32>(cosine_0, - sine_0);
+    }
+    else
+    {
+        turned_0 = vec2<f32>(sine_0, cosine_0);
+    }
+    if(quarter_0 < i32(2))
+    {
+    }
+    else
+    {
+        turned_0 = (vec2<f32>(0) - turned_0);
+    }
+    return turned_0;
+}
+
+fn sinc_0( x_4 : f32) -> f32
+{
+    if((abs(x_4)) < 0.00009999999747379f)
+    {
+        return 1.0f;
+    }
+    var nearest_0 : f32 = floor(x_4 + 0.5f);
+    var sine_1 : f32 = sine_cosine_0(3.14159274101257324f * (x_4 - nearest_0)).x;
+    var _S22 : f32;
+    if(((i32(nearest_0) & (i32(1)))) != i32(0))
+    {
+        _S22 = - sine_1;
+    }
+    else
+    {
+        _S22 = sine_1;
+    }
+    return _S22 / (3.14159274101257324f * x_4);
+}
+
+fn filter_at_0( x_5 : f32) -> f32
+{
+    var kind_0 : u32 = camera_word_0(u32(2));
+    var first_1 : f32 = (bitcast<f32>((camera_word_0(u32(3)))));
+    var second_0 : f32 = (bitcast<f32>((camera_word_0(u32(4)))));
+    var size_0 : f32 = abs(x_5);
+    if(kind_0 == u32(1))
+    {
+        return 1.0f - size_0 * first_1;
+    }
+    if(kind_0 == u32(2))
+    {
+        return exponential_0(x_5 * x_5 * first_1) - 0.00033546262420714f;
+    }
+    if(kind_0 != u32(3))
+    {
+        return sinc_0(x_5) * sinc_0(x_5 * first_1);
+    }
+    var six_0 : vec4<f32>;
+    if(size_0 < 1.0f)
+    {
+        var _S23 : f32 = 6.0f * second_0;
+        six_0 = vec4<f32>(6.0f - 2.0f * first_1, 0.0f, 12.0f * first_1 + _S23 - 18.0f, 12.0f - 9.0f * first_1 - _S23);
+    }
+    else
+    {
+        six_0 = vec4<f32>(8.0f * first_1 + 24.0f * second_0, -12.0f * first_1 - 48.0f * second_0, 6.0f * first_1 + 30.0f * second_0, - first_1 - 6.0f * second_0);
+    }
+    return (((six_0.w * size_0 + six_0.z) * size_0 + six_0.y) * size_0 + six_0.x) / 6.0f;
+}
+
+fn along_side_0( side_0 : u32,  u_0 : f32,  weight_0 : ptr<function, f32>) -> f32
+{
+    var table_0 : u32 = camera_word_0(u32(6) + side_0);
+    var start_0 : f32 = camera_number_0(table_0);
+    var width_0 : f32 = camera_number_0(table_0 + u32(1));
+    if((camera_word_0(u32(2))) == u32(0))
+    {
+        return start_0 + u_0 * (width_0 * 32.0f);
+    }
+    var rest_1 : u32 = u32(16);
+    var bin_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(rest_1 > u32(0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        if(u_0 >= (camera_number_0(table_0 + u32(3) + bin_0 + rest_1)))
+        {
+            bin_0 = bin_0 + rest_1;
+        }
+        rest_1 = rest_1 / u32(2);
+    }
+    var _S24 : u32 = table_0 + u32(3);
+    var probability_0 : f32 = camera_number_0(_S24 + u32(32) + bin_0);
+    var place_0 : f32 = start_0 + (f32(bin_0) + min((u_0 - camera_number_0(_S24 + bin_0)) / probability_0, 1.0f)) * width_0;
+    (*weight_0) = (*weight_0) * (filter_at_0(place_0) * (camera_number_0(table_0 + u32(2)) / probability_0));
+    return place_0;
+}
+
+fn random_0( key_2 : vec2<u32>,  dimension_2 : u32) -> f32
+{
+    return f32(((random_bits_0(key_2, dimension_2).y) >> (u32(8)))) * 5.9604644775390625e-08f;
+}
+
+struct CameraSample_0
+{
+     key_3 : vec2<u32>,
+     pixel_1 : u32,
+     x_6 : f32,
+     y_0 : f32,
+     lens_0 : vec2<f32>,
+     weight_1 : f32,
+};
+
+fn camera_sample_0( number_of_path_0 : u32) -> CameraSample_0
+{
+    var number_0 : u32 = input_0[i32(2)] + number_of_path_0;
+    var pixels_0 : u32 = camera_word_0(u32(1));
+    var columns_0 : u32 = camera_word_0(u32(0));
+    var drawn_0 : CameraSample_0;
+    var _S25 : u32 = number_0 % pixels_0;
+    drawn_0.pixel_1 = _S25;
+    var _S26 : vec2<u32> = vec2<u32>(input_0[i32(0)], input_0[i32(1)]);
+    var _S27 : u32 = input_0[i32(3)];
+    var _S28 : u32 = number_0 / pixels_0;
+    drawn_0.key_3 = key_of_sample_0(_S26, _S25, _S27 + _S28);
+    drawn_0.weight_1 = 1.0f;
+    var column_0 : u32 = drawn_0.pixel_1 % columns_0;
+    var row_0 : u32 = drawn_0.pixel_1 / columns_0;
+    var _S29 : f32 = precise_random_0(drawn_0.key_3, u32(0));
+    var _S30 : f32 = drawn_0.weight_1;
+    var x_7 : f32 = along_side_0(column_0, _S29, &(_S30));
+    var _S31 : u32 = columns_0 + row_0;
+    var _S32 : f32 = precise_random_0(drawn_0.key_3, u32(1));
+    var _S33 : f32 = _S30;
+    var y_1 : f32 = along_side_0(_S31, _S32, &(_S33));
+    drawn_0.weight_1 = _S33;
+    drawn_0.x_6 = camera_number_0(u32(30)) - f32(column_0) - x_7;
+    drawn_0.y_0 = camera_number_0(u32(31)) - f32(row_0) - y_1;
+    drawn_0.lens_0 = vec2<f32>(0.0f);
+    if((camera_word_0(u32(5))) != u32(0))
+    {
+        drawn_0.lens_0 = sine_cosine_0(6.28318548202514648f * random_0(drawn_0.key_3, u32(4))).yx * vec2<f32>(sqrt(precise_random_0(drawn_0.key_3, u32(3))));
+    }
+    return drawn_0;
+}
+
+fn primitive_vector_0( at_4 : u32) -> vec3<f32>
+{
+    return vec3<f32>(primitives_0[at_4], primitives_0[at_4 + u32(1)], primitives_0[at_4 + u32(2)]);
+}
+
+fn of_sample_0( vectors_0 : u32,  drawn_1 : CameraSample_0) -> vec3<f32>
+{
+    var at_5 : u32 = camera_place_0(vectors_0);
+    return primitive_vector_0(at_5) + primitive_vector_0(at_5 + u32(3)) * vec3<f32>(drawn_1.x_6) + primitive_vector_0(at_5 + u32(6)) * vec3<f32>(drawn_1.y_0) + primitive_vector_0(at_5 + u32(9)) * vec3<f32>(drawn_1.lens_0.x) + primitive_vector_0(at_5 + u32(12)) * vec3<f32>(drawn_1.lens_0.y);
+}
+
 fn component_0( v_0 : vec3<f32>,  axis_0 : u32) -> f32
 {
-    var _S16 : f32;
+    var _S34 : f32;
     if(axis_0 == u32(0))
     {
-        _S16 = v_0.x;
+        _S34 = v_0.x;
     }
     else
     {
         if(axis_0 == u32(1))
         {
-            _S16 = v_0.y;
+            _S34 = v_0.y;
         }
         else
         {
-            _S16 = v_0.z;
+            _S34 = v_0.z;
         }
     }
-    return _S16;
+    return _S34;
 }
 
 fn limit_at_0( which_0 : u32) -> f32
 {
-    return primitives_0[word_0(u32(13)) + which_0];
+    return primitives_0[word_0(u32(15)) + which_0];
+}
+
+fn change_word_0( at_6 : u32) -> u32
+{
+    return input_0[launch_0.room_0 + at_6];
+}
+
+fn change_vector_0( at_7 : u32) -> vec3<f32>
+{
+    return (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_7), change_word_0(at_7 + u32(1)), change_word_0(at_7 + u32(2))))));
+}
+
+fn change_of_sample_0( vectors_1 : u32,  drawn_2 : CameraSample_0) -> vec3<f32>
+{
+    var at_8 : u32 = change_word_0(u32(5)) + vectors_1;
+    return change_vector_0(at_8) + change_vector_0(at_8 + u32(3)) * vec3<f32>(drawn_2.x_6) + change_vector_0(at_8 + u32(6)) * vec3<f32>(drawn_2.y_0) + change_vector_0(at_8 + u32(9)) * vec3<f32>(drawn_2.lens_0.x) + change_vector_0(at_8 + u32(12)) * vec3<f32>(drawn_2.lens_0.y);
+}
+
+fn change_of_unit_0( vector_0 : vec3<f32>,  change_0 : vec3<f32>,  size_1 : f32) -> vec3<f32>
+{
+    return (change_0 - vector_0 * vec3<f32>(dot(vector_0, change_0))) / vec3<f32>(size_1);
+}
+
+struct CameraRay_0
+{
+     start_1 : vec3<f32>,
+     direction_0 : vec3<f32>,
+     length_0 : f32,
+     from_record_0 : f32,
+     from_camera_0 : f32,
+     start_change_0 : vec3<f32>,
+     direction_change_0 : vec3<f32>,
+};
+
+fn camera_ray_0( drawn_3 : CameraSample_0) -> CameraRay_0
+{
+    var to_depth_one_0 : vec3<f32> = of_sample_0(u32(0), drawn_3);
+    var recorded_0 : vec3<f32> = of_sample_0(u32(15), drawn_3);
+    var size_2 : f32 = sqrt(dot(to_depth_one_0, to_depth_one_0));
+    var ray_0 : CameraRay_0;
+    ray_0.direction_0 = to_depth_one_0 / vec3<f32>(size_2);
+    var until_0 : f32 = camera_number_0(u32(33)) * size_2;
+    var enter_0 : f32 = camera_number_0(u32(32)) * size_2;
+    var exit_0 : f32 = until_0;
+    var axis_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_1 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var from_0 : f32 = component_0(recorded_0, axis_1);
+        var speed_0 : f32 = component_0(ray_0.direction_0, axis_1);
+        var ahead_0 : f32;
+        if(speed_0 != 0.0f)
+        {
+            if(speed_0 < 0.0f)
+            {
+                ahead_0 = -1.00000095367431641f;
+            }
+            else
+            {
+                ahead_0 = 1.00000095367431641f;
+            }
+            var _S35 : f32 = min(exit_0, (ahead_0 - from_0) / speed_0);
+            enter_0 = max(enter_0, (- ahead_0 - from_0) / speed_0);
+            exit_0 = _S35;
+        }
+        else
+        {
+            if((abs(from_0)) > 1.00000095367431641f)
+            {
+                ahead_0 = - limit_at_0(u32(1));
+            }
+            else
+            {
+                ahead_0 = exit_0;
+            }
+            exit_0 = ahead_0;
+        }
+        axis_1 = axis_1 + u32(1);
+    }
+    var is_inside_0 : bool = enter_0 <= exit_0;
+    if(!is_inside_0)
+    {
+        enter_0 = 0.0f;
+    }
+    ray_0.start_1 = recorded_0 + ray_0.direction_0 * vec3<f32>(enter_0);
+    if(is_inside_0)
+    {
+        exit_0 = until_0 - enter_0;
+    }
+    else
+    {
+        exit_0 = -1.0f;
+    }
+    ray_0.length_0 = exit_0;
+    ray_0.from_record_0 = enter_0;
+    ray_0.from_camera_0 = camera_number_0(u32(34)) * size_2 + enter_0;
+    var _S36 : vec3<f32> = change_of_unit_0(ray_0.direction_0, change_of_sample_0(u32(0), drawn_3), size_2);
+    ray_0.direction_change_0 = _S36;
+    ray_0.start_change_0 = change_of_sample_0(u32(15), drawn_3) + _S36 * vec3<f32>(enter_0);
+    return ray_0;
+}
+
+struct Vector_0
+{
+     value_0 : vec3<f32>,
+     change_1 : vec3<f32>,
+};
+
+fn changing_0( value_1 : vec3<f32>,  change_2 : vec3<f32>) -> Vector_0
+{
+    var vector_1 : Vector_0;
+    vector_1.value_0 = value_1;
+    vector_1.change_1 = change_2;
+    return vector_1;
+}
+
+fn still_0( value_2 : vec3<f32>) -> Vector_0
+{
+    return changing_0(value_2, vec3<f32>(0.0f));
 }
 
 fn ray_child_0( node_0 : u32,  slot_0 : u32) -> u32
@@ -177,49 +542,49 @@ struct RayView_0
 
 fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_1 : u32) -> f32
 {
-    var _S17 : u32 = u32(14) * node_1 + slot_1 / u32(4);
+    var _S37 : u32 = u32(14) * node_1 + slot_1 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
-    var axis_1 : u32 = u32(0);
+    var axis_2 : u32 = u32(0);
     for(;;)
     {
-        if(axis_1 < u32(3))
+        if(axis_2 < u32(3))
         {
         }
         else
         {
             break;
         }
-        var _S18 : u32 = axis_1;
-        var _S19 : u32 = _S17 + u32(2) * axis_1;
-        var _S20 : u32 = slot_1 % u32(4);
-        var low_0 : f32 = (bitcast<f32>((nodes_0[_S19][_S20])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S19 + u32(6)][_S20])));
-        var _S21 : bool = (view_0.inverse_0[axis_1]) < 0.0f;
-        var _S22 : f32;
-        if(_S21)
+        var _S38 : u32 = axis_2;
+        var _S39 : u32 = _S37 + u32(2) * axis_2;
+        var _S40 : u32 = slot_1 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S39][_S40])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S39 + u32(6)][_S40])));
+        var _S41 : bool = (view_0.inverse_0[axis_2]) < 0.0f;
+        var _S42 : f32;
+        if(_S41)
         {
-            _S22 = high_0;
+            _S42 = high_0;
         }
         else
         {
-            _S22 = low_0;
+            _S42 = low_3;
         }
-        var _S23 : f32 = max(near_0, _S22 * view_0.inverse_0[_S18] - view_0.offset_near_0[axis_1]);
-        var _S24 : f32;
-        if(_S21)
+        var _S43 : f32 = max(near_0, _S42 * view_0.inverse_0[_S38] - view_0.offset_near_0[axis_2]);
+        var _S44 : f32;
+        if(_S41)
         {
-            _S24 = low_0;
+            _S44 = low_3;
         }
         else
         {
-            _S24 = high_0;
+            _S44 = high_0;
         }
-        var _S25 : f32 = min(far_0, _S24 * view_0.inverse_0[_S18] - view_0.offset_far_0[axis_1]);
-        var _S26 : u32 = axis_1 + u32(1);
-        near_0 = _S23;
-        far_0 = _S25;
-        axis_1 = _S26;
+        var _S45 : f32 = min(far_0, _S44 * view_0.inverse_0[_S38] - view_0.offset_far_0[axis_2]);
+        var _S46 : u32 = axis_2 + u32(1);
+        near_0 = _S43;
+        far_0 = _S45;
+        axis_2 = _S46;
     }
     if(near_0 <= far_0)
     {
@@ -244,7 +609,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S27 : u32 = k_0;
+        var _S47 : u32 = k_0;
         if((bounds_0[k_0]) > limit_2)
         {
             k_0 = k_0 + u32(1);
@@ -261,24 +626,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S28 : u32 = j_0;
-            var _S29 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S27]))
+            var _S48 : u32 = j_0;
+            var _S49 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S47]))
             {
-                _S29 = true;
+                _S49 = true;
             }
             else
             {
-                if((bounds_0[_S28]) == (bounds_0[_S27]))
+                if((bounds_0[_S48]) == (bounds_0[_S47]))
                 {
-                    _S29 = j_0 < k_0;
+                    _S49 = j_0 < k_0;
                 }
                 else
                 {
-                    _S29 = false;
+                    _S49 = false;
                 }
             }
-            if(_S29)
+            if(_S49)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -303,29 +668,24 @@ fn crossed_0( view_1 : RayView_0,  limit_3 : f32,  node_2 : u32) -> u32
         {
             break;
         }
-        var _S30 : f32;
+        var _S50 : f32;
         if((ray_child_0(node_2, slot_2)) == u32(4294967295))
         {
-            _S30 = 3.00000000549775576e+38f;
+            _S50 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S30 = ray_bound_0(view_1, limit_3, node_2, slot_2);
+            _S50 = ray_bound_0(view_1, limit_3, node_2, slot_2);
         }
-        bounds_1[slot_2] = _S30;
+        bounds_1[slot_2] = _S50;
         slot_2 = slot_2 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn primitive_vector_0( at_1 : u32) -> vec3<f32>
+fn rounded_0( product_1 : f32,  largest_0 : f32) -> f32
 {
-    return vec3<f32>(primitives_0[at_1], primitives_0[at_1 + u32(1)], primitives_0[at_1 + u32(2)]);
-}
-
-fn rounded_0( product_0 : f32,  largest_0 : f32) -> f32
-{
-    return min(product_0, largest_0);
+    return min(product_1, largest_0);
 }
 
 struct Ray_0
@@ -337,16 +697,16 @@ struct Ray_0
      t_min_0 : f32,
      t_max_0 : f32,
      local_per_t_0 : f32,
-     enter_0 : f32,
+     enter_1 : f32,
      edge_on_0 : f32,
      largest_1 : f32,
 };
 
-fn corner_0( ray_0 : Ray_0,  axes_1 : u32,  at_2 : u32) -> vec3<f32>
+fn corner_0( ray_1 : Ray_0,  axes_1 : u32,  at_9 : u32) -> vec3<f32>
 {
-    var relative_0 : vec3<f32> = primitive_vector_0(at_2) - ray_0.origin_0;
-    var z_0 : f32 = component_0(relative_0, (axes_1 >> (u32(4))));
-    return vec3<f32>(component_0(relative_0, (axes_1 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_0, ray_0.largest_1), component_0(relative_0, (((axes_1 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_0, ray_0.largest_1), z_0);
+    var relative_0 : vec3<f32> = primitive_vector_0(at_9) - ray_1.origin_0;
+    var z_1 : f32 = component_0(relative_0, (axes_1 >> (u32(4))));
+    return vec3<f32>(component_0(relative_0, (axes_1 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_1, ray_1.largest_1), component_0(relative_0, (((axes_1 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_1, ray_1.largest_1), z_1);
 }
 
 struct Crossing_0
@@ -357,58 +717,58 @@ struct Crossing_0
      w_0 : f32,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_2 : u32,  at_3 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_2 : u32,  at_10 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_0 = 0.0f;
     crossing_0.v_1 = 0.0f;
     crossing_0.w_0 = 0.0f;
-    var a_0 : vec3<f32> = corner_0(ray_1, axes_2, at_3);
-    var b_0 : vec3<f32> = corner_0(ray_1, axes_2, at_3 + u32(3));
-    var c_0 : vec3<f32> = corner_0(ray_1, axes_2, at_3 + u32(6));
-    var _S31 : f32 = c_0.x;
-    var _S32 : f32 = b_0.y;
-    var cx_by_0 : f32 = rounded_0(_S31 * _S32, ray_1.largest_1);
-    var _S33 : f32 = c_0.y;
-    var _S34 : f32 = b_0.x;
-    var cy_bx_0 : f32 = rounded_0(_S33 * _S34, ray_1.largest_1);
-    var _S35 : f32 = a_0.x;
-    var ax_cy_0 : f32 = rounded_0(_S35 * _S33, ray_1.largest_1);
-    var _S36 : f32 = a_0.y;
-    var ay_cx_0 : f32 = rounded_0(_S36 * _S31, ray_1.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S34 * _S36, ray_1.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S32 * _S35, ray_1.largest_1);
-    var u_0 : f32 = cx_by_0 - cy_bx_0;
+    var a_3 : vec3<f32> = corner_0(ray_2, axes_2, at_10);
+    var b_3 : vec3<f32> = corner_0(ray_2, axes_2, at_10 + u32(3));
+    var c_0 : vec3<f32> = corner_0(ray_2, axes_2, at_10 + u32(6));
+    var _S51 : f32 = c_0.x;
+    var _S52 : f32 = b_3.y;
+    var cx_by_0 : f32 = rounded_0(_S51 * _S52, ray_2.largest_1);
+    var _S53 : f32 = c_0.y;
+    var _S54 : f32 = b_3.x;
+    var cy_bx_0 : f32 = rounded_0(_S53 * _S54, ray_2.largest_1);
+    var _S55 : f32 = a_3.x;
+    var ax_cy_0 : f32 = rounded_0(_S55 * _S53, ray_2.largest_1);
+    var _S56 : f32 = a_3.y;
+    var ay_cx_0 : f32 = rounded_0(_S56 * _S51, ray_2.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S54 * _S56, ray_2.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S52 * _S55, ray_2.largest_1);
+    var u_1 : f32 = cx_by_0 - cy_bx_0;
     var v_2 : f32 = ax_cy_0 - ay_cx_0;
     var w_1 : f32 = bx_ay_0 - by_ax_0;
-    var _S37 : f32 = min(min(u_0, v_2), w_1);
-    var _S38 : f32 = max(max(u_0, v_2), w_1);
-    var _S39 : bool;
-    if(_S37 < 0.0f)
+    var _S57 : f32 = min(min(u_1, v_2), w_1);
+    var _S58 : f32 = max(max(u_1, v_2), w_1);
+    var _S59 : bool;
+    if(_S57 < 0.0f)
     {
-        _S39 = _S38 > 0.0f;
+        _S59 = _S58 > 0.0f;
     }
     else
     {
-        _S39 = false;
+        _S59 = false;
     }
-    if(_S39)
+    if(_S59)
     {
         return crossing_0;
     }
-    var determinant_0 : f32 = u_0 + v_2 + w_1;
-    if(_S37 <= 0.0f)
+    var determinant_0 : f32 = u_1 + v_2 + w_1;
+    if(_S57 <= 0.0f)
     {
-        _S39 = _S38 >= 0.0f;
+        _S59 = _S58 >= 0.0f;
     }
     else
     {
-        _S39 = false;
+        _S59 = false;
     }
-    if(_S39)
+    if(_S59)
     {
-        if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
+        if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
             return crossing_0;
         }
@@ -417,16 +777,16 @@ fn intersect_0( ray_1 : Ray_0,  axes_2 : u32,  at_3 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_1 : f32 = (rounded_0(u_0 * a_0.z, ray_1.largest_1) + rounded_0(v_2 * b_0.z, ray_1.largest_1) + rounded_0(w_1 * c_0.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
-    if((ray_1.t_min_0) <= t_1)
+    var t_1 : f32 = (rounded_0(u_1 * a_3.z, ray_2.largest_1) + rounded_0(v_2 * b_3.z, ray_2.largest_1) + rounded_0(w_1 * c_0.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
+    if((ray_2.t_min_0) <= t_1)
     {
-        _S39 = t_1 <= (ray_1.t_max_0);
+        _S59 = t_1 <= (ray_2.t_max_0);
     }
     else
     {
-        _S39 = false;
+        _S59 = false;
     }
-    crossing_0.is_hit_0 = _S39;
+    crossing_0.is_hit_0 = _S59;
     crossing_0.t_0 = t_1;
     crossing_0.v_1 = v_2 / determinant_0;
     crossing_0.w_0 = w_1 / determinant_0;
@@ -446,9 +806,9 @@ struct Found_0
      w_2 : f32,
 };
 
-fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S40 : bool;
+    var _S60 : bool;
     var found_0 : Found_0;
     found_0.face_1 = u32(4294967295);
     found_0.triangle_1 = u32(4294967295);
@@ -480,31 +840,31 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_0[level_0];
-        var _S41 : u32 = way_0[level_0].y;
-        if(_S41 == u32(0))
+        var _S61 : u32 = way_0[level_0].y;
+        if(_S61 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S42 : u32 = level_0 - u32(1);
+            var _S62 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S42;
+            level_0 = _S62;
             continue;
         }
-        var slot_3 : u32 = ((_S41 & (u32(15)))) - u32(1);
-        way_0[level_0][i32(1)] = (_S41 >> (u32(4)));
-        var _S43 : bool;
+        var slot_3 : u32 = ((_S61 & (u32(15)))) - u32(1);
+        way_0[level_0][i32(1)] = (_S61 >> (u32(4)));
+        var _S63 : bool;
         if(!is_new_1)
         {
-            _S43 = (ray_bound_0(view_2, limit_4, here_0.x, slot_3)) > limit_4;
+            _S63 = (ray_bound_0(view_2, limit_4, here_0.x, slot_3)) > limit_4;
         }
         else
         {
-            _S43 = false;
+            _S63 = false;
         }
-        if(_S43)
+        if(_S63)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -513,27 +873,27 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_0.x, slot_3);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S44 : u32 = level_0 + u32(1);
+            var _S64 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S44;
+            level_0 = _S64;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S45 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S46 : u32 = leaf_starts_0[leaf_0];
+        var _S65 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S66 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_0 : u32 = _S46;
+        var i_0 : u32 = _S66;
         for(;;)
         {
-            if(i_0 < _S45)
+            if(i_0 < _S65)
             {
             }
             else
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_2.axes_0, u32(9) * i_0);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_3), view_2.axes_0, u32(9) * i_0);
             if(!crossing_1.is_hit_0)
             {
                 i_0 = i_0 + u32(1);
@@ -541,30 +901,30 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_1) == u32(4294967295))
             {
-                _S40 = true;
+                _S60 = true;
             }
             else
             {
-                _S40 = (crossing_1.t_0) < ((*ray_2).t_max_0);
+                _S60 = (crossing_1.t_0) < ((*ray_3).t_max_0);
             }
-            var _S47 : bool;
-            if(_S40)
+            var _S67 : bool;
+            if(_S60)
             {
-                _S47 = true;
+                _S67 = true;
             }
             else
             {
-                _S47 = (face_0(i_0)) < (found_0.face_1);
+                _S67 = (face_0(i_0)) < (found_0.face_1);
             }
             var limit_6 : f32;
-            if(_S47)
+            if(_S67)
             {
                 found_0.face_1 = face_0(i_0);
                 found_0.triangle_1 = i_0;
-                (*ray_2).t_max_0 = crossing_1.t_0;
+                (*ray_3).t_max_0 = crossing_1.t_0;
                 found_0.v_3 = crossing_1.v_1;
                 found_0.w_2 = crossing_1.w_0;
-                limit_6 = min(limit_5, crossing_1.t_0 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_2.margin_0);
+                limit_6 = min(limit_5, crossing_1.t_0 * (*ray_3).local_per_t_0 - (*ray_3).enter_1 + 2.0f * view_2.margin_0);
             }
             else
             {
@@ -575,13 +935,13 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S40 = (found_0.face_1) != u32(4294967295);
+            _S60 = (found_0.face_1) != u32(4294967295);
         }
         else
         {
-            _S40 = false;
+            _S60 = false;
         }
-        if(_S40)
+        if(_S60)
         {
             break;
         }
@@ -592,86 +952,86 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_0;
 }
 
-fn cast_0( origin_1 : vec3<f32>,  direction_0 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_2 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_1 : vec3<f32>,  direction_1 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_2 : ptr<function, f32>) -> Found_0
 {
-    var size_0 : vec3<f32> = abs(direction_0);
-    var _S48 : f32 = size_0.x;
-    var _S49 : f32 = size_0.y;
-    var _S50 : bool;
-    if(_S48 >= _S49)
+    var size_3 : vec3<f32> = abs(direction_1);
+    var _S68 : f32 = size_3.x;
+    var _S69 : f32 = size_3.y;
+    var _S70 : bool;
+    if(_S68 >= _S69)
     {
-        _S50 = _S48 >= (size_0.z);
+        _S70 = _S68 >= (size_3.z);
     }
     else
     {
-        _S50 = false;
+        _S70 = false;
     }
-    var _S51 : i32;
-    if(_S50)
+    var _S71 : i32;
+    if(_S70)
     {
-        _S51 = i32(0);
+        _S71 = i32(0);
     }
     else
     {
-        if(_S49 >= (size_0.z))
+        if(_S69 >= (size_3.z))
         {
-            _S51 = i32(1);
+            _S71 = i32(1);
         }
         else
         {
-            _S51 = i32(2);
+            _S71 = i32(2);
         }
     }
-    var z_1 : u32 = u32(_S51);
-    var x_0 : u32 = (z_1 + u32(1)) % u32(3);
-    var y_0 : u32 = (z_1 + u32(2)) % u32(3);
-    var ray_3 : Ray_0;
-    ray_3.origin_0 = origin_1;
-    var along_0 : f32 = component_0(direction_0, z_1);
-    ray_3.inverse_z_0 = 1.0f / along_0;
-    ray_3.shear_x_0 = component_0(direction_0, x_0) / along_0;
-    ray_3.shear_y_0 = component_0(direction_0, y_0) / along_0;
-    ray_3.t_min_0 = t_min_1;
-    ray_3.t_max_0 = t_max_1;
-    var _S52 : f32 = abs(along_0);
-    ray_3.local_per_t_0 = _S52;
-    ray_3.enter_0 = 0.0f;
-    ray_3.edge_on_0 = limit_at_0(u32(0));
-    ray_3.largest_1 = limit_at_0(u32(1));
+    var z_2 : u32 = u32(_S71);
+    var x_8 : u32 = (z_2 + u32(1)) % u32(3);
+    var y_2 : u32 = (z_2 + u32(2)) % u32(3);
+    var ray_4 : Ray_0;
+    ray_4.origin_0 = origin_1;
+    var along_0 : f32 = component_0(direction_1, z_2);
+    ray_4.inverse_z_0 = 1.0f / along_0;
+    ray_4.shear_x_0 = component_0(direction_1, x_8) / along_0;
+    ray_4.shear_y_0 = component_0(direction_1, y_2) / along_0;
+    ray_4.t_min_0 = t_min_1;
+    ray_4.t_max_0 = t_max_1;
+    var _S72 : f32 = abs(along_0);
+    ray_4.local_per_t_0 = _S72;
+    ray_4.enter_1 = 0.0f;
+    ray_4.edge_on_0 = limit_at_0(u32(0));
+    ray_4.largest_1 = limit_at_0(u32(1));
     var view_3 : RayView_0;
-    var _S53 : vec3<f32> = direction_0 / vec3<f32>(_S52);
-    var axis_2 : u32 = u32(0);
+    var _S73 : vec3<f32> = direction_1 / vec3<f32>(_S72);
+    var axis_3 : u32 = u32(0);
     for(;;)
     {
-        if(axis_2 < u32(3))
+        if(axis_3 < u32(3))
         {
         }
         else
         {
             break;
         }
-        var _S54 : f32 = max(abs(_S53[axis_2]), 8.67361737988403547e-19f);
-        var _S55 : f32;
-        if((_S53[axis_2]) < 0.0f)
+        var _S74 : f32 = max(abs(_S73[axis_3]), 8.67361737988403547e-19f);
+        var _S75 : f32;
+        if((_S73[axis_3]) < 0.0f)
         {
-            _S55 = -1.0f / _S54;
+            _S75 = -1.0f / _S74;
         }
         else
         {
-            _S55 = 1.0f / _S54;
+            _S75 = 1.0f / _S74;
         }
-        view_3.inverse_0[axis_2] = _S55;
-        axis_2 = axis_2 + u32(1);
+        view_3.inverse_0[axis_3] = _S75;
+        axis_3 = axis_3 + u32(1);
     }
     var offset_0 : vec3<f32> = origin_1 * view_3.inverse_0;
     var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_3.inverse_0);
     view_3.offset_near_0 = offset_0 + wider_0;
     view_3.offset_far_0 = offset_0 - wider_0;
-    view_3.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
+    view_3.limit_0 = min(t_max_1 * ray_4.local_per_t_0, 8.0f) + 3.814697265625e-06f;
     view_3.margin_0 = 3.814697265625e-06f;
-    view_3.axes_0 = (((x_0 | (((y_0 << (u32(2))))))) | (((z_1 << (u32(4))))));
-    var found_1 : Found_0 = first_found_0(view_3, &(ray_3), any_1);
-    (*t_2) = ray_3.t_max_0;
+    view_3.axes_0 = (((x_8 | (((y_2 << (u32(2))))))) | (((z_2 << (u32(4))))));
+    var found_1 : Found_0 = first_found_0(view_3, &(ray_4), any_1);
+    (*t_2) = ray_4.t_max_0;
     return found_1;
 }
 
@@ -682,34 +1042,24 @@ struct Place_0
      w_3 : f32,
      v_rest_0 : f32,
      w_rest_0 : f32,
-     change_2 : vec2<f32>,
+     change_3 : vec2<f32>,
 };
 
 fn exact_place_0( triangle_3 : u32,  v_5 : f32,  w_4 : f32) -> Place_0
 {
-    var place_0 : Place_0;
-    place_0.triangle_2 = triangle_3;
-    place_0.v_4 = v_5;
-    place_0.w_3 = w_4;
-    place_0.v_rest_0 = 0.0f;
-    place_0.w_rest_0 = 0.0f;
-    place_0.change_2 = vec2<f32>(0.0f);
-    return place_0;
+    var place_1 : Place_0;
+    place_1.triangle_2 = triangle_3;
+    place_1.v_4 = v_5;
+    place_1.w_3 = w_4;
+    place_1.v_rest_0 = 0.0f;
+    place_1.w_rest_0 = 0.0f;
+    place_1.change_3 = vec2<f32>(0.0f);
+    return place_1;
 }
 
 fn place_of_0( found_2 : Found_0) -> Place_0
 {
     return exact_place_0(found_2.triangle_1, found_2.v_3, found_2.w_2);
-}
-
-fn change_of_0( vector_1 : Vector_0) -> vec3<f32>
-{
-    return vector_1.change_0;
-}
-
-fn change_word_0( at_4 : u32) -> u32
-{
-    return input_0[u32(15) * launch_0.room_0 + at_4];
 }
 
 fn is_moving_0() -> bool
@@ -722,36 +1072,31 @@ fn motion_of_0( triangle_4 : u32) -> u32
     return change_word_0(u32(0)) + u32(21) * triangle_4;
 }
 
-fn change_vector_0( at_5 : u32) -> vec3<f32>
+fn at_place_0( a_4 : vec3<f32>,  b_4 : vec3<f32>,  c_1 : vec3<f32>,  place_2 : Place_0) -> vec3<f32>
 {
-    return (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_5), change_word_0(at_5 + u32(1)), change_word_0(at_5 + u32(2))))));
+    return a_4 + (b_4 - a_4) * vec3<f32>(place_2.v_4) + (c_1 - a_4) * vec3<f32>(place_2.w_3);
 }
 
-fn at_place_0( a_1 : vec3<f32>,  b_1 : vec3<f32>,  c_1 : vec3<f32>,  place_1 : Place_0) -> vec3<f32>
-{
-    return a_1 + (b_1 - a_1) * vec3<f32>(place_1.v_4) + (c_1 - a_1) * vec3<f32>(place_1.w_3);
-}
-
-fn move_place_0( place_2 : ptr<function, Place_0>,  position_change_0 : ptr<function, vec3<f32>>,  direction_1 : vec3<f32>,  drift_0 : vec3<f32>)
+fn move_place_0( place_3 : ptr<function, Place_0>,  position_change_0 : ptr<function, vec3<f32>>,  direction_2 : vec3<f32>,  drift_0 : vec3<f32>)
 {
     (*position_change_0) = drift_0;
     if(!is_moving_0())
     {
         return;
     }
-    var at_6 : u32 = motion_of_0((*place_2).triangle_2);
-    var corner_1 : u32 = u32(9) * (*place_2).triangle_2;
-    var of_material_0 : vec3<f32> = at_place_0(change_vector_0(at_6), change_vector_0(at_6 + u32(3)), change_vector_0(at_6 + u32(6)), (*place_2));
-    var a_2 : vec3<f32> = primitive_vector_0(corner_1);
-    var ab_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_2;
-    var ac_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_2;
+    var at_11 : u32 = motion_of_0((*place_3).triangle_2);
+    var corner_1 : u32 = u32(9) * (*place_3).triangle_2;
+    var of_material_0 : vec3<f32> = at_place_0(change_vector_0(at_11), change_vector_0(at_11 + u32(3)), change_vector_0(at_11 + u32(6)), (*place_3));
+    var a_5 : vec3<f32> = primitive_vector_0(corner_1);
+    var ab_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_5;
+    var ac_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_5;
     var across_0 : vec3<f32> = cross(ab_0, ac_0);
-    var _S56 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
-    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S56);
+    var _S76 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S76);
     var slip_0 : vec3<f32> = drift_0 - of_material_0;
-    var slip_1 : vec3<f32> = slip_0 - direction_1 * vec3<f32>((dot(normal_0, slip_0) / dot(normal_0, direction_1)));
+    var slip_1 : vec3<f32> = slip_0 - direction_2 * vec3<f32>((dot(normal_0, slip_0) / dot(normal_0, direction_2)));
     (*position_change_0) = of_material_0 + slip_1;
-    (*place_2).change_2 = vec2<f32>(dot(slip_1, cross(ac_0, normal_0)), dot(slip_1, cross(normal_0, ab_0))) * vec2<f32>((1.0f / (dot(normal_0, normal_0) * _S56)));
+    (*place_3).change_3 = vec2<f32>(dot(slip_1, cross(ac_0, normal_0)), dot(slip_1, cross(normal_0, ab_0))) * vec2<f32>((1.0f / (dot(normal_0, normal_0) * _S76)));
     return;
 }
 
@@ -767,37 +1112,37 @@ fn shape_of_0( triangle_6 : u32) -> u32
 
 fn cross_of_0( triangle_7 : u32) -> vec3<f32>
 {
-    var at_7 : u32 = u32(9) * triangle_7;
-    var a_3 : vec3<f32> = primitive_vector_0(at_7);
-    return cross(primitive_vector_0(at_7 + u32(3)) - a_3, primitive_vector_0(at_7 + u32(6)) - a_3);
+    var at_12 : u32 = u32(9) * triangle_7;
+    var a_6 : vec3<f32> = primitive_vector_0(at_12);
+    return cross(primitive_vector_0(at_12 + u32(3)) - a_6, primitive_vector_0(at_12 + u32(6)) - a_6);
 }
 
-fn emitter_seen_0( found_3 : Found_0,  direction_2 : vec3<f32>) -> u32
+fn emitter_seen_0( found_3 : Found_0,  direction_3 : vec3<f32>) -> u32
 {
     if((found_3.face_1) == u32(4294967295))
     {
         return word_0(u32(8));
     }
     var emitter_0 : u32 = word_0(shape_of_0(found_3.triangle_1) + u32(4));
-    var _S57 : bool;
+    var _S77 : bool;
     if(emitter_0 != u32(4294967295))
     {
-        _S57 = (dot(cross_of_0(found_3.triangle_1), direction_2)) < 0.0f;
+        _S77 = (dot(cross_of_0(found_3.triangle_1), direction_3)) < 0.0f;
     }
     else
     {
-        _S57 = false;
+        _S77 = false;
     }
-    var _S58 : u32;
-    if(_S57)
+    var _S78 : u32;
+    if(_S77)
     {
-        _S58 = emitter_0;
+        _S78 = emitter_0;
     }
     else
     {
-        _S58 = u32(4294967295);
+        _S78 = u32(4294967295);
     }
-    return _S58;
+    return _S78;
 }
 
 fn emitter_record_0( emitter_1 : u32) -> u32
@@ -825,31 +1170,31 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    var _S59 : vec4<f32> = vec4<f32>(0.0f);
-    lookup_0.by_second_0 = _S59;
-    lookup_0.by_first_0 = _S59;
+    var _S79 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S79;
+    lookup_0.by_first_0 = _S79;
     return lookup_0;
 }
 
 struct Corners2_0
 {
-     a_4 : vec2<f32>,
-     b_2 : vec2<f32>,
+     a_7 : vec2<f32>,
+     b_5 : vec2<f32>,
      c_2 : vec2<f32>,
 };
 
-fn Corners2_x24init_0( a_5 : vec2<f32>,  b_3 : vec2<f32>,  c_3 : vec2<f32>) -> Corners2_0
+fn Corners2_x24init_0( a_8 : vec2<f32>,  b_6 : vec2<f32>,  c_3 : vec2<f32>) -> Corners2_0
 {
-    var _S60 : Corners2_0;
-    _S60.a_4 = a_5;
-    _S60.b_2 = b_3;
-    _S60.c_2 = c_3;
-    return _S60;
+    var _S80 : Corners2_0;
+    _S80.a_7 = a_8;
+    _S80.b_5 = b_6;
+    _S80.c_2 = c_3;
+    return _S80;
 }
 
-fn number_0( at_8 : u32) -> f32
+fn number_1( at_13 : u32) -> f32
 {
-    return (bitcast<f32>((scene_0[at_8])));
+    return (bitcast<f32>((scene_0[at_13])));
 }
 
 fn uvs_of_0( triangle_8 : u32) -> Corners2_0
@@ -860,21 +1205,21 @@ fn uvs_of_0( triangle_8 : u32) -> Corners2_0
     {
         return uvs_0;
     }
-    var at_9 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_8) + u32(1));
-    uvs_0.a_4 = vec2<f32>(number_0(at_9), number_0(at_9 + u32(1)));
-    uvs_0.b_2 = vec2<f32>(number_0(at_9 + u32(2)), number_0(at_9 + u32(3)));
-    uvs_0.c_2 = vec2<f32>(number_0(at_9 + u32(4)), number_0(at_9 + u32(5)));
+    var at_14 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_8) + u32(1));
+    uvs_0.a_7 = vec2<f32>(number_1(at_14), number_1(at_14 + u32(1)));
+    uvs_0.b_5 = vec2<f32>(number_1(at_14 + u32(2)), number_1(at_14 + u32(3)));
+    uvs_0.c_2 = vec2<f32>(number_1(at_14 + u32(4)), number_1(at_14 + u32(5)));
     return uvs_0;
 }
 
-fn vector_at_0( at_10 : u32) -> vec3<f32>
+fn vector_at_0( at_15 : u32) -> vec3<f32>
 {
-    return vec3<f32>(number_0(at_10), number_0(at_10 + u32(1)), number_0(at_10 + u32(2)));
+    return vec3<f32>(number_1(at_15), number_1(at_15 + u32(1)), number_1(at_15 + u32(2)));
 }
 
-fn floor_of_0( x_1 : f32) -> i32
+fn floor_of_0( x_9 : f32) -> i32
 {
-    return i32(floor(clamp(x_1, -1.0e+09f, 1.0e+09f)));
+    return i32(floor(clamp(x_9, -1.0e+09f, 1.0e+09f)));
 }
 
 fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -920,116 +1265,116 @@ struct Point_0
      by_second_1 : vec2<f32>,
 };
 
-fn between_0( texels_1 : vec4<u32>,  place_3 : Point_0) -> Lookup_0
+fn between_0( texels_1 : vec4<u32>,  place_4 : Point_0) -> Lookup_0
 {
-    var way_1 : vec2<f32> = place_3.value_3 - floor(place_3.value_3);
+    var way_1 : vec2<f32> = place_4.value_3 - floor(place_4.value_3);
     var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_1;
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S61 : f32 = back_0.x;
-    var _S62 : f32 = back_0.y;
-    var _S63 : f32 = way_1.x;
-    var _S64 : f32 = way_1.y;
-    lookup_1.weights_0 = vec4<f32>(_S61 * _S62, _S63 * _S62, _S61 * _S64, _S63 * _S64);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S62, _S62, - _S64, _S64);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S61, - _S63, _S61, _S63);
-    lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_3.by_first_1.x) + by_y_0 * vec4<f32>(place_3.by_first_1.y);
-    lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_3.by_second_1.x) + by_y_0 * vec4<f32>(place_3.by_second_1.y);
+    var _S81 : f32 = back_0.x;
+    var _S82 : f32 = back_0.y;
+    var _S83 : f32 = way_1.x;
+    var _S84 : f32 = way_1.y;
+    lookup_1.weights_0 = vec4<f32>(_S81 * _S82, _S83 * _S82, _S81 * _S84, _S83 * _S84);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S82, _S82, - _S84, _S84);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S81, - _S83, _S81, _S83);
+    lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_4.by_first_1.x) + by_y_0 * vec4<f32>(place_4.by_first_1.y);
+    lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_4.by_second_1.x) + by_y_0 * vec4<f32>(place_4.by_second_1.y);
     return lookup_1;
 }
 
 fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
 {
-    var width_0 : i32 = i32(word_0(texture_0 + u32(2)));
+    var width_1 : i32 = i32(word_0(texture_0 + u32(2)));
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
-    var size_1 : vec2<f32> = vec2<f32>(f32(width_0), f32(height_0));
-    var place_4 : vec2<f32> = uv_0.value_3 * size_1;
+    var size_4 : vec2<f32> = vec2<f32>(f32(width_1), f32(height_0));
+    var place_5 : vec2<f32> = uv_0.value_3 * size_4;
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
-        var row_0 : u32 = wrapped_0(floor_of_0(place_4.y), height_0, wrap_1);
-        var _S65 : u32 = row_0 * u32(width_0);
-        var _S66 : u32 = wrapped_0(floor_of_0(place_4.x), width_0, wrap_1);
-        return one_texel_0(_S65 + _S66);
+        var row_1 : u32 = wrapped_0(floor_of_0(place_5.y), height_0, wrap_1);
+        var _S85 : u32 = row_1 * u32(width_1);
+        var _S86 : u32 = wrapped_0(floor_of_0(place_5.x), width_1, wrap_1);
+        return one_texel_0(_S85 + _S86);
     }
     var centred_0 : Point_0;
-    var _S67 : vec2<f32> = place_4 - vec2<f32>(0.5f);
-    centred_0.value_3 = _S67;
-    centred_0.by_first_1 = uv_0.by_first_1 * size_1;
-    centred_0.by_second_1 = uv_0.by_second_1 * size_1;
-    var x_2 : i32 = floor_of_0(_S67.x);
-    var y_1 : i32 = floor_of_0(_S67.y);
-    var _S68 : u32 = wrapped_0(y_1, height_0, wrap_1);
-    var _S69 : u32 = u32(width_0);
-    var first_1 : u32 = _S68 * _S69;
-    var _S70 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S70 * _S69;
-    var left_0 : u32 = wrapped_0(x_2, width_0, wrap_1);
-    var right_0 : u32 = wrapped_0(x_2 + i32(1), width_0, wrap_1);
-    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
+    var _S87 : vec2<f32> = place_5 - vec2<f32>(0.5f);
+    centred_0.value_3 = _S87;
+    centred_0.by_first_1 = uv_0.by_first_1 * size_4;
+    centred_0.by_second_1 = uv_0.by_second_1 * size_4;
+    var x_10 : i32 = floor_of_0(_S87.x);
+    var y_3 : i32 = floor_of_0(_S87.y);
+    var _S88 : u32 = wrapped_0(y_3, height_0, wrap_1);
+    var _S89 : u32 = u32(width_1);
+    var first_2 : u32 = _S88 * _S89;
+    var _S90 : u32 = wrapped_0(y_3 + i32(1), height_0, wrap_1);
+    var second_1 : u32 = _S90 * _S89;
+    var left_0 : u32 = wrapped_0(x_10, width_1, wrap_1);
+    var right_0 : u32 = wrapped_0(x_10 + i32(1), width_1, wrap_1);
+    return between_0(vec4<u32>(first_2 + left_0, first_2 + right_0, second_1 + left_0, second_1 + right_0), centred_0);
 }
 
-fn lookup_at_0( texture_1 : u32,  place_5 : Place_0) -> Lookup_0
+fn lookup_at_0( texture_1 : u32,  place_6 : Place_0) -> Lookup_0
 {
-    var kind_0 : u32 = word_0(texture_1);
-    if(kind_0 == u32(0))
+    var kind_1 : u32 = word_0(texture_1);
+    if(kind_1 == u32(0))
     {
         return one_texel_0(u32(0));
     }
-    var record_1 : u32 = triangle_record_0(place_5.triangle_2) + u32(1);
-    if(kind_0 == u32(4))
+    var record_1 : u32 = triangle_record_0(place_6.triangle_2) + u32(1);
+    if(kind_1 == u32(4))
     {
         return one_texel_0(word_0(record_1));
     }
-    if(kind_0 == u32(3))
+    if(kind_1 == u32(3))
     {
         var lookup_2 : Lookup_0;
         lookup_2.count_0 = u32(3);
         lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
-        lookup_2.weights_0 = vec4<f32>(1.0f - place_5.v_4 - place_5.w_3, place_5.v_4, place_5.w_3, 0.0f);
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_6.v_4 - place_6.w_3, place_6.v_4, place_6.w_3, 0.0f);
         lookup_2.by_first_0 = vec4<f32>(-1.0f, 1.0f, 0.0f, 0.0f);
         lookup_2.by_second_0 = vec4<f32>(-1.0f, 0.0f, 1.0f, 0.0f);
         return lookup_2;
     }
-    var uvs_1 : Corners2_0 = uvs_of_0(place_5.triangle_2);
+    var uvs_1 : Corners2_0 = uvs_of_0(place_6.triangle_2);
     var rows_0 : u32 = texture_1 + u32(6);
     var to_u_0 : vec3<f32> = vector_at_0(rows_0);
     var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S71 : vec3<f32> = vec3<f32>(uvs_1.a_4 * vec2<f32>((1.0f - place_5.v_4 - place_5.w_3)) + uvs_1.b_2 * vec2<f32>(place_5.v_4) + uvs_1.c_2 * vec2<f32>(place_5.w_3), 1.0f);
-    uv_1.value_3 = vec2<f32>(dot(_S71, to_u_0), dot(_S71, to_v_0));
-    var by_v_0 : vec2<f32> = uvs_1.b_2 - uvs_1.a_4;
-    var by_w_0 : vec2<f32> = uvs_1.c_2 - uvs_1.a_4;
-    var _S72 : vec2<f32> = to_u_0.xy;
-    var _S73 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S72), dot(by_v_0, _S73));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S72), dot(by_w_0, _S73));
-    if(kind_0 == u32(1))
+    var _S91 : vec3<f32> = vec3<f32>(uvs_1.a_7 * vec2<f32>((1.0f - place_6.v_4 - place_6.w_3)) + uvs_1.b_5 * vec2<f32>(place_6.v_4) + uvs_1.c_2 * vec2<f32>(place_6.w_3), 1.0f);
+    uv_1.value_3 = vec2<f32>(dot(_S91, to_u_0), dot(_S91, to_v_0));
+    var by_v_0 : vec2<f32> = uvs_1.b_5 - uvs_1.a_7;
+    var by_w_0 : vec2<f32> = uvs_1.c_2 - uvs_1.a_7;
+    var _S92 : vec2<f32> = to_u_0.xy;
+    var _S93 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S92), dot(by_v_0, _S93));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S92), dot(by_w_0, _S93));
+    if(kind_1 == u32(1))
     {
-        var _S74 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S74;
+        var _S94 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S94;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
-    var _S75 : i32;
+    var _S95 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S75 = i32(1);
+        _S95 = i32(1);
     }
     else
     {
-        _S75 = i32(0);
+        _S95 = i32(0);
     }
-    return one_texel_0(u32(_S75));
+    return one_texel_0(u32(_S95));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S76 : u32 = word_0(texture_2 + u32(1));
-    var _S77 : u32 = texture_2 + u32(13);
-    var _S78 : vec3<f32> = vec3<f32>(0.0f);
+    var _S96 : u32 = word_0(texture_2 + u32(1));
+    var _S97 : u32 = texture_2 + u32(13);
+    var _S98 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S78;
+    var value_4 : vec3<f32> = _S98;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1039,17 +1384,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_11 : u32 = _S77 + _S76 * lookup_3.texels_0[k_1];
-        var _S79 : vec3<f32>;
-        if(_S76 == u32(1))
+        var at_16 : u32 = _S97 + _S96 * lookup_3.texels_0[k_1];
+        var _S99 : vec3<f32>;
+        if(_S96 == u32(1))
         {
-            _S79 = vec3<f32>(number_0(at_11));
+            _S99 = vec3<f32>(number_1(at_16));
         }
         else
         {
-            _S79 = vector_at_0(at_11);
+            _S99 = vector_at_0(at_16);
         }
-        var value_5 : vec3<f32> = value_4 + _S79 * vec3<f32>(weights_1[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S99 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -1058,21 +1403,21 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(5) + word_0(texture_3 + u32(12)));
+    return change_word_0(u32(6) + word_0(texture_3 + u32(12)));
 }
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
 {
     var value_6 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.weights_0);
-    var change_3 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.by_first_0 * vec4<f32>(place_change_0.x) + lookup_4.by_second_0 * vec4<f32>(place_change_0.y));
-    var first_2 : u32 = numbers_of_0(texture_4);
-    if(first_2 == u32(4294967295))
+    var change_4 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.by_first_0 * vec4<f32>(place_change_0.x) + lookup_4.by_second_0 * vec4<f32>(place_change_0.y));
+    var first_3 : u32 = numbers_of_0(texture_4);
+    if(first_3 == u32(4294967295))
     {
-        return changing_0(value_6, change_3);
+        return changing_0(value_6, change_4);
     }
-    var _S80 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var _S100 : bool = (word_0(texture_4 + u32(1))) == u32(1);
     var k_2 : u32 = u32(0);
-    var change_4 : vec3<f32> = change_3;
+    var change_5 : vec3<f32> = change_4;
     for(;;)
     {
         if(k_2 < (lookup_4.count_0))
@@ -1082,62 +1427,62 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
         {
             break;
         }
-        var _S81 : i32;
-        if(_S80)
+        var _S101 : i32;
+        if(_S100)
         {
-            _S81 = i32(1);
+            _S101 = i32(1);
         }
         else
         {
-            _S81 = i32(3);
+            _S101 = i32(3);
         }
-        var at_12 : u32 = first_2 + u32(_S81) * lookup_4.texels_0[k_2];
+        var at_17 : u32 = first_3 + u32(_S101) * lookup_4.texels_0[k_2];
         var of_texel_0 : vec3<f32>;
-        if(_S80)
+        if(_S100)
         {
-            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_12)))));
+            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_17)))));
         }
         else
         {
-            of_texel_0 = change_vector_0(at_12);
+            of_texel_0 = change_vector_0(at_17);
         }
-        var change_5 : vec3<f32> = change_4 + of_texel_0 * vec3<f32>(lookup_4.weights_0[k_2]);
+        var change_6 : vec3<f32> = change_5 + of_texel_0 * vec3<f32>(lookup_4.weights_0[k_2]);
         k_2 = k_2 + u32(1);
-        change_4 = change_5;
+        change_5 = change_6;
     }
-    return changing_0(value_6, change_4);
+    return changing_0(value_6, change_5);
 }
 
-fn shown_0( texture_5 : u32,  place_6 : Place_0) -> Vector_0
+fn shown_0( texture_5 : u32,  place_7 : Place_0) -> Vector_0
 {
-    var _S82 : Lookup_0 = lookup_at_0(texture_5, place_6);
-    return looked_up_0(texture_5, _S82, place_6.change_2);
+    var _S102 : Lookup_0 = lookup_at_0(texture_5, place_7);
+    return looked_up_0(texture_5, _S102, place_7.change_3);
 }
 
-fn angle_of_0( x_3 : f32,  y_2 : f32) -> f32
+fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
 {
-    var _S83 : f32 = abs(x_3);
-    var _S84 : f32 = abs(y_2);
-    var _S85 : f32 = min(_S83, _S84);
-    var _S86 : f32 = max(_S83, _S84);
-    var is_steep_0 : bool = _S85 > (0.41421356797218323f * _S86);
+    var _S103 : f32 = abs(x_11);
+    var _S104 : f32 = abs(y_4);
+    var _S105 : f32 = min(_S103, _S104);
+    var _S106 : f32 = max(_S103, _S104);
+    var is_steep_0 : bool = _S105 > (0.41421356797218323f * _S106);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S85 - _S86;
+        above_0 = _S105 - _S106;
     }
     else
     {
-        above_0 = _S85;
+        above_0 = _S105;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S85 + _S86;
+        below_0 = _S105 + _S106;
     }
     else
     {
-        below_0 = _S86;
+        below_0 = _S106;
     }
     if(below_0 > 0.0f)
     {
@@ -1147,72 +1492,72 @@ fn angle_of_0( x_3 : f32,  y_2 : f32) -> f32
         below_0 = 1.0f;
     }
     var t_3 : f32 = above_0 / below_0;
-    var z_2 : f32 = t_3 * t_3;
-    var angle_0 : f32 = (((0.08053744584321976f * z_2 - 0.13877685368061066f) * z_2 + 0.19977711141109467f) * z_2 - 0.33332949876785278f) * z_2 * t_3 + t_3;
-    var angle_1 : f32;
+    var z_3 : f32 = t_3 * t_3;
+    var angle_1 : f32 = (((0.08053744584321976f * z_3 - 0.13877685368061066f) * z_3 + 0.19977711141109467f) * z_3 - 0.33332949876785278f) * z_3 * t_3 + t_3;
+    var angle_2 : f32;
     if(is_steep_0)
     {
-        angle_1 = angle_0 + 0.78539818525314331f;
+        angle_2 = angle_1 + 0.78539818525314331f;
     }
     else
     {
-        angle_1 = angle_0;
+        angle_2 = angle_1;
     }
-    if(_S84 > _S83)
+    if(_S104 > _S103)
     {
-        angle_1 = 1.57079637050628662f - angle_1;
+        angle_2 = 1.57079637050628662f - angle_2;
     }
-    if(x_3 < 0.0f)
+    if(x_11 < 0.0f)
     {
-        angle_1 = 3.14159274101257324f - angle_1;
+        angle_2 = 3.14159274101257324f - angle_2;
     }
-    if(y_2 < 0.0f)
+    if(y_4 < 0.0f)
     {
-        above_0 = - angle_1;
+        above_0 = - angle_2;
     }
     else
     {
-        above_0 = angle_1;
+        above_0 = angle_2;
     }
     return above_0;
 }
 
 fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S87 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0, dpx_5.differential_0 );
-    var _S88 : DiffPair_float_0 = _d_abs_0(_S87);
-    var _S89 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0, dpy_2.differential_0 );
-    var _S90 : DiffPair_float_0 = _d_abs_0(_S89);
-    var _S91 : DiffPair_float_0 = DiffPair_float_0( _S88.primal_0, _S88.differential_0 );
-    var _S92 : DiffPair_float_0 = DiffPair_float_0( _S90.primal_0, _S90.differential_0 );
-    var _S93 : DiffPair_float_0 = _d_min_0(_S91, _S92);
-    var _S94 : DiffPair_float_0 = _d_max_0(_S91, _S92);
-    var is_steep_1 : bool = (_S93.primal_0) > (0.41421356797218323f * _S94.primal_0);
+    var _S107 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0, dpx_5.differential_0 );
+    var _S108 : DiffPair_float_0 = _d_abs_0(_S107);
+    var _S109 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0, dpy_2.differential_0 );
+    var _S110 : DiffPair_float_0 = _d_abs_0(_S109);
+    var _S111 : DiffPair_float_0 = DiffPair_float_0( _S108.primal_0, _S108.differential_0 );
+    var _S112 : DiffPair_float_0 = DiffPair_float_0( _S110.primal_0, _S110.differential_0 );
+    var _S113 : DiffPair_float_0 = _d_min_0(_S111, _S112);
+    var _S114 : DiffPair_float_0 = _d_max_0(_S111, _S112);
+    var is_steep_1 : bool = (_S113.primal_0) > (0.41421356797218323f * _S114.primal_0);
     var above_1 : f32;
     var s_diff_above_0 : f32;
     if(is_steep_1)
     {
-        var _S95 : f32 = _S93.differential_0 - _S94.differential_0;
-        above_1 = _S93.primal_0 - _S94.primal_0;
-        s_diff_above_0 = _S95;
+        var _S115 : f32 = _S113.differential_0 - _S114.differential_0;
+        above_1 = _S113.primal_0 - _S114.primal_0;
+        s_diff_above_0 = _S115;
     }
     else
     {
-        above_1 = _S93.primal_0;
-        s_diff_above_0 = _S93.differential_0;
+        above_1 = _S113.primal_0;
+        s_diff_above_0 = _S113.differential_0;
     }
     var below_1 : f32;
     var s_diff_below_0 : f32;
     if(is_steep_1)
     {
-        var _S96 : f32 = _S93.differential_0 + _S94.differential_0;
-        below_1 = _S93.primal_0 + _S94.primal_0;
-        s_diff_below_0 = _S96;
+        var _S116 : f32 = _S113.differential_0 + _S114.differential_0;
+        below_1 = _S113.primal_0 + _S114.primal_0;
+        s_diff_below_0 = _S116;
     }
     else
     {
-        below_1 = _S94.primal_0;
-        s_diff_below_0 = _S94.differential_0;
+        below_1 = _S114.primal_0;
+        s_diff_below_0 = _S114.differential_0;
     }
     if(below_1 > 0.0f)
     {
@@ -1224,30 +1569,30 @@ fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> Dif
     }
     var t_4 : f32 = above_1 / below_1;
     var s_diff_t_0 : f32 = (s_diff_above_0 * below_1 - above_1 * s_diff_below_0) / (below_1 * below_1);
-    var z_3 : f32 = t_4 * t_4;
-    var _S97 : f32 = s_diff_t_0 * t_4;
-    var s_diff_z_0 : f32 = _S97 + _S97;
-    var _S98 : f32 = 0.08053744584321976f * z_3 - 0.13877685368061066f;
-    var _S99 : f32 = _S98 * z_3 + 0.19977711141109467f;
-    var tail_0 : f32 = _S99 * z_3 - 0.33332949876785278f;
-    var _S100 : f32 = tail_0 * z_3;
-    var angle_2 : f32 = _S100 * t_4 + t_4;
-    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_3 + s_diff_z_0 * _S98) * z_3 + s_diff_z_0 * _S99) * z_3 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S100 + s_diff_t_0;
-    var angle_3 : f32;
+    var z_4 : f32 = t_4 * t_4;
+    var _S117 : f32 = s_diff_t_0 * t_4;
+    var s_diff_z_0 : f32 = _S117 + _S117;
+    var _S118 : f32 = 0.08053744584321976f * z_4 - 0.13877685368061066f;
+    var _S119 : f32 = _S118 * z_4 + 0.19977711141109467f;
+    var tail_0 : f32 = _S119 * z_4 - 0.33332949876785278f;
+    var _S120 : f32 = tail_0 * z_4;
+    var angle_3 : f32 = _S120 * t_4 + t_4;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_4 + s_diff_z_0 * _S118) * z_4 + s_diff_z_0 * _S119) * z_4 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S120 + s_diff_t_0;
+    var angle_4 : f32;
     if(is_steep_1)
     {
-        angle_3 = angle_2 + 0.78539818525314331f;
+        angle_4 = angle_3 + 0.78539818525314331f;
     }
     else
     {
-        angle_3 = angle_2;
+        angle_4 = angle_3;
     }
     var s_diff_angle_1 : f32;
-    if((_S90.primal_0) > (_S88.primal_0))
+    if((_S110.primal_0) > (_S108.primal_0))
     {
-        var _S101 : f32 = 0.0f - s_diff_angle_0;
-        angle_3 = 1.57079637050628662f - angle_3;
-        s_diff_angle_1 = _S101;
+        var _S121 : f32 = 0.0f - s_diff_angle_0;
+        angle_4 = 1.57079637050628662f - angle_4;
+        s_diff_angle_1 = _S121;
     }
     else
     {
@@ -1255,29 +1600,29 @@ fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> Dif
     }
     if((dpx_5.primal_0) < 0.0f)
     {
-        var _S102 : f32 = 0.0f - s_diff_angle_1;
-        angle_3 = 3.14159274101257324f - angle_3;
-        s_diff_angle_1 = _S102;
+        var _S122 : f32 = 0.0f - s_diff_angle_1;
+        angle_4 = 3.14159274101257324f - angle_4;
+        s_diff_angle_1 = _S122;
     }
     if((dpy_2.primal_0) < 0.0f)
     {
-        var _S103 : f32 = - s_diff_angle_1;
-        above_1 = - angle_3;
-        s_diff_above_0 = _S103;
+        var _S123 : f32 = - s_diff_angle_1;
+        above_1 = - angle_4;
+        s_diff_above_0 = _S123;
     }
     else
     {
-        above_1 = angle_3;
+        above_1 = angle_4;
         s_diff_above_0 = s_diff_angle_1;
     }
-    var _S104 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
-    return _S104;
+    var _S124 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
+    return _S124;
 }
 
-fn map_place_0( map_0 : u32,  direction_3 : vec3<f32>) -> vec2<f32>
+fn map_place_0( map_0 : u32,  direction_4 : vec3<f32>) -> vec2<f32>
 {
-    var _S105 : u32 = map_0 + u32(2);
-    var d_0 : vec3<f32> = vector_at_0(_S105) * vec3<f32>(direction_3.x) + vector_at_0(_S105 + u32(3)) * vec3<f32>(direction_3.y) + vector_at_0(_S105 + u32(6)) * vec3<f32>(direction_3.z);
+    var _S125 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S125) * vec3<f32>(direction_4.x) + vector_at_0(_S125 + u32(3)) * vec3<f32>(direction_4.y) + vector_at_0(_S125 + u32(6)) * vec3<f32>(direction_4.z);
     return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -1289,24 +1634,24 @@ struct DiffPair_vectorx3Cfloatx2C3x3E_0
 
 fn s_fwd_map_place_0( map_1 : u32,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var _S106 : u32 = map_1 + u32(2);
-    var _S107 : vec3<f32> = vector_at_0(_S106);
-    var _S108 : vec3<f32> = vector_at_0(_S106 + u32(3));
-    var _S109 : vec3<f32> = vector_at_0(_S106 + u32(6));
-    var d_1 : vec3<f32> = _S107 * vec3<f32>(dpdirection_0.primal_0.x) + _S108 * vec3<f32>(dpdirection_0.primal_0.y) + _S109 * vec3<f32>(dpdirection_0.primal_0.z);
-    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_0.differential_0.x) * _S107 + vec3<f32>(dpdirection_0.differential_0.y) * _S108 + vec3<f32>(dpdirection_0.differential_0.z) * _S109;
-    var _S110 : DiffPair_float_0 = DiffPair_float_0( - d_1.z, - s_diff_d_0.z );
-    var _S111 : DiffPair_float_0 = DiffPair_float_0( d_1.x, s_diff_d_0.x );
-    var _S112 : DiffPair_float_0 = s_fwd_angle_of_0(_S110, _S111);
-    var _S113 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_1.xz, s_diff_d_0.xz );
-    var _S114 : DiffPair_float_0 = s_fwd_length_impl_0(_S113);
-    var _S115 : DiffPair_float_0 = DiffPair_float_0( d_1.y, s_diff_d_0.y );
-    var _S116 : DiffPair_float_0 = DiffPair_float_0( _S114.primal_0, _S114.differential_0 );
-    var _S117 : DiffPair_float_0 = s_fwd_angle_of_0(_S115, _S116);
-    var width_1 : f32 = f32(word_0(map_1));
-    var _S118 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
-    var _S119 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S112.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S117.primal_0 * 0.31830987334251404f * _S118), vec2<f32>(_S112.differential_0 * 0.15915493667125702f * width_1, _S117.differential_0 * 0.31830987334251404f * _S118) );
-    return _S119;
+    var _S126 : u32 = map_1 + u32(2);
+    var _S127 : vec3<f32> = vector_at_0(_S126);
+    var _S128 : vec3<f32> = vector_at_0(_S126 + u32(3));
+    var _S129 : vec3<f32> = vector_at_0(_S126 + u32(6));
+    var d_1 : vec3<f32> = _S127 * vec3<f32>(dpdirection_0.primal_0.x) + _S128 * vec3<f32>(dpdirection_0.primal_0.y) + _S129 * vec3<f32>(dpdirection_0.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_0.differential_0.x) * _S127 + vec3<f32>(dpdirection_0.differential_0.y) * _S128 + vec3<f32>(dpdirection_0.differential_0.z) * _S129;
+    var _S130 : DiffPair_float_0 = DiffPair_float_0( - d_1.z, - s_diff_d_0.z );
+    var _S131 : DiffPair_float_0 = DiffPair_float_0( d_1.x, s_diff_d_0.x );
+    var _S132 : DiffPair_float_0 = s_fwd_angle_of_0(_S130, _S131);
+    var _S133 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_1.xz, s_diff_d_0.xz );
+    var _S134 : DiffPair_float_0 = s_fwd_length_impl_0(_S133);
+    var _S135 : DiffPair_float_0 = DiffPair_float_0( d_1.y, s_diff_d_0.y );
+    var _S136 : DiffPair_float_0 = DiffPair_float_0( _S134.primal_0, _S134.differential_0 );
+    var _S137 : DiffPair_float_0 = s_fwd_angle_of_0(_S135, _S136);
+    var width_2 : f32 = f32(word_0(map_1));
+    var _S138 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
+    var _S139 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S132.primal_0 * 0.15915493667125702f * width_2 - 0.5f, _S137.primal_0 * 0.31830987334251404f * _S138), vec2<f32>(_S132.differential_0 * 0.15915493667125702f * width_2, _S137.differential_0 * 0.31830987334251404f * _S138) );
+    return _S139;
 }
 
 fn value_of_0( vector_2 : Vector_0) -> vec3<f32>
@@ -1314,47 +1659,47 @@ fn value_of_0( vector_2 : Vector_0) -> vec3<f32>
     return vector_2.value_0;
 }
 
-fn in_map_0( map_2 : u32,  direction_4 : vec3<f32>) -> Lookup_0
+fn in_map_0( map_2 : u32,  direction_5 : vec3<f32>) -> Lookup_0
 {
-    var place_7 : vec2<f32> = map_place_0(map_2, direction_4);
+    var place_8 : vec2<f32> = map_place_0(map_2, direction_5);
     var point_0 : Point_0;
-    point_0.value_3 = place_7;
+    point_0.value_3 = place_8;
     point_0.by_first_1 = vec2<f32>(1.0f, 0.0f);
     point_0.by_second_1 = vec2<f32>(0.0f, 1.0f);
-    var x_4 : i32 = floor_of_0(place_7.x);
-    var y_3 : i32 = floor_of_0(place_7.y);
-    var width_2 : i32 = i32(word_0(map_2));
+    var x_12 : i32 = floor_of_0(place_8.x);
+    var y_5 : i32 = floor_of_0(place_8.y);
+    var width_3 : i32 = i32(word_0(map_2));
     var height_1 : i32 = i32(word_0(map_2 + u32(1)));
-    var left_1 : u32 = wrapped_0(x_4, width_2, u32(0));
-    var right_1 : u32 = wrapped_0(x_4 + i32(1), width_2, u32(0));
-    var _S120 : u32 = wrapped_0(y_3, height_1, u32(2));
-    var _S121 : u32 = u32(width_2);
-    var first_3 : u32 = _S120 * _S121;
-    var _S122 : u32 = wrapped_0(y_3 + i32(1), height_1, u32(2));
-    var second_1 : u32 = _S122 * _S121;
-    return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_1 + left_1, second_1 + right_1), point_0);
+    var left_1 : u32 = wrapped_0(x_12, width_3, u32(0));
+    var right_1 : u32 = wrapped_0(x_12 + i32(1), width_3, u32(0));
+    var _S140 : u32 = wrapped_0(y_5, height_1, u32(2));
+    var _S141 : u32 = u32(width_3);
+    var first_4 : u32 = _S140 * _S141;
+    var _S142 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S142 * _S141;
+    return between_0(vec4<u32>(first_4 + left_1, first_4 + right_1, second_2 + left_1, second_2 + right_1), point_0);
 }
 
-fn x2A_0( a_6 : Vector_0,  b_4 : Vector_0) -> Vector_0
+fn x2A_0( a_9 : Vector_0,  b_7 : Vector_0) -> Vector_0
 {
-    return changing_0(a_6.value_0 * b_4.value_0, a_6.change_0 * b_4.value_0 + a_6.value_0 * b_4.change_0);
+    return changing_0(a_9.value_0 * b_7.value_0, a_9.change_1 * b_7.value_0 + a_9.value_0 * b_7.change_1);
 }
 
-fn emitted_0( emitter_2 : u32,  place_8 : Place_0,  direction_5 : Vector_0) -> Vector_0
+fn emitted_0( emitter_2 : u32,  place_9 : Place_0,  direction_6 : Vector_0) -> Vector_0
 {
     var record_2 : u32 = emitter_record_0(emitter_2);
     var texture_6 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var _S123 : Vector_0 = shown_0(texture_6, place_8);
-        return _S123;
+        var _S143 : Vector_0 = shown_0(texture_6, place_9);
+        return _S143;
     }
-    var _S124 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_5.value_0, direction_5.change_0 );
-    var _S125 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_6, _S124);
+    var _S144 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_6.value_0, direction_6.change_1 );
+    var _S145 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_6, _S144);
     var factor_0 : Vector_0 = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
-    var _S126 : u32 = word_0(texture_6 + u32(11));
-    var _S127 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_5));
-    return x2A_0(looked_up_0(_S126, _S127, _S125.differential_0), factor_0);
+    var _S146 : u32 = word_0(texture_6 + u32(11));
+    var _S147 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_6));
+    return x2A_0(looked_up_0(_S146, _S147, _S145.differential_0), factor_0);
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1365,83 +1710,80 @@ fn reaches_0( segments_0 : u32) -> bool
 struct Path_0
 {
      throughput_0 : Vector_0,
-     direction_6 : Vector_0,
-     place_9 : Place_0,
-     key_0 : vec2<u32>,
+     direction_7 : Vector_0,
+     place_10 : Place_0,
+     key_4 : vec2<u32>,
      light_0 : Vector_0,
      drift_1 : vec3<f32>,
 };
 
-fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
+fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
-    var at_13 : u32 = u32(15) * number_of_path_0;
-    var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13], input_0[at_13 + u32(1)], input_0[at_13 + u32(2)]))));
-    var direction_7 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(3)], input_0[at_13 + u32(4)], input_0[at_13 + u32(5)]))));
-    (*path_0).key_0 = vec2<u32>(input_0[at_13 + u32(7)], input_0[at_13 + u32(8)]);
+    var drawn_4 : CameraSample_0 = camera_sample_0(number_of_path_1);
+    var ray_5 : CameraRay_0 = camera_ray_0(drawn_4);
+    (*path_0).key_4 = drawn_4.key_3;
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
+    atomicStore(&(sums_0[u32(3) + number_of_path_1]), (bitcast<u32>((drawn_4.weight_1))));
     var t_5 : f32 = 0.0f;
-    var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_13 + u32(6)])));
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0f;
     found_4.w_2 = 0.0f;
-    var _S128 : bool;
-    if(length_of_ray_0 >= 0.0f)
+    var _S148 : bool;
+    if((ray_5.length_0) >= 0.0f)
     {
-        _S128 = (word_0(u32(13))) != u32(0);
+        _S148 = (word_0(u32(14))) != u32(0);
     }
     else
     {
-        _S128 = false;
+        _S148 = false;
     }
-    if(_S128)
+    if(_S148)
     {
-        var _S129 : Found_0 = cast_0(origin_2, direction_7, 0.0f, length_of_ray_0, false, &(t_5));
-        found_4 = _S129;
+        var _S149 : Found_0 = cast_0(ray_5.start_1, ray_5.direction_0, 0.0f, ray_5.length_0, false, &(t_5));
+        found_4 = _S149;
     }
-    var _S130 : Place_0 = place_of_0(found_4);
-    (*path_0).place_9 = _S130;
-    var seen_0 : Place_0 = _S130;
-    var origin_change_0 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(9)], input_0[at_13 + u32(10)], input_0[at_13 + u32(11)]))));
-    var _S131 : Vector_0 = changing_0(direction_7, (bitcast<vec3<f32>>((vec3<u32>(input_0[at_13 + u32(12)], input_0[at_13 + u32(13)], input_0[at_13 + u32(14)])))));
-    (*path_0).direction_6 = _S131;
-    (*path_0).drift_1 = origin_change_0 + change_of_0(_S131) * vec3<f32>(t_5);
+    var _S150 : Place_0 = place_of_0(found_4);
+    (*path_0).place_10 = _S150;
+    var seen_0 : Place_0 = _S150;
+    (*path_0).direction_7 = changing_0(ray_5.direction_0, ray_5.direction_change_0);
+    (*path_0).drift_1 = ray_5.start_change_0 + ray_5.direction_change_0 * vec3<f32>(t_5);
     var unused_0 : vec3<f32>;
     if((found_4.face_1) != u32(4294967295))
     {
-        move_place_0(&(seen_0), &(unused_0), direction_7, (*path_0).drift_1);
+        move_place_0(&(seen_0), &(unused_0), ray_5.direction_0, (*path_0).drift_1);
     }
-    var _S132 : Vector_0 = still_0(vec3<f32>(0.0f));
-    var emitter_3 : u32 = emitter_seen_0(found_4, direction_7);
+    var _S151 : Vector_0 = still_0(vec3<f32>(0.0f));
+    var emitter_3 : u32 = emitter_seen_0(found_4, ray_5.direction_0);
     if(emitter_3 != u32(4294967295))
     {
-        _S128 = (word_0(u32(4))) != u32(0);
+        _S148 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S128 = false;
+        _S148 = false;
     }
     var light_1 : Vector_0;
-    if(_S128)
+    if(_S148)
     {
-        var _S133 : Vector_0 = emitted_0(emitter_3, seen_0, (*path_0).direction_6);
-        light_1 = _S133;
+        var _S152 : Vector_0 = emitted_0(emitter_3, seen_0, (*path_0).direction_7);
+        light_1 = _S152;
     }
     else
     {
-        light_1 = _S132;
+        light_1 = _S151;
     }
     (*path_0).light_0 = light_1;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S128 = reaches_0(u32(2));
+        _S148 = reaches_0(u32(2));
     }
     else
     {
-        _S128 = false;
+        _S148 = false;
     }
-    return _S128;
+    return _S148;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_7 : u32)
@@ -1451,25 +1793,6 @@ fn set_word_0( path_1 : u32,  which_1 : u32,  value_7 : u32)
 }
 
 fn set_vector_0( path_2 : u32,  which_2 : ptr<function, u32>,  value_8 : vec3<f32>)
-{
-    var axis_3 : u32 = u32(0);
-    for(;;)
-    {
-        if(axis_3 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        set_word_0(path_2, (*which_2) + axis_3, (bitcast<u32>((value_8[axis_3]))));
-        axis_3 = axis_3 + u32(1);
-    }
-    (*which_2) = (*which_2) + u32(3);
-    return;
-}
-
-fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_9 : vec3<f32>)
 {
     var axis_4 : u32 = u32(0);
     for(;;)
@@ -1481,53 +1804,77 @@ fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_9 : vec3<f3
         {
             break;
         }
-        set_word_0(path_3, (*which_3) + axis_4, (bitcast<u32>((value_9[axis_4]))));
+        set_word_0(path_2, (*which_2) + axis_4, (bitcast<u32>((value_8[axis_4]))));
         axis_4 = axis_4 + u32(1);
+    }
+    (*which_2) = (*which_2) + u32(3);
+    return;
+}
+
+fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_9 : vec3<f32>)
+{
+    var axis_5 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_5 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_3, (*which_3) + axis_5, (bitcast<u32>((value_9[axis_5]))));
+        axis_5 = axis_5 + u32(1);
     }
     (*which_3) = (*which_3) + u32(3);
     return;
 }
 
-fn set_changing_0( path_4 : u32,  which_4 : ptr<function, u32>,  vector_3 : Vector_0)
+fn change_of_0( vector_3 : Vector_0) -> vec3<f32>
 {
-    set_vector_1(path_4, &((*which_4)), value_of_0(vector_3));
-    set_vector_1(path_4, &((*which_4)), change_of_0(vector_3));
+    return vector_3.change_1;
+}
+
+fn set_changing_0( path_4 : u32,  which_4 : ptr<function, u32>,  vector_4 : Vector_0)
+{
+    set_vector_1(path_4, &((*which_4)), value_of_0(vector_4));
+    set_vector_1(path_4, &((*which_4)), change_of_0(vector_4));
     return;
 }
 
-fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_10 : Place_0)
+fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_11 : Place_0)
 {
-    set_word_0(path_5, (*which_5), place_10.triangle_2);
-    set_word_0(path_5, (*which_5) + u32(1), (bitcast<u32>((place_10.v_4))));
-    set_word_0(path_5, (*which_5) + u32(2), (bitcast<u32>((place_10.w_3))));
-    set_word_0(path_5, (*which_5) + u32(3), (bitcast<u32>((place_10.v_rest_0))));
-    set_word_0(path_5, (*which_5) + u32(4), (bitcast<u32>((place_10.w_rest_0))));
+    set_word_0(path_5, (*which_5), place_11.triangle_2);
+    set_word_0(path_5, (*which_5) + u32(1), (bitcast<u32>((place_11.v_4))));
+    set_word_0(path_5, (*which_5) + u32(2), (bitcast<u32>((place_11.w_3))));
+    set_word_0(path_5, (*which_5) + u32(3), (bitcast<u32>((place_11.v_rest_0))));
+    set_word_0(path_5, (*which_5) + u32(4), (bitcast<u32>((place_11.w_rest_0))));
     (*which_5) = (*which_5) + u32(5);
     return;
 }
 
-fn store_0( number_of_path_1 : u32,  path_6 : Path_0)
+fn store_0( number_of_path_2 : u32,  path_6 : Path_0)
 {
-    var at_14 : u32 = u32(1);
-    set_changing_0(number_of_path_1, &(at_14), path_6.light_0);
-    set_changing_0(number_of_path_1, &(at_14), path_6.throughput_0);
-    set_changing_0(number_of_path_1, &(at_14), path_6.direction_6);
-    set_vector_0(number_of_path_1, &(at_14), path_6.drift_1);
-    set_place_0(number_of_path_1, &(at_14), path_6.place_9);
-    set_word_0(number_of_path_1, at_14, path_6.key_0.x);
-    set_word_0(number_of_path_1, at_14 + u32(1), path_6.key_0.y);
+    var at_18 : u32 = u32(1);
+    set_changing_0(number_of_path_2, &(at_18), path_6.light_0);
+    set_changing_0(number_of_path_2, &(at_18), path_6.throughput_0);
+    set_changing_0(number_of_path_2, &(at_18), path_6.direction_7);
+    set_vector_0(number_of_path_2, &(at_18), path_6.drift_1);
+    set_place_0(number_of_path_2, &(at_18), path_6.place_10);
+    set_word_0(number_of_path_2, at_18, path_6.key_4.x);
+    set_word_0(number_of_path_2, at_18 + u32(1), path_6.key_4.y);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S134 : u32;
+    var _S153 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S135 : u32 = u32(2) + zero_0;
-        _S134 = _S135;
-        if(rounds_0 < _S135)
+        var _S154 : u32 = u32(2) + zero_0;
+        _S153 = _S154;
+        if(rounds_0 < _S154)
         {
         }
         else
@@ -1536,14 +1883,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S134;
+    return rounds_0 == _S153;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S136 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S155 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -1552,24 +1899,24 @@ fn check_loops_0()
 @workgroup_size(64, 1, 1)
 fn begin_forward(@builtin(global_invocation_id) thread_0 : vec3<u32>)
 {
-    var number_of_path_2 : u32 = launch_0.first_0 + thread_0.x;
-    if(number_of_path_2 >= (launch_0.end_0))
+    var number_of_path_3 : u32 = launch_0.first_0 + thread_0.x;
+    if(number_of_path_3 >= (launch_0.end_0))
     {
         return;
     }
     var path_7 : Path_0;
-    var goes_on_0 : bool = begin_0(number_of_path_2, &(path_7));
-    store_0(number_of_path_2, path_7);
-    var _S137 : u32;
+    var goes_on_0 : bool = begin_0(number_of_path_3, &(path_7));
+    store_0(number_of_path_3, path_7);
+    var _S156 : u32;
     if(goes_on_0)
     {
-        _S137 = number_of_path_2;
+        _S156 = number_of_path_3;
     }
     else
     {
-        _S137 = u32(4294967295);
+        _S156 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), _S137);
+    set_word_0(number_of_path_3, u32(0), _S156);
     check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 72694fe2b1dd365f
-// result: 11e0a81a4eb17c0e
+// source: 2504c2b6295e301a
+// result: 6060de63c130a220
 
 struct Launch_std140_0
 {
@@ -632,6 +632,373 @@ fn _S127( _S128 : u32,  _S129 : ptr<function, DiffPair_vectorx3Cfloatx2C3x3E_0>,
     return;
 }
 
+fn camera_word_0( at_3 : u32) -> u32
+{
+    return word_0(word_0(u32(13)) + at_3);
+}
+
+fn plus_0( a_0 : vec2<u32>,  b_0 : vec2<u32>) -> vec2<u32>
+{
+    var _S135 : u32 = a_0.x;
+    var low_0 : u32 = _S135 + b_0.x;
+    var _S136 : u32 = a_0.y + b_0.y;
+    var _S137 : i32;
+    if(low_0 < _S135)
+    {
+        _S137 = i32(1);
+    }
+    else
+    {
+        _S137 = i32(0);
+    }
+    return vec2<u32>(low_0, _S136 + u32(_S137));
+}
+
+fn shifted_xor_0( x_4 : vec2<u32>,  by_0 : u32) -> vec2<u32>
+{
+    var _S138 : u32 = x_4.y;
+    return (x_4 ^ (vec2<u32>(((((x_4.x) >> (by_0))) | (((_S138 << ((u32(32) - by_0)))))), (_S138 >> (by_0)))));
+}
+
+fn product_0( a_1 : u32,  b_1 : u32) -> vec2<u32>
+{
+    var a0_0 : u32 = (a_1 & (u32(65535)));
+    var a1_0 : u32 = (a_1 >> (u32(16)));
+    var b0_0 : u32 = (b_1 & (u32(65535)));
+    var b1_0 : u32 = (b_1 >> (u32(16)));
+    var low_1 : u32 = a0_0 * b0_0;
+    var middle_0 : u32 = a1_0 * b0_0 + ((low_1 >> (u32(16))));
+    var rest_0 : u32 = ((middle_0 & (u32(65535)))) + a0_0 * b1_0;
+    return vec2<u32>((((rest_0 << (u32(16)))) | (((low_1 & (u32(65535)))))), a1_0 * b1_0 + ((middle_0 >> (u32(16)))) + ((rest_0 >> (u32(16)))));
+}
+
+fn times_0( a_2 : vec2<u32>,  b_2 : vec2<u32>) -> vec2<u32>
+{
+    var _S139 : u32 = a_2.x;
+    var _S140 : u32 = b_2.x;
+    var low_2 : vec2<u32> = product_0(_S139, _S140);
+    return vec2<u32>(low_2.x, low_2.y + _S139 * b_2.y + a_2.y * _S140);
+}
+
+fn mix_0( x_5 : vec2<u32>) -> vec2<u32>
+{
+    return shifted_xor_0(times_0(shifted_xor_0(times_0(shifted_xor_0(x_5, u32(30)), vec2<u32>(u32(484763065), u32(3210233709))), u32(27)), vec2<u32>(u32(321982955), u32(2496678331))), u32(31));
+}
+
+fn key_of_sample_0( seed_0 : vec2<u32>,  pixel_0 : u32,  sample_0 : u32) -> vec2<u32>
+{
+    return mix_0(((mix_0((seed_0 ^ ((mix_0(plus_0(vec2<u32>(pixel_0, u32(0)), vec2<u32>(u32(2135587861), u32(2654435769))))))))) ^ ((times_0(vec2<u32>(sample_0, u32(0)), vec2<u32>(u32(2135587861), u32(2654435769)))))));
+}
+
+fn random_bits_0( key_0 : vec2<u32>,  dimension_0 : u32) -> vec2<u32>
+{
+    return mix_0(plus_0(key_0, times_0(vec2<u32>(dimension_0 + u32(1), u32(0)), vec2<u32>(u32(2135587861), u32(2654435769)))));
+}
+
+fn precise_random_0( key_1 : vec2<u32>,  dimension_1 : u32) -> f64
+{
+    var bits_0 : vec2<u32> = random_bits_0(key_1, dimension_1);
+    var _S141 : u32 = bits_0.y;
+    return (f64((_S141 >> (u32(11)))) + f64((((_S141 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
+}
+
+fn camera_place_0( at_4 : u32) -> u32
+{
+    return word_0(u32(14)) + at_4;
+}
+
+fn camera_number_0( at_5 : u32) -> f64
+{
+    return primitives_0[camera_place_0(at_5)];
+}
+
+fn exponential_0( x_6 : f32) -> f32
+{
+    if(x_6 < -87.0f)
+    {
+        return 0.0f;
+    }
+    var power_0 : f32 = floor(x_6 * 1.4426950216293335f + 0.5f);
+    var r_0 : f32 = x_6 - power_0 * 0.693359375f + power_0 * 0.00021219444170129f;
+    return ((((((0.00019875691214111f * r_0 + 0.00139819993637502f) * r_0 + 0.00833345204591751f) * r_0 + 0.04166579619050026f) * r_0 + 0.1666666567325592f) * r_0 + 0.5f) * r_0 * r_0 + r_0 + 1.0f) * (bitcast<f32>(((u32(i32(power_0) + i32(127)) << (u32(23))))));
+}
+
+fn sine_cosine_0( angle_2 : f32) -> vec2<f32>
+{
+    var quarters_0 : f32 = floor(angle_2 * 0.63661974668502808f + 0.5f);
+    var x_7 : f32 = angle_2 - quarters_0 * 1.5703125f - quarters_0 * 0.00048375129699707f - quarters_0 * 7.54979012640433211e-08f;
+    var z_2 : f32 = x_7 * x_7;
+    var sine_0 : f32 = ((-0.00019515295571182f * z_2 + 0.00833216123282909f) * z_2 - 0.16666655242443085f) * z_2 * x_7 + x_7;
+    var cosine_0 : f32 = ((0.00002443315679557f * z_2 - 0.00138873164542019f) * z_2 + 0.04166664555668831f) * z_2 * z_2 - 0.5f * z_2 + 1.0f;
+    var quarter_0 : i32 = (i32(quarters_0) & (i32(3)));
+    var turned_0 : vec2<f32>;
+    if(((quarter_0 & (i32(1)))) != i32(0))
+    {
+        turned_0 = vec2<f32>(cosine_0, - sine_0);
+    }
+    else
+    {
+        turned_0 = vec2<f32>(sine_0, cosine_0);
+    }
+    if(quarter_0 < i32(2))
+    {
+    }
+    else
+    {
+        turned_0 = (vec2<f32>(0) - turned_0);
+    }
+    return turned_0;
+}
+
+fn sinc_0( x_8 : f32) -> f32
+{
+    if((abs(x_8)) < 0.00009999999747379f)
+    {
+        return 1.0f;
+    }
+    var nearest_0 : f32 = floor(x_8 + 0.5f);
+    var sine_1 : f32 = sine_cosine_0(3.14159274101257324f * (x_8 - nearest_0)).x;
+    var _S142 : f32;
+    if(((i32(nearest_0) & (i32(1)))) != i32(0))
+    {
+        _S142 = - sine_1;
+    }
+    else
+    {
+        _S142 = sine_1;
+    }
+    return _S142 / (3.14159274101257324f * x_8);
+}
+
+fn filter_at_0( x_9 : f32) -> f32
+{
+    var kind_0 : u32 = camera_word_0(u32(2));
+    var first_1 : f32 = (bitcast<f32>((camera_word_0(u32(3)))));
+    var second_0 : f32 = (bitcast<f32>((camera_word_0(u32(4)))));
+    var size_0 : f32 = abs(x_9);
+    if(kind_0 == u32(1))
+    {
+        return 1.0f - size_0 * first_1;
+    }
+    if(kind_0 == u32(2))
+    {
+        return exponential_0(x_9 * x_9 * first_1) - 0.00033546262420714f;
+    }
+    if(kind_0 != u32(3))
+    {
+        return sinc_0(x_9) * sinc_0(x_9 * first_1);
+    }
+    var six_0 : vec4<f32>;
+    if(size_0 < 1.0f)
+    {
+        var _S143 : f32 = 6.0f * second_0;
+        six_0 = vec4<f32>(6.0f - 2.0f * first_1, 0.0f, 12.0f * first_1 + _S143 - 18.0f, 12.0f - 9.0f * first_1 - _S143);
+    }
+    else
+    {
+        six_0 = vec4<f32>(8.0f * first_1 + 24.0f * second_0, -12.0f * first_1 - 48.0f * second_0, 6.0f * first_1 + 30.0f * second_0, - first_1 - 6.0f * second_0);
+    }
+    return (((six_0.w * size_0 + six_0.z) * size_0 + six_0.y) * size_0 + six_0.x) / 6.0f;
+}
+
+fn along_side_0( side_0 : u32,  u_0 : f64,  weight_0 : ptr<function, f32>) -> f64
+{
+    var table_0 : u32 = camera_word_0(u32(6) + side_0);
+    var start_0 : f64 = camera_number_0(table_0);
+    var width_1 : f64 = camera_number_0(table_0 + u32(1));
+    if((camera_word_0(u32(2))) == u32(0))
+    {
+        return start_0 + u_0 * (width_1 * 32.0lf);
+    }
+    var rest_1 : u32 = u32(16);
+    var bin_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(rest_1 > u32(0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        if(u_0 >= (camera_number_0(table_0 + u32(3) + bin_0 + rest_1)))
+        {
+            bin_0 = bin_0 + rest_1;
+        }
+        rest_1 = rest_1 / u32(2);
+    }
+    var _S144 : u32 = table_0 + u32(3);
+    var probability_0 : f64 = camera_number_0(_S144 + u32(32) + bin_0);
+    var place_0 : f64 = start_0 + (f64(bin_0) + min((u_0 - camera_number_0(_S144 + bin_0)) / probability_0, 1.0lf)) * width_1;
+    (*weight_0) = (*weight_0) * (filter_at_0(f32(place_0)) * f32(camera_number_0(table_0 + u32(2)) / probability_0));
+    return place_0;
+}
+
+fn random_0( key_2 : vec2<u32>,  dimension_2 : u32) -> f32
+{
+    return f32(((random_bits_0(key_2, dimension_2).y) >> (u32(8)))) * 5.9604644775390625e-08f;
+}
+
+struct CameraSample_0
+{
+     key_3 : vec2<u32>,
+     pixel_1 : u32,
+     x_10 : f64,
+     y_2 : f64,
+     lens_0 : vec2<f32>,
+     weight_1 : f32,
+};
+
+fn camera_sample_0( number_of_path_0 : u32) -> CameraSample_0
+{
+    var number_1 : u32 = input_0[i32(2)] + number_of_path_0;
+    var pixels_0 : u32 = camera_word_0(u32(1));
+    var columns_0 : u32 = camera_word_0(u32(0));
+    var drawn_0 : CameraSample_0;
+    var _S145 : u32 = number_1 % pixels_0;
+    drawn_0.pixel_1 = _S145;
+    var _S146 : vec2<u32> = vec2<u32>(input_0[i32(0)], input_0[i32(1)]);
+    var _S147 : u32 = input_0[i32(3)];
+    var _S148 : u32 = number_1 / pixels_0;
+    drawn_0.key_3 = key_of_sample_0(_S146, _S145, _S147 + _S148);
+    drawn_0.weight_1 = 1.0f;
+    var column_0 : u32 = drawn_0.pixel_1 % columns_0;
+    var row_0 : u32 = drawn_0.pixel_1 / columns_0;
+    var _S149 : f64 = precise_random_0(drawn_0.key_3, u32(0));
+    var _S150 : f32 = drawn_0.weight_1;
+    var x_11 : f64 = along_side_0(column_0, _S149, &(_S150));
+    var _S151 : u32 = columns_0 + row_0;
+    var _S152 : f64 = precise_random_0(drawn_0.key_3, u32(1));
+    var _S153 : f32 = _S150;
+    var y_3 : f64 = along_side_0(_S151, _S152, &(_S153));
+    drawn_0.weight_1 = _S153;
+    drawn_0.x_10 = camera_number_0(u32(30)) - f64(column_0) - x_11;
+    drawn_0.y_2 = camera_number_0(u32(31)) - f64(row_0) - y_3;
+    drawn_0.lens_0 = vec2<f32>(0.0f);
+    if((camera_word_0(u32(5))) != u32(0))
+    {
+        drawn_0.lens_0 = sine_cosine_0(6.28318548202514648f * random_0(drawn_0.key_3, u32(4))).yx * vec2<f32>(f32(sqrt(precise_random_0(drawn_0.key_3, u32(3)))));
+    }
+    return drawn_0;
+}
+
+fn primitive_vector_0( at_6 : u32) -> vec3<f64>
+{
+    return vec3<f64>(primitives_0[at_6], primitives_0[at_6 + u32(1)], primitives_0[at_6 + u32(2)]);
+}
+
+fn of_sample_0( vectors_0 : u32,  drawn_1 : CameraSample_0) -> vec3<f64>
+{
+    var at_7 : u32 = camera_place_0(vectors_0);
+    return primitive_vector_0(at_7) + primitive_vector_0(at_7 + u32(3)) * vec3<f64>(drawn_1.x_10) + primitive_vector_0(at_7 + u32(6)) * vec3<f64>(drawn_1.y_2) + primitive_vector_0(at_7 + u32(9)) * vec3<f64>(f64(drawn_1.lens_0.x)) + primitive_vector_0(at_7 + u32(12)) * vec3<f64>(f64(drawn_1.lens_0.y));
+}
+
+fn component_0( v_0 : vec3<f64>,  axis_0 : u32) -> f64
+{
+    var _S154 : f64;
+    if(axis_0 == u32(0))
+    {
+        _S154 = v_0.x;
+    }
+    else
+    {
+        if(axis_0 == u32(1))
+        {
+            _S154 = v_0.y;
+        }
+        else
+        {
+            _S154 = v_0.z;
+        }
+    }
+    return _S154;
+}
+
+fn limit_at_0( which_0 : u32) -> f64
+{
+    return primitives_0[word_0(u32(15)) + which_0];
+}
+
+struct CameraRay_0
+{
+     start_1 : vec3<f64>,
+     direction_0 : vec3<f64>,
+     length_0 : f64,
+     from_record_0 : f32,
+     from_camera_0 : f32,
+};
+
+fn camera_ray_0( drawn_2 : CameraSample_0) -> CameraRay_0
+{
+    var to_depth_one_0 : vec3<f64> = of_sample_0(u32(0), drawn_2);
+    var recorded_0 : vec3<f64> = of_sample_0(u32(15), drawn_2);
+    var size_1 : f64 = sqrt(dot(to_depth_one_0, to_depth_one_0));
+    var ray_0 : CameraRay_0;
+    ray_0.direction_0 = to_depth_one_0 / vec3<f64>(size_1);
+    var until_0 : f64 = camera_number_0(u32(33)) * size_1;
+    var enter_0 : f64 = camera_number_0(u32(32)) * size_1;
+    var exit_0 : f64 = until_0;
+    var axis_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_1 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var from_0 : f64 = component_0(recorded_0, axis_1);
+        var speed_0 : f64 = component_0(ray_0.direction_0, axis_1);
+        var ahead_0 : f64;
+        if(speed_0 != 0.0lf)
+        {
+            if(speed_0 < 0.0lf)
+            {
+                ahead_0 = -1.0lf;
+            }
+            else
+            {
+                ahead_0 = 1.0lf;
+            }
+            var _S155 : f64 = min(exit_0, (ahead_0 - from_0) / speed_0);
+            enter_0 = max(enter_0, (- ahead_0 - from_0) / speed_0);
+            exit_0 = _S155;
+        }
+        else
+        {
+            if((abs(from_0)) > 1.0lf)
+            {
+                ahead_0 = - limit_at_0(u32(1));
+            }
+            else
+            {
+                ahead_0 = exit_0;
+            }
+            exit_0 = ahead_0;
+        }
+        axis_1 = axis_1 + u32(1);
+    }
+    var is_inside_0 : bool = enter_0 <= exit_0;
+    if(!is_inside_0)
+    {
+        enter_0 = 0.0lf;
+    }
+    ray_0.start_1 = recorded_0 + ray_0.direction_0 * vec3<f64>(enter_0);
+    if(is_inside_0)
+    {
+        exit_0 = until_0 - enter_0;
+    }
+    else
+    {
+        exit_0 = -1.0lf;
+    }
+    ray_0.length_0 = exit_0;
+    ray_0.from_record_0 = f32(enter_0);
+    ray_0.from_camera_0 = f32(camera_number_0(u32(34)) * size_1 + enter_0);
+    return ray_0;
+}
+
 fn changing_0( value_0 : vec3<f32>,  change_0 : vec3<f32>) -> vec3<f32>
 {
     return value_0;
@@ -642,30 +1009,14 @@ fn still_0( value_1 : vec3<f32>) -> vec3<f32>
     return changing_0(value_1, vec3<f32>(0.0f));
 }
 
-fn component_0( v_0 : vec3<f64>,  axis_0 : u32) -> f64
+fn change_word_0( at_8 : u32) -> u32
 {
-    var _S135 : f64;
-    if(axis_0 == u32(0))
-    {
-        _S135 = v_0.x;
-    }
-    else
-    {
-        if(axis_0 == u32(1))
-        {
-            _S135 = v_0.y;
-        }
-        else
-        {
-            _S135 = v_0.z;
-        }
-    }
-    return _S135;
+    return input_0[launch_0.room_0 + at_8];
 }
 
-fn limit_at_0( which_0 : u32) -> f64
+fn change_vector_0( at_9 : u32) -> vec3<f32>
 {
-    return primitives_0[word_0(u32(13)) + which_0];
+    return (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_9), change_word_0(at_9 + u32(1)), change_word_0(at_9 + u32(2))))));
 }
 
 fn ray_child_0( node_0 : u32,  slot_0 : u32) -> u32
@@ -685,49 +1036,49 @@ struct RayView_0
 
 fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_1 : u32) -> f32
 {
-    var _S136 : u32 = u32(14) * node_1 + slot_1 / u32(4);
+    var _S156 : u32 = u32(14) * node_1 + slot_1 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
-    var axis_1 : u32 = u32(0);
+    var axis_2 : u32 = u32(0);
     for(;;)
     {
-        if(axis_1 < u32(3))
+        if(axis_2 < u32(3))
         {
         }
         else
         {
             break;
         }
-        var _S137 : u32 = axis_1;
-        var _S138 : u32 = _S136 + u32(2) * axis_1;
-        var _S139 : u32 = slot_1 % u32(4);
-        var low_0 : f32 = (bitcast<f32>((nodes_0[_S138][_S139])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S138 + u32(6)][_S139])));
-        var _S140 : bool = (view_0.inverse_0[axis_1]) < 0.0f;
-        var _S141 : f32;
-        if(_S140)
+        var _S157 : u32 = axis_2;
+        var _S158 : u32 = _S156 + u32(2) * axis_2;
+        var _S159 : u32 = slot_1 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S158][_S159])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S158 + u32(6)][_S159])));
+        var _S160 : bool = (view_0.inverse_0[axis_2]) < 0.0f;
+        var _S161 : f32;
+        if(_S160)
         {
-            _S141 = high_0;
+            _S161 = high_0;
         }
         else
         {
-            _S141 = low_0;
+            _S161 = low_3;
         }
-        var _S142 : f32 = max(near_0, _S141 * view_0.inverse_0[_S137] - view_0.offset_near_0[axis_1]);
-        var _S143 : f32;
-        if(_S140)
+        var _S162 : f32 = max(near_0, _S161 * view_0.inverse_0[_S157] - view_0.offset_near_0[axis_2]);
+        var _S163 : f32;
+        if(_S160)
         {
-            _S143 = low_0;
+            _S163 = low_3;
         }
         else
         {
-            _S143 = high_0;
+            _S163 = high_0;
         }
-        var _S144 : f32 = min(far_0, _S143 * view_0.inverse_0[_S137] - view_0.offset_far_0[axis_1]);
-        var _S145 : u32 = axis_1 + u32(1);
-        near_0 = _S142;
-        far_0 = _S144;
-        axis_1 = _S145;
+        var _S164 : f32 = min(far_0, _S163 * view_0.inverse_0[_S157] - view_0.offset_far_0[axis_2]);
+        var _S165 : u32 = axis_2 + u32(1);
+        near_0 = _S162;
+        far_0 = _S164;
+        axis_2 = _S165;
     }
     if(near_0 <= far_0)
     {
@@ -752,7 +1103,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S146 : u32 = k_0;
+        var _S166 : u32 = k_0;
         if((bounds_0[k_0]) > limit_2)
         {
             k_0 = k_0 + u32(1);
@@ -769,24 +1120,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S147 : u32 = j_0;
-            var _S148 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S146]))
+            var _S167 : u32 = j_0;
+            var _S168 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S166]))
             {
-                _S148 = true;
+                _S168 = true;
             }
             else
             {
-                if((bounds_0[_S147]) == (bounds_0[_S146]))
+                if((bounds_0[_S167]) == (bounds_0[_S166]))
                 {
-                    _S148 = j_0 < k_0;
+                    _S168 = j_0 < k_0;
                 }
                 else
                 {
-                    _S148 = false;
+                    _S168 = false;
                 }
             }
-            if(_S148)
+            if(_S168)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -811,29 +1162,24 @@ fn crossed_0( view_1 : RayView_0,  limit_3 : f32,  node_2 : u32) -> u32
         {
             break;
         }
-        var _S149 : f32;
+        var _S169 : f32;
         if((ray_child_0(node_2, slot_2)) == u32(4294967295))
         {
-            _S149 = 3.00000000549775576e+38f;
+            _S169 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S149 = ray_bound_0(view_1, limit_3, node_2, slot_2);
+            _S169 = ray_bound_0(view_1, limit_3, node_2, slot_2);
         }
-        bounds_1[slot_2] = _S149;
+        bounds_1[slot_2] = _S169;
         slot_2 = slot_2 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn primitive_vector_0( at_3 : u32) -> vec3<f64>
+fn rounded_0( product_1 : f64,  largest_0 : f64) -> f64
 {
-    return vec3<f64>(primitives_0[at_3], primitives_0[at_3 + u32(1)], primitives_0[at_3 + u32(2)]);
-}
-
-fn rounded_0( product_0 : f64,  largest_0 : f64) -> f64
-{
-    return min(product_0, largest_0);
+    return min(product_1, largest_0);
 }
 
 struct Ray_0
@@ -845,16 +1191,16 @@ struct Ray_0
      t_min_0 : f64,
      t_max_0 : f64,
      local_per_t_0 : f64,
-     enter_0 : f64,
+     enter_1 : f64,
      edge_on_0 : f64,
      largest_1 : f64,
 };
 
-fn corner_0( ray_0 : Ray_0,  axes_1 : u32,  at_4 : u32) -> vec3<f64>
+fn corner_0( ray_1 : Ray_0,  axes_1 : u32,  at_10 : u32) -> vec3<f64>
 {
-    var relative_0 : vec3<f64> = primitive_vector_0(at_4) - ray_0.origin_0;
-    var z_2 : f64 = component_0(relative_0, (axes_1 >> (u32(4))));
-    return vec3<f64>(component_0(relative_0, (axes_1 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_2, ray_0.largest_1), component_0(relative_0, (((axes_1 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_2, ray_0.largest_1), z_2);
+    var relative_0 : vec3<f64> = primitive_vector_0(at_10) - ray_1.origin_0;
+    var z_3 : f64 = component_0(relative_0, (axes_1 >> (u32(4))));
+    return vec3<f64>(component_0(relative_0, (axes_1 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_3, ray_1.largest_1), component_0(relative_0, (((axes_1 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_3, ray_1.largest_1), z_3);
 }
 
 struct Crossing_0
@@ -865,58 +1211,58 @@ struct Crossing_0
      w_0 : f64,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_2 : u32,  at_5 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_2 : u32,  at_11 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_2 = 0.0lf;
     crossing_0.v_1 = 0.0lf;
     crossing_0.w_0 = 0.0lf;
-    var a_0 : vec3<f64> = corner_0(ray_1, axes_2, at_5);
-    var b_0 : vec3<f64> = corner_0(ray_1, axes_2, at_5 + u32(3));
-    var c_0 : vec3<f64> = corner_0(ray_1, axes_2, at_5 + u32(6));
-    var _S150 : f64 = c_0.x;
-    var _S151 : f64 = b_0.y;
-    var cx_by_0 : f64 = rounded_0(_S150 * _S151, ray_1.largest_1);
-    var _S152 : f64 = c_0.y;
-    var _S153 : f64 = b_0.x;
-    var cy_bx_0 : f64 = rounded_0(_S152 * _S153, ray_1.largest_1);
-    var _S154 : f64 = a_0.x;
-    var ax_cy_0 : f64 = rounded_0(_S154 * _S152, ray_1.largest_1);
-    var _S155 : f64 = a_0.y;
-    var ay_cx_0 : f64 = rounded_0(_S155 * _S150, ray_1.largest_1);
-    var bx_ay_0 : f64 = rounded_0(_S153 * _S155, ray_1.largest_1);
-    var by_ax_0 : f64 = rounded_0(_S151 * _S154, ray_1.largest_1);
-    var u_0 : f64 = cx_by_0 - cy_bx_0;
+    var a_3 : vec3<f64> = corner_0(ray_2, axes_2, at_11);
+    var b_3 : vec3<f64> = corner_0(ray_2, axes_2, at_11 + u32(3));
+    var c_0 : vec3<f64> = corner_0(ray_2, axes_2, at_11 + u32(6));
+    var _S170 : f64 = c_0.x;
+    var _S171 : f64 = b_3.y;
+    var cx_by_0 : f64 = rounded_0(_S170 * _S171, ray_2.largest_1);
+    var _S172 : f64 = c_0.y;
+    var _S173 : f64 = b_3.x;
+    var cy_bx_0 : f64 = rounded_0(_S172 * _S173, ray_2.largest_1);
+    var _S174 : f64 = a_3.x;
+    var ax_cy_0 : f64 = rounded_0(_S174 * _S172, ray_2.largest_1);
+    var _S175 : f64 = a_3.y;
+    var ay_cx_0 : f64 = rounded_0(_S175 * _S170, ray_2.largest_1);
+    var bx_ay_0 : f64 = rounded_0(_S173 * _S175, ray_2.largest_1);
+    var by_ax_0 : f64 = rounded_0(_S171 * _S174, ray_2.largest_1);
+    var u_1 : f64 = cx_by_0 - cy_bx_0;
     var v_2 : f64 = ax_cy_0 - ay_cx_0;
     var w_1 : f64 = bx_ay_0 - by_ax_0;
-    var _S156 : f64 = min(min(u_0, v_2), w_1);
-    var _S157 : f64 = max(max(u_0, v_2), w_1);
-    var _S158 : bool;
-    if(_S156 < 0.0lf)
+    var _S176 : f64 = min(min(u_1, v_2), w_1);
+    var _S177 : f64 = max(max(u_1, v_2), w_1);
+    var _S178 : bool;
+    if(_S176 < 0.0lf)
     {
-        _S158 = _S157 > 0.0lf;
+        _S178 = _S177 > 0.0lf;
     }
     else
     {
-        _S158 = false;
+        _S178 = false;
     }
-    if(_S158)
+    if(_S178)
     {
         return crossing_0;
     }
-    var determinant_0 : f64 = u_0 + v_2 + w_1;
-    if(_S156 <= 0.0lf)
+    var determinant_0 : f64 = u_1 + v_2 + w_1;
+    if(_S176 <= 0.0lf)
     {
-        _S158 = _S157 >= 0.0lf;
+        _S178 = _S177 >= 0.0lf;
     }
     else
     {
-        _S158 = false;
+        _S178 = false;
     }
-    if(_S158)
+    if(_S178)
     {
-        if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
+        if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
             return crossing_0;
         }
@@ -925,16 +1271,16 @@ fn intersect_0( ray_1 : Ray_0,  axes_2 : u32,  at_5 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_3 : f64 = (rounded_0(u_0 * a_0.z, ray_1.largest_1) + rounded_0(v_2 * b_0.z, ray_1.largest_1) + rounded_0(w_1 * c_0.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
-    if((ray_1.t_min_0) <= t_3)
+    var t_3 : f64 = (rounded_0(u_1 * a_3.z, ray_2.largest_1) + rounded_0(v_2 * b_3.z, ray_2.largest_1) + rounded_0(w_1 * c_0.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
+    if((ray_2.t_min_0) <= t_3)
     {
-        _S158 = t_3 <= (ray_1.t_max_0);
+        _S178 = t_3 <= (ray_2.t_max_0);
     }
     else
     {
-        _S158 = false;
+        _S178 = false;
     }
-    crossing_0.is_hit_0 = _S158;
+    crossing_0.is_hit_0 = _S178;
     crossing_0.t_2 = t_3;
     crossing_0.v_1 = v_2 / determinant_0;
     crossing_0.w_0 = w_1 / determinant_0;
@@ -954,9 +1300,9 @@ struct Found_0
      w_2 : f64,
 };
 
-fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S159 : bool;
+    var _S179 : bool;
     var found_0 : Found_0;
     found_0.face_1 = u32(4294967295);
     found_0.triangle_1 = u32(4294967295);
@@ -988,31 +1334,31 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_0[level_0];
-        var _S160 : u32 = way_0[level_0].y;
-        if(_S160 == u32(0))
+        var _S180 : u32 = way_0[level_0].y;
+        if(_S180 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S161 : u32 = level_0 - u32(1);
+            var _S181 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S161;
+            level_0 = _S181;
             continue;
         }
-        var slot_3 : u32 = ((_S160 & (u32(15)))) - u32(1);
-        way_0[level_0][i32(1)] = (_S160 >> (u32(4)));
-        var _S162 : bool;
+        var slot_3 : u32 = ((_S180 & (u32(15)))) - u32(1);
+        way_0[level_0][i32(1)] = (_S180 >> (u32(4)));
+        var _S182 : bool;
         if(!is_new_1)
         {
-            _S162 = (ray_bound_0(view_2, limit_4, here_0.x, slot_3)) > limit_4;
+            _S182 = (ray_bound_0(view_2, limit_4, here_0.x, slot_3)) > limit_4;
         }
         else
         {
-            _S162 = false;
+            _S182 = false;
         }
-        if(_S162)
+        if(_S182)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -1021,27 +1367,27 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_0.x, slot_3);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S163 : u32 = level_0 + u32(1);
+            var _S183 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S163;
+            level_0 = _S183;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S164 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S165 : u32 = leaf_starts_0[leaf_0];
+        var _S184 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S185 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_0 : u32 = _S165;
+        var i_0 : u32 = _S185;
         for(;;)
         {
-            if(i_0 < _S164)
+            if(i_0 < _S184)
             {
             }
             else
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_2.axes_0, u32(9) * i_0);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_3), view_2.axes_0, u32(9) * i_0);
             if(!crossing_1.is_hit_0)
             {
                 i_0 = i_0 + u32(1);
@@ -1049,30 +1395,30 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_1) == u32(4294967295))
             {
-                _S159 = true;
+                _S179 = true;
             }
             else
             {
-                _S159 = (crossing_1.t_2) < ((*ray_2).t_max_0);
+                _S179 = (crossing_1.t_2) < ((*ray_3).t_max_0);
             }
-            var _S166 : bool;
-            if(_S159)
+            var _S186 : bool;
+            if(_S179)
             {
-                _S166 = true;
+                _S186 = true;
             }
             else
             {
-                _S166 = (face_0(i_0)) < (found_0.face_1);
+                _S186 = (face_0(i_0)) < (found_0.face_1);
             }
             var limit_6 : f32;
-            if(_S166)
+            if(_S186)
             {
                 found_0.face_1 = face_0(i_0);
                 found_0.triangle_1 = i_0;
-                (*ray_2).t_max_0 = crossing_1.t_2;
+                (*ray_3).t_max_0 = crossing_1.t_2;
                 found_0.v_3 = crossing_1.v_1;
                 found_0.w_2 = crossing_1.w_0;
-                limit_6 = min(limit_5, f32(crossing_1.t_2 * (*ray_2).local_per_t_0 - (*ray_2).enter_0) + 2.0f * view_2.margin_0);
+                limit_6 = min(limit_5, f32(crossing_1.t_2 * (*ray_3).local_per_t_0 - (*ray_3).enter_1) + 2.0f * view_2.margin_0);
             }
             else
             {
@@ -1083,13 +1429,13 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S159 = (found_0.face_1) != u32(4294967295);
+            _S179 = (found_0.face_1) != u32(4294967295);
         }
         else
         {
-            _S159 = false;
+            _S179 = false;
         }
-        if(_S159)
+        if(_S179)
         {
             break;
         }
@@ -1100,86 +1446,86 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_0;
 }
 
-fn cast_0( origin_1 : vec3<f64>,  direction_0 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_1 : vec3<f64>,  direction_1 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
 {
-    var size_0 : vec3<f32> = abs(vec3<f32>(direction_0));
-    var _S167 : f32 = size_0.x;
-    var _S168 : f32 = size_0.y;
-    var _S169 : bool;
-    if(_S167 >= _S168)
+    var size_2 : vec3<f32> = abs(vec3<f32>(direction_1));
+    var _S187 : f32 = size_2.x;
+    var _S188 : f32 = size_2.y;
+    var _S189 : bool;
+    if(_S187 >= _S188)
     {
-        _S169 = _S167 >= (size_0.z);
+        _S189 = _S187 >= (size_2.z);
     }
     else
     {
-        _S169 = false;
+        _S189 = false;
     }
-    var _S170 : i32;
-    if(_S169)
+    var _S190 : i32;
+    if(_S189)
     {
-        _S170 = i32(0);
+        _S190 = i32(0);
     }
     else
     {
-        if(_S168 >= (size_0.z))
+        if(_S188 >= (size_2.z))
         {
-            _S170 = i32(1);
+            _S190 = i32(1);
         }
         else
         {
-            _S170 = i32(2);
+            _S190 = i32(2);
         }
     }
-    var z_3 : u32 = u32(_S170);
-    var x_4 : u32 = (z_3 + u32(1)) % u32(3);
-    var y_2 : u32 = (z_3 + u32(2)) % u32(3);
-    var ray_3 : Ray_0;
-    ray_3.origin_0 = origin_1;
-    var along_0 : f64 = component_0(direction_0, z_3);
-    ray_3.inverse_z_0 = 1.0lf / along_0;
-    ray_3.shear_x_0 = component_0(direction_0, x_4) / along_0;
-    ray_3.shear_y_0 = component_0(direction_0, y_2) / along_0;
-    ray_3.t_min_0 = t_min_1;
-    ray_3.t_max_0 = t_max_1;
-    var _S171 : f64 = abs(along_0);
-    ray_3.local_per_t_0 = _S171;
-    ray_3.enter_0 = 0.0lf;
-    ray_3.edge_on_0 = limit_at_0(u32(0));
-    ray_3.largest_1 = limit_at_0(u32(1));
+    var z_4 : u32 = u32(_S190);
+    var x_12 : u32 = (z_4 + u32(1)) % u32(3);
+    var y_4 : u32 = (z_4 + u32(2)) % u32(3);
+    var ray_4 : Ray_0;
+    ray_4.origin_0 = origin_1;
+    var along_0 : f64 = component_0(direction_1, z_4);
+    ray_4.inverse_z_0 = 1.0lf / along_0;
+    ray_4.shear_x_0 = component_0(direction_1, x_12) / along_0;
+    ray_4.shear_y_0 = component_0(direction_1, y_4) / along_0;
+    ray_4.t_min_0 = t_min_1;
+    ray_4.t_max_0 = t_max_1;
+    var _S191 : f64 = abs(along_0);
+    ray_4.local_per_t_0 = _S191;
+    ray_4.enter_1 = 0.0lf;
+    ray_4.edge_on_0 = limit_at_0(u32(0));
+    ray_4.largest_1 = limit_at_0(u32(1));
     var view_3 : RayView_0;
-    var _S172 : vec3<f32> = vec3<f32>(direction_0 / vec3<f64>(_S171));
-    var axis_2 : u32 = u32(0);
+    var _S192 : vec3<f32> = vec3<f32>(direction_1 / vec3<f64>(_S191));
+    var axis_3 : u32 = u32(0);
     for(;;)
     {
-        if(axis_2 < u32(3))
+        if(axis_3 < u32(3))
         {
         }
         else
         {
             break;
         }
-        var _S173 : f32 = max(abs(_S172[axis_2]), 8.67361737988403547e-19f);
-        var _S174 : f32;
-        if((_S172[axis_2]) < 0.0f)
+        var _S193 : f32 = max(abs(_S192[axis_3]), 8.67361737988403547e-19f);
+        var _S194 : f32;
+        if((_S192[axis_3]) < 0.0f)
         {
-            _S174 = -1.0f / _S173;
+            _S194 = -1.0f / _S193;
         }
         else
         {
-            _S174 = 1.0f / _S173;
+            _S194 = 1.0f / _S193;
         }
-        view_3.inverse_0[axis_2] = _S174;
-        axis_2 = axis_2 + u32(1);
+        view_3.inverse_0[axis_3] = _S194;
+        axis_3 = axis_3 + u32(1);
     }
     var offset_0 : vec3<f32> = vec3<f32>(origin_1) * view_3.inverse_0;
     var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_3.inverse_0);
     view_3.offset_near_0 = offset_0 + wider_0;
     view_3.offset_far_0 = offset_0 - wider_0;
-    view_3.limit_0 = min(f32(t_max_1 * ray_3.local_per_t_0), 8.0f) + 3.814697265625e-06f;
+    view_3.limit_0 = min(f32(t_max_1 * ray_4.local_per_t_0), 8.0f) + 3.814697265625e-06f;
     view_3.margin_0 = 3.814697265625e-06f;
-    view_3.axes_0 = (((x_4 | (((y_2 << (u32(2))))))) | (((z_3 << (u32(4))))));
-    var found_1 : Found_0 = first_found_0(view_3, &(ray_3), any_1);
-    (*t_4) = f32(ray_3.t_max_0);
+    view_3.axes_0 = (((x_12 | (((y_4 << (u32(2))))))) | (((z_4 << (u32(4))))));
+    var found_1 : Found_0 = first_found_0(view_3, &(ray_4), any_1);
+    (*t_4) = f32(ray_4.t_max_0);
     return found_1;
 }
 
@@ -1194,15 +1540,15 @@ struct Place_0
 
 fn exact_place_0( triangle_3 : u32,  v_5 : f64,  w_4 : f64) -> Place_0
 {
-    var place_0 : Place_0;
-    place_0.triangle_2 = triangle_3;
-    var _S175 : f32 = f32(v_5);
-    place_0.v_4 = _S175;
-    var _S176 : f32 = f32(w_4);
-    place_0.w_3 = _S176;
-    place_0.v_rest_0 = f32(v_5 - f64(_S175));
-    place_0.w_rest_0 = f32(w_4 - f64(_S176));
-    return place_0;
+    var place_1 : Place_0;
+    place_1.triangle_2 = triangle_3;
+    var _S195 : f32 = f32(v_5);
+    place_1.v_4 = _S195;
+    var _S196 : f32 = f32(w_4);
+    place_1.w_3 = _S196;
+    place_1.v_rest_0 = f32(v_5 - f64(_S195));
+    place_1.w_rest_0 = f32(w_4 - f64(_S196));
+    return place_1;
 }
 
 fn place_of_0( found_2 : Found_0) -> Place_0
@@ -1222,37 +1568,37 @@ fn shape_of_0( triangle_5 : u32) -> u32
 
 fn cross_of_0( triangle_6 : u32) -> vec3<f32>
 {
-    var at_6 : u32 = u32(9) * triangle_6;
-    var a_1 : vec3<f64> = primitive_vector_0(at_6);
-    return cross(vec3<f32>(primitive_vector_0(at_6 + u32(3)) - a_1), vec3<f32>(primitive_vector_0(at_6 + u32(6)) - a_1));
+    var at_12 : u32 = u32(9) * triangle_6;
+    var a_4 : vec3<f64> = primitive_vector_0(at_12);
+    return cross(vec3<f32>(primitive_vector_0(at_12 + u32(3)) - a_4), vec3<f32>(primitive_vector_0(at_12 + u32(6)) - a_4));
 }
 
-fn emitter_seen_0( found_3 : Found_0,  direction_1 : vec3<f32>) -> u32
+fn emitter_seen_0( found_3 : Found_0,  direction_2 : vec3<f32>) -> u32
 {
     if((found_3.face_1) == u32(4294967295))
     {
         return word_0(u32(8));
     }
     var emitter_0 : u32 = word_0(shape_of_0(found_3.triangle_1) + u32(4));
-    var _S177 : bool;
+    var _S197 : bool;
     if(emitter_0 != u32(4294967295))
     {
-        _S177 = (dot(cross_of_0(found_3.triangle_1), direction_1)) < 0.0f;
+        _S197 = (dot(cross_of_0(found_3.triangle_1), direction_2)) < 0.0f;
     }
     else
     {
-        _S177 = false;
+        _S197 = false;
     }
-    var _S178 : u32;
-    if(_S177)
+    var _S198 : u32;
+    if(_S197)
     {
-        _S178 = emitter_0;
+        _S198 = emitter_0;
     }
     else
     {
-        _S178 = u32(4294967295);
+        _S198 = u32(4294967295);
     }
-    return _S178;
+    return _S198;
 }
 
 fn emitter_record_0( emitter_1 : u32) -> u32
@@ -1280,26 +1626,26 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    var _S179 : vec4<f32> = vec4<f32>(0.0f);
-    lookup_0.by_second_0 = _S179;
-    lookup_0.by_first_0 = _S179;
+    var _S199 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S199;
+    lookup_0.by_first_0 = _S199;
     return lookup_0;
 }
 
 struct Corners2_0
 {
-     a_2 : vec2<f32>,
-     b_1 : vec2<f32>,
+     a_5 : vec2<f32>,
+     b_4 : vec2<f32>,
      c_1 : vec2<f32>,
 };
 
-fn Corners2_x24init_0( a_3 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
+fn Corners2_x24init_0( a_6 : vec2<f32>,  b_5 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
 {
-    var _S180 : Corners2_0;
-    _S180.a_2 = a_3;
-    _S180.b_1 = b_2;
-    _S180.c_1 = c_2;
-    return _S180;
+    var _S200 : Corners2_0;
+    _S200.a_5 = a_6;
+    _S200.b_4 = b_5;
+    _S200.c_1 = c_2;
+    return _S200;
 }
 
 fn uvs_of_0( triangle_7 : u32) -> Corners2_0
@@ -1310,16 +1656,16 @@ fn uvs_of_0( triangle_7 : u32) -> Corners2_0
     {
         return uvs_0;
     }
-    var at_7 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_7) + u32(1));
-    uvs_0.a_2 = vec2<f32>(number_0(at_7), number_0(at_7 + u32(1)));
-    uvs_0.b_1 = vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5)));
+    var at_13 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_7) + u32(1));
+    uvs_0.a_5 = vec2<f32>(number_0(at_13), number_0(at_13 + u32(1)));
+    uvs_0.b_4 = vec2<f32>(number_0(at_13 + u32(2)), number_0(at_13 + u32(3)));
+    uvs_0.c_1 = vec2<f32>(number_0(at_13 + u32(4)), number_0(at_13 + u32(5)));
     return uvs_0;
 }
 
-fn floor_of_0( x_5 : f32) -> i32
+fn floor_of_0( x_13 : f32) -> i32
 {
-    return i32(floor(clamp(x_5, -1.0e+09f, 1.0e+09f)));
+    return i32(floor(clamp(x_13, -1.0e+09f, 1.0e+09f)));
 }
 
 fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -1365,116 +1711,116 @@ struct Point_0
      by_second_1 : vec2<f32>,
 };
 
-fn between_0( texels_1 : vec4<u32>,  place_1 : Point_0) -> Lookup_0
+fn between_0( texels_1 : vec4<u32>,  place_2 : Point_0) -> Lookup_0
 {
-    var way_1 : vec2<f32> = place_1.value_2 - floor(place_1.value_2);
+    var way_1 : vec2<f32> = place_2.value_2 - floor(place_2.value_2);
     var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_1;
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S181 : f32 = back_0.x;
-    var _S182 : f32 = back_0.y;
-    var _S183 : f32 = way_1.x;
-    var _S184 : f32 = way_1.y;
-    lookup_1.weights_0 = vec4<f32>(_S181 * _S182, _S183 * _S182, _S181 * _S184, _S183 * _S184);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S182, _S182, - _S184, _S184);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S181, - _S183, _S181, _S183);
-    lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_1.by_first_1.x) + by_y_0 * vec4<f32>(place_1.by_first_1.y);
-    lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_1.by_second_1.x) + by_y_0 * vec4<f32>(place_1.by_second_1.y);
+    var _S201 : f32 = back_0.x;
+    var _S202 : f32 = back_0.y;
+    var _S203 : f32 = way_1.x;
+    var _S204 : f32 = way_1.y;
+    lookup_1.weights_0 = vec4<f32>(_S201 * _S202, _S203 * _S202, _S201 * _S204, _S203 * _S204);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S202, _S202, - _S204, _S204);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S201, - _S203, _S201, _S203);
+    lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_2.by_first_1.x) + by_y_0 * vec4<f32>(place_2.by_first_1.y);
+    lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_2.by_second_1.x) + by_y_0 * vec4<f32>(place_2.by_second_1.y);
     return lookup_1;
 }
 
 fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
 {
-    var width_1 : i32 = i32(word_0(texture_0 + u32(2)));
+    var width_2 : i32 = i32(word_0(texture_0 + u32(2)));
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
-    var size_1 : vec2<f32> = vec2<f32>(f32(width_1), f32(height_0));
-    var place_2 : vec2<f32> = uv_0.value_2 * size_1;
+    var size_3 : vec2<f32> = vec2<f32>(f32(width_2), f32(height_0));
+    var place_3 : vec2<f32> = uv_0.value_2 * size_3;
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
-        var row_0 : u32 = wrapped_0(floor_of_0(place_2.y), height_0, wrap_1);
-        var _S185 : u32 = row_0 * u32(width_1);
-        var _S186 : u32 = wrapped_0(floor_of_0(place_2.x), width_1, wrap_1);
-        return one_texel_0(_S185 + _S186);
+        var row_1 : u32 = wrapped_0(floor_of_0(place_3.y), height_0, wrap_1);
+        var _S205 : u32 = row_1 * u32(width_2);
+        var _S206 : u32 = wrapped_0(floor_of_0(place_3.x), width_2, wrap_1);
+        return one_texel_0(_S205 + _S206);
     }
     var centred_0 : Point_0;
-    var _S187 : vec2<f32> = place_2 - vec2<f32>(0.5f);
-    centred_0.value_2 = _S187;
-    centred_0.by_first_1 = uv_0.by_first_1 * size_1;
-    centred_0.by_second_1 = uv_0.by_second_1 * size_1;
-    var x_6 : i32 = floor_of_0(_S187.x);
-    var y_3 : i32 = floor_of_0(_S187.y);
-    var _S188 : u32 = wrapped_0(y_3, height_0, wrap_1);
-    var _S189 : u32 = u32(width_1);
-    var first_1 : u32 = _S188 * _S189;
-    var _S190 : u32 = wrapped_0(y_3 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S190 * _S189;
-    var left_0 : u32 = wrapped_0(x_6, width_1, wrap_1);
-    var right_0 : u32 = wrapped_0(x_6 + i32(1), width_1, wrap_1);
-    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
+    var _S207 : vec2<f32> = place_3 - vec2<f32>(0.5f);
+    centred_0.value_2 = _S207;
+    centred_0.by_first_1 = uv_0.by_first_1 * size_3;
+    centred_0.by_second_1 = uv_0.by_second_1 * size_3;
+    var x_14 : i32 = floor_of_0(_S207.x);
+    var y_5 : i32 = floor_of_0(_S207.y);
+    var _S208 : u32 = wrapped_0(y_5, height_0, wrap_1);
+    var _S209 : u32 = u32(width_2);
+    var first_2 : u32 = _S208 * _S209;
+    var _S210 : u32 = wrapped_0(y_5 + i32(1), height_0, wrap_1);
+    var second_1 : u32 = _S210 * _S209;
+    var left_0 : u32 = wrapped_0(x_14, width_2, wrap_1);
+    var right_0 : u32 = wrapped_0(x_14 + i32(1), width_2, wrap_1);
+    return between_0(vec4<u32>(first_2 + left_0, first_2 + right_0, second_1 + left_0, second_1 + right_0), centred_0);
 }
 
-fn lookup_at_0( texture_1 : u32,  place_3 : Place_0) -> Lookup_0
+fn lookup_at_0( texture_1 : u32,  place_4 : Place_0) -> Lookup_0
 {
-    var kind_0 : u32 = word_0(texture_1);
-    if(kind_0 == u32(0))
+    var kind_1 : u32 = word_0(texture_1);
+    if(kind_1 == u32(0))
     {
         return one_texel_0(u32(0));
     }
-    var record_1 : u32 = triangle_record_0(place_3.triangle_2) + u32(1);
-    if(kind_0 == u32(4))
+    var record_1 : u32 = triangle_record_0(place_4.triangle_2) + u32(1);
+    if(kind_1 == u32(4))
     {
         return one_texel_0(word_0(record_1));
     }
-    if(kind_0 == u32(3))
+    if(kind_1 == u32(3))
     {
         var lookup_2 : Lookup_0;
         lookup_2.count_0 = u32(3);
         lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
-        lookup_2.weights_0 = vec4<f32>(1.0f - place_3.v_4 - place_3.w_3, place_3.v_4, place_3.w_3, 0.0f);
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_4.v_4 - place_4.w_3, place_4.v_4, place_4.w_3, 0.0f);
         lookup_2.by_first_0 = vec4<f32>(-1.0f, 1.0f, 0.0f, 0.0f);
         lookup_2.by_second_0 = vec4<f32>(-1.0f, 0.0f, 1.0f, 0.0f);
         return lookup_2;
     }
-    var uvs_1 : Corners2_0 = uvs_of_0(place_3.triangle_2);
+    var uvs_1 : Corners2_0 = uvs_of_0(place_4.triangle_2);
     var rows_0 : u32 = texture_1 + u32(6);
     var to_u_0 : vec3<f32> = vector_at_0(rows_0);
     var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S191 : vec3<f32> = vec3<f32>(uvs_1.a_2 * vec2<f32>((1.0f - place_3.v_4 - place_3.w_3)) + uvs_1.b_1 * vec2<f32>(place_3.v_4) + uvs_1.c_1 * vec2<f32>(place_3.w_3), 1.0f);
-    uv_1.value_2 = vec2<f32>(dot(_S191, to_u_0), dot(_S191, to_v_0));
-    var by_v_0 : vec2<f32> = uvs_1.b_1 - uvs_1.a_2;
-    var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_2;
-    var _S192 : vec2<f32> = to_u_0.xy;
-    var _S193 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S192), dot(by_v_0, _S193));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S192), dot(by_w_0, _S193));
-    if(kind_0 == u32(1))
+    var _S211 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_4.v_4 - place_4.w_3)) + uvs_1.b_4 * vec2<f32>(place_4.v_4) + uvs_1.c_1 * vec2<f32>(place_4.w_3), 1.0f);
+    uv_1.value_2 = vec2<f32>(dot(_S211, to_u_0), dot(_S211, to_v_0));
+    var by_v_0 : vec2<f32> = uvs_1.b_4 - uvs_1.a_5;
+    var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_5;
+    var _S212 : vec2<f32> = to_u_0.xy;
+    var _S213 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S212), dot(by_v_0, _S213));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S212), dot(by_w_0, _S213));
+    if(kind_1 == u32(1))
     {
-        var _S194 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S194;
+        var _S214 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S214;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
-    var _S195 : i32;
+    var _S215 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S195 = i32(1);
+        _S215 = i32(1);
     }
     else
     {
-        _S195 = i32(0);
+        _S215 = i32(0);
     }
-    return one_texel_0(u32(_S195));
+    return one_texel_0(u32(_S215));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S196 : u32 = word_0(texture_2 + u32(1));
-    var _S197 : u32 = texture_2 + u32(13);
-    var _S198 : vec3<f32> = vec3<f32>(0.0f);
+    var _S216 : u32 = word_0(texture_2 + u32(1));
+    var _S217 : u32 = texture_2 + u32(13);
+    var _S218 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_3 : vec3<f32> = _S198;
+    var value_3 : vec3<f32> = _S218;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1484,17 +1830,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S197 + _S196 * lookup_3.texels_0[k_1];
-        var _S199 : vec3<f32>;
-        if(_S196 == u32(1))
+        var at_14 : u32 = _S217 + _S216 * lookup_3.texels_0[k_1];
+        var _S219 : vec3<f32>;
+        if(_S216 == u32(1))
         {
-            _S199 = vec3<f32>(number_0(at_8));
+            _S219 = vec3<f32>(number_0(at_14));
         }
         else
         {
-            _S199 = vector_at_0(at_8);
+            _S219 = vector_at_0(at_14);
         }
-        var value_4 : vec3<f32> = value_3 + _S199 * vec3<f32>(weights_1[k_1]);
+        var value_4 : vec3<f32> = value_3 + _S219 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_3 = value_4;
     }
@@ -1506,10 +1852,10 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
     return weighted_texels_0(texture_3, lookup_4, lookup_4.weights_0);
 }
 
-fn shown_0( texture_4 : u32,  place_4 : Place_0) -> vec3<f32>
+fn shown_0( texture_4 : u32,  place_5 : Place_0) -> vec3<f32>
 {
-    var _S200 : Lookup_0 = lookup_at_0(texture_4, place_4);
-    return looked_up_0(texture_4, _S200, vec2<f32>(0.0f));
+    var _S220 : Lookup_0 = lookup_at_0(texture_4, place_5);
+    return looked_up_0(texture_4, _S220, vec2<f32>(0.0f));
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -1517,30 +1863,30 @@ fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
     return vector_0;
 }
 
-fn angle_of_0( x_7 : f32,  y_4 : f32) -> f32
+fn angle_of_0( x_15 : f32,  y_6 : f32) -> f32
 {
-    var _S201 : f32 = abs(x_7);
-    var _S202 : f32 = abs(y_4);
-    var _S203 : f32 = min(_S201, _S202);
-    var _S204 : f32 = max(_S201, _S202);
-    var is_steep_2 : bool = _S203 > (0.41421356797218323f * _S204);
+    var _S221 : f32 = abs(x_15);
+    var _S222 : f32 = abs(y_6);
+    var _S223 : f32 = min(_S221, _S222);
+    var _S224 : f32 = max(_S221, _S222);
+    var is_steep_2 : bool = _S223 > (0.41421356797218323f * _S224);
     var above_2 : f32;
     if(is_steep_2)
     {
-        above_2 = _S203 - _S204;
+        above_2 = _S223 - _S224;
     }
     else
     {
-        above_2 = _S203;
+        above_2 = _S223;
     }
     var below_2 : f32;
     if(is_steep_2)
     {
-        below_2 = _S203 + _S204;
+        below_2 = _S223 + _S224;
     }
     else
     {
-        below_2 = _S204;
+        below_2 = _S224;
     }
     if(below_2 > 0.0f)
     {
@@ -1550,167 +1896,162 @@ fn angle_of_0( x_7 : f32,  y_4 : f32) -> f32
         below_2 = 1.0f;
     }
     var t_5 : f32 = above_2 / below_2;
-    var z_4 : f32 = t_5 * t_5;
-    var angle_2 : f32 = (((0.08053744584321976f * z_4 - 0.13877685368061066f) * z_4 + 0.19977711141109467f) * z_4 - 0.33332949876785278f) * z_4 * t_5 + t_5;
-    var angle_3 : f32;
+    var z_5 : f32 = t_5 * t_5;
+    var angle_3 : f32 = (((0.08053744584321976f * z_5 - 0.13877685368061066f) * z_5 + 0.19977711141109467f) * z_5 - 0.33332949876785278f) * z_5 * t_5 + t_5;
+    var angle_4 : f32;
     if(is_steep_2)
     {
-        angle_3 = angle_2 + 0.78539818525314331f;
+        angle_4 = angle_3 + 0.78539818525314331f;
     }
     else
     {
-        angle_3 = angle_2;
+        angle_4 = angle_3;
     }
-    if(_S202 > _S201)
+    if(_S222 > _S221)
     {
-        angle_3 = 1.57079637050628662f - angle_3;
+        angle_4 = 1.57079637050628662f - angle_4;
     }
-    if(x_7 < 0.0f)
+    if(x_15 < 0.0f)
     {
-        angle_3 = 3.14159274101257324f - angle_3;
+        angle_4 = 3.14159274101257324f - angle_4;
     }
-    if(y_4 < 0.0f)
+    if(y_6 < 0.0f)
     {
-        above_2 = - angle_3;
+        above_2 = - angle_4;
     }
     else
     {
-        above_2 = angle_3;
+        above_2 = angle_4;
     }
     return above_2;
 }
 
-fn map_place_0( map_1 : u32,  direction_2 : vec3<f32>) -> vec2<f32>
+fn map_place_0( map_1 : u32,  direction_3 : vec3<f32>) -> vec2<f32>
 {
-    var _S205 : u32 = map_1 + u32(2);
-    var d_2 : vec3<f32> = vector_at_0(_S205) * vec3<f32>(direction_2.x) + vector_at_0(_S205 + u32(3)) * vec3<f32>(direction_2.y) + vector_at_0(_S205 + u32(6)) * vec3<f32>(direction_2.z);
+    var _S225 : u32 = map_1 + u32(2);
+    var d_2 : vec3<f32> = vector_at_0(_S225) * vec3<f32>(direction_3.x) + vector_at_0(_S225 + u32(3)) * vec3<f32>(direction_3.y) + vector_at_0(_S225 + u32(6)) * vec3<f32>(direction_3.z);
     return vec2<f32>(angle_of_0(- d_2.z, d_2.x) * 0.15915493667125702f * f32(word_0(map_1)) - 0.5f, angle_of_0(d_2.y, length(d_2.xz)) * 0.31830987334251404f * (f32(word_0(map_1 + u32(1))) - 1.0f));
 }
 
-fn in_map_0( map_2 : u32,  direction_3 : vec3<f32>) -> Lookup_0
+fn in_map_0( map_2 : u32,  direction_4 : vec3<f32>) -> Lookup_0
 {
-    var place_5 : vec2<f32> = map_place_0(map_2, direction_3);
+    var place_6 : vec2<f32> = map_place_0(map_2, direction_4);
     var point_0 : Point_0;
-    point_0.value_2 = place_5;
+    point_0.value_2 = place_6;
     point_0.by_first_1 = vec2<f32>(1.0f, 0.0f);
     point_0.by_second_1 = vec2<f32>(0.0f, 1.0f);
-    var x_8 : i32 = floor_of_0(place_5.x);
-    var y_5 : i32 = floor_of_0(place_5.y);
-    var width_2 : i32 = i32(word_0(map_2));
+    var x_16 : i32 = floor_of_0(place_6.x);
+    var y_7 : i32 = floor_of_0(place_6.y);
+    var width_3 : i32 = i32(word_0(map_2));
     var height_1 : i32 = i32(word_0(map_2 + u32(1)));
-    var left_1 : u32 = wrapped_0(x_8, width_2, u32(0));
-    var right_1 : u32 = wrapped_0(x_8 + i32(1), width_2, u32(0));
-    var _S206 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S207 : u32 = u32(width_2);
-    var first_2 : u32 = _S206 * _S207;
-    var _S208 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_1 : u32 = _S208 * _S207;
-    return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), point_0);
+    var left_1 : u32 = wrapped_0(x_16, width_3, u32(0));
+    var right_1 : u32 = wrapped_0(x_16 + i32(1), width_3, u32(0));
+    var _S226 : u32 = wrapped_0(y_7, height_1, u32(2));
+    var _S227 : u32 = u32(width_3);
+    var first_3 : u32 = _S226 * _S227;
+    var _S228 : u32 = wrapped_0(y_7 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S228 * _S227;
+    return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), point_0);
 }
 
-fn emitted_0( emitter_2 : u32,  place_6 : Place_0,  direction_4 : vec3<f32>) -> vec3<f32>
+fn emitted_0( emitter_2 : u32,  place_7 : Place_0,  direction_5 : vec3<f32>) -> vec3<f32>
 {
     var record_2 : u32 = emitter_record_0(emitter_2);
     var texture_5 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var _S209 : vec3<f32> = shown_0(texture_5, place_6);
-        return _S209;
+        var _S229 : vec3<f32> = shown_0(texture_5, place_7);
+        return _S229;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_5 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S210 : u32 = word_0(texture_5 + u32(11));
-    var _S211 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_4));
-    return looked_up_0(_S210, _S211, change_1) * factor_0;
-}
-
-fn change_word_0( at_9 : u32) -> u32
-{
-    return input_0[u32(12) * launch_0.room_0 + at_9];
+    var _S230 : u32 = word_0(texture_5 + u32(11));
+    var _S231 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_5));
+    return looked_up_0(_S230, _S231, change_1) * factor_0;
 }
 
 fn numbers_of_0( texture_6 : u32) -> u32
 {
-    return change_word_0(u32(5) + word_0(texture_6 + u32(12)));
+    return change_word_0(u32(6) + word_0(texture_6 + u32(12)));
 }
 
 fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S212 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S232 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
-    var size_2 : f32 = abs(scaled_0);
-    if(size_2 > 7.73712524553362672e+25f)
+    var size_4 : f32 = abs(scaled_0);
+    if(size_4 > 7.73712524553362672e+25f)
     {
-        var _S213 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S233 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S214 : bool = scaled_0 < 0.0f;
-    var _S215 : i32;
-    if(size_2 >= 1.84467440737095516e+19f)
+    var _S234 : bool = scaled_0 < 0.0f;
+    var _S235 : i32;
+    if(size_4 >= 1.84467440737095516e+19f)
     {
-        _S215 = i32(1);
+        _S235 = i32(1);
     }
     else
     {
-        _S215 = i32(0);
+        _S235 = i32(0);
     }
-    var first_3 : u32 = u32(_S215);
-    var size_3 : f32;
-    if(first_3 == u32(1))
+    var first_4 : u32 = u32(_S235);
+    var size_5 : f32;
+    if(first_4 == u32(1))
     {
-        size_3 = size_2 * 2.32830643653869629e-10f;
+        size_5 = size_4 * 2.32830643653869629e-10f;
     }
     else
     {
-        size_3 = size_2;
+        size_5 = size_4;
     }
-    var higher_0 : f32 = floor(size_3 * 2.32830643653869629e-10f);
-    var lower_0 : f32 = size_3 - higher_0 * 4.294967296e+09f;
-    if(first_3 == u32(0))
+    var higher_0 : f32 = floor(size_5 * 2.32830643653869629e-10f);
+    var lower_0 : f32 = size_5 - higher_0 * 4.294967296e+09f;
+    if(first_4 == u32(0))
     {
-        size_3 = lower_0 + 0.5f;
+        size_5 = lower_0 + 0.5f;
     }
     else
     {
-        size_3 = lower_0;
+        size_5 = lower_0;
     }
-    var _S216 : u32 = u32(3) + u32(4) * sum_0;
-    var digits_0 : vec2<u32> = vec2<u32>(u32(size_3), u32(higher_0));
-    var k_2 : u32 = first_3;
+    var _S236 : u32 = u32(3) + u32(4) * sum_0;
+    var digits_0 : vec2<u32> = vec2<u32>(u32(size_5), u32(higher_0));
+    var k_2 : u32 = first_4;
     for(;;)
     {
-        var _S217 : bool;
+        var _S237 : bool;
         if(k_2 < u32(4))
         {
-            _S217 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S237 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S217 = false;
+            _S237 = false;
         }
-        if(_S217)
+        if(_S237)
         {
         }
         else
         {
             break;
         }
-        var _S218 : u32;
-        if(_S214)
+        var _S238 : u32;
+        if(_S234)
         {
-            _S218 = u32(0) - digits_0.x;
+            _S238 = u32(0) - digits_0.x;
         }
         else
         {
-            _S218 = digits_0.x;
+            _S238 = digits_0.x;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S216 + k_2]), _S218);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S236 + k_2]), _S238);
         var overflows_0 : bool;
-        if(_S214)
+        if(_S234)
         {
             overflows_0 = before_0 < (digits_0.x);
         }
@@ -1718,40 +2059,40 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_0 + digits_0.x) < before_0;
         }
-        var _S219 : u32 = digits_0.y;
+        var _S239 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S215 = i32(1);
+            _S235 = i32(1);
         }
         else
         {
-            _S215 = i32(0);
+            _S235 = i32(0);
         }
-        var _S220 : vec2<u32> = vec2<u32>(_S219 + u32(_S215), u32(0));
-        var _S221 : u32 = k_2 + u32(1);
-        digits_0 = _S220;
-        k_2 = _S221;
+        var _S240 : vec2<u32> = vec2<u32>(_S239 + u32(_S235), u32(0));
+        var _S241 : u32 = k_2 + u32(1);
+        digits_0 = _S240;
+        k_2 = _S241;
     }
     return;
 }
 
 fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
 {
-    var first_4 : u32 = numbers_of_0(texture_7);
-    var _S222 : u32 = word_0(texture_7 + u32(1));
-    var _S223 : u32;
-    if(first_4 == u32(4294967295))
+    var first_5 : u32 = numbers_of_0(texture_7);
+    var _S242 : u32 = word_0(texture_7 + u32(1));
+    var _S243 : u32;
+    if(first_5 == u32(4294967295))
     {
-        _S223 = u32(0);
+        _S243 = u32(0);
     }
     else
     {
-        _S223 = lookup_5.count_0;
+        _S243 = lookup_5.count_0;
     }
     var k_3 : u32 = u32(0);
     for(;;)
     {
-        if(k_3 < _S223)
+        if(k_3 < _S243)
         {
         }
         else
@@ -1760,7 +2101,7 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         }
         var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_0[k_3]);
         var own_1 : vec3<f32>;
-        if(_S222 == u32(1))
+        if(_S242 == u32(1))
         {
             own_1 = vec3<f32>((own_0.x + own_0.y + own_0.z));
         }
@@ -1771,14 +2112,14 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         var c_3 : u32 = u32(0);
         for(;;)
         {
-            if(c_3 < _S222)
+            if(c_3 < _S242)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_4 + _S222 * lookup_5.texels_0[k_3] + c_3, own_1[c_3]);
+            add_to_sum_0(first_5 + _S242 * lookup_5.texels_0[k_3] + c_3, own_1[c_3]);
             c_3 = c_3 + u32(1);
         }
         k_3 = k_3 + u32(1);
@@ -1804,41 +2145,41 @@ fn is_moving_0() -> bool
 
 struct AtCorners_0
 {
-     a_4 : vec3<f32>,
-     b_3 : vec3<f32>,
+     a_7 : vec3<f32>,
+     b_6 : vec3<f32>,
      c_4 : vec3<f32>,
 };
 
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_0 : AtCorners_0;
-    var _S224 : vec3<f32> = vec3<f32>(0.0f);
-    corners_0.c_4 = _S224;
-    corners_0.b_3 = _S224;
-    corners_0.a_4 = _S224;
+    var _S244 : vec3<f32> = vec3<f32>(0.0f);
+    corners_0.c_4 = _S244;
+    corners_0.b_6 = _S244;
+    corners_0.a_7 = _S244;
     return corners_0;
 }
 
-fn add_at_place_0( corners_1 : ptr<function, AtCorners_0>,  place_7 : Place_0,  derivative_3 : vec3<f32>)
+fn add_at_place_0( corners_1 : ptr<function, AtCorners_0>,  place_8 : Place_0,  derivative_3 : vec3<f32>)
 {
-    (*corners_1).a_4 = (*corners_1).a_4 + derivative_3 * vec3<f32>((1.0f - place_7.v_4 - place_7.w_3));
-    (*corners_1).b_3 = (*corners_1).b_3 + derivative_3 * vec3<f32>(place_7.v_4);
-    (*corners_1).c_4 = (*corners_1).c_4 + derivative_3 * vec3<f32>(place_7.w_3);
+    (*corners_1).a_7 = (*corners_1).a_7 + derivative_3 * vec3<f32>((1.0f - place_8.v_4 - place_8.w_3));
+    (*corners_1).b_6 = (*corners_1).b_6 + derivative_3 * vec3<f32>(place_8.v_4);
+    (*corners_1).c_4 = (*corners_1).c_4 + derivative_3 * vec3<f32>(place_8.w_3);
     return;
 }
 
-fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_8 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_5 : vec3<f32>) -> vec3<f32>
+fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_9 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_6 : vec3<f32>) -> vec3<f32>
 {
-    var corner_1 : u32 = u32(9) * place_8.triangle_2;
-    var a_5 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S225 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_5);
-    var _S226 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_5);
-    var across_0 : vec3<f32> = cross(_S225, _S226);
-    var _S227 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
-    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S227);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S226, normal_0) * vec3<f32>(by_place_0.x) + cross(normal_0, _S225) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S227)));
-    var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_5, by_slip_0) / dot(normal_0, direction_5)));
-    add_at_place_0(&((*points_0)), place_8, by_position_0 - by_drift_0);
+    var corner_1 : u32 = u32(9) * place_9.triangle_2;
+    var a_8 : vec3<f64> = primitive_vector_0(corner_1);
+    var _S245 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_8);
+    var _S246 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_8);
+    var across_0 : vec3<f32> = cross(_S245, _S246);
+    var _S247 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S247);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S246, normal_0) * vec3<f32>(by_place_0.x) + cross(normal_0, _S245) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S247)));
+    var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_6, by_slip_0) / dot(normal_0, direction_6)));
+    add_at_place_0(&((*points_0)), place_9, by_position_0 - by_drift_0);
     return by_drift_0;
 }
 
@@ -1847,81 +2188,81 @@ fn points_of_0( triangle_8 : u32) -> u32
     return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_8)));
 }
 
-fn add_to_sums_0( first_5 : u32,  derivative_4 : vec3<f32>)
+fn add_to_sums_0( first_6 : u32,  derivative_4 : vec3<f32>)
 {
-    var _S228 : i32;
-    if(first_5 == u32(4294967295))
+    var _S248 : i32;
+    if(first_6 == u32(4294967295))
     {
-        _S228 = i32(0);
+        _S248 = i32(0);
     }
     else
     {
-        _S228 = i32(3);
+        _S248 = i32(3);
     }
-    var _S229 : u32 = u32(_S228);
-    var axis_3 : u32 = u32(0);
+    var _S249 : u32 = u32(_S248);
+    var axis_4 : u32 = u32(0);
     for(;;)
     {
-        if(axis_3 < _S229)
+        if(axis_4 < _S249)
         {
         }
         else
         {
             break;
         }
-        add_to_sum_0(first_5 + axis_3, derivative_4[axis_3]);
-        axis_3 = axis_3 + u32(1);
+        add_to_sum_0(first_6 + axis_4, derivative_4[axis_4]);
+        axis_4 = axis_4 + u32(1);
     }
     return;
 }
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_9 : u32,  corners_2 : AtCorners_0)
 {
-    var _S230 : u32 = triangle_record_0(triangle_9) + u32(2);
-    var _S231 : i32;
+    var _S250 : u32 = triangle_record_0(triangle_9) + u32(2);
+    var _S251 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S231 = i32(0);
+        _S251 = i32(0);
     }
     else
     {
-        _S231 = i32(3);
+        _S251 = i32(3);
     }
-    var _S232 : u32 = u32(_S231);
+    var _S252 : u32 = u32(_S251);
     var k_4 : u32 = u32(0);
     for(;;)
     {
-        if(k_4 < _S232)
+        if(k_4 < _S252)
         {
         }
         else
         {
             break;
         }
-        var _S233 : u32 = sums_at_0 + u32(3) * word_0(_S230 + k_4);
-        var _S234 : vec3<f32>;
+        var _S253 : u32 = sums_at_0 + u32(3) * word_0(_S250 + k_4);
+        var _S254 : vec3<f32>;
         if(k_4 == u32(0))
         {
-            _S234 = corners_2.a_4;
+            _S254 = corners_2.a_7;
         }
         else
         {
             if(k_4 == u32(1))
             {
-                _S234 = corners_2.b_3;
+                _S254 = corners_2.b_6;
             }
             else
             {
-                _S234 = corners_2.c_4;
+                _S254 = corners_2.c_4;
             }
         }
-        add_to_sums_0(_S233, _S234);
+        add_to_sums_0(_S253, _S254);
         k_4 = k_4 + u32(1);
     }
     return;
 }
 
-fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_3 : u32,  place_9 : Place_0,  direction_6 : vec3<f32>,  t_6 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
+fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_3 : u32,  place_10 : Place_0,  direction_7 : vec3<f32>,  t_6 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
 {
     var record_4 : u32 = emitter_record_0(emitter_3);
     var texture_9 : u32 = word_0(record_4 + u32(1));
@@ -1930,62 +2271,62 @@ fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_3 : u32,  pla
     if(is_map_0(record_4))
     {
         var scale_0 : u32 = word_0(texture_9 + u32(12));
-        var lookup_8 : Lookup_0 = in_map_0(texture_9, direction_6);
-        var _S235 : Lookup_0 = one_texel_0(u32(0));
-        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_0, _S235, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
-        add_to_texels_0(scale_0, _S235, importance_0 * weighted_texels_0(word_0(texture_9 + u32(11)), lookup_8, lookup_8.weights_0));
+        var lookup_8 : Lookup_0 = in_map_0(texture_9, direction_7);
+        var _S255 : Lookup_0 = one_texel_0(u32(0));
+        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_0, _S255, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
+        add_to_texels_0(scale_0, _S255, importance_0 * weighted_texels_0(word_0(texture_9 + u32(11)), lookup_8, lookup_8.weights_0));
         lookup_7 = lookup_8;
         by_texels_0 = by_texels_1;
     }
     else
     {
-        var _S236 : Lookup_0 = lookup_at_0(texture_9, place_9);
-        lookup_7 = _S236;
+        var _S256 : Lookup_0 = lookup_at_0(texture_9, place_10);
+        lookup_7 = _S256;
         by_texels_0 = importance_0;
     }
-    var _S237 : u32;
+    var _S257 : u32;
     if(is_map_0(record_4))
     {
-        _S237 = word_0(texture_9 + u32(11));
+        _S257 = word_0(texture_9 + u32(11));
     }
     else
     {
-        _S237 = texture_9;
+        _S257 = texture_9;
     }
-    var by_place_1 : vec2<f32> = lookup_back_0(_S237, lookup_7, by_texels_0);
+    var by_place_1 : vec2<f32> = lookup_back_0(_S257, lookup_7, by_texels_0);
     if(is_map_0(record_4))
     {
-        var _S238 : vec3<f32> = vec3<f32>(0.0f);
+        var _S258 : vec3<f32> = vec3<f32>(0.0f);
         var moving_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-        moving_0.primal_0 = direction_6;
-        moving_0.differential_0 = _S238;
+        moving_0.primal_0 = direction_7;
+        moving_0.differential_0 = _S258;
         _S127(texture_9, &(moving_0), by_place_1);
         return moving_0.differential_0;
     }
-    var _S239 : bool;
+    var _S259 : bool;
     if(!is_area_0(record_4))
     {
-        _S239 = true;
+        _S259 = true;
     }
     else
     {
-        _S239 = !is_moving_0();
+        _S259 = !is_moving_0();
     }
-    if(_S239)
+    if(_S259)
     {
-        _S239 = true;
+        _S259 = true;
     }
     else
     {
-        _S239 = (all((by_place_1 == vec2<f32>(0.0f))));
+        _S259 = (all((by_place_1 == vec2<f32>(0.0f))));
     }
-    if(_S239)
+    if(_S259)
     {
         return vec3<f32>(0.0f);
     }
     var points_1 : AtCorners_0 = at_no_corner_0();
-    var by_drift_1 : vec3<f32> = place_back_0(&(points_1), place_9, by_place_1, vec3<f32>(0.0f), direction_6);
-    add_to_corners_0(points_of_0(place_9.triangle_2), place_9.triangle_2, points_1);
+    var by_drift_1 : vec3<f32> = place_back_0(&(points_1), place_10, by_place_1, vec3<f32>(0.0f), direction_7);
+    add_to_corners_0(points_of_0(place_10.triangle_2), place_10.triangle_2, points_1);
     (*by_start_0) = (*by_start_0) + by_drift_1;
     return by_drift_1 * vec3<f32>(t_6);
 }
@@ -1998,91 +2339,90 @@ fn reaches_0( segments_0 : u32) -> bool
 struct ByRay_0
 {
      drift_0 : vec3<f32>,
-     direction_7 : vec3<f32>,
+     direction_8 : vec3<f32>,
 };
 
 struct Path_0
 {
      throughput_0 : vec3<f32>,
-     direction_8 : vec3<f32>,
-     place_10 : Place_0,
-     key_0 : vec2<u32>,
+     direction_9 : vec3<f32>,
+     place_11 : Place_0,
+     key_4 : vec2<u32>,
      adjoint_0 : vec3<f32>,
      distance_0 : f32,
      by_ray_0 : ByRay_0,
 };
 
-fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
+fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
-    var at_10 : u32 = u32(12) * number_of_path_0;
-    var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_10], input_0[at_10 + u32(1)], input_0[at_10 + u32(2)]))));
-    var direction_9 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_10 + u32(3)], input_0[at_10 + u32(4)], input_0[at_10 + u32(5)]))));
-    (*path_0).key_0 = vec2<u32>(input_0[at_10 + u32(7)], input_0[at_10 + u32(8)]);
+    var drawn_3 : CameraSample_0 = camera_sample_0(number_of_path_1);
+    var ray_5 : CameraRay_0 = camera_ray_0(drawn_3);
+    var _S260 : vec3<f32> = vec3<f32>(ray_5.direction_0);
+    (*path_0).key_4 = drawn_3.key_3;
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
-    (*path_0).adjoint_0 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_10 + u32(9)], input_0[at_10 + u32(10)], input_0[at_10 + u32(11)]))));
-    var _S240 : vec3<f32> = vec3<f32>(0.0f);
-    (*path_0).by_ray_0.direction_7 = _S240;
-    (*path_0).by_ray_0.drift_0 = _S240;
+    (*path_0).adjoint_0 = change_vector_0(change_word_0(u32(5)) + u32(3) * drawn_3.pixel_1) * vec3<f32>(drawn_3.weight_1);
+    var _S261 : vec3<f32> = vec3<f32>(0.0f);
+    (*path_0).by_ray_0.direction_8 = _S261;
+    (*path_0).by_ray_0.drift_0 = _S261;
     var t_7 : f32 = 0.0f;
-    var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_10 + u32(6)])));
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0lf;
     found_4.w_2 = 0.0lf;
-    var _S241 : bool;
-    if(length_of_ray_0 >= 0.0f)
+    var _S262 : bool;
+    if((ray_5.length_0) >= 0.0lf)
     {
-        _S241 = (word_0(u32(13))) != u32(0);
+        _S262 = (word_0(u32(14))) != u32(0);
     }
     else
     {
-        _S241 = false;
+        _S262 = false;
     }
-    if(_S241)
+    if(_S262)
     {
-        var _S242 : Found_0 = cast_0(vec3<f64>(origin_2), vec3<f64>(direction_9), 0.0lf, f64(length_of_ray_0), false, &(t_7));
-        found_4 = _S242;
+        var _S263 : Found_0 = cast_0(ray_5.start_1, ray_5.direction_0, 0.0lf, ray_5.length_0, false, &(t_7));
+        found_4 = _S263;
     }
-    var _S243 : Place_0 = place_of_0(found_4);
-    (*path_0).place_10 = _S243;
-    (*path_0).direction_8 = direction_9;
-    var _S244 : f32;
+    var _S264 : Place_0 = place_of_0(found_4);
+    (*path_0).place_11 = _S264;
+    (*path_0).direction_9 = _S260;
+    var _S265 : f32;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S244 = t_7;
+        _S265 = ray_5.from_camera_0 + t_7;
     }
     else
     {
-        _S244 = 0.0f;
+        _S265 = 0.0f;
     }
-    (*path_0).distance_0 = _S244;
-    var emitter_4 : u32 = emitter_seen_0(found_4, direction_9);
+    (*path_0).distance_0 = _S265;
+    var emitter_4 : u32 = emitter_seen_0(found_4, _S260);
     if(emitter_4 != u32(4294967295))
     {
-        _S241 = (word_0(u32(4))) != u32(0);
+        _S262 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S241 = false;
+        _S262 = false;
     }
-    if(_S241)
+    if(_S262)
     {
-        var _S245 : vec3<f32> = emitted_0(emitter_4, _S243, (*path_0).direction_8);
-        var _S246 : vec3<f32> = (*path_0).by_ray_0.drift_0;
-        var _S247 : vec3<f32> = emitted_back_0(&(_S246), emitter_4, _S243, direction_9, t_7, (*path_0).adjoint_0);
-        (*path_0).by_ray_0.drift_0 = _S246;
-        (*path_0).by_ray_0.direction_7 = _S247;
+        var _S266 : vec3<f32> = emitted_0(emitter_4, _S264, (*path_0).direction_9);
+        var _S267 : vec3<f32> = (*path_0).by_ray_0.drift_0;
+        var _S268 : vec3<f32> = emitted_back_0(&(_S267), emitter_4, _S264, _S260, (*path_0).distance_0, (*path_0).adjoint_0);
+        (*path_0).by_ray_0.drift_0 = _S267;
+        (*path_0).by_ray_0.direction_8 = _S268;
     }
     if((found_4.face_1) != u32(4294967295))
     {
-        _S241 = reaches_0(u32(2));
+        _S262 = reaches_0(u32(2));
     }
     else
     {
-        _S241 = false;
+        _S262 = false;
     }
-    return _S241;
+    return _S262;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
@@ -2092,25 +2432,6 @@ fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
 }
 
 fn set_vector_0( path_2 : u32,  which_2 : ptr<function, u32>,  value_6 : vec3<f32>)
-{
-    var axis_4 : u32 = u32(0);
-    for(;;)
-    {
-        if(axis_4 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        set_word_0(path_2, (*which_2) + axis_4, (bitcast<u32>((value_6[axis_4]))));
-        axis_4 = axis_4 + u32(1);
-    }
-    (*which_2) = (*which_2) + u32(3);
-    return;
-}
-
-fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_7 : vec3<f32>)
 {
     var axis_5 : u32 = u32(0);
     for(;;)
@@ -2122,14 +2443,14 @@ fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_7 : vec3<f3
         {
             break;
         }
-        set_word_0(path_3, (*which_3) + axis_5, (bitcast<u32>((value_7[axis_5]))));
+        set_word_0(path_2, (*which_2) + axis_5, (bitcast<u32>((value_6[axis_5]))));
         axis_5 = axis_5 + u32(1);
     }
-    (*which_3) = (*which_3) + u32(3);
+    (*which_2) = (*which_2) + u32(3);
     return;
 }
 
-fn set_vector_2( path_4 : u32,  which_4 : ptr<function, u32>,  value_8 : vec3<f32>)
+fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_7 : vec3<f32>)
 {
     var axis_6 : u32 = u32(0);
     for(;;)
@@ -2141,8 +2462,27 @@ fn set_vector_2( path_4 : u32,  which_4 : ptr<function, u32>,  value_8 : vec3<f3
         {
             break;
         }
-        set_word_0(path_4, (*which_4) + axis_6, (bitcast<u32>((value_8[axis_6]))));
+        set_word_0(path_3, (*which_3) + axis_6, (bitcast<u32>((value_7[axis_6]))));
         axis_6 = axis_6 + u32(1);
+    }
+    (*which_3) = (*which_3) + u32(3);
+    return;
+}
+
+fn set_vector_2( path_4 : u32,  which_4 : ptr<function, u32>,  value_8 : vec3<f32>)
+{
+    var axis_7 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_7 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_4, (*which_4) + axis_7, (bitcast<u32>((value_8[axis_7]))));
+        axis_7 = axis_7 + u32(1);
     }
     (*which_4) = (*which_4) + u32(3);
     return;
@@ -2154,38 +2494,38 @@ fn set_changing_0( path_5 : u32,  which_5 : ptr<function, u32>,  vector_1 : vec3
     return;
 }
 
-fn set_place_0( path_6 : u32,  which_6 : ptr<function, u32>,  place_11 : Place_0)
+fn set_place_0( path_6 : u32,  which_6 : ptr<function, u32>,  place_12 : Place_0)
 {
-    set_word_0(path_6, (*which_6), place_11.triangle_2);
-    set_word_0(path_6, (*which_6) + u32(1), (bitcast<u32>((place_11.v_4))));
-    set_word_0(path_6, (*which_6) + u32(2), (bitcast<u32>((place_11.w_3))));
-    set_word_0(path_6, (*which_6) + u32(3), (bitcast<u32>((place_11.v_rest_0))));
-    set_word_0(path_6, (*which_6) + u32(4), (bitcast<u32>((place_11.w_rest_0))));
+    set_word_0(path_6, (*which_6), place_12.triangle_2);
+    set_word_0(path_6, (*which_6) + u32(1), (bitcast<u32>((place_12.v_4))));
+    set_word_0(path_6, (*which_6) + u32(2), (bitcast<u32>((place_12.w_3))));
+    set_word_0(path_6, (*which_6) + u32(3), (bitcast<u32>((place_12.v_rest_0))));
+    set_word_0(path_6, (*which_6) + u32(4), (bitcast<u32>((place_12.w_rest_0))));
     (*which_6) = (*which_6) + u32(5);
     return;
 }
 
-fn store_0( number_of_path_1 : u32,  path_7 : Path_0)
+fn store_0( number_of_path_2 : u32,  path_7 : Path_0)
 {
-    var at_11 : u32 = u32(1);
-    set_vector_0(number_of_path_1, &(at_11), path_7.adjoint_0);
-    set_changing_0(number_of_path_1, &(at_11), path_7.throughput_0);
-    set_changing_0(number_of_path_1, &(at_11), path_7.direction_8);
-    set_place_0(number_of_path_1, &(at_11), path_7.place_10);
-    set_word_0(number_of_path_1, at_11, path_7.key_0.x);
-    set_word_0(number_of_path_1, at_11 + u32(1), path_7.key_0.y);
+    var at_15 : u32 = u32(1);
+    set_vector_0(number_of_path_2, &(at_15), path_7.adjoint_0);
+    set_changing_0(number_of_path_2, &(at_15), path_7.throughput_0);
+    set_changing_0(number_of_path_2, &(at_15), path_7.direction_9);
+    set_place_0(number_of_path_2, &(at_15), path_7.place_11);
+    set_word_0(number_of_path_2, at_15, path_7.key_4.x);
+    set_word_0(number_of_path_2, at_15 + u32(1), path_7.key_4.y);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S248 : u32;
+    var _S269 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S249 : u32 = u32(2) + zero_0;
-        _S248 = _S249;
-        if(rounds_0 < _S249)
+        var _S270 : u32 = u32(2) + zero_0;
+        _S269 = _S270;
+        if(rounds_0 < _S270)
         {
         }
         else
@@ -2194,14 +2534,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S248;
+    return rounds_0 == _S269;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S250 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S271 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -2210,14 +2550,14 @@ fn check_loops_0()
 @workgroup_size(64, 1, 1)
 fn begin_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
 {
-    var number_of_path_2 : u32 = launch_0.first_0 + thread_0.x;
-    if(number_of_path_2 >= (launch_0.end_0))
+    var number_of_path_3 : u32 = launch_0.first_0 + thread_0.x;
+    if(number_of_path_3 >= (launch_0.end_0))
     {
         return;
     }
     var path_8 : Path_0;
-    var goes_on_0 : bool = begin_0(number_of_path_2, &(path_8));
-    store_0(number_of_path_2, path_8);
+    var goes_on_0 : bool = begin_0(number_of_path_3, &(path_8));
+    store_0(number_of_path_3, path_8);
     var which_7 : u32 = u32(17);
     for(;;)
     {
@@ -2228,22 +2568,22 @@ fn begin_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         {
             break;
         }
-        set_word_0(number_of_path_2, which_7, u32(0));
+        set_word_0(number_of_path_3, which_7, u32(0));
         which_7 = which_7 + u32(1);
     }
-    var camera_ray_0 : u32 = u32(26);
-    set_vector_1(number_of_path_2, &(camera_ray_0), path_8.by_ray_0.drift_0);
-    set_vector_1(number_of_path_2, &(camera_ray_0), path_8.by_ray_0.direction_7);
-    set_word_0(number_of_path_2, camera_ray_0, (bitcast<u32>((path_8.distance_0))));
+    var camera_ray_1 : u32 = u32(26);
+    set_vector_1(number_of_path_3, &(camera_ray_1), path_8.by_ray_0.drift_0);
+    set_vector_1(number_of_path_3, &(camera_ray_1), path_8.by_ray_0.direction_8);
+    set_word_0(number_of_path_3, camera_ray_1, (bitcast<u32>((path_8.distance_0))));
     if(goes_on_0)
     {
-        which_7 = number_of_path_2;
+        which_7 = number_of_path_3;
     }
     else
     {
         which_7 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), which_7);
+    set_word_0(number_of_path_3, u32(0), which_7);
     check_loops_0();
     return;
 }

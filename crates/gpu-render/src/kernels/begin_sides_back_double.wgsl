@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 1e2107cc7d81c148
-// result: 628c0e72aec144dd
+// source: b7b415b56071dccf
+// result: 1f96f7d57ac1d7df
 
 struct Launch_std140_0
 {
@@ -885,7 +885,7 @@ fn shading_point_0( path_9 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> b
 
 fn change_word_0( at_10 : u32) -> u32
 {
-    return input_0[u32(12) * launch_0.room_0 + at_10];
+    return input_0[launch_0.room_0 + at_10];
 }
 
 fn turns_1( vertex_3 : Vertex_0) -> bool
@@ -1172,7 +1172,7 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
 
 fn real_place_0( at_12 : u32) -> u32
 {
-    return word_0(u32(13)) + u32(4) + at_12;
+    return word_0(u32(15)) + u32(4) + at_12;
 }
 
 fn edge_real_0( at_13 : u32) -> f64
@@ -2513,7 +2513,7 @@ fn face_normal_1( at_34 : ShadingPoint_0) -> vec3<f64>
 
 fn limit_at_0( which_7 : u32) -> f64
 {
-    return primitives_0[word_0(u32(13)) + which_7];
+    return primitives_0[word_0(u32(15)) + which_7];
 }
 
 struct EdgePoint_0

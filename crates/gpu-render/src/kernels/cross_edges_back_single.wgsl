@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 1e2107cc7d81c148
-// result: 17549b9666ae9991
+// source: b7b415b56071dccf
+// result: f9da04a30d0c664c
 
 struct Launch_std140_0
 {
@@ -1498,7 +1498,7 @@ fn nothing_crossed_0( factor_2 : vec3<f32>) -> Crossed_0
 
 fn change_word_0( at_10 : u32) -> u32
 {
-    return input_0[u32(12) * launch_0.room_0 + at_10];
+    return input_0[launch_0.room_0 + at_10];
 }
 
 fn turns_1( vertex_3 : Vertex_0) -> bool
@@ -1785,7 +1785,7 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
 
 fn real_place_0( at_12 : u32) -> u32
 {
-    return word_0(u32(13)) + u32(4) + at_12;
+    return word_0(u32(15)) + u32(4) + at_12;
 }
 
 fn edge_real_0( at_13 : u32) -> f32
@@ -3123,7 +3123,7 @@ fn face_normal_1( at_34 : ShadingPoint_0) -> vec3<f32>
 
 fn limit_at_0( which_8 : u32) -> f32
 {
-    return primitives_0[word_0(u32(13)) + which_8];
+    return primitives_0[word_0(u32(15)) + which_8];
 }
 
 struct EdgePoint_0
@@ -4299,7 +4299,7 @@ fn slot_derivative_0( numbers_10 : Numbers_0,  slot_6 : u32) -> vec3<f32>
 
 fn numbers_of_0( texture_7 : u32) -> u32
 {
-    return change_word_0(u32(5) + word_0(texture_7 + u32(12)));
+    return change_word_0(u32(6) + word_0(texture_7 + u32(12)));
 }
 
 fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)

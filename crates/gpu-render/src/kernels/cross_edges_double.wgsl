@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 3a07b3e4f47723f3
-// result: 46271eacc18d453c
+// source: 56c53898d658ca22
+// result: 867528397a72fcce
 
 struct Launch_std140_0
 {
@@ -378,7 +378,7 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
 
 fn change_word_0( at_7 : u32) -> u32
 {
-    return input_0[u32(15) * launch_0.room_0 + at_7];
+    return input_0[launch_0.room_0 + at_7];
 }
 
 fn is_moving_0() -> bool
@@ -735,7 +735,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(5) + word_0(texture_3 + u32(12)));
+    return change_word_0(u32(6) + word_0(texture_3 + u32(12)));
 }
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
@@ -1500,7 +1500,7 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
 
 fn real_place_0( at_17 : u32) -> u32
 {
-    return word_0(u32(13)) + u32(4) + at_17;
+    return word_0(u32(15)) + u32(4) + at_17;
 }
 
 fn edge_real_0( at_18 : u32) -> f64
@@ -2961,7 +2961,7 @@ fn face_normal_1( at_39 : ShadingPoint_0) -> vec3<f64>
 
 fn limit_at_0( which_5 : u32) -> f64
 {
-    return primitives_0[word_0(u32(13)) + which_5];
+    return primitives_0[word_0(u32(15)) + which_5];
 }
 
 struct EdgePoint_0

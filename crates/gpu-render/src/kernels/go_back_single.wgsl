@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 72694fe2b1dd365f
-// result: f1c55517a825aefe
+// source: 2504c2b6295e301a
+// result: 525e36d597d7d9db
 
 struct Launch_std140_0
 {
@@ -4092,7 +4092,7 @@ fn specular_direction_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_2 : Ve
 
 fn change_word_0( at_9 : u32) -> u32
 {
-    return input_0[u32(12) * launch_0.room_0 + at_9];
+    return input_0[launch_0.room_0 + at_9];
 }
 
 fn turns_0( vertex_3 : Vertex_0) -> bool
@@ -4142,7 +4142,7 @@ fn slot_derivative_0( numbers_6 : Numbers_0,  slot_2 : u32) -> vec3<f32>
 
 fn numbers_of_0( texture_6 : u32) -> u32
 {
-    return change_word_0(u32(5) + word_0(texture_6 + u32(12)));
+    return change_word_0(u32(6) + word_0(texture_6 + u32(12)));
 }
 
 fn add_to_sum_0( sum_3 : u32,  derivative_0 : f32)

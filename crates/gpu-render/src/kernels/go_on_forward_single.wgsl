@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 6d9ec5e121453302
-// result: b8de893c964682db
+// source: ab5e7d9a4bbedd99
+// result: 4a3717989c93715f
 
 struct Launch_std140_0
 {
@@ -418,7 +418,7 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
 
 fn change_word_0( at_7 : u32) -> u32
 {
-    return input_0[u32(15) * launch_0.room_0 + at_7];
+    return input_0[launch_0.room_0 + at_7];
 }
 
 fn is_moving_0() -> bool
@@ -798,7 +798,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(5) + word_0(texture_3 + u32(12)));
+    return change_word_0(u32(6) + word_0(texture_3 + u32(12)));
 }
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
@@ -1408,7 +1408,7 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_5 : vec3<f32>,  alike_0 : bool) 
 
 fn limit_at_0( which_5 : u32) -> f32
 {
-    return primitives_0[word_0(u32(13)) + which_5];
+    return primitives_0[word_0(u32(15)) + which_5];
 }
 
 fn product_0( a_12 : u32,  b_6 : u32) -> vec2<u32>

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 72694fe2b1dd365f
-// result: a31ecec87396d9f1
+// source: 2504c2b6295e301a
+// result: a8d453a9148195aa
 
 struct Launch_std140_0
 {
@@ -4808,7 +4808,7 @@ fn choice_at_0( position_6 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
 
 fn limit_at_0( which_5 : u32) -> f32
 {
-    return primitives_0[word_0(u32(13)) + which_5];
+    return primitives_0[word_0(u32(15)) + which_5];
 }
 
 fn product_2( a_10 : u32,  b_7 : u32) -> vec2<u32>
@@ -7016,12 +7016,12 @@ fn emitted_0( emitter_8 : u32,  place_19 : Place_0,  direction_22 : vec3<f32>) -
 
 fn change_word_0( at_18 : u32) -> u32
 {
-    return input_0[u32(12) * launch_0.room_0 + at_18];
+    return input_0[launch_0.room_0 + at_18];
 }
 
 fn numbers_of_0( texture_7 : u32) -> u32
 {
-    return change_word_0(u32(5) + word_0(texture_7 + u32(12)));
+    return change_word_0(u32(6) + word_0(texture_7 + u32(12)));
 }
 
 fn add_to_sum_0( sum_6 : u32,  derivative_0 : f32)

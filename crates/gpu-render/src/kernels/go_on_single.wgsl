@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 062a046754b034e0
-// result: c12bda9b1d62f6fe
+// source: 414e701adb736cab
+// result: b30c00f64a26e01c
 
 struct Launch_std140_0
 {
@@ -947,7 +947,7 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
 
 fn limit_at_0( which_4 : u32) -> f32
 {
-    return primitives_0[word_0(u32(13)) + which_4];
+    return primitives_0[word_0(u32(15)) + which_4];
 }
 
 fn product_0( a_6 : u32,  b_4 : u32) -> vec2<u32>

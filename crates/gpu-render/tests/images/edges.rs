@@ -162,7 +162,7 @@ fn case(name: &'static str, things: impl IntoIterator<Item = String>) -> Case {
         moving: vec!["block"],
         velocity: Vec3::new(0.6, 0.3, -0.5),
         rotation: Vec3::zero(),
-        spp: 64,
+        spp: 32,
     }
 }
 

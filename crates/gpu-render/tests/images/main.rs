@@ -3,6 +3,7 @@
 
 mod agreement;
 mod beside;
+mod camera;
 mod camera_edges;
 mod derivatives;
 mod device;

@@ -57,7 +57,11 @@ fn with_sensor(mut tangent: Tangent) -> Tangent {
 }
 
 /// The processor's samples of the interior term, one of each pixel.
-fn on_processor(prepared: &PreparedScene, tangent: &Tangent, options: &GradientOptions) -> Image {
+pub fn on_processor(
+    prepared: &PreparedScene,
+    tangent: &Tangent,
+    options: &GradientOptions,
+) -> Image {
     let scene = prepared.scene();
     let boundaries = Boundaries::none(prepared.accel());
     let field = Field::new(prepared.accel(), &boundaries, Method::EDGES);

@@ -152,6 +152,16 @@ impl<R: Real> View<R> {
         self.axes
     }
 
+    /// Side of a pixel at depth 1.
+    pub fn pixel_size(&self) -> R {
+        R::constant(1.0) / self.focal
+    }
+
+    /// The film point of the view axis.
+    pub fn axis_point(&self) -> [R; 2] {
+        self.centre
+    }
+
     fn camera_from_world(&self, v: Vec3<R>) -> Vec3<R> {
         let [a, b, c] = self.rows;
         Vec3::new(a.dot(v), b.dot(v), c.dot(v))
@@ -269,11 +279,6 @@ impl View<f64> {
     /// Depths of the near and the far plane.
     pub fn clip(&self) -> [f64; 2] {
         self.clip
-    }
-
-    /// Side of a pixel at depth 1.
-    pub fn pixel_size(&self) -> f64 {
-        self.focal.recip()
     }
 }
 
