@@ -12,7 +12,6 @@ use crate::camera_records::sample_words;
 use crate::device_edges::{COLUMNS, DeviceEdges};
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
-use crate::fixed_point::COUNTS;
 use crate::part_size::PartSize;
 use crate::paths::{Followed, Paths};
 use crate::render_kernels::PathKernels;
@@ -101,13 +100,7 @@ impl DeviceScene<'_> {
             other => {
                 *other = None;
                 let (kernels, changes) = (task.kernels, task.changes);
-                other.insert(self.paths(
-                    kernels,
-                    [room, 0],
-                    changes,
-                    COUNTS + room,
-                    task.crossed,
-                )?)
+                other.insert(self.paths(kernels, [room, 0], changes, 0, task.crossed)?)
             }
         };
         let (count, beginning) = (samples.len(), sample_words(samples));

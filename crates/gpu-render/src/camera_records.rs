@@ -76,7 +76,8 @@ pub fn camera_changes(
 /// The samples that paths begin with, as the kernels read them: the seed, and pixel and number of
 /// the first one.
 pub fn sample_words(samples: &SampleRange) -> [u32; SAMPLE_WORDS] {
-    let seed = samples.sampler().independent_seed().unwrap_or_default();
+    let seed = samples.sampler().independent_seed();
+    let seed = seed.expect("other samplers are not supported");
     let [pixel, sample] = samples.pixel_and_sample(0);
     [seed as u32, (seed >> 32) as u32, pixel, sample]
 }

@@ -75,7 +75,7 @@ impl<'a> DeviceScene<'a> {
         match 8 * words as u64 > self.gpu.largest_buffer() {
             true => Err(Unsupported {
                 what: format!(
-                    "derivatives take {words} words, more than half of a buffer of {}",
+                    "derivatives, and those of the loss, take {words} words, more than half of a buffer of {}",
                     self.gpu.name()
                 ),
             }),
@@ -99,7 +99,7 @@ impl<'a> DeviceScene<'a> {
         kernels: &'static PathKernels,
         room_and_levels: [usize; 2],
         changes: &[u32],
-        results: usize,
+        sums: usize,
         edges: Option<&'p DeviceEdges>,
     ) -> Result<Paths<'p>, GpuError> {
         let mut scene = self.arrays.each_ref();
@@ -112,7 +112,7 @@ impl<'a> DeviceScene<'a> {
             kernels,
             room_and_levels,
             changes,
-            results,
+            sums,
             edges,
         )
     }

@@ -32,14 +32,17 @@ impl Paths<'_> {
         // Each launch samples one subtree at each vertex, so that no thread works for long.
         let subtrees = SUBTREES[usize::from(depth > 0)];
         let of_subtree = |subtree: usize| depth | subtree << DEPTH_BITS;
-        if edges.crosses.before_emitters(depth) {
-            self.write_list(list)?;
-            for subtree in 0..MORE_SUBTREES * subtrees {
-                if watch.should_stop() {
-                    return Ok(false);
-                }
-                self.launch(&kernels.cross_edges, list.len(), of_subtree(subtree))?;
+        let to_emitters = match &edges.crosses {
+            crosses if crosses.before_areas(depth) => MORE_SUBTREES * subtrees,
+            crosses if crosses.before_environment(depth) => subtrees,
+            _ => 0,
+        };
+        self.write_list(list)?;
+        for subtree in 0..to_emitters {
+            if watch.should_stop() {
+                return Ok(false);
             }
+            self.launch(&kernels.cross_edges, list.len(), of_subtree(subtree))?;
         }
         if !edges.crosses.before_surfaces(depth) {
             return Ok(true);

@@ -49,16 +49,22 @@ pub enum OfPoints<'a> {
 /// Between which vertices of paths and what there can be edges.
 #[derive(Clone, Copy, Debug)]
 pub struct Crosses {
-    /// Emitters, the environment among them.
-    emitters: bool,
+    /// Area emitters, and the environment.
+    areas: bool,
+    surroundings: bool,
     /// How long paths are.
     plan: Plan,
 }
 
 impl Crosses {
-    /// Whether light from emitters gets to a vertex of this number past edges.
-    pub fn before_emitters(&self, depth: usize) -> bool {
-        self.emitters && self.plan.reaches(depth as u32 + 2)
+    /// Whether light from area emitters gets to a vertex of this number past edges.
+    pub fn before_areas(&self, depth: usize) -> bool {
+        self.areas && self.plan.reaches(depth as u32 + 2)
+    }
+
+    /// Whether light from the environment does.
+    pub fn before_environment(&self, depth: usize) -> bool {
+        self.surroundings && self.plan.reaches(depth as u32 + 2)
     }
 
     /// Whether light that surfaces reflect does.
@@ -84,7 +90,8 @@ impl EdgeRecords {
             accel.scene.environment().is_some(),
         );
         let crosses = Crosses {
-            emitters: areas || surroundings,
+            areas,
+            surroundings,
             plan,
         };
         // What emits may end where textures do, or where another surface passes through it.
@@ -106,11 +113,11 @@ impl EdgeRecords {
         let needs_silhouettes = surroundings || areas && !emits_partly;
         let silhouettes = tree(
             EdgeSelection::Silhouettes,
-            crosses.before_emitters(0) && needs_silhouettes,
+            (crosses.before_areas(0) || crosses.before_environment(0)) && needs_silhouettes,
         );
         let all = tree(
             EdgeSelection::All,
-            crosses.before_surfaces(0) || crosses.before_emitters(0) && emits_partly,
+            crosses.before_surfaces(0) || crosses.before_areas(0) && emits_partly,
         );
         let before_emitters = u32::from(emits_partly);
         let windows =

@@ -49,12 +49,16 @@ impl<'a> Paths<'a> {
         kernels: &'static PathKernels,
         [room, levels]: [usize; 2],
         changes: &[u32],
-        results: usize,
+        sums: usize,
         edges: Option<&'a DeviceEdges>,
     ) -> Result<Self, GpuError> {
         // What tells the samples that paths begin with takes the place of the list.
         let room = room.max(SAMPLE_WORDS);
-        let results = results.max(COUNTS);
+        // Behind the counts of faults are sums, or the weights of samples.
+        let results = match kernels.keeps() {
+            true => sums.max(COUNTS),
+            false => COUNTS + room,
+        };
         let columns = columns(room, edges);
         let array = |words: usize| gpu.array(4 * words as u64);
         let mut words = vec![0; kernels.input * columns];

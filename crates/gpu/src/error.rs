@@ -84,8 +84,8 @@ pub enum GpuError {
     /// The driver ended loops early and went on, so all results would be wrong. Mesa's software device
     /// does so where a kernel has much to do.
     #[error(
-        "{adapter} ended the loops of {threads} threads before their end (Mesa's software device allows \
-         65,535 rounds for each): use the CPU, or a device with a driver of its own"
+        "{adapter} ended loops early, in {threads} threads or more (Mesa's software device allows all loops \
+         of eight threads 65,535 rounds together): use the CPU, or a GPU"
     )]
     CutShort {
         /// The adapter's name.

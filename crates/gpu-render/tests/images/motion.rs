@@ -214,7 +214,7 @@ fn derivatives_are_the_processors_in_both_modes() {
     }
 }
 
-/// More scenes for both modes: textures that jump, lamps of many edges, maps, cuts, glossy surfaces,
+/// More scenes for both modes: discontinuous textures, emitters of many edges, maps, cuts, glossy surfaces,
 /// cameras with a lens and filters that overlap.
 const IN_BOTH_MODES: [&str; 14] = [
     "parity/bitmap_ball.xml",

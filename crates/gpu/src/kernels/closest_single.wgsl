@@ -1,7 +1,7 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 39060f59ecb67397
-// result: bcad67c5966fb3d8
+// source: 4d0f77661657a545
+// result: f8219ca08943ea4c
 
 struct Launch_std140_0
 {
@@ -649,15 +649,22 @@ fn closest_on_edge_0( cone_3 : Cone_0,  at_4 : u32,  nearest_2 : ptr<function, N
     return _S45;
 }
 
+fn real_of_lane_0( value_2 : f32,  other_3 : u32) -> f32
+{
+    ;
+    var _S46 : f32 = subgroupShuffle(value_2, u32((((_S2 & (u32(4294967288)))) | (other_3))));
+    return _S46;
+}
+
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S46 : u32;
+    var _S47 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S47 : u32 = u32(2) + zero_0;
-        _S46 = _S47;
-        if(rounds_0 < _S47)
+        var _S48 : u32 = u32(2) + zero_0;
+        _S47 = _S48;
+        if(rounds_0 < _S48)
         {
         }
         else
@@ -666,19 +673,12 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S46;
+    return rounds_0 == _S47;
 }
 
 fn is_cut_short_0() -> bool
 {
     return !loops_end_0(((launch_0.end_0) >> (u32(31))));
-}
-
-fn real_of_lane_0( value_2 : f32,  other_3 : u32) -> f32
-{
-    ;
-    var _S48 : f32 = subgroupShuffle(value_2, u32((((_S2 & (u32(4294967288)))) | (other_3))));
-    return _S48;
 }
 
 @compute
@@ -801,19 +801,6 @@ fn closest(@builtin(global_invocation_id) thread_2 : vec3<u32>, @builtin(subgrou
         found_1 = found_0;
         best_0 = best_1;
     }
-    var is_cut_0 : bool = is_cut_short_0();
-    if(is_cut_0)
-    {
-        _S49 = _S54;
-    }
-    else
-    {
-        _S49 = false;
-    }
-    if(_S49)
-    {
-        answers_0[query_2] = u32(4294967294);
-    }
     found_0 = found_1;
     limit_6 = cone_4.limit_1;
     i_0 = u32(1);
@@ -867,6 +854,19 @@ fn closest(@builtin(global_invocation_id) thread_2 : vec3<u32>, @builtin(subgrou
             limit_6 = its_0;
         }
         i_0 = i_0 * u32(2);
+    }
+    var is_cut_0 : bool = is_cut_short_0();
+    if(is_cut_0)
+    {
+        _S49 = _S54;
+    }
+    else
+    {
+        _S49 = false;
+    }
+    if(_S49)
+    {
+        answers_0[query_2] = u32(4294967294);
     }
     if(is_cut_0)
     {

@@ -1,6 +1,6 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 39060f59ecb67397
+// source: 4d0f77661657a545
 // result: 68c3f0c2093c9859
 
 struct Launch_std140_0

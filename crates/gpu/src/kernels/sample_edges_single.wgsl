@@ -1,6 +1,6 @@
 // Compiled from sampled.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 777108d93857b294
+// source: b523b92d31fc77e2
 // result: ca7f3fe8db7683fd
 
 struct Launch_std140_0
