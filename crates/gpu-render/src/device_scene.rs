@@ -9,6 +9,7 @@ use capwalk_gpu::{DeviceArray, Gpu, GpuError, Precision};
 use capwalk_math::Real;
 use capwalk_render::{PreparedScene, SceneEval};
 
+use crate::camera_records::CameraRecords;
 use crate::device_edges::DeviceEdges;
 use crate::device_error::DeviceError;
 use crate::edge_records::{EdgeMotion, EdgeRecords};
@@ -124,7 +125,9 @@ impl<'a> DeviceScene<'a> {
         boundaries: &Boundaries,
         motion: &EdgeMotion,
     ) -> Result<DeviceEdges, GpuError> {
-        let numbers = exact_numbers(self.prepared.accel(), self.gpu.precision());
+        let accel = self.prepared.accel();
+        let camera = CameraRecords::new(accel, &self.frame);
+        let numbers = exact_numbers(accel, &camera, self.gpu.precision());
         let records = EdgeRecords::new(self.prepared, boundaries, eval, motion, &self.frame);
         let image = match only_diffuse(self.prepared.scene()) {
             true => &DIFFUSE_IMAGE,

@@ -37,7 +37,9 @@ impl Paths<'_> {
             crosses if crosses.before_environment(depth) => subtrees,
             _ => 0,
         };
-        self.write_list(list)?;
+        if to_emitters > 0 {
+            self.write_list(list)?;
+        }
         for subtree in 0..to_emitters {
             if watch.should_stop() {
                 return Ok(false);

@@ -42,7 +42,7 @@ pub enum Followed {
 
 impl<'a> Paths<'a> {
     /// Room for so many paths, of each of which so many vertices can be kept if the kernels keep any,
-    /// with these words that tell what changes, and with so many words of faults and sums or weights.
+    /// with these words that tell what changes, and with so many words of faults and sums if they do.
     pub fn new(
         gpu: &'a Gpu,
         scene: [&'a DeviceArray; 5],
@@ -231,7 +231,8 @@ impl<'a> Paths<'a> {
         // SAFETY: the arrays of a scene are those that its records were made with, which refer to
         // nothing behind their ends; what is behind the list refers to texels and pixels that the
         // records have, to edges that are there and to sums that there is room for; and the others
-        // have room for all paths, and for as many vertices of each as there are levels.
+        // have room for all paths, with their weights if they have no sums, and for as many vertices
+        // of each as there are levels.
         #[allow(unsafe_code)]
         unsafe {
             self.gpu.launch(kernel, arrays, count as u32, words)

@@ -114,7 +114,7 @@ impl SceneRecords {
             nodes: buffers.nodes,
             leaf_starts: buffers.leaf_starts,
             faces: buffers.faces,
-            primitives: exact_numbers(accel, precision),
+            primitives: exact_numbers(accel, &camera, precision),
             words,
             textures: textures.shown,
         }
@@ -123,14 +123,14 @@ impl SceneRecords {
 
 /// The corners of all triangles, in the order of the tree's leaves and in its coordinates, the
 /// numbers of the camera, and those of the tests.
-pub fn exact_numbers(accel: &Accel, precision: Precision) -> Vec<f64> {
+pub fn exact_numbers(accel: &Accel, camera: &CameraRecords, precision: Precision) -> Vec<f64> {
     let RayBuffers {
         frame, triangles, ..
     } = accel.rays().buffers();
     let corners = triangles.as_chunks::<3>().0.iter();
     let corners = corners.flat_map(|&p| frame.local_from_world(p.into()).to_array());
     let mut numbers: Vec<f64> = corners.collect();
-    numbers.extend(CameraRecords::new(accel, &frame).numbers);
+    numbers.extend(&camera.numbers);
     numbers.extend(match precision {
         Precision::Single => SINGLE_TESTS,
         Precision::Double => {
