@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: b7b415b56071dccf
-// result: 712d944e5729eaf5
+// source: 9bcd855fe055c0d5
+// result: 6c7a553aa1bef4a4
 
 struct Launch_std140_0
 {
@@ -2059,6 +2059,35 @@ fn add_0( number_of_path_3 : u32,  crossed_1 : Crossed_0,  at_12 : ShadingPoint_
     return;
 }
 
+fn loops_end_0( zero_0 : u32) -> bool
+{
+    var _S278 : u32;
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S279 : u32 = u32(2) + zero_0;
+        _S278 = _S279;
+        if(rounds_0 < _S279)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    return rounds_0 == _S278;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
+    {
+        var _S280 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
+    return;
+}
+
 @compute
 @workgroup_size(64, 1, 1)
 fn add_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
@@ -2069,9 +2098,9 @@ fn add_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         return;
     }
     var number_of_path_4 : u32 = input_0[listed_0];
-    var _S278 : vec3<f32> = vec3<f32>(0.0f);
+    var _S281 : vec3<f32> = vec3<f32>(0.0f);
     var side_1 : u32 = u32(0);
-    var sum_1 : vec3<f32> = _S278;
+    var sum_1 : vec3<f32> = _S281;
     for(;;)
     {
         if(side_1 < u32(2))
@@ -2085,45 +2114,46 @@ fn add_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         var which_11 : u32 = u32(17);
         var weight_0 : vec3<f32> = path_vector_2(number_1, &(which_11));
         which_11 = u32(1);
-        if((any((weight_0 != _S278))))
+        if((any((weight_0 != _S281))))
         {
-            var _S279 : vec3<f32> = path_vector_2(number_1, &(which_11));
-            sum_1 = sum_1 + weight_0 * _S279;
+            var _S282 : vec3<f32> = path_vector_2(number_1, &(which_11));
+            sum_1 = sum_1 + weight_0 * _S282;
         }
         side_1 = side_1 + u32(1);
     }
-    var crossed_2 : Crossed_0 = nothing_crossed_0(_S278);
+    var crossed_2 : Crossed_0 = nothing_crossed_0(_S281);
     var unused_0 : vec3<f32>;
     var path_13 : Path_0 = path_at_vertex_0(number_of_path_4, &(unused_0));
     var at_13 : ShadingPoint_0;
-    var _S280 : bool;
-    if((all((sum_1 == _S278))))
+    var _S283 : bool;
+    if((all((sum_1 == _S281))))
     {
-        _S280 = true;
+        _S283 = true;
     }
     else
     {
-        var _S281 : bool = shading_point_0(path_13, &(at_13));
-        _S280 = !_S281;
+        var _S284 : bool = shading_point_0(path_13, &(at_13));
+        _S283 = !_S284;
     }
-    if(_S280)
+    if(_S283)
     {
         return;
     }
     var first_6 : u32 = side_path_0(number_of_path_4, u32(0));
     var kept_2 : u32 = u32(20);
-    var _S282 : vec3<f32> = path_vector_2(first_6, &(kept_2));
-    var by_velocity_1 : vec3<f32> = _S282 * vec3<f32>((sum_1.x + sum_1.y + sum_1.z));
+    var _S285 : vec3<f32> = path_vector_2(first_6, &(kept_2));
+    var by_velocity_1 : vec3<f32> = _S285 * vec3<f32>((sum_1.x + sum_1.y + sum_1.z));
     var offset_1 : vec3<f32> = path_vector_2(first_6, &(kept_2));
-    var _S283 : u32 = kept_2;
-    var _S284 : u32 = kept_2 + u32(1);
-    kept_2 = _S284;
-    var t_2 : f32 = (bitcast<f32>((path_word_0(first_6, _S283))));
-    var _S285 : bool = turns_1(at_13.vertex_2);
-    var _S286 : u32 = path_word_0(first_6, _S284);
-    var _S287 : Pulled_0 = crossed_2.pulled_1;
-    edge_back_0(&(_S287), at_13.vertex_2, _S285, _S286, t_2, offset_1, by_velocity_1);
-    crossed_2.pulled_1 = _S287;
+    var _S286 : u32 = kept_2;
+    var _S287 : u32 = kept_2 + u32(1);
+    kept_2 = _S287;
+    var t_2 : f32 = (bitcast<f32>((path_word_0(first_6, _S286))));
+    var _S288 : bool = turns_1(at_13.vertex_2);
+    var _S289 : u32 = path_word_0(first_6, _S287);
+    var _S290 : Pulled_0 = crossed_2.pulled_1;
+    edge_back_0(&(_S290), at_13.vertex_2, _S288, _S289, t_2, offset_1, by_velocity_1);
+    crossed_2.pulled_1 = _S290;
     add_0(number_of_path_4, crossed_2, at_13, path_13.direction_1);
+    check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 56c53898d658ca22
-// result: 29a3284f6f00f53b
+// source: 67adabb97a98c706
+// result: 9e82cc74642bf8f3
 
 struct Launch_std140_0
 {
@@ -15,6 +15,8 @@ struct Launch_std140_0
 @binding(5) @group(0) var<storage, read> input_0 : array<u32>;
 
 @binding(6) @group(0) var<storage, read_write> paths_0 : array<u32>;
+
+@binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
 
 fn side_path_0( number_of_path_0 : u32,  side_0 : u32) -> u32
 {
@@ -90,6 +92,35 @@ fn add_0( number_of_path_1 : u32,  crossed_1 : Crossed_0)
     return;
 }
 
+fn loops_end_0( zero_0 : u32) -> bool
+{
+    var _S3 : u32;
+    var rounds_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S4 : u32 = u32(2) + zero_0;
+        _S3 = _S4;
+        if(rounds_0 < _S4)
+        {
+        }
+        else
+        {
+            break;
+        }
+        rounds_0 = rounds_0 + u32(1);
+    }
+    return rounds_0 == _S3;
+}
+
+fn check_loops_0()
+{
+    if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
+    {
+        var _S5 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+    }
+    return;
+}
+
 @compute
 @workgroup_size(64, 1, 1)
 fn add_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
@@ -100,9 +131,9 @@ fn add_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         return;
     }
     var number_of_path_2 : u32 = input_0[listed_0];
-    var _S3 : vec3<f32> = vec3<f32>(0.0f);
+    var _S6 : vec3<f32> = vec3<f32>(0.0f);
     var side_1 : u32 = u32(0);
-    var sum_0 : vec3<f32> = _S3;
+    var sum_0 : vec3<f32> = _S6;
     for(;;)
     {
         if(side_1 < u32(2))
@@ -116,15 +147,16 @@ fn add_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         var which_5 : u32 = u32(17);
         var weight_0 : vec3<f32> = path_vector_1(number_0, &(which_5));
         which_5 = u32(1);
-        if((any((weight_0 != _S3))))
+        if((any((weight_0 != _S6))))
         {
-            var _S4 : vec3<f32> = path_vector_1(number_0, &(which_5));
-            sum_0 = sum_0 + weight_0 * _S4;
+            var _S7 : vec3<f32> = path_vector_1(number_0, &(which_5));
+            sum_0 = sum_0 + weight_0 * _S7;
         }
         side_1 = side_1 + u32(1);
     }
-    var crossed_2 : Crossed_0 = nothing_crossed_0(_S3);
+    var crossed_2 : Crossed_0 = nothing_crossed_0(_S6);
     crossed_2.term_0 = sum_0;
     add_0(number_of_path_2, crossed_2);
+    check_loops_0();
     return;
 }

@@ -1,6 +1,6 @@
 // Compiled from hits.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 4fca0bffa854898e
+// source: 629b26486433c562
 // result: c2404eecb39c44e7
 
 struct Launch_std140_0

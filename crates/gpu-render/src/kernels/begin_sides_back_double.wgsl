@@ -1,6 +1,6 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: b7b415b56071dccf
+// source: 9bcd855fe055c0d5
 // result: 1f96f7d57ac1d7df
 
 struct Launch_std140_0

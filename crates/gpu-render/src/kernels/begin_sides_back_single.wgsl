@@ -1,6 +1,6 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: b7b415b56071dccf
+// source: 9bcd855fe055c0d5
 // result: c60f7c15b3c59606
 
 struct Launch_std140_0

@@ -1,6 +1,6 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 56c53898d658ca22
+// source: 67adabb97a98c706
 // result: 1c646692a4d9043d
 
 struct Launch_std140_0

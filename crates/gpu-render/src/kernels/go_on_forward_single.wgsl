@@ -1,6 +1,6 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: ab5e7d9a4bbedd99
+// source: 4a0557ebe7625f7d
 // result: 4a3717989c93715f
 
 struct Launch_std140_0

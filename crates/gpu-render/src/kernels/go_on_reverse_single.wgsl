@@ -1,6 +1,6 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 2504c2b6295e301a
+// source: 8cdd73aabff328b2
 // result: a8d453a9148195aa
 
 struct Launch_std140_0

@@ -1,6 +1,6 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 414e701adb736cab
+// source: f0235cc9f0ba7153
 // result: b30c00f64a26e01c
 
 struct Launch_std140_0
