@@ -30,6 +30,8 @@ ENTRIES = {
     "boundary_back": ["cross_edges_back", "begin_sides_back", "add_sides_back"],
     "reverse": ["begin_reverse", "go_on_reverse", "go_back"],
     "hits": ["begin_at_hits"],
+    "walk": ["walk"],
+    "walk_back": ["walk_back"],
 }
 # Where files are that sources include.
 SHARED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "crates", "gpu", "src", "kernels")

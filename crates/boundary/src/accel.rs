@@ -285,6 +285,11 @@ impl Accel {
         self.flat_events[self.shape_of(hit).0 as usize]
     }
 
+    /// True if a shape has perfectly specular reflections that keep images in shape.
+    pub fn is_flat_mirror(&self, shape: ShapeId) -> bool {
+        self.flat_events[shape.0 as usize].contains(Event::Reflect)
+    }
+
     /// The planes of all flat mirrors; `None` if there are too many to make images by each.
     pub fn mirror_planes(&self) -> Option<&MirrorPlanes> {
         let find = || {

@@ -51,6 +51,11 @@ impl Plane {
 }
 
 impl MirrorPlanes {
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.planes.len()
+    }
+
     /// True if a face lies in the plane of this number.
     pub(crate) fn has(&self, plane: u32, face: u32) -> bool {
         self.plane_of_face[face as usize] == plane

@@ -38,7 +38,7 @@ pub fn gradient(
     let wanted = Wanted::by(tangent);
     let missing = || {
         let scene = unsupported(prepared);
-        scene.or_else(|| unsupported_derivative(prepared, &wanted, &options.method))
+        scene.or_else(|| unsupported_derivative(prepared, &wanted, options))
     };
     found(prepared, device, missing, |scene| {
         scene.gradient(tangent, options, watch)
@@ -55,7 +55,7 @@ pub fn backward(
 ) -> Result<Found<Backward>, Error> {
     let missing = || {
         let scene = unsupported(prepared);
-        scene.or_else(|| unsupported_derivative(prepared, wanted, &options.method))
+        scene.or_else(|| unsupported_derivative(prepared, wanted, options))
     };
     found(prepared, device, missing, |scene| {
         scene.backward(adjoint, wanted, options, watch)

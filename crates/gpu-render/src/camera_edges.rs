@@ -18,11 +18,11 @@ use crate::device_scene::DeviceScene;
 use crate::lobe_records::only_diffuse;
 use crate::paths::Followed;
 use crate::render_kernels::{DIFFUSE_IMAGE_FROM_HITS, IMAGE_FROM_HITS, PathKernels};
-use crate::texture_records::{float, two_floats};
+use crate::texture_records::two_floats;
 use crate::unsupported::Unsupported;
 
 /// Words of a hit, as `hits.slang` reads them.
-const HIT_WORDS: usize = 10;
+const HIT_WORDS: usize = 13;
 
 /// The edges that the camera sees of a scene that moves.
 pub struct CameraEdges<'a> {
@@ -114,10 +114,14 @@ impl<'a> CameraEdges<'a> {
         });
         let (face, weights) = hit.map_or((NONE, [0.0; 2]), |hit| (hit.face, hit.barycentric));
         let [[v, v_rest], [w, w_rest]] = weights.map(two_floats);
-        let [x, y, z] = ray.direction.to_array().map(float);
+        let direction = ray.direction.to_array().map(two_floats);
+        let [[x, x_rest], [y, y_rest], [z, z_rest]] = direction;
         // The random numbers of the sample, on both sides: their noise cancels.
         let key = place.stream.independent_key().unwrap_or_default();
         let [low, high] = [key as u32, (key >> 32) as u32];
-        [face, v, v_rest, w, w_rest, x, y, z, low, high]
+        let rest = [x_rest, y_rest, z_rest];
+        [
+            face, v, v_rest, w, w_rest, x, y, z, rest[0], rest[1], rest[2], low, high,
+        ]
     }
 }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use capwalk_boundary::{Boundaries, Field, Viewpoint};
-use capwalk_diff::{Forward, GradientOptions, GradientWork, Method, Wanted};
+use capwalk_diff::{Forward, GradientOptions, GradientWork, Wanted};
 use capwalk_geometry::buffers::NONE;
 use capwalk_math::Vec3;
 use capwalk_render::tiles::SamplePlace;
@@ -14,12 +14,15 @@ use capwalk_scene::Tangent;
 use crate::averages::{MOST_PATHS, Task};
 use crate::camera_edges::CameraEdges;
 use crate::camera_records::camera_changes;
+use crate::change_words::{
+    BOUNDARIES_MOVE, CAMERA_CHANGE_AT, IS_BLIND, MOTION_AT, TEXTURE_CHANGES, WALKS,
+};
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
 use crate::edge_records::{EdgeMotion, OfPoints};
 use crate::render_kernels::FORWARD;
 use crate::texture_records::float;
-use crate::unsupported::unsupported_derivative;
+use crate::unsupported::{by_edges, unsupported_derivative};
 
 impl DeviceScene<'_> {
     /// The derivative of the image for a unit change along `tangent`, with the image, as
@@ -44,7 +47,7 @@ impl DeviceScene<'_> {
     ) -> Result<GradientImage, DeviceError> {
         GradientWork::new(self.prepared, Cow::Borrowed(tangent), *options).check()?;
         let wanted = Wanted::by(tangent);
-        if let Some(unsupported) = unsupported_derivative(self.prepared, &wanted, &options.method) {
+        if let Some(unsupported) = unsupported_derivative(self.prepared, &wanted, options) {
             return Err(unsupported.into());
         }
         self.check_precision(&wanted)?;
@@ -66,6 +69,19 @@ impl DeviceScene<'_> {
         self.interior_and(None, tangent, options, MOST_PATHS, watch)
     }
 
+    /// The derivative of the image where these are the boundaries. For tests: nothing is checked or
+    /// refused.
+    #[doc(hidden)]
+    pub fn gradient_among(
+        &self,
+        boundaries: &Boundaries,
+        tangent: &Tangent,
+        options: &GradientOptions,
+        watch: &dyn Watch,
+    ) -> Result<GradientImage, DeviceError> {
+        self.interior_and(Some(boundaries), tangent, options, MOST_PATHS, watch)
+    }
+
     /// The interior term and those of boundaries, if any are to be seen.
     fn interior_and(
         &self,
@@ -77,11 +93,8 @@ impl DeviceScene<'_> {
     ) -> Result<GradientImage, DeviceError> {
         let scene = self.prepared.scene();
         let none = self.prepared.boundaries_if(false);
-        let field = Field::new(
-            self.prepared.accel(),
-            boundaries.unwrap_or(none),
-            Method::EDGES,
-        );
+        let accel = self.prepared.accel();
+        let field = Field::new(accel, boundaries.unwrap_or(none), by_edges(&options.method));
         let eval = Forward::new(field, tangent);
         let eval = match options.blind {
             true => eval.blind(),
@@ -94,16 +107,16 @@ impl DeviceScene<'_> {
         };
         let has_edges = boundaries.is_some() && eval.moves();
         let crossed = boundaries.filter(|_| has_edges);
-        let crossed = crossed.map(|boundaries| self.edges(&eval, boundaries, &motion));
+        let facts = Arc::new(MotionFacts::of(scene));
+        let tracer = Tracer::moving(self.prepared, field, options.walk, &facts);
+        let crossed = crossed.map(|boundaries| self.edges(&eval, &tracer, boundaries, &motion));
         let crossed = crossed.transpose()?;
         let mut changes = self.changes(&eval, tangent);
-        changes[4] = options.blind.into();
+        changes[IS_BLIND] = options.blind.into();
         if let Some(edges) = &crossed {
             edges.append(&mut changes);
         }
         self.check_room_of_numbers(changes.len())?;
-        let facts = Arc::new(MotionFacts::of(scene));
-        let tracer = Tracer::moving(self.prepared, field, options.walk, &facts);
         let edges = CameraEdges::new(&tracer);
         let draw = |place: &SamplePlace| {
             let edge = tracer.camera_edge(&eval, place.pixel, &place.stream)?;
@@ -130,21 +143,21 @@ impl DeviceScene<'_> {
     fn changes(&self, eval: &Forward, tangent: &Tangent) -> Vec<u32> {
         let origin = Viewpoint::towards_surfaces(Vec3::zero(), Vec3::zero(), 0);
         let boundaries_move = !eval.is_still(&origin);
-        let first = 6;
-        let mut words = vec![NONE; first + self.textures.len()];
-        words[1] = boundaries_move.into();
+        let mut words = vec![NONE; TEXTURE_CHANGES + self.textures.len()];
+        words[BOUNDARIES_MOVE] = boundaries_move.into();
+        words[WALKS] = 0;
         for (number, shown) in self.textures.iter().enumerate() {
             if let Some(change) = &tangent.textures[shown.numbers.0 as usize] {
-                words[first + number] = words.len() as u32;
+                words[TEXTURE_CHANGES + number] = words.len() as u32;
                 words.extend(change.iter().map(|x| float(shown.scale * x)));
             }
         }
         let accel = self.prepared.accel();
         let sensor = accel.scene.sensor.moving_state(&tangent.sensor);
-        words[5] = words.len() as u32;
+        words[CAMERA_CHANGE_AT] = words.len() as u32;
         words.extend(camera_changes(accel, &sensor, &self.frame));
         if Wanted::by(tangent).moves() {
-            words[0] = words.len() as u32;
+            words[MOTION_AT] = words.len() as u32;
             words.extend(self.motion_records(eval));
         }
         words

@@ -2,12 +2,10 @@
 
 use capwalk_gpu::{DeviceArray, Gpu, GpuError};
 
+use crate::change_words::{EDGES_AT, WALKS};
 use crate::edge_records::{Crosses, EdgeRecords};
 use crate::render_kernels::PathKernels;
 use crate::upload::upload_numbers;
-
-/// Which of the words that tell what changes says where the edges are.
-const EDGES_AT: usize = 3;
 
 /// For each path there is room for two others, one on each side of an edge.
 pub const COLUMNS: usize = 3;
@@ -50,6 +48,7 @@ impl DeviceEdges {
     /// Appends the words of the edges to those that tell what changes, see `changes.slang`.
     pub fn append(&self, changes: &mut Vec<u32>) {
         changes[EDGES_AT] = changes.len() as u32;
+        changes[WALKS] = self.crosses.walks(0).into();
         changes.extend(&self.words);
     }
 }

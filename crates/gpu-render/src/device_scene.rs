@@ -7,7 +7,7 @@ use capwalk_diff::Wanted;
 use capwalk_geometry::LocalFrame;
 use capwalk_gpu::{DeviceArray, Gpu, GpuError, Precision};
 use capwalk_math::Real;
-use capwalk_render::{PreparedScene, SceneEval};
+use capwalk_render::{PreparedScene, SceneEval, Tracer};
 
 use crate::camera_records::CameraRecords;
 use crate::device_edges::DeviceEdges;
@@ -122,13 +122,14 @@ impl<'a> DeviceScene<'a> {
     pub(crate) fn edges<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
+        tracer: &Tracer,
         boundaries: &Boundaries,
         motion: &EdgeMotion,
     ) -> Result<DeviceEdges, GpuError> {
         let accel = self.prepared.accel();
         let camera = CameraRecords::new(accel, &self.frame);
         let numbers = exact_numbers(accel, &camera, self.gpu.precision());
-        let records = EdgeRecords::new(self.prepared, boundaries, eval, motion, &self.frame);
+        let records = EdgeRecords::new(tracer, boundaries, eval, motion, &self.frame);
         let image = match only_diffuse(self.prepared.scene()) {
             true => &DIFFUSE_IMAGE,
             false => &IMAGE,

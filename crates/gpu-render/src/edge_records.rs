@@ -1,17 +1,19 @@
-//! The edges of a scene that moves, as the kernels read them: `edge_tree.slang` says which word is what.
+//! The edges of a scene that moves, as the kernels read them: `edge_words.slang` says which word is what.
+
+use std::f64::consts::PI;
 
 use capwalk_boundary::{AreaEmitter, Boundaries, EdgeSampler, Extent, MANY_CORNERS, Motion};
 use capwalk_geometry::edge::ON_PLANE;
 use capwalk_geometry::sampler_buffers::{BOUNDS, EDGE, FACTORS, NONE, SamplerBuffers};
 use capwalk_geometry::{EdgeSelection, LocalFrame};
 use capwalk_math::{Real, Vec3};
-use capwalk_render::{Plan, PreparedScene, SceneEval};
+use capwalk_render::{Plan, SceneEval, Tracer};
 
 use crate::kept_edges::{KeptEdges, LEAF};
 use crate::texture_records::float;
 
 /// Words of the header.
-const HEADER: usize = 6;
+const HEADER: usize = 9;
 
 /// How far outside of a window an edge counts as inside, over its distance, and the angle between an
 /// edge and the rays beside it, as on the processor.
@@ -20,6 +22,15 @@ const BESIDE: f64 = 1e-10;
 
 /// The part of its radius by which a ball around an emitter is larger: more than rounding.
 const WIDER: f64 = 1e-6;
+
+/// The tangent of half an angle, which is given, as kernels compare angles: of half a turn and more it is
+/// as large as none.
+fn tangent_of(half: f64) -> f64 {
+    match half < 0.5 * PI {
+        true => half.tan(),
+        false => 1e9,
+    }
+}
 
 /// The edges of a scene along a direction that it moves in.
 pub struct EdgeRecords {
@@ -52,6 +63,8 @@ pub struct Crosses {
     /// Area emitters, and the environment.
     areas: bool,
     surroundings: bool,
+    /// Whether directions to surfaces that reflect light walk; else they stay, and there are edges.
+    walks: bool,
     /// How long paths are.
     plan: Plan,
 }
@@ -69,22 +82,27 @@ impl Crosses {
 
     /// Whether light that surfaces reflect does.
     pub fn before_surfaces(&self, depth: usize) -> bool {
-        self.plan.reaches(depth as u32 + 3)
+        !self.walks && self.plan.reaches(depth as u32 + 3)
+    }
+
+    /// Whether directions from there to surfaces walk.
+    pub fn walks(&self, depth: usize) -> bool {
+        self.walks && self.plan.reaches(depth as u32 + 3)
     }
 }
 
 impl EdgeRecords {
-    /// Those of the edges that a scene has, in the coordinates of the frame, with what is known of its
-    /// motion and what the kernels read of that.
+    /// Those of the edges that a tracer's scene has, in the coordinates of the frame, with what is known
+    /// of its motion and what the kernels read of that.
     pub fn new<R: Real, W: SceneEval<R>>(
-        prepared: &PreparedScene,
+        tracer: &Tracer,
         boundaries: &Boundaries,
         eval: &W,
         motion: &EdgeMotion,
         frame: &LocalFrame,
     ) -> Self {
-        let accel = prepared.accel();
-        let plan = Plan::new(prepared.scene());
+        let (accel, plan) = (tracer.accel, tracer.plan);
+        let walks = tracer.surface_walks();
         let (areas, surroundings) = (
             !boundaries.area_emitters.is_empty(),
             accel.scene.environment().is_some(),
@@ -92,14 +110,17 @@ impl EdgeRecords {
         let crosses = Crosses {
             areas,
             surroundings,
+            walks: walks.is_some(),
             plan,
         };
         // What emits may end where textures do, or where another surface passes through it.
         let emits_partly = areas && boundaries.crossings.iter().any(|crossing| crossing.emits);
         let away = frame.centre.map(f64::abs);
         let away = 2.0 * (away.x + away.y + away.z) * frame.inverse_scale;
+        let cap = walks.map_or(0.0, |walks| walks.settings.max_radius);
+        let [half, whole] = [0.5, 1.0].map(|part| tangent_of(part * cap));
         let mut records = Self {
-            numbers: vec![ON_PLANE, away, IN_PLANE, BESIDE],
+            numbers: vec![ON_PLANE, away, IN_PLANE, BESIDE, half, whole],
             words: vec![0; HEADER],
             crosses,
         };
@@ -117,7 +138,7 @@ impl EdgeRecords {
         );
         let all = tree(
             EdgeSelection::All,
-            crosses.before_surfaces(0) || crosses.before_areas(0) && emits_partly,
+            plan.reaches(3) || crosses.before_areas(0) && emits_partly,
         );
         let before_emitters = u32::from(emits_partly);
         let windows =
@@ -130,6 +151,9 @@ impl EdgeRecords {
             second[1],
             before_emitters,
             windows,
+            walks.map_or(0, |walks| walks.first_number),
+            walks.map_or(0, |walks| walks.numbers_per_vertex),
+            walks.map_or(0, |walks| walks.events),
         ];
         records.words[..HEADER].copy_from_slice(&header);
         records

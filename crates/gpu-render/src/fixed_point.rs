@@ -6,6 +6,7 @@ use capwalk_geometry::buffers::NONE;
 use capwalk_math::Vec3;
 use capwalk_scene::{Emitter, Gradient, Pattern, Scene};
 
+use crate::change_words::{BOUNDARIES_MOVE, IS_BLIND, MOTION_AT, TEXTURE_CHANGES, UNITS, WALKS};
 use crate::texture_records::Shown;
 
 /// Words before the sums (`faults.slang`): how many derivatives were too large, how many not finite,
@@ -163,11 +164,14 @@ impl<'a> Sums<'a> {
     pub fn changes(&self) -> Vec<u32> {
         let word = |first: Option<usize>| first.map_or(NONE, |first| first as u32);
         let moves = self.wanted.moves();
-        let units = 2_f32.powi(self.digits).to_bits();
-        let mut words = vec![NONE, self.wanted.geometry().into(), units, NONE, 1, NONE];
+        let mut words = vec![NONE; TEXTURE_CHANGES];
+        words[BOUNDARIES_MOVE] = self.wanted.geometry().into();
+        words[UNITS] = 2_f32.powi(self.digits).to_bits();
+        words[IS_BLIND] = 1;
+        words[WALKS] = 0;
         words.extend(self.textures.iter().map(|texture| word(texture.first)));
         if moves {
-            words[0] = words.len() as u32;
+            words[MOTION_AT] = words.len() as u32;
             for (shape, normals) in self.normals.iter().enumerate() {
                 let first = 3 * self.accel.first_vertex[shape] as usize;
                 let points = self.points.filter(|_| self.wanted.shapes[shape]);

@@ -32,6 +32,7 @@ mod averages;
 mod camera_back;
 mod camera_edges;
 mod camera_records;
+mod change_words;
 mod derivative_image;
 mod device_edges;
 mod device_error;

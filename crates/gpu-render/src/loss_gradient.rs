@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use capwalk_boundary::{Boundaries, Field, Sampler, pool};
-use capwalk_diff::{Backward, BackwardWork, GradientOptions, Method, Reverse, Wanted};
+use capwalk_diff::{Backward, BackwardWork, GradientOptions, Reverse, Wanted};
 use capwalk_gpu::GpuError;
 use capwalk_math::Tape;
 use capwalk_render::{MotionFacts, Plan, SampleRange, Statistics, Tracer, Watch, tiles};
@@ -11,6 +11,7 @@ use capwalk_scene::{Gradient, Image};
 
 use crate::camera_back::CameraBack;
 use crate::camera_records::sample_words;
+use crate::change_words::ADJOINT_AT;
 use crate::device_edges::{COLUMNS, DeviceEdges};
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
@@ -20,7 +21,7 @@ use crate::part_size::PartSize;
 use crate::paths::{Followed, Paths};
 use crate::render_kernels::REVERSE;
 use crate::texture_records::float;
-use crate::unsupported::{unsupported_derivative, unsupported_options};
+use crate::unsupported::{by_edges, unsupported_derivative, unsupported_options};
 
 /// Most samples that are on the device at a time: all their vertices are.
 const MOST_WITH_VERTICES: usize = 1 << 16;
@@ -31,10 +32,6 @@ const FEW_LEVELS: usize = 8;
 /// The first word of a path's derivatives with respect to the camera's ray (`BEYOND` of
 /// `reverse.slang`, less the light).
 const CAMERA_BACK: usize = 20;
-
-/// Which of the words that tell what is asked for says where the derivatives with respect to pixels
-/// are.
-const ADJOINT_AT: usize = 5;
 
 /// No sum on the device may have more derivatives than this, see `sums.slang`.
 const MOST_DERIVATIVES: usize = 1 << 24;
@@ -67,7 +64,7 @@ impl DeviceScene<'_> {
     ) -> Result<Backward, DeviceError> {
         BackwardWork::new(self.prepared, adjoint, wanted.clone(), *options).check()?;
         let sampling = options.sampling();
-        let unsupported = unsupported_derivative(self.prepared, wanted, &options.method);
+        let unsupported = unsupported_derivative(self.prepared, wanted, options);
         if let Some(unsupported) = unsupported.or_else(|| unsupported_options(&sampling)) {
             return Err(unsupported.into());
         }
@@ -99,7 +96,8 @@ impl DeviceScene<'_> {
     ) -> Result<Backward, DeviceError> {
         let accel = self.prepared.accel();
         let none = self.prepared.boundaries_if(false);
-        let field = Field::new(accel, boundaries.unwrap_or(none), Method::EDGES);
+        let method = by_edges(&options.method);
+        let field = Field::new(accel, boundaries.unwrap_or(none), method);
         let facts = Arc::new(MotionFacts::of(&accel.scene));
         let tracer = Tracer::moving(self.prepared, field, options.walk, &facts);
         let inverse_scale = self.frame.inverse_scale;
@@ -128,7 +126,7 @@ impl DeviceScene<'_> {
                 is_blind: true,
                 of_points: OfPoints::Sums(&of_point),
             };
-            self.edges(&eval, boundaries, &motion)
+            self.edges(&eval, &tracer, boundaries, &motion)
         });
         let crossed = crossed.transpose()?;
         let words = crossed.as_ref().map_or(0, DeviceEdges::words);

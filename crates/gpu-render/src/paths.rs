@@ -6,7 +6,7 @@ use capwalk_render::Watch;
 use crate::camera_records::SAMPLE_WORDS;
 use crate::device_edges::{COLUMNS, DeviceEdges};
 use crate::fixed_point::{COUNTS, CUT_SHORT};
-use crate::render_kernels::{GO_BACK, PathKernels};
+use crate::render_kernels::{GO_BACK, PathKernels, WALK, WALK_BACK};
 
 /// Room for so many paths in a scene.
 #[derive(Debug)]
@@ -117,6 +117,9 @@ impl<'a> Paths<'a> {
                 return Ok(Followed::Stopped);
             }
             self.write_list(&list)?;
+            if !self.keeps_vertices() {
+                self.walk(&WALK, list.len(), lists.len())?;
+            }
             self.launch(&self.kernels.go_on, list.len(), lists.len())?;
             let next = self.listed(list.len())?;
             if !cross(true)? {
@@ -162,6 +165,7 @@ impl<'a> Paths<'a> {
             }
             self.write_list(list)?;
             self.launch(&GO_BACK, list.len(), depth)?;
+            self.walk(&WALK_BACK, list.len(), depth)?;
         }
         self.check_loops()?;
         Ok(true)
@@ -194,6 +198,15 @@ impl<'a> Paths<'a> {
         self.gpu
             .read(&self.results, bytemuck::cast_slice_mut(&mut words))?;
         Ok(words)
+    }
+
+    /// Walks at the vertices, of this number, that so many listed paths are at, if directions to surfaces
+    /// walk there.
+    fn walk(&self, kernel: &CompiledKernel, count: usize, depth: usize) -> Result<(), GpuError> {
+        if !self.edges.is_some_and(|edges| edges.crosses.walks(depth)) {
+            return Ok(());
+        }
+        self.launch(kernel, count, depth)
     }
 
     /// True if the vertices of paths are kept.

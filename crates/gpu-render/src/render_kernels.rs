@@ -1,5 +1,5 @@
 //! The kernels as `cargo xtask kernels` compiled them from `kernels/render.slang`,
-//! `kernels/hits.slang`, `kernels/forward.slang`, `kernels/boundary.slang` and
+//! `kernels/hits.slang`, `kernels/forward.slang`, `kernels/boundary.slang`, `kernels/walk.slang` and
 //! `kernels/reverse.slang`.
 
 use capwalk_gpu::CompiledKernel;
@@ -53,7 +53,7 @@ pub const IMAGE: PathKernels = PathKernels {
     begin: compiled!("begin_paths"),
     go_on: compiled!("go_on"),
     input: 1,
-    path: 17,
+    path: 20,
     vertex: 0,
 };
 
@@ -66,7 +66,7 @@ pub const DIFFUSE_IMAGE: PathKernels = PathKernels {
 /// Images of paths that begin at what a camera's ray hits.
 pub const IMAGE_FROM_HITS: PathKernels = PathKernels {
     begin: compiled!("begin_at_hits"),
-    input: 10,
+    input: 13,
     ..IMAGE
 };
 
@@ -81,7 +81,7 @@ pub const FORWARD: PathKernels = PathKernels {
     begin: compiled!("begin_forward"),
     go_on: compiled!("go_on_forward"),
     input: 1,
-    path: 29,
+    path: 33,
     vertex: 0,
 };
 
@@ -122,6 +122,12 @@ pub const BOUNDARY_BACK: BoundaryKernels = BoundaryKernels {
     add_sides: compiled!("add_sides_back"),
 };
 
+/// Walks at the vertices that paths are at, before they go further, in forward mode.
+pub const WALK: CompiledKernel = compiled!("walk");
+
+/// Takes back what directions that have walked change, behind the vertices of a list, in reverse mode.
+pub const WALK_BACK: CompiledKernel = compiled!("walk_back");
+
 #[cfg(test)]
 mod tests {
     use capwalk_gpu::RAYS_SOURCE;
@@ -135,6 +141,10 @@ mod tests {
             let mut source = source.to_owned();
             for (name, content) in [
                 ("boundary", include_str!("kernels/boundary.slang")),
+                ("walk", include_str!("kernels/walk.slang")),
+                ("nearest_edge", include_str!("kernels/nearest_edge.slang")),
+                ("field", include_str!("kernels/field.slang")),
+                ("edge_words", include_str!("kernels/edge_words.slang")),
                 ("render", include_str!("kernels/render.slang")),
                 ("vertex_motion", include_str!("kernels/vertex_motion.slang")),
                 ("edge_tree", include_str!("kernels/edge_tree.slang")),
@@ -148,6 +158,7 @@ mod tests {
                 ("changes", include_str!("kernels/changes.slang")),
                 ("surfaces", include_str!("kernels/surfaces.slang")),
                 ("motion", include_str!("kernels/motion.slang")),
+                ("mirrors", include_str!("kernels/mirrors.slang")),
                 ("camera", include_str!("kernels/camera.slang")),
                 ("colours", include_str!("kernels/colours.slang")),
                 ("fresnel", include_str!("kernels/fresnel.slang")),
@@ -183,6 +194,8 @@ mod tests {
             (include_str!("kernels/forward.slang"), &forward[..]),
             (include_str!("kernels/reverse.slang"), &reverse[..]),
             (include_str!("kernels/boundary.slang"), &boundary[..]),
+            (include_str!("kernels/walk.slang"), &[WALK]),
+            (include_str!("kernels/walk_back.slang"), &[WALK_BACK]),
             (
                 include_str!("kernels/boundary_back.slang"),
                 &boundary_back[..],

@@ -150,7 +150,7 @@ fn append(array: &[u32], words: &mut Vec<u32>) -> u32 {
 }
 
 /// Words of the record of a shape.
-const SHAPE_RECORD: usize = 6;
+const SHAPE_RECORD: usize = 7;
 
 /// The record of a shape; what it refers to is appended.
 fn shape_record(
@@ -178,7 +178,8 @@ fn shape_record(
     let [front, back] =
         [true, false].map(|is_front| add_lobe(accel, shape, is_front, textures, words));
     let emitter = shape.emitter.map_or(NONE, |emitter| emitter.0);
-    [normals, uvs, front, back, emitter, tangents]
+    let is_mirror = accel.is_flat_mirror(id).into();
+    [normals, uvs, front, back, emitter, tangents, is_mirror]
 }
 
 /// A unit vector along the first texture coordinate on each face; zero without usable ones.

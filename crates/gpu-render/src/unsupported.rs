@@ -1,11 +1,12 @@
 //! What the device's renderer does not have.
 
-use capwalk_boundary::may_be_specular;
-use capwalk_diff::{Gathers, Method, Wanted};
-use capwalk_render::{PreparedScene, RenderOptions};
+use capwalk_boundary::{MAX_EVENTS, may_be_specular};
+use capwalk_diff::{Gathers, GradientOptions, Method, Wanted};
+use capwalk_render::{Plan, PreparedScene, RenderOptions};
 use capwalk_scene::{
-    Bsdf, BsdfId, Emitter, Integrator, Quantity, SamplerKind, Scene, Slot, TextureId,
+    Bsdf, BsdfId, Emitter, Integrator, Quantity, SamplerKind, Scene, ShapeId, Slot, TextureId,
 };
+use capwalk_walk::Estimator;
 
 /// Something of a scene or of options that the device's renderer does not have.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -33,18 +34,28 @@ pub fn unsupported_options(options: &RenderOptions) -> Option<Unsupported> {
 
 /// The first thing of a derivative that the device's renderer does not have, by a method. It has those
 /// with respect to the numbers of materials, but for rough coats, to what emitters send, and by edges to
-/// what moves, unless rays are parallel, something is perfectly specular, or the film alone changes.
+/// what moves, unless rays are parallel, a mirror is curved or may show another one many times, or the film
+/// alone changes. Directions towards surfaces walk where edges there cannot be gathered or are not to be.
 pub fn unsupported_derivative(
     prepared: &PreparedScene,
     wanted: &Wanted,
-    method: &Method,
+    options: &GradientOptions,
 ) -> Option<Unsupported> {
-    let in_motion = || in_motion(prepared, wanted, method);
+    let in_motion = || in_motion(prepared, wanted, options);
     let what = wanted.moves().then(in_motion).flatten();
     let what = what.or_else(|| other_number(prepared.scene(), wanted))?;
     Some(Unsupported {
         what: format!("{what}, and derivatives with respect to that are asked for"),
     })
+}
+
+/// The method by which the device takes boundary terms: by edges, wherever that can be done and no other
+/// one is asked for.
+pub fn by_edges(method: &Method) -> Method {
+    match method {
+        Method::Edges(_) => *method,
+        _ => Method::EDGES,
+    }
 }
 
 /// The first thing that moves.
@@ -58,19 +69,32 @@ fn what_moves(scene: &Scene, wanted: &Wanted) -> String {
 }
 
 /// The first thing that the kernels do not have where something moves.
-fn in_motion(prepared: &PreparedScene, wanted: &Wanted, method: &Method) -> Option<String> {
-    let scene = prepared.scene();
-    let view = &prepared.accel().view;
+fn in_motion(
+    prepared: &PreparedScene,
+    wanted: &Wanted,
+    options: &GradientOptions,
+) -> Option<String> {
+    let (scene, accel) = (prepared.scene(), prepared.accel());
+    let view = &accel.view;
     let parallel = view
         .is_parallel()
         .then(|| "the sensor's rays are parallel".to_owned());
-    let specular = || {
-        let mut shapes = scene.shapes.iter();
-        let shape = shapes.find(|shape| may_be_specular(scene, shape.bsdf))?;
+    // No field has the edges that are seen there.
+    let curved = || {
+        let mut shapes = (0..).zip(&scene.shapes);
+        let (_, shape) = shapes.find(|&(i, shape)| {
+            may_be_specular(scene, shape.bsdf) && !accel.is_flat_mirror(ShapeId(i))
+        })?;
         let id = &shape.id;
-        Some(format!(
-            "the material of shape \"{id}\" is perfectly specular"
-        ))
+        Some(format!("shape \"{id}\" is a curved mirror"))
+    };
+    let repeated = || {
+        let Some(planes) = accel.mirror_planes() else {
+            return Some("there are too many flat mirrors".to_owned());
+        };
+        let is_long = Plan::new(scene).reaches(MAX_EVENTS + 2);
+        let what = format!("mirrors may show each other more than {MAX_EVENTS} times");
+        (planes.count() > 1 && is_long).then_some(what)
     };
     // There the film moves under rays that stay, and its points with it.
     let film = || {
@@ -78,16 +102,29 @@ fn in_motion(prepared: &PreparedScene, wanted: &Wanted, method: &Method) -> Opti
         is_alone.then(|| "the field of view or the focus distance changes alone".to_owned())
     };
     let walks = || {
-        let along = |gathers: Gathers| Gathers::ALL.without(gathers).is_nowhere();
-        let is_by_edges = match method {
+        let elsewhere = Gathers {
+            indirect: false,
+            ..Gathers::ALL
+        };
+        let has_them = match options.method {
             Method::Auto => true,
-            Method::Edges(gathers) => along(*gathers) && gathers.points == Gathers::POINTS,
+            Method::Edges(gathers) => {
+                elsewhere.without(gathers).is_nowhere() && gathers.points == Gathers::POINTS
+            }
             _ => false,
         };
-        let what = "directions are to walk, or other numbers of points are asked for";
-        (!is_by_edges).then(|| what.to_owned())
+        let what = "directions are to walk elsewhere than to surfaces that reflect light, or other \
+                    numbers of points are asked for";
+        (!has_them).then(|| what.to_owned())
     };
-    let what = parallel.or_else(specular).or_else(film).or_else(walks)?;
+    let steps = || {
+        let walk = options.walk;
+        let is_usual = walk.steps == 1 && walk.estimator == Estimator::Anchored;
+        let what = "walks are not of one anchored step";
+        (!is_usual || walk.antithetic).then(|| what.to_owned())
+    };
+    let what = parallel.or_else(curved).or_else(repeated).or_else(film);
+    let what = what.or_else(walks).or_else(steps)?;
     Some(format!("{what}, {}", what_moves(scene, wanted)))
 }
 

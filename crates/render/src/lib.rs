@@ -69,6 +69,6 @@ pub use sample_range::SampleRange;
 pub use scene_eval::{Primal, SceneEval, Warped, vertex_normal};
 pub use surroundings::Surroundings;
 pub use tiles::PixelSums;
-pub use tracer::{LeavesOut, Moving, Tracer, Walks};
+pub use tracer::{LeavesOut, Moving, SurfaceWalks, Tracer, Walks};
 pub use triangle_sampler::TriangleSampler;
 pub use vertex::Vertex;

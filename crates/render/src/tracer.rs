@@ -42,6 +42,21 @@ pub struct Moving<'a> {
     pub walks: Walks,
 }
 
+/// The walks around surface points for directions towards other surfaces, for devices that walk
+/// themselves.
+#[derive(Clone, Copy, Debug)]
+pub struct SurfaceWalks {
+    /// How they walk.
+    pub settings: WalkSettings,
+    /// The first random number at the vertex that the camera sees.
+    pub first_number: u32,
+    /// How many there are from one vertex to the next.
+    pub numbers_per_vertex: u32,
+    /// The most specular events behind which edges count there; at later vertices fewer if paths
+    /// are short ([`Plan::events_behind`]).
+    pub events: u32,
+}
+
 /// Light that a tracer leaves out: what arrives by specular events behind which silhouettes are
 /// in no field. The rest is an image of its own, whose derivative is complete.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -163,6 +178,19 @@ impl<'a> Tracer<'a> {
             && (self.has_area_emitters() && !gathers.emitters
                 || self.has_environment() && !gathers.environment
                 || self.plan.reaches(3) && !gathers.indirect)
+    }
+
+    /// The walks towards surfaces, if directions to them move along fields.
+    pub fn surface_walks(&self) -> Option<SurfaceWalks> {
+        let settings = self.moving.as_ref()?.walks.surface;
+        let first = |depth| self.emitter_edge_number(depth) + 1 + settings.dimensions();
+        let walks = self.plan.reaches(3) && !self.gathers.indirect;
+        walks.then(|| SurfaceWalks {
+            settings,
+            first_number: first(0),
+            numbers_per_vertex: first(1) - first(0),
+            events: self.events_behind(1),
+        })
     }
 
     /// A sampler of edges, and the motions of its nodes.

@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 9bcd855fe055c0d5
-// result: 6c7a553aa1bef4a4
+// source: 323b12c7d8756753
+// result: 49f1f89c718cad7d
 
 struct Launch_std140_0
 {
@@ -850,7 +850,7 @@ fn triangle_record_0( triangle_2 : u32) -> u32
 
 fn shape_of_0( triangle_3 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_3));
+    return word_0(u32(10)) + u32(7) * word_0(triangle_record_0(triangle_3));
 }
 
 fn primitive_vector_0( at_2 : u32) -> vec3<f32>
@@ -1705,7 +1705,7 @@ fn slot_derivative_0( numbers_4 : Numbers_0,  slot_2 : u32) -> vec3<f32>
 
 fn numbers_of_0( texture_6 : u32) -> u32
 {
-    return change_word_0(u32(6) + word_0(texture_6 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_6 + u32(12)));
 }
 
 fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
@@ -2111,7 +2111,7 @@ fn add_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
             break;
         }
         var number_1 : u32 = side_path_0(number_of_path_4, side_1);
-        var which_11 : u32 = u32(17);
+        var which_11 : u32 = u32(20);
         var weight_0 : vec3<f32> = path_vector_2(number_1, &(which_11));
         which_11 = u32(1);
         if((any((weight_0 != _S281))))
@@ -2140,7 +2140,7 @@ fn add_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         return;
     }
     var first_6 : u32 = side_path_0(number_of_path_4, u32(0));
-    var kept_2 : u32 = u32(20);
+    var kept_2 : u32 = u32(23);
     var _S285 : vec3<f32> = path_vector_2(first_6, &(kept_2));
     var by_velocity_1 : vec3<f32> = _S285 * vec3<f32>((sum_1.x + sum_1.y + sum_1.z));
     var offset_1 : vec3<f32> = path_vector_2(first_6, &(kept_2));

@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 67adabb97a98c706
-// result: 9e82cc74642bf8f3
+// source: ce6a4dad891818ea
+// result: 5a7023c39d37c749
 
 struct Launch_std140_0
 {
@@ -144,7 +144,7 @@ fn add_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
             break;
         }
         var number_0 : u32 = side_path_0(number_of_path_2, side_1);
-        var which_5 : u32 = u32(17);
+        var which_5 : u32 = u32(20);
         var weight_0 : vec3<f32> = path_vector_1(number_0, &(which_5));
         which_5 = u32(1);
         if((any((weight_0 != _S6))))

@@ -1,7 +1,7 @@
 // Compiled from hits.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 629b26486433c562
-// result: c2404eecb39c44e7
+// source: 30eb3b18c9c8d527
+// result: a81579aa3c5b5c17
 
 struct Launch_std140_0
 {
@@ -77,7 +77,7 @@ fn triangle_record_0( triangle_3 : u32) -> u32
 
 fn shape_of_0( triangle_4 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_4));
+    return word_0(u32(10)) + u32(7) * word_0(triangle_record_0(triangle_4));
 }
 
 fn primitive_vector_0( at_1 : u32) -> vec3<f32>
@@ -416,15 +416,9 @@ fn angle_of_0( x_2 : f32,  y_1 : f32) -> f32
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
-    else
-    {
-    }
     if(x_2 < 0.0f)
     {
         angle_1 = 3.14159274101257324f - angle_1;
-    }
-    else
-    {
     }
     if(y_1 < 0.0f)
     {
@@ -504,20 +498,39 @@ fn set_vector_0( path_1 : u32,  which_1 : ptr<function, u32>,  value_6 : vec3<f3
     return;
 }
 
-fn set_changing_0( path_2 : u32,  which_2 : ptr<function, u32>,  vector_1 : vec3<f32>)
+fn set_vector_1( path_2 : u32,  which_2 : ptr<function, u32>,  value_7 : vec3<f32>)
 {
-    set_vector_0(path_2, &((*which_2)), value_of_0(vector_1));
+    var axis_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_1 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_2, (*which_2) + axis_1, (bitcast<u32>((value_7[axis_1]))));
+        axis_1 = axis_1 + u32(1);
+    }
+    (*which_2) = (*which_2) + u32(3);
     return;
 }
 
-fn set_place_0( path_3 : u32,  which_3 : ptr<function, u32>,  place_7 : Place_0)
+fn set_changing_0( path_3 : u32,  which_3 : ptr<function, u32>,  vector_1 : vec3<f32>)
 {
-    set_word_0(path_3, (*which_3), place_7.triangle_0);
-    set_word_0(path_3, (*which_3) + u32(1), (bitcast<u32>((place_7.v_0))));
-    set_word_0(path_3, (*which_3) + u32(2), (bitcast<u32>((place_7.w_0))));
-    set_word_0(path_3, (*which_3) + u32(3), (bitcast<u32>((place_7.v_rest_0))));
-    set_word_0(path_3, (*which_3) + u32(4), (bitcast<u32>((place_7.w_rest_0))));
-    (*which_3) = (*which_3) + u32(5);
+    set_vector_1(path_3, &((*which_3)), value_of_0(vector_1));
+    return;
+}
+
+fn set_place_0( path_4 : u32,  which_4 : ptr<function, u32>,  place_7 : Place_0)
+{
+    set_word_0(path_4, (*which_4), place_7.triangle_0);
+    set_word_0(path_4, (*which_4) + u32(1), (bitcast<u32>((place_7.v_0))));
+    set_word_0(path_4, (*which_4) + u32(2), (bitcast<u32>((place_7.w_0))));
+    set_word_0(path_4, (*which_4) + u32(3), (bitcast<u32>((place_7.v_rest_0))));
+    set_word_0(path_4, (*which_4) + u32(4), (bitcast<u32>((place_7.w_rest_0))));
+    (*which_4) = (*which_4) + u32(5);
     return;
 }
 
@@ -527,18 +540,22 @@ struct Path_0
      direction_4 : vec3<f32>,
      place_8 : Place_0,
      key_0 : vec2<u32>,
+     direction_rest_0 : vec3<f32>,
      light_0 : vec3<f32>,
 };
 
-fn store_0( number_of_path_0 : u32,  path_4 : Path_0)
+fn store_0( number_of_path_0 : u32,  path_5 : Path_0)
 {
     var at_7 : u32 = u32(1);
-    set_changing_0(number_of_path_0, &(at_7), path_4.light_0);
-    set_changing_0(number_of_path_0, &(at_7), path_4.throughput_0);
-    set_changing_0(number_of_path_0, &(at_7), path_4.direction_4);
-    set_place_0(number_of_path_0, &(at_7), path_4.place_8);
-    set_word_0(number_of_path_0, at_7, path_4.key_0.x);
-    set_word_0(number_of_path_0, at_7 + u32(1), path_4.key_0.y);
+    set_changing_0(number_of_path_0, &(at_7), path_5.light_0);
+    set_changing_0(number_of_path_0, &(at_7), path_5.throughput_0);
+    set_changing_0(number_of_path_0, &(at_7), path_5.direction_4);
+    set_place_0(number_of_path_0, &(at_7), path_5.place_8);
+    var _S33 : u32 = at_7 + u32(1);
+    set_word_0(number_of_path_0, at_7, path_5.key_0.x);
+    at_7 = _S33 + u32(1);
+    set_word_0(number_of_path_0, _S33, path_5.key_0.y);
+    set_vector_0(number_of_path_0, &(at_7), path_5.direction_rest_0);
     return;
 }
 
@@ -549,13 +566,13 @@ fn reaches_0( segments_0 : u32) -> bool
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S33 : u32;
+    var _S34 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S34 : u32 = u32(2) + zero_0;
-        _S33 = _S34;
-        if(rounds_0 < _S34)
+        var _S35 : u32 = u32(2) + zero_0;
+        _S34 = _S35;
+        if(rounds_0 < _S35)
         {
         }
         else
@@ -564,14 +581,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S33;
+    return rounds_0 == _S34;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S35 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S36 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -585,62 +602,63 @@ fn begin_at_hits(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     {
         return;
     }
-    var at_8 : u32 = u32(10) * number_of_path_1;
+    var at_8 : u32 = u32(13) * number_of_path_1;
     var found_2 : Found_0;
-    var _S36 : u32 = input_0[at_8];
-    found_2.face_0 = _S36;
-    var _S37 : u32;
-    if(_S36 == u32(4294967295))
+    var _S37 : u32 = input_0[at_8];
+    found_2.face_0 = _S37;
+    var _S38 : u32;
+    if(_S37 == u32(4294967295))
     {
-        _S37 = u32(0);
+        _S38 = u32(0);
     }
     else
     {
-        _S37 = word_0(word_0(u32(12)) + found_2.face_0);
+        _S38 = word_0(word_0(u32(12)) + found_2.face_0);
     }
-    found_2.triangle_2 = _S37;
+    found_2.triangle_2 = _S38;
     found_2.v_2 = (bitcast<f32>((input_0[at_8 + u32(1)]))) + (bitcast<f32>((input_0[at_8 + u32(2)])));
     found_2.w_2 = (bitcast<f32>((input_0[at_8 + u32(3)]))) + (bitcast<f32>((input_0[at_8 + u32(4)])));
-    var path_5 : Path_0;
-    path_5.place_8 = place_of_0(found_2);
-    var _S38 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_8 + u32(5)], input_0[at_8 + u32(6)], input_0[at_8 + u32(7)]))));
-    path_5.direction_4 = _S38;
-    path_5.key_0 = vec2<u32>(input_0[at_8 + u32(8)], input_0[at_8 + u32(9)]);
-    path_5.throughput_0 = still_0(vec3<f32>(1.0f));
-    path_5.light_0 = still_0(vec3<f32>(0.0f));
-    var emitter_3 : u32 = emitter_seen_0(found_2, _S38);
-    var _S39 : bool;
+    var path_6 : Path_0;
+    path_6.place_8 = place_of_0(found_2);
+    var _S39 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_8 + u32(5)], input_0[at_8 + u32(6)], input_0[at_8 + u32(7)]))));
+    path_6.direction_4 = _S39;
+    path_6.direction_rest_0 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_8 + u32(8)], input_0[at_8 + u32(9)], input_0[at_8 + u32(10)]))));
+    path_6.key_0 = vec2<u32>(input_0[at_8 + u32(11)], input_0[at_8 + u32(12)]);
+    path_6.throughput_0 = still_0(vec3<f32>(1.0f));
+    path_6.light_0 = still_0(vec3<f32>(0.0f));
+    var emitter_3 : u32 = emitter_seen_0(found_2, _S39);
+    var _S40 : bool;
     if(emitter_3 != u32(4294967295))
     {
-        _S39 = (word_0(u32(4))) != u32(0);
+        _S40 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S39 = false;
+        _S40 = false;
     }
-    if(_S39)
+    if(_S40)
     {
-        var _S40 : vec3<f32> = emitted_0(emitter_3, path_5.place_8, path_5.direction_4);
-        path_5.light_0 = _S40;
+        var _S41 : vec3<f32> = emitted_0(emitter_3, path_6.place_8, path_6.direction_4);
+        path_6.light_0 = _S41;
     }
-    store_0(number_of_path_1, path_5);
+    store_0(number_of_path_1, path_6);
     if((found_2.face_0) != u32(4294967295))
     {
-        _S39 = reaches_0(u32(2));
+        _S40 = reaches_0(u32(2));
     }
     else
     {
-        _S39 = false;
+        _S40 = false;
     }
-    if(_S39)
+    if(_S40)
     {
-        _S37 = number_of_path_1;
+        _S38 = number_of_path_1;
     }
     else
     {
-        _S37 = u32(4294967295);
+        _S38 = u32(4294967295);
     }
-    set_word_0(number_of_path_1, u32(0), _S37);
+    set_word_0(number_of_path_1, u32(0), _S38);
     check_loops_0();
     return;
 }

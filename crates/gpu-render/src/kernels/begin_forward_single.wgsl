@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 4a0557ebe7625f7d
-// result: 8e7db8d09c7d48f9
+// source: 2e5817b098334c42
+// result: 3590136c6443594d
 
 struct Launch_std140_0
 {
@@ -525,6 +525,69 @@ fn still_0( value_2 : vec3<f32>) -> Vector_0
     return changing_0(value_2, vec3<f32>(0.0f));
 }
 
+struct Ray_0
+{
+     origin_0 : vec3<f32>,
+     shear_x_0 : f32,
+     shear_y_0 : f32,
+     inverse_z_0 : f32,
+     t_min_0 : f32,
+     t_max_0 : f32,
+     local_per_t_0 : f32,
+     enter_1 : f32,
+     edge_on_0 : f32,
+     largest_0 : f32,
+};
+
+fn ray_along_0( origin_1 : vec3<f32>,  direction_1 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  axes_0 : ptr<function, u32>) -> Ray_0
+{
+    var size_3 : vec3<f32> = abs(direction_1);
+    var _S37 : f32 = size_3.x;
+    var _S38 : f32 = size_3.y;
+    var _S39 : bool;
+    if(_S37 >= _S38)
+    {
+        _S39 = _S37 >= (size_3.z);
+    }
+    else
+    {
+        _S39 = false;
+    }
+    var _S40 : i32;
+    if(_S39)
+    {
+        _S40 = i32(0);
+    }
+    else
+    {
+        if(_S38 >= (size_3.z))
+        {
+            _S40 = i32(1);
+        }
+        else
+        {
+            _S40 = i32(2);
+        }
+    }
+    var z_1 : u32 = u32(_S40);
+    var x_8 : u32 = (z_1 + u32(1)) % u32(3);
+    var y_2 : u32 = (z_1 + u32(2)) % u32(3);
+    (*axes_0) = (((x_8 | (((y_2 << (u32(2))))))) | (((z_1 << (u32(4))))));
+    var ray_1 : Ray_0;
+    ray_1.origin_0 = origin_1;
+    var along_0 : f32 = component_0(direction_1, z_1);
+    ray_1.inverse_z_0 = 1.0f / along_0;
+    ray_1.shear_x_0 = component_0(direction_1, x_8) / along_0;
+    ray_1.shear_y_0 = component_0(direction_1, y_2) / along_0;
+    ray_1.t_min_0 = t_min_1;
+    ray_1.t_max_0 = t_max_1;
+    ray_1.local_per_t_0 = abs(along_0);
+    ray_1.enter_1 = 0.0f;
+    ray_1.edge_on_0 = limit_at_0(u32(0));
+    ray_1.largest_0 = limit_at_0(u32(1));
+    return ray_1;
+}
+
 fn ray_child_0( node_0 : u32,  slot_0 : u32) -> u32
 {
     return nodes_0[u32(14) * node_0 + u32(12) + slot_0 / u32(4)][slot_0 % u32(4)];
@@ -537,12 +600,12 @@ struct RayView_0
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
      margin_0 : f32,
-     axes_0 : u32,
+     axes_1 : u32,
 };
 
 fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_1 : u32) -> f32
 {
-    var _S37 : u32 = u32(14) * node_1 + slot_1 / u32(4);
+    var _S41 : u32 = u32(14) * node_1 + slot_1 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_2 : u32 = u32(0);
@@ -555,36 +618,36 @@ fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_1 : u32
         {
             break;
         }
-        var _S38 : u32 = axis_2;
-        var _S39 : u32 = _S37 + u32(2) * axis_2;
-        var _S40 : u32 = slot_1 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S39][_S40])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S39 + u32(6)][_S40])));
-        var _S41 : bool = (view_0.inverse_0[axis_2]) < 0.0f;
-        var _S42 : f32;
-        if(_S41)
+        var _S42 : u32 = axis_2;
+        var _S43 : u32 = _S41 + u32(2) * axis_2;
+        var _S44 : u32 = slot_1 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S43][_S44])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S43 + u32(6)][_S44])));
+        var _S45 : bool = (view_0.inverse_0[axis_2]) < 0.0f;
+        var _S46 : f32;
+        if(_S45)
         {
-            _S42 = high_0;
+            _S46 = high_0;
         }
         else
         {
-            _S42 = low_3;
+            _S46 = low_3;
         }
-        var _S43 : f32 = max(near_0, _S42 * view_0.inverse_0[_S38] - view_0.offset_near_0[axis_2]);
-        var _S44 : f32;
-        if(_S41)
+        var _S47 : f32 = max(near_0, _S46 * view_0.inverse_0[_S42] - view_0.offset_near_0[axis_2]);
+        var _S48 : f32;
+        if(_S45)
         {
-            _S44 = low_3;
+            _S48 = low_3;
         }
         else
         {
-            _S44 = high_0;
+            _S48 = high_0;
         }
-        var _S45 : f32 = min(far_0, _S44 * view_0.inverse_0[_S38] - view_0.offset_far_0[axis_2]);
-        var _S46 : u32 = axis_2 + u32(1);
-        near_0 = _S43;
-        far_0 = _S45;
-        axis_2 = _S46;
+        var _S49 : f32 = min(far_0, _S48 * view_0.inverse_0[_S42] - view_0.offset_far_0[axis_2]);
+        var _S50 : u32 = axis_2 + u32(1);
+        near_0 = _S47;
+        far_0 = _S49;
+        axis_2 = _S50;
     }
     if(near_0 <= far_0)
     {
@@ -609,7 +672,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S47 : u32 = k_0;
+        var _S51 : u32 = k_0;
         if((bounds_0[k_0]) > limit_2)
         {
             k_0 = k_0 + u32(1);
@@ -626,24 +689,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S48 : u32 = j_0;
-            var _S49 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S47]))
+            var _S52 : u32 = j_0;
+            var _S53 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S51]))
             {
-                _S49 = true;
+                _S53 = true;
             }
             else
             {
-                if((bounds_0[_S48]) == (bounds_0[_S47]))
+                if((bounds_0[_S52]) == (bounds_0[_S51]))
                 {
-                    _S49 = j_0 < k_0;
+                    _S53 = j_0 < k_0;
                 }
                 else
                 {
-                    _S49 = false;
+                    _S53 = false;
                 }
             }
-            if(_S49)
+            if(_S53)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -668,45 +731,31 @@ fn crossed_0( view_1 : RayView_0,  limit_3 : f32,  node_2 : u32) -> u32
         {
             break;
         }
-        var _S50 : f32;
+        var _S54 : f32;
         if((ray_child_0(node_2, slot_2)) == u32(4294967295))
         {
-            _S50 = 3.00000000549775576e+38f;
+            _S54 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S50 = ray_bound_0(view_1, limit_3, node_2, slot_2);
+            _S54 = ray_bound_0(view_1, limit_3, node_2, slot_2);
         }
-        bounds_1[slot_2] = _S50;
+        bounds_1[slot_2] = _S54;
         slot_2 = slot_2 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn rounded_0( product_1 : f32,  largest_0 : f32) -> f32
+fn rounded_0( product_1 : f32,  largest_1 : f32) -> f32
 {
-    return min(product_1, largest_0);
+    return min(product_1, largest_1);
 }
 
-struct Ray_0
+fn corner_0( ray_2 : Ray_0,  axes_2 : u32,  at_9 : u32) -> vec3<f32>
 {
-     origin_0 : vec3<f32>,
-     shear_x_0 : f32,
-     shear_y_0 : f32,
-     inverse_z_0 : f32,
-     t_min_0 : f32,
-     t_max_0 : f32,
-     local_per_t_0 : f32,
-     enter_1 : f32,
-     edge_on_0 : f32,
-     largest_1 : f32,
-};
-
-fn corner_0( ray_1 : Ray_0,  axes_1 : u32,  at_9 : u32) -> vec3<f32>
-{
-    var relative_0 : vec3<f32> = primitive_vector_0(at_9) - ray_1.origin_0;
-    var z_1 : f32 = component_0(relative_0, (axes_1 >> (u32(4))));
-    return vec3<f32>(component_0(relative_0, (axes_1 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_1, ray_1.largest_1), component_0(relative_0, (((axes_1 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_1, ray_1.largest_1), z_1);
+    var relative_0 : vec3<f32> = primitive_vector_0(at_9) - ray_2.origin_0;
+    var z_2 : f32 = component_0(relative_0, (axes_2 >> (u32(4))));
+    return vec3<f32>(component_0(relative_0, (axes_2 & (u32(3)))) - rounded_0(ray_2.shear_x_0 * z_2, ray_2.largest_0), component_0(relative_0, (((axes_2 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_2.shear_y_0 * z_2, ray_2.largest_0), z_2);
 }
 
 struct Crossing_0
@@ -717,58 +766,58 @@ struct Crossing_0
      w_0 : f32,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_2 : u32,  at_10 : u32) -> Crossing_0
+fn intersect_0( ray_3 : Ray_0,  axes_3 : u32,  at_10 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_0 = 0.0f;
     crossing_0.v_1 = 0.0f;
     crossing_0.w_0 = 0.0f;
-    var a_3 : vec3<f32> = corner_0(ray_2, axes_2, at_10);
-    var b_3 : vec3<f32> = corner_0(ray_2, axes_2, at_10 + u32(3));
-    var c_0 : vec3<f32> = corner_0(ray_2, axes_2, at_10 + u32(6));
-    var _S51 : f32 = c_0.x;
-    var _S52 : f32 = b_3.y;
-    var cx_by_0 : f32 = rounded_0(_S51 * _S52, ray_2.largest_1);
-    var _S53 : f32 = c_0.y;
-    var _S54 : f32 = b_3.x;
-    var cy_bx_0 : f32 = rounded_0(_S53 * _S54, ray_2.largest_1);
-    var _S55 : f32 = a_3.x;
-    var ax_cy_0 : f32 = rounded_0(_S55 * _S53, ray_2.largest_1);
-    var _S56 : f32 = a_3.y;
-    var ay_cx_0 : f32 = rounded_0(_S56 * _S51, ray_2.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S54 * _S56, ray_2.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S52 * _S55, ray_2.largest_1);
+    var a_3 : vec3<f32> = corner_0(ray_3, axes_3, at_10);
+    var b_3 : vec3<f32> = corner_0(ray_3, axes_3, at_10 + u32(3));
+    var c_0 : vec3<f32> = corner_0(ray_3, axes_3, at_10 + u32(6));
+    var _S55 : f32 = c_0.x;
+    var _S56 : f32 = b_3.y;
+    var cx_by_0 : f32 = rounded_0(_S55 * _S56, ray_3.largest_0);
+    var _S57 : f32 = c_0.y;
+    var _S58 : f32 = b_3.x;
+    var cy_bx_0 : f32 = rounded_0(_S57 * _S58, ray_3.largest_0);
+    var _S59 : f32 = a_3.x;
+    var ax_cy_0 : f32 = rounded_0(_S59 * _S57, ray_3.largest_0);
+    var _S60 : f32 = a_3.y;
+    var ay_cx_0 : f32 = rounded_0(_S60 * _S55, ray_3.largest_0);
+    var bx_ay_0 : f32 = rounded_0(_S58 * _S60, ray_3.largest_0);
+    var by_ax_0 : f32 = rounded_0(_S56 * _S59, ray_3.largest_0);
     var u_1 : f32 = cx_by_0 - cy_bx_0;
     var v_2 : f32 = ax_cy_0 - ay_cx_0;
     var w_1 : f32 = bx_ay_0 - by_ax_0;
-    var _S57 : f32 = min(min(u_1, v_2), w_1);
-    var _S58 : f32 = max(max(u_1, v_2), w_1);
-    var _S59 : bool;
-    if(_S57 < 0.0f)
+    var _S61 : f32 = min(min(u_1, v_2), w_1);
+    var _S62 : f32 = max(max(u_1, v_2), w_1);
+    var _S63 : bool;
+    if(_S61 < 0.0f)
     {
-        _S59 = _S58 > 0.0f;
+        _S63 = _S62 > 0.0f;
     }
     else
     {
-        _S59 = false;
+        _S63 = false;
     }
-    if(_S59)
+    if(_S63)
     {
         return crossing_0;
     }
     var determinant_0 : f32 = u_1 + v_2 + w_1;
-    if(_S57 <= 0.0f)
+    if(_S61 <= 0.0f)
     {
-        _S59 = _S58 >= 0.0f;
+        _S63 = _S62 >= 0.0f;
     }
     else
     {
-        _S59 = false;
+        _S63 = false;
     }
-    if(_S59)
+    if(_S63)
     {
-        if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
+        if((abs(determinant_0)) <= (ray_3.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
             return crossing_0;
         }
@@ -777,16 +826,16 @@ fn intersect_0( ray_2 : Ray_0,  axes_2 : u32,  at_10 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_1 : f32 = (rounded_0(u_1 * a_3.z, ray_2.largest_1) + rounded_0(v_2 * b_3.z, ray_2.largest_1) + rounded_0(w_1 * c_0.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
-    if((ray_2.t_min_0) <= t_1)
+    var t_1 : f32 = (rounded_0(u_1 * a_3.z, ray_3.largest_0) + rounded_0(v_2 * b_3.z, ray_3.largest_0) + rounded_0(w_1 * c_0.z, ray_3.largest_0)) / determinant_0 * ray_3.inverse_z_0;
+    if((ray_3.t_min_0) <= t_1)
     {
-        _S59 = t_1 <= (ray_2.t_max_0);
+        _S63 = t_1 <= (ray_3.t_max_0);
     }
     else
     {
-        _S59 = false;
+        _S63 = false;
     }
-    crossing_0.is_hit_0 = _S59;
+    crossing_0.is_hit_0 = _S63;
     crossing_0.t_0 = t_1;
     crossing_0.v_1 = v_2 / determinant_0;
     crossing_0.w_0 = w_1 / determinant_0;
@@ -806,9 +855,9 @@ struct Found_0
      w_2 : f32,
 };
 
-fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+fn first_found_0( view_2 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S60 : bool;
+    var _S64 : bool;
     var found_0 : Found_0;
     found_0.face_1 = u32(4294967295);
     found_0.triangle_1 = u32(4294967295);
@@ -840,31 +889,31 @@ fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_0[level_0];
-        var _S61 : u32 = way_0[level_0].y;
-        if(_S61 == u32(0))
+        var _S65 : u32 = way_0[level_0].y;
+        if(_S65 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S62 : u32 = level_0 - u32(1);
+            var _S66 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S62;
+            level_0 = _S66;
             continue;
         }
-        var slot_3 : u32 = ((_S61 & (u32(15)))) - u32(1);
-        way_0[level_0][i32(1)] = (_S61 >> (u32(4)));
-        var _S63 : bool;
+        var slot_3 : u32 = ((_S65 & (u32(15)))) - u32(1);
+        way_0[level_0][i32(1)] = (_S65 >> (u32(4)));
+        var _S67 : bool;
         if(!is_new_1)
         {
-            _S63 = (ray_bound_0(view_2, limit_4, here_0.x, slot_3)) > limit_4;
+            _S67 = (ray_bound_0(view_2, limit_4, here_0.x, slot_3)) > limit_4;
         }
         else
         {
-            _S63 = false;
+            _S67 = false;
         }
-        if(_S63)
+        if(_S67)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -873,27 +922,27 @@ fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_0.x, slot_3);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S64 : u32 = level_0 + u32(1);
+            var _S68 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S64;
+            level_0 = _S68;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S65 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S66 : u32 = leaf_starts_0[leaf_0];
+        var _S69 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S70 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_0 : u32 = _S66;
+        var i_0 : u32 = _S70;
         for(;;)
         {
-            if(i_0 < _S65)
+            if(i_0 < _S69)
             {
             }
             else
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_3), view_2.axes_0, u32(9) * i_0);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_4), view_2.axes_1, u32(9) * i_0);
             if(!crossing_1.is_hit_0)
             {
                 i_0 = i_0 + u32(1);
@@ -901,30 +950,30 @@ fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_1) == u32(4294967295))
             {
-                _S60 = true;
+                _S64 = true;
             }
             else
             {
-                _S60 = (crossing_1.t_0) < ((*ray_3).t_max_0);
+                _S64 = (crossing_1.t_0) < ((*ray_4).t_max_0);
             }
-            var _S67 : bool;
-            if(_S60)
+            var _S71 : bool;
+            if(_S64)
             {
-                _S67 = true;
+                _S71 = true;
             }
             else
             {
-                _S67 = (face_0(i_0)) < (found_0.face_1);
+                _S71 = (face_0(i_0)) < (found_0.face_1);
             }
             var limit_6 : f32;
-            if(_S67)
+            if(_S71)
             {
                 found_0.face_1 = face_0(i_0);
                 found_0.triangle_1 = i_0;
-                (*ray_3).t_max_0 = crossing_1.t_0;
+                (*ray_4).t_max_0 = crossing_1.t_0;
                 found_0.v_3 = crossing_1.v_1;
                 found_0.w_2 = crossing_1.w_0;
-                limit_6 = min(limit_5, crossing_1.t_0 * (*ray_3).local_per_t_0 - (*ray_3).enter_1 + 2.0f * view_2.margin_0);
+                limit_6 = min(limit_5, crossing_1.t_0 * (*ray_4).local_per_t_0 - (*ray_4).enter_1 + 2.0f * view_2.margin_0);
             }
             else
             {
@@ -935,13 +984,13 @@ fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S60 = (found_0.face_1) != u32(4294967295);
+            _S64 = (found_0.face_1) != u32(4294967295);
         }
         else
         {
-            _S60 = false;
+            _S64 = false;
         }
-        if(_S60)
+        if(_S64)
         {
             break;
         }
@@ -952,54 +1001,14 @@ fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
     return found_0;
 }
 
-fn cast_0( origin_1 : vec3<f32>,  direction_1 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_2 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_2 : vec3<f32>,  direction_2 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_1 : bool,  t_2 : ptr<function, f32>) -> Found_0
 {
-    var size_3 : vec3<f32> = abs(direction_1);
-    var _S68 : f32 = size_3.x;
-    var _S69 : f32 = size_3.y;
-    var _S70 : bool;
-    if(_S68 >= _S69)
-    {
-        _S70 = _S68 >= (size_3.z);
-    }
-    else
-    {
-        _S70 = false;
-    }
-    var _S71 : i32;
-    if(_S70)
-    {
-        _S71 = i32(0);
-    }
-    else
-    {
-        if(_S69 >= (size_3.z))
-        {
-            _S71 = i32(1);
-        }
-        else
-        {
-            _S71 = i32(2);
-        }
-    }
-    var z_2 : u32 = u32(_S71);
-    var x_8 : u32 = (z_2 + u32(1)) % u32(3);
-    var y_2 : u32 = (z_2 + u32(2)) % u32(3);
-    var ray_4 : Ray_0;
-    ray_4.origin_0 = origin_1;
-    var along_0 : f32 = component_0(direction_1, z_2);
-    ray_4.inverse_z_0 = 1.0f / along_0;
-    ray_4.shear_x_0 = component_0(direction_1, x_8) / along_0;
-    ray_4.shear_y_0 = component_0(direction_1, y_2) / along_0;
-    ray_4.t_min_0 = t_min_1;
-    ray_4.t_max_0 = t_max_1;
-    var _S72 : f32 = abs(along_0);
-    ray_4.local_per_t_0 = _S72;
-    ray_4.enter_1 = 0.0f;
-    ray_4.edge_on_0 = limit_at_0(u32(0));
-    ray_4.largest_1 = limit_at_0(u32(1));
     var view_3 : RayView_0;
-    var _S73 : vec3<f32> = direction_1 / vec3<f32>(_S72);
+    var _S72 : u32 = view_3.axes_1;
+    var _S73 : Ray_0 = ray_along_0(origin_2, direction_2, t_min_2, t_max_2, &(_S72));
+    view_3.axes_1 = _S72;
+    var ray_5 : Ray_0 = _S73;
+    var _S74 : vec3<f32> = direction_2 / vec3<f32>(ray_5.local_per_t_0);
     var axis_3 : u32 = u32(0);
     for(;;)
     {
@@ -1010,28 +1019,27 @@ fn cast_0( origin_1 : vec3<f32>,  direction_1 : vec3<f32>,  t_min_1 : f32,  t_ma
         {
             break;
         }
-        var _S74 : f32 = max(abs(_S73[axis_3]), 8.67361737988403547e-19f);
-        var _S75 : f32;
-        if((_S73[axis_3]) < 0.0f)
+        var _S75 : f32 = max(abs(_S74[axis_3]), 8.67361737988403547e-19f);
+        var _S76 : f32;
+        if((_S74[axis_3]) < 0.0f)
         {
-            _S75 = -1.0f / _S74;
+            _S76 = -1.0f / _S75;
         }
         else
         {
-            _S75 = 1.0f / _S74;
+            _S76 = 1.0f / _S75;
         }
-        view_3.inverse_0[axis_3] = _S75;
+        view_3.inverse_0[axis_3] = _S76;
         axis_3 = axis_3 + u32(1);
     }
-    var offset_0 : vec3<f32> = origin_1 * view_3.inverse_0;
+    var offset_0 : vec3<f32> = origin_2 * view_3.inverse_0;
     var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_3.inverse_0);
     view_3.offset_near_0 = offset_0 + wider_0;
     view_3.offset_far_0 = offset_0 - wider_0;
-    view_3.limit_0 = min(t_max_1 * ray_4.local_per_t_0, 8.0f) + 3.814697265625e-06f;
+    view_3.limit_0 = min(t_max_2 * ray_5.local_per_t_0, 8.0f) + 3.814697265625e-06f;
     view_3.margin_0 = 3.814697265625e-06f;
-    view_3.axes_0 = (((x_8 | (((y_2 << (u32(2))))))) | (((z_2 << (u32(4))))));
-    var found_1 : Found_0 = first_found_0(view_3, &(ray_4), any_1);
-    (*t_2) = ray_4.t_max_0;
+    var found_1 : Found_0 = first_found_0(view_3, &(ray_5), any_1);
+    (*t_2) = ray_5.t_max_0;
     return found_1;
 }
 
@@ -1077,7 +1085,7 @@ fn at_place_0( a_4 : vec3<f32>,  b_4 : vec3<f32>,  c_1 : vec3<f32>,  place_2 : P
     return a_4 + (b_4 - a_4) * vec3<f32>(place_2.v_4) + (c_1 - a_4) * vec3<f32>(place_2.w_3);
 }
 
-fn move_place_0( place_3 : ptr<function, Place_0>,  position_change_0 : ptr<function, vec3<f32>>,  direction_2 : vec3<f32>,  drift_0 : vec3<f32>)
+fn move_place_0( place_3 : ptr<function, Place_0>,  position_change_0 : ptr<function, vec3<f32>>,  direction_3 : vec3<f32>,  drift_0 : vec3<f32>)
 {
     (*position_change_0) = drift_0;
     if(!is_moving_0())
@@ -1091,12 +1099,12 @@ fn move_place_0( place_3 : ptr<function, Place_0>,  position_change_0 : ptr<func
     var ab_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_5;
     var ac_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_5;
     var across_0 : vec3<f32> = cross(ab_0, ac_0);
-    var _S76 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
-    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S76);
+    var _S77 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S77);
     var slip_0 : vec3<f32> = drift_0 - of_material_0;
-    var slip_1 : vec3<f32> = slip_0 - direction_2 * vec3<f32>((dot(normal_0, slip_0) / dot(normal_0, direction_2)));
+    var slip_1 : vec3<f32> = slip_0 - direction_3 * vec3<f32>((dot(normal_0, slip_0) / dot(normal_0, direction_3)));
     (*position_change_0) = of_material_0 + slip_1;
-    (*place_3).change_3 = vec2<f32>(dot(slip_1, cross(ac_0, normal_0)), dot(slip_1, cross(normal_0, ab_0))) * vec2<f32>((1.0f / (dot(normal_0, normal_0) * _S76)));
+    (*place_3).change_3 = vec2<f32>(dot(slip_1, cross(ac_0, normal_0)), dot(slip_1, cross(normal_0, ab_0))) * vec2<f32>((1.0f / (dot(normal_0, normal_0) * _S77)));
     return;
 }
 
@@ -1107,7 +1115,7 @@ fn triangle_record_0( triangle_5 : u32) -> u32
 
 fn shape_of_0( triangle_6 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_6));
+    return word_0(u32(10)) + u32(7) * word_0(triangle_record_0(triangle_6));
 }
 
 fn cross_of_0( triangle_7 : u32) -> vec3<f32>
@@ -1117,32 +1125,32 @@ fn cross_of_0( triangle_7 : u32) -> vec3<f32>
     return cross(primitive_vector_0(at_12 + u32(3)) - a_6, primitive_vector_0(at_12 + u32(6)) - a_6);
 }
 
-fn emitter_seen_0( found_3 : Found_0,  direction_3 : vec3<f32>) -> u32
+fn emitter_seen_0( found_3 : Found_0,  direction_4 : vec3<f32>) -> u32
 {
     if((found_3.face_1) == u32(4294967295))
     {
         return word_0(u32(8));
     }
     var emitter_0 : u32 = word_0(shape_of_0(found_3.triangle_1) + u32(4));
-    var _S77 : bool;
+    var _S78 : bool;
     if(emitter_0 != u32(4294967295))
     {
-        _S77 = (dot(cross_of_0(found_3.triangle_1), direction_3)) < 0.0f;
+        _S78 = (dot(cross_of_0(found_3.triangle_1), direction_4)) < 0.0f;
     }
     else
     {
-        _S77 = false;
+        _S78 = false;
     }
-    var _S78 : u32;
-    if(_S77)
+    var _S79 : u32;
+    if(_S78)
     {
-        _S78 = emitter_0;
+        _S79 = emitter_0;
     }
     else
     {
-        _S78 = u32(4294967295);
+        _S79 = u32(4294967295);
     }
-    return _S78;
+    return _S79;
 }
 
 fn emitter_record_0( emitter_1 : u32) -> u32
@@ -1170,9 +1178,9 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    var _S79 : vec4<f32> = vec4<f32>(0.0f);
-    lookup_0.by_second_0 = _S79;
-    lookup_0.by_first_0 = _S79;
+    var _S80 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S80;
+    lookup_0.by_first_0 = _S80;
     return lookup_0;
 }
 
@@ -1185,11 +1193,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_8 : vec2<f32>,  b_6 : vec2<f32>,  c_3 : vec2<f32>) -> Corners2_0
 {
-    var _S80 : Corners2_0;
-    _S80.a_7 = a_8;
-    _S80.b_5 = b_6;
-    _S80.c_2 = c_3;
-    return _S80;
+    var _S81 : Corners2_0;
+    _S81.a_7 = a_8;
+    _S81.b_5 = b_6;
+    _S81.c_2 = c_3;
+    return _S81;
 }
 
 fn number_1( at_13 : u32) -> f32
@@ -1272,13 +1280,13 @@ fn between_0( texels_1 : vec4<u32>,  place_4 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S81 : f32 = back_0.x;
-    var _S82 : f32 = back_0.y;
-    var _S83 : f32 = way_1.x;
-    var _S84 : f32 = way_1.y;
-    lookup_1.weights_0 = vec4<f32>(_S81 * _S82, _S83 * _S82, _S81 * _S84, _S83 * _S84);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S82, _S82, - _S84, _S84);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S81, - _S83, _S81, _S83);
+    var _S82 : f32 = back_0.x;
+    var _S83 : f32 = back_0.y;
+    var _S84 : f32 = way_1.x;
+    var _S85 : f32 = way_1.y;
+    lookup_1.weights_0 = vec4<f32>(_S82 * _S83, _S84 * _S83, _S82 * _S85, _S84 * _S85);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S83, _S83, - _S85, _S85);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S82, - _S84, _S82, _S84);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_4.by_first_1.x) + by_y_0 * vec4<f32>(place_4.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_4.by_second_1.x) + by_y_0 * vec4<f32>(place_4.by_second_1.y);
     return lookup_1;
@@ -1294,22 +1302,22 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_1 : u32 = wrapped_0(floor_of_0(place_5.y), height_0, wrap_1);
-        var _S85 : u32 = row_1 * u32(width_1);
-        var _S86 : u32 = wrapped_0(floor_of_0(place_5.x), width_1, wrap_1);
-        return one_texel_0(_S85 + _S86);
+        var _S86 : u32 = row_1 * u32(width_1);
+        var _S87 : u32 = wrapped_0(floor_of_0(place_5.x), width_1, wrap_1);
+        return one_texel_0(_S86 + _S87);
     }
     var centred_0 : Point_0;
-    var _S87 : vec2<f32> = place_5 - vec2<f32>(0.5f);
-    centred_0.value_3 = _S87;
+    var _S88 : vec2<f32> = place_5 - vec2<f32>(0.5f);
+    centred_0.value_3 = _S88;
     centred_0.by_first_1 = uv_0.by_first_1 * size_4;
     centred_0.by_second_1 = uv_0.by_second_1 * size_4;
-    var x_10 : i32 = floor_of_0(_S87.x);
-    var y_3 : i32 = floor_of_0(_S87.y);
-    var _S88 : u32 = wrapped_0(y_3, height_0, wrap_1);
-    var _S89 : u32 = u32(width_1);
-    var first_2 : u32 = _S88 * _S89;
-    var _S90 : u32 = wrapped_0(y_3 + i32(1), height_0, wrap_1);
-    var second_1 : u32 = _S90 * _S89;
+    var x_10 : i32 = floor_of_0(_S88.x);
+    var y_3 : i32 = floor_of_0(_S88.y);
+    var _S89 : u32 = wrapped_0(y_3, height_0, wrap_1);
+    var _S90 : u32 = u32(width_1);
+    var first_2 : u32 = _S89 * _S90;
+    var _S91 : u32 = wrapped_0(y_3 + i32(1), height_0, wrap_1);
+    var second_1 : u32 = _S91 * _S90;
     var left_0 : u32 = wrapped_0(x_10, width_1, wrap_1);
     var right_0 : u32 = wrapped_0(x_10 + i32(1), width_1, wrap_1);
     return between_0(vec4<u32>(first_2 + left_0, first_2 + right_0, second_1 + left_0, second_1 + right_0), centred_0);
@@ -1342,39 +1350,39 @@ fn lookup_at_0( texture_1 : u32,  place_6 : Place_0) -> Lookup_0
     var to_u_0 : vec3<f32> = vector_at_0(rows_0);
     var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S91 : vec3<f32> = vec3<f32>(uvs_1.a_7 * vec2<f32>((1.0f - place_6.v_4 - place_6.w_3)) + uvs_1.b_5 * vec2<f32>(place_6.v_4) + uvs_1.c_2 * vec2<f32>(place_6.w_3), 1.0f);
-    uv_1.value_3 = vec2<f32>(dot(_S91, to_u_0), dot(_S91, to_v_0));
+    var _S92 : vec3<f32> = vec3<f32>(uvs_1.a_7 * vec2<f32>((1.0f - place_6.v_4 - place_6.w_3)) + uvs_1.b_5 * vec2<f32>(place_6.v_4) + uvs_1.c_2 * vec2<f32>(place_6.w_3), 1.0f);
+    uv_1.value_3 = vec2<f32>(dot(_S92, to_u_0), dot(_S92, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_5 - uvs_1.a_7;
     var by_w_0 : vec2<f32> = uvs_1.c_2 - uvs_1.a_7;
-    var _S92 : vec2<f32> = to_u_0.xy;
-    var _S93 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S92), dot(by_v_0, _S93));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S92), dot(by_w_0, _S93));
+    var _S93 : vec2<f32> = to_u_0.xy;
+    var _S94 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S93), dot(by_v_0, _S94));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S93), dot(by_w_0, _S94));
     if(kind_1 == u32(1))
     {
-        var _S94 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S94;
+        var _S95 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S95;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
-    var _S95 : i32;
+    var _S96 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S95 = i32(1);
+        _S96 = i32(1);
     }
     else
     {
-        _S95 = i32(0);
+        _S96 = i32(0);
     }
-    return one_texel_0(u32(_S95));
+    return one_texel_0(u32(_S96));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S96 : u32 = word_0(texture_2 + u32(1));
-    var _S97 : u32 = texture_2 + u32(13);
-    var _S98 : vec3<f32> = vec3<f32>(0.0f);
+    var _S97 : u32 = word_0(texture_2 + u32(1));
+    var _S98 : u32 = texture_2 + u32(13);
+    var _S99 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S98;
+    var value_4 : vec3<f32> = _S99;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1384,17 +1392,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_16 : u32 = _S97 + _S96 * lookup_3.texels_0[k_1];
-        var _S99 : vec3<f32>;
-        if(_S96 == u32(1))
+        var at_16 : u32 = _S98 + _S97 * lookup_3.texels_0[k_1];
+        var _S100 : vec3<f32>;
+        if(_S97 == u32(1))
         {
-            _S99 = vec3<f32>(number_1(at_16));
+            _S100 = vec3<f32>(number_1(at_16));
         }
         else
         {
-            _S99 = vector_at_0(at_16);
+            _S100 = vector_at_0(at_16);
         }
-        var value_5 : vec3<f32> = value_4 + _S99 * vec3<f32>(weights_1[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S100 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -1403,7 +1411,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(6) + word_0(texture_3 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_3 + u32(12)));
 }
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
@@ -1415,7 +1423,7 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
     {
         return changing_0(value_6, change_4);
     }
-    var _S100 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var _S101 : bool = (word_0(texture_4 + u32(1))) == u32(1);
     var k_2 : u32 = u32(0);
     var change_5 : vec3<f32> = change_4;
     for(;;)
@@ -1427,18 +1435,18 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
         {
             break;
         }
-        var _S101 : i32;
-        if(_S100)
+        var _S102 : i32;
+        if(_S101)
         {
-            _S101 = i32(1);
+            _S102 = i32(1);
         }
         else
         {
-            _S101 = i32(3);
+            _S102 = i32(3);
         }
-        var at_17 : u32 = first_3 + u32(_S101) * lookup_4.texels_0[k_2];
+        var at_17 : u32 = first_3 + u32(_S102) * lookup_4.texels_0[k_2];
         var of_texel_0 : vec3<f32>;
-        if(_S100)
+        if(_S101)
         {
             of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_17)))));
         }
@@ -1455,34 +1463,34 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_5 : u32,  place_7 : Place_0) -> Vector_0
 {
-    var _S102 : Lookup_0 = lookup_at_0(texture_5, place_7);
-    return looked_up_0(texture_5, _S102, place_7.change_3);
+    var _S103 : Lookup_0 = lookup_at_0(texture_5, place_7);
+    return looked_up_0(texture_5, _S103, place_7.change_3);
 }
 
 fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
 {
-    var _S103 : f32 = abs(x_11);
-    var _S104 : f32 = abs(y_4);
-    var _S105 : f32 = min(_S103, _S104);
-    var _S106 : f32 = max(_S103, _S104);
-    var is_steep_0 : bool = _S105 > (0.41421356797218323f * _S106);
+    var _S104 : f32 = abs(x_11);
+    var _S105 : f32 = abs(y_4);
+    var _S106 : f32 = min(_S104, _S105);
+    var _S107 : f32 = max(_S104, _S105);
+    var is_steep_0 : bool = _S106 > (0.41421356797218323f * _S107);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S105 - _S106;
+        above_0 = _S106 - _S107;
     }
     else
     {
-        above_0 = _S105;
+        above_0 = _S106;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S105 + _S106;
+        below_0 = _S106 + _S107;
     }
     else
     {
-        below_0 = _S106;
+        below_0 = _S107;
     }
     if(below_0 > 0.0f)
     {
@@ -1503,7 +1511,7 @@ fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
     {
         angle_2 = angle_1;
     }
-    if(_S104 > _S103)
+    if(_S105 > _S104)
     {
         angle_2 = 1.57079637050628662f - angle_2;
     }
@@ -1524,40 +1532,40 @@ fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
 
 fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S107 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0, dpx_5.differential_0 );
-    var _S108 : DiffPair_float_0 = _d_abs_0(_S107);
-    var _S109 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0, dpy_2.differential_0 );
-    var _S110 : DiffPair_float_0 = _d_abs_0(_S109);
-    var _S111 : DiffPair_float_0 = DiffPair_float_0( _S108.primal_0, _S108.differential_0 );
-    var _S112 : DiffPair_float_0 = DiffPair_float_0( _S110.primal_0, _S110.differential_0 );
-    var _S113 : DiffPair_float_0 = _d_min_0(_S111, _S112);
-    var _S114 : DiffPair_float_0 = _d_max_0(_S111, _S112);
-    var is_steep_1 : bool = (_S113.primal_0) > (0.41421356797218323f * _S114.primal_0);
+    var _S108 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0, dpx_5.differential_0 );
+    var _S109 : DiffPair_float_0 = _d_abs_0(_S108);
+    var _S110 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0, dpy_2.differential_0 );
+    var _S111 : DiffPair_float_0 = _d_abs_0(_S110);
+    var _S112 : DiffPair_float_0 = DiffPair_float_0( _S109.primal_0, _S109.differential_0 );
+    var _S113 : DiffPair_float_0 = DiffPair_float_0( _S111.primal_0, _S111.differential_0 );
+    var _S114 : DiffPair_float_0 = _d_min_0(_S112, _S113);
+    var _S115 : DiffPair_float_0 = _d_max_0(_S112, _S113);
+    var is_steep_1 : bool = (_S114.primal_0) > (0.41421356797218323f * _S115.primal_0);
     var above_1 : f32;
     var s_diff_above_0 : f32;
     if(is_steep_1)
     {
-        var _S115 : f32 = _S113.differential_0 - _S114.differential_0;
-        above_1 = _S113.primal_0 - _S114.primal_0;
-        s_diff_above_0 = _S115;
+        var _S116 : f32 = _S114.differential_0 - _S115.differential_0;
+        above_1 = _S114.primal_0 - _S115.primal_0;
+        s_diff_above_0 = _S116;
     }
     else
     {
-        above_1 = _S113.primal_0;
-        s_diff_above_0 = _S113.differential_0;
+        above_1 = _S114.primal_0;
+        s_diff_above_0 = _S114.differential_0;
     }
     var below_1 : f32;
     var s_diff_below_0 : f32;
     if(is_steep_1)
     {
-        var _S116 : f32 = _S113.differential_0 + _S114.differential_0;
-        below_1 = _S113.primal_0 + _S114.primal_0;
-        s_diff_below_0 = _S116;
+        var _S117 : f32 = _S114.differential_0 + _S115.differential_0;
+        below_1 = _S114.primal_0 + _S115.primal_0;
+        s_diff_below_0 = _S117;
     }
     else
     {
-        below_1 = _S114.primal_0;
-        s_diff_below_0 = _S114.differential_0;
+        below_1 = _S115.primal_0;
+        s_diff_below_0 = _S115.differential_0;
     }
     if(below_1 > 0.0f)
     {
@@ -1570,14 +1578,14 @@ fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> Dif
     var t_4 : f32 = above_1 / below_1;
     var s_diff_t_0 : f32 = (s_diff_above_0 * below_1 - above_1 * s_diff_below_0) / (below_1 * below_1);
     var z_4 : f32 = t_4 * t_4;
-    var _S117 : f32 = s_diff_t_0 * t_4;
-    var s_diff_z_0 : f32 = _S117 + _S117;
-    var _S118 : f32 = 0.08053744584321976f * z_4 - 0.13877685368061066f;
-    var _S119 : f32 = _S118 * z_4 + 0.19977711141109467f;
-    var tail_0 : f32 = _S119 * z_4 - 0.33332949876785278f;
-    var _S120 : f32 = tail_0 * z_4;
-    var angle_3 : f32 = _S120 * t_4 + t_4;
-    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_4 + s_diff_z_0 * _S118) * z_4 + s_diff_z_0 * _S119) * z_4 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S120 + s_diff_t_0;
+    var _S118 : f32 = s_diff_t_0 * t_4;
+    var s_diff_z_0 : f32 = _S118 + _S118;
+    var _S119 : f32 = 0.08053744584321976f * z_4 - 0.13877685368061066f;
+    var _S120 : f32 = _S119 * z_4 + 0.19977711141109467f;
+    var tail_0 : f32 = _S120 * z_4 - 0.33332949876785278f;
+    var _S121 : f32 = tail_0 * z_4;
+    var angle_3 : f32 = _S121 * t_4 + t_4;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_4 + s_diff_z_0 * _S119) * z_4 + s_diff_z_0 * _S120) * z_4 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S121 + s_diff_t_0;
     var angle_4 : f32;
     if(is_steep_1)
     {
@@ -1588,11 +1596,11 @@ fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> Dif
         angle_4 = angle_3;
     }
     var s_diff_angle_1 : f32;
-    if((_S110.primal_0) > (_S108.primal_0))
+    if((_S111.primal_0) > (_S109.primal_0))
     {
-        var _S121 : f32 = 0.0f - s_diff_angle_0;
+        var _S122 : f32 = 0.0f - s_diff_angle_0;
         angle_4 = 1.57079637050628662f - angle_4;
-        s_diff_angle_1 = _S121;
+        s_diff_angle_1 = _S122;
     }
     else
     {
@@ -1600,29 +1608,29 @@ fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> Dif
     }
     if((dpx_5.primal_0) < 0.0f)
     {
-        var _S122 : f32 = 0.0f - s_diff_angle_1;
+        var _S123 : f32 = 0.0f - s_diff_angle_1;
         angle_4 = 3.14159274101257324f - angle_4;
-        s_diff_angle_1 = _S122;
+        s_diff_angle_1 = _S123;
     }
     if((dpy_2.primal_0) < 0.0f)
     {
-        var _S123 : f32 = - s_diff_angle_1;
+        var _S124 : f32 = - s_diff_angle_1;
         above_1 = - angle_4;
-        s_diff_above_0 = _S123;
+        s_diff_above_0 = _S124;
     }
     else
     {
         above_1 = angle_4;
         s_diff_above_0 = s_diff_angle_1;
     }
-    var _S124 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
-    return _S124;
+    var _S125 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
+    return _S125;
 }
 
-fn map_place_0( map_0 : u32,  direction_4 : vec3<f32>) -> vec2<f32>
+fn map_place_0( map_0 : u32,  direction_5 : vec3<f32>) -> vec2<f32>
 {
-    var _S125 : u32 = map_0 + u32(2);
-    var d_0 : vec3<f32> = vector_at_0(_S125) * vec3<f32>(direction_4.x) + vector_at_0(_S125 + u32(3)) * vec3<f32>(direction_4.y) + vector_at_0(_S125 + u32(6)) * vec3<f32>(direction_4.z);
+    var _S126 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S126) * vec3<f32>(direction_5.x) + vector_at_0(_S126 + u32(3)) * vec3<f32>(direction_5.y) + vector_at_0(_S126 + u32(6)) * vec3<f32>(direction_5.z);
     return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -1634,24 +1642,24 @@ struct DiffPair_vectorx3Cfloatx2C3x3E_0
 
 fn s_fwd_map_place_0( map_1 : u32,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var _S126 : u32 = map_1 + u32(2);
-    var _S127 : vec3<f32> = vector_at_0(_S126);
-    var _S128 : vec3<f32> = vector_at_0(_S126 + u32(3));
-    var _S129 : vec3<f32> = vector_at_0(_S126 + u32(6));
-    var d_1 : vec3<f32> = _S127 * vec3<f32>(dpdirection_0.primal_0.x) + _S128 * vec3<f32>(dpdirection_0.primal_0.y) + _S129 * vec3<f32>(dpdirection_0.primal_0.z);
-    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_0.differential_0.x) * _S127 + vec3<f32>(dpdirection_0.differential_0.y) * _S128 + vec3<f32>(dpdirection_0.differential_0.z) * _S129;
-    var _S130 : DiffPair_float_0 = DiffPair_float_0( - d_1.z, - s_diff_d_0.z );
-    var _S131 : DiffPair_float_0 = DiffPair_float_0( d_1.x, s_diff_d_0.x );
-    var _S132 : DiffPair_float_0 = s_fwd_angle_of_0(_S130, _S131);
-    var _S133 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_1.xz, s_diff_d_0.xz );
-    var _S134 : DiffPair_float_0 = s_fwd_length_impl_0(_S133);
-    var _S135 : DiffPair_float_0 = DiffPair_float_0( d_1.y, s_diff_d_0.y );
-    var _S136 : DiffPair_float_0 = DiffPair_float_0( _S134.primal_0, _S134.differential_0 );
-    var _S137 : DiffPair_float_0 = s_fwd_angle_of_0(_S135, _S136);
+    var _S127 : u32 = map_1 + u32(2);
+    var _S128 : vec3<f32> = vector_at_0(_S127);
+    var _S129 : vec3<f32> = vector_at_0(_S127 + u32(3));
+    var _S130 : vec3<f32> = vector_at_0(_S127 + u32(6));
+    var d_1 : vec3<f32> = _S128 * vec3<f32>(dpdirection_0.primal_0.x) + _S129 * vec3<f32>(dpdirection_0.primal_0.y) + _S130 * vec3<f32>(dpdirection_0.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_0.differential_0.x) * _S128 + vec3<f32>(dpdirection_0.differential_0.y) * _S129 + vec3<f32>(dpdirection_0.differential_0.z) * _S130;
+    var _S131 : DiffPair_float_0 = DiffPair_float_0( - d_1.z, - s_diff_d_0.z );
+    var _S132 : DiffPair_float_0 = DiffPair_float_0( d_1.x, s_diff_d_0.x );
+    var _S133 : DiffPair_float_0 = s_fwd_angle_of_0(_S131, _S132);
+    var _S134 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_1.xz, s_diff_d_0.xz );
+    var _S135 : DiffPair_float_0 = s_fwd_length_impl_0(_S134);
+    var _S136 : DiffPair_float_0 = DiffPair_float_0( d_1.y, s_diff_d_0.y );
+    var _S137 : DiffPair_float_0 = DiffPair_float_0( _S135.primal_0, _S135.differential_0 );
+    var _S138 : DiffPair_float_0 = s_fwd_angle_of_0(_S136, _S137);
     var width_2 : f32 = f32(word_0(map_1));
-    var _S138 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
-    var _S139 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S132.primal_0 * 0.15915493667125702f * width_2 - 0.5f, _S137.primal_0 * 0.31830987334251404f * _S138), vec2<f32>(_S132.differential_0 * 0.15915493667125702f * width_2, _S137.differential_0 * 0.31830987334251404f * _S138) );
-    return _S139;
+    var _S139 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
+    var _S140 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S133.primal_0 * 0.15915493667125702f * width_2 - 0.5f, _S138.primal_0 * 0.31830987334251404f * _S139), vec2<f32>(_S133.differential_0 * 0.15915493667125702f * width_2, _S138.differential_0 * 0.31830987334251404f * _S139) );
+    return _S140;
 }
 
 fn value_of_0( vector_2 : Vector_0) -> vec3<f32>
@@ -1659,9 +1667,9 @@ fn value_of_0( vector_2 : Vector_0) -> vec3<f32>
     return vector_2.value_0;
 }
 
-fn in_map_0( map_2 : u32,  direction_5 : vec3<f32>) -> Lookup_0
+fn in_map_0( map_2 : u32,  direction_6 : vec3<f32>) -> Lookup_0
 {
-    var place_8 : vec2<f32> = map_place_0(map_2, direction_5);
+    var place_8 : vec2<f32> = map_place_0(map_2, direction_6);
     var point_0 : Point_0;
     point_0.value_3 = place_8;
     point_0.by_first_1 = vec2<f32>(1.0f, 0.0f);
@@ -1672,11 +1680,11 @@ fn in_map_0( map_2 : u32,  direction_5 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_2 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_3, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_3, u32(0));
-    var _S140 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S141 : u32 = u32(width_3);
-    var first_4 : u32 = _S140 * _S141;
-    var _S142 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S142 * _S141;
+    var _S141 : u32 = wrapped_0(y_5, height_1, u32(2));
+    var _S142 : u32 = u32(width_3);
+    var first_4 : u32 = _S141 * _S142;
+    var _S143 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S143 * _S142;
     return between_0(vec4<u32>(first_4 + left_1, first_4 + right_1, second_2 + left_1, second_2 + right_1), point_0);
 }
 
@@ -1685,21 +1693,21 @@ fn x2A_0( a_9 : Vector_0,  b_7 : Vector_0) -> Vector_0
     return changing_0(a_9.value_0 * b_7.value_0, a_9.change_1 * b_7.value_0 + a_9.value_0 * b_7.change_1);
 }
 
-fn emitted_0( emitter_2 : u32,  place_9 : Place_0,  direction_6 : Vector_0) -> Vector_0
+fn emitted_0( emitter_2 : u32,  place_9 : Place_0,  direction_7 : Vector_0) -> Vector_0
 {
     var record_2 : u32 = emitter_record_0(emitter_2);
     var texture_6 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var _S143 : Vector_0 = shown_0(texture_6, place_9);
-        return _S143;
+        var _S144 : Vector_0 = shown_0(texture_6, place_9);
+        return _S144;
     }
-    var _S144 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_6.value_0, direction_6.change_1 );
-    var _S145 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_6, _S144);
+    var _S145 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_7.value_0, direction_7.change_1 );
+    var _S146 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_6, _S145);
     var factor_0 : Vector_0 = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
-    var _S146 : u32 = word_0(texture_6 + u32(11));
-    var _S147 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_6));
-    return x2A_0(looked_up_0(_S146, _S147, _S145.differential_0), factor_0);
+    var _S147 : u32 = word_0(texture_6 + u32(11));
+    var _S148 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_7));
+    return x2A_0(looked_up_0(_S147, _S148, _S146.differential_0), factor_0);
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1710,17 +1718,19 @@ fn reaches_0( segments_0 : u32) -> bool
 struct Path_0
 {
      throughput_0 : Vector_0,
-     direction_7 : Vector_0,
+     direction_8 : Vector_0,
      place_10 : Place_0,
      key_4 : vec2<u32>,
      light_0 : Vector_0,
      drift_1 : vec3<f32>,
+     walked_0 : vec3<f32>,
+     divergence_0 : f32,
 };
 
 fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
     var drawn_4 : CameraSample_0 = camera_sample_0(number_of_path_1);
-    var ray_5 : CameraRay_0 = camera_ray_0(drawn_4);
+    var ray_6 : CameraRay_0 = camera_ray_0(drawn_4);
     (*path_0).key_4 = drawn_4.key_3;
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
     atomicStore(&(sums_0[u32(3) + number_of_path_1]), (bitcast<u32>((drawn_4.weight_1))));
@@ -1730,60 +1740,63 @@ fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0f;
     found_4.w_2 = 0.0f;
-    var _S148 : bool;
-    if((ray_5.length_0) >= 0.0f)
+    var _S149 : bool;
+    if((ray_6.length_0) >= 0.0f)
     {
-        _S148 = (word_0(u32(14))) != u32(0);
+        _S149 = (word_0(u32(14))) != u32(0);
     }
     else
     {
-        _S148 = false;
+        _S149 = false;
     }
-    if(_S148)
+    if(_S149)
     {
-        var _S149 : Found_0 = cast_0(ray_5.start_1, ray_5.direction_0, 0.0f, ray_5.length_0, false, &(t_5));
-        found_4 = _S149;
+        var _S150 : Found_0 = cast_0(ray_6.start_1, ray_6.direction_0, 0.0f, ray_6.length_0, false, &(t_5));
+        found_4 = _S150;
     }
-    var _S150 : Place_0 = place_of_0(found_4);
-    (*path_0).place_10 = _S150;
-    var seen_0 : Place_0 = _S150;
-    (*path_0).direction_7 = changing_0(ray_5.direction_0, ray_5.direction_change_0);
-    (*path_0).drift_1 = ray_5.start_change_0 + ray_5.direction_change_0 * vec3<f32>(t_5);
+    var _S151 : Place_0 = place_of_0(found_4);
+    (*path_0).place_10 = _S151;
+    var seen_0 : Place_0 = _S151;
+    var _S152 : vec3<f32> = vec3<f32>(0.0f);
+    (*path_0).walked_0 = _S152;
+    (*path_0).divergence_0 = 0.0f;
+    (*path_0).direction_8 = changing_0(ray_6.direction_0, ray_6.direction_change_0);
+    (*path_0).drift_1 = ray_6.start_change_0 + ray_6.direction_change_0 * vec3<f32>(t_5);
     var unused_0 : vec3<f32>;
     if((found_4.face_1) != u32(4294967295))
     {
-        move_place_0(&(seen_0), &(unused_0), ray_5.direction_0, (*path_0).drift_1);
+        move_place_0(&(seen_0), &(unused_0), ray_6.direction_0, (*path_0).drift_1);
     }
-    var _S151 : Vector_0 = still_0(vec3<f32>(0.0f));
-    var emitter_3 : u32 = emitter_seen_0(found_4, ray_5.direction_0);
+    var _S153 : Vector_0 = still_0(_S152);
+    var emitter_3 : u32 = emitter_seen_0(found_4, ray_6.direction_0);
     if(emitter_3 != u32(4294967295))
     {
-        _S148 = (word_0(u32(4))) != u32(0);
+        _S149 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S148 = false;
+        _S149 = false;
     }
     var light_1 : Vector_0;
-    if(_S148)
+    if(_S149)
     {
-        var _S152 : Vector_0 = emitted_0(emitter_3, seen_0, (*path_0).direction_7);
-        light_1 = _S152;
+        var _S154 : Vector_0 = emitted_0(emitter_3, seen_0, (*path_0).direction_8);
+        light_1 = _S154;
     }
     else
     {
-        light_1 = _S151;
+        light_1 = _S153;
     }
     (*path_0).light_0 = light_1;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S148 = reaches_0(u32(2));
+        _S149 = reaches_0(u32(2));
     }
     else
     {
-        _S148 = false;
+        _S149 = false;
     }
-    return _S148;
+    return _S149;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_7 : u32)
@@ -1858,23 +1871,25 @@ fn store_0( number_of_path_2 : u32,  path_6 : Path_0)
     var at_18 : u32 = u32(1);
     set_changing_0(number_of_path_2, &(at_18), path_6.light_0);
     set_changing_0(number_of_path_2, &(at_18), path_6.throughput_0);
-    set_changing_0(number_of_path_2, &(at_18), path_6.direction_7);
+    set_changing_0(number_of_path_2, &(at_18), path_6.direction_8);
     set_vector_0(number_of_path_2, &(at_18), path_6.drift_1);
     set_place_0(number_of_path_2, &(at_18), path_6.place_10);
+    var _S155 : u32 = at_18 + u32(1);
     set_word_0(number_of_path_2, at_18, path_6.key_4.x);
-    set_word_0(number_of_path_2, at_18 + u32(1), path_6.key_4.y);
+    at_18 = _S155 + u32(1);
+    set_word_0(number_of_path_2, _S155, path_6.key_4.y);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S153 : u32;
+    var _S156 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S154 : u32 = u32(2) + zero_0;
-        _S153 = _S154;
-        if(rounds_0 < _S154)
+        var _S157 : u32 = u32(2) + zero_0;
+        _S156 = _S157;
+        if(rounds_0 < _S157)
         {
         }
         else
@@ -1883,14 +1898,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S153;
+    return rounds_0 == _S156;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S155 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S158 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -1907,16 +1922,16 @@ fn begin_forward(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_7 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_3, &(path_7));
     store_0(number_of_path_3, path_7);
-    var _S156 : u32;
+    var _S159 : u32;
     if(goes_on_0)
     {
-        _S156 = number_of_path_3;
+        _S159 = number_of_path_3;
     }
     else
     {
-        _S156 = u32(4294967295);
+        _S159 = u32(4294967295);
     }
-    set_word_0(number_of_path_3, u32(0), _S156);
+    set_word_0(number_of_path_3, u32(0), _S159);
     check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: f0235cc9f0ba7153
-// result: dfb986895254d714
+// source: 0b6ff8749d84514c
+// result: 254b8769d866cd22
 
 struct Launch_std140_0
 {
@@ -408,6 +408,69 @@ fn still_0( value_1 : vec3<f32>) -> vec3<f32>
     return changing_0(value_1, vec3<f32>(0.0f));
 }
 
+struct Ray_0
+{
+     origin_0 : vec3<f32>,
+     shear_x_0 : f32,
+     shear_y_0 : f32,
+     inverse_z_0 : f32,
+     t_min_0 : f32,
+     t_max_0 : f32,
+     local_per_t_0 : f32,
+     enter_1 : f32,
+     edge_on_0 : f32,
+     largest_0 : f32,
+};
+
+fn ray_along_0( origin_1 : vec3<f32>,  direction_1 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  axes_0 : ptr<function, u32>) -> Ray_0
+{
+    var size_2 : vec3<f32> = abs(direction_1);
+    var _S21 : f32 = size_2.x;
+    var _S22 : f32 = size_2.y;
+    var _S23 : bool;
+    if(_S21 >= _S22)
+    {
+        _S23 = _S21 >= (size_2.z);
+    }
+    else
+    {
+        _S23 = false;
+    }
+    var _S24 : i32;
+    if(_S23)
+    {
+        _S24 = i32(0);
+    }
+    else
+    {
+        if(_S22 >= (size_2.z))
+        {
+            _S24 = i32(1);
+        }
+        else
+        {
+            _S24 = i32(2);
+        }
+    }
+    var z_1 : u32 = u32(_S24);
+    var x_8 : u32 = (z_1 + u32(1)) % u32(3);
+    var y_2 : u32 = (z_1 + u32(2)) % u32(3);
+    (*axes_0) = (((x_8 | (((y_2 << (u32(2))))))) | (((z_1 << (u32(4))))));
+    var ray_1 : Ray_0;
+    ray_1.origin_0 = origin_1;
+    var along_0 : f32 = component_0(direction_1, z_1);
+    ray_1.inverse_z_0 = 1.0f / along_0;
+    ray_1.shear_x_0 = component_0(direction_1, x_8) / along_0;
+    ray_1.shear_y_0 = component_0(direction_1, y_2) / along_0;
+    ray_1.t_min_0 = t_min_1;
+    ray_1.t_max_0 = t_max_1;
+    ray_1.local_per_t_0 = abs(along_0);
+    ray_1.enter_1 = 0.0f;
+    ray_1.edge_on_0 = limit_at_0(u32(0));
+    ray_1.largest_0 = limit_at_0(u32(1));
+    return ray_1;
+}
+
 fn ray_child_0( node_0 : u32,  slot_0 : u32) -> u32
 {
     return nodes_0[u32(14) * node_0 + u32(12) + slot_0 / u32(4)][slot_0 % u32(4)];
@@ -420,12 +483,12 @@ struct RayView_0
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
      margin_0 : f32,
-     axes_0 : u32,
+     axes_1 : u32,
 };
 
 fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_1 : u32) -> f32
 {
-    var _S21 : u32 = u32(14) * node_1 + slot_1 / u32(4);
+    var _S25 : u32 = u32(14) * node_1 + slot_1 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_2 : u32 = u32(0);
@@ -438,36 +501,36 @@ fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_1 : u32
         {
             break;
         }
-        var _S22 : u32 = axis_2;
-        var _S23 : u32 = _S21 + u32(2) * axis_2;
-        var _S24 : u32 = slot_1 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S23][_S24])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S23 + u32(6)][_S24])));
-        var _S25 : bool = (view_0.inverse_0[axis_2]) < 0.0f;
-        var _S26 : f32;
-        if(_S25)
+        var _S26 : u32 = axis_2;
+        var _S27 : u32 = _S25 + u32(2) * axis_2;
+        var _S28 : u32 = slot_1 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S27][_S28])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S27 + u32(6)][_S28])));
+        var _S29 : bool = (view_0.inverse_0[axis_2]) < 0.0f;
+        var _S30 : f32;
+        if(_S29)
         {
-            _S26 = high_0;
+            _S30 = high_0;
         }
         else
         {
-            _S26 = low_3;
+            _S30 = low_3;
         }
-        var _S27 : f32 = max(near_0, _S26 * view_0.inverse_0[_S22] - view_0.offset_near_0[axis_2]);
-        var _S28 : f32;
-        if(_S25)
+        var _S31 : f32 = max(near_0, _S30 * view_0.inverse_0[_S26] - view_0.offset_near_0[axis_2]);
+        var _S32 : f32;
+        if(_S29)
         {
-            _S28 = low_3;
+            _S32 = low_3;
         }
         else
         {
-            _S28 = high_0;
+            _S32 = high_0;
         }
-        var _S29 : f32 = min(far_0, _S28 * view_0.inverse_0[_S22] - view_0.offset_far_0[axis_2]);
-        var _S30 : u32 = axis_2 + u32(1);
-        near_0 = _S27;
-        far_0 = _S29;
-        axis_2 = _S30;
+        var _S33 : f32 = min(far_0, _S32 * view_0.inverse_0[_S26] - view_0.offset_far_0[axis_2]);
+        var _S34 : u32 = axis_2 + u32(1);
+        near_0 = _S31;
+        far_0 = _S33;
+        axis_2 = _S34;
     }
     if(near_0 <= far_0)
     {
@@ -492,7 +555,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S31 : u32 = k_0;
+        var _S35 : u32 = k_0;
         if((bounds_0[k_0]) > limit_2)
         {
             k_0 = k_0 + u32(1);
@@ -509,24 +572,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S32 : u32 = j_0;
-            var _S33 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S31]))
+            var _S36 : u32 = j_0;
+            var _S37 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S35]))
             {
-                _S33 = true;
+                _S37 = true;
             }
             else
             {
-                if((bounds_0[_S32]) == (bounds_0[_S31]))
+                if((bounds_0[_S36]) == (bounds_0[_S35]))
                 {
-                    _S33 = j_0 < k_0;
+                    _S37 = j_0 < k_0;
                 }
                 else
                 {
-                    _S33 = false;
+                    _S37 = false;
                 }
             }
-            if(_S33)
+            if(_S37)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -551,45 +614,31 @@ fn crossed_0( view_1 : RayView_0,  limit_3 : f32,  node_2 : u32) -> u32
         {
             break;
         }
-        var _S34 : f32;
+        var _S38 : f32;
         if((ray_child_0(node_2, slot_2)) == u32(4294967295))
         {
-            _S34 = 3.00000000549775576e+38f;
+            _S38 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S34 = ray_bound_0(view_1, limit_3, node_2, slot_2);
+            _S38 = ray_bound_0(view_1, limit_3, node_2, slot_2);
         }
-        bounds_1[slot_2] = _S34;
+        bounds_1[slot_2] = _S38;
         slot_2 = slot_2 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn rounded_0( product_1 : f32,  largest_0 : f32) -> f32
+fn rounded_0( product_1 : f32,  largest_1 : f32) -> f32
 {
-    return min(product_1, largest_0);
+    return min(product_1, largest_1);
 }
 
-struct Ray_0
+fn corner_0( ray_2 : Ray_0,  axes_2 : u32,  at_6 : u32) -> vec3<f32>
 {
-     origin_0 : vec3<f32>,
-     shear_x_0 : f32,
-     shear_y_0 : f32,
-     inverse_z_0 : f32,
-     t_min_0 : f32,
-     t_max_0 : f32,
-     local_per_t_0 : f32,
-     enter_1 : f32,
-     edge_on_0 : f32,
-     largest_1 : f32,
-};
-
-fn corner_0( ray_1 : Ray_0,  axes_1 : u32,  at_6 : u32) -> vec3<f32>
-{
-    var relative_0 : vec3<f32> = primitive_vector_0(at_6) - ray_1.origin_0;
-    var z_1 : f32 = component_0(relative_0, (axes_1 >> (u32(4))));
-    return vec3<f32>(component_0(relative_0, (axes_1 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_1, ray_1.largest_1), component_0(relative_0, (((axes_1 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_1, ray_1.largest_1), z_1);
+    var relative_0 : vec3<f32> = primitive_vector_0(at_6) - ray_2.origin_0;
+    var z_2 : f32 = component_0(relative_0, (axes_2 >> (u32(4))));
+    return vec3<f32>(component_0(relative_0, (axes_2 & (u32(3)))) - rounded_0(ray_2.shear_x_0 * z_2, ray_2.largest_0), component_0(relative_0, (((axes_2 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_2.shear_y_0 * z_2, ray_2.largest_0), z_2);
 }
 
 struct Crossing_0
@@ -600,58 +649,58 @@ struct Crossing_0
      w_0 : f32,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_2 : u32,  at_7 : u32) -> Crossing_0
+fn intersect_0( ray_3 : Ray_0,  axes_3 : u32,  at_7 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_0 = 0.0f;
     crossing_0.v_1 = 0.0f;
     crossing_0.w_0 = 0.0f;
-    var a_3 : vec3<f32> = corner_0(ray_2, axes_2, at_7);
-    var b_3 : vec3<f32> = corner_0(ray_2, axes_2, at_7 + u32(3));
-    var c_0 : vec3<f32> = corner_0(ray_2, axes_2, at_7 + u32(6));
-    var _S35 : f32 = c_0.x;
-    var _S36 : f32 = b_3.y;
-    var cx_by_0 : f32 = rounded_0(_S35 * _S36, ray_2.largest_1);
-    var _S37 : f32 = c_0.y;
-    var _S38 : f32 = b_3.x;
-    var cy_bx_0 : f32 = rounded_0(_S37 * _S38, ray_2.largest_1);
-    var _S39 : f32 = a_3.x;
-    var ax_cy_0 : f32 = rounded_0(_S39 * _S37, ray_2.largest_1);
-    var _S40 : f32 = a_3.y;
-    var ay_cx_0 : f32 = rounded_0(_S40 * _S35, ray_2.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S38 * _S40, ray_2.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S36 * _S39, ray_2.largest_1);
+    var a_3 : vec3<f32> = corner_0(ray_3, axes_3, at_7);
+    var b_3 : vec3<f32> = corner_0(ray_3, axes_3, at_7 + u32(3));
+    var c_0 : vec3<f32> = corner_0(ray_3, axes_3, at_7 + u32(6));
+    var _S39 : f32 = c_0.x;
+    var _S40 : f32 = b_3.y;
+    var cx_by_0 : f32 = rounded_0(_S39 * _S40, ray_3.largest_0);
+    var _S41 : f32 = c_0.y;
+    var _S42 : f32 = b_3.x;
+    var cy_bx_0 : f32 = rounded_0(_S41 * _S42, ray_3.largest_0);
+    var _S43 : f32 = a_3.x;
+    var ax_cy_0 : f32 = rounded_0(_S43 * _S41, ray_3.largest_0);
+    var _S44 : f32 = a_3.y;
+    var ay_cx_0 : f32 = rounded_0(_S44 * _S39, ray_3.largest_0);
+    var bx_ay_0 : f32 = rounded_0(_S42 * _S44, ray_3.largest_0);
+    var by_ax_0 : f32 = rounded_0(_S40 * _S43, ray_3.largest_0);
     var u_1 : f32 = cx_by_0 - cy_bx_0;
     var v_2 : f32 = ax_cy_0 - ay_cx_0;
     var w_1 : f32 = bx_ay_0 - by_ax_0;
-    var _S41 : f32 = min(min(u_1, v_2), w_1);
-    var _S42 : f32 = max(max(u_1, v_2), w_1);
-    var _S43 : bool;
-    if(_S41 < 0.0f)
+    var _S45 : f32 = min(min(u_1, v_2), w_1);
+    var _S46 : f32 = max(max(u_1, v_2), w_1);
+    var _S47 : bool;
+    if(_S45 < 0.0f)
     {
-        _S43 = _S42 > 0.0f;
+        _S47 = _S46 > 0.0f;
     }
     else
     {
-        _S43 = false;
+        _S47 = false;
     }
-    if(_S43)
+    if(_S47)
     {
         return crossing_0;
     }
     var determinant_0 : f32 = u_1 + v_2 + w_1;
-    if(_S41 <= 0.0f)
+    if(_S45 <= 0.0f)
     {
-        _S43 = _S42 >= 0.0f;
+        _S47 = _S46 >= 0.0f;
     }
     else
     {
-        _S43 = false;
+        _S47 = false;
     }
-    if(_S43)
+    if(_S47)
     {
-        if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
+        if((abs(determinant_0)) <= (ray_3.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
             return crossing_0;
         }
@@ -660,16 +709,16 @@ fn intersect_0( ray_2 : Ray_0,  axes_2 : u32,  at_7 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_1 : f32 = (rounded_0(u_1 * a_3.z, ray_2.largest_1) + rounded_0(v_2 * b_3.z, ray_2.largest_1) + rounded_0(w_1 * c_0.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
-    if((ray_2.t_min_0) <= t_1)
+    var t_1 : f32 = (rounded_0(u_1 * a_3.z, ray_3.largest_0) + rounded_0(v_2 * b_3.z, ray_3.largest_0) + rounded_0(w_1 * c_0.z, ray_3.largest_0)) / determinant_0 * ray_3.inverse_z_0;
+    if((ray_3.t_min_0) <= t_1)
     {
-        _S43 = t_1 <= (ray_2.t_max_0);
+        _S47 = t_1 <= (ray_3.t_max_0);
     }
     else
     {
-        _S43 = false;
+        _S47 = false;
     }
-    crossing_0.is_hit_0 = _S43;
+    crossing_0.is_hit_0 = _S47;
     crossing_0.t_0 = t_1;
     crossing_0.v_1 = v_2 / determinant_0;
     crossing_0.w_0 = w_1 / determinant_0;
@@ -689,9 +738,9 @@ struct Found_0
      w_2 : f32,
 };
 
-fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+fn first_found_0( view_2 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S44 : bool;
+    var _S48 : bool;
     var found_0 : Found_0;
     found_0.face_1 = u32(4294967295);
     found_0.triangle_1 = u32(4294967295);
@@ -723,31 +772,31 @@ fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_0[level_0];
-        var _S45 : u32 = way_0[level_0].y;
-        if(_S45 == u32(0))
+        var _S49 : u32 = way_0[level_0].y;
+        if(_S49 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S46 : u32 = level_0 - u32(1);
+            var _S50 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S46;
+            level_0 = _S50;
             continue;
         }
-        var slot_3 : u32 = ((_S45 & (u32(15)))) - u32(1);
-        way_0[level_0][i32(1)] = (_S45 >> (u32(4)));
-        var _S47 : bool;
+        var slot_3 : u32 = ((_S49 & (u32(15)))) - u32(1);
+        way_0[level_0][i32(1)] = (_S49 >> (u32(4)));
+        var _S51 : bool;
         if(!is_new_1)
         {
-            _S47 = (ray_bound_0(view_2, limit_4, here_0.x, slot_3)) > limit_4;
+            _S51 = (ray_bound_0(view_2, limit_4, here_0.x, slot_3)) > limit_4;
         }
         else
         {
-            _S47 = false;
+            _S51 = false;
         }
-        if(_S47)
+        if(_S51)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -756,27 +805,27 @@ fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_0.x, slot_3);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S48 : u32 = level_0 + u32(1);
+            var _S52 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S48;
+            level_0 = _S52;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S49 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S50 : u32 = leaf_starts_0[leaf_0];
+        var _S53 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S54 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_0 : u32 = _S50;
+        var i_0 : u32 = _S54;
         for(;;)
         {
-            if(i_0 < _S49)
+            if(i_0 < _S53)
             {
             }
             else
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_3), view_2.axes_0, u32(9) * i_0);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_4), view_2.axes_1, u32(9) * i_0);
             if(!crossing_1.is_hit_0)
             {
                 i_0 = i_0 + u32(1);
@@ -784,30 +833,30 @@ fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_1) == u32(4294967295))
             {
-                _S44 = true;
+                _S48 = true;
             }
             else
             {
-                _S44 = (crossing_1.t_0) < ((*ray_3).t_max_0);
+                _S48 = (crossing_1.t_0) < ((*ray_4).t_max_0);
             }
-            var _S51 : bool;
-            if(_S44)
+            var _S55 : bool;
+            if(_S48)
             {
-                _S51 = true;
+                _S55 = true;
             }
             else
             {
-                _S51 = (face_0(i_0)) < (found_0.face_1);
+                _S55 = (face_0(i_0)) < (found_0.face_1);
             }
             var limit_6 : f32;
-            if(_S51)
+            if(_S55)
             {
                 found_0.face_1 = face_0(i_0);
                 found_0.triangle_1 = i_0;
-                (*ray_3).t_max_0 = crossing_1.t_0;
+                (*ray_4).t_max_0 = crossing_1.t_0;
                 found_0.v_3 = crossing_1.v_1;
                 found_0.w_2 = crossing_1.w_0;
-                limit_6 = min(limit_5, crossing_1.t_0 * (*ray_3).local_per_t_0 - (*ray_3).enter_1 + 2.0f * view_2.margin_0);
+                limit_6 = min(limit_5, crossing_1.t_0 * (*ray_4).local_per_t_0 - (*ray_4).enter_1 + 2.0f * view_2.margin_0);
             }
             else
             {
@@ -818,13 +867,13 @@ fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S44 = (found_0.face_1) != u32(4294967295);
+            _S48 = (found_0.face_1) != u32(4294967295);
         }
         else
         {
-            _S44 = false;
+            _S48 = false;
         }
-        if(_S44)
+        if(_S48)
         {
             break;
         }
@@ -835,54 +884,14 @@ fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
     return found_0;
 }
 
-fn cast_0( origin_1 : vec3<f32>,  direction_1 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_2 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_2 : vec3<f32>,  direction_2 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_1 : bool,  t_2 : ptr<function, f32>) -> Found_0
 {
-    var size_2 : vec3<f32> = abs(direction_1);
-    var _S52 : f32 = size_2.x;
-    var _S53 : f32 = size_2.y;
-    var _S54 : bool;
-    if(_S52 >= _S53)
-    {
-        _S54 = _S52 >= (size_2.z);
-    }
-    else
-    {
-        _S54 = false;
-    }
-    var _S55 : i32;
-    if(_S54)
-    {
-        _S55 = i32(0);
-    }
-    else
-    {
-        if(_S53 >= (size_2.z))
-        {
-            _S55 = i32(1);
-        }
-        else
-        {
-            _S55 = i32(2);
-        }
-    }
-    var z_2 : u32 = u32(_S55);
-    var x_8 : u32 = (z_2 + u32(1)) % u32(3);
-    var y_2 : u32 = (z_2 + u32(2)) % u32(3);
-    var ray_4 : Ray_0;
-    ray_4.origin_0 = origin_1;
-    var along_0 : f32 = component_0(direction_1, z_2);
-    ray_4.inverse_z_0 = 1.0f / along_0;
-    ray_4.shear_x_0 = component_0(direction_1, x_8) / along_0;
-    ray_4.shear_y_0 = component_0(direction_1, y_2) / along_0;
-    ray_4.t_min_0 = t_min_1;
-    ray_4.t_max_0 = t_max_1;
-    var _S56 : f32 = abs(along_0);
-    ray_4.local_per_t_0 = _S56;
-    ray_4.enter_1 = 0.0f;
-    ray_4.edge_on_0 = limit_at_0(u32(0));
-    ray_4.largest_1 = limit_at_0(u32(1));
     var view_3 : RayView_0;
-    var _S57 : vec3<f32> = direction_1 / vec3<f32>(_S56);
+    var _S56 : u32 = view_3.axes_1;
+    var _S57 : Ray_0 = ray_along_0(origin_2, direction_2, t_min_2, t_max_2, &(_S56));
+    view_3.axes_1 = _S56;
+    var ray_5 : Ray_0 = _S57;
+    var _S58 : vec3<f32> = direction_2 / vec3<f32>(ray_5.local_per_t_0);
     var axis_3 : u32 = u32(0);
     for(;;)
     {
@@ -893,28 +902,27 @@ fn cast_0( origin_1 : vec3<f32>,  direction_1 : vec3<f32>,  t_min_1 : f32,  t_ma
         {
             break;
         }
-        var _S58 : f32 = max(abs(_S57[axis_3]), 8.67361737988403547e-19f);
-        var _S59 : f32;
-        if((_S57[axis_3]) < 0.0f)
+        var _S59 : f32 = max(abs(_S58[axis_3]), 8.67361737988403547e-19f);
+        var _S60 : f32;
+        if((_S58[axis_3]) < 0.0f)
         {
-            _S59 = -1.0f / _S58;
+            _S60 = -1.0f / _S59;
         }
         else
         {
-            _S59 = 1.0f / _S58;
+            _S60 = 1.0f / _S59;
         }
-        view_3.inverse_0[axis_3] = _S59;
+        view_3.inverse_0[axis_3] = _S60;
         axis_3 = axis_3 + u32(1);
     }
-    var offset_0 : vec3<f32> = origin_1 * view_3.inverse_0;
+    var offset_0 : vec3<f32> = origin_2 * view_3.inverse_0;
     var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_3.inverse_0);
     view_3.offset_near_0 = offset_0 + wider_0;
     view_3.offset_far_0 = offset_0 - wider_0;
-    view_3.limit_0 = min(t_max_1 * ray_4.local_per_t_0, 8.0f) + 3.814697265625e-06f;
+    view_3.limit_0 = min(t_max_2 * ray_5.local_per_t_0, 8.0f) + 3.814697265625e-06f;
     view_3.margin_0 = 3.814697265625e-06f;
-    view_3.axes_0 = (((x_8 | (((y_2 << (u32(2))))))) | (((z_2 << (u32(4))))));
-    var found_1 : Found_0 = first_found_0(view_3, &(ray_4), any_1);
-    (*t_2) = ray_4.t_max_0;
+    var found_1 : Found_0 = first_found_0(view_3, &(ray_5), any_1);
+    (*t_2) = ray_5.t_max_0;
     return found_1;
 }
 
@@ -950,7 +958,7 @@ fn triangle_record_0( triangle_4 : u32) -> u32
 
 fn shape_of_0( triangle_5 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_5));
+    return word_0(u32(10)) + u32(7) * word_0(triangle_record_0(triangle_5));
 }
 
 fn cross_of_0( triangle_6 : u32) -> vec3<f32>
@@ -960,32 +968,32 @@ fn cross_of_0( triangle_6 : u32) -> vec3<f32>
     return cross(primitive_vector_0(at_8 + u32(3)) - a_4, primitive_vector_0(at_8 + u32(6)) - a_4);
 }
 
-fn emitter_seen_0( found_3 : Found_0,  direction_2 : vec3<f32>) -> u32
+fn emitter_seen_0( found_3 : Found_0,  direction_3 : vec3<f32>) -> u32
 {
     if((found_3.face_1) == u32(4294967295))
     {
         return word_0(u32(8));
     }
     var emitter_0 : u32 = word_0(shape_of_0(found_3.triangle_1) + u32(4));
-    var _S60 : bool;
+    var _S61 : bool;
     if(emitter_0 != u32(4294967295))
     {
-        _S60 = (dot(cross_of_0(found_3.triangle_1), direction_2)) < 0.0f;
+        _S61 = (dot(cross_of_0(found_3.triangle_1), direction_3)) < 0.0f;
     }
     else
     {
-        _S60 = false;
+        _S61 = false;
     }
-    var _S61 : u32;
-    if(_S60)
+    var _S62 : u32;
+    if(_S61)
     {
-        _S61 = emitter_0;
+        _S62 = emitter_0;
     }
     else
     {
-        _S61 = u32(4294967295);
+        _S62 = u32(4294967295);
     }
-    return _S61;
+    return _S62;
 }
 
 fn emitter_record_0( emitter_1 : u32) -> u32
@@ -1023,11 +1031,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_6 : vec2<f32>,  b_5 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
 {
-    var _S62 : Corners2_0;
-    _S62.a_5 = a_6;
-    _S62.b_4 = b_5;
-    _S62.c_1 = c_2;
-    return _S62;
+    var _S63 : Corners2_0;
+    _S63.a_5 = a_6;
+    _S63.b_4 = b_5;
+    _S63.c_1 = c_2;
+    return _S63;
 }
 
 fn number_1( at_9 : u32) -> f32
@@ -1108,11 +1116,11 @@ fn between_0( texels_1 : vec4<u32>,  place_2 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S63 : f32 = back_0.x;
-    var _S64 : f32 = back_0.y;
-    var _S65 : f32 = way_1.x;
-    var _S66 : f32 = way_1.y;
-    lookup_1.weights_0 = vec4<f32>(_S63 * _S64, _S65 * _S64, _S63 * _S66, _S65 * _S66);
+    var _S64 : f32 = back_0.x;
+    var _S65 : f32 = back_0.y;
+    var _S66 : f32 = way_1.x;
+    var _S67 : f32 = way_1.y;
+    lookup_1.weights_0 = vec4<f32>(_S64 * _S65, _S66 * _S65, _S64 * _S67, _S66 * _S67);
     return lookup_1;
 }
 
@@ -1125,20 +1133,20 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_1 : u32 = wrapped_0(floor_of_0(place_3.y), height_0, wrap_1);
-        var _S67 : u32 = row_1 * u32(width_1);
-        var _S68 : u32 = wrapped_0(floor_of_0(place_3.x), width_1, wrap_1);
-        return one_texel_0(_S67 + _S68);
+        var _S68 : u32 = row_1 * u32(width_1);
+        var _S69 : u32 = wrapped_0(floor_of_0(place_3.x), width_1, wrap_1);
+        return one_texel_0(_S68 + _S69);
     }
     var centred_0 : Point_0;
-    var _S69 : vec2<f32> = place_3 - vec2<f32>(0.5f);
-    centred_0.value_2 = _S69;
-    var x_10 : i32 = floor_of_0(_S69.x);
-    var y_3 : i32 = floor_of_0(_S69.y);
-    var _S70 : u32 = wrapped_0(y_3, height_0, wrap_1);
-    var _S71 : u32 = u32(width_1);
-    var first_2 : u32 = _S70 * _S71;
-    var _S72 : u32 = wrapped_0(y_3 + i32(1), height_0, wrap_1);
-    var second_1 : u32 = _S72 * _S71;
+    var _S70 : vec2<f32> = place_3 - vec2<f32>(0.5f);
+    centred_0.value_2 = _S70;
+    var x_10 : i32 = floor_of_0(_S70.x);
+    var y_3 : i32 = floor_of_0(_S70.y);
+    var _S71 : u32 = wrapped_0(y_3, height_0, wrap_1);
+    var _S72 : u32 = u32(width_1);
+    var first_2 : u32 = _S71 * _S72;
+    var _S73 : u32 = wrapped_0(y_3 + i32(1), height_0, wrap_1);
+    var second_1 : u32 = _S73 * _S72;
     var left_0 : u32 = wrapped_0(x_10, width_1, wrap_1);
     var right_0 : u32 = wrapped_0(x_10 + i32(1), width_1, wrap_1);
     return between_0(vec4<u32>(first_2 + left_0, first_2 + right_0, second_1 + left_0, second_1 + right_0), centred_0);
@@ -1167,33 +1175,33 @@ fn lookup_at_0( texture_1 : u32,  place_4 : Place_0) -> Lookup_0
     var uvs_1 : Corners2_0 = uvs_of_0(place_4.triangle_2);
     var rows_0 : u32 = texture_1 + u32(6);
     var uv_1 : Point_0;
-    var _S73 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_4.v_4 - place_4.w_3)) + uvs_1.b_4 * vec2<f32>(place_4.v_4) + uvs_1.c_1 * vec2<f32>(place_4.w_3), 1.0f);
-    uv_1.value_2 = vec2<f32>(dot(_S73, vector_at_0(rows_0)), dot(_S73, vector_at_0(rows_0 + u32(3))));
+    var _S74 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_4.v_4 - place_4.w_3)) + uvs_1.b_4 * vec2<f32>(place_4.v_4) + uvs_1.c_1 * vec2<f32>(place_4.w_3), 1.0f);
+    uv_1.value_2 = vec2<f32>(dot(_S74, vector_at_0(rows_0)), dot(_S74, vector_at_0(rows_0 + u32(3))));
     if(kind_1 == u32(1))
     {
-        var _S74 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S74;
+        var _S75 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S75;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
-    var _S75 : i32;
+    var _S76 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S75 = i32(1);
+        _S76 = i32(1);
     }
     else
     {
-        _S75 = i32(0);
+        _S76 = i32(0);
     }
-    return one_texel_0(u32(_S75));
+    return one_texel_0(u32(_S76));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S76 : u32 = word_0(texture_2 + u32(1));
-    var _S77 : u32 = texture_2 + u32(13);
-    var _S78 : vec3<f32> = vec3<f32>(0.0f);
+    var _S77 : u32 = word_0(texture_2 + u32(1));
+    var _S78 : u32 = texture_2 + u32(13);
+    var _S79 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_3 : vec3<f32> = _S78;
+    var value_3 : vec3<f32> = _S79;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1203,17 +1211,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_12 : u32 = _S77 + _S76 * lookup_3.texels_0[k_1];
-        var _S79 : vec3<f32>;
-        if(_S76 == u32(1))
+        var at_12 : u32 = _S78 + _S77 * lookup_3.texels_0[k_1];
+        var _S80 : vec3<f32>;
+        if(_S77 == u32(1))
         {
-            _S79 = vec3<f32>(number_1(at_12));
+            _S80 = vec3<f32>(number_1(at_12));
         }
         else
         {
-            _S79 = vector_at_0(at_12);
+            _S80 = vector_at_0(at_12);
         }
-        var value_4 : vec3<f32> = value_3 + _S79 * vec3<f32>(weights_1[k_1]);
+        var value_4 : vec3<f32> = value_3 + _S80 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_3 = value_4;
     }
@@ -1227,8 +1235,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_5 : Place_0) -> vec3<f32>
 {
-    var _S80 : Lookup_0 = lookup_at_0(texture_4, place_5);
-    return looked_up_0(texture_4, _S80, vec2<f32>(0.0f));
+    var _S81 : Lookup_0 = lookup_at_0(texture_4, place_5);
+    return looked_up_0(texture_4, _S81, vec2<f32>(0.0f));
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -1238,28 +1246,28 @@ fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
 {
-    var _S81 : f32 = abs(x_11);
-    var _S82 : f32 = abs(y_4);
-    var _S83 : f32 = min(_S81, _S82);
-    var _S84 : f32 = max(_S81, _S82);
-    var is_steep_0 : bool = _S83 > (0.41421356797218323f * _S84);
+    var _S82 : f32 = abs(x_11);
+    var _S83 : f32 = abs(y_4);
+    var _S84 : f32 = min(_S82, _S83);
+    var _S85 : f32 = max(_S82, _S83);
+    var is_steep_0 : bool = _S84 > (0.41421356797218323f * _S85);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S83 - _S84;
+        above_0 = _S84 - _S85;
     }
     else
     {
-        above_0 = _S83;
+        above_0 = _S84;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S83 + _S84;
+        below_0 = _S84 + _S85;
     }
     else
     {
-        below_0 = _S84;
+        below_0 = _S85;
     }
     if(below_0 > 0.0f)
     {
@@ -1280,7 +1288,7 @@ fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
     {
         angle_2 = angle_1;
     }
-    if(_S82 > _S81)
+    if(_S83 > _S82)
     {
         angle_2 = 1.57079637050628662f - angle_2;
     }
@@ -1299,16 +1307,16 @@ fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
     return above_0;
 }
 
-fn map_place_0( map_0 : u32,  direction_3 : vec3<f32>) -> vec2<f32>
+fn map_place_0( map_0 : u32,  direction_4 : vec3<f32>) -> vec2<f32>
 {
-    var _S85 : u32 = map_0 + u32(2);
-    var d_0 : vec3<f32> = vector_at_0(_S85) * vec3<f32>(direction_3.x) + vector_at_0(_S85 + u32(3)) * vec3<f32>(direction_3.y) + vector_at_0(_S85 + u32(6)) * vec3<f32>(direction_3.z);
+    var _S86 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S86) * vec3<f32>(direction_4.x) + vector_at_0(_S86 + u32(3)) * vec3<f32>(direction_4.y) + vector_at_0(_S86 + u32(6)) * vec3<f32>(direction_4.z);
     return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
-fn in_map_0( map_1 : u32,  direction_4 : vec3<f32>) -> Lookup_0
+fn in_map_0( map_1 : u32,  direction_5 : vec3<f32>) -> Lookup_0
 {
-    var place_6 : vec2<f32> = map_place_0(map_1, direction_4);
+    var place_6 : vec2<f32> = map_place_0(map_1, direction_5);
     var point_0 : Point_0;
     point_0.value_2 = place_6;
     var x_12 : i32 = floor_of_0(place_6.x);
@@ -1317,28 +1325,28 @@ fn in_map_0( map_1 : u32,  direction_4 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_1 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_2, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_2, u32(0));
-    var _S86 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S87 : u32 = u32(width_2);
-    var first_3 : u32 = _S86 * _S87;
-    var _S88 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S88 * _S87;
+    var _S87 : u32 = wrapped_0(y_5, height_1, u32(2));
+    var _S88 : u32 = u32(width_2);
+    var first_3 : u32 = _S87 * _S88;
+    var _S89 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S89 * _S88;
     return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), point_0);
 }
 
-fn emitted_0( emitter_2 : u32,  place_7 : Place_0,  direction_5 : vec3<f32>) -> vec3<f32>
+fn emitted_0( emitter_2 : u32,  place_7 : Place_0,  direction_6 : vec3<f32>) -> vec3<f32>
 {
     var record_2 : u32 = emitter_record_0(emitter_2);
     var texture_5 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var _S89 : vec3<f32> = shown_0(texture_5, place_7);
-        return _S89;
+        var _S90 : vec3<f32> = shown_0(texture_5, place_7);
+        return _S90;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_5 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S90 : u32 = word_0(texture_5 + u32(11));
-    var _S91 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_5));
-    return looked_up_0(_S90, _S91, change_1) * factor_0;
+    var _S91 : u32 = word_0(texture_5 + u32(11));
+    var _S92 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_6));
+    return looked_up_0(_S91, _S92, change_1) * factor_0;
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1349,16 +1357,17 @@ fn reaches_0( segments_0 : u32) -> bool
 struct Path_0
 {
      throughput_0 : vec3<f32>,
-     direction_6 : vec3<f32>,
+     direction_7 : vec3<f32>,
      place_8 : Place_0,
      key_4 : vec2<u32>,
+     direction_rest_0 : vec3<f32>,
      light_0 : vec3<f32>,
 };
 
 fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
     var drawn_3 : CameraSample_0 = camera_sample_0(number_of_path_1);
-    var ray_5 : CameraRay_0 = camera_ray_0(drawn_3);
+    var ray_6 : CameraRay_0 = camera_ray_0(drawn_3);
     (*path_0).key_4 = drawn_3.key_3;
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
     atomicStore(&(sums_0[u32(3) + number_of_path_1]), (bitcast<u32>((drawn_3.weight_1))));
@@ -1368,52 +1377,53 @@ fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0f;
     found_4.w_2 = 0.0f;
-    var _S92 : bool;
-    if((ray_5.length_0) >= 0.0f)
+    var _S93 : bool;
+    if((ray_6.length_0) >= 0.0f)
     {
-        _S92 = (word_0(u32(14))) != u32(0);
+        _S93 = (word_0(u32(14))) != u32(0);
     }
     else
     {
-        _S92 = false;
+        _S93 = false;
     }
-    if(_S92)
+    if(_S93)
     {
-        found_4 = cast_0(ray_5.start_1, ray_5.direction_0, 0.0f, ray_5.length_0, false, &(t_4));
+        found_4 = cast_0(ray_6.start_1, ray_6.direction_0, 0.0f, ray_6.length_0, false, &(t_4));
     }
-    var _S93 : Place_0 = place_of_0(found_4);
-    (*path_0).place_8 = _S93;
-    (*path_0).direction_6 = ray_5.direction_0;
-    var _S94 : vec3<f32> = still_0(vec3<f32>(0.0f));
-    var emitter_3 : u32 = emitter_seen_0(found_4, ray_5.direction_0);
+    var _S94 : Place_0 = place_of_0(found_4);
+    (*path_0).place_8 = _S94;
+    (*path_0).direction_7 = ray_6.direction_0;
+    (*path_0).direction_rest_0 = vec3<f32>(0.0f);
+    var _S95 : vec3<f32> = still_0(vec3<f32>(0.0f));
+    var emitter_3 : u32 = emitter_seen_0(found_4, ray_6.direction_0);
     if(emitter_3 != u32(4294967295))
     {
-        _S92 = (word_0(u32(4))) != u32(0);
+        _S93 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S92 = false;
+        _S93 = false;
     }
     var light_1 : vec3<f32>;
-    if(_S92)
+    if(_S93)
     {
-        var _S95 : vec3<f32> = emitted_0(emitter_3, _S93, (*path_0).direction_6);
-        light_1 = _S95;
+        var _S96 : vec3<f32> = emitted_0(emitter_3, _S94, (*path_0).direction_7);
+        light_1 = _S96;
     }
     else
     {
-        light_1 = _S94;
+        light_1 = _S95;
     }
     (*path_0).light_0 = light_1;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S92 = reaches_0(u32(2));
+        _S93 = reaches_0(u32(2));
     }
     else
     {
-        _S92 = false;
+        _S93 = false;
     }
-    return _S92;
+    return _S93;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
@@ -1441,44 +1451,66 @@ fn set_vector_0( path_2 : u32,  which_2 : ptr<function, u32>,  value_6 : vec3<f3
     return;
 }
 
-fn set_changing_0( path_3 : u32,  which_3 : ptr<function, u32>,  vector_1 : vec3<f32>)
+fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_7 : vec3<f32>)
 {
-    set_vector_0(path_3, &((*which_3)), value_of_0(vector_1));
+    var axis_5 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_5 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_3, (*which_3) + axis_5, (bitcast<u32>((value_7[axis_5]))));
+        axis_5 = axis_5 + u32(1);
+    }
+    (*which_3) = (*which_3) + u32(3);
     return;
 }
 
-fn set_place_0( path_4 : u32,  which_4 : ptr<function, u32>,  place_9 : Place_0)
+fn set_changing_0( path_4 : u32,  which_4 : ptr<function, u32>,  vector_1 : vec3<f32>)
 {
-    set_word_0(path_4, (*which_4), place_9.triangle_2);
-    set_word_0(path_4, (*which_4) + u32(1), (bitcast<u32>((place_9.v_4))));
-    set_word_0(path_4, (*which_4) + u32(2), (bitcast<u32>((place_9.w_3))));
-    set_word_0(path_4, (*which_4) + u32(3), (bitcast<u32>((place_9.v_rest_0))));
-    set_word_0(path_4, (*which_4) + u32(4), (bitcast<u32>((place_9.w_rest_0))));
-    (*which_4) = (*which_4) + u32(5);
+    set_vector_1(path_4, &((*which_4)), value_of_0(vector_1));
     return;
 }
 
-fn store_0( number_of_path_2 : u32,  path_5 : Path_0)
+fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_9 : Place_0)
+{
+    set_word_0(path_5, (*which_5), place_9.triangle_2);
+    set_word_0(path_5, (*which_5) + u32(1), (bitcast<u32>((place_9.v_4))));
+    set_word_0(path_5, (*which_5) + u32(2), (bitcast<u32>((place_9.w_3))));
+    set_word_0(path_5, (*which_5) + u32(3), (bitcast<u32>((place_9.v_rest_0))));
+    set_word_0(path_5, (*which_5) + u32(4), (bitcast<u32>((place_9.w_rest_0))));
+    (*which_5) = (*which_5) + u32(5);
+    return;
+}
+
+fn store_0( number_of_path_2 : u32,  path_6 : Path_0)
 {
     var at_13 : u32 = u32(1);
-    set_changing_0(number_of_path_2, &(at_13), path_5.light_0);
-    set_changing_0(number_of_path_2, &(at_13), path_5.throughput_0);
-    set_changing_0(number_of_path_2, &(at_13), path_5.direction_6);
-    set_place_0(number_of_path_2, &(at_13), path_5.place_8);
-    set_word_0(number_of_path_2, at_13, path_5.key_4.x);
-    set_word_0(number_of_path_2, at_13 + u32(1), path_5.key_4.y);
+    set_changing_0(number_of_path_2, &(at_13), path_6.light_0);
+    set_changing_0(number_of_path_2, &(at_13), path_6.throughput_0);
+    set_changing_0(number_of_path_2, &(at_13), path_6.direction_7);
+    set_place_0(number_of_path_2, &(at_13), path_6.place_8);
+    var _S97 : u32 = at_13 + u32(1);
+    set_word_0(number_of_path_2, at_13, path_6.key_4.x);
+    at_13 = _S97 + u32(1);
+    set_word_0(number_of_path_2, _S97, path_6.key_4.y);
+    set_vector_0(number_of_path_2, &(at_13), path_6.direction_rest_0);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S96 : u32;
+    var _S98 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S97 : u32 = u32(2) + zero_0;
-        _S96 = _S97;
-        if(rounds_0 < _S97)
+        var _S99 : u32 = u32(2) + zero_0;
+        _S98 = _S99;
+        if(rounds_0 < _S99)
         {
         }
         else
@@ -1487,14 +1519,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S96;
+    return rounds_0 == _S98;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S98 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S100 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -1508,19 +1540,19 @@ fn begin_paths(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     {
         return;
     }
-    var path_6 : Path_0;
-    var goes_on_0 : bool = begin_0(number_of_path_3, &(path_6));
-    store_0(number_of_path_3, path_6);
-    var _S99 : u32;
+    var path_7 : Path_0;
+    var goes_on_0 : bool = begin_0(number_of_path_3, &(path_7));
+    store_0(number_of_path_3, path_7);
+    var _S101 : u32;
     if(goes_on_0)
     {
-        _S99 = number_of_path_3;
+        _S101 = number_of_path_3;
     }
     else
     {
-        _S99 = u32(4294967295);
+        _S101 = u32(4294967295);
     }
-    set_word_0(number_of_path_3, u32(0), _S99);
+    set_word_0(number_of_path_3, u32(0), _S101);
     check_loops_0();
     return;
 }

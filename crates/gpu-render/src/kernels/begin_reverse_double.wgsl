@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 8cdd73aabff328b2
-// result: 6060de63c130a220
+// source: cbd5b3ac6fc36d98
+// result: 03376b9941b08a19
 
 struct Launch_std140_0
 {
@@ -1019,6 +1019,69 @@ fn change_vector_0( at_9 : u32) -> vec3<f32>
     return (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_9), change_word_0(at_9 + u32(1)), change_word_0(at_9 + u32(2))))));
 }
 
+struct Ray_0
+{
+     origin_0 : vec3<f64>,
+     shear_x_0 : f64,
+     shear_y_0 : f64,
+     inverse_z_0 : f64,
+     t_min_0 : f64,
+     t_max_0 : f64,
+     local_per_t_0 : f64,
+     enter_1 : f64,
+     edge_on_0 : f64,
+     largest_0 : f64,
+};
+
+fn ray_along_0( origin_1 : vec3<f64>,  direction_1 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  axes_0 : ptr<function, u32>) -> Ray_0
+{
+    var size_2 : vec3<f32> = abs(vec3<f32>(direction_1));
+    var _S156 : f32 = size_2.x;
+    var _S157 : f32 = size_2.y;
+    var _S158 : bool;
+    if(_S156 >= _S157)
+    {
+        _S158 = _S156 >= (size_2.z);
+    }
+    else
+    {
+        _S158 = false;
+    }
+    var _S159 : i32;
+    if(_S158)
+    {
+        _S159 = i32(0);
+    }
+    else
+    {
+        if(_S157 >= (size_2.z))
+        {
+            _S159 = i32(1);
+        }
+        else
+        {
+            _S159 = i32(2);
+        }
+    }
+    var z_3 : u32 = u32(_S159);
+    var x_12 : u32 = (z_3 + u32(1)) % u32(3);
+    var y_4 : u32 = (z_3 + u32(2)) % u32(3);
+    (*axes_0) = (((x_12 | (((y_4 << (u32(2))))))) | (((z_3 << (u32(4))))));
+    var ray_1 : Ray_0;
+    ray_1.origin_0 = origin_1;
+    var along_0 : f64 = component_0(direction_1, z_3);
+    ray_1.inverse_z_0 = 1.0lf / along_0;
+    ray_1.shear_x_0 = component_0(direction_1, x_12) / along_0;
+    ray_1.shear_y_0 = component_0(direction_1, y_4) / along_0;
+    ray_1.t_min_0 = t_min_1;
+    ray_1.t_max_0 = t_max_1;
+    ray_1.local_per_t_0 = abs(along_0);
+    ray_1.enter_1 = 0.0lf;
+    ray_1.edge_on_0 = limit_at_0(u32(0));
+    ray_1.largest_0 = limit_at_0(u32(1));
+    return ray_1;
+}
+
 fn ray_child_0( node_0 : u32,  slot_0 : u32) -> u32
 {
     return nodes_0[u32(14) * node_0 + u32(12) + slot_0 / u32(4)][slot_0 % u32(4)];
@@ -1031,12 +1094,12 @@ struct RayView_0
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
      margin_0 : f32,
-     axes_0 : u32,
+     axes_1 : u32,
 };
 
 fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_1 : u32) -> f32
 {
-    var _S156 : u32 = u32(14) * node_1 + slot_1 / u32(4);
+    var _S160 : u32 = u32(14) * node_1 + slot_1 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_2 : u32 = u32(0);
@@ -1049,36 +1112,36 @@ fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_1 : u32
         {
             break;
         }
-        var _S157 : u32 = axis_2;
-        var _S158 : u32 = _S156 + u32(2) * axis_2;
-        var _S159 : u32 = slot_1 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S158][_S159])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S158 + u32(6)][_S159])));
-        var _S160 : bool = (view_0.inverse_0[axis_2]) < 0.0f;
-        var _S161 : f32;
-        if(_S160)
+        var _S161 : u32 = axis_2;
+        var _S162 : u32 = _S160 + u32(2) * axis_2;
+        var _S163 : u32 = slot_1 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S162][_S163])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S162 + u32(6)][_S163])));
+        var _S164 : bool = (view_0.inverse_0[axis_2]) < 0.0f;
+        var _S165 : f32;
+        if(_S164)
         {
-            _S161 = high_0;
+            _S165 = high_0;
         }
         else
         {
-            _S161 = low_3;
+            _S165 = low_3;
         }
-        var _S162 : f32 = max(near_0, _S161 * view_0.inverse_0[_S157] - view_0.offset_near_0[axis_2]);
-        var _S163 : f32;
-        if(_S160)
+        var _S166 : f32 = max(near_0, _S165 * view_0.inverse_0[_S161] - view_0.offset_near_0[axis_2]);
+        var _S167 : f32;
+        if(_S164)
         {
-            _S163 = low_3;
+            _S167 = low_3;
         }
         else
         {
-            _S163 = high_0;
+            _S167 = high_0;
         }
-        var _S164 : f32 = min(far_0, _S163 * view_0.inverse_0[_S157] - view_0.offset_far_0[axis_2]);
-        var _S165 : u32 = axis_2 + u32(1);
-        near_0 = _S162;
-        far_0 = _S164;
-        axis_2 = _S165;
+        var _S168 : f32 = min(far_0, _S167 * view_0.inverse_0[_S161] - view_0.offset_far_0[axis_2]);
+        var _S169 : u32 = axis_2 + u32(1);
+        near_0 = _S166;
+        far_0 = _S168;
+        axis_2 = _S169;
     }
     if(near_0 <= far_0)
     {
@@ -1103,7 +1166,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S166 : u32 = k_0;
+        var _S170 : u32 = k_0;
         if((bounds_0[k_0]) > limit_2)
         {
             k_0 = k_0 + u32(1);
@@ -1120,24 +1183,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S167 : u32 = j_0;
-            var _S168 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S166]))
+            var _S171 : u32 = j_0;
+            var _S172 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S170]))
             {
-                _S168 = true;
+                _S172 = true;
             }
             else
             {
-                if((bounds_0[_S167]) == (bounds_0[_S166]))
+                if((bounds_0[_S171]) == (bounds_0[_S170]))
                 {
-                    _S168 = j_0 < k_0;
+                    _S172 = j_0 < k_0;
                 }
                 else
                 {
-                    _S168 = false;
+                    _S172 = false;
                 }
             }
-            if(_S168)
+            if(_S172)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -1162,45 +1225,31 @@ fn crossed_0( view_1 : RayView_0,  limit_3 : f32,  node_2 : u32) -> u32
         {
             break;
         }
-        var _S169 : f32;
+        var _S173 : f32;
         if((ray_child_0(node_2, slot_2)) == u32(4294967295))
         {
-            _S169 = 3.00000000549775576e+38f;
+            _S173 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S169 = ray_bound_0(view_1, limit_3, node_2, slot_2);
+            _S173 = ray_bound_0(view_1, limit_3, node_2, slot_2);
         }
-        bounds_1[slot_2] = _S169;
+        bounds_1[slot_2] = _S173;
         slot_2 = slot_2 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn rounded_0( product_1 : f64,  largest_0 : f64) -> f64
+fn rounded_0( product_1 : f64,  largest_1 : f64) -> f64
 {
-    return min(product_1, largest_0);
+    return min(product_1, largest_1);
 }
 
-struct Ray_0
+fn corner_0( ray_2 : Ray_0,  axes_2 : u32,  at_10 : u32) -> vec3<f64>
 {
-     origin_0 : vec3<f64>,
-     shear_x_0 : f64,
-     shear_y_0 : f64,
-     inverse_z_0 : f64,
-     t_min_0 : f64,
-     t_max_0 : f64,
-     local_per_t_0 : f64,
-     enter_1 : f64,
-     edge_on_0 : f64,
-     largest_1 : f64,
-};
-
-fn corner_0( ray_1 : Ray_0,  axes_1 : u32,  at_10 : u32) -> vec3<f64>
-{
-    var relative_0 : vec3<f64> = primitive_vector_0(at_10) - ray_1.origin_0;
-    var z_3 : f64 = component_0(relative_0, (axes_1 >> (u32(4))));
-    return vec3<f64>(component_0(relative_0, (axes_1 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_3, ray_1.largest_1), component_0(relative_0, (((axes_1 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_3, ray_1.largest_1), z_3);
+    var relative_0 : vec3<f64> = primitive_vector_0(at_10) - ray_2.origin_0;
+    var z_4 : f64 = component_0(relative_0, (axes_2 >> (u32(4))));
+    return vec3<f64>(component_0(relative_0, (axes_2 & (u32(3)))) - rounded_0(ray_2.shear_x_0 * z_4, ray_2.largest_0), component_0(relative_0, (((axes_2 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_2.shear_y_0 * z_4, ray_2.largest_0), z_4);
 }
 
 struct Crossing_0
@@ -1211,58 +1260,58 @@ struct Crossing_0
      w_0 : f64,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_2 : u32,  at_11 : u32) -> Crossing_0
+fn intersect_0( ray_3 : Ray_0,  axes_3 : u32,  at_11 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_2 = 0.0lf;
     crossing_0.v_1 = 0.0lf;
     crossing_0.w_0 = 0.0lf;
-    var a_3 : vec3<f64> = corner_0(ray_2, axes_2, at_11);
-    var b_3 : vec3<f64> = corner_0(ray_2, axes_2, at_11 + u32(3));
-    var c_0 : vec3<f64> = corner_0(ray_2, axes_2, at_11 + u32(6));
-    var _S170 : f64 = c_0.x;
-    var _S171 : f64 = b_3.y;
-    var cx_by_0 : f64 = rounded_0(_S170 * _S171, ray_2.largest_1);
-    var _S172 : f64 = c_0.y;
-    var _S173 : f64 = b_3.x;
-    var cy_bx_0 : f64 = rounded_0(_S172 * _S173, ray_2.largest_1);
-    var _S174 : f64 = a_3.x;
-    var ax_cy_0 : f64 = rounded_0(_S174 * _S172, ray_2.largest_1);
-    var _S175 : f64 = a_3.y;
-    var ay_cx_0 : f64 = rounded_0(_S175 * _S170, ray_2.largest_1);
-    var bx_ay_0 : f64 = rounded_0(_S173 * _S175, ray_2.largest_1);
-    var by_ax_0 : f64 = rounded_0(_S171 * _S174, ray_2.largest_1);
+    var a_3 : vec3<f64> = corner_0(ray_3, axes_3, at_11);
+    var b_3 : vec3<f64> = corner_0(ray_3, axes_3, at_11 + u32(3));
+    var c_0 : vec3<f64> = corner_0(ray_3, axes_3, at_11 + u32(6));
+    var _S174 : f64 = c_0.x;
+    var _S175 : f64 = b_3.y;
+    var cx_by_0 : f64 = rounded_0(_S174 * _S175, ray_3.largest_0);
+    var _S176 : f64 = c_0.y;
+    var _S177 : f64 = b_3.x;
+    var cy_bx_0 : f64 = rounded_0(_S176 * _S177, ray_3.largest_0);
+    var _S178 : f64 = a_3.x;
+    var ax_cy_0 : f64 = rounded_0(_S178 * _S176, ray_3.largest_0);
+    var _S179 : f64 = a_3.y;
+    var ay_cx_0 : f64 = rounded_0(_S179 * _S174, ray_3.largest_0);
+    var bx_ay_0 : f64 = rounded_0(_S177 * _S179, ray_3.largest_0);
+    var by_ax_0 : f64 = rounded_0(_S175 * _S178, ray_3.largest_0);
     var u_1 : f64 = cx_by_0 - cy_bx_0;
     var v_2 : f64 = ax_cy_0 - ay_cx_0;
     var w_1 : f64 = bx_ay_0 - by_ax_0;
-    var _S176 : f64 = min(min(u_1, v_2), w_1);
-    var _S177 : f64 = max(max(u_1, v_2), w_1);
-    var _S178 : bool;
-    if(_S176 < 0.0lf)
+    var _S180 : f64 = min(min(u_1, v_2), w_1);
+    var _S181 : f64 = max(max(u_1, v_2), w_1);
+    var _S182 : bool;
+    if(_S180 < 0.0lf)
     {
-        _S178 = _S177 > 0.0lf;
+        _S182 = _S181 > 0.0lf;
     }
     else
     {
-        _S178 = false;
+        _S182 = false;
     }
-    if(_S178)
+    if(_S182)
     {
         return crossing_0;
     }
     var determinant_0 : f64 = u_1 + v_2 + w_1;
-    if(_S176 <= 0.0lf)
+    if(_S180 <= 0.0lf)
     {
-        _S178 = _S177 >= 0.0lf;
+        _S182 = _S181 >= 0.0lf;
     }
     else
     {
-        _S178 = false;
+        _S182 = false;
     }
-    if(_S178)
+    if(_S182)
     {
-        if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
+        if((abs(determinant_0)) <= (ray_3.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
             return crossing_0;
         }
@@ -1271,16 +1320,16 @@ fn intersect_0( ray_2 : Ray_0,  axes_2 : u32,  at_11 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_3 : f64 = (rounded_0(u_1 * a_3.z, ray_2.largest_1) + rounded_0(v_2 * b_3.z, ray_2.largest_1) + rounded_0(w_1 * c_0.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
-    if((ray_2.t_min_0) <= t_3)
+    var t_3 : f64 = (rounded_0(u_1 * a_3.z, ray_3.largest_0) + rounded_0(v_2 * b_3.z, ray_3.largest_0) + rounded_0(w_1 * c_0.z, ray_3.largest_0)) / determinant_0 * ray_3.inverse_z_0;
+    if((ray_3.t_min_0) <= t_3)
     {
-        _S178 = t_3 <= (ray_2.t_max_0);
+        _S182 = t_3 <= (ray_3.t_max_0);
     }
     else
     {
-        _S178 = false;
+        _S182 = false;
     }
-    crossing_0.is_hit_0 = _S178;
+    crossing_0.is_hit_0 = _S182;
     crossing_0.t_2 = t_3;
     crossing_0.v_1 = v_2 / determinant_0;
     crossing_0.w_0 = w_1 / determinant_0;
@@ -1300,9 +1349,9 @@ struct Found_0
      w_2 : f64,
 };
 
-fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+fn first_found_0( view_2 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S179 : bool;
+    var _S183 : bool;
     var found_0 : Found_0;
     found_0.face_1 = u32(4294967295);
     found_0.triangle_1 = u32(4294967295);
@@ -1334,31 +1383,31 @@ fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_0[level_0];
-        var _S180 : u32 = way_0[level_0].y;
-        if(_S180 == u32(0))
+        var _S184 : u32 = way_0[level_0].y;
+        if(_S184 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S181 : u32 = level_0 - u32(1);
+            var _S185 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S181;
+            level_0 = _S185;
             continue;
         }
-        var slot_3 : u32 = ((_S180 & (u32(15)))) - u32(1);
-        way_0[level_0][i32(1)] = (_S180 >> (u32(4)));
-        var _S182 : bool;
+        var slot_3 : u32 = ((_S184 & (u32(15)))) - u32(1);
+        way_0[level_0][i32(1)] = (_S184 >> (u32(4)));
+        var _S186 : bool;
         if(!is_new_1)
         {
-            _S182 = (ray_bound_0(view_2, limit_4, here_0.x, slot_3)) > limit_4;
+            _S186 = (ray_bound_0(view_2, limit_4, here_0.x, slot_3)) > limit_4;
         }
         else
         {
-            _S182 = false;
+            _S186 = false;
         }
-        if(_S182)
+        if(_S186)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -1367,27 +1416,27 @@ fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_0.x, slot_3);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S183 : u32 = level_0 + u32(1);
+            var _S187 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S183;
+            level_0 = _S187;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S184 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S185 : u32 = leaf_starts_0[leaf_0];
+        var _S188 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S189 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_0 : u32 = _S185;
+        var i_0 : u32 = _S189;
         for(;;)
         {
-            if(i_0 < _S184)
+            if(i_0 < _S188)
             {
             }
             else
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_3), view_2.axes_0, u32(9) * i_0);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_4), view_2.axes_1, u32(9) * i_0);
             if(!crossing_1.is_hit_0)
             {
                 i_0 = i_0 + u32(1);
@@ -1395,30 +1444,30 @@ fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_1) == u32(4294967295))
             {
-                _S179 = true;
+                _S183 = true;
             }
             else
             {
-                _S179 = (crossing_1.t_2) < ((*ray_3).t_max_0);
+                _S183 = (crossing_1.t_2) < ((*ray_4).t_max_0);
             }
-            var _S186 : bool;
-            if(_S179)
+            var _S190 : bool;
+            if(_S183)
             {
-                _S186 = true;
+                _S190 = true;
             }
             else
             {
-                _S186 = (face_0(i_0)) < (found_0.face_1);
+                _S190 = (face_0(i_0)) < (found_0.face_1);
             }
             var limit_6 : f32;
-            if(_S186)
+            if(_S190)
             {
                 found_0.face_1 = face_0(i_0);
                 found_0.triangle_1 = i_0;
-                (*ray_3).t_max_0 = crossing_1.t_2;
+                (*ray_4).t_max_0 = crossing_1.t_2;
                 found_0.v_3 = crossing_1.v_1;
                 found_0.w_2 = crossing_1.w_0;
-                limit_6 = min(limit_5, f32(crossing_1.t_2 * (*ray_3).local_per_t_0 - (*ray_3).enter_1) + 2.0f * view_2.margin_0);
+                limit_6 = min(limit_5, f32(crossing_1.t_2 * (*ray_4).local_per_t_0 - (*ray_4).enter_1) + 2.0f * view_2.margin_0);
             }
             else
             {
@@ -1429,13 +1478,13 @@ fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S179 = (found_0.face_1) != u32(4294967295);
+            _S183 = (found_0.face_1) != u32(4294967295);
         }
         else
         {
-            _S179 = false;
+            _S183 = false;
         }
-        if(_S179)
+        if(_S183)
         {
             break;
         }
@@ -1446,54 +1495,14 @@ fn first_found_0( view_2 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
     return found_0;
 }
 
-fn cast_0( origin_1 : vec3<f64>,  direction_1 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_2 : vec3<f64>,  direction_2 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
 {
-    var size_2 : vec3<f32> = abs(vec3<f32>(direction_1));
-    var _S187 : f32 = size_2.x;
-    var _S188 : f32 = size_2.y;
-    var _S189 : bool;
-    if(_S187 >= _S188)
-    {
-        _S189 = _S187 >= (size_2.z);
-    }
-    else
-    {
-        _S189 = false;
-    }
-    var _S190 : i32;
-    if(_S189)
-    {
-        _S190 = i32(0);
-    }
-    else
-    {
-        if(_S188 >= (size_2.z))
-        {
-            _S190 = i32(1);
-        }
-        else
-        {
-            _S190 = i32(2);
-        }
-    }
-    var z_4 : u32 = u32(_S190);
-    var x_12 : u32 = (z_4 + u32(1)) % u32(3);
-    var y_4 : u32 = (z_4 + u32(2)) % u32(3);
-    var ray_4 : Ray_0;
-    ray_4.origin_0 = origin_1;
-    var along_0 : f64 = component_0(direction_1, z_4);
-    ray_4.inverse_z_0 = 1.0lf / along_0;
-    ray_4.shear_x_0 = component_0(direction_1, x_12) / along_0;
-    ray_4.shear_y_0 = component_0(direction_1, y_4) / along_0;
-    ray_4.t_min_0 = t_min_1;
-    ray_4.t_max_0 = t_max_1;
-    var _S191 : f64 = abs(along_0);
-    ray_4.local_per_t_0 = _S191;
-    ray_4.enter_1 = 0.0lf;
-    ray_4.edge_on_0 = limit_at_0(u32(0));
-    ray_4.largest_1 = limit_at_0(u32(1));
     var view_3 : RayView_0;
-    var _S192 : vec3<f32> = vec3<f32>(direction_1 / vec3<f64>(_S191));
+    var _S191 : u32 = view_3.axes_1;
+    var _S192 : Ray_0 = ray_along_0(origin_2, direction_2, t_min_2, t_max_2, &(_S191));
+    view_3.axes_1 = _S191;
+    var ray_5 : Ray_0 = _S192;
+    var _S193 : vec3<f32> = vec3<f32>(direction_2 / vec3<f64>(ray_5.local_per_t_0));
     var axis_3 : u32 = u32(0);
     for(;;)
     {
@@ -1504,28 +1513,27 @@ fn cast_0( origin_1 : vec3<f64>,  direction_1 : vec3<f64>,  t_min_1 : f64,  t_ma
         {
             break;
         }
-        var _S193 : f32 = max(abs(_S192[axis_3]), 8.67361737988403547e-19f);
-        var _S194 : f32;
-        if((_S192[axis_3]) < 0.0f)
+        var _S194 : f32 = max(abs(_S193[axis_3]), 8.67361737988403547e-19f);
+        var _S195 : f32;
+        if((_S193[axis_3]) < 0.0f)
         {
-            _S194 = -1.0f / _S193;
+            _S195 = -1.0f / _S194;
         }
         else
         {
-            _S194 = 1.0f / _S193;
+            _S195 = 1.0f / _S194;
         }
-        view_3.inverse_0[axis_3] = _S194;
+        view_3.inverse_0[axis_3] = _S195;
         axis_3 = axis_3 + u32(1);
     }
-    var offset_0 : vec3<f32> = vec3<f32>(origin_1) * view_3.inverse_0;
+    var offset_0 : vec3<f32> = vec3<f32>(origin_2) * view_3.inverse_0;
     var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_3.inverse_0);
     view_3.offset_near_0 = offset_0 + wider_0;
     view_3.offset_far_0 = offset_0 - wider_0;
-    view_3.limit_0 = min(f32(t_max_1 * ray_4.local_per_t_0), 8.0f) + 3.814697265625e-06f;
+    view_3.limit_0 = min(f32(t_max_2 * ray_5.local_per_t_0), 8.0f) + 3.814697265625e-06f;
     view_3.margin_0 = 3.814697265625e-06f;
-    view_3.axes_0 = (((x_12 | (((y_4 << (u32(2))))))) | (((z_4 << (u32(4))))));
-    var found_1 : Found_0 = first_found_0(view_3, &(ray_4), any_1);
-    (*t_4) = f32(ray_4.t_max_0);
+    var found_1 : Found_0 = first_found_0(view_3, &(ray_5), any_1);
+    (*t_4) = f32(ray_5.t_max_0);
     return found_1;
 }
 
@@ -1542,12 +1550,12 @@ fn exact_place_0( triangle_3 : u32,  v_5 : f64,  w_4 : f64) -> Place_0
 {
     var place_1 : Place_0;
     place_1.triangle_2 = triangle_3;
-    var _S195 : f32 = f32(v_5);
-    place_1.v_4 = _S195;
-    var _S196 : f32 = f32(w_4);
-    place_1.w_3 = _S196;
-    place_1.v_rest_0 = f32(v_5 - f64(_S195));
-    place_1.w_rest_0 = f32(w_4 - f64(_S196));
+    var _S196 : f32 = f32(v_5);
+    place_1.v_4 = _S196;
+    var _S197 : f32 = f32(w_4);
+    place_1.w_3 = _S197;
+    place_1.v_rest_0 = f32(v_5 - f64(_S196));
+    place_1.w_rest_0 = f32(w_4 - f64(_S197));
     return place_1;
 }
 
@@ -1563,7 +1571,7 @@ fn triangle_record_0( triangle_4 : u32) -> u32
 
 fn shape_of_0( triangle_5 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_5));
+    return word_0(u32(10)) + u32(7) * word_0(triangle_record_0(triangle_5));
 }
 
 fn cross_of_0( triangle_6 : u32) -> vec3<f32>
@@ -1573,32 +1581,32 @@ fn cross_of_0( triangle_6 : u32) -> vec3<f32>
     return cross(vec3<f32>(primitive_vector_0(at_12 + u32(3)) - a_4), vec3<f32>(primitive_vector_0(at_12 + u32(6)) - a_4));
 }
 
-fn emitter_seen_0( found_3 : Found_0,  direction_2 : vec3<f32>) -> u32
+fn emitter_seen_0( found_3 : Found_0,  direction_3 : vec3<f32>) -> u32
 {
     if((found_3.face_1) == u32(4294967295))
     {
         return word_0(u32(8));
     }
     var emitter_0 : u32 = word_0(shape_of_0(found_3.triangle_1) + u32(4));
-    var _S197 : bool;
+    var _S198 : bool;
     if(emitter_0 != u32(4294967295))
     {
-        _S197 = (dot(cross_of_0(found_3.triangle_1), direction_2)) < 0.0f;
+        _S198 = (dot(cross_of_0(found_3.triangle_1), direction_3)) < 0.0f;
     }
     else
     {
-        _S197 = false;
+        _S198 = false;
     }
-    var _S198 : u32;
-    if(_S197)
+    var _S199 : u32;
+    if(_S198)
     {
-        _S198 = emitter_0;
+        _S199 = emitter_0;
     }
     else
     {
-        _S198 = u32(4294967295);
+        _S199 = u32(4294967295);
     }
-    return _S198;
+    return _S199;
 }
 
 fn emitter_record_0( emitter_1 : u32) -> u32
@@ -1626,9 +1634,9 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    var _S199 : vec4<f32> = vec4<f32>(0.0f);
-    lookup_0.by_second_0 = _S199;
-    lookup_0.by_first_0 = _S199;
+    var _S200 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S200;
+    lookup_0.by_first_0 = _S200;
     return lookup_0;
 }
 
@@ -1641,11 +1649,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_6 : vec2<f32>,  b_5 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
 {
-    var _S200 : Corners2_0;
-    _S200.a_5 = a_6;
-    _S200.b_4 = b_5;
-    _S200.c_1 = c_2;
-    return _S200;
+    var _S201 : Corners2_0;
+    _S201.a_5 = a_6;
+    _S201.b_4 = b_5;
+    _S201.c_1 = c_2;
+    return _S201;
 }
 
 fn uvs_of_0( triangle_7 : u32) -> Corners2_0
@@ -1718,13 +1726,13 @@ fn between_0( texels_1 : vec4<u32>,  place_2 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S201 : f32 = back_0.x;
-    var _S202 : f32 = back_0.y;
-    var _S203 : f32 = way_1.x;
-    var _S204 : f32 = way_1.y;
-    lookup_1.weights_0 = vec4<f32>(_S201 * _S202, _S203 * _S202, _S201 * _S204, _S203 * _S204);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S202, _S202, - _S204, _S204);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S201, - _S203, _S201, _S203);
+    var _S202 : f32 = back_0.x;
+    var _S203 : f32 = back_0.y;
+    var _S204 : f32 = way_1.x;
+    var _S205 : f32 = way_1.y;
+    lookup_1.weights_0 = vec4<f32>(_S202 * _S203, _S204 * _S203, _S202 * _S205, _S204 * _S205);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S203, _S203, - _S205, _S205);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S202, - _S204, _S202, _S204);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_2.by_first_1.x) + by_y_0 * vec4<f32>(place_2.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_2.by_second_1.x) + by_y_0 * vec4<f32>(place_2.by_second_1.y);
     return lookup_1;
@@ -1740,22 +1748,22 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_1 : u32 = wrapped_0(floor_of_0(place_3.y), height_0, wrap_1);
-        var _S205 : u32 = row_1 * u32(width_2);
-        var _S206 : u32 = wrapped_0(floor_of_0(place_3.x), width_2, wrap_1);
-        return one_texel_0(_S205 + _S206);
+        var _S206 : u32 = row_1 * u32(width_2);
+        var _S207 : u32 = wrapped_0(floor_of_0(place_3.x), width_2, wrap_1);
+        return one_texel_0(_S206 + _S207);
     }
     var centred_0 : Point_0;
-    var _S207 : vec2<f32> = place_3 - vec2<f32>(0.5f);
-    centred_0.value_2 = _S207;
+    var _S208 : vec2<f32> = place_3 - vec2<f32>(0.5f);
+    centred_0.value_2 = _S208;
     centred_0.by_first_1 = uv_0.by_first_1 * size_3;
     centred_0.by_second_1 = uv_0.by_second_1 * size_3;
-    var x_14 : i32 = floor_of_0(_S207.x);
-    var y_5 : i32 = floor_of_0(_S207.y);
-    var _S208 : u32 = wrapped_0(y_5, height_0, wrap_1);
-    var _S209 : u32 = u32(width_2);
-    var first_2 : u32 = _S208 * _S209;
-    var _S210 : u32 = wrapped_0(y_5 + i32(1), height_0, wrap_1);
-    var second_1 : u32 = _S210 * _S209;
+    var x_14 : i32 = floor_of_0(_S208.x);
+    var y_5 : i32 = floor_of_0(_S208.y);
+    var _S209 : u32 = wrapped_0(y_5, height_0, wrap_1);
+    var _S210 : u32 = u32(width_2);
+    var first_2 : u32 = _S209 * _S210;
+    var _S211 : u32 = wrapped_0(y_5 + i32(1), height_0, wrap_1);
+    var second_1 : u32 = _S211 * _S210;
     var left_0 : u32 = wrapped_0(x_14, width_2, wrap_1);
     var right_0 : u32 = wrapped_0(x_14 + i32(1), width_2, wrap_1);
     return between_0(vec4<u32>(first_2 + left_0, first_2 + right_0, second_1 + left_0, second_1 + right_0), centred_0);
@@ -1788,39 +1796,39 @@ fn lookup_at_0( texture_1 : u32,  place_4 : Place_0) -> Lookup_0
     var to_u_0 : vec3<f32> = vector_at_0(rows_0);
     var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S211 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_4.v_4 - place_4.w_3)) + uvs_1.b_4 * vec2<f32>(place_4.v_4) + uvs_1.c_1 * vec2<f32>(place_4.w_3), 1.0f);
-    uv_1.value_2 = vec2<f32>(dot(_S211, to_u_0), dot(_S211, to_v_0));
+    var _S212 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_4.v_4 - place_4.w_3)) + uvs_1.b_4 * vec2<f32>(place_4.v_4) + uvs_1.c_1 * vec2<f32>(place_4.w_3), 1.0f);
+    uv_1.value_2 = vec2<f32>(dot(_S212, to_u_0), dot(_S212, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_4 - uvs_1.a_5;
     var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_5;
-    var _S212 : vec2<f32> = to_u_0.xy;
-    var _S213 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S212), dot(by_v_0, _S213));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S212), dot(by_w_0, _S213));
+    var _S213 : vec2<f32> = to_u_0.xy;
+    var _S214 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S213), dot(by_v_0, _S214));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S213), dot(by_w_0, _S214));
     if(kind_1 == u32(1))
     {
-        var _S214 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S214;
+        var _S215 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S215;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
-    var _S215 : i32;
+    var _S216 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S215 = i32(1);
+        _S216 = i32(1);
     }
     else
     {
-        _S215 = i32(0);
+        _S216 = i32(0);
     }
-    return one_texel_0(u32(_S215));
+    return one_texel_0(u32(_S216));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S216 : u32 = word_0(texture_2 + u32(1));
-    var _S217 : u32 = texture_2 + u32(13);
-    var _S218 : vec3<f32> = vec3<f32>(0.0f);
+    var _S217 : u32 = word_0(texture_2 + u32(1));
+    var _S218 : u32 = texture_2 + u32(13);
+    var _S219 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_3 : vec3<f32> = _S218;
+    var value_3 : vec3<f32> = _S219;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1830,17 +1838,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_14 : u32 = _S217 + _S216 * lookup_3.texels_0[k_1];
-        var _S219 : vec3<f32>;
-        if(_S216 == u32(1))
+        var at_14 : u32 = _S218 + _S217 * lookup_3.texels_0[k_1];
+        var _S220 : vec3<f32>;
+        if(_S217 == u32(1))
         {
-            _S219 = vec3<f32>(number_0(at_14));
+            _S220 = vec3<f32>(number_0(at_14));
         }
         else
         {
-            _S219 = vector_at_0(at_14);
+            _S220 = vector_at_0(at_14);
         }
-        var value_4 : vec3<f32> = value_3 + _S219 * vec3<f32>(weights_1[k_1]);
+        var value_4 : vec3<f32> = value_3 + _S220 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_3 = value_4;
     }
@@ -1854,8 +1862,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_5 : Place_0) -> vec3<f32>
 {
-    var _S220 : Lookup_0 = lookup_at_0(texture_4, place_5);
-    return looked_up_0(texture_4, _S220, vec2<f32>(0.0f));
+    var _S221 : Lookup_0 = lookup_at_0(texture_4, place_5);
+    return looked_up_0(texture_4, _S221, vec2<f32>(0.0f));
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -1865,28 +1873,28 @@ fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_15 : f32,  y_6 : f32) -> f32
 {
-    var _S221 : f32 = abs(x_15);
-    var _S222 : f32 = abs(y_6);
-    var _S223 : f32 = min(_S221, _S222);
-    var _S224 : f32 = max(_S221, _S222);
-    var is_steep_2 : bool = _S223 > (0.41421356797218323f * _S224);
+    var _S222 : f32 = abs(x_15);
+    var _S223 : f32 = abs(y_6);
+    var _S224 : f32 = min(_S222, _S223);
+    var _S225 : f32 = max(_S222, _S223);
+    var is_steep_2 : bool = _S224 > (0.41421356797218323f * _S225);
     var above_2 : f32;
     if(is_steep_2)
     {
-        above_2 = _S223 - _S224;
+        above_2 = _S224 - _S225;
     }
     else
     {
-        above_2 = _S223;
+        above_2 = _S224;
     }
     var below_2 : f32;
     if(is_steep_2)
     {
-        below_2 = _S223 + _S224;
+        below_2 = _S224 + _S225;
     }
     else
     {
-        below_2 = _S224;
+        below_2 = _S225;
     }
     if(below_2 > 0.0f)
     {
@@ -1907,7 +1915,7 @@ fn angle_of_0( x_15 : f32,  y_6 : f32) -> f32
     {
         angle_4 = angle_3;
     }
-    if(_S222 > _S221)
+    if(_S223 > _S222)
     {
         angle_4 = 1.57079637050628662f - angle_4;
     }
@@ -1926,16 +1934,16 @@ fn angle_of_0( x_15 : f32,  y_6 : f32) -> f32
     return above_2;
 }
 
-fn map_place_0( map_1 : u32,  direction_3 : vec3<f32>) -> vec2<f32>
+fn map_place_0( map_1 : u32,  direction_4 : vec3<f32>) -> vec2<f32>
 {
-    var _S225 : u32 = map_1 + u32(2);
-    var d_2 : vec3<f32> = vector_at_0(_S225) * vec3<f32>(direction_3.x) + vector_at_0(_S225 + u32(3)) * vec3<f32>(direction_3.y) + vector_at_0(_S225 + u32(6)) * vec3<f32>(direction_3.z);
+    var _S226 : u32 = map_1 + u32(2);
+    var d_2 : vec3<f32> = vector_at_0(_S226) * vec3<f32>(direction_4.x) + vector_at_0(_S226 + u32(3)) * vec3<f32>(direction_4.y) + vector_at_0(_S226 + u32(6)) * vec3<f32>(direction_4.z);
     return vec2<f32>(angle_of_0(- d_2.z, d_2.x) * 0.15915493667125702f * f32(word_0(map_1)) - 0.5f, angle_of_0(d_2.y, length(d_2.xz)) * 0.31830987334251404f * (f32(word_0(map_1 + u32(1))) - 1.0f));
 }
 
-fn in_map_0( map_2 : u32,  direction_4 : vec3<f32>) -> Lookup_0
+fn in_map_0( map_2 : u32,  direction_5 : vec3<f32>) -> Lookup_0
 {
-    var place_6 : vec2<f32> = map_place_0(map_2, direction_4);
+    var place_6 : vec2<f32> = map_place_0(map_2, direction_5);
     var point_0 : Point_0;
     point_0.value_2 = place_6;
     point_0.by_first_1 = vec2<f32>(1.0f, 0.0f);
@@ -1946,60 +1954,60 @@ fn in_map_0( map_2 : u32,  direction_4 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_2 + u32(1)));
     var left_1 : u32 = wrapped_0(x_16, width_3, u32(0));
     var right_1 : u32 = wrapped_0(x_16 + i32(1), width_3, u32(0));
-    var _S226 : u32 = wrapped_0(y_7, height_1, u32(2));
-    var _S227 : u32 = u32(width_3);
-    var first_3 : u32 = _S226 * _S227;
-    var _S228 : u32 = wrapped_0(y_7 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S228 * _S227;
+    var _S227 : u32 = wrapped_0(y_7, height_1, u32(2));
+    var _S228 : u32 = u32(width_3);
+    var first_3 : u32 = _S227 * _S228;
+    var _S229 : u32 = wrapped_0(y_7 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S229 * _S228;
     return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), point_0);
 }
 
-fn emitted_0( emitter_2 : u32,  place_7 : Place_0,  direction_5 : vec3<f32>) -> vec3<f32>
+fn emitted_0( emitter_2 : u32,  place_7 : Place_0,  direction_6 : vec3<f32>) -> vec3<f32>
 {
     var record_2 : u32 = emitter_record_0(emitter_2);
     var texture_5 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var _S229 : vec3<f32> = shown_0(texture_5, place_7);
-        return _S229;
+        var _S230 : vec3<f32> = shown_0(texture_5, place_7);
+        return _S230;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_5 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S230 : u32 = word_0(texture_5 + u32(11));
-    var _S231 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_5));
-    return looked_up_0(_S230, _S231, change_1) * factor_0;
+    var _S231 : u32 = word_0(texture_5 + u32(11));
+    var _S232 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_6));
+    return looked_up_0(_S231, _S232, change_1) * factor_0;
 }
 
 fn numbers_of_0( texture_6 : u32) -> u32
 {
-    return change_word_0(u32(6) + word_0(texture_6 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_6 + u32(12)));
 }
 
 fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S232 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S233 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_4 : f32 = abs(scaled_0);
     if(size_4 > 7.73712524553362672e+25f)
     {
-        var _S233 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S234 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S234 : bool = scaled_0 < 0.0f;
-    var _S235 : i32;
+    var _S235 : bool = scaled_0 < 0.0f;
+    var _S236 : i32;
     if(size_4 >= 1.84467440737095516e+19f)
     {
-        _S235 = i32(1);
+        _S236 = i32(1);
     }
     else
     {
-        _S235 = i32(0);
+        _S236 = i32(0);
     }
-    var first_4 : u32 = u32(_S235);
+    var first_4 : u32 = u32(_S236);
     var size_5 : f32;
     if(first_4 == u32(1))
     {
@@ -2019,39 +2027,39 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
     {
         size_5 = lower_0;
     }
-    var _S236 : u32 = u32(3) + u32(4) * sum_0;
+    var _S237 : u32 = u32(3) + u32(4) * sum_0;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_5), u32(higher_0));
     var k_2 : u32 = first_4;
     for(;;)
     {
-        var _S237 : bool;
+        var _S238 : bool;
         if(k_2 < u32(4))
         {
-            _S237 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S238 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S237 = false;
+            _S238 = false;
         }
-        if(_S237)
+        if(_S238)
         {
         }
         else
         {
             break;
         }
-        var _S238 : u32;
-        if(_S234)
+        var _S239 : u32;
+        if(_S235)
         {
-            _S238 = u32(0) - digits_0.x;
+            _S239 = u32(0) - digits_0.x;
         }
         else
         {
-            _S238 = digits_0.x;
+            _S239 = digits_0.x;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S236 + k_2]), _S238);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S237 + k_2]), _S239);
         var overflows_0 : bool;
-        if(_S234)
+        if(_S235)
         {
             overflows_0 = before_0 < (digits_0.x);
         }
@@ -2059,19 +2067,19 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_0 + digits_0.x) < before_0;
         }
-        var _S239 : u32 = digits_0.y;
+        var _S240 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S235 = i32(1);
+            _S236 = i32(1);
         }
         else
         {
-            _S235 = i32(0);
+            _S236 = i32(0);
         }
-        var _S240 : vec2<u32> = vec2<u32>(_S239 + u32(_S235), u32(0));
-        var _S241 : u32 = k_2 + u32(1);
-        digits_0 = _S240;
-        k_2 = _S241;
+        var _S241 : vec2<u32> = vec2<u32>(_S240 + u32(_S236), u32(0));
+        var _S242 : u32 = k_2 + u32(1);
+        digits_0 = _S241;
+        k_2 = _S242;
     }
     return;
 }
@@ -2079,20 +2087,20 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
 fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
 {
     var first_5 : u32 = numbers_of_0(texture_7);
-    var _S242 : u32 = word_0(texture_7 + u32(1));
-    var _S243 : u32;
+    var _S243 : u32 = word_0(texture_7 + u32(1));
+    var _S244 : u32;
     if(first_5 == u32(4294967295))
     {
-        _S243 = u32(0);
+        _S244 = u32(0);
     }
     else
     {
-        _S243 = lookup_5.count_0;
+        _S244 = lookup_5.count_0;
     }
     var k_3 : u32 = u32(0);
     for(;;)
     {
-        if(k_3 < _S243)
+        if(k_3 < _S244)
         {
         }
         else
@@ -2101,7 +2109,7 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         }
         var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_0[k_3]);
         var own_1 : vec3<f32>;
-        if(_S242 == u32(1))
+        if(_S243 == u32(1))
         {
             own_1 = vec3<f32>((own_0.x + own_0.y + own_0.z));
         }
@@ -2112,14 +2120,14 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         var c_3 : u32 = u32(0);
         for(;;)
         {
-            if(c_3 < _S242)
+            if(c_3 < _S243)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_5 + _S242 * lookup_5.texels_0[k_3] + c_3, own_1[c_3]);
+            add_to_sum_0(first_5 + _S243 * lookup_5.texels_0[k_3] + c_3, own_1[c_3]);
             c_3 = c_3 + u32(1);
         }
         k_3 = k_3 + u32(1);
@@ -2153,10 +2161,10 @@ struct AtCorners_0
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_0 : AtCorners_0;
-    var _S244 : vec3<f32> = vec3<f32>(0.0f);
-    corners_0.c_4 = _S244;
-    corners_0.b_6 = _S244;
-    corners_0.a_7 = _S244;
+    var _S245 : vec3<f32> = vec3<f32>(0.0f);
+    corners_0.c_4 = _S245;
+    corners_0.b_6 = _S245;
+    corners_0.a_7 = _S245;
     return corners_0;
 }
 
@@ -2168,17 +2176,17 @@ fn add_at_place_0( corners_1 : ptr<function, AtCorners_0>,  place_8 : Place_0,  
     return;
 }
 
-fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_9 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_6 : vec3<f32>) -> vec3<f32>
+fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_9 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_7 : vec3<f32>) -> vec3<f32>
 {
     var corner_1 : u32 = u32(9) * place_9.triangle_2;
     var a_8 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S245 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_8);
-    var _S246 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_8);
-    var across_0 : vec3<f32> = cross(_S245, _S246);
-    var _S247 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
-    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S247);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S246, normal_0) * vec3<f32>(by_place_0.x) + cross(normal_0, _S245) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S247)));
-    var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_6, by_slip_0) / dot(normal_0, direction_6)));
+    var _S246 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_8);
+    var _S247 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_8);
+    var across_0 : vec3<f32> = cross(_S246, _S247);
+    var _S248 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S248);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S247, normal_0) * vec3<f32>(by_place_0.x) + cross(normal_0, _S246) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S248)));
+    var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_7, by_slip_0) / dot(normal_0, direction_7)));
     add_at_place_0(&((*points_0)), place_9, by_position_0 - by_drift_0);
     return by_drift_0;
 }
@@ -2190,20 +2198,20 @@ fn points_of_0( triangle_8 : u32) -> u32
 
 fn add_to_sums_0( first_6 : u32,  derivative_4 : vec3<f32>)
 {
-    var _S248 : i32;
+    var _S249 : i32;
     if(first_6 == u32(4294967295))
     {
-        _S248 = i32(0);
+        _S249 = i32(0);
     }
     else
     {
-        _S248 = i32(3);
+        _S249 = i32(3);
     }
-    var _S249 : u32 = u32(_S248);
+    var _S250 : u32 = u32(_S249);
     var axis_4 : u32 = u32(0);
     for(;;)
     {
-        if(axis_4 < _S249)
+        if(axis_4 < _S250)
         {
         }
         else
@@ -2218,51 +2226,51 @@ fn add_to_sums_0( first_6 : u32,  derivative_4 : vec3<f32>)
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_9 : u32,  corners_2 : AtCorners_0)
 {
-    var _S250 : u32 = triangle_record_0(triangle_9) + u32(2);
-    var _S251 : i32;
+    var _S251 : u32 = triangle_record_0(triangle_9) + u32(2);
+    var _S252 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S251 = i32(0);
+        _S252 = i32(0);
     }
     else
     {
-        _S251 = i32(3);
+        _S252 = i32(3);
     }
-    var _S252 : u32 = u32(_S251);
+    var _S253 : u32 = u32(_S252);
     var k_4 : u32 = u32(0);
     for(;;)
     {
-        if(k_4 < _S252)
+        if(k_4 < _S253)
         {
         }
         else
         {
             break;
         }
-        var _S253 : u32 = sums_at_0 + u32(3) * word_0(_S250 + k_4);
-        var _S254 : vec3<f32>;
+        var _S254 : u32 = sums_at_0 + u32(3) * word_0(_S251 + k_4);
+        var _S255 : vec3<f32>;
         if(k_4 == u32(0))
         {
-            _S254 = corners_2.a_7;
+            _S255 = corners_2.a_7;
         }
         else
         {
             if(k_4 == u32(1))
             {
-                _S254 = corners_2.b_6;
+                _S255 = corners_2.b_6;
             }
             else
             {
-                _S254 = corners_2.c_4;
+                _S255 = corners_2.c_4;
             }
         }
-        add_to_sums_0(_S253, _S254);
+        add_to_sums_0(_S254, _S255);
         k_4 = k_4 + u32(1);
     }
     return;
 }
 
-fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_3 : u32,  place_10 : Place_0,  direction_7 : vec3<f32>,  t_6 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
+fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_3 : u32,  place_10 : Place_0,  direction_8 : vec3<f32>,  t_6 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
 {
     var record_4 : u32 = emitter_record_0(emitter_3);
     var texture_9 : u32 = word_0(record_4 + u32(1));
@@ -2271,61 +2279,61 @@ fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_3 : u32,  pla
     if(is_map_0(record_4))
     {
         var scale_0 : u32 = word_0(texture_9 + u32(12));
-        var lookup_8 : Lookup_0 = in_map_0(texture_9, direction_7);
-        var _S255 : Lookup_0 = one_texel_0(u32(0));
-        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_0, _S255, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
-        add_to_texels_0(scale_0, _S255, importance_0 * weighted_texels_0(word_0(texture_9 + u32(11)), lookup_8, lookup_8.weights_0));
+        var lookup_8 : Lookup_0 = in_map_0(texture_9, direction_8);
+        var _S256 : Lookup_0 = one_texel_0(u32(0));
+        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_0, _S256, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
+        add_to_texels_0(scale_0, _S256, importance_0 * weighted_texels_0(word_0(texture_9 + u32(11)), lookup_8, lookup_8.weights_0));
         lookup_7 = lookup_8;
         by_texels_0 = by_texels_1;
     }
     else
     {
-        var _S256 : Lookup_0 = lookup_at_0(texture_9, place_10);
-        lookup_7 = _S256;
+        var _S257 : Lookup_0 = lookup_at_0(texture_9, place_10);
+        lookup_7 = _S257;
         by_texels_0 = importance_0;
     }
-    var _S257 : u32;
+    var _S258 : u32;
     if(is_map_0(record_4))
     {
-        _S257 = word_0(texture_9 + u32(11));
+        _S258 = word_0(texture_9 + u32(11));
     }
     else
     {
-        _S257 = texture_9;
+        _S258 = texture_9;
     }
-    var by_place_1 : vec2<f32> = lookup_back_0(_S257, lookup_7, by_texels_0);
+    var by_place_1 : vec2<f32> = lookup_back_0(_S258, lookup_7, by_texels_0);
     if(is_map_0(record_4))
     {
-        var _S258 : vec3<f32> = vec3<f32>(0.0f);
+        var _S259 : vec3<f32> = vec3<f32>(0.0f);
         var moving_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-        moving_0.primal_0 = direction_7;
-        moving_0.differential_0 = _S258;
+        moving_0.primal_0 = direction_8;
+        moving_0.differential_0 = _S259;
         _S127(texture_9, &(moving_0), by_place_1);
         return moving_0.differential_0;
     }
-    var _S259 : bool;
+    var _S260 : bool;
     if(!is_area_0(record_4))
     {
-        _S259 = true;
+        _S260 = true;
     }
     else
     {
-        _S259 = !is_moving_0();
+        _S260 = !is_moving_0();
     }
-    if(_S259)
+    if(_S260)
     {
-        _S259 = true;
+        _S260 = true;
     }
     else
     {
-        _S259 = (all((by_place_1 == vec2<f32>(0.0f))));
+        _S260 = (all((by_place_1 == vec2<f32>(0.0f))));
     }
-    if(_S259)
+    if(_S260)
     {
         return vec3<f32>(0.0f);
     }
     var points_1 : AtCorners_0 = at_no_corner_0();
-    var by_drift_1 : vec3<f32> = place_back_0(&(points_1), place_10, by_place_1, vec3<f32>(0.0f), direction_7);
+    var by_drift_1 : vec3<f32> = place_back_0(&(points_1), place_10, by_place_1, vec3<f32>(0.0f), direction_8);
     add_to_corners_0(points_of_0(place_10.triangle_2), place_10.triangle_2, points_1);
     (*by_start_0) = (*by_start_0) + by_drift_1;
     return by_drift_1 * vec3<f32>(t_6);
@@ -2339,13 +2347,13 @@ fn reaches_0( segments_0 : u32) -> bool
 struct ByRay_0
 {
      drift_0 : vec3<f32>,
-     direction_8 : vec3<f32>,
+     direction_9 : vec3<f32>,
 };
 
 struct Path_0
 {
      throughput_0 : vec3<f32>,
-     direction_9 : vec3<f32>,
+     direction_10 : vec3<f32>,
      place_11 : Place_0,
      key_4 : vec2<u32>,
      adjoint_0 : vec3<f32>,
@@ -2356,73 +2364,73 @@ struct Path_0
 fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
     var drawn_3 : CameraSample_0 = camera_sample_0(number_of_path_1);
-    var ray_5 : CameraRay_0 = camera_ray_0(drawn_3);
-    var _S260 : vec3<f32> = vec3<f32>(ray_5.direction_0);
+    var ray_6 : CameraRay_0 = camera_ray_0(drawn_3);
+    var _S261 : vec3<f32> = vec3<f32>(ray_6.direction_0);
     (*path_0).key_4 = drawn_3.key_3;
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
     (*path_0).adjoint_0 = change_vector_0(change_word_0(u32(5)) + u32(3) * drawn_3.pixel_1) * vec3<f32>(drawn_3.weight_1);
-    var _S261 : vec3<f32> = vec3<f32>(0.0f);
-    (*path_0).by_ray_0.direction_8 = _S261;
-    (*path_0).by_ray_0.drift_0 = _S261;
+    var _S262 : vec3<f32> = vec3<f32>(0.0f);
+    (*path_0).by_ray_0.direction_9 = _S262;
+    (*path_0).by_ray_0.drift_0 = _S262;
     var t_7 : f32 = 0.0f;
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0lf;
     found_4.w_2 = 0.0lf;
-    var _S262 : bool;
-    if((ray_5.length_0) >= 0.0lf)
+    var _S263 : bool;
+    if((ray_6.length_0) >= 0.0lf)
     {
-        _S262 = (word_0(u32(14))) != u32(0);
+        _S263 = (word_0(u32(14))) != u32(0);
     }
     else
     {
-        _S262 = false;
+        _S263 = false;
     }
-    if(_S262)
+    if(_S263)
     {
-        var _S263 : Found_0 = cast_0(ray_5.start_1, ray_5.direction_0, 0.0lf, ray_5.length_0, false, &(t_7));
-        found_4 = _S263;
+        var _S264 : Found_0 = cast_0(ray_6.start_1, ray_6.direction_0, 0.0lf, ray_6.length_0, false, &(t_7));
+        found_4 = _S264;
     }
-    var _S264 : Place_0 = place_of_0(found_4);
-    (*path_0).place_11 = _S264;
-    (*path_0).direction_9 = _S260;
-    var _S265 : f32;
+    var _S265 : Place_0 = place_of_0(found_4);
+    (*path_0).place_11 = _S265;
+    (*path_0).direction_10 = _S261;
+    var _S266 : f32;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S265 = ray_5.from_camera_0 + t_7;
+        _S266 = ray_6.from_camera_0 + t_7;
     }
     else
     {
-        _S265 = 0.0f;
+        _S266 = 0.0f;
     }
-    (*path_0).distance_0 = _S265;
-    var emitter_4 : u32 = emitter_seen_0(found_4, _S260);
+    (*path_0).distance_0 = _S266;
+    var emitter_4 : u32 = emitter_seen_0(found_4, _S261);
     if(emitter_4 != u32(4294967295))
     {
-        _S262 = (word_0(u32(4))) != u32(0);
+        _S263 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S262 = false;
+        _S263 = false;
     }
-    if(_S262)
+    if(_S263)
     {
-        var _S266 : vec3<f32> = emitted_0(emitter_4, _S264, (*path_0).direction_9);
-        var _S267 : vec3<f32> = (*path_0).by_ray_0.drift_0;
-        var _S268 : vec3<f32> = emitted_back_0(&(_S267), emitter_4, _S264, _S260, (*path_0).distance_0, (*path_0).adjoint_0);
-        (*path_0).by_ray_0.drift_0 = _S267;
-        (*path_0).by_ray_0.direction_8 = _S268;
+        var _S267 : vec3<f32> = emitted_0(emitter_4, _S265, (*path_0).direction_10);
+        var _S268 : vec3<f32> = (*path_0).by_ray_0.drift_0;
+        var _S269 : vec3<f32> = emitted_back_0(&(_S268), emitter_4, _S265, _S261, (*path_0).distance_0, (*path_0).adjoint_0);
+        (*path_0).by_ray_0.drift_0 = _S268;
+        (*path_0).by_ray_0.direction_9 = _S269;
     }
     if((found_4.face_1) != u32(4294967295))
     {
-        _S262 = reaches_0(u32(2));
+        _S263 = reaches_0(u32(2));
     }
     else
     {
-        _S262 = false;
+        _S263 = false;
     }
-    return _S262;
+    return _S263;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
@@ -2510,22 +2518,24 @@ fn store_0( number_of_path_2 : u32,  path_7 : Path_0)
     var at_15 : u32 = u32(1);
     set_vector_0(number_of_path_2, &(at_15), path_7.adjoint_0);
     set_changing_0(number_of_path_2, &(at_15), path_7.throughput_0);
-    set_changing_0(number_of_path_2, &(at_15), path_7.direction_9);
+    set_changing_0(number_of_path_2, &(at_15), path_7.direction_10);
     set_place_0(number_of_path_2, &(at_15), path_7.place_11);
+    var _S270 : u32 = at_15 + u32(1);
     set_word_0(number_of_path_2, at_15, path_7.key_4.x);
-    set_word_0(number_of_path_2, at_15 + u32(1), path_7.key_4.y);
+    at_15 = _S270 + u32(1);
+    set_word_0(number_of_path_2, _S270, path_7.key_4.y);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S269 : u32;
+    var _S271 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S270 : u32 = u32(2) + zero_0;
-        _S269 = _S270;
-        if(rounds_0 < _S270)
+        var _S272 : u32 = u32(2) + zero_0;
+        _S271 = _S272;
+        if(rounds_0 < _S272)
         {
         }
         else
@@ -2534,14 +2544,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S269;
+    return rounds_0 == _S271;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S271 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S273 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -2573,7 +2583,7 @@ fn begin_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     }
     var camera_ray_1 : u32 = u32(26);
     set_vector_1(number_of_path_3, &(camera_ray_1), path_8.by_ray_0.drift_0);
-    set_vector_1(number_of_path_3, &(camera_ray_1), path_8.by_ray_0.direction_8);
+    set_vector_1(number_of_path_3, &(camera_ray_1), path_8.by_ray_0.direction_9);
     set_word_0(number_of_path_3, camera_ray_1, (bitcast<u32>((path_8.distance_0))));
     if(goes_on_0)
     {

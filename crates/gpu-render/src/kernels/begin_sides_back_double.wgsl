@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 9bcd855fe055c0d5
-// result: 1f96f7d57ac1d7df
+// source: 323b12c7d8756753
+// result: 342d1c79e190d500
 
 struct Launch_std140_0
 {
@@ -238,7 +238,7 @@ fn triangle_record_0( triangle_2 : u32) -> u32
 
 fn shape_of_0( triangle_3 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_3));
+    return word_0(u32(10)) + u32(7) * word_0(triangle_record_0(triangle_3));
 }
 
 fn primitive_vector_0( at_2 : u32) -> vec3<f64>
@@ -2590,6 +2590,69 @@ fn component_0( v_8 : vec3<f64>,  axis_5 : u32) -> f64
     return _S163;
 }
 
+struct Ray_0
+{
+     origin_0 : vec3<f64>,
+     shear_x_0 : f64,
+     shear_y_0 : f64,
+     inverse_z_0 : f64,
+     t_min_0 : f64,
+     t_max_0 : f64,
+     local_per_t_0 : f64,
+     enter_0 : f64,
+     edge_on_0 : f64,
+     largest_1 : f64,
+};
+
+fn ray_along_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  axes_6 : ptr<function, u32>) -> Ray_0
+{
+    var size_1 : vec3<f32> = abs(vec3<f32>(direction_12));
+    var _S164 : f32 = size_1.x;
+    var _S165 : f32 = size_1.y;
+    var _S166 : bool;
+    if(_S164 >= _S165)
+    {
+        _S166 = _S164 >= (size_1.z);
+    }
+    else
+    {
+        _S166 = false;
+    }
+    var _S167 : i32;
+    if(_S166)
+    {
+        _S167 = i32(0);
+    }
+    else
+    {
+        if(_S165 >= (size_1.z))
+        {
+            _S167 = i32(1);
+        }
+        else
+        {
+            _S167 = i32(2);
+        }
+    }
+    var z_2 : u32 = u32(_S167);
+    var x_9 : u32 = (z_2 + u32(1)) % u32(3);
+    var y_3 : u32 = (z_2 + u32(2)) % u32(3);
+    (*axes_6) = (((x_9 | (((y_3 << (u32(2))))))) | (((z_2 << (u32(4))))));
+    var ray_0 : Ray_0;
+    ray_0.origin_0 = origin_1;
+    var along_2 : f64 = component_0(direction_12, z_2);
+    ray_0.inverse_z_0 = 1.0lf / along_2;
+    ray_0.shear_x_0 = component_0(direction_12, x_9) / along_2;
+    ray_0.shear_y_0 = component_0(direction_12, y_3) / along_2;
+    ray_0.t_min_0 = t_min_1;
+    ray_0.t_max_0 = t_max_1;
+    ray_0.local_per_t_0 = abs(along_2);
+    ray_0.enter_0 = 0.0lf;
+    ray_0.edge_on_0 = limit_at_0(u32(0));
+    ray_0.largest_1 = limit_at_0(u32(1));
+    return ray_0;
+}
+
 fn ray_child_0( node_4 : u32,  slot_2 : u32) -> u32
 {
     return nodes_0[u32(14) * node_4 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
@@ -2602,12 +2665,12 @@ struct RayView_0
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
      margin_2 : f32,
-     axes_6 : u32,
+     axes_7 : u32,
 };
 
 fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32) -> f32
 {
-    var _S164 : u32 = u32(14) * node_5 + slot_3 / u32(4);
+    var _S168 : u32 = u32(14) * node_5 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -2620,36 +2683,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S165 : u32 = axis_6;
-        var _S166 : u32 = _S164 + u32(2) * axis_6;
-        var _S167 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S166][_S167])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S166 + u32(6)][_S167])));
-        var _S168 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S169 : f32;
-        if(_S168)
+        var _S169 : u32 = axis_6;
+        var _S170 : u32 = _S168 + u32(2) * axis_6;
+        var _S171 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S170][_S171])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S170 + u32(6)][_S171])));
+        var _S172 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S173 : f32;
+        if(_S172)
         {
-            _S169 = high_0;
+            _S173 = high_0;
         }
         else
         {
-            _S169 = low_3;
+            _S173 = low_3;
         }
-        var _S170 : f32 = max(near_4, _S169 * view_1.inverse_1[_S165] - view_1.offset_near_0[axis_6]);
-        var _S171 : f32;
-        if(_S168)
+        var _S174 : f32 = max(near_4, _S173 * view_1.inverse_1[_S169] - view_1.offset_near_0[axis_6]);
+        var _S175 : f32;
+        if(_S172)
         {
-            _S171 = low_3;
+            _S175 = low_3;
         }
         else
         {
-            _S171 = high_0;
+            _S175 = high_0;
         }
-        var _S172 : f32 = min(far_3, _S171 * view_1.inverse_1[_S165] - view_1.offset_far_0[axis_6]);
-        var _S173 : u32 = axis_6 + u32(1);
-        near_4 = _S170;
-        far_3 = _S172;
-        axis_6 = _S173;
+        var _S176 : f32 = min(far_3, _S175 * view_1.inverse_1[_S169] - view_1.offset_far_0[axis_6]);
+        var _S177 : u32 = axis_6 + u32(1);
+        near_4 = _S174;
+        far_3 = _S176;
+        axis_6 = _S177;
     }
     if(near_4 <= far_3)
     {
@@ -2674,7 +2737,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S174 : u32 = k_9;
+        var _S178 : u32 = k_9;
         if((bounds_0[k_9]) > limit_2)
         {
             k_9 = k_9 + u32(1);
@@ -2691,24 +2754,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S175 : u32 = j_0;
-            var _S176 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S174]))
+            var _S179 : u32 = j_0;
+            var _S180 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S178]))
             {
-                _S176 = true;
+                _S180 = true;
             }
             else
             {
-                if((bounds_0[_S175]) == (bounds_0[_S174]))
+                if((bounds_0[_S179]) == (bounds_0[_S178]))
                 {
-                    _S176 = j_0 < k_9;
+                    _S180 = j_0 < k_9;
                 }
                 else
                 {
-                    _S176 = false;
+                    _S180 = false;
                 }
             }
-            if(_S176)
+            if(_S180)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -2733,45 +2796,31 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
         {
             break;
         }
-        var _S177 : f32;
+        var _S181 : f32;
         if((ray_child_0(node_6, slot_4)) == u32(4294967295))
         {
-            _S177 = 3.00000000549775576e+38f;
+            _S181 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S177 = ray_bound_0(view_2, limit_3, node_6, slot_4);
+            _S181 = ray_bound_0(view_2, limit_3, node_6, slot_4);
         }
-        bounds_1[slot_4] = _S177;
+        bounds_1[slot_4] = _S181;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn rounded_0( product_2 : f64,  largest_1 : f64) -> f64
+fn rounded_0( product_2 : f64,  largest_2 : f64) -> f64
 {
-    return min(product_2, largest_1);
+    return min(product_2, largest_2);
 }
 
-struct Ray_0
+fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_36 : u32) -> vec3<f64>
 {
-     origin_0 : vec3<f64>,
-     shear_x_0 : f64,
-     shear_y_0 : f64,
-     inverse_z_0 : f64,
-     t_min_0 : f64,
-     t_max_0 : f64,
-     local_per_t_0 : f64,
-     enter_0 : f64,
-     edge_on_0 : f64,
-     largest_2 : f64,
-};
-
-fn corner_0( ray_0 : Ray_0,  axes_7 : u32,  at_36 : u32) -> vec3<f64>
-{
-    var relative_1 : vec3<f64> = primitive_vector_0(at_36) - ray_0.origin_0;
-    var z_2 : f64 = component_0(relative_1, (axes_7 >> (u32(4))));
-    return vec3<f64>(component_0(relative_1, (axes_7 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_2, ray_0.largest_2), component_0(relative_1, (((axes_7 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_2, ray_0.largest_2), z_2);
+    var relative_1 : vec3<f64> = primitive_vector_0(at_36) - ray_1.origin_0;
+    var z_3 : f64 = component_0(relative_1, (axes_8 >> (u32(4))));
+    return vec3<f64>(component_0(relative_1, (axes_8 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_3, ray_1.largest_1), component_0(relative_1, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_3, ray_1.largest_1), z_3);
 }
 
 struct Crossing_0
@@ -2782,58 +2831,58 @@ struct Crossing_0
      w_3 : f64,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_37 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_37 : u32) -> Crossing_0
 {
     var crossing_1 : Crossing_0;
     crossing_1.is_hit_0 = false;
     crossing_1.t_7 = 0.0lf;
     crossing_1.v_9 = 0.0lf;
     crossing_1.w_3 = 0.0lf;
-    var a_15 : vec3<f64> = corner_0(ray_1, axes_8, at_37);
-    var b_11 : vec3<f64> = corner_0(ray_1, axes_8, at_37 + u32(3));
-    var c_3 : vec3<f64> = corner_0(ray_1, axes_8, at_37 + u32(6));
-    var _S178 : f64 = c_3.x;
-    var _S179 : f64 = b_11.y;
-    var cx_by_0 : f64 = rounded_0(_S178 * _S179, ray_1.largest_2);
-    var _S180 : f64 = c_3.y;
-    var _S181 : f64 = b_11.x;
-    var cy_bx_0 : f64 = rounded_0(_S180 * _S181, ray_1.largest_2);
-    var _S182 : f64 = a_15.x;
-    var ax_cy_0 : f64 = rounded_0(_S182 * _S180, ray_1.largest_2);
-    var _S183 : f64 = a_15.y;
-    var ay_cx_0 : f64 = rounded_0(_S183 * _S178, ray_1.largest_2);
-    var bx_ay_0 : f64 = rounded_0(_S181 * _S183, ray_1.largest_2);
-    var by_ax_0 : f64 = rounded_0(_S179 * _S182, ray_1.largest_2);
+    var a_15 : vec3<f64> = corner_0(ray_2, axes_9, at_37);
+    var b_11 : vec3<f64> = corner_0(ray_2, axes_9, at_37 + u32(3));
+    var c_3 : vec3<f64> = corner_0(ray_2, axes_9, at_37 + u32(6));
+    var _S182 : f64 = c_3.x;
+    var _S183 : f64 = b_11.y;
+    var cx_by_0 : f64 = rounded_0(_S182 * _S183, ray_2.largest_1);
+    var _S184 : f64 = c_3.y;
+    var _S185 : f64 = b_11.x;
+    var cy_bx_0 : f64 = rounded_0(_S184 * _S185, ray_2.largest_1);
+    var _S186 : f64 = a_15.x;
+    var ax_cy_0 : f64 = rounded_0(_S186 * _S184, ray_2.largest_1);
+    var _S187 : f64 = a_15.y;
+    var ay_cx_0 : f64 = rounded_0(_S187 * _S182, ray_2.largest_1);
+    var bx_ay_0 : f64 = rounded_0(_S185 * _S187, ray_2.largest_1);
+    var by_ax_0 : f64 = rounded_0(_S183 * _S186, ray_2.largest_1);
     var u_2 : f64 = cx_by_0 - cy_bx_0;
     var v_10 : f64 = ax_cy_0 - ay_cx_0;
     var w_4 : f64 = bx_ay_0 - by_ax_0;
-    var _S184 : f64 = min(min(u_2, v_10), w_4);
-    var _S185 : f64 = max(max(u_2, v_10), w_4);
-    var _S186 : bool;
-    if(_S184 < 0.0lf)
+    var _S188 : f64 = min(min(u_2, v_10), w_4);
+    var _S189 : f64 = max(max(u_2, v_10), w_4);
+    var _S190 : bool;
+    if(_S188 < 0.0lf)
     {
-        _S186 = _S185 > 0.0lf;
+        _S190 = _S189 > 0.0lf;
     }
     else
     {
-        _S186 = false;
+        _S190 = false;
     }
-    if(_S186)
+    if(_S190)
     {
         return crossing_1;
     }
     var determinant_0 : f64 = u_2 + v_10 + w_4;
-    if(_S184 <= 0.0lf)
+    if(_S188 <= 0.0lf)
     {
-        _S186 = _S185 >= 0.0lf;
+        _S190 = _S189 >= 0.0lf;
     }
     else
     {
-        _S186 = false;
+        _S190 = false;
     }
-    if(_S186)
+    if(_S190)
     {
-        if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
+        if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
             return crossing_1;
         }
@@ -2842,16 +2891,16 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_37 : u32) -> Crossing_0
     {
         return crossing_1;
     }
-    var t_8 : f64 = (rounded_0(u_2 * a_15.z, ray_1.largest_2) + rounded_0(v_10 * b_11.z, ray_1.largest_2) + rounded_0(w_4 * c_3.z, ray_1.largest_2)) / determinant_0 * ray_1.inverse_z_0;
-    if((ray_1.t_min_0) <= t_8)
+    var t_8 : f64 = (rounded_0(u_2 * a_15.z, ray_2.largest_1) + rounded_0(v_10 * b_11.z, ray_2.largest_1) + rounded_0(w_4 * c_3.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
+    if((ray_2.t_min_0) <= t_8)
     {
-        _S186 = t_8 <= (ray_1.t_max_0);
+        _S190 = t_8 <= (ray_2.t_max_0);
     }
     else
     {
-        _S186 = false;
+        _S190 = false;
     }
-    crossing_1.is_hit_0 = _S186;
+    crossing_1.is_hit_0 = _S190;
     crossing_1.t_7 = t_8;
     crossing_1.v_9 = v_10 / determinant_0;
     crossing_1.w_3 = w_4 / determinant_0;
@@ -2871,9 +2920,9 @@ struct Found_0
      w_5 : f64,
 };
 
-fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S187 : bool;
+    var _S191 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_7 = u32(4294967295);
@@ -2905,31 +2954,31 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S188 : u32 = way_2[level_0].y;
-        if(_S188 == u32(0))
+        var _S192 : u32 = way_2[level_0].y;
+        if(_S192 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S189 : u32 = level_0 - u32(1);
+            var _S193 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S189;
+            level_0 = _S193;
             continue;
         }
-        var slot_5 : u32 = ((_S188 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S188 >> (u32(4)));
-        var _S190 : bool;
+        var slot_5 : u32 = ((_S192 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S192 >> (u32(4)));
+        var _S194 : bool;
         if(!is_new_1)
         {
-            _S190 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+            _S194 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S190 = false;
+            _S194 = false;
         }
-        if(_S190)
+        if(_S194)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -2938,27 +2987,27 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S191 : u32 = level_0 + u32(1);
+            var _S195 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S191;
+            level_0 = _S195;
             continue;
         }
         var leaf_1 : u32 = (child_0 & (u32(2147483647)));
-        var _S192 : u32 = leaf_starts_0[leaf_1 + u32(1)];
-        var _S193 : u32 = leaf_starts_0[leaf_1];
+        var _S196 : u32 = leaf_starts_0[leaf_1 + u32(1)];
+        var _S197 : u32 = leaf_starts_0[leaf_1];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S193;
+        var i_2 : u32 = _S197;
         for(;;)
         {
-            if(i_2 < _S192)
+            if(i_2 < _S196)
             {
             }
             else
             {
                 break;
             }
-            var crossing_2 : Crossing_0 = intersect_0((*ray_2), view_3.axes_6, u32(9) * i_2);
+            var crossing_2 : Crossing_0 = intersect_0((*ray_3), view_3.axes_7, u32(9) * i_2);
             if(!crossing_2.is_hit_0)
             {
                 i_2 = i_2 + u32(1);
@@ -2966,30 +3015,30 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S187 = true;
+                _S191 = true;
             }
             else
             {
-                _S187 = (crossing_2.t_7) < ((*ray_2).t_max_0);
+                _S191 = (crossing_2.t_7) < ((*ray_3).t_max_0);
             }
-            var _S194 : bool;
-            if(_S187)
+            var _S198 : bool;
+            if(_S191)
             {
-                _S194 = true;
+                _S198 = true;
             }
             else
             {
-                _S194 = (face_1(i_2)) < (found_0.face_2);
+                _S198 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S194)
+            if(_S198)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_7 = i_2;
-                (*ray_2).t_max_0 = crossing_2.t_7;
+                (*ray_3).t_max_0 = crossing_2.t_7;
                 found_0.v_11 = crossing_2.v_9;
                 found_0.w_5 = crossing_2.w_3;
-                limit_6 = min(limit_5, f32(crossing_2.t_7 * (*ray_2).local_per_t_0 - (*ray_2).enter_0) + 2.0f * view_3.margin_2);
+                limit_6 = min(limit_5, f32(crossing_2.t_7 * (*ray_3).local_per_t_0 - (*ray_3).enter_0) + 2.0f * view_3.margin_2);
             }
             else
             {
@@ -3000,13 +3049,13 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S187 = (found_0.face_2) != u32(4294967295);
+            _S191 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S187 = false;
+            _S191 = false;
         }
-        if(_S187)
+        if(_S191)
         {
             break;
         }
@@ -3017,54 +3066,14 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_0;
 }
 
-fn cast_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_9 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_2 : vec3<f64>,  direction_13 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_1 : bool,  t_9 : ptr<function, f32>) -> Found_0
 {
-    var size_1 : vec3<f32> = abs(vec3<f32>(direction_12));
-    var _S195 : f32 = size_1.x;
-    var _S196 : f32 = size_1.y;
-    var _S197 : bool;
-    if(_S195 >= _S196)
-    {
-        _S197 = _S195 >= (size_1.z);
-    }
-    else
-    {
-        _S197 = false;
-    }
-    var _S198 : i32;
-    if(_S197)
-    {
-        _S198 = i32(0);
-    }
-    else
-    {
-        if(_S196 >= (size_1.z))
-        {
-            _S198 = i32(1);
-        }
-        else
-        {
-            _S198 = i32(2);
-        }
-    }
-    var z_3 : u32 = u32(_S198);
-    var x_9 : u32 = (z_3 + u32(1)) % u32(3);
-    var y_3 : u32 = (z_3 + u32(2)) % u32(3);
-    var ray_3 : Ray_0;
-    ray_3.origin_0 = origin_1;
-    var along_2 : f64 = component_0(direction_12, z_3);
-    ray_3.inverse_z_0 = 1.0lf / along_2;
-    ray_3.shear_x_0 = component_0(direction_12, x_9) / along_2;
-    ray_3.shear_y_0 = component_0(direction_12, y_3) / along_2;
-    ray_3.t_min_0 = t_min_1;
-    ray_3.t_max_0 = t_max_1;
-    var _S199 : f64 = abs(along_2);
-    ray_3.local_per_t_0 = _S199;
-    ray_3.enter_0 = 0.0lf;
-    ray_3.edge_on_0 = limit_at_0(u32(0));
-    ray_3.largest_2 = limit_at_0(u32(1));
     var view_4 : RayView_0;
-    var _S200 : vec3<f32> = vec3<f32>(direction_12 / vec3<f64>(_S199));
+    var _S199 : u32 = view_4.axes_7;
+    var _S200 : Ray_0 = ray_along_0(origin_2, direction_13, t_min_2, t_max_2, &(_S199));
+    view_4.axes_7 = _S199;
+    var ray_4 : Ray_0 = _S200;
+    var _S201 : vec3<f32> = vec3<f32>(direction_13 / vec3<f64>(ray_4.local_per_t_0));
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -3075,34 +3084,34 @@ fn cast_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,  t_m
         {
             break;
         }
-        var _S201 : f32 = max(abs(_S200[axis_7]), 8.67361737988403547e-19f);
-        var _S202 : f32;
-        if((_S200[axis_7]) < 0.0f)
+        var _S202 : f32 = max(abs(_S201[axis_7]), 8.67361737988403547e-19f);
+        var _S203 : f32;
+        if((_S201[axis_7]) < 0.0f)
         {
-            _S202 = -1.0f / _S201;
+            _S203 = -1.0f / _S202;
         }
         else
         {
-            _S202 = 1.0f / _S201;
+            _S203 = 1.0f / _S202;
         }
-        view_4.inverse_1[axis_7] = _S202;
+        view_4.inverse_1[axis_7] = _S203;
         axis_7 = axis_7 + u32(1);
     }
-    var offset_11 : vec3<f32> = vec3<f32>(origin_1) * view_4.inverse_1;
+    var offset_11 : vec3<f32> = vec3<f32>(origin_2) * view_4.inverse_1;
     var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_4.inverse_1);
     view_4.offset_near_0 = offset_11 + wider_0;
     view_4.offset_far_0 = offset_11 - wider_0;
-    view_4.limit_0 = min(f32(t_max_1 * ray_3.local_per_t_0), 8.0f) + 3.814697265625e-06f;
+    view_4.limit_0 = min(f32(t_max_2 * ray_4.local_per_t_0), 8.0f) + 3.814697265625e-06f;
     view_4.margin_2 = 3.814697265625e-06f;
-    view_4.axes_6 = (((x_9 | (((y_3 << (u32(2))))))) | (((z_3 << (u32(4))))));
-    var found_1 : Found_0 = first_found_0(view_4, &(ray_3), any_1);
-    (*t_9) = f32(ray_3.t_max_0);
+    var found_1 : Found_0 = first_found_0(view_4, &(ray_4), any_1);
+    (*t_9) = f32(ray_4.t_max_0);
     return found_1;
 }
 
 struct Side_0
 {
-     direction_13 : vec3<f32>,
+     direction_14 : vec3<f32>,
+     rest_3 : vec3<f32>,
      scattered_2 : vec3<f32>,
      found_2 : Found_0,
      t_10 : f32,
@@ -3111,45 +3120,46 @@ struct Side_0
 fn look_0( at_38 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
 {
     var step_0 : vec3<f64> = point_2.normal_6 * vec3<f64>(edge_real_0(u32(3)));
-    var origin_2 : vec3<f64>;
+    var origin_3 : vec3<f64>;
     if(side_0 == u32(0))
     {
-        origin_2 = point_2.direction_11 - step_0;
+        origin_3 = point_2.direction_11 - step_0;
     }
     else
     {
-        origin_2 = point_2.direction_11 + step_0;
+        origin_3 = point_2.direction_11 + step_0;
     }
-    var direction_14 : vec3<f64> = exact_unit_0(origin_2);
+    var direction_15 : vec3<f64> = exact_unit_0(origin_3);
     if(point_2.is_in_horizon_0)
     {
         var face_3 : vec3<f64> = face_normal_1(at_38);
         var height_3 : f64 = limit_at_0(u32(2));
-        var _S203 : f64;
-        if((dot(direction_14, face_3)) < 0.0lf)
+        var _S204 : f64;
+        if((dot(direction_15, face_3)) < 0.0lf)
         {
-            _S203 = - height_3;
+            _S204 = - height_3;
         }
         else
         {
-            _S203 = height_3;
+            _S204 = height_3;
         }
-        origin_2 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S203);
+        origin_3 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S204);
     }
     else
     {
-        origin_2 = at_38.vertex_2.surface_3.exact_0;
+        origin_3 = at_38.vertex_2.surface_3.exact_0;
     }
     var seen_4 : Side_0;
-    var _S204 : vec3<f32> = vec3<f32>(direction_14);
-    seen_4.direction_13 = _S204;
-    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, _S204);
-    var _S205 : f64 = limit_at_0(u32(2));
-    var _S206 : f64 = limit_at_0(u32(1));
-    var _S207 : f32 = seen_4.t_10;
-    var _S208 : Found_0 = cast_0(origin_2, direction_14, _S205, _S206, false, &(_S207));
-    seen_4.t_10 = _S207;
-    seen_4.found_2 = _S208;
+    var _S205 : vec3<f32> = vec3<f32>(direction_15);
+    seen_4.direction_14 = _S205;
+    seen_4.rest_3 = vec3<f32>(direction_15 - vec3<f64>(_S205));
+    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, _S205);
+    var _S206 : f64 = limit_at_0(u32(2));
+    var _S207 : f64 = limit_at_0(u32(1));
+    var _S208 : f32 = seen_4.t_10;
+    var _S209 : Found_0 = cast_0(origin_3, direction_15, _S206, _S207, false, &(_S208));
+    seen_4.t_10 = _S208;
+    seen_4.found_2 = _S209;
     return seen_4;
 }
 
@@ -3242,12 +3252,13 @@ fn begin_side_0( number_1 : u32,  path_15 : Path_0,  side_2 : Side_0,  weight_0 
     var at_39 : u32 = u32(1);
     set_vector_0(number_1, &(at_39), vec3<f32>(0.0f));
     set_vector_0(number_1, &(at_39), vec3<f32>(1.0f));
-    set_vector_0(number_1, &(at_39), side_2.direction_13);
+    set_vector_0(number_1, &(at_39), side_2.direction_14);
     set_place_0(number_1, &(at_39), place_of_0(side_2.found_2));
-    var _S209 : u32 = at_39 + u32(1);
+    var _S210 : u32 = at_39 + u32(1);
     set_word_0(number_1, at_39, path_15.key_0.x);
-    at_39 = _S209 + u32(1);
-    set_word_0(number_1, _S209, path_15.key_0.y);
+    at_39 = _S210 + u32(1);
+    set_word_0(number_1, _S210, path_15.key_0.y);
+    set_vector_0(number_1, &(at_39), side_2.rest_3);
     set_vector_0(number_1, &(at_39), weight_0);
     return;
 }
@@ -3274,14 +3285,14 @@ fn begin_sides_of_0( at_40 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
         side_3 = side_3 + u32(1);
     }
     var nearest_0 : f32 = f32(point_4.distance_6) * 0.99999898672103882f;
-    var _S210 : bool;
+    var _S211 : bool;
     if((sides_0[i32(0)].found_2.face_2) == (sides_0[i32(1)].found_2.face_2))
     {
-        _S210 = (max(sides_0[i32(0)].t_10, sides_0[i32(1)].t_10)) < nearest_0;
+        _S211 = (max(sides_0[i32(0)].t_10, sides_0[i32(1)].t_10)) < nearest_0;
     }
     else
     {
-        _S210 = false;
+        _S211 = false;
     }
     var goes_on_1 : vec2<bool> = vec2<bool>(false, false);
     side_3 = u32(0);
@@ -3294,15 +3305,6 @@ fn begin_sides_of_0( at_40 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
         {
             break;
         }
-        var _S211 : bool;
-        if(_S210)
-        {
-            _S211 = true;
-        }
-        else
-        {
-            _S211 = (sides_0[side_3].found_2.face_2) == u32(4294967295);
-        }
         var _S212 : bool;
         if(_S211)
         {
@@ -3310,43 +3312,52 @@ fn begin_sides_of_0( at_40 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
         }
         else
         {
-            _S212 = !((largest_0(sides_0[side_3].scattered_2)) > 0.0f);
+            _S212 = (sides_0[side_3].found_2.face_2) == u32(4294967295);
         }
+        var _S213 : bool;
         if(_S212)
+        {
+            _S213 = true;
+        }
+        else
+        {
+            _S213 = !((largest_0(sides_0[side_3].scattered_2)) > 0.0f);
+        }
+        if(_S213)
         {
             side_3 = side_3 + u32(1);
             continue;
         }
-        var _S213 : vec3<f32> = factor_5 * sides_0[side_3].scattered_2;
-        var _S214 : f32;
+        var _S214 : vec3<f32> = factor_5 * sides_0[side_3].scattered_2;
+        var _S215 : f32;
         if(side_3 == u32(0))
         {
-            _S214 = 1.0f;
+            _S215 = 1.0f;
         }
         else
         {
-            _S214 = -1.0f;
+            _S215 = -1.0f;
         }
-        begin_side_0(side_path_0(number_of_path_3, side_3), path_16, sides_0[side_3], _S213 * vec3<f32>(_S214));
+        begin_side_0(side_path_0(number_of_path_3, side_3), path_16, sides_0[side_3], _S214 * vec3<f32>(_S215));
         goes_on_1[side_3] = true;
         side_3 = side_3 + u32(1);
     }
     var first_7 : u32 = side_path_0(number_of_path_3, u32(0));
-    var kept_1 : u32 = u32(20);
+    var kept_1 : u32 = u32(23);
     set_vector_1(first_7, &(kept_1), vec3<f32>(point_4.normal_6) * vec3<f32>(point_4.measure_0));
     set_vector_1(first_7, &(kept_1), offset_of_0(point_4));
-    var _S215 : u32 = kept_1;
-    var _S216 : u32 = kept_1 + u32(1);
-    kept_1 = _S216;
-    set_word_0(first_7, _S215, (bitcast<u32>((point_4.t_5))));
-    set_word_0(first_7, _S216, point_4.edge_6.record_7);
+    var _S216 : u32 = kept_1;
+    var _S217 : u32 = kept_1 + u32(1);
+    kept_1 = _S217;
+    set_word_0(first_7, _S216, (bitcast<u32>((point_4.t_5))));
+    set_word_0(first_7, _S217, point_4.edge_6.record_7);
     return goes_on_1;
 }
 
 fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_41 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_4 : u32,  path_17 : Path_0)
 {
-    var _S217 : vec2<bool> = begin_sides_of_0(at_41, point_5, number_of_path_4, path_17, (*crossed_2).factor_1);
-    (*crossed_2).goes_on_0 = _S217;
+    var _S218 : vec2<bool> = begin_sides_of_0(at_41, point_5, number_of_path_4, path_17, (*crossed_2).factor_1);
+    (*crossed_2).goes_on_0 = _S218;
     return;
 }
 
@@ -3399,15 +3410,15 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 contributions_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(contributions_1 - 0.00100000004749745f));
-            var _S218 : f32 = asked_0.over_all_0 * f32(points_1);
+            var _S219 : f32 = asked_0.over_all_0 * f32(points_1);
             var step_2 : f64 = f64(total_1) / f64(points_1);
-            var _S219 : f64 = step_2 * asked_0.place_18;
+            var _S220 : f64 = step_2 * asked_0.place_18;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S218;
+            over_all_1 = _S219;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S219;
+            target_1 = _S220;
         }
         else
         {
@@ -3422,16 +3433,16 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
         var target_2 : f64 = target_1;
         for(;;)
         {
-            var _S220 : bool;
+            var _S221 : bool;
             if(k_10 < (edge_word_0(leaf_2 + u32(3))))
             {
-                _S220 = drawn_1 < points_0;
+                _S221 = drawn_1 < points_0;
             }
             else
             {
-                _S220 = false;
+                _S221 = false;
             }
-            if(_S220)
+            if(_S221)
             {
             }
             else
@@ -3439,14 +3450,14 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 break;
             }
             var seen_5 : SeenEdge_0;
-            var _S221 : bool = see_edge_0(at_42, k_10, &(seen_5));
+            var _S222 : bool = see_edge_0(at_42, k_10, &(seen_5));
             var drawn_2 : u32;
             var contributions_2 : f32;
             var angles_2 : f32;
             var pieces_3 : f32;
             var cumulative_2 : f32;
             var target_3 : f64;
-            if(!_S221)
+            if(!_S222)
             {
                 drawn_2 = drawn_1;
                 contributions_2 = contributions_1;
@@ -3496,26 +3507,26 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 var target_4 : f64 = target_3;
                 for(;;)
                 {
-                    var _S222 : bool;
+                    var _S223 : bool;
                     if(drawn_3 < points_0)
                     {
-                        _S222 = target_4 < f64(cumulative_3);
+                        _S223 = target_4 < f64(cumulative_3);
                     }
                     else
                     {
-                        _S222 = false;
+                        _S223 = false;
                     }
-                    if(_S222)
+                    if(_S223)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var _S223 : u32 = drawn_3 + u32(1);
+                    var _S224 : u32 = drawn_3 + u32(1);
                     var target_5 : f64 = target_4 + step_1;
                     cross_at_0(&((*crossed_3)), at_42, point_on_0(at_42, seen_5, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_1 * own_1 / total_0), number_of_path_5, path_18);
-                    drawn_3 = _S223;
+                    drawn_3 = _S224;
                     target_4 = target_5;
                 }
                 cumulative_2 = cumulative_3;
@@ -3547,15 +3558,15 @@ fn sample_points_0( at_43 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : 
     var numbers_9 : u32 = numbers_for_0(at_43.purpose_0) + u32(1);
     var leaf_3 : u32;
     var probability_4 : f32;
-    var _S224 : bool = descend_0(at_43, (f64(subtree_0) + precise_random_0(path_19.key_0, numbers_9)) / f64(subtrees_0), &(leaf_3), &(probability_4));
-    if(!_S224)
+    var _S225 : bool = descend_0(at_43, (f64(subtree_0) + precise_random_0(path_19.key_0, numbers_9)) / f64(subtrees_0), &(leaf_3), &(probability_4));
+    if(!_S225)
     {
         return;
     }
     var asked_1 : Share_0;
-    var _S225 : f32 = f32(subtrees_0);
-    asked_1.share_0 = 1.0f / _S225;
-    asked_1.over_all_0 = probability_4 * _S225;
+    var _S226 : f32 = f32(subtrees_0);
+    asked_1.share_0 = 1.0f / _S226;
+    asked_1.over_all_0 = probability_4 * _S226;
     asked_1.place_18 = precise_random_0(path_19.key_0, numbers_9 + u32(1)) + f64(0.6180340051651001f * f32(subtree_0));
     for(;;)
     {
@@ -3574,13 +3585,13 @@ fn sample_points_0( at_43 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : 
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S226 : u32;
+    var _S227 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S227 : u32 = u32(2) + zero_0;
-        _S226 = _S227;
-        if(rounds_0 < _S227)
+        var _S228 : u32 = u32(2) + zero_0;
+        _S227 = _S228;
+        if(rounds_0 < _S228)
         {
         }
         else
@@ -3589,14 +3600,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S226;
+    return rounds_0 == _S227;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S228 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S229 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -3615,18 +3626,18 @@ fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_20 : Path_0 = path_at_vertex_0(number_of_path_7, &(factor_6));
     var crossed_5 : Crossed_0 = nothing_crossed_0(factor_6);
     var at_44 : ShadingPoint_0;
-    var _S229 : bool = shading_point_0(path_20, &(at_44));
-    var _S230 : bool;
-    if(_S229)
+    var _S230 : bool = shading_point_0(path_20, &(at_44));
+    var _S231 : bool;
+    if(_S230)
     {
-        var _S231 : f32 = turn_to_0(u32(2), path_20.key_0, &(at_44));
-        _S230 = _S231 > 0.0f;
+        var _S232 : f32 = turn_to_0(u32(2), path_20.key_0, &(at_44));
+        _S231 = _S232 > 0.0f;
     }
     else
     {
-        _S230 = false;
+        _S231 = false;
     }
-    if(_S230)
+    if(_S231)
     {
         sample_points_0(at_44, number_of_path_7, path_20, subtree_of_launch_0(), subtrees_of_0(at_44), &(crossed_5));
     }
@@ -3642,18 +3653,18 @@ fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         }
         var goes_on_2 : bool = crossed_5.goes_on_0[side_4];
         var number_2 : u32 = side_path_0(number_of_path_7, side_4);
-        var which_13 : u32 = u32(17);
-        var _S232 : u32 = u32(2) * listed_0 + side_4;
-        var _S233 : u32;
+        var which_13 : u32 = u32(20);
+        var _S233 : u32 = u32(2) * listed_0 + side_4;
+        var _S234 : u32;
         if(crossed_5.goes_on_0[side_4])
         {
-            _S233 = number_2;
+            _S234 = number_2;
         }
         else
         {
-            _S233 = u32(4294967295);
+            _S234 = u32(4294967295);
         }
-        set_word_0(_S232, u32(0), _S233);
+        set_word_0(_S233, u32(0), _S234);
         if(!goes_on_2)
         {
             set_vector_2(number_2, &(which_13), vec3<f32>(0.0f));

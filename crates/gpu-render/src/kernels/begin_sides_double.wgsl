@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 67adabb97a98c706
-// result: 9c2f67be1c6091e8
+// source: ce6a4dad891818ea
+// result: 4cabdaf5d75d3d0f
 
 struct Launch_std140_0
 {
@@ -234,6 +234,16 @@ fn path_place_0( path_4 : u32,  which_4 : ptr<function, u32>) -> Place_0
     return exact_place_0(path_word_0(path_4, _S48 - u32(5)), f64((bitcast<f32>((path_word_0(path_4, _S48 - u32(4)))))) + f64((bitcast<f32>((path_word_0(path_4, _S48 - u32(2)))))), f64((bitcast<f32>((path_word_0(path_4, _S48 - u32(3)))))) + f64((bitcast<f32>((path_word_0(path_4, _S48 - u32(1)))))));
 }
 
+fn change_word_0( at_0 : u32) -> u32
+{
+    return input_0[launch_0.room_0 + at_0];
+}
+
+fn walks_0() -> bool
+{
+    return (change_word_0(u32(6))) != u32(0);
+}
+
 struct Path_0
 {
      throughput_0 : Vector_0,
@@ -242,23 +252,34 @@ struct Path_0
      key_0 : vec2<u32>,
      light_0 : Vector_0,
      drift_0 : vec3<f32>,
+     walked_0 : vec3<f32>,
+     divergence_0 : f32,
 };
 
 fn load_0( number_of_path_0 : u32) -> Path_0
 {
-    var at_0 : u32 = u32(1);
+    var at_1 : u32 = u32(1);
     var path_5 : Path_0;
-    var _S49 : Vector_0 = path_changing_0(number_of_path_0, &(at_0));
+    var _S49 : Vector_0 = path_changing_0(number_of_path_0, &(at_1));
     path_5.light_0 = _S49;
-    var _S50 : Vector_0 = path_changing_0(number_of_path_0, &(at_0));
+    var _S50 : Vector_0 = path_changing_0(number_of_path_0, &(at_1));
     path_5.throughput_0 = _S50;
-    var _S51 : Vector_0 = path_changing_0(number_of_path_0, &(at_0));
+    var _S51 : Vector_0 = path_changing_0(number_of_path_0, &(at_1));
     path_5.direction_0 = _S51;
-    var _S52 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
+    var _S52 : vec3<f32> = path_vector_0(number_of_path_0, &(at_1));
     path_5.drift_0 = _S52;
-    var _S53 : Place_0 = path_place_0(number_of_path_0, &(at_0));
+    var _S53 : Place_0 = path_place_0(number_of_path_0, &(at_1));
     path_5.place_1 = _S53;
-    path_5.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_0), path_word_0(number_of_path_0, at_0 + u32(1)));
+    path_5.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_1), path_word_0(number_of_path_0, at_1 + u32(1)));
+    path_5.walked_0 = vec3<f32>(0.0f);
+    path_5.divergence_0 = 0.0f;
+    if(walks_0())
+    {
+        at_1 = u32(29);
+        var _S54 : vec3<f32> = path_vector_0(number_of_path_0, &(at_1));
+        path_5.walked_0 = _S54;
+        path_5.divergence_0 = (bitcast<f32>((path_word_0(number_of_path_0, at_1))));
+    }
     return path_5;
 }
 
@@ -290,9 +311,9 @@ fn value_of_0( vector_1 : Vector_0) -> vec3<f32>
     return vector_1.value_0;
 }
 
-fn word_0( at_1 : u32) -> u32
+fn word_0( at_2 : u32) -> u32
 {
-    return scene_0[at_1];
+    return scene_0[at_2];
 }
 
 fn triangle_record_0( triangle_2 : u32) -> u32
@@ -302,26 +323,26 @@ fn triangle_record_0( triangle_2 : u32) -> u32
 
 fn shape_of_0( triangle_3 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_3));
+    return word_0(u32(10)) + u32(7) * word_0(triangle_record_0(triangle_3));
 }
 
-fn primitive_vector_0( at_2 : u32) -> vec3<f64>
+fn primitive_vector_0( at_3 : u32) -> vec3<f64>
 {
-    return vec3<f64>(primitives_0[at_2], primitives_0[at_2 + u32(1)], primitives_0[at_2 + u32(2)]);
+    return vec3<f64>(primitives_0[at_3], primitives_0[at_3 + u32(1)], primitives_0[at_3 + u32(2)]);
 }
 
 fn position_of_0( place_2 : Place_0) -> vec3<f64>
 {
-    var at_3 : u32 = u32(9) * place_2.triangle_0;
-    var a_1 : vec3<f64> = primitive_vector_0(at_3);
-    return a_1 + (primitive_vector_0(at_3 + u32(3)) - a_1) * vec3<f64>((f64(place_2.v_0) + f64(place_2.v_rest_0))) + (primitive_vector_0(at_3 + u32(6)) - a_1) * vec3<f64>((f64(place_2.w_0) + f64(place_2.w_rest_0)));
+    var at_4 : u32 = u32(9) * place_2.triangle_0;
+    var a_1 : vec3<f64> = primitive_vector_0(at_4);
+    return a_1 + (primitive_vector_0(at_4 + u32(3)) - a_1) * vec3<f64>((f64(place_2.v_0) + f64(place_2.v_rest_0))) + (primitive_vector_0(at_4 + u32(6)) - a_1) * vec3<f64>((f64(place_2.w_0) + f64(place_2.w_rest_0)));
 }
 
 fn cross_of_0( triangle_4 : u32) -> vec3<f32>
 {
-    var at_4 : u32 = u32(9) * triangle_4;
-    var a_2 : vec3<f64> = primitive_vector_0(at_4);
-    return cross(vec3<f32>(primitive_vector_0(at_4 + u32(3)) - a_2), vec3<f32>(primitive_vector_0(at_4 + u32(6)) - a_2));
+    var at_5 : u32 = u32(9) * triangle_4;
+    var a_2 : vec3<f64> = primitive_vector_0(at_5);
+    return cross(vec3<f32>(primitive_vector_0(at_5 + u32(3)) - a_2), vec3<f32>(primitive_vector_0(at_5 + u32(6)) - a_2));
 }
 
 fn unit_0( v_2 : vec3<f32>) -> vec3<f32>
@@ -329,14 +350,14 @@ fn unit_0( v_2 : vec3<f32>) -> vec3<f32>
     return normalize(v_2 / vec3<f32>(max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z))));
 }
 
-fn number_0( at_5 : u32) -> f32
+fn number_0( at_6 : u32) -> f32
 {
-    return (bitcast<f32>((scene_0[at_5])));
+    return (bitcast<f32>((scene_0[at_6])));
 }
 
-fn vector_at_0( at_6 : u32) -> vec3<f32>
+fn vector_at_0( at_7 : u32) -> vec3<f32>
 {
-    return vec3<f32>(number_0(at_6), number_0(at_6 + u32(1)), number_0(at_6 + u32(2)));
+    return vec3<f32>(number_0(at_7), number_0(at_7 + u32(1)), number_0(at_7 + u32(2)));
 }
 
 struct Surface_0
@@ -357,14 +378,14 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
     var surface_0 : Surface_0;
     surface_0.place_3 = place_4;
     surface_0.shape_0 = shape_of_0(place_4.triangle_0);
-    var _S54 : vec3<f64> = position_of_0(place_4);
-    surface_0.exact_0 = _S54;
-    surface_0.position_0 = vec3<f32>(_S54);
-    var _S55 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
-    surface_0.face_normal_0 = _S55;
-    surface_0.outward_0 = _S55;
+    var _S55 : vec3<f64> = position_of_0(place_4);
+    surface_0.exact_0 = _S55;
+    surface_0.position_0 = vec3<f32>(_S55);
+    var _S56 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
+    surface_0.face_normal_0 = _S56;
+    surface_0.outward_0 = _S56;
     var seen_0 : f32;
-    if((dot(_S55, direction_1)) > 0.0f)
+    if((dot(_S56, direction_1)) > 0.0f)
     {
         seen_0 = -1.0f;
     }
@@ -386,15 +407,10 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
         surface_0.outward_0 = normalize(a_3 + (b_1 - a_3) * vec3<f32>(place_4.v_0) + (c_0 - a_3) * vec3<f32>(place_4.w_0));
     }
     surface_0.is_front_0 = seen_0 > 0.0f;
-    var _S56 : vec3<f32> = vec3<f32>(0.0f);
-    surface_0.outward_change_0 = _S56;
-    surface_0.position_change_0 = _S56;
+    var _S57 : vec3<f32> = vec3<f32>(0.0f);
+    surface_0.outward_change_0 = _S57;
+    surface_0.position_change_0 = _S57;
     return surface_0;
-}
-
-fn change_word_0( at_7 : u32) -> u32
-{
-    return input_0[launch_0.room_0 + at_7];
 }
 
 fn is_moving_0() -> bool
@@ -428,15 +444,15 @@ fn move_place_0( place_6 : ptr<function, Place_0>,  position_change_1 : ptr<func
     var corner_0 : u32 = u32(9) * (*place_6).triangle_0;
     var of_material_0 : vec3<f32> = at_place_0(change_vector_0(at_9), change_vector_0(at_9 + u32(3)), change_vector_0(at_9 + u32(6)), (*place_6));
     var a_5 : vec3<f64> = primitive_vector_0(corner_0);
-    var _S57 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_0 + u32(3)) - a_5);
-    var _S58 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_0 + u32(6)) - a_5);
-    var across_0 : vec3<f32> = cross(_S57, _S58);
-    var _S59 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
-    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S59);
+    var _S58 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_0 + u32(3)) - a_5);
+    var _S59 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_0 + u32(6)) - a_5);
+    var across_0 : vec3<f32> = cross(_S58, _S59);
+    var _S60 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S60);
     var slip_0 : vec3<f32> = drift_1 - of_material_0;
     var slip_1 : vec3<f32> = slip_0 - direction_2 * vec3<f32>((dot(normal_0, slip_0) / dot(normal_0, direction_2)));
     (*position_change_1) = of_material_0 + slip_1;
-    (*place_6).change_2 = vec2<f32>(dot(slip_1, cross(_S58, normal_0)), dot(slip_1, cross(normal_0, _S57))) * vec2<f32>((1.0f / (dot(normal_0, normal_0) * _S59)));
+    (*place_6).change_2 = vec2<f32>(dot(slip_1, cross(_S59, normal_0)), dot(slip_1, cross(normal_0, _S58))) * vec2<f32>((1.0f / (dot(normal_0, normal_0) * _S60)));
     return;
 }
 
@@ -447,11 +463,11 @@ fn change_of_unit_0( vector_2 : vec3<f32>,  change_3 : vec3<f32>,  size_0 : f32)
 
 fn move_surface_0( surface_1 : ptr<function, Surface_0>,  direction_3 : vec3<f32>,  drift_2 : vec3<f32>)
 {
-    var _S60 : Place_0 = (*surface_1).place_3;
-    var _S61 : vec3<f32> = (*surface_1).position_change_0;
-    move_place_0(&(_S60), &(_S61), direction_3, drift_2);
-    (*surface_1).place_3 = _S60;
-    (*surface_1).position_change_0 = _S61;
+    var _S61 : Place_0 = (*surface_1).place_3;
+    var _S62 : vec3<f32> = (*surface_1).position_change_0;
+    move_place_0(&(_S61), &(_S62), direction_3, drift_2);
+    (*surface_1).place_3 = _S61;
+    (*surface_1).position_change_0 = _S62;
     if(!is_moving_0())
     {
         return;
@@ -463,10 +479,10 @@ fn move_surface_0( surface_1 : ptr<function, Surface_0>,  direction_3 : vec3<f32
     {
         var corner_1 : u32 = u32(9) * place_7.triangle_0;
         var a_6 : vec3<f64> = primitive_vector_0(corner_1);
-        var _S62 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_6);
-        var _S63 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_6);
+        var _S63 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_6);
+        var _S64 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_6);
         var a_change_0 : vec3<f32> = change_vector_0(at_10);
-        (*surface_1).outward_change_0 = change_of_unit_0((*surface_1).outward_0, cross(change_vector_0(at_10 + u32(3)) - a_change_0, _S63) + cross(_S62, change_vector_0(at_10 + u32(6)) - a_change_0), length(cross(_S62, _S63)));
+        (*surface_1).outward_change_0 = change_of_unit_0((*surface_1).outward_0, cross(change_vector_0(at_10 + u32(3)) - a_change_0, _S64) + cross(_S63, change_vector_0(at_10 + u32(6)) - a_change_0), length(cross(_S63, _S64)));
         return;
     }
     var record_1 : u32 = triangle_record_0(place_7.triangle_0) + u32(2);
@@ -480,16 +496,16 @@ fn move_surface_0( surface_1 : ptr<function, Surface_0>,  direction_3 : vec3<f32
 
 fn material_of_0( surface_2 : Surface_0) -> u32
 {
-    var _S64 : u32;
+    var _S65 : u32;
     if(surface_2.is_front_0)
     {
-        _S64 = u32(2);
+        _S65 = u32(2);
     }
     else
     {
-        _S64 = u32(3);
+        _S65 = u32(3);
     }
-    return word_0(surface_2.shape_0 + _S64);
+    return word_0(surface_2.shape_0 + _S65);
 }
 
 struct Numbers_0
@@ -504,11 +520,11 @@ struct Numbers_0
 fn no_numbers_0() -> Numbers_0
 {
     var numbers_0 : Numbers_0;
-    var _S65 : vec3<f32> = vec3<f32>(0.0f);
-    numbers_0.k_0 = _S65;
-    numbers_0.eta_0 = _S65;
-    numbers_0.specular_reflectance_0 = _S65;
-    numbers_0.diffuse_reflectance_0 = _S65;
+    var _S66 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_0.k_0 = _S66;
+    numbers_0.eta_0 = _S66;
+    numbers_0.specular_reflectance_0 = _S66;
+    numbers_0.diffuse_reflectance_0 = _S66;
     numbers_0.alpha_0 = vec2<f32>(0.0f);
     return numbers_0;
 }
@@ -528,9 +544,9 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    var _S66 : vec4<f32> = vec4<f32>(0.0f);
-    lookup_0.by_second_0 = _S66;
-    lookup_0.by_first_0 = _S66;
+    var _S67 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S67;
+    lookup_0.by_first_0 = _S67;
     return lookup_0;
 }
 
@@ -543,11 +559,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_9 : vec2<f32>,  b_4 : vec2<f32>,  c_3 : vec2<f32>) -> Corners2_0
 {
-    var _S67 : Corners2_0;
-    _S67.a_8 = a_9;
-    _S67.b_3 = b_4;
-    _S67.c_2 = c_3;
-    return _S67;
+    var _S68 : Corners2_0;
+    _S68.a_8 = a_9;
+    _S68.b_3 = b_4;
+    _S68.c_2 = c_3;
+    return _S68;
 }
 
 fn uvs_of_0( triangle_6 : u32) -> Corners2_0
@@ -620,13 +636,13 @@ fn between_0( texels_1 : vec4<u32>,  place_8 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S68 : f32 = back_0.x;
-    var _S69 : f32 = back_0.y;
-    var _S70 : f32 = way_0.x;
-    var _S71 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S68 * _S69, _S70 * _S69, _S68 * _S71, _S70 * _S71);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S69, _S69, - _S71, _S71);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S68, - _S70, _S68, _S70);
+    var _S69 : f32 = back_0.x;
+    var _S70 : f32 = back_0.y;
+    var _S71 : f32 = way_0.x;
+    var _S72 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S69 * _S70, _S71 * _S70, _S69 * _S72, _S71 * _S72);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S70, _S70, - _S72, _S72);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S69, - _S71, _S69, _S71);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_8.by_first_1.x) + by_y_0 * vec4<f32>(place_8.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_8.by_second_1.x) + by_y_0 * vec4<f32>(place_8.by_second_1.y);
     return lookup_1;
@@ -642,22 +658,22 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_9.y), height_0, wrap_1);
-        var _S72 : u32 = row_0 * u32(width_0);
-        var _S73 : u32 = wrapped_0(floor_of_0(place_9.x), width_0, wrap_1);
-        return one_texel_0(_S72 + _S73);
+        var _S73 : u32 = row_0 * u32(width_0);
+        var _S74 : u32 = wrapped_0(floor_of_0(place_9.x), width_0, wrap_1);
+        return one_texel_0(_S73 + _S74);
     }
     var centred_0 : Point_0;
-    var _S74 : vec2<f32> = place_9 - vec2<f32>(0.5f);
-    centred_0.value_3 = _S74;
+    var _S75 : vec2<f32> = place_9 - vec2<f32>(0.5f);
+    centred_0.value_3 = _S75;
     centred_0.by_first_1 = uv_0.by_first_1 * size_1;
     centred_0.by_second_1 = uv_0.by_second_1 * size_1;
-    var x_1 : i32 = floor_of_0(_S74.x);
-    var y_0 : i32 = floor_of_0(_S74.y);
-    var _S75 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S76 : u32 = u32(width_0);
-    var first_1 : u32 = _S75 * _S76;
-    var _S77 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S77 * _S76;
+    var x_1 : i32 = floor_of_0(_S75.x);
+    var y_0 : i32 = floor_of_0(_S75.y);
+    var _S76 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S77 : u32 = u32(width_0);
+    var first_1 : u32 = _S76 * _S77;
+    var _S78 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S78 * _S77;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -690,39 +706,39 @@ fn lookup_at_0( texture_1 : u32,  place_10 : Place_0) -> Lookup_0
     var to_u_0 : vec3<f32> = vector_at_0(rows_0);
     var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S78 : vec3<f32> = vec3<f32>(uvs_1.a_8 * vec2<f32>((1.0f - place_10.v_0 - place_10.w_0)) + uvs_1.b_3 * vec2<f32>(place_10.v_0) + uvs_1.c_2 * vec2<f32>(place_10.w_0), 1.0f);
-    uv_1.value_3 = vec2<f32>(dot(_S78, to_u_0), dot(_S78, to_v_0));
+    var _S79 : vec3<f32> = vec3<f32>(uvs_1.a_8 * vec2<f32>((1.0f - place_10.v_0 - place_10.w_0)) + uvs_1.b_3 * vec2<f32>(place_10.v_0) + uvs_1.c_2 * vec2<f32>(place_10.w_0), 1.0f);
+    uv_1.value_3 = vec2<f32>(dot(_S79, to_u_0), dot(_S79, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_3 - uvs_1.a_8;
     var by_w_0 : vec2<f32> = uvs_1.c_2 - uvs_1.a_8;
-    var _S79 : vec2<f32> = to_u_0.xy;
-    var _S80 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S79), dot(by_v_0, _S80));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S79), dot(by_w_0, _S80));
+    var _S80 : vec2<f32> = to_u_0.xy;
+    var _S81 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S80), dot(by_v_0, _S81));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S80), dot(by_w_0, _S81));
     if(kind_0 == u32(1))
     {
-        var _S81 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S81;
+        var _S82 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S82;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
-    var _S82 : i32;
+    var _S83 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S82 = i32(1);
+        _S83 = i32(1);
     }
     else
     {
-        _S82 = i32(0);
+        _S83 = i32(0);
     }
-    return one_texel_0(u32(_S82));
+    return one_texel_0(u32(_S83));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S83 : u32 = word_0(texture_2 + u32(1));
-    var _S84 : u32 = texture_2 + u32(13);
-    var _S85 : vec3<f32> = vec3<f32>(0.0f);
+    var _S84 : u32 = word_0(texture_2 + u32(1));
+    var _S85 : u32 = texture_2 + u32(13);
+    var _S86 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S85;
+    var value_4 : vec3<f32> = _S86;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -732,17 +748,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_13 : u32 = _S84 + _S83 * lookup_3.texels_0[k_1];
-        var _S86 : vec3<f32>;
-        if(_S83 == u32(1))
+        var at_13 : u32 = _S85 + _S84 * lookup_3.texels_0[k_1];
+        var _S87 : vec3<f32>;
+        if(_S84 == u32(1))
         {
-            _S86 = vec3<f32>(number_0(at_13));
+            _S87 = vec3<f32>(number_0(at_13));
         }
         else
         {
-            _S86 = vector_at_0(at_13);
+            _S87 = vector_at_0(at_13);
         }
-        var value_5 : vec3<f32> = value_4 + _S86 * vec3<f32>(weights_1[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S87 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -751,7 +767,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(6) + word_0(texture_3 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_3 + u32(12)));
 }
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
@@ -763,7 +779,7 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
     {
         return changing_0(value_6, change_4);
     }
-    var _S87 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var _S88 : bool = (word_0(texture_4 + u32(1))) == u32(1);
     var k_2 : u32 = u32(0);
     var change_5 : vec3<f32> = change_4;
     for(;;)
@@ -775,18 +791,18 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
         {
             break;
         }
-        var _S88 : i32;
-        if(_S87)
+        var _S89 : i32;
+        if(_S88)
         {
-            _S88 = i32(1);
+            _S89 = i32(1);
         }
         else
         {
-            _S88 = i32(3);
+            _S89 = i32(3);
         }
-        var at_14 : u32 = first_2 + u32(_S88) * lookup_4.texels_0[k_2];
+        var at_14 : u32 = first_2 + u32(_S89) * lookup_4.texels_0[k_2];
         var of_texel_0 : vec3<f32>;
-        if(_S87)
+        if(_S88)
         {
             of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_14)))));
         }
@@ -803,8 +819,8 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_5 : u32,  place_11 : Place_0) -> Vector_0
 {
-    var _S89 : Lookup_0 = lookup_at_0(texture_5, place_11);
-    return looked_up_0(texture_5, _S89, place_11.change_2);
+    var _S90 : Lookup_0 = lookup_at_0(texture_5, place_11);
+    return looked_up_0(texture_5, _S90, place_11.change_2);
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -869,40 +885,40 @@ fn lobe_at_0( record_4 : u32,  place_12 : Place_0) -> Lobe_0
     var lobe_0 : Lobe_0;
     lobe_0.record_3 = record_4;
     var is_black_0 : bool = record_4 == u32(4294967295);
-    var _S90 : u32;
+    var _S91 : u32;
     if(is_black_0)
     {
-        _S90 = u32(0);
+        _S91 = u32(0);
     }
     else
     {
-        _S90 = word_0(record_4);
+        _S91 = word_0(record_4);
     }
-    lobe_0.kind_1 = _S90;
+    lobe_0.kind_1 = _S91;
     if(is_black_0)
     {
-        _S90 = u32(1);
+        _S91 = u32(1);
     }
     else
     {
-        _S90 = word_0(record_4 + u32(1));
+        _S91 = word_0(record_4 + u32(1));
     }
-    lobe_0.distribution_0 = _S90;
-    var _S91 : Numbers_0 = no_numbers_0();
-    lobe_0.numbers_2 = _S91;
-    lobe_0.changes_0 = _S91;
+    lobe_0.distribution_0 = _S91;
+    var _S92 : Numbers_0 = no_numbers_0();
+    lobe_0.numbers_2 = _S92;
+    lobe_0.changes_0 = _S92;
     if(is_black_0)
     {
-        _S90 = u32(0);
+        _S91 = u32(0);
     }
     else
     {
-        _S90 = word_0(record_4 + u32(4));
+        _S91 = word_0(record_4 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S90)
+        if(slot_1 < _S91)
         {
         }
         else
@@ -916,14 +932,14 @@ fn lobe_at_0( record_4 : u32,  place_12 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : Vector_0 = shown_0(texture_6, place_12);
-        var _S92 : vec3<f32> = value_of_0(colour_1);
-        var _S93 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S93), slot_1, _S92);
-        lobe_0.numbers_2 = _S93;
-        var _S94 : vec3<f32> = change_of_0(colour_1);
-        var _S95 : Numbers_0 = lobe_0.changes_0;
-        set_slot_0(&(_S95), slot_1, _S94);
-        lobe_0.changes_0 = _S95;
+        var _S93 : vec3<f32> = value_of_0(colour_1);
+        var _S94 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S94), slot_1, _S93);
+        lobe_0.numbers_2 = _S94;
+        var _S95 : vec3<f32> = change_of_0(colour_1);
+        var _S96 : Numbers_0 = lobe_0.changes_0;
+        set_slot_0(&(_S96), slot_1, _S95);
+        lobe_0.changes_0 = _S96;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -938,16 +954,16 @@ fn tangent_at_0( surface_3 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_3.place_3.triangle_0) + u32(1)));
     var across_1 : vec3<f32> = cross(tangent_0, surface_3.outward_0);
-    var _S96 : vec3<f32>;
+    var _S97 : vec3<f32>;
     if((dot(across_1, across_1)) > 0.0f)
     {
-        _S96 = tangent_0;
+        _S97 = tangent_0;
     }
     else
     {
-        _S96 = vec3<f32>(0.0f);
+        _S97 = vec3<f32>(0.0f);
     }
-    return _S96;
+    return _S97;
 }
 
 struct Axes_0
@@ -965,52 +981,52 @@ struct DiffPair_Axes_0
 
 fn s_fwd_axes_along_0( dpn_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dptangent_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_1 : bool) -> DiffPair_Axes_0
 {
-    var _S97 : vec3<f32>;
     var _S98 : vec3<f32>;
+    var _S99 : vec3<f32>;
     if(is_front_1)
     {
-        _S97 = dpn_0.primal_0;
-        _S98 = dpn_0.differential_0;
+        _S98 = dpn_0.primal_0;
+        _S99 = dpn_0.differential_0;
     }
     else
     {
-        var _S99 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
-        _S97 = (vec3<f32>(0) - dpn_0.primal_0);
-        _S98 = _S99;
+        var _S100 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
+        _S98 = (vec3<f32>(0) - dpn_0.primal_0);
+        _S99 = _S100;
     }
-    var _S100 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
-    var _S101 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
-    var _S102 : DiffPair_float_0 = _d_dot_0(_S100, _S101);
-    var _S103 : vec3<f32> = vec3<f32>(_S102.primal_0);
-    var _S104 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S103, dptangent_0.differential_0 - (dpn_0.differential_0 * _S103 + vec3<f32>(_S102.differential_0) * dpn_0.primal_0) );
-    var _S105 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S104);
-    var _S106 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S105.primal_0, _S105.differential_0 );
-    var _S107 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S100, _S106);
-    var _S108 : Axes_0 = Axes_0( _S105.primal_0, _S107.primal_0, _S97 );
-    var _S109 : Axes_0 = Axes_0( _S105.differential_0, _S107.differential_0, _S98 );
-    var _S110 : DiffPair_Axes_0 = DiffPair_Axes_0( _S108, _S109 );
-    return _S110;
+    var _S101 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
+    var _S102 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
+    var _S103 : DiffPair_float_0 = _d_dot_0(_S101, _S102);
+    var _S104 : vec3<f32> = vec3<f32>(_S103.primal_0);
+    var _S105 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S104, dptangent_0.differential_0 - (dpn_0.differential_0 * _S104 + vec3<f32>(_S103.differential_0) * dpn_0.primal_0) );
+    var _S106 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S105);
+    var _S107 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S106.primal_0, _S106.differential_0 );
+    var _S108 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S101, _S107);
+    var _S109 : Axes_0 = Axes_0( _S106.primal_0, _S108.primal_0, _S98 );
+    var _S110 : Axes_0 = Axes_0( _S106.differential_0, _S108.differential_0, _S99 );
+    var _S111 : DiffPair_Axes_0 = DiffPair_Axes_0( _S109, _S110 );
+    return _S111;
 }
 
 fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_2 : bool) -> DiffPair_Axes_0
 {
-    var _S111 : vec3<f32>;
     var _S112 : vec3<f32>;
+    var _S113 : vec3<f32>;
     if(is_front_2)
     {
-        _S111 = dpn_1.primal_0;
-        _S112 = dpn_1.differential_0;
+        _S112 = dpn_1.primal_0;
+        _S113 = dpn_1.differential_0;
     }
     else
     {
-        var _S113 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
-        _S111 = (vec3<f32>(0) - dpn_1.primal_0);
-        _S112 = _S113;
+        var _S114 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
+        _S112 = (vec3<f32>(0) - dpn_1.primal_0);
+        _S113 = _S114;
     }
-    var _S114 : f32 = dpn_1.primal_0.z;
-    var _S115 : f32 = dpn_1.differential_0.z;
+    var _S115 : f32 = dpn_1.primal_0.z;
+    var _S116 : f32 = dpn_1.differential_0.z;
     var sign_0 : f32;
-    if(_S114 < 0.0f)
+    if(_S115 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -1018,25 +1034,25 @@ fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_2 : 
     {
         sign_0 = 1.0f;
     }
-    var _S116 : f32 = sign_0 + _S114;
-    var a_10 : f32 = -1.0f / _S116;
-    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S115) / (_S116 * _S116);
-    var _S117 : f32 = dpn_1.primal_0.x;
-    var _S118 : f32 = dpn_1.differential_0.x;
-    var _S119 : f32 = dpn_1.primal_0.y;
-    var _S120 : f32 = dpn_1.differential_0.y;
-    var _S121 : f32 = _S117 * _S119;
-    var b_5 : f32 = _S121 * a_10;
-    var s_diff_b_0 : f32 = (_S118 * _S119 + _S120 * _S117) * a_10 + s_diff_a_0 * _S121;
-    var _S122 : f32 = sign_0 * _S117;
-    var _S123 : f32 = _S122 * _S117;
-    var _S124 : f32 = - sign_0;
-    var _S125 : f32 = _S119 * _S119;
-    var _S126 : f32 = _S120 * _S119;
-    var _S127 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S123 * a_10, sign_0 * b_5, _S124 * _S117), vec3<f32>(b_5, sign_0 + _S125 * a_10, - _S119), _S111 );
-    var _S128 : Axes_0 = Axes_0( vec3<f32>((_S118 * sign_0 * _S117 + _S118 * _S122) * a_10 + s_diff_a_0 * _S123, s_diff_b_0 * sign_0, _S118 * _S124), vec3<f32>(s_diff_b_0, (_S126 + _S126) * a_10 + s_diff_a_0 * _S125, - _S120), _S112 );
-    var _S129 : DiffPair_Axes_0 = DiffPair_Axes_0( _S127, _S128 );
-    return _S129;
+    var _S117 : f32 = sign_0 + _S115;
+    var a_10 : f32 = -1.0f / _S117;
+    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S116) / (_S117 * _S117);
+    var _S118 : f32 = dpn_1.primal_0.x;
+    var _S119 : f32 = dpn_1.differential_0.x;
+    var _S120 : f32 = dpn_1.primal_0.y;
+    var _S121 : f32 = dpn_1.differential_0.y;
+    var _S122 : f32 = _S118 * _S120;
+    var b_5 : f32 = _S122 * a_10;
+    var s_diff_b_0 : f32 = (_S119 * _S120 + _S121 * _S118) * a_10 + s_diff_a_0 * _S122;
+    var _S123 : f32 = sign_0 * _S118;
+    var _S124 : f32 = _S123 * _S118;
+    var _S125 : f32 = - sign_0;
+    var _S126 : f32 = _S120 * _S120;
+    var _S127 : f32 = _S121 * _S120;
+    var _S128 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S124 * a_10, sign_0 * b_5, _S125 * _S118), vec3<f32>(b_5, sign_0 + _S126 * a_10, - _S120), _S112 );
+    var _S129 : Axes_0 = Axes_0( vec3<f32>((_S119 * sign_0 * _S118 + _S119 * _S123) * a_10 + s_diff_a_0 * _S124, s_diff_b_0 * sign_0, _S119 * _S125), vec3<f32>(s_diff_b_0, (_S127 + _S127) * a_10 + s_diff_a_0 * _S126, - _S121), _S113 );
+    var _S130 : DiffPair_Axes_0 = DiffPair_Axes_0( _S128, _S129 );
+    return _S130;
 }
 
 fn to_local_0( axes_0 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
@@ -1046,31 +1062,31 @@ fn to_local_0( axes_0 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
 
 fn s_fwd_to_local_0( dpaxes_0 : DiffPair_Axes_0,  dpv_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S130 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
-    var _S131 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
-    var _S132 : DiffPair_float_0 = _d_dot_0(_S130, _S131);
-    var _S133 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
-    var _S134 : DiffPair_float_0 = _d_dot_0(_S133, _S131);
-    var _S135 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
-    var _S136 : DiffPair_float_0 = _d_dot_0(_S135, _S131);
-    var _S137 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S132.primal_0, _S134.primal_0, _S136.primal_0), vec3<f32>(_S132.differential_0, _S134.differential_0, _S136.differential_0) );
-    return _S137;
+    var _S131 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
+    var _S132 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
+    var _S133 : DiffPair_float_0 = _d_dot_0(_S131, _S132);
+    var _S134 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
+    var _S135 : DiffPair_float_0 = _d_dot_0(_S134, _S132);
+    var _S136 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
+    var _S137 : DiffPair_float_0 = _d_dot_0(_S136, _S132);
+    var _S138 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S133.primal_0, _S135.primal_0, _S137.primal_0), vec3<f32>(_S133.differential_0, _S135.differential_0, _S137.differential_0) );
+    return _S138;
 }
 
 fn s_fwd_towards_viewer_0( dpaxes_1 : DiffPair_Axes_0,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S138 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
-    var _S139 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
-    var _S140 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S138, _S139);
-    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S140.primal_0);
-    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S140.differential_0);
-    var _S141 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
-    var _S142 : DiffPair_float_0 = _d_abs_0(_S141);
-    var _S143 : DiffPair_float_0 = DiffPair_float_0( _S142.primal_0, _S142.differential_0 );
-    var _S144 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
-    var _S145 : DiffPair_float_0 = _d_max_0(_S143, _S144);
-    var _S146 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S145.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S145.differential_0) );
-    return _S146;
+    var _S139 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
+    var _S140 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
+    var _S141 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S139, _S140);
+    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S141.primal_0);
+    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S141.differential_0);
+    var _S142 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
+    var _S143 : DiffPair_float_0 = _d_abs_0(_S142);
+    var _S144 : DiffPair_float_0 = DiffPair_float_0( _S143.primal_0, _S143.differential_0 );
+    var _S145 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
+    var _S146 : DiffPair_float_0 = _d_max_0(_S144, _S145);
+    var _S147 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S146.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S146.differential_0) );
+    return _S147;
 }
 
 struct Vertex_0
@@ -1086,10 +1102,10 @@ fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_4 : Vector_
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_4 = surface_5;
-    var _S147 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
-    vertex_0.lobe_1 = _S147;
+    var _S148 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
+    vertex_0.lobe_1 = _S148;
     var tangent_1 : vec3<f32> = tangent_at_0(surface_5);
-    var _S148 : vec3<f32> = vec3<f32>(0.0f);
+    var _S149 : vec3<f32> = vec3<f32>(0.0f);
     var tangent_change_0 : vec3<f32>;
     if(is_moving_0())
     {
@@ -1097,24 +1113,24 @@ fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_4 : Vector_
     }
     else
     {
-        tangent_change_0 = _S148;
+        tangent_change_0 = _S149;
     }
-    var _S149 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
+    var _S150 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
     var axes_2 : DiffPair_Axes_0;
-    if((any((tangent_1 != _S148))))
+    if((any((tangent_1 != _S149))))
     {
-        var _S150 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
-        axes_2 = s_fwd_axes_along_0(_S149, _S150, surface_5.is_front_0);
+        var _S151 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
+        axes_2 = s_fwd_axes_along_0(_S150, _S151, surface_5.is_front_0);
     }
     else
     {
-        axes_2 = s_fwd_axes_around_0(_S149, surface_5.is_front_0);
+        axes_2 = s_fwd_axes_around_0(_S150, surface_5.is_front_0);
     }
     vertex_0.axes_1 = axes_2.primal_0;
     vertex_0.axes_change_0 = axes_2.differential_0;
-    var _S151 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_4), change_of_0(direction_4) );
-    var _S152 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S151);
-    vertex_0.wi_1 = changing_0(_S152.primal_0, _S152.differential_0);
+    var _S152 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_4), change_of_0(direction_4) );
+    var _S153 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S152);
+    vertex_0.wi_1 = changing_0(_S153.primal_0, _S153.differential_0);
     return vertex_0;
 }
 
@@ -1137,16 +1153,16 @@ fn motion_of_1( vertex_2 : Vertex_0) -> VertexMotion_0
 {
     var motion_0 : VertexMotion_0;
     motion_0.velocity_0 = vertex_2.surface_4.position_change_0;
-    var _S153 : vec3<f32>;
+    var _S154 : vec3<f32>;
     if(turns_0(vertex_2))
     {
-        _S153 = cross(vertex_2.axes_1.n_1, vertex_2.axes_change_0.n_1);
+        _S154 = cross(vertex_2.axes_1.n_1, vertex_2.axes_change_0.n_1);
     }
     else
     {
-        _S153 = vec3<f32>(0.0f);
+        _S154 = vec3<f32>(0.0f);
     }
-    motion_0.rotation_0 = _S153;
+    motion_0.rotation_0 = _S154;
     return motion_0;
 }
 
@@ -1177,20 +1193,20 @@ fn shading_point_0( path_7 : Path_0,  at_15 : ptr<function, ShadingPoint_0>) -> 
     var surface_6 : Surface_0 = surface_at_0(path_7.place_1, direction_5);
     move_surface_0(&(surface_6), direction_5, path_7.drift_0);
     var material_1 : u32 = material_of_0(surface_6);
-    var _S154 : Vertex_0 = vertex_at_0(surface_6, material_1, path_7.direction_0);
-    (*at_15).vertex_3 = _S154;
-    var _S155 : VertexMotion_0 = motion_of_1(_S154);
-    (*at_15).motion_1 = _S155;
-    (*at_15).whole_0 = _S155;
+    var _S155 : Vertex_0 = vertex_at_0(surface_6, material_1, path_7.direction_0);
+    (*at_15).vertex_3 = _S155;
+    var _S156 : VertexMotion_0 = motion_of_1(_S155);
+    (*at_15).motion_1 = _S156;
+    (*at_15).whole_0 = _S156;
     (*at_15).planes_0 = u32(0);
     (*at_15).tree_0 = u32(0);
     (*at_15).emitter_0 = u32(0);
     (*at_15).purpose_0 = u32(0);
     (*at_15).turns_1 = false;
     (*at_15).has_creases_0 = false;
-    var _S156 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_15).front_offset_0 = _S156;
-    (*at_15).front_0 = _S156;
+    var _S157 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_15).front_offset_0 = _S157;
+    (*at_15).front_0 = _S157;
     var k_3 : u32 = u32(0);
     for(;;)
     {
@@ -1204,16 +1220,16 @@ fn shading_point_0( path_7 : Path_0,  at_15 : ptr<function, ShadingPoint_0>) -> 
         (*at_15).inside_2[k_3] = surface_6.exact_0;
         k_3 = k_3 + u32(1);
     }
-    var _S157 : bool;
+    var _S158 : bool;
     if(material_1 != u32(4294967295))
     {
-        _S157 = has_smooth_0((*at_15).vertex_3.lobe_1);
+        _S158 = has_smooth_0((*at_15).vertex_3.lobe_1);
     }
     else
     {
-        _S157 = false;
+        _S158 = false;
     }
-    return _S157;
+    return _S158;
 }
 
 fn edge_word_0( at_16 : u32) -> u32
@@ -1245,33 +1261,33 @@ fn product_0( a_11 : u32,  b_6 : u32) -> vec2<u32>
 
 fn times_0( a_12 : vec2<u32>,  b_7 : vec2<u32>) -> vec2<u32>
 {
-    var _S158 : u32 = a_12.x;
-    var _S159 : u32 = b_7.x;
-    var low_1 : vec2<u32> = product_0(_S158, _S159);
-    return vec2<u32>(low_1.x, low_1.y + _S158 * b_7.y + a_12.y * _S159);
+    var _S159 : u32 = a_12.x;
+    var _S160 : u32 = b_7.x;
+    var low_1 : vec2<u32> = product_0(_S159, _S160);
+    return vec2<u32>(low_1.x, low_1.y + _S159 * b_7.y + a_12.y * _S160);
 }
 
 fn plus_0( a_13 : vec2<u32>,  b_8 : vec2<u32>) -> vec2<u32>
 {
-    var _S160 : u32 = a_13.x;
-    var low_2 : u32 = _S160 + b_8.x;
-    var _S161 : u32 = a_13.y + b_8.y;
-    var _S162 : i32;
-    if(low_2 < _S160)
+    var _S161 : u32 = a_13.x;
+    var low_2 : u32 = _S161 + b_8.x;
+    var _S162 : u32 = a_13.y + b_8.y;
+    var _S163 : i32;
+    if(low_2 < _S161)
     {
-        _S162 = i32(1);
+        _S163 = i32(1);
     }
     else
     {
-        _S162 = i32(0);
+        _S163 = i32(0);
     }
-    return vec2<u32>(low_2, _S161 + u32(_S162));
+    return vec2<u32>(low_2, _S162 + u32(_S163));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S163 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S163 << ((u32(32) - by_0)))))), (_S163 >> (by_0)))));
+    var _S164 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S164 << ((u32(32) - by_0)))))), (_S164 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -1360,8 +1376,8 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_1) / distance_1, 0.0f) / squared_0;
     }
-    var _S164 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S164 * _S164 / (2.0f * (_S164 - max(lowest_0, -1.0f)) * squared_0);
+    var _S165 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S165 * _S165 / (2.0f * (_S165 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn emitter_view_0( emitter_2 : u32,  position_2 : vec3<f32>,  normal_2 : vec3<f32>) -> f32
@@ -1385,16 +1401,16 @@ struct Choice_0
 fn light_of_0( emitter_3 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_3, choice_0.position_3, choice_0.normal_3);
-    var _S165 : f32;
+    var _S166 : f32;
     if(view_0 > 0.0f)
     {
-        _S165 = 1.0f;
+        _S166 = 1.0f;
     }
     else
     {
-        _S165 = 0.0f;
+        _S166 = 0.0f;
     }
-    (*can_light_0) = _S165;
+    (*can_light_0) = _S166;
     return view_0 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -1405,13 +1421,13 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
     choice_1.normal_3 = vertex_4.axes_1.n_1;
     choice_1.all_0 = 0.0f;
     choice_1.lit_0 = 0.0f;
-    var _S166 : u32 = word_0(u32(6));
+    var _S167 : u32 = word_0(u32(6));
     var can_light_1 : f32;
     var i_1 : u32 = u32(0);
     var count_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S166)
+        if(i_1 < _S167)
         {
         }
         else
@@ -1423,36 +1439,36 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S167 : u32 = count_1 + u32(1);
-        if(_S166 > u32(32))
+        var _S168 : u32 = count_1 + u32(1);
+        if(_S167 > u32(32))
         {
-            count_1 = _S167;
+            count_1 = _S168;
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S168 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
-        choice_1.all_0 = choice_1.all_0 + _S168;
+        var _S169 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
+        choice_1.all_0 = choice_1.all_0 + _S169;
         choice_1.lit_0 = choice_1.lit_0 + can_light_1;
-        count_1 = _S167;
+        count_1 = _S168;
         i_1 = i_1 + u32(1);
     }
     (*probability_0) = 0.0f;
-    var _S169 : bool;
+    var _S170 : bool;
     if((choice_1.all_0) > 0.0f)
     {
-        _S169 = (choice_1.all_0) < 3.00000000549775576e+38f;
+        _S170 = (choice_1.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S169 = false;
+        _S170 = false;
     }
-    var _S170 : bool = !_S169;
+    var _S171 : bool = !_S170;
     var chosen_0 : u32 = u32(0);
     i_1 = u32(0);
     var rest_1 : f32 = u_0;
     for(;;)
     {
-        if(i_1 < _S166)
+        if(i_1 < _S167)
         {
         }
         else
@@ -1464,16 +1480,16 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S171 : f32 = 1.0f / f32(count_1);
+        var _S172 : f32 = 1.0f / f32(count_1);
         var own_0 : f32;
-        if(!_S170)
+        if(!_S171)
         {
             var light_1 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
             own_0 = 0.5f * can_light_1 / choice_1.lit_0 + 0.5f * light_1 / choice_1.all_0;
         }
         else
         {
-            own_0 = _S171;
+            own_0 = _S172;
         }
         var chosen_1 : u32;
         if(own_0 > 0.0f)
@@ -1531,9 +1547,9 @@ fn open_window_0( at_20 : ptr<function, ShadingPoint_0>) -> bool
     var before_0 : vec3<f64>;
     if(corners_0 > u32(0))
     {
-        var _S172 : u32 = window_0 + u32(1);
-        var normal_4 : vec3<f64> = edge_position_0(_S172);
-        var before_1 : vec3<f64> = edge_position_0(_S172 + u32(3) * corners_0) - apex_0;
+        var _S173 : u32 = window_0 + u32(1);
+        var normal_4 : vec3<f64> = edge_position_0(_S173);
+        var before_1 : vec3<f64> = edge_position_0(_S173 + u32(3) * corners_0) - apex_0;
         if((dot(normal_4, before_1)) >= 0.0lf)
         {
             return false;
@@ -1552,9 +1568,9 @@ fn open_window_0( at_20 : ptr<function, ShadingPoint_0>) -> bool
             }
             var offset_2 : vec3<f64> = edge_position_0(window_0 + u32(4) + u32(3) * k_4) - apex_0;
             (*at_20).inside_2[k_4] = exact_unit_0(cross(offset_2, before_0));
-            var _S173 : u32 = k_4 + u32(1);
+            var _S174 : u32 = k_4 + u32(1);
             before_0 = offset_2;
-            k_4 = _S173;
+            k_4 = _S174;
         }
         (*at_20).front_0 = vec3<f32>(normal_4);
         (*at_20).front_offset_0 = vec3<f32>(before_0);
@@ -1580,14 +1596,14 @@ fn open_window_0( at_20 : ptr<function, ShadingPoint_0>) -> bool
     var s_1 : vec3<f64> = exact_unit_0(cross(axis_1, before_0));
     var t_1 : vec3<f64> = cross(axis_1, s_1);
     (*at_20).planes_0 = u32(4);
-    var _S174 : vec3<f64> = axis_1 * vec3<f64>(sine_1);
-    var _S175 : vec3<f64> = vec3<f64>(cosine_2);
-    var _S176 : vec3<f64> = s_1 * _S175;
-    (*at_20).inside_2[i32(0)] = _S174 + _S176;
-    (*at_20).inside_2[i32(1)] = _S174 - _S176;
-    var _S177 : vec3<f64> = t_1 * _S175;
-    (*at_20).inside_2[i32(2)] = _S174 + _S177;
-    (*at_20).inside_2[i32(3)] = _S174 - _S177;
+    var _S175 : vec3<f64> = axis_1 * vec3<f64>(sine_1);
+    var _S176 : vec3<f64> = vec3<f64>(cosine_2);
+    var _S177 : vec3<f64> = s_1 * _S176;
+    (*at_20).inside_2[i32(0)] = _S175 + _S177;
+    (*at_20).inside_2[i32(1)] = _S175 - _S177;
+    var _S178 : vec3<f64> = t_1 * _S176;
+    (*at_20).inside_2[i32(2)] = _S175 + _S178;
+    (*at_20).inside_2[i32(3)] = _S175 - _S178;
     return true;
 }
 
@@ -1603,17 +1619,17 @@ fn is_blind_0() -> bool
 
 fn rests_0( motion_2 : VertexMotion_0) -> bool
 {
-    var _S178 : vec3<f32> = vec3<f32>(0.0f);
-    var _S179 : bool;
-    if((all(((motion_2.velocity_0) == _S178))))
+    var _S179 : vec3<f32> = vec3<f32>(0.0f);
+    var _S180 : bool;
+    if((all(((motion_2.velocity_0) == _S179))))
     {
-        _S179 = (all(((motion_2.rotation_0) == _S178)));
+        _S180 = (all(((motion_2.rotation_0) == _S179)));
     }
     else
     {
-        _S179 = false;
+        _S180 = false;
     }
-    return _S179;
+    return _S180;
 }
 
 fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_21 : ptr<function, ShadingPoint_0>) -> f32
@@ -1621,12 +1637,12 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_21 : ptr<function, Shadin
     var probability_1 : f32 = 1.0f;
     (*at_21).purpose_0 = purpose_2;
     (*at_21).planes_0 = u32(0);
-    var _S180 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_21).front_0 = _S180;
-    var _S181 : bool = purpose_2 == u32(2);
-    (*at_21).has_creases_0 = _S181;
+    var _S181 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_21).front_0 = _S181;
+    var _S182 : bool = purpose_2 == u32(2);
+    (*at_21).has_creases_0 = _S182;
     var tree_1 : u32;
-    if(_S181)
+    if(_S182)
     {
         tree_1 = u32(1);
     }
@@ -1636,35 +1652,35 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_21 : ptr<function, Shadin
     }
     (*at_21).motion_1 = (*at_21).whole_0;
     (*at_21).turns_1 = turns_0((*at_21).vertex_3);
-    var _S182 : bool;
+    var _S183 : bool;
     if(purpose_2 == u32(0))
     {
-        var _S183 : u32 = edge_word_0(u32(4));
+        var _S184 : u32 = edge_word_0(u32(4));
         (*at_21).turns_1 = false;
-        var _S184 : u32 = chosen_area_emitter_0((*at_21).vertex_3, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
-        (*at_21).emitter_0 = _S184;
+        var _S185 : u32 = chosen_area_emitter_0((*at_21).vertex_3, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
+        (*at_21).emitter_0 = _S185;
         if(!(probability_1 > 0.0f))
         {
-            _S182 = true;
+            _S183 = true;
         }
         else
         {
-            var _S185 : bool = open_window_0(&((*at_21)));
-            _S182 = !_S185;
+            var _S186 : bool = open_window_0(&((*at_21)));
+            _S183 = !_S186;
         }
-        if(_S182)
+        if(_S183)
         {
             return 0.0f;
         }
-        tree_1 = _S183;
+        tree_1 = _S184;
     }
     else
     {
         if(purpose_2 == u32(1))
         {
-            var _S186 : u32 = word_0(u32(8));
-            (*at_21).emitter_0 = _S186;
-            if(_S186 == u32(4294967295))
+            var _S187 : u32 = word_0(u32(8));
+            (*at_21).emitter_0 = _S187;
+            if(_S187 == u32(4294967295))
             {
                 return 0.0f;
             }
@@ -1676,32 +1692,32 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_21 : ptr<function, Shadin
     }
     if(!(*at_21).turns_1)
     {
-        (*at_21).motion_1.rotation_0 = _S180;
+        (*at_21).motion_1.rotation_0 = _S181;
     }
     if(!is_blind_0())
     {
-        _S182 = rests_0((*at_21).motion_1);
+        _S183 = rests_0((*at_21).motion_1);
     }
     else
     {
-        _S182 = false;
+        _S183 = false;
     }
-    if(_S182)
+    if(_S183)
     {
         tree_1 = tree_1 + u32(2);
     }
-    var _S187 : u32 = edge_word_0(tree_1);
-    (*at_21).tree_0 = _S187;
-    var _S188 : f32;
-    if(_S187 == u32(4294967295))
+    var _S188 : u32 = edge_word_0(tree_1);
+    (*at_21).tree_0 = _S188;
+    var _S189 : f32;
+    if(_S188 == u32(4294967295))
     {
-        _S188 = 0.0f;
+        _S189 = 0.0f;
     }
     else
     {
-        _S188 = probability_1;
+        _S189 = probability_1;
     }
-    return _S188;
+    return _S189;
 }
 
 fn subtree_of_launch_0() -> u32
@@ -1730,8 +1746,8 @@ fn subtrees_of_0( at_22 : ShadingPoint_0) -> u32
 fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f64
 {
     var bits_0 : vec2<u32> = random_bits_0(key_4, dimension_2);
-    var _S189 : u32 = bits_0.y;
-    return (f64((_S189 >> (u32(11)))) + f64((((_S189 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
+    var _S190 : u32 = bits_0.y;
+    return (f64((_S190 >> (u32(11)))) + f64((((_S190 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
 fn edge_number_0( at_23 : u32) -> f32
@@ -1811,16 +1827,16 @@ fn logarithm_0( x_4 : f32) -> f32
 
 fn direction_number_0( d_0 : vec3<f32>) -> u32
 {
-    var _S190 : i32;
+    var _S191 : i32;
     if((abs(d_0.y)) > (abs(d_0.x)))
     {
-        _S190 = i32(1);
+        _S191 = i32(1);
     }
     else
     {
-        _S190 = i32(0);
+        _S191 = i32(0);
     }
-    var axis_2 : u32 = u32(_S190);
+    var axis_2 : u32 = u32(_S191);
     var axis_3 : u32;
     if((abs(d_0.z)) > (abs(d_0[axis_2])))
     {
@@ -1830,34 +1846,34 @@ fn direction_number_0( d_0 : vec3<f32>) -> u32
     {
         axis_3 = axis_2;
     }
-    var _S191 : u32 = u32(8) * axis_3;
+    var _S192 : u32 = u32(8) * axis_3;
     if((d_0[axis_3]) < 0.0f)
     {
-        _S190 = i32(4);
+        _S191 = i32(4);
     }
     else
     {
-        _S190 = i32(0);
+        _S191 = i32(0);
     }
-    var _S192 : u32 = _S191 + u32(_S190);
+    var _S193 : u32 = _S192 + u32(_S191);
     if((d_0[(axis_3 + u32(1)) % u32(3)]) < 0.0f)
     {
-        _S190 = i32(2);
+        _S191 = i32(2);
     }
     else
     {
-        _S190 = i32(0);
+        _S191 = i32(0);
     }
-    var _S193 : u32 = _S192 + u32(_S190);
+    var _S194 : u32 = _S193 + u32(_S191);
     if((d_0[(axis_3 + u32(2)) % u32(3)]) < 0.0f)
     {
-        _S190 = i32(1);
+        _S191 = i32(1);
     }
     else
     {
-        _S190 = i32(0);
+        _S191 = i32(0);
     }
-    return _S193 + u32(_S190);
+    return _S194 + u32(_S191);
 }
 
 fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
@@ -1895,16 +1911,16 @@ fn importance_of_0( at_27 : ShadingPoint_0,  node_3 : u32) -> f32
     var offset_8 : vec3<f32> = centre_1 - at_27.vertex_3.surface_4.position_0;
     var radius_4 : f32 = edge_number_0(node_3 + u32(7));
     var distance_4 : f32 = length(offset_8);
-    var _S194 : bool;
+    var _S195 : bool;
     if(!at_27.has_creases_0)
     {
-        _S194 = !may_have_silhouette_0(node_3, offset_8, distance_4);
+        _S195 = !may_have_silhouette_0(node_3, offset_8, distance_4);
     }
     else
     {
-        _S194 = false;
+        _S195 = false;
     }
-    if(_S194)
+    if(_S195)
     {
         return 0.0f;
     }
@@ -1913,9 +1929,9 @@ fn importance_of_0( at_27 : ShadingPoint_0,  node_3 : u32) -> f32
         return 0.0f;
     }
     var cosine_5 : f32 = largest_cosine_0(at_27.vertex_3.surface_4.position_0, at_27.vertex_3.axes_1.n_1, centre_1, radius_4);
-    var _S195 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
+    var _S196 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
     var least_0 : f32 = edge_number_0(node_3 + u32(16));
-    var ratio_0 : f32 = _S195 / max(max(distance_4 * distance_4 - _S195, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
+    var ratio_0 : f32 = _S196 / max(max(distance_4 * distance_4 - _S196, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
     var visible_0 : f32;
     if(ratio_0 < 0.00100000004749745f)
     {
@@ -1925,7 +1941,7 @@ fn importance_of_0( at_27 : ShadingPoint_0,  node_3 : u32) -> f32
     {
         visible_0 = logarithm_0(1.0f + ratio_0);
     }
-    var near_0 : f32 = visible_0 / _S195;
+    var near_0 : f32 = visible_0 / _S196;
     var visible_1 : f32 = edge_number_0(node_3 + u32(14));
     if(distance_4 > (edge_number_0(node_3 + u32(15))))
     {
@@ -1943,7 +1959,7 @@ fn descend_0( at_28 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>, 
     var nodes_at_0 : u32 = edge_word_0(at_28.tree_0);
     (*leaf_0) = nodes_at_0;
     (*probability_2) = 1.0f;
-    var _S196 : f64 = u_1;
+    var _S197 : f64 = u_1;
     for(;;)
     {
         if((edge_word_0((*leaf_0))) != u32(4294967295))
@@ -1958,24 +1974,24 @@ fn descend_0( at_28 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>, 
         var of_first_0 : f32 = importance_of_0(at_28, first_3);
         var of_second_0 : f32 = importance_of_0(at_28, second_1);
         var sum_0 : f32 = of_first_0 + of_second_0;
-        var _S197 : bool;
+        var _S198 : bool;
         if(sum_0 > 0.0f)
         {
-            _S197 = sum_0 < 3.00000000549775576e+38f;
+            _S198 = sum_0 < 3.00000000549775576e+38f;
         }
         else
         {
-            _S197 = false;
+            _S198 = false;
         }
-        if(!_S197)
+        if(!_S198)
         {
             return false;
         }
         var first_share_0 : f32 = of_first_0 / sum_0;
         var second_share_0 : f32 = of_second_0 / sum_0;
-        var _S198 : f64 = f64(first_share_0);
+        var _S199 : f64 = f64(first_share_0);
         var is_second_0 : bool;
-        if(_S196 >= _S198)
+        if(_S197 >= _S199)
         {
             is_second_0 = second_share_0 > 0.0f;
         }
@@ -1985,32 +2001,32 @@ fn descend_0( at_28 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>, 
         }
         if(is_second_0)
         {
-            _S196 = (_S196 - _S198) / f64(second_share_0);
+            _S197 = (_S197 - _S199) / f64(second_share_0);
         }
         else
         {
-            _S196 = min(_S196 / _S198, 1.0lf);
+            _S197 = min(_S197 / _S199, 1.0lf);
         }
-        var _S199 : f32;
+        var _S200 : f32;
         if(is_second_0)
         {
-            _S199 = second_share_0;
+            _S200 = second_share_0;
         }
         else
         {
-            _S199 = first_share_0;
+            _S200 = first_share_0;
         }
-        (*probability_2) = (*probability_2) * _S199;
-        var _S200 : u32;
+        (*probability_2) = (*probability_2) * _S200;
+        var _S201 : u32;
         if(is_second_0)
         {
-            _S200 = second_1;
+            _S201 = second_1;
         }
         else
         {
-            _S200 = first_3;
+            _S201 = first_3;
         }
-        (*leaf_0) = _S200;
+        (*leaf_0) = _S201;
     }
     return true;
 }
@@ -2038,17 +2054,8 @@ fn side_seen_0( from_0 : vec3<f64>,  tolerance_0 : f64,  normal_5 : u32,  length
 {
     var height_1 : f64 = dot(edge_position_0(normal_5), from_0);
     var least_1 : f64 = tolerance_0 * edge_real_0(length_0);
-    var _S201 : i32;
-    if(height_1 > least_1)
-    {
-        _S201 = i32(1);
-    }
-    else
-    {
-        _S201 = i32(0);
-    }
     var _S202 : i32;
-    if(height_1 < (- least_1))
+    if(height_1 > least_1)
     {
         _S202 = i32(1);
     }
@@ -2056,48 +2063,57 @@ fn side_seen_0( from_0 : vec3<f64>,  tolerance_0 : f64,  normal_5 : u32,  length
     {
         _S202 = i32(0);
     }
-    return _S201 - _S202;
+    var _S203 : i32;
+    if(height_1 < (- least_1))
+    {
+        _S203 = i32(1);
+    }
+    else
+    {
+        _S203 = i32(0);
+    }
+    return _S202 - _S203;
 }
 
 fn is_silhouette_0( at_30 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f64> = edge_position_0(edge_1.numbers_3);
     var tolerance_1 : f64 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_30.vertex_3.surface_4.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S203 : vec3<f64> = at_30.vertex_3.surface_4.exact_0 - start_0;
-    return (side_seen_0(_S203, tolerance_1, edge_1.numbers_3 + u32(6), edge_1.numbers_3 + u32(12)) * side_seen_0(_S203, tolerance_1, edge_1.numbers_3 + u32(9), edge_1.numbers_3 + u32(13))) <= i32(0);
+    var _S204 : vec3<f64> = at_30.vertex_3.surface_4.exact_0 - start_0;
+    return (side_seen_0(_S204, tolerance_1, edge_1.numbers_3 + u32(6), edge_1.numbers_3 + u32(12)) * side_seen_0(_S204, tolerance_1, edge_1.numbers_3 + u32(9), edge_1.numbers_3 + u32(13))) <= i32(0);
 }
 
 fn factor_of_0( at_31 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
-    var _S204 : u32 = edge_2.record_8 + u32(2);
-    var a_14 : vec3<f32> = edge_vector_0(_S204);
-    var b_9 : vec3<f32> = edge_vector_0(_S204 + u32(3));
-    var _S205 : bool;
+    var _S205 : u32 = edge_2.record_8 + u32(2);
+    var a_14 : vec3<f32> = edge_vector_0(_S205);
+    var b_9 : vec3<f32> = edge_vector_0(_S205 + u32(3));
+    var _S206 : bool;
     if(!is_blind_0())
     {
-        _S205 = rests_0(at_31.motion_1);
+        _S206 = rests_0(at_31.motion_1);
     }
     else
     {
-        _S205 = false;
+        _S206 = false;
     }
-    if(_S205)
+    if(_S206)
     {
-        _S205 = (all((a_14 == vec3<f32>(0.0f))));
+        _S206 = (all((a_14 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S205 = false;
+        _S206 = false;
     }
-    if(_S205)
+    if(_S206)
     {
-        _S205 = (all((b_9 == vec3<f32>(0.0f))));
+        _S206 = (all((b_9 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S205 = false;
+        _S206 = false;
     }
-    if(_S205)
+    if(_S206)
     {
         return 0.0f;
     }
@@ -2105,35 +2121,35 @@ fn factor_of_0( at_31 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
     {
         return edge_number_0(edge_2.record_8);
     }
-    var _S206 : f32;
+    var _S207 : f32;
     if(at_31.has_creases_0)
     {
-        _S206 = edge_number_0(edge_2.record_8 + u32(1));
+        _S207 = edge_number_0(edge_2.record_8 + u32(1));
     }
     else
     {
-        _S206 = 0.0f;
+        _S207 = 0.0f;
     }
-    return _S206;
+    return _S207;
 }
 
 fn is_clipped_0( at_32 : ShadingPoint_0,  a_15 : vec3<f64>,  b_10 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
 {
     (*range_0) = vec2<f64>(0.0lf, 1.0lf);
-    var _S207 : bool;
+    var _S208 : bool;
     if((dot(at_32.front_0, vec3<f32>(a_15) - at_32.front_offset_0)) < -3.99999998990097083e-06f)
     {
-        _S207 = (dot(at_32.front_0, vec3<f32>(b_10) - at_32.front_offset_0)) < -3.99999998990097083e-06f;
+        _S208 = (dot(at_32.front_0, vec3<f32>(b_10) - at_32.front_offset_0)) < -3.99999998990097083e-06f;
     }
     else
     {
-        _S207 = false;
+        _S208 = false;
     }
-    if(_S207)
+    if(_S208)
     {
         return true;
     }
-    var _S208 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_15, a_15), dot(b_10, b_10)));
+    var _S209 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_15, a_15), dot(b_10, b_10)));
     var k_6 : u32 = u32(0);
     for(;;)
     {
@@ -2144,23 +2160,23 @@ fn is_clipped_0( at_32 : ShadingPoint_0,  a_15 : vec3<f64>,  b_10 : vec3<f64>,  
         {
             break;
         }
-        var first_4 : f64 = dot(at_32.inside_2[k_6], a_15) + _S208;
-        var second_2 : f64 = dot(at_32.inside_2[k_6], b_10) + _S208;
-        var _S209 : bool = first_4 < 0.0lf;
-        if(_S209)
+        var first_4 : f64 = dot(at_32.inside_2[k_6], a_15) + _S209;
+        var second_2 : f64 = dot(at_32.inside_2[k_6], b_10) + _S209;
+        var _S210 : bool = first_4 < 0.0lf;
+        if(_S210)
         {
-            _S207 = second_2 < 0.0lf;
+            _S208 = second_2 < 0.0lf;
         }
         else
         {
-            _S207 = false;
+            _S208 = false;
         }
-        if(_S207)
+        if(_S208)
         {
             return true;
         }
         var crossing_0 : f64 = first_4 / (first_4 - second_2);
-        if(_S209)
+        if(_S210)
         {
             (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
         }
@@ -2193,52 +2209,52 @@ struct SeenEdge_0
 
 fn see_edge_0( at_33 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S210 : Edge_0 = edge_at_0(at_33, place_14);
-    (*seen_1).edge_3 = _S210;
-    var _S211 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_3) - at_33.vertex_3.surface_4.exact_0;
-    (*seen_1).start_1 = _S211;
+    var _S211 : Edge_0 = edge_at_0(at_33, place_14);
+    (*seen_1).edge_3 = _S211;
+    var _S212 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_3) - at_33.vertex_3.surface_4.exact_0;
+    (*seen_1).start_1 = _S212;
     var end_1 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_3 + u32(3)) - at_33.vertex_3.surface_4.exact_0;
-    (*seen_1).along_1 = end_1 - _S211;
+    (*seen_1).along_1 = end_1 - _S212;
     (*seen_1).far_0 = 1.0lf;
     (*seen_1).near_1 = 1.0lf;
     (*seen_1).chord_0 = 0.0f;
     (*seen_1).pieces_0 = 0.0f;
-    var _S212 : vec3<f32> = vec3<f32>(0.0f);
-    (*seen_1).to_0 = _S212;
-    (*seen_1).from_1 = _S212;
+    var _S213 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S213;
+    (*seen_1).from_1 = _S213;
     (*seen_1).range_1 = vec2<f64>(0.0lf, 1.0lf);
-    var _S213 : f32 = factor_of_0(at_33, _S210);
-    (*seen_1).factor_3 = _S213;
-    var _S214 : bool;
-    if(!(_S213 > 0.0f))
+    var _S214 : f32 = factor_of_0(at_33, _S211);
+    (*seen_1).factor_3 = _S214;
+    var _S215 : bool;
+    if(!(_S214 > 0.0f))
     {
-        _S214 = true;
+        _S215 = true;
     }
     else
     {
-        var _S215 : vec2<f64> = (*seen_1).range_1;
-        var _S216 : bool = is_clipped_0(at_33, (*seen_1).start_1, end_1, &(_S215));
-        (*seen_1).range_1 = _S215;
-        _S214 = _S216;
+        var _S216 : vec2<f64> = (*seen_1).range_1;
+        var _S217 : bool = is_clipped_0(at_33, (*seen_1).start_1, end_1, &(_S216));
+        (*seen_1).range_1 = _S216;
+        _S215 = _S217;
     }
-    if(_S214)
+    if(_S215)
     {
         return false;
     }
     var first_5 : vec3<f64> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f64>((*seen_1).range_1.x);
     var last_0 : vec3<f64> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f64>((*seen_1).range_1.y);
-    var _S217 : f64 = sqrt(dot(first_5, first_5));
-    (*seen_1).near_1 = _S217;
+    var _S218 : f64 = sqrt(dot(first_5, first_5));
+    (*seen_1).near_1 = _S218;
     (*seen_1).far_0 = sqrt(dot(last_0, last_0));
-    if(_S217 > 0.0lf)
+    if(_S218 > 0.0lf)
     {
-        _S214 = ((*seen_1).far_0) > 0.0lf;
+        _S215 = ((*seen_1).far_0) > 0.0lf;
     }
     else
     {
-        _S214 = false;
+        _S215 = false;
     }
-    if(!_S214)
+    if(!_S215)
     {
         return false;
     }
@@ -2265,8 +2281,8 @@ fn place_between_0( from_2 : f64,  to_1 : f64,  near_2 : f64,  far_1 : f64,  par
 
 fn velocity_on_0( at_34 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S218 : u32 = edge_4.record_8 + u32(2);
-    return mix(edge_vector_0(_S218), edge_vector_0(_S218 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_34.motion_1, offset_9);
+    var _S219 : u32 = edge_4.record_8 + u32(2);
+    return mix(edge_vector_0(_S219), edge_vector_0(_S219 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_34.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -2278,25 +2294,25 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_7 : f32,  pdf_1 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S219 : Mirrored_0;
-    _S219.cosine_6 = cosine_7;
-    _S219.pdf_0 = pdf_1;
-    _S219.scattered_0 = scattered_1;
-    return _S219;
+    var _S220 : Mirrored_0;
+    _S220.cosine_6 = cosine_7;
+    _S220.pdf_0 = pdf_1;
+    _S220.scattered_0 = scattered_1;
+    return _S220;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S220 : bool;
+    var _S221 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S220 = true;
+        _S221 = true;
     }
     else
     {
-        _S220 = (lobe_3.kind_1) == u32(4);
+        _S221 = (lobe_3.kind_1) == u32(4);
     }
-    return _S220;
+    return _S221;
 }
 
 struct Microfacets_0
@@ -2326,68 +2342,68 @@ fn exponential_0( x_5 : f32) -> f32
 
 fn density_0( facets_1 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S221 : f32 = m_3.z;
-    if(_S221 <= 0.0f)
+    var _S222 : f32 = m_3.z;
+    if(_S222 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_0 : vec2<f32> = m_3.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S221 * _S221;
+    var cos2_0 : f32 = _S222 * _S222;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_1 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_1 * sum_1);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S222 : f32;
+    var _S223 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S222 = 0.0f;
+        _S223 = 0.0f;
     }
     else
     {
-        _S222 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S223 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S222;
+    return _S223;
 }
 
 fn error_function_plus_one_0( x_6 : f32) -> vec2<f32>
 {
-    var _S223 : f32 = min(abs(x_6), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S223 * _S223);
-    var place_15 : f32 = (_S223 - 2.0f) / (_S223 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S223);
-    var _S224 : f32;
+    var _S224 : f32 = min(abs(x_6), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S224 * _S224);
+    var place_15 : f32 = (_S224 - 2.0f) / (_S224 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S224);
+    var _S225 : f32;
     if(x_6 < 0.0f)
     {
-        _S224 = complement_0;
+        _S225 = complement_0;
     }
     else
     {
-        _S224 = 2.0f - complement_0;
+        _S225 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S224, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S225, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_2.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S225 : f32 = w_2.z;
-    var z2_0 : f32 = _S225 * _S225;
+    var _S226 : f32 = w_2.z;
+    var z2_0 : f32 = _S226 * _S226;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S225 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S226 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S225;
+        return 1.0f / _S226;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S225 / spread_1);
-    return 2.0f / (_S225 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S226 / spread_1);
+    return 2.0f / (_S226 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
@@ -2395,9 +2411,9 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_0 : vec3<f32> = normalize(wi_2 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_6 = dot(wi_2, h_0);
-    var _S226 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_2);
-    mirrored_1.pdf_0 = _S226;
-    mirrored_1.scattered_0 = _S226 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    var _S227 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_2);
+    mirrored_1.pdf_0 = _S227;
+    mirrored_1.scattered_0 = _S227 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
@@ -2414,9 +2430,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S227 : bool = real_0 < 0.0f;
+    var _S228 : bool = real_0 < 0.0f;
     var a_16 : f32;
-    if(_S227)
+    if(_S228)
     {
         a_16 = smaller_0;
     }
@@ -2425,7 +2441,7 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
         a_16 = larger_0;
     }
     var b_11 : f32;
-    if(_S227)
+    if(_S228)
     {
         b_11 = larger_0;
     }
@@ -2435,9 +2451,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
     }
     var less_0 : f32 = a_16 - cosine_8;
     var more_0 : f32 = a_16 + cosine_8;
-    var _S228 : f32 = b_11 * b_11;
+    var _S229 : f32 = b_11 * b_11;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S228) / (more_0 * more_0 + _S228) * p_sum_0 / (p_sum_0 + 2.0f * a_16 * cosine_8 * sin2_0);
+    return (less_0 * less_0 + _S229) / (more_0 * more_0 + _S229) * p_sum_0 / (p_sum_0 + 2.0f * a_16 * cosine_8 * sin2_0);
 }
 
 fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_8 : vec3<f32>) -> vec3<f32>
@@ -2475,10 +2491,10 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_11, eta_4);
     }
     var place_16 : f32 = cosine_11 * 63.0f;
-    var _S229 : u32 = min(u32(place_16), u32(62));
-    var at_35 : u32 = word_0(lobe_5.record_3 + u32(3)) + _S229;
+    var _S230 : u32 = min(u32(place_16), u32(62));
+    var at_35 : u32 = word_0(lobe_5.record_3 + u32(3)) + _S230;
     var here_0 : f32 = number_0(at_35);
-    return here_0 + (number_0(at_35 + u32(1)) - here_0) * (place_16 - f32(_S229));
+    return here_0 + (number_0(at_35 + u32(1)) - here_0) * (place_16 - f32(_S230));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2529,15 +2545,15 @@ struct Scattering_0
 fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S230 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S230 * 0.31830987334251404f;
+    var _S231 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S231 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattering_1.value_8 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
-    var _S231 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S232 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_7))
     {
@@ -2545,7 +2561,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     else
     {
-        by_facets_0 = _S231;
+        by_facets_0 = _S232;
     }
     if((lobe_7.kind_1) == u32(2))
     {
@@ -2555,7 +2571,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     var eta_7 : f32 = coat_eta_0(numbers_7);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_3.z);
-    scattering_1.value_8 = base_0(lobe_7, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S230) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_8 = base_0(lobe_7, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S231) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_7, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -2568,16 +2584,16 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
 
 fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
 {
-    var _S232 : bool;
+    var _S233 : bool;
     if((wo_2.z) <= 0.0f)
     {
-        _S232 = true;
+        _S233 = true;
     }
     else
     {
-        _S232 = !has_smooth_0(vertex_5.lobe_1);
+        _S233 = !has_smooth_0(vertex_5.lobe_1);
     }
-    if(_S232)
+    if(_S233)
     {
         return vec3<f32>(0.0f);
     }
@@ -2601,28 +2617,28 @@ fn still_0( value_9 : vec3<f32>) -> Vector_0
 
 fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 {
-    var _S233 : f32 = abs(x_7);
-    var _S234 : f32 = abs(y_1);
-    var _S235 : f32 = min(_S233, _S234);
-    var _S236 : f32 = max(_S233, _S234);
-    var is_steep_0 : bool = _S235 > (0.41421356797218323f * _S236);
+    var _S234 : f32 = abs(x_7);
+    var _S235 : f32 = abs(y_1);
+    var _S236 : f32 = min(_S234, _S235);
+    var _S237 : f32 = max(_S234, _S235);
+    var is_steep_0 : bool = _S236 > (0.41421356797218323f * _S237);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S235 - _S236;
+        above_0 = _S236 - _S237;
     }
     else
     {
-        above_0 = _S235;
+        above_0 = _S236;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S235 + _S236;
+        below_0 = _S236 + _S237;
     }
     else
     {
-        below_0 = _S236;
+        below_0 = _S237;
     }
     if(below_0 > 0.0f)
     {
@@ -2643,7 +2659,7 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S234 > _S233)
+    if(_S235 > _S234)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -2664,40 +2680,40 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 
 fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S237 : DiffPair_float_0 = DiffPair_float_0( dpx_8.primal_0, dpx_8.differential_0 );
-    var _S238 : DiffPair_float_0 = _d_abs_0(_S237);
-    var _S239 : DiffPair_float_0 = DiffPair_float_0( dpy_3.primal_0, dpy_3.differential_0 );
-    var _S240 : DiffPair_float_0 = _d_abs_0(_S239);
-    var _S241 : DiffPair_float_0 = DiffPair_float_0( _S238.primal_0, _S238.differential_0 );
-    var _S242 : DiffPair_float_0 = DiffPair_float_0( _S240.primal_0, _S240.differential_0 );
-    var _S243 : DiffPair_float_0 = _d_min_0(_S241, _S242);
-    var _S244 : DiffPair_float_0 = _d_max_0(_S241, _S242);
-    var is_steep_1 : bool = (_S243.primal_0) > (0.41421356797218323f * _S244.primal_0);
+    var _S238 : DiffPair_float_0 = DiffPair_float_0( dpx_8.primal_0, dpx_8.differential_0 );
+    var _S239 : DiffPair_float_0 = _d_abs_0(_S238);
+    var _S240 : DiffPair_float_0 = DiffPair_float_0( dpy_3.primal_0, dpy_3.differential_0 );
+    var _S241 : DiffPair_float_0 = _d_abs_0(_S240);
+    var _S242 : DiffPair_float_0 = DiffPair_float_0( _S239.primal_0, _S239.differential_0 );
+    var _S243 : DiffPair_float_0 = DiffPair_float_0( _S241.primal_0, _S241.differential_0 );
+    var _S244 : DiffPair_float_0 = _d_min_0(_S242, _S243);
+    var _S245 : DiffPair_float_0 = _d_max_0(_S242, _S243);
+    var is_steep_1 : bool = (_S244.primal_0) > (0.41421356797218323f * _S245.primal_0);
     var above_1 : f32;
     var s_diff_above_0 : f32;
     if(is_steep_1)
     {
-        var _S245 : f32 = _S243.differential_0 - _S244.differential_0;
-        above_1 = _S243.primal_0 - _S244.primal_0;
-        s_diff_above_0 = _S245;
+        var _S246 : f32 = _S244.differential_0 - _S245.differential_0;
+        above_1 = _S244.primal_0 - _S245.primal_0;
+        s_diff_above_0 = _S246;
     }
     else
     {
-        above_1 = _S243.primal_0;
-        s_diff_above_0 = _S243.differential_0;
+        above_1 = _S244.primal_0;
+        s_diff_above_0 = _S244.differential_0;
     }
     var below_1 : f32;
     var s_diff_below_0 : f32;
     if(is_steep_1)
     {
-        var _S246 : f32 = _S243.differential_0 + _S244.differential_0;
-        below_1 = _S243.primal_0 + _S244.primal_0;
-        s_diff_below_0 = _S246;
+        var _S247 : f32 = _S244.differential_0 + _S245.differential_0;
+        below_1 = _S244.primal_0 + _S245.primal_0;
+        s_diff_below_0 = _S247;
     }
     else
     {
-        below_1 = _S244.primal_0;
-        s_diff_below_0 = _S244.differential_0;
+        below_1 = _S245.primal_0;
+        s_diff_below_0 = _S245.differential_0;
     }
     if(below_1 > 0.0f)
     {
@@ -2710,14 +2726,14 @@ fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> Dif
     var t_4 : f32 = above_1 / below_1;
     var s_diff_t_0 : f32 = (s_diff_above_0 * below_1 - above_1 * s_diff_below_0) / (below_1 * below_1);
     var z_2 : f32 = t_4 * t_4;
-    var _S247 : f32 = s_diff_t_0 * t_4;
-    var s_diff_z_0 : f32 = _S247 + _S247;
-    var _S248 : f32 = 0.08053744584321976f * z_2 - 0.13877685368061066f;
-    var _S249 : f32 = _S248 * z_2 + 0.19977711141109467f;
-    var tail_0 : f32 = _S249 * z_2 - 0.33332949876785278f;
-    var _S250 : f32 = tail_0 * z_2;
-    var angle_2 : f32 = _S250 * t_4 + t_4;
-    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_2 + s_diff_z_0 * _S248) * z_2 + s_diff_z_0 * _S249) * z_2 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S250 + s_diff_t_0;
+    var _S248 : f32 = s_diff_t_0 * t_4;
+    var s_diff_z_0 : f32 = _S248 + _S248;
+    var _S249 : f32 = 0.08053744584321976f * z_2 - 0.13877685368061066f;
+    var _S250 : f32 = _S249 * z_2 + 0.19977711141109467f;
+    var tail_0 : f32 = _S250 * z_2 - 0.33332949876785278f;
+    var _S251 : f32 = tail_0 * z_2;
+    var angle_2 : f32 = _S251 * t_4 + t_4;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_2 + s_diff_z_0 * _S249) * z_2 + s_diff_z_0 * _S250) * z_2 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S251 + s_diff_t_0;
     var angle_3 : f32;
     if(is_steep_1)
     {
@@ -2728,11 +2744,11 @@ fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> Dif
         angle_3 = angle_2;
     }
     var s_diff_angle_1 : f32;
-    if((_S240.primal_0) > (_S238.primal_0))
+    if((_S241.primal_0) > (_S239.primal_0))
     {
-        var _S251 : f32 = 0.0f - s_diff_angle_0;
+        var _S252 : f32 = 0.0f - s_diff_angle_0;
         angle_3 = 1.57079637050628662f - angle_3;
-        s_diff_angle_1 = _S251;
+        s_diff_angle_1 = _S252;
     }
     else
     {
@@ -2740,52 +2756,52 @@ fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> Dif
     }
     if((dpx_8.primal_0) < 0.0f)
     {
-        var _S252 : f32 = 0.0f - s_diff_angle_1;
+        var _S253 : f32 = 0.0f - s_diff_angle_1;
         angle_3 = 3.14159274101257324f - angle_3;
-        s_diff_angle_1 = _S252;
+        s_diff_angle_1 = _S253;
     }
     if((dpy_3.primal_0) < 0.0f)
     {
-        var _S253 : f32 = - s_diff_angle_1;
+        var _S254 : f32 = - s_diff_angle_1;
         above_1 = - angle_3;
-        s_diff_above_0 = _S253;
+        s_diff_above_0 = _S254;
     }
     else
     {
         above_1 = angle_3;
         s_diff_above_0 = s_diff_angle_1;
     }
-    var _S254 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
-    return _S254;
+    var _S255 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
+    return _S255;
 }
 
 fn map_place_0( map_0 : u32,  direction_7 : vec3<f32>) -> vec2<f32>
 {
-    var _S255 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S255) * vec3<f32>(direction_7.x) + vector_at_0(_S255 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S255 + u32(6)) * vec3<f32>(direction_7.z);
+    var _S256 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S256) * vec3<f32>(direction_7.x) + vector_at_0(_S256 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S256 + u32(6)) * vec3<f32>(direction_7.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
 fn s_fwd_map_place_0( map_1 : u32,  dpdirection_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var _S256 : u32 = map_1 + u32(2);
-    var _S257 : vec3<f32> = vector_at_0(_S256);
-    var _S258 : vec3<f32> = vector_at_0(_S256 + u32(3));
-    var _S259 : vec3<f32> = vector_at_0(_S256 + u32(6));
-    var d_2 : vec3<f32> = _S257 * vec3<f32>(dpdirection_1.primal_0.x) + _S258 * vec3<f32>(dpdirection_1.primal_0.y) + _S259 * vec3<f32>(dpdirection_1.primal_0.z);
-    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S257 + vec3<f32>(dpdirection_1.differential_0.y) * _S258 + vec3<f32>(dpdirection_1.differential_0.z) * _S259;
-    var _S260 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
-    var _S261 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
-    var _S262 : DiffPair_float_0 = s_fwd_angle_of_0(_S260, _S261);
-    var _S263 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
-    var _S264 : DiffPair_float_0 = s_fwd_length_impl_1(_S263);
-    var _S265 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
-    var _S266 : DiffPair_float_0 = DiffPair_float_0( _S264.primal_0, _S264.differential_0 );
-    var _S267 : DiffPair_float_0 = s_fwd_angle_of_0(_S265, _S266);
+    var _S257 : u32 = map_1 + u32(2);
+    var _S258 : vec3<f32> = vector_at_0(_S257);
+    var _S259 : vec3<f32> = vector_at_0(_S257 + u32(3));
+    var _S260 : vec3<f32> = vector_at_0(_S257 + u32(6));
+    var d_2 : vec3<f32> = _S258 * vec3<f32>(dpdirection_1.primal_0.x) + _S259 * vec3<f32>(dpdirection_1.primal_0.y) + _S260 * vec3<f32>(dpdirection_1.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S258 + vec3<f32>(dpdirection_1.differential_0.y) * _S259 + vec3<f32>(dpdirection_1.differential_0.z) * _S260;
+    var _S261 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
+    var _S262 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
+    var _S263 : DiffPair_float_0 = s_fwd_angle_of_0(_S261, _S262);
+    var _S264 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
+    var _S265 : DiffPair_float_0 = s_fwd_length_impl_1(_S264);
+    var _S266 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
+    var _S267 : DiffPair_float_0 = DiffPair_float_0( _S265.primal_0, _S265.differential_0 );
+    var _S268 : DiffPair_float_0 = s_fwd_angle_of_0(_S266, _S267);
     var width_1 : f32 = f32(word_0(map_1));
-    var _S268 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
-    var _S269 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S262.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S267.primal_0 * 0.31830987334251404f * _S268), vec2<f32>(_S262.differential_0 * 0.15915493667125702f * width_1, _S267.differential_0 * 0.31830987334251404f * _S268) );
-    return _S269;
+    var _S269 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
+    var _S270 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S263.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S268.primal_0 * 0.31830987334251404f * _S269), vec2<f32>(_S263.differential_0 * 0.15915493667125702f * width_1, _S268.differential_0 * 0.31830987334251404f * _S269) );
+    return _S270;
 }
 
 fn in_map_0( map_2 : u32,  direction_8 : vec3<f32>) -> Lookup_0
@@ -2801,11 +2817,11 @@ fn in_map_0( map_2 : u32,  direction_8 : vec3<f32>) -> Lookup_0
     var height_2 : i32 = i32(word_0(map_2 + u32(1)));
     var left_1 : u32 = wrapped_0(x_8, width_2, u32(0));
     var right_1 : u32 = wrapped_0(x_8 + i32(1), width_2, u32(0));
-    var _S270 : u32 = wrapped_0(y_2, height_2, u32(2));
-    var _S271 : u32 = u32(width_2);
-    var first_6 : u32 = _S270 * _S271;
-    var _S272 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
-    var second_3 : u32 = _S272 * _S271;
+    var _S271 : u32 = wrapped_0(y_2, height_2, u32(2));
+    var _S272 : u32 = u32(width_2);
+    var first_6 : u32 = _S271 * _S272;
+    var _S273 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S273 * _S272;
     return between_0(vec4<u32>(first_6 + left_1, first_6 + right_1, second_3 + left_1, second_3 + right_1), point_0);
 }
 
@@ -2820,35 +2836,35 @@ fn emitted_0( emitter_4 : u32,  place_18 : Place_0,  direction_9 : Vector_0) -> 
     var texture_7 : u32 = word_0(record_9 + u32(1));
     if(!is_map_0(record_9))
     {
-        var _S273 : Vector_0 = shown_0(texture_7, place_18);
-        return _S273;
+        var _S274 : Vector_0 = shown_0(texture_7, place_18);
+        return _S274;
     }
-    var _S274 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_9.value_0, direction_9.change_0 );
-    var _S275 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S274);
+    var _S275 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_9.value_0, direction_9.change_0 );
+    var _S276 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S275);
     var factor_4 : Vector_0 = looked_up_0(word_0(texture_7 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
-    var _S276 : u32 = word_0(texture_7 + u32(11));
-    var _S277 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_9));
-    return x2A_0(looked_up_0(_S276, _S277, _S275.differential_0), factor_4);
+    var _S277 : u32 = word_0(texture_7 + u32(11));
+    var _S278 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_9));
+    return x2A_0(looked_up_0(_S277, _S278, _S276.differential_0), factor_4);
 }
 
 fn light_from_0( at_36 : ShadingPoint_0,  direction_10 : vec3<f32>) -> f32
 {
     var light_2 : f32 = largest_0(scattered_from_0(at_36.vertex_3, direction_10));
-    var _S278 : bool;
+    var _S279 : bool;
     if((at_36.purpose_0) != u32(1))
     {
-        _S278 = true;
+        _S279 = true;
     }
     else
     {
-        _S278 = !(light_2 > 0.0f);
+        _S279 = !(light_2 > 0.0f);
     }
-    if(_S278)
+    if(_S279)
     {
         return light_2;
     }
-    var _S279 : Vector_0 = emitted_0(at_36.emitter_0, at_36.vertex_3.surface_4.place_3, still_0(direction_10));
-    return light_2 * largest_0(value_of_0(_S279));
+    var _S280 : Vector_0 = emitted_0(at_36.emitter_0, at_36.vertex_3.surface_4.place_3, still_0(direction_10));
+    return light_2 * largest_0(value_of_0(_S280));
 }
 
 fn weigh_0( at_37 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
@@ -2856,43 +2872,43 @@ fn weigh_0( at_37 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
     var t_5 : f32 = f32(place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, f64(part_1)));
-    var _S280 : vec3<f32> = vec3<f32>(seen_2.start_1 + seen_2.along_1 * vec3<f64>(f64(t_5)));
-    var _S281 : vec3<f32> = vec3<f32>(exact_unit_0(cross(seen_2.start_1, seen_2.along_1)));
-    var _S282 : f32 = edge_number_0(seen_2.edge_3.record_8 + u32(10));
+    var _S281 : vec3<f32> = vec3<f32>(seen_2.start_1 + seen_2.along_1 * vec3<f64>(f64(t_5)));
+    var _S282 : vec3<f32> = vec3<f32>(exact_unit_0(cross(seen_2.start_1, seen_2.along_1)));
+    var _S283 : f32 = edge_number_0(seen_2.edge_3.record_8 + u32(10));
     var speed_1 : f32;
     if(!is_blind_0())
     {
-        speed_1 = abs(dot(velocity_on_0(at_37, seen_2.edge_3, t_5, _S280), _S281));
+        speed_1 = abs(dot(velocity_on_0(at_37, seen_2.edge_3, t_5, _S281), _S282));
     }
     else
     {
-        speed_1 = _S282;
+        speed_1 = _S283;
     }
-    var speed_2 : f32 = speed_1 / length(_S280);
+    var speed_2 : f32 = speed_1 / length(_S281);
     var angle_4 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S283 : f32 = light_from_0(at_37, middle_1);
-    var contribution_0 : f32 = angle_4 * _S283 * speed_2;
-    var _S284 : vec2<f32>;
+    var _S284 : f32 = light_from_0(at_37, middle_1);
+    var contribution_0 : f32 = angle_4 * _S284 * speed_2;
+    var _S285 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
     {
-        _S284 = vec2<f32>(contribution_0, angle_4);
+        _S285 = vec2<f32>(contribution_0, angle_4);
     }
     else
     {
-        _S284 = vec2<f32>(0.0f);
+        _S285 = vec2<f32>(0.0f);
     }
-    return _S284;
+    return _S285;
 }
 
 fn multiplicity_0( at_38 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec3<f64>,  normal_6 : vec3<f64>) -> f32
 {
-    var _S285 : vec3<f64> = cross(normal_6, direction_11);
-    var _S286 : u32 = edge_5.record_8 + u32(8);
-    var k_9 : u32 = edge_word_0(_S286);
+    var _S286 : vec3<f64> = cross(normal_6, direction_11);
+    var _S287 : u32 = edge_5.record_8 + u32(8);
+    var k_9 : u32 = edge_word_0(_S287);
     var count_3 : f32 = 1.0f;
     for(;;)
     {
-        if(k_9 < (edge_word_0(_S286 + u32(1))))
+        if(k_9 < (edge_word_0(_S287 + u32(1))))
         {
         }
         else
@@ -2907,27 +2923,27 @@ fn multiplicity_0( at_38 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec
         }
         var a_18 : vec3<f64> = edge_position_0(other_0.numbers_3) - at_38.vertex_3.surface_4.exact_0;
         var way_1 : vec3<f64> = edge_position_0(other_0.numbers_3 + u32(3)) - at_38.vertex_3.surface_4.exact_0 - a_18;
-        var place_19 : f64 = - dot(a_18, _S285) / dot(way_1, _S285);
+        var place_19 : f64 = - dot(a_18, _S286) / dot(way_1, _S286);
         var there_0 : vec3<f64> = a_18 + way_1 * vec3<f64>(place_19);
-        var _S287 : bool;
+        var _S288 : bool;
         if(place_19 >= 0.0lf)
         {
-            _S287 = place_19 <= 1.0lf;
-        }
-        else
-        {
-            _S287 = false;
-        }
-        var _S288 : bool;
-        if(_S287)
-        {
-            _S288 = (dot(there_0, direction_11)) > 0.0lf;
+            _S288 = place_19 <= 1.0lf;
         }
         else
         {
             _S288 = false;
         }
-        if(!_S288)
+        var _S289 : bool;
+        if(_S288)
+        {
+            _S289 = (dot(there_0, direction_11)) > 0.0lf;
+        }
+        else
+        {
+            _S289 = false;
+        }
+        if(!_S289)
         {
             k_9 = k_9 + u32(1);
             continue;
@@ -2977,11 +2993,11 @@ struct EdgePoint_0
 
 fn point_on_0( at_40 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f64,  part_of_all_0 : f32) -> EdgePoint_0
 {
-    var _S289 : f64 = seen_3.range_1.x;
-    var _S290 : f64 = seen_3.range_1.y;
-    var _S291 : f64 = f64(seen_3.pieces_0);
-    var first_7 : f64 = place_between_0(_S289, _S290, seen_3.near_1, seen_3.far_0, f64(piece_1) / _S291);
-    var last_1 : f64 = place_between_0(_S289, _S290, seen_3.near_1, seen_3.far_0, f64(piece_1 + 1.0f) / _S291);
+    var _S290 : f64 = seen_3.range_1.x;
+    var _S291 : f64 = seen_3.range_1.y;
+    var _S292 : f64 = f64(seen_3.pieces_0);
+    var first_7 : f64 = place_between_0(_S290, _S291, seen_3.near_1, seen_3.far_0, f64(piece_1) / _S292);
+    var last_1 : f64 = place_between_0(_S290, _S291, seen_3.near_1, seen_3.far_0, f64(piece_1 + 1.0f) / _S292);
     var a_20 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(first_7);
     var b_13 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(last_1);
     var near_3 : f64 = length_of_0(a_20);
@@ -2993,27 +3009,27 @@ fn point_on_0( at_40 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     var t_7 : f64 = place_between_0(first_7, last_1, near_3, far_2, inside_3);
     var offset_10 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(t_7);
     var point_1 : EdgePoint_0;
-    var _S292 : f64 = length_of_0(offset_10);
-    point_1.distance_5 = _S292;
-    var _S293 : vec3<f64> = offset_10 / vec3<f64>(_S292);
-    point_1.direction_12 = _S293;
-    var _S294 : vec3<f64> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
-    point_1.normal_7 = _S294;
+    var _S293 : f64 = length_of_0(offset_10);
+    point_1.distance_5 = _S293;
+    var _S294 : vec3<f64> = offset_10 / vec3<f64>(_S293);
+    point_1.direction_12 = _S294;
+    var _S295 : vec3<f64> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_1.normal_7 = _S295;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_6 = f32(t_7);
-    point_1.measure_0 = f32(angle_5 / _S292) / (part_of_all_0 * multiplicity_0(at_40, seen_3.edge_3, _S293, _S294));
+    point_1.measure_0 = f32(angle_5 / _S293) / (part_of_all_0 * multiplicity_0(at_40, seen_3.edge_3, _S294, _S295));
     var face_0 : vec3<f64> = face_normal_1(at_40);
     var least_2 : f64 = limit_at_0(u32(2));
-    var _S295 : bool;
+    var _S296 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
     {
-        _S295 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+        _S296 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
     }
     else
     {
-        _S295 = false;
+        _S296 = false;
     }
-    point_1.is_in_horizon_0 = _S295;
+    point_1.is_in_horizon_0 = _S296;
     return point_1;
 }
 
@@ -3029,23 +3045,86 @@ fn flow_at_0( at_41 : ShadingPoint_0,  point_3 : EdgePoint_0) -> f32
 
 fn component_0( v_8 : vec3<f64>,  axis_5 : u32) -> f64
 {
-    var _S296 : f64;
+    var _S297 : f64;
     if(axis_5 == u32(0))
     {
-        _S296 = v_8.x;
+        _S297 = v_8.x;
     }
     else
     {
         if(axis_5 == u32(1))
         {
-            _S296 = v_8.y;
+            _S297 = v_8.y;
         }
         else
         {
-            _S296 = v_8.z;
+            _S297 = v_8.z;
         }
     }
-    return _S296;
+    return _S297;
+}
+
+struct Ray_0
+{
+     origin_0 : vec3<f64>,
+     shear_x_0 : f64,
+     shear_y_0 : f64,
+     inverse_z_0 : f64,
+     t_min_0 : f64,
+     t_max_0 : f64,
+     local_per_t_0 : f64,
+     enter_0 : f64,
+     edge_on_0 : f64,
+     largest_1 : f64,
+};
+
+fn ray_along_0( origin_1 : vec3<f64>,  direction_13 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  axes_3 : ptr<function, u32>) -> Ray_0
+{
+    var size_2 : vec3<f32> = abs(vec3<f32>(direction_13));
+    var _S298 : f32 = size_2.x;
+    var _S299 : f32 = size_2.y;
+    var _S300 : bool;
+    if(_S298 >= _S299)
+    {
+        _S300 = _S298 >= (size_2.z);
+    }
+    else
+    {
+        _S300 = false;
+    }
+    var _S301 : i32;
+    if(_S300)
+    {
+        _S301 = i32(0);
+    }
+    else
+    {
+        if(_S299 >= (size_2.z))
+        {
+            _S301 = i32(1);
+        }
+        else
+        {
+            _S301 = i32(2);
+        }
+    }
+    var z_3 : u32 = u32(_S301);
+    var x_9 : u32 = (z_3 + u32(1)) % u32(3);
+    var y_3 : u32 = (z_3 + u32(2)) % u32(3);
+    (*axes_3) = (((x_9 | (((y_3 << (u32(2))))))) | (((z_3 << (u32(4))))));
+    var ray_0 : Ray_0;
+    ray_0.origin_0 = origin_1;
+    var along_2 : f64 = component_0(direction_13, z_3);
+    ray_0.inverse_z_0 = 1.0lf / along_2;
+    ray_0.shear_x_0 = component_0(direction_13, x_9) / along_2;
+    ray_0.shear_y_0 = component_0(direction_13, y_3) / along_2;
+    ray_0.t_min_0 = t_min_1;
+    ray_0.t_max_0 = t_max_1;
+    ray_0.local_per_t_0 = abs(along_2);
+    ray_0.enter_0 = 0.0lf;
+    ray_0.edge_on_0 = limit_at_0(u32(0));
+    ray_0.largest_1 = limit_at_0(u32(1));
+    return ray_0;
 }
 
 fn ray_child_0( node_4 : u32,  slot_2 : u32) -> u32
@@ -3060,12 +3139,12 @@ struct RayView_0
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
      margin_2 : f32,
-     axes_3 : u32,
+     axes_4 : u32,
 };
 
 fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32) -> f32
 {
-    var _S297 : u32 = u32(14) * node_5 + slot_3 / u32(4);
+    var _S302 : u32 = u32(14) * node_5 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -3078,36 +3157,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S298 : u32 = axis_6;
-        var _S299 : u32 = _S297 + u32(2) * axis_6;
-        var _S300 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S299][_S300])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S299 + u32(6)][_S300])));
-        var _S301 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S302 : f32;
-        if(_S301)
+        var _S303 : u32 = axis_6;
+        var _S304 : u32 = _S302 + u32(2) * axis_6;
+        var _S305 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S304][_S305])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S304 + u32(6)][_S305])));
+        var _S306 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S307 : f32;
+        if(_S306)
         {
-            _S302 = high_0;
+            _S307 = high_0;
         }
         else
         {
-            _S302 = low_3;
+            _S307 = low_3;
         }
-        var _S303 : f32 = max(near_4, _S302 * view_1.inverse_1[_S298] - view_1.offset_near_0[axis_6]);
-        var _S304 : f32;
-        if(_S301)
+        var _S308 : f32 = max(near_4, _S307 * view_1.inverse_1[_S303] - view_1.offset_near_0[axis_6]);
+        var _S309 : f32;
+        if(_S306)
         {
-            _S304 = low_3;
+            _S309 = low_3;
         }
         else
         {
-            _S304 = high_0;
+            _S309 = high_0;
         }
-        var _S305 : f32 = min(far_3, _S304 * view_1.inverse_1[_S298] - view_1.offset_far_0[axis_6]);
-        var _S306 : u32 = axis_6 + u32(1);
-        near_4 = _S303;
-        far_3 = _S305;
-        axis_6 = _S306;
+        var _S310 : f32 = min(far_3, _S309 * view_1.inverse_1[_S303] - view_1.offset_far_0[axis_6]);
+        var _S311 : u32 = axis_6 + u32(1);
+        near_4 = _S308;
+        far_3 = _S310;
+        axis_6 = _S311;
     }
     if(near_4 <= far_3)
     {
@@ -3132,7 +3211,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S307 : u32 = k_10;
+        var _S312 : u32 = k_10;
         if((bounds_0[k_10]) > limit_2)
         {
             k_10 = k_10 + u32(1);
@@ -3149,24 +3228,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S308 : u32 = j_0;
-            var _S309 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S307]))
+            var _S313 : u32 = j_0;
+            var _S314 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S312]))
             {
-                _S309 = true;
+                _S314 = true;
             }
             else
             {
-                if((bounds_0[_S308]) == (bounds_0[_S307]))
+                if((bounds_0[_S313]) == (bounds_0[_S312]))
                 {
-                    _S309 = j_0 < k_10;
+                    _S314 = j_0 < k_10;
                 }
                 else
                 {
-                    _S309 = false;
+                    _S314 = false;
                 }
             }
-            if(_S309)
+            if(_S314)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -3191,45 +3270,31 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
         {
             break;
         }
-        var _S310 : f32;
+        var _S315 : f32;
         if((ray_child_0(node_6, slot_4)) == u32(4294967295))
         {
-            _S310 = 3.00000000549775576e+38f;
+            _S315 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S310 = ray_bound_0(view_2, limit_3, node_6, slot_4);
+            _S315 = ray_bound_0(view_2, limit_3, node_6, slot_4);
         }
-        bounds_1[slot_4] = _S310;
+        bounds_1[slot_4] = _S315;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn rounded_0( product_2 : f64,  largest_1 : f64) -> f64
+fn rounded_0( product_2 : f64,  largest_2 : f64) -> f64
 {
-    return min(product_2, largest_1);
+    return min(product_2, largest_2);
 }
 
-struct Ray_0
+fn corner_2( ray_1 : Ray_0,  axes_5 : u32,  at_42 : u32) -> vec3<f64>
 {
-     origin_0 : vec3<f64>,
-     shear_x_0 : f64,
-     shear_y_0 : f64,
-     inverse_z_0 : f64,
-     t_min_0 : f64,
-     t_max_0 : f64,
-     local_per_t_0 : f64,
-     enter_0 : f64,
-     edge_on_0 : f64,
-     largest_2 : f64,
-};
-
-fn corner_2( ray_0 : Ray_0,  axes_4 : u32,  at_42 : u32) -> vec3<f64>
-{
-    var relative_1 : vec3<f64> = primitive_vector_0(at_42) - ray_0.origin_0;
-    var z_3 : f64 = component_0(relative_1, (axes_4 >> (u32(4))));
-    return vec3<f64>(component_0(relative_1, (axes_4 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_3, ray_0.largest_2), component_0(relative_1, (((axes_4 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_3, ray_0.largest_2), z_3);
+    var relative_1 : vec3<f64> = primitive_vector_0(at_42) - ray_1.origin_0;
+    var z_4 : f64 = component_0(relative_1, (axes_5 >> (u32(4))));
+    return vec3<f64>(component_0(relative_1, (axes_5 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_4, ray_1.largest_1), component_0(relative_1, (((axes_5 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_4, ray_1.largest_1), z_4);
 }
 
 struct Crossing_0
@@ -3240,58 +3305,58 @@ struct Crossing_0
      w_3 : f64,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_43 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_6 : u32,  at_43 : u32) -> Crossing_0
 {
     var crossing_1 : Crossing_0;
     crossing_1.is_hit_0 = false;
     crossing_1.t_8 = 0.0lf;
     crossing_1.v_9 = 0.0lf;
     crossing_1.w_3 = 0.0lf;
-    var a_21 : vec3<f64> = corner_2(ray_1, axes_5, at_43);
-    var b_14 : vec3<f64> = corner_2(ray_1, axes_5, at_43 + u32(3));
-    var c_4 : vec3<f64> = corner_2(ray_1, axes_5, at_43 + u32(6));
-    var _S311 : f64 = c_4.x;
-    var _S312 : f64 = b_14.y;
-    var cx_by_0 : f64 = rounded_0(_S311 * _S312, ray_1.largest_2);
-    var _S313 : f64 = c_4.y;
-    var _S314 : f64 = b_14.x;
-    var cy_bx_0 : f64 = rounded_0(_S313 * _S314, ray_1.largest_2);
-    var _S315 : f64 = a_21.x;
-    var ax_cy_0 : f64 = rounded_0(_S315 * _S313, ray_1.largest_2);
-    var _S316 : f64 = a_21.y;
-    var ay_cx_0 : f64 = rounded_0(_S316 * _S311, ray_1.largest_2);
-    var bx_ay_0 : f64 = rounded_0(_S314 * _S316, ray_1.largest_2);
-    var by_ax_0 : f64 = rounded_0(_S312 * _S315, ray_1.largest_2);
+    var a_21 : vec3<f64> = corner_2(ray_2, axes_6, at_43);
+    var b_14 : vec3<f64> = corner_2(ray_2, axes_6, at_43 + u32(3));
+    var c_4 : vec3<f64> = corner_2(ray_2, axes_6, at_43 + u32(6));
+    var _S316 : f64 = c_4.x;
+    var _S317 : f64 = b_14.y;
+    var cx_by_0 : f64 = rounded_0(_S316 * _S317, ray_2.largest_1);
+    var _S318 : f64 = c_4.y;
+    var _S319 : f64 = b_14.x;
+    var cy_bx_0 : f64 = rounded_0(_S318 * _S319, ray_2.largest_1);
+    var _S320 : f64 = a_21.x;
+    var ax_cy_0 : f64 = rounded_0(_S320 * _S318, ray_2.largest_1);
+    var _S321 : f64 = a_21.y;
+    var ay_cx_0 : f64 = rounded_0(_S321 * _S316, ray_2.largest_1);
+    var bx_ay_0 : f64 = rounded_0(_S319 * _S321, ray_2.largest_1);
+    var by_ax_0 : f64 = rounded_0(_S317 * _S320, ray_2.largest_1);
     var u_2 : f64 = cx_by_0 - cy_bx_0;
     var v_10 : f64 = ax_cy_0 - ay_cx_0;
     var w_4 : f64 = bx_ay_0 - by_ax_0;
-    var _S317 : f64 = min(min(u_2, v_10), w_4);
-    var _S318 : f64 = max(max(u_2, v_10), w_4);
-    var _S319 : bool;
-    if(_S317 < 0.0lf)
+    var _S322 : f64 = min(min(u_2, v_10), w_4);
+    var _S323 : f64 = max(max(u_2, v_10), w_4);
+    var _S324 : bool;
+    if(_S322 < 0.0lf)
     {
-        _S319 = _S318 > 0.0lf;
+        _S324 = _S323 > 0.0lf;
     }
     else
     {
-        _S319 = false;
+        _S324 = false;
     }
-    if(_S319)
+    if(_S324)
     {
         return crossing_1;
     }
     var determinant_0 : f64 = u_2 + v_10 + w_4;
-    if(_S317 <= 0.0lf)
+    if(_S322 <= 0.0lf)
     {
-        _S319 = _S318 >= 0.0lf;
+        _S324 = _S323 >= 0.0lf;
     }
     else
     {
-        _S319 = false;
+        _S324 = false;
     }
-    if(_S319)
+    if(_S324)
     {
-        if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
+        if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
             return crossing_1;
         }
@@ -3300,16 +3365,16 @@ fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_43 : u32) -> Crossing_0
     {
         return crossing_1;
     }
-    var t_9 : f64 = (rounded_0(u_2 * a_21.z, ray_1.largest_2) + rounded_0(v_10 * b_14.z, ray_1.largest_2) + rounded_0(w_4 * c_4.z, ray_1.largest_2)) / determinant_0 * ray_1.inverse_z_0;
-    if((ray_1.t_min_0) <= t_9)
+    var t_9 : f64 = (rounded_0(u_2 * a_21.z, ray_2.largest_1) + rounded_0(v_10 * b_14.z, ray_2.largest_1) + rounded_0(w_4 * c_4.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
+    if((ray_2.t_min_0) <= t_9)
     {
-        _S319 = t_9 <= (ray_1.t_max_0);
+        _S324 = t_9 <= (ray_2.t_max_0);
     }
     else
     {
-        _S319 = false;
+        _S324 = false;
     }
-    crossing_1.is_hit_0 = _S319;
+    crossing_1.is_hit_0 = _S324;
     crossing_1.t_8 = t_9;
     crossing_1.v_9 = v_10 / determinant_0;
     crossing_1.w_3 = w_4 / determinant_0;
@@ -3329,9 +3394,9 @@ struct Found_0
      w_5 : f64,
 };
 
-fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S320 : bool;
+    var _S325 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_8 = u32(4294967295);
@@ -3363,31 +3428,31 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S321 : u32 = way_2[level_0].y;
-        if(_S321 == u32(0))
+        var _S326 : u32 = way_2[level_0].y;
+        if(_S326 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S322 : u32 = level_0 - u32(1);
+            var _S327 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S322;
+            level_0 = _S327;
             continue;
         }
-        var slot_5 : u32 = ((_S321 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S321 >> (u32(4)));
-        var _S323 : bool;
+        var slot_5 : u32 = ((_S326 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S326 >> (u32(4)));
+        var _S328 : bool;
         if(!is_new_1)
         {
-            _S323 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+            _S328 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S323 = false;
+            _S328 = false;
         }
-        if(_S323)
+        if(_S328)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -3396,27 +3461,27 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S324 : u32 = level_0 + u32(1);
+            var _S329 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S324;
+            level_0 = _S329;
             continue;
         }
         var leaf_1 : u32 = (child_0 & (u32(2147483647)));
-        var _S325 : u32 = leaf_starts_0[leaf_1 + u32(1)];
-        var _S326 : u32 = leaf_starts_0[leaf_1];
+        var _S330 : u32 = leaf_starts_0[leaf_1 + u32(1)];
+        var _S331 : u32 = leaf_starts_0[leaf_1];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S326;
+        var i_2 : u32 = _S331;
         for(;;)
         {
-            if(i_2 < _S325)
+            if(i_2 < _S330)
             {
             }
             else
             {
                 break;
             }
-            var crossing_2 : Crossing_0 = intersect_0((*ray_2), view_3.axes_3, u32(9) * i_2);
+            var crossing_2 : Crossing_0 = intersect_0((*ray_3), view_3.axes_4, u32(9) * i_2);
             if(!crossing_2.is_hit_0)
             {
                 i_2 = i_2 + u32(1);
@@ -3424,30 +3489,30 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S320 = true;
+                _S325 = true;
             }
             else
             {
-                _S320 = (crossing_2.t_8) < ((*ray_2).t_max_0);
+                _S325 = (crossing_2.t_8) < ((*ray_3).t_max_0);
             }
-            var _S327 : bool;
-            if(_S320)
+            var _S332 : bool;
+            if(_S325)
             {
-                _S327 = true;
+                _S332 = true;
             }
             else
             {
-                _S327 = (face_1(i_2)) < (found_0.face_2);
+                _S332 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S327)
+            if(_S332)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_8 = i_2;
-                (*ray_2).t_max_0 = crossing_2.t_8;
+                (*ray_3).t_max_0 = crossing_2.t_8;
                 found_0.v_11 = crossing_2.v_9;
                 found_0.w_5 = crossing_2.w_3;
-                limit_6 = min(limit_5, f32(crossing_2.t_8 * (*ray_2).local_per_t_0 - (*ray_2).enter_0) + 2.0f * view_3.margin_2);
+                limit_6 = min(limit_5, f32(crossing_2.t_8 * (*ray_3).local_per_t_0 - (*ray_3).enter_0) + 2.0f * view_3.margin_2);
             }
             else
             {
@@ -3458,13 +3523,13 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S320 = (found_0.face_2) != u32(4294967295);
+            _S325 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S320 = false;
+            _S325 = false;
         }
-        if(_S320)
+        if(_S325)
         {
             break;
         }
@@ -3475,54 +3540,14 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_0;
 }
 
-fn cast_0( origin_1 : vec3<f64>,  direction_13 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_10 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_2 : vec3<f64>,  direction_14 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_1 : bool,  t_10 : ptr<function, f32>) -> Found_0
 {
-    var size_2 : vec3<f32> = abs(vec3<f32>(direction_13));
-    var _S328 : f32 = size_2.x;
-    var _S329 : f32 = size_2.y;
-    var _S330 : bool;
-    if(_S328 >= _S329)
-    {
-        _S330 = _S328 >= (size_2.z);
-    }
-    else
-    {
-        _S330 = false;
-    }
-    var _S331 : i32;
-    if(_S330)
-    {
-        _S331 = i32(0);
-    }
-    else
-    {
-        if(_S329 >= (size_2.z))
-        {
-            _S331 = i32(1);
-        }
-        else
-        {
-            _S331 = i32(2);
-        }
-    }
-    var z_4 : u32 = u32(_S331);
-    var x_9 : u32 = (z_4 + u32(1)) % u32(3);
-    var y_3 : u32 = (z_4 + u32(2)) % u32(3);
-    var ray_3 : Ray_0;
-    ray_3.origin_0 = origin_1;
-    var along_2 : f64 = component_0(direction_13, z_4);
-    ray_3.inverse_z_0 = 1.0lf / along_2;
-    ray_3.shear_x_0 = component_0(direction_13, x_9) / along_2;
-    ray_3.shear_y_0 = component_0(direction_13, y_3) / along_2;
-    ray_3.t_min_0 = t_min_1;
-    ray_3.t_max_0 = t_max_1;
-    var _S332 : f64 = abs(along_2);
-    ray_3.local_per_t_0 = _S332;
-    ray_3.enter_0 = 0.0lf;
-    ray_3.edge_on_0 = limit_at_0(u32(0));
-    ray_3.largest_2 = limit_at_0(u32(1));
     var view_4 : RayView_0;
-    var _S333 : vec3<f32> = vec3<f32>(direction_13 / vec3<f64>(_S332));
+    var _S333 : u32 = view_4.axes_4;
+    var _S334 : Ray_0 = ray_along_0(origin_2, direction_14, t_min_2, t_max_2, &(_S333));
+    view_4.axes_4 = _S333;
+    var ray_4 : Ray_0 = _S334;
+    var _S335 : vec3<f32> = vec3<f32>(direction_14 / vec3<f64>(ray_4.local_per_t_0));
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -3533,34 +3558,34 @@ fn cast_0( origin_1 : vec3<f64>,  direction_13 : vec3<f64>,  t_min_1 : f64,  t_m
         {
             break;
         }
-        var _S334 : f32 = max(abs(_S333[axis_7]), 8.67361737988403547e-19f);
-        var _S335 : f32;
-        if((_S333[axis_7]) < 0.0f)
+        var _S336 : f32 = max(abs(_S335[axis_7]), 8.67361737988403547e-19f);
+        var _S337 : f32;
+        if((_S335[axis_7]) < 0.0f)
         {
-            _S335 = -1.0f / _S334;
+            _S337 = -1.0f / _S336;
         }
         else
         {
-            _S335 = 1.0f / _S334;
+            _S337 = 1.0f / _S336;
         }
-        view_4.inverse_1[axis_7] = _S335;
+        view_4.inverse_1[axis_7] = _S337;
         axis_7 = axis_7 + u32(1);
     }
-    var offset_11 : vec3<f32> = vec3<f32>(origin_1) * view_4.inverse_1;
+    var offset_11 : vec3<f32> = vec3<f32>(origin_2) * view_4.inverse_1;
     var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_4.inverse_1);
     view_4.offset_near_0 = offset_11 + wider_0;
     view_4.offset_far_0 = offset_11 - wider_0;
-    view_4.limit_0 = min(f32(t_max_1 * ray_3.local_per_t_0), 8.0f) + 3.814697265625e-06f;
+    view_4.limit_0 = min(f32(t_max_2 * ray_4.local_per_t_0), 8.0f) + 3.814697265625e-06f;
     view_4.margin_2 = 3.814697265625e-06f;
-    view_4.axes_3 = (((x_9 | (((y_3 << (u32(2))))))) | (((z_4 << (u32(4))))));
-    var found_1 : Found_0 = first_found_0(view_4, &(ray_3), any_1);
-    (*t_10) = f32(ray_3.t_max_0);
+    var found_1 : Found_0 = first_found_0(view_4, &(ray_4), any_1);
+    (*t_10) = f32(ray_4.t_max_0);
     return found_1;
 }
 
 struct Side_0
 {
-     direction_14 : vec3<f32>,
+     direction_15 : vec3<f32>,
+     rest_3 : vec3<f32>,
      scattered_2 : vec3<f32>,
      found_2 : Found_0,
      t_11 : f32,
@@ -3569,45 +3594,46 @@ struct Side_0
 fn look_0( at_44 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Side_0
 {
     var step_0 : vec3<f64> = point_4.normal_7 * vec3<f64>(edge_real_0(u32(3)));
-    var origin_2 : vec3<f64>;
+    var origin_3 : vec3<f64>;
     if(side_0 == u32(0))
     {
-        origin_2 = point_4.direction_12 - step_0;
+        origin_3 = point_4.direction_12 - step_0;
     }
     else
     {
-        origin_2 = point_4.direction_12 + step_0;
+        origin_3 = point_4.direction_12 + step_0;
     }
-    var direction_15 : vec3<f64> = exact_unit_0(origin_2);
+    var direction_16 : vec3<f64> = exact_unit_0(origin_3);
     if(point_4.is_in_horizon_0)
     {
         var face_3 : vec3<f64> = face_normal_1(at_44);
         var height_3 : f64 = limit_at_0(u32(2));
-        var _S336 : f64;
-        if((dot(direction_15, face_3)) < 0.0lf)
+        var _S338 : f64;
+        if((dot(direction_16, face_3)) < 0.0lf)
         {
-            _S336 = - height_3;
+            _S338 = - height_3;
         }
         else
         {
-            _S336 = height_3;
+            _S338 = height_3;
         }
-        origin_2 = at_44.vertex_3.surface_4.exact_0 + face_3 * vec3<f64>(_S336);
+        origin_3 = at_44.vertex_3.surface_4.exact_0 + face_3 * vec3<f64>(_S338);
     }
     else
     {
-        origin_2 = at_44.vertex_3.surface_4.exact_0;
+        origin_3 = at_44.vertex_3.surface_4.exact_0;
     }
     var seen_4 : Side_0;
-    var _S337 : vec3<f32> = vec3<f32>(direction_15);
-    seen_4.direction_14 = _S337;
-    seen_4.scattered_2 = scattered_from_0(at_44.vertex_3, _S337);
-    var _S338 : f64 = limit_at_0(u32(2));
-    var _S339 : f64 = limit_at_0(u32(1));
-    var _S340 : f32 = seen_4.t_11;
-    var _S341 : Found_0 = cast_0(origin_2, direction_15, _S338, _S339, false, &(_S340));
-    seen_4.t_11 = _S340;
-    seen_4.found_2 = _S341;
+    var _S339 : vec3<f32> = vec3<f32>(direction_16);
+    seen_4.direction_15 = _S339;
+    seen_4.rest_3 = vec3<f32>(direction_16 - vec3<f64>(_S339));
+    seen_4.scattered_2 = scattered_from_0(at_44.vertex_3, _S339);
+    var _S340 : f64 = limit_at_0(u32(2));
+    var _S341 : f64 = limit_at_0(u32(1));
+    var _S342 : f32 = seen_4.t_11;
+    var _S343 : Found_0 = cast_0(origin_3, direction_16, _S340, _S341, false, &(_S342));
+    seen_4.t_11 = _S342;
+    seen_4.found_2 = _S343;
     return seen_4;
 }
 
@@ -3681,12 +3707,13 @@ fn begin_side_0( number_1 : u32,  path_12 : Path_0,  side_2 : Side_0,  weight_0 
     var at_45 : u32 = u32(1);
     set_vector_0(number_1, &(at_45), vec3<f32>(0.0f));
     set_vector_0(number_1, &(at_45), vec3<f32>(1.0f));
-    set_vector_0(number_1, &(at_45), side_2.direction_14);
+    set_vector_0(number_1, &(at_45), side_2.direction_15);
     set_place_0(number_1, &(at_45), place_of_0(side_2.found_2));
-    var _S342 : u32 = at_45 + u32(1);
+    var _S344 : u32 = at_45 + u32(1);
     set_word_0(number_1, at_45, path_12.key_0.x);
-    at_45 = _S342 + u32(1);
-    set_word_0(number_1, _S342, path_12.key_0.y);
+    at_45 = _S344 + u32(1);
+    set_word_0(number_1, _S344, path_12.key_0.y);
+    set_vector_0(number_1, &(at_45), side_2.rest_3);
     set_vector_0(number_1, &(at_45), weight_0);
     return;
 }
@@ -3708,14 +3735,14 @@ fn begin_sides_of_0( at_46 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_
         side_3 = side_3 + u32(1);
     }
     var nearest_0 : f32 = f32(point_5.distance_5) * 0.99999898672103882f;
-    var _S343 : bool;
+    var _S345 : bool;
     if((sides_0[i32(0)].found_2.face_2) == (sides_0[i32(1)].found_2.face_2))
     {
-        _S343 = (max(sides_0[i32(0)].t_11, sides_0[i32(1)].t_11)) < nearest_0;
+        _S345 = (max(sides_0[i32(0)].t_11, sides_0[i32(1)].t_11)) < nearest_0;
     }
     else
     {
-        _S343 = false;
+        _S345 = false;
     }
     var goes_on_1 : vec2<bool> = vec2<bool>(false, false);
     side_3 = u32(0);
@@ -3728,40 +3755,40 @@ fn begin_sides_of_0( at_46 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_
         {
             break;
         }
-        var _S344 : bool;
-        if(_S343)
-        {
-            _S344 = true;
-        }
-        else
-        {
-            _S344 = (sides_0[side_3].found_2.face_2) == u32(4294967295);
-        }
-        var _S345 : bool;
-        if(_S344)
-        {
-            _S345 = true;
-        }
-        else
-        {
-            _S345 = !((largest_0(sides_0[side_3].scattered_2)) > 0.0f);
-        }
+        var _S346 : bool;
         if(_S345)
+        {
+            _S346 = true;
+        }
+        else
+        {
+            _S346 = (sides_0[side_3].found_2.face_2) == u32(4294967295);
+        }
+        var _S347 : bool;
+        if(_S346)
+        {
+            _S347 = true;
+        }
+        else
+        {
+            _S347 = !((largest_0(sides_0[side_3].scattered_2)) > 0.0f);
+        }
+        if(_S347)
         {
             side_3 = side_3 + u32(1);
             continue;
         }
-        var _S346 : vec3<f32> = factor_5 * sides_0[side_3].scattered_2;
-        var _S347 : f32;
+        var _S348 : vec3<f32> = factor_5 * sides_0[side_3].scattered_2;
+        var _S349 : f32;
         if(side_3 == u32(0))
         {
-            _S347 = 1.0f;
+            _S349 = 1.0f;
         }
         else
         {
-            _S347 = -1.0f;
+            _S349 = -1.0f;
         }
-        begin_side_0(side_path_0(number_of_path_3, side_3), path_13, sides_0[side_3], _S346 * vec3<f32>(_S347));
+        begin_side_0(side_path_0(number_of_path_3, side_3), path_13, sides_0[side_3], _S348 * vec3<f32>(_S349));
         goes_on_1[side_3] = true;
         side_3 = side_3 + u32(1);
     }
@@ -3775,8 +3802,8 @@ fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_47 : ShadingPoint_0,  p
     {
         return;
     }
-    var _S348 : vec2<bool> = begin_sides_of_0(at_47, point_6, number_of_path_4, path_14, (*crossed_2).factor_1 * vec3<f32>(flow_0));
-    (*crossed_2).goes_on_0 = _S348;
+    var _S350 : vec2<bool> = begin_sides_of_0(at_47, point_6, number_of_path_4, path_14, (*crossed_2).factor_1 * vec3<f32>(flow_0));
+    (*crossed_2).goes_on_0 = _S350;
     return;
 }
 
@@ -3829,15 +3856,15 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 contributions_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(contributions_1 - 0.00100000004749745f));
-            var _S349 : f32 = asked_0.over_all_0 * f32(points_1);
+            var _S351 : f32 = asked_0.over_all_0 * f32(points_1);
             var step_2 : f64 = f64(total_1) / f64(points_1);
-            var _S350 : f64 = step_2 * asked_0.place_21;
+            var _S352 : f64 = step_2 * asked_0.place_21;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S349;
+            over_all_1 = _S351;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S350;
+            target_1 = _S352;
         }
         else
         {
@@ -3852,16 +3879,16 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
         var target_2 : f64 = target_1;
         for(;;)
         {
-            var _S351 : bool;
+            var _S353 : bool;
             if(k_11 < (edge_word_0(leaf_2 + u32(3))))
             {
-                _S351 = drawn_1 < points_0;
+                _S353 = drawn_1 < points_0;
             }
             else
             {
-                _S351 = false;
+                _S353 = false;
             }
-            if(_S351)
+            if(_S353)
             {
             }
             else
@@ -3869,14 +3896,14 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 break;
             }
             var seen_5 : SeenEdge_0;
-            var _S352 : bool = see_edge_0(at_48, k_11, &(seen_5));
+            var _S354 : bool = see_edge_0(at_48, k_11, &(seen_5));
             var drawn_2 : u32;
             var contributions_2 : f32;
             var angles_2 : f32;
             var pieces_3 : f32;
             var cumulative_2 : f32;
             var target_3 : f64;
-            if(!_S352)
+            if(!_S354)
             {
                 drawn_2 = drawn_1;
                 contributions_2 = contributions_1;
@@ -3926,26 +3953,26 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 var target_4 : f64 = target_3;
                 for(;;)
                 {
-                    var _S353 : bool;
+                    var _S355 : bool;
                     if(drawn_3 < points_0)
                     {
-                        _S353 = target_4 < f64(cumulative_3);
+                        _S355 = target_4 < f64(cumulative_3);
                     }
                     else
                     {
-                        _S353 = false;
+                        _S355 = false;
                     }
-                    if(_S353)
+                    if(_S355)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var _S354 : u32 = drawn_3 + u32(1);
+                    var _S356 : u32 = drawn_3 + u32(1);
                     var target_5 : f64 = target_4 + step_1;
                     cross_at_0(&((*crossed_3)), at_48, point_on_0(at_48, seen_5, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_1 * own_1 / total_0), number_of_path_5, path_15);
-                    drawn_3 = _S354;
+                    drawn_3 = _S356;
                     target_4 = target_5;
                 }
                 cumulative_2 = cumulative_3;
@@ -3977,15 +4004,15 @@ fn sample_points_0( at_49 : ShadingPoint_0,  number_of_path_6 : u32,  path_16 : 
     var numbers_8 : u32 = numbers_for_0(at_49.purpose_0) + u32(1);
     var leaf_3 : u32;
     var probability_4 : f32;
-    var _S355 : bool = descend_0(at_49, (f64(subtree_0) + precise_random_0(path_16.key_0, numbers_8)) / f64(subtrees_0), &(leaf_3), &(probability_4));
-    if(!_S355)
+    var _S357 : bool = descend_0(at_49, (f64(subtree_0) + precise_random_0(path_16.key_0, numbers_8)) / f64(subtrees_0), &(leaf_3), &(probability_4));
+    if(!_S357)
     {
         return;
     }
     var asked_1 : Share_0;
-    var _S356 : f32 = f32(subtrees_0);
-    asked_1.share_0 = 1.0f / _S356;
-    asked_1.over_all_0 = probability_4 * _S356;
+    var _S358 : f32 = f32(subtrees_0);
+    asked_1.share_0 = 1.0f / _S358;
+    asked_1.over_all_0 = probability_4 * _S358;
     asked_1.place_21 = precise_random_0(path_16.key_0, numbers_8 + u32(1)) + f64(0.6180340051651001f * f32(subtree_0));
     for(;;)
     {
@@ -4004,13 +4031,13 @@ fn sample_points_0( at_49 : ShadingPoint_0,  number_of_path_6 : u32,  path_16 : 
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S357 : u32;
+    var _S359 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S358 : u32 = u32(2) + zero_0;
-        _S357 = _S358;
-        if(rounds_0 < _S358)
+        var _S360 : u32 = u32(2) + zero_0;
+        _S359 = _S360;
+        if(rounds_0 < _S360)
         {
         }
         else
@@ -4019,14 +4046,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S357;
+    return rounds_0 == _S359;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S359 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S361 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4045,18 +4072,18 @@ fn begin_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_17 : Path_0 = path_at_vertex_0(number_of_path_7, &(factor_6));
     var crossed_5 : Crossed_0 = nothing_crossed_0(factor_6);
     var at_50 : ShadingPoint_0;
-    var _S360 : bool = shading_point_0(path_17, &(at_50));
-    var _S361 : bool;
-    if(_S360)
+    var _S362 : bool = shading_point_0(path_17, &(at_50));
+    var _S363 : bool;
+    if(_S362)
     {
-        var _S362 : f32 = turn_to_0(u32(2), path_17.key_0, &(at_50));
-        _S361 = _S362 > 0.0f;
+        var _S364 : f32 = turn_to_0(u32(2), path_17.key_0, &(at_50));
+        _S363 = _S364 > 0.0f;
     }
     else
     {
-        _S361 = false;
+        _S363 = false;
     }
-    if(_S361)
+    if(_S363)
     {
         sample_points_0(at_50, number_of_path_7, path_17, subtree_of_launch_0(), subtrees_of_0(at_50), &(crossed_5));
     }
@@ -4072,18 +4099,18 @@ fn begin_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         }
         var goes_on_2 : bool = crossed_5.goes_on_0[side_4];
         var number_2 : u32 = side_path_0(number_of_path_7, side_4);
-        var which_10 : u32 = u32(17);
-        var _S363 : u32 = u32(2) * listed_0 + side_4;
-        var _S364 : u32;
+        var which_10 : u32 = u32(20);
+        var _S365 : u32 = u32(2) * listed_0 + side_4;
+        var _S366 : u32;
         if(crossed_5.goes_on_0[side_4])
         {
-            _S364 = number_2;
+            _S366 = number_2;
         }
         else
         {
-            _S364 = u32(4294967295);
+            _S366 = u32(4294967295);
         }
-        set_word_0(_S363, u32(0), _S364);
+        set_word_0(_S365, u32(0), _S366);
         if(!goes_on_2)
         {
             set_vector_1(number_2, &(which_10), vec3<f32>(0.0f));

@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 67adabb97a98c706
-// result: aea87c33f5515ea8
+// source: ce6a4dad891818ea
+// result: 1c566313c9f95cb7
 
 struct Launch_std140_0
 {
@@ -232,6 +232,16 @@ fn path_place_0( path_4 : u32,  which_4 : ptr<function, u32>) -> Place_0
     return exact_place_0(path_word_0(path_4, _S46 - u32(5)), (bitcast<f32>((path_word_0(path_4, _S46 - u32(4))))) + (bitcast<f32>((path_word_0(path_4, _S46 - u32(2))))), (bitcast<f32>((path_word_0(path_4, _S46 - u32(3))))) + (bitcast<f32>((path_word_0(path_4, _S46 - u32(1))))));
 }
 
+fn change_word_0( at_0 : u32) -> u32
+{
+    return input_0[launch_0.room_0 + at_0];
+}
+
+fn walks_0() -> bool
+{
+    return (change_word_0(u32(6))) != u32(0);
+}
+
 struct Path_0
 {
      throughput_0 : Vector_0,
@@ -240,23 +250,34 @@ struct Path_0
      key_0 : vec2<u32>,
      light_0 : Vector_0,
      drift_0 : vec3<f32>,
+     walked_0 : vec3<f32>,
+     divergence_0 : f32,
 };
 
 fn load_0( number_of_path_0 : u32) -> Path_0
 {
-    var at_0 : u32 = u32(1);
+    var at_1 : u32 = u32(1);
     var path_5 : Path_0;
-    var _S47 : Vector_0 = path_changing_0(number_of_path_0, &(at_0));
+    var _S47 : Vector_0 = path_changing_0(number_of_path_0, &(at_1));
     path_5.light_0 = _S47;
-    var _S48 : Vector_0 = path_changing_0(number_of_path_0, &(at_0));
+    var _S48 : Vector_0 = path_changing_0(number_of_path_0, &(at_1));
     path_5.throughput_0 = _S48;
-    var _S49 : Vector_0 = path_changing_0(number_of_path_0, &(at_0));
+    var _S49 : Vector_0 = path_changing_0(number_of_path_0, &(at_1));
     path_5.direction_0 = _S49;
-    var _S50 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
+    var _S50 : vec3<f32> = path_vector_0(number_of_path_0, &(at_1));
     path_5.drift_0 = _S50;
-    var _S51 : Place_0 = path_place_0(number_of_path_0, &(at_0));
+    var _S51 : Place_0 = path_place_0(number_of_path_0, &(at_1));
     path_5.place_1 = _S51;
-    path_5.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_0), path_word_0(number_of_path_0, at_0 + u32(1)));
+    path_5.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_1), path_word_0(number_of_path_0, at_1 + u32(1)));
+    path_5.walked_0 = vec3<f32>(0.0f);
+    path_5.divergence_0 = 0.0f;
+    if(walks_0())
+    {
+        at_1 = u32(29);
+        var _S52 : vec3<f32> = path_vector_0(number_of_path_0, &(at_1));
+        path_5.walked_0 = _S52;
+        path_5.divergence_0 = (bitcast<f32>((path_word_0(number_of_path_0, at_1))));
+    }
     return path_5;
 }
 
@@ -288,9 +309,9 @@ fn value_of_0( vector_1 : Vector_0) -> vec3<f32>
     return vector_1.value_0;
 }
 
-fn word_0( at_1 : u32) -> u32
+fn word_0( at_2 : u32) -> u32
 {
-    return scene_0[at_1];
+    return scene_0[at_2];
 }
 
 fn triangle_record_0( triangle_2 : u32) -> u32
@@ -300,26 +321,26 @@ fn triangle_record_0( triangle_2 : u32) -> u32
 
 fn shape_of_0( triangle_3 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_3));
+    return word_0(u32(10)) + u32(7) * word_0(triangle_record_0(triangle_3));
 }
 
-fn primitive_vector_0( at_2 : u32) -> vec3<f32>
+fn primitive_vector_0( at_3 : u32) -> vec3<f32>
 {
-    return vec3<f32>(primitives_0[at_2], primitives_0[at_2 + u32(1)], primitives_0[at_2 + u32(2)]);
+    return vec3<f32>(primitives_0[at_3], primitives_0[at_3 + u32(1)], primitives_0[at_3 + u32(2)]);
 }
 
 fn position_of_0( place_2 : Place_0) -> vec3<f32>
 {
-    var at_3 : u32 = u32(9) * place_2.triangle_0;
-    var a_1 : vec3<f32> = primitive_vector_0(at_3);
-    return a_1 + (primitive_vector_0(at_3 + u32(3)) - a_1) * vec3<f32>((place_2.v_0 + place_2.v_rest_0)) + (primitive_vector_0(at_3 + u32(6)) - a_1) * vec3<f32>((place_2.w_0 + place_2.w_rest_0));
+    var at_4 : u32 = u32(9) * place_2.triangle_0;
+    var a_1 : vec3<f32> = primitive_vector_0(at_4);
+    return a_1 + (primitive_vector_0(at_4 + u32(3)) - a_1) * vec3<f32>((place_2.v_0 + place_2.v_rest_0)) + (primitive_vector_0(at_4 + u32(6)) - a_1) * vec3<f32>((place_2.w_0 + place_2.w_rest_0));
 }
 
 fn cross_of_0( triangle_4 : u32) -> vec3<f32>
 {
-    var at_4 : u32 = u32(9) * triangle_4;
-    var a_2 : vec3<f32> = primitive_vector_0(at_4);
-    return cross(primitive_vector_0(at_4 + u32(3)) - a_2, primitive_vector_0(at_4 + u32(6)) - a_2);
+    var at_5 : u32 = u32(9) * triangle_4;
+    var a_2 : vec3<f32> = primitive_vector_0(at_5);
+    return cross(primitive_vector_0(at_5 + u32(3)) - a_2, primitive_vector_0(at_5 + u32(6)) - a_2);
 }
 
 fn unit_0( v_2 : vec3<f32>) -> vec3<f32>
@@ -327,14 +348,14 @@ fn unit_0( v_2 : vec3<f32>) -> vec3<f32>
     return normalize(v_2 / vec3<f32>(max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z))));
 }
 
-fn number_0( at_5 : u32) -> f32
+fn number_0( at_6 : u32) -> f32
 {
-    return (bitcast<f32>((scene_0[at_5])));
+    return (bitcast<f32>((scene_0[at_6])));
 }
 
-fn vector_at_0( at_6 : u32) -> vec3<f32>
+fn vector_at_0( at_7 : u32) -> vec3<f32>
 {
-    return vec3<f32>(number_0(at_6), number_0(at_6 + u32(1)), number_0(at_6 + u32(2)));
+    return vec3<f32>(number_0(at_7), number_0(at_7 + u32(1)), number_0(at_7 + u32(2)));
 }
 
 struct Surface_0
@@ -355,14 +376,14 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
     var surface_0 : Surface_0;
     surface_0.place_3 = place_4;
     surface_0.shape_0 = shape_of_0(place_4.triangle_0);
-    var _S52 : vec3<f32> = position_of_0(place_4);
-    surface_0.exact_0 = _S52;
-    surface_0.position_0 = _S52;
-    var _S53 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
-    surface_0.face_normal_0 = _S53;
-    surface_0.outward_0 = _S53;
+    var _S53 : vec3<f32> = position_of_0(place_4);
+    surface_0.exact_0 = _S53;
+    surface_0.position_0 = _S53;
+    var _S54 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
+    surface_0.face_normal_0 = _S54;
+    surface_0.outward_0 = _S54;
     var seen_0 : f32;
-    if((dot(_S53, direction_1)) > 0.0f)
+    if((dot(_S54, direction_1)) > 0.0f)
     {
         seen_0 = -1.0f;
     }
@@ -384,15 +405,10 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
         surface_0.outward_0 = normalize(a_3 + (b_1 - a_3) * vec3<f32>(place_4.v_0) + (c_0 - a_3) * vec3<f32>(place_4.w_0));
     }
     surface_0.is_front_0 = seen_0 > 0.0f;
-    var _S54 : vec3<f32> = vec3<f32>(0.0f);
-    surface_0.outward_change_0 = _S54;
-    surface_0.position_change_0 = _S54;
+    var _S55 : vec3<f32> = vec3<f32>(0.0f);
+    surface_0.outward_change_0 = _S55;
+    surface_0.position_change_0 = _S55;
     return surface_0;
-}
-
-fn change_word_0( at_7 : u32) -> u32
-{
-    return input_0[launch_0.room_0 + at_7];
 }
 
 fn is_moving_0() -> bool
@@ -429,12 +445,12 @@ fn move_place_0( place_6 : ptr<function, Place_0>,  position_change_1 : ptr<func
     var ab_0 : vec3<f32> = primitive_vector_0(corner_0 + u32(3)) - a_5;
     var ac_0 : vec3<f32> = primitive_vector_0(corner_0 + u32(6)) - a_5;
     var across_0 : vec3<f32> = cross(ab_0, ac_0);
-    var _S55 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
-    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S55);
+    var _S56 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S56);
     var slip_0 : vec3<f32> = drift_1 - of_material_0;
     var slip_1 : vec3<f32> = slip_0 - direction_2 * vec3<f32>((dot(normal_0, slip_0) / dot(normal_0, direction_2)));
     (*position_change_1) = of_material_0 + slip_1;
-    (*place_6).change_2 = vec2<f32>(dot(slip_1, cross(ac_0, normal_0)), dot(slip_1, cross(normal_0, ab_0))) * vec2<f32>((1.0f / (dot(normal_0, normal_0) * _S55)));
+    (*place_6).change_2 = vec2<f32>(dot(slip_1, cross(ac_0, normal_0)), dot(slip_1, cross(normal_0, ab_0))) * vec2<f32>((1.0f / (dot(normal_0, normal_0) * _S56)));
     return;
 }
 
@@ -445,11 +461,11 @@ fn change_of_unit_0( vector_2 : vec3<f32>,  change_3 : vec3<f32>,  size_0 : f32)
 
 fn move_surface_0( surface_1 : ptr<function, Surface_0>,  direction_3 : vec3<f32>,  drift_2 : vec3<f32>)
 {
-    var _S56 : Place_0 = (*surface_1).place_3;
-    var _S57 : vec3<f32> = (*surface_1).position_change_0;
-    move_place_0(&(_S56), &(_S57), direction_3, drift_2);
-    (*surface_1).place_3 = _S56;
-    (*surface_1).position_change_0 = _S57;
+    var _S57 : Place_0 = (*surface_1).place_3;
+    var _S58 : vec3<f32> = (*surface_1).position_change_0;
+    move_place_0(&(_S57), &(_S58), direction_3, drift_2);
+    (*surface_1).place_3 = _S57;
+    (*surface_1).position_change_0 = _S58;
     if(!is_moving_0())
     {
         return;
@@ -478,16 +494,16 @@ fn move_surface_0( surface_1 : ptr<function, Surface_0>,  direction_3 : vec3<f32
 
 fn material_of_0( surface_2 : Surface_0) -> u32
 {
-    var _S58 : u32;
+    var _S59 : u32;
     if(surface_2.is_front_0)
     {
-        _S58 = u32(2);
+        _S59 = u32(2);
     }
     else
     {
-        _S58 = u32(3);
+        _S59 = u32(3);
     }
-    return word_0(surface_2.shape_0 + _S58);
+    return word_0(surface_2.shape_0 + _S59);
 }
 
 struct Numbers_0
@@ -502,11 +518,11 @@ struct Numbers_0
 fn no_numbers_0() -> Numbers_0
 {
     var numbers_0 : Numbers_0;
-    var _S59 : vec3<f32> = vec3<f32>(0.0f);
-    numbers_0.k_0 = _S59;
-    numbers_0.eta_0 = _S59;
-    numbers_0.specular_reflectance_0 = _S59;
-    numbers_0.diffuse_reflectance_0 = _S59;
+    var _S60 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_0.k_0 = _S60;
+    numbers_0.eta_0 = _S60;
+    numbers_0.specular_reflectance_0 = _S60;
+    numbers_0.diffuse_reflectance_0 = _S60;
     numbers_0.alpha_0 = vec2<f32>(0.0f);
     return numbers_0;
 }
@@ -526,9 +542,9 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
     lookup_0.count_0 = u32(1);
     lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
     lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    var _S60 : vec4<f32> = vec4<f32>(0.0f);
-    lookup_0.by_second_0 = _S60;
-    lookup_0.by_first_0 = _S60;
+    var _S61 : vec4<f32> = vec4<f32>(0.0f);
+    lookup_0.by_second_0 = _S61;
+    lookup_0.by_first_0 = _S61;
     return lookup_0;
 }
 
@@ -541,11 +557,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_9 : vec2<f32>,  b_4 : vec2<f32>,  c_3 : vec2<f32>) -> Corners2_0
 {
-    var _S61 : Corners2_0;
-    _S61.a_8 = a_9;
-    _S61.b_3 = b_4;
-    _S61.c_2 = c_3;
-    return _S61;
+    var _S62 : Corners2_0;
+    _S62.a_8 = a_9;
+    _S62.b_3 = b_4;
+    _S62.c_2 = c_3;
+    return _S62;
 }
 
 fn uvs_of_0( triangle_6 : u32) -> Corners2_0
@@ -618,13 +634,13 @@ fn between_0( texels_1 : vec4<u32>,  place_8 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S62 : f32 = back_0.x;
-    var _S63 : f32 = back_0.y;
-    var _S64 : f32 = way_0.x;
-    var _S65 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S62 * _S63, _S64 * _S63, _S62 * _S65, _S64 * _S65);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S63, _S63, - _S65, _S65);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S62, - _S64, _S62, _S64);
+    var _S63 : f32 = back_0.x;
+    var _S64 : f32 = back_0.y;
+    var _S65 : f32 = way_0.x;
+    var _S66 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S63 * _S64, _S65 * _S64, _S63 * _S66, _S65 * _S66);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S64, _S64, - _S66, _S66);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S63, - _S65, _S63, _S65);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_8.by_first_1.x) + by_y_0 * vec4<f32>(place_8.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_8.by_second_1.x) + by_y_0 * vec4<f32>(place_8.by_second_1.y);
     return lookup_1;
@@ -640,22 +656,22 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_9.y), height_0, wrap_1);
-        var _S66 : u32 = row_0 * u32(width_0);
-        var _S67 : u32 = wrapped_0(floor_of_0(place_9.x), width_0, wrap_1);
-        return one_texel_0(_S66 + _S67);
+        var _S67 : u32 = row_0 * u32(width_0);
+        var _S68 : u32 = wrapped_0(floor_of_0(place_9.x), width_0, wrap_1);
+        return one_texel_0(_S67 + _S68);
     }
     var centred_0 : Point_0;
-    var _S68 : vec2<f32> = place_9 - vec2<f32>(0.5f);
-    centred_0.value_3 = _S68;
+    var _S69 : vec2<f32> = place_9 - vec2<f32>(0.5f);
+    centred_0.value_3 = _S69;
     centred_0.by_first_1 = uv_0.by_first_1 * size_1;
     centred_0.by_second_1 = uv_0.by_second_1 * size_1;
-    var x_1 : i32 = floor_of_0(_S68.x);
-    var y_0 : i32 = floor_of_0(_S68.y);
-    var _S69 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S70 : u32 = u32(width_0);
-    var first_1 : u32 = _S69 * _S70;
-    var _S71 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S71 * _S70;
+    var x_1 : i32 = floor_of_0(_S69.x);
+    var y_0 : i32 = floor_of_0(_S69.y);
+    var _S70 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S71 : u32 = u32(width_0);
+    var first_1 : u32 = _S70 * _S71;
+    var _S72 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S72 * _S71;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -688,39 +704,39 @@ fn lookup_at_0( texture_1 : u32,  place_10 : Place_0) -> Lookup_0
     var to_u_0 : vec3<f32> = vector_at_0(rows_0);
     var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
     var uv_1 : Point_0;
-    var _S72 : vec3<f32> = vec3<f32>(uvs_1.a_8 * vec2<f32>((1.0f - place_10.v_0 - place_10.w_0)) + uvs_1.b_3 * vec2<f32>(place_10.v_0) + uvs_1.c_2 * vec2<f32>(place_10.w_0), 1.0f);
-    uv_1.value_3 = vec2<f32>(dot(_S72, to_u_0), dot(_S72, to_v_0));
+    var _S73 : vec3<f32> = vec3<f32>(uvs_1.a_8 * vec2<f32>((1.0f - place_10.v_0 - place_10.w_0)) + uvs_1.b_3 * vec2<f32>(place_10.v_0) + uvs_1.c_2 * vec2<f32>(place_10.w_0), 1.0f);
+    uv_1.value_3 = vec2<f32>(dot(_S73, to_u_0), dot(_S73, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_3 - uvs_1.a_8;
     var by_w_0 : vec2<f32> = uvs_1.c_2 - uvs_1.a_8;
-    var _S73 : vec2<f32> = to_u_0.xy;
-    var _S74 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S73), dot(by_v_0, _S74));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S73), dot(by_w_0, _S74));
+    var _S74 : vec2<f32> = to_u_0.xy;
+    var _S75 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S74), dot(by_v_0, _S75));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S74), dot(by_w_0, _S75));
     if(kind_0 == u32(1))
     {
-        var _S75 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S75;
+        var _S76 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S76;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
-    var _S76 : i32;
+    var _S77 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S76 = i32(1);
+        _S77 = i32(1);
     }
     else
     {
-        _S76 = i32(0);
+        _S77 = i32(0);
     }
-    return one_texel_0(u32(_S76));
+    return one_texel_0(u32(_S77));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S77 : u32 = word_0(texture_2 + u32(1));
-    var _S78 : u32 = texture_2 + u32(13);
-    var _S79 : vec3<f32> = vec3<f32>(0.0f);
+    var _S78 : u32 = word_0(texture_2 + u32(1));
+    var _S79 : u32 = texture_2 + u32(13);
+    var _S80 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S79;
+    var value_4 : vec3<f32> = _S80;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -730,17 +746,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_13 : u32 = _S78 + _S77 * lookup_3.texels_0[k_1];
-        var _S80 : vec3<f32>;
-        if(_S77 == u32(1))
+        var at_13 : u32 = _S79 + _S78 * lookup_3.texels_0[k_1];
+        var _S81 : vec3<f32>;
+        if(_S78 == u32(1))
         {
-            _S80 = vec3<f32>(number_0(at_13));
+            _S81 = vec3<f32>(number_0(at_13));
         }
         else
         {
-            _S80 = vector_at_0(at_13);
+            _S81 = vector_at_0(at_13);
         }
-        var value_5 : vec3<f32> = value_4 + _S80 * vec3<f32>(weights_1[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S81 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -749,7 +765,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(6) + word_0(texture_3 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_3 + u32(12)));
 }
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
@@ -761,7 +777,7 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
     {
         return changing_0(value_6, change_4);
     }
-    var _S81 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var _S82 : bool = (word_0(texture_4 + u32(1))) == u32(1);
     var k_2 : u32 = u32(0);
     var change_5 : vec3<f32> = change_4;
     for(;;)
@@ -773,18 +789,18 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
         {
             break;
         }
-        var _S82 : i32;
-        if(_S81)
+        var _S83 : i32;
+        if(_S82)
         {
-            _S82 = i32(1);
+            _S83 = i32(1);
         }
         else
         {
-            _S82 = i32(3);
+            _S83 = i32(3);
         }
-        var at_14 : u32 = first_2 + u32(_S82) * lookup_4.texels_0[k_2];
+        var at_14 : u32 = first_2 + u32(_S83) * lookup_4.texels_0[k_2];
         var of_texel_0 : vec3<f32>;
-        if(_S81)
+        if(_S82)
         {
             of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_14)))));
         }
@@ -801,8 +817,8 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_5 : u32,  place_11 : Place_0) -> Vector_0
 {
-    var _S83 : Lookup_0 = lookup_at_0(texture_5, place_11);
-    return looked_up_0(texture_5, _S83, place_11.change_2);
+    var _S84 : Lookup_0 = lookup_at_0(texture_5, place_11);
+    return looked_up_0(texture_5, _S84, place_11.change_2);
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -867,40 +883,40 @@ fn lobe_at_0( record_4 : u32,  place_12 : Place_0) -> Lobe_0
     var lobe_0 : Lobe_0;
     lobe_0.record_3 = record_4;
     var is_black_0 : bool = record_4 == u32(4294967295);
-    var _S84 : u32;
+    var _S85 : u32;
     if(is_black_0)
     {
-        _S84 = u32(0);
+        _S85 = u32(0);
     }
     else
     {
-        _S84 = word_0(record_4);
+        _S85 = word_0(record_4);
     }
-    lobe_0.kind_1 = _S84;
+    lobe_0.kind_1 = _S85;
     if(is_black_0)
     {
-        _S84 = u32(1);
+        _S85 = u32(1);
     }
     else
     {
-        _S84 = word_0(record_4 + u32(1));
+        _S85 = word_0(record_4 + u32(1));
     }
-    lobe_0.distribution_0 = _S84;
-    var _S85 : Numbers_0 = no_numbers_0();
-    lobe_0.numbers_2 = _S85;
-    lobe_0.changes_0 = _S85;
+    lobe_0.distribution_0 = _S85;
+    var _S86 : Numbers_0 = no_numbers_0();
+    lobe_0.numbers_2 = _S86;
+    lobe_0.changes_0 = _S86;
     if(is_black_0)
     {
-        _S84 = u32(0);
+        _S85 = u32(0);
     }
     else
     {
-        _S84 = word_0(record_4 + u32(4));
+        _S85 = word_0(record_4 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S84)
+        if(slot_1 < _S85)
         {
         }
         else
@@ -914,14 +930,14 @@ fn lobe_at_0( record_4 : u32,  place_12 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : Vector_0 = shown_0(texture_6, place_12);
-        var _S86 : vec3<f32> = value_of_0(colour_1);
-        var _S87 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S87), slot_1, _S86);
-        lobe_0.numbers_2 = _S87;
-        var _S88 : vec3<f32> = change_of_0(colour_1);
-        var _S89 : Numbers_0 = lobe_0.changes_0;
-        set_slot_0(&(_S89), slot_1, _S88);
-        lobe_0.changes_0 = _S89;
+        var _S87 : vec3<f32> = value_of_0(colour_1);
+        var _S88 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S88), slot_1, _S87);
+        lobe_0.numbers_2 = _S88;
+        var _S89 : vec3<f32> = change_of_0(colour_1);
+        var _S90 : Numbers_0 = lobe_0.changes_0;
+        set_slot_0(&(_S90), slot_1, _S89);
+        lobe_0.changes_0 = _S90;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -936,16 +952,16 @@ fn tangent_at_0( surface_3 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_3.place_3.triangle_0) + u32(1)));
     var across_1 : vec3<f32> = cross(tangent_0, surface_3.outward_0);
-    var _S90 : vec3<f32>;
+    var _S91 : vec3<f32>;
     if((dot(across_1, across_1)) > 0.0f)
     {
-        _S90 = tangent_0;
+        _S91 = tangent_0;
     }
     else
     {
-        _S90 = vec3<f32>(0.0f);
+        _S91 = vec3<f32>(0.0f);
     }
-    return _S90;
+    return _S91;
 }
 
 struct Axes_0
@@ -963,52 +979,52 @@ struct DiffPair_Axes_0
 
 fn s_fwd_axes_along_0( dpn_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dptangent_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_1 : bool) -> DiffPair_Axes_0
 {
-    var _S91 : vec3<f32>;
     var _S92 : vec3<f32>;
+    var _S93 : vec3<f32>;
     if(is_front_1)
     {
-        _S91 = dpn_0.primal_0;
-        _S92 = dpn_0.differential_0;
+        _S92 = dpn_0.primal_0;
+        _S93 = dpn_0.differential_0;
     }
     else
     {
-        var _S93 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
-        _S91 = (vec3<f32>(0) - dpn_0.primal_0);
-        _S92 = _S93;
+        var _S94 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
+        _S92 = (vec3<f32>(0) - dpn_0.primal_0);
+        _S93 = _S94;
     }
-    var _S94 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
-    var _S95 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
-    var _S96 : DiffPair_float_0 = _d_dot_0(_S94, _S95);
-    var _S97 : vec3<f32> = vec3<f32>(_S96.primal_0);
-    var _S98 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S97, dptangent_0.differential_0 - (dpn_0.differential_0 * _S97 + vec3<f32>(_S96.differential_0) * dpn_0.primal_0) );
-    var _S99 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S98);
-    var _S100 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S99.primal_0, _S99.differential_0 );
-    var _S101 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S94, _S100);
-    var _S102 : Axes_0 = Axes_0( _S99.primal_0, _S101.primal_0, _S91 );
-    var _S103 : Axes_0 = Axes_0( _S99.differential_0, _S101.differential_0, _S92 );
-    var _S104 : DiffPair_Axes_0 = DiffPair_Axes_0( _S102, _S103 );
-    return _S104;
+    var _S95 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
+    var _S96 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
+    var _S97 : DiffPair_float_0 = _d_dot_0(_S95, _S96);
+    var _S98 : vec3<f32> = vec3<f32>(_S97.primal_0);
+    var _S99 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S98, dptangent_0.differential_0 - (dpn_0.differential_0 * _S98 + vec3<f32>(_S97.differential_0) * dpn_0.primal_0) );
+    var _S100 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S99);
+    var _S101 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S100.primal_0, _S100.differential_0 );
+    var _S102 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S95, _S101);
+    var _S103 : Axes_0 = Axes_0( _S100.primal_0, _S102.primal_0, _S92 );
+    var _S104 : Axes_0 = Axes_0( _S100.differential_0, _S102.differential_0, _S93 );
+    var _S105 : DiffPair_Axes_0 = DiffPair_Axes_0( _S103, _S104 );
+    return _S105;
 }
 
 fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_2 : bool) -> DiffPair_Axes_0
 {
-    var _S105 : vec3<f32>;
     var _S106 : vec3<f32>;
+    var _S107 : vec3<f32>;
     if(is_front_2)
     {
-        _S105 = dpn_1.primal_0;
-        _S106 = dpn_1.differential_0;
+        _S106 = dpn_1.primal_0;
+        _S107 = dpn_1.differential_0;
     }
     else
     {
-        var _S107 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
-        _S105 = (vec3<f32>(0) - dpn_1.primal_0);
-        _S106 = _S107;
+        var _S108 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
+        _S106 = (vec3<f32>(0) - dpn_1.primal_0);
+        _S107 = _S108;
     }
-    var _S108 : f32 = dpn_1.primal_0.z;
-    var _S109 : f32 = dpn_1.differential_0.z;
+    var _S109 : f32 = dpn_1.primal_0.z;
+    var _S110 : f32 = dpn_1.differential_0.z;
     var sign_0 : f32;
-    if(_S108 < 0.0f)
+    if(_S109 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -1016,25 +1032,25 @@ fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_2 : 
     {
         sign_0 = 1.0f;
     }
-    var _S110 : f32 = sign_0 + _S108;
-    var a_10 : f32 = -1.0f / _S110;
-    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S109) / (_S110 * _S110);
-    var _S111 : f32 = dpn_1.primal_0.x;
-    var _S112 : f32 = dpn_1.differential_0.x;
-    var _S113 : f32 = dpn_1.primal_0.y;
-    var _S114 : f32 = dpn_1.differential_0.y;
-    var _S115 : f32 = _S111 * _S113;
-    var b_5 : f32 = _S115 * a_10;
-    var s_diff_b_0 : f32 = (_S112 * _S113 + _S114 * _S111) * a_10 + s_diff_a_0 * _S115;
-    var _S116 : f32 = sign_0 * _S111;
-    var _S117 : f32 = _S116 * _S111;
-    var _S118 : f32 = - sign_0;
-    var _S119 : f32 = _S113 * _S113;
-    var _S120 : f32 = _S114 * _S113;
-    var _S121 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S117 * a_10, sign_0 * b_5, _S118 * _S111), vec3<f32>(b_5, sign_0 + _S119 * a_10, - _S113), _S105 );
-    var _S122 : Axes_0 = Axes_0( vec3<f32>((_S112 * sign_0 * _S111 + _S112 * _S116) * a_10 + s_diff_a_0 * _S117, s_diff_b_0 * sign_0, _S112 * _S118), vec3<f32>(s_diff_b_0, (_S120 + _S120) * a_10 + s_diff_a_0 * _S119, - _S114), _S106 );
-    var _S123 : DiffPair_Axes_0 = DiffPair_Axes_0( _S121, _S122 );
-    return _S123;
+    var _S111 : f32 = sign_0 + _S109;
+    var a_10 : f32 = -1.0f / _S111;
+    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S110) / (_S111 * _S111);
+    var _S112 : f32 = dpn_1.primal_0.x;
+    var _S113 : f32 = dpn_1.differential_0.x;
+    var _S114 : f32 = dpn_1.primal_0.y;
+    var _S115 : f32 = dpn_1.differential_0.y;
+    var _S116 : f32 = _S112 * _S114;
+    var b_5 : f32 = _S116 * a_10;
+    var s_diff_b_0 : f32 = (_S113 * _S114 + _S115 * _S112) * a_10 + s_diff_a_0 * _S116;
+    var _S117 : f32 = sign_0 * _S112;
+    var _S118 : f32 = _S117 * _S112;
+    var _S119 : f32 = - sign_0;
+    var _S120 : f32 = _S114 * _S114;
+    var _S121 : f32 = _S115 * _S114;
+    var _S122 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S118 * a_10, sign_0 * b_5, _S119 * _S112), vec3<f32>(b_5, sign_0 + _S120 * a_10, - _S114), _S106 );
+    var _S123 : Axes_0 = Axes_0( vec3<f32>((_S113 * sign_0 * _S112 + _S113 * _S117) * a_10 + s_diff_a_0 * _S118, s_diff_b_0 * sign_0, _S113 * _S119), vec3<f32>(s_diff_b_0, (_S121 + _S121) * a_10 + s_diff_a_0 * _S120, - _S115), _S107 );
+    var _S124 : DiffPair_Axes_0 = DiffPair_Axes_0( _S122, _S123 );
+    return _S124;
 }
 
 fn to_local_0( axes_0 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
@@ -1044,31 +1060,31 @@ fn to_local_0( axes_0 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
 
 fn s_fwd_to_local_0( dpaxes_0 : DiffPair_Axes_0,  dpv_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S124 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
-    var _S125 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
-    var _S126 : DiffPair_float_0 = _d_dot_0(_S124, _S125);
-    var _S127 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
-    var _S128 : DiffPair_float_0 = _d_dot_0(_S127, _S125);
-    var _S129 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
-    var _S130 : DiffPair_float_0 = _d_dot_0(_S129, _S125);
-    var _S131 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S126.primal_0, _S128.primal_0, _S130.primal_0), vec3<f32>(_S126.differential_0, _S128.differential_0, _S130.differential_0) );
-    return _S131;
+    var _S125 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
+    var _S126 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
+    var _S127 : DiffPair_float_0 = _d_dot_0(_S125, _S126);
+    var _S128 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
+    var _S129 : DiffPair_float_0 = _d_dot_0(_S128, _S126);
+    var _S130 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
+    var _S131 : DiffPair_float_0 = _d_dot_0(_S130, _S126);
+    var _S132 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S127.primal_0, _S129.primal_0, _S131.primal_0), vec3<f32>(_S127.differential_0, _S129.differential_0, _S131.differential_0) );
+    return _S132;
 }
 
 fn s_fwd_towards_viewer_0( dpaxes_1 : DiffPair_Axes_0,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S132 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
-    var _S133 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
-    var _S134 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S132, _S133);
-    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S134.primal_0);
-    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S134.differential_0);
-    var _S135 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
-    var _S136 : DiffPair_float_0 = _d_abs_0(_S135);
-    var _S137 : DiffPair_float_0 = DiffPair_float_0( _S136.primal_0, _S136.differential_0 );
-    var _S138 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
-    var _S139 : DiffPair_float_0 = _d_max_0(_S137, _S138);
-    var _S140 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S139.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S139.differential_0) );
-    return _S140;
+    var _S133 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
+    var _S134 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
+    var _S135 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S133, _S134);
+    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S135.primal_0);
+    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S135.differential_0);
+    var _S136 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
+    var _S137 : DiffPair_float_0 = _d_abs_0(_S136);
+    var _S138 : DiffPair_float_0 = DiffPair_float_0( _S137.primal_0, _S137.differential_0 );
+    var _S139 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
+    var _S140 : DiffPair_float_0 = _d_max_0(_S138, _S139);
+    var _S141 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S140.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S140.differential_0) );
+    return _S141;
 }
 
 struct Vertex_0
@@ -1084,10 +1100,10 @@ fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_4 : Vector_
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_4 = surface_5;
-    var _S141 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
-    vertex_0.lobe_1 = _S141;
+    var _S142 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
+    vertex_0.lobe_1 = _S142;
     var tangent_1 : vec3<f32> = tangent_at_0(surface_5);
-    var _S142 : vec3<f32> = vec3<f32>(0.0f);
+    var _S143 : vec3<f32> = vec3<f32>(0.0f);
     var tangent_change_0 : vec3<f32>;
     if(is_moving_0())
     {
@@ -1095,24 +1111,24 @@ fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_4 : Vector_
     }
     else
     {
-        tangent_change_0 = _S142;
+        tangent_change_0 = _S143;
     }
-    var _S143 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
+    var _S144 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
     var axes_2 : DiffPair_Axes_0;
-    if((any((tangent_1 != _S142))))
+    if((any((tangent_1 != _S143))))
     {
-        var _S144 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
-        axes_2 = s_fwd_axes_along_0(_S143, _S144, surface_5.is_front_0);
+        var _S145 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
+        axes_2 = s_fwd_axes_along_0(_S144, _S145, surface_5.is_front_0);
     }
     else
     {
-        axes_2 = s_fwd_axes_around_0(_S143, surface_5.is_front_0);
+        axes_2 = s_fwd_axes_around_0(_S144, surface_5.is_front_0);
     }
     vertex_0.axes_1 = axes_2.primal_0;
     vertex_0.axes_change_0 = axes_2.differential_0;
-    var _S145 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_4), change_of_0(direction_4) );
-    var _S146 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S145);
-    vertex_0.wi_1 = changing_0(_S146.primal_0, _S146.differential_0);
+    var _S146 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_4), change_of_0(direction_4) );
+    var _S147 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S146);
+    vertex_0.wi_1 = changing_0(_S147.primal_0, _S147.differential_0);
     return vertex_0;
 }
 
@@ -1135,16 +1151,16 @@ fn motion_of_1( vertex_2 : Vertex_0) -> VertexMotion_0
 {
     var motion_0 : VertexMotion_0;
     motion_0.velocity_0 = vertex_2.surface_4.position_change_0;
-    var _S147 : vec3<f32>;
+    var _S148 : vec3<f32>;
     if(turns_0(vertex_2))
     {
-        _S147 = cross(vertex_2.axes_1.n_1, vertex_2.axes_change_0.n_1);
+        _S148 = cross(vertex_2.axes_1.n_1, vertex_2.axes_change_0.n_1);
     }
     else
     {
-        _S147 = vec3<f32>(0.0f);
+        _S148 = vec3<f32>(0.0f);
     }
-    motion_0.rotation_0 = _S147;
+    motion_0.rotation_0 = _S148;
     return motion_0;
 }
 
@@ -1175,20 +1191,20 @@ fn shading_point_0( path_7 : Path_0,  at_15 : ptr<function, ShadingPoint_0>) -> 
     var surface_6 : Surface_0 = surface_at_0(path_7.place_1, direction_5);
     move_surface_0(&(surface_6), direction_5, path_7.drift_0);
     var material_1 : u32 = material_of_0(surface_6);
-    var _S148 : Vertex_0 = vertex_at_0(surface_6, material_1, path_7.direction_0);
-    (*at_15).vertex_3 = _S148;
-    var _S149 : VertexMotion_0 = motion_of_1(_S148);
-    (*at_15).motion_1 = _S149;
-    (*at_15).whole_0 = _S149;
+    var _S149 : Vertex_0 = vertex_at_0(surface_6, material_1, path_7.direction_0);
+    (*at_15).vertex_3 = _S149;
+    var _S150 : VertexMotion_0 = motion_of_1(_S149);
+    (*at_15).motion_1 = _S150;
+    (*at_15).whole_0 = _S150;
     (*at_15).planes_0 = u32(0);
     (*at_15).tree_0 = u32(0);
     (*at_15).emitter_0 = u32(0);
     (*at_15).purpose_0 = u32(0);
     (*at_15).turns_1 = false;
     (*at_15).has_creases_0 = false;
-    var _S150 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_15).front_offset_0 = _S150;
-    (*at_15).front_0 = _S150;
+    var _S151 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_15).front_offset_0 = _S151;
+    (*at_15).front_0 = _S151;
     var k_3 : u32 = u32(0);
     for(;;)
     {
@@ -1202,16 +1218,16 @@ fn shading_point_0( path_7 : Path_0,  at_15 : ptr<function, ShadingPoint_0>) -> 
         (*at_15).inside_2[k_3] = surface_6.exact_0;
         k_3 = k_3 + u32(1);
     }
-    var _S151 : bool;
+    var _S152 : bool;
     if(material_1 != u32(4294967295))
     {
-        _S151 = has_smooth_0((*at_15).vertex_3.lobe_1);
+        _S152 = has_smooth_0((*at_15).vertex_3.lobe_1);
     }
     else
     {
-        _S151 = false;
+        _S152 = false;
     }
-    return _S151;
+    return _S152;
 }
 
 fn edge_word_0( at_16 : u32) -> u32
@@ -1243,33 +1259,33 @@ fn product_0( a_11 : u32,  b_6 : u32) -> vec2<u32>
 
 fn times_0( a_12 : vec2<u32>,  b_7 : vec2<u32>) -> vec2<u32>
 {
-    var _S152 : u32 = a_12.x;
-    var _S153 : u32 = b_7.x;
-    var low_1 : vec2<u32> = product_0(_S152, _S153);
-    return vec2<u32>(low_1.x, low_1.y + _S152 * b_7.y + a_12.y * _S153);
+    var _S153 : u32 = a_12.x;
+    var _S154 : u32 = b_7.x;
+    var low_1 : vec2<u32> = product_0(_S153, _S154);
+    return vec2<u32>(low_1.x, low_1.y + _S153 * b_7.y + a_12.y * _S154);
 }
 
 fn plus_0( a_13 : vec2<u32>,  b_8 : vec2<u32>) -> vec2<u32>
 {
-    var _S154 : u32 = a_13.x;
-    var low_2 : u32 = _S154 + b_8.x;
-    var _S155 : u32 = a_13.y + b_8.y;
-    var _S156 : i32;
-    if(low_2 < _S154)
+    var _S155 : u32 = a_13.x;
+    var low_2 : u32 = _S155 + b_8.x;
+    var _S156 : u32 = a_13.y + b_8.y;
+    var _S157 : i32;
+    if(low_2 < _S155)
     {
-        _S156 = i32(1);
+        _S157 = i32(1);
     }
     else
     {
-        _S156 = i32(0);
+        _S157 = i32(0);
     }
-    return vec2<u32>(low_2, _S155 + u32(_S156));
+    return vec2<u32>(low_2, _S156 + u32(_S157));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S157 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S157 << ((u32(32) - by_0)))))), (_S157 >> (by_0)))));
+    var _S158 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S158 << ((u32(32) - by_0)))))), (_S158 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -1358,8 +1374,8 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_1) / distance_1, 0.0f) / squared_0;
     }
-    var _S158 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S158 * _S158 / (2.0f * (_S158 - max(lowest_0, -1.0f)) * squared_0);
+    var _S159 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S159 * _S159 / (2.0f * (_S159 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn emitter_view_0( emitter_2 : u32,  position_2 : vec3<f32>,  normal_2 : vec3<f32>) -> f32
@@ -1383,16 +1399,16 @@ struct Choice_0
 fn light_of_0( emitter_3 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_3, choice_0.position_3, choice_0.normal_3);
-    var _S159 : f32;
+    var _S160 : f32;
     if(view_0 > 0.0f)
     {
-        _S159 = 1.0f;
+        _S160 = 1.0f;
     }
     else
     {
-        _S159 = 0.0f;
+        _S160 = 0.0f;
     }
-    (*can_light_0) = _S159;
+    (*can_light_0) = _S160;
     return view_0 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -1403,13 +1419,13 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
     choice_1.normal_3 = vertex_4.axes_1.n_1;
     choice_1.all_0 = 0.0f;
     choice_1.lit_0 = 0.0f;
-    var _S160 : u32 = word_0(u32(6));
+    var _S161 : u32 = word_0(u32(6));
     var can_light_1 : f32;
     var i_1 : u32 = u32(0);
     var count_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S160)
+        if(i_1 < _S161)
         {
         }
         else
@@ -1421,36 +1437,36 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S161 : u32 = count_1 + u32(1);
-        if(_S160 > u32(32))
+        var _S162 : u32 = count_1 + u32(1);
+        if(_S161 > u32(32))
         {
-            count_1 = _S161;
+            count_1 = _S162;
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S162 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
-        choice_1.all_0 = choice_1.all_0 + _S162;
+        var _S163 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
+        choice_1.all_0 = choice_1.all_0 + _S163;
         choice_1.lit_0 = choice_1.lit_0 + can_light_1;
-        count_1 = _S161;
+        count_1 = _S162;
         i_1 = i_1 + u32(1);
     }
     (*probability_0) = 0.0f;
-    var _S163 : bool;
+    var _S164 : bool;
     if((choice_1.all_0) > 0.0f)
     {
-        _S163 = (choice_1.all_0) < 3.00000000549775576e+38f;
+        _S164 = (choice_1.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S163 = false;
+        _S164 = false;
     }
-    var _S164 : bool = !_S163;
+    var _S165 : bool = !_S164;
     var chosen_0 : u32 = u32(0);
     i_1 = u32(0);
     var rest_1 : f32 = u_0;
     for(;;)
     {
-        if(i_1 < _S160)
+        if(i_1 < _S161)
         {
         }
         else
@@ -1462,16 +1478,16 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S165 : f32 = 1.0f / f32(count_1);
+        var _S166 : f32 = 1.0f / f32(count_1);
         var own_0 : f32;
-        if(!_S164)
+        if(!_S165)
         {
             var light_1 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
             own_0 = 0.5f * can_light_1 / choice_1.lit_0 + 0.5f * light_1 / choice_1.all_0;
         }
         else
         {
-            own_0 = _S165;
+            own_0 = _S166;
         }
         var chosen_1 : u32;
         if(own_0 > 0.0f)
@@ -1529,9 +1545,9 @@ fn open_window_0( at_20 : ptr<function, ShadingPoint_0>) -> bool
     var before_0 : vec3<f32>;
     if(corners_0 > u32(0))
     {
-        var _S166 : u32 = window_0 + u32(1);
-        var normal_4 : vec3<f32> = edge_position_0(_S166);
-        var before_1 : vec3<f32> = edge_position_0(_S166 + u32(3) * corners_0) - apex_0;
+        var _S167 : u32 = window_0 + u32(1);
+        var normal_4 : vec3<f32> = edge_position_0(_S167);
+        var before_1 : vec3<f32> = edge_position_0(_S167 + u32(3) * corners_0) - apex_0;
         if((dot(normal_4, before_1)) >= 0.0f)
         {
             return false;
@@ -1550,9 +1566,9 @@ fn open_window_0( at_20 : ptr<function, ShadingPoint_0>) -> bool
             }
             var offset_2 : vec3<f32> = edge_position_0(window_0 + u32(4) + u32(3) * k_4) - apex_0;
             (*at_20).inside_2[k_4] = exact_unit_0(cross(offset_2, before_0));
-            var _S167 : u32 = k_4 + u32(1);
+            var _S168 : u32 = k_4 + u32(1);
             before_0 = offset_2;
-            k_4 = _S167;
+            k_4 = _S168;
         }
         (*at_20).front_0 = normal_4;
         (*at_20).front_offset_0 = before_0;
@@ -1578,14 +1594,14 @@ fn open_window_0( at_20 : ptr<function, ShadingPoint_0>) -> bool
     var s_1 : vec3<f32> = exact_unit_0(cross(axis_1, before_0));
     var t_1 : vec3<f32> = cross(axis_1, s_1);
     (*at_20).planes_0 = u32(4);
-    var _S168 : vec3<f32> = axis_1 * vec3<f32>(sine_1);
-    var _S169 : vec3<f32> = vec3<f32>(cosine_2);
-    var _S170 : vec3<f32> = s_1 * _S169;
-    (*at_20).inside_2[i32(0)] = _S168 + _S170;
-    (*at_20).inside_2[i32(1)] = _S168 - _S170;
-    var _S171 : vec3<f32> = t_1 * _S169;
-    (*at_20).inside_2[i32(2)] = _S168 + _S171;
-    (*at_20).inside_2[i32(3)] = _S168 - _S171;
+    var _S169 : vec3<f32> = axis_1 * vec3<f32>(sine_1);
+    var _S170 : vec3<f32> = vec3<f32>(cosine_2);
+    var _S171 : vec3<f32> = s_1 * _S170;
+    (*at_20).inside_2[i32(0)] = _S169 + _S171;
+    (*at_20).inside_2[i32(1)] = _S169 - _S171;
+    var _S172 : vec3<f32> = t_1 * _S170;
+    (*at_20).inside_2[i32(2)] = _S169 + _S172;
+    (*at_20).inside_2[i32(3)] = _S169 - _S172;
     return true;
 }
 
@@ -1601,17 +1617,17 @@ fn is_blind_0() -> bool
 
 fn rests_0( motion_2 : VertexMotion_0) -> bool
 {
-    var _S172 : vec3<f32> = vec3<f32>(0.0f);
-    var _S173 : bool;
-    if((all(((motion_2.velocity_0) == _S172))))
+    var _S173 : vec3<f32> = vec3<f32>(0.0f);
+    var _S174 : bool;
+    if((all(((motion_2.velocity_0) == _S173))))
     {
-        _S173 = (all(((motion_2.rotation_0) == _S172)));
+        _S174 = (all(((motion_2.rotation_0) == _S173)));
     }
     else
     {
-        _S173 = false;
+        _S174 = false;
     }
-    return _S173;
+    return _S174;
 }
 
 fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_21 : ptr<function, ShadingPoint_0>) -> f32
@@ -1619,12 +1635,12 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_21 : ptr<function, Shadin
     var probability_1 : f32 = 1.0f;
     (*at_21).purpose_0 = purpose_2;
     (*at_21).planes_0 = u32(0);
-    var _S174 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_21).front_0 = _S174;
-    var _S175 : bool = purpose_2 == u32(2);
-    (*at_21).has_creases_0 = _S175;
+    var _S175 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_21).front_0 = _S175;
+    var _S176 : bool = purpose_2 == u32(2);
+    (*at_21).has_creases_0 = _S176;
     var tree_1 : u32;
-    if(_S175)
+    if(_S176)
     {
         tree_1 = u32(1);
     }
@@ -1634,35 +1650,35 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_21 : ptr<function, Shadin
     }
     (*at_21).motion_1 = (*at_21).whole_0;
     (*at_21).turns_1 = turns_0((*at_21).vertex_3);
-    var _S176 : bool;
+    var _S177 : bool;
     if(purpose_2 == u32(0))
     {
-        var _S177 : u32 = edge_word_0(u32(4));
+        var _S178 : u32 = edge_word_0(u32(4));
         (*at_21).turns_1 = false;
-        var _S178 : u32 = chosen_area_emitter_0((*at_21).vertex_3, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
-        (*at_21).emitter_0 = _S178;
+        var _S179 : u32 = chosen_area_emitter_0((*at_21).vertex_3, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
+        (*at_21).emitter_0 = _S179;
         if(!(probability_1 > 0.0f))
         {
-            _S176 = true;
+            _S177 = true;
         }
         else
         {
-            var _S179 : bool = open_window_0(&((*at_21)));
-            _S176 = !_S179;
+            var _S180 : bool = open_window_0(&((*at_21)));
+            _S177 = !_S180;
         }
-        if(_S176)
+        if(_S177)
         {
             return 0.0f;
         }
-        tree_1 = _S177;
+        tree_1 = _S178;
     }
     else
     {
         if(purpose_2 == u32(1))
         {
-            var _S180 : u32 = word_0(u32(8));
-            (*at_21).emitter_0 = _S180;
-            if(_S180 == u32(4294967295))
+            var _S181 : u32 = word_0(u32(8));
+            (*at_21).emitter_0 = _S181;
+            if(_S181 == u32(4294967295))
             {
                 return 0.0f;
             }
@@ -1674,32 +1690,32 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_21 : ptr<function, Shadin
     }
     if(!(*at_21).turns_1)
     {
-        (*at_21).motion_1.rotation_0 = _S174;
+        (*at_21).motion_1.rotation_0 = _S175;
     }
     if(!is_blind_0())
     {
-        _S176 = rests_0((*at_21).motion_1);
+        _S177 = rests_0((*at_21).motion_1);
     }
     else
     {
-        _S176 = false;
+        _S177 = false;
     }
-    if(_S176)
+    if(_S177)
     {
         tree_1 = tree_1 + u32(2);
     }
-    var _S181 : u32 = edge_word_0(tree_1);
-    (*at_21).tree_0 = _S181;
-    var _S182 : f32;
-    if(_S181 == u32(4294967295))
+    var _S182 : u32 = edge_word_0(tree_1);
+    (*at_21).tree_0 = _S182;
+    var _S183 : f32;
+    if(_S182 == u32(4294967295))
     {
-        _S182 = 0.0f;
+        _S183 = 0.0f;
     }
     else
     {
-        _S182 = probability_1;
+        _S183 = probability_1;
     }
-    return _S182;
+    return _S183;
 }
 
 fn subtree_of_launch_0() -> u32
@@ -1807,16 +1823,16 @@ fn logarithm_0( x_4 : f32) -> f32
 
 fn direction_number_0( d_0 : vec3<f32>) -> u32
 {
-    var _S183 : i32;
+    var _S184 : i32;
     if((abs(d_0.y)) > (abs(d_0.x)))
     {
-        _S183 = i32(1);
+        _S184 = i32(1);
     }
     else
     {
-        _S183 = i32(0);
+        _S184 = i32(0);
     }
-    var axis_2 : u32 = u32(_S183);
+    var axis_2 : u32 = u32(_S184);
     var axis_3 : u32;
     if((abs(d_0.z)) > (abs(d_0[axis_2])))
     {
@@ -1826,34 +1842,34 @@ fn direction_number_0( d_0 : vec3<f32>) -> u32
     {
         axis_3 = axis_2;
     }
-    var _S184 : u32 = u32(8) * axis_3;
+    var _S185 : u32 = u32(8) * axis_3;
     if((d_0[axis_3]) < 0.0f)
     {
-        _S183 = i32(4);
+        _S184 = i32(4);
     }
     else
     {
-        _S183 = i32(0);
+        _S184 = i32(0);
     }
-    var _S185 : u32 = _S184 + u32(_S183);
+    var _S186 : u32 = _S185 + u32(_S184);
     if((d_0[(axis_3 + u32(1)) % u32(3)]) < 0.0f)
     {
-        _S183 = i32(2);
+        _S184 = i32(2);
     }
     else
     {
-        _S183 = i32(0);
+        _S184 = i32(0);
     }
-    var _S186 : u32 = _S185 + u32(_S183);
+    var _S187 : u32 = _S186 + u32(_S184);
     if((d_0[(axis_3 + u32(2)) % u32(3)]) < 0.0f)
     {
-        _S183 = i32(1);
+        _S184 = i32(1);
     }
     else
     {
-        _S183 = i32(0);
+        _S184 = i32(0);
     }
-    return _S186 + u32(_S183);
+    return _S187 + u32(_S184);
 }
 
 fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
@@ -1891,16 +1907,16 @@ fn importance_of_0( at_27 : ShadingPoint_0,  node_3 : u32) -> f32
     var offset_8 : vec3<f32> = centre_1 - at_27.vertex_3.surface_4.position_0;
     var radius_4 : f32 = edge_number_0(node_3 + u32(7));
     var distance_4 : f32 = length(offset_8);
-    var _S187 : bool;
+    var _S188 : bool;
     if(!at_27.has_creases_0)
     {
-        _S187 = !may_have_silhouette_0(node_3, offset_8, distance_4);
+        _S188 = !may_have_silhouette_0(node_3, offset_8, distance_4);
     }
     else
     {
-        _S187 = false;
+        _S188 = false;
     }
-    if(_S187)
+    if(_S188)
     {
         return 0.0f;
     }
@@ -1909,9 +1925,9 @@ fn importance_of_0( at_27 : ShadingPoint_0,  node_3 : u32) -> f32
         return 0.0f;
     }
     var cosine_5 : f32 = largest_cosine_0(at_27.vertex_3.surface_4.position_0, at_27.vertex_3.axes_1.n_1, centre_1, radius_4);
-    var _S188 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
+    var _S189 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
     var least_0 : f32 = edge_number_0(node_3 + u32(16));
-    var ratio_0 : f32 = _S188 / max(max(distance_4 * distance_4 - _S188, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
+    var ratio_0 : f32 = _S189 / max(max(distance_4 * distance_4 - _S189, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
     var visible_0 : f32;
     if(ratio_0 < 0.00100000004749745f)
     {
@@ -1921,7 +1937,7 @@ fn importance_of_0( at_27 : ShadingPoint_0,  node_3 : u32) -> f32
     {
         visible_0 = logarithm_0(1.0f + ratio_0);
     }
-    var near_0 : f32 = visible_0 / _S188;
+    var near_0 : f32 = visible_0 / _S189;
     var visible_1 : f32 = edge_number_0(node_3 + u32(14));
     if(distance_4 > (edge_number_0(node_3 + u32(15))))
     {
@@ -1939,7 +1955,7 @@ fn descend_0( at_28 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>, 
     var nodes_at_0 : u32 = edge_word_0(at_28.tree_0);
     (*leaf_0) = nodes_at_0;
     (*probability_2) = 1.0f;
-    var _S189 : f32 = u_1;
+    var _S190 : f32 = u_1;
     for(;;)
     {
         if((edge_word_0((*leaf_0))) != u32(4294967295))
@@ -1954,23 +1970,23 @@ fn descend_0( at_28 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>, 
         var of_first_0 : f32 = importance_of_0(at_28, first_3);
         var of_second_0 : f32 = importance_of_0(at_28, second_1);
         var sum_0 : f32 = of_first_0 + of_second_0;
-        var _S190 : bool;
+        var _S191 : bool;
         if(sum_0 > 0.0f)
         {
-            _S190 = sum_0 < 3.00000000549775576e+38f;
+            _S191 = sum_0 < 3.00000000549775576e+38f;
         }
         else
         {
-            _S190 = false;
+            _S191 = false;
         }
-        if(!_S190)
+        if(!_S191)
         {
             return false;
         }
         var first_share_0 : f32 = of_first_0 / sum_0;
         var second_share_0 : f32 = of_second_0 / sum_0;
         var is_second_0 : bool;
-        if(_S189 >= first_share_0)
+        if(_S190 >= first_share_0)
         {
             is_second_0 = second_share_0 > 0.0f;
         }
@@ -1980,32 +1996,32 @@ fn descend_0( at_28 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>, 
         }
         if(is_second_0)
         {
-            _S189 = (_S189 - first_share_0) / second_share_0;
+            _S190 = (_S190 - first_share_0) / second_share_0;
         }
         else
         {
-            _S189 = min(_S189 / first_share_0, 1.0f);
+            _S190 = min(_S190 / first_share_0, 1.0f);
         }
-        var _S191 : f32;
+        var _S192 : f32;
         if(is_second_0)
         {
-            _S191 = second_share_0;
+            _S192 = second_share_0;
         }
         else
         {
-            _S191 = first_share_0;
+            _S192 = first_share_0;
         }
-        (*probability_2) = (*probability_2) * _S191;
-        var _S192 : u32;
+        (*probability_2) = (*probability_2) * _S192;
+        var _S193 : u32;
         if(is_second_0)
         {
-            _S192 = second_1;
+            _S193 = second_1;
         }
         else
         {
-            _S192 = first_3;
+            _S193 = first_3;
         }
-        (*leaf_0) = _S192;
+        (*leaf_0) = _S193;
     }
     return true;
 }
@@ -2033,17 +2049,8 @@ fn side_seen_0( from_0 : vec3<f32>,  tolerance_0 : f32,  normal_5 : u32,  length
 {
     var height_1 : f32 = dot(edge_position_0(normal_5), from_0);
     var least_1 : f32 = tolerance_0 * edge_real_0(length_0);
-    var _S193 : i32;
-    if(height_1 > least_1)
-    {
-        _S193 = i32(1);
-    }
-    else
-    {
-        _S193 = i32(0);
-    }
     var _S194 : i32;
-    if(height_1 < (- least_1))
+    if(height_1 > least_1)
     {
         _S194 = i32(1);
     }
@@ -2051,48 +2058,57 @@ fn side_seen_0( from_0 : vec3<f32>,  tolerance_0 : f32,  normal_5 : u32,  length
     {
         _S194 = i32(0);
     }
-    return _S193 - _S194;
+    var _S195 : i32;
+    if(height_1 < (- least_1))
+    {
+        _S195 = i32(1);
+    }
+    else
+    {
+        _S195 = i32(0);
+    }
+    return _S194 - _S195;
 }
 
 fn is_silhouette_0( at_30 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f32> = edge_position_0(edge_1.numbers_3);
     var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_30.vertex_3.surface_4.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S195 : vec3<f32> = at_30.vertex_3.surface_4.exact_0 - start_0;
-    return (side_seen_0(_S195, tolerance_1, edge_1.numbers_3 + u32(6), edge_1.numbers_3 + u32(12)) * side_seen_0(_S195, tolerance_1, edge_1.numbers_3 + u32(9), edge_1.numbers_3 + u32(13))) <= i32(0);
+    var _S196 : vec3<f32> = at_30.vertex_3.surface_4.exact_0 - start_0;
+    return (side_seen_0(_S196, tolerance_1, edge_1.numbers_3 + u32(6), edge_1.numbers_3 + u32(12)) * side_seen_0(_S196, tolerance_1, edge_1.numbers_3 + u32(9), edge_1.numbers_3 + u32(13))) <= i32(0);
 }
 
 fn factor_of_0( at_31 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
-    var _S196 : u32 = edge_2.record_8 + u32(2);
-    var a_14 : vec3<f32> = edge_vector_0(_S196);
-    var b_9 : vec3<f32> = edge_vector_0(_S196 + u32(3));
-    var _S197 : bool;
+    var _S197 : u32 = edge_2.record_8 + u32(2);
+    var a_14 : vec3<f32> = edge_vector_0(_S197);
+    var b_9 : vec3<f32> = edge_vector_0(_S197 + u32(3));
+    var _S198 : bool;
     if(!is_blind_0())
     {
-        _S197 = rests_0(at_31.motion_1);
+        _S198 = rests_0(at_31.motion_1);
     }
     else
     {
-        _S197 = false;
+        _S198 = false;
     }
-    if(_S197)
+    if(_S198)
     {
-        _S197 = (all((a_14 == vec3<f32>(0.0f))));
+        _S198 = (all((a_14 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S197 = false;
+        _S198 = false;
     }
-    if(_S197)
+    if(_S198)
     {
-        _S197 = (all((b_9 == vec3<f32>(0.0f))));
+        _S198 = (all((b_9 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S197 = false;
+        _S198 = false;
     }
-    if(_S197)
+    if(_S198)
     {
         return 0.0f;
     }
@@ -2100,35 +2116,35 @@ fn factor_of_0( at_31 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
     {
         return edge_number_0(edge_2.record_8);
     }
-    var _S198 : f32;
+    var _S199 : f32;
     if(at_31.has_creases_0)
     {
-        _S198 = edge_number_0(edge_2.record_8 + u32(1));
+        _S199 = edge_number_0(edge_2.record_8 + u32(1));
     }
     else
     {
-        _S198 = 0.0f;
+        _S199 = 0.0f;
     }
-    return _S198;
+    return _S199;
 }
 
 fn is_clipped_0( at_32 : ShadingPoint_0,  a_15 : vec3<f32>,  b_10 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
 {
     (*range_0) = vec2<f32>(0.0f, 1.0f);
-    var _S199 : bool;
+    var _S200 : bool;
     if((dot(at_32.front_0, a_15 - at_32.front_offset_0)) < -3.99999998990097083e-06f)
     {
-        _S199 = (dot(at_32.front_0, b_10 - at_32.front_offset_0)) < -3.99999998990097083e-06f;
+        _S200 = (dot(at_32.front_0, b_10 - at_32.front_offset_0)) < -3.99999998990097083e-06f;
     }
     else
     {
-        _S199 = false;
+        _S200 = false;
     }
-    if(_S199)
+    if(_S200)
     {
         return true;
     }
-    var _S200 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_15, a_15), dot(b_10, b_10)));
+    var _S201 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_15, a_15), dot(b_10, b_10)));
     var k_6 : u32 = u32(0);
     for(;;)
     {
@@ -2139,23 +2155,23 @@ fn is_clipped_0( at_32 : ShadingPoint_0,  a_15 : vec3<f32>,  b_10 : vec3<f32>,  
         {
             break;
         }
-        var first_4 : f32 = dot(at_32.inside_2[k_6], a_15) + _S200;
-        var second_2 : f32 = dot(at_32.inside_2[k_6], b_10) + _S200;
-        var _S201 : bool = first_4 < 0.0f;
-        if(_S201)
+        var first_4 : f32 = dot(at_32.inside_2[k_6], a_15) + _S201;
+        var second_2 : f32 = dot(at_32.inside_2[k_6], b_10) + _S201;
+        var _S202 : bool = first_4 < 0.0f;
+        if(_S202)
         {
-            _S199 = second_2 < 0.0f;
+            _S200 = second_2 < 0.0f;
         }
         else
         {
-            _S199 = false;
+            _S200 = false;
         }
-        if(_S199)
+        if(_S200)
         {
             return true;
         }
         var crossing_0 : f32 = first_4 / (first_4 - second_2);
-        if(_S201)
+        if(_S202)
         {
             (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
         }
@@ -2188,52 +2204,52 @@ struct SeenEdge_0
 
 fn see_edge_0( at_33 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S202 : Edge_0 = edge_at_0(at_33, place_14);
-    (*seen_1).edge_3 = _S202;
-    var _S203 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_3) - at_33.vertex_3.surface_4.exact_0;
-    (*seen_1).start_1 = _S203;
+    var _S203 : Edge_0 = edge_at_0(at_33, place_14);
+    (*seen_1).edge_3 = _S203;
+    var _S204 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_3) - at_33.vertex_3.surface_4.exact_0;
+    (*seen_1).start_1 = _S204;
     var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_3 + u32(3)) - at_33.vertex_3.surface_4.exact_0;
-    (*seen_1).along_1 = end_1 - _S203;
+    (*seen_1).along_1 = end_1 - _S204;
     (*seen_1).far_0 = 1.0f;
     (*seen_1).near_1 = 1.0f;
     (*seen_1).chord_0 = 0.0f;
     (*seen_1).pieces_0 = 0.0f;
-    var _S204 : vec3<f32> = vec3<f32>(0.0f);
-    (*seen_1).to_0 = _S204;
-    (*seen_1).from_1 = _S204;
+    var _S205 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S205;
+    (*seen_1).from_1 = _S205;
     (*seen_1).range_1 = vec2<f32>(0.0f, 1.0f);
-    var _S205 : f32 = factor_of_0(at_33, _S202);
-    (*seen_1).factor_3 = _S205;
-    var _S206 : bool;
-    if(!(_S205 > 0.0f))
+    var _S206 : f32 = factor_of_0(at_33, _S203);
+    (*seen_1).factor_3 = _S206;
+    var _S207 : bool;
+    if(!(_S206 > 0.0f))
     {
-        _S206 = true;
+        _S207 = true;
     }
     else
     {
-        var _S207 : vec2<f32> = (*seen_1).range_1;
-        var _S208 : bool = is_clipped_0(at_33, (*seen_1).start_1, end_1, &(_S207));
-        (*seen_1).range_1 = _S207;
-        _S206 = _S208;
+        var _S208 : vec2<f32> = (*seen_1).range_1;
+        var _S209 : bool = is_clipped_0(at_33, (*seen_1).start_1, end_1, &(_S208));
+        (*seen_1).range_1 = _S208;
+        _S207 = _S209;
     }
-    if(_S206)
+    if(_S207)
     {
         return false;
     }
     var first_5 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.x);
     var last_0 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.y);
-    var _S209 : f32 = sqrt(dot(first_5, first_5));
-    (*seen_1).near_1 = _S209;
+    var _S210 : f32 = sqrt(dot(first_5, first_5));
+    (*seen_1).near_1 = _S210;
     (*seen_1).far_0 = sqrt(dot(last_0, last_0));
-    if(_S209 > 0.0f)
+    if(_S210 > 0.0f)
     {
-        _S206 = ((*seen_1).far_0) > 0.0f;
+        _S207 = ((*seen_1).far_0) > 0.0f;
     }
     else
     {
-        _S206 = false;
+        _S207 = false;
     }
-    if(!_S206)
+    if(!_S207)
     {
         return false;
     }
@@ -2260,8 +2276,8 @@ fn place_between_0( from_2 : f32,  to_1 : f32,  near_2 : f32,  far_1 : f32,  par
 
 fn velocity_on_0( at_34 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S210 : u32 = edge_4.record_8 + u32(2);
-    return mix(edge_vector_0(_S210), edge_vector_0(_S210 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_34.motion_1, offset_9);
+    var _S211 : u32 = edge_4.record_8 + u32(2);
+    return mix(edge_vector_0(_S211), edge_vector_0(_S211 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_34.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -2273,25 +2289,25 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_7 : f32,  pdf_1 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S211 : Mirrored_0;
-    _S211.cosine_6 = cosine_7;
-    _S211.pdf_0 = pdf_1;
-    _S211.scattered_0 = scattered_1;
-    return _S211;
+    var _S212 : Mirrored_0;
+    _S212.cosine_6 = cosine_7;
+    _S212.pdf_0 = pdf_1;
+    _S212.scattered_0 = scattered_1;
+    return _S212;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S212 : bool;
+    var _S213 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S212 = true;
+        _S213 = true;
     }
     else
     {
-        _S212 = (lobe_3.kind_1) == u32(4);
+        _S213 = (lobe_3.kind_1) == u32(4);
     }
-    return _S212;
+    return _S213;
 }
 
 struct Microfacets_0
@@ -2321,68 +2337,68 @@ fn exponential_0( x_5 : f32) -> f32
 
 fn density_0( facets_1 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S213 : f32 = m_3.z;
-    if(_S213 <= 0.0f)
+    var _S214 : f32 = m_3.z;
+    if(_S214 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_0 : vec2<f32> = m_3.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S213 * _S213;
+    var cos2_0 : f32 = _S214 * _S214;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_1 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_1 * sum_1);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S214 : f32;
+    var _S215 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S214 = 0.0f;
+        _S215 = 0.0f;
     }
     else
     {
-        _S214 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S215 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S214;
+    return _S215;
 }
 
 fn error_function_plus_one_0( x_6 : f32) -> vec2<f32>
 {
-    var _S215 : f32 = min(abs(x_6), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S215 * _S215);
-    var place_15 : f32 = (_S215 - 2.0f) / (_S215 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S215);
-    var _S216 : f32;
+    var _S216 : f32 = min(abs(x_6), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S216 * _S216);
+    var place_15 : f32 = (_S216 - 2.0f) / (_S216 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S216);
+    var _S217 : f32;
     if(x_6 < 0.0f)
     {
-        _S216 = complement_0;
+        _S217 = complement_0;
     }
     else
     {
-        _S216 = 2.0f - complement_0;
+        _S217 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S216, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S217, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_2.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S217 : f32 = w_2.z;
-    var z2_0 : f32 = _S217 * _S217;
+    var _S218 : f32 = w_2.z;
+    var z2_0 : f32 = _S218 * _S218;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S217 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S218 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S217;
+        return 1.0f / _S218;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S217 / spread_1);
-    return 2.0f / (_S217 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S218 / spread_1);
+    return 2.0f / (_S218 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
@@ -2390,9 +2406,9 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_0 : vec3<f32> = normalize(wi_2 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_6 = dot(wi_2, h_0);
-    var _S218 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_2);
-    mirrored_1.pdf_0 = _S218;
-    mirrored_1.scattered_0 = _S218 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    var _S219 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_2);
+    mirrored_1.pdf_0 = _S219;
+    mirrored_1.scattered_0 = _S219 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
@@ -2409,9 +2425,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S219 : bool = real_0 < 0.0f;
+    var _S220 : bool = real_0 < 0.0f;
     var a_16 : f32;
-    if(_S219)
+    if(_S220)
     {
         a_16 = smaller_0;
     }
@@ -2420,7 +2436,7 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
         a_16 = larger_0;
     }
     var b_11 : f32;
-    if(_S219)
+    if(_S220)
     {
         b_11 = larger_0;
     }
@@ -2430,9 +2446,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
     }
     var less_0 : f32 = a_16 - cosine_8;
     var more_0 : f32 = a_16 + cosine_8;
-    var _S220 : f32 = b_11 * b_11;
+    var _S221 : f32 = b_11 * b_11;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S220) / (more_0 * more_0 + _S220) * p_sum_0 / (p_sum_0 + 2.0f * a_16 * cosine_8 * sin2_0);
+    return (less_0 * less_0 + _S221) / (more_0 * more_0 + _S221) * p_sum_0 / (p_sum_0 + 2.0f * a_16 * cosine_8 * sin2_0);
 }
 
 fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_8 : vec3<f32>) -> vec3<f32>
@@ -2470,10 +2486,10 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_11, eta_4);
     }
     var place_16 : f32 = cosine_11 * 63.0f;
-    var _S221 : u32 = min(u32(place_16), u32(62));
-    var at_35 : u32 = word_0(lobe_5.record_3 + u32(3)) + _S221;
+    var _S222 : u32 = min(u32(place_16), u32(62));
+    var at_35 : u32 = word_0(lobe_5.record_3 + u32(3)) + _S222;
     var here_0 : f32 = number_0(at_35);
-    return here_0 + (number_0(at_35 + u32(1)) - here_0) * (place_16 - f32(_S221));
+    return here_0 + (number_0(at_35 + u32(1)) - here_0) * (place_16 - f32(_S222));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2524,15 +2540,15 @@ struct Scattering_0
 fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S222 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S222 * 0.31830987334251404f;
+    var _S223 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S223 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattering_1.value_8 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
-    var _S223 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S224 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_7))
     {
@@ -2540,7 +2556,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     else
     {
-        by_facets_0 = _S223;
+        by_facets_0 = _S224;
     }
     if((lobe_7.kind_1) == u32(2))
     {
@@ -2550,7 +2566,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     var eta_7 : f32 = coat_eta_0(numbers_7);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_3.z);
-    scattering_1.value_8 = base_0(lobe_7, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S222) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_8 = base_0(lobe_7, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S223) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_7, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -2563,16 +2579,16 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
 
 fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
 {
-    var _S224 : bool;
+    var _S225 : bool;
     if((wo_2.z) <= 0.0f)
     {
-        _S224 = true;
+        _S225 = true;
     }
     else
     {
-        _S224 = !has_smooth_0(vertex_5.lobe_1);
+        _S225 = !has_smooth_0(vertex_5.lobe_1);
     }
-    if(_S224)
+    if(_S225)
     {
         return vec3<f32>(0.0f);
     }
@@ -2596,28 +2612,28 @@ fn still_0( value_9 : vec3<f32>) -> Vector_0
 
 fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 {
-    var _S225 : f32 = abs(x_7);
-    var _S226 : f32 = abs(y_1);
-    var _S227 : f32 = min(_S225, _S226);
-    var _S228 : f32 = max(_S225, _S226);
-    var is_steep_0 : bool = _S227 > (0.41421356797218323f * _S228);
+    var _S226 : f32 = abs(x_7);
+    var _S227 : f32 = abs(y_1);
+    var _S228 : f32 = min(_S226, _S227);
+    var _S229 : f32 = max(_S226, _S227);
+    var is_steep_0 : bool = _S228 > (0.41421356797218323f * _S229);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S227 - _S228;
+        above_0 = _S228 - _S229;
     }
     else
     {
-        above_0 = _S227;
+        above_0 = _S228;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S227 + _S228;
+        below_0 = _S228 + _S229;
     }
     else
     {
-        below_0 = _S228;
+        below_0 = _S229;
     }
     if(below_0 > 0.0f)
     {
@@ -2638,7 +2654,7 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S226 > _S225)
+    if(_S227 > _S226)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -2659,40 +2675,40 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 
 fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S229 : DiffPair_float_0 = DiffPair_float_0( dpx_8.primal_0, dpx_8.differential_0 );
-    var _S230 : DiffPair_float_0 = _d_abs_0(_S229);
-    var _S231 : DiffPair_float_0 = DiffPair_float_0( dpy_3.primal_0, dpy_3.differential_0 );
-    var _S232 : DiffPair_float_0 = _d_abs_0(_S231);
-    var _S233 : DiffPair_float_0 = DiffPair_float_0( _S230.primal_0, _S230.differential_0 );
-    var _S234 : DiffPair_float_0 = DiffPair_float_0( _S232.primal_0, _S232.differential_0 );
-    var _S235 : DiffPair_float_0 = _d_min_0(_S233, _S234);
-    var _S236 : DiffPair_float_0 = _d_max_0(_S233, _S234);
-    var is_steep_1 : bool = (_S235.primal_0) > (0.41421356797218323f * _S236.primal_0);
+    var _S230 : DiffPair_float_0 = DiffPair_float_0( dpx_8.primal_0, dpx_8.differential_0 );
+    var _S231 : DiffPair_float_0 = _d_abs_0(_S230);
+    var _S232 : DiffPair_float_0 = DiffPair_float_0( dpy_3.primal_0, dpy_3.differential_0 );
+    var _S233 : DiffPair_float_0 = _d_abs_0(_S232);
+    var _S234 : DiffPair_float_0 = DiffPair_float_0( _S231.primal_0, _S231.differential_0 );
+    var _S235 : DiffPair_float_0 = DiffPair_float_0( _S233.primal_0, _S233.differential_0 );
+    var _S236 : DiffPair_float_0 = _d_min_0(_S234, _S235);
+    var _S237 : DiffPair_float_0 = _d_max_0(_S234, _S235);
+    var is_steep_1 : bool = (_S236.primal_0) > (0.41421356797218323f * _S237.primal_0);
     var above_1 : f32;
     var s_diff_above_0 : f32;
     if(is_steep_1)
     {
-        var _S237 : f32 = _S235.differential_0 - _S236.differential_0;
-        above_1 = _S235.primal_0 - _S236.primal_0;
-        s_diff_above_0 = _S237;
+        var _S238 : f32 = _S236.differential_0 - _S237.differential_0;
+        above_1 = _S236.primal_0 - _S237.primal_0;
+        s_diff_above_0 = _S238;
     }
     else
     {
-        above_1 = _S235.primal_0;
-        s_diff_above_0 = _S235.differential_0;
+        above_1 = _S236.primal_0;
+        s_diff_above_0 = _S236.differential_0;
     }
     var below_1 : f32;
     var s_diff_below_0 : f32;
     if(is_steep_1)
     {
-        var _S238 : f32 = _S235.differential_0 + _S236.differential_0;
-        below_1 = _S235.primal_0 + _S236.primal_0;
-        s_diff_below_0 = _S238;
+        var _S239 : f32 = _S236.differential_0 + _S237.differential_0;
+        below_1 = _S236.primal_0 + _S237.primal_0;
+        s_diff_below_0 = _S239;
     }
     else
     {
-        below_1 = _S236.primal_0;
-        s_diff_below_0 = _S236.differential_0;
+        below_1 = _S237.primal_0;
+        s_diff_below_0 = _S237.differential_0;
     }
     if(below_1 > 0.0f)
     {
@@ -2705,14 +2721,14 @@ fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> Dif
     var t_4 : f32 = above_1 / below_1;
     var s_diff_t_0 : f32 = (s_diff_above_0 * below_1 - above_1 * s_diff_below_0) / (below_1 * below_1);
     var z_2 : f32 = t_4 * t_4;
-    var _S239 : f32 = s_diff_t_0 * t_4;
-    var s_diff_z_0 : f32 = _S239 + _S239;
-    var _S240 : f32 = 0.08053744584321976f * z_2 - 0.13877685368061066f;
-    var _S241 : f32 = _S240 * z_2 + 0.19977711141109467f;
-    var tail_0 : f32 = _S241 * z_2 - 0.33332949876785278f;
-    var _S242 : f32 = tail_0 * z_2;
-    var angle_2 : f32 = _S242 * t_4 + t_4;
-    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_2 + s_diff_z_0 * _S240) * z_2 + s_diff_z_0 * _S241) * z_2 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S242 + s_diff_t_0;
+    var _S240 : f32 = s_diff_t_0 * t_4;
+    var s_diff_z_0 : f32 = _S240 + _S240;
+    var _S241 : f32 = 0.08053744584321976f * z_2 - 0.13877685368061066f;
+    var _S242 : f32 = _S241 * z_2 + 0.19977711141109467f;
+    var tail_0 : f32 = _S242 * z_2 - 0.33332949876785278f;
+    var _S243 : f32 = tail_0 * z_2;
+    var angle_2 : f32 = _S243 * t_4 + t_4;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_2 + s_diff_z_0 * _S241) * z_2 + s_diff_z_0 * _S242) * z_2 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S243 + s_diff_t_0;
     var angle_3 : f32;
     if(is_steep_1)
     {
@@ -2723,11 +2739,11 @@ fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> Dif
         angle_3 = angle_2;
     }
     var s_diff_angle_1 : f32;
-    if((_S232.primal_0) > (_S230.primal_0))
+    if((_S233.primal_0) > (_S231.primal_0))
     {
-        var _S243 : f32 = 0.0f - s_diff_angle_0;
+        var _S244 : f32 = 0.0f - s_diff_angle_0;
         angle_3 = 1.57079637050628662f - angle_3;
-        s_diff_angle_1 = _S243;
+        s_diff_angle_1 = _S244;
     }
     else
     {
@@ -2735,52 +2751,52 @@ fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> Dif
     }
     if((dpx_8.primal_0) < 0.0f)
     {
-        var _S244 : f32 = 0.0f - s_diff_angle_1;
+        var _S245 : f32 = 0.0f - s_diff_angle_1;
         angle_3 = 3.14159274101257324f - angle_3;
-        s_diff_angle_1 = _S244;
+        s_diff_angle_1 = _S245;
     }
     if((dpy_3.primal_0) < 0.0f)
     {
-        var _S245 : f32 = - s_diff_angle_1;
+        var _S246 : f32 = - s_diff_angle_1;
         above_1 = - angle_3;
-        s_diff_above_0 = _S245;
+        s_diff_above_0 = _S246;
     }
     else
     {
         above_1 = angle_3;
         s_diff_above_0 = s_diff_angle_1;
     }
-    var _S246 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
-    return _S246;
+    var _S247 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
+    return _S247;
 }
 
 fn map_place_0( map_0 : u32,  direction_7 : vec3<f32>) -> vec2<f32>
 {
-    var _S247 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S247) * vec3<f32>(direction_7.x) + vector_at_0(_S247 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S247 + u32(6)) * vec3<f32>(direction_7.z);
+    var _S248 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S248) * vec3<f32>(direction_7.x) + vector_at_0(_S248 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S248 + u32(6)) * vec3<f32>(direction_7.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
 fn s_fwd_map_place_0( map_1 : u32,  dpdirection_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var _S248 : u32 = map_1 + u32(2);
-    var _S249 : vec3<f32> = vector_at_0(_S248);
-    var _S250 : vec3<f32> = vector_at_0(_S248 + u32(3));
-    var _S251 : vec3<f32> = vector_at_0(_S248 + u32(6));
-    var d_2 : vec3<f32> = _S249 * vec3<f32>(dpdirection_1.primal_0.x) + _S250 * vec3<f32>(dpdirection_1.primal_0.y) + _S251 * vec3<f32>(dpdirection_1.primal_0.z);
-    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S249 + vec3<f32>(dpdirection_1.differential_0.y) * _S250 + vec3<f32>(dpdirection_1.differential_0.z) * _S251;
-    var _S252 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
-    var _S253 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
-    var _S254 : DiffPair_float_0 = s_fwd_angle_of_0(_S252, _S253);
-    var _S255 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
-    var _S256 : DiffPair_float_0 = s_fwd_length_impl_1(_S255);
-    var _S257 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
-    var _S258 : DiffPair_float_0 = DiffPair_float_0( _S256.primal_0, _S256.differential_0 );
-    var _S259 : DiffPair_float_0 = s_fwd_angle_of_0(_S257, _S258);
+    var _S249 : u32 = map_1 + u32(2);
+    var _S250 : vec3<f32> = vector_at_0(_S249);
+    var _S251 : vec3<f32> = vector_at_0(_S249 + u32(3));
+    var _S252 : vec3<f32> = vector_at_0(_S249 + u32(6));
+    var d_2 : vec3<f32> = _S250 * vec3<f32>(dpdirection_1.primal_0.x) + _S251 * vec3<f32>(dpdirection_1.primal_0.y) + _S252 * vec3<f32>(dpdirection_1.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S250 + vec3<f32>(dpdirection_1.differential_0.y) * _S251 + vec3<f32>(dpdirection_1.differential_0.z) * _S252;
+    var _S253 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
+    var _S254 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
+    var _S255 : DiffPair_float_0 = s_fwd_angle_of_0(_S253, _S254);
+    var _S256 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
+    var _S257 : DiffPair_float_0 = s_fwd_length_impl_1(_S256);
+    var _S258 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
+    var _S259 : DiffPair_float_0 = DiffPair_float_0( _S257.primal_0, _S257.differential_0 );
+    var _S260 : DiffPair_float_0 = s_fwd_angle_of_0(_S258, _S259);
     var width_1 : f32 = f32(word_0(map_1));
-    var _S260 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
-    var _S261 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S254.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S259.primal_0 * 0.31830987334251404f * _S260), vec2<f32>(_S254.differential_0 * 0.15915493667125702f * width_1, _S259.differential_0 * 0.31830987334251404f * _S260) );
-    return _S261;
+    var _S261 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
+    var _S262 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S255.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S260.primal_0 * 0.31830987334251404f * _S261), vec2<f32>(_S255.differential_0 * 0.15915493667125702f * width_1, _S260.differential_0 * 0.31830987334251404f * _S261) );
+    return _S262;
 }
 
 fn in_map_0( map_2 : u32,  direction_8 : vec3<f32>) -> Lookup_0
@@ -2796,11 +2812,11 @@ fn in_map_0( map_2 : u32,  direction_8 : vec3<f32>) -> Lookup_0
     var height_2 : i32 = i32(word_0(map_2 + u32(1)));
     var left_1 : u32 = wrapped_0(x_8, width_2, u32(0));
     var right_1 : u32 = wrapped_0(x_8 + i32(1), width_2, u32(0));
-    var _S262 : u32 = wrapped_0(y_2, height_2, u32(2));
-    var _S263 : u32 = u32(width_2);
-    var first_6 : u32 = _S262 * _S263;
-    var _S264 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
-    var second_3 : u32 = _S264 * _S263;
+    var _S263 : u32 = wrapped_0(y_2, height_2, u32(2));
+    var _S264 : u32 = u32(width_2);
+    var first_6 : u32 = _S263 * _S264;
+    var _S265 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S265 * _S264;
     return between_0(vec4<u32>(first_6 + left_1, first_6 + right_1, second_3 + left_1, second_3 + right_1), point_0);
 }
 
@@ -2815,35 +2831,35 @@ fn emitted_0( emitter_4 : u32,  place_18 : Place_0,  direction_9 : Vector_0) -> 
     var texture_7 : u32 = word_0(record_9 + u32(1));
     if(!is_map_0(record_9))
     {
-        var _S265 : Vector_0 = shown_0(texture_7, place_18);
-        return _S265;
+        var _S266 : Vector_0 = shown_0(texture_7, place_18);
+        return _S266;
     }
-    var _S266 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_9.value_0, direction_9.change_0 );
-    var _S267 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S266);
+    var _S267 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_9.value_0, direction_9.change_0 );
+    var _S268 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S267);
     var factor_4 : Vector_0 = looked_up_0(word_0(texture_7 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
-    var _S268 : u32 = word_0(texture_7 + u32(11));
-    var _S269 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_9));
-    return x2A_0(looked_up_0(_S268, _S269, _S267.differential_0), factor_4);
+    var _S269 : u32 = word_0(texture_7 + u32(11));
+    var _S270 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_9));
+    return x2A_0(looked_up_0(_S269, _S270, _S268.differential_0), factor_4);
 }
 
 fn light_from_0( at_36 : ShadingPoint_0,  direction_10 : vec3<f32>) -> f32
 {
     var light_2 : f32 = largest_0(scattered_from_0(at_36.vertex_3, direction_10));
-    var _S270 : bool;
+    var _S271 : bool;
     if((at_36.purpose_0) != u32(1))
     {
-        _S270 = true;
+        _S271 = true;
     }
     else
     {
-        _S270 = !(light_2 > 0.0f);
+        _S271 = !(light_2 > 0.0f);
     }
-    if(_S270)
+    if(_S271)
     {
         return light_2;
     }
-    var _S271 : Vector_0 = emitted_0(at_36.emitter_0, at_36.vertex_3.surface_4.place_3, still_0(direction_10));
-    return light_2 * largest_0(value_of_0(_S271));
+    var _S272 : Vector_0 = emitted_0(at_36.emitter_0, at_36.vertex_3.surface_4.place_3, still_0(direction_10));
+    return light_2 * largest_0(value_of_0(_S272));
 }
 
 fn weigh_0( at_37 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
@@ -2853,7 +2869,7 @@ fn weigh_0( at_37 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec
     var t_5 : f32 = place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, part_1);
     var offset_10 : vec3<f32> = seen_2.start_1 + seen_2.along_1 * vec3<f32>(t_5);
     var normal_6 : vec3<f32> = exact_unit_0(cross(seen_2.start_1, seen_2.along_1));
-    var _S272 : f32 = edge_number_0(seen_2.edge_3.record_8 + u32(10));
+    var _S273 : f32 = edge_number_0(seen_2.edge_3.record_8 + u32(10));
     var speed_1 : f32;
     if(!is_blind_0())
     {
@@ -2861,33 +2877,33 @@ fn weigh_0( at_37 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec
     }
     else
     {
-        speed_1 = _S272;
+        speed_1 = _S273;
     }
     var speed_2 : f32 = speed_1 / length(offset_10);
     var angle_4 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S273 : f32 = light_from_0(at_37, middle_1);
-    var contribution_0 : f32 = angle_4 * _S273 * speed_2;
-    var _S274 : vec2<f32>;
+    var _S274 : f32 = light_from_0(at_37, middle_1);
+    var contribution_0 : f32 = angle_4 * _S274 * speed_2;
+    var _S275 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
     {
-        _S274 = vec2<f32>(contribution_0, angle_4);
+        _S275 = vec2<f32>(contribution_0, angle_4);
     }
     else
     {
-        _S274 = vec2<f32>(0.0f);
+        _S275 = vec2<f32>(0.0f);
     }
-    return _S274;
+    return _S275;
 }
 
 fn multiplicity_0( at_38 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec3<f32>,  normal_7 : vec3<f32>) -> f32
 {
-    var _S275 : vec3<f32> = cross(normal_7, direction_11);
-    var _S276 : u32 = edge_5.record_8 + u32(8);
-    var k_9 : u32 = edge_word_0(_S276);
+    var _S276 : vec3<f32> = cross(normal_7, direction_11);
+    var _S277 : u32 = edge_5.record_8 + u32(8);
+    var k_9 : u32 = edge_word_0(_S277);
     var count_3 : f32 = 1.0f;
     for(;;)
     {
-        if(k_9 < (edge_word_0(_S276 + u32(1))))
+        if(k_9 < (edge_word_0(_S277 + u32(1))))
         {
         }
         else
@@ -2902,27 +2918,27 @@ fn multiplicity_0( at_38 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec
         }
         var a_18 : vec3<f32> = edge_position_0(other_0.numbers_3) - at_38.vertex_3.surface_4.exact_0;
         var way_1 : vec3<f32> = edge_position_0(other_0.numbers_3 + u32(3)) - at_38.vertex_3.surface_4.exact_0 - a_18;
-        var place_19 : f32 = - dot(a_18, _S275) / dot(way_1, _S275);
+        var place_19 : f32 = - dot(a_18, _S276) / dot(way_1, _S276);
         var there_0 : vec3<f32> = a_18 + way_1 * vec3<f32>(place_19);
-        var _S277 : bool;
+        var _S278 : bool;
         if(place_19 >= 0.0f)
         {
-            _S277 = place_19 <= 1.0f;
-        }
-        else
-        {
-            _S277 = false;
-        }
-        var _S278 : bool;
-        if(_S277)
-        {
-            _S278 = (dot(there_0, direction_11)) > 0.0f;
+            _S278 = place_19 <= 1.0f;
         }
         else
         {
             _S278 = false;
         }
-        if(!_S278)
+        var _S279 : bool;
+        if(_S278)
+        {
+            _S279 = (dot(there_0, direction_11)) > 0.0f;
+        }
+        else
+        {
+            _S279 = false;
+        }
+        if(!_S279)
         {
             k_9 = k_9 + u32(1);
             continue;
@@ -2972,10 +2988,10 @@ struct EdgePoint_0
 
 fn point_on_0( at_40 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
 {
-    var _S279 : f32 = seen_3.range_1.x;
-    var _S280 : f32 = seen_3.range_1.y;
-    var first_7 : f32 = place_between_0(_S279, _S280, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
-    var last_1 : f32 = place_between_0(_S279, _S280, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
+    var _S280 : f32 = seen_3.range_1.x;
+    var _S281 : f32 = seen_3.range_1.y;
+    var first_7 : f32 = place_between_0(_S280, _S281, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
+    var last_1 : f32 = place_between_0(_S280, _S281, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
     var a_20 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(first_7);
     var b_13 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(last_1);
     var near_3 : f32 = length_of_0(a_20);
@@ -2987,27 +3003,27 @@ fn point_on_0( at_40 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     var t_7 : f32 = place_between_0(first_7, last_1, near_3, far_2, inside_3);
     var offset_11 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(t_7);
     var point_1 : EdgePoint_0;
-    var _S281 : f32 = length_of_0(offset_11);
-    point_1.distance_5 = _S281;
-    var _S282 : vec3<f32> = offset_11 / vec3<f32>(_S281);
-    point_1.direction_12 = _S282;
-    var _S283 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
-    point_1.normal_8 = _S283;
+    var _S282 : f32 = length_of_0(offset_11);
+    point_1.distance_5 = _S282;
+    var _S283 : vec3<f32> = offset_11 / vec3<f32>(_S282);
+    point_1.direction_12 = _S283;
+    var _S284 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_1.normal_8 = _S284;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_6 = t_7;
-    point_1.measure_0 = angle_5 / _S281 / (part_of_all_0 * multiplicity_0(at_40, seen_3.edge_3, _S282, _S283));
+    point_1.measure_0 = angle_5 / _S282 / (part_of_all_0 * multiplicity_0(at_40, seen_3.edge_3, _S283, _S284));
     var face_0 : vec3<f32> = face_normal_1(at_40);
     var least_2 : f32 = limit_at_0(u32(2));
-    var _S284 : bool;
+    var _S285 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
     {
-        _S284 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+        _S285 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
     }
     else
     {
-        _S284 = false;
+        _S285 = false;
     }
-    point_1.is_in_horizon_0 = _S284;
+    point_1.is_in_horizon_0 = _S285;
     return point_1;
 }
 
@@ -3023,23 +3039,86 @@ fn flow_at_0( at_41 : ShadingPoint_0,  point_3 : EdgePoint_0) -> f32
 
 fn component_0( v_8 : vec3<f32>,  axis_5 : u32) -> f32
 {
-    var _S285 : f32;
+    var _S286 : f32;
     if(axis_5 == u32(0))
     {
-        _S285 = v_8.x;
+        _S286 = v_8.x;
     }
     else
     {
         if(axis_5 == u32(1))
         {
-            _S285 = v_8.y;
+            _S286 = v_8.y;
         }
         else
         {
-            _S285 = v_8.z;
+            _S286 = v_8.z;
         }
     }
-    return _S285;
+    return _S286;
+}
+
+struct Ray_0
+{
+     origin_0 : vec3<f32>,
+     shear_x_0 : f32,
+     shear_y_0 : f32,
+     inverse_z_0 : f32,
+     t_min_0 : f32,
+     t_max_0 : f32,
+     local_per_t_0 : f32,
+     enter_0 : f32,
+     edge_on_0 : f32,
+     largest_1 : f32,
+};
+
+fn ray_along_0( origin_1 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  axes_3 : ptr<function, u32>) -> Ray_0
+{
+    var size_2 : vec3<f32> = abs(direction_13);
+    var _S287 : f32 = size_2.x;
+    var _S288 : f32 = size_2.y;
+    var _S289 : bool;
+    if(_S287 >= _S288)
+    {
+        _S289 = _S287 >= (size_2.z);
+    }
+    else
+    {
+        _S289 = false;
+    }
+    var _S290 : i32;
+    if(_S289)
+    {
+        _S290 = i32(0);
+    }
+    else
+    {
+        if(_S288 >= (size_2.z))
+        {
+            _S290 = i32(1);
+        }
+        else
+        {
+            _S290 = i32(2);
+        }
+    }
+    var z_3 : u32 = u32(_S290);
+    var x_9 : u32 = (z_3 + u32(1)) % u32(3);
+    var y_3 : u32 = (z_3 + u32(2)) % u32(3);
+    (*axes_3) = (((x_9 | (((y_3 << (u32(2))))))) | (((z_3 << (u32(4))))));
+    var ray_0 : Ray_0;
+    ray_0.origin_0 = origin_1;
+    var along_2 : f32 = component_0(direction_13, z_3);
+    ray_0.inverse_z_0 = 1.0f / along_2;
+    ray_0.shear_x_0 = component_0(direction_13, x_9) / along_2;
+    ray_0.shear_y_0 = component_0(direction_13, y_3) / along_2;
+    ray_0.t_min_0 = t_min_1;
+    ray_0.t_max_0 = t_max_1;
+    ray_0.local_per_t_0 = abs(along_2);
+    ray_0.enter_0 = 0.0f;
+    ray_0.edge_on_0 = limit_at_0(u32(0));
+    ray_0.largest_1 = limit_at_0(u32(1));
+    return ray_0;
 }
 
 fn ray_child_0( node_4 : u32,  slot_2 : u32) -> u32
@@ -3054,12 +3133,12 @@ struct RayView_0
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
      margin_2 : f32,
-     axes_3 : u32,
+     axes_4 : u32,
 };
 
 fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32) -> f32
 {
-    var _S286 : u32 = u32(14) * node_5 + slot_3 / u32(4);
+    var _S291 : u32 = u32(14) * node_5 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -3072,36 +3151,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S287 : u32 = axis_6;
-        var _S288 : u32 = _S286 + u32(2) * axis_6;
-        var _S289 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S288][_S289])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S288 + u32(6)][_S289])));
-        var _S290 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S291 : f32;
-        if(_S290)
+        var _S292 : u32 = axis_6;
+        var _S293 : u32 = _S291 + u32(2) * axis_6;
+        var _S294 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S293][_S294])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S293 + u32(6)][_S294])));
+        var _S295 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S296 : f32;
+        if(_S295)
         {
-            _S291 = high_0;
+            _S296 = high_0;
         }
         else
         {
-            _S291 = low_3;
+            _S296 = low_3;
         }
-        var _S292 : f32 = max(near_4, _S291 * view_1.inverse_1[_S287] - view_1.offset_near_0[axis_6]);
-        var _S293 : f32;
-        if(_S290)
+        var _S297 : f32 = max(near_4, _S296 * view_1.inverse_1[_S292] - view_1.offset_near_0[axis_6]);
+        var _S298 : f32;
+        if(_S295)
         {
-            _S293 = low_3;
+            _S298 = low_3;
         }
         else
         {
-            _S293 = high_0;
+            _S298 = high_0;
         }
-        var _S294 : f32 = min(far_3, _S293 * view_1.inverse_1[_S287] - view_1.offset_far_0[axis_6]);
-        var _S295 : u32 = axis_6 + u32(1);
-        near_4 = _S292;
-        far_3 = _S294;
-        axis_6 = _S295;
+        var _S299 : f32 = min(far_3, _S298 * view_1.inverse_1[_S292] - view_1.offset_far_0[axis_6]);
+        var _S300 : u32 = axis_6 + u32(1);
+        near_4 = _S297;
+        far_3 = _S299;
+        axis_6 = _S300;
     }
     if(near_4 <= far_3)
     {
@@ -3126,7 +3205,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S296 : u32 = k_10;
+        var _S301 : u32 = k_10;
         if((bounds_0[k_10]) > limit_2)
         {
             k_10 = k_10 + u32(1);
@@ -3143,24 +3222,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S297 : u32 = j_0;
-            var _S298 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S296]))
+            var _S302 : u32 = j_0;
+            var _S303 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S301]))
             {
-                _S298 = true;
+                _S303 = true;
             }
             else
             {
-                if((bounds_0[_S297]) == (bounds_0[_S296]))
+                if((bounds_0[_S302]) == (bounds_0[_S301]))
                 {
-                    _S298 = j_0 < k_10;
+                    _S303 = j_0 < k_10;
                 }
                 else
                 {
-                    _S298 = false;
+                    _S303 = false;
                 }
             }
-            if(_S298)
+            if(_S303)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -3185,45 +3264,31 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
         {
             break;
         }
-        var _S299 : f32;
+        var _S304 : f32;
         if((ray_child_0(node_6, slot_4)) == u32(4294967295))
         {
-            _S299 = 3.00000000549775576e+38f;
+            _S304 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S299 = ray_bound_0(view_2, limit_3, node_6, slot_4);
+            _S304 = ray_bound_0(view_2, limit_3, node_6, slot_4);
         }
-        bounds_1[slot_4] = _S299;
+        bounds_1[slot_4] = _S304;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn rounded_0( product_2 : f32,  largest_1 : f32) -> f32
+fn rounded_0( product_2 : f32,  largest_2 : f32) -> f32
 {
-    return min(product_2, largest_1);
+    return min(product_2, largest_2);
 }
 
-struct Ray_0
+fn corner_2( ray_1 : Ray_0,  axes_5 : u32,  at_42 : u32) -> vec3<f32>
 {
-     origin_0 : vec3<f32>,
-     shear_x_0 : f32,
-     shear_y_0 : f32,
-     inverse_z_0 : f32,
-     t_min_0 : f32,
-     t_max_0 : f32,
-     local_per_t_0 : f32,
-     enter_0 : f32,
-     edge_on_0 : f32,
-     largest_2 : f32,
-};
-
-fn corner_2( ray_0 : Ray_0,  axes_4 : u32,  at_42 : u32) -> vec3<f32>
-{
-    var relative_1 : vec3<f32> = primitive_vector_0(at_42) - ray_0.origin_0;
-    var z_3 : f32 = component_0(relative_1, (axes_4 >> (u32(4))));
-    return vec3<f32>(component_0(relative_1, (axes_4 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_3, ray_0.largest_2), component_0(relative_1, (((axes_4 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_3, ray_0.largest_2), z_3);
+    var relative_1 : vec3<f32> = primitive_vector_0(at_42) - ray_1.origin_0;
+    var z_4 : f32 = component_0(relative_1, (axes_5 >> (u32(4))));
+    return vec3<f32>(component_0(relative_1, (axes_5 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_4, ray_1.largest_1), component_0(relative_1, (((axes_5 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_4, ray_1.largest_1), z_4);
 }
 
 struct Crossing_0
@@ -3234,58 +3299,58 @@ struct Crossing_0
      w_3 : f32,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_43 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_6 : u32,  at_43 : u32) -> Crossing_0
 {
     var crossing_1 : Crossing_0;
     crossing_1.is_hit_0 = false;
     crossing_1.t_8 = 0.0f;
     crossing_1.v_9 = 0.0f;
     crossing_1.w_3 = 0.0f;
-    var a_21 : vec3<f32> = corner_2(ray_1, axes_5, at_43);
-    var b_14 : vec3<f32> = corner_2(ray_1, axes_5, at_43 + u32(3));
-    var c_4 : vec3<f32> = corner_2(ray_1, axes_5, at_43 + u32(6));
-    var _S300 : f32 = c_4.x;
-    var _S301 : f32 = b_14.y;
-    var cx_by_0 : f32 = rounded_0(_S300 * _S301, ray_1.largest_2);
-    var _S302 : f32 = c_4.y;
-    var _S303 : f32 = b_14.x;
-    var cy_bx_0 : f32 = rounded_0(_S302 * _S303, ray_1.largest_2);
-    var _S304 : f32 = a_21.x;
-    var ax_cy_0 : f32 = rounded_0(_S304 * _S302, ray_1.largest_2);
-    var _S305 : f32 = a_21.y;
-    var ay_cx_0 : f32 = rounded_0(_S305 * _S300, ray_1.largest_2);
-    var bx_ay_0 : f32 = rounded_0(_S303 * _S305, ray_1.largest_2);
-    var by_ax_0 : f32 = rounded_0(_S301 * _S304, ray_1.largest_2);
+    var a_21 : vec3<f32> = corner_2(ray_2, axes_6, at_43);
+    var b_14 : vec3<f32> = corner_2(ray_2, axes_6, at_43 + u32(3));
+    var c_4 : vec3<f32> = corner_2(ray_2, axes_6, at_43 + u32(6));
+    var _S305 : f32 = c_4.x;
+    var _S306 : f32 = b_14.y;
+    var cx_by_0 : f32 = rounded_0(_S305 * _S306, ray_2.largest_1);
+    var _S307 : f32 = c_4.y;
+    var _S308 : f32 = b_14.x;
+    var cy_bx_0 : f32 = rounded_0(_S307 * _S308, ray_2.largest_1);
+    var _S309 : f32 = a_21.x;
+    var ax_cy_0 : f32 = rounded_0(_S309 * _S307, ray_2.largest_1);
+    var _S310 : f32 = a_21.y;
+    var ay_cx_0 : f32 = rounded_0(_S310 * _S305, ray_2.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S308 * _S310, ray_2.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S306 * _S309, ray_2.largest_1);
     var u_2 : f32 = cx_by_0 - cy_bx_0;
     var v_10 : f32 = ax_cy_0 - ay_cx_0;
     var w_4 : f32 = bx_ay_0 - by_ax_0;
-    var _S306 : f32 = min(min(u_2, v_10), w_4);
-    var _S307 : f32 = max(max(u_2, v_10), w_4);
-    var _S308 : bool;
-    if(_S306 < 0.0f)
+    var _S311 : f32 = min(min(u_2, v_10), w_4);
+    var _S312 : f32 = max(max(u_2, v_10), w_4);
+    var _S313 : bool;
+    if(_S311 < 0.0f)
     {
-        _S308 = _S307 > 0.0f;
+        _S313 = _S312 > 0.0f;
     }
     else
     {
-        _S308 = false;
+        _S313 = false;
     }
-    if(_S308)
+    if(_S313)
     {
         return crossing_1;
     }
     var determinant_0 : f32 = u_2 + v_10 + w_4;
-    if(_S306 <= 0.0f)
+    if(_S311 <= 0.0f)
     {
-        _S308 = _S307 >= 0.0f;
+        _S313 = _S312 >= 0.0f;
     }
     else
     {
-        _S308 = false;
+        _S313 = false;
     }
-    if(_S308)
+    if(_S313)
     {
-        if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
+        if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
             return crossing_1;
         }
@@ -3294,16 +3359,16 @@ fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_43 : u32) -> Crossing_0
     {
         return crossing_1;
     }
-    var t_9 : f32 = (rounded_0(u_2 * a_21.z, ray_1.largest_2) + rounded_0(v_10 * b_14.z, ray_1.largest_2) + rounded_0(w_4 * c_4.z, ray_1.largest_2)) / determinant_0 * ray_1.inverse_z_0;
-    if((ray_1.t_min_0) <= t_9)
+    var t_9 : f32 = (rounded_0(u_2 * a_21.z, ray_2.largest_1) + rounded_0(v_10 * b_14.z, ray_2.largest_1) + rounded_0(w_4 * c_4.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
+    if((ray_2.t_min_0) <= t_9)
     {
-        _S308 = t_9 <= (ray_1.t_max_0);
+        _S313 = t_9 <= (ray_2.t_max_0);
     }
     else
     {
-        _S308 = false;
+        _S313 = false;
     }
-    crossing_1.is_hit_0 = _S308;
+    crossing_1.is_hit_0 = _S313;
     crossing_1.t_8 = t_9;
     crossing_1.v_9 = v_10 / determinant_0;
     crossing_1.w_3 = w_4 / determinant_0;
@@ -3323,9 +3388,9 @@ struct Found_0
      w_5 : f32,
 };
 
-fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S309 : bool;
+    var _S314 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_8 = u32(4294967295);
@@ -3357,31 +3422,31 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S310 : u32 = way_2[level_0].y;
-        if(_S310 == u32(0))
+        var _S315 : u32 = way_2[level_0].y;
+        if(_S315 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S311 : u32 = level_0 - u32(1);
+            var _S316 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S311;
+            level_0 = _S316;
             continue;
         }
-        var slot_5 : u32 = ((_S310 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S310 >> (u32(4)));
-        var _S312 : bool;
+        var slot_5 : u32 = ((_S315 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S315 >> (u32(4)));
+        var _S317 : bool;
         if(!is_new_1)
         {
-            _S312 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+            _S317 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S312 = false;
+            _S317 = false;
         }
-        if(_S312)
+        if(_S317)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -3390,27 +3455,27 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S313 : u32 = level_0 + u32(1);
+            var _S318 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S313;
+            level_0 = _S318;
             continue;
         }
         var leaf_1 : u32 = (child_0 & (u32(2147483647)));
-        var _S314 : u32 = leaf_starts_0[leaf_1 + u32(1)];
-        var _S315 : u32 = leaf_starts_0[leaf_1];
+        var _S319 : u32 = leaf_starts_0[leaf_1 + u32(1)];
+        var _S320 : u32 = leaf_starts_0[leaf_1];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S315;
+        var i_2 : u32 = _S320;
         for(;;)
         {
-            if(i_2 < _S314)
+            if(i_2 < _S319)
             {
             }
             else
             {
                 break;
             }
-            var crossing_2 : Crossing_0 = intersect_0((*ray_2), view_3.axes_3, u32(9) * i_2);
+            var crossing_2 : Crossing_0 = intersect_0((*ray_3), view_3.axes_4, u32(9) * i_2);
             if(!crossing_2.is_hit_0)
             {
                 i_2 = i_2 + u32(1);
@@ -3418,30 +3483,30 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S309 = true;
+                _S314 = true;
             }
             else
             {
-                _S309 = (crossing_2.t_8) < ((*ray_2).t_max_0);
+                _S314 = (crossing_2.t_8) < ((*ray_3).t_max_0);
             }
-            var _S316 : bool;
-            if(_S309)
+            var _S321 : bool;
+            if(_S314)
             {
-                _S316 = true;
+                _S321 = true;
             }
             else
             {
-                _S316 = (face_1(i_2)) < (found_0.face_2);
+                _S321 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S316)
+            if(_S321)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_8 = i_2;
-                (*ray_2).t_max_0 = crossing_2.t_8;
+                (*ray_3).t_max_0 = crossing_2.t_8;
                 found_0.v_11 = crossing_2.v_9;
                 found_0.w_5 = crossing_2.w_3;
-                limit_6 = min(limit_5, crossing_2.t_8 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_3.margin_2);
+                limit_6 = min(limit_5, crossing_2.t_8 * (*ray_3).local_per_t_0 - (*ray_3).enter_0 + 2.0f * view_3.margin_2);
             }
             else
             {
@@ -3452,13 +3517,13 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S309 = (found_0.face_2) != u32(4294967295);
+            _S314 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S309 = false;
+            _S314 = false;
         }
-        if(_S309)
+        if(_S314)
         {
             break;
         }
@@ -3469,54 +3534,14 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_0;
 }
 
-fn cast_0( origin_1 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_10 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_2 : vec3<f32>,  direction_14 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_1 : bool,  t_10 : ptr<function, f32>) -> Found_0
 {
-    var size_2 : vec3<f32> = abs(direction_13);
-    var _S317 : f32 = size_2.x;
-    var _S318 : f32 = size_2.y;
-    var _S319 : bool;
-    if(_S317 >= _S318)
-    {
-        _S319 = _S317 >= (size_2.z);
-    }
-    else
-    {
-        _S319 = false;
-    }
-    var _S320 : i32;
-    if(_S319)
-    {
-        _S320 = i32(0);
-    }
-    else
-    {
-        if(_S318 >= (size_2.z))
-        {
-            _S320 = i32(1);
-        }
-        else
-        {
-            _S320 = i32(2);
-        }
-    }
-    var z_4 : u32 = u32(_S320);
-    var x_9 : u32 = (z_4 + u32(1)) % u32(3);
-    var y_3 : u32 = (z_4 + u32(2)) % u32(3);
-    var ray_3 : Ray_0;
-    ray_3.origin_0 = origin_1;
-    var along_2 : f32 = component_0(direction_13, z_4);
-    ray_3.inverse_z_0 = 1.0f / along_2;
-    ray_3.shear_x_0 = component_0(direction_13, x_9) / along_2;
-    ray_3.shear_y_0 = component_0(direction_13, y_3) / along_2;
-    ray_3.t_min_0 = t_min_1;
-    ray_3.t_max_0 = t_max_1;
-    var _S321 : f32 = abs(along_2);
-    ray_3.local_per_t_0 = _S321;
-    ray_3.enter_0 = 0.0f;
-    ray_3.edge_on_0 = limit_at_0(u32(0));
-    ray_3.largest_2 = limit_at_0(u32(1));
     var view_4 : RayView_0;
-    var _S322 : vec3<f32> = direction_13 / vec3<f32>(_S321);
+    var _S322 : u32 = view_4.axes_4;
+    var _S323 : Ray_0 = ray_along_0(origin_2, direction_14, t_min_2, t_max_2, &(_S322));
+    view_4.axes_4 = _S322;
+    var ray_4 : Ray_0 = _S323;
+    var _S324 : vec3<f32> = direction_14 / vec3<f32>(ray_4.local_per_t_0);
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -3527,34 +3552,34 @@ fn cast_0( origin_1 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_1 : f32,  t_m
         {
             break;
         }
-        var _S323 : f32 = max(abs(_S322[axis_7]), 8.67361737988403547e-19f);
-        var _S324 : f32;
-        if((_S322[axis_7]) < 0.0f)
+        var _S325 : f32 = max(abs(_S324[axis_7]), 8.67361737988403547e-19f);
+        var _S326 : f32;
+        if((_S324[axis_7]) < 0.0f)
         {
-            _S324 = -1.0f / _S323;
+            _S326 = -1.0f / _S325;
         }
         else
         {
-            _S324 = 1.0f / _S323;
+            _S326 = 1.0f / _S325;
         }
-        view_4.inverse_1[axis_7] = _S324;
+        view_4.inverse_1[axis_7] = _S326;
         axis_7 = axis_7 + u32(1);
     }
-    var offset_12 : vec3<f32> = origin_1 * view_4.inverse_1;
+    var offset_12 : vec3<f32> = origin_2 * view_4.inverse_1;
     var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_4.inverse_1);
     view_4.offset_near_0 = offset_12 + wider_0;
     view_4.offset_far_0 = offset_12 - wider_0;
-    view_4.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
+    view_4.limit_0 = min(t_max_2 * ray_4.local_per_t_0, 8.0f) + 3.814697265625e-06f;
     view_4.margin_2 = 3.814697265625e-06f;
-    view_4.axes_3 = (((x_9 | (((y_3 << (u32(2))))))) | (((z_4 << (u32(4))))));
-    var found_1 : Found_0 = first_found_0(view_4, &(ray_3), any_1);
-    (*t_10) = ray_3.t_max_0;
+    var found_1 : Found_0 = first_found_0(view_4, &(ray_4), any_1);
+    (*t_10) = ray_4.t_max_0;
     return found_1;
 }
 
 struct Side_0
 {
-     direction_14 : vec3<f32>,
+     direction_15 : vec3<f32>,
+     rest_3 : vec3<f32>,
      scattered_2 : vec3<f32>,
      found_2 : Found_0,
      t_11 : f32,
@@ -3563,44 +3588,45 @@ struct Side_0
 fn look_0( at_44 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Side_0
 {
     var step_0 : vec3<f32> = point_4.normal_8 * vec3<f32>(edge_real_0(u32(3)));
-    var origin_2 : vec3<f32>;
+    var origin_3 : vec3<f32>;
     if(side_0 == u32(0))
     {
-        origin_2 = point_4.direction_12 - step_0;
+        origin_3 = point_4.direction_12 - step_0;
     }
     else
     {
-        origin_2 = point_4.direction_12 + step_0;
+        origin_3 = point_4.direction_12 + step_0;
     }
-    var direction_15 : vec3<f32> = exact_unit_0(origin_2);
+    var direction_16 : vec3<f32> = exact_unit_0(origin_3);
     if(point_4.is_in_horizon_0)
     {
         var face_3 : vec3<f32> = face_normal_1(at_44);
         var height_3 : f32 = limit_at_0(u32(2));
-        var _S325 : f32;
-        if((dot(direction_15, face_3)) < 0.0f)
+        var _S327 : f32;
+        if((dot(direction_16, face_3)) < 0.0f)
         {
-            _S325 = - height_3;
+            _S327 = - height_3;
         }
         else
         {
-            _S325 = height_3;
+            _S327 = height_3;
         }
-        origin_2 = at_44.vertex_3.surface_4.exact_0 + face_3 * vec3<f32>(_S325);
+        origin_3 = at_44.vertex_3.surface_4.exact_0 + face_3 * vec3<f32>(_S327);
     }
     else
     {
-        origin_2 = at_44.vertex_3.surface_4.exact_0;
+        origin_3 = at_44.vertex_3.surface_4.exact_0;
     }
     var seen_4 : Side_0;
-    seen_4.direction_14 = direction_15;
-    seen_4.scattered_2 = scattered_from_0(at_44.vertex_3, direction_15);
-    var _S326 : f32 = limit_at_0(u32(2));
-    var _S327 : f32 = limit_at_0(u32(1));
-    var _S328 : f32 = seen_4.t_11;
-    var _S329 : Found_0 = cast_0(origin_2, direction_15, _S326, _S327, false, &(_S328));
-    seen_4.t_11 = _S328;
-    seen_4.found_2 = _S329;
+    seen_4.direction_15 = direction_16;
+    seen_4.rest_3 = vec3<f32>(0.0f);
+    seen_4.scattered_2 = scattered_from_0(at_44.vertex_3, direction_16);
+    var _S328 : f32 = limit_at_0(u32(2));
+    var _S329 : f32 = limit_at_0(u32(1));
+    var _S330 : f32 = seen_4.t_11;
+    var _S331 : Found_0 = cast_0(origin_3, direction_16, _S328, _S329, false, &(_S330));
+    seen_4.t_11 = _S330;
+    seen_4.found_2 = _S331;
     return seen_4;
 }
 
@@ -3674,12 +3700,13 @@ fn begin_side_0( number_1 : u32,  path_12 : Path_0,  side_2 : Side_0,  weight_0 
     var at_45 : u32 = u32(1);
     set_vector_0(number_1, &(at_45), vec3<f32>(0.0f));
     set_vector_0(number_1, &(at_45), vec3<f32>(1.0f));
-    set_vector_0(number_1, &(at_45), side_2.direction_14);
+    set_vector_0(number_1, &(at_45), side_2.direction_15);
     set_place_0(number_1, &(at_45), place_of_0(side_2.found_2));
-    var _S330 : u32 = at_45 + u32(1);
+    var _S332 : u32 = at_45 + u32(1);
     set_word_0(number_1, at_45, path_12.key_0.x);
-    at_45 = _S330 + u32(1);
-    set_word_0(number_1, _S330, path_12.key_0.y);
+    at_45 = _S332 + u32(1);
+    set_word_0(number_1, _S332, path_12.key_0.y);
+    set_vector_0(number_1, &(at_45), side_2.rest_3);
     set_vector_0(number_1, &(at_45), weight_0);
     return;
 }
@@ -3701,14 +3728,14 @@ fn begin_sides_of_0( at_46 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_
         side_3 = side_3 + u32(1);
     }
     var nearest_0 : f32 = point_5.distance_5 * 0.99999898672103882f;
-    var _S331 : bool;
+    var _S333 : bool;
     if((sides_0[i32(0)].found_2.face_2) == (sides_0[i32(1)].found_2.face_2))
     {
-        _S331 = (max(sides_0[i32(0)].t_11, sides_0[i32(1)].t_11)) < nearest_0;
+        _S333 = (max(sides_0[i32(0)].t_11, sides_0[i32(1)].t_11)) < nearest_0;
     }
     else
     {
-        _S331 = false;
+        _S333 = false;
     }
     var goes_on_1 : vec2<bool> = vec2<bool>(false, false);
     side_3 = u32(0);
@@ -3721,40 +3748,40 @@ fn begin_sides_of_0( at_46 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_
         {
             break;
         }
-        var _S332 : bool;
-        if(_S331)
-        {
-            _S332 = true;
-        }
-        else
-        {
-            _S332 = (sides_0[side_3].found_2.face_2) == u32(4294967295);
-        }
-        var _S333 : bool;
-        if(_S332)
-        {
-            _S333 = true;
-        }
-        else
-        {
-            _S333 = !((largest_0(sides_0[side_3].scattered_2)) > 0.0f);
-        }
+        var _S334 : bool;
         if(_S333)
+        {
+            _S334 = true;
+        }
+        else
+        {
+            _S334 = (sides_0[side_3].found_2.face_2) == u32(4294967295);
+        }
+        var _S335 : bool;
+        if(_S334)
+        {
+            _S335 = true;
+        }
+        else
+        {
+            _S335 = !((largest_0(sides_0[side_3].scattered_2)) > 0.0f);
+        }
+        if(_S335)
         {
             side_3 = side_3 + u32(1);
             continue;
         }
-        var _S334 : vec3<f32> = factor_5 * sides_0[side_3].scattered_2;
-        var _S335 : f32;
+        var _S336 : vec3<f32> = factor_5 * sides_0[side_3].scattered_2;
+        var _S337 : f32;
         if(side_3 == u32(0))
         {
-            _S335 = 1.0f;
+            _S337 = 1.0f;
         }
         else
         {
-            _S335 = -1.0f;
+            _S337 = -1.0f;
         }
-        begin_side_0(side_path_0(number_of_path_3, side_3), path_13, sides_0[side_3], _S334 * vec3<f32>(_S335));
+        begin_side_0(side_path_0(number_of_path_3, side_3), path_13, sides_0[side_3], _S336 * vec3<f32>(_S337));
         goes_on_1[side_3] = true;
         side_3 = side_3 + u32(1);
     }
@@ -3768,8 +3795,8 @@ fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_47 : ShadingPoint_0,  p
     {
         return;
     }
-    var _S336 : vec2<bool> = begin_sides_of_0(at_47, point_6, number_of_path_4, path_14, (*crossed_2).factor_1 * vec3<f32>(flow_0));
-    (*crossed_2).goes_on_0 = _S336;
+    var _S338 : vec2<bool> = begin_sides_of_0(at_47, point_6, number_of_path_4, path_14, (*crossed_2).factor_1 * vec3<f32>(flow_0));
+    (*crossed_2).goes_on_0 = _S338;
     return;
 }
 
@@ -3821,16 +3848,16 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 target_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(target_1 - 0.00100000004749745f));
-            var _S337 : f32 = f32(points_1);
-            var _S338 : f32 = asked_0.over_all_0 * _S337;
-            var step_2 : f32 = total_1 / _S337;
-            var _S339 : f32 = step_2 * asked_0.place_21;
+            var _S339 : f32 = f32(points_1);
+            var _S340 : f32 = asked_0.over_all_0 * _S339;
+            var step_2 : f32 = total_1 / _S339;
+            var _S341 : f32 = step_2 * asked_0.place_21;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S338;
+            over_all_1 = _S340;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S339;
+            target_1 = _S341;
         }
         else
         {
@@ -3845,16 +3872,16 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
         var target_2 : f32 = target_1;
         for(;;)
         {
-            var _S340 : bool;
+            var _S342 : bool;
             if(k_11 < (edge_word_0(leaf_2 + u32(3))))
             {
-                _S340 = drawn_1 < points_0;
+                _S342 = drawn_1 < points_0;
             }
             else
             {
-                _S340 = false;
+                _S342 = false;
             }
-            if(_S340)
+            if(_S342)
             {
             }
             else
@@ -3862,14 +3889,14 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 break;
             }
             var seen_5 : SeenEdge_0;
-            var _S341 : bool = see_edge_0(at_48, k_11, &(seen_5));
+            var _S343 : bool = see_edge_0(at_48, k_11, &(seen_5));
             var drawn_2 : u32;
             var contributions_2 : f32;
             var angles_2 : f32;
             var pieces_3 : f32;
             var cumulative_2 : f32;
             var target_3 : f32;
-            if(!_S341)
+            if(!_S343)
             {
                 drawn_2 = drawn_1;
                 contributions_2 = contributions_1;
@@ -3919,26 +3946,26 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 var target_4 : f32 = target_3;
                 for(;;)
                 {
-                    var _S342 : bool;
+                    var _S344 : bool;
                     if(drawn_3 < points_0)
                     {
-                        _S342 = target_4 < cumulative_3;
+                        _S344 = target_4 < cumulative_3;
                     }
                     else
                     {
-                        _S342 = false;
+                        _S344 = false;
                     }
-                    if(_S342)
+                    if(_S344)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var _S343 : u32 = drawn_3 + u32(1);
+                    var _S345 : u32 = drawn_3 + u32(1);
                     var target_5 : f32 = target_4 + step_1;
                     cross_at_0(&((*crossed_3)), at_48, point_on_0(at_48, seen_5, piece_2, clamp((target_4 - cumulative_2) / own_1, 0.0f, 1.0f), over_all_1 * own_1 / total_0), number_of_path_5, path_15);
-                    drawn_3 = _S343;
+                    drawn_3 = _S345;
                     target_4 = target_5;
                 }
                 cumulative_2 = cumulative_3;
@@ -3968,19 +3995,19 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
 fn sample_points_0( at_49 : ShadingPoint_0,  number_of_path_6 : u32,  path_16 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
 {
     var numbers_8 : u32 = numbers_for_0(at_49.purpose_0) + u32(1);
-    var _S344 : f32 = f32(subtree_0);
-    var _S345 : f32 = f32(subtrees_0);
+    var _S346 : f32 = f32(subtree_0);
+    var _S347 : f32 = f32(subtrees_0);
     var leaf_3 : u32;
     var probability_4 : f32;
-    var _S346 : bool = descend_0(at_49, (_S344 + precise_random_0(path_16.key_0, numbers_8)) / _S345, &(leaf_3), &(probability_4));
-    if(!_S346)
+    var _S348 : bool = descend_0(at_49, (_S346 + precise_random_0(path_16.key_0, numbers_8)) / _S347, &(leaf_3), &(probability_4));
+    if(!_S348)
     {
         return;
     }
     var asked_1 : Share_0;
-    asked_1.share_0 = 1.0f / _S345;
-    asked_1.over_all_0 = probability_4 * _S345;
-    asked_1.place_21 = precise_random_0(path_16.key_0, numbers_8 + u32(1)) + 0.6180340051651001f * _S344;
+    asked_1.share_0 = 1.0f / _S347;
+    asked_1.over_all_0 = probability_4 * _S347;
+    asked_1.place_21 = precise_random_0(path_16.key_0, numbers_8 + u32(1)) + 0.6180340051651001f * _S346;
     for(;;)
     {
         if((asked_1.place_21) >= 1.0f)
@@ -3998,13 +4025,13 @@ fn sample_points_0( at_49 : ShadingPoint_0,  number_of_path_6 : u32,  path_16 : 
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S347 : u32;
+    var _S349 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S348 : u32 = u32(2) + zero_0;
-        _S347 = _S348;
-        if(rounds_0 < _S348)
+        var _S350 : u32 = u32(2) + zero_0;
+        _S349 = _S350;
+        if(rounds_0 < _S350)
         {
         }
         else
@@ -4013,14 +4040,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S347;
+    return rounds_0 == _S349;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S349 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S351 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4039,18 +4066,18 @@ fn begin_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_17 : Path_0 = path_at_vertex_0(number_of_path_7, &(factor_6));
     var crossed_5 : Crossed_0 = nothing_crossed_0(factor_6);
     var at_50 : ShadingPoint_0;
-    var _S350 : bool = shading_point_0(path_17, &(at_50));
-    var _S351 : bool;
-    if(_S350)
+    var _S352 : bool = shading_point_0(path_17, &(at_50));
+    var _S353 : bool;
+    if(_S352)
     {
-        var _S352 : f32 = turn_to_0(u32(2), path_17.key_0, &(at_50));
-        _S351 = _S352 > 0.0f;
+        var _S354 : f32 = turn_to_0(u32(2), path_17.key_0, &(at_50));
+        _S353 = _S354 > 0.0f;
     }
     else
     {
-        _S351 = false;
+        _S353 = false;
     }
-    if(_S351)
+    if(_S353)
     {
         sample_points_0(at_50, number_of_path_7, path_17, subtree_of_launch_0(), subtrees_of_0(at_50), &(crossed_5));
     }
@@ -4066,18 +4093,18 @@ fn begin_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         }
         var goes_on_2 : bool = crossed_5.goes_on_0[side_4];
         var number_2 : u32 = side_path_0(number_of_path_7, side_4);
-        var which_10 : u32 = u32(17);
-        var _S353 : u32 = u32(2) * listed_0 + side_4;
-        var _S354 : u32;
+        var which_10 : u32 = u32(20);
+        var _S355 : u32 = u32(2) * listed_0 + side_4;
+        var _S356 : u32;
         if(crossed_5.goes_on_0[side_4])
         {
-            _S354 = number_2;
+            _S356 = number_2;
         }
         else
         {
-            _S354 = u32(4294967295);
+            _S356 = u32(4294967295);
         }
-        set_word_0(_S353, u32(0), _S354);
+        set_word_0(_S355, u32(0), _S356);
         if(!goes_on_2)
         {
             set_vector_1(number_2, &(which_10), vec3<f32>(0.0f));

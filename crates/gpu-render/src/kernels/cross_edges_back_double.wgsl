@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 9bcd855fe055c0d5
-// result: 8fa7581a2476ddcc
+// source: 323b12c7d8756753
+// result: c7a7c178d18d2cab
 
 struct Launch_std140_0
 {
@@ -795,7 +795,7 @@ fn triangle_record_0( triangle_2 : u32) -> u32
 
 fn shape_of_0( triangle_3 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_3));
+    return word_0(u32(10)) + u32(7) * word_0(triangle_record_0(triangle_3));
 }
 
 fn primitive_vector_0( at_2 : u32) -> vec3<f64>
@@ -3205,6 +3205,69 @@ fn component_0( v_8 : vec3<f64>,  axis_5 : u32) -> f64
     return _S344;
 }
 
+struct Ray_0
+{
+     origin_0 : vec3<f64>,
+     shear_x_0 : f64,
+     shear_y_0 : f64,
+     inverse_z_0 : f64,
+     t_min_0 : f64,
+     t_max_0 : f64,
+     local_per_t_0 : f64,
+     enter_0 : f64,
+     edge_on_0 : f64,
+     largest_1 : f64,
+};
+
+fn ray_along_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  axes_6 : ptr<function, u32>) -> Ray_0
+{
+    var size_1 : vec3<f32> = abs(vec3<f32>(direction_12));
+    var _S345 : f32 = size_1.x;
+    var _S346 : f32 = size_1.y;
+    var _S347 : bool;
+    if(_S345 >= _S346)
+    {
+        _S347 = _S345 >= (size_1.z);
+    }
+    else
+    {
+        _S347 = false;
+    }
+    var _S348 : i32;
+    if(_S347)
+    {
+        _S348 = i32(0);
+    }
+    else
+    {
+        if(_S346 >= (size_1.z))
+        {
+            _S348 = i32(1);
+        }
+        else
+        {
+            _S348 = i32(2);
+        }
+    }
+    var z_2 : u32 = u32(_S348);
+    var x_13 : u32 = (z_2 + u32(1)) % u32(3);
+    var y_4 : u32 = (z_2 + u32(2)) % u32(3);
+    (*axes_6) = (((x_13 | (((y_4 << (u32(2))))))) | (((z_2 << (u32(4))))));
+    var ray_0 : Ray_0;
+    ray_0.origin_0 = origin_1;
+    var along_2 : f64 = component_0(direction_12, z_2);
+    ray_0.inverse_z_0 = 1.0lf / along_2;
+    ray_0.shear_x_0 = component_0(direction_12, x_13) / along_2;
+    ray_0.shear_y_0 = component_0(direction_12, y_4) / along_2;
+    ray_0.t_min_0 = t_min_1;
+    ray_0.t_max_0 = t_max_1;
+    ray_0.local_per_t_0 = abs(along_2);
+    ray_0.enter_0 = 0.0lf;
+    ray_0.edge_on_0 = limit_at_0(u32(0));
+    ray_0.largest_1 = limit_at_0(u32(1));
+    return ray_0;
+}
+
 fn ray_child_0( node_4 : u32,  slot_2 : u32) -> u32
 {
     return nodes_0[u32(14) * node_4 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
@@ -3217,12 +3280,12 @@ struct RayView_0
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
      margin_2 : f32,
-     axes_6 : u32,
+     axes_7 : u32,
 };
 
 fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32) -> f32
 {
-    var _S345 : u32 = u32(14) * node_5 + slot_3 / u32(4);
+    var _S349 : u32 = u32(14) * node_5 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -3235,36 +3298,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S346 : u32 = axis_6;
-        var _S347 : u32 = _S345 + u32(2) * axis_6;
-        var _S348 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S347][_S348])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S347 + u32(6)][_S348])));
-        var _S349 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S350 : f32;
-        if(_S349)
+        var _S350 : u32 = axis_6;
+        var _S351 : u32 = _S349 + u32(2) * axis_6;
+        var _S352 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S351][_S352])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S351 + u32(6)][_S352])));
+        var _S353 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S354 : f32;
+        if(_S353)
         {
-            _S350 = high_0;
+            _S354 = high_0;
         }
         else
         {
-            _S350 = low_3;
+            _S354 = low_3;
         }
-        var _S351 : f32 = max(near_4, _S350 * view_1.inverse_1[_S346] - view_1.offset_near_0[axis_6]);
-        var _S352 : f32;
-        if(_S349)
+        var _S355 : f32 = max(near_4, _S354 * view_1.inverse_1[_S350] - view_1.offset_near_0[axis_6]);
+        var _S356 : f32;
+        if(_S353)
         {
-            _S352 = low_3;
+            _S356 = low_3;
         }
         else
         {
-            _S352 = high_0;
+            _S356 = high_0;
         }
-        var _S353 : f32 = min(far_3, _S352 * view_1.inverse_1[_S346] - view_1.offset_far_0[axis_6]);
-        var _S354 : u32 = axis_6 + u32(1);
-        near_4 = _S351;
-        far_3 = _S353;
-        axis_6 = _S354;
+        var _S357 : f32 = min(far_3, _S356 * view_1.inverse_1[_S350] - view_1.offset_far_0[axis_6]);
+        var _S358 : u32 = axis_6 + u32(1);
+        near_4 = _S355;
+        far_3 = _S357;
+        axis_6 = _S358;
     }
     if(near_4 <= far_3)
     {
@@ -3289,7 +3352,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S355 : u32 = k_9;
+        var _S359 : u32 = k_9;
         if((bounds_0[k_9]) > limit_2)
         {
             k_9 = k_9 + u32(1);
@@ -3306,24 +3369,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S356 : u32 = j_0;
-            var _S357 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S355]))
+            var _S360 : u32 = j_0;
+            var _S361 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S359]))
             {
-                _S357 = true;
+                _S361 = true;
             }
             else
             {
-                if((bounds_0[_S356]) == (bounds_0[_S355]))
+                if((bounds_0[_S360]) == (bounds_0[_S359]))
                 {
-                    _S357 = j_0 < k_9;
+                    _S361 = j_0 < k_9;
                 }
                 else
                 {
-                    _S357 = false;
+                    _S361 = false;
                 }
             }
-            if(_S357)
+            if(_S361)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -3348,45 +3411,31 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
         {
             break;
         }
-        var _S358 : f32;
+        var _S362 : f32;
         if((ray_child_0(node_6, slot_4)) == u32(4294967295))
         {
-            _S358 = 3.00000000549775576e+38f;
+            _S362 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S358 = ray_bound_0(view_2, limit_3, node_6, slot_4);
+            _S362 = ray_bound_0(view_2, limit_3, node_6, slot_4);
         }
-        bounds_1[slot_4] = _S358;
+        bounds_1[slot_4] = _S362;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn rounded_0( product_2 : f64,  largest_1 : f64) -> f64
+fn rounded_0( product_2 : f64,  largest_2 : f64) -> f64
 {
-    return min(product_2, largest_1);
+    return min(product_2, largest_2);
 }
 
-struct Ray_0
+fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_36 : u32) -> vec3<f64>
 {
-     origin_0 : vec3<f64>,
-     shear_x_0 : f64,
-     shear_y_0 : f64,
-     inverse_z_0 : f64,
-     t_min_0 : f64,
-     t_max_0 : f64,
-     local_per_t_0 : f64,
-     enter_0 : f64,
-     edge_on_0 : f64,
-     largest_2 : f64,
-};
-
-fn corner_0( ray_0 : Ray_0,  axes_7 : u32,  at_36 : u32) -> vec3<f64>
-{
-    var relative_1 : vec3<f64> = primitive_vector_0(at_36) - ray_0.origin_0;
-    var z_2 : f64 = component_0(relative_1, (axes_7 >> (u32(4))));
-    return vec3<f64>(component_0(relative_1, (axes_7 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_2, ray_0.largest_2), component_0(relative_1, (((axes_7 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_2, ray_0.largest_2), z_2);
+    var relative_1 : vec3<f64> = primitive_vector_0(at_36) - ray_1.origin_0;
+    var z_3 : f64 = component_0(relative_1, (axes_8 >> (u32(4))));
+    return vec3<f64>(component_0(relative_1, (axes_8 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_3, ray_1.largest_1), component_0(relative_1, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_3, ray_1.largest_1), z_3);
 }
 
 struct Crossing_0
@@ -3397,58 +3446,58 @@ struct Crossing_0
      w_3 : f64,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_37 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_37 : u32) -> Crossing_0
 {
     var crossing_1 : Crossing_0;
     crossing_1.is_hit_0 = false;
     crossing_1.t_7 = 0.0lf;
     crossing_1.v_9 = 0.0lf;
     crossing_1.w_3 = 0.0lf;
-    var a_17 : vec3<f64> = corner_0(ray_1, axes_8, at_37);
-    var b_12 : vec3<f64> = corner_0(ray_1, axes_8, at_37 + u32(3));
-    var c_3 : vec3<f64> = corner_0(ray_1, axes_8, at_37 + u32(6));
-    var _S359 : f64 = c_3.x;
-    var _S360 : f64 = b_12.y;
-    var cx_by_0 : f64 = rounded_0(_S359 * _S360, ray_1.largest_2);
-    var _S361 : f64 = c_3.y;
-    var _S362 : f64 = b_12.x;
-    var cy_bx_0 : f64 = rounded_0(_S361 * _S362, ray_1.largest_2);
-    var _S363 : f64 = a_17.x;
-    var ax_cy_0 : f64 = rounded_0(_S363 * _S361, ray_1.largest_2);
-    var _S364 : f64 = a_17.y;
-    var ay_cx_0 : f64 = rounded_0(_S364 * _S359, ray_1.largest_2);
-    var bx_ay_0 : f64 = rounded_0(_S362 * _S364, ray_1.largest_2);
-    var by_ax_0 : f64 = rounded_0(_S360 * _S363, ray_1.largest_2);
+    var a_17 : vec3<f64> = corner_0(ray_2, axes_9, at_37);
+    var b_12 : vec3<f64> = corner_0(ray_2, axes_9, at_37 + u32(3));
+    var c_3 : vec3<f64> = corner_0(ray_2, axes_9, at_37 + u32(6));
+    var _S363 : f64 = c_3.x;
+    var _S364 : f64 = b_12.y;
+    var cx_by_0 : f64 = rounded_0(_S363 * _S364, ray_2.largest_1);
+    var _S365 : f64 = c_3.y;
+    var _S366 : f64 = b_12.x;
+    var cy_bx_0 : f64 = rounded_0(_S365 * _S366, ray_2.largest_1);
+    var _S367 : f64 = a_17.x;
+    var ax_cy_0 : f64 = rounded_0(_S367 * _S365, ray_2.largest_1);
+    var _S368 : f64 = a_17.y;
+    var ay_cx_0 : f64 = rounded_0(_S368 * _S363, ray_2.largest_1);
+    var bx_ay_0 : f64 = rounded_0(_S366 * _S368, ray_2.largest_1);
+    var by_ax_0 : f64 = rounded_0(_S364 * _S367, ray_2.largest_1);
     var u_2 : f64 = cx_by_0 - cy_bx_0;
     var v_10 : f64 = ax_cy_0 - ay_cx_0;
     var w_4 : f64 = bx_ay_0 - by_ax_0;
-    var _S365 : f64 = min(min(u_2, v_10), w_4);
-    var _S366 : f64 = max(max(u_2, v_10), w_4);
-    var _S367 : bool;
-    if(_S365 < 0.0lf)
+    var _S369 : f64 = min(min(u_2, v_10), w_4);
+    var _S370 : f64 = max(max(u_2, v_10), w_4);
+    var _S371 : bool;
+    if(_S369 < 0.0lf)
     {
-        _S367 = _S366 > 0.0lf;
+        _S371 = _S370 > 0.0lf;
     }
     else
     {
-        _S367 = false;
+        _S371 = false;
     }
-    if(_S367)
+    if(_S371)
     {
         return crossing_1;
     }
     var determinant_0 : f64 = u_2 + v_10 + w_4;
-    if(_S365 <= 0.0lf)
+    if(_S369 <= 0.0lf)
     {
-        _S367 = _S366 >= 0.0lf;
+        _S371 = _S370 >= 0.0lf;
     }
     else
     {
-        _S367 = false;
+        _S371 = false;
     }
-    if(_S367)
+    if(_S371)
     {
-        if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
+        if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
             return crossing_1;
         }
@@ -3457,16 +3506,16 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_37 : u32) -> Crossing_0
     {
         return crossing_1;
     }
-    var t_8 : f64 = (rounded_0(u_2 * a_17.z, ray_1.largest_2) + rounded_0(v_10 * b_12.z, ray_1.largest_2) + rounded_0(w_4 * c_3.z, ray_1.largest_2)) / determinant_0 * ray_1.inverse_z_0;
-    if((ray_1.t_min_0) <= t_8)
+    var t_8 : f64 = (rounded_0(u_2 * a_17.z, ray_2.largest_1) + rounded_0(v_10 * b_12.z, ray_2.largest_1) + rounded_0(w_4 * c_3.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
+    if((ray_2.t_min_0) <= t_8)
     {
-        _S367 = t_8 <= (ray_1.t_max_0);
+        _S371 = t_8 <= (ray_2.t_max_0);
     }
     else
     {
-        _S367 = false;
+        _S371 = false;
     }
-    crossing_1.is_hit_0 = _S367;
+    crossing_1.is_hit_0 = _S371;
     crossing_1.t_7 = t_8;
     crossing_1.v_9 = v_10 / determinant_0;
     crossing_1.w_3 = w_4 / determinant_0;
@@ -3486,9 +3535,9 @@ struct Found_0
      w_5 : f64,
 };
 
-fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S368 : bool;
+    var _S372 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_7 = u32(4294967295);
@@ -3520,31 +3569,31 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S369 : u32 = way_2[level_0].y;
-        if(_S369 == u32(0))
+        var _S373 : u32 = way_2[level_0].y;
+        if(_S373 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S370 : u32 = level_0 - u32(1);
+            var _S374 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S370;
+            level_0 = _S374;
             continue;
         }
-        var slot_5 : u32 = ((_S369 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S369 >> (u32(4)));
-        var _S371 : bool;
+        var slot_5 : u32 = ((_S373 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S373 >> (u32(4)));
+        var _S375 : bool;
         if(!is_new_1)
         {
-            _S371 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+            _S375 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S371 = false;
+            _S375 = false;
         }
-        if(_S371)
+        if(_S375)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -3553,27 +3602,27 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S372 : u32 = level_0 + u32(1);
+            var _S376 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S372;
+            level_0 = _S376;
             continue;
         }
         var leaf_1 : u32 = (child_0 & (u32(2147483647)));
-        var _S373 : u32 = leaf_starts_0[leaf_1 + u32(1)];
-        var _S374 : u32 = leaf_starts_0[leaf_1];
+        var _S377 : u32 = leaf_starts_0[leaf_1 + u32(1)];
+        var _S378 : u32 = leaf_starts_0[leaf_1];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S374;
+        var i_2 : u32 = _S378;
         for(;;)
         {
-            if(i_2 < _S373)
+            if(i_2 < _S377)
             {
             }
             else
             {
                 break;
             }
-            var crossing_2 : Crossing_0 = intersect_0((*ray_2), view_3.axes_6, u32(9) * i_2);
+            var crossing_2 : Crossing_0 = intersect_0((*ray_3), view_3.axes_7, u32(9) * i_2);
             if(!crossing_2.is_hit_0)
             {
                 i_2 = i_2 + u32(1);
@@ -3581,30 +3630,30 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S368 = true;
+                _S372 = true;
             }
             else
             {
-                _S368 = (crossing_2.t_7) < ((*ray_2).t_max_0);
+                _S372 = (crossing_2.t_7) < ((*ray_3).t_max_0);
             }
-            var _S375 : bool;
-            if(_S368)
+            var _S379 : bool;
+            if(_S372)
             {
-                _S375 = true;
+                _S379 = true;
             }
             else
             {
-                _S375 = (face_1(i_2)) < (found_0.face_2);
+                _S379 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S375)
+            if(_S379)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_7 = i_2;
-                (*ray_2).t_max_0 = crossing_2.t_7;
+                (*ray_3).t_max_0 = crossing_2.t_7;
                 found_0.v_11 = crossing_2.v_9;
                 found_0.w_5 = crossing_2.w_3;
-                limit_6 = min(limit_5, f32(crossing_2.t_7 * (*ray_2).local_per_t_0 - (*ray_2).enter_0) + 2.0f * view_3.margin_2);
+                limit_6 = min(limit_5, f32(crossing_2.t_7 * (*ray_3).local_per_t_0 - (*ray_3).enter_0) + 2.0f * view_3.margin_2);
             }
             else
             {
@@ -3615,13 +3664,13 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S368 = (found_0.face_2) != u32(4294967295);
+            _S372 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S368 = false;
+            _S372 = false;
         }
-        if(_S368)
+        if(_S372)
         {
             break;
         }
@@ -3632,54 +3681,14 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_0;
 }
 
-fn cast_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_9 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_2 : vec3<f64>,  direction_13 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_1 : bool,  t_9 : ptr<function, f32>) -> Found_0
 {
-    var size_1 : vec3<f32> = abs(vec3<f32>(direction_12));
-    var _S376 : f32 = size_1.x;
-    var _S377 : f32 = size_1.y;
-    var _S378 : bool;
-    if(_S376 >= _S377)
-    {
-        _S378 = _S376 >= (size_1.z);
-    }
-    else
-    {
-        _S378 = false;
-    }
-    var _S379 : i32;
-    if(_S378)
-    {
-        _S379 = i32(0);
-    }
-    else
-    {
-        if(_S377 >= (size_1.z))
-        {
-            _S379 = i32(1);
-        }
-        else
-        {
-            _S379 = i32(2);
-        }
-    }
-    var z_3 : u32 = u32(_S379);
-    var x_13 : u32 = (z_3 + u32(1)) % u32(3);
-    var y_4 : u32 = (z_3 + u32(2)) % u32(3);
-    var ray_3 : Ray_0;
-    ray_3.origin_0 = origin_1;
-    var along_2 : f64 = component_0(direction_12, z_3);
-    ray_3.inverse_z_0 = 1.0lf / along_2;
-    ray_3.shear_x_0 = component_0(direction_12, x_13) / along_2;
-    ray_3.shear_y_0 = component_0(direction_12, y_4) / along_2;
-    ray_3.t_min_0 = t_min_1;
-    ray_3.t_max_0 = t_max_1;
-    var _S380 : f64 = abs(along_2);
-    ray_3.local_per_t_0 = _S380;
-    ray_3.enter_0 = 0.0lf;
-    ray_3.edge_on_0 = limit_at_0(u32(0));
-    ray_3.largest_2 = limit_at_0(u32(1));
     var view_4 : RayView_0;
-    var _S381 : vec3<f32> = vec3<f32>(direction_12 / vec3<f64>(_S380));
+    var _S380 : u32 = view_4.axes_7;
+    var _S381 : Ray_0 = ray_along_0(origin_2, direction_13, t_min_2, t_max_2, &(_S380));
+    view_4.axes_7 = _S380;
+    var ray_4 : Ray_0 = _S381;
+    var _S382 : vec3<f32> = vec3<f32>(direction_13 / vec3<f64>(ray_4.local_per_t_0));
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -3690,34 +3699,34 @@ fn cast_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,  t_m
         {
             break;
         }
-        var _S382 : f32 = max(abs(_S381[axis_7]), 8.67361737988403547e-19f);
-        var _S383 : f32;
-        if((_S381[axis_7]) < 0.0f)
+        var _S383 : f32 = max(abs(_S382[axis_7]), 8.67361737988403547e-19f);
+        var _S384 : f32;
+        if((_S382[axis_7]) < 0.0f)
         {
-            _S383 = -1.0f / _S382;
+            _S384 = -1.0f / _S383;
         }
         else
         {
-            _S383 = 1.0f / _S382;
+            _S384 = 1.0f / _S383;
         }
-        view_4.inverse_1[axis_7] = _S383;
+        view_4.inverse_1[axis_7] = _S384;
         axis_7 = axis_7 + u32(1);
     }
-    var offset_11 : vec3<f32> = vec3<f32>(origin_1) * view_4.inverse_1;
+    var offset_11 : vec3<f32> = vec3<f32>(origin_2) * view_4.inverse_1;
     var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_4.inverse_1);
     view_4.offset_near_0 = offset_11 + wider_0;
     view_4.offset_far_0 = offset_11 - wider_0;
-    view_4.limit_0 = min(f32(t_max_1 * ray_3.local_per_t_0), 8.0f) + 3.814697265625e-06f;
+    view_4.limit_0 = min(f32(t_max_2 * ray_4.local_per_t_0), 8.0f) + 3.814697265625e-06f;
     view_4.margin_2 = 3.814697265625e-06f;
-    view_4.axes_6 = (((x_13 | (((y_4 << (u32(2))))))) | (((z_3 << (u32(4))))));
-    var found_1 : Found_0 = first_found_0(view_4, &(ray_3), any_1);
-    (*t_9) = f32(ray_3.t_max_0);
+    var found_1 : Found_0 = first_found_0(view_4, &(ray_4), any_1);
+    (*t_9) = f32(ray_4.t_max_0);
     return found_1;
 }
 
 struct Side_0
 {
-     direction_13 : vec3<f32>,
+     direction_14 : vec3<f32>,
+     rest_3 : vec3<f32>,
      scattered_2 : vec3<f32>,
      found_2 : Found_0,
      t_10 : f32,
@@ -3726,45 +3735,46 @@ struct Side_0
 fn look_0( at_38 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
 {
     var step_0 : vec3<f64> = point_2.normal_6 * vec3<f64>(edge_real_0(u32(3)));
-    var origin_2 : vec3<f64>;
+    var origin_3 : vec3<f64>;
     if(side_0 == u32(0))
     {
-        origin_2 = point_2.direction_11 - step_0;
+        origin_3 = point_2.direction_11 - step_0;
     }
     else
     {
-        origin_2 = point_2.direction_11 + step_0;
+        origin_3 = point_2.direction_11 + step_0;
     }
-    var direction_14 : vec3<f64> = exact_unit_0(origin_2);
+    var direction_15 : vec3<f64> = exact_unit_0(origin_3);
     if(point_2.is_in_horizon_0)
     {
         var face_3 : vec3<f64> = face_normal_1(at_38);
         var height_3 : f64 = limit_at_0(u32(2));
-        var _S384 : f64;
-        if((dot(direction_14, face_3)) < 0.0lf)
+        var _S385 : f64;
+        if((dot(direction_15, face_3)) < 0.0lf)
         {
-            _S384 = - height_3;
+            _S385 = - height_3;
         }
         else
         {
-            _S384 = height_3;
+            _S385 = height_3;
         }
-        origin_2 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S384);
+        origin_3 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S385);
     }
     else
     {
-        origin_2 = at_38.vertex_2.surface_3.exact_0;
+        origin_3 = at_38.vertex_2.surface_3.exact_0;
     }
     var seen_4 : Side_0;
-    var _S385 : vec3<f32> = vec3<f32>(direction_14);
-    seen_4.direction_13 = _S385;
-    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, _S385);
-    var _S386 : f64 = limit_at_0(u32(2));
-    var _S387 : f64 = limit_at_0(u32(1));
-    var _S388 : f32 = seen_4.t_10;
-    var _S389 : Found_0 = cast_0(origin_2, direction_14, _S386, _S387, false, &(_S388));
-    seen_4.t_10 = _S388;
-    seen_4.found_2 = _S389;
+    var _S386 : vec3<f32> = vec3<f32>(direction_15);
+    seen_4.direction_14 = _S386;
+    seen_4.rest_3 = vec3<f32>(direction_15 - vec3<f64>(_S386));
+    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, _S386);
+    var _S387 : f64 = limit_at_0(u32(2));
+    var _S388 : f64 = limit_at_0(u32(1));
+    var _S389 : f32 = seen_4.t_10;
+    var _S390 : Found_0 = cast_0(origin_3, direction_15, _S387, _S388, false, &(_S389));
+    seen_4.t_10 = _S389;
+    seen_4.found_2 = _S390;
     return seen_4;
 }
 
@@ -3803,39 +3813,39 @@ fn offset_of_0( point_3 : EdgePoint_0) -> vec3<f32>
     return vec3<f32>(point_3.direction_11 * vec3<f64>(point_3.distance_6));
 }
 
-fn emitter_seen_0( found_4 : Found_0,  direction_15 : vec3<f32>) -> u32
+fn emitter_seen_0( found_4 : Found_0,  direction_16 : vec3<f32>) -> u32
 {
     if((found_4.face_2) == u32(4294967295))
     {
         return word_0(u32(8));
     }
     var emitter_5 : u32 = word_0(shape_of_0(found_4.triangle_7) + u32(4));
-    var _S390 : bool;
+    var _S391 : bool;
     if(emitter_5 != u32(4294967295))
     {
-        _S390 = (dot(cross_of_0(found_4.triangle_7), direction_15)) < 0.0f;
+        _S391 = (dot(cross_of_0(found_4.triangle_7), direction_16)) < 0.0f;
     }
     else
     {
-        _S390 = false;
+        _S391 = false;
     }
-    var _S391 : u32;
-    if(_S390)
+    var _S392 : u32;
+    if(_S391)
     {
-        _S391 = emitter_5;
+        _S392 = emitter_5;
     }
     else
     {
-        _S391 = u32(4294967295);
+        _S392 = u32(4294967295);
     }
-    return _S391;
+    return _S392;
 }
 
 fn jump_of_light_0( at_39 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
 {
-    var _S392 : vec3<f32> = vec3<f32>(0.0f);
+    var _S393 : vec3<f32> = vec3<f32>(0.0f);
     var side_1 : u32 = u32(0);
-    var jump_0 : vec3<f32> = _S392;
+    var jump_0 : vec3<f32> = _S393;
     for(;;)
     {
         if(side_1 < u32(2))
@@ -3846,32 +3856,32 @@ fn jump_of_light_0( at_39 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
             break;
         }
         var seen_5 : Side_0 = look_0(at_39, point_4, side_1);
-        var _S393 : bool;
+        var _S394 : bool;
         if(!((largest_0(seen_5.scattered_2)) > 0.0f))
         {
-            _S393 = true;
+            _S394 = true;
         }
         else
         {
-            _S393 = (emitter_seen_0(seen_5.found_2, seen_5.direction_13)) != (at_39.emitter_0);
+            _S394 = (emitter_seen_0(seen_5.found_2, seen_5.direction_14)) != (at_39.emitter_0);
         }
-        if(_S393)
+        if(_S394)
         {
             side_1 = side_1 + u32(1);
             continue;
         }
-        var _S394 : vec3<f32> = emitted_0(at_39.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_13));
-        var light_2 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S394);
-        var _S395 : vec3<f32>;
+        var _S395 : vec3<f32> = emitted_0(at_39.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_14));
+        var light_2 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S395);
+        var _S396 : vec3<f32>;
         if(side_1 == u32(0))
         {
-            _S395 = light_2;
+            _S396 = light_2;
         }
         else
         {
-            _S395 = (vec3<f32>(0) - light_2);
+            _S396 = (vec3<f32>(0) - light_2);
         }
-        jump_0 = jump_0 + _S395;
+        jump_0 = jump_0 + _S396;
         side_1 = side_1 + u32(1);
     }
     return jump_0;
@@ -3881,27 +3891,27 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S396 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S397 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_2 : f32 = abs(scaled_0);
     if(size_2 > 7.73712524553362672e+25f)
     {
-        var _S397 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S398 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S398 : bool = scaled_0 < 0.0f;
-    var _S399 : i32;
+    var _S399 : bool = scaled_0 < 0.0f;
+    var _S400 : i32;
     if(size_2 >= 1.84467440737095516e+19f)
     {
-        _S399 = i32(1);
+        _S400 = i32(1);
     }
     else
     {
-        _S399 = i32(0);
+        _S400 = i32(0);
     }
-    var first_7 : u32 = u32(_S399);
+    var first_7 : u32 = u32(_S400);
     var size_3 : f32;
     if(first_7 == u32(1))
     {
@@ -3921,39 +3931,39 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
     {
         size_3 = lower_0;
     }
-    var _S400 : u32 = u32(3) + u32(4) * sum_2;
+    var _S401 : u32 = u32(3) + u32(4) * sum_2;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_3), u32(higher_0));
     var k_10 : u32 = first_7;
     for(;;)
     {
-        var _S401 : bool;
+        var _S402 : bool;
         if(k_10 < u32(4))
         {
-            _S401 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S402 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S401 = false;
+            _S402 = false;
         }
-        if(_S401)
+        if(_S402)
         {
         }
         else
         {
             break;
         }
-        var _S402 : u32;
-        if(_S398)
+        var _S403 : u32;
+        if(_S399)
         {
-            _S402 = u32(0) - digits_0.x;
+            _S403 = u32(0) - digits_0.x;
         }
         else
         {
-            _S402 = digits_0.x;
+            _S403 = digits_0.x;
         }
-        var before_2 : u32 = atomicAdd(&(sums_0[_S400 + k_10]), _S402);
+        var before_2 : u32 = atomicAdd(&(sums_0[_S401 + k_10]), _S403);
         var overflows_0 : bool;
-        if(_S398)
+        if(_S399)
         {
             overflows_0 = before_2 < (digits_0.x);
         }
@@ -3961,39 +3971,39 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_2 + digits_0.x) < before_2;
         }
-        var _S403 : u32 = digits_0.y;
+        var _S404 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S399 = i32(1);
+            _S400 = i32(1);
         }
         else
         {
-            _S399 = i32(0);
+            _S400 = i32(0);
         }
-        var _S404 : vec2<u32> = vec2<u32>(_S403 + u32(_S399), u32(0));
-        var _S405 : u32 = k_10 + u32(1);
-        digits_0 = _S404;
-        k_10 = _S405;
+        var _S405 : vec2<u32> = vec2<u32>(_S404 + u32(_S400), u32(0));
+        var _S406 : u32 = k_10 + u32(1);
+        digits_0 = _S405;
+        k_10 = _S406;
     }
     return;
 }
 
 fn add_to_sums_0( first_8 : u32,  derivative_1 : vec3<f32>)
 {
-    var _S406 : i32;
+    var _S407 : i32;
     if(first_8 == u32(4294967295))
     {
-        _S406 = i32(0);
+        _S407 = i32(0);
     }
     else
     {
-        _S406 = i32(3);
+        _S407 = i32(3);
     }
-    var _S407 : u32 = u32(_S406);
+    var _S408 : u32 = u32(_S407);
     var axis_9 : u32 = u32(0);
     for(;;)
     {
-        if(axis_9 < _S407)
+        if(axis_9 < _S408)
         {
         }
         else
@@ -4018,17 +4028,17 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
         {
             break;
         }
-        var _S408 : u32 = edge_word_0(record_9 + u32(2) + end_2);
-        var _S409 : f32;
+        var _S409 : u32 = edge_word_0(record_9 + u32(2) + end_2);
+        var _S410 : f32;
         if(end_2 == u32(0))
         {
-            _S409 = 1.0f - t_11;
+            _S410 = 1.0f - t_11;
         }
         else
         {
-            _S409 = t_11;
+            _S410 = t_11;
         }
-        add_to_sums_0(_S408, by_velocity_0 * vec3<f32>(_S409));
+        add_to_sums_0(_S409, by_velocity_0 * vec3<f32>(_S410));
         end_2 = end_2 + u32(1);
     }
     (*pulled_2).position_1 = (*pulled_2).position_1 - by_velocity_0;
@@ -4041,13 +4051,13 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
 
 fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_40 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_2 : u32,  path_13 : Path_0)
 {
-    var _S410 : vec3<f32> = vec3<f32>(point_5.normal_6);
-    var _S411 : vec3<f32> = jump_of_light_0(at_40, point_5);
-    var by_velocity_1 : vec3<f32> = _S410 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S411)));
-    var _S412 : vec3<f32> = offset_of_0(point_5);
-    var _S413 : Pulled_0 = (*crossed_2).pulled_1;
-    edge_back_0(&(_S413), at_40.vertex_2, at_40.turns_0, point_5.edge_6.record_7, point_5.t_5, _S412, by_velocity_1);
-    (*crossed_2).pulled_1 = _S413;
+    var _S411 : vec3<f32> = vec3<f32>(point_5.normal_6);
+    var _S412 : vec3<f32> = jump_of_light_0(at_40, point_5);
+    var by_velocity_1 : vec3<f32> = _S411 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S412)));
+    var _S413 : vec3<f32> = offset_of_0(point_5);
+    var _S414 : Pulled_0 = (*crossed_2).pulled_1;
+    edge_back_0(&(_S414), at_40.vertex_2, at_40.turns_0, point_5.edge_6.record_7, point_5.t_5, _S413, by_velocity_1);
+    (*crossed_2).pulled_1 = _S414;
     return;
 }
 
@@ -4100,15 +4110,15 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 contributions_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(contributions_1 - 0.00100000004749745f));
-            var _S414 : f32 = asked_0.over_all_0 * f32(points_1);
+            var _S415 : f32 = asked_0.over_all_0 * f32(points_1);
             var step_2 : f64 = f64(total_1) / f64(points_1);
-            var _S415 : f64 = step_2 * asked_0.place_17;
+            var _S416 : f64 = step_2 * asked_0.place_17;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S414;
+            over_all_1 = _S415;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S415;
+            target_1 = _S416;
         }
         else
         {
@@ -4123,16 +4133,16 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
         var target_2 : f64 = target_1;
         for(;;)
         {
-            var _S416 : bool;
+            var _S417 : bool;
             if(k_11 < (edge_word_0(leaf_2 + u32(3))))
             {
-                _S416 = drawn_1 < points_0;
+                _S417 = drawn_1 < points_0;
             }
             else
             {
-                _S416 = false;
+                _S417 = false;
             }
-            if(_S416)
+            if(_S417)
             {
             }
             else
@@ -4140,14 +4150,14 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 break;
             }
             var seen_6 : SeenEdge_0;
-            var _S417 : bool = see_edge_0(at_41, k_11, &(seen_6));
+            var _S418 : bool = see_edge_0(at_41, k_11, &(seen_6));
             var drawn_2 : u32;
             var contributions_2 : f32;
             var angles_2 : f32;
             var pieces_3 : f32;
             var cumulative_2 : f32;
             var target_3 : f64;
-            if(!_S417)
+            if(!_S418)
             {
                 drawn_2 = drawn_1;
                 contributions_2 = contributions_1;
@@ -4197,26 +4207,26 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 var target_4 : f64 = target_3;
                 for(;;)
                 {
-                    var _S418 : bool;
+                    var _S419 : bool;
                     if(drawn_3 < points_0)
                     {
-                        _S418 = target_4 < f64(cumulative_3);
+                        _S419 = target_4 < f64(cumulative_3);
                     }
                     else
                     {
-                        _S418 = false;
+                        _S419 = false;
                     }
-                    if(_S418)
+                    if(_S419)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var _S419 : u32 = drawn_3 + u32(1);
+                    var _S420 : u32 = drawn_3 + u32(1);
                     var target_5 : f64 = target_4 + step_1;
                     cross_at_0(&((*crossed_3)), at_41, point_on_0(at_41, seen_6, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_1 * own_1 / total_0), number_of_path_3, path_14);
-                    drawn_3 = _S419;
+                    drawn_3 = _S420;
                     target_4 = target_5;
                 }
                 cumulative_2 = cumulative_3;
@@ -4248,15 +4258,15 @@ fn sample_points_0( at_42 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : 
     var numbers_9 : u32 = numbers_for_0(at_42.purpose_0) + u32(1);
     var leaf_3 : u32;
     var probability_4 : f32;
-    var _S420 : bool = descend_0(at_42, (f64(subtree_0) + precise_random_0(path_15.key_0, numbers_9)) / f64(subtrees_0), &(leaf_3), &(probability_4));
-    if(!_S420)
+    var _S421 : bool = descend_0(at_42, (f64(subtree_0) + precise_random_0(path_15.key_0, numbers_9)) / f64(subtrees_0), &(leaf_3), &(probability_4));
+    if(!_S421)
     {
         return;
     }
     var asked_1 : Share_0;
-    var _S421 : f32 = f32(subtrees_0);
-    asked_1.share_0 = 1.0f / _S421;
-    asked_1.over_all_0 = probability_4 * _S421;
+    var _S422 : f32 = f32(subtrees_0);
+    asked_1.share_0 = 1.0f / _S422;
+    asked_1.over_all_0 = probability_4 * _S422;
     asked_1.place_17 = precise_random_0(path_15.key_0, numbers_9 + u32(1)) + f64(0.6180340051651001f * f32(subtree_0));
     for(;;)
     {
@@ -4306,26 +4316,26 @@ fn slot_derivative_0( numbers_10 : Numbers_0,  slot_6 : u32) -> vec3<f32>
 
 fn numbers_of_0( texture_7 : u32) -> u32
 {
-    return change_word_0(u32(6) + word_0(texture_7 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_7 + u32(12)));
 }
 
 fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
 {
     var first_9 : u32 = numbers_of_0(texture_8);
-    var _S422 : u32 = word_0(texture_8 + u32(1));
-    var _S423 : u32;
+    var _S423 : u32 = word_0(texture_8 + u32(1));
+    var _S424 : u32;
     if(first_9 == u32(4294967295))
     {
-        _S423 = u32(0);
+        _S424 = u32(0);
     }
     else
     {
-        _S423 = lookup_5.count_0;
+        _S424 = lookup_5.count_0;
     }
     var k_12 : u32 = u32(0);
     for(;;)
     {
-        if(k_12 < _S423)
+        if(k_12 < _S424)
         {
         }
         else
@@ -4334,7 +4344,7 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         }
         var own_2 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_12]);
         var own_3 : vec3<f32>;
-        if(_S422 == u32(1))
+        if(_S423 == u32(1))
         {
             own_3 = vec3<f32>((own_2.x + own_2.y + own_2.z));
         }
@@ -4345,14 +4355,14 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         var c_4 : u32 = u32(0);
         for(;;)
         {
-            if(c_4 < _S422)
+            if(c_4 < _S423)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_9 + _S422 * lookup_5.texels_0[k_12] + c_4, own_3[c_4]);
+            add_to_sum_0(first_9 + _S423 * lookup_5.texels_0[k_12] + c_4, own_3[c_4]);
             c_4 = c_4 + u32(1);
         }
         k_12 = k_12 + u32(1);
@@ -4368,13 +4378,13 @@ fn lookup_back_0( texture_9 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
 
 fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
 {
-    var _S424 : vec2<f32> = vec2<f32>(0.0f);
-    var _S425 : u32 = word_0(material_2 + u32(4));
+    var _S425 : vec2<f32> = vec2<f32>(0.0f);
+    var _S426 : u32 = word_0(material_2 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S424;
+    var by_place_0 : vec2<f32> = _S425;
     for(;;)
     {
-        if(slot_7 < _S425)
+        if(slot_7 < _S426)
         {
         }
         else
@@ -4387,9 +4397,9 @@ fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S426 : Lookup_0 = lookup_at_0(texture_10, place_18);
-        var _S427 : vec2<f32> = lookup_back_0(texture_10, _S426, slot_derivative_0(numbers_11, slot_7));
-        by_place_0 = by_place_0 + _S427;
+        var _S427 : Lookup_0 = lookup_at_0(texture_10, place_18);
+        var _S428 : vec2<f32> = lookup_back_0(texture_10, _S427, slot_derivative_0(numbers_11, slot_7));
+        by_place_0 = by_place_0 + _S428;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_0;
@@ -4410,10 +4420,10 @@ struct AtCorners_0
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_2 : AtCorners_0;
-    var _S428 : vec3<f32> = vec3<f32>(0.0f);
-    corners_2.c_5 = _S428;
-    corners_2.b_13 = _S428;
-    corners_2.a_18 = _S428;
+    var _S429 : vec3<f32> = vec3<f32>(0.0f);
+    corners_2.c_5 = _S429;
+    corners_2.b_13 = _S429;
+    corners_2.a_18 = _S429;
     return corners_2;
 }
 
@@ -4428,18 +4438,18 @@ fn tangent_back_0( points_2 : ptr<function, AtCorners_0>,  triangle_8 : u32,  ta
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_8);
     var first_10 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
     var second_4 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
-    var _S429 : f32 = second_4.y;
-    var _S430 : f32 = first_10.y;
-    var scale_1 : f32 = 1.0f / (first_10.x * _S429 - second_4.x * _S430);
-    var of_ab_0 : f32 = _S429 * scale_1;
-    var of_ac_0 : f32 = - _S430 * scale_1;
+    var _S430 : f32 = second_4.y;
+    var _S431 : f32 = first_10.y;
+    var scale_1 : f32 = 1.0f / (first_10.x * _S430 - second_4.x * _S431);
+    var of_ab_0 : f32 = _S430 * scale_1;
+    var of_ac_0 : f32 = - _S431 * scale_1;
     var a_19 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S431 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S432 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_19) * _S431 + vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_19) * _S432));
+    var _S432 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S433 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_19) * _S432 + vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_19) * _S433));
     (*points_2).a_18 = (*points_2).a_18 - derivative_5 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_2).b_13 = (*points_2).b_13 + derivative_5 * _S431;
-    (*points_2).c_5 = (*points_2).c_5 + derivative_5 * _S432;
+    (*points_2).b_13 = (*points_2).b_13 + derivative_5 * _S432;
+    (*points_2).c_5 = (*points_2).c_5 + derivative_5 * _S433;
     return;
 }
 
@@ -4466,82 +4476,82 @@ fn normals_of_0( triangle_9 : u32) -> u32
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_10 : u32,  corners_5 : AtCorners_0)
 {
-    var _S433 : u32 = triangle_record_0(triangle_10) + u32(2);
-    var _S434 : i32;
+    var _S434 : u32 = triangle_record_0(triangle_10) + u32(2);
+    var _S435 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S434 = i32(0);
+        _S435 = i32(0);
     }
     else
     {
-        _S434 = i32(3);
+        _S435 = i32(3);
     }
-    var _S435 : u32 = u32(_S434);
+    var _S436 : u32 = u32(_S435);
     var k_13 : u32 = u32(0);
     for(;;)
     {
-        if(k_13 < _S435)
+        if(k_13 < _S436)
         {
         }
         else
         {
             break;
         }
-        var _S436 : u32 = sums_at_0 + u32(3) * word_0(_S433 + k_13);
-        var _S437 : vec3<f32>;
+        var _S437 : u32 = sums_at_0 + u32(3) * word_0(_S434 + k_13);
+        var _S438 : vec3<f32>;
         if(k_13 == u32(0))
         {
-            _S437 = corners_5.a_18;
+            _S438 = corners_5.a_18;
         }
         else
         {
             if(k_13 == u32(1))
             {
-                _S437 = corners_5.b_13;
+                _S438 = corners_5.b_13;
             }
             else
             {
-                _S437 = corners_5.c_5;
+                _S438 = corners_5.c_5;
             }
         }
-        add_to_sums_0(_S436, _S437);
+        add_to_sums_0(_S437, _S438);
         k_13 = k_13 + u32(1);
     }
     return;
 }
 
-fn place_back_0( points_3 : ptr<function, AtCorners_0>,  place_21 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_16 : vec3<f32>) -> vec3<f32>
+fn place_back_0( points_3 : ptr<function, AtCorners_0>,  place_21 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_17 : vec3<f32>) -> vec3<f32>
 {
     var corner_2 : u32 = u32(9) * place_21.triangle_0;
     var a_20 : vec3<f64> = primitive_vector_0(corner_2);
-    var _S438 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_20);
-    var _S439 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_20);
-    var across_2 : vec3<f32> = cross(_S438, _S439);
-    var _S440 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
-    var normal_7 : vec3<f32> = across_2 / vec3<f32>(_S440);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S439, normal_7) * vec3<f32>(by_place_1.x) + cross(normal_7, _S438) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_7, normal_7) * _S440)));
-    var by_drift_0 : vec3<f32> = by_slip_0 - normal_7 * vec3<f32>((dot(direction_16, by_slip_0) / dot(normal_7, direction_16)));
+    var _S439 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_20);
+    var _S440 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_20);
+    var across_2 : vec3<f32> = cross(_S439, _S440);
+    var _S441 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
+    var normal_7 : vec3<f32> = across_2 / vec3<f32>(_S441);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S440, normal_7) * vec3<f32>(by_place_1.x) + cross(normal_7, _S439) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_7, normal_7) * _S441)));
+    var by_drift_0 : vec3<f32> = by_slip_0 - normal_7 * vec3<f32>((dot(direction_17, by_slip_0) / dot(normal_7, direction_17)));
     add_at_place_1(&((*points_3)), place_21, by_position_0 - by_drift_0);
     return by_drift_0;
 }
 
-fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_17 : vec3<f32>) -> vec3<f32>
+fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_18 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_6.shape_0);
-    var _S441 : vec2<f32>;
+    var _S442 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_3 : u32 = u32(9) * surface_6.place_3.triangle_0;
         var a_21 : vec3<f64> = primitive_vector_0(corner_3);
-        var _S442 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_21);
-        var _S443 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_21);
-        var derivative_8 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(cross(_S442, _S443)));
-        var by_ab_0 : vec3<f32> = cross(_S443, derivative_8);
-        var by_ac_0 : vec3<f32> = cross(derivative_8, _S442);
+        var _S443 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_21);
+        var _S444 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_21);
+        var derivative_8 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(cross(_S443, _S444)));
+        var by_ab_0 : vec3<f32> = cross(_S444, derivative_8);
+        var by_ac_0 : vec3<f32> = cross(derivative_8, _S443);
         (*points_4).a_18 = (*points_4).a_18 - (by_ab_0 + by_ac_0);
         (*points_4).b_13 = (*points_4).b_13 + by_ab_0;
         (*points_4).c_5 = (*points_4).c_5 + by_ac_0;
-        _S441 = by_place_2;
+        _S442 = by_place_2;
     }
     else
     {
@@ -4553,10 +4563,10 @@ fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_6.place_3, derivative_9);
         add_to_corners_0(normals_of_0(surface_6.place_3.triangle_0), surface_6.place_3.triangle_0, of_normals_0);
-        _S441 = by_place_2 + vec2<f32>(dot(ab_0, derivative_9), dot(ac_0, derivative_9));
+        _S442 = by_place_2 + vec2<f32>(dot(ab_0, derivative_9), dot(ac_0, derivative_9));
     }
-    var _S444 : vec3<f32> = place_back_0(&((*points_4)), surface_6.place_3, _S441, by_position_1, direction_17);
-    return _S444;
+    var _S445 : vec3<f32> = place_back_0(&((*points_4)), surface_6.place_3, _S442, by_position_1, direction_18);
+    return _S445;
 }
 
 fn points_of_0( triangle_11 : u32) -> u32
@@ -4564,36 +4574,36 @@ fn points_of_0( triangle_11 : u32) -> u32
     return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_11)));
 }
 
-fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32,  direction_18 : vec3<f32>) -> ByRay_0
+fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32,  direction_19 : vec3<f32>) -> ByRay_0
 {
     var by_ray_1 : ByRay_0;
-    var _S445 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_0 = _S445;
-    by_ray_1.drift_0 = _S445;
+    var _S446 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S446;
+    by_ray_1.drift_0 = _S446;
     var by_place_3 : vec2<f32> = numbers_back_0(material_3, vertex_8.surface_3.place_3, pulled_3.numbers_3);
     if(!is_moving_0())
     {
         return by_ray_1;
     }
-    var _S446 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S447 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_0 : DiffPair_Axes_0;
     towards_0.primal_0 = vertex_8.axes_4;
-    towards_0.differential_0 = _S446;
+    towards_0.differential_0 = _S447;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    incoming_0.primal_0 = direction_18;
-    incoming_0.differential_0 = _S445;
+    incoming_0.primal_0 = direction_19;
+    incoming_0.differential_0 = _S446;
     _S173(&(towards_0), &(incoming_0), pulled_3.wi_2);
     by_ray_1.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_8.surface_3.outward_0;
-    outward_1.differential_0 = _S445;
-    var _S447 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
+    outward_1.differential_0 = _S446;
+    var _S448 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S447;
-    tangent_4.differential_0 = _S445;
+    tangent_4.primal_0 = _S448;
+    tangent_4.differential_0 = _S446;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_3.axes_5, towards_0.differential_0);
     var points_5 : AtCorners_0 = at_no_corner_0();
-    if((any((_S447 != _S445))))
+    if((any((_S448 != _S446))))
     {
         _S124(&(outward_1), &(tangent_4), vertex_8.surface_3.is_front_0, by_axes_0);
         tangent_back_0(&(points_5), vertex_8.surface_3.place_3.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -4602,32 +4612,32 @@ fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32, 
     {
         _S93(&(outward_1), vertex_8.surface_3.is_front_0, by_axes_0);
     }
-    var _S448 : vec3<f32> = surface_back_0(&(points_5), vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_18);
-    by_ray_1.drift_0 = _S448;
+    var _S449 : vec3<f32> = surface_back_0(&(points_5), vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_19);
+    by_ray_1.drift_0 = _S449;
     add_to_corners_0(points_of_0(vertex_8.surface_3.place_3.triangle_0), vertex_8.surface_3.place_3.triangle_0, points_5);
     return by_ray_1;
 }
 
-fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_43 : ShadingPoint_0,  direction_19 : vec3<f32>)
+fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_43 : ShadingPoint_0,  direction_20 : vec3<f32>)
 {
-    var _S449 : vec3<f32> = vec3<f32>(0.0f);
-    var _S450 : bool;
-    if((all(((crossed_5.pulled_1.position_1) == _S449))))
+    var _S450 : vec3<f32> = vec3<f32>(0.0f);
+    var _S451 : bool;
+    if((all(((crossed_5.pulled_1.position_1) == _S450))))
     {
-        _S450 = (all(((crossed_5.pulled_1.axes_5.n_0) == _S449)));
+        _S451 = (all(((crossed_5.pulled_1.axes_5.n_0) == _S450)));
     }
     else
     {
-        _S450 = false;
+        _S451 = false;
     }
-    if(_S450)
+    if(_S451)
     {
         return;
     }
-    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_43.vertex_2, material_of_0(at_43.vertex_2.surface_3), direction_19);
-    var _S451 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
-    var kept_1 : u32 = _S451;
-    var which_11 : u32 = _S451;
+    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_43.vertex_2, material_of_0(at_43.vertex_2.surface_3), direction_20);
+    var _S452 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
+    var kept_1 : u32 = _S452;
+    var which_11 : u32 = _S452;
     var drift_1 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     var by_direction_0 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     set_vector_0(number_of_path_5, &(kept_1), drift_1 + by_ray_2.drift_0);
@@ -4637,13 +4647,13 @@ fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_43 : ShadingPoint_
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S452 : u32;
+    var _S453 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S453 : u32 = u32(2) + zero_0;
-        _S452 = _S453;
-        if(rounds_0 < _S453)
+        var _S454 : u32 = u32(2) + zero_0;
+        _S453 = _S454;
+        if(rounds_0 < _S454)
         {
         }
         else
@@ -4652,14 +4662,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S452;
+    return rounds_0 == _S453;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S454 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S455 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4677,8 +4687,8 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var factor_5 : vec3<f32>;
     var path_16 : Path_0 = path_at_vertex_0(number_of_path_6, &(factor_5));
     var at_44 : ShadingPoint_0;
-    var _S455 : bool = shading_point_0(path_16, &(at_44));
-    if(!_S455)
+    var _S456 : bool = shading_point_0(path_16, &(at_44));
+    if(!_S456)
     {
         return;
     }

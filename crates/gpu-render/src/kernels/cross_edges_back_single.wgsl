@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 9bcd855fe055c0d5
-// result: f9da04a30d0c664c
+// source: 323b12c7d8756753
+// result: 424678e309b9dec2
 
 struct Launch_std140_0
 {
@@ -793,7 +793,7 @@ fn triangle_record_0( triangle_2 : u32) -> u32
 
 fn shape_of_0( triangle_3 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_3));
+    return word_0(u32(10)) + u32(7) * word_0(triangle_record_0(triangle_3));
 }
 
 fn primitive_vector_0( at_2 : u32) -> vec3<f32>
@@ -3199,6 +3199,69 @@ fn component_0( v_8 : vec3<f32>,  axis_5 : u32) -> f32
     return _S337;
 }
 
+struct Ray_0
+{
+     origin_0 : vec3<f32>,
+     shear_x_0 : f32,
+     shear_y_0 : f32,
+     inverse_z_0 : f32,
+     t_min_0 : f32,
+     t_max_0 : f32,
+     local_per_t_0 : f32,
+     enter_0 : f32,
+     edge_on_0 : f32,
+     largest_1 : f32,
+};
+
+fn ray_along_0( origin_1 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  axes_6 : ptr<function, u32>) -> Ray_0
+{
+    var size_1 : vec3<f32> = abs(direction_12);
+    var _S338 : f32 = size_1.x;
+    var _S339 : f32 = size_1.y;
+    var _S340 : bool;
+    if(_S338 >= _S339)
+    {
+        _S340 = _S338 >= (size_1.z);
+    }
+    else
+    {
+        _S340 = false;
+    }
+    var _S341 : i32;
+    if(_S340)
+    {
+        _S341 = i32(0);
+    }
+    else
+    {
+        if(_S339 >= (size_1.z))
+        {
+            _S341 = i32(1);
+        }
+        else
+        {
+            _S341 = i32(2);
+        }
+    }
+    var z_2 : u32 = u32(_S341);
+    var x_13 : u32 = (z_2 + u32(1)) % u32(3);
+    var y_4 : u32 = (z_2 + u32(2)) % u32(3);
+    (*axes_6) = (((x_13 | (((y_4 << (u32(2))))))) | (((z_2 << (u32(4))))));
+    var ray_0 : Ray_0;
+    ray_0.origin_0 = origin_1;
+    var along_2 : f32 = component_0(direction_12, z_2);
+    ray_0.inverse_z_0 = 1.0f / along_2;
+    ray_0.shear_x_0 = component_0(direction_12, x_13) / along_2;
+    ray_0.shear_y_0 = component_0(direction_12, y_4) / along_2;
+    ray_0.t_min_0 = t_min_1;
+    ray_0.t_max_0 = t_max_1;
+    ray_0.local_per_t_0 = abs(along_2);
+    ray_0.enter_0 = 0.0f;
+    ray_0.edge_on_0 = limit_at_0(u32(0));
+    ray_0.largest_1 = limit_at_0(u32(1));
+    return ray_0;
+}
+
 fn ray_child_0( node_4 : u32,  slot_2 : u32) -> u32
 {
     return nodes_0[u32(14) * node_4 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
@@ -3211,12 +3274,12 @@ struct RayView_0
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
      margin_2 : f32,
-     axes_6 : u32,
+     axes_7 : u32,
 };
 
 fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32) -> f32
 {
-    var _S338 : u32 = u32(14) * node_5 + slot_3 / u32(4);
+    var _S342 : u32 = u32(14) * node_5 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -3229,36 +3292,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S339 : u32 = axis_6;
-        var _S340 : u32 = _S338 + u32(2) * axis_6;
-        var _S341 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S340][_S341])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S340 + u32(6)][_S341])));
-        var _S342 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S343 : f32;
-        if(_S342)
+        var _S343 : u32 = axis_6;
+        var _S344 : u32 = _S342 + u32(2) * axis_6;
+        var _S345 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S344][_S345])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S344 + u32(6)][_S345])));
+        var _S346 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S347 : f32;
+        if(_S346)
         {
-            _S343 = high_0;
+            _S347 = high_0;
         }
         else
         {
-            _S343 = low_3;
+            _S347 = low_3;
         }
-        var _S344 : f32 = max(near_4, _S343 * view_1.inverse_1[_S339] - view_1.offset_near_0[axis_6]);
-        var _S345 : f32;
-        if(_S342)
+        var _S348 : f32 = max(near_4, _S347 * view_1.inverse_1[_S343] - view_1.offset_near_0[axis_6]);
+        var _S349 : f32;
+        if(_S346)
         {
-            _S345 = low_3;
+            _S349 = low_3;
         }
         else
         {
-            _S345 = high_0;
+            _S349 = high_0;
         }
-        var _S346 : f32 = min(far_3, _S345 * view_1.inverse_1[_S339] - view_1.offset_far_0[axis_6]);
-        var _S347 : u32 = axis_6 + u32(1);
-        near_4 = _S344;
-        far_3 = _S346;
-        axis_6 = _S347;
+        var _S350 : f32 = min(far_3, _S349 * view_1.inverse_1[_S343] - view_1.offset_far_0[axis_6]);
+        var _S351 : u32 = axis_6 + u32(1);
+        near_4 = _S348;
+        far_3 = _S350;
+        axis_6 = _S351;
     }
     if(near_4 <= far_3)
     {
@@ -3283,7 +3346,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S348 : u32 = k_9;
+        var _S352 : u32 = k_9;
         if((bounds_0[k_9]) > limit_2)
         {
             k_9 = k_9 + u32(1);
@@ -3300,24 +3363,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S349 : u32 = j_0;
-            var _S350 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S348]))
+            var _S353 : u32 = j_0;
+            var _S354 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S352]))
             {
-                _S350 = true;
+                _S354 = true;
             }
             else
             {
-                if((bounds_0[_S349]) == (bounds_0[_S348]))
+                if((bounds_0[_S353]) == (bounds_0[_S352]))
                 {
-                    _S350 = j_0 < k_9;
+                    _S354 = j_0 < k_9;
                 }
                 else
                 {
-                    _S350 = false;
+                    _S354 = false;
                 }
             }
-            if(_S350)
+            if(_S354)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -3342,45 +3405,31 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
         {
             break;
         }
-        var _S351 : f32;
+        var _S355 : f32;
         if((ray_child_0(node_6, slot_4)) == u32(4294967295))
         {
-            _S351 = 3.00000000549775576e+38f;
+            _S355 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S351 = ray_bound_0(view_2, limit_3, node_6, slot_4);
+            _S355 = ray_bound_0(view_2, limit_3, node_6, slot_4);
         }
-        bounds_1[slot_4] = _S351;
+        bounds_1[slot_4] = _S355;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn rounded_0( product_2 : f32,  largest_1 : f32) -> f32
+fn rounded_0( product_2 : f32,  largest_2 : f32) -> f32
 {
-    return min(product_2, largest_1);
+    return min(product_2, largest_2);
 }
 
-struct Ray_0
+fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_36 : u32) -> vec3<f32>
 {
-     origin_0 : vec3<f32>,
-     shear_x_0 : f32,
-     shear_y_0 : f32,
-     inverse_z_0 : f32,
-     t_min_0 : f32,
-     t_max_0 : f32,
-     local_per_t_0 : f32,
-     enter_0 : f32,
-     edge_on_0 : f32,
-     largest_2 : f32,
-};
-
-fn corner_0( ray_0 : Ray_0,  axes_7 : u32,  at_36 : u32) -> vec3<f32>
-{
-    var relative_1 : vec3<f32> = primitive_vector_0(at_36) - ray_0.origin_0;
-    var z_2 : f32 = component_0(relative_1, (axes_7 >> (u32(4))));
-    return vec3<f32>(component_0(relative_1, (axes_7 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_2, ray_0.largest_2), component_0(relative_1, (((axes_7 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_2, ray_0.largest_2), z_2);
+    var relative_1 : vec3<f32> = primitive_vector_0(at_36) - ray_1.origin_0;
+    var z_3 : f32 = component_0(relative_1, (axes_8 >> (u32(4))));
+    return vec3<f32>(component_0(relative_1, (axes_8 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_3, ray_1.largest_1), component_0(relative_1, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_3, ray_1.largest_1), z_3);
 }
 
 struct Crossing_0
@@ -3391,58 +3440,58 @@ struct Crossing_0
      w_3 : f32,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_37 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_37 : u32) -> Crossing_0
 {
     var crossing_1 : Crossing_0;
     crossing_1.is_hit_0 = false;
     crossing_1.t_7 = 0.0f;
     crossing_1.v_9 = 0.0f;
     crossing_1.w_3 = 0.0f;
-    var a_17 : vec3<f32> = corner_0(ray_1, axes_8, at_37);
-    var b_12 : vec3<f32> = corner_0(ray_1, axes_8, at_37 + u32(3));
-    var c_3 : vec3<f32> = corner_0(ray_1, axes_8, at_37 + u32(6));
-    var _S352 : f32 = c_3.x;
-    var _S353 : f32 = b_12.y;
-    var cx_by_0 : f32 = rounded_0(_S352 * _S353, ray_1.largest_2);
-    var _S354 : f32 = c_3.y;
-    var _S355 : f32 = b_12.x;
-    var cy_bx_0 : f32 = rounded_0(_S354 * _S355, ray_1.largest_2);
-    var _S356 : f32 = a_17.x;
-    var ax_cy_0 : f32 = rounded_0(_S356 * _S354, ray_1.largest_2);
-    var _S357 : f32 = a_17.y;
-    var ay_cx_0 : f32 = rounded_0(_S357 * _S352, ray_1.largest_2);
-    var bx_ay_0 : f32 = rounded_0(_S355 * _S357, ray_1.largest_2);
-    var by_ax_0 : f32 = rounded_0(_S353 * _S356, ray_1.largest_2);
+    var a_17 : vec3<f32> = corner_0(ray_2, axes_9, at_37);
+    var b_12 : vec3<f32> = corner_0(ray_2, axes_9, at_37 + u32(3));
+    var c_3 : vec3<f32> = corner_0(ray_2, axes_9, at_37 + u32(6));
+    var _S356 : f32 = c_3.x;
+    var _S357 : f32 = b_12.y;
+    var cx_by_0 : f32 = rounded_0(_S356 * _S357, ray_2.largest_1);
+    var _S358 : f32 = c_3.y;
+    var _S359 : f32 = b_12.x;
+    var cy_bx_0 : f32 = rounded_0(_S358 * _S359, ray_2.largest_1);
+    var _S360 : f32 = a_17.x;
+    var ax_cy_0 : f32 = rounded_0(_S360 * _S358, ray_2.largest_1);
+    var _S361 : f32 = a_17.y;
+    var ay_cx_0 : f32 = rounded_0(_S361 * _S356, ray_2.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S359 * _S361, ray_2.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S357 * _S360, ray_2.largest_1);
     var u_2 : f32 = cx_by_0 - cy_bx_0;
     var v_10 : f32 = ax_cy_0 - ay_cx_0;
     var w_4 : f32 = bx_ay_0 - by_ax_0;
-    var _S358 : f32 = min(min(u_2, v_10), w_4);
-    var _S359 : f32 = max(max(u_2, v_10), w_4);
-    var _S360 : bool;
-    if(_S358 < 0.0f)
+    var _S362 : f32 = min(min(u_2, v_10), w_4);
+    var _S363 : f32 = max(max(u_2, v_10), w_4);
+    var _S364 : bool;
+    if(_S362 < 0.0f)
     {
-        _S360 = _S359 > 0.0f;
+        _S364 = _S363 > 0.0f;
     }
     else
     {
-        _S360 = false;
+        _S364 = false;
     }
-    if(_S360)
+    if(_S364)
     {
         return crossing_1;
     }
     var determinant_0 : f32 = u_2 + v_10 + w_4;
-    if(_S358 <= 0.0f)
+    if(_S362 <= 0.0f)
     {
-        _S360 = _S359 >= 0.0f;
+        _S364 = _S363 >= 0.0f;
     }
     else
     {
-        _S360 = false;
+        _S364 = false;
     }
-    if(_S360)
+    if(_S364)
     {
-        if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
+        if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
             return crossing_1;
         }
@@ -3451,16 +3500,16 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_37 : u32) -> Crossing_0
     {
         return crossing_1;
     }
-    var t_8 : f32 = (rounded_0(u_2 * a_17.z, ray_1.largest_2) + rounded_0(v_10 * b_12.z, ray_1.largest_2) + rounded_0(w_4 * c_3.z, ray_1.largest_2)) / determinant_0 * ray_1.inverse_z_0;
-    if((ray_1.t_min_0) <= t_8)
+    var t_8 : f32 = (rounded_0(u_2 * a_17.z, ray_2.largest_1) + rounded_0(v_10 * b_12.z, ray_2.largest_1) + rounded_0(w_4 * c_3.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
+    if((ray_2.t_min_0) <= t_8)
     {
-        _S360 = t_8 <= (ray_1.t_max_0);
+        _S364 = t_8 <= (ray_2.t_max_0);
     }
     else
     {
-        _S360 = false;
+        _S364 = false;
     }
-    crossing_1.is_hit_0 = _S360;
+    crossing_1.is_hit_0 = _S364;
     crossing_1.t_7 = t_8;
     crossing_1.v_9 = v_10 / determinant_0;
     crossing_1.w_3 = w_4 / determinant_0;
@@ -3480,9 +3529,9 @@ struct Found_0
      w_5 : f32,
 };
 
-fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S361 : bool;
+    var _S365 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_7 = u32(4294967295);
@@ -3514,31 +3563,31 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S362 : u32 = way_2[level_0].y;
-        if(_S362 == u32(0))
+        var _S366 : u32 = way_2[level_0].y;
+        if(_S366 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S363 : u32 = level_0 - u32(1);
+            var _S367 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S363;
+            level_0 = _S367;
             continue;
         }
-        var slot_5 : u32 = ((_S362 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S362 >> (u32(4)));
-        var _S364 : bool;
+        var slot_5 : u32 = ((_S366 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S366 >> (u32(4)));
+        var _S368 : bool;
         if(!is_new_1)
         {
-            _S364 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+            _S368 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S364 = false;
+            _S368 = false;
         }
-        if(_S364)
+        if(_S368)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -3547,27 +3596,27 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S365 : u32 = level_0 + u32(1);
+            var _S369 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S365;
+            level_0 = _S369;
             continue;
         }
         var leaf_1 : u32 = (child_0 & (u32(2147483647)));
-        var _S366 : u32 = leaf_starts_0[leaf_1 + u32(1)];
-        var _S367 : u32 = leaf_starts_0[leaf_1];
+        var _S370 : u32 = leaf_starts_0[leaf_1 + u32(1)];
+        var _S371 : u32 = leaf_starts_0[leaf_1];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S367;
+        var i_2 : u32 = _S371;
         for(;;)
         {
-            if(i_2 < _S366)
+            if(i_2 < _S370)
             {
             }
             else
             {
                 break;
             }
-            var crossing_2 : Crossing_0 = intersect_0((*ray_2), view_3.axes_6, u32(9) * i_2);
+            var crossing_2 : Crossing_0 = intersect_0((*ray_3), view_3.axes_7, u32(9) * i_2);
             if(!crossing_2.is_hit_0)
             {
                 i_2 = i_2 + u32(1);
@@ -3575,30 +3624,30 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S361 = true;
+                _S365 = true;
             }
             else
             {
-                _S361 = (crossing_2.t_7) < ((*ray_2).t_max_0);
+                _S365 = (crossing_2.t_7) < ((*ray_3).t_max_0);
             }
-            var _S368 : bool;
-            if(_S361)
+            var _S372 : bool;
+            if(_S365)
             {
-                _S368 = true;
+                _S372 = true;
             }
             else
             {
-                _S368 = (face_1(i_2)) < (found_0.face_2);
+                _S372 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S368)
+            if(_S372)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_7 = i_2;
-                (*ray_2).t_max_0 = crossing_2.t_7;
+                (*ray_3).t_max_0 = crossing_2.t_7;
                 found_0.v_11 = crossing_2.v_9;
                 found_0.w_5 = crossing_2.w_3;
-                limit_6 = min(limit_5, crossing_2.t_7 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_3.margin_2);
+                limit_6 = min(limit_5, crossing_2.t_7 * (*ray_3).local_per_t_0 - (*ray_3).enter_0 + 2.0f * view_3.margin_2);
             }
             else
             {
@@ -3609,13 +3658,13 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S361 = (found_0.face_2) != u32(4294967295);
+            _S365 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S361 = false;
+            _S365 = false;
         }
-        if(_S361)
+        if(_S365)
         {
             break;
         }
@@ -3626,54 +3675,14 @@ fn first_found_0( view_3 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_0;
 }
 
-fn cast_0( origin_1 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_9 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_2 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_1 : bool,  t_9 : ptr<function, f32>) -> Found_0
 {
-    var size_1 : vec3<f32> = abs(direction_12);
-    var _S369 : f32 = size_1.x;
-    var _S370 : f32 = size_1.y;
-    var _S371 : bool;
-    if(_S369 >= _S370)
-    {
-        _S371 = _S369 >= (size_1.z);
-    }
-    else
-    {
-        _S371 = false;
-    }
-    var _S372 : i32;
-    if(_S371)
-    {
-        _S372 = i32(0);
-    }
-    else
-    {
-        if(_S370 >= (size_1.z))
-        {
-            _S372 = i32(1);
-        }
-        else
-        {
-            _S372 = i32(2);
-        }
-    }
-    var z_3 : u32 = u32(_S372);
-    var x_13 : u32 = (z_3 + u32(1)) % u32(3);
-    var y_4 : u32 = (z_3 + u32(2)) % u32(3);
-    var ray_3 : Ray_0;
-    ray_3.origin_0 = origin_1;
-    var along_2 : f32 = component_0(direction_12, z_3);
-    ray_3.inverse_z_0 = 1.0f / along_2;
-    ray_3.shear_x_0 = component_0(direction_12, x_13) / along_2;
-    ray_3.shear_y_0 = component_0(direction_12, y_4) / along_2;
-    ray_3.t_min_0 = t_min_1;
-    ray_3.t_max_0 = t_max_1;
-    var _S373 : f32 = abs(along_2);
-    ray_3.local_per_t_0 = _S373;
-    ray_3.enter_0 = 0.0f;
-    ray_3.edge_on_0 = limit_at_0(u32(0));
-    ray_3.largest_2 = limit_at_0(u32(1));
     var view_4 : RayView_0;
-    var _S374 : vec3<f32> = direction_12 / vec3<f32>(_S373);
+    var _S373 : u32 = view_4.axes_7;
+    var _S374 : Ray_0 = ray_along_0(origin_2, direction_13, t_min_2, t_max_2, &(_S373));
+    view_4.axes_7 = _S373;
+    var ray_4 : Ray_0 = _S374;
+    var _S375 : vec3<f32> = direction_13 / vec3<f32>(ray_4.local_per_t_0);
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -3684,34 +3693,34 @@ fn cast_0( origin_1 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_1 : f32,  t_m
         {
             break;
         }
-        var _S375 : f32 = max(abs(_S374[axis_7]), 8.67361737988403547e-19f);
-        var _S376 : f32;
-        if((_S374[axis_7]) < 0.0f)
+        var _S376 : f32 = max(abs(_S375[axis_7]), 8.67361737988403547e-19f);
+        var _S377 : f32;
+        if((_S375[axis_7]) < 0.0f)
         {
-            _S376 = -1.0f / _S375;
+            _S377 = -1.0f / _S376;
         }
         else
         {
-            _S376 = 1.0f / _S375;
+            _S377 = 1.0f / _S376;
         }
-        view_4.inverse_1[axis_7] = _S376;
+        view_4.inverse_1[axis_7] = _S377;
         axis_7 = axis_7 + u32(1);
     }
-    var offset_12 : vec3<f32> = origin_1 * view_4.inverse_1;
+    var offset_12 : vec3<f32> = origin_2 * view_4.inverse_1;
     var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_4.inverse_1);
     view_4.offset_near_0 = offset_12 + wider_0;
     view_4.offset_far_0 = offset_12 - wider_0;
-    view_4.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
+    view_4.limit_0 = min(t_max_2 * ray_4.local_per_t_0, 8.0f) + 3.814697265625e-06f;
     view_4.margin_2 = 3.814697265625e-06f;
-    view_4.axes_6 = (((x_13 | (((y_4 << (u32(2))))))) | (((z_3 << (u32(4))))));
-    var found_1 : Found_0 = first_found_0(view_4, &(ray_3), any_1);
-    (*t_9) = ray_3.t_max_0;
+    var found_1 : Found_0 = first_found_0(view_4, &(ray_4), any_1);
+    (*t_9) = ray_4.t_max_0;
     return found_1;
 }
 
 struct Side_0
 {
-     direction_13 : vec3<f32>,
+     direction_14 : vec3<f32>,
+     rest_3 : vec3<f32>,
      scattered_2 : vec3<f32>,
      found_2 : Found_0,
      t_10 : f32,
@@ -3720,44 +3729,45 @@ struct Side_0
 fn look_0( at_38 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
 {
     var step_0 : vec3<f32> = point_2.normal_7 * vec3<f32>(edge_real_0(u32(3)));
-    var origin_2 : vec3<f32>;
+    var origin_3 : vec3<f32>;
     if(side_0 == u32(0))
     {
-        origin_2 = point_2.direction_11 - step_0;
+        origin_3 = point_2.direction_11 - step_0;
     }
     else
     {
-        origin_2 = point_2.direction_11 + step_0;
+        origin_3 = point_2.direction_11 + step_0;
     }
-    var direction_14 : vec3<f32> = exact_unit_0(origin_2);
+    var direction_15 : vec3<f32> = exact_unit_0(origin_3);
     if(point_2.is_in_horizon_0)
     {
         var face_3 : vec3<f32> = face_normal_1(at_38);
         var height_3 : f32 = limit_at_0(u32(2));
-        var _S377 : f32;
-        if((dot(direction_14, face_3)) < 0.0f)
+        var _S378 : f32;
+        if((dot(direction_15, face_3)) < 0.0f)
         {
-            _S377 = - height_3;
+            _S378 = - height_3;
         }
         else
         {
-            _S377 = height_3;
+            _S378 = height_3;
         }
-        origin_2 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f32>(_S377);
+        origin_3 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f32>(_S378);
     }
     else
     {
-        origin_2 = at_38.vertex_2.surface_3.exact_0;
+        origin_3 = at_38.vertex_2.surface_3.exact_0;
     }
     var seen_4 : Side_0;
-    seen_4.direction_13 = direction_14;
-    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, direction_14);
-    var _S378 : f32 = limit_at_0(u32(2));
-    var _S379 : f32 = limit_at_0(u32(1));
-    var _S380 : f32 = seen_4.t_10;
-    var _S381 : Found_0 = cast_0(origin_2, direction_14, _S378, _S379, false, &(_S380));
-    seen_4.t_10 = _S380;
-    seen_4.found_2 = _S381;
+    seen_4.direction_14 = direction_15;
+    seen_4.rest_3 = vec3<f32>(0.0f);
+    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, direction_15);
+    var _S379 : f32 = limit_at_0(u32(2));
+    var _S380 : f32 = limit_at_0(u32(1));
+    var _S381 : f32 = seen_4.t_10;
+    var _S382 : Found_0 = cast_0(origin_3, direction_15, _S379, _S380, false, &(_S381));
+    seen_4.t_10 = _S381;
+    seen_4.found_2 = _S382;
     return seen_4;
 }
 
@@ -3796,39 +3806,39 @@ fn offset_of_0( point_3 : EdgePoint_0) -> vec3<f32>
     return point_3.direction_11 * vec3<f32>(point_3.distance_6);
 }
 
-fn emitter_seen_0( found_4 : Found_0,  direction_15 : vec3<f32>) -> u32
+fn emitter_seen_0( found_4 : Found_0,  direction_16 : vec3<f32>) -> u32
 {
     if((found_4.face_2) == u32(4294967295))
     {
         return word_0(u32(8));
     }
     var emitter_5 : u32 = word_0(shape_of_0(found_4.triangle_7) + u32(4));
-    var _S382 : bool;
+    var _S383 : bool;
     if(emitter_5 != u32(4294967295))
     {
-        _S382 = (dot(cross_of_0(found_4.triangle_7), direction_15)) < 0.0f;
+        _S383 = (dot(cross_of_0(found_4.triangle_7), direction_16)) < 0.0f;
     }
     else
     {
-        _S382 = false;
+        _S383 = false;
     }
-    var _S383 : u32;
-    if(_S382)
+    var _S384 : u32;
+    if(_S383)
     {
-        _S383 = emitter_5;
+        _S384 = emitter_5;
     }
     else
     {
-        _S383 = u32(4294967295);
+        _S384 = u32(4294967295);
     }
-    return _S383;
+    return _S384;
 }
 
 fn jump_of_light_0( at_39 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
 {
-    var _S384 : vec3<f32> = vec3<f32>(0.0f);
+    var _S385 : vec3<f32> = vec3<f32>(0.0f);
     var side_1 : u32 = u32(0);
-    var jump_0 : vec3<f32> = _S384;
+    var jump_0 : vec3<f32> = _S385;
     for(;;)
     {
         if(side_1 < u32(2))
@@ -3839,32 +3849,32 @@ fn jump_of_light_0( at_39 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
             break;
         }
         var seen_5 : Side_0 = look_0(at_39, point_4, side_1);
-        var _S385 : bool;
+        var _S386 : bool;
         if(!((largest_0(seen_5.scattered_2)) > 0.0f))
         {
-            _S385 = true;
+            _S386 = true;
         }
         else
         {
-            _S385 = (emitter_seen_0(seen_5.found_2, seen_5.direction_13)) != (at_39.emitter_0);
+            _S386 = (emitter_seen_0(seen_5.found_2, seen_5.direction_14)) != (at_39.emitter_0);
         }
-        if(_S385)
+        if(_S386)
         {
             side_1 = side_1 + u32(1);
             continue;
         }
-        var _S386 : vec3<f32> = emitted_0(at_39.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_13));
-        var light_2 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S386);
-        var _S387 : vec3<f32>;
+        var _S387 : vec3<f32> = emitted_0(at_39.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_14));
+        var light_2 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S387);
+        var _S388 : vec3<f32>;
         if(side_1 == u32(0))
         {
-            _S387 = light_2;
+            _S388 = light_2;
         }
         else
         {
-            _S387 = (vec3<f32>(0) - light_2);
+            _S388 = (vec3<f32>(0) - light_2);
         }
-        jump_0 = jump_0 + _S387;
+        jump_0 = jump_0 + _S388;
         side_1 = side_1 + u32(1);
     }
     return jump_0;
@@ -3874,27 +3884,27 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S388 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S389 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_2 : f32 = abs(scaled_0);
     if(size_2 > 7.73712524553362672e+25f)
     {
-        var _S389 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S390 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S390 : bool = scaled_0 < 0.0f;
-    var _S391 : i32;
+    var _S391 : bool = scaled_0 < 0.0f;
+    var _S392 : i32;
     if(size_2 >= 1.84467440737095516e+19f)
     {
-        _S391 = i32(1);
+        _S392 = i32(1);
     }
     else
     {
-        _S391 = i32(0);
+        _S392 = i32(0);
     }
-    var first_7 : u32 = u32(_S391);
+    var first_7 : u32 = u32(_S392);
     var size_3 : f32;
     if(first_7 == u32(1))
     {
@@ -3914,39 +3924,39 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
     {
         size_3 = lower_0;
     }
-    var _S392 : u32 = u32(3) + u32(4) * sum_2;
+    var _S393 : u32 = u32(3) + u32(4) * sum_2;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_3), u32(higher_0));
     var k_10 : u32 = first_7;
     for(;;)
     {
-        var _S393 : bool;
+        var _S394 : bool;
         if(k_10 < u32(4))
         {
-            _S393 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S394 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S393 = false;
+            _S394 = false;
         }
-        if(_S393)
+        if(_S394)
         {
         }
         else
         {
             break;
         }
-        var _S394 : u32;
-        if(_S390)
+        var _S395 : u32;
+        if(_S391)
         {
-            _S394 = u32(0) - digits_0.x;
+            _S395 = u32(0) - digits_0.x;
         }
         else
         {
-            _S394 = digits_0.x;
+            _S395 = digits_0.x;
         }
-        var before_2 : u32 = atomicAdd(&(sums_0[_S392 + k_10]), _S394);
+        var before_2 : u32 = atomicAdd(&(sums_0[_S393 + k_10]), _S395);
         var overflows_0 : bool;
-        if(_S390)
+        if(_S391)
         {
             overflows_0 = before_2 < (digits_0.x);
         }
@@ -3954,39 +3964,39 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_2 + digits_0.x) < before_2;
         }
-        var _S395 : u32 = digits_0.y;
+        var _S396 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S391 = i32(1);
+            _S392 = i32(1);
         }
         else
         {
-            _S391 = i32(0);
+            _S392 = i32(0);
         }
-        var _S396 : vec2<u32> = vec2<u32>(_S395 + u32(_S391), u32(0));
-        var _S397 : u32 = k_10 + u32(1);
-        digits_0 = _S396;
-        k_10 = _S397;
+        var _S397 : vec2<u32> = vec2<u32>(_S396 + u32(_S392), u32(0));
+        var _S398 : u32 = k_10 + u32(1);
+        digits_0 = _S397;
+        k_10 = _S398;
     }
     return;
 }
 
 fn add_to_sums_0( first_8 : u32,  derivative_1 : vec3<f32>)
 {
-    var _S398 : i32;
+    var _S399 : i32;
     if(first_8 == u32(4294967295))
     {
-        _S398 = i32(0);
+        _S399 = i32(0);
     }
     else
     {
-        _S398 = i32(3);
+        _S399 = i32(3);
     }
-    var _S399 : u32 = u32(_S398);
+    var _S400 : u32 = u32(_S399);
     var axis_9 : u32 = u32(0);
     for(;;)
     {
-        if(axis_9 < _S399)
+        if(axis_9 < _S400)
         {
         }
         else
@@ -4011,17 +4021,17 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
         {
             break;
         }
-        var _S400 : u32 = edge_word_0(record_9 + u32(2) + end_2);
-        var _S401 : f32;
+        var _S401 : u32 = edge_word_0(record_9 + u32(2) + end_2);
+        var _S402 : f32;
         if(end_2 == u32(0))
         {
-            _S401 = 1.0f - t_11;
+            _S402 = 1.0f - t_11;
         }
         else
         {
-            _S401 = t_11;
+            _S402 = t_11;
         }
-        add_to_sums_0(_S400, by_velocity_0 * vec3<f32>(_S401));
+        add_to_sums_0(_S401, by_velocity_0 * vec3<f32>(_S402));
         end_2 = end_2 + u32(1);
     }
     (*pulled_2).position_1 = (*pulled_2).position_1 - by_velocity_0;
@@ -4034,12 +4044,12 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
 
 fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_40 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_2 : u32,  path_13 : Path_0)
 {
-    var _S402 : vec3<f32> = jump_of_light_0(at_40, point_5);
-    var by_velocity_1 : vec3<f32> = point_5.normal_7 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S402)));
-    var _S403 : vec3<f32> = offset_of_0(point_5);
-    var _S404 : Pulled_0 = (*crossed_2).pulled_1;
-    edge_back_0(&(_S404), at_40.vertex_2, at_40.turns_0, point_5.edge_6.record_7, point_5.t_5, _S403, by_velocity_1);
-    (*crossed_2).pulled_1 = _S404;
+    var _S403 : vec3<f32> = jump_of_light_0(at_40, point_5);
+    var by_velocity_1 : vec3<f32> = point_5.normal_7 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S403)));
+    var _S404 : vec3<f32> = offset_of_0(point_5);
+    var _S405 : Pulled_0 = (*crossed_2).pulled_1;
+    edge_back_0(&(_S405), at_40.vertex_2, at_40.turns_0, point_5.edge_6.record_7, point_5.t_5, _S404, by_velocity_1);
+    (*crossed_2).pulled_1 = _S405;
     return;
 }
 
@@ -4091,16 +4101,16 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 target_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(target_1 - 0.00100000004749745f));
-            var _S405 : f32 = f32(points_1);
-            var _S406 : f32 = asked_0.over_all_0 * _S405;
-            var step_2 : f32 = total_1 / _S405;
-            var _S407 : f32 = step_2 * asked_0.place_17;
+            var _S406 : f32 = f32(points_1);
+            var _S407 : f32 = asked_0.over_all_0 * _S406;
+            var step_2 : f32 = total_1 / _S406;
+            var _S408 : f32 = step_2 * asked_0.place_17;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S406;
+            over_all_1 = _S407;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S407;
+            target_1 = _S408;
         }
         else
         {
@@ -4115,16 +4125,16 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
         var target_2 : f32 = target_1;
         for(;;)
         {
-            var _S408 : bool;
+            var _S409 : bool;
             if(k_11 < (edge_word_0(leaf_2 + u32(3))))
             {
-                _S408 = drawn_1 < points_0;
+                _S409 = drawn_1 < points_0;
             }
             else
             {
-                _S408 = false;
+                _S409 = false;
             }
-            if(_S408)
+            if(_S409)
             {
             }
             else
@@ -4132,14 +4142,14 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 break;
             }
             var seen_6 : SeenEdge_0;
-            var _S409 : bool = see_edge_0(at_41, k_11, &(seen_6));
+            var _S410 : bool = see_edge_0(at_41, k_11, &(seen_6));
             var drawn_2 : u32;
             var contributions_2 : f32;
             var angles_2 : f32;
             var pieces_3 : f32;
             var cumulative_2 : f32;
             var target_3 : f32;
-            if(!_S409)
+            if(!_S410)
             {
                 drawn_2 = drawn_1;
                 contributions_2 = contributions_1;
@@ -4189,26 +4199,26 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 var target_4 : f32 = target_3;
                 for(;;)
                 {
-                    var _S410 : bool;
+                    var _S411 : bool;
                     if(drawn_3 < points_0)
                     {
-                        _S410 = target_4 < cumulative_3;
+                        _S411 = target_4 < cumulative_3;
                     }
                     else
                     {
-                        _S410 = false;
+                        _S411 = false;
                     }
-                    if(_S410)
+                    if(_S411)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var _S411 : u32 = drawn_3 + u32(1);
+                    var _S412 : u32 = drawn_3 + u32(1);
                     var target_5 : f32 = target_4 + step_1;
                     cross_at_0(&((*crossed_3)), at_41, point_on_0(at_41, seen_6, piece_2, clamp((target_4 - cumulative_2) / own_1, 0.0f, 1.0f), over_all_1 * own_1 / total_0), number_of_path_3, path_14);
-                    drawn_3 = _S411;
+                    drawn_3 = _S412;
                     target_4 = target_5;
                 }
                 cumulative_2 = cumulative_3;
@@ -4238,19 +4248,19 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
 fn sample_points_0( at_42 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
 {
     var numbers_9 : u32 = numbers_for_0(at_42.purpose_0) + u32(1);
-    var _S412 : f32 = f32(subtree_0);
-    var _S413 : f32 = f32(subtrees_0);
+    var _S413 : f32 = f32(subtree_0);
+    var _S414 : f32 = f32(subtrees_0);
     var leaf_3 : u32;
     var probability_4 : f32;
-    var _S414 : bool = descend_0(at_42, (_S412 + precise_random_0(path_15.key_0, numbers_9)) / _S413, &(leaf_3), &(probability_4));
-    if(!_S414)
+    var _S415 : bool = descend_0(at_42, (_S413 + precise_random_0(path_15.key_0, numbers_9)) / _S414, &(leaf_3), &(probability_4));
+    if(!_S415)
     {
         return;
     }
     var asked_1 : Share_0;
-    asked_1.share_0 = 1.0f / _S413;
-    asked_1.over_all_0 = probability_4 * _S413;
-    asked_1.place_17 = precise_random_0(path_15.key_0, numbers_9 + u32(1)) + 0.6180340051651001f * _S412;
+    asked_1.share_0 = 1.0f / _S414;
+    asked_1.over_all_0 = probability_4 * _S414;
+    asked_1.place_17 = precise_random_0(path_15.key_0, numbers_9 + u32(1)) + 0.6180340051651001f * _S413;
     for(;;)
     {
         if((asked_1.place_17) >= 1.0f)
@@ -4299,26 +4309,26 @@ fn slot_derivative_0( numbers_10 : Numbers_0,  slot_6 : u32) -> vec3<f32>
 
 fn numbers_of_0( texture_7 : u32) -> u32
 {
-    return change_word_0(u32(6) + word_0(texture_7 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_7 + u32(12)));
 }
 
 fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
 {
     var first_9 : u32 = numbers_of_0(texture_8);
-    var _S415 : u32 = word_0(texture_8 + u32(1));
-    var _S416 : u32;
+    var _S416 : u32 = word_0(texture_8 + u32(1));
+    var _S417 : u32;
     if(first_9 == u32(4294967295))
     {
-        _S416 = u32(0);
+        _S417 = u32(0);
     }
     else
     {
-        _S416 = lookup_5.count_0;
+        _S417 = lookup_5.count_0;
     }
     var k_12 : u32 = u32(0);
     for(;;)
     {
-        if(k_12 < _S416)
+        if(k_12 < _S417)
         {
         }
         else
@@ -4327,7 +4337,7 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         }
         var own_2 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_12]);
         var own_3 : vec3<f32>;
-        if(_S415 == u32(1))
+        if(_S416 == u32(1))
         {
             own_3 = vec3<f32>((own_2.x + own_2.y + own_2.z));
         }
@@ -4338,14 +4348,14 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         var c_4 : u32 = u32(0);
         for(;;)
         {
-            if(c_4 < _S415)
+            if(c_4 < _S416)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_9 + _S415 * lookup_5.texels_0[k_12] + c_4, own_3[c_4]);
+            add_to_sum_0(first_9 + _S416 * lookup_5.texels_0[k_12] + c_4, own_3[c_4]);
             c_4 = c_4 + u32(1);
         }
         k_12 = k_12 + u32(1);
@@ -4361,13 +4371,13 @@ fn lookup_back_0( texture_9 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
 
 fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
 {
-    var _S417 : vec2<f32> = vec2<f32>(0.0f);
-    var _S418 : u32 = word_0(material_2 + u32(4));
+    var _S418 : vec2<f32> = vec2<f32>(0.0f);
+    var _S419 : u32 = word_0(material_2 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S417;
+    var by_place_0 : vec2<f32> = _S418;
     for(;;)
     {
-        if(slot_7 < _S418)
+        if(slot_7 < _S419)
         {
         }
         else
@@ -4380,9 +4390,9 @@ fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S419 : Lookup_0 = lookup_at_0(texture_10, place_18);
-        var _S420 : vec2<f32> = lookup_back_0(texture_10, _S419, slot_derivative_0(numbers_11, slot_7));
-        by_place_0 = by_place_0 + _S420;
+        var _S420 : Lookup_0 = lookup_at_0(texture_10, place_18);
+        var _S421 : vec2<f32> = lookup_back_0(texture_10, _S420, slot_derivative_0(numbers_11, slot_7));
+        by_place_0 = by_place_0 + _S421;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_0;
@@ -4403,10 +4413,10 @@ struct AtCorners_0
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_2 : AtCorners_0;
-    var _S421 : vec3<f32> = vec3<f32>(0.0f);
-    corners_2.c_5 = _S421;
-    corners_2.b_13 = _S421;
-    corners_2.a_18 = _S421;
+    var _S422 : vec3<f32> = vec3<f32>(0.0f);
+    corners_2.c_5 = _S422;
+    corners_2.b_13 = _S422;
+    corners_2.a_18 = _S422;
     return corners_2;
 }
 
@@ -4421,18 +4431,18 @@ fn tangent_back_0( points_2 : ptr<function, AtCorners_0>,  triangle_8 : u32,  ta
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_8);
     var first_10 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
     var second_4 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
-    var _S422 : f32 = second_4.y;
-    var _S423 : f32 = first_10.y;
-    var scale_1 : f32 = 1.0f / (first_10.x * _S422 - second_4.x * _S423);
-    var of_ab_0 : f32 = _S422 * scale_1;
-    var of_ac_0 : f32 = - _S423 * scale_1;
+    var _S423 : f32 = second_4.y;
+    var _S424 : f32 = first_10.y;
+    var scale_1 : f32 = 1.0f / (first_10.x * _S423 - second_4.x * _S424);
+    var of_ab_0 : f32 = _S423 * scale_1;
+    var of_ac_0 : f32 = - _S424 * scale_1;
     var a_19 : vec3<f32> = primitive_vector_0(corner_1);
-    var _S424 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S425 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_1 + u32(3)) - a_19) * _S424 + (primitive_vector_0(corner_1 + u32(6)) - a_19) * _S425));
+    var _S425 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S426 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_1 + u32(3)) - a_19) * _S425 + (primitive_vector_0(corner_1 + u32(6)) - a_19) * _S426));
     (*points_2).a_18 = (*points_2).a_18 - derivative_5 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_2).b_13 = (*points_2).b_13 + derivative_5 * _S424;
-    (*points_2).c_5 = (*points_2).c_5 + derivative_5 * _S425;
+    (*points_2).b_13 = (*points_2).b_13 + derivative_5 * _S425;
+    (*points_2).c_5 = (*points_2).c_5 + derivative_5 * _S426;
     return;
 }
 
@@ -4459,69 +4469,69 @@ fn normals_of_0( triangle_9 : u32) -> u32
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_10 : u32,  corners_5 : AtCorners_0)
 {
-    var _S426 : u32 = triangle_record_0(triangle_10) + u32(2);
-    var _S427 : i32;
+    var _S427 : u32 = triangle_record_0(triangle_10) + u32(2);
+    var _S428 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S427 = i32(0);
+        _S428 = i32(0);
     }
     else
     {
-        _S427 = i32(3);
+        _S428 = i32(3);
     }
-    var _S428 : u32 = u32(_S427);
+    var _S429 : u32 = u32(_S428);
     var k_13 : u32 = u32(0);
     for(;;)
     {
-        if(k_13 < _S428)
+        if(k_13 < _S429)
         {
         }
         else
         {
             break;
         }
-        var _S429 : u32 = sums_at_0 + u32(3) * word_0(_S426 + k_13);
-        var _S430 : vec3<f32>;
+        var _S430 : u32 = sums_at_0 + u32(3) * word_0(_S427 + k_13);
+        var _S431 : vec3<f32>;
         if(k_13 == u32(0))
         {
-            _S430 = corners_5.a_18;
+            _S431 = corners_5.a_18;
         }
         else
         {
             if(k_13 == u32(1))
             {
-                _S430 = corners_5.b_13;
+                _S431 = corners_5.b_13;
             }
             else
             {
-                _S430 = corners_5.c_5;
+                _S431 = corners_5.c_5;
             }
         }
-        add_to_sums_0(_S429, _S430);
+        add_to_sums_0(_S430, _S431);
         k_13 = k_13 + u32(1);
     }
     return;
 }
 
-fn place_back_0( points_3 : ptr<function, AtCorners_0>,  place_21 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_16 : vec3<f32>) -> vec3<f32>
+fn place_back_0( points_3 : ptr<function, AtCorners_0>,  place_21 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_17 : vec3<f32>) -> vec3<f32>
 {
     var corner_2 : u32 = u32(9) * place_21.triangle_0;
     var a_20 : vec3<f32> = primitive_vector_0(corner_2);
     var ab_0 : vec3<f32> = primitive_vector_0(corner_2 + u32(3)) - a_20;
     var ac_0 : vec3<f32> = primitive_vector_0(corner_2 + u32(6)) - a_20;
     var across_2 : vec3<f32> = cross(ab_0, ac_0);
-    var _S431 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
-    var normal_8 : vec3<f32> = across_2 / vec3<f32>(_S431);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_8) * vec3<f32>(by_place_1.x) + cross(normal_8, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_8, normal_8) * _S431)));
-    var by_drift_0 : vec3<f32> = by_slip_0 - normal_8 * vec3<f32>((dot(direction_16, by_slip_0) / dot(normal_8, direction_16)));
+    var _S432 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
+    var normal_8 : vec3<f32> = across_2 / vec3<f32>(_S432);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_8) * vec3<f32>(by_place_1.x) + cross(normal_8, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_8, normal_8) * _S432)));
+    var by_drift_0 : vec3<f32> = by_slip_0 - normal_8 * vec3<f32>((dot(direction_17, by_slip_0) / dot(normal_8, direction_17)));
     add_at_place_1(&((*points_3)), place_21, by_position_0 - by_drift_0);
     return by_drift_0;
 }
 
-fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_17 : vec3<f32>) -> vec3<f32>
+fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_18 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_6.shape_0);
-    var _S432 : vec2<f32>;
+    var _S433 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_3 : u32 = u32(9) * surface_6.place_3.triangle_0;
@@ -4534,7 +4544,7 @@ fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0
         (*points_4).a_18 = (*points_4).a_18 - (by_ab_0 + by_ac_0);
         (*points_4).b_13 = (*points_4).b_13 + by_ab_0;
         (*points_4).c_5 = (*points_4).c_5 + by_ac_0;
-        _S432 = by_place_2;
+        _S433 = by_place_2;
     }
     else
     {
@@ -4546,10 +4556,10 @@ fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_6.place_3, derivative_9);
         add_to_corners_0(normals_of_0(surface_6.place_3.triangle_0), surface_6.place_3.triangle_0, of_normals_0);
-        _S432 = by_place_2 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_2, derivative_9));
+        _S433 = by_place_2 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_2, derivative_9));
     }
-    var _S433 : vec3<f32> = place_back_0(&((*points_4)), surface_6.place_3, _S432, by_position_1, direction_17);
-    return _S433;
+    var _S434 : vec3<f32> = place_back_0(&((*points_4)), surface_6.place_3, _S433, by_position_1, direction_18);
+    return _S434;
 }
 
 fn points_of_0( triangle_11 : u32) -> u32
@@ -4557,36 +4567,36 @@ fn points_of_0( triangle_11 : u32) -> u32
     return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_11)));
 }
 
-fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32,  direction_18 : vec3<f32>) -> ByRay_0
+fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32,  direction_19 : vec3<f32>) -> ByRay_0
 {
     var by_ray_1 : ByRay_0;
-    var _S434 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_0 = _S434;
-    by_ray_1.drift_0 = _S434;
+    var _S435 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S435;
+    by_ray_1.drift_0 = _S435;
     var by_place_3 : vec2<f32> = numbers_back_0(material_3, vertex_8.surface_3.place_3, pulled_3.numbers_3);
     if(!is_moving_0())
     {
         return by_ray_1;
     }
-    var _S435 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S436 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_0 : DiffPair_Axes_0;
     towards_0.primal_0 = vertex_8.axes_4;
-    towards_0.differential_0 = _S435;
+    towards_0.differential_0 = _S436;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    incoming_0.primal_0 = direction_18;
-    incoming_0.differential_0 = _S434;
+    incoming_0.primal_0 = direction_19;
+    incoming_0.differential_0 = _S435;
     _S173(&(towards_0), &(incoming_0), pulled_3.wi_2);
     by_ray_1.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_8.surface_3.outward_0;
-    outward_1.differential_0 = _S434;
-    var _S436 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
+    outward_1.differential_0 = _S435;
+    var _S437 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S436;
-    tangent_4.differential_0 = _S434;
+    tangent_4.primal_0 = _S437;
+    tangent_4.differential_0 = _S435;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_3.axes_5, towards_0.differential_0);
     var points_5 : AtCorners_0 = at_no_corner_0();
-    if((any((_S436 != _S434))))
+    if((any((_S437 != _S435))))
     {
         _S124(&(outward_1), &(tangent_4), vertex_8.surface_3.is_front_0, by_axes_0);
         tangent_back_0(&(points_5), vertex_8.surface_3.place_3.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -4595,32 +4605,32 @@ fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32, 
     {
         _S93(&(outward_1), vertex_8.surface_3.is_front_0, by_axes_0);
     }
-    var _S437 : vec3<f32> = surface_back_0(&(points_5), vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_18);
-    by_ray_1.drift_0 = _S437;
+    var _S438 : vec3<f32> = surface_back_0(&(points_5), vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_19);
+    by_ray_1.drift_0 = _S438;
     add_to_corners_0(points_of_0(vertex_8.surface_3.place_3.triangle_0), vertex_8.surface_3.place_3.triangle_0, points_5);
     return by_ray_1;
 }
 
-fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_43 : ShadingPoint_0,  direction_19 : vec3<f32>)
+fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_43 : ShadingPoint_0,  direction_20 : vec3<f32>)
 {
-    var _S438 : vec3<f32> = vec3<f32>(0.0f);
-    var _S439 : bool;
-    if((all(((crossed_5.pulled_1.position_1) == _S438))))
+    var _S439 : vec3<f32> = vec3<f32>(0.0f);
+    var _S440 : bool;
+    if((all(((crossed_5.pulled_1.position_1) == _S439))))
     {
-        _S439 = (all(((crossed_5.pulled_1.axes_5.n_0) == _S438)));
+        _S440 = (all(((crossed_5.pulled_1.axes_5.n_0) == _S439)));
     }
     else
     {
-        _S439 = false;
+        _S440 = false;
     }
-    if(_S439)
+    if(_S440)
     {
         return;
     }
-    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_43.vertex_2, material_of_0(at_43.vertex_2.surface_3), direction_19);
-    var _S440 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
-    var kept_1 : u32 = _S440;
-    var which_11 : u32 = _S440;
+    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_43.vertex_2, material_of_0(at_43.vertex_2.surface_3), direction_20);
+    var _S441 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
+    var kept_1 : u32 = _S441;
+    var which_11 : u32 = _S441;
     var drift_1 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     var by_direction_0 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     set_vector_0(number_of_path_5, &(kept_1), drift_1 + by_ray_2.drift_0);
@@ -4630,13 +4640,13 @@ fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_43 : ShadingPoint_
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S441 : u32;
+    var _S442 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S442 : u32 = u32(2) + zero_0;
-        _S441 = _S442;
-        if(rounds_0 < _S442)
+        var _S443 : u32 = u32(2) + zero_0;
+        _S442 = _S443;
+        if(rounds_0 < _S443)
         {
         }
         else
@@ -4645,14 +4655,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S441;
+    return rounds_0 == _S442;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S443 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S444 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4670,8 +4680,8 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var factor_5 : vec3<f32>;
     var path_16 : Path_0 = path_at_vertex_0(number_of_path_6, &(factor_5));
     var at_44 : ShadingPoint_0;
-    var _S444 : bool = shading_point_0(path_16, &(at_44));
-    if(!_S444)
+    var _S445 : bool = shading_point_0(path_16, &(at_44));
+    if(!_S445)
     {
         return;
     }

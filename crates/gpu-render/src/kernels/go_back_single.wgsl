@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 8cdd73aabff328b2
-// result: 525e36d597d7d9db
+// source: cbd5b3ac6fc36d98
+// result: 6fbd83d9c7e2a96a
 
 struct Launch_std140_0
 {
@@ -3436,7 +3436,7 @@ fn triangle_record_0( triangle_2 : u32) -> u32
 
 fn shape_of_0( triangle_3 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_3));
+    return word_0(u32(10)) + u32(7) * word_0(triangle_record_0(triangle_3));
 }
 
 fn primitive_vector_0( at_3 : u32) -> vec3<f32>
@@ -4095,6 +4095,11 @@ fn change_word_0( at_9 : u32) -> u32
     return input_0[launch_0.room_0 + at_9];
 }
 
+fn walks_0() -> bool
+{
+    return (change_word_0(u32(6))) != u32(0);
+}
+
 fn turns_0( vertex_3 : Vertex_0) -> bool
 {
     return (change_word_0(u32(1))) != u32(0);
@@ -4142,7 +4147,7 @@ fn slot_derivative_0( numbers_6 : Numbers_0,  slot_2 : u32) -> vec3<f32>
 
 fn numbers_of_0( texture_6 : u32) -> u32
 {
-    return change_word_0(u32(6) + word_0(texture_6 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_6 + u32(12)));
 }
 
 fn add_to_sum_0( sum_3 : u32,  derivative_0 : f32)
@@ -4664,35 +4669,56 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var by_direction_2 : vec3<f32> = path_vector_0(number_of_path_0, &(which_5));
     var surface_6 : Surface_0 = surface_at_0(place_15, direction_9);
     var material_3 : u32 = material_of_0(surface_6);
-    var _S1078 : bool;
+    var _S1078 : vec4<f32> = vec4<f32>(0.0f);
+    var _S1079 : bool;
     if(material_3 != u32(4294967295))
     {
-        _S1078 = factor_0 != 0.0f;
+        _S1079 = factor_0 != 0.0f;
     }
     else
     {
-        _S1078 = false;
+        _S1079 = false;
     }
-    if(_S1078)
+    var by_walk_0 : vec4<f32>;
+    if(_S1079)
     {
         var vertex_6 : Vertex_0 = vertex_at_0(surface_6, material_3, direction_9);
         var pulled_5 : Pulled_0 = nothing_pulled_0();
         var onward_direction_0 : vec3<f32> = normalize(to_world_0(vertex_6.axes_4, wo_2));
         pulled_5.position_1 = by_drift_1;
         var by_direction_3 : vec3<f32> = by_direction_2 + by_drift_1 * vec3<f32>(t_1);
-        var _S1079 : vec3<f32> = scattered_back_0(&(pulled_5), vertex_6, wo_2, onward_direction_0, is_specular_1, importance_0 * beyond_0 * vec3<f32>(factor_0));
-        var by_direction_4 : vec3<f32> = by_direction_3 + _S1079;
+        var _S1080 : vec3<f32> = scattered_back_0(&(pulled_5), vertex_6, wo_2, onward_direction_0, is_specular_1, importance_0 * beyond_0 * vec3<f32>(factor_0));
+        var by_direction_4 : vec3<f32> = by_direction_3 + _S1080;
         if(is_specular_1)
         {
             specular_direction_back_0(&(pulled_5), vertex_6, wo_2, by_direction_4);
+            by_walk_0 = _S1078;
         }
         else
         {
-            turning_back_0(&(pulled_5), vertex_6, onward_direction_0, by_direction_4);
+            if(walks_0())
+            {
+                by_walk_0 = vec4<f32>(by_direction_4, dot(importance_0 * onward_1, beyond_0));
+            }
+            else
+            {
+                turning_back_0(&(pulled_5), vertex_6, onward_direction_0, by_direction_4);
+                by_walk_0 = _S1078;
+            }
         }
         var onward_by_ray_0 : ByRay_0 = vertex_back_0(pulled_5, vertex_6, material_3, direction_9);
         by_ray_1.drift_0 = by_ray_1.drift_0 + onward_by_ray_0.drift_0;
         by_ray_1.direction_7 = by_ray_1.direction_7 + onward_by_ray_0.direction_7;
+    }
+    else
+    {
+        by_walk_0 = _S1078;
+    }
+    if(walks_0())
+    {
+        which_5 = kept_at_0(launch_0.depth_0) + u32(11);
+        set_vector_0(number_of_path_0, &(which_5), by_walk_0.xyz);
+        set_word_0(number_of_path_0, which_5, (bitcast<u32>((by_walk_0.w))));
     }
     which_5 = u32(17);
     set_vector_0(number_of_path_0, &(which_5), direct_0 + onward_1 * beyond_0);

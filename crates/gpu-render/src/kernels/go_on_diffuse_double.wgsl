@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: f0235cc9f0ba7153
-// result: 863226f2e620ad75
+// source: 0b6ff8749d84514c
+// result: e5e251602a7628e9
 
 struct Launch_std140_0
 {
@@ -40,9 +40,16 @@ fn path_vector_0( path_1 : u32,  which_1 : ptr<function, u32>) -> vec3<f32>
     return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_1, _S1 - u32(3)), path_word_0(path_1, _S1 - u32(2)), path_word_0(path_1, _S1 - u32(1))))));
 }
 
-fn path_changing_0( path_2 : u32,  which_2 : ptr<function, u32>) -> vec3<f32>
+fn path_vector_1( path_2 : u32,  which_2 : ptr<function, u32>) -> vec3<f32>
 {
-    var value_0 : vec3<f32> = path_vector_0(path_2, &((*which_2)));
+    var _S2 : u32 = (*which_2) + u32(3);
+    (*which_2) = _S2;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_2, _S2 - u32(3)), path_word_0(path_2, _S2 - u32(2)), path_word_0(path_2, _S2 - u32(1))))));
+}
+
+fn path_changing_0( path_3 : u32,  which_3 : ptr<function, u32>) -> vec3<f32>
+{
+    var value_0 : vec3<f32> = path_vector_1(path_3, &((*which_3)));
     return value_0;
 }
 
@@ -59,20 +66,20 @@ fn exact_place_0( triangle_1 : u32,  v_1 : f64,  w_1 : f64) -> Place_0
 {
     var place_0 : Place_0;
     place_0.triangle_0 = triangle_1;
-    var _S2 : f32 = f32(v_1);
-    place_0.v_0 = _S2;
-    var _S3 : f32 = f32(w_1);
-    place_0.w_0 = _S3;
-    place_0.v_rest_0 = f32(v_1 - f64(_S2));
-    place_0.w_rest_0 = f32(w_1 - f64(_S3));
+    var _S3 : f32 = f32(v_1);
+    place_0.v_0 = _S3;
+    var _S4 : f32 = f32(w_1);
+    place_0.w_0 = _S4;
+    place_0.v_rest_0 = f32(v_1 - f64(_S3));
+    place_0.w_rest_0 = f32(w_1 - f64(_S4));
     return place_0;
 }
 
-fn path_place_0( path_3 : u32,  which_3 : ptr<function, u32>) -> Place_0
+fn path_place_0( path_4 : u32,  which_4 : ptr<function, u32>) -> Place_0
 {
-    var _S4 : u32 = (*which_3) + u32(5);
-    (*which_3) = _S4;
-    return exact_place_0(path_word_0(path_3, _S4 - u32(5)), f64((bitcast<f32>((path_word_0(path_3, _S4 - u32(4)))))) + f64((bitcast<f32>((path_word_0(path_3, _S4 - u32(2)))))), f64((bitcast<f32>((path_word_0(path_3, _S4 - u32(3)))))) + f64((bitcast<f32>((path_word_0(path_3, _S4 - u32(1)))))));
+    var _S5 : u32 = (*which_4) + u32(5);
+    (*which_4) = _S5;
+    return exact_place_0(path_word_0(path_4, _S5 - u32(5)), f64((bitcast<f32>((path_word_0(path_4, _S5 - u32(4)))))) + f64((bitcast<f32>((path_word_0(path_4, _S5 - u32(2)))))), f64((bitcast<f32>((path_word_0(path_4, _S5 - u32(3)))))) + f64((bitcast<f32>((path_word_0(path_4, _S5 - u32(1)))))));
 }
 
 struct Path_0
@@ -81,23 +88,27 @@ struct Path_0
      direction_0 : vec3<f32>,
      place_1 : Place_0,
      key_0 : vec2<u32>,
+     direction_rest_0 : vec3<f32>,
      light_0 : vec3<f32>,
 };
 
 fn load_0( number_of_path_0 : u32) -> Path_0
 {
     var at_0 : u32 = u32(1);
-    var path_4 : Path_0;
-    var _S5 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
-    path_4.light_0 = _S5;
+    var path_5 : Path_0;
     var _S6 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
-    path_4.throughput_0 = _S6;
+    path_5.light_0 = _S6;
     var _S7 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
-    path_4.direction_0 = _S7;
-    var _S8 : Place_0 = path_place_0(number_of_path_0, &(at_0));
-    path_4.place_1 = _S8;
-    path_4.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_0), path_word_0(number_of_path_0, at_0 + u32(1)));
-    return path_4;
+    path_5.throughput_0 = _S7;
+    var _S8 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
+    path_5.direction_0 = _S8;
+    var _S9 : Place_0 = path_place_0(number_of_path_0, &(at_0));
+    path_5.place_1 = _S9;
+    path_5.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_0), path_word_0(number_of_path_0, at_0 + u32(1)));
+    at_0 = at_0 + u32(2);
+    var _S10 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
+    path_5.direction_rest_0 = _S10;
+    return path_5;
 }
 
 fn changing_0( value_1 : vec3<f32>,  change_0 : vec3<f32>) -> vec3<f32>
@@ -119,9 +130,9 @@ struct Reflected_0
 fn nothing_reflected_0() -> Reflected_0
 {
     var reflected_0 : Reflected_0;
-    var _S9 : vec3<f32> = still_0(vec3<f32>(0.0f));
-    reflected_0.direct_0 = _S9;
-    reflected_0.onward_0 = _S9;
+    var _S11 : vec3<f32> = still_0(vec3<f32>(0.0f));
+    reflected_0.direct_0 = _S11;
+    reflected_0.onward_0 = _S11;
     return reflected_0;
 }
 
@@ -147,7 +158,7 @@ fn triangle_record_0( triangle_2 : u32) -> u32
 
 fn shape_of_0( triangle_3 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_3));
+    return word_0(u32(10)) + u32(7) * word_0(triangle_record_0(triangle_3));
 }
 
 fn primitive_vector_0( at_2 : u32) -> vec3<f64>
@@ -200,14 +211,14 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
     var surface_0 : Surface_0;
     surface_0.place_3 = place_4;
     surface_0.shape_0 = shape_of_0(place_4.triangle_0);
-    var _S10 : vec3<f64> = position_of_0(place_4);
-    surface_0.exact_0 = _S10;
-    surface_0.position_0 = vec3<f32>(_S10);
-    var _S11 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
-    surface_0.face_normal_0 = _S11;
-    surface_0.outward_0 = _S11;
+    var _S12 : vec3<f64> = position_of_0(place_4);
+    surface_0.exact_0 = _S12;
+    surface_0.position_0 = vec3<f32>(_S12);
+    var _S13 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
+    surface_0.face_normal_0 = _S13;
+    surface_0.outward_0 = _S13;
     var seen_0 : f32;
-    if((dot(_S11, direction_1)) > 0.0f)
+    if((dot(_S13, direction_1)) > 0.0f)
     {
         seen_0 = -1.0f;
     }
@@ -234,16 +245,16 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
 
 fn material_of_0( surface_1 : Surface_0) -> u32
 {
-    var _S12 : u32;
+    var _S14 : u32;
     if(surface_1.is_front_0)
     {
-        _S12 = u32(2);
+        _S14 = u32(2);
     }
     else
     {
-        _S12 = u32(3);
+        _S14 = u32(3);
     }
-    return word_0(surface_1.shape_0 + _S12);
+    return word_0(surface_1.shape_0 + _S14);
 }
 
 struct Numbers_0
@@ -258,11 +269,11 @@ struct Numbers_0
 fn no_numbers_0() -> Numbers_0
 {
     var numbers_0 : Numbers_0;
-    var _S13 : vec3<f32> = vec3<f32>(0.0f);
-    numbers_0.k_0 = _S13;
-    numbers_0.eta_0 = _S13;
-    numbers_0.specular_reflectance_0 = _S13;
-    numbers_0.diffuse_reflectance_0 = _S13;
+    var _S15 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_0.k_0 = _S15;
+    numbers_0.eta_0 = _S15;
+    numbers_0.specular_reflectance_0 = _S15;
+    numbers_0.diffuse_reflectance_0 = _S15;
     numbers_0.alpha_0 = vec2<f32>(0.0f);
     return numbers_0;
 }
@@ -292,11 +303,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_4 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
 {
-    var _S14 : Corners2_0;
-    _S14.a_3 = a_4;
-    _S14.b_1 = b_2;
-    _S14.c_1 = c_2;
-    return _S14;
+    var _S16 : Corners2_0;
+    _S16.a_3 = a_4;
+    _S16.b_1 = b_2;
+    _S16.c_1 = c_2;
+    return _S16;
 }
 
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
@@ -367,11 +378,11 @@ fn between_0( texels_1 : vec4<u32>,  place_5 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S15 : f32 = back_0.x;
-    var _S16 : f32 = back_0.y;
-    var _S17 : f32 = way_0.x;
-    var _S18 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S15 * _S16, _S17 * _S16, _S15 * _S18, _S17 * _S18);
+    var _S17 : f32 = back_0.x;
+    var _S18 : f32 = back_0.y;
+    var _S19 : f32 = way_0.x;
+    var _S20 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S17 * _S18, _S19 * _S18, _S17 * _S20, _S19 * _S20);
     return lookup_1;
 }
 
@@ -384,20 +395,20 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_6.y), height_0, wrap_1);
-        var _S19 : u32 = row_0 * u32(width_0);
-        var _S20 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
-        return one_texel_0(_S19 + _S20);
+        var _S21 : u32 = row_0 * u32(width_0);
+        var _S22 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
+        return one_texel_0(_S21 + _S22);
     }
     var centred_0 : Point_0;
-    var _S21 : vec2<f32> = place_6 - vec2<f32>(0.5f);
-    centred_0.value_3 = _S21;
-    var x_1 : i32 = floor_of_0(_S21.x);
-    var y_0 : i32 = floor_of_0(_S21.y);
-    var _S22 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S23 : u32 = u32(width_0);
-    var first_1 : u32 = _S22 * _S23;
-    var _S24 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S24 * _S23;
+    var _S23 : vec2<f32> = place_6 - vec2<f32>(0.5f);
+    centred_0.value_3 = _S23;
+    var x_1 : i32 = floor_of_0(_S23.x);
+    var y_0 : i32 = floor_of_0(_S23.y);
+    var _S24 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S25 : u32 = u32(width_0);
+    var first_1 : u32 = _S24 * _S25;
+    var _S26 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S26 * _S25;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -426,33 +437,33 @@ fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
     var uvs_1 : Corners2_0 = uvs_of_0(place_7.triangle_0);
     var rows_0 : u32 = texture_1 + u32(6);
     var uv_1 : Point_0;
-    var _S25 : vec3<f32> = vec3<f32>(uvs_1.a_3 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_1 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
-    uv_1.value_3 = vec2<f32>(dot(_S25, vector_at_0(rows_0)), dot(_S25, vector_at_0(rows_0 + u32(3))));
+    var _S27 : vec3<f32> = vec3<f32>(uvs_1.a_3 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_1 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
+    uv_1.value_3 = vec2<f32>(dot(_S27, vector_at_0(rows_0)), dot(_S27, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
     {
-        var _S26 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S26;
+        var _S28 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S28;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
-    var _S27 : i32;
+    var _S29 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S27 = i32(1);
+        _S29 = i32(1);
     }
     else
     {
-        _S27 = i32(0);
+        _S29 = i32(0);
     }
-    return one_texel_0(u32(_S27));
+    return one_texel_0(u32(_S29));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S28 : u32 = word_0(texture_2 + u32(1));
-    var _S29 : u32 = texture_2 + u32(13);
-    var _S30 : vec3<f32> = vec3<f32>(0.0f);
+    var _S30 : u32 = word_0(texture_2 + u32(1));
+    var _S31 : u32 = texture_2 + u32(13);
+    var _S32 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S30;
+    var value_4 : vec3<f32> = _S32;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -462,17 +473,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S29 + _S28 * lookup_3.texels_0[k_1];
-        var _S31 : vec3<f32>;
-        if(_S28 == u32(1))
+        var at_8 : u32 = _S31 + _S30 * lookup_3.texels_0[k_1];
+        var _S33 : vec3<f32>;
+        if(_S30 == u32(1))
         {
-            _S31 = vec3<f32>(number_0(at_8));
+            _S33 = vec3<f32>(number_0(at_8));
         }
         else
         {
-            _S31 = vector_at_0(at_8);
+            _S33 = vector_at_0(at_8);
         }
-        var value_5 : vec3<f32> = value_4 + _S31 * vec3<f32>(weights_1[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S33 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -486,8 +497,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
 {
-    var _S32 : Lookup_0 = lookup_at_0(texture_4, place_8);
-    return looked_up_0(texture_4, _S32, vec2<f32>(0.0f));
+    var _S34 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S34, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -547,29 +558,29 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
     lobe_0.record_2 = record_3;
     var is_black_0 : bool = record_3 == u32(4294967295);
     lobe_0.kind_1 = u32(0);
-    var _S33 : u32;
+    var _S35 : u32;
     if(is_black_0)
     {
-        _S33 = u32(1);
+        _S35 = u32(1);
     }
     else
     {
-        _S33 = word_0(record_3 + u32(1));
+        _S35 = word_0(record_3 + u32(1));
     }
-    lobe_0.distribution_0 = _S33;
+    lobe_0.distribution_0 = _S35;
     lobe_0.numbers_2 = no_numbers_0();
     if(is_black_0)
     {
-        _S33 = u32(0);
+        _S35 = u32(0);
     }
     else
     {
-        _S33 = u32(1);
+        _S35 = u32(1);
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S33)
+        if(slot_1 < _S35)
         {
         }
         else
@@ -583,10 +594,10 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
-        var _S34 : vec3<f32> = value_of_0(colour_1);
-        var _S35 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S35), slot_1, _S34);
-        lobe_0.numbers_2 = _S35;
+        var _S36 : vec3<f32> = value_of_0(colour_1);
+        var _S37 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S37), slot_1, _S36);
+        lobe_0.numbers_2 = _S37;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -601,16 +612,16 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S36 : vec3<f32>;
+    var _S38 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S36 = tangent_0;
+        _S38 = tangent_0;
     }
     else
     {
-        _S36 = vec3<f32>(0.0f);
+        _S38 = vec3<f32>(0.0f);
     }
-    return _S36;
+    return _S38;
 }
 
 struct Axes_0
@@ -623,38 +634,38 @@ struct Axes_0
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S37 : vec3<f32>;
+    var _S39 : vec3<f32>;
     if(is_front_1)
     {
-        _S37 = n_2;
+        _S39 = n_2;
     }
     else
     {
-        _S37 = (vec3<f32>(0) - n_2);
+        _S39 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_1 = _S37;
-    var _S38 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S38;
-    axes_0.t_0 = cross(n_2, _S38);
+    axes_0.n_1 = _S39;
+    var _S40 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S40;
+    axes_0.t_0 = cross(n_2, _S40);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S39 : vec3<f32>;
+    var _S41 : vec3<f32>;
     if(is_front_2)
     {
-        _S39 = n_3;
+        _S41 = n_3;
     }
     else
     {
-        _S39 = (vec3<f32>(0) - n_3);
+        _S41 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_1 = _S39;
-    var _S40 : f32 = n_3.z;
+    axes_1.n_1 = _S41;
+    var _S42 : f32 = n_3.z;
     var sign_0 : f32;
-    if(_S40 < 0.0f)
+    if(_S42 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -662,12 +673,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_0 = 1.0f;
     }
-    var a_5 : f32 = -1.0f / (sign_0 + _S40);
-    var _S41 : f32 = n_3.x;
-    var _S42 : f32 = n_3.y;
-    var b_3 : f32 = _S41 * _S42 * a_5;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_0 * _S41 * _S41 * a_5, sign_0 * b_3, - sign_0 * _S41);
-    axes_1.t_0 = vec3<f32>(b_3, sign_0 + _S42 * _S42 * a_5, - _S42);
+    var a_5 : f32 = -1.0f / (sign_0 + _S42);
+    var _S43 : f32 = n_3.x;
+    var _S44 : f32 = n_3.y;
+    var b_3 : f32 = _S43 * _S44 * a_5;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_0 * _S43 * _S43 * a_5, sign_0 * b_3, - sign_0 * _S43);
+    axes_1.t_0 = vec3<f32>(b_3, sign_0 + _S44 * _S44 * a_5, - _S44);
     return axes_1;
 }
 
@@ -694,8 +705,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_3 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S43 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S43;
+    var _S45 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S45;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -767,35 +778,35 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_0, 0.0f) / squared_0;
     }
-    var _S44 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S44 * _S44 / (2.0f * (_S44 - max(lowest_0, -1.0f)) * squared_0);
+    var _S46 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S46 * _S46 / (2.0f * (_S46 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S45 : bool;
+    var _S47 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S45 = true;
+        _S47 = true;
     }
     else
     {
-        _S45 = (word_0(u32(2))) == u32(0);
+        _S47 = (word_0(u32(2))) == u32(0);
     }
-    if(_S45)
+    if(_S47)
     {
         return false;
     }
     var record_5 : u32 = emitter_record_0(u32(0));
     if(is_area_0(record_5))
     {
-        _S45 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
+        _S47 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S45 = false;
+        _S47 = false;
     }
-    return _S45;
+    return _S47;
 }
 
 fn has_smooth_0( lobe_2 : Lobe_0) -> bool
@@ -842,32 +853,32 @@ struct Choice_0
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_4, choice_0.normal_2);
-    var _S46 : f32;
+    var _S48 : f32;
     if(view_0 > 0.0f)
     {
-        _S46 = 1.0f;
+        _S48 = 1.0f;
     }
     else
     {
-        _S46 = 0.0f;
+        _S48 = 0.0f;
     }
-    (*can_light_0) = _S46;
+    (*can_light_0) = _S48;
     return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
 }
 
 fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
 {
     var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_2);
-    var _S47 : f32;
+    var _S49 : f32;
     if(view_1 > 0.0f)
     {
-        _S47 = 1.0f;
+        _S49 = 1.0f;
     }
     else
     {
-        _S47 = 0.0f;
+        _S49 = 0.0f;
     }
-    (*can_light_1) = _S47;
+    (*can_light_1) = _S49;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -879,32 +890,32 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
     var count_1 : u32 = word_0(u32(6));
-    var _S48 : bool;
+    var _S50 : bool;
     if(alike_0)
     {
-        _S48 = true;
+        _S50 = true;
     }
     else
     {
-        _S48 = (word_0(u32(5))) != u32(0);
+        _S50 = (word_0(u32(5))) != u32(0);
     }
-    if(_S48)
+    if(_S50)
     {
-        _S48 = true;
+        _S50 = true;
     }
     else
     {
-        _S48 = count_1 < u32(2);
+        _S50 = count_1 < u32(2);
     }
-    if(_S48)
+    if(_S50)
     {
-        _S48 = true;
+        _S50 = true;
     }
     else
     {
-        _S48 = count_1 > u32(32);
+        _S50 = count_1 > u32(32);
     }
-    if(_S48)
+    if(_S50)
     {
         return choice_2;
     }
@@ -919,29 +930,29 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
             break;
         }
         var can_light_2 : f32;
-        var _S49 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S49;
+        var _S51 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S51;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S48 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S50 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S48 = false;
+        _S50 = false;
     }
-    if(!_S48)
+    if(!_S50)
     {
         choice_2.all_0 = 0.0f;
     }
     return choice_2;
 }
 
-fn limit_at_0( which_4 : u32) -> f64
+fn limit_at_0( which_5 : u32) -> f64
 {
-    return primitives_0[word_0(u32(15)) + which_4];
+    return primitives_0[word_0(u32(15)) + which_5];
 }
 
 fn product_0( a_6 : u32,  b_4 : u32) -> vec2<u32>
@@ -958,33 +969,33 @@ fn product_0( a_6 : u32,  b_4 : u32) -> vec2<u32>
 
 fn times_0( a_7 : vec2<u32>,  b_5 : vec2<u32>) -> vec2<u32>
 {
-    var _S50 : u32 = a_7.x;
-    var _S51 : u32 = b_5.x;
-    var low_1 : vec2<u32> = product_0(_S50, _S51);
-    return vec2<u32>(low_1.x, low_1.y + _S50 * b_5.y + a_7.y * _S51);
+    var _S52 : u32 = a_7.x;
+    var _S53 : u32 = b_5.x;
+    var low_1 : vec2<u32> = product_0(_S52, _S53);
+    return vec2<u32>(low_1.x, low_1.y + _S52 * b_5.y + a_7.y * _S53);
 }
 
 fn plus_0( a_8 : vec2<u32>,  b_6 : vec2<u32>) -> vec2<u32>
 {
-    var _S52 : u32 = a_8.x;
-    var low_2 : u32 = _S52 + b_6.x;
-    var _S53 : u32 = a_8.y + b_6.y;
-    var _S54 : i32;
-    if(low_2 < _S52)
+    var _S54 : u32 = a_8.x;
+    var low_2 : u32 = _S54 + b_6.x;
+    var _S55 : u32 = a_8.y + b_6.y;
+    var _S56 : i32;
+    if(low_2 < _S54)
     {
-        _S54 = i32(1);
+        _S56 = i32(1);
     }
     else
     {
-        _S54 = i32(0);
+        _S56 = i32(0);
     }
-    return vec2<u32>(low_2, _S53 + u32(_S54));
+    return vec2<u32>(low_2, _S55 + u32(_S56));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S55 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S55 << ((u32(32) - by_0)))))), (_S55 >> (by_0)))));
+    var _S57 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S57 << ((u32(32) - by_0)))))), (_S57 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -1023,9 +1034,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S56 : f32 = f32(count_2);
-        (*probability_0) = 1.0f / _S56;
-        return min(u32(u_0 * _S56), count_2 - u32(1));
+        var _S58 : f32 = f32(count_2);
+        (*probability_0) = 1.0f / _S58;
+        return min(u32(u_0 * _S58), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
@@ -1056,9 +1067,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S57 : u32 = i_2 + u32(1);
+        var _S59 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S57;
+        i_2 = _S59;
         rest_1 = rest_2;
     }
     return found_0;
@@ -1071,28 +1082,28 @@ fn place_at_0( triangle_6 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
 
 fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 {
-    var _S58 : f32 = abs(x_4);
-    var _S59 : f32 = abs(y_1);
-    var _S60 : f32 = min(_S58, _S59);
-    var _S61 : f32 = max(_S58, _S59);
-    var is_steep_0 : bool = _S60 > (0.41421356797218323f * _S61);
+    var _S60 : f32 = abs(x_4);
+    var _S61 : f32 = abs(y_1);
+    var _S62 : f32 = min(_S60, _S61);
+    var _S63 : f32 = max(_S60, _S61);
+    var is_steep_0 : bool = _S62 > (0.41421356797218323f * _S63);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S60 - _S61;
+        above_0 = _S62 - _S63;
     }
     else
     {
-        above_0 = _S60;
+        above_0 = _S62;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S60 + _S61;
+        below_0 = _S62 + _S63;
     }
     else
     {
-        below_0 = _S61;
+        below_0 = _S63;
     }
     if(below_0 > 0.0f)
     {
@@ -1113,7 +1124,7 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S59 > _S58)
+    if(_S61 > _S60)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -1148,11 +1159,11 @@ fn solid_angle_of_0( a_9 : vec3<f32>,  b_7 : vec3<f32>,  c_3 : vec3<f32>) -> f32
 
 fn complex_product_0( a_10 : vec2<f32>,  b_8 : vec2<f32>) -> vec2<f32>
 {
-    var _S62 : f32 = a_10.x;
-    var _S63 : f32 = b_8.x;
-    var _S64 : f32 = a_10.y;
-    var _S65 : f32 = b_8.y;
-    return vec2<f32>(_S62 * _S63 - _S64 * _S65, _S62 * _S65 + _S64 * _S63);
+    var _S64 : f32 = a_10.x;
+    var _S65 : f32 = b_8.x;
+    var _S66 : f32 = a_10.y;
+    var _S67 : f32 = b_8.y;
+    return vec2<f32>(_S64 * _S65 - _S66 * _S67, _S64 * _S67 + _S66 * _S65);
 }
 
 struct SeenRectangle_0
@@ -1175,26 +1186,26 @@ fn seen_rectangle_0( at_9 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
     var seen_1 : SeenRectangle_0;
     seen_1.x_5 = vec2<f32>(x0_0, x1_0);
     seen_1.y_2 = vec2<f32>(y0_0, y1_0);
-    var _S66 : f32 = - dot(vector_at_0(at_9 + u32(9)), offset_2);
-    seen_1.z_1 = _S66;
-    var a_11 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S66);
-    var b_9 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S66);
-    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S66);
-    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S66);
-    var _S67 : f32 = length(a_11);
-    var _S68 : f32 = length(c_4);
-    var _S69 : f32;
-    if(_S66 > (9.99999997475242708e-07f * max(max(_S67, length(b_9)), max(_S68, length(d_0)))))
+    var _S68 : f32 = - dot(vector_at_0(at_9 + u32(9)), offset_2);
+    seen_1.z_1 = _S68;
+    var a_11 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S68);
+    var b_9 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S68);
+    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S68);
+    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S68);
+    var _S69 : f32 = length(a_11);
+    var _S70 : f32 = length(c_4);
+    var _S71 : f32;
+    if(_S68 > (9.99999997475242708e-07f * max(max(_S69, length(b_9)), max(_S70, length(d_0)))))
     {
-        _S69 = solid_angle_of_0(a_11, c_4, b_9) + solid_angle_of_0(d_0, b_9, c_4);
+        _S71 = solid_angle_of_0(a_11, c_4, b_9) + solid_angle_of_0(d_0, b_9, c_4);
     }
     else
     {
-        _S69 = 0.0f;
+        _S71 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S69;
+    seen_1.solid_angle_0 = _S71;
     var z2_0 : f32 = seen_1.z_1 * seen_1.z_1;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S68), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S67));
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S70), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S69));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_2 * seen_1.y_2 + vec2<f32>(z2_0));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_0) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
@@ -1232,28 +1243,28 @@ fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
     var at_10 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S70 : f32 = seen_2.y_2.x;
-    var _S71 : f32 = seen_2.inverse_to_line_0.x;
-    var _S72 : f32 = seen_2.y_2.y;
-    var n_4 : f32 = - at_10.x * _S70 * _S71 - _S72 * seen_2.inverse_to_line_0.y;
-    var _S73 : f32 = at_10.y;
-    var flat_0 : f32 = _S73 * seen_2.z_1 * _S71;
-    var size_0 : f32 = seen_2.z_1 * abs(_S73) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
-    var _S74 : f32;
-    if((n_4 * _S73) < 0.0f)
+    var _S72 : f32 = seen_2.y_2.x;
+    var _S73 : f32 = seen_2.inverse_to_line_0.x;
+    var _S74 : f32 = seen_2.y_2.y;
+    var n_4 : f32 = - at_10.x * _S72 * _S73 - _S74 * seen_2.inverse_to_line_0.y;
+    var _S75 : f32 = at_10.y;
+    var flat_0 : f32 = _S75 * seen_2.z_1 * _S73;
+    var size_0 : f32 = seen_2.z_1 * abs(_S75) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
+    var _S76 : f32;
+    if((n_4 * _S75) < 0.0f)
     {
-        _S74 = - size_0;
+        _S76 = - size_0;
     }
     else
     {
-        _S74 = size_0;
+        _S76 = size_0;
     }
-    var x_7 : f32 = clamp(_S74, seen_2.x_5.x, seen_2.x_5.y);
+    var x_7 : f32 = clamp(_S76, seen_2.x_5.x, seen_2.x_5.y);
     var squared_1 : f32 = x_7 * x_7 + seen_2.z_1 * seen_2.z_1;
     var h_0 : vec2<f32> = seen_2.y_2 / sqrt(vec2<f32>(squared_1) + seen_2.y_2 * seen_2.y_2);
-    var _S75 : f32 = h_0.x;
-    var sine_2 : f32 = _S75 + u_1.y * (h_0.y - _S75);
-    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S70, _S72));
+    var _S77 : f32 = h_0.x;
+    var sine_2 : f32 = _S77 + u_1.y * (h_0.y - _S77);
+    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S72, _S74));
 }
 
 fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
@@ -1271,16 +1282,16 @@ fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<functi
             break;
         }
         var row_1 : u32 = at_11 + u32(14) + u32(6) * face_0;
-        var _S76 : f32 = place_10.x;
-        var _S77 : f32 = place_10.y;
-        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S76 + number_0(row_1 + u32(2)) * _S77;
-        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S76 + number_0(row_1 + u32(5)) * _S77;
-        var _S78 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
-        if(_S78 > best_0)
+        var _S78 : f32 = place_10.x;
+        var _S79 : f32 = place_10.y;
+        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S78 + number_0(row_1 + u32(2)) * _S79;
+        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S78 + number_0(row_1 + u32(5)) * _S79;
+        var _S80 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
+        if(_S80 > best_0)
         {
             (*weights_2)[i32(0)] = clamp(v_5, 0.0f, 1.0f);
             (*weights_2)[i32(1)] = clamp(w_3, 0.0f, 1.0f - (*weights_2).x);
-            best_0 = _S78;
+            best_0 = _S80;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -1296,26 +1307,26 @@ fn emitter_triangle_0( record_7 : u32,  face_1 : u32) -> u32
 fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f64
 {
     var bits_0 : vec2<u32> = random_bits_0(key_3, dimension_2);
-    var _S79 : u32 = bits_0.y;
-    return (f64((_S79 >> (u32(11)))) + f64((((_S79 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
+    var _S81 : u32 = bits_0.y;
+    return (f64((_S81 >> (u32(11)))) + f64((((_S81 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S80 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S81 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S80, _S81);
-    var sum_0 : f32 = _S80 + _S81;
-    var _S82 : vec2<f32>;
+    var _S82 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S83 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S82, _S83);
+    var sum_0 : f32 = _S82 + _S83;
+    var _S84 : vec2<f32>;
     if(sum_0 > 0.0f)
     {
-        _S82 = seen_3 / vec2<f32>(sum_0);
+        _S84 = seen_3 / vec2<f32>(sum_0);
     }
     else
     {
-        _S82 = vec2<f32>(0.0f);
+        _S84 = vec2<f32>(0.0f);
     }
-    return _S82;
+    return _S84;
 }
 
 struct Corners_0
@@ -1348,28 +1359,28 @@ fn unit_across_0( v_6 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_3 : f32) -> vec3<f32>
 {
-    var _S83 : f32 = clamp(cosine_3, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S83) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S83) * (1.0f + _S83)));
+    var _S85 : f32 = clamp(cosine_3, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S85) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S85) * (1.0f + _S85)));
 }
 
 fn triangle_direction_0( a_13 : vec3<f32>,  b_11 : vec3<f32>,  c_6 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S84 : vec3<f32> = normalize(a_13);
-    var _S85 : vec3<f32> = normalize(b_11);
-    var _S86 : vec3<f32> = normalize(c_6);
-    var ab_0 : vec3<f32> = normalize(cross(_S84, _S85));
-    var ca_0 : vec3<f32> = normalize(cross(_S86, _S84));
+    var _S86 : vec3<f32> = normalize(a_13);
+    var _S87 : vec3<f32> = normalize(b_11);
+    var _S88 : vec3<f32> = normalize(c_6);
+    var ab_0 : vec3<f32> = normalize(cross(_S86, _S87));
+    var ca_0 : vec3<f32> = normalize(cross(_S88, _S86));
     var sine_alpha_0 : f32 = length(cross(ab_0, ca_0));
     var cosine_alpha_0 : f32 = - dot(ab_0, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S87 : f32 = part_0.x;
-    var _S88 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S87 * cosine_alpha_0 - _S88 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S88 * cosine_alpha_0 + _S87 * sine_alpha_0;
+    var _S89 : f32 = part_0.x;
+    var _S90 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S89 * cosine_alpha_0 - _S90 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S90 * cosine_alpha_0 + _S89 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S84, _S85);
-    var between_1 : vec3<f32> = along_0(_S84, _S86, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S85, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S85)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S86, _S87);
+    var between_1 : vec3<f32> = along_0(_S86, _S88, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S87, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S87)));
 }
 
 fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_2 : f32,  direction_4 : vec3<f32>) -> f32
@@ -1413,10 +1424,10 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             return point_0;
         }
     }
-    var _S89 : f64 = precise_random_0(key_4, dimension_3);
+    var _S91 : f64 = precise_random_0(key_4, dimension_3);
     var nodes_at_1 : u32 = word_0(record_10 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f64 = _S89;
+    var u_3 : f64 = _S91;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -1428,17 +1439,17 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S90 : f32 = shares_0.x;
-        var _S91 : f32 = shares_0.y;
-        if(!((_S90 + _S91) > 0.0f))
+        var _S92 : f32 = shares_0.x;
+        var _S93 : f32 = shares_0.y;
+        if(!((_S92 + _S93) > 0.0f))
         {
             return point_0;
         }
-        var _S92 : f64 = f64(_S90);
+        var _S94 : f64 = f64(_S92);
         var is_second_0 : bool;
-        if(u_3 >= _S92)
+        if(u_3 >= _S94)
         {
-            is_second_0 = _S91 > 0.0f;
+            is_second_0 = _S93 > 0.0f;
         }
         else
         {
@@ -1446,86 +1457,86 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S92) / f64(_S91);
+            u_3 = (u_3 - _S94) / f64(_S93);
         }
         else
         {
-            u_3 = min(u_3 / _S92, 1.0lf);
+            u_3 = min(u_3 / _S94, 1.0lf);
         }
         if(is_second_0)
         {
-            total_0 = _S91;
+            total_0 = _S93;
         }
         else
         {
-            total_0 = _S90;
+            total_0 = _S92;
         }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S93 : i32;
+        var _S95 : i32;
         if(is_second_0)
         {
-            _S93 = i32(3);
+            _S95 = i32(3);
         }
         else
         {
-            _S93 = i32(2);
+            _S95 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S93));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S95));
         chosen_0 = chosen_1;
     }
     var first_2 : u32 = word_0(node_2);
-    var _S94 : u32 = word_0(node_2 + u32(1));
-    var _S95 : u32 = word_0(record_10 + u32(6));
+    var _S96 : u32 = word_0(node_2 + u32(1));
+    var _S97 : u32 = word_0(record_10 + u32(6));
     var k_2 : u32 = first_2;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_2 < _S94)
+        if(k_2 < _S96)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S95 + k_2), from_1.exact_0);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S97 + k_2), from_1.exact_0);
         k_2 = k_2 + u32(1);
         total_0 = total_1;
     }
-    var _S96 : f32 = f32(u_3) * total_0;
+    var _S98 : f32 = f32(u_3) * total_0;
     var face_5 : u32 = u32(4294967295);
     var angle_3 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
     k_2 = first_2;
-    var rest_3 : f32 = _S96;
+    var rest_3 : f32 = _S98;
     for(;;)
     {
-        if(k_2 < _S94)
+        if(k_2 < _S96)
         {
         }
         else
         {
             break;
         }
-        var _S97 : u32 = _S95 + k_2;
-        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S97), from_1.exact_0);
+        var _S99 : u32 = _S97 + k_2;
+        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S99), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
             k_2 = k_2 + u32(1);
             continue;
         }
-        var _S98 : u32 = word_0(_S97);
-        var _S99 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S100 : u32 = word_0(_S99);
+        var _S101 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S98;
+            face_5 = _S100;
             angle_3 = own_1;
-            inside_2 = _S99;
+            inside_2 = _S101;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S98;
+        face_5 = _S100;
         angle_3 = own_1;
-        inside_2 = _S99;
+        inside_2 = _S101;
         rest_3 = rest_4;
         k_2 = k_2 + u32(1);
     }
@@ -1549,9 +1560,9 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         var direction_5 : vec3<f32> = triangle_direction_0(corners_2.a_12, corners_2.b_10, corners_2.c_5, angle_3, vec2<f32>(inside_2, second_1));
         var within_0 : vec3<f32> = direction_5 * vec3<f32>((dot(corners_2.a_12, normal_6) / dot(direction_5, normal_6))) - corners_2.a_12;
         var squared_2 : f32 = dot(normal_6, normal_6);
-        var _S100 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
-        point_0.place_11.v_0 = _S100;
-        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S100);
+        var _S102 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
+        point_0.place_11.v_0 = _S102;
+        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S102);
     }
     var offset_3 : vec3<f32> = corners_2.a_12 + ab_1 * vec3<f32>(point_0.place_11.v_0) + ac_0 * vec3<f32>(point_0.place_11.w_0);
     var distance_3 : f32 = length(offset_3);
@@ -1570,15 +1581,15 @@ fn is_map_0( record_11 : u32) -> bool
 
 fn uniform_direction_0( u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S101 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S101 * (1.0f - _S101))));
-    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S101);
+    var _S103 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S103 * (1.0f - _S103))));
+    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S103);
 }
 
 fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
 {
-    var _S102 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S102) * vec3<f32>(direction_6.x) + vector_at_0(_S102 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S102 + u32(6)) * vec3<f32>(direction_6.z);
+    var _S104 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S104) * vec3<f32>(direction_6.x) + vector_at_0(_S104 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S104 + u32(6)) * vec3<f32>(direction_6.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -1606,11 +1617,11 @@ fn sum_at_0( at_13 : u32) -> f64
 
 fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr<function, f32>) -> u32
 {
-    var _S103 : u32 = count_3 - u32(1);
-    var total_2 : f64 = sum_at_0(sums_1 + u32(2) * _S103);
+    var _S105 : u32 = count_3 - u32(1);
+    var total_2 : f64 = sum_at_0(sums_1 + u32(2) * _S105);
     var target_0 : f64 = u_5 * total_2;
     var low_3 : u32 = u32(0);
-    var high_0 : u32 = _S103;
+    var high_0 : u32 = _S105;
     for(;;)
     {
         if(low_3 < high_0)
@@ -1622,16 +1633,16 @@ fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
         var sum_1 : f64 = sum_at_0(sums_1 + u32(2) * middle_1);
-        var _S104 : bool;
+        var _S106 : bool;
         if(sum_1 <= target_0)
         {
-            _S104 = sum_1 < total_2;
+            _S106 = sum_1 < total_2;
         }
         else
         {
-            _S104 = false;
+            _S106 = false;
         }
-        if(_S104)
+        if(_S106)
         {
             low_3 = middle_1 + u32(1);
         }
@@ -1662,49 +1673,49 @@ fn cell_direction_0( map_3 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,
     var rows_1 : vec2<f32>;
     if(is_lower_0)
     {
-        var _S105 : u32 = last_0 - row_2;
-        rows_1 = vec2<f32>(f32(_S105), f32(_S105 - u32(1)));
+        var _S107 : u32 = last_0 - row_2;
+        rows_1 = vec2<f32>(f32(_S107), f32(_S107 - u32(1)));
     }
     else
     {
         rows_1 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
     }
-    var _S106 : f32 = f32(last_0);
-    var _S107 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S106)).x;
-    var _S108 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S106)).x;
-    var off_0 : f32 = 2.0f * mix(_S107 * _S107, _S108 * _S108, down_0);
+    var _S108 : f32 = f32(last_0);
+    var _S109 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S108)).x;
+    var _S110 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S108)).x;
+    var off_0 : f32 = 2.0f * mix(_S109 * _S109, _S110 * _S110, down_0);
     var sine_3 : f32 = sqrt(off_0 * (2.0f - off_0));
-    var _S109 : f32 = azimuth_0.x * sine_3;
-    var _S110 : f32;
+    var _S111 : f32 = azimuth_0.x * sine_3;
+    var _S112 : f32;
     if(is_lower_0)
     {
-        _S110 = off_0 - 1.0f;
+        _S112 = off_0 - 1.0f;
     }
     else
     {
-        _S110 = 1.0f - off_0;
+        _S112 = 1.0f - off_0;
     }
-    var local_0 : vec3<f32> = vec3<f32>(_S109, _S110, - azimuth_0.y * sine_3);
-    var _S111 : u32 = map_3 + u32(2);
-    return vec3<f32>(dot(vector_at_0(_S111), local_0), dot(vector_at_0(_S111 + u32(3)), local_0), dot(vector_at_0(_S111 + u32(6)), local_0));
+    var local_0 : vec3<f32> = vec3<f32>(_S111, _S112, - azimuth_0.y * sine_3);
+    var _S113 : u32 = map_3 + u32(2);
+    return vec3<f32>(dot(vector_at_0(_S113), local_0), dot(vector_at_0(_S113 + u32(3)), local_0), dot(vector_at_0(_S113 + u32(6)), local_0));
 }
 
 fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : ptr<function, f32>) -> vec3<f32>
 {
     var u_6 : f64 = precise_random_0(key_5, dimension_4);
     var rest_5 : f64 = u_6 * 20.0lf - 1.0lf;
-    var _S112 : u32 = map_4 + u32(13);
-    var is_black_1 : bool = (word_0(_S112)) == u32(4294967295);
-    var _S113 : bool;
+    var _S114 : u32 = map_4 + u32(13);
+    var is_black_1 : bool = (word_0(_S114)) == u32(4294967295);
+    var _S115 : bool;
     if(is_black_1)
     {
-        _S113 = true;
+        _S115 = true;
     }
     else
     {
-        _S113 = rest_5 < 0.0lf;
+        _S115 = rest_5 < 0.0lf;
     }
-    if(_S113)
+    if(_S115)
     {
         var share_0 : f32;
         if(is_black_1)
@@ -1716,14 +1727,14 @@ fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
             share_0 = 0.05000000074505806f;
         }
         var direction_8 : vec3<f32> = uniform_direction_0(vec2<f32>(f32(u_6) / share_0, random_0(key_5, dimension_4 + u32(1))));
-        var _S114 : f32 = map_pdf_0(map_4, direction_8);
-        (*pdf_1) = _S114;
+        var _S116 : f32 = map_pdf_0(map_4, direction_8);
+        (*pdf_1) = _S116;
         return direction_8;
     }
     var rest_6 : f64 = rest_5 / 19.0lf;
     var width_2 : u32 = word_0(map_4);
     var down_1 : f32;
-    var row_3 : u32 = chosen_interval_0(word_0(_S112), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
+    var row_3 : u32 = chosen_interval_0(word_0(_S114), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
     var along_2 : f32;
     var column_2 : u32 = chosen_interval_0(word_0(map_4 + u32(14)) + u32(2) * width_2 * row_3, width_2, rest_6, &(along_2));
     (*pdf_1) = cell_pdf_0(map_4, row_3 * width_2 + column_2);
@@ -1737,9 +1748,9 @@ fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
 
 fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
 {
-    var _S115 : f32 = u_7.x;
-    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S115));
-    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S115));
+    var _S117 : f32 = u_7.x;
+    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S117));
+    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S117));
 }
 
 fn to_world_0( axes_5 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
@@ -1775,12 +1786,12 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
     (*sample_0).place_13 = vertex_1.surface_3.place_3;
     (*sample_0).nearest_0 = limit_at_0(u32(2));
     (*sample_0).farthest_0 = limit_at_0(u32(1));
-    var _S116 : f32 = random_0(key_7, first_3);
-    var _S117 : f32 = (*sample_0).probability_1;
-    var _S118 : u32 = chosen_emitter_0(choice_5, _S116, &(_S117));
-    (*sample_0).probability_1 = _S117;
-    (*sample_0).emitter_5 = _S118;
-    if(_S117 == 0.0f)
+    var _S118 : f32 = random_0(key_7, first_3);
+    var _S119 : f32 = (*sample_0).probability_1;
+    var _S120 : u32 = chosen_emitter_0(choice_5, _S118, &(_S119));
+    (*sample_0).probability_1 = _S119;
+    (*sample_0).emitter_5 = _S120;
+    if(_S119 == 0.0f)
     {
         return false;
     }
@@ -1794,25 +1805,25 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
         }
         (*sample_0).pdf_2 = point_1.pdf_0;
         (*sample_0).place_13 = point_1.place_11;
-        var _S119 : vec3<f64> = position_of_0(point_1.place_11) - vertex_1.surface_3.exact_0;
-        (*sample_0).way_1 = _S119;
-        var _S120 : vec3<f32> = vec3<f32>(_S119);
-        var _S121 : f32 = length(_S120);
-        (*sample_0).distance_4 = _S121;
-        (*sample_0).direction_9 = _S120 / vec3<f32>(_S121);
-        (*sample_0).nearest_0 = (*sample_0).nearest_0 / f64(_S121);
+        var _S121 : vec3<f64> = position_of_0(point_1.place_11) - vertex_1.surface_3.exact_0;
+        (*sample_0).way_1 = _S121;
+        var _S122 : vec3<f32> = vec3<f32>(_S121);
+        var _S123 : f32 = length(_S122);
+        (*sample_0).distance_4 = _S123;
+        (*sample_0).direction_9 = _S122 / vec3<f32>(_S123);
+        (*sample_0).nearest_0 = (*sample_0).nearest_0 / f64(_S123);
         (*sample_0).farthest_0 = limit_at_0(u32(3));
     }
     else
     {
         if(is_map_0(record_12))
         {
-            var _S122 : u32 = word_0(record_12 + u32(1));
-            var _S123 : u32 = first_3 + u32(1);
-            var _S124 : f32 = (*sample_0).pdf_2;
-            var _S125 : vec3<f32> = sample_map_0(_S122, key_7, _S123, &(_S124));
-            (*sample_0).pdf_2 = _S124;
-            (*sample_0).direction_9 = _S125;
+            var _S124 : u32 = word_0(record_12 + u32(1));
+            var _S125 : u32 = first_3 + u32(1);
+            var _S126 : f32 = (*sample_0).pdf_2;
+            var _S127 : vec3<f32> = sample_map_0(_S124, key_7, _S125, &(_S126));
+            (*sample_0).pdf_2 = _S126;
+            (*sample_0).direction_9 = _S127;
         }
         else
         {
@@ -1822,9 +1833,14 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
         }
         (*sample_0).way_1 = vec3<f64>((*sample_0).direction_9);
     }
-    var _S126 : vec3<f32> = to_local_0(vertex_1.axes_4, (*sample_0).direction_9);
-    (*sample_0).wo_0 = _S126;
-    return (_S126.z) > 0.0f;
+    var _S128 : vec3<f32> = to_local_0(vertex_1.axes_4, (*sample_0).direction_9);
+    (*sample_0).wo_0 = _S128;
+    return (_S128.z) > 0.0f;
+}
+
+fn first_material_number_0( depth_2 : u32) -> u32
+{
+    return vertex_numbers_0(depth_2) + u32(3) * word_0(u32(2));
 }
 
 fn coat_eta_0( numbers_3 : Numbers_0) -> f32
@@ -1857,10 +1873,10 @@ fn transmittance_0( lobe_3 : Lobe_0,  eta_2 : f32,  cosine_5 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_5, eta_2);
     }
     var place_14 : f32 = cosine_5 * 63.0f;
-    var _S127 : u32 = min(u32(place_14), u32(62));
-    var at_14 : u32 = word_0(lobe_3.record_2 + u32(3)) + _S127;
+    var _S129 : u32 = min(u32(place_14), u32(62));
+    var at_14 : u32 = word_0(lobe_3.record_2 + u32(3)) + _S129;
     var here_0 : f32 = number_0(at_14);
-    return here_0 + (number_0(at_14 + u32(1)) - here_0) * (place_14 - f32(_S127));
+    return here_0 + (number_0(at_14 + u32(1)) - here_0) * (place_14 - f32(_S129));
 }
 
 fn choice_weight_0( colour_2 : vec3<f32>) -> f32
@@ -1876,16 +1892,16 @@ fn base_probability_0( numbers_4 : Numbers_0,  enters_0 : f32) -> f32
 
 fn is_rough_0( lobe_4 : Lobe_0) -> bool
 {
-    var _S128 : bool;
+    var _S130 : bool;
     if((lobe_4.kind_1) == u32(2))
     {
-        _S128 = true;
+        _S130 = true;
     }
     else
     {
-        _S128 = (lobe_4.kind_1) == u32(4);
+        _S130 = (lobe_4.kind_1) == u32(4);
     }
-    return _S128;
+    return _S130;
 }
 
 struct Microfacets_0
@@ -1914,37 +1930,37 @@ fn stretched_0( facets_1 : Microfacets_0,  wi_2 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_2.xy * facets_1.alpha_1, wi_2.z);
     var view_2 : Stretched_0;
-    var _S129 : f32 = length(longer_0);
-    view_2.length_0 = _S129;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S129);
-    var _S130 : vec2<f32> = longer_1.xy;
-    var _S131 : f32 = length(_S130);
-    view_2.sine_4 = _S131;
+    var _S131 : f32 = length(longer_0);
+    view_2.length_0 = _S131;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S131);
+    var _S132 : vec2<f32> = longer_1.xy;
+    var _S133 : f32 = length(_S132);
+    view_2.sine_4 = _S133;
     view_2.cosine_6 = longer_1.z;
-    var _S132 : vec2<f32>;
-    if(_S131 > 0.0f)
+    var _S134 : vec2<f32>;
+    if(_S133 > 0.0f)
     {
-        _S132 = _S130 / vec2<f32>(view_2.sine_4);
+        _S134 = _S132 / vec2<f32>(view_2.sine_4);
     }
     else
     {
-        _S132 = vec2<f32>(1.0f, 0.0f);
+        _S134 = vec2<f32>(1.0f, 0.0f);
     }
-    view_2.around_0 = _S132;
+    view_2.around_0 = _S134;
     return view_2;
 }
 
 fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
 {
-    var _S133 : f32 = u_8.x;
-    var radius_2 : f32 = sqrt(_S133);
+    var _S135 : f32 = u_8.x;
+    var radius_2 : f32 = sqrt(_S135);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_8.y);
     var across_1 : f32 = radius_2 * turn_3.y;
     var along_3 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_3.cosine_6);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S134 : f32 = 1.0f - _S133;
-    var edge_0 : f32 = sqrt(_S134 + along_3 * along_3);
+    var _S136 : f32 = 1.0f - _S135;
+    var edge_0 : f32 = sqrt(_S136 + along_3 * along_3);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_3;
     var from_top_0 : f32 = edge_0 - along_3;
     var from_bottom_0 : f32 = edge_0 + along_3;
@@ -1952,14 +1968,14 @@ fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_3 > 0.0f)
     {
-        from_top_1 = _S134 / from_bottom_0;
+        from_top_1 = _S136 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S135 : f32 = _S134 / from_top_0;
+        var _S137 : f32 = _S136 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S135;
+        from_bottom_1 = _S137;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_3.sine_4 - up_0 * view_3.cosine_6, across_1, max(towards_0 * view_3.cosine_6 + up_0 * view_3.sine_4, 0.0f));
@@ -1978,39 +1994,39 @@ fn exponential_0( x_8 : f32) -> f32
 
 fn error_function_plus_one_0( x_9 : f32) -> vec2<f32>
 {
-    var _S136 : f32 = min(abs(x_9), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S136 * _S136);
-    var place_15 : f32 = (_S136 - 2.0f) / (_S136 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S136);
-    var _S137 : f32;
+    var _S138 : f32 = min(abs(x_9), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S138 * _S138);
+    var place_15 : f32 = (_S138 - 2.0f) / (_S138 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S138);
+    var _S139 : f32;
     if(x_9 < 0.0f)
     {
-        _S137 = complement_0;
+        _S139 = complement_0;
     }
     else
     {
-        _S137 = 2.0f - complement_0;
+        _S139 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S137, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S139, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_4 : vec3<f32>) -> f32
 {
     var stretched_1 : vec2<f32> = w_4.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_1, stretched_1);
-    var _S138 : f32 = w_4.z;
-    var z2_1 : f32 = _S138 * _S138;
+    var _S140 : f32 = w_4.z;
+    var z2_1 : f32 = _S140 * _S140;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S138 + sqrt(z2_1 + spread2_0));
+        return 2.0f / (_S140 + sqrt(z2_1 + spread2_0));
     }
     if(z2_1 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S138;
+        return 1.0f / _S140;
     }
     var spread_0 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S138 / spread_0);
-    return 2.0f / (_S138 * both_0.x + 0.5f * spread_0 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S140 / spread_0);
+    return 2.0f / (_S140 * both_0.x + 0.5f * spread_0 * both_0.y);
 }
 
 fn logarithm_0( x_10 : f32) -> f32
@@ -2060,8 +2076,8 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_9.x * (2.0f / (visible_1 * view_4.length_0));
-    var _S139 : f32 = max(view_4.cosine_6, view_4.sine_4);
-    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S139 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S139, -6.0f, 0.5f * steepest_0);
+    var _S141 : f32 = max(view_4.cosine_6, view_4.sine_4);
+    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S141 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S141, -6.0f, 0.5f * steepest_0);
     var low_4 : f32 = -6.0f;
     var high_1 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -2075,10 +2091,10 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             break;
         }
         var both_1 : vec2<f32> = error_function_plus_one_0(slope_0);
-        var _S140 : f32 = both_1.y;
-        var error_0 : f32 = view_4.cosine_6 * both_1.x + 0.5f * view_4.sine_4 * _S140 - target_1;
-        var own_2 : f32 = _S140 * (view_4.cosine_6 - slope_0 * view_4.sine_4);
-        var bend_0 : f32 = -2.0f * slope_0 * own_2 - _S140 * view_4.sine_4;
+        var _S142 : f32 = both_1.y;
+        var error_0 : f32 = view_4.cosine_6 * both_1.x + 0.5f * view_4.sine_4 * _S142 - target_1;
+        var own_2 : f32 = _S142 * (view_4.cosine_6 - slope_0 * view_4.sine_4);
+        var bend_0 : f32 = -2.0f * slope_0 * own_2 - _S142 * view_4.sine_4;
         if(error_0 > 0.0f)
         {
             high_1 = slope_0;
@@ -2088,17 +2104,17 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             low_4 = slope_0;
         }
         var next_0 : f32 = slope_0 - error_0 * own_2 / (own_2 * own_2 - 0.5f * error_0 * bend_0);
-        var _S141 : bool;
+        var _S143 : bool;
         if(next_0 >= low_4)
         {
-            _S141 = next_0 <= high_1;
+            _S143 = next_0 <= high_1;
         }
         else
         {
-            _S141 = false;
+            _S143 = false;
         }
         var next_1 : f32;
-        if(!_S141)
+        if(!_S143)
         {
             next_1 = 0.5f * (low_4 + high_1);
         }
@@ -2111,9 +2127,9 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             slope_0 = next_1;
             break;
         }
-        var _S142 : u32 = step_0 + u32(1);
+        var _S144 : u32 = step_0 + u32(1);
         slope_0 = next_1;
-        step_0 = _S142;
+        step_0 = _S144;
     }
     return vec3<f32>(- slope_0, error_function_inverse_0(max(2.0f * u_9.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -2130,11 +2146,11 @@ fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  u_10 : vec
     {
         normal_7 = beckmann_normal_0(view_5, visible_over_cos_0(facets_3, wi_3), u_10);
     }
-    var _S143 : f32 = view_5.around_0.x;
-    var _S144 : f32 = normal_7.x;
-    var _S145 : f32 = view_5.around_0.y;
-    var _S146 : f32 = normal_7.y;
-    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S143 * _S144 - _S145 * _S146, _S145 * _S144 + _S143 * _S146) * facets_3.alpha_1, normal_7.z));
+    var _S145 : f32 = view_5.around_0.x;
+    var _S146 : f32 = normal_7.x;
+    var _S147 : f32 = view_5.around_0.y;
+    var _S148 : f32 = normal_7.y;
+    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S145 * _S146 - _S147 * _S148, _S147 * _S146 + _S145 * _S148) * facets_3.alpha_1, normal_7.z));
     return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_3, normal_8))) - wi_3);
 }
 
@@ -2147,9 +2163,9 @@ struct Drawn_0
 
 fn draw_0( lobe_6 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32>) -> Drawn_0
 {
-    var _S147 : bool = (lobe_6.kind_1) == u32(0);
+    var _S149 : bool = (lobe_6.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S147)
+    if(_S149)
     {
         has_base_0 = true;
     }
@@ -2166,7 +2182,7 @@ fn draw_0( lobe_6 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32
         has_base_0 = (lobe_6.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S147)
+    if(_S149)
     {
         of_base_1 = 1.0f;
     }
@@ -2174,16 +2190,16 @@ fn draw_0( lobe_6 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32
     {
         of_base_1 = 0.0f;
     }
-    var _S148 : bool;
+    var _S150 : bool;
     if((lobe_6.kind_1) == u32(3))
     {
-        _S148 = true;
+        _S150 = true;
     }
     else
     {
-        _S148 = (lobe_6.kind_1) == u32(4);
+        _S150 = (lobe_6.kind_1) == u32(4);
     }
-    if(_S148)
+    if(_S150)
     {
         of_base_1 = base_probability_0(lobe_6.numbers_2, transmittance_0(lobe_6, coat_eta_0(lobe_6.numbers_2), wi_4.z));
     }
@@ -2226,9 +2242,9 @@ fn sample_material_0( vertex_2 : Vertex_0,  key_8 : vec2<u32>,  first_4 : u32) -
     sample_1.is_specular_0 = drawn_1.is_specular_1;
     sample_1.probability_1 = drawn_1.probability_2;
     sample_1.wo_0 = drawn_1.wo_1;
-    var _S149 : vec3<f32> = normalize(to_world_0(vertex_2.axes_4, drawn_1.wo_1));
-    sample_1.direction_9 = _S149;
-    sample_1.way_1 = vec3<f64>(_S149);
+    var _S151 : vec3<f32> = normalize(to_world_0(vertex_2.axes_4, drawn_1.wo_1));
+    sample_1.direction_9 = _S151;
+    sample_1.way_1 = vec3<f64>(_S151);
     sample_1.nearest_0 = limit_at_0(u32(2));
     sample_1.farthest_0 = limit_at_0(u32(1));
     sample_1.emitter_5 = u32(4294967295);
@@ -2238,9 +2254,46 @@ fn sample_material_0( vertex_2 : Vertex_0,  key_8 : vec2<u32>,  first_4 : u32) -
     return sample_1;
 }
 
-fn specular_direction_0( vertex_3 : Vertex_0,  direction_10 : vec3<f32>,  wo_2 : vec3<f32>) -> vec3<f32>
+fn exact_unit_0( v_8 : vec3<f64>) -> vec3<f64>
 {
-    return direction_10;
+    return v_8 / vec3<f64>(sqrt(dot(v_8, v_8)));
+}
+
+struct Mirror_0
+{
+     corner_0 : vec3<f64>,
+     ab_2 : vec3<f64>,
+     ac_1 : vec3<f64>,
+     normal_9 : vec3<f64>,
+};
+
+fn mirror_at_0( triangle_7 : u32) -> Mirror_0
+{
+    var at_15 : u32 = u32(9) * triangle_7;
+    var mirror_0 : Mirror_0;
+    var _S152 : vec3<f64> = primitive_vector_0(at_15);
+    mirror_0.corner_0 = _S152;
+    var _S153 : vec3<f64> = primitive_vector_0(at_15 + u32(3)) - _S152;
+    mirror_0.ab_2 = _S153;
+    var _S154 : vec3<f64> = primitive_vector_0(at_15 + u32(6)) - _S152;
+    mirror_0.ac_1 = _S154;
+    mirror_0.normal_9 = exact_unit_0(cross(_S153, _S154));
+    return mirror_0;
+}
+
+fn mirrored_0( mirror_1 : Mirror_0,  direction_10 : vec3<f64>) -> vec3<f64>
+{
+    return direction_10 - mirror_1.normal_9 * vec3<f64>((2.0lf * dot(mirror_1.normal_9, direction_10)));
+}
+
+fn walked_of_0( path_6 : Path_0) -> vec3<f32>
+{
+    return vec3<f32>(0.0f);
+}
+
+fn specular_direction_0( vertex_3 : Vertex_0,  direction_11 : vec3<f32>,  wo_2 : vec3<f32>) -> vec3<f32>
+{
+    return direction_11;
 }
 
 fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_3 : f32,  k_3 : f32) -> f32
@@ -2256,9 +2309,9 @@ fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_3 : f32,  k_3 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S150 : bool = real_0 < 0.0f;
+    var _S155 : bool = real_0 < 0.0f;
     var a_14 : f32;
-    if(_S150)
+    if(_S155)
     {
         a_14 = smaller_0;
     }
@@ -2267,7 +2320,7 @@ fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_3 : f32,  k_3 : f32) -> f32
         a_14 = larger_0;
     }
     var b_12 : f32;
-    if(_S150)
+    if(_S155)
     {
         b_12 = larger_0;
     }
@@ -2277,9 +2330,9 @@ fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_3 : f32,  k_3 : f32) -> f32
     }
     var less_0 : f32 = a_14 - cosine_7;
     var more_0 : f32 = a_14 + cosine_7;
-    var _S151 : f32 = b_12 * b_12;
+    var _S156 : f32 = b_12 * b_12;
     var p_sum_1 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S151) / (more_0 * more_0 + _S151) * p_sum_1 / (p_sum_1 + 2.0f * a_14 * cosine_7 * sin2_0);
+    return (less_0 * less_0 + _S156) / (more_0 * more_0 + _S156) * p_sum_1 / (p_sum_1 + 2.0f * a_14 * cosine_7 * sin2_0);
 }
 
 fn fresnel_conductor_0( cosine_8 : f32,  eta_4 : vec3<f32>,  k_4 : vec3<f32>) -> vec3<f32>
@@ -2301,26 +2354,31 @@ fn specular_0( lobe_8 : Lobe_0,  wi_6 : vec3<f32>) -> vec3<f32>
     return specular_fraction_0(lobe_8, lobe_8.numbers_2, wi_6);
 }
 
-fn turning_0( vertex_4 : Vertex_0,  direction_11 : vec3<f32>) -> vec3<f32>
+fn turning_0( vertex_4 : Vertex_0,  direction_12 : vec3<f32>) -> vec3<f32>
 {
     return vec3<f32>(0.0f);
 }
 
-fn towards_emitter_0( vertex_5 : Vertex_0,  direction_12 : vec3<f32>,  record_13 : u32) -> vec3<f32>
+fn towards_emitter_0( vertex_5 : Vertex_0,  direction_13 : vec3<f32>,  record_13 : u32) -> vec3<f32>
 {
-    var _S152 : vec3<f32>;
+    var _S157 : vec3<f32>;
     if((word_0(record_13)) == u32(1))
     {
-        _S152 = changing_0(direction_12, turning_0(vertex_5, direction_12));
+        _S157 = changing_0(direction_13, turning_0(vertex_5, direction_13));
     }
     else
     {
-        _S152 = still_0(direction_12);
+        _S157 = still_0(direction_13);
     }
-    return _S152;
+    return _S157;
 }
 
-fn local_change_0( vertex_6 : Vertex_0,  direction_13 : vec3<f32>) -> vec3<f32>
+fn turns_onward_0() -> bool
+{
+    return true;
+}
+
+fn local_change_0( vertex_6 : Vertex_0,  direction_14 : vec3<f32>) -> vec3<f32>
 {
     return vec3<f32>(0.0f);
 }
@@ -2334,51 +2392,51 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_10 : f32,  pdf_4 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S153 : Mirrored_0;
-    _S153.cosine_9 = cosine_10;
-    _S153.pdf_3 = pdf_4;
-    _S153.scattered_0 = scattered_1;
-    return _S153;
+    var _S158 : Mirrored_0;
+    _S158.cosine_9 = cosine_10;
+    _S158.pdf_3 = pdf_4;
+    _S158.scattered_0 = scattered_1;
+    return _S158;
 }
 
 fn density_0( facets_4 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S154 : f32 = m_3.z;
-    if(_S154 <= 0.0f)
+    var _S159 : f32 = m_3.z;
+    if(_S159 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_4.alpha_1.x * facets_4.alpha_1.y;
     var slope_1 : vec2<f32> = m_3.xy / facets_4.alpha_1;
     var spread_1 : f32 = dot(slope_1, slope_1);
-    var cos2_2 : f32 = _S154 * _S154;
+    var cos2_2 : f32 = _S159 * _S159;
     if((facets_4.distribution_1) == u32(1))
     {
         var sum_2 : f32 = spread_1 + cos2_2;
         return 1.0f / (scale_0 * sum_2 * sum_2);
     }
     var exponent_0 : f32 = spread_1 / cos2_2;
-    var _S155 : f32;
+    var _S160 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S155 = 0.0f;
+        _S160 = 0.0f;
     }
     else
     {
-        _S155 = exponential_0(- exponent_0) / (scale_0 * cos2_2 * cos2_2);
+        _S160 = exponential_0(- exponent_0) / (scale_0 * cos2_2 * cos2_2);
     }
-    return _S155;
+    return _S160;
 }
 
-fn mirrored_0( facets_5 : Microfacets_0,  wi_7 : vec3<f32>,  wo_3 : vec3<f32>) -> Mirrored_0
+fn mirrored_1( facets_5 : Microfacets_0,  wi_7 : vec3<f32>,  wo_3 : vec3<f32>) -> Mirrored_0
 {
     var h_1 : vec3<f32> = normalize(wi_7 + wo_3);
-    var mirrored_1 : Mirrored_0;
-    mirrored_1.cosine_9 = dot(wi_7, h_1);
-    var _S156 : f32 = 0.25f * density_0(facets_5, h_1) * visible_over_cos_0(facets_5, wi_7);
-    mirrored_1.pdf_3 = _S156;
-    mirrored_1.scattered_0 = _S156 * visible_over_cos_0(facets_5, wo_3) * wo_3.z;
-    return mirrored_1;
+    var mirrored_2 : Mirrored_0;
+    mirrored_2.cosine_9 = dot(wi_7, h_1);
+    var _S161 : f32 = 0.25f * density_0(facets_5, h_1) * visible_over_cos_0(facets_5, wi_7);
+    mirrored_2.pdf_3 = _S161;
+    mirrored_2.scattered_0 = _S161 * visible_over_cos_0(facets_5, wo_3) * wo_3.z;
+    return mirrored_2;
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2418,23 +2476,23 @@ struct Scattering_0
 fn scattering_0( lobe_10 : Lobe_0,  numbers_7 : Numbers_0,  wi_8 : vec3<f32>,  wo_4 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S157 : f32 = wo_4.z;
-    var by_cosine_0 : f32 = _S157 * 0.31830987334251404f;
+    var _S162 : f32 = wo_4.z;
+    var by_cosine_0 : f32 = _S162 * 0.31830987334251404f;
     if((lobe_10.kind_1) == u32(0))
     {
         scattering_1.value_7 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_5 = by_cosine_0;
         return scattering_1;
     }
-    var _S158 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S163 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_10))
     {
-        by_facets_0 = mirrored_0(facets_of_0(lobe_10, numbers_7), wi_8, wo_4);
+        by_facets_0 = mirrored_1(facets_of_0(lobe_10, numbers_7), wi_8, wo_4);
     }
     else
     {
-        by_facets_0 = _S158;
+        by_facets_0 = _S163;
     }
     if((lobe_10.kind_1) == u32(2))
     {
@@ -2444,7 +2502,7 @@ fn scattering_0( lobe_10 : Lobe_0,  numbers_7 : Numbers_0,  wi_8 : vec3<f32>,  w
     }
     var eta_7 : f32 = coat_eta_0(numbers_7);
     var enters_1 : f32 = transmittance_0(lobe_10, eta_7, wi_8.z);
-    scattering_1.value_7 = base_0(lobe_10, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_10, eta_7, _S157) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_7 = base_0(lobe_10, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_10, eta_7, _S162) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_7, enters_1);
     scattering_1.pdf_5 = probability_3 * by_cosine_0;
     if((lobe_10.kind_1) == u32(4))
@@ -2466,16 +2524,16 @@ fn eval_and_pdf_0( lobe_11 : Lobe_0,  wi_9 : vec3<f32>,  wo_5 : vec3<f32>) -> Sc
     var scattered_2 : Scattered_0;
     scattered_2.value_8 = still_0(vec3<f32>(0.0f));
     scattered_2.pdf_6 = 0.0f;
-    var _S159 : bool;
+    var _S164 : bool;
     if((value_of_0(wo_5).z) <= 0.0f)
     {
-        _S159 = true;
+        _S164 = true;
     }
     else
     {
-        _S159 = !has_smooth_0(lobe_11);
+        _S164 = !has_smooth_0(lobe_11);
     }
-    if(_S159)
+    if(_S164)
     {
         return scattered_2;
     }
@@ -2485,12 +2543,12 @@ fn eval_and_pdf_0( lobe_11 : Lobe_0,  wi_9 : vec3<f32>,  wo_5 : vec3<f32>) -> Sc
     return scattered_2;
 }
 
-fn scattered_to_0( vertex_7 : Vertex_0,  wo_6 : vec3<f32>,  direction_14 : vec3<f32>) -> Scattered_0
+fn scattered_to_0( vertex_7 : Vertex_0,  wo_6 : vec3<f32>,  direction_15 : vec3<f32>) -> Scattered_0
 {
-    return eval_and_pdf_0(vertex_7.lobe_1, vertex_7.wi_1, changing_0(wo_6, local_change_0(vertex_7, direction_14)));
+    return eval_and_pdf_0(vertex_7.lobe_1, vertex_7.wi_1, changing_0(wo_6, local_change_0(vertex_7, direction_15)));
 }
 
-fn scattered_along_0( vertex_8 : Vertex_0,  sample_2 : LightSample_0,  moving_0 : ptr<function, vec3<f32>>) -> Scattered_0
+fn scattered_along_0( vertex_8 : Vertex_0,  sample_2 : LightSample_0,  walked_0 : vec3<f32>,  moving_0 : ptr<function, vec3<f32>>) -> Scattered_0
 {
     if(sample_2.is_specular_0)
     {
@@ -2506,30 +2564,102 @@ fn scattered_along_0( vertex_8 : Vertex_0,  sample_2 : LightSample_0,  moving_0 
     }
     else
     {
-        (*moving_0) = changing_0(sample_2.direction_9, turning_0(vertex_8, sample_2.direction_9));
+        var _S165 : vec3<f32>;
+        if(turns_onward_0())
+        {
+            _S165 = turning_0(vertex_8, sample_2.direction_9);
+        }
+        else
+        {
+            _S165 = walked_0;
+        }
+        (*moving_0) = changing_0(sample_2.direction_9, _S165);
     }
     return scattered_to_0(vertex_8, sample_2.wo_0, (*moving_0));
 }
 
-fn component_0( v_8 : vec3<f64>,  axis_2 : u32) -> f64
+fn component_0( v_9 : vec3<f64>,  axis_2 : u32) -> f64
 {
-    var _S160 : f64;
+    var _S166 : f64;
     if(axis_2 == u32(0))
     {
-        _S160 = v_8.x;
+        _S166 = v_9.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S160 = v_8.y;
+            _S166 = v_9.y;
         }
         else
         {
-            _S160 = v_8.z;
+            _S166 = v_9.z;
         }
     }
-    return _S160;
+    return _S166;
+}
+
+struct Ray_0
+{
+     origin_0 : vec3<f64>,
+     shear_x_0 : f64,
+     shear_y_0 : f64,
+     inverse_z_0 : f64,
+     t_min_0 : f64,
+     t_max_0 : f64,
+     local_per_t_0 : f64,
+     enter_0 : f64,
+     edge_on_0 : f64,
+     largest_0 : f64,
+};
+
+fn ray_along_0( origin_1 : vec3<f64>,  direction_16 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  axes_6 : ptr<function, u32>) -> Ray_0
+{
+    var size_1 : vec3<f32> = abs(vec3<f32>(direction_16));
+    var _S167 : f32 = size_1.x;
+    var _S168 : f32 = size_1.y;
+    var _S169 : bool;
+    if(_S167 >= _S168)
+    {
+        _S169 = _S167 >= (size_1.z);
+    }
+    else
+    {
+        _S169 = false;
+    }
+    var _S170 : i32;
+    if(_S169)
+    {
+        _S170 = i32(0);
+    }
+    else
+    {
+        if(_S168 >= (size_1.z))
+        {
+            _S170 = i32(1);
+        }
+        else
+        {
+            _S170 = i32(2);
+        }
+    }
+    var z_4 : u32 = u32(_S170);
+    var x_11 : u32 = (z_4 + u32(1)) % u32(3);
+    var y_3 : u32 = (z_4 + u32(2)) % u32(3);
+    (*axes_6) = (((x_11 | (((y_3 << (u32(2))))))) | (((z_4 << (u32(4))))));
+    var ray_0 : Ray_0;
+    ray_0.origin_0 = origin_1;
+    var along_4 : f64 = component_0(direction_16, z_4);
+    ray_0.inverse_z_0 = 1.0lf / along_4;
+    ray_0.shear_x_0 = component_0(direction_16, x_11) / along_4;
+    ray_0.shear_y_0 = component_0(direction_16, y_3) / along_4;
+    ray_0.t_min_0 = t_min_1;
+    ray_0.t_max_0 = t_max_1;
+    ray_0.local_per_t_0 = abs(along_4);
+    ray_0.enter_0 = 0.0lf;
+    ray_0.edge_on_0 = limit_at_0(u32(0));
+    ray_0.largest_0 = limit_at_0(u32(1));
+    return ray_0;
 }
 
 fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
@@ -2544,12 +2674,12 @@ struct RayView_0
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
      margin_0 : f32,
-     axes_6 : u32,
+     axes_7 : u32,
 };
 
 fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S161 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S171 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -2562,36 +2692,36 @@ fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S162 : u32 = axis_3;
-        var _S163 : u32 = _S161 + u32(2) * axis_3;
-        var _S164 : u32 = slot_3 % u32(4);
-        var low_5 : f32 = (bitcast<f32>((nodes_0[_S163][_S164])));
-        var high_2 : f32 = (bitcast<f32>((nodes_0[_S163 + u32(6)][_S164])));
-        var _S165 : bool = (view_6.inverse_1[axis_3]) < 0.0f;
-        var _S166 : f32;
-        if(_S165)
+        var _S172 : u32 = axis_3;
+        var _S173 : u32 = _S171 + u32(2) * axis_3;
+        var _S174 : u32 = slot_3 % u32(4);
+        var low_5 : f32 = (bitcast<f32>((nodes_0[_S173][_S174])));
+        var high_2 : f32 = (bitcast<f32>((nodes_0[_S173 + u32(6)][_S174])));
+        var _S175 : bool = (view_6.inverse_1[axis_3]) < 0.0f;
+        var _S176 : f32;
+        if(_S175)
         {
-            _S166 = high_2;
+            _S176 = high_2;
         }
         else
         {
-            _S166 = low_5;
+            _S176 = low_5;
         }
-        var _S167 : f32 = max(near_0, _S166 * view_6.inverse_1[_S162] - view_6.offset_near_0[axis_3]);
-        var _S168 : f32;
-        if(_S165)
+        var _S177 : f32 = max(near_0, _S176 * view_6.inverse_1[_S172] - view_6.offset_near_0[axis_3]);
+        var _S178 : f32;
+        if(_S175)
         {
-            _S168 = low_5;
+            _S178 = low_5;
         }
         else
         {
-            _S168 = high_2;
+            _S178 = high_2;
         }
-        var _S169 : f32 = min(far_0, _S168 * view_6.inverse_1[_S162] - view_6.offset_far_0[axis_3]);
-        var _S170 : u32 = axis_3 + u32(1);
-        near_0 = _S167;
-        far_0 = _S169;
-        axis_3 = _S170;
+        var _S179 : f32 = min(far_0, _S178 * view_6.inverse_1[_S172] - view_6.offset_far_0[axis_3]);
+        var _S180 : u32 = axis_3 + u32(1);
+        near_0 = _S177;
+        far_0 = _S179;
+        axis_3 = _S180;
     }
     if(near_0 <= far_0)
     {
@@ -2616,7 +2746,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S171 : u32 = k_5;
+        var _S181 : u32 = k_5;
         if((bounds_0[k_5]) > limit_2)
         {
             k_5 = k_5 + u32(1);
@@ -2633,24 +2763,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S172 : u32 = j_0;
-            var _S173 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S171]))
+            var _S182 : u32 = j_0;
+            var _S183 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S181]))
             {
-                _S173 = true;
+                _S183 = true;
             }
             else
             {
-                if((bounds_0[_S172]) == (bounds_0[_S171]))
+                if((bounds_0[_S182]) == (bounds_0[_S181]))
                 {
-                    _S173 = j_0 < k_5;
+                    _S183 = j_0 < k_5;
                 }
                 else
                 {
-                    _S173 = false;
+                    _S183 = false;
                 }
             }
-            if(_S173)
+            if(_S183)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -2675,107 +2805,93 @@ fn crossed_0( view_7 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S174 : f32;
+        var _S184 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S174 = 3.00000000549775576e+38f;
+            _S184 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S174 = ray_bound_0(view_7, limit_3, node_5, slot_4);
+            _S184 = ray_bound_0(view_7, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S174;
+        bounds_1[slot_4] = _S184;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn rounded_0( product_2 : f64,  largest_0 : f64) -> f64
+fn rounded_0( product_2 : f64,  largest_1 : f64) -> f64
 {
-    return min(product_2, largest_0);
+    return min(product_2, largest_1);
 }
 
-struct Ray_0
+fn corner_1( ray_1 : Ray_0,  axes_8 : u32,  at_16 : u32) -> vec3<f64>
 {
-     origin_0 : vec3<f64>,
-     shear_x_0 : f64,
-     shear_y_0 : f64,
-     inverse_z_0 : f64,
-     t_min_0 : f64,
-     t_max_0 : f64,
-     local_per_t_0 : f64,
-     enter_0 : f64,
-     edge_on_0 : f64,
-     largest_1 : f64,
-};
-
-fn corner_0( ray_0 : Ray_0,  axes_7 : u32,  at_15 : u32) -> vec3<f64>
-{
-    var relative_0 : vec3<f64> = primitive_vector_0(at_15) - ray_0.origin_0;
-    var z_4 : f64 = component_0(relative_0, (axes_7 >> (u32(4))));
-    return vec3<f64>(component_0(relative_0, (axes_7 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_4, ray_0.largest_1), component_0(relative_0, (((axes_7 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_4, ray_0.largest_1), z_4);
+    var relative_0 : vec3<f64> = primitive_vector_0(at_16) - ray_1.origin_0;
+    var z_5 : f64 = component_0(relative_0, (axes_8 >> (u32(4))));
+    return vec3<f64>(component_0(relative_0, (axes_8 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_5, ray_1.largest_0), component_0(relative_0, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_5, ray_1.largest_0), z_5);
 }
 
 struct Crossing_0
 {
      is_hit_0 : bool,
      t_2 : f64,
-     v_9 : f64,
+     v_10 : f64,
      w_8 : f64,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_16 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_17 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_2 = 0.0lf;
-    crossing_0.v_9 = 0.0lf;
+    crossing_0.v_10 = 0.0lf;
     crossing_0.w_8 = 0.0lf;
-    var a_15 : vec3<f64> = corner_0(ray_1, axes_8, at_16);
-    var b_13 : vec3<f64> = corner_0(ray_1, axes_8, at_16 + u32(3));
-    var c_7 : vec3<f64> = corner_0(ray_1, axes_8, at_16 + u32(6));
-    var _S175 : f64 = c_7.x;
-    var _S176 : f64 = b_13.y;
-    var cx_by_0 : f64 = rounded_0(_S175 * _S176, ray_1.largest_1);
-    var _S177 : f64 = c_7.y;
-    var _S178 : f64 = b_13.x;
-    var cy_bx_0 : f64 = rounded_0(_S177 * _S178, ray_1.largest_1);
-    var _S179 : f64 = a_15.x;
-    var ax_cy_0 : f64 = rounded_0(_S179 * _S177, ray_1.largest_1);
-    var _S180 : f64 = a_15.y;
-    var ay_cx_0 : f64 = rounded_0(_S180 * _S175, ray_1.largest_1);
-    var bx_ay_0 : f64 = rounded_0(_S178 * _S180, ray_1.largest_1);
-    var by_ax_0 : f64 = rounded_0(_S176 * _S179, ray_1.largest_1);
+    var a_15 : vec3<f64> = corner_1(ray_2, axes_9, at_17);
+    var b_13 : vec3<f64> = corner_1(ray_2, axes_9, at_17 + u32(3));
+    var c_7 : vec3<f64> = corner_1(ray_2, axes_9, at_17 + u32(6));
+    var _S185 : f64 = c_7.x;
+    var _S186 : f64 = b_13.y;
+    var cx_by_0 : f64 = rounded_0(_S185 * _S186, ray_2.largest_0);
+    var _S187 : f64 = c_7.y;
+    var _S188 : f64 = b_13.x;
+    var cy_bx_0 : f64 = rounded_0(_S187 * _S188, ray_2.largest_0);
+    var _S189 : f64 = a_15.x;
+    var ax_cy_0 : f64 = rounded_0(_S189 * _S187, ray_2.largest_0);
+    var _S190 : f64 = a_15.y;
+    var ay_cx_0 : f64 = rounded_0(_S190 * _S185, ray_2.largest_0);
+    var bx_ay_0 : f64 = rounded_0(_S188 * _S190, ray_2.largest_0);
+    var by_ax_0 : f64 = rounded_0(_S186 * _S189, ray_2.largest_0);
     var u_12 : f64 = cx_by_0 - cy_bx_0;
-    var v_10 : f64 = ax_cy_0 - ay_cx_0;
+    var v_11 : f64 = ax_cy_0 - ay_cx_0;
     var w_9 : f64 = bx_ay_0 - by_ax_0;
-    var _S181 : f64 = min(min(u_12, v_10), w_9);
-    var _S182 : f64 = max(max(u_12, v_10), w_9);
-    var _S183 : bool;
-    if(_S181 < 0.0lf)
+    var _S191 : f64 = min(min(u_12, v_11), w_9);
+    var _S192 : f64 = max(max(u_12, v_11), w_9);
+    var _S193 : bool;
+    if(_S191 < 0.0lf)
     {
-        _S183 = _S182 > 0.0lf;
+        _S193 = _S192 > 0.0lf;
     }
     else
     {
-        _S183 = false;
+        _S193 = false;
     }
-    if(_S183)
+    if(_S193)
     {
         return crossing_0;
     }
-    var determinant_0 : f64 = u_12 + v_10 + w_9;
-    if(_S181 <= 0.0lf)
+    var determinant_0 : f64 = u_12 + v_11 + w_9;
+    if(_S191 <= 0.0lf)
     {
-        _S183 = _S182 >= 0.0lf;
+        _S193 = _S192 >= 0.0lf;
     }
     else
     {
-        _S183 = false;
+        _S193 = false;
     }
-    if(_S183)
+    if(_S193)
     {
-        if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
+        if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
             return crossing_0;
         }
@@ -2784,42 +2900,42 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_16 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_3 : f64 = (rounded_0(u_12 * a_15.z, ray_1.largest_1) + rounded_0(v_10 * b_13.z, ray_1.largest_1) + rounded_0(w_9 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
-    if((ray_1.t_min_0) <= t_3)
+    var t_3 : f64 = (rounded_0(u_12 * a_15.z, ray_2.largest_0) + rounded_0(v_11 * b_13.z, ray_2.largest_0) + rounded_0(w_9 * c_7.z, ray_2.largest_0)) / determinant_0 * ray_2.inverse_z_0;
+    if((ray_2.t_min_0) <= t_3)
     {
-        _S183 = t_3 <= (ray_1.t_max_0);
+        _S193 = t_3 <= (ray_2.t_max_0);
     }
     else
     {
-        _S183 = false;
+        _S193 = false;
     }
-    crossing_0.is_hit_0 = _S183;
+    crossing_0.is_hit_0 = _S193;
     crossing_0.t_2 = t_3;
-    crossing_0.v_9 = v_10 / determinant_0;
+    crossing_0.v_10 = v_11 / determinant_0;
     crossing_0.w_8 = w_9 / determinant_0;
     return crossing_0;
 }
 
-fn face_6( triangle_7 : u32) -> u32
+fn face_6( triangle_8 : u32) -> u32
 {
-    return rough_0[triangle_7 / u32(4)][triangle_7 % u32(4)];
+    return rough_0[triangle_8 / u32(4)][triangle_8 % u32(4)];
 }
 
 struct Found_0
 {
      face_7 : u32,
-     triangle_8 : u32,
-     v_11 : f64,
+     triangle_9 : u32,
+     v_12 : f64,
      w_10 : f64,
 };
 
-fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S184 : bool;
+    var _S194 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
-    found_3.triangle_8 = u32(4294967295);
-    found_3.v_11 = 0.0lf;
+    found_3.triangle_9 = u32(4294967295);
+    found_3.v_12 = 0.0lf;
     found_3.w_10 = 0.0lf;
     if(!((view_8.limit_0) >= 0.0f))
     {
@@ -2847,31 +2963,31 @@ fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S185 : u32 = way_2[level_0].y;
-        if(_S185 == u32(0))
+        var _S195 : u32 = way_2[level_0].y;
+        if(_S195 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S186 : u32 = level_0 - u32(1);
+            var _S196 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S186;
+            level_0 = _S196;
             continue;
         }
-        var slot_5 : u32 = ((_S185 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S185 >> (u32(4)));
-        var _S187 : bool;
+        var slot_5 : u32 = ((_S195 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S195 >> (u32(4)));
+        var _S197 : bool;
         if(!is_new_1)
         {
-            _S187 = (ray_bound_0(view_8, limit_4, here_1.x, slot_5)) > limit_4;
+            _S197 = (ray_bound_0(view_8, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S187 = false;
+            _S197 = false;
         }
-        if(_S187)
+        if(_S197)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -2880,27 +2996,27 @@ fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S188 : u32 = level_0 + u32(1);
+            var _S198 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S188;
+            level_0 = _S198;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S189 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S190 : u32 = leaf_starts_0[leaf_0];
+        var _S199 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S200 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S190;
+        var i_3 : u32 = _S200;
         for(;;)
         {
-            if(i_3 < _S189)
+            if(i_3 < _S199)
             {
             }
             else
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_8.axes_6, u32(9) * i_3);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_3), view_8.axes_7, u32(9) * i_3);
             if(!crossing_1.is_hit_0)
             {
                 i_3 = i_3 + u32(1);
@@ -2908,30 +3024,30 @@ fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S184 = true;
+                _S194 = true;
             }
             else
             {
-                _S184 = (crossing_1.t_2) < ((*ray_2).t_max_0);
+                _S194 = (crossing_1.t_2) < ((*ray_3).t_max_0);
             }
-            var _S191 : bool;
-            if(_S184)
+            var _S201 : bool;
+            if(_S194)
             {
-                _S191 = true;
+                _S201 = true;
             }
             else
             {
-                _S191 = (face_6(i_3)) < (found_3.face_7);
+                _S201 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S191)
+            if(_S201)
             {
                 found_3.face_7 = face_6(i_3);
-                found_3.triangle_8 = i_3;
-                (*ray_2).t_max_0 = crossing_1.t_2;
-                found_3.v_11 = crossing_1.v_9;
+                found_3.triangle_9 = i_3;
+                (*ray_3).t_max_0 = crossing_1.t_2;
+                found_3.v_12 = crossing_1.v_10;
                 found_3.w_10 = crossing_1.w_8;
-                limit_6 = min(limit_5, f32(crossing_1.t_2 * (*ray_2).local_per_t_0 - (*ray_2).enter_0) + 2.0f * view_8.margin_0);
+                limit_6 = min(limit_5, f32(crossing_1.t_2 * (*ray_3).local_per_t_0 - (*ray_3).enter_0) + 2.0f * view_8.margin_0);
             }
             else
             {
@@ -2942,13 +3058,13 @@ fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S184 = (found_3.face_7) != u32(4294967295);
+            _S194 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S184 = false;
+            _S194 = false;
         }
-        if(_S184)
+        if(_S194)
         {
             break;
         }
@@ -2959,54 +3075,14 @@ fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_3;
 }
 
-fn cast_0( origin_1 : vec3<f64>,  direction_15 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_2 : vec3<f64>,  direction_17 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
 {
-    var size_1 : vec3<f32> = abs(vec3<f32>(direction_15));
-    var _S192 : f32 = size_1.x;
-    var _S193 : f32 = size_1.y;
-    var _S194 : bool;
-    if(_S192 >= _S193)
-    {
-        _S194 = _S192 >= (size_1.z);
-    }
-    else
-    {
-        _S194 = false;
-    }
-    var _S195 : i32;
-    if(_S194)
-    {
-        _S195 = i32(0);
-    }
-    else
-    {
-        if(_S193 >= (size_1.z))
-        {
-            _S195 = i32(1);
-        }
-        else
-        {
-            _S195 = i32(2);
-        }
-    }
-    var z_5 : u32 = u32(_S195);
-    var x_11 : u32 = (z_5 + u32(1)) % u32(3);
-    var y_3 : u32 = (z_5 + u32(2)) % u32(3);
-    var ray_3 : Ray_0;
-    ray_3.origin_0 = origin_1;
-    var along_4 : f64 = component_0(direction_15, z_5);
-    ray_3.inverse_z_0 = 1.0lf / along_4;
-    ray_3.shear_x_0 = component_0(direction_15, x_11) / along_4;
-    ray_3.shear_y_0 = component_0(direction_15, y_3) / along_4;
-    ray_3.t_min_0 = t_min_1;
-    ray_3.t_max_0 = t_max_1;
-    var _S196 : f64 = abs(along_4);
-    ray_3.local_per_t_0 = _S196;
-    ray_3.enter_0 = 0.0lf;
-    ray_3.edge_on_0 = limit_at_0(u32(0));
-    ray_3.largest_1 = limit_at_0(u32(1));
     var view_9 : RayView_0;
-    var _S197 : vec3<f32> = vec3<f32>(direction_15 / vec3<f64>(_S196));
+    var _S202 : u32 = view_9.axes_7;
+    var _S203 : Ray_0 = ray_along_0(origin_2, direction_17, t_min_2, t_max_2, &(_S202));
+    view_9.axes_7 = _S202;
+    var ray_4 : Ray_0 = _S203;
+    var _S204 : vec3<f32> = vec3<f32>(direction_17 / vec3<f64>(ray_4.local_per_t_0));
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -3017,81 +3093,80 @@ fn cast_0( origin_1 : vec3<f64>,  direction_15 : vec3<f64>,  t_min_1 : f64,  t_m
         {
             break;
         }
-        var _S198 : f32 = max(abs(_S197[axis_4]), 8.67361737988403547e-19f);
-        var _S199 : f32;
-        if((_S197[axis_4]) < 0.0f)
+        var _S205 : f32 = max(abs(_S204[axis_4]), 8.67361737988403547e-19f);
+        var _S206 : f32;
+        if((_S204[axis_4]) < 0.0f)
         {
-            _S199 = -1.0f / _S198;
+            _S206 = -1.0f / _S205;
         }
         else
         {
-            _S199 = 1.0f / _S198;
+            _S206 = 1.0f / _S205;
         }
-        view_9.inverse_1[axis_4] = _S199;
+        view_9.inverse_1[axis_4] = _S206;
         axis_4 = axis_4 + u32(1);
     }
-    var offset_4 : vec3<f32> = vec3<f32>(origin_1) * view_9.inverse_1;
+    var offset_4 : vec3<f32> = vec3<f32>(origin_2) * view_9.inverse_1;
     var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_9.inverse_1);
     view_9.offset_near_0 = offset_4 + wider_0;
     view_9.offset_far_0 = offset_4 - wider_0;
-    view_9.limit_0 = min(f32(t_max_1 * ray_3.local_per_t_0), 8.0f) + 3.814697265625e-06f;
+    view_9.limit_0 = min(f32(t_max_2 * ray_4.local_per_t_0), 8.0f) + 3.814697265625e-06f;
     view_9.margin_0 = 3.814697265625e-06f;
-    view_9.axes_6 = (((x_11 | (((y_3 << (u32(2))))))) | (((z_5 << (u32(4))))));
-    var found_4 : Found_0 = first_found_0(view_9, &(ray_3), any_1);
-    (*t_4) = f32(ray_3.t_max_0);
+    var found_4 : Found_0 = first_found_0(view_9, &(ray_4), any_1);
+    (*t_4) = f32(ray_4.t_max_0);
     return found_4;
 }
 
 fn place_of_0( found_5 : Found_0) -> Place_0
 {
-    return exact_place_0(found_5.triangle_8, found_5.v_11, found_5.w_10);
+    return exact_place_0(found_5.triangle_9, found_5.v_12, found_5.w_10);
 }
 
-fn emitter_seen_0( found_6 : Found_0,  direction_16 : vec3<f32>) -> u32
+fn emitter_seen_0( found_6 : Found_0,  direction_18 : vec3<f32>) -> u32
 {
     if((found_6.face_7) == u32(4294967295))
     {
         return word_0(u32(8));
     }
-    var emitter_6 : u32 = word_0(shape_of_0(found_6.triangle_8) + u32(4));
-    var _S200 : bool;
+    var emitter_6 : u32 = word_0(shape_of_0(found_6.triangle_9) + u32(4));
+    var _S207 : bool;
     if(emitter_6 != u32(4294967295))
     {
-        _S200 = (dot(cross_of_0(found_6.triangle_8), direction_16)) < 0.0f;
+        _S207 = (dot(cross_of_0(found_6.triangle_9), direction_18)) < 0.0f;
     }
     else
     {
-        _S200 = false;
+        _S207 = false;
     }
-    var _S201 : u32;
-    if(_S200)
+    var _S208 : u32;
+    if(_S207)
     {
-        _S201 = emitter_6;
+        _S208 = emitter_6;
     }
     else
     {
-        _S201 = u32(4294967295);
+        _S208 = u32(4294967295);
     }
-    return _S201;
+    return _S208;
 }
 
-fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_17 : vec3<f32>,  distance_5 : f32) -> f32
+fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_19 : vec3<f32>,  distance_5 : f32) -> f32
 {
     var own_3 : f32;
     var rectangle_1 : u32 = word_0(record_14 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S202 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S202.solid_angle_0) > 0.0f))
+        var _S209 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S209.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S202.solid_angle_0) >= 0.00100000004749745f)
+        if((_S209.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S202.solid_angle_0;
+            return 1.0f / _S209.solid_angle_0;
         }
     }
-    var _S203 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
+    var _S210 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_14 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -3105,7 +3180,7 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S203 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S210 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_3 = shares_1.y;
@@ -3115,22 +3190,22 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             own_3 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_3;
-        var _S204 : i32;
+        var _S211 : i32;
         if(is_second_1)
         {
-            _S204 = i32(3);
+            _S211 = i32(3);
         }
         else
         {
-            _S204 = i32(2);
+            _S211 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S204));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S211));
         chosen_2 = chosen_3;
     }
-    var _S205 : u32 = word_0(record_14 + u32(6));
-    var _S206 : u32 = word_0(node_6);
+    var _S212 : u32 = word_0(record_14 + u32(6));
+    var _S213 : u32 = word_0(node_6);
     own_3 = 0.0f;
-    var k_6 : u32 = _S206;
+    var k_6 : u32 = _S213;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -3141,9 +3216,9 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_14, word_0(_S205 + k_6), from_2.exact_0);
+        var angle_4 : f32 = face_solid_angle_0(record_14, word_0(_S212 + k_6), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_4;
-        if(k_6 == _S203)
+        if(k_6 == _S210)
         {
             own_3 = angle_4;
         }
@@ -3154,25 +3229,25 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
     {
         return 0.0f;
     }
-    return chosen_2 / total_3 * density_of_0(own_3, cross_of_0(emitter_triangle_0(record_14, face_8)), distance_5, direction_17);
+    return chosen_2 / total_3 * density_of_0(own_3, cross_of_0(emitter_triangle_0(record_14, face_8)), distance_5, direction_19);
 }
 
-fn emitter_pdf_0( emitter_7 : u32,  found_7 : Found_0,  vertex_9 : Vertex_0,  direction_18 : vec3<f32>,  t_5 : f32) -> f32
+fn emitter_pdf_0( emitter_7 : u32,  found_7 : Found_0,  vertex_9 : Vertex_0,  direction_20 : vec3<f32>,  t_5 : f32) -> f32
 {
     var record_15 : u32 = emitter_record_0(emitter_7);
     if(is_map_0(record_15))
     {
-        var _S207 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_18);
-        return _S207;
+        var _S214 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_20);
+        return _S214;
     }
     if(!is_area_0(record_15))
     {
-        return max(dot(vertex_9.axes_4.n_1, direction_18), 0.0f) * 0.31830987334251404f;
+        return max(dot(vertex_9.axes_4.n_1, direction_20), 0.0f) * 0.31830987334251404f;
     }
-    return area_pdf_0(record_15, found_7.face_7 - word_0(record_15 + u32(3)), vertex_9.surface_3, direction_18, t_5);
+    return area_pdf_0(record_15, found_7.face_7 - word_0(record_15 + u32(3)), vertex_9.surface_3, direction_20, t_5);
 }
 
-fn met_0( vertex_10 : Vertex_0,  direction_19 : vec3<f32>,  t_6 : f32,  place_16 : Place_0) -> Place_0
+fn met_0( vertex_10 : Vertex_0,  direction_21 : vec3<f32>,  t_6 : f32,  place_16 : Place_0) -> Place_0
 {
     return place_16;
 }
@@ -3187,9 +3262,9 @@ fn weight_over_0( own_4 : f32,  other_0 : f32) -> f32
     return 1.0f / (own_4 * (1.0f + ratio_0 * ratio_0));
 }
 
-fn in_map_0( map_5 : u32,  direction_20 : vec3<f32>) -> Lookup_0
+fn in_map_0( map_5 : u32,  direction_22 : vec3<f32>) -> Lookup_0
 {
-    var place_17 : vec2<f32> = map_place_0(map_5, direction_20);
+    var place_17 : vec2<f32> = map_place_0(map_5, direction_22);
     var point_2 : Point_0;
     point_2.value_3 = place_17;
     var x_12 : i32 = floor_of_0(place_17.x);
@@ -3198,46 +3273,47 @@ fn in_map_0( map_5 : u32,  direction_20 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_5 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_3, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_3, u32(0));
-    var _S208 : u32 = wrapped_0(y_4, height_1, u32(2));
-    var _S209 : u32 = u32(width_3);
-    var first_5 : u32 = _S208 * _S209;
-    var _S210 : u32 = wrapped_0(y_4 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S210 * _S209;
+    var _S215 : u32 = wrapped_0(y_4, height_1, u32(2));
+    var _S216 : u32 = u32(width_3);
+    var first_5 : u32 = _S215 * _S216;
+    var _S217 : u32 = wrapped_0(y_4 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S217 * _S216;
     return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_2 + left_1, second_2 + right_1), point_2);
 }
 
-fn emitted_0( emitter_8 : u32,  place_18 : Place_0,  direction_21 : vec3<f32>) -> vec3<f32>
+fn emitted_0( emitter_8 : u32,  place_18 : Place_0,  direction_23 : vec3<f32>) -> vec3<f32>
 {
     var record_16 : u32 = emitter_record_0(emitter_8);
     var texture_6 : u32 = word_0(record_16 + u32(1));
     if(!is_map_0(record_16))
     {
-        var _S211 : vec3<f32> = shown_0(texture_6, place_18);
-        return _S211;
+        var _S218 : vec3<f32> = shown_0(texture_6, place_18);
+        return _S218;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S212 : u32 = word_0(texture_6 + u32(11));
-    var _S213 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_21));
-    return looked_up_0(_S212, _S213, change_1) * factor_0;
+    var _S219 : u32 = word_0(texture_6 + u32(11));
+    var _S220 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_23));
+    return looked_up_0(_S219, _S220, change_1) * factor_0;
 }
 
-fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_0 : vec3<f32>) -> bool
+fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_0 : vec3<f32>) -> bool
 {
-    var depth_2 : u32 = launch_0.depth_0;
-    var _S214 : u32 = vertex_numbers_0(launch_0.depth_0);
-    var surface_5 : Surface_0 = surface_at_0((*path_5).place_1, value_of_0((*path_5).direction_0));
+    var depth_3 : u32 = launch_0.depth_0;
+    var _S221 : u32 = vertex_numbers_0(launch_0.depth_0);
+    var incoming_0 : vec3<f32> = value_of_0((*path_7).direction_0);
+    var surface_5 : Surface_0 = surface_at_0((*path_7).place_1, incoming_0);
     var material_1 : u32 = material_of_0(surface_5);
     if(material_1 == u32(4294967295))
     {
         return false;
     }
-    var vertex_11 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_5).direction_0);
+    var vertex_11 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_7).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S215 : u32 = word_0(u32(3));
-    var _S216 : bool = !reaches_0(depth_2 + u32(3));
+    var _S222 : u32 = word_0(u32(3));
+    var _S223 : bool = !reaches_0(depth_3 + u32(3));
     var goes_on_0 : bool;
-    if(_S216)
+    if(_S223)
     {
         goes_on_0 = (vertex_11.lobe_1.kind_1) == u32(0);
     }
@@ -3260,7 +3336,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     else
     {
-        bsdf_samples_0 = _S215;
+        bsdf_samples_0 = _S222;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_11.lobe_1))
@@ -3271,10 +3347,12 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S217 : Choice_0 = choice_at_0(surface_5.position_0, vertex_11.axes_4.n_1, on_emitters_0 == u32(0));
+    var _S224 : Choice_0 = choice_at_0(surface_5.position_0, vertex_11.axes_4.n_1, on_emitters_0 == u32(0));
+    var _S225 : vec3<f32> = vec3<f32>(0.0f);
     goes_on_0 = false;
-    var next_2 : Place_0 = (*path_5).place_1;
-    var next_direction_0 : vec3<f32> = (*path_5).direction_0;
+    var next_2 : Place_0 = (*path_7).place_1;
+    var next_direction_0 : vec3<f32> = (*path_7).direction_0;
+    var next_rest_0 : vec3<f32> = _S225;
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -3286,50 +3364,67 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
             break;
         }
         var sample_3 : LightSample_0;
+        var _S226 : bool;
         var goes_on_1 : bool;
         var next_3 : Place_0;
         var next_direction_1 : vec3<f32>;
+        var next_rest_1 : vec3<f32>;
         if(i_4 < on_emitters_0)
         {
-            var _S218 : bool = sample_emitter_0(vertex_11, _S217, (*path_5).key_0, _S214 + u32(3) * i_4, &(sample_3));
-            if(!_S218)
+            var _S227 : bool = sample_emitter_0(vertex_11, _S224, (*path_7).key_0, _S221 + u32(3) * i_4, &(sample_3));
+            if(!_S227)
             {
                 goes_on_1 = goes_on_0;
                 next_3 = next_2;
                 next_direction_1 = next_direction_0;
-                var _S219 : u32 = i_4 + u32(1);
+                next_rest_1 = next_rest_0;
+                var _S228 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
-                i_4 = _S219;
+                next_rest_0 = next_rest_1;
+                i_4 = _S228;
                 continue;
             }
         }
         else
         {
-            sample_3 = sample_material_0(vertex_11, (*path_5).key_0, _S214 + u32(3) * emitter_samples_0 + u32(3) * (i_4 - on_emitters_0));
+            sample_3 = sample_material_0(vertex_11, (*path_7).key_0, first_material_number_0(depth_3) + u32(3) * (i_4 - on_emitters_0));
+            if(sample_3.is_specular_0)
+            {
+                _S226 = (word_0(surface_5.shape_0 + u32(6))) != u32(0);
+            }
+            else
+            {
+                _S226 = false;
+            }
+            if(_S226)
+            {
+                sample_3.way_1 = mirrored_0(mirror_at_0(surface_5.place_3.triangle_0), vec3<f64>(incoming_0) + vec3<f64>((*path_7).direction_rest_0));
+            }
         }
         var moving_1 : vec3<f32>;
-        var scattered_4 : Scattered_0 = scattered_along_0(vertex_11, sample_3, &(moving_1));
-        var _S220 : bool;
+        var scattered_4 : Scattered_0 = scattered_along_0(vertex_11, sample_3, walked_of_0((*path_7)), &(moving_1));
         if(!sample_3.is_on_emitter_0)
         {
-            _S220 = !((scattered_4.pdf_6) > 0.0f);
+            _S226 = !((scattered_4.pdf_6) > 0.0f);
         }
         else
         {
-            _S220 = false;
+            _S226 = false;
         }
-        if(_S220)
+        if(_S226)
         {
             goes_on_1 = goes_on_0;
             next_3 = next_2;
             next_direction_1 = next_direction_0;
-            var _S219 : u32 = i_4 + u32(1);
+            next_rest_1 = next_rest_0;
+            var _S228 : u32 = i_4 + u32(1);
             goes_on_0 = goes_on_1;
             next_2 = next_3;
             next_direction_0 = next_direction_1;
-            i_4 = _S219;
+            next_rest_0 = next_rest_1;
+            i_4 = _S228;
             continue;
         }
         var t_7 : f32;
@@ -3343,11 +3438,13 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 goes_on_1 = goes_on_0;
                 next_3 = next_2;
                 next_direction_1 = next_direction_0;
-                var _S219 : u32 = i_4 + u32(1);
+                next_rest_1 = next_rest_0;
+                var _S228 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
-                i_4 = _S219;
+                next_rest_0 = next_rest_1;
+                i_4 = _S228;
                 continue;
             }
             var own_6 : f32 = f32(emitter_samples_0) * sample_3.probability_1 * sample_3.pdf_2;
@@ -3356,72 +3453,79 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 goes_on_1 = goes_on_0;
                 next_3 = next_2;
                 next_direction_1 = next_direction_0;
-                var _S219 : u32 = i_4 + u32(1);
+                next_rest_1 = next_rest_0;
+                var _S228 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
-                i_4 = _S219;
+                next_rest_0 = next_rest_1;
+                i_4 = _S228;
                 continue;
             }
-            var _S221 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
+            var _S229 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
             own_5 = own_6;
-            other_1 = _S221;
+            other_1 = _S229;
             goes_on_1 = goes_on_0;
             next_3 = next_2;
             next_direction_1 = next_direction_0;
+            next_rest_1 = next_rest_0;
         }
         else
         {
             if(i_4 == on_emitters_0)
             {
-                var _S222 : bool = (found_8.face_7) != u32(4294967295);
-                var _S223 : Place_0 = place_of_0(found_8);
+                var _S230 : bool = (found_8.face_7) != u32(4294967295);
+                var _S231 : Place_0 = place_of_0(found_8);
                 (*reflected_1).onward_0 = scattered_4.value_8 * vec3<f32>((1.0f / scattered_4.pdf_6));
-                goes_on_1 = _S222;
-                next_3 = _S223;
+                var _S232 : vec3<f32> = vec3<f32>(sample_3.way_1 - vec3<f64>(sample_3.direction_9));
+                goes_on_1 = _S230;
+                next_3 = _S231;
                 next_direction_1 = moving_1;
+                next_rest_1 = _S232;
             }
             else
             {
                 goes_on_1 = goes_on_0;
                 next_3 = next_2;
                 next_direction_1 = next_direction_0;
+                next_rest_1 = next_rest_0;
             }
-            var _S224 : u32 = emitter_seen_0(found_8, sample_3.direction_9);
-            sample_3.emitter_5 = _S224;
-            if(_S224 == u32(4294967295))
+            var _S233 : u32 = emitter_seen_0(found_8, sample_3.direction_9);
+            sample_3.emitter_5 = _S233;
+            if(_S233 == u32(4294967295))
             {
-                var _S219 : u32 = i_4 + u32(1);
+                var _S228 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
-                i_4 = _S219;
+                next_rest_0 = next_rest_1;
+                i_4 = _S228;
                 continue;
             }
             sample_3.place_13 = place_of_0(found_8);
             sample_3.distance_4 = t_7;
-            var _S225 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
-            var _S226 : bool;
+            var _S234 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
+            var _S235 : bool;
             if(!sample_3.is_specular_0)
             {
-                _S226 = emitter_samples_0 != u32(0);
+                _S235 = emitter_samples_0 != u32(0);
             }
             else
             {
-                _S226 = false;
+                _S235 = false;
             }
-            if(_S226)
+            if(_S235)
             {
                 var pdf_7 : f32 = emitter_pdf_0(sample_3.emitter_5, found_8, vertex_11, sample_3.direction_9, t_7);
-                own_5 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S217) * pdf_7;
+                own_5 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S224) * pdf_7;
             }
             else
             {
                 own_5 = 0.0f;
             }
-            var _S227 : f32 = own_5;
-            own_5 = _S225;
-            other_1 = _S227;
+            var _S236 : f32 = own_5;
+            own_5 = _S234;
+            other_1 = _S236;
         }
         var place_19 : Place_0 = sample_3.place_13;
         var place_20 : Place_0;
@@ -3434,15 +3538,16 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
             place_20 = place_19;
         }
         var weight_0 : f32 = weight_over_0(own_5, other_1);
-        var _S228 : vec3<f32> = emitted_0(sample_3.emitter_5, place_20, moving_1);
-        (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_4.value_8 * (_S228 * vec3<f32>(weight_0));
-        var _S219 : u32 = i_4 + u32(1);
+        var _S237 : vec3<f32> = emitted_0(sample_3.emitter_5, place_20, moving_1);
+        (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_4.value_8 * (_S237 * vec3<f32>(weight_0));
+        var _S228 : u32 = i_4 + u32(1);
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
-        i_4 = _S219;
+        next_rest_0 = next_rest_1;
+        i_4 = _S228;
     }
-    if(_S216)
+    if(_S223)
     {
         goes_on_0 = true;
     }
@@ -3454,34 +3559,35 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     {
         return false;
     }
-    var throughput_1 : vec3<f32> = value_of_0((*path_5).throughput_0) * value_of_0((*reflected_1).onward_0);
-    var _S229 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    if(!(_S229 > 0.0f))
+    var throughput_1 : vec3<f32> = value_of_0((*path_7).throughput_0) * value_of_0((*reflected_1).onward_0);
+    var _S238 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    if(!(_S238 > 0.0f))
     {
         return false;
     }
-    var _S230 : u32 = depth_2 + u32(1);
-    if(_S230 >= (word_0(u32(1))))
+    var _S239 : u32 = depth_3 + u32(1);
+    if(_S239 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S229, 0.0f, 0.94999998807907104f);
-        if((random_0((*path_5).key_0, vertex_numbers_0(_S230) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S238, 0.0f, 0.94999998807907104f);
+        if((random_0((*path_7).key_0, vertex_numbers_0(_S239) - u32(1))) >= survival_0)
         {
             return false;
         }
         (*reflected_1).onward_0 = (*reflected_1).onward_0 * vec3<f32>((1.0f / survival_0));
     }
-    (*path_5).place_1 = next_2;
-    (*path_5).direction_0 = next_direction_0;
+    (*path_7).place_1 = next_2;
+    (*path_7).direction_0 = next_direction_0;
+    (*path_7).direction_rest_0 = next_rest_0;
     return true;
 }
 
-fn set_word_0( path_6 : u32,  which_5 : u32,  value_9 : u32)
+fn set_word_0( path_8 : u32,  which_6 : u32,  value_9 : u32)
 {
-    paths_0[which_5 * launch_0.room_0 + path_6] = value_9;
+    paths_0[which_6 * launch_0.room_0 + path_8] = value_9;
     return;
 }
 
-fn set_vector_0( path_7 : u32,  which_6 : ptr<function, u32>,  value_10 : vec3<f32>)
+fn set_vector_0( path_9 : u32,  which_7 : ptr<function, u32>,  value_10 : vec3<f32>)
 {
     var axis_5 : u32 = u32(0);
     for(;;)
@@ -3493,51 +3599,73 @@ fn set_vector_0( path_7 : u32,  which_6 : ptr<function, u32>,  value_10 : vec3<f
         {
             break;
         }
-        set_word_0(path_7, (*which_6) + axis_5, (bitcast<u32>((value_10[axis_5]))));
+        set_word_0(path_9, (*which_7) + axis_5, (bitcast<u32>((value_10[axis_5]))));
         axis_5 = axis_5 + u32(1);
     }
-    (*which_6) = (*which_6) + u32(3);
+    (*which_7) = (*which_7) + u32(3);
     return;
 }
 
-fn set_changing_0( path_8 : u32,  which_7 : ptr<function, u32>,  vector_1 : vec3<f32>)
+fn set_vector_1( path_10 : u32,  which_8 : ptr<function, u32>,  value_11 : vec3<f32>)
 {
-    set_vector_0(path_8, &((*which_7)), value_of_0(vector_1));
+    var axis_6 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_6 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_10, (*which_8) + axis_6, (bitcast<u32>((value_11[axis_6]))));
+        axis_6 = axis_6 + u32(1);
+    }
+    (*which_8) = (*which_8) + u32(3);
     return;
 }
 
-fn set_place_0( path_9 : u32,  which_8 : ptr<function, u32>,  place_21 : Place_0)
+fn set_changing_0( path_11 : u32,  which_9 : ptr<function, u32>,  vector_1 : vec3<f32>)
 {
-    set_word_0(path_9, (*which_8), place_21.triangle_0);
-    set_word_0(path_9, (*which_8) + u32(1), (bitcast<u32>((place_21.v_0))));
-    set_word_0(path_9, (*which_8) + u32(2), (bitcast<u32>((place_21.w_0))));
-    set_word_0(path_9, (*which_8) + u32(3), (bitcast<u32>((place_21.v_rest_0))));
-    set_word_0(path_9, (*which_8) + u32(4), (bitcast<u32>((place_21.w_rest_0))));
-    (*which_8) = (*which_8) + u32(5);
+    set_vector_1(path_11, &((*which_9)), value_of_0(vector_1));
     return;
 }
 
-fn store_0( number_of_path_1 : u32,  path_10 : Path_0)
+fn set_place_0( path_12 : u32,  which_10 : ptr<function, u32>,  place_21 : Place_0)
 {
-    var at_17 : u32 = u32(1);
-    set_changing_0(number_of_path_1, &(at_17), path_10.light_0);
-    set_changing_0(number_of_path_1, &(at_17), path_10.throughput_0);
-    set_changing_0(number_of_path_1, &(at_17), path_10.direction_0);
-    set_place_0(number_of_path_1, &(at_17), path_10.place_1);
-    set_word_0(number_of_path_1, at_17, path_10.key_0.x);
-    set_word_0(number_of_path_1, at_17 + u32(1), path_10.key_0.y);
+    set_word_0(path_12, (*which_10), place_21.triangle_0);
+    set_word_0(path_12, (*which_10) + u32(1), (bitcast<u32>((place_21.v_0))));
+    set_word_0(path_12, (*which_10) + u32(2), (bitcast<u32>((place_21.w_0))));
+    set_word_0(path_12, (*which_10) + u32(3), (bitcast<u32>((place_21.v_rest_0))));
+    set_word_0(path_12, (*which_10) + u32(4), (bitcast<u32>((place_21.w_rest_0))));
+    (*which_10) = (*which_10) + u32(5);
+    return;
+}
+
+fn store_0( number_of_path_1 : u32,  path_13 : Path_0)
+{
+    var at_18 : u32 = u32(1);
+    set_changing_0(number_of_path_1, &(at_18), path_13.light_0);
+    set_changing_0(number_of_path_1, &(at_18), path_13.throughput_0);
+    set_changing_0(number_of_path_1, &(at_18), path_13.direction_0);
+    set_place_0(number_of_path_1, &(at_18), path_13.place_1);
+    var _S240 : u32 = at_18 + u32(1);
+    set_word_0(number_of_path_1, at_18, path_13.key_0.x);
+    at_18 = _S240 + u32(1);
+    set_word_0(number_of_path_1, _S240, path_13.key_0.y);
+    set_vector_0(number_of_path_1, &(at_18), path_13.direction_rest_0);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S231 : u32;
+    var _S241 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S232 : u32 = u32(2) + zero_0;
-        _S231 = _S232;
-        if(rounds_0 < _S232)
+        var _S242 : u32 = u32(2) + zero_0;
+        _S241 = _S242;
+        if(rounds_0 < _S242)
         {
         }
         else
@@ -3546,42 +3674,42 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S231;
+    return rounds_0 == _S241;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S233 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S243 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
 
 fn take_thread_further_0( thread_0 : u32)
 {
-    var at_18 : u32 = launch_0.first_0 + thread_0;
-    if(at_18 >= (launch_0.end_0))
+    var at_19 : u32 = launch_0.first_0 + thread_0;
+    if(at_19 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_2 : u32 = input_0[at_18];
-    var path_11 : Path_0 = load_0(number_of_path_2);
+    var number_of_path_2 : u32 = input_0[at_19];
+    var path_14 : Path_0 = load_0(number_of_path_2);
     var reflected_2 : Reflected_0 = nothing_reflected_0();
-    var goes_on_2 : bool = take_further_0(&(path_11), &(reflected_2), vec3<f32>(0.0f));
-    path_11.light_0 = path_11.light_0 + path_11.throughput_0 * reflected_2.direct_0;
-    path_11.throughput_0 = path_11.throughput_0 * reflected_2.onward_0;
-    store_0(number_of_path_2, path_11);
-    var _S234 : u32;
+    var goes_on_2 : bool = take_further_0(&(path_14), &(reflected_2), vec3<f32>(0.0f));
+    path_14.light_0 = path_14.light_0 + path_14.throughput_0 * reflected_2.direct_0;
+    path_14.throughput_0 = path_14.throughput_0 * reflected_2.onward_0;
+    store_0(number_of_path_2, path_14);
+    var _S244 : u32;
     if(goes_on_2)
     {
-        _S234 = number_of_path_2;
+        _S244 = number_of_path_2;
     }
     else
     {
-        _S234 = u32(4294967295);
+        _S244 = u32(4294967295);
     }
-    set_word_0(at_18, u32(0), _S234);
+    set_word_0(at_19, u32(0), _S244);
     check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 8cdd73aabff328b2
-// result: fe9faa9993904d72
+// source: cbd5b3ac6fc36d98
+// result: deb30019d840aeff
 
 struct Launch_std140_0
 {
@@ -3997,7 +3997,7 @@ fn triangle_record_0( triangle_2 : u32) -> u32
 
 fn shape_of_0( triangle_3 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_3));
+    return word_0(u32(10)) + u32(7) * word_0(triangle_record_0(triangle_3));
 }
 
 fn primitive_vector_0( at_5 : u32) -> vec3<f64>
@@ -5696,6 +5696,11 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
     return (_S1245.z) > 0.0f;
 }
 
+fn first_material_number_0( depth_2 : u32) -> u32
+{
+    return vertex_numbers_0(depth_2) + u32(3) * word_0(u32(2));
+}
+
 fn coat_eta_0( numbers_5 : Numbers_0) -> f32
 {
     return luminance_0(numbers_5.eta_0) / luminance_0(numbers_5.k_0);
@@ -6047,6 +6052,11 @@ fn sample_material_0( vertex_2 : Vertex_0,  key_8 : vec2<u32>,  first_4 : u32) -
     return sample_1;
 }
 
+fn walked_of_0( path_6 : Path_0) -> vec3<f32>
+{
+    return vec3<f32>(0.0f);
+}
+
 fn specular_direction_0( vertex_3 : Vertex_0,  direction_11 : vec3<f32>,  wo_3 : vec3<f32>) -> vec3<f32>
 {
     return direction_11;
@@ -6127,6 +6137,21 @@ fn towards_emitter_0( vertex_5 : Vertex_0,  direction_13 : vec3<f32>,  record_13
         _S1268 = still_0(direction_13);
     }
     return _S1268;
+}
+
+fn change_word_0( at_16 : u32) -> u32
+{
+    return input_0[launch_0.room_0 + at_16];
+}
+
+fn walks_0() -> bool
+{
+    return (change_word_0(u32(6))) != u32(0);
+}
+
+fn turns_onward_0() -> bool
+{
+    return !walks_0();
 }
 
 fn local_change_0( vertex_6 : Vertex_0,  direction_14 : vec3<f32>) -> vec3<f32>
@@ -6286,7 +6311,7 @@ fn scattered_to_0( vertex_7 : Vertex_0,  wo_7 : vec3<f32>,  direction_15 : vec3<
     return eval_and_pdf_0(vertex_7.lobe_6, vertex_7.wi_1, changing_0(wo_7, local_change_0(vertex_7, direction_15)));
 }
 
-fn scattered_along_0( vertex_8 : Vertex_0,  sample_2 : LightSample_0,  moving_0 : ptr<function, vec3<f32>>) -> Scattered_0
+fn scattered_along_0( vertex_8 : Vertex_0,  sample_2 : LightSample_0,  walked_0 : vec3<f32>,  moving_0 : ptr<function, vec3<f32>>) -> Scattered_0
 {
     if(sample_2.is_specular_1)
     {
@@ -6302,30 +6327,102 @@ fn scattered_along_0( vertex_8 : Vertex_0,  sample_2 : LightSample_0,  moving_0 
     }
     else
     {
-        (*moving_0) = changing_0(sample_2.direction_10, turning_0(vertex_8, sample_2.direction_10));
+        var _S1276 : vec3<f32>;
+        if(turns_onward_0())
+        {
+            _S1276 = turning_0(vertex_8, sample_2.direction_10);
+        }
+        else
+        {
+            _S1276 = walked_0;
+        }
+        (*moving_0) = changing_0(sample_2.direction_10, _S1276);
     }
     return scattered_to_0(vertex_8, sample_2.wo_1, (*moving_0));
 }
 
 fn component_0( v_8 : vec3<f64>,  axis_2 : u32) -> f64
 {
-    var _S1276 : f64;
+    var _S1277 : f64;
     if(axis_2 == u32(0))
     {
-        _S1276 = v_8.x;
+        _S1277 = v_8.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S1276 = v_8.y;
+            _S1277 = v_8.y;
         }
         else
         {
-            _S1276 = v_8.z;
+            _S1277 = v_8.z;
         }
     }
-    return _S1276;
+    return _S1277;
+}
+
+struct Ray_0
+{
+     origin_0 : vec3<f64>,
+     shear_x_0 : f64,
+     shear_y_0 : f64,
+     inverse_z_0 : f64,
+     t_min_0 : f64,
+     t_max_0 : f64,
+     local_per_t_0 : f64,
+     enter_0 : f64,
+     edge_on_0 : f64,
+     largest_0 : f64,
+};
+
+fn ray_along_0( origin_1 : vec3<f64>,  direction_16 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  axes_7 : ptr<function, u32>) -> Ray_0
+{
+    var size_2 : vec3<f32> = abs(vec3<f32>(direction_16));
+    var _S1278 : f32 = size_2.x;
+    var _S1279 : f32 = size_2.y;
+    var _S1280 : bool;
+    if(_S1278 >= _S1279)
+    {
+        _S1280 = _S1278 >= (size_2.z);
+    }
+    else
+    {
+        _S1280 = false;
+    }
+    var _S1281 : i32;
+    if(_S1280)
+    {
+        _S1281 = i32(0);
+    }
+    else
+    {
+        if(_S1279 >= (size_2.z))
+        {
+            _S1281 = i32(1);
+        }
+        else
+        {
+            _S1281 = i32(2);
+        }
+    }
+    var z_6 : u32 = u32(_S1281);
+    var x_23 : u32 = (z_6 + u32(1)) % u32(3);
+    var y_8 : u32 = (z_6 + u32(2)) % u32(3);
+    (*axes_7) = (((x_23 | (((y_8 << (u32(2))))))) | (((z_6 << (u32(4))))));
+    var ray_0 : Ray_0;
+    ray_0.origin_0 = origin_1;
+    var along_4 : f64 = component_0(direction_16, z_6);
+    ray_0.inverse_z_0 = 1.0lf / along_4;
+    ray_0.shear_x_0 = component_0(direction_16, x_23) / along_4;
+    ray_0.shear_y_0 = component_0(direction_16, y_8) / along_4;
+    ray_0.t_min_0 = t_min_1;
+    ray_0.t_max_0 = t_max_1;
+    ray_0.local_per_t_0 = abs(along_4);
+    ray_0.enter_0 = 0.0lf;
+    ray_0.edge_on_0 = limit_at_0(u32(0));
+    ray_0.largest_0 = limit_at_0(u32(1));
+    return ray_0;
 }
 
 fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
@@ -6340,12 +6437,12 @@ struct RayView_0
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
      margin_0 : f32,
-     axes_7 : u32,
+     axes_8 : u32,
 };
 
 fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S1277 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S1282 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -6358,36 +6455,36 @@ fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S1278 : u32 = axis_3;
-        var _S1279 : u32 = _S1277 + u32(2) * axis_3;
-        var _S1280 : u32 = slot_3 % u32(4);
-        var low_5 : f32 = (bitcast<f32>((nodes_0[_S1279][_S1280])));
-        var high_2 : f32 = (bitcast<f32>((nodes_0[_S1279 + u32(6)][_S1280])));
-        var _S1281 : bool = (view_6.inverse_3[axis_3]) < 0.0f;
-        var _S1282 : f32;
-        if(_S1281)
+        var _S1283 : u32 = axis_3;
+        var _S1284 : u32 = _S1282 + u32(2) * axis_3;
+        var _S1285 : u32 = slot_3 % u32(4);
+        var low_5 : f32 = (bitcast<f32>((nodes_0[_S1284][_S1285])));
+        var high_2 : f32 = (bitcast<f32>((nodes_0[_S1284 + u32(6)][_S1285])));
+        var _S1286 : bool = (view_6.inverse_3[axis_3]) < 0.0f;
+        var _S1287 : f32;
+        if(_S1286)
         {
-            _S1282 = high_2;
+            _S1287 = high_2;
         }
         else
         {
-            _S1282 = low_5;
+            _S1287 = low_5;
         }
-        var _S1283 : f32 = max(near_0, _S1282 * view_6.inverse_3[_S1278] - view_6.offset_near_0[axis_3]);
-        var _S1284 : f32;
-        if(_S1281)
+        var _S1288 : f32 = max(near_0, _S1287 * view_6.inverse_3[_S1283] - view_6.offset_near_0[axis_3]);
+        var _S1289 : f32;
+        if(_S1286)
         {
-            _S1284 = low_5;
+            _S1289 = low_5;
         }
         else
         {
-            _S1284 = high_2;
+            _S1289 = high_2;
         }
-        var _S1285 : f32 = min(far_0, _S1284 * view_6.inverse_3[_S1278] - view_6.offset_far_0[axis_3]);
-        var _S1286 : u32 = axis_3 + u32(1);
-        near_0 = _S1283;
-        far_0 = _S1285;
-        axis_3 = _S1286;
+        var _S1290 : f32 = min(far_0, _S1289 * view_6.inverse_3[_S1283] - view_6.offset_far_0[axis_3]);
+        var _S1291 : u32 = axis_3 + u32(1);
+        near_0 = _S1288;
+        far_0 = _S1290;
+        axis_3 = _S1291;
     }
     if(near_0 <= far_0)
     {
@@ -6412,7 +6509,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S1287 : u32 = k_5;
+        var _S1292 : u32 = k_5;
         if((bounds_0[k_5]) > limit_2)
         {
             k_5 = k_5 + u32(1);
@@ -6429,24 +6526,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S1288 : u32 = j_0;
-            var _S1289 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S1287]))
+            var _S1293 : u32 = j_0;
+            var _S1294 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S1292]))
             {
-                _S1289 = true;
+                _S1294 = true;
             }
             else
             {
-                if((bounds_0[_S1288]) == (bounds_0[_S1287]))
+                if((bounds_0[_S1293]) == (bounds_0[_S1292]))
                 {
-                    _S1289 = j_0 < k_5;
+                    _S1294 = j_0 < k_5;
                 }
                 else
                 {
-                    _S1289 = false;
+                    _S1294 = false;
                 }
             }
-            if(_S1289)
+            if(_S1294)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -6471,45 +6568,31 @@ fn crossed_0( view_7 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S1290 : f32;
+        var _S1295 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S1290 = 3.00000000549775576e+38f;
+            _S1295 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S1290 = ray_bound_0(view_7, limit_3, node_5, slot_4);
+            _S1295 = ray_bound_0(view_7, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S1290;
+        bounds_1[slot_4] = _S1295;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn rounded_0( product_4 : f64,  largest_0 : f64) -> f64
+fn rounded_0( product_4 : f64,  largest_1 : f64) -> f64
 {
-    return min(product_4, largest_0);
+    return min(product_4, largest_1);
 }
 
-struct Ray_0
+fn corner_0( ray_1 : Ray_0,  axes_9 : u32,  at_17 : u32) -> vec3<f64>
 {
-     origin_0 : vec3<f64>,
-     shear_x_0 : f64,
-     shear_y_0 : f64,
-     inverse_z_0 : f64,
-     t_min_0 : f64,
-     t_max_0 : f64,
-     local_per_t_0 : f64,
-     enter_0 : f64,
-     edge_on_0 : f64,
-     largest_1 : f64,
-};
-
-fn corner_0( ray_0 : Ray_0,  axes_8 : u32,  at_16 : u32) -> vec3<f64>
-{
-    var relative_0 : vec3<f64> = primitive_vector_0(at_16) - ray_0.origin_0;
-    var z_6 : f64 = component_0(relative_0, (axes_8 >> (u32(4))));
-    return vec3<f64>(component_0(relative_0, (axes_8 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_6, ray_0.largest_1), component_0(relative_0, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_6, ray_0.largest_1), z_6);
+    var relative_0 : vec3<f64> = primitive_vector_0(at_17) - ray_1.origin_0;
+    var z_7 : f64 = component_0(relative_0, (axes_9 >> (u32(4))));
+    return vec3<f64>(component_0(relative_0, (axes_9 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_7, ray_1.largest_0), component_0(relative_0, (((axes_9 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_7, ray_1.largest_0), z_7);
 }
 
 struct Crossing_0
@@ -6520,58 +6603,58 @@ struct Crossing_0
      w_8 : f64,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_9 : u32,  at_17 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_10 : u32,  at_18 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_4 = 0.0lf;
     crossing_0.v_9 = 0.0lf;
     crossing_0.w_8 = 0.0lf;
-    var a_19 : vec3<f64> = corner_0(ray_1, axes_9, at_17);
-    var b_16 : vec3<f64> = corner_0(ray_1, axes_9, at_17 + u32(3));
-    var c_7 : vec3<f64> = corner_0(ray_1, axes_9, at_17 + u32(6));
-    var _S1291 : f64 = c_7.x;
-    var _S1292 : f64 = b_16.y;
-    var cx_by_0 : f64 = rounded_0(_S1291 * _S1292, ray_1.largest_1);
-    var _S1293 : f64 = c_7.y;
-    var _S1294 : f64 = b_16.x;
-    var cy_bx_0 : f64 = rounded_0(_S1293 * _S1294, ray_1.largest_1);
-    var _S1295 : f64 = a_19.x;
-    var ax_cy_0 : f64 = rounded_0(_S1295 * _S1293, ray_1.largest_1);
-    var _S1296 : f64 = a_19.y;
-    var ay_cx_0 : f64 = rounded_0(_S1296 * _S1291, ray_1.largest_1);
-    var bx_ay_0 : f64 = rounded_0(_S1294 * _S1296, ray_1.largest_1);
-    var by_ax_0 : f64 = rounded_0(_S1292 * _S1295, ray_1.largest_1);
+    var a_19 : vec3<f64> = corner_0(ray_2, axes_10, at_18);
+    var b_16 : vec3<f64> = corner_0(ray_2, axes_10, at_18 + u32(3));
+    var c_7 : vec3<f64> = corner_0(ray_2, axes_10, at_18 + u32(6));
+    var _S1296 : f64 = c_7.x;
+    var _S1297 : f64 = b_16.y;
+    var cx_by_0 : f64 = rounded_0(_S1296 * _S1297, ray_2.largest_0);
+    var _S1298 : f64 = c_7.y;
+    var _S1299 : f64 = b_16.x;
+    var cy_bx_0 : f64 = rounded_0(_S1298 * _S1299, ray_2.largest_0);
+    var _S1300 : f64 = a_19.x;
+    var ax_cy_0 : f64 = rounded_0(_S1300 * _S1298, ray_2.largest_0);
+    var _S1301 : f64 = a_19.y;
+    var ay_cx_0 : f64 = rounded_0(_S1301 * _S1296, ray_2.largest_0);
+    var bx_ay_0 : f64 = rounded_0(_S1299 * _S1301, ray_2.largest_0);
+    var by_ax_0 : f64 = rounded_0(_S1297 * _S1300, ray_2.largest_0);
     var u_12 : f64 = cx_by_0 - cy_bx_0;
     var v_10 : f64 = ax_cy_0 - ay_cx_0;
     var w_9 : f64 = bx_ay_0 - by_ax_0;
-    var _S1297 : f64 = min(min(u_12, v_10), w_9);
-    var _S1298 : f64 = max(max(u_12, v_10), w_9);
-    var _S1299 : bool;
-    if(_S1297 < 0.0lf)
+    var _S1302 : f64 = min(min(u_12, v_10), w_9);
+    var _S1303 : f64 = max(max(u_12, v_10), w_9);
+    var _S1304 : bool;
+    if(_S1302 < 0.0lf)
     {
-        _S1299 = _S1298 > 0.0lf;
+        _S1304 = _S1303 > 0.0lf;
     }
     else
     {
-        _S1299 = false;
+        _S1304 = false;
     }
-    if(_S1299)
+    if(_S1304)
     {
         return crossing_0;
     }
     var determinant_0 : f64 = u_12 + v_10 + w_9;
-    if(_S1297 <= 0.0lf)
+    if(_S1302 <= 0.0lf)
     {
-        _S1299 = _S1298 >= 0.0lf;
+        _S1304 = _S1303 >= 0.0lf;
     }
     else
     {
-        _S1299 = false;
+        _S1304 = false;
     }
-    if(_S1299)
+    if(_S1304)
     {
-        if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
+        if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
             return crossing_0;
         }
@@ -6580,16 +6663,16 @@ fn intersect_0( ray_1 : Ray_0,  axes_9 : u32,  at_17 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_5 : f64 = (rounded_0(u_12 * a_19.z, ray_1.largest_1) + rounded_0(v_10 * b_16.z, ray_1.largest_1) + rounded_0(w_9 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
-    if((ray_1.t_min_0) <= t_5)
+    var t_5 : f64 = (rounded_0(u_12 * a_19.z, ray_2.largest_0) + rounded_0(v_10 * b_16.z, ray_2.largest_0) + rounded_0(w_9 * c_7.z, ray_2.largest_0)) / determinant_0 * ray_2.inverse_z_0;
+    if((ray_2.t_min_0) <= t_5)
     {
-        _S1299 = t_5 <= (ray_1.t_max_0);
+        _S1304 = t_5 <= (ray_2.t_max_0);
     }
     else
     {
-        _S1299 = false;
+        _S1304 = false;
     }
-    crossing_0.is_hit_0 = _S1299;
+    crossing_0.is_hit_0 = _S1304;
     crossing_0.t_4 = t_5;
     crossing_0.v_9 = v_10 / determinant_0;
     crossing_0.w_8 = w_9 / determinant_0;
@@ -6609,9 +6692,9 @@ struct Found_0
      w_10 : f64,
 };
 
-fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S1300 : bool;
+    var _S1305 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
     found_3.triangle_8 = u32(4294967295);
@@ -6643,31 +6726,31 @@ fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_2 : vec2<u32> = way_2[level_0];
-        var _S1301 : u32 = way_2[level_0].y;
-        if(_S1301 == u32(0))
+        var _S1306 : u32 = way_2[level_0].y;
+        if(_S1306 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S1302 : u32 = level_0 - u32(1);
+            var _S1307 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S1302;
+            level_0 = _S1307;
             continue;
         }
-        var slot_5 : u32 = ((_S1301 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S1301 >> (u32(4)));
-        var _S1303 : bool;
+        var slot_5 : u32 = ((_S1306 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S1306 >> (u32(4)));
+        var _S1308 : bool;
         if(!is_new_1)
         {
-            _S1303 = (ray_bound_0(view_8, limit_4, here_2.x, slot_5)) > limit_4;
+            _S1308 = (ray_bound_0(view_8, limit_4, here_2.x, slot_5)) > limit_4;
         }
         else
         {
-            _S1303 = false;
+            _S1308 = false;
         }
-        if(_S1303)
+        if(_S1308)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -6676,27 +6759,27 @@ fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_2.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S1304 : u32 = level_0 + u32(1);
+            var _S1309 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S1304;
+            level_0 = _S1309;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S1305 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S1306 : u32 = leaf_starts_0[leaf_0];
+        var _S1310 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S1311 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S1306;
+        var i_3 : u32 = _S1311;
         for(;;)
         {
-            if(i_3 < _S1305)
+            if(i_3 < _S1310)
             {
             }
             else
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_8.axes_7, u32(9) * i_3);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_3), view_8.axes_8, u32(9) * i_3);
             if(!crossing_1.is_hit_0)
             {
                 i_3 = i_3 + u32(1);
@@ -6704,30 +6787,30 @@ fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S1300 = true;
+                _S1305 = true;
             }
             else
             {
-                _S1300 = (crossing_1.t_4) < ((*ray_2).t_max_0);
+                _S1305 = (crossing_1.t_4) < ((*ray_3).t_max_0);
             }
-            var _S1307 : bool;
-            if(_S1300)
+            var _S1312 : bool;
+            if(_S1305)
             {
-                _S1307 = true;
+                _S1312 = true;
             }
             else
             {
-                _S1307 = (face_6(i_3)) < (found_3.face_7);
+                _S1312 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S1307)
+            if(_S1312)
             {
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_8 = i_3;
-                (*ray_2).t_max_0 = crossing_1.t_4;
+                (*ray_3).t_max_0 = crossing_1.t_4;
                 found_3.v_11 = crossing_1.v_9;
                 found_3.w_10 = crossing_1.w_8;
-                limit_6 = min(limit_5, f32(crossing_1.t_4 * (*ray_2).local_per_t_0 - (*ray_2).enter_0) + 2.0f * view_8.margin_0);
+                limit_6 = min(limit_5, f32(crossing_1.t_4 * (*ray_3).local_per_t_0 - (*ray_3).enter_0) + 2.0f * view_8.margin_0);
             }
             else
             {
@@ -6738,13 +6821,13 @@ fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S1300 = (found_3.face_7) != u32(4294967295);
+            _S1305 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S1300 = false;
+            _S1305 = false;
         }
-        if(_S1300)
+        if(_S1305)
         {
             break;
         }
@@ -6755,54 +6838,14 @@ fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_3;
 }
 
-fn cast_0( origin_1 : vec3<f64>,  direction_16 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_6 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_2 : vec3<f64>,  direction_17 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_1 : bool,  t_6 : ptr<function, f32>) -> Found_0
 {
-    var size_2 : vec3<f32> = abs(vec3<f32>(direction_16));
-    var _S1308 : f32 = size_2.x;
-    var _S1309 : f32 = size_2.y;
-    var _S1310 : bool;
-    if(_S1308 >= _S1309)
-    {
-        _S1310 = _S1308 >= (size_2.z);
-    }
-    else
-    {
-        _S1310 = false;
-    }
-    var _S1311 : i32;
-    if(_S1310)
-    {
-        _S1311 = i32(0);
-    }
-    else
-    {
-        if(_S1309 >= (size_2.z))
-        {
-            _S1311 = i32(1);
-        }
-        else
-        {
-            _S1311 = i32(2);
-        }
-    }
-    var z_7 : u32 = u32(_S1311);
-    var x_23 : u32 = (z_7 + u32(1)) % u32(3);
-    var y_8 : u32 = (z_7 + u32(2)) % u32(3);
-    var ray_3 : Ray_0;
-    ray_3.origin_0 = origin_1;
-    var along_4 : f64 = component_0(direction_16, z_7);
-    ray_3.inverse_z_0 = 1.0lf / along_4;
-    ray_3.shear_x_0 = component_0(direction_16, x_23) / along_4;
-    ray_3.shear_y_0 = component_0(direction_16, y_8) / along_4;
-    ray_3.t_min_0 = t_min_1;
-    ray_3.t_max_0 = t_max_1;
-    var _S1312 : f64 = abs(along_4);
-    ray_3.local_per_t_0 = _S1312;
-    ray_3.enter_0 = 0.0lf;
-    ray_3.edge_on_0 = limit_at_0(u32(0));
-    ray_3.largest_1 = limit_at_0(u32(1));
     var view_9 : RayView_0;
-    var _S1313 : vec3<f32> = vec3<f32>(direction_16 / vec3<f64>(_S1312));
+    var _S1313 : u32 = view_9.axes_8;
+    var _S1314 : Ray_0 = ray_along_0(origin_2, direction_17, t_min_2, t_max_2, &(_S1313));
+    view_9.axes_8 = _S1313;
+    var ray_4 : Ray_0 = _S1314;
+    var _S1315 : vec3<f32> = vec3<f32>(direction_17 / vec3<f64>(ray_4.local_per_t_0));
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -6813,28 +6856,27 @@ fn cast_0( origin_1 : vec3<f64>,  direction_16 : vec3<f64>,  t_min_1 : f64,  t_m
         {
             break;
         }
-        var _S1314 : f32 = max(abs(_S1313[axis_4]), 8.67361737988403547e-19f);
-        var _S1315 : f32;
-        if((_S1313[axis_4]) < 0.0f)
+        var _S1316 : f32 = max(abs(_S1315[axis_4]), 8.67361737988403547e-19f);
+        var _S1317 : f32;
+        if((_S1315[axis_4]) < 0.0f)
         {
-            _S1315 = -1.0f / _S1314;
+            _S1317 = -1.0f / _S1316;
         }
         else
         {
-            _S1315 = 1.0f / _S1314;
+            _S1317 = 1.0f / _S1316;
         }
-        view_9.inverse_3[axis_4] = _S1315;
+        view_9.inverse_3[axis_4] = _S1317;
         axis_4 = axis_4 + u32(1);
     }
-    var offset_4 : vec3<f32> = vec3<f32>(origin_1) * view_9.inverse_3;
+    var offset_4 : vec3<f32> = vec3<f32>(origin_2) * view_9.inverse_3;
     var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_9.inverse_3);
     view_9.offset_near_0 = offset_4 + wider_0;
     view_9.offset_far_0 = offset_4 - wider_0;
-    view_9.limit_0 = min(f32(t_max_1 * ray_3.local_per_t_0), 8.0f) + 3.814697265625e-06f;
+    view_9.limit_0 = min(f32(t_max_2 * ray_4.local_per_t_0), 8.0f) + 3.814697265625e-06f;
     view_9.margin_0 = 3.814697265625e-06f;
-    view_9.axes_7 = (((x_23 | (((y_8 << (u32(2))))))) | (((z_7 << (u32(4))))));
-    var found_4 : Found_0 = first_found_0(view_9, &(ray_3), any_1);
-    (*t_6) = f32(ray_3.t_max_0);
+    var found_4 : Found_0 = first_found_0(view_9, &(ray_4), any_1);
+    (*t_6) = f32(ray_4.t_max_0);
     return found_4;
 }
 
@@ -6843,51 +6885,51 @@ fn place_of_0( found_5 : Found_0) -> Place_0
     return exact_place_0(found_5.triangle_8, found_5.v_11, found_5.w_10);
 }
 
-fn emitter_seen_0( found_6 : Found_0,  direction_17 : vec3<f32>) -> u32
+fn emitter_seen_0( found_6 : Found_0,  direction_18 : vec3<f32>) -> u32
 {
     if((found_6.face_7) == u32(4294967295))
     {
         return word_0(u32(8));
     }
     var emitter_6 : u32 = word_0(shape_of_0(found_6.triangle_8) + u32(4));
-    var _S1316 : bool;
+    var _S1318 : bool;
     if(emitter_6 != u32(4294967295))
     {
-        _S1316 = (dot(cross_of_0(found_6.triangle_8), direction_17)) < 0.0f;
+        _S1318 = (dot(cross_of_0(found_6.triangle_8), direction_18)) < 0.0f;
     }
     else
     {
-        _S1316 = false;
+        _S1318 = false;
     }
-    var _S1317 : u32;
-    if(_S1316)
+    var _S1319 : u32;
+    if(_S1318)
     {
-        _S1317 = emitter_6;
+        _S1319 = emitter_6;
     }
     else
     {
-        _S1317 = u32(4294967295);
+        _S1319 = u32(4294967295);
     }
-    return _S1317;
+    return _S1319;
 }
 
-fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_18 : vec3<f32>,  distance_7 : f32) -> f32
+fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_19 : vec3<f32>,  distance_7 : f32) -> f32
 {
     var own_3 : f32;
     var rectangle_1 : u32 = word_0(record_14 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S1318 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S1318.solid_angle_0) > 0.0f))
+        var _S1320 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S1320.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S1318.solid_angle_0) >= 0.00100000004749745f)
+        if((_S1320.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S1318.solid_angle_0;
+            return 1.0f / _S1320.solid_angle_0;
         }
     }
-    var _S1319 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
+    var _S1321 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_14 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -6901,7 +6943,7 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S1319 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S1321 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_3 = shares_1.y;
@@ -6911,22 +6953,22 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             own_3 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_3;
-        var _S1320 : i32;
+        var _S1322 : i32;
         if(is_second_1)
         {
-            _S1320 = i32(3);
+            _S1322 = i32(3);
         }
         else
         {
-            _S1320 = i32(2);
+            _S1322 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S1320));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S1322));
         chosen_2 = chosen_3;
     }
-    var _S1321 : u32 = word_0(record_14 + u32(6));
-    var _S1322 : u32 = word_0(node_6);
+    var _S1323 : u32 = word_0(record_14 + u32(6));
+    var _S1324 : u32 = word_0(node_6);
     own_3 = 0.0f;
-    var k_6 : u32 = _S1322;
+    var k_6 : u32 = _S1324;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -6937,9 +6979,9 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
         {
             break;
         }
-        var angle_6 : f32 = face_solid_angle_0(record_14, word_0(_S1321 + k_6), from_2.exact_0);
+        var angle_6 : f32 = face_solid_angle_0(record_14, word_0(_S1323 + k_6), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_6;
-        if(k_6 == _S1319)
+        if(k_6 == _S1321)
         {
             own_3 = angle_6;
         }
@@ -6950,25 +6992,25 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
     {
         return 0.0f;
     }
-    return chosen_2 / total_3 * density_of_0(own_3, cross_of_0(emitter_triangle_0(record_14, face_8)), distance_7, direction_18);
+    return chosen_2 / total_3 * density_of_0(own_3, cross_of_0(emitter_triangle_0(record_14, face_8)), distance_7, direction_19);
 }
 
-fn emitter_pdf_0( emitter_7 : u32,  found_7 : Found_0,  vertex_9 : Vertex_0,  direction_19 : vec3<f32>,  t_7 : f32) -> f32
+fn emitter_pdf_0( emitter_7 : u32,  found_7 : Found_0,  vertex_9 : Vertex_0,  direction_20 : vec3<f32>,  t_7 : f32) -> f32
 {
     var record_15 : u32 = emitter_record_0(emitter_7);
     if(is_map_0(record_15))
     {
-        var _S1323 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_19);
-        return _S1323;
+        var _S1325 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_20);
+        return _S1325;
     }
     if(!is_area_0(record_15))
     {
-        return max(dot(vertex_9.axes_4.n_0, direction_19), 0.0f) * 0.31830987334251404f;
+        return max(dot(vertex_9.axes_4.n_0, direction_20), 0.0f) * 0.31830987334251404f;
     }
-    return area_pdf_0(record_15, found_7.face_7 - word_0(record_15 + u32(3)), vertex_9.surface_3, direction_19, t_7);
+    return area_pdf_0(record_15, found_7.face_7 - word_0(record_15 + u32(3)), vertex_9.surface_3, direction_20, t_7);
 }
 
-fn met_0( vertex_10 : Vertex_0,  direction_20 : vec3<f32>,  t_8 : f32,  place_17 : Place_0) -> Place_0
+fn met_0( vertex_10 : Vertex_0,  direction_21 : vec3<f32>,  t_8 : f32,  place_17 : Place_0) -> Place_0
 {
     return place_17;
 }
@@ -6983,9 +7025,9 @@ fn weight_over_0( own_4 : f32,  other_0 : f32) -> f32
     return 1.0f / (own_4 * (1.0f + ratio_0 * ratio_0));
 }
 
-fn in_map_0( map_6 : u32,  direction_21 : vec3<f32>) -> Lookup_0
+fn in_map_0( map_6 : u32,  direction_22 : vec3<f32>) -> Lookup_0
 {
-    var place_18 : vec2<f32> = map_place_0(map_6, direction_21);
+    var place_18 : vec2<f32> = map_place_0(map_6, direction_22);
     var point_2 : Point_0;
     point_2.value_5 = place_18;
     point_2.by_first_1 = vec2<f32>(1.0f, 0.0f);
@@ -6996,65 +7038,60 @@ fn in_map_0( map_6 : u32,  direction_21 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_6 + u32(1)));
     var left_1 : u32 = wrapped_0(x_24, width_4, u32(0));
     var right_1 : u32 = wrapped_0(x_24 + i32(1), width_4, u32(0));
-    var _S1324 : u32 = wrapped_0(y_9, height_1, u32(2));
-    var _S1325 : u32 = u32(width_4);
-    var first_5 : u32 = _S1324 * _S1325;
-    var _S1326 : u32 = wrapped_0(y_9 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S1326 * _S1325;
+    var _S1326 : u32 = wrapped_0(y_9, height_1, u32(2));
+    var _S1327 : u32 = u32(width_4);
+    var first_5 : u32 = _S1326 * _S1327;
+    var _S1328 : u32 = wrapped_0(y_9 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S1328 * _S1327;
     return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_2 + left_1, second_2 + right_1), point_2);
 }
 
-fn emitted_0( emitter_8 : u32,  place_19 : Place_0,  direction_22 : vec3<f32>) -> vec3<f32>
+fn emitted_0( emitter_8 : u32,  place_19 : Place_0,  direction_23 : vec3<f32>) -> vec3<f32>
 {
     var record_16 : u32 = emitter_record_0(emitter_8);
     var texture_6 : u32 = word_0(record_16 + u32(1));
     if(!is_map_0(record_16))
     {
-        var _S1327 : vec3<f32> = shown_0(texture_6, place_19);
-        return _S1327;
+        var _S1329 : vec3<f32> = shown_0(texture_6, place_19);
+        return _S1329;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_1 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S1328 : u32 = word_0(texture_6 + u32(11));
-    var _S1329 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_22));
-    return looked_up_0(_S1328, _S1329, change_1) * factor_1;
-}
-
-fn change_word_0( at_18 : u32) -> u32
-{
-    return input_0[launch_0.room_0 + at_18];
+    var _S1330 : u32 = word_0(texture_6 + u32(11));
+    var _S1331 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_23));
+    return looked_up_0(_S1330, _S1331, change_1) * factor_1;
 }
 
 fn numbers_of_0( texture_7 : u32) -> u32
 {
-    return change_word_0(u32(6) + word_0(texture_7 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_7 + u32(12)));
 }
 
 fn add_to_sum_0( sum_6 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S1330 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S1332 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_3 : f32 = abs(scaled_0);
     if(size_3 > 7.73712524553362672e+25f)
     {
-        var _S1331 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S1333 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S1332 : bool = scaled_0 < 0.0f;
-    var _S1333 : i32;
+    var _S1334 : bool = scaled_0 < 0.0f;
+    var _S1335 : i32;
     if(size_3 >= 1.84467440737095516e+19f)
     {
-        _S1333 = i32(1);
+        _S1335 = i32(1);
     }
     else
     {
-        _S1333 = i32(0);
+        _S1335 = i32(0);
     }
-    var first_6 : u32 = u32(_S1333);
+    var first_6 : u32 = u32(_S1335);
     var size_4 : f32;
     if(first_6 == u32(1))
     {
@@ -7074,39 +7111,39 @@ fn add_to_sum_0( sum_6 : u32,  derivative_0 : f32)
     {
         size_4 = lower_0;
     }
-    var _S1334 : u32 = u32(3) + u32(4) * sum_6;
+    var _S1336 : u32 = u32(3) + u32(4) * sum_6;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_4), u32(higher_0));
     var k_7 : u32 = first_6;
     for(;;)
     {
-        var _S1335 : bool;
+        var _S1337 : bool;
         if(k_7 < u32(4))
         {
-            _S1335 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S1337 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S1335 = false;
+            _S1337 = false;
         }
-        if(_S1335)
+        if(_S1337)
         {
         }
         else
         {
             break;
         }
-        var _S1336 : u32;
-        if(_S1332)
+        var _S1338 : u32;
+        if(_S1334)
         {
-            _S1336 = u32(0) - digits_0.x;
+            _S1338 = u32(0) - digits_0.x;
         }
         else
         {
-            _S1336 = digits_0.x;
+            _S1338 = digits_0.x;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S1334 + k_7]), _S1336);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S1336 + k_7]), _S1338);
         var overflows_0 : bool;
-        if(_S1332)
+        if(_S1334)
         {
             overflows_0 = before_0 < (digits_0.x);
         }
@@ -7114,19 +7151,19 @@ fn add_to_sum_0( sum_6 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_0 + digits_0.x) < before_0;
         }
-        var _S1337 : u32 = digits_0.y;
+        var _S1339 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S1333 = i32(1);
+            _S1335 = i32(1);
         }
         else
         {
-            _S1333 = i32(0);
+            _S1335 = i32(0);
         }
-        var _S1338 : vec2<u32> = vec2<u32>(_S1337 + u32(_S1333), u32(0));
-        var _S1339 : u32 = k_7 + u32(1);
-        digits_0 = _S1338;
-        k_7 = _S1339;
+        var _S1340 : vec2<u32> = vec2<u32>(_S1339 + u32(_S1335), u32(0));
+        var _S1341 : u32 = k_7 + u32(1);
+        digits_0 = _S1340;
+        k_7 = _S1341;
     }
     return;
 }
@@ -7134,20 +7171,20 @@ fn add_to_sum_0( sum_6 : u32,  derivative_0 : f32)
 fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
 {
     var first_7 : u32 = numbers_of_0(texture_8);
-    var _S1340 : u32 = word_0(texture_8 + u32(1));
-    var _S1341 : u32;
+    var _S1342 : u32 = word_0(texture_8 + u32(1));
+    var _S1343 : u32;
     if(first_7 == u32(4294967295))
     {
-        _S1341 = u32(0);
+        _S1343 = u32(0);
     }
     else
     {
-        _S1341 = lookup_5.count_0;
+        _S1343 = lookup_5.count_0;
     }
     var k_8 : u32 = u32(0);
     for(;;)
     {
-        if(k_8 < _S1341)
+        if(k_8 < _S1343)
         {
         }
         else
@@ -7156,7 +7193,7 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         }
         var own_5 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_1[k_8]);
         var own_6 : vec3<f32>;
-        if(_S1340 == u32(1))
+        if(_S1342 == u32(1))
         {
             own_6 = vec3<f32>((own_5.x + own_5.y + own_5.z));
         }
@@ -7167,14 +7204,14 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         var c_8 : u32 = u32(0);
         for(;;)
         {
-            if(c_8 < _S1340)
+            if(c_8 < _S1342)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_7 + _S1340 * lookup_5.texels_0[k_8] + c_8, own_6[c_8]);
+            add_to_sum_0(first_7 + _S1342 * lookup_5.texels_0[k_8] + c_8, own_6[c_8]);
             c_8 = c_8 + u32(1);
         }
         k_8 = k_8 + u32(1);
@@ -7203,10 +7240,10 @@ struct AtCorners_0
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_3 : AtCorners_0;
-    var _S1342 : vec3<f32> = vec3<f32>(0.0f);
-    corners_3.c_9 = _S1342;
-    corners_3.b_17 = _S1342;
-    corners_3.a_20 = _S1342;
+    var _S1344 : vec3<f32> = vec3<f32>(0.0f);
+    corners_3.c_9 = _S1344;
+    corners_3.b_17 = _S1344;
+    corners_3.a_20 = _S1344;
     return corners_3;
 }
 
@@ -7226,17 +7263,17 @@ fn add_at_place_1( corners_5 : ptr<function, AtCorners_0>,  place_21 : Place_0, 
     return;
 }
 
-fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_22 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_23 : vec3<f32>) -> vec3<f32>
+fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_22 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_24 : vec3<f32>) -> vec3<f32>
 {
     var corner_1 : u32 = u32(9) * place_22.triangle_0;
     var a_21 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S1343 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_21);
-    var _S1344 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_21);
-    var across_2 : vec3<f32> = cross(_S1343, _S1344);
-    var _S1345 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
-    var normal_9 : vec3<f32> = across_2 / vec3<f32>(_S1345);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S1344, normal_9) * vec3<f32>(by_place_0.x) + cross(normal_9, _S1343) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_9, normal_9) * _S1345)));
-    var by_drift_0 : vec3<f32> = by_slip_0 - normal_9 * vec3<f32>((dot(direction_23, by_slip_0) / dot(normal_9, direction_23)));
+    var _S1345 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_21);
+    var _S1346 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_21);
+    var across_2 : vec3<f32> = cross(_S1345, _S1346);
+    var _S1347 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
+    var normal_9 : vec3<f32> = across_2 / vec3<f32>(_S1347);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S1346, normal_9) * vec3<f32>(by_place_0.x) + cross(normal_9, _S1345) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_9, normal_9) * _S1347)));
+    var by_drift_0 : vec3<f32> = by_slip_0 - normal_9 * vec3<f32>((dot(direction_24, by_slip_0) / dot(normal_9, direction_24)));
     add_at_place_1(&((*points_0)), place_22, by_position_0 - by_drift_0);
     return by_drift_0;
 }
@@ -7248,20 +7285,20 @@ fn points_of_0( triangle_9 : u32) -> u32
 
 fn add_to_sums_0( first_8 : u32,  derivative_5 : vec3<f32>)
 {
-    var _S1346 : i32;
+    var _S1348 : i32;
     if(first_8 == u32(4294967295))
     {
-        _S1346 = i32(0);
+        _S1348 = i32(0);
     }
     else
     {
-        _S1346 = i32(3);
+        _S1348 = i32(3);
     }
-    var _S1347 : u32 = u32(_S1346);
+    var _S1349 : u32 = u32(_S1348);
     var axis_5 : u32 = u32(0);
     for(;;)
     {
-        if(axis_5 < _S1347)
+        if(axis_5 < _S1349)
         {
         }
         else
@@ -7276,51 +7313,51 @@ fn add_to_sums_0( first_8 : u32,  derivative_5 : vec3<f32>)
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_10 : u32,  corners_6 : AtCorners_0)
 {
-    var _S1348 : u32 = triangle_record_0(triangle_10) + u32(2);
-    var _S1349 : i32;
+    var _S1350 : u32 = triangle_record_0(triangle_10) + u32(2);
+    var _S1351 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S1349 = i32(0);
+        _S1351 = i32(0);
     }
     else
     {
-        _S1349 = i32(3);
+        _S1351 = i32(3);
     }
-    var _S1350 : u32 = u32(_S1349);
+    var _S1352 : u32 = u32(_S1351);
     var k_9 : u32 = u32(0);
     for(;;)
     {
-        if(k_9 < _S1350)
+        if(k_9 < _S1352)
         {
         }
         else
         {
             break;
         }
-        var _S1351 : u32 = sums_at_0 + u32(3) * word_0(_S1348 + k_9);
-        var _S1352 : vec3<f32>;
+        var _S1353 : u32 = sums_at_0 + u32(3) * word_0(_S1350 + k_9);
+        var _S1354 : vec3<f32>;
         if(k_9 == u32(0))
         {
-            _S1352 = corners_6.a_20;
+            _S1354 = corners_6.a_20;
         }
         else
         {
             if(k_9 == u32(1))
             {
-                _S1352 = corners_6.b_17;
+                _S1354 = corners_6.b_17;
             }
             else
             {
-                _S1352 = corners_6.c_9;
+                _S1354 = corners_6.c_9;
             }
         }
-        add_to_sums_0(_S1351, _S1352);
+        add_to_sums_0(_S1353, _S1354);
         k_9 = k_9 + u32(1);
     }
     return;
 }
 
-fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_9 : u32,  place_23 : Place_0,  direction_24 : vec3<f32>,  t_9 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
+fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_9 : u32,  place_23 : Place_0,  direction_25 : vec3<f32>,  t_9 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
 {
     var record_17 : u32 = emitter_record_0(emitter_9);
     var texture_10 : u32 = word_0(record_17 + u32(1));
@@ -7329,87 +7366,87 @@ fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_9 : u32,  pla
     if(is_map_0(record_17))
     {
         var scale_3 : u32 = word_0(texture_10 + u32(12));
-        var lookup_8 : Lookup_0 = in_map_0(texture_10, direction_24);
-        var _S1353 : Lookup_0 = one_texel_0(u32(0));
-        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_3, _S1353, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
-        add_to_texels_0(scale_3, _S1353, importance_0 * weighted_texels_0(word_0(texture_10 + u32(11)), lookup_8, lookup_8.weights_1));
+        var lookup_8 : Lookup_0 = in_map_0(texture_10, direction_25);
+        var _S1355 : Lookup_0 = one_texel_0(u32(0));
+        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_3, _S1355, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
+        add_to_texels_0(scale_3, _S1355, importance_0 * weighted_texels_0(word_0(texture_10 + u32(11)), lookup_8, lookup_8.weights_1));
         lookup_7 = lookup_8;
         by_texels_0 = by_texels_1;
     }
     else
     {
-        var _S1354 : Lookup_0 = lookup_at_0(texture_10, place_23);
-        lookup_7 = _S1354;
+        var _S1356 : Lookup_0 = lookup_at_0(texture_10, place_23);
+        lookup_7 = _S1356;
         by_texels_0 = importance_0;
     }
-    var _S1355 : u32;
+    var _S1357 : u32;
     if(is_map_0(record_17))
     {
-        _S1355 = word_0(texture_10 + u32(11));
+        _S1357 = word_0(texture_10 + u32(11));
     }
     else
     {
-        _S1355 = texture_10;
+        _S1357 = texture_10;
     }
-    var by_place_1 : vec2<f32> = lookup_back_0(_S1355, lookup_7, by_texels_0);
+    var by_place_1 : vec2<f32> = lookup_back_0(_S1357, lookup_7, by_texels_0);
     if(is_map_0(record_17))
     {
-        var _S1356 : vec3<f32> = vec3<f32>(0.0f);
+        var _S1358 : vec3<f32> = vec3<f32>(0.0f);
         var moving_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-        moving_1.primal_0 = direction_24;
-        moving_1.differential_0 = _S1356;
+        moving_1.primal_0 = direction_25;
+        moving_1.differential_0 = _S1358;
         _S1105(texture_10, &(moving_1), by_place_1);
         return moving_1.differential_0;
     }
-    var _S1357 : bool;
+    var _S1359 : bool;
     if(!is_area_0(record_17))
     {
-        _S1357 = true;
+        _S1359 = true;
     }
     else
     {
-        _S1357 = !is_moving_0();
+        _S1359 = !is_moving_0();
     }
-    if(_S1357)
+    if(_S1359)
     {
-        _S1357 = true;
+        _S1359 = true;
     }
     else
     {
-        _S1357 = (all((by_place_1 == vec2<f32>(0.0f))));
+        _S1359 = (all((by_place_1 == vec2<f32>(0.0f))));
     }
-    if(_S1357)
+    if(_S1359)
     {
         return vec3<f32>(0.0f);
     }
     var points_1 : AtCorners_0 = at_no_corner_0();
-    var by_drift_1 : vec3<f32> = place_back_0(&(points_1), place_23, by_place_1, vec3<f32>(0.0f), direction_24);
+    var by_drift_1 : vec3<f32> = place_back_0(&(points_1), place_23, by_place_1, vec3<f32>(0.0f), direction_25);
     add_to_corners_0(points_of_0(place_23.triangle_0), place_23.triangle_0, points_1);
     (*by_start_0) = (*by_start_0) + by_drift_1;
     return by_drift_1 * vec3<f32>(t_9);
 }
 
-fn axes_back_0( axes_10 : ptr<function, Axes_0>,  local_2 : vec3<f32>,  world_0 : vec3<f32>)
+fn axes_back_0( axes_11 : ptr<function, Axes_0>,  local_2 : vec3<f32>,  world_0 : vec3<f32>)
 {
-    (*axes_10).s_0 = (*axes_10).s_0 + world_0 * vec3<f32>(local_2.x);
-    (*axes_10).t_0 = (*axes_10).t_0 + world_0 * vec3<f32>(local_2.y);
-    (*axes_10).n_0 = (*axes_10).n_0 + world_0 * vec3<f32>(local_2.z);
+    (*axes_11).s_0 = (*axes_11).s_0 + world_0 * vec3<f32>(local_2.x);
+    (*axes_11).t_0 = (*axes_11).t_0 + world_0 * vec3<f32>(local_2.y);
+    (*axes_11).n_0 = (*axes_11).n_0 + world_0 * vec3<f32>(local_2.z);
     return;
 }
 
-fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_11 : Vertex_0,  wo_8 : vec3<f32>,  direction_25 : vec3<f32>,  is_specular_3 : bool,  by_value_0 : vec3<f32>) -> vec3<f32>
+fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_11 : Vertex_0,  wo_8 : vec3<f32>,  direction_26 : vec3<f32>,  is_specular_3 : bool,  by_value_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S1358 : Numbers_0 = no_numbers_0();
+    var _S1360 : Numbers_0 = no_numbers_0();
     var numbers_9 : DiffPair_Numbers_0;
     numbers_9.primal_0 = vertex_11.lobe_6.numbers_0;
-    numbers_9.differential_0 = _S1358;
-    var _S1359 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_9.differential_0 = _S1360;
+    var _S1361 : vec3<f32> = vec3<f32>(0.0f);
     var wi_11 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     wi_11.primal_0 = vertex_11.wi_1;
-    wi_11.differential_0 = _S1359;
+    wi_11.differential_0 = _S1361;
     var onward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     onward_1.primal_0 = wo_8;
-    onward_1.differential_0 = _S1359;
+    onward_1.differential_0 = _S1361;
     if(is_specular_3)
     {
         _S1014(vertex_11.lobe_6, &(numbers_9), &(wi_11), by_value_0);
@@ -7419,30 +7456,30 @@ fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_11 : Vertex_0, 
         var by_scattering_0 : Scattering_Differential_0;
         by_scattering_0.value_0 = by_value_0;
         _S956(vertex_11.lobe_6, &(numbers_9), &(wi_11), &(onward_1), by_scattering_0);
-        var _S1360 : Axes_0 = (*pulled_1).axes_5;
-        axes_back_0(&(_S1360), onward_1.differential_0, direction_25);
-        (*pulled_1).axes_5 = _S1360;
+        var _S1362 : Axes_0 = (*pulled_1).axes_5;
+        axes_back_0(&(_S1362), onward_1.differential_0, direction_26);
+        (*pulled_1).axes_5 = _S1362;
     }
     (*pulled_1).numbers_4 = Numbers_x24_syn_dadd_0((*pulled_1).numbers_4, numbers_9.differential_0);
     (*pulled_1).wi_2 = (*pulled_1).wi_2 + wi_11.differential_0;
-    var _S1361 : vec3<f32>;
+    var _S1363 : vec3<f32>;
     if(is_specular_3)
     {
-        _S1361 = _S1359;
+        _S1363 = _S1361;
     }
     else
     {
-        _S1361 = to_world_0(vertex_11.axes_4, onward_1.differential_0);
+        _S1363 = to_world_0(vertex_11.axes_4, onward_1.differential_0);
     }
-    return _S1361;
+    return _S1363;
 }
 
 fn specular_direction_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_12 : Vertex_0,  wo_9 : vec3<f32>,  by_direction_0 : vec3<f32>)
 {
     var local_3 : vec3<f32> = to_local_0(vertex_12.axes_4, by_direction_0);
-    var _S1362 : Axes_0 = (*pulled_2).axes_5;
-    axes_back_0(&(_S1362), wo_9, by_direction_0);
-    (*pulled_2).axes_5 = _S1362;
+    var _S1364 : Axes_0 = (*pulled_2).axes_5;
+    axes_back_0(&(_S1364), wo_9, by_direction_0);
+    (*pulled_2).axes_5 = _S1364;
     (*pulled_2).wi_2 = (*pulled_2).wi_2 + vec3<f32>((vec2<f32>(0) - local_3.xy), local_3.z);
     return;
 }
@@ -7452,23 +7489,23 @@ fn turns_1( vertex_13 : Vertex_0) -> bool
     return (change_word_0(u32(1))) != u32(0);
 }
 
-fn turning_back_0( pulled_3 : ptr<function, Pulled_0>,  vertex_14 : Vertex_0,  direction_26 : vec3<f32>,  by_direction_1 : vec3<f32>)
+fn turning_back_0( pulled_3 : ptr<function, Pulled_0>,  vertex_14 : Vertex_0,  direction_27 : vec3<f32>,  by_direction_1 : vec3<f32>)
 {
     if(turns_1(vertex_14))
     {
-        (*pulled_3).axes_5.n_0 = (*pulled_3).axes_5.n_0 + (by_direction_1 * vec3<f32>(dot(vertex_14.axes_4.n_0, direction_26)) - direction_26 * vec3<f32>(dot(vertex_14.axes_4.n_0, by_direction_1)));
+        (*pulled_3).axes_5.n_0 = (*pulled_3).axes_5.n_0 + (by_direction_1 * vec3<f32>(dot(vertex_14.axes_4.n_0, direction_27)) - direction_27 * vec3<f32>(dot(vertex_14.axes_4.n_0, by_direction_1)));
     }
     return;
 }
 
-fn direct_back_0( pulled_4 : ptr<function, Pulled_0>,  vertex_15 : Vertex_0,  emitter_10 : u32,  place_24 : Place_0,  wo_10 : vec3<f32>,  direction_27 : vec3<f32>,  is_specular_4 : bool,  t_10 : f32,  scattered_4 : Scattered_0,  weight_0 : f32,  light_1 : vec3<f32>,  importance_1 : vec3<f32>)
+fn direct_back_0( pulled_4 : ptr<function, Pulled_0>,  vertex_15 : Vertex_0,  emitter_10 : u32,  place_24 : Place_0,  wo_10 : vec3<f32>,  direction_28 : vec3<f32>,  is_specular_4 : bool,  t_10 : f32,  scattered_4 : Scattered_0,  weight_0 : f32,  light_1 : vec3<f32>,  importance_1 : vec3<f32>)
 {
-    var _S1363 : vec3<f32> = importance_1 * scattered_4.value_9 * vec3<f32>(weight_0);
-    var _S1364 : vec3<f32> = (*pulled_4).position_2;
-    var by_direction_2 : vec3<f32> = emitted_back_0(&(_S1364), emitter_10, place_24, direction_27, t_10, _S1363);
-    (*pulled_4).position_2 = _S1364;
-    var _S1365 : vec3<f32> = scattered_back_0(&((*pulled_4)), vertex_15, wo_10, direction_27, is_specular_4, importance_1 * light_1);
-    var by_direction_3 : vec3<f32> = by_direction_2 + _S1365;
+    var _S1365 : vec3<f32> = importance_1 * scattered_4.value_9 * vec3<f32>(weight_0);
+    var _S1366 : vec3<f32> = (*pulled_4).position_2;
+    var by_direction_2 : vec3<f32> = emitted_back_0(&(_S1366), emitter_10, place_24, direction_28, t_10, _S1365);
+    (*pulled_4).position_2 = _S1366;
+    var _S1367 : vec3<f32> = scattered_back_0(&((*pulled_4)), vertex_15, wo_10, direction_28, is_specular_4, importance_1 * light_1);
+    var by_direction_3 : vec3<f32> = by_direction_2 + _S1367;
     if(is_specular_4)
     {
         specular_direction_back_0(&((*pulled_4)), vertex_15, wo_10, by_direction_3);
@@ -7477,7 +7514,7 @@ fn direct_back_0( pulled_4 : ptr<function, Pulled_0>,  vertex_15 : Vertex_0,  em
     {
         if((word_0(emitter_record_0(emitter_10))) == u32(1))
         {
-            turning_back_0(&((*pulled_4)), vertex_15, direction_27, by_direction_3);
+            turning_back_0(&((*pulled_4)), vertex_15, direction_28, by_direction_3);
         }
     }
     return;
@@ -7516,13 +7553,13 @@ fn slot_derivative_0( numbers_10 : Numbers_0,  slot_6 : u32) -> vec3<f32>
 
 fn numbers_back_0( material_1 : u32,  place_25 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
 {
-    var _S1366 : vec2<f32> = vec2<f32>(0.0f);
-    var _S1367 : u32 = word_0(material_1 + u32(4));
+    var _S1368 : vec2<f32> = vec2<f32>(0.0f);
+    var _S1369 : u32 = word_0(material_1 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_2 : vec2<f32> = _S1366;
+    var by_place_2 : vec2<f32> = _S1368;
     for(;;)
     {
-        if(slot_7 < _S1367)
+        if(slot_7 < _S1369)
         {
         }
         else
@@ -7535,9 +7572,9 @@ fn numbers_back_0( material_1 : u32,  place_25 : Place_0,  numbers_11 : Numbers_
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S1368 : Lookup_0 = lookup_at_0(texture_11, place_25);
-        var _S1369 : vec2<f32> = lookup_back_0(texture_11, _S1368, slot_derivative_0(numbers_11, slot_7));
-        by_place_2 = by_place_2 + _S1369;
+        var _S1370 : Lookup_0 = lookup_at_0(texture_11, place_25);
+        var _S1371 : vec2<f32> = lookup_back_0(texture_11, _S1370, slot_derivative_0(numbers_11, slot_7));
+        by_place_2 = by_place_2 + _S1371;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_2;
@@ -7554,18 +7591,18 @@ fn tangent_back_0( points_2 : ptr<function, AtCorners_0>,  triangle_11 : u32,  t
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_11);
     var first_9 : vec2<f32> = uvs_2.b_4 - uvs_2.a_7;
     var second_3 : vec2<f32> = uvs_2.c_1 - uvs_2.a_7;
-    var _S1370 : f32 = second_3.y;
-    var _S1371 : f32 = first_9.y;
-    var scale_4 : f32 = 1.0f / (first_9.x * _S1370 - second_3.x * _S1371);
-    var of_ab_0 : f32 = _S1370 * scale_4;
-    var of_ac_0 : f32 = - _S1371 * scale_4;
+    var _S1372 : f32 = second_3.y;
+    var _S1373 : f32 = first_9.y;
+    var scale_4 : f32 = 1.0f / (first_9.x * _S1372 - second_3.x * _S1373);
+    var of_ab_0 : f32 = _S1372 * scale_4;
+    var of_ac_0 : f32 = - _S1373 * scale_4;
     var a_22 : vec3<f64> = primitive_vector_0(corner_2);
-    var _S1372 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S1373 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_7 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_22) * _S1372 + vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_22) * _S1373));
+    var _S1374 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S1375 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_7 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_22) * _S1374 + vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_22) * _S1375));
     (*points_2).a_20 = (*points_2).a_20 - derivative_7 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_2).b_17 = (*points_2).b_17 + derivative_7 * _S1372;
-    (*points_2).c_9 = (*points_2).c_9 + derivative_7 * _S1373;
+    (*points_2).b_17 = (*points_2).b_17 + derivative_7 * _S1374;
+    (*points_2).c_9 = (*points_2).c_9 + derivative_7 * _S1375;
     return;
 }
 
@@ -7574,23 +7611,23 @@ fn normals_of_0( triangle_12 : u32) -> u32
     return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_12)) + u32(1));
 }
 
-fn surface_back_0( points_3 : ptr<function, AtCorners_0>,  surface_5 : Surface_0,  by_place_3 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_28 : vec3<f32>) -> vec3<f32>
+fn surface_back_0( points_3 : ptr<function, AtCorners_0>,  surface_5 : Surface_0,  by_place_3 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_29 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_5.shape_0);
-    var _S1374 : vec2<f32>;
+    var _S1376 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_3 : u32 = u32(9) * surface_5.place_5.triangle_0;
         var a_23 : vec3<f64> = primitive_vector_0(corner_3);
-        var _S1375 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_23);
-        var _S1376 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_23);
-        var derivative_8 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(_S1375, _S1376)));
-        var by_ab_0 : vec3<f32> = cross(_S1376, derivative_8);
-        var by_ac_0 : vec3<f32> = cross(derivative_8, _S1375);
+        var _S1377 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_23);
+        var _S1378 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_23);
+        var derivative_8 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(_S1377, _S1378)));
+        var by_ab_0 : vec3<f32> = cross(_S1378, derivative_8);
+        var by_ac_0 : vec3<f32> = cross(derivative_8, _S1377);
         (*points_3).a_20 = (*points_3).a_20 - (by_ab_0 + by_ac_0);
         (*points_3).b_17 = (*points_3).b_17 + by_ab_0;
         (*points_3).c_9 = (*points_3).c_9 + by_ac_0;
-        _S1374 = by_place_3;
+        _S1376 = by_place_3;
     }
     else
     {
@@ -7602,42 +7639,42 @@ fn surface_back_0( points_3 : ptr<function, AtCorners_0>,  surface_5 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_5.place_5, derivative_9);
         add_to_corners_0(normals_of_0(surface_5.place_5.triangle_0), surface_5.place_5.triangle_0, of_normals_0);
-        _S1374 = by_place_3 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_1, derivative_9));
+        _S1376 = by_place_3 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_1, derivative_9));
     }
-    var _S1377 : vec3<f32> = place_back_0(&((*points_3)), surface_5.place_5, _S1374, by_position_1, direction_28);
-    return _S1377;
+    var _S1379 : vec3<f32> = place_back_0(&((*points_3)), surface_5.place_5, _S1376, by_position_1, direction_29);
+    return _S1379;
 }
 
-fn vertex_back_0( pulled_5 : Pulled_0,  vertex_16 : Vertex_0,  material_2 : u32,  direction_29 : vec3<f32>) -> ByRay_0
+fn vertex_back_0( pulled_5 : Pulled_0,  vertex_16 : Vertex_0,  material_2 : u32,  direction_30 : vec3<f32>) -> ByRay_0
 {
     var by_ray_2 : ByRay_0;
-    var _S1378 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_2.direction_0 = _S1378;
-    by_ray_2.drift_0 = _S1378;
+    var _S1380 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_2.direction_0 = _S1380;
+    by_ray_2.drift_0 = _S1380;
     var by_place_4 : vec2<f32> = numbers_back_0(material_2, vertex_16.surface_3.place_5, pulled_5.numbers_4);
     if(!is_moving_0())
     {
         return by_ray_2;
     }
-    var _S1379 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S1381 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_1 : DiffPair_Axes_0;
     towards_1.primal_0 = vertex_16.axes_4;
-    towards_1.differential_0 = _S1379;
+    towards_1.differential_0 = _S1381;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    incoming_0.primal_0 = direction_29;
-    incoming_0.differential_0 = _S1378;
+    incoming_0.primal_0 = direction_30;
+    incoming_0.differential_0 = _S1380;
     _S220(&(towards_1), &(incoming_0), pulled_5.wi_2);
     by_ray_2.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_16.surface_3.outward_0;
-    outward_1.differential_0 = _S1378;
-    var _S1380 : vec3<f32> = tangent_at_0(vertex_16.surface_3);
+    outward_1.differential_0 = _S1380;
+    var _S1382 : vec3<f32> = tangent_at_0(vertex_16.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S1380;
-    tangent_4.differential_0 = _S1378;
+    tangent_4.primal_0 = _S1382;
+    tangent_4.differential_0 = _S1380;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_5.axes_5, towards_1.differential_0);
     var points_4 : AtCorners_0 = at_no_corner_0();
-    if((any((_S1380 != _S1378))))
+    if((any((_S1382 != _S1380))))
     {
         _S171(&(outward_1), &(tangent_4), vertex_16.surface_3.is_front_0, by_axes_0);
         tangent_back_0(&(points_4), vertex_16.surface_3.place_5.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -7646,29 +7683,29 @@ fn vertex_back_0( pulled_5 : Pulled_0,  vertex_16 : Vertex_0,  material_2 : u32,
     {
         _S140(&(outward_1), vertex_16.surface_3.is_front_0, by_axes_0);
     }
-    var _S1381 : vec3<f32> = surface_back_0(&(points_4), vertex_16.surface_3, by_place_4, pulled_5.position_2, outward_1.differential_0, direction_29);
-    by_ray_2.drift_0 = _S1381;
+    var _S1383 : vec3<f32> = surface_back_0(&(points_4), vertex_16.surface_3, by_place_4, pulled_5.position_2, outward_1.differential_0, direction_30);
+    by_ray_2.drift_0 = _S1383;
     add_to_corners_0(points_of_0(vertex_16.surface_3.place_5.triangle_0), vertex_16.surface_3.place_5.triangle_0, points_4);
     return by_ray_2;
 }
 
-fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_2 : vec3<f32>) -> bool
+fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_2 : vec3<f32>) -> bool
 {
-    var depth_2 : u32 = launch_0.depth_0;
-    var _S1382 : u32 = vertex_numbers_0(launch_0.depth_0);
-    var incoming_1 : vec3<f32> = value_of_0((*path_6).direction_1);
-    var surface_6 : Surface_0 = surface_at_0((*path_6).place_3, incoming_1);
+    var depth_3 : u32 = launch_0.depth_0;
+    var _S1384 : u32 = vertex_numbers_0(launch_0.depth_0);
+    var incoming_1 : vec3<f32> = value_of_0((*path_7).direction_1);
+    var surface_6 : Surface_0 = surface_at_0((*path_7).place_3, incoming_1);
     var material_3 : u32 = material_of_0(surface_6);
     if(material_3 == u32(4294967295))
     {
         return false;
     }
-    var vertex_17 : Vertex_0 = vertex_at_0(surface_6, material_3, (*path_6).direction_1);
+    var vertex_17 : Vertex_0 = vertex_at_0(surface_6, material_3, (*path_7).direction_1);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S1383 : u32 = word_0(u32(3));
-    var _S1384 : bool = !reaches_0(depth_2 + u32(3));
+    var _S1385 : u32 = word_0(u32(3));
+    var _S1386 : bool = !reaches_0(depth_3 + u32(3));
     var goes_on_0 : bool;
-    if(_S1384)
+    if(_S1386)
     {
         goes_on_0 = (vertex_17.lobe_6.kind_0) == u32(0);
     }
@@ -7691,7 +7728,7 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     else
     {
-        bsdf_samples_0 = _S1383;
+        bsdf_samples_0 = _S1385;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_17.lobe_6))
@@ -7703,10 +7740,10 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         on_emitters_0 = u32(0);
     }
     var pulled_6 : Pulled_0 = nothing_pulled_0();
-    var _S1385 : Choice_0 = choice_at_0(surface_6.position_0, vertex_17.axes_4.n_0, on_emitters_0 == u32(0));
+    var _S1387 : Choice_0 = choice_at_0(surface_6.position_0, vertex_17.axes_4.n_0, on_emitters_0 == u32(0));
     goes_on_0 = false;
-    var next_3 : Place_0 = (*path_6).place_3;
-    var next_direction_0 : vec3<f32> = (*path_6).direction_1;
+    var next_3 : Place_0 = (*path_7).place_3;
+    var next_direction_0 : vec3<f32> = (*path_7).direction_1;
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -7723,45 +7760,45 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         var next_direction_1 : vec3<f32>;
         if(i_4 < on_emitters_0)
         {
-            var _S1386 : bool = sample_emitter_0(vertex_17, _S1385, (*path_6).key_0, _S1382 + u32(3) * i_4, &(sample_3));
-            if(!_S1386)
+            var _S1388 : bool = sample_emitter_0(vertex_17, _S1387, (*path_7).key_0, _S1384 + u32(3) * i_4, &(sample_3));
+            if(!_S1388)
             {
                 goes_on_1 = goes_on_0;
                 next_4 = next_3;
                 next_direction_1 = next_direction_0;
-                var _S1387 : u32 = i_4 + u32(1);
+                var _S1389 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_3 = next_4;
                 next_direction_0 = next_direction_1;
-                i_4 = _S1387;
+                i_4 = _S1389;
                 continue;
             }
         }
         else
         {
-            sample_3 = sample_material_0(vertex_17, (*path_6).key_0, _S1382 + u32(3) * emitter_samples_0 + u32(3) * (i_4 - on_emitters_0));
+            sample_3 = sample_material_0(vertex_17, (*path_7).key_0, first_material_number_0(depth_3) + u32(3) * (i_4 - on_emitters_0));
         }
         var moving_2 : vec3<f32>;
-        var scattered_5 : Scattered_0 = scattered_along_0(vertex_17, sample_3, &(moving_2));
-        var _S1388 : bool;
+        var scattered_5 : Scattered_0 = scattered_along_0(vertex_17, sample_3, walked_of_0((*path_7)), &(moving_2));
+        var _S1390 : bool;
         if(!sample_3.is_on_emitter_0)
         {
-            _S1388 = !((scattered_5.pdf_6) > 0.0f);
+            _S1390 = !((scattered_5.pdf_6) > 0.0f);
         }
         else
         {
-            _S1388 = false;
+            _S1390 = false;
         }
-        if(_S1388)
+        if(_S1390)
         {
             goes_on_1 = goes_on_0;
             next_4 = next_3;
             next_direction_1 = next_direction_0;
-            var _S1387 : u32 = i_4 + u32(1);
+            var _S1389 : u32 = i_4 + u32(1);
             goes_on_0 = goes_on_1;
             next_3 = next_4;
             next_direction_0 = next_direction_1;
-            i_4 = _S1387;
+            i_4 = _S1389;
             continue;
         }
         var t_11 : f32;
@@ -7775,11 +7812,11 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 goes_on_1 = goes_on_0;
                 next_4 = next_3;
                 next_direction_1 = next_direction_0;
-                var _S1387 : u32 = i_4 + u32(1);
+                var _S1389 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_3 = next_4;
                 next_direction_0 = next_direction_1;
-                i_4 = _S1387;
+                i_4 = _S1389;
                 continue;
             }
             var own_8 : f32 = f32(emitter_samples_0) * sample_3.probability_3 * sample_3.pdf_4;
@@ -7788,16 +7825,16 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 goes_on_1 = goes_on_0;
                 next_4 = next_3;
                 next_direction_1 = next_direction_0;
-                var _S1387 : u32 = i_4 + u32(1);
+                var _S1389 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_3 = next_4;
                 next_direction_0 = next_direction_1;
-                i_4 = _S1387;
+                i_4 = _S1389;
                 continue;
             }
-            var _S1389 : f32 = f32(bsdf_samples_0) * scattered_5.pdf_6;
+            var _S1391 : f32 = f32(bsdf_samples_0) * scattered_5.pdf_6;
             own_7 = own_8;
-            other_1 = _S1389;
+            other_1 = _S1391;
             goes_on_1 = goes_on_0;
             next_4 = next_3;
             next_direction_1 = next_direction_0;
@@ -7806,15 +7843,15 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         {
             if(i_4 == on_emitters_0)
             {
-                var _S1390 : bool = (found_8.face_7) != u32(4294967295);
-                var _S1391 : Place_0 = place_of_0(found_8);
+                var _S1392 : bool = (found_8.face_7) != u32(4294967295);
+                var _S1393 : Place_0 = place_of_0(found_8);
                 (*reflected_1).onward_0 = scattered_5.value_9 * vec3<f32>((1.0f / scattered_5.pdf_6));
                 (*reflected_1).wo_0 = sample_3.wo_1;
                 (*reflected_1).is_specular_0 = sample_3.is_specular_1;
                 (*reflected_1).factor_0 = 1.0f / scattered_5.pdf_6;
                 (*reflected_1).distance_1 = t_11;
-                goes_on_1 = _S1390;
-                next_4 = _S1391;
+                goes_on_1 = _S1392;
+                next_4 = _S1393;
                 next_direction_1 = moving_2;
             }
             else
@@ -7823,41 +7860,41 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 next_4 = next_3;
                 next_direction_1 = next_direction_0;
             }
-            var _S1392 : u32 = emitter_seen_0(found_8, sample_3.direction_10);
-            sample_3.emitter_5 = _S1392;
-            if(_S1392 == u32(4294967295))
+            var _S1394 : u32 = emitter_seen_0(found_8, sample_3.direction_10);
+            sample_3.emitter_5 = _S1394;
+            if(_S1394 == u32(4294967295))
             {
-                var _S1387 : u32 = i_4 + u32(1);
+                var _S1389 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_3 = next_4;
                 next_direction_0 = next_direction_1;
-                i_4 = _S1387;
+                i_4 = _S1389;
                 continue;
             }
             sample_3.place_15 = place_of_0(found_8);
             sample_3.distance_6 = t_11;
-            var _S1393 : f32 = f32(bsdf_samples_0) * scattered_5.pdf_6;
-            var _S1394 : bool;
+            var _S1395 : f32 = f32(bsdf_samples_0) * scattered_5.pdf_6;
+            var _S1396 : bool;
             if(!sample_3.is_specular_1)
             {
-                _S1394 = emitter_samples_0 != u32(0);
+                _S1396 = emitter_samples_0 != u32(0);
             }
             else
             {
-                _S1394 = false;
+                _S1396 = false;
             }
-            if(_S1394)
+            if(_S1396)
             {
                 var pdf_7 : f32 = emitter_pdf_0(sample_3.emitter_5, found_8, vertex_17, sample_3.direction_10, t_11);
-                own_7 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S1385) * pdf_7;
+                own_7 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S1387) * pdf_7;
             }
             else
             {
                 own_7 = 0.0f;
             }
-            var _S1395 : f32 = own_7;
-            own_7 = _S1393;
-            other_1 = _S1395;
+            var _S1397 : f32 = own_7;
+            own_7 = _S1395;
+            other_1 = _S1397;
         }
         var place_26 : Place_0 = sample_3.place_15;
         var place_27 : Place_0;
@@ -7870,19 +7907,19 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
             place_27 = place_26;
         }
         var weight_1 : f32 = weight_over_0(own_7, other_1);
-        var _S1396 : vec3<f32> = emitted_0(sample_3.emitter_5, place_27, moving_2);
-        var light_2 : vec3<f32> = _S1396 * vec3<f32>(weight_1);
+        var _S1398 : vec3<f32> = emitted_0(sample_3.emitter_5, place_27, moving_2);
+        var light_2 : vec3<f32> = _S1398 * vec3<f32>(weight_1);
         (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_5.value_9 * light_2;
         direct_back_0(&(pulled_6), vertex_17, sample_3.emitter_5, place_27, sample_3.wo_1, sample_3.direction_10, sample_3.is_specular_1, sample_3.distance_6, scattered_5, weight_1, light_2, importance_2);
-        var _S1387 : u32 = i_4 + u32(1);
+        var _S1389 : u32 = i_4 + u32(1);
         goes_on_0 = goes_on_1;
         next_3 = next_4;
         next_direction_0 = next_direction_1;
-        i_4 = _S1387;
+        i_4 = _S1389;
     }
-    var _S1397 : ByRay_0 = vertex_back_0(pulled_6, vertex_17, material_3, incoming_1);
-    (*reflected_1).by_ray_1 = _S1397;
-    if(_S1384)
+    var _S1399 : ByRay_0 = vertex_back_0(pulled_6, vertex_17, material_3, incoming_1);
+    (*reflected_1).by_ray_1 = _S1399;
+    if(_S1386)
     {
         goes_on_0 = true;
     }
@@ -7894,36 +7931,36 @@ fn take_further_0( path_6 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     {
         return false;
     }
-    var throughput_1 : vec3<f32> = value_of_0((*path_6).throughput_0) * value_of_0((*reflected_1).onward_0);
-    var _S1398 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    var _S1399 : u32 = depth_2 + u32(1);
-    if(_S1399 >= (word_0(u32(1))))
+    var throughput_1 : vec3<f32> = value_of_0((*path_7).throughput_0) * value_of_0((*reflected_1).onward_0);
+    var _S1400 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    var _S1401 : u32 = depth_3 + u32(1);
+    if(_S1401 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S1398, 0.05000000074505806f, 0.94999998807907104f);
-        if((random_0((*path_6).key_0, vertex_numbers_0(_S1399) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S1400, 0.05000000074505806f, 0.94999998807907104f);
+        if((random_0((*path_7).key_0, vertex_numbers_0(_S1401) - u32(1))) >= survival_0)
         {
             return false;
         }
         (*reflected_1).onward_0 = (*reflected_1).onward_0 * vec3<f32>((1.0f / survival_0));
         (*reflected_1).factor_0 = (*reflected_1).factor_0 / survival_0;
     }
-    (*path_6).place_3 = next_3;
-    (*path_6).direction_1 = next_direction_0;
+    (*path_7).place_3 = next_3;
+    (*path_7).direction_1 = next_direction_0;
     return true;
 }
 
-fn kept_at_0( depth_3 : u32) -> u32
+fn kept_at_0( depth_4 : u32) -> u32
 {
-    return u32(33) + u32(29) * depth_3;
+    return u32(33) + u32(29) * depth_4;
 }
 
-fn set_word_0( path_7 : u32,  which_6 : u32,  value_10 : u32)
+fn set_word_0( path_8 : u32,  which_6 : u32,  value_10 : u32)
 {
-    paths_0[which_6 * launch_0.room_0 + path_7] = value_10;
+    paths_0[which_6 * launch_0.room_0 + path_8] = value_10;
     return;
 }
 
-fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_11 : vec3<f32>)
+fn set_vector_0( path_9 : u32,  which_7 : ptr<function, u32>,  value_11 : vec3<f32>)
 {
     var axis_6 : u32 = u32(0);
     for(;;)
@@ -7935,14 +7972,14 @@ fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_11 : vec3<f
         {
             break;
         }
-        set_word_0(path_8, (*which_7) + axis_6, (bitcast<u32>((value_11[axis_6]))));
+        set_word_0(path_9, (*which_7) + axis_6, (bitcast<u32>((value_11[axis_6]))));
         axis_6 = axis_6 + u32(1);
     }
     (*which_7) = (*which_7) + u32(3);
     return;
 }
 
-fn set_vector_1( path_9 : u32,  which_8 : ptr<function, u32>,  value_12 : vec3<f32>)
+fn set_vector_1( path_10 : u32,  which_8 : ptr<function, u32>,  value_12 : vec3<f32>)
 {
     var axis_7 : u32 = u32(0);
     for(;;)
@@ -7954,14 +7991,14 @@ fn set_vector_1( path_9 : u32,  which_8 : ptr<function, u32>,  value_12 : vec3<f
         {
             break;
         }
-        set_word_0(path_9, (*which_8) + axis_7, (bitcast<u32>((value_12[axis_7]))));
+        set_word_0(path_10, (*which_8) + axis_7, (bitcast<u32>((value_12[axis_7]))));
         axis_7 = axis_7 + u32(1);
     }
     (*which_8) = (*which_8) + u32(3);
     return;
 }
 
-fn set_vector_2( path_10 : u32,  which_9 : ptr<function, u32>,  value_13 : vec3<f32>)
+fn set_vector_2( path_11 : u32,  which_9 : ptr<function, u32>,  value_13 : vec3<f32>)
 {
     var axis_8 : u32 = u32(0);
     for(;;)
@@ -7973,62 +8010,64 @@ fn set_vector_2( path_10 : u32,  which_9 : ptr<function, u32>,  value_13 : vec3<
         {
             break;
         }
-        set_word_0(path_10, (*which_9) + axis_8, (bitcast<u32>((value_13[axis_8]))));
+        set_word_0(path_11, (*which_9) + axis_8, (bitcast<u32>((value_13[axis_8]))));
         axis_8 = axis_8 + u32(1);
     }
     (*which_9) = (*which_9) + u32(3);
     return;
 }
 
-fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_28 : Place_0)
+fn set_place_0( path_12 : u32,  which_10 : ptr<function, u32>,  place_28 : Place_0)
 {
-    set_word_0(path_11, (*which_10), place_28.triangle_0);
-    set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_28.v_0))));
-    set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_28.w_0))));
-    set_word_0(path_11, (*which_10) + u32(3), (bitcast<u32>((place_28.v_rest_0))));
-    set_word_0(path_11, (*which_10) + u32(4), (bitcast<u32>((place_28.w_rest_0))));
+    set_word_0(path_12, (*which_10), place_28.triangle_0);
+    set_word_0(path_12, (*which_10) + u32(1), (bitcast<u32>((place_28.v_0))));
+    set_word_0(path_12, (*which_10) + u32(2), (bitcast<u32>((place_28.w_0))));
+    set_word_0(path_12, (*which_10) + u32(3), (bitcast<u32>((place_28.v_rest_0))));
+    set_word_0(path_12, (*which_10) + u32(4), (bitcast<u32>((place_28.w_rest_0))));
     (*which_10) = (*which_10) + u32(5);
     return;
 }
 
-fn set_place_1( path_12 : u32,  which_11 : ptr<function, u32>,  place_29 : Place_0)
+fn set_place_1( path_13 : u32,  which_11 : ptr<function, u32>,  place_29 : Place_0)
 {
-    set_word_0(path_12, (*which_11), place_29.triangle_0);
-    set_word_0(path_12, (*which_11) + u32(1), (bitcast<u32>((place_29.v_0))));
-    set_word_0(path_12, (*which_11) + u32(2), (bitcast<u32>((place_29.w_0))));
-    set_word_0(path_12, (*which_11) + u32(3), (bitcast<u32>((place_29.v_rest_0))));
-    set_word_0(path_12, (*which_11) + u32(4), (bitcast<u32>((place_29.w_rest_0))));
+    set_word_0(path_13, (*which_11), place_29.triangle_0);
+    set_word_0(path_13, (*which_11) + u32(1), (bitcast<u32>((place_29.v_0))));
+    set_word_0(path_13, (*which_11) + u32(2), (bitcast<u32>((place_29.w_0))));
+    set_word_0(path_13, (*which_11) + u32(3), (bitcast<u32>((place_29.v_rest_0))));
+    set_word_0(path_13, (*which_11) + u32(4), (bitcast<u32>((place_29.w_rest_0))));
     (*which_11) = (*which_11) + u32(5);
     return;
 }
 
-fn set_changing_0( path_13 : u32,  which_12 : ptr<function, u32>,  vector_2 : vec3<f32>)
+fn set_changing_0( path_14 : u32,  which_12 : ptr<function, u32>,  vector_2 : vec3<f32>)
 {
-    set_vector_2(path_13, &((*which_12)), value_of_0(vector_2));
+    set_vector_2(path_14, &((*which_12)), value_of_0(vector_2));
     return;
 }
 
-fn store_0( number_of_path_1 : u32,  path_14 : Path_0)
+fn store_0( number_of_path_1 : u32,  path_15 : Path_0)
 {
     var at_19 : u32 = u32(1);
-    set_vector_0(number_of_path_1, &(at_19), path_14.adjoint_0);
-    set_changing_0(number_of_path_1, &(at_19), path_14.throughput_0);
-    set_changing_0(number_of_path_1, &(at_19), path_14.direction_1);
-    set_place_0(number_of_path_1, &(at_19), path_14.place_3);
-    set_word_0(number_of_path_1, at_19, path_14.key_0.x);
-    set_word_0(number_of_path_1, at_19 + u32(1), path_14.key_0.y);
+    set_vector_0(number_of_path_1, &(at_19), path_15.adjoint_0);
+    set_changing_0(number_of_path_1, &(at_19), path_15.throughput_0);
+    set_changing_0(number_of_path_1, &(at_19), path_15.direction_1);
+    set_place_0(number_of_path_1, &(at_19), path_15.place_3);
+    var _S1402 : u32 = at_19 + u32(1);
+    set_word_0(number_of_path_1, at_19, path_15.key_0.x);
+    at_19 = _S1402 + u32(1);
+    set_word_0(number_of_path_1, _S1402, path_15.key_0.y);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S1400 : u32;
+    var _S1403 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S1401 : u32 = u32(2) + zero_0;
-        _S1400 = _S1401;
-        if(rounds_0 < _S1401)
+        var _S1404 : u32 = u32(2) + zero_0;
+        _S1403 = _S1404;
+        if(rounds_0 < _S1404)
         {
         }
         else
@@ -8037,14 +8076,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S1400;
+    return rounds_0 == _S1403;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S1402 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S1405 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -8059,57 +8098,57 @@ fn go_on_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         return;
     }
     var number_of_path_2 : u32 = input_0[at_20];
-    var path_15 : Path_0 = load_0(number_of_path_2);
-    var importance_3 : vec3<f32> = path_15.adjoint_0 * path_15.throughput_0;
-    var direction_30 : vec3<f32> = path_15.direction_1;
-    var place_30 : Place_0 = path_15.place_3;
+    var path_16 : Path_0 = load_0(number_of_path_2);
+    var importance_3 : vec3<f32> = path_16.adjoint_0 * path_16.throughput_0;
+    var direction_31 : vec3<f32> = path_16.direction_1;
+    var place_30 : Place_0 = path_16.place_3;
     var reflected_2 : Reflected_0 = nothing_reflected_0();
-    var goes_on_2 : bool = take_further_0(&(path_15), &(reflected_2), importance_3);
+    var goes_on_2 : bool = take_further_0(&(path_16), &(reflected_2), importance_3);
     var kept_0 : u32 = kept_at_0(launch_0.depth_0);
     set_vector_1(number_of_path_2, &(kept_0), importance_3);
     set_place_1(number_of_path_2, &(kept_0), place_30);
-    set_vector_1(number_of_path_2, &(kept_0), direction_30);
+    set_vector_1(number_of_path_2, &(kept_0), direction_31);
     set_vector_1(number_of_path_2, &(kept_0), reflected_2.direct_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_2.onward_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_2.wo_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_2.by_ray_1.drift_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_2.by_ray_1.direction_0);
-    var _S1403 : u32 = kept_0;
+    var _S1406 : u32 = kept_0;
     kept_0 = kept_0 + u32(1);
-    var _S1404 : i32;
+    var _S1407 : i32;
     if(reflected_2.is_specular_0)
     {
-        _S1404 = i32(1);
+        _S1407 = i32(1);
     }
     else
     {
-        _S1404 = i32(0);
+        _S1407 = i32(0);
     }
-    set_word_0(number_of_path_2, _S1403, u32(_S1404));
-    var _S1405 : u32 = kept_0;
+    set_word_0(number_of_path_2, _S1406, u32(_S1407));
+    var _S1408 : u32 = kept_0;
     kept_0 = kept_0 + u32(1);
-    var _S1406 : u32;
+    var _S1409 : u32;
     if(goes_on_2)
     {
-        _S1406 = (bitcast<u32>((reflected_2.factor_0)));
+        _S1409 = (bitcast<u32>((reflected_2.factor_0)));
     }
     else
     {
-        _S1406 = u32(0);
+        _S1409 = u32(0);
     }
-    set_word_0(number_of_path_2, _S1405, _S1406);
+    set_word_0(number_of_path_2, _S1408, _S1409);
     set_word_0(number_of_path_2, kept_0, (bitcast<u32>((reflected_2.distance_1))));
-    path_15.throughput_0 = path_15.throughput_0 * reflected_2.onward_0;
-    store_0(number_of_path_2, path_15);
+    path_16.throughput_0 = path_16.throughput_0 * reflected_2.onward_0;
+    store_0(number_of_path_2, path_16);
     if(goes_on_2)
     {
-        _S1406 = number_of_path_2;
+        _S1409 = number_of_path_2;
     }
     else
     {
-        _S1406 = u32(4294967295);
+        _S1409 = u32(4294967295);
     }
-    set_word_0(at_20, u32(0), _S1406);
+    set_word_0(at_20, u32(0), _S1409);
     check_loops_0();
     return;
 }

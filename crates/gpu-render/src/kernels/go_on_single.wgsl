@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: f0235cc9f0ba7153
-// result: b30c00f64a26e01c
+// source: 0b6ff8749d84514c
+// result: 946ee248178f9ffe
 
 struct Launch_std140_0
 {
@@ -40,9 +40,16 @@ fn path_vector_0( path_1 : u32,  which_1 : ptr<function, u32>) -> vec3<f32>
     return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_1, _S1 - u32(3)), path_word_0(path_1, _S1 - u32(2)), path_word_0(path_1, _S1 - u32(1))))));
 }
 
-fn path_changing_0( path_2 : u32,  which_2 : ptr<function, u32>) -> vec3<f32>
+fn path_vector_1( path_2 : u32,  which_2 : ptr<function, u32>) -> vec3<f32>
 {
-    var value_0 : vec3<f32> = path_vector_0(path_2, &((*which_2)));
+    var _S2 : u32 = (*which_2) + u32(3);
+    (*which_2) = _S2;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_2, _S2 - u32(3)), path_word_0(path_2, _S2 - u32(2)), path_word_0(path_2, _S2 - u32(1))))));
+}
+
+fn path_changing_0( path_3 : u32,  which_3 : ptr<function, u32>) -> vec3<f32>
+{
+    var value_0 : vec3<f32> = path_vector_1(path_3, &((*which_3)));
     return value_0;
 }
 
@@ -66,11 +73,11 @@ fn exact_place_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
     return place_0;
 }
 
-fn path_place_0( path_3 : u32,  which_3 : ptr<function, u32>) -> Place_0
+fn path_place_0( path_4 : u32,  which_4 : ptr<function, u32>) -> Place_0
 {
-    var _S2 : u32 = (*which_3) + u32(5);
-    (*which_3) = _S2;
-    return exact_place_0(path_word_0(path_3, _S2 - u32(5)), (bitcast<f32>((path_word_0(path_3, _S2 - u32(4))))) + (bitcast<f32>((path_word_0(path_3, _S2 - u32(2))))), (bitcast<f32>((path_word_0(path_3, _S2 - u32(3))))) + (bitcast<f32>((path_word_0(path_3, _S2 - u32(1))))));
+    var _S3 : u32 = (*which_4) + u32(5);
+    (*which_4) = _S3;
+    return exact_place_0(path_word_0(path_4, _S3 - u32(5)), (bitcast<f32>((path_word_0(path_4, _S3 - u32(4))))) + (bitcast<f32>((path_word_0(path_4, _S3 - u32(2))))), (bitcast<f32>((path_word_0(path_4, _S3 - u32(3))))) + (bitcast<f32>((path_word_0(path_4, _S3 - u32(1))))));
 }
 
 struct Path_0
@@ -79,23 +86,27 @@ struct Path_0
      direction_0 : vec3<f32>,
      place_1 : Place_0,
      key_0 : vec2<u32>,
+     direction_rest_0 : vec3<f32>,
      light_0 : vec3<f32>,
 };
 
 fn load_0( number_of_path_0 : u32) -> Path_0
 {
     var at_0 : u32 = u32(1);
-    var path_4 : Path_0;
-    var _S3 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
-    path_4.light_0 = _S3;
+    var path_5 : Path_0;
     var _S4 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
-    path_4.throughput_0 = _S4;
+    path_5.light_0 = _S4;
     var _S5 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
-    path_4.direction_0 = _S5;
-    var _S6 : Place_0 = path_place_0(number_of_path_0, &(at_0));
-    path_4.place_1 = _S6;
-    path_4.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_0), path_word_0(number_of_path_0, at_0 + u32(1)));
-    return path_4;
+    path_5.throughput_0 = _S5;
+    var _S6 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
+    path_5.direction_0 = _S6;
+    var _S7 : Place_0 = path_place_0(number_of_path_0, &(at_0));
+    path_5.place_1 = _S7;
+    path_5.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_0), path_word_0(number_of_path_0, at_0 + u32(1)));
+    at_0 = at_0 + u32(2);
+    var _S8 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
+    path_5.direction_rest_0 = _S8;
+    return path_5;
 }
 
 fn changing_0( value_1 : vec3<f32>,  change_0 : vec3<f32>) -> vec3<f32>
@@ -117,9 +128,9 @@ struct Reflected_0
 fn nothing_reflected_0() -> Reflected_0
 {
     var reflected_0 : Reflected_0;
-    var _S7 : vec3<f32> = still_0(vec3<f32>(0.0f));
-    reflected_0.direct_0 = _S7;
-    reflected_0.onward_0 = _S7;
+    var _S9 : vec3<f32> = still_0(vec3<f32>(0.0f));
+    reflected_0.direct_0 = _S9;
+    reflected_0.onward_0 = _S9;
     return reflected_0;
 }
 
@@ -145,7 +156,7 @@ fn triangle_record_0( triangle_2 : u32) -> u32
 
 fn shape_of_0( triangle_3 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_3));
+    return word_0(u32(10)) + u32(7) * word_0(triangle_record_0(triangle_3));
 }
 
 fn primitive_vector_0( at_2 : u32) -> vec3<f32>
@@ -198,14 +209,14 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
     var surface_0 : Surface_0;
     surface_0.place_3 = place_4;
     surface_0.shape_0 = shape_of_0(place_4.triangle_0);
-    var _S8 : vec3<f32> = position_of_0(place_4);
-    surface_0.exact_0 = _S8;
-    surface_0.position_0 = _S8;
-    var _S9 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
-    surface_0.face_normal_0 = _S9;
-    surface_0.outward_0 = _S9;
+    var _S10 : vec3<f32> = position_of_0(place_4);
+    surface_0.exact_0 = _S10;
+    surface_0.position_0 = _S10;
+    var _S11 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
+    surface_0.face_normal_0 = _S11;
+    surface_0.outward_0 = _S11;
     var seen_0 : f32;
-    if((dot(_S9, direction_1)) > 0.0f)
+    if((dot(_S11, direction_1)) > 0.0f)
     {
         seen_0 = -1.0f;
     }
@@ -232,16 +243,16 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
 
 fn material_of_0( surface_1 : Surface_0) -> u32
 {
-    var _S10 : u32;
+    var _S12 : u32;
     if(surface_1.is_front_0)
     {
-        _S10 = u32(2);
+        _S12 = u32(2);
     }
     else
     {
-        _S10 = u32(3);
+        _S12 = u32(3);
     }
-    return word_0(surface_1.shape_0 + _S10);
+    return word_0(surface_1.shape_0 + _S12);
 }
 
 struct Numbers_0
@@ -256,11 +267,11 @@ struct Numbers_0
 fn no_numbers_0() -> Numbers_0
 {
     var numbers_0 : Numbers_0;
-    var _S11 : vec3<f32> = vec3<f32>(0.0f);
-    numbers_0.k_0 = _S11;
-    numbers_0.eta_0 = _S11;
-    numbers_0.specular_reflectance_0 = _S11;
-    numbers_0.diffuse_reflectance_0 = _S11;
+    var _S13 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_0.k_0 = _S13;
+    numbers_0.eta_0 = _S13;
+    numbers_0.specular_reflectance_0 = _S13;
+    numbers_0.diffuse_reflectance_0 = _S13;
     numbers_0.alpha_0 = vec2<f32>(0.0f);
     return numbers_0;
 }
@@ -290,11 +301,11 @@ struct Corners2_0
 
 fn Corners2_x24init_0( a_4 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
 {
-    var _S12 : Corners2_0;
-    _S12.a_3 = a_4;
-    _S12.b_1 = b_2;
-    _S12.c_1 = c_2;
-    return _S12;
+    var _S14 : Corners2_0;
+    _S14.a_3 = a_4;
+    _S14.b_1 = b_2;
+    _S14.c_1 = c_2;
+    return _S14;
 }
 
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
@@ -365,11 +376,11 @@ fn between_0( texels_1 : vec4<u32>,  place_5 : Point_0) -> Lookup_0
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S13 : f32 = back_0.x;
-    var _S14 : f32 = back_0.y;
-    var _S15 : f32 = way_0.x;
-    var _S16 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S13 * _S14, _S15 * _S14, _S13 * _S16, _S15 * _S16);
+    var _S15 : f32 = back_0.x;
+    var _S16 : f32 = back_0.y;
+    var _S17 : f32 = way_0.x;
+    var _S18 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S15 * _S16, _S17 * _S16, _S15 * _S18, _S17 * _S18);
     return lookup_1;
 }
 
@@ -382,20 +393,20 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_6.y), height_0, wrap_1);
-        var _S17 : u32 = row_0 * u32(width_0);
-        var _S18 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
-        return one_texel_0(_S17 + _S18);
+        var _S19 : u32 = row_0 * u32(width_0);
+        var _S20 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
+        return one_texel_0(_S19 + _S20);
     }
     var centred_0 : Point_0;
-    var _S19 : vec2<f32> = place_6 - vec2<f32>(0.5f);
-    centred_0.value_3 = _S19;
-    var x_1 : i32 = floor_of_0(_S19.x);
-    var y_0 : i32 = floor_of_0(_S19.y);
-    var _S20 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S21 : u32 = u32(width_0);
-    var first_1 : u32 = _S20 * _S21;
-    var _S22 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S22 * _S21;
+    var _S21 : vec2<f32> = place_6 - vec2<f32>(0.5f);
+    centred_0.value_3 = _S21;
+    var x_1 : i32 = floor_of_0(_S21.x);
+    var y_0 : i32 = floor_of_0(_S21.y);
+    var _S22 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S23 : u32 = u32(width_0);
+    var first_1 : u32 = _S22 * _S23;
+    var _S24 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S24 * _S23;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -424,33 +435,33 @@ fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
     var uvs_1 : Corners2_0 = uvs_of_0(place_7.triangle_0);
     var rows_0 : u32 = texture_1 + u32(6);
     var uv_1 : Point_0;
-    var _S23 : vec3<f32> = vec3<f32>(uvs_1.a_3 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_1 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
-    uv_1.value_3 = vec2<f32>(dot(_S23, vector_at_0(rows_0)), dot(_S23, vector_at_0(rows_0 + u32(3))));
+    var _S25 : vec3<f32> = vec3<f32>(uvs_1.a_3 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_1 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
+    uv_1.value_3 = vec2<f32>(dot(_S25, vector_at_0(rows_0)), dot(_S25, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
     {
-        var _S24 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S24;
+        var _S26 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S26;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
-    var _S25 : i32;
+    var _S27 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S25 = i32(1);
+        _S27 = i32(1);
     }
     else
     {
-        _S25 = i32(0);
+        _S27 = i32(0);
     }
-    return one_texel_0(u32(_S25));
+    return one_texel_0(u32(_S27));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S26 : u32 = word_0(texture_2 + u32(1));
-    var _S27 : u32 = texture_2 + u32(13);
-    var _S28 : vec3<f32> = vec3<f32>(0.0f);
+    var _S28 : u32 = word_0(texture_2 + u32(1));
+    var _S29 : u32 = texture_2 + u32(13);
+    var _S30 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S28;
+    var value_4 : vec3<f32> = _S30;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -460,17 +471,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S27 + _S26 * lookup_3.texels_0[k_1];
-        var _S29 : vec3<f32>;
-        if(_S26 == u32(1))
+        var at_8 : u32 = _S29 + _S28 * lookup_3.texels_0[k_1];
+        var _S31 : vec3<f32>;
+        if(_S28 == u32(1))
         {
-            _S29 = vec3<f32>(number_0(at_8));
+            _S31 = vec3<f32>(number_0(at_8));
         }
         else
         {
-            _S29 = vector_at_0(at_8);
+            _S31 = vector_at_0(at_8);
         }
-        var value_5 : vec3<f32> = value_4 + _S29 * vec3<f32>(weights_1[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S31 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -484,8 +495,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
 {
-    var _S30 : Lookup_0 = lookup_at_0(texture_4, place_8);
-    return looked_up_0(texture_4, _S30, vec2<f32>(0.0f));
+    var _S32 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S32, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -544,38 +555,38 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
     var lobe_0 : Lobe_0;
     lobe_0.record_2 = record_3;
     var is_black_0 : bool = record_3 == u32(4294967295);
-    var _S31 : u32;
+    var _S33 : u32;
     if(is_black_0)
     {
-        _S31 = u32(0);
+        _S33 = u32(0);
     }
     else
     {
-        _S31 = word_0(record_3);
+        _S33 = word_0(record_3);
     }
-    lobe_0.kind_1 = _S31;
+    lobe_0.kind_1 = _S33;
     if(is_black_0)
     {
-        _S31 = u32(1);
+        _S33 = u32(1);
     }
     else
     {
-        _S31 = word_0(record_3 + u32(1));
+        _S33 = word_0(record_3 + u32(1));
     }
-    lobe_0.distribution_0 = _S31;
+    lobe_0.distribution_0 = _S33;
     lobe_0.numbers_2 = no_numbers_0();
     if(is_black_0)
     {
-        _S31 = u32(0);
+        _S33 = u32(0);
     }
     else
     {
-        _S31 = word_0(record_3 + u32(4));
+        _S33 = word_0(record_3 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S31)
+        if(slot_1 < _S33)
         {
         }
         else
@@ -589,10 +600,10 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
-        var _S32 : vec3<f32> = value_of_0(colour_1);
-        var _S33 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S33), slot_1, _S32);
-        lobe_0.numbers_2 = _S33;
+        var _S34 : vec3<f32> = value_of_0(colour_1);
+        var _S35 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S35), slot_1, _S34);
+        lobe_0.numbers_2 = _S35;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -607,16 +618,16 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S34 : vec3<f32>;
+    var _S36 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S34 = tangent_0;
+        _S36 = tangent_0;
     }
     else
     {
-        _S34 = vec3<f32>(0.0f);
+        _S36 = vec3<f32>(0.0f);
     }
-    return _S34;
+    return _S36;
 }
 
 struct Axes_0
@@ -629,38 +640,38 @@ struct Axes_0
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S35 : vec3<f32>;
+    var _S37 : vec3<f32>;
     if(is_front_1)
     {
-        _S35 = n_2;
+        _S37 = n_2;
     }
     else
     {
-        _S35 = (vec3<f32>(0) - n_2);
+        _S37 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_1 = _S35;
-    var _S36 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S36;
-    axes_0.t_0 = cross(n_2, _S36);
+    axes_0.n_1 = _S37;
+    var _S38 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S38;
+    axes_0.t_0 = cross(n_2, _S38);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S37 : vec3<f32>;
+    var _S39 : vec3<f32>;
     if(is_front_2)
     {
-        _S37 = n_3;
+        _S39 = n_3;
     }
     else
     {
-        _S37 = (vec3<f32>(0) - n_3);
+        _S39 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_1 = _S37;
-    var _S38 : f32 = n_3.z;
+    axes_1.n_1 = _S39;
+    var _S40 : f32 = n_3.z;
     var sign_0 : f32;
-    if(_S38 < 0.0f)
+    if(_S40 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -668,12 +679,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_0 = 1.0f;
     }
-    var a_5 : f32 = -1.0f / (sign_0 + _S38);
-    var _S39 : f32 = n_3.x;
-    var _S40 : f32 = n_3.y;
-    var b_3 : f32 = _S39 * _S40 * a_5;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_0 * _S39 * _S39 * a_5, sign_0 * b_3, - sign_0 * _S39);
-    axes_1.t_0 = vec3<f32>(b_3, sign_0 + _S40 * _S40 * a_5, - _S40);
+    var a_5 : f32 = -1.0f / (sign_0 + _S40);
+    var _S41 : f32 = n_3.x;
+    var _S42 : f32 = n_3.y;
+    var b_3 : f32 = _S41 * _S42 * a_5;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_0 * _S41 * _S41 * a_5, sign_0 * b_3, - sign_0 * _S41);
+    axes_1.t_0 = vec3<f32>(b_3, sign_0 + _S42 * _S42 * a_5, - _S42);
     return axes_1;
 }
 
@@ -700,8 +711,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_3 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S41 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S41;
+    var _S43 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S43;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -773,35 +784,35 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_0, 0.0f) / squared_0;
     }
-    var _S42 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S42 * _S42 / (2.0f * (_S42 - max(lowest_0, -1.0f)) * squared_0);
+    var _S44 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S44 * _S44 / (2.0f * (_S44 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S43 : bool;
+    var _S45 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S43 = true;
+        _S45 = true;
     }
     else
     {
-        _S43 = (word_0(u32(2))) == u32(0);
+        _S45 = (word_0(u32(2))) == u32(0);
     }
-    if(_S43)
+    if(_S45)
     {
         return false;
     }
     var record_5 : u32 = emitter_record_0(u32(0));
     if(is_area_0(record_5))
     {
-        _S43 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
+        _S45 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S43 = false;
+        _S45 = false;
     }
-    return _S43;
+    return _S45;
 }
 
 fn has_smooth_0( lobe_2 : Lobe_0) -> bool
@@ -848,32 +859,32 @@ struct Choice_0
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_4, choice_0.normal_2);
-    var _S44 : f32;
+    var _S46 : f32;
     if(view_0 > 0.0f)
     {
-        _S44 = 1.0f;
+        _S46 = 1.0f;
     }
     else
     {
-        _S44 = 0.0f;
+        _S46 = 0.0f;
     }
-    (*can_light_0) = _S44;
+    (*can_light_0) = _S46;
     return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
 }
 
 fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
 {
     var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_2);
-    var _S45 : f32;
+    var _S47 : f32;
     if(view_1 > 0.0f)
     {
-        _S45 = 1.0f;
+        _S47 = 1.0f;
     }
     else
     {
-        _S45 = 0.0f;
+        _S47 = 0.0f;
     }
-    (*can_light_1) = _S45;
+    (*can_light_1) = _S47;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -885,32 +896,32 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
     var count_1 : u32 = word_0(u32(6));
-    var _S46 : bool;
+    var _S48 : bool;
     if(alike_0)
     {
-        _S46 = true;
+        _S48 = true;
     }
     else
     {
-        _S46 = (word_0(u32(5))) != u32(0);
+        _S48 = (word_0(u32(5))) != u32(0);
     }
-    if(_S46)
+    if(_S48)
     {
-        _S46 = true;
+        _S48 = true;
     }
     else
     {
-        _S46 = count_1 < u32(2);
+        _S48 = count_1 < u32(2);
     }
-    if(_S46)
+    if(_S48)
     {
-        _S46 = true;
+        _S48 = true;
     }
     else
     {
-        _S46 = count_1 > u32(32);
+        _S48 = count_1 > u32(32);
     }
-    if(_S46)
+    if(_S48)
     {
         return choice_2;
     }
@@ -925,29 +936,29 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
             break;
         }
         var can_light_2 : f32;
-        var _S47 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S47;
+        var _S49 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S49;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S46 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S48 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S46 = false;
+        _S48 = false;
     }
-    if(!_S46)
+    if(!_S48)
     {
         choice_2.all_0 = 0.0f;
     }
     return choice_2;
 }
 
-fn limit_at_0( which_4 : u32) -> f32
+fn limit_at_0( which_5 : u32) -> f32
 {
-    return primitives_0[word_0(u32(15)) + which_4];
+    return primitives_0[word_0(u32(15)) + which_5];
 }
 
 fn product_0( a_6 : u32,  b_4 : u32) -> vec2<u32>
@@ -964,33 +975,33 @@ fn product_0( a_6 : u32,  b_4 : u32) -> vec2<u32>
 
 fn times_0( a_7 : vec2<u32>,  b_5 : vec2<u32>) -> vec2<u32>
 {
-    var _S48 : u32 = a_7.x;
-    var _S49 : u32 = b_5.x;
-    var low_1 : vec2<u32> = product_0(_S48, _S49);
-    return vec2<u32>(low_1.x, low_1.y + _S48 * b_5.y + a_7.y * _S49);
+    var _S50 : u32 = a_7.x;
+    var _S51 : u32 = b_5.x;
+    var low_1 : vec2<u32> = product_0(_S50, _S51);
+    return vec2<u32>(low_1.x, low_1.y + _S50 * b_5.y + a_7.y * _S51);
 }
 
 fn plus_0( a_8 : vec2<u32>,  b_6 : vec2<u32>) -> vec2<u32>
 {
-    var _S50 : u32 = a_8.x;
-    var low_2 : u32 = _S50 + b_6.x;
-    var _S51 : u32 = a_8.y + b_6.y;
-    var _S52 : i32;
-    if(low_2 < _S50)
+    var _S52 : u32 = a_8.x;
+    var low_2 : u32 = _S52 + b_6.x;
+    var _S53 : u32 = a_8.y + b_6.y;
+    var _S54 : i32;
+    if(low_2 < _S52)
     {
-        _S52 = i32(1);
+        _S54 = i32(1);
     }
     else
     {
-        _S52 = i32(0);
+        _S54 = i32(0);
     }
-    return vec2<u32>(low_2, _S51 + u32(_S52));
+    return vec2<u32>(low_2, _S53 + u32(_S54));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S53 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S53 << ((u32(32) - by_0)))))), (_S53 >> (by_0)))));
+    var _S55 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S55 << ((u32(32) - by_0)))))), (_S55 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -1029,9 +1040,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S54 : f32 = f32(count_2);
-        (*probability_0) = 1.0f / _S54;
-        return min(u32(u_0 * _S54), count_2 - u32(1));
+        var _S56 : f32 = f32(count_2);
+        (*probability_0) = 1.0f / _S56;
+        return min(u32(u_0 * _S56), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
@@ -1062,9 +1073,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S55 : u32 = i_2 + u32(1);
+        var _S57 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S55;
+        i_2 = _S57;
         rest_1 = rest_2;
     }
     return found_0;
@@ -1077,28 +1088,28 @@ fn place_at_0( triangle_6 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
 
 fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 {
-    var _S56 : f32 = abs(x_4);
-    var _S57 : f32 = abs(y_1);
-    var _S58 : f32 = min(_S56, _S57);
-    var _S59 : f32 = max(_S56, _S57);
-    var is_steep_0 : bool = _S58 > (0.41421356797218323f * _S59);
+    var _S58 : f32 = abs(x_4);
+    var _S59 : f32 = abs(y_1);
+    var _S60 : f32 = min(_S58, _S59);
+    var _S61 : f32 = max(_S58, _S59);
+    var is_steep_0 : bool = _S60 > (0.41421356797218323f * _S61);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S58 - _S59;
+        above_0 = _S60 - _S61;
     }
     else
     {
-        above_0 = _S58;
+        above_0 = _S60;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S58 + _S59;
+        below_0 = _S60 + _S61;
     }
     else
     {
-        below_0 = _S59;
+        below_0 = _S61;
     }
     if(below_0 > 0.0f)
     {
@@ -1119,7 +1130,7 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S57 > _S56)
+    if(_S59 > _S58)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -1154,11 +1165,11 @@ fn solid_angle_of_0( a_9 : vec3<f32>,  b_7 : vec3<f32>,  c_3 : vec3<f32>) -> f32
 
 fn complex_product_0( a_10 : vec2<f32>,  b_8 : vec2<f32>) -> vec2<f32>
 {
-    var _S60 : f32 = a_10.x;
-    var _S61 : f32 = b_8.x;
-    var _S62 : f32 = a_10.y;
-    var _S63 : f32 = b_8.y;
-    return vec2<f32>(_S60 * _S61 - _S62 * _S63, _S60 * _S63 + _S62 * _S61);
+    var _S62 : f32 = a_10.x;
+    var _S63 : f32 = b_8.x;
+    var _S64 : f32 = a_10.y;
+    var _S65 : f32 = b_8.y;
+    return vec2<f32>(_S62 * _S63 - _S64 * _S65, _S62 * _S65 + _S64 * _S63);
 }
 
 struct SeenRectangle_0
@@ -1181,26 +1192,26 @@ fn seen_rectangle_0( at_9 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
     var seen_1 : SeenRectangle_0;
     seen_1.x_5 = vec2<f32>(x0_0, x1_0);
     seen_1.y_2 = vec2<f32>(y0_0, y1_0);
-    var _S64 : f32 = - dot(vector_at_0(at_9 + u32(9)), offset_2);
-    seen_1.z_1 = _S64;
-    var a_11 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S64);
-    var b_9 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S64);
-    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S64);
-    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S64);
-    var _S65 : f32 = length(a_11);
-    var _S66 : f32 = length(c_4);
-    var _S67 : f32;
-    if(_S64 > (9.99999997475242708e-07f * max(max(_S65, length(b_9)), max(_S66, length(d_0)))))
+    var _S66 : f32 = - dot(vector_at_0(at_9 + u32(9)), offset_2);
+    seen_1.z_1 = _S66;
+    var a_11 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S66);
+    var b_9 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S66);
+    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S66);
+    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S66);
+    var _S67 : f32 = length(a_11);
+    var _S68 : f32 = length(c_4);
+    var _S69 : f32;
+    if(_S66 > (9.99999997475242708e-07f * max(max(_S67, length(b_9)), max(_S68, length(d_0)))))
     {
-        _S67 = solid_angle_of_0(a_11, c_4, b_9) + solid_angle_of_0(d_0, b_9, c_4);
+        _S69 = solid_angle_of_0(a_11, c_4, b_9) + solid_angle_of_0(d_0, b_9, c_4);
     }
     else
     {
-        _S67 = 0.0f;
+        _S69 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S67;
+    seen_1.solid_angle_0 = _S69;
     var z2_0 : f32 = seen_1.z_1 * seen_1.z_1;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S66), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S65));
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S68), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S67));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_2 * seen_1.y_2 + vec2<f32>(z2_0));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_0) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
@@ -1238,28 +1249,28 @@ fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
     var at_10 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S68 : f32 = seen_2.y_2.x;
-    var _S69 : f32 = seen_2.inverse_to_line_0.x;
-    var _S70 : f32 = seen_2.y_2.y;
-    var n_4 : f32 = - at_10.x * _S68 * _S69 - _S70 * seen_2.inverse_to_line_0.y;
-    var _S71 : f32 = at_10.y;
-    var flat_0 : f32 = _S71 * seen_2.z_1 * _S69;
-    var size_0 : f32 = seen_2.z_1 * abs(_S71) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
-    var _S72 : f32;
-    if((n_4 * _S71) < 0.0f)
+    var _S70 : f32 = seen_2.y_2.x;
+    var _S71 : f32 = seen_2.inverse_to_line_0.x;
+    var _S72 : f32 = seen_2.y_2.y;
+    var n_4 : f32 = - at_10.x * _S70 * _S71 - _S72 * seen_2.inverse_to_line_0.y;
+    var _S73 : f32 = at_10.y;
+    var flat_0 : f32 = _S73 * seen_2.z_1 * _S71;
+    var size_0 : f32 = seen_2.z_1 * abs(_S73) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
+    var _S74 : f32;
+    if((n_4 * _S73) < 0.0f)
     {
-        _S72 = - size_0;
+        _S74 = - size_0;
     }
     else
     {
-        _S72 = size_0;
+        _S74 = size_0;
     }
-    var x_7 : f32 = clamp(_S72, seen_2.x_5.x, seen_2.x_5.y);
+    var x_7 : f32 = clamp(_S74, seen_2.x_5.x, seen_2.x_5.y);
     var squared_1 : f32 = x_7 * x_7 + seen_2.z_1 * seen_2.z_1;
     var h_0 : vec2<f32> = seen_2.y_2 / sqrt(vec2<f32>(squared_1) + seen_2.y_2 * seen_2.y_2);
-    var _S73 : f32 = h_0.x;
-    var sine_2 : f32 = _S73 + u_1.y * (h_0.y - _S73);
-    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S68, _S70));
+    var _S75 : f32 = h_0.x;
+    var sine_2 : f32 = _S75 + u_1.y * (h_0.y - _S75);
+    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S70, _S72));
 }
 
 fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
@@ -1277,16 +1288,16 @@ fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<functi
             break;
         }
         var row_1 : u32 = at_11 + u32(14) + u32(6) * face_0;
-        var _S74 : f32 = place_10.x;
-        var _S75 : f32 = place_10.y;
-        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S74 + number_0(row_1 + u32(2)) * _S75;
-        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S74 + number_0(row_1 + u32(5)) * _S75;
-        var _S76 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
-        if(_S76 > best_0)
+        var _S76 : f32 = place_10.x;
+        var _S77 : f32 = place_10.y;
+        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S76 + number_0(row_1 + u32(2)) * _S77;
+        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S76 + number_0(row_1 + u32(5)) * _S77;
+        var _S78 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
+        if(_S78 > best_0)
         {
             (*weights_2)[i32(0)] = clamp(v_5, 0.0f, 1.0f);
             (*weights_2)[i32(1)] = clamp(w_3, 0.0f, 1.0f - (*weights_2).x);
-            best_0 = _S76;
+            best_0 = _S78;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -1306,20 +1317,20 @@ fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f32
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S77 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S78 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S77, _S78);
-    var sum_0 : f32 = _S77 + _S78;
-    var _S79 : vec2<f32>;
+    var _S79 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S80 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S79, _S80);
+    var sum_0 : f32 = _S79 + _S80;
+    var _S81 : vec2<f32>;
     if(sum_0 > 0.0f)
     {
-        _S79 = seen_3 / vec2<f32>(sum_0);
+        _S81 = seen_3 / vec2<f32>(sum_0);
     }
     else
     {
-        _S79 = vec2<f32>(0.0f);
+        _S81 = vec2<f32>(0.0f);
     }
-    return _S79;
+    return _S81;
 }
 
 struct Corners_0
@@ -1352,28 +1363,28 @@ fn unit_across_0( v_6 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_3 : f32) -> vec3<f32>
 {
-    var _S80 : f32 = clamp(cosine_3, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S80) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S80) * (1.0f + _S80)));
+    var _S82 : f32 = clamp(cosine_3, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S82) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S82) * (1.0f + _S82)));
 }
 
 fn triangle_direction_0( a_13 : vec3<f32>,  b_11 : vec3<f32>,  c_6 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S81 : vec3<f32> = normalize(a_13);
-    var _S82 : vec3<f32> = normalize(b_11);
-    var _S83 : vec3<f32> = normalize(c_6);
-    var ab_0 : vec3<f32> = normalize(cross(_S81, _S82));
-    var ca_0 : vec3<f32> = normalize(cross(_S83, _S81));
+    var _S83 : vec3<f32> = normalize(a_13);
+    var _S84 : vec3<f32> = normalize(b_11);
+    var _S85 : vec3<f32> = normalize(c_6);
+    var ab_0 : vec3<f32> = normalize(cross(_S83, _S84));
+    var ca_0 : vec3<f32> = normalize(cross(_S85, _S83));
     var sine_alpha_0 : f32 = length(cross(ab_0, ca_0));
     var cosine_alpha_0 : f32 = - dot(ab_0, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S84 : f32 = part_0.x;
-    var _S85 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S84 * cosine_alpha_0 - _S85 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S85 * cosine_alpha_0 + _S84 * sine_alpha_0;
+    var _S86 : f32 = part_0.x;
+    var _S87 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S86 * cosine_alpha_0 - _S87 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S87 * cosine_alpha_0 + _S86 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S81, _S82);
-    var between_1 : vec3<f32> = along_0(_S81, _S83, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S82, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S82)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S83, _S84);
+    var between_1 : vec3<f32> = along_0(_S83, _S85, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S84, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S84)));
 }
 
 fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_2 : f32,  direction_4 : vec3<f32>) -> f32
@@ -1417,10 +1428,10 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             return point_0;
         }
     }
-    var _S86 : f32 = precise_random_0(key_4, dimension_3);
+    var _S88 : f32 = precise_random_0(key_4, dimension_3);
     var nodes_at_1 : u32 = word_0(record_10 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f32 = _S86;
+    var u_3 : f32 = _S88;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -1432,16 +1443,16 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S87 : f32 = shares_0.x;
-        var _S88 : f32 = shares_0.y;
-        if(!((_S87 + _S88) > 0.0f))
+        var _S89 : f32 = shares_0.x;
+        var _S90 : f32 = shares_0.y;
+        if(!((_S89 + _S90) > 0.0f))
         {
             return point_0;
         }
         var is_second_0 : bool;
-        if(u_3 >= _S87)
+        if(u_3 >= _S89)
         {
-            is_second_0 = _S88 > 0.0f;
+            is_second_0 = _S90 > 0.0f;
         }
         else
         {
@@ -1449,86 +1460,86 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S87) / _S88;
+            u_3 = (u_3 - _S89) / _S90;
         }
         else
         {
-            u_3 = min(u_3 / _S87, 1.0f);
+            u_3 = min(u_3 / _S89, 1.0f);
         }
         if(is_second_0)
         {
-            total_0 = _S88;
+            total_0 = _S90;
         }
         else
         {
-            total_0 = _S87;
+            total_0 = _S89;
         }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S89 : i32;
+        var _S91 : i32;
         if(is_second_0)
         {
-            _S89 = i32(3);
+            _S91 = i32(3);
         }
         else
         {
-            _S89 = i32(2);
+            _S91 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S89));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S91));
         chosen_0 = chosen_1;
     }
     var first_2 : u32 = word_0(node_2);
-    var _S90 : u32 = word_0(node_2 + u32(1));
-    var _S91 : u32 = word_0(record_10 + u32(6));
+    var _S92 : u32 = word_0(node_2 + u32(1));
+    var _S93 : u32 = word_0(record_10 + u32(6));
     var k_2 : u32 = first_2;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_2 < _S90)
+        if(k_2 < _S92)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S91 + k_2), from_1.exact_0);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S93 + k_2), from_1.exact_0);
         k_2 = k_2 + u32(1);
         total_0 = total_1;
     }
-    var _S92 : f32 = u_3 * total_0;
+    var _S94 : f32 = u_3 * total_0;
     var face_5 : u32 = u32(4294967295);
     var angle_3 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
     k_2 = first_2;
-    var rest_3 : f32 = _S92;
+    var rest_3 : f32 = _S94;
     for(;;)
     {
-        if(k_2 < _S90)
+        if(k_2 < _S92)
         {
         }
         else
         {
             break;
         }
-        var _S93 : u32 = _S91 + k_2;
-        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S93), from_1.exact_0);
+        var _S95 : u32 = _S93 + k_2;
+        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S95), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
             k_2 = k_2 + u32(1);
             continue;
         }
-        var _S94 : u32 = word_0(_S93);
-        var _S95 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S96 : u32 = word_0(_S95);
+        var _S97 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S94;
+            face_5 = _S96;
             angle_3 = own_1;
-            inside_2 = _S95;
+            inside_2 = _S97;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S94;
+        face_5 = _S96;
         angle_3 = own_1;
-        inside_2 = _S95;
+        inside_2 = _S97;
         rest_3 = rest_4;
         k_2 = k_2 + u32(1);
     }
@@ -1552,9 +1563,9 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         var direction_5 : vec3<f32> = triangle_direction_0(corners_2.a_12, corners_2.b_10, corners_2.c_5, angle_3, vec2<f32>(inside_2, second_1));
         var within_0 : vec3<f32> = direction_5 * vec3<f32>((dot(corners_2.a_12, normal_6) / dot(direction_5, normal_6))) - corners_2.a_12;
         var squared_2 : f32 = dot(normal_6, normal_6);
-        var _S96 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
-        point_0.place_11.v_0 = _S96;
-        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S96);
+        var _S98 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
+        point_0.place_11.v_0 = _S98;
+        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S98);
     }
     var offset_3 : vec3<f32> = corners_2.a_12 + ab_1 * vec3<f32>(point_0.place_11.v_0) + ac_0 * vec3<f32>(point_0.place_11.w_0);
     var distance_3 : f32 = length(offset_3);
@@ -1573,15 +1584,15 @@ fn is_map_0( record_11 : u32) -> bool
 
 fn uniform_direction_0( u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S97 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S97 * (1.0f - _S97))));
-    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S97);
+    var _S99 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S99 * (1.0f - _S99))));
+    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S99);
 }
 
 fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
 {
-    var _S98 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S98) * vec3<f32>(direction_6.x) + vector_at_0(_S98 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S98 + u32(6)) * vec3<f32>(direction_6.z);
+    var _S100 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S100) * vec3<f32>(direction_6.x) + vector_at_0(_S100 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S100 + u32(6)) * vec3<f32>(direction_6.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -1609,11 +1620,11 @@ fn sum_at_0( at_13 : u32) -> f32
 
 fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr<function, f32>) -> u32
 {
-    var _S99 : u32 = count_3 - u32(1);
-    var total_2 : f32 = sum_at_0(sums_1 + u32(2) * _S99);
+    var _S101 : u32 = count_3 - u32(1);
+    var total_2 : f32 = sum_at_0(sums_1 + u32(2) * _S101);
     var target_0 : f32 = u_5 * total_2;
     var low_3 : u32 = u32(0);
-    var high_0 : u32 = _S99;
+    var high_0 : u32 = _S101;
     for(;;)
     {
         if(low_3 < high_0)
@@ -1625,16 +1636,16 @@ fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
         var sum_1 : f32 = sum_at_0(sums_1 + u32(2) * middle_1);
-        var _S100 : bool;
+        var _S102 : bool;
         if(sum_1 <= target_0)
         {
-            _S100 = sum_1 < total_2;
+            _S102 = sum_1 < total_2;
         }
         else
         {
-            _S100 = false;
+            _S102 = false;
         }
-        if(_S100)
+        if(_S102)
         {
             low_3 = middle_1 + u32(1);
         }
@@ -1665,49 +1676,49 @@ fn cell_direction_0( map_3 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,
     var rows_1 : vec2<f32>;
     if(is_lower_0)
     {
-        var _S101 : u32 = last_0 - row_2;
-        rows_1 = vec2<f32>(f32(_S101), f32(_S101 - u32(1)));
+        var _S103 : u32 = last_0 - row_2;
+        rows_1 = vec2<f32>(f32(_S103), f32(_S103 - u32(1)));
     }
     else
     {
         rows_1 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
     }
-    var _S102 : f32 = f32(last_0);
-    var _S103 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S102)).x;
-    var _S104 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S102)).x;
-    var off_0 : f32 = 2.0f * mix(_S103 * _S103, _S104 * _S104, down_0);
+    var _S104 : f32 = f32(last_0);
+    var _S105 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S104)).x;
+    var _S106 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S104)).x;
+    var off_0 : f32 = 2.0f * mix(_S105 * _S105, _S106 * _S106, down_0);
     var sine_3 : f32 = sqrt(off_0 * (2.0f - off_0));
-    var _S105 : f32 = azimuth_0.x * sine_3;
-    var _S106 : f32;
+    var _S107 : f32 = azimuth_0.x * sine_3;
+    var _S108 : f32;
     if(is_lower_0)
     {
-        _S106 = off_0 - 1.0f;
+        _S108 = off_0 - 1.0f;
     }
     else
     {
-        _S106 = 1.0f - off_0;
+        _S108 = 1.0f - off_0;
     }
-    var local_0 : vec3<f32> = vec3<f32>(_S105, _S106, - azimuth_0.y * sine_3);
-    var _S107 : u32 = map_3 + u32(2);
-    return vec3<f32>(dot(vector_at_0(_S107), local_0), dot(vector_at_0(_S107 + u32(3)), local_0), dot(vector_at_0(_S107 + u32(6)), local_0));
+    var local_0 : vec3<f32> = vec3<f32>(_S107, _S108, - azimuth_0.y * sine_3);
+    var _S109 : u32 = map_3 + u32(2);
+    return vec3<f32>(dot(vector_at_0(_S109), local_0), dot(vector_at_0(_S109 + u32(3)), local_0), dot(vector_at_0(_S109 + u32(6)), local_0));
 }
 
 fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : ptr<function, f32>) -> vec3<f32>
 {
     var u_6 : f32 = precise_random_0(key_5, dimension_4);
     var rest_5 : f32 = u_6 * 20.0f - 1.0f;
-    var _S108 : u32 = map_4 + u32(13);
-    var is_black_1 : bool = (word_0(_S108)) == u32(4294967295);
-    var _S109 : bool;
+    var _S110 : u32 = map_4 + u32(13);
+    var is_black_1 : bool = (word_0(_S110)) == u32(4294967295);
+    var _S111 : bool;
     if(is_black_1)
     {
-        _S109 = true;
+        _S111 = true;
     }
     else
     {
-        _S109 = rest_5 < 0.0f;
+        _S111 = rest_5 < 0.0f;
     }
-    if(_S109)
+    if(_S111)
     {
         var share_0 : f32;
         if(is_black_1)
@@ -1719,14 +1730,14 @@ fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
             share_0 = 0.05000000074505806f;
         }
         var direction_8 : vec3<f32> = uniform_direction_0(vec2<f32>(u_6 / share_0, random_0(key_5, dimension_4 + u32(1))));
-        var _S110 : f32 = map_pdf_0(map_4, direction_8);
-        (*pdf_1) = _S110;
+        var _S112 : f32 = map_pdf_0(map_4, direction_8);
+        (*pdf_1) = _S112;
         return direction_8;
     }
     var rest_6 : f32 = rest_5 / 19.0f;
     var width_2 : u32 = word_0(map_4);
     var down_1 : f32;
-    var row_3 : u32 = chosen_interval_0(word_0(_S108), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
+    var row_3 : u32 = chosen_interval_0(word_0(_S110), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
     var along_2 : f32;
     var column_2 : u32 = chosen_interval_0(word_0(map_4 + u32(14)) + u32(2) * width_2 * row_3, width_2, rest_6, &(along_2));
     (*pdf_1) = cell_pdf_0(map_4, row_3 * width_2 + column_2);
@@ -1740,9 +1751,9 @@ fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
 
 fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
 {
-    var _S111 : f32 = u_7.x;
-    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S111));
-    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S111));
+    var _S113 : f32 = u_7.x;
+    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S113));
+    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S113));
 }
 
 fn to_world_0( axes_5 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
@@ -1778,12 +1789,12 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
     (*sample_0).place_13 = vertex_1.surface_3.place_3;
     (*sample_0).nearest_0 = limit_at_0(u32(2));
     (*sample_0).farthest_0 = limit_at_0(u32(1));
-    var _S112 : f32 = random_0(key_7, first_3);
-    var _S113 : f32 = (*sample_0).probability_1;
-    var _S114 : u32 = chosen_emitter_0(choice_5, _S112, &(_S113));
-    (*sample_0).probability_1 = _S113;
-    (*sample_0).emitter_5 = _S114;
-    if(_S113 == 0.0f)
+    var _S114 : f32 = random_0(key_7, first_3);
+    var _S115 : f32 = (*sample_0).probability_1;
+    var _S116 : u32 = chosen_emitter_0(choice_5, _S114, &(_S115));
+    (*sample_0).probability_1 = _S115;
+    (*sample_0).emitter_5 = _S116;
+    if(_S115 == 0.0f)
     {
         return false;
     }
@@ -1797,24 +1808,24 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
         }
         (*sample_0).pdf_2 = point_1.pdf_0;
         (*sample_0).place_13 = point_1.place_11;
-        var _S115 : vec3<f32> = position_of_0(point_1.place_11) - vertex_1.surface_3.exact_0;
-        (*sample_0).way_1 = _S115;
-        var _S116 : f32 = length(_S115);
-        (*sample_0).distance_4 = _S116;
-        (*sample_0).direction_9 = _S115 / vec3<f32>(_S116);
-        (*sample_0).nearest_0 = (*sample_0).nearest_0 / _S116;
+        var _S117 : vec3<f32> = position_of_0(point_1.place_11) - vertex_1.surface_3.exact_0;
+        (*sample_0).way_1 = _S117;
+        var _S118 : f32 = length(_S117);
+        (*sample_0).distance_4 = _S118;
+        (*sample_0).direction_9 = _S117 / vec3<f32>(_S118);
+        (*sample_0).nearest_0 = (*sample_0).nearest_0 / _S118;
         (*sample_0).farthest_0 = limit_at_0(u32(3));
     }
     else
     {
         if(is_map_0(record_12))
         {
-            var _S117 : u32 = word_0(record_12 + u32(1));
-            var _S118 : u32 = first_3 + u32(1);
-            var _S119 : f32 = (*sample_0).pdf_2;
-            var _S120 : vec3<f32> = sample_map_0(_S117, key_7, _S118, &(_S119));
-            (*sample_0).pdf_2 = _S119;
-            (*sample_0).direction_9 = _S120;
+            var _S119 : u32 = word_0(record_12 + u32(1));
+            var _S120 : u32 = first_3 + u32(1);
+            var _S121 : f32 = (*sample_0).pdf_2;
+            var _S122 : vec3<f32> = sample_map_0(_S119, key_7, _S120, &(_S121));
+            (*sample_0).pdf_2 = _S121;
+            (*sample_0).direction_9 = _S122;
         }
         else
         {
@@ -1824,9 +1835,14 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
         }
         (*sample_0).way_1 = (*sample_0).direction_9;
     }
-    var _S121 : vec3<f32> = to_local_0(vertex_1.axes_4, (*sample_0).direction_9);
-    (*sample_0).wo_0 = _S121;
-    return (_S121.z) > 0.0f;
+    var _S123 : vec3<f32> = to_local_0(vertex_1.axes_4, (*sample_0).direction_9);
+    (*sample_0).wo_0 = _S123;
+    return (_S123.z) > 0.0f;
+}
+
+fn first_material_number_0( depth_2 : u32) -> u32
+{
+    return vertex_numbers_0(depth_2) + u32(3) * word_0(u32(2));
 }
 
 fn coat_eta_0( numbers_3 : Numbers_0) -> f32
@@ -1859,10 +1875,10 @@ fn transmittance_0( lobe_3 : Lobe_0,  eta_2 : f32,  cosine_5 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_5, eta_2);
     }
     var place_14 : f32 = cosine_5 * 63.0f;
-    var _S122 : u32 = min(u32(place_14), u32(62));
-    var at_14 : u32 = word_0(lobe_3.record_2 + u32(3)) + _S122;
+    var _S124 : u32 = min(u32(place_14), u32(62));
+    var at_14 : u32 = word_0(lobe_3.record_2 + u32(3)) + _S124;
     var here_0 : f32 = number_0(at_14);
-    return here_0 + (number_0(at_14 + u32(1)) - here_0) * (place_14 - f32(_S122));
+    return here_0 + (number_0(at_14 + u32(1)) - here_0) * (place_14 - f32(_S124));
 }
 
 fn choice_weight_0( colour_2 : vec3<f32>) -> f32
@@ -1878,16 +1894,16 @@ fn base_probability_0( numbers_4 : Numbers_0,  enters_0 : f32) -> f32
 
 fn is_rough_0( lobe_4 : Lobe_0) -> bool
 {
-    var _S123 : bool;
+    var _S125 : bool;
     if((lobe_4.kind_1) == u32(2))
     {
-        _S123 = true;
+        _S125 = true;
     }
     else
     {
-        _S123 = (lobe_4.kind_1) == u32(4);
+        _S125 = (lobe_4.kind_1) == u32(4);
     }
-    return _S123;
+    return _S125;
 }
 
 struct Microfacets_0
@@ -1916,37 +1932,37 @@ fn stretched_0( facets_1 : Microfacets_0,  wi_2 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_2.xy * facets_1.alpha_1, wi_2.z);
     var view_2 : Stretched_0;
-    var _S124 : f32 = length(longer_0);
-    view_2.length_0 = _S124;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S124);
-    var _S125 : vec2<f32> = longer_1.xy;
-    var _S126 : f32 = length(_S125);
-    view_2.sine_4 = _S126;
+    var _S126 : f32 = length(longer_0);
+    view_2.length_0 = _S126;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S126);
+    var _S127 : vec2<f32> = longer_1.xy;
+    var _S128 : f32 = length(_S127);
+    view_2.sine_4 = _S128;
     view_2.cosine_6 = longer_1.z;
-    var _S127 : vec2<f32>;
-    if(_S126 > 0.0f)
+    var _S129 : vec2<f32>;
+    if(_S128 > 0.0f)
     {
-        _S127 = _S125 / vec2<f32>(view_2.sine_4);
+        _S129 = _S127 / vec2<f32>(view_2.sine_4);
     }
     else
     {
-        _S127 = vec2<f32>(1.0f, 0.0f);
+        _S129 = vec2<f32>(1.0f, 0.0f);
     }
-    view_2.around_0 = _S127;
+    view_2.around_0 = _S129;
     return view_2;
 }
 
 fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
 {
-    var _S128 : f32 = u_8.x;
-    var radius_2 : f32 = sqrt(_S128);
+    var _S130 : f32 = u_8.x;
+    var radius_2 : f32 = sqrt(_S130);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_8.y);
     var across_1 : f32 = radius_2 * turn_3.y;
     var along_3 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_3.cosine_6);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S129 : f32 = 1.0f - _S128;
-    var edge_0 : f32 = sqrt(_S129 + along_3 * along_3);
+    var _S131 : f32 = 1.0f - _S130;
+    var edge_0 : f32 = sqrt(_S131 + along_3 * along_3);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_3;
     var from_top_0 : f32 = edge_0 - along_3;
     var from_bottom_0 : f32 = edge_0 + along_3;
@@ -1954,14 +1970,14 @@ fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_3 > 0.0f)
     {
-        from_top_1 = _S129 / from_bottom_0;
+        from_top_1 = _S131 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S130 : f32 = _S129 / from_top_0;
+        var _S132 : f32 = _S131 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S130;
+        from_bottom_1 = _S132;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_3.sine_4 - up_0 * view_3.cosine_6, across_1, max(towards_0 * view_3.cosine_6 + up_0 * view_3.sine_4, 0.0f));
@@ -1980,39 +1996,39 @@ fn exponential_0( x_8 : f32) -> f32
 
 fn error_function_plus_one_0( x_9 : f32) -> vec2<f32>
 {
-    var _S131 : f32 = min(abs(x_9), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S131 * _S131);
-    var place_15 : f32 = (_S131 - 2.0f) / (_S131 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S131);
-    var _S132 : f32;
+    var _S133 : f32 = min(abs(x_9), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S133 * _S133);
+    var place_15 : f32 = (_S133 - 2.0f) / (_S133 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S133);
+    var _S134 : f32;
     if(x_9 < 0.0f)
     {
-        _S132 = complement_0;
+        _S134 = complement_0;
     }
     else
     {
-        _S132 = 2.0f - complement_0;
+        _S134 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S132, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S134, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_4 : vec3<f32>) -> f32
 {
     var stretched_1 : vec2<f32> = w_4.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_1, stretched_1);
-    var _S133 : f32 = w_4.z;
-    var z2_1 : f32 = _S133 * _S133;
+    var _S135 : f32 = w_4.z;
+    var z2_1 : f32 = _S135 * _S135;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S133 + sqrt(z2_1 + spread2_0));
+        return 2.0f / (_S135 + sqrt(z2_1 + spread2_0));
     }
     if(z2_1 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S133;
+        return 1.0f / _S135;
     }
     var spread_0 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S133 / spread_0);
-    return 2.0f / (_S133 * both_0.x + 0.5f * spread_0 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S135 / spread_0);
+    return 2.0f / (_S135 * both_0.x + 0.5f * spread_0 * both_0.y);
 }
 
 fn logarithm_0( x_10 : f32) -> f32
@@ -2062,8 +2078,8 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_9.x * (2.0f / (visible_1 * view_4.length_0));
-    var _S134 : f32 = max(view_4.cosine_6, view_4.sine_4);
-    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S134 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S134, -6.0f, 0.5f * steepest_0);
+    var _S136 : f32 = max(view_4.cosine_6, view_4.sine_4);
+    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S136 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S136, -6.0f, 0.5f * steepest_0);
     var low_4 : f32 = -6.0f;
     var high_1 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -2077,10 +2093,10 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             break;
         }
         var both_1 : vec2<f32> = error_function_plus_one_0(slope_0);
-        var _S135 : f32 = both_1.y;
-        var error_0 : f32 = view_4.cosine_6 * both_1.x + 0.5f * view_4.sine_4 * _S135 - target_1;
-        var own_2 : f32 = _S135 * (view_4.cosine_6 - slope_0 * view_4.sine_4);
-        var bend_0 : f32 = -2.0f * slope_0 * own_2 - _S135 * view_4.sine_4;
+        var _S137 : f32 = both_1.y;
+        var error_0 : f32 = view_4.cosine_6 * both_1.x + 0.5f * view_4.sine_4 * _S137 - target_1;
+        var own_2 : f32 = _S137 * (view_4.cosine_6 - slope_0 * view_4.sine_4);
+        var bend_0 : f32 = -2.0f * slope_0 * own_2 - _S137 * view_4.sine_4;
         if(error_0 > 0.0f)
         {
             high_1 = slope_0;
@@ -2090,17 +2106,17 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             low_4 = slope_0;
         }
         var next_0 : f32 = slope_0 - error_0 * own_2 / (own_2 * own_2 - 0.5f * error_0 * bend_0);
-        var _S136 : bool;
+        var _S138 : bool;
         if(next_0 >= low_4)
         {
-            _S136 = next_0 <= high_1;
+            _S138 = next_0 <= high_1;
         }
         else
         {
-            _S136 = false;
+            _S138 = false;
         }
         var next_1 : f32;
-        if(!_S136)
+        if(!_S138)
         {
             next_1 = 0.5f * (low_4 + high_1);
         }
@@ -2113,9 +2129,9 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             slope_0 = next_1;
             break;
         }
-        var _S137 : u32 = step_0 + u32(1);
+        var _S139 : u32 = step_0 + u32(1);
         slope_0 = next_1;
-        step_0 = _S137;
+        step_0 = _S139;
     }
     return vec3<f32>(- slope_0, error_function_inverse_0(max(2.0f * u_9.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -2132,11 +2148,11 @@ fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  u_10 : vec
     {
         normal_7 = beckmann_normal_0(view_5, visible_over_cos_0(facets_3, wi_3), u_10);
     }
-    var _S138 : f32 = view_5.around_0.x;
-    var _S139 : f32 = normal_7.x;
-    var _S140 : f32 = view_5.around_0.y;
-    var _S141 : f32 = normal_7.y;
-    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S138 * _S139 - _S140 * _S141, _S140 * _S139 + _S138 * _S141) * facets_3.alpha_1, normal_7.z));
+    var _S140 : f32 = view_5.around_0.x;
+    var _S141 : f32 = normal_7.x;
+    var _S142 : f32 = view_5.around_0.y;
+    var _S143 : f32 = normal_7.y;
+    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S140 * _S141 - _S142 * _S143, _S142 * _S141 + _S140 * _S143) * facets_3.alpha_1, normal_7.z));
     return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_3, normal_8))) - wi_3);
 }
 
@@ -2149,9 +2165,9 @@ struct Drawn_0
 
 fn draw_0( lobe_6 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32>) -> Drawn_0
 {
-    var _S142 : bool = (lobe_6.kind_1) == u32(0);
+    var _S144 : bool = (lobe_6.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S142)
+    if(_S144)
     {
         has_base_0 = true;
     }
@@ -2168,7 +2184,7 @@ fn draw_0( lobe_6 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32
         has_base_0 = (lobe_6.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S142)
+    if(_S144)
     {
         of_base_1 = 1.0f;
     }
@@ -2176,16 +2192,16 @@ fn draw_0( lobe_6 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32
     {
         of_base_1 = 0.0f;
     }
-    var _S143 : bool;
+    var _S145 : bool;
     if((lobe_6.kind_1) == u32(3))
     {
-        _S143 = true;
+        _S145 = true;
     }
     else
     {
-        _S143 = (lobe_6.kind_1) == u32(4);
+        _S145 = (lobe_6.kind_1) == u32(4);
     }
-    if(_S143)
+    if(_S145)
     {
         of_base_1 = base_probability_0(lobe_6.numbers_2, transmittance_0(lobe_6, coat_eta_0(lobe_6.numbers_2), wi_4.z));
     }
@@ -2228,9 +2244,9 @@ fn sample_material_0( vertex_2 : Vertex_0,  key_8 : vec2<u32>,  first_4 : u32) -
     sample_1.is_specular_0 = drawn_1.is_specular_1;
     sample_1.probability_1 = drawn_1.probability_2;
     sample_1.wo_0 = drawn_1.wo_1;
-    var _S144 : vec3<f32> = normalize(to_world_0(vertex_2.axes_4, drawn_1.wo_1));
-    sample_1.direction_9 = _S144;
-    sample_1.way_1 = _S144;
+    var _S146 : vec3<f32> = normalize(to_world_0(vertex_2.axes_4, drawn_1.wo_1));
+    sample_1.direction_9 = _S146;
+    sample_1.way_1 = _S146;
     sample_1.nearest_0 = limit_at_0(u32(2));
     sample_1.farthest_0 = limit_at_0(u32(1));
     sample_1.emitter_5 = u32(4294967295);
@@ -2240,9 +2256,46 @@ fn sample_material_0( vertex_2 : Vertex_0,  key_8 : vec2<u32>,  first_4 : u32) -
     return sample_1;
 }
 
-fn specular_direction_0( vertex_3 : Vertex_0,  direction_10 : vec3<f32>,  wo_2 : vec3<f32>) -> vec3<f32>
+fn exact_unit_0( v_8 : vec3<f32>) -> vec3<f32>
 {
-    return direction_10;
+    return v_8 / vec3<f32>(sqrt(dot(v_8, v_8)));
+}
+
+struct Mirror_0
+{
+     corner_0 : vec3<f32>,
+     ab_2 : vec3<f32>,
+     ac_1 : vec3<f32>,
+     normal_9 : vec3<f32>,
+};
+
+fn mirror_at_0( triangle_7 : u32) -> Mirror_0
+{
+    var at_15 : u32 = u32(9) * triangle_7;
+    var mirror_0 : Mirror_0;
+    var _S147 : vec3<f32> = primitive_vector_0(at_15);
+    mirror_0.corner_0 = _S147;
+    var _S148 : vec3<f32> = primitive_vector_0(at_15 + u32(3)) - _S147;
+    mirror_0.ab_2 = _S148;
+    var _S149 : vec3<f32> = primitive_vector_0(at_15 + u32(6)) - _S147;
+    mirror_0.ac_1 = _S149;
+    mirror_0.normal_9 = exact_unit_0(cross(_S148, _S149));
+    return mirror_0;
+}
+
+fn mirrored_0( mirror_1 : Mirror_0,  direction_10 : vec3<f32>) -> vec3<f32>
+{
+    return direction_10 - mirror_1.normal_9 * vec3<f32>((2.0f * dot(mirror_1.normal_9, direction_10)));
+}
+
+fn walked_of_0( path_6 : Path_0) -> vec3<f32>
+{
+    return vec3<f32>(0.0f);
+}
+
+fn specular_direction_0( vertex_3 : Vertex_0,  direction_11 : vec3<f32>,  wo_2 : vec3<f32>) -> vec3<f32>
+{
+    return direction_11;
 }
 
 fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_3 : f32,  k_3 : f32) -> f32
@@ -2258,9 +2311,9 @@ fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_3 : f32,  k_3 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S145 : bool = real_0 < 0.0f;
+    var _S150 : bool = real_0 < 0.0f;
     var a_14 : f32;
-    if(_S145)
+    if(_S150)
     {
         a_14 = smaller_0;
     }
@@ -2269,7 +2322,7 @@ fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_3 : f32,  k_3 : f32) -> f32
         a_14 = larger_0;
     }
     var b_12 : f32;
-    if(_S145)
+    if(_S150)
     {
         b_12 = larger_0;
     }
@@ -2279,9 +2332,9 @@ fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_3 : f32,  k_3 : f32) -> f32
     }
     var less_0 : f32 = a_14 - cosine_7;
     var more_0 : f32 = a_14 + cosine_7;
-    var _S146 : f32 = b_12 * b_12;
+    var _S151 : f32 = b_12 * b_12;
     var p_sum_1 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S146) / (more_0 * more_0 + _S146) * p_sum_1 / (p_sum_1 + 2.0f * a_14 * cosine_7 * sin2_0);
+    return (less_0 * less_0 + _S151) / (more_0 * more_0 + _S151) * p_sum_1 / (p_sum_1 + 2.0f * a_14 * cosine_7 * sin2_0);
 }
 
 fn fresnel_conductor_0( cosine_8 : f32,  eta_4 : vec3<f32>,  k_4 : vec3<f32>) -> vec3<f32>
@@ -2303,26 +2356,31 @@ fn specular_0( lobe_8 : Lobe_0,  wi_6 : vec3<f32>) -> vec3<f32>
     return specular_fraction_0(lobe_8, lobe_8.numbers_2, wi_6);
 }
 
-fn turning_0( vertex_4 : Vertex_0,  direction_11 : vec3<f32>) -> vec3<f32>
+fn turning_0( vertex_4 : Vertex_0,  direction_12 : vec3<f32>) -> vec3<f32>
 {
     return vec3<f32>(0.0f);
 }
 
-fn towards_emitter_0( vertex_5 : Vertex_0,  direction_12 : vec3<f32>,  record_13 : u32) -> vec3<f32>
+fn towards_emitter_0( vertex_5 : Vertex_0,  direction_13 : vec3<f32>,  record_13 : u32) -> vec3<f32>
 {
-    var _S147 : vec3<f32>;
+    var _S152 : vec3<f32>;
     if((word_0(record_13)) == u32(1))
     {
-        _S147 = changing_0(direction_12, turning_0(vertex_5, direction_12));
+        _S152 = changing_0(direction_13, turning_0(vertex_5, direction_13));
     }
     else
     {
-        _S147 = still_0(direction_12);
+        _S152 = still_0(direction_13);
     }
-    return _S147;
+    return _S152;
 }
 
-fn local_change_0( vertex_6 : Vertex_0,  direction_13 : vec3<f32>) -> vec3<f32>
+fn turns_onward_0() -> bool
+{
+    return true;
+}
+
+fn local_change_0( vertex_6 : Vertex_0,  direction_14 : vec3<f32>) -> vec3<f32>
 {
     return vec3<f32>(0.0f);
 }
@@ -2336,51 +2394,51 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_10 : f32,  pdf_4 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S148 : Mirrored_0;
-    _S148.cosine_9 = cosine_10;
-    _S148.pdf_3 = pdf_4;
-    _S148.scattered_0 = scattered_1;
-    return _S148;
+    var _S153 : Mirrored_0;
+    _S153.cosine_9 = cosine_10;
+    _S153.pdf_3 = pdf_4;
+    _S153.scattered_0 = scattered_1;
+    return _S153;
 }
 
 fn density_0( facets_4 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S149 : f32 = m_3.z;
-    if(_S149 <= 0.0f)
+    var _S154 : f32 = m_3.z;
+    if(_S154 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_4.alpha_1.x * facets_4.alpha_1.y;
     var slope_1 : vec2<f32> = m_3.xy / facets_4.alpha_1;
     var spread_1 : f32 = dot(slope_1, slope_1);
-    var cos2_2 : f32 = _S149 * _S149;
+    var cos2_2 : f32 = _S154 * _S154;
     if((facets_4.distribution_1) == u32(1))
     {
         var sum_2 : f32 = spread_1 + cos2_2;
         return 1.0f / (scale_0 * sum_2 * sum_2);
     }
     var exponent_0 : f32 = spread_1 / cos2_2;
-    var _S150 : f32;
+    var _S155 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S150 = 0.0f;
+        _S155 = 0.0f;
     }
     else
     {
-        _S150 = exponential_0(- exponent_0) / (scale_0 * cos2_2 * cos2_2);
+        _S155 = exponential_0(- exponent_0) / (scale_0 * cos2_2 * cos2_2);
     }
-    return _S150;
+    return _S155;
 }
 
-fn mirrored_0( facets_5 : Microfacets_0,  wi_7 : vec3<f32>,  wo_3 : vec3<f32>) -> Mirrored_0
+fn mirrored_1( facets_5 : Microfacets_0,  wi_7 : vec3<f32>,  wo_3 : vec3<f32>) -> Mirrored_0
 {
     var h_1 : vec3<f32> = normalize(wi_7 + wo_3);
-    var mirrored_1 : Mirrored_0;
-    mirrored_1.cosine_9 = dot(wi_7, h_1);
-    var _S151 : f32 = 0.25f * density_0(facets_5, h_1) * visible_over_cos_0(facets_5, wi_7);
-    mirrored_1.pdf_3 = _S151;
-    mirrored_1.scattered_0 = _S151 * visible_over_cos_0(facets_5, wo_3) * wo_3.z;
-    return mirrored_1;
+    var mirrored_2 : Mirrored_0;
+    mirrored_2.cosine_9 = dot(wi_7, h_1);
+    var _S156 : f32 = 0.25f * density_0(facets_5, h_1) * visible_over_cos_0(facets_5, wi_7);
+    mirrored_2.pdf_3 = _S156;
+    mirrored_2.scattered_0 = _S156 * visible_over_cos_0(facets_5, wo_3) * wo_3.z;
+    return mirrored_2;
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2420,23 +2478,23 @@ struct Scattering_0
 fn scattering_0( lobe_10 : Lobe_0,  numbers_7 : Numbers_0,  wi_8 : vec3<f32>,  wo_4 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S152 : f32 = wo_4.z;
-    var by_cosine_0 : f32 = _S152 * 0.31830987334251404f;
+    var _S157 : f32 = wo_4.z;
+    var by_cosine_0 : f32 = _S157 * 0.31830987334251404f;
     if((lobe_10.kind_1) == u32(0))
     {
         scattering_1.value_7 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_5 = by_cosine_0;
         return scattering_1;
     }
-    var _S153 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S158 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_10))
     {
-        by_facets_0 = mirrored_0(facets_of_0(lobe_10, numbers_7), wi_8, wo_4);
+        by_facets_0 = mirrored_1(facets_of_0(lobe_10, numbers_7), wi_8, wo_4);
     }
     else
     {
-        by_facets_0 = _S153;
+        by_facets_0 = _S158;
     }
     if((lobe_10.kind_1) == u32(2))
     {
@@ -2446,7 +2504,7 @@ fn scattering_0( lobe_10 : Lobe_0,  numbers_7 : Numbers_0,  wi_8 : vec3<f32>,  w
     }
     var eta_7 : f32 = coat_eta_0(numbers_7);
     var enters_1 : f32 = transmittance_0(lobe_10, eta_7, wi_8.z);
-    scattering_1.value_7 = base_0(lobe_10, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_10, eta_7, _S152) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_7 = base_0(lobe_10, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_10, eta_7, _S157) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_7, enters_1);
     scattering_1.pdf_5 = probability_3 * by_cosine_0;
     if((lobe_10.kind_1) == u32(4))
@@ -2468,16 +2526,16 @@ fn eval_and_pdf_0( lobe_11 : Lobe_0,  wi_9 : vec3<f32>,  wo_5 : vec3<f32>) -> Sc
     var scattered_2 : Scattered_0;
     scattered_2.value_8 = still_0(vec3<f32>(0.0f));
     scattered_2.pdf_6 = 0.0f;
-    var _S154 : bool;
+    var _S159 : bool;
     if((value_of_0(wo_5).z) <= 0.0f)
     {
-        _S154 = true;
+        _S159 = true;
     }
     else
     {
-        _S154 = !has_smooth_0(lobe_11);
+        _S159 = !has_smooth_0(lobe_11);
     }
-    if(_S154)
+    if(_S159)
     {
         return scattered_2;
     }
@@ -2487,12 +2545,12 @@ fn eval_and_pdf_0( lobe_11 : Lobe_0,  wi_9 : vec3<f32>,  wo_5 : vec3<f32>) -> Sc
     return scattered_2;
 }
 
-fn scattered_to_0( vertex_7 : Vertex_0,  wo_6 : vec3<f32>,  direction_14 : vec3<f32>) -> Scattered_0
+fn scattered_to_0( vertex_7 : Vertex_0,  wo_6 : vec3<f32>,  direction_15 : vec3<f32>) -> Scattered_0
 {
-    return eval_and_pdf_0(vertex_7.lobe_1, vertex_7.wi_1, changing_0(wo_6, local_change_0(vertex_7, direction_14)));
+    return eval_and_pdf_0(vertex_7.lobe_1, vertex_7.wi_1, changing_0(wo_6, local_change_0(vertex_7, direction_15)));
 }
 
-fn scattered_along_0( vertex_8 : Vertex_0,  sample_2 : LightSample_0,  moving_0 : ptr<function, vec3<f32>>) -> Scattered_0
+fn scattered_along_0( vertex_8 : Vertex_0,  sample_2 : LightSample_0,  walked_0 : vec3<f32>,  moving_0 : ptr<function, vec3<f32>>) -> Scattered_0
 {
     if(sample_2.is_specular_0)
     {
@@ -2508,30 +2566,102 @@ fn scattered_along_0( vertex_8 : Vertex_0,  sample_2 : LightSample_0,  moving_0 
     }
     else
     {
-        (*moving_0) = changing_0(sample_2.direction_9, turning_0(vertex_8, sample_2.direction_9));
+        var _S160 : vec3<f32>;
+        if(turns_onward_0())
+        {
+            _S160 = turning_0(vertex_8, sample_2.direction_9);
+        }
+        else
+        {
+            _S160 = walked_0;
+        }
+        (*moving_0) = changing_0(sample_2.direction_9, _S160);
     }
     return scattered_to_0(vertex_8, sample_2.wo_0, (*moving_0));
 }
 
-fn component_0( v_8 : vec3<f32>,  axis_2 : u32) -> f32
+fn component_0( v_9 : vec3<f32>,  axis_2 : u32) -> f32
 {
-    var _S155 : f32;
+    var _S161 : f32;
     if(axis_2 == u32(0))
     {
-        _S155 = v_8.x;
+        _S161 = v_9.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S155 = v_8.y;
+            _S161 = v_9.y;
         }
         else
         {
-            _S155 = v_8.z;
+            _S161 = v_9.z;
         }
     }
-    return _S155;
+    return _S161;
+}
+
+struct Ray_0
+{
+     origin_0 : vec3<f32>,
+     shear_x_0 : f32,
+     shear_y_0 : f32,
+     inverse_z_0 : f32,
+     t_min_0 : f32,
+     t_max_0 : f32,
+     local_per_t_0 : f32,
+     enter_0 : f32,
+     edge_on_0 : f32,
+     largest_0 : f32,
+};
+
+fn ray_along_0( origin_1 : vec3<f32>,  direction_16 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  axes_6 : ptr<function, u32>) -> Ray_0
+{
+    var size_1 : vec3<f32> = abs(direction_16);
+    var _S162 : f32 = size_1.x;
+    var _S163 : f32 = size_1.y;
+    var _S164 : bool;
+    if(_S162 >= _S163)
+    {
+        _S164 = _S162 >= (size_1.z);
+    }
+    else
+    {
+        _S164 = false;
+    }
+    var _S165 : i32;
+    if(_S164)
+    {
+        _S165 = i32(0);
+    }
+    else
+    {
+        if(_S163 >= (size_1.z))
+        {
+            _S165 = i32(1);
+        }
+        else
+        {
+            _S165 = i32(2);
+        }
+    }
+    var z_4 : u32 = u32(_S165);
+    var x_11 : u32 = (z_4 + u32(1)) % u32(3);
+    var y_3 : u32 = (z_4 + u32(2)) % u32(3);
+    (*axes_6) = (((x_11 | (((y_3 << (u32(2))))))) | (((z_4 << (u32(4))))));
+    var ray_0 : Ray_0;
+    ray_0.origin_0 = origin_1;
+    var along_4 : f32 = component_0(direction_16, z_4);
+    ray_0.inverse_z_0 = 1.0f / along_4;
+    ray_0.shear_x_0 = component_0(direction_16, x_11) / along_4;
+    ray_0.shear_y_0 = component_0(direction_16, y_3) / along_4;
+    ray_0.t_min_0 = t_min_1;
+    ray_0.t_max_0 = t_max_1;
+    ray_0.local_per_t_0 = abs(along_4);
+    ray_0.enter_0 = 0.0f;
+    ray_0.edge_on_0 = limit_at_0(u32(0));
+    ray_0.largest_0 = limit_at_0(u32(1));
+    return ray_0;
 }
 
 fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
@@ -2546,12 +2676,12 @@ struct RayView_0
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
      margin_0 : f32,
-     axes_6 : u32,
+     axes_7 : u32,
 };
 
 fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S156 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S166 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -2564,36 +2694,36 @@ fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S157 : u32 = axis_3;
-        var _S158 : u32 = _S156 + u32(2) * axis_3;
-        var _S159 : u32 = slot_3 % u32(4);
-        var low_5 : f32 = (bitcast<f32>((nodes_0[_S158][_S159])));
-        var high_2 : f32 = (bitcast<f32>((nodes_0[_S158 + u32(6)][_S159])));
-        var _S160 : bool = (view_6.inverse_1[axis_3]) < 0.0f;
-        var _S161 : f32;
-        if(_S160)
+        var _S167 : u32 = axis_3;
+        var _S168 : u32 = _S166 + u32(2) * axis_3;
+        var _S169 : u32 = slot_3 % u32(4);
+        var low_5 : f32 = (bitcast<f32>((nodes_0[_S168][_S169])));
+        var high_2 : f32 = (bitcast<f32>((nodes_0[_S168 + u32(6)][_S169])));
+        var _S170 : bool = (view_6.inverse_1[axis_3]) < 0.0f;
+        var _S171 : f32;
+        if(_S170)
         {
-            _S161 = high_2;
+            _S171 = high_2;
         }
         else
         {
-            _S161 = low_5;
+            _S171 = low_5;
         }
-        var _S162 : f32 = max(near_0, _S161 * view_6.inverse_1[_S157] - view_6.offset_near_0[axis_3]);
-        var _S163 : f32;
-        if(_S160)
+        var _S172 : f32 = max(near_0, _S171 * view_6.inverse_1[_S167] - view_6.offset_near_0[axis_3]);
+        var _S173 : f32;
+        if(_S170)
         {
-            _S163 = low_5;
+            _S173 = low_5;
         }
         else
         {
-            _S163 = high_2;
+            _S173 = high_2;
         }
-        var _S164 : f32 = min(far_0, _S163 * view_6.inverse_1[_S157] - view_6.offset_far_0[axis_3]);
-        var _S165 : u32 = axis_3 + u32(1);
-        near_0 = _S162;
-        far_0 = _S164;
-        axis_3 = _S165;
+        var _S174 : f32 = min(far_0, _S173 * view_6.inverse_1[_S167] - view_6.offset_far_0[axis_3]);
+        var _S175 : u32 = axis_3 + u32(1);
+        near_0 = _S172;
+        far_0 = _S174;
+        axis_3 = _S175;
     }
     if(near_0 <= far_0)
     {
@@ -2618,7 +2748,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S166 : u32 = k_5;
+        var _S176 : u32 = k_5;
         if((bounds_0[k_5]) > limit_2)
         {
             k_5 = k_5 + u32(1);
@@ -2635,24 +2765,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S167 : u32 = j_0;
-            var _S168 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S166]))
+            var _S177 : u32 = j_0;
+            var _S178 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S176]))
             {
-                _S168 = true;
+                _S178 = true;
             }
             else
             {
-                if((bounds_0[_S167]) == (bounds_0[_S166]))
+                if((bounds_0[_S177]) == (bounds_0[_S176]))
                 {
-                    _S168 = j_0 < k_5;
+                    _S178 = j_0 < k_5;
                 }
                 else
                 {
-                    _S168 = false;
+                    _S178 = false;
                 }
             }
-            if(_S168)
+            if(_S178)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -2677,107 +2807,93 @@ fn crossed_0( view_7 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S169 : f32;
+        var _S179 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S169 = 3.00000000549775576e+38f;
+            _S179 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S169 = ray_bound_0(view_7, limit_3, node_5, slot_4);
+            _S179 = ray_bound_0(view_7, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S169;
+        bounds_1[slot_4] = _S179;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
 
-fn rounded_0( product_2 : f32,  largest_0 : f32) -> f32
+fn rounded_0( product_2 : f32,  largest_1 : f32) -> f32
 {
-    return min(product_2, largest_0);
+    return min(product_2, largest_1);
 }
 
-struct Ray_0
+fn corner_1( ray_1 : Ray_0,  axes_8 : u32,  at_16 : u32) -> vec3<f32>
 {
-     origin_0 : vec3<f32>,
-     shear_x_0 : f32,
-     shear_y_0 : f32,
-     inverse_z_0 : f32,
-     t_min_0 : f32,
-     t_max_0 : f32,
-     local_per_t_0 : f32,
-     enter_0 : f32,
-     edge_on_0 : f32,
-     largest_1 : f32,
-};
-
-fn corner_0( ray_0 : Ray_0,  axes_7 : u32,  at_15 : u32) -> vec3<f32>
-{
-    var relative_0 : vec3<f32> = primitive_vector_0(at_15) - ray_0.origin_0;
-    var z_4 : f32 = component_0(relative_0, (axes_7 >> (u32(4))));
-    return vec3<f32>(component_0(relative_0, (axes_7 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_4, ray_0.largest_1), component_0(relative_0, (((axes_7 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_4, ray_0.largest_1), z_4);
+    var relative_0 : vec3<f32> = primitive_vector_0(at_16) - ray_1.origin_0;
+    var z_5 : f32 = component_0(relative_0, (axes_8 >> (u32(4))));
+    return vec3<f32>(component_0(relative_0, (axes_8 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_5, ray_1.largest_0), component_0(relative_0, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_5, ray_1.largest_0), z_5);
 }
 
 struct Crossing_0
 {
      is_hit_0 : bool,
      t_2 : f32,
-     v_9 : f32,
+     v_10 : f32,
      w_8 : f32,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_16 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_17 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_2 = 0.0f;
-    crossing_0.v_9 = 0.0f;
+    crossing_0.v_10 = 0.0f;
     crossing_0.w_8 = 0.0f;
-    var a_15 : vec3<f32> = corner_0(ray_1, axes_8, at_16);
-    var b_13 : vec3<f32> = corner_0(ray_1, axes_8, at_16 + u32(3));
-    var c_7 : vec3<f32> = corner_0(ray_1, axes_8, at_16 + u32(6));
-    var _S170 : f32 = c_7.x;
-    var _S171 : f32 = b_13.y;
-    var cx_by_0 : f32 = rounded_0(_S170 * _S171, ray_1.largest_1);
-    var _S172 : f32 = c_7.y;
-    var _S173 : f32 = b_13.x;
-    var cy_bx_0 : f32 = rounded_0(_S172 * _S173, ray_1.largest_1);
-    var _S174 : f32 = a_15.x;
-    var ax_cy_0 : f32 = rounded_0(_S174 * _S172, ray_1.largest_1);
-    var _S175 : f32 = a_15.y;
-    var ay_cx_0 : f32 = rounded_0(_S175 * _S170, ray_1.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S173 * _S175, ray_1.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S171 * _S174, ray_1.largest_1);
+    var a_15 : vec3<f32> = corner_1(ray_2, axes_9, at_17);
+    var b_13 : vec3<f32> = corner_1(ray_2, axes_9, at_17 + u32(3));
+    var c_7 : vec3<f32> = corner_1(ray_2, axes_9, at_17 + u32(6));
+    var _S180 : f32 = c_7.x;
+    var _S181 : f32 = b_13.y;
+    var cx_by_0 : f32 = rounded_0(_S180 * _S181, ray_2.largest_0);
+    var _S182 : f32 = c_7.y;
+    var _S183 : f32 = b_13.x;
+    var cy_bx_0 : f32 = rounded_0(_S182 * _S183, ray_2.largest_0);
+    var _S184 : f32 = a_15.x;
+    var ax_cy_0 : f32 = rounded_0(_S184 * _S182, ray_2.largest_0);
+    var _S185 : f32 = a_15.y;
+    var ay_cx_0 : f32 = rounded_0(_S185 * _S180, ray_2.largest_0);
+    var bx_ay_0 : f32 = rounded_0(_S183 * _S185, ray_2.largest_0);
+    var by_ax_0 : f32 = rounded_0(_S181 * _S184, ray_2.largest_0);
     var u_12 : f32 = cx_by_0 - cy_bx_0;
-    var v_10 : f32 = ax_cy_0 - ay_cx_0;
+    var v_11 : f32 = ax_cy_0 - ay_cx_0;
     var w_9 : f32 = bx_ay_0 - by_ax_0;
-    var _S176 : f32 = min(min(u_12, v_10), w_9);
-    var _S177 : f32 = max(max(u_12, v_10), w_9);
-    var _S178 : bool;
-    if(_S176 < 0.0f)
+    var _S186 : f32 = min(min(u_12, v_11), w_9);
+    var _S187 : f32 = max(max(u_12, v_11), w_9);
+    var _S188 : bool;
+    if(_S186 < 0.0f)
     {
-        _S178 = _S177 > 0.0f;
+        _S188 = _S187 > 0.0f;
     }
     else
     {
-        _S178 = false;
+        _S188 = false;
     }
-    if(_S178)
+    if(_S188)
     {
         return crossing_0;
     }
-    var determinant_0 : f32 = u_12 + v_10 + w_9;
-    if(_S176 <= 0.0f)
+    var determinant_0 : f32 = u_12 + v_11 + w_9;
+    if(_S186 <= 0.0f)
     {
-        _S178 = _S177 >= 0.0f;
+        _S188 = _S187 >= 0.0f;
     }
     else
     {
-        _S178 = false;
+        _S188 = false;
     }
-    if(_S178)
+    if(_S188)
     {
-        if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
+        if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
             return crossing_0;
         }
@@ -2786,42 +2902,42 @@ fn intersect_0( ray_1 : Ray_0,  axes_8 : u32,  at_16 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_3 : f32 = (rounded_0(u_12 * a_15.z, ray_1.largest_1) + rounded_0(v_10 * b_13.z, ray_1.largest_1) + rounded_0(w_9 * c_7.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
-    if((ray_1.t_min_0) <= t_3)
+    var t_3 : f32 = (rounded_0(u_12 * a_15.z, ray_2.largest_0) + rounded_0(v_11 * b_13.z, ray_2.largest_0) + rounded_0(w_9 * c_7.z, ray_2.largest_0)) / determinant_0 * ray_2.inverse_z_0;
+    if((ray_2.t_min_0) <= t_3)
     {
-        _S178 = t_3 <= (ray_1.t_max_0);
+        _S188 = t_3 <= (ray_2.t_max_0);
     }
     else
     {
-        _S178 = false;
+        _S188 = false;
     }
-    crossing_0.is_hit_0 = _S178;
+    crossing_0.is_hit_0 = _S188;
     crossing_0.t_2 = t_3;
-    crossing_0.v_9 = v_10 / determinant_0;
+    crossing_0.v_10 = v_11 / determinant_0;
     crossing_0.w_8 = w_9 / determinant_0;
     return crossing_0;
 }
 
-fn face_6( triangle_7 : u32) -> u32
+fn face_6( triangle_8 : u32) -> u32
 {
-    return rough_0[triangle_7 / u32(4)][triangle_7 % u32(4)];
+    return rough_0[triangle_8 / u32(4)][triangle_8 % u32(4)];
 }
 
 struct Found_0
 {
      face_7 : u32,
-     triangle_8 : u32,
-     v_11 : f32,
+     triangle_9 : u32,
+     v_12 : f32,
      w_10 : f32,
 };
 
-fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S179 : bool;
+    var _S189 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
-    found_3.triangle_8 = u32(4294967295);
-    found_3.v_11 = 0.0f;
+    found_3.triangle_9 = u32(4294967295);
+    found_3.v_12 = 0.0f;
     found_3.w_10 = 0.0f;
     if(!((view_8.limit_0) >= 0.0f))
     {
@@ -2849,31 +2965,31 @@ fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S180 : u32 = way_2[level_0].y;
-        if(_S180 == u32(0))
+        var _S190 : u32 = way_2[level_0].y;
+        if(_S190 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S181 : u32 = level_0 - u32(1);
+            var _S191 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S181;
+            level_0 = _S191;
             continue;
         }
-        var slot_5 : u32 = ((_S180 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S180 >> (u32(4)));
-        var _S182 : bool;
+        var slot_5 : u32 = ((_S190 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S190 >> (u32(4)));
+        var _S192 : bool;
         if(!is_new_1)
         {
-            _S182 = (ray_bound_0(view_8, limit_4, here_1.x, slot_5)) > limit_4;
+            _S192 = (ray_bound_0(view_8, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S182 = false;
+            _S192 = false;
         }
-        if(_S182)
+        if(_S192)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -2882,27 +2998,27 @@ fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S183 : u32 = level_0 + u32(1);
+            var _S193 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S183;
+            level_0 = _S193;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S184 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S185 : u32 = leaf_starts_0[leaf_0];
+        var _S194 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S195 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S185;
+        var i_3 : u32 = _S195;
         for(;;)
         {
-            if(i_3 < _S184)
+            if(i_3 < _S194)
             {
             }
             else
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_8.axes_6, u32(9) * i_3);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_3), view_8.axes_7, u32(9) * i_3);
             if(!crossing_1.is_hit_0)
             {
                 i_3 = i_3 + u32(1);
@@ -2910,30 +3026,30 @@ fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S179 = true;
+                _S189 = true;
             }
             else
             {
-                _S179 = (crossing_1.t_2) < ((*ray_2).t_max_0);
+                _S189 = (crossing_1.t_2) < ((*ray_3).t_max_0);
             }
-            var _S186 : bool;
-            if(_S179)
+            var _S196 : bool;
+            if(_S189)
             {
-                _S186 = true;
+                _S196 = true;
             }
             else
             {
-                _S186 = (face_6(i_3)) < (found_3.face_7);
+                _S196 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S186)
+            if(_S196)
             {
                 found_3.face_7 = face_6(i_3);
-                found_3.triangle_8 = i_3;
-                (*ray_2).t_max_0 = crossing_1.t_2;
-                found_3.v_11 = crossing_1.v_9;
+                found_3.triangle_9 = i_3;
+                (*ray_3).t_max_0 = crossing_1.t_2;
+                found_3.v_12 = crossing_1.v_10;
                 found_3.w_10 = crossing_1.w_8;
-                limit_6 = min(limit_5, crossing_1.t_2 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_8.margin_0);
+                limit_6 = min(limit_5, crossing_1.t_2 * (*ray_3).local_per_t_0 - (*ray_3).enter_0 + 2.0f * view_8.margin_0);
             }
             else
             {
@@ -2944,13 +3060,13 @@ fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S179 = (found_3.face_7) != u32(4294967295);
+            _S189 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S179 = false;
+            _S189 = false;
         }
-        if(_S179)
+        if(_S189)
         {
             break;
         }
@@ -2961,54 +3077,14 @@ fn first_found_0( view_8 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_3;
 }
 
-fn cast_0( origin_1 : vec3<f32>,  direction_15 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_2 : vec3<f32>,  direction_17 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
 {
-    var size_1 : vec3<f32> = abs(direction_15);
-    var _S187 : f32 = size_1.x;
-    var _S188 : f32 = size_1.y;
-    var _S189 : bool;
-    if(_S187 >= _S188)
-    {
-        _S189 = _S187 >= (size_1.z);
-    }
-    else
-    {
-        _S189 = false;
-    }
-    var _S190 : i32;
-    if(_S189)
-    {
-        _S190 = i32(0);
-    }
-    else
-    {
-        if(_S188 >= (size_1.z))
-        {
-            _S190 = i32(1);
-        }
-        else
-        {
-            _S190 = i32(2);
-        }
-    }
-    var z_5 : u32 = u32(_S190);
-    var x_11 : u32 = (z_5 + u32(1)) % u32(3);
-    var y_3 : u32 = (z_5 + u32(2)) % u32(3);
-    var ray_3 : Ray_0;
-    ray_3.origin_0 = origin_1;
-    var along_4 : f32 = component_0(direction_15, z_5);
-    ray_3.inverse_z_0 = 1.0f / along_4;
-    ray_3.shear_x_0 = component_0(direction_15, x_11) / along_4;
-    ray_3.shear_y_0 = component_0(direction_15, y_3) / along_4;
-    ray_3.t_min_0 = t_min_1;
-    ray_3.t_max_0 = t_max_1;
-    var _S191 : f32 = abs(along_4);
-    ray_3.local_per_t_0 = _S191;
-    ray_3.enter_0 = 0.0f;
-    ray_3.edge_on_0 = limit_at_0(u32(0));
-    ray_3.largest_1 = limit_at_0(u32(1));
     var view_9 : RayView_0;
-    var _S192 : vec3<f32> = direction_15 / vec3<f32>(_S191);
+    var _S197 : u32 = view_9.axes_7;
+    var _S198 : Ray_0 = ray_along_0(origin_2, direction_17, t_min_2, t_max_2, &(_S197));
+    view_9.axes_7 = _S197;
+    var ray_4 : Ray_0 = _S198;
+    var _S199 : vec3<f32> = direction_17 / vec3<f32>(ray_4.local_per_t_0);
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -3019,81 +3095,80 @@ fn cast_0( origin_1 : vec3<f32>,  direction_15 : vec3<f32>,  t_min_1 : f32,  t_m
         {
             break;
         }
-        var _S193 : f32 = max(abs(_S192[axis_4]), 8.67361737988403547e-19f);
-        var _S194 : f32;
-        if((_S192[axis_4]) < 0.0f)
+        var _S200 : f32 = max(abs(_S199[axis_4]), 8.67361737988403547e-19f);
+        var _S201 : f32;
+        if((_S199[axis_4]) < 0.0f)
         {
-            _S194 = -1.0f / _S193;
+            _S201 = -1.0f / _S200;
         }
         else
         {
-            _S194 = 1.0f / _S193;
+            _S201 = 1.0f / _S200;
         }
-        view_9.inverse_1[axis_4] = _S194;
+        view_9.inverse_1[axis_4] = _S201;
         axis_4 = axis_4 + u32(1);
     }
-    var offset_4 : vec3<f32> = origin_1 * view_9.inverse_1;
+    var offset_4 : vec3<f32> = origin_2 * view_9.inverse_1;
     var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_9.inverse_1);
     view_9.offset_near_0 = offset_4 + wider_0;
     view_9.offset_far_0 = offset_4 - wider_0;
-    view_9.limit_0 = min(t_max_1 * ray_3.local_per_t_0, 8.0f) + 3.814697265625e-06f;
+    view_9.limit_0 = min(t_max_2 * ray_4.local_per_t_0, 8.0f) + 3.814697265625e-06f;
     view_9.margin_0 = 3.814697265625e-06f;
-    view_9.axes_6 = (((x_11 | (((y_3 << (u32(2))))))) | (((z_5 << (u32(4))))));
-    var found_4 : Found_0 = first_found_0(view_9, &(ray_3), any_1);
-    (*t_4) = ray_3.t_max_0;
+    var found_4 : Found_0 = first_found_0(view_9, &(ray_4), any_1);
+    (*t_4) = ray_4.t_max_0;
     return found_4;
 }
 
 fn place_of_0( found_5 : Found_0) -> Place_0
 {
-    return exact_place_0(found_5.triangle_8, found_5.v_11, found_5.w_10);
+    return exact_place_0(found_5.triangle_9, found_5.v_12, found_5.w_10);
 }
 
-fn emitter_seen_0( found_6 : Found_0,  direction_16 : vec3<f32>) -> u32
+fn emitter_seen_0( found_6 : Found_0,  direction_18 : vec3<f32>) -> u32
 {
     if((found_6.face_7) == u32(4294967295))
     {
         return word_0(u32(8));
     }
-    var emitter_6 : u32 = word_0(shape_of_0(found_6.triangle_8) + u32(4));
-    var _S195 : bool;
+    var emitter_6 : u32 = word_0(shape_of_0(found_6.triangle_9) + u32(4));
+    var _S202 : bool;
     if(emitter_6 != u32(4294967295))
     {
-        _S195 = (dot(cross_of_0(found_6.triangle_8), direction_16)) < 0.0f;
+        _S202 = (dot(cross_of_0(found_6.triangle_9), direction_18)) < 0.0f;
     }
     else
     {
-        _S195 = false;
+        _S202 = false;
     }
-    var _S196 : u32;
-    if(_S195)
+    var _S203 : u32;
+    if(_S202)
     {
-        _S196 = emitter_6;
+        _S203 = emitter_6;
     }
     else
     {
-        _S196 = u32(4294967295);
+        _S203 = u32(4294967295);
     }
-    return _S196;
+    return _S203;
 }
 
-fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_17 : vec3<f32>,  distance_5 : f32) -> f32
+fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_19 : vec3<f32>,  distance_5 : f32) -> f32
 {
     var own_3 : f32;
     var rectangle_1 : u32 = word_0(record_14 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S197 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S197.solid_angle_0) > 0.0f))
+        var _S204 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S204.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S197.solid_angle_0) >= 0.00100000004749745f)
+        if((_S204.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S197.solid_angle_0;
+            return 1.0f / _S204.solid_angle_0;
         }
     }
-    var _S198 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
+    var _S205 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_14 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -3107,7 +3182,7 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S198 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S205 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_3 = shares_1.y;
@@ -3117,22 +3192,22 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             own_3 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_3;
-        var _S199 : i32;
+        var _S206 : i32;
         if(is_second_1)
         {
-            _S199 = i32(3);
+            _S206 = i32(3);
         }
         else
         {
-            _S199 = i32(2);
+            _S206 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S199));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S206));
         chosen_2 = chosen_3;
     }
-    var _S200 : u32 = word_0(record_14 + u32(6));
-    var _S201 : u32 = word_0(node_6);
+    var _S207 : u32 = word_0(record_14 + u32(6));
+    var _S208 : u32 = word_0(node_6);
     own_3 = 0.0f;
-    var k_6 : u32 = _S201;
+    var k_6 : u32 = _S208;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -3143,9 +3218,9 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_14, word_0(_S200 + k_6), from_2.exact_0);
+        var angle_4 : f32 = face_solid_angle_0(record_14, word_0(_S207 + k_6), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_4;
-        if(k_6 == _S198)
+        if(k_6 == _S205)
         {
             own_3 = angle_4;
         }
@@ -3156,25 +3231,25 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
     {
         return 0.0f;
     }
-    return chosen_2 / total_3 * density_of_0(own_3, cross_of_0(emitter_triangle_0(record_14, face_8)), distance_5, direction_17);
+    return chosen_2 / total_3 * density_of_0(own_3, cross_of_0(emitter_triangle_0(record_14, face_8)), distance_5, direction_19);
 }
 
-fn emitter_pdf_0( emitter_7 : u32,  found_7 : Found_0,  vertex_9 : Vertex_0,  direction_18 : vec3<f32>,  t_5 : f32) -> f32
+fn emitter_pdf_0( emitter_7 : u32,  found_7 : Found_0,  vertex_9 : Vertex_0,  direction_20 : vec3<f32>,  t_5 : f32) -> f32
 {
     var record_15 : u32 = emitter_record_0(emitter_7);
     if(is_map_0(record_15))
     {
-        var _S202 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_18);
-        return _S202;
+        var _S209 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_20);
+        return _S209;
     }
     if(!is_area_0(record_15))
     {
-        return max(dot(vertex_9.axes_4.n_1, direction_18), 0.0f) * 0.31830987334251404f;
+        return max(dot(vertex_9.axes_4.n_1, direction_20), 0.0f) * 0.31830987334251404f;
     }
-    return area_pdf_0(record_15, found_7.face_7 - word_0(record_15 + u32(3)), vertex_9.surface_3, direction_18, t_5);
+    return area_pdf_0(record_15, found_7.face_7 - word_0(record_15 + u32(3)), vertex_9.surface_3, direction_20, t_5);
 }
 
-fn met_0( vertex_10 : Vertex_0,  direction_19 : vec3<f32>,  t_6 : f32,  place_16 : Place_0) -> Place_0
+fn met_0( vertex_10 : Vertex_0,  direction_21 : vec3<f32>,  t_6 : f32,  place_16 : Place_0) -> Place_0
 {
     return place_16;
 }
@@ -3189,9 +3264,9 @@ fn weight_over_0( own_4 : f32,  other_0 : f32) -> f32
     return 1.0f / (own_4 * (1.0f + ratio_0 * ratio_0));
 }
 
-fn in_map_0( map_5 : u32,  direction_20 : vec3<f32>) -> Lookup_0
+fn in_map_0( map_5 : u32,  direction_22 : vec3<f32>) -> Lookup_0
 {
-    var place_17 : vec2<f32> = map_place_0(map_5, direction_20);
+    var place_17 : vec2<f32> = map_place_0(map_5, direction_22);
     var point_2 : Point_0;
     point_2.value_3 = place_17;
     var x_12 : i32 = floor_of_0(place_17.x);
@@ -3200,46 +3275,47 @@ fn in_map_0( map_5 : u32,  direction_20 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_5 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_3, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_3, u32(0));
-    var _S203 : u32 = wrapped_0(y_4, height_1, u32(2));
-    var _S204 : u32 = u32(width_3);
-    var first_5 : u32 = _S203 * _S204;
-    var _S205 : u32 = wrapped_0(y_4 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S205 * _S204;
+    var _S210 : u32 = wrapped_0(y_4, height_1, u32(2));
+    var _S211 : u32 = u32(width_3);
+    var first_5 : u32 = _S210 * _S211;
+    var _S212 : u32 = wrapped_0(y_4 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S212 * _S211;
     return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_2 + left_1, second_2 + right_1), point_2);
 }
 
-fn emitted_0( emitter_8 : u32,  place_18 : Place_0,  direction_21 : vec3<f32>) -> vec3<f32>
+fn emitted_0( emitter_8 : u32,  place_18 : Place_0,  direction_23 : vec3<f32>) -> vec3<f32>
 {
     var record_16 : u32 = emitter_record_0(emitter_8);
     var texture_6 : u32 = word_0(record_16 + u32(1));
     if(!is_map_0(record_16))
     {
-        var _S206 : vec3<f32> = shown_0(texture_6, place_18);
-        return _S206;
+        var _S213 : vec3<f32> = shown_0(texture_6, place_18);
+        return _S213;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S207 : u32 = word_0(texture_6 + u32(11));
-    var _S208 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_21));
-    return looked_up_0(_S207, _S208, change_1) * factor_0;
+    var _S214 : u32 = word_0(texture_6 + u32(11));
+    var _S215 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_23));
+    return looked_up_0(_S214, _S215, change_1) * factor_0;
 }
 
-fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_0 : vec3<f32>) -> bool
+fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_0 : vec3<f32>) -> bool
 {
-    var depth_2 : u32 = launch_0.depth_0;
-    var _S209 : u32 = vertex_numbers_0(launch_0.depth_0);
-    var surface_5 : Surface_0 = surface_at_0((*path_5).place_1, value_of_0((*path_5).direction_0));
+    var depth_3 : u32 = launch_0.depth_0;
+    var _S216 : u32 = vertex_numbers_0(launch_0.depth_0);
+    var incoming_0 : vec3<f32> = value_of_0((*path_7).direction_0);
+    var surface_5 : Surface_0 = surface_at_0((*path_7).place_1, incoming_0);
     var material_1 : u32 = material_of_0(surface_5);
     if(material_1 == u32(4294967295))
     {
         return false;
     }
-    var vertex_11 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_5).direction_0);
+    var vertex_11 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_7).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S210 : u32 = word_0(u32(3));
-    var _S211 : bool = !reaches_0(depth_2 + u32(3));
+    var _S217 : u32 = word_0(u32(3));
+    var _S218 : bool = !reaches_0(depth_3 + u32(3));
     var goes_on_0 : bool;
-    if(_S211)
+    if(_S218)
     {
         goes_on_0 = (vertex_11.lobe_1.kind_1) == u32(0);
     }
@@ -3262,7 +3338,7 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     else
     {
-        bsdf_samples_0 = _S210;
+        bsdf_samples_0 = _S217;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_11.lobe_1))
@@ -3273,10 +3349,12 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S212 : Choice_0 = choice_at_0(surface_5.position_0, vertex_11.axes_4.n_1, on_emitters_0 == u32(0));
+    var _S219 : Choice_0 = choice_at_0(surface_5.position_0, vertex_11.axes_4.n_1, on_emitters_0 == u32(0));
+    var _S220 : vec3<f32> = vec3<f32>(0.0f);
     goes_on_0 = false;
-    var next_2 : Place_0 = (*path_5).place_1;
-    var next_direction_0 : vec3<f32> = (*path_5).direction_0;
+    var next_2 : Place_0 = (*path_7).place_1;
+    var next_direction_0 : vec3<f32> = (*path_7).direction_0;
+    var next_rest_0 : vec3<f32> = _S220;
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -3288,50 +3366,67 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
             break;
         }
         var sample_3 : LightSample_0;
+        var _S221 : bool;
         var goes_on_1 : bool;
         var next_3 : Place_0;
         var next_direction_1 : vec3<f32>;
+        var next_rest_1 : vec3<f32>;
         if(i_4 < on_emitters_0)
         {
-            var _S213 : bool = sample_emitter_0(vertex_11, _S212, (*path_5).key_0, _S209 + u32(3) * i_4, &(sample_3));
-            if(!_S213)
+            var _S222 : bool = sample_emitter_0(vertex_11, _S219, (*path_7).key_0, _S216 + u32(3) * i_4, &(sample_3));
+            if(!_S222)
             {
                 goes_on_1 = goes_on_0;
                 next_3 = next_2;
                 next_direction_1 = next_direction_0;
-                var _S214 : u32 = i_4 + u32(1);
+                next_rest_1 = next_rest_0;
+                var _S223 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
-                i_4 = _S214;
+                next_rest_0 = next_rest_1;
+                i_4 = _S223;
                 continue;
             }
         }
         else
         {
-            sample_3 = sample_material_0(vertex_11, (*path_5).key_0, _S209 + u32(3) * emitter_samples_0 + u32(3) * (i_4 - on_emitters_0));
+            sample_3 = sample_material_0(vertex_11, (*path_7).key_0, first_material_number_0(depth_3) + u32(3) * (i_4 - on_emitters_0));
+            if(sample_3.is_specular_0)
+            {
+                _S221 = (word_0(surface_5.shape_0 + u32(6))) != u32(0);
+            }
+            else
+            {
+                _S221 = false;
+            }
+            if(_S221)
+            {
+                sample_3.way_1 = mirrored_0(mirror_at_0(surface_5.place_3.triangle_0), incoming_0 + (*path_7).direction_rest_0);
+            }
         }
         var moving_1 : vec3<f32>;
-        var scattered_4 : Scattered_0 = scattered_along_0(vertex_11, sample_3, &(moving_1));
-        var _S215 : bool;
+        var scattered_4 : Scattered_0 = scattered_along_0(vertex_11, sample_3, walked_of_0((*path_7)), &(moving_1));
         if(!sample_3.is_on_emitter_0)
         {
-            _S215 = !((scattered_4.pdf_6) > 0.0f);
+            _S221 = !((scattered_4.pdf_6) > 0.0f);
         }
         else
         {
-            _S215 = false;
+            _S221 = false;
         }
-        if(_S215)
+        if(_S221)
         {
             goes_on_1 = goes_on_0;
             next_3 = next_2;
             next_direction_1 = next_direction_0;
-            var _S214 : u32 = i_4 + u32(1);
+            next_rest_1 = next_rest_0;
+            var _S223 : u32 = i_4 + u32(1);
             goes_on_0 = goes_on_1;
             next_2 = next_3;
             next_direction_0 = next_direction_1;
-            i_4 = _S214;
+            next_rest_0 = next_rest_1;
+            i_4 = _S223;
             continue;
         }
         var t_7 : f32;
@@ -3345,11 +3440,13 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 goes_on_1 = goes_on_0;
                 next_3 = next_2;
                 next_direction_1 = next_direction_0;
-                var _S214 : u32 = i_4 + u32(1);
+                next_rest_1 = next_rest_0;
+                var _S223 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
-                i_4 = _S214;
+                next_rest_0 = next_rest_1;
+                i_4 = _S223;
                 continue;
             }
             var own_6 : f32 = f32(emitter_samples_0) * sample_3.probability_1 * sample_3.pdf_2;
@@ -3358,72 +3455,79 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 goes_on_1 = goes_on_0;
                 next_3 = next_2;
                 next_direction_1 = next_direction_0;
-                var _S214 : u32 = i_4 + u32(1);
+                next_rest_1 = next_rest_0;
+                var _S223 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
-                i_4 = _S214;
+                next_rest_0 = next_rest_1;
+                i_4 = _S223;
                 continue;
             }
-            var _S216 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
+            var _S224 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
             own_5 = own_6;
-            other_1 = _S216;
+            other_1 = _S224;
             goes_on_1 = goes_on_0;
             next_3 = next_2;
             next_direction_1 = next_direction_0;
+            next_rest_1 = next_rest_0;
         }
         else
         {
             if(i_4 == on_emitters_0)
             {
-                var _S217 : bool = (found_8.face_7) != u32(4294967295);
-                var _S218 : Place_0 = place_of_0(found_8);
+                var _S225 : bool = (found_8.face_7) != u32(4294967295);
+                var _S226 : Place_0 = place_of_0(found_8);
                 (*reflected_1).onward_0 = scattered_4.value_8 * vec3<f32>((1.0f / scattered_4.pdf_6));
-                goes_on_1 = _S217;
-                next_3 = _S218;
+                var _S227 : vec3<f32> = sample_3.way_1 - sample_3.direction_9;
+                goes_on_1 = _S225;
+                next_3 = _S226;
                 next_direction_1 = moving_1;
+                next_rest_1 = _S227;
             }
             else
             {
                 goes_on_1 = goes_on_0;
                 next_3 = next_2;
                 next_direction_1 = next_direction_0;
+                next_rest_1 = next_rest_0;
             }
-            var _S219 : u32 = emitter_seen_0(found_8, sample_3.direction_9);
-            sample_3.emitter_5 = _S219;
-            if(_S219 == u32(4294967295))
+            var _S228 : u32 = emitter_seen_0(found_8, sample_3.direction_9);
+            sample_3.emitter_5 = _S228;
+            if(_S228 == u32(4294967295))
             {
-                var _S214 : u32 = i_4 + u32(1);
+                var _S223 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
-                i_4 = _S214;
+                next_rest_0 = next_rest_1;
+                i_4 = _S223;
                 continue;
             }
             sample_3.place_13 = place_of_0(found_8);
             sample_3.distance_4 = t_7;
-            var _S220 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
-            var _S221 : bool;
+            var _S229 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
+            var _S230 : bool;
             if(!sample_3.is_specular_0)
             {
-                _S221 = emitter_samples_0 != u32(0);
+                _S230 = emitter_samples_0 != u32(0);
             }
             else
             {
-                _S221 = false;
+                _S230 = false;
             }
-            if(_S221)
+            if(_S230)
             {
                 var pdf_7 : f32 = emitter_pdf_0(sample_3.emitter_5, found_8, vertex_11, sample_3.direction_9, t_7);
-                own_5 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S212) * pdf_7;
+                own_5 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S219) * pdf_7;
             }
             else
             {
                 own_5 = 0.0f;
             }
-            var _S222 : f32 = own_5;
-            own_5 = _S220;
-            other_1 = _S222;
+            var _S231 : f32 = own_5;
+            own_5 = _S229;
+            other_1 = _S231;
         }
         var place_19 : Place_0 = sample_3.place_13;
         var place_20 : Place_0;
@@ -3436,15 +3540,16 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
             place_20 = place_19;
         }
         var weight_0 : f32 = weight_over_0(own_5, other_1);
-        var _S223 : vec3<f32> = emitted_0(sample_3.emitter_5, place_20, moving_1);
-        (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_4.value_8 * (_S223 * vec3<f32>(weight_0));
-        var _S214 : u32 = i_4 + u32(1);
+        var _S232 : vec3<f32> = emitted_0(sample_3.emitter_5, place_20, moving_1);
+        (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_4.value_8 * (_S232 * vec3<f32>(weight_0));
+        var _S223 : u32 = i_4 + u32(1);
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
-        i_4 = _S214;
+        next_rest_0 = next_rest_1;
+        i_4 = _S223;
     }
-    if(_S211)
+    if(_S218)
     {
         goes_on_0 = true;
     }
@@ -3456,34 +3561,35 @@ fn take_further_0( path_5 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     {
         return false;
     }
-    var throughput_1 : vec3<f32> = value_of_0((*path_5).throughput_0) * value_of_0((*reflected_1).onward_0);
-    var _S224 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    if(!(_S224 > 0.0f))
+    var throughput_1 : vec3<f32> = value_of_0((*path_7).throughput_0) * value_of_0((*reflected_1).onward_0);
+    var _S233 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    if(!(_S233 > 0.0f))
     {
         return false;
     }
-    var _S225 : u32 = depth_2 + u32(1);
-    if(_S225 >= (word_0(u32(1))))
+    var _S234 : u32 = depth_3 + u32(1);
+    if(_S234 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S224, 0.0f, 0.94999998807907104f);
-        if((random_0((*path_5).key_0, vertex_numbers_0(_S225) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S233, 0.0f, 0.94999998807907104f);
+        if((random_0((*path_7).key_0, vertex_numbers_0(_S234) - u32(1))) >= survival_0)
         {
             return false;
         }
         (*reflected_1).onward_0 = (*reflected_1).onward_0 * vec3<f32>((1.0f / survival_0));
     }
-    (*path_5).place_1 = next_2;
-    (*path_5).direction_0 = next_direction_0;
+    (*path_7).place_1 = next_2;
+    (*path_7).direction_0 = next_direction_0;
+    (*path_7).direction_rest_0 = next_rest_0;
     return true;
 }
 
-fn set_word_0( path_6 : u32,  which_5 : u32,  value_9 : u32)
+fn set_word_0( path_8 : u32,  which_6 : u32,  value_9 : u32)
 {
-    paths_0[which_5 * launch_0.room_0 + path_6] = value_9;
+    paths_0[which_6 * launch_0.room_0 + path_8] = value_9;
     return;
 }
 
-fn set_vector_0( path_7 : u32,  which_6 : ptr<function, u32>,  value_10 : vec3<f32>)
+fn set_vector_0( path_9 : u32,  which_7 : ptr<function, u32>,  value_10 : vec3<f32>)
 {
     var axis_5 : u32 = u32(0);
     for(;;)
@@ -3495,51 +3601,73 @@ fn set_vector_0( path_7 : u32,  which_6 : ptr<function, u32>,  value_10 : vec3<f
         {
             break;
         }
-        set_word_0(path_7, (*which_6) + axis_5, (bitcast<u32>((value_10[axis_5]))));
+        set_word_0(path_9, (*which_7) + axis_5, (bitcast<u32>((value_10[axis_5]))));
         axis_5 = axis_5 + u32(1);
     }
-    (*which_6) = (*which_6) + u32(3);
+    (*which_7) = (*which_7) + u32(3);
     return;
 }
 
-fn set_changing_0( path_8 : u32,  which_7 : ptr<function, u32>,  vector_1 : vec3<f32>)
+fn set_vector_1( path_10 : u32,  which_8 : ptr<function, u32>,  value_11 : vec3<f32>)
 {
-    set_vector_0(path_8, &((*which_7)), value_of_0(vector_1));
+    var axis_6 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_6 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_10, (*which_8) + axis_6, (bitcast<u32>((value_11[axis_6]))));
+        axis_6 = axis_6 + u32(1);
+    }
+    (*which_8) = (*which_8) + u32(3);
     return;
 }
 
-fn set_place_0( path_9 : u32,  which_8 : ptr<function, u32>,  place_21 : Place_0)
+fn set_changing_0( path_11 : u32,  which_9 : ptr<function, u32>,  vector_1 : vec3<f32>)
 {
-    set_word_0(path_9, (*which_8), place_21.triangle_0);
-    set_word_0(path_9, (*which_8) + u32(1), (bitcast<u32>((place_21.v_0))));
-    set_word_0(path_9, (*which_8) + u32(2), (bitcast<u32>((place_21.w_0))));
-    set_word_0(path_9, (*which_8) + u32(3), (bitcast<u32>((place_21.v_rest_0))));
-    set_word_0(path_9, (*which_8) + u32(4), (bitcast<u32>((place_21.w_rest_0))));
-    (*which_8) = (*which_8) + u32(5);
+    set_vector_1(path_11, &((*which_9)), value_of_0(vector_1));
     return;
 }
 
-fn store_0( number_of_path_1 : u32,  path_10 : Path_0)
+fn set_place_0( path_12 : u32,  which_10 : ptr<function, u32>,  place_21 : Place_0)
 {
-    var at_17 : u32 = u32(1);
-    set_changing_0(number_of_path_1, &(at_17), path_10.light_0);
-    set_changing_0(number_of_path_1, &(at_17), path_10.throughput_0);
-    set_changing_0(number_of_path_1, &(at_17), path_10.direction_0);
-    set_place_0(number_of_path_1, &(at_17), path_10.place_1);
-    set_word_0(number_of_path_1, at_17, path_10.key_0.x);
-    set_word_0(number_of_path_1, at_17 + u32(1), path_10.key_0.y);
+    set_word_0(path_12, (*which_10), place_21.triangle_0);
+    set_word_0(path_12, (*which_10) + u32(1), (bitcast<u32>((place_21.v_0))));
+    set_word_0(path_12, (*which_10) + u32(2), (bitcast<u32>((place_21.w_0))));
+    set_word_0(path_12, (*which_10) + u32(3), (bitcast<u32>((place_21.v_rest_0))));
+    set_word_0(path_12, (*which_10) + u32(4), (bitcast<u32>((place_21.w_rest_0))));
+    (*which_10) = (*which_10) + u32(5);
+    return;
+}
+
+fn store_0( number_of_path_1 : u32,  path_13 : Path_0)
+{
+    var at_18 : u32 = u32(1);
+    set_changing_0(number_of_path_1, &(at_18), path_13.light_0);
+    set_changing_0(number_of_path_1, &(at_18), path_13.throughput_0);
+    set_changing_0(number_of_path_1, &(at_18), path_13.direction_0);
+    set_place_0(number_of_path_1, &(at_18), path_13.place_1);
+    var _S235 : u32 = at_18 + u32(1);
+    set_word_0(number_of_path_1, at_18, path_13.key_0.x);
+    at_18 = _S235 + u32(1);
+    set_word_0(number_of_path_1, _S235, path_13.key_0.y);
+    set_vector_0(number_of_path_1, &(at_18), path_13.direction_rest_0);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S226 : u32;
+    var _S236 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S227 : u32 = u32(2) + zero_0;
-        _S226 = _S227;
-        if(rounds_0 < _S227)
+        var _S237 : u32 = u32(2) + zero_0;
+        _S236 = _S237;
+        if(rounds_0 < _S237)
         {
         }
         else
@@ -3548,42 +3676,42 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S226;
+    return rounds_0 == _S236;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S228 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S238 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
 
 fn take_thread_further_0( thread_0 : u32)
 {
-    var at_18 : u32 = launch_0.first_0 + thread_0;
-    if(at_18 >= (launch_0.end_0))
+    var at_19 : u32 = launch_0.first_0 + thread_0;
+    if(at_19 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_2 : u32 = input_0[at_18];
-    var path_11 : Path_0 = load_0(number_of_path_2);
+    var number_of_path_2 : u32 = input_0[at_19];
+    var path_14 : Path_0 = load_0(number_of_path_2);
     var reflected_2 : Reflected_0 = nothing_reflected_0();
-    var goes_on_2 : bool = take_further_0(&(path_11), &(reflected_2), vec3<f32>(0.0f));
-    path_11.light_0 = path_11.light_0 + path_11.throughput_0 * reflected_2.direct_0;
-    path_11.throughput_0 = path_11.throughput_0 * reflected_2.onward_0;
-    store_0(number_of_path_2, path_11);
-    var _S229 : u32;
+    var goes_on_2 : bool = take_further_0(&(path_14), &(reflected_2), vec3<f32>(0.0f));
+    path_14.light_0 = path_14.light_0 + path_14.throughput_0 * reflected_2.direct_0;
+    path_14.throughput_0 = path_14.throughput_0 * reflected_2.onward_0;
+    store_0(number_of_path_2, path_14);
+    var _S239 : u32;
     if(goes_on_2)
     {
-        _S229 = number_of_path_2;
+        _S239 = number_of_path_2;
     }
     else
     {
-        _S229 = u32(4294967295);
+        _S239 = u32(4294967295);
     }
-    set_word_0(at_18, u32(0), _S229);
+    set_word_0(at_19, u32(0), _S239);
     check_loops_0();
     return;
 }

@@ -151,6 +151,10 @@ const METAL: &str = r#"<bsdf type="roughconductor" id="material">
     <float name="alpha" value="0.3"/>
   </bsdf>"#;
 
+const MIRROR: &str = r#"<bsdf type="conductor" id="material"/>"#;
+
+const VARNISH: &str = r#"<bsdf type="plastic" id="material"/>"#;
+
 /// A shape moves, turns and grows, each in a way of its own.
 fn moving(scene: &Scene, names: &[&str]) -> Tangent {
     let mut tangent = Tangent::zero(scene);
@@ -258,18 +262,20 @@ fn emitters_and_the_camera_move() {
 /// What is behind an edge is a path of several segments, with the random numbers of the sample.
 #[test]
 fn paths_go_on_beside_edges() {
-    for (integrator, filter, material) in [
-        (PATHS, "box", DIFFUSE),
-        (PATHS, "gaussian", METAL),
-        (DIRECT, "gaussian", DIFFUSE),
-        (DIRECT, "box", METAL),
-        (HIDDEN, "box", DIFFUSE),
+    for (integrator, filter, material, fewest) in [
+        (PATHS, "box", DIFFUSE, 15),
+        (PATHS, "gaussian", METAL, 15),
+        (DIRECT, "gaussian", DIFFUSE, 15),
+        (DIRECT, "box", METAL, 15),
+        (HIDDEN, "box", DIFFUSE, 15),
+        (PATHS, "gaussian", MIRROR, 8),
+        (DIRECT, "box", VARNISH, 8),
     ] {
         let scene = scene(integrator, "perspective", filter, &lit_room(material));
         let tangent = moving(&scene, &["block"]);
         let what = format!("{filter}, {integrator}, {material}");
         let both = both(&PreparedScene::new(scene), &tangent, &options(1));
-        check(&what, both, DIFFERENT, MOST_DIFFERENT, 15);
+        check(&what, both, DIFFERENT, MOST_DIFFERENT, fewest);
     }
 }
 
@@ -339,42 +345,69 @@ fn samples_are_whole_where_work_is_stopped() {
 /// With what it is, before a sample is taken.
 #[test]
 fn what_has_no_edges_yet_is_refused() {
-    let refusal = |scene: Scene, precision| {
+    let refusal = |scene: Scene, precision, options: &GradientOptions| {
         let tangent = with_moving_camera(Tangent::zero(&scene));
         let gpu = device::open(precision)?;
         let prepared = PreparedScene::new(scene);
         let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
-        match on_device.gradient(&tangent, &options(1), &Unwatched) {
+        match on_device.gradient(&tangent, options, &Unwatched) {
             Err(DeviceError::Unsupported(unsupported)) => Some(unsupported.to_string()),
             other => panic!("{:?}", other.err()),
         }
     };
     let room = |material| scene(PATHS, "perspective", "box", &lit_room(material));
-    let mirror = r#"<bsdf type="conductor" id="material"/>"#;
-    let varnish = r#"<bsdf type="plastic" id="material"/>"#;
-    for (scene, precision, expected) in [
+    let deep = PATHS.replace(r#""max_depth" value="4""#, r#""max_depth" value="8""#);
+    let ball = r#"<shape type="sphere" id="ball">
+    <float name="radius" value="0.3"/><ref id="material"/>
+  </shape>"#;
+    let curved = format!("{}{ball}", lit_room(VARNISH));
+    let curved = scene(PATHS, "perspective", "box", &curved);
+    let edges = options(1);
+    let walks = GradientOptions {
+        method: Method::Walk,
+        ..edges
+    };
+    let mut steps = edges;
+    steps.walk.steps = 2;
+    for (scene, precision, options, expected) in [
         (
             scene(EMISSION, "orthographic", "box", EMITTERS),
             Precision::Double,
+            edges,
             "the sensor's rays are parallel",
         ),
         (
-            room(mirror),
+            curved,
             Precision::Double,
-            "the material of shape \"floor\" is perfectly specular",
+            edges,
+            "shape \"ball\" is a curved mirror",
         ),
         (
-            room(varnish),
+            scene(&deep, "perspective", "box", &lit_room(MIRROR)),
             Precision::Double,
-            "the material of shape \"floor\" is perfectly specular",
+            edges,
+            "mirrors may show each other more than 6 times",
+        ),
+        (
+            room(DIFFUSE),
+            Precision::Double,
+            walks,
+            "directions are to walk elsewhere",
+        ),
+        (
+            room(DIFFUSE),
+            Precision::Double,
+            steps,
+            "walks are not of one anchored step",
         ),
         (
             room(DIFFUSE),
             Precision::Single,
+            edges,
             "the device has single precision alone",
         ),
     ] {
-        if let Some(found) = refusal(scene, precision) {
+        if let Some(found) = refusal(scene, precision, &options) {
             assert!(found.starts_with(expected), "{found}");
             assert!(found.contains("not on the GPU yet"), "{found}");
         }

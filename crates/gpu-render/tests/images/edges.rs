@@ -53,6 +53,8 @@ fn scene(depth: u32, floor: &str, things: &str) -> Scene {
   <bsdf type="roughconductor" id="polished">
     <float name="alpha" value="0.1"/><rgb name="specular_reflectance" value="0.3, 0.2, 0.4"/>
   </bsdf>
+  <bsdf type="conductor" id="mirror"><rgb name="specular_reflectance" value="0.9, 0.8, 0.7"/></bsdf>
+  <bsdf type="plastic" id="glazed"/>
   <bsdf type="roughplastic" id="plastic"><float name="alpha" value="0.2"/></bsdf>
   <shape type="rectangle" id="floor">
     <transform name="to_world"><rotate x="1" angle="-90"/><scale value="3"/></transform>
@@ -68,7 +70,7 @@ fn scene(depth: u32, floor: &str, things: &str) -> Scene {
 }
 
 /// A cube of a material, half as large as given, at a place.
-fn block(id: &str, material: &str, size: f64, [x, y, z]: [f64; 3]) -> String {
+pub fn block(id: &str, material: &str, size: f64, [x, y, z]: [f64; 3]) -> String {
     format!(
         r#"<shape type="cube" id="{id}">
     <transform name="to_world">
@@ -80,7 +82,7 @@ fn block(id: &str, material: &str, size: f64, [x, y, z]: [f64; 3]) -> String {
 }
 
 /// A rectangle that looks down and emits, half as large as given.
-fn lamp(id: &str, size: f64, [x, y, z]: [f64; 3], radiance: &str) -> String {
+pub fn lamp(id: &str, size: f64, [x, y, z]: [f64; 3], radiance: &str) -> String {
     format!(
         r#"<shape type="rectangle" id="{id}">
     <transform name="to_world">
@@ -92,7 +94,7 @@ fn lamp(id: &str, size: f64, [x, y, z]: [f64; 3], radiance: &str) -> String {
 }
 
 /// A ball of a material.
-fn ball(id: &str, material: &str, radius: f64, [x, y, z]: [f64; 3]) -> String {
+pub fn ball(id: &str, material: &str, radius: f64, [x, y, z]: [f64; 3]) -> String {
     format!(
         r#"<shape type="sphere" id="{id}">
     <point name="center" x="{x}" y="{y}" z="{z}"/><float name="radius" value="{radius}"/>
@@ -102,7 +104,7 @@ fn ball(id: &str, material: &str, radius: f64, [x, y, z]: [f64; 3]) -> String {
 }
 
 /// A wall behind the floor, in which the floor sees nothing but the camera could.
-fn wall(material: &str) -> String {
+pub fn wall(material: &str) -> String {
     format!(
         r#"<shape type="rectangle" id="wall">
     <transform name="to_world"><scale value="1.5"/><translate y="1.5" z="-1.8"/></transform>
@@ -116,12 +118,12 @@ fn upright(block: &str) -> String {
     block.replace(r#"angle="25""#, r#"angle="0""#)
 }
 
-const GREY: &str = r#"<ref id="grey"/>"#;
+pub const GREY: &str = r#"<ref id="grey"/>"#;
 const BLACK: &str = r#"<ref id="black"/>"#;
 const METAL: &str = r#"<ref id="metal"/>"#;
 const POLISHED: &str = r#"<ref id="polished"/>"#;
 const PLASTIC: &str = r#"<ref id="plastic"/>"#;
-const SKY: &str =
+pub const SKY: &str =
     r#"<emitter type="constant"><rgb name="radiance" value="0.5, 0.7, 1"/></emitter>"#;
 const MAP: &str = r#"<emitter type="envmap"><string name="filename" value="sky.exr"/></emitter>"#;
 
@@ -134,26 +136,26 @@ const CHECKS: &str = r#"<texture type="checkerboard" name="radiance">
     </texture>"#;
 
 /// Where the block and the lamp are, unless a scene says otherwise.
-const BLOCK: [f64; 3] = [0.0, 1.2, -0.6];
+pub const BLOCK: [f64; 3] = [0.0, 1.2, -0.6];
 const LAMP: [f64; 3] = [0.2, 3.5, -1.5];
 
 /// A scene in which some shapes move, all alike.
-struct Case {
-    name: &'static str,
+pub struct Case {
+    pub name: &'static str,
     /// Segments of the longest paths.
-    depth: u32,
-    floor: &'static str,
-    things: Vec<String>,
-    moving: Vec<&'static str>,
+    pub depth: u32,
+    pub floor: &'static str,
+    pub things: Vec<String>,
+    pub moving: Vec<&'static str>,
     /// Of the world's origin, with which they turn.
-    velocity: Vec3,
-    rotation: Vec3,
+    pub velocity: Vec3,
+    pub rotation: Vec3,
     /// Samples per pixel on the device.
-    spp: u32,
+    pub spp: u32,
 }
 
 /// What is left out is as in most of them.
-fn case(name: &'static str, things: impl IntoIterator<Item = String>) -> Case {
+pub fn case(name: &'static str, things: impl IntoIterator<Item = String>) -> Case {
     Case {
         name,
         depth: 2,
@@ -166,7 +168,7 @@ fn case(name: &'static str, things: impl IntoIterator<Item = String>) -> Case {
     }
 }
 
-fn cases() -> Vec<Case> {
+pub fn cases() -> Vec<Case> {
     let black = || block("block", "black", 0.35, BLOCK);
     let small = || lamp("lamp", 0.15, LAMP, "60, 50, 40");
     let large = || lamp("lamp", 1.0, LAMP, "2, 3, 2.5");
@@ -346,11 +348,15 @@ fn cases() -> Vec<Case> {
 }
 
 impl Case {
-    fn prepared(&self) -> PreparedScene {
-        PreparedScene::new(scene(self.depth, self.floor, &self.things.concat()))
+    pub fn scene(&self) -> Scene {
+        scene(self.depth, self.floor, &self.things.concat())
     }
 
-    fn tangent(&self, scene: &Scene) -> Tangent {
+    fn prepared(&self) -> PreparedScene {
+        PreparedScene::new(self.scene())
+    }
+
+    pub fn tangent(&self, scene: &Scene) -> Tangent {
         let mut tangent = Tangent::zero(scene);
         let velocity = |&p: &Vec3| self.velocity + self.rotation.cross(p);
         for (shape, vectors) in scene.shapes.iter().zip(&mut tangent.shapes) {

@@ -14,3 +14,4 @@ mod motion;
 mod parts;
 mod scenes;
 mod unsupported;
+mod walks;
