@@ -243,6 +243,7 @@ impl EdgeRecords {
             // Only a guess of the speed does not depend on where and across what.
             let guess = eval.speed(points, 0.5, Vec3::zero(), Vec3::zero());
             self.words.push(float(guess));
+            self.words.push(buffers.edges[kept]);
         }
         let numbers_at = self.numbers.len() as u32;
         let numbers = buffers.ends_and_normals.as_chunks::<EDGE>().0;

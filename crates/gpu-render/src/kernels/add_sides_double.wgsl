@@ -1,7 +1,7 @@
-// Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
-// compiler: Slang 2026.12 in slangpy 0.43.1
-// source: ce6a4dad891818ea
-// result: 5a7023c39d37c749
+// x
+// x
+// x
+// x
 
 struct Launch_std140_0
 {

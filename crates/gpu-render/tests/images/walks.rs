@@ -17,14 +17,16 @@ use crate::motion::{assert_same, everything, samples_among, with_sensor};
 /// Samples differ if their derivatives do by more than this, relatively.
 const DIFFERENT: f64 = 5e-4;
 
-/// The share of samples that may.
-const MOST_DIFFERENT: f64 = 0.01;
+/// The share of those with a derivative that may, and how many more: which of two edges is nearer, and whether
+/// one in the plane of a face is seen, is decided by rounding.
+const MOST_DIFFERENT: f64 = 0.017;
+const FEW: f64 = 2.0;
 
 /// Pixels of the images, of which there are so many, of one sample; and how many pixels must have a
 /// derivative, in all scenes.
 const SIZE: [u32; 2] = [24, 18];
 const SEEDS: u64 = 3;
-const FEWEST_MOVE: usize = 500;
+const FEWEST_MOVE: usize = 1500;
 
 /// Edges are gathered before the camera, emitters and the environment alone.
 const WALKS: Method = Method::Edges(Gathers {
@@ -87,17 +89,32 @@ fn mirrors() -> Vec<Case> {
                 [
                     ball("block", GREY, 0.4, [0.0, 1.0, -0.5]),
                     wall("mirror"),
-                    SKY.to_owned(),
+                    lamp("lamp", 1.0, [0.2, 3.5, -1.5], "2, 3, 2.5"),
                 ],
             )
         },
     ]
 }
 
+/// A ball that turns: each face's own edges are on its horizon, and move across it.
+fn turning_ball() -> Case {
+    let things = [
+        ball("ball", GREY, 1.0, [0.0, -0.6, 0.4]),
+        wall("grey"),
+        lamp("lamp", 1.0, [0.2, 3.5, -0.5], "2, 3, 2.5"),
+    ];
+    Case {
+        depth: 3,
+        moving: vec!["ball"],
+        rotation: Vec3::new(0.3, 0.4, -0.2),
+        ..case("a ball turns", things)
+    }
+}
+
 /// All scenes with light that surfaces reflect, and how directions move there.
 fn scenes() -> impl Iterator<Item = (Case, GradientOptions)> {
     let deep = cases().into_iter().filter(|case| case.depth > 2);
-    let deep = deep.map(|case| (case, WALKS));
+    let deep = deep.chain([turning_ball()]).map(|case| (case, WALKS));
     let mirrors = mirrors().into_iter().map(|case| (case, Method::EDGES));
     deep.chain(mirrors).map(|(case, method)| {
         let options = GradientOptions {
@@ -122,7 +139,7 @@ fn walks_are_the_processors() {
     let Some(gpu) = device::open(Precision::Double) else {
         return;
     };
-    let mut moving = 0;
+    let mut all = 0;
     for (case, options) in scenes() {
         if case.things.iter().any(|thing| thing == SKY) {
             continue;
@@ -132,25 +149,25 @@ fn walks_are_the_processors() {
         boundaries.area_emitters.clear();
         let tangent = case.tangent(prepared.scene());
         let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
-        let [mut wrong, mut all] = [0; 2];
+        let [mut wrong, mut moving] = [0; 2];
         for seed in 0..SEEDS {
             let options = GradientOptions { seed, ..options };
             let ours = on_device.gradient_among(&boundaries, &tangent, &options, &Unwatched);
             let ours = ours.expect("supported").gradient.mean;
             let theirs = samples_among(&boundaries, &prepared, &tangent, &options);
-            let (count, pixels) = different(&ours, &theirs, DIFFERENT);
+            let (count, _) = different(&ours, &theirs, DIFFERENT);
             wrong += count;
-            all += pixels;
             let moves = |pixel: &&Rgb| **pixel != Rgb::zero();
             moving += theirs.pixels.iter().filter(moves).count();
         }
         assert!(
-            wrong as f64 <= MOST_DIFFERENT * all as f64,
-            "{}: {wrong} of {all} samples differ",
+            wrong as f64 <= MOST_DIFFERENT * moving as f64 + FEW,
+            "{}: {wrong} of {moving} samples differ",
             case.name
         );
+        all += moving;
     }
-    assert!(moving >= FEWEST_MOVE, "only {moving} pixels move");
+    assert!(all >= FEWEST_MOVE, "only {all} pixels move");
 }
 
 /// From the same samples, but for rounding, where everything moves.
