@@ -42,7 +42,7 @@ pub fn run(rest: &[String]) -> Result<()> {
     start("build", build)?;
     let mut queries = example(&QUERIES);
     queries.args(rest);
-    start("queries", queries)?;
+    let queries = start("queries", queries);
     let mut images = example(&IMAGES);
     for adapter in rest {
         images.args(["--adapter", adapter]);
@@ -52,7 +52,7 @@ pub fn run(rest: &[String]) -> Result<()> {
     }
     let images = start("images and gradients", images);
     peer()?;
-    images
+    queries.and(images)
 }
 
 fn example(example: &[&str]) -> Command {

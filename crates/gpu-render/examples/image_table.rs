@@ -198,7 +198,7 @@ fn row(found: &Run, own: &Run) -> bool {
     let agrees = most <= TOO_FAR && pairs().all(|(a, b)| a.is_finite() && b.is_finite());
     let loss = found.numbers[0];
     println!(
-        "{:.4} | {:.4} | {:.4} | {:.2} | {:.4e} ± {:.1e} | {:.1e} | {:.1e} | {most:.1} of {}{} |",
+        "{:.4} | {:.4} | {:.4} | {:.3} | {:.4e} ± {:.1e} | {:.1e} | {:.1e} | {most:.1} of {}{} |",
         found.rate(found.kernels),
         found.rate(found.whole),
         own.rate(own.whole),
