@@ -9,7 +9,7 @@
 //! | `soak` | random scenes and damaged files, for a minute each |
 //! | `parity` | renders `tests/parity/*.xml` with Mitsuba too and compares, or makes golden images of them |
 //! | `kernels` | compiles the kernels of the GPU, which are checked in |
-//! | `gpu` | the queries on the GPU: how many per second, and whether they agree with the processor |
+//! | `gpu` | queries, images and gradients on the GPU: how many per second, and whether they agree with the processor |
 //! | `peers` | measures capwalk and Mitsuba side by side: noise after a second of one thread |
 
 #[cfg(test)]
@@ -53,8 +53,9 @@ tasks:
            (needs python3 and PyPI; further arguments: scene names)
   kernels  compile the kernels of GPUs, which are checked in (needs python3 and
            PyPI)
-  gpu      measure the queries on the GPU, or on software Vulkan, and compare them
-           with the processor's (further argument: part of the adapter's name)
+  gpu      measure queries, images and gradients on the GPU, or on software Vulkan,
+           and compare them with the processor's; also Mitsuba's where cuda_ad_rgb
+           runs (further argument: part of the adapter's name)
   peers    measure how much noise capwalk and Mitsuba leave after a second on one
            thread, in derivatives and images; with --quick, only see that it works;
            with --images, images alone; with --tables, print again what was

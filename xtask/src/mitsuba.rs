@@ -14,8 +14,20 @@ pub const MITSUBA: &str = "mitsuba==3.9.1";
 
 /// The Python of a virtual environment with Mitsuba, made if there is none.
 pub fn environment() -> Result<PathBuf> {
-    let folder = root().join("target/parity/venv");
-    virtual_environment::environment(&folder, "mitsuba, numpy", &[MITSUBA, "numpy"])
+    virtual_environment::environment(&folder(), "mitsuba, numpy", &[MITSUBA, "numpy"])
+}
+
+/// The Python of that environment if it was made, else the system's, which may have Mitsuba or not.
+pub fn python() -> PathBuf {
+    let own = virtual_environment::python_in(&folder());
+    match own.exists() {
+        true => own,
+        false => virtual_environment::SYSTEM.into(),
+    }
+}
+
+fn folder() -> PathBuf {
+    root().join("target/parity/venv")
 }
 
 /// The variable by which Mitsuba is told where LLVM is.

@@ -21,8 +21,8 @@ const METHODS: [&str; 3] = ["auto", "walk", "edges"];
 const REFERENCE: &str = "edges";
 
 /// A scene, and the shape that moves in it.
-struct Subject {
-    name: &'static str,
+pub struct Subject {
+    pub name: &'static str,
     from: Origin,
     shape: &'static str,
     /// The axis of the translation that derivative images are of.
@@ -45,7 +45,7 @@ const SIZE: [u32; 2] = [128, 96];
 
 /// All scenes. Mitsuba must be able to load them and to move the vertices of the shape;
 /// whether its derivative is right is measured.
-const SUBJECTS: [Subject; 13] = [
+pub const SUBJECTS: [Subject; 13] = [
     Subject::new("leaf", Origin::BuiltIn, "leaf", 'x'),
     Subject::new("ball", Origin::BuiltIn, "ball", 'x'),
     Subject::new("box-room", Origin::BuiltIn, "box", 'x'),
@@ -71,8 +71,29 @@ impl Subject {
         }
     }
 
+    /// The parameter that derivative images are of.
+    pub fn parameter(&self) -> String {
+        format!("{}.translate.{}", self.shape, self.axis)
+    }
+
+    /// The scene's file, or its name if it is built in.
+    pub fn scene(&self) -> PathBuf {
+        match self.from {
+            Origin::BuiltIn => self.name.into(),
+            Origin::Folder => self.folder().join("scene.xml"),
+            Origin::Peers => root()
+                .join("xtask/peers")
+                .join(format!("{}.xml", self.name)),
+        }
+    }
+
+    /// The folder of a scene that has one.
+    fn folder(&self) -> PathBuf {
+        root().join("tests/scenes").join(self.name)
+    }
+
     /// Puts the scene file, with what it refers to, into a folder.
-    fn copy_to(&self, folder: &Path, capwalk: &Path) -> Result<PathBuf> {
+    pub fn copy_to(&self, folder: &Path, capwalk: &Path) -> Result<PathBuf> {
         fs::create_dir_all(folder)?;
         match self.from {
             Origin::BuiltIn => {
@@ -85,12 +106,12 @@ impl Subject {
                 Ok(folder.join(format!("{}.xml", self.name)))
             }
             Origin::Peers => {
-                let file = format!("{}.xml", self.name);
-                fs::copy(root().join("xtask/peers").join(&file), folder.join(&file))?;
-                Ok(folder.join(file))
+                let file = folder.join(format!("{}.xml", self.name));
+                fs::copy(self.scene(), &file)?;
+                Ok(file)
             }
             Origin::Folder => {
-                let source = root().join("tests/scenes").join(self.name);
+                let source = self.folder();
                 let entries = fs::read_dir(&source)
                     .with_context(|| format!("cannot list {}", source.display()))?;
                 for entry in entries {
@@ -288,9 +309,8 @@ mod tests {
     #[test]
     fn folders_exist() {
         for subject in SUBJECTS {
-            let folder = root().join("tests/scenes").join(subject.name);
             let expected = matches!(subject.from, Origin::Folder);
-            assert_eq!(folder.exists(), expected, "{}", subject.name);
+            assert_eq!(subject.folder().exists(), expected, "{}", subject.name);
         }
     }
 }

@@ -7,19 +7,29 @@ use anyhow::{Context, Result};
 
 use crate::shell::start;
 
+/// The system's Python.
+pub const SYSTEM: &str = match cfg!(windows) {
+    true => "python",
+    false => "python3",
+};
+
+/// Where the Python of an environment in `folder` is.
+pub fn python_in(folder: &Path) -> PathBuf {
+    folder.join(match cfg!(windows) {
+        true => "Scripts/python.exe",
+        false => "bin/python",
+    })
+}
+
 /// The Python of an environment in `folder` that can import `modules`; made, and given the
 /// `packages`, where there is none.
 pub fn environment(folder: &Path, modules: &str, packages: &[&str]) -> Result<PathBuf> {
-    let (system, own) = match cfg!(windows) {
-        true => ("python", "Scripts/python.exe"),
-        false => ("python3", "bin/python"),
-    };
-    let python = folder.join(own);
+    let python = python_in(folder);
     let mut import = Command::new(&python);
     import.args(["-c", &format!("import {modules}")]);
     let has_all = import.stderr(Stdio::null()).status();
     if !has_all.is_ok_and(|status| status.success()) {
-        let mut create = Command::new(system);
+        let mut create = Command::new(SYSTEM);
         create.args(["-m", "venv"]).arg(folder);
         start("virtual environment", create).context("needs python3 with its module venv")?;
         let mut install = Command::new(&python);

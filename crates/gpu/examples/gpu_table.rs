@@ -25,7 +25,7 @@ use capwalk_math::Vec3;
 /// Splits of each edge of an octahedron: `8 n²` triangles.
 const SPLITS: [u32; 2] = [112, 330];
 /// Queries of a batch, on a GPU and in software.
-const COUNTS: [usize; 2] = [1 << 20, 1 << 15];
+const COUNTS: [usize; 2] = [1 << 20, 1 << 13];
 /// Answers that are compared with the processor's.
 const COMPARED: usize = 1 << 16;
 /// Half-angle of the limited cones, radians.
@@ -72,7 +72,11 @@ fn run() -> Result<(), GpuError> {
     for splits in SPLITS {
         let own = Own::new(bumpy_sphere(splits), count);
         for gpu in &gpus {
-            measure(gpu, &own)?;
+            match measure(gpu, &own) {
+                // As for the large mesh in software.
+                Err(error @ GpuError::TreeTooLarge { .. }) => println!("Left out: {error}"),
+                measured => measured?,
+            }
         }
     }
     Ok(())
