@@ -1,7 +1,7 @@
-// x
-// x
-// x
-// x
+// Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
+// compiler: Slang 2026.12 in slangpy 0.43.1
+// source: c229f8b3bfa803a5
+// result: b0eacfff63c2b1e0
 
 struct Launch_std140_0
 {

@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: ce6a4dad891818ea
-// result: 1c566313c9f95cb7
+// source: c229f8b3bfa803a5
+// result: 52ec756bad7ab38a
 
 struct Launch_std140_0
 {
@@ -2035,7 +2035,7 @@ struct Edge_0
 fn edge_at_0( at_29 : ShadingPoint_0,  place_13 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_8 = edge_word_0(at_29.tree_0 + u32(1)) + u32(11) * place_13;
+    edge_0.record_8 = edge_word_0(at_29.tree_0 + u32(1)) + u32(12) * place_13;
     edge_0.numbers_3 = edge_word_0(at_29.tree_0 + u32(2)) + u32(14) * place_13;
     return edge_0;
 }

@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 323b12c7d8756753
-// result: 424678e309b9dec2
+// source: 95a321724ff541a4
+// result: e09aad1daf9e7831
 
 struct Launch_std140_0
 {
@@ -2306,7 +2306,7 @@ struct Edge_0
 fn edge_at_0( at_24 : ShadingPoint_0,  place_10 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_7 = edge_word_0(at_24.tree_0 + u32(1)) + u32(11) * place_10;
+    edge_0.record_7 = edge_word_0(at_24.tree_0 + u32(1)) + u32(12) * place_10;
     edge_0.numbers_4 = edge_word_0(at_24.tree_0 + u32(2)) + u32(14) * place_10;
     return edge_0;
 }

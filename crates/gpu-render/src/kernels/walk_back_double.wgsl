@@ -1,7 +1,7 @@
 // Compiled from walk_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: e6d34cf52b3a45f4
-// result: 808845997d3234a9
+// source: 18e6794201e10953
+// result: 3e57ef29ed87124a
 
 struct Launch_std140_0
 {
@@ -2225,6 +2225,11 @@ fn comes_first_0( ball_2 : Ball_0,  other_0 : Ball_0) -> bool
     return _S289;
 }
 
+fn record_of_0( around_1 : Around_0,  edge_0 : u32) -> u32
+{
+    return edge_word_0(around_1.tree_0 + u32(1)) + u32(12) * edge_0;
+}
+
 fn edge_position_0( at_18 : u32) -> vec3<f64>
 {
     return primitive_vector_0(real_place_0(at_18));
@@ -2257,15 +2262,17 @@ struct Candidate_0
 {
      half_tangent_1 : f64,
      t_6 : f64,
-     edge_0 : u32,
+     edge_1 : u32,
+     number_1 : u32,
 };
 
-fn closest_on_edge_0( around_1 : Around_0,  chain_1 : Chain_0,  axis_5 : vec3<f64>,  edge_1 : u32,  candidate_0 : ptr<function, Candidate_0>) -> bool
+fn closest_on_edge_0( around_2 : Around_0,  chain_1 : Chain_0,  axis_5 : vec3<f64>,  edge_2 : u32,  candidate_0 : ptr<function, Candidate_0>) -> bool
 {
-    (*candidate_0).edge_0 = edge_1;
+    (*candidate_0).edge_1 = edge_2;
+    (*candidate_0).number_1 = edge_word_0(record_of_0(around_2, edge_2) + u32(11));
     (*candidate_0).half_tangent_1 = 0.0lf;
     (*candidate_0).t_6 = 0.0lf;
-    var numbers_3 : u32 = edge_word_0(around_1.tree_0 + u32(2)) + u32(14) * edge_1;
+    var numbers_3 : u32 = edge_word_0(around_2.tree_0 + u32(2)) + u32(14) * edge_2;
     var a_13 : vec3<f64> = edge_position_0(numbers_3) - chain_1.image_0;
     var b_10 : vec3<f64> = edge_position_0(numbers_3 + u32(3)) - chain_1.image_0;
     var along_3 : vec3<f64> = b_10 - a_13;
@@ -2351,7 +2358,7 @@ fn is_before_0( a_14 : Candidate_0,  b_11 : Candidate_0) -> bool
     {
         if((a_14.half_tangent_1) == (b_11.half_tangent_1))
         {
-            _S291 = (a_14.edge_0) < (b_11.edge_0);
+            _S291 = (a_14.number_1) < (b_11.number_1);
         }
         else
         {
@@ -2381,9 +2388,9 @@ fn has_room_0( candidates_0 : Candidates_0,  candidate_1 : Candidate_0) -> bool
     return _S292;
 }
 
-fn place_of_1( around_2 : Around_0,  candidate_2 : Candidate_0) -> vec3<f64>
+fn place_of_1( around_3 : Around_0,  candidate_2 : Candidate_0) -> vec3<f64>
 {
-    var numbers_4 : u32 = edge_word_0(around_2.tree_0 + u32(2)) + u32(14) * candidate_2.edge_0;
+    var numbers_4 : u32 = edge_word_0(around_3.tree_0 + u32(2)) + u32(14) * candidate_2.edge_1;
     var start_1 : vec3<f64> = edge_position_0(numbers_4);
     return start_1 + (edge_position_0(numbers_4 + u32(3)) - start_1) * vec3<f64>(candidate_2.t_6);
 }
@@ -2395,15 +2402,15 @@ fn meets_0( triangle_10 : u32,  origin_4 : vec3<f64>,  direction_11 : vec3<f64>,
     return intersect_0(ray_6, axes_11, u32(9) * triangle_10).is_hit_0;
 }
 
-fn is_hidden_0( around_3 : Around_0,  candidate_3 : Candidate_0) -> bool
+fn is_hidden_0( around_4 : Around_0,  candidate_3 : Candidate_0) -> bool
 {
-    if((around_3.occluder_0) == u32(4294967295))
+    if((around_4.occluder_0) == u32(4294967295))
     {
         return false;
     }
-    var way_2 : vec3<f64> = place_of_1(around_3, candidate_3) - around_3.position_1;
+    var way_2 : vec3<f64> = place_of_1(around_4, candidate_3) - around_4.position_1;
     var distance_1 : f64 = length_of_0(way_2);
-    return meets_0(around_3.occluder_0, around_3.position_1, way_2 / vec3<f64>(distance_1), limit_at_0(u32(2)), distance_1 * limit_at_0(u32(3)));
+    return meets_0(around_4.occluder_0, around_4.position_1, way_2 / vec3<f64>(distance_1), limit_at_0(u32(2)), distance_1 * limit_at_0(u32(3)));
 }
 
 fn list_0( candidates_1 : ptr<function, Candidates_0>,  candidate_4 : Candidate_0)
@@ -2437,7 +2444,7 @@ fn list_0( candidates_1 : ptr<function, Candidates_0>,  candidate_4 : Candidate_
     return;
 }
 
-fn search_0( around_4 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : Candidate_0) -> Candidates_0
+fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : Candidate_0) -> Candidates_0
 {
     var found_4 : Candidates_0;
     found_4.count_2 = u32(0);
@@ -2454,7 +2461,7 @@ fn search_0( around_4 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
         found_4.listed_0[k_3] = last_0;
         k_3 = k_3 + u32(1);
     }
-    var nodes_at_0 : u32 = edge_word_0(around_4.tree_0);
+    var nodes_at_0 : u32 = edge_word_0(around_5.tree_0);
     var waiting_0 : array<u32, i32(92)>;
     waiting_0[i32(0)] = u32(4294967295);
     var _S296 : vec3<f32> = vec3<f32>(chain_2.image_0);
@@ -2551,7 +2558,7 @@ fn search_0( around_4 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
                     break;
                 }
                 var candidate_5 : Candidate_0;
-                var _S301 : bool = closest_on_edge_0(around_4, chain_2, chain_2.direction_10, k_3, &(candidate_5));
+                var _S301 : bool = closest_on_edge_0(around_5, chain_2, chain_2.direction_10, k_3, &(candidate_5));
                 if(!_S301)
                 {
                     k_3 = k_3 + u32(1);
@@ -2584,7 +2591,7 @@ fn search_0( around_4 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
                 }
                 else
                 {
-                    _S300 = !is_hidden_0(around_4, candidate_5);
+                    _S300 = !is_hidden_0(around_5, candidate_5);
                 }
                 if(_S300)
                 {
@@ -2639,7 +2646,7 @@ fn search_0( around_4 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
 struct Nearest_0
 {
      half_tangent_2 : f64,
-     edge_2 : u32,
+     edge_3 : u32,
      t_8 : f64,
      direction_12 : vec3<f64>,
      distance_2 : f64,
@@ -2647,7 +2654,7 @@ struct Nearest_0
      triangles_1 : array<u32, i32(6)>,
 };
 
-fn is_seen_0( around_5 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 : vec3<f64>,  point_0 : ptr<function, Nearest_0>) -> bool
+fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 : vec3<f64>,  point_0 : ptr<function, Nearest_0>) -> bool
 {
     var _S302 : f64 = length_of_0(offset_4);
     (*point_0).distance_2 = _S302;
@@ -2667,7 +2674,7 @@ fn is_seen_0( around_5 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         (*point_0).direction_12 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S303]), (*point_0).direction_12);
         k_4 = _S303;
     }
-    var height_1 : f64 = abs(dot((*point_0).direction_12, (*around_5).face_0)) * (*point_0).distance_2;
+    var height_1 : f64 = abs(dot((*point_0).direction_12, (*around_6).face_0)) * (*point_0).distance_2;
     var _S304 : bool;
     if((chain_3.count_1) > u32(0))
     {
@@ -2681,7 +2688,7 @@ fn is_seen_0( around_5 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
     {
         return false;
     }
-    var start_2 : vec3<f64> = (*around_5).position_1;
+    var start_2 : vec3<f64> = (*around_6).position_1;
     var direction_13 : vec3<f64> = (*point_0).direction_12;
     k_4 = u32(0);
     var left_1 : f64 = (*point_0).distance_2;
@@ -2715,7 +2722,7 @@ fn is_seen_0( around_5 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
             }
             if((chain_3.count_1) == u32(0))
             {
-                (*around_5).occluder_0 = found_5.triangle_8;
+                (*around_6).occluder_0 = found_5.triangle_8;
             }
             return false;
         }
@@ -2747,12 +2754,13 @@ fn is_seen_0( around_5 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
     return (length_of_0(start_2 + direction_13 * vec3<f64>(left_1) - chain_3.image_0 - offset_4)) < (f64(3.99999998990097083e-06f * max(f32(chain_3.count_1), 1.0f)) * (*point_0).distance_2);
 }
 
-fn take_nearest_0( around_6 : ptr<function, Around_0>,  chain_4 : Chain_0,  best_0 : ptr<function, Nearest_0>)
+fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best_0 : ptr<function, Nearest_0>)
 {
     var last_1 : Candidate_0;
     last_1.half_tangent_1 = -1.0lf;
     last_1.t_6 = 0.0lf;
-    last_1.edge_0 = u32(0);
+    last_1.number_1 = u32(0);
+    last_1.edge_1 = u32(0);
     var is_complete_0 : bool = false;
     for(;;)
     {
@@ -2763,7 +2771,7 @@ fn take_nearest_0( around_6 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
         {
             break;
         }
-        var found_6 : Candidates_0 = search_0((*around_6), chain_4, (*best_0).half_tangent_2, last_1);
+        var found_6 : Candidates_0 = search_0((*around_7), chain_4, (*best_0).half_tangent_2, last_1);
         var _S306 : bool = (found_6.count_2) < u32(4);
         var k_5 : u32 = u32(0);
         for(;;)
@@ -2777,7 +2785,7 @@ fn take_nearest_0( around_6 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             }
             last_1 = found_6.listed_0[k_5];
             var point_1 : Nearest_0 = (*best_0);
-            var _S307 : bool = is_seen_0(&((*around_6)), chain_4, place_of_1((*around_6), found_6.listed_0[k_5]) - chain_4.image_0, &(point_1));
+            var _S307 : bool = is_seen_0(&((*around_7)), chain_4, place_of_1((*around_7), found_6.listed_0[k_5]) - chain_4.image_0, &(point_1));
             if(!_S307)
             {
                 k_5 = k_5 + u32(1);
@@ -2785,7 +2793,7 @@ fn take_nearest_0( around_6 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             }
             (*best_0) = point_1;
             (*best_0).half_tangent_2 = last_1.half_tangent_1;
-            (*best_0).edge_2 = last_1.edge_0;
+            (*best_0).edge_3 = last_1.edge_1;
             (*best_0).t_8 = last_1.t_6;
             return;
         }
@@ -2794,11 +2802,11 @@ fn take_nearest_0( around_6 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
     return;
 }
 
-fn nearest_edge_0( around_7 : ptr<function, Around_0>,  direction_14 : vec3<f64>,  limit_9 : f64) -> Nearest_0
+fn nearest_edge_0( around_8 : ptr<function, Around_0>,  direction_14 : vec3<f64>,  limit_9 : f64) -> Nearest_0
 {
     var chain_5 : Chain_0;
-    chain_5.start_0 = (*around_7).position_1;
-    chain_5.image_0 = (*around_7).position_1;
+    chain_5.start_0 = (*around_8).position_1;
+    chain_5.image_0 = (*around_8).position_1;
     chain_5.direction_10 = direction_14;
     chain_5.facing_0 = vec3<f64>(0.0lf, 0.0lf, 0.0lf);
     chain_5.count_1 = u32(0);
@@ -2817,7 +2825,7 @@ fn nearest_edge_0( around_7 : ptr<function, Around_0>,  direction_14 : vec3<f64>
     }
     var best_1 : Nearest_0;
     best_1.half_tangent_2 = limit_9;
-    best_1.edge_2 = u32(4294967295);
+    best_1.edge_3 = u32(4294967295);
     best_1.distance_2 = 0.0lf;
     best_1.t_8 = 0.0lf;
     best_1.direction_12 = direction_14;
@@ -2826,7 +2834,7 @@ fn nearest_edge_0( around_7 : ptr<function, Around_0>,  direction_14 : vec3<f64>
     var mirrors_1 : u32 = u32(0);
     for(;;)
     {
-        if(mirrors_1 <= ((*around_7).mirrors_0))
+        if(mirrors_1 <= ((*around_8).mirrors_0))
         {
         }
         else
@@ -2847,7 +2855,7 @@ fn nearest_edge_0( around_7 : ptr<function, Around_0>,  direction_14 : vec3<f64>
         {
             break;
         }
-        take_nearest_0(&((*around_7)), chain_5, &(best_1));
+        take_nearest_0(&((*around_8)), chain_5, &(best_1));
         mirrors_1 = mirrors_1 + u32(1);
     }
     return best_1;
@@ -2901,7 +2909,7 @@ struct Field_0
      terms_0 : array<Term_0, i32(3)>,
 };
 
-fn field_at_0( around_8 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  key_3 : vec2<u32>,  first_2 : u32) -> Field_0
+fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  key_3 : vec2<u32>,  first_2 : u32) -> Field_0
 {
     var field_0 : Field_0;
     field_0.direction_16 = direction_17;
@@ -2960,11 +2968,11 @@ fn field_at_0( around_8 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  k
         {
             bound_0 = far_2;
         }
-        var found_7 : Nearest_0 = nearest_edge_0(&((*around_8)), x_12, bound_0);
+        var found_7 : Nearest_0 = nearest_edge_0(&((*around_9)), x_12, bound_0);
         var _S314 : bool;
         if(_S313)
         {
-            _S314 = (found_7.edge_2) == u32(4294967295);
+            _S314 = (found_7.edge_3) == u32(4294967295);
         }
         else
         {
@@ -3005,7 +3013,7 @@ fn field_at_0( around_8 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  k
             k_7 = k_7 + u32(1);
             continue;
         }
-        if((found_8.edge_2) == u32(4294967295))
+        if((found_8.edge_3) == u32(4294967295))
         {
             field_0.terms_0[i32(2)] = field_0.terms_0[i32(0)];
             field_0.terms_0[i32(1)] = field_0.terms_0[i32(0)];
@@ -3039,7 +3047,7 @@ fn field_at_0( around_8 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  k
     field_0.terms_0[i32(2)].gradient_0 = (e_0 + g_1) * vec3<f64>(kappa_0);
     if(!is_within_0)
     {
-        field_0.terms_0[i32(0)].site_0.edge_2 = u32(4294967295);
+        field_0.terms_0[i32(0)].site_0.edge_3 = u32(4294967295);
     }
     return field_0;
 }
@@ -3070,11 +3078,11 @@ fn divergence_covector_0( field_1 : Field_0,  term_0 : Term_0) -> vec3<f64>
     return term_0.gradient_0 - field_1.direction_16 * vec3<f64>((2.0lf * term_0.weight_0));
 }
 
-fn angular_0( around_9 : Around_0,  site_1 : Nearest_0,  velocity_0 : vec3<f64>) -> vec3<f64>
+fn angular_0( around_10 : Around_0,  site_1 : Nearest_0,  velocity_0 : vec3<f64>) -> vec3<f64>
 {
-    var numbers_6 : u32 = edge_word_0(around_9.tree_0 + u32(2)) + u32(14) * site_1.edge_2;
-    var first_3 : f64 = dot(edge_position_0(numbers_6) - around_9.position_1, around_9.face_0);
-    var second_1 : f64 = dot(edge_position_0(numbers_6 + u32(3)) - around_9.position_1, around_9.face_0);
+    var numbers_6 : u32 = edge_word_0(around_10.tree_0 + u32(2)) + u32(14) * site_1.edge_3;
+    var first_3 : f64 = dot(edge_position_0(numbers_6) - around_10.position_1, around_10.face_0);
+    var second_1 : f64 = dot(edge_position_0(numbers_6 + u32(3)) - around_10.position_1, around_10.face_0);
     var is_horizon_0 : bool;
     if((site_1.count_6) == u32(0))
     {
@@ -3087,7 +3095,7 @@ fn angular_0( around_9 : Around_0,  site_1 : Nearest_0,  velocity_0 : vec3<f64>)
     var normal_1 : vec3<f64>;
     if(is_horizon_0)
     {
-        normal_1 = around_9.face_0;
+        normal_1 = around_10.face_0;
     }
     else
     {
@@ -3105,9 +3113,9 @@ fn angular_0( around_9 : Around_0,  site_1 : Nearest_0,  velocity_0 : vec3<f64>)
     return normal_1 / vec3<f64>(site_1.distance_2);
 }
 
-fn place_on_edge_0( around_10 : Around_0,  site_2 : Nearest_0) -> vec3<f64>
+fn place_on_edge_0( around_11 : Around_0,  site_2 : Nearest_0) -> vec3<f64>
 {
-    var numbers_7 : u32 = edge_word_0(around_10.tree_0 + u32(2)) + u32(14) * site_2.edge_2;
+    var numbers_7 : u32 = edge_word_0(around_11.tree_0 + u32(2)) + u32(14) * site_2.edge_3;
     var start_3 : vec3<f64> = edge_position_0(numbers_7);
     return start_3 + (edge_position_0(numbers_7 + u32(3)) - start_3) * vec3<f64>(site_2.t_8);
 }
@@ -3323,10 +3331,10 @@ fn add_to_corners_0( sums_at_0 : u32,  triangle_12 : u32,  corners_0 : AtCorners
     return;
 }
 
-fn image_back_0( around_11 : Around_0,  site_3 : Nearest_0,  by_velocity_0 : vec3<f64>) -> vec3<f64>
+fn image_back_0( around_12 : Around_0,  site_3 : Nearest_0,  by_velocity_0 : vec3<f64>) -> vec3<f64>
 {
     var places_0 : array<vec3<f64>, i32(6)>;
-    var place_18 : vec3<f64> = place_on_edge_0(around_11, site_3);
+    var place_18 : vec3<f64> = place_on_edge_0(around_12, site_3);
     var k_10 : u32 = site_3.count_6;
     for(;;)
     {
@@ -3369,11 +3377,6 @@ fn image_back_0( around_11 : Around_0,  site_3 : Nearest_0,  by_velocity_0 : vec
     return place_18;
 }
 
-fn record_of_0( around_12 : Around_0,  edge_3 : u32) -> u32
-{
-    return edge_word_0(around_12.tree_0 + u32(1)) + u32(11) * edge_3;
-}
-
 fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f32>,  by_divergence_0 : f32) -> vec3<f32>
 {
     var place_19 : u32;
@@ -3396,7 +3399,7 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
         var _S347 : u32 = k_11;
         by_end_0[k_11] = _S346;
         by_start_0[k_11] = _S346;
-        if((field_2.terms_0[k_11].site_0.edge_2) == u32(4294967295))
+        if((field_2.terms_0[k_11].site_0.edge_3) == u32(4294967295))
         {
             k_11 = k_11 + u32(1);
             continue;
@@ -3416,7 +3419,7 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
                 break;
             }
             var _S348 : u32 = before_1 - u32(1);
-            if((field_2.terms_0[_S348].site_0.edge_2) == (field_2.terms_0[_S347].site_0.edge_2))
+            if((field_2.terms_0[_S348].site_0.edge_3) == (field_2.terms_0[_S347].site_0.edge_3))
             {
                 place_19 = _S348;
             }
@@ -3438,12 +3441,12 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
             break;
         }
         var _S349 : u32 = k_11;
-        if((field_2.terms_0[k_11].site_0.edge_2) == u32(4294967295))
+        if((field_2.terms_0[k_11].site_0.edge_3) == u32(4294967295))
         {
             k_11 = k_11 + u32(1);
             continue;
         }
-        var _S350 : u32 = record_of_0(around_13, field_2.terms_0[_S349].site_0.edge_2) + u32(2);
+        var _S350 : u32 = record_of_0(around_13, field_2.terms_0[_S349].site_0.edge_3) + u32(2);
         place_19 = u32(0);
         for(;;)
         {

@@ -1,7 +1,7 @@
-// x
-// x
-// x
-// x
+// Compiled from walk.slang by `cargo xtask kernels`. Not to be edited.
+// compiler: Slang 2026.12 in slangpy 0.43.1
+// source: dcd42f6d5f5bfc78
+// result: b1544dc6866ee62d
 
 struct Launch_std140_0
 {

@@ -1,7 +1,7 @@
 // Compiled from walk.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 46795ee83fbac0bd
-// result: 8b5e9c6d8f778075
+// source: dcd42f6d5f5bfc78
+// result: f67a310df67432e9
 
 struct Launch_std140_0
 {
@@ -2448,6 +2448,11 @@ fn comes_first_0( ball_2 : Ball_0,  other_0 : Ball_0) -> bool
     return _S227;
 }
 
+fn record_of_0( around_2 : Around_0,  edge_1 : u32) -> u32
+{
+    return edge_word_0(around_2.tree_0 + u32(1)) + u32(12) * edge_1;
+}
+
 fn edge_position_0( at_24 : u32) -> vec3<f32>
 {
     return primitive_vector_0(real_place_0(at_24));
@@ -2480,15 +2485,17 @@ struct Candidate_0
 {
      half_tangent_1 : f32,
      t_6 : f32,
-     edge_1 : u32,
+     edge_2 : u32,
+     number_1 : u32,
 };
 
-fn closest_on_edge_0( around_2 : Around_0,  chain_1 : Chain_0,  axis_5 : vec3<f32>,  edge_2 : u32,  candidate_0 : ptr<function, Candidate_0>) -> bool
+fn closest_on_edge_0( around_3 : Around_0,  chain_1 : Chain_0,  axis_5 : vec3<f32>,  edge_3 : u32,  candidate_0 : ptr<function, Candidate_0>) -> bool
 {
-    (*candidate_0).edge_1 = edge_2;
+    (*candidate_0).edge_2 = edge_3;
+    (*candidate_0).number_1 = edge_word_0(record_of_0(around_3, edge_3) + u32(11));
     (*candidate_0).half_tangent_1 = 0.0f;
     (*candidate_0).t_6 = 0.0f;
-    var numbers_6 : u32 = edge_word_0(around_2.tree_0 + u32(2)) + u32(14) * edge_2;
+    var numbers_6 : u32 = edge_word_0(around_3.tree_0 + u32(2)) + u32(14) * edge_3;
     var a_17 : vec3<f32> = edge_position_0(numbers_6) - chain_1.image_0;
     var b_12 : vec3<f32> = edge_position_0(numbers_6 + u32(3)) - chain_1.image_0;
     var along_4 : vec3<f32> = b_12 - a_17;
@@ -2574,7 +2581,7 @@ fn is_before_0( a_18 : Candidate_0,  b_13 : Candidate_0) -> bool
     {
         if((a_18.half_tangent_1) == (b_13.half_tangent_1))
         {
-            _S229 = (a_18.edge_1) < (b_13.edge_1);
+            _S229 = (a_18.number_1) < (b_13.number_1);
         }
         else
         {
@@ -2604,9 +2611,9 @@ fn has_room_0( candidates_0 : Candidates_0,  candidate_1 : Candidate_0) -> bool
     return _S230;
 }
 
-fn place_of_1( around_3 : Around_0,  candidate_2 : Candidate_0) -> vec3<f32>
+fn place_of_1( around_4 : Around_0,  candidate_2 : Candidate_0) -> vec3<f32>
 {
-    var numbers_7 : u32 = edge_word_0(around_3.tree_0 + u32(2)) + u32(14) * candidate_2.edge_1;
+    var numbers_7 : u32 = edge_word_0(around_4.tree_0 + u32(2)) + u32(14) * candidate_2.edge_2;
     var start_1 : vec3<f32> = edge_position_0(numbers_7);
     return start_1 + (edge_position_0(numbers_7 + u32(3)) - start_1) * vec3<f32>(candidate_2.t_6);
 }
@@ -2618,15 +2625,15 @@ fn meets_0( triangle_11 : u32,  origin_4 : vec3<f32>,  direction_12 : vec3<f32>,
     return intersect_0(ray_6, axes_9, u32(9) * triangle_11).is_hit_0;
 }
 
-fn is_hidden_0( around_4 : Around_0,  candidate_3 : Candidate_0) -> bool
+fn is_hidden_0( around_5 : Around_0,  candidate_3 : Candidate_0) -> bool
 {
-    if((around_4.occluder_0) == u32(4294967295))
+    if((around_5.occluder_0) == u32(4294967295))
     {
         return false;
     }
-    var way_3 : vec3<f32> = place_of_1(around_4, candidate_3) - around_4.position_1;
+    var way_3 : vec3<f32> = place_of_1(around_5, candidate_3) - around_5.position_1;
     var distance_1 : f32 = length_of_0(way_3);
-    return meets_0(around_4.occluder_0, around_4.position_1, way_3 / vec3<f32>(distance_1), limit_at_0(u32(2)), distance_1 * limit_at_0(u32(3)));
+    return meets_0(around_5.occluder_0, around_5.position_1, way_3 / vec3<f32>(distance_1), limit_at_0(u32(2)), distance_1 * limit_at_0(u32(3)));
 }
 
 fn list_0( candidates_1 : ptr<function, Candidates_0>,  candidate_4 : Candidate_0)
@@ -2660,7 +2667,7 @@ fn list_0( candidates_1 : ptr<function, Candidates_0>,  candidate_4 : Candidate_
     return;
 }
 
-fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : Candidate_0) -> Candidates_0
+fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : Candidate_0) -> Candidates_0
 {
     var found_4 : Candidates_0;
     found_4.count_2 = u32(0);
@@ -2677,7 +2684,7 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
         found_4.listed_0[k_4] = last_0;
         k_4 = k_4 + u32(1);
     }
-    var nodes_at_0 : u32 = edge_word_0(around_5.tree_0);
+    var nodes_at_0 : u32 = edge_word_0(around_6.tree_0);
     var waiting_0 : array<u32, i32(92)>;
     waiting_0[i32(0)] = u32(4294967295);
     var _S234 : vec2<f32> = limit_by_0(limit_8);
@@ -2772,7 +2779,7 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
                     break;
                 }
                 var candidate_5 : Candidate_0;
-                var _S237 : bool = closest_on_edge_0(around_5, chain_2, chain_2.direction_11, k_4, &(candidate_5));
+                var _S237 : bool = closest_on_edge_0(around_6, chain_2, chain_2.direction_11, k_4, &(candidate_5));
                 if(!_S237)
                 {
                     k_4 = k_4 + u32(1);
@@ -2805,7 +2812,7 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
                 }
                 else
                 {
-                    _S236 = !is_hidden_0(around_5, candidate_5);
+                    _S236 = !is_hidden_0(around_6, candidate_5);
                 }
                 if(_S236)
                 {
@@ -2860,7 +2867,7 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
 struct Nearest_0
 {
      half_tangent_2 : f32,
-     edge_3 : u32,
+     edge_4 : u32,
      t_8 : f32,
      direction_13 : vec3<f32>,
      distance_2 : f32,
@@ -2868,7 +2875,7 @@ struct Nearest_0
      triangles_1 : array<u32, i32(6)>,
 };
 
-fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 : vec3<f32>,  point_0 : ptr<function, Nearest_0>) -> bool
+fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 : vec3<f32>,  point_0 : ptr<function, Nearest_0>) -> bool
 {
     var _S238 : f32 = length_of_0(offset_4);
     (*point_0).distance_2 = _S238;
@@ -2888,7 +2895,7 @@ fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         (*point_0).direction_13 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S239]), (*point_0).direction_13);
         k_5 = _S239;
     }
-    var height_1 : f32 = abs(dot((*point_0).direction_13, (*around_6).face_0)) * (*point_0).distance_2;
+    var height_1 : f32 = abs(dot((*point_0).direction_13, (*around_7).face_0)) * (*point_0).distance_2;
     var _S240 : bool;
     if((chain_3.count_1) > u32(0))
     {
@@ -2902,7 +2909,7 @@ fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
     {
         return false;
     }
-    var start_2 : vec3<f32> = (*around_6).position_1;
+    var start_2 : vec3<f32> = (*around_7).position_1;
     var direction_14 : vec3<f32> = (*point_0).direction_13;
     k_5 = u32(0);
     var left_1 : f32 = (*point_0).distance_2;
@@ -2936,7 +2943,7 @@ fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
             }
             if((chain_3.count_1) == u32(0))
             {
-                (*around_6).occluder_0 = found_5.triangle_9;
+                (*around_7).occluder_0 = found_5.triangle_9;
             }
             return false;
         }
@@ -2968,12 +2975,13 @@ fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
     return (length_of_0(start_2 + direction_14 * vec3<f32>(left_1) - chain_3.image_0 - offset_4)) < (3.99999998990097083e-06f * max(f32(chain_3.count_1), 1.0f) * (*point_0).distance_2);
 }
 
-fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best_0 : ptr<function, Nearest_0>)
+fn take_nearest_0( around_8 : ptr<function, Around_0>,  chain_4 : Chain_0,  best_0 : ptr<function, Nearest_0>)
 {
     var last_1 : Candidate_0;
     last_1.half_tangent_1 = -1.0f;
     last_1.t_6 = 0.0f;
-    last_1.edge_1 = u32(0);
+    last_1.number_1 = u32(0);
+    last_1.edge_2 = u32(0);
     var is_complete_0 : bool = false;
     for(;;)
     {
@@ -2984,7 +2992,7 @@ fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
         {
             break;
         }
-        var found_6 : Candidates_0 = search_0((*around_7), chain_4, (*best_0).half_tangent_2, last_1);
+        var found_6 : Candidates_0 = search_0((*around_8), chain_4, (*best_0).half_tangent_2, last_1);
         var _S242 : bool = (found_6.count_2) < u32(4);
         var k_6 : u32 = u32(0);
         for(;;)
@@ -2998,7 +3006,7 @@ fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             }
             last_1 = found_6.listed_0[k_6];
             var point_1 : Nearest_0 = (*best_0);
-            var _S243 : bool = is_seen_0(&((*around_7)), chain_4, place_of_1((*around_7), found_6.listed_0[k_6]) - chain_4.image_0, &(point_1));
+            var _S243 : bool = is_seen_0(&((*around_8)), chain_4, place_of_1((*around_8), found_6.listed_0[k_6]) - chain_4.image_0, &(point_1));
             if(!_S243)
             {
                 k_6 = k_6 + u32(1);
@@ -3006,7 +3014,7 @@ fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             }
             (*best_0) = point_1;
             (*best_0).half_tangent_2 = last_1.half_tangent_1;
-            (*best_0).edge_3 = last_1.edge_1;
+            (*best_0).edge_4 = last_1.edge_2;
             (*best_0).t_8 = last_1.t_6;
             return;
         }
@@ -3015,11 +3023,11 @@ fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
     return;
 }
 
-fn nearest_edge_0( around_8 : ptr<function, Around_0>,  direction_15 : vec3<f32>,  limit_9 : f32) -> Nearest_0
+fn nearest_edge_0( around_9 : ptr<function, Around_0>,  direction_15 : vec3<f32>,  limit_9 : f32) -> Nearest_0
 {
     var chain_5 : Chain_0;
-    chain_5.start_0 = (*around_8).position_1;
-    chain_5.image_0 = (*around_8).position_1;
+    chain_5.start_0 = (*around_9).position_1;
+    chain_5.image_0 = (*around_9).position_1;
     chain_5.direction_11 = direction_15;
     chain_5.facing_0 = vec3<f32>(0.0f, 0.0f, 0.0f);
     chain_5.count_1 = u32(0);
@@ -3038,7 +3046,7 @@ fn nearest_edge_0( around_8 : ptr<function, Around_0>,  direction_15 : vec3<f32>
     }
     var best_1 : Nearest_0;
     best_1.half_tangent_2 = limit_9;
-    best_1.edge_3 = u32(4294967295);
+    best_1.edge_4 = u32(4294967295);
     best_1.distance_2 = 0.0f;
     best_1.t_8 = 0.0f;
     best_1.direction_13 = direction_15;
@@ -3047,7 +3055,7 @@ fn nearest_edge_0( around_8 : ptr<function, Around_0>,  direction_15 : vec3<f32>
     var mirrors_1 : u32 = u32(0);
     for(;;)
     {
-        if(mirrors_1 <= ((*around_8).mirrors_0))
+        if(mirrors_1 <= ((*around_9).mirrors_0))
         {
         }
         else
@@ -3068,7 +3076,7 @@ fn nearest_edge_0( around_8 : ptr<function, Around_0>,  direction_15 : vec3<f32>
         {
             break;
         }
-        take_nearest_0(&((*around_8)), chain_5, &(best_1));
+        take_nearest_0(&((*around_9)), chain_5, &(best_1));
         mirrors_1 = mirrors_1 + u32(1);
     }
     return best_1;
@@ -3095,7 +3103,7 @@ struct Field_0
      terms_0 : array<Term_0, i32(3)>,
 };
 
-fn field_at_0( around_9 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  key_5 : vec2<u32>,  first_4 : u32) -> Field_0
+fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  key_5 : vec2<u32>,  first_4 : u32) -> Field_0
 {
     var field_0 : Field_0;
     field_0.direction_17 = direction_18;
@@ -3154,11 +3162,11 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  k
         {
             bound_0 = far_2;
         }
-        var found_7 : Nearest_0 = nearest_edge_0(&((*around_9)), x_11, bound_0);
+        var found_7 : Nearest_0 = nearest_edge_0(&((*around_10)), x_11, bound_0);
         var _S249 : bool;
         if(_S248)
         {
-            _S249 = (found_7.edge_3) == u32(4294967295);
+            _S249 = (found_7.edge_4) == u32(4294967295);
         }
         else
         {
@@ -3199,7 +3207,7 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  k
             k_8 = k_8 + u32(1);
             continue;
         }
-        if((found_8.edge_3) == u32(4294967295))
+        if((found_8.edge_4) == u32(4294967295))
         {
             field_0.terms_0[i32(2)] = field_0.terms_0[i32(0)];
             field_0.terms_0[i32(1)] = field_0.terms_0[i32(0)];
@@ -3233,19 +3241,14 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  k
     field_0.terms_0[i32(2)].gradient_0 = (e_0 + g_1) * vec3<f32>(kappa_0);
     if(!is_within_0)
     {
-        field_0.terms_0[i32(0)].site_0.edge_3 = u32(4294967295);
+        field_0.terms_0[i32(0)].site_0.edge_4 = u32(4294967295);
     }
     return field_0;
 }
 
-fn record_of_0( around_10 : Around_0,  edge_4 : u32) -> u32
-{
-    return edge_word_0(around_10.tree_0 + u32(1)) + u32(11) * edge_4;
-}
-
 fn place_on_edge_0( around_11 : Around_0,  site_1 : Nearest_0) -> vec3<f32>
 {
-    var numbers_8 : u32 = edge_word_0(around_11.tree_0 + u32(2)) + u32(14) * site_1.edge_3;
+    var numbers_8 : u32 = edge_word_0(around_11.tree_0 + u32(2)) + u32(14) * site_1.edge_4;
     var start_3 : vec3<f32> = edge_position_0(numbers_8);
     return start_3 + (edge_position_0(numbers_8 + u32(3)) - start_3) * vec3<f32>(site_1.t_8);
 }
@@ -3276,7 +3279,7 @@ fn image_by_corners_0( mirror_5 : Mirror_0,  place_23 : vec3<f32>) -> ByCorners_
 
 fn angular_0( around_12 : Around_0,  site_2 : Nearest_0,  velocity_0 : vec3<f32>) -> vec3<f32>
 {
-    var numbers_9 : u32 = edge_word_0(around_12.tree_0 + u32(2)) + u32(14) * site_2.edge_3;
+    var numbers_9 : u32 = edge_word_0(around_12.tree_0 + u32(2)) + u32(14) * site_2.edge_4;
     var first_5 : f32 = dot(edge_position_0(numbers_9) - around_12.position_1, around_12.face_0);
     var second_1 : f32 = dot(edge_position_0(numbers_9 + u32(3)) - around_12.position_1, around_12.face_0);
     var is_horizon_0 : bool;
@@ -3311,7 +3314,7 @@ fn angular_0( around_12 : Around_0,  site_2 : Nearest_0,  velocity_0 : vec3<f32>
 
 fn velocity_of_0( around_13 : Around_0,  site_3 : Nearest_0,  velocity_of_viewpoint_0 : vec3<f32>) -> vec3<f32>
 {
-    var record_5 : u32 = record_of_0(around_13, site_3.edge_3) + u32(2);
+    var record_5 : u32 = record_of_0(around_13, site_3.edge_4) + u32(2);
     var start_4 : vec3<f32> = edge_vector_0(record_5);
     var _S259 : vec3<f32> = start_4 + (edge_vector_0(record_5 + u32(3)) - start_4) * vec3<f32>(site_3.t_8);
     var place_24 : vec3<f32> = place_on_edge_0(around_13, site_3);
@@ -3366,7 +3369,7 @@ fn evaluate_0( field_2 : Field_0,  around_14 : Around_0,  velocity_of_viewpoint_
             break;
         }
         var _S263 : u32 = k_10;
-        if((field_2.terms_0[k_10].site_0.edge_3) == u32(4294967295))
+        if((field_2.terms_0[k_10].site_0.edge_4) == u32(4294967295))
         {
             k_10 = k_10 + u32(1);
             continue;
