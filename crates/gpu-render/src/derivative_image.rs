@@ -28,6 +28,8 @@ impl DeviceScene<'_> {
     /// The derivative of the image for a unit change along `tangent`, with the image, as
     /// [`capwalk_diff::gradient`] has them, with its refusals: where anything moves by
     /// [`Method::EDGES`]. If `watch` stops the work, what was done is returned.
+    ///
+    /// [`Method::EDGES`]: capwalk_diff::Method::EDGES
     pub fn gradient(
         &self,
         tangent: &Tangent,

@@ -43,6 +43,8 @@ impl DeviceScene<'_> {
     /// counted, at most as many as a part has samples.
     ///
     /// Sums are in fixed point, so their bits do not depend on which thread comes first.
+    ///
+    /// [`Method::EDGES`]: capwalk_diff::Method::EDGES
     pub fn backward(
         &self,
         adjoint: &Image,
