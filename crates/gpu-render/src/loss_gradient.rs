@@ -38,7 +38,8 @@ const MOST_DERIVATIVES: usize = 1 << 24;
 
 impl DeviceScene<'_> {
     /// The gradient of `Σ adjoint · image` in what is wanted, as [`capwalk_diff::backward`] has it, with
-    /// its batches and refusals: where anything moves by [`Method::EDGES`]. An error if there is no room
+    /// its batches and refusals: where anything moves by [`Method::EDGES`], or by edges of fewer
+    /// segments if these are asked for. An error if there is no room
     /// for so many numbers. Derivatives that are not finite are left out, each by itself, and
     /// counted, at most as many as a part has samples.
     ///

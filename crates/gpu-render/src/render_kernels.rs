@@ -130,6 +130,7 @@ pub const WALK_BACK: CompiledKernel = compiled!("walk_back");
 
 #[cfg(test)]
 mod tests {
+    use capwalk_boundary::MAX_EVENTS;
     use capwalk_gpu::RAYS_SOURCE;
 
     use super::*;
@@ -180,6 +181,18 @@ mod tests {
         let windows = include_str!("kernels/edge_windows.slang");
         assert!(windows.contains("FIRST_SUBTREES = 2, LATER_SUBTREES = 1, MORE_SUBTREES = 4"));
         assert!(windows.contains("launch.depth & 0xffffff") && windows.contains("depth >> 24"));
+        // What the kernels of walks take for granted of the processor's code, and of each other.
+        let mirrors = include_str!("kernels/mirrors.slang");
+        assert!(mirrors.contains(&format!("MOST_MIRRORS = {MAX_EVENTS};")));
+        let paths = include_str!("kernels/paths.slang");
+        let words = |text: String| assert!(paths.contains(&text), "{text}");
+        words(format!("LIGHT_CHANGE = 4, WALKED = {};", FORWARD.path - 4));
+        words(format!(
+            "KEPT = {}, KEPT_WORDS = {};",
+            REVERSE.path, REVERSE.vertex
+        ));
+        let edges = include_str!("kernels/edges.slang");
+        assert!(edges.contains(&format!("SIDE_WEIGHT = {}, SIDE_POINT = 23;", IMAGE.path)));
         let image = [IMAGE.begin, IMAGE.go_on, DIFFUSE_IMAGE.go_on];
         let hits = [IMAGE_FROM_HITS.begin];
         let forward = [FORWARD.begin, FORWARD.go_on];

@@ -1,8 +1,10 @@
 //! What the device's renderer does not have.
 
-use capwalk_boundary::{MAX_EVENTS, may_be_specular};
+use std::sync::Arc;
+
+use capwalk_boundary::{Field, MAX_EVENTS, may_be_specular};
 use capwalk_diff::{Gathers, GradientOptions, Method, Wanted};
-use capwalk_render::{Plan, PreparedScene, RenderOptions};
+use capwalk_render::{MotionFacts, Plan, PreparedScene, RenderOptions, Tracer};
 use capwalk_scene::{
     Bsdf, BsdfId, Emitter, Integrator, Quantity, SamplerKind, Scene, ShapeId, Slot, TextureId,
 };
@@ -118,7 +120,14 @@ fn in_motion(
         (!has_them).then(|| what.to_owned())
     };
     let steps = || {
-        let walk = options.walk;
+        let field = Field::new(
+            accel,
+            prepared.boundaries_if(false),
+            by_edges(&options.method),
+        );
+        let facts = Arc::new(MotionFacts::of(scene));
+        let tracer = Tracer::moving(prepared, field, options.walk, &facts);
+        let walk = tracer.surface_walks()?.settings;
         let is_usual = walk.steps == 1 && walk.estimator == Estimator::Anchored;
         let what = "walks are not of one anchored step";
         (!is_usual || walk.antithetic).then(|| what.to_owned())

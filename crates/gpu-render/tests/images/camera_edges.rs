@@ -395,7 +395,7 @@ fn what_has_no_edges_yet_is_refused() {
             "directions are to walk elsewhere",
         ),
         (
-            room(DIFFUSE),
+            room(MIRROR),
             Precision::Double,
             steps,
             "walks are not of one anchored step",
