@@ -11,7 +11,7 @@
 //!
 //! Each side takes as many samples as fill some time, with random numbers of its own, after a run
 //! in which kernels are compiled; of some more runs the fastest counts. Derivatives are by
-//! [`Method::EDGES`] on both sides, the only one of the device.
+//! [`Method::EDGES`] on both sides, which is what the device takes where none is asked for.
 
 use std::error::Error;
 use std::path::Path;

@@ -27,7 +27,8 @@ use crate::unsupported::{by_edges, unsupported_derivative};
 impl DeviceScene<'_> {
     /// The derivative of the image for a unit change along `tangent`, with the image, as
     /// [`capwalk_diff::gradient`] has them, with its refusals: where anything moves by
-    /// [`Method::EDGES`], or by edges of fewer segments if these are asked for. If `watch` stops the work, what was done is returned.
+    /// [`Method::EDGES`], or by edges of fewer segments if these are asked for. If `watch` stops the
+    /// work, what was done is returned.
     ///
     /// [`Method::EDGES`]: capwalk_diff::Method::EDGES
     pub fn gradient(
