@@ -6,7 +6,7 @@
 //! | `layout` | finds circles of files, and names that mean two things |
 //! | `package` | builds every crate from its package alone |
 //! | `bench` | the benchmarks |
-//! | `soak` | random scenes and damaged files, for a minute each, and derivatives with all samples |
+//! | `soak` | random scenes and damaged files, for a minute each |
 //! | `parity` | renders `tests/parity/*.xml` with Mitsuba too and compares, or makes golden images of them |
 //! | `kernels` | compiles the kernels of the GPU, which are checked in |
 //! | `gpu` | queries, images and gradients on the GPU: how many per second, and whether they agree with the processor |
@@ -47,8 +47,7 @@ tasks:
   package  pack every crate that may be published, and build it from its package
   bench    the benchmarks (further arguments go to them)
   soak     read damaged files for a minute, then render and differentiate random
-           scenes for a minute (further arguments: seconds of each, first seed),
-           then check derivatives of all phenomena with all samples
+           scenes for a minute (further arguments: seconds of each, first seed)
   parity   render tests/parity/*.xml with capwalk and with Mitsuba, and compare;
            with --golden, make the images of tests/parity/golden instead
            (needs python3 and PyPI; further arguments: scene names)

@@ -1,17 +1,16 @@
-//! `cargo xtask soak`: the randomised tests, for longer than tests may take, and derivatives against
-//! finite differences with all samples.
+//! `cargo xtask soak`: the randomised tests, for longer than tests may take.
 
 use std::process::Command;
 
 use anyhow::{Context, Result};
 
-use crate::shell::{EVERYTHING, cargo, root, step};
+use crate::shell::{cargo, root, step};
 
 /// Address space of the readers, in KiB: what a damaged file of a few kilobytes
 /// makes a reader reserve beyond that is a fault of the reader.
 const ADDRESS_SPACE: u32 = 3 << 20;
 
-/// Damaged files, then random scenes, for some seconds each from some seed on; then all phenomena.
+/// Damaged files, then random scenes, for some seconds each from some seed on.
 pub fn run(rest: &[String]) -> Result<()> {
     let number = |i: usize, default: u64| match rest.get(i) {
         None => Ok(default),
@@ -41,14 +40,7 @@ pub fn run(rest: &[String]) -> Result<()> {
         "capwalk-diff",
         "gradients",
         "random_scenes",
-    )?;
-    // By all samples an error of a tenth is seen, by those of the tests one of a fifth.
-    let mut phenomena = cargo(&["test", "--no-fail-fast"]);
-    phenomena
-        .args(EVERYTHING)
-        .args(["--test", "phenomena", "--test", "gradients"])
-        .env("CAPWALK_ALL_SAMPLES", "1");
-    step("phenomena", phenomena)
+    )
 }
 
 /// The command with little memory, where a shell can say so.

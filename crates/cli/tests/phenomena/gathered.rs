@@ -12,15 +12,9 @@ use crate::methods::{by, chosen, meets};
 /// Enough samples to see that two methods are not the same.
 const FEW: u32 = 4;
 
-/// Demands that gathered edges are walks again where the folder says so; else, and for what is
-/// chosen if that is neither, says where they do not agree with the differences in a file.
-pub fn agree(
-    folder: &Folder,
-    parameter: &str,
-    edges: Edges,
-    part: u32,
-    check: &Path,
-) -> Result<(), String> {
+/// Demands that gathered edges agree with the differences in a file, or are walks
+/// again; and the same of what is chosen, if that is neither.
+pub fn agree(folder: &Folder, parameter: &str, edges: Edges, check: &Path) {
     let name = format!("{}, {parameter}", folder.name);
     let scene = folder.scene();
     let tangent = params::Registry::new(&scene)
@@ -33,7 +27,7 @@ pub fn agree(
             .iter()
             .all(|light| *light == EmitterVectors::default());
     if is_at_rest {
-        return Ok(());
+        return;
     }
     let [walk, gathered, auto] =
         [Method::Walk, Method::EDGES, Method::Auto].map(|method| chosen(method, &scene, &tangent));
@@ -45,24 +39,9 @@ pub fn agree(
         "{name}: are edges the same as walks, as check.json says?"
     );
     if edges == Edges::Gathered {
-        meets(
-            &format!("{name}, edges"),
-            gathered,
-            &scene,
-            &tangent,
-            part,
-            check,
-        )?;
+        meets(&format!("{name}, edges"), gathered, &scene, &tangent, check);
     }
     if few_auto != walked && few_auto != few_gathered {
-        meets(
-            &format!("{name}, auto"),
-            auto,
-            &scene,
-            &tangent,
-            part,
-            check,
-        )?;
+        meets(&format!("{name}, auto"), auto, &scene, &tangent, check);
     }
-    Ok(())
 }

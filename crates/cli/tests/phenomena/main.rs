@@ -2,9 +2,7 @@
 //! by which its image is differentiated. Each derivative meets finite
 //! differences, with edges gathered as well as walked to, some with the paper's fields
 //! on triangles; forward mode meets reverse mode; or it is refused with the reason.
-//! `cargo test -p capwalk-cli --test phenomena <folder>` runs one. As a rule a quarter of
-//! the samples is enough to see an error of a fifth, which is what tests demand; with
-//! `CAPWALK_ALL_SAMPLES`, as in `cargo xtask soak`, it is one of a tenth by all samples.
+//! `cargo test -p capwalk-cli --test phenomena <folder>` runs one.
 
 mod both_modes;
 mod differences;
@@ -18,15 +16,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
 
-use folder::{Demand, Differences, Folder};
-
-/// Samples are divided by these, by one after the other until derivatives agree.
-fn parts() -> &'static [u32] {
-    match std::env::var_os("CAPWALK_ALL_SAMPLES") {
-        None => &[4, 2, 1],
-        Some(_) => &[1],
-    }
-}
+use folder::{Demand, Folder};
 
 /// A test for each folder, and the list of them.
 macro_rules! phenomena {
@@ -165,12 +155,11 @@ fn run(name: &str) {
         match &check.demand {
             Demand::Agree(differences) => {
                 let check = out.join("check.npz");
-                for &part in parts() {
-                    match agree(&folder, parameter, differences, part, &check) {
-                        Ok(()) => break,
-                        Err(reason) if part > 1 => println!("1/{part} of all samples: {reason}"),
-                        Err(reason) => panic!("{reason}"),
-                    }
+                differences::agree(&folder, parameter, differences, &check);
+                gathered::agree(&folder, parameter, differences.edges, &check);
+                #[cfg(feature = "paper")]
+                if differences.triangles {
+                    on_triangles::agree(&folder, parameter, &check);
                 }
                 both_modes::agree(&folder, parameter, &out);
             }
@@ -178,23 +167,6 @@ fn run(name: &str) {
         }
     }
     println!("{name}: {:.1} s", started.elapsed().as_secs_f64());
-}
-
-/// Says where a derivative does not agree with its finite differences, by a part of the samples.
-fn agree(
-    folder: &Folder,
-    parameter: &str,
-    differences: &Differences,
-    part: u32,
-    check: &Path,
-) -> Result<(), String> {
-    differences::agree(folder, parameter, differences, part, check)?;
-    gathered::agree(folder, parameter, differences.edges, part, check)?;
-    #[cfg(feature = "paper")]
-    if differences.triangles {
-        on_triangles::agree(folder, parameter, part, check)?;
-    }
-    Ok(())
 }
 
 /// Demands that both modes refuse, and both methods, in a message that has the words.

@@ -9,13 +9,13 @@ use capwalk_scene::params;
 use crate::folder::Folder;
 use crate::methods::{chosen, meets};
 
-/// Says where fields on triangles do not agree with the differences in a file.
-pub fn agree(folder: &Folder, parameter: &str, part: u32, check: &Path) -> Result<(), String> {
+/// Demands that fields on triangles agree with the differences in a file.
+pub fn agree(folder: &Folder, parameter: &str, check: &Path) {
     let name = format!("{}, {parameter}, triangles", folder.name);
     let scene = folder.scene();
     let tangent = params::Registry::new(&scene)
         .tangent(&scene, parameter)
         .unwrap_or_else(|e| panic!("{name}: {e}"));
     let options = chosen(Method::TriangleWalk, &scene, &tangent);
-    meets(&name, options, &scene, &tangent, part, check)
+    meets(&name, options, &scene, &tangent, check);
 }

@@ -1,6 +1,6 @@
 //! Runs a gradient and its finite differences, and demands agreement.
 
-use capwalk_diff::check::{Comparison, Verdict, compare};
+use capwalk_diff::check::{Verdict, compare};
 use capwalk_diff::{
     GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, WalkSettings,
     finite_difference, gradient,
@@ -59,94 +59,65 @@ pub fn agree(name: &str, scene: Scene, tangent: &Tangent, case: Case) {
     agree_by(&[case.method], name, scene, tangent, case);
 }
 
-/// A factor that is wrong by this is excluded at two standard errors, where a part of the samples is
-/// drawn; where all are, one of a tenth is.
-const SEEN_BY_PART: f64 = 0.2;
-
-/// Runs several methods, and demands agreement with one reference. `CAPWALK_ALL_SAMPLES` asks for all
-/// samples; `cargo xtask soak` does.
+/// Runs several methods, and demands agreement with one reference.
 pub fn agree_by(methods: &[Method], name: &str, mut scene: Scene, tangent: &Tangent, case: Case) {
     scene.film.size = [case.size; 2];
     scene.film.crop_size = [case.size; 2];
     scene.check().expect("a valid scene");
+    let options = |spp: u32, seed: u64| RenderOptions::new(spp, seed);
     let middle = match case.one_sided {
         true => scene.moved(tangent, case.step),
         false => scene.clone(),
     };
-    let mut methods = methods.to_vec();
-    // Samples are divided by these, by one after the other until all methods agree.
-    let parts: &[u32] = match std::env::var_os("CAPWALK_ALL_SAMPLES") {
-        None => &[4, 2, 1],
-        Some(_) => &[1],
-    };
-    for &part in parts {
-        let options = |spp: u32, seed: u64| RenderOptions::new(spp / part, seed);
-        let reference = finite_difference(
-            &PreparedScene::new(middle.clone()),
+    let reference = finite_difference(
+        &PreparedScene::new(middle),
+        tangent,
+        case.step,
+        &options(case.reference_spp, 2),
+        &Unwatched,
+    )
+    .expect("covered");
+    for &method in methods {
+        let settings = GradientOptions {
+            method,
+            walk: case.walk,
+            ..GradientOptions::new(options(case.gradient_spp, 1))
+        };
+        let ours = gradient(
+            &PreparedScene::new(scene.clone()),
             tangent,
-            case.step,
-            &options(case.reference_spp, 2),
+            &settings,
             &Unwatched,
         )
         .expect("covered");
-        methods.retain(|&method| {
-            let settings = GradientOptions {
-                method,
-                walk: case.walk,
-                ..GradientOptions::new(options(case.gradient_spp, 1))
-            };
-            let ours = gradient(
-                &PreparedScene::new(scene.clone()),
-                tangent,
-                &settings,
-                &Unwatched,
-            )
-            .expect("covered");
-            assert_eq!(
-                ours.statistics.non_finite + reference.statistics.non_finite,
-                0,
-                "{name}"
-            );
-            let result = compare(&ours.gradient, &reference.gradient);
-            println!(
-                "{name}, {}, 1/{part} of the samples: {result}, worst {:?}",
-                method.name(),
-                result.worst.first()
-            );
-            let wrong = wrong(&result, case, part);
-            assert!(
-                part > 1 || wrong.is_none(),
-                "{name}: {}",
-                wrong.unwrap_or_default()
-            );
-            wrong.is_some()
-        });
-        if methods.is_empty() {
-            return;
-        }
-    }
-}
+        assert_eq!(
+            ours.statistics.non_finite + reference.statistics.non_finite,
+            0,
+            "{name}"
+        );
 
-/// In which respect a derivative does not agree with its reference by a part of the samples, if it
-/// does not.
-fn wrong(result: &Comparison, case: Case, part: u32) -> Option<String> {
-    let off = (result.scale_factor - 1.0).abs();
-    let tells = part > 1 && off + 2.0 * result.scale_factor_error <= SEEN_BY_PART;
-    match &result.verdict {
-        Verdict::Right => {}
-        Verdict::Inconclusive { doubt: None, .. } if tells => {}
-        Verdict::Inconclusive { samples_factor, .. } if *samples_factor <= case.patience => {}
-        verdict => return Some(format!("{verdict:?}")),
-    }
-    let (pixels, z2, sign) = (result.pixels, result.mean_z_squared, result.sign);
-    if pixels < case.min_pixels {
-        Some(format!("only {pixels} pixels have noise"))
-    } else if !(0.8..=1.25).contains(&z2) {
-        Some(format!("mean z² {z2}"))
-    } else if sign.abs() >= 4.0 {
-        Some(format!("systematic sign {sign}"))
-    } else {
-        None
+        let result = compare(&ours.gradient, &reference.gradient);
+        println!(
+            "{name}, {}: {result}, worst {:?}",
+            method.name(),
+            result.worst[0]
+        );
+        match result.verdict {
+            Verdict::Inconclusive { samples_factor, .. } if samples_factor <= case.patience => {}
+            verdict => assert_eq!(verdict, Verdict::Right, "{name}"),
+        }
+        assert!(
+            result.pixels >= case.min_pixels,
+            "{name}: only {} pixels have noise",
+            result.pixels
+        );
+        let z2 = result.mean_z_squared;
+        assert!((0.8..=1.25).contains(&z2), "{name}: mean z² {z2}");
+        assert!(
+            result.sign.abs() < 4.0,
+            "{name}: systematic sign {}",
+            result.sign
+        );
     }
 }
 
