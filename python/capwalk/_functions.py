@@ -133,9 +133,8 @@ def gradient(
         are seen in curved mirrors, through refracting glass, or after many reflections, instead of
         refusing the derivative; ``statistics["missing"]`` is the share of the radiance that
         arrives by paths with such events, whether something moves there or not.
-    :param device: see :func:`render`. GPUs have derivatives with respect to the colours of
-        materials (``reflectance``, ``diffuse_reflectance``, ``specular_reflectance``) and by what emitters
-        send; for what moves, ``"auto"`` takes the processor.
+    :param device: see :func:`render`. GPUs do not have all derivatives: for others ``"auto"`` takes
+        the processor, and ``"gpu"`` raises :class:`DeviceError` with the reason.
     :raises Refused: the derivative could only be estimated with a bias; with ``reason`` and
         ``instead``.
     :raises ParameterError: a name means no parameter.

@@ -349,8 +349,7 @@ pub struct Gradient {
 pub struct GradientOn {
     #[command(flatten)]
     pub gradient: Gradient,
-    /// Where to compute: GPUs have derivatives with respect to colours and texels; equal seeds give
-    /// equal bits on one device
+    /// Where to compute: equal seeds give equal bits on one device
     #[arg(long, value_name = "DEVICE", default_value = "cpu")]
     pub device: DeviceName,
 }
@@ -404,8 +403,8 @@ pub struct Backward {
     pub method: MethodArgs,
     #[command(flatten)]
     pub sampling: SamplingArgs,
-    /// Where to compute: GPUs have derivatives with respect to colours and texels; equal seeds give
-    /// equal bits on one device
+    /// Where to compute: equal seeds give equal bits on one device. The image that a --loss is of is
+    /// rendered by the processor
     #[arg(long, value_name = "DEVICE", default_value = "cpu")]
     pub device: DeviceName,
     /// Output file (.npz)

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use capwalk_boundary::{Field, MAX_EVENTS, may_be_specular};
+use capwalk_boundary::{Field, MAX_EVENTS, is_discontinuous, may_be_specular, textures_of};
 use capwalk_diff::{Gathers, GradientOptions, Method, Wanted};
 use capwalk_render::{MotionFacts, Plan, PreparedScene, RenderOptions, Tracer};
 use capwalk_scene::{
@@ -36,8 +36,8 @@ pub fn unsupported_options(options: &RenderOptions) -> Option<Unsupported> {
 
 /// The first thing of a derivative that the device's renderer does not have, by a method. It has those
 /// with respect to the numbers of materials, but for rough coats, to what emitters send, and by edges to
-/// what moves, unless rays are parallel, a mirror is curved or may show another one many times, or the film
-/// alone changes. Directions towards surfaces walk where edges there cannot be gathered or are not to be.
+/// what moves, unless rays are parallel, a mirror is curved or may show another one many times, a texture
+/// is discontinuous inside faces, or the film alone changes. Directions towards surfaces walk where edges there cannot be gathered or are not to be.
 pub fn unsupported_derivative(
     prepared: &PreparedScene,
     wanted: &Wanted,
@@ -98,10 +98,26 @@ fn in_motion(
         let what = format!("mirrors may show each other more than {MAX_EVENTS} times");
         (planes.count() > 1 && is_long).then_some(what)
     };
+    // Both rays beside a line of a texture find one texel, in single precision.
+    let jumping = || {
+        let jumps = |shape| {
+            textures_of(scene, shape)
+                .into_iter()
+                .find(|&t| is_discontinuous(t))
+        };
+        let mut shapes = scene.shapes.iter();
+        shapes.find_map(|shape| {
+            let texture = &jumps(shape)?.id;
+            let what = "is discontinuous: its squares or texels are not interpolated";
+            Some(format!("the texture \"{texture}\" {what}"))
+        })
+    };
     // There the film moves under rays that stay, and its points with it.
     let film = || {
         let is_alone = wanted.film && !wanted.geometry();
-        is_alone.then(|| "the field of view or the focus distance changes alone".to_owned())
+        is_alone.then(|| {
+            "the field of view or the focus distance changes, and nothing moves".to_owned()
+        })
     };
     let walks = || {
         let elsewhere = Gathers {
@@ -115,9 +131,10 @@ fn in_motion(
             }
             _ => false,
         };
-        let what = "directions are to walk elsewhere than to surfaces that reflect light, or other \
-                    numbers of points are asked for";
-        (!has_them).then(|| what.to_owned())
+        (!has_them).then(|| match options.method {
+            Method::Edges(_) => "`edges` gathers fewer edges or other numbers of points".to_owned(),
+            other => format!("the method is `{}`", other.name()),
+        })
     };
     let steps = || {
         let field = Field::new(
@@ -132,9 +149,12 @@ fn in_motion(
         let what = "walks are not of one anchored step";
         (!is_usual || walk.antithetic).then(|| what.to_owned())
     };
-    let what = parallel.or_else(curved).or_else(repeated).or_else(film);
-    let what = what.or_else(walks).or_else(steps)?;
-    Some(format!("{what}, {}", what_moves(scene, wanted)))
+    let what = parallel.or_else(curved).or_else(repeated);
+    let what = what.or_else(jumping).or_else(walks).or_else(steps);
+    match what {
+        Some(what) => Some(format!("{what}, {}", what_moves(scene, wanted))),
+        None => film(),
+    }
 }
 
 /// The first number that is wanted and of which the kernels have no derivative: those of coats that

@@ -13,7 +13,7 @@ use capwalk::{
 };
 use serde_json::{Value, json};
 
-use crate::args::{Backward, DeviceName, LossName};
+use crate::args::{Backward, LossName};
 use crate::diagnostics::Outcome;
 use crate::memory::{self, Need};
 use crate::progress::{self, Progress};
@@ -27,11 +27,6 @@ pub fn run(args: &Backward) -> Result<Outcome> {
     let prepared = source::load(&args.scene)?;
     let scene = prepared.scene();
     memory::check(scene, Need::Loss)?;
-    ensure!(
-        args.device != DeviceName::Gpu || !args.param.is_empty(),
-        "--device gpu has derivatives with respect to colours and texels alone, and without -p all arrays \
-         are asked for. Name some with -p"
-    );
     let names = match args.param.is_empty() {
         true => all_names(&prepared)?,
         false => args.param.clone(),

@@ -217,6 +217,7 @@ fn what_is_chosen_is_right() {
     let tangent_of = |scene: &Scene, expression| tangent(scene, expression);
     let motion = tangent_of(&scene, "thing.translate.x");
     let case = Case {
+        gradient_spp: 32,
         min_pixels: 500,
         ..Case::default()
     };
@@ -224,6 +225,8 @@ fn what_is_chosen_is_right() {
     let scene = visible_ball(Filter::Box);
     let motion = tangent_of(&scene, "ball.translate.x");
     let case = Case {
+        gradient_spp: 80,
+        reference_spp: 600,
         min_pixels: 700,
         ..primary()
     };

@@ -31,8 +31,8 @@ fn shadow_case(name: &str, scene: Scene, expression: &str) {
     // Little noise: a longer step, which blurs what it looks at, would be seen.
     let case = Case {
         step: 1e-2,
-        gradient_spp: 64,
-        reference_spp: 600,
+        gradient_spp: 16,
+        reference_spp: 640,
         min_pixels: 400,
         ..Case::default()
     };
@@ -209,8 +209,8 @@ fn silhouettes() {
     for filter in [Filter::Box, Filter::Gaussian { stddev: 0.5 }] {
         let case = Case {
             step: 3e-3,
-            gradient_spp: 32,
-            reference_spp: 240,
+            gradient_spp: 20,
+            reference_spp: 340,
             min_pixels: 700,
             ..primary()
         };
@@ -224,8 +224,8 @@ fn silhouettes() {
 fn camera() {
     let case = Case {
         step: 1e-3,
-        gradient_spp: 128,
-        reference_spp: 1200,
+        gradient_spp: 24,
+        reference_spp: 1400,
         ..primary()
     };
     let expression = "sensor.translate.x + 0.3*sensor.rotate.z + 0.2*sensor.x_fov";
@@ -239,8 +239,8 @@ fn lens() {
     let expression = "ball.translate.x + 0.3*sensor.translate.x + 0.2*sensor.aperture_radius";
     let case = Case {
         step: 3e-3,
-        gradient_spp: 12,
-        reference_spp: 80,
+        gradient_spp: 6,
+        reference_spp: 120,
         ..primary()
     };
     camera_case("lens", scene, expression, case);
@@ -284,7 +284,7 @@ fn crossing_of_surfaces_of_one_width() {
         ..primary()
     };
     let tangent = tangent(&scene, "floor.translate.z");
-    let methods = [Method::Walk, Method::EDGES];
+    let methods = [(Method::Walk, 160), (Method::EDGES, 40)];
     agree_by(&methods, "one width", scene, &tangent, case);
 }
 
@@ -300,8 +300,8 @@ fn mirror() {
     crate::common::materials::make(&mut scene, "floor", |n| Bsdf::Conductor(n.copper()));
     let case = Case {
         step: 2e-3,
-        gradient_spp: 800,
-        reference_spp: 1600,
+        gradient_spp: 440,
+        reference_spp: 2100,
         min_pixels: 300,
         ..primary()
     };

@@ -47,7 +47,7 @@ fn visible_case(spp: u32) -> Case {
     Case {
         step: 2e-3,
         gradient_spp: spp,
-        reference_spp: spp,
+        reference_spp: 4 * spp,
         ..Case::default()
     }
 }
@@ -57,7 +57,7 @@ fn visible_case(spp: u32) -> Case {
 fn unlimited_depth() {
     let scene = deep(visible_ball(Filter::Gaussian { stddev: 0.5 }), None);
     let tangent = tangent(&scene, "ball.translate.x");
-    agree("unlimited depth", scene, &tangent, visible_case(120));
+    agree("unlimited depth", scene, &tangent, visible_case(100));
 }
 
 /// The room of the paper's figure 9 with light that is reflected several times.
@@ -67,9 +67,8 @@ fn box_in_a_room() {
     let parameter = builtin::default_parameter("box-room").expect("built in");
     let tangent = tangent(&scene, parameter);
     let case = Case {
-        reference_spp: 500,
         patience: 5.0,
-        ..visible_case(300)
+        ..visible_case(180)
     };
     agree("box room, indirect", scene, &tangent, case);
 }
@@ -135,7 +134,7 @@ fn moving_camera() {
     let tangent = tangent(&scene, "sensor.translate.x + 0.3*sensor.rotate.z");
     let case = Case {
         patience: 4.0,
-        ..visible_case(600)
+        ..visible_case(380)
     };
     agree("moving camera, indirect", scene, &tangent, case);
 }

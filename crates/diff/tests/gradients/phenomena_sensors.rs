@@ -16,7 +16,12 @@ fn blurred_ball(filter: Filter) -> Scene {
 fn ball_out_of_focus() {
     let scene = blurred_ball(Filter::Box);
     let tangent = tangent(&scene, "ball.translate.x");
-    agree("ball out of focus", scene, &tangent, primary());
+    let case = Case {
+        gradient_spp: 80,
+        reference_spp: 300,
+        ..primary()
+    };
+    agree("ball out of focus", scene, &tangent, case);
 }
 
 #[test]

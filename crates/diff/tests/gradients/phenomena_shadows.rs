@@ -50,8 +50,8 @@ fn other_walks() {
             &tangent,
             Case {
                 size: 32,
-                gradient_spp: 140,
-                reference_spp: 360,
+                gradient_spp: 150,
+                reference_spp: 200,
                 min_pixels: 500,
                 patience: 2.0,
                 walk,
@@ -88,8 +88,8 @@ fn sobol_points() {
     let mut scene = with(triangle());
     scene.settings.sampler = SamplerKind::Sobol;
     let case = Case {
-        gradient_spp: 128,
-        reference_spp: 256,
+        gradient_spp: 144,
+        reference_spp: 160,
         ..Case::default()
     };
     let tangent = tangent(&scene, "thing.translate.x");

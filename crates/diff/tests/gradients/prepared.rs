@@ -17,7 +17,7 @@ use capwalk_scene::{
     Texture,
 };
 
-const SAMPLING: RenderOptions = RenderOptions::new(3, 7);
+const SAMPLING: RenderOptions = RenderOptions::new(2, 7);
 
 fn bits(image: &Image) -> Vec<u64> {
     let channels = image.pixels.iter().flat_map(|pixel| pixel.to_array());

@@ -136,7 +136,7 @@ fn agree_along(name: &str, prepared: &PreparedScene, tangent: &Tangent) {
     for method in [Method::Walk, Method::EDGES] {
         let settings = GradientOptions {
             method,
-            ..settings(16)
+            ..settings(6)
         };
         agree_by(&format!("{name}, {method:?}"), prepared, tangent, &settings);
     }
@@ -217,7 +217,7 @@ fn parallel_rays() {
         let prepared = PreparedScene::new(scene);
         let gathered = GradientOptions {
             method: Method::EDGES,
-            ..settings(16)
+            ..settings(6)
         };
         let tangent = everything(prepared.scene(), 11);
         agree_by("parallel rays, edges", &prepared, &tangent, &gathered);
@@ -251,7 +251,7 @@ fn warped_area_sampling() {
         for method in [Method::Was(was), Method::PsdrWas(was)] {
             let settings = GradientOptions {
                 method,
-                ..settings(16)
+                ..settings(6)
             };
             agree_by(method.name(), &prepared, &tangent, &settings);
         }

@@ -1,6 +1,6 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 95a321724ff541a4
+// source: a5da34863903b748
 // result: 5a4ff9d7ae6f7b21
 
 struct Launch_std140_0

@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 95a321724ff541a4
-// result: 8de6e8a128a6d7bb
+// source: a5da34863903b748
+// result: a94ea79eaf8fa0e7
 
 struct Launch_std140_0
 {
@@ -1406,6 +1406,20 @@ fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f64
     return (f64((_S90 >> (u32(11)))) + f64((((_S90 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
+struct Leaves_0
+{
+     count_3 : u32,
+     nodes_1 : array<u32, i32(96)>,
+};
+
+fn below_0( node_1 : u32) -> Leaves_0
+{
+    var leaves_0 : Leaves_0;
+    leaves_0.count_3 = u32(1);
+    leaves_0.nodes_1[i32(0)] = node_1;
+    return leaves_0;
+}
+
 fn edge_number_0( at_18 : u32) -> f32
 {
     return (bitcast<f32>((edge_word_0(at_18))));
@@ -1416,25 +1430,25 @@ fn edge_vector_0( at_19 : u32) -> vec3<f32>
     return vec3<f32>(edge_number_0(at_19), edge_number_0(at_19 + u32(1)), edge_number_0(at_19 + u32(2)));
 }
 
-fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
+fn may_have_silhouette_0( node_2 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
 {
-    var sine_2 : f32 = edge_number_0(node_1 + u32(11));
-    var cosine_3 : f32 = edge_number_0(node_1 + u32(12));
+    var sine_2 : f32 = edge_number_0(node_2 + u32(11));
+    var cosine_3 : f32 = edge_number_0(node_2 + u32(12));
     if(sine_2 > 1.0f)
     {
         return true;
     }
-    var margin_0 : f32 = (edge_number_0(node_1 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
+    var margin_0 : f32 = (edge_number_0(node_2 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
     var margin_1 : f32;
     if(cosine_3 > 0.0f)
     {
-        margin_1 = min((edge_number_0(node_1 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
+        margin_1 = min((edge_number_0(node_2 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
     }
     else
     {
         margin_1 = margin_0;
     }
-    return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
+    return !((abs(dot(edge_vector_0(node_2 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
 }
 
 fn is_outside_0( at_20 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
@@ -1537,16 +1551,16 @@ fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
     return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
 }
 
-fn speed_of_0( at_21 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+fn speed_of_0( at_21 : ShadingPoint_0,  node_3 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
 {
     if(is_blind_0())
     {
-        return edge_number_0(node_2 + u32(20)) + 0.10000000149011612f;
+        return edge_number_0(node_3 + u32(20)) + 0.10000000149011612f;
     }
-    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_21.motion_1, offset_7);
-    var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
-    var sine_3 : f32 = edge_number_0(node_2 + u32(11));
-    var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
+    var relative_0 : vec3<f32> = edge_vector_0(node_3 + u32(17)) - velocity_at_0(at_21.motion_1, offset_7);
+    var axis_4 : vec3<f32> = edge_vector_0(node_3 + u32(8));
+    var sine_3 : f32 = edge_number_0(node_3 + u32(11));
+    var cosine_4 : f32 = edge_number_0(node_3 + u32(12));
     var along_0 : f32 = abs(dot(axis_4, relative_0));
     var across_1 : f32 = length(cross(axis_4, relative_0));
     var speed_0 : f32;
@@ -1558,19 +1572,19 @@ fn speed_of_0( at_21 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  ra
     {
         speed_0 = length(relative_0);
     }
-    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_21.motion_1.rotation_0) * radius_3;
+    return speed_0 + edge_number_0(node_3 + u32(20)) + length(at_21.motion_1.rotation_0) * radius_3;
 }
 
-fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
+fn importance_of_0( at_22 : ShadingPoint_0,  node_4 : u32) -> f32
 {
-    var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
+    var centre_1 : vec3<f32> = edge_vector_0(node_4 + u32(4));
     var offset_8 : vec3<f32> = centre_1 - at_22.vertex_2.surface_3.position_1;
-    var radius_4 : f32 = edge_number_0(node_3 + u32(7));
+    var radius_4 : f32 = edge_number_0(node_4 + u32(7));
     var distance_5 : f32 = length(offset_8);
     var _S95 : bool;
     if(!at_22.has_creases_0)
     {
-        _S95 = !may_have_silhouette_0(node_3, offset_8, distance_5);
+        _S95 = !may_have_silhouette_0(node_4, offset_8, distance_5);
     }
     else
     {
@@ -1586,7 +1600,7 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
     }
     var cosine_5 : f32 = largest_cosine_0(at_22.vertex_2.surface_3.position_1, at_22.vertex_2.axes_5.n_0, centre_1, radius_4);
     var _S96 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
-    var least_0 : f32 = edge_number_0(node_3 + u32(16));
+    var least_0 : f32 = edge_number_0(node_4 + u32(16));
     var ratio_0 : f32 = _S96 / max(max(distance_5 * distance_5 - _S96, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
     var visible_0 : f32;
     if(ratio_0 < 0.00100000004749745f)
@@ -1598,56 +1612,192 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
         visible_0 = logarithm_0(1.0f + ratio_0);
     }
     var near_0 : f32 = visible_0 / _S96;
-    var visible_1 : f32 = edge_number_0(node_3 + u32(14));
-    if(distance_5 > (edge_number_0(node_3 + u32(15))))
+    var visible_1 : f32 = edge_number_0(node_4 + u32(14));
+    if(distance_5 > (edge_number_0(node_4 + u32(15))))
     {
-        visible_0 = visible_1 * edge_number_0(node_3 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
+        visible_0 = visible_1 * edge_number_0(node_4 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
     }
     else
     {
         visible_0 = visible_1;
     }
-    return visible_0 * speed_of_0(at_22, node_3, offset_8, radius_4) * cosine_5 * near_0;
+    return visible_0 * speed_of_0(at_22, node_4, offset_8, radius_4) * cosine_5 * near_0;
 }
 
-fn descend_0( at_23 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+fn next_leaf_0( at_23 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_0 : ptr<function, u32>) -> bool
 {
     var nodes_at_0 : u32 = edge_word_0(at_23.tree_0);
     (*leaf_0) = nodes_at_0;
-    (*probability_2) = 1.0f;
-    var _S97 : f64 = u_1;
     for(;;)
     {
-        if((edge_word_0((*leaf_0))) != u32(4294967295))
+        if(((*leaves_1).count_3) > u32(0))
         {
         }
         else
         {
             break;
         }
-        var first_2 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
-        var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
-        var of_first_0 : f32 = importance_of_0(at_23, first_2);
-        var of_second_0 : f32 = importance_of_0(at_23, second_1);
-        var sum_0 : f32 = of_first_0 + of_second_0;
-        var _S98 : bool;
-        if(sum_0 > 0.0f)
+        var _S97 : u32 = (*leaves_1).count_3 - u32(1);
+        (*leaves_1).count_3 = _S97;
+        var _S98 : u32 = (*leaves_1).nodes_1[_S97];
+        (*leaf_0) = (*leaves_1).nodes_1[_S97];
+        if(!((importance_of_0(at_23, _S98)) > 0.0f))
         {
-            _S98 = sum_0 < 3.00000000549775576e+38f;
+            continue;
+        }
+        if((edge_word_0((*leaf_0))) == u32(4294967295))
+        {
+            return true;
+        }
+        var half_0 : u32 = u32(0);
+        for(;;)
+        {
+            var _S99 : bool;
+            if(half_0 < u32(2))
+            {
+                _S99 = ((*leaves_1).count_3) < u32(96);
+            }
+            else
+            {
+                _S99 = false;
+            }
+            if(_S99)
+            {
+            }
+            else
+            {
+                break;
+            }
+            (*leaves_1).nodes_1[(*leaves_1).count_3] = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + half_0);
+            (*leaves_1).count_3 = (*leaves_1).count_3 + u32(1);
+            half_0 = half_0 + u32(1);
+        }
+    }
+    return false;
+}
+
+fn next_leaf_1( at_24 : ShadingPoint_0,  leaves_2 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
+{
+    var nodes_at_1 : u32 = edge_word_0(at_24.tree_0);
+    (*leaf_1) = nodes_at_1;
+    for(;;)
+    {
+        if(((*leaves_2).count_3) > u32(0))
+        {
         }
         else
         {
-            _S98 = false;
+            break;
         }
-        if(!_S98)
+        var _S100 : u32 = (*leaves_2).count_3 - u32(1);
+        (*leaves_2).count_3 = _S100;
+        var _S101 : u32 = (*leaves_2).nodes_1[_S100];
+        (*leaf_1) = (*leaves_2).nodes_1[_S100];
+        if(!((importance_of_0(at_24, _S101)) > 0.0f))
+        {
+            continue;
+        }
+        if((edge_word_0((*leaf_1))) == u32(4294967295))
+        {
+            return true;
+        }
+        var half_1 : u32 = u32(0);
+        for(;;)
+        {
+            var _S102 : bool;
+            if(half_1 < u32(2))
+            {
+                _S102 = ((*leaves_2).count_3) < u32(96);
+            }
+            else
+            {
+                _S102 = false;
+            }
+            if(_S102)
+            {
+            }
+            else
+            {
+                break;
+            }
+            (*leaves_2).nodes_1[(*leaves_2).count_3] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + half_1);
+            (*leaves_2).count_3 = (*leaves_2).count_3 + u32(1);
+            half_1 = half_1 + u32(1);
+        }
+    }
+    return false;
+}
+
+fn takes_all_0( at_25 : ShadingPoint_0) -> bool
+{
+    var _S103 : bool;
+    var leaves_3 : Leaves_0 = below_0(edge_word_0(at_25.tree_0));
+    var leaf_2 : u32;
+    var count_4 : u32 = u32(0);
+    for(;;)
+    {
+        var _S104 : bool = count_4 <= u32(24);
+        _S103 = _S104;
+        var _S105 : bool;
+        if(_S104)
+        {
+            var _S106 : bool = next_leaf_0(at_25, &(leaves_3), &(leaf_2));
+            _S105 = _S106;
+        }
+        else
+        {
+            _S105 = false;
+        }
+        if(_S105)
+        {
+        }
+        else
+        {
+            break;
+        }
+        count_4 = count_4 + u32(1);
+    }
+    return _S103;
+}
+
+fn descend_0( at_26 : ShadingPoint_0,  u_1 : f64,  leaf_3 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+{
+    var nodes_at_2 : u32 = edge_word_0(at_26.tree_0);
+    (*leaf_3) = nodes_at_2;
+    (*probability_2) = 1.0f;
+    var _S107 : f64 = u_1;
+    for(;;)
+    {
+        if((edge_word_0((*leaf_3))) != u32(4294967295))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var first_2 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3));
+        var second_1 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3) + u32(1));
+        var of_first_0 : f32 = importance_of_0(at_26, first_2);
+        var of_second_0 : f32 = importance_of_0(at_26, second_1);
+        var sum_0 : f32 = of_first_0 + of_second_0;
+        var _S108 : bool;
+        if(sum_0 > 0.0f)
+        {
+            _S108 = sum_0 < 3.00000000549775576e+38f;
+        }
+        else
+        {
+            _S108 = false;
+        }
+        if(!_S108)
         {
             return false;
         }
         var first_share_0 : f32 = of_first_0 / sum_0;
         var second_share_0 : f32 = of_second_0 / sum_0;
-        var _S99 : f64 = f64(first_share_0);
+        var _S109 : f64 = f64(first_share_0);
         var is_second_0 : bool;
-        if(_S97 >= _S99)
+        if(_S107 >= _S109)
         {
             is_second_0 = second_share_0 > 0.0f;
         }
@@ -1657,32 +1807,32 @@ fn descend_0( at_23 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>, 
         }
         if(is_second_0)
         {
-            _S97 = (_S97 - _S99) / f64(second_share_0);
+            _S107 = (_S107 - _S109) / f64(second_share_0);
         }
         else
         {
-            _S97 = min(_S97 / _S99, 1.0lf);
+            _S107 = min(_S107 / _S109, 1.0lf);
         }
-        var _S100 : f32;
+        var _S110 : f32;
         if(is_second_0)
         {
-            _S100 = second_share_0;
+            _S110 = second_share_0;
         }
         else
         {
-            _S100 = first_share_0;
+            _S110 = first_share_0;
         }
-        (*probability_2) = (*probability_2) * _S100;
-        var _S101 : u32;
+        (*probability_2) = (*probability_2) * _S110;
+        var _S111 : u32;
         if(is_second_0)
         {
-            _S101 = second_1;
+            _S111 = second_1;
         }
         else
         {
-            _S101 = first_2;
+            _S111 = first_2;
         }
-        (*leaf_0) = _S101;
+        (*leaf_3) = _S111;
     }
     return true;
 }
@@ -1693,11 +1843,11 @@ struct Edge_0
      numbers_4 : u32,
 };
 
-fn edge_at_0( at_24 : ShadingPoint_0,  place_10 : u32) -> Edge_0
+fn edge_at_0( at_27 : ShadingPoint_0,  place_10 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_7 = edge_word_0(at_24.tree_0 + u32(1)) + u32(12) * place_10;
-    edge_0.numbers_4 = edge_word_0(at_24.tree_0 + u32(2)) + u32(14) * place_10;
+    edge_0.record_7 = edge_word_0(at_27.tree_0 + u32(1)) + u32(12) * place_10;
+    edge_0.numbers_4 = edge_word_0(at_27.tree_0 + u32(2)) + u32(14) * place_10;
     return edge_0;
 }
 
@@ -1710,129 +1860,129 @@ fn side_seen_0( from_0 : vec3<f64>,  tolerance_0 : f64,  normal_4 : u32,  length
 {
     var height_1 : f64 = dot(edge_position_0(normal_4), from_0);
     var least_1 : f64 = tolerance_0 * edge_real_0(length_0);
-    var _S102 : i32;
+    var _S112 : i32;
     if(height_1 > least_1)
     {
-        _S102 = i32(1);
+        _S112 = i32(1);
     }
     else
     {
-        _S102 = i32(0);
+        _S112 = i32(0);
     }
-    var _S103 : i32;
+    var _S113 : i32;
     if(height_1 < (- least_1))
     {
-        _S103 = i32(1);
+        _S113 = i32(1);
     }
     else
     {
-        _S103 = i32(0);
+        _S113 = i32(0);
     }
-    return _S102 - _S103;
+    return _S112 - _S113;
 }
 
-fn is_silhouette_0( at_25 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+fn is_silhouette_0( at_28 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f64> = edge_position_0(edge_1.numbers_4);
-    var tolerance_1 : f64 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_25.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S104 : vec3<f64> = at_25.vertex_2.surface_3.exact_0 - start_0;
-    return (side_seen_0(_S104, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S104, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
+    var tolerance_1 : f64 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_28.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S114 : vec3<f64> = at_28.vertex_2.surface_3.exact_0 - start_0;
+    return (side_seen_0(_S114, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S114, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
 }
 
-fn factor_of_0( at_26 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+fn factor_of_0( at_29 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
-    var _S105 : u32 = edge_2.record_7 + u32(2);
-    var a_9 : vec3<f32> = edge_vector_0(_S105);
-    var b_7 : vec3<f32> = edge_vector_0(_S105 + u32(3));
-    var _S106 : bool;
+    var _S115 : u32 = edge_2.record_7 + u32(2);
+    var a_9 : vec3<f32> = edge_vector_0(_S115);
+    var b_7 : vec3<f32> = edge_vector_0(_S115 + u32(3));
+    var _S116 : bool;
     if(!is_blind_0())
     {
-        _S106 = rests_0(at_26.motion_1);
+        _S116 = rests_0(at_29.motion_1);
     }
     else
     {
-        _S106 = false;
+        _S116 = false;
     }
-    if(_S106)
+    if(_S116)
     {
-        _S106 = (all((a_9 == vec3<f32>(0.0f))));
+        _S116 = (all((a_9 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S106 = false;
+        _S116 = false;
     }
-    if(_S106)
+    if(_S116)
     {
-        _S106 = (all((b_7 == vec3<f32>(0.0f))));
+        _S116 = (all((b_7 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S106 = false;
+        _S116 = false;
     }
-    if(_S106)
+    if(_S116)
     {
         return 0.0f;
     }
-    if(is_silhouette_0(at_26, edge_2))
+    if(is_silhouette_0(at_29, edge_2))
     {
         return edge_number_0(edge_2.record_7);
     }
-    var _S107 : f32;
-    if(at_26.has_creases_0)
+    var _S117 : f32;
+    if(at_29.has_creases_0)
     {
-        _S107 = edge_number_0(edge_2.record_7 + u32(1));
+        _S117 = edge_number_0(edge_2.record_7 + u32(1));
     }
     else
     {
-        _S107 = 0.0f;
+        _S117 = 0.0f;
     }
-    return _S107;
+    return _S117;
 }
 
-fn is_clipped_0( at_27 : ShadingPoint_0,  a_10 : vec3<f64>,  b_8 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
+fn is_clipped_0( at_30 : ShadingPoint_0,  a_10 : vec3<f64>,  b_8 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
 {
     (*range_0) = vec2<f64>(0.0lf, 1.0lf);
-    var _S108 : bool;
-    if((dot(at_27.front_0, vec3<f32>(a_10) - at_27.front_offset_0)) < -3.99999998990097083e-06f)
+    var _S118 : bool;
+    if((dot(at_30.front_0, vec3<f32>(a_10) - at_30.front_offset_0)) < -3.99999998990097083e-06f)
     {
-        _S108 = (dot(at_27.front_0, vec3<f32>(b_8) - at_27.front_offset_0)) < -3.99999998990097083e-06f;
+        _S118 = (dot(at_30.front_0, vec3<f32>(b_8) - at_30.front_offset_0)) < -3.99999998990097083e-06f;
     }
     else
     {
-        _S108 = false;
+        _S118 = false;
     }
-    if(_S108)
+    if(_S118)
     {
         return true;
     }
-    var _S109 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_10, a_10), dot(b_8, b_8)));
+    var _S119 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_10, a_10), dot(b_8, b_8)));
     var k_5 : u32 = u32(0);
     for(;;)
     {
-        if(k_5 < (at_27.planes_0))
+        if(k_5 < (at_30.planes_0))
         {
         }
         else
         {
             break;
         }
-        var first_3 : f64 = dot(at_27.inside_2[k_5], a_10) + _S109;
-        var second_2 : f64 = dot(at_27.inside_2[k_5], b_8) + _S109;
-        var _S110 : bool = first_3 < 0.0lf;
-        if(_S110)
+        var first_3 : f64 = dot(at_30.inside_2[k_5], a_10) + _S119;
+        var second_2 : f64 = dot(at_30.inside_2[k_5], b_8) + _S119;
+        var _S120 : bool = first_3 < 0.0lf;
+        if(_S120)
         {
-            _S108 = second_2 < 0.0lf;
+            _S118 = second_2 < 0.0lf;
         }
         else
         {
-            _S108 = false;
+            _S118 = false;
         }
-        if(_S108)
+        if(_S118)
         {
             return true;
         }
         var crossing_0 : f64 = first_3 / (first_3 - second_2);
-        if(_S110)
+        if(_S120)
         {
             (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
         }
@@ -1863,54 +2013,54 @@ struct SeenEdge_0
      to_0 : vec3<f32>,
 };
 
-fn see_edge_0( at_28 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+fn see_edge_0( at_31 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S111 : Edge_0 = edge_at_0(at_28, place_11);
-    (*seen_1).edge_3 = _S111;
-    var _S112 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4) - at_28.vertex_2.surface_3.exact_0;
-    (*seen_1).start_1 = _S112;
-    var end_1 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_28.vertex_2.surface_3.exact_0;
-    (*seen_1).along_1 = end_1 - _S112;
+    var _S121 : Edge_0 = edge_at_0(at_31, place_11);
+    (*seen_1).edge_3 = _S121;
+    var _S122 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4) - at_31.vertex_2.surface_3.exact_0;
+    (*seen_1).start_1 = _S122;
+    var end_1 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_31.vertex_2.surface_3.exact_0;
+    (*seen_1).along_1 = end_1 - _S122;
     (*seen_1).far_0 = 1.0lf;
     (*seen_1).near_1 = 1.0lf;
     (*seen_1).chord_0 = 0.0f;
     (*seen_1).pieces_0 = 0.0f;
-    var _S113 : vec3<f32> = vec3<f32>(0.0f);
-    (*seen_1).to_0 = _S113;
-    (*seen_1).from_1 = _S113;
+    var _S123 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S123;
+    (*seen_1).from_1 = _S123;
     (*seen_1).range_1 = vec2<f64>(0.0lf, 1.0lf);
-    var _S114 : f32 = factor_of_0(at_28, _S111);
-    (*seen_1).factor_3 = _S114;
-    var _S115 : bool;
-    if(!(_S114 > 0.0f))
+    var _S124 : f32 = factor_of_0(at_31, _S121);
+    (*seen_1).factor_3 = _S124;
+    var _S125 : bool;
+    if(!(_S124 > 0.0f))
     {
-        _S115 = true;
+        _S125 = true;
     }
     else
     {
-        var _S116 : vec2<f64> = (*seen_1).range_1;
-        var _S117 : bool = is_clipped_0(at_28, (*seen_1).start_1, end_1, &(_S116));
-        (*seen_1).range_1 = _S116;
-        _S115 = _S117;
+        var _S126 : vec2<f64> = (*seen_1).range_1;
+        var _S127 : bool = is_clipped_0(at_31, (*seen_1).start_1, end_1, &(_S126));
+        (*seen_1).range_1 = _S126;
+        _S125 = _S127;
     }
-    if(_S115)
+    if(_S125)
     {
         return false;
     }
     var first_4 : vec3<f64> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f64>((*seen_1).range_1.x);
     var last_0 : vec3<f64> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f64>((*seen_1).range_1.y);
-    var _S118 : f64 = sqrt(dot(first_4, first_4));
-    (*seen_1).near_1 = _S118;
+    var _S128 : f64 = sqrt(dot(first_4, first_4));
+    (*seen_1).near_1 = _S128;
     (*seen_1).far_0 = sqrt(dot(last_0, last_0));
-    if(_S118 > 0.0lf)
+    if(_S128 > 0.0lf)
     {
-        _S115 = ((*seen_1).far_0) > 0.0lf;
+        _S125 = ((*seen_1).far_0) > 0.0lf;
     }
     else
     {
-        _S115 = false;
+        _S125 = false;
     }
-    if(!_S115)
+    if(!_S125)
     {
         return false;
     }
@@ -1918,7 +2068,7 @@ fn see_edge_0( at_28 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = vec3<f32>(last_0 / vec3<f64>((*seen_1).far_0));
     (*seen_1).chord_0 = f32(length_of_0(last_0 / vec3<f64>((*seen_1).far_0) - first_4 / vec3<f64>((*seen_1).near_1)));
     var longest_0 : f32;
-    if((at_28.vertex_2.lobe_1.kind_1) == u32(0))
+    if((at_31.vertex_2.lobe_1.kind_1) == u32(0))
     {
         longest_0 = 0.20000000298023224f;
     }
@@ -1935,10 +2085,10 @@ fn place_between_0( from_2 : f64,  to_1 : f64,  near_2 : f64,  far_1 : f64,  par
     return from_2 + (to_1 - from_2) * part_0 * near_2 / (part_0 * near_2 + (1.0lf - part_0) * far_1);
 }
 
-fn velocity_on_0( at_29 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
+fn velocity_on_0( at_32 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S119 : u32 = edge_4.record_7 + u32(2);
-    return mix(edge_vector_0(_S119), edge_vector_0(_S119 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_29.motion_1, offset_9);
+    var _S129 : u32 = edge_4.record_7 + u32(2);
+    return mix(edge_vector_0(_S129), edge_vector_0(_S129 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_32.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -1950,25 +2100,25 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_7 : f32,  pdf_1 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S120 : Mirrored_0;
-    _S120.cosine_6 = cosine_7;
-    _S120.pdf_0 = pdf_1;
-    _S120.scattered_0 = scattered_1;
-    return _S120;
+    var _S130 : Mirrored_0;
+    _S130.cosine_6 = cosine_7;
+    _S130.pdf_0 = pdf_1;
+    _S130.scattered_0 = scattered_1;
+    return _S130;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S121 : bool;
+    var _S131 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S121 = true;
+        _S131 = true;
     }
     else
     {
-        _S121 = (lobe_3.kind_1) == u32(4);
+        _S131 = (lobe_3.kind_1) == u32(4);
     }
-    return _S121;
+    return _S131;
 }
 
 struct Microfacets_0
@@ -1998,68 +2148,68 @@ fn exponential_0( x_5 : f32) -> f32
 
 fn density_0( facets_1 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S122 : f32 = m_3.z;
-    if(_S122 <= 0.0f)
+    var _S132 : f32 = m_3.z;
+    if(_S132 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_0 : vec2<f32> = m_3.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S122 * _S122;
+    var cos2_0 : f32 = _S132 * _S132;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_1 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_1 * sum_1);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S123 : f32;
+    var _S133 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S123 = 0.0f;
+        _S133 = 0.0f;
     }
     else
     {
-        _S123 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S133 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S123;
+    return _S133;
 }
 
 fn error_function_plus_one_0( x_6 : f32) -> vec2<f32>
 {
-    var _S124 : f32 = min(abs(x_6), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S124 * _S124);
-    var place_12 : f32 = (_S124 - 2.0f) / (_S124 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S124);
-    var _S125 : f32;
+    var _S134 : f32 = min(abs(x_6), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S134 * _S134);
+    var place_12 : f32 = (_S134 - 2.0f) / (_S134 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S134);
+    var _S135 : f32;
     if(x_6 < 0.0f)
     {
-        _S125 = complement_0;
+        _S135 = complement_0;
     }
     else
     {
-        _S125 = 2.0f - complement_0;
+        _S135 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S125, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S135, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_2.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S126 : f32 = w_2.z;
-    var z2_0 : f32 = _S126 * _S126;
+    var _S136 : f32 = w_2.z;
+    var z2_0 : f32 = _S136 * _S136;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S126 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S136 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S126;
+        return 1.0f / _S136;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S126 / spread_1);
-    return 2.0f / (_S126 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S136 / spread_1);
+    return 2.0f / (_S136 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
@@ -2067,9 +2217,9 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_0 : vec3<f32> = normalize(wi_3 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_6 = dot(wi_3, h_0);
-    var _S127 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
-    mirrored_1.pdf_0 = _S127;
-    mirrored_1.scattered_0 = _S127 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    var _S137 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
+    mirrored_1.pdf_0 = _S137;
+    mirrored_1.scattered_0 = _S137 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
@@ -2086,9 +2236,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S128 : bool = real_0 < 0.0f;
+    var _S138 : bool = real_0 < 0.0f;
     var a_11 : f32;
-    if(_S128)
+    if(_S138)
     {
         a_11 = smaller_0;
     }
@@ -2097,7 +2247,7 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
         a_11 = larger_0;
     }
     var b_9 : f32;
-    if(_S128)
+    if(_S138)
     {
         b_9 = larger_0;
     }
@@ -2107,9 +2257,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var less_0 : f32 = a_11 - cosine_8;
     var more_0 : f32 = a_11 + cosine_8;
-    var _S129 : f32 = b_9 * b_9;
+    var _S139 : f32 = b_9 * b_9;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S129) / (more_0 * more_0 + _S129) * p_sum_0 / (p_sum_0 + 2.0f * a_11 * cosine_8 * sin2_0);
+    return (less_0 * less_0 + _S139) / (more_0 * more_0 + _S139) * p_sum_0 / (p_sum_0 + 2.0f * a_11 * cosine_8 * sin2_0);
 }
 
 fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_7 : vec3<f32>) -> vec3<f32>
@@ -2147,10 +2297,10 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_11, eta_4);
     }
     var place_13 : f32 = cosine_11 * 63.0f;
-    var _S130 : u32 = min(u32(place_13), u32(62));
-    var at_30 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S130;
-    var here_0 : f32 = number_0(at_30);
-    return here_0 + (number_0(at_30 + u32(1)) - here_0) * (place_13 - f32(_S130));
+    var _S140 : u32 = min(u32(place_13), u32(62));
+    var at_33 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S140;
+    var here_0 : f32 = number_0(at_33);
+    return here_0 + (number_0(at_33 + u32(1)) - here_0) * (place_13 - f32(_S140));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2201,15 +2351,15 @@ struct Scattering_0
 fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S131 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S131 * 0.31830987334251404f;
+    var _S141 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S141 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattering_1.value_5 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
-    var _S132 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S142 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_7))
     {
@@ -2217,7 +2367,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     else
     {
-        by_facets_0 = _S132;
+        by_facets_0 = _S142;
     }
     if((lobe_7.kind_1) == u32(2))
     {
@@ -2227,7 +2377,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     var eta_7 : f32 = coat_eta_0(numbers_8);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_4.z);
-    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S131) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S141) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_8, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -2240,16 +2390,16 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
 
 fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
 {
-    var _S133 : bool;
+    var _S143 : bool;
     if((wo_2.z) <= 0.0f)
     {
-        _S133 = true;
+        _S143 = true;
     }
     else
     {
-        _S133 = !has_smooth_0(vertex_5.lobe_1);
+        _S143 = !has_smooth_0(vertex_5.lobe_1);
     }
-    if(_S133)
+    if(_S143)
     {
         return vec3<f32>(0.0f);
     }
@@ -2278,37 +2428,37 @@ fn still_0( value_7 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 {
-    var _S134 : f32 = abs(x_7);
-    var _S135 : f32 = abs(y_1);
-    var _S136 : f32 = min(_S134, _S135);
-    var _S137 : f32 = max(_S134, _S135);
-    var is_steep_0 : bool = _S136 > (0.41421356797218323f * _S137);
+    var _S144 : f32 = abs(x_7);
+    var _S145 : f32 = abs(y_1);
+    var _S146 : f32 = min(_S144, _S145);
+    var _S147 : f32 = max(_S144, _S145);
+    var is_steep_0 : bool = _S146 > (0.41421356797218323f * _S147);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S136 - _S137;
+        above_0 = _S146 - _S147;
     }
     else
     {
-        above_0 = _S136;
+        above_0 = _S146;
     }
-    var below_0 : f32;
+    var below_1 : f32;
     if(is_steep_0)
     {
-        below_0 = _S136 + _S137;
+        below_1 = _S146 + _S147;
     }
     else
     {
-        below_0 = _S137;
+        below_1 = _S147;
     }
-    if(below_0 > 0.0f)
+    if(below_1 > 0.0f)
     {
     }
     else
     {
-        below_0 = 1.0f;
+        below_1 = 1.0f;
     }
-    var t_3 : f32 = above_0 / below_0;
+    var t_3 : f32 = above_0 / below_1;
     var z_1 : f32 = t_3 * t_3;
     var angle_0 : f32 = (((0.08053744584321976f * z_1 - 0.13877685368061066f) * z_1 + 0.19977711141109467f) * z_1 - 0.33332949876785278f) * z_1 * t_3 + t_3;
     var angle_1 : f32;
@@ -2320,7 +2470,7 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S135 > _S134)
+    if(_S145 > _S144)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -2341,8 +2491,8 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 
 fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
 {
-    var _S138 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S138) * vec3<f32>(direction_6.x) + vector_at_0(_S138 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S138 + u32(6)) * vec3<f32>(direction_6.z);
+    var _S148 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S148) * vec3<f32>(direction_6.x) + vector_at_0(_S148 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S148 + u32(6)) * vec3<f32>(direction_6.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -2359,11 +2509,11 @@ fn in_map_0( map_1 : u32,  direction_7 : vec3<f32>) -> Lookup_0
     var height_2 : i32 = i32(word_0(map_1 + u32(1)));
     var left_1 : u32 = wrapped_0(x_8, width_1, u32(0));
     var right_1 : u32 = wrapped_0(x_8 + i32(1), width_1, u32(0));
-    var _S139 : u32 = wrapped_0(y_2, height_2, u32(2));
-    var _S140 : u32 = u32(width_1);
-    var first_5 : u32 = _S139 * _S140;
-    var _S141 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
-    var second_3 : u32 = _S141 * _S140;
+    var _S149 : u32 = wrapped_0(y_2, height_2, u32(2));
+    var _S150 : u32 = u32(width_1);
+    var first_5 : u32 = _S149 * _S150;
+    var _S151 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S151 * _S150;
     return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_3 + left_1, second_3 + right_1), point_0);
 }
 
@@ -2373,113 +2523,113 @@ fn emitted_0( emitter_4 : u32,  place_15 : Place_0,  direction_8 : vec3<f32>) ->
     var texture_6 : u32 = word_0(record_8 + u32(1));
     if(!is_map_0(record_8))
     {
-        var _S142 : vec3<f32> = shown_0(texture_6, place_15);
-        return _S142;
+        var _S152 : vec3<f32> = shown_0(texture_6, place_15);
+        return _S152;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_4 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S143 : u32 = word_0(texture_6 + u32(11));
-    var _S144 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
-    return looked_up_0(_S143, _S144, change_1) * factor_4;
+    var _S153 : u32 = word_0(texture_6 + u32(11));
+    var _S154 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
+    return looked_up_0(_S153, _S154, change_1) * factor_4;
 }
 
-fn light_from_0( at_31 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
+fn light_from_0( at_34 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
 {
-    var light_1 : f32 = largest_0(scattered_from_0(at_31.vertex_2, direction_9));
-    var _S145 : bool;
-    if((at_31.purpose_0) != u32(1))
+    var light_1 : f32 = largest_0(scattered_from_0(at_34.vertex_2, direction_9));
+    var _S155 : bool;
+    if((at_34.purpose_0) != u32(1))
     {
-        _S145 = true;
+        _S155 = true;
     }
     else
     {
-        _S145 = !(light_1 > 0.0f);
+        _S155 = !(light_1 > 0.0f);
     }
-    if(_S145)
+    if(_S155)
     {
         return light_1;
     }
-    var _S146 : vec3<f32> = emitted_0(at_31.emitter_0, at_31.vertex_2.surface_3.place_3, still_0(direction_9));
-    return light_1 * largest_0(value_of_0(_S146));
+    var _S156 : vec3<f32> = emitted_0(at_34.emitter_0, at_34.vertex_2.surface_3.place_3, still_0(direction_9));
+    return light_1 * largest_0(value_of_0(_S156));
 }
 
-fn weigh_0( at_32 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+fn weigh_0( at_35 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
 {
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
     var t_4 : f32 = f32(place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, f64(part_1)));
-    var _S147 : vec3<f32> = vec3<f32>(seen_2.start_1 + seen_2.along_1 * vec3<f64>(f64(t_4)));
-    var _S148 : vec3<f32> = vec3<f32>(exact_unit_0(cross(seen_2.start_1, seen_2.along_1)));
-    var _S149 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
+    var _S157 : vec3<f32> = vec3<f32>(seen_2.start_1 + seen_2.along_1 * vec3<f64>(f64(t_4)));
+    var _S158 : vec3<f32> = vec3<f32>(exact_unit_0(cross(seen_2.start_1, seen_2.along_1)));
+    var _S159 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
     var speed_1 : f32;
     if(!is_blind_0())
     {
-        speed_1 = abs(dot(velocity_on_0(at_32, seen_2.edge_3, t_4, _S147), _S148));
+        speed_1 = abs(dot(velocity_on_0(at_35, seen_2.edge_3, t_4, _S157), _S158));
     }
     else
     {
-        speed_1 = _S149;
+        speed_1 = _S159;
     }
-    var speed_2 : f32 = speed_1 / length(_S147);
+    var speed_2 : f32 = speed_1 / length(_S157);
     var angle_2 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S150 : f32 = light_from_0(at_32, middle_1);
-    var contribution_0 : f32 = angle_2 * _S150 * speed_2;
-    var _S151 : vec2<f32>;
+    var _S160 : f32 = light_from_0(at_35, middle_1);
+    var contribution_0 : f32 = angle_2 * _S160 * speed_2;
+    var _S161 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
     {
-        _S151 = vec2<f32>(contribution_0, angle_2);
+        _S161 = vec2<f32>(contribution_0, angle_2);
     }
     else
     {
-        _S151 = vec2<f32>(0.0f);
+        _S161 = vec2<f32>(0.0f);
     }
-    return _S151;
+    return _S161;
 }
 
-fn multiplicity_0( at_33 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f64>,  normal_5 : vec3<f64>) -> f32
+fn multiplicity_0( at_36 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f64>,  normal_5 : vec3<f64>) -> f32
 {
-    var _S152 : vec3<f64> = cross(normal_5, direction_10);
-    var _S153 : u32 = edge_5.record_7 + u32(8);
-    var k_8 : u32 = edge_word_0(_S153);
-    var count_3 : f32 = 1.0f;
+    var _S162 : vec3<f64> = cross(normal_5, direction_10);
+    var _S163 : u32 = edge_5.record_7 + u32(8);
+    var k_8 : u32 = edge_word_0(_S163);
+    var count_5 : f32 = 1.0f;
     for(;;)
     {
-        if(k_8 < (edge_word_0(_S153 + u32(1))))
+        if(k_8 < (edge_word_0(_S163 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var other_0 : Edge_0 = edge_at_0(at_33, edge_word_0(k_8));
-        if(!((factor_of_0(at_33, other_0)) > 0.0f))
+        var other_0 : Edge_0 = edge_at_0(at_36, edge_word_0(k_8));
+        if(!((factor_of_0(at_36, other_0)) > 0.0f))
         {
             k_8 = k_8 + u32(1);
             continue;
         }
-        var a_12 : vec3<f64> = edge_position_0(other_0.numbers_4) - at_33.vertex_2.surface_3.exact_0;
-        var way_1 : vec3<f64> = edge_position_0(other_0.numbers_4 + u32(3)) - at_33.vertex_2.surface_3.exact_0 - a_12;
-        var place_16 : f64 = - dot(a_12, _S152) / dot(way_1, _S152);
+        var a_12 : vec3<f64> = edge_position_0(other_0.numbers_4) - at_36.vertex_2.surface_3.exact_0;
+        var way_1 : vec3<f64> = edge_position_0(other_0.numbers_4 + u32(3)) - at_36.vertex_2.surface_3.exact_0 - a_12;
+        var place_16 : f64 = - dot(a_12, _S162) / dot(way_1, _S162);
         var there_0 : vec3<f64> = a_12 + way_1 * vec3<f64>(place_16);
-        var _S154 : bool;
+        var _S164 : bool;
         if(place_16 >= 0.0lf)
         {
-            _S154 = place_16 <= 1.0lf;
+            _S164 = place_16 <= 1.0lf;
         }
         else
         {
-            _S154 = false;
+            _S164 = false;
         }
-        var _S155 : bool;
-        if(_S154)
+        var _S165 : bool;
+        if(_S164)
         {
-            _S155 = (dot(there_0, direction_10)) > 0.0lf;
+            _S165 = (dot(there_0, direction_10)) > 0.0lf;
         }
         else
         {
-            _S155 = false;
+            _S165 = false;
         }
-        if(!_S155)
+        if(!_S165)
         {
             k_8 = k_8 + u32(1);
             continue;
@@ -2489,24 +2639,24 @@ fn multiplicity_0( at_33 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec
             k_8 = k_8 + u32(1);
             continue;
         }
-        var count_4 : f32;
+        var count_6 : f32;
         if(f32(abs(dot(normal_5, exact_unit_0(cross(a_12, way_1))))) > 0.99999898672103882f)
         {
-            count_4 = count_3 + 1.0f;
+            count_6 = count_5 + 1.0f;
         }
         else
         {
-            count_4 = count_3;
+            count_6 = count_5;
         }
-        count_3 = count_4;
+        count_5 = count_6;
         k_8 = k_8 + u32(1);
     }
-    return count_3;
+    return count_5;
 }
 
-fn face_normal_1( at_34 : ShadingPoint_0) -> vec3<f64>
+fn face_normal_1( at_37 : ShadingPoint_0) -> vec3<f64>
 {
-    var corners_1 : u32 = u32(9) * at_34.vertex_2.surface_3.place_3.triangle_0;
+    var corners_1 : u32 = u32(9) * at_37.vertex_2.surface_3.place_3.triangle_0;
     var a_13 : vec3<f64> = primitive_vector_0(corners_1);
     return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_13, primitive_vector_0(corners_1 + u32(6)) - a_13));
 }
@@ -2527,13 +2677,13 @@ struct EdgePoint_0
      is_in_horizon_0 : bool,
 };
 
-fn point_on_0( at_35 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f64,  part_of_all_0 : f32) -> EdgePoint_0
+fn point_on_0( at_38 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f64,  part_of_all_0 : f32) -> EdgePoint_0
 {
-    var _S156 : f64 = seen_3.range_1.x;
-    var _S157 : f64 = seen_3.range_1.y;
-    var _S158 : f64 = f64(seen_3.pieces_0);
-    var first_6 : f64 = place_between_0(_S156, _S157, seen_3.near_1, seen_3.far_0, f64(piece_1) / _S158);
-    var last_1 : f64 = place_between_0(_S156, _S157, seen_3.near_1, seen_3.far_0, f64(piece_1 + 1.0f) / _S158);
+    var _S166 : f64 = seen_3.range_1.x;
+    var _S167 : f64 = seen_3.range_1.y;
+    var _S168 : f64 = f64(seen_3.pieces_0);
+    var first_6 : f64 = place_between_0(_S166, _S167, seen_3.near_1, seen_3.far_0, f64(piece_1) / _S168);
+    var last_1 : f64 = place_between_0(_S166, _S167, seen_3.near_1, seen_3.far_0, f64(piece_1 + 1.0f) / _S168);
     var a_14 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(first_6);
     var b_10 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(last_1);
     var near_3 : f64 = length_of_0(a_14);
@@ -2545,49 +2695,49 @@ fn point_on_0( at_35 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     var t_6 : f64 = place_between_0(first_6, last_1, near_3, far_2, inside_3);
     var offset_10 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(t_6);
     var point_1 : EdgePoint_0;
-    var _S159 : f64 = length_of_0(offset_10);
-    point_1.distance_6 = _S159;
-    var _S160 : vec3<f64> = offset_10 / vec3<f64>(_S159);
-    point_1.direction_11 = _S160;
-    var _S161 : vec3<f64> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
-    point_1.normal_6 = _S161;
+    var _S169 : f64 = length_of_0(offset_10);
+    point_1.distance_6 = _S169;
+    var _S170 : vec3<f64> = offset_10 / vec3<f64>(_S169);
+    point_1.direction_11 = _S170;
+    var _S171 : vec3<f64> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_1.normal_6 = _S171;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_5 = f32(t_6);
-    point_1.measure_0 = f32(angle_3 / _S159) / (part_of_all_0 * multiplicity_0(at_35, seen_3.edge_3, _S160, _S161));
-    var face_0 : vec3<f64> = face_normal_1(at_35);
+    point_1.measure_0 = f32(angle_3 / _S169) / (part_of_all_0 * multiplicity_0(at_38, seen_3.edge_3, _S170, _S171));
+    var face_0 : vec3<f64> = face_normal_1(at_38);
     var least_2 : f64 = limit_at_0(u32(2));
-    var _S162 : bool;
+    var _S172 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
     {
-        _S162 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+        _S172 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
     }
     else
     {
-        _S162 = false;
+        _S172 = false;
     }
-    point_1.is_in_horizon_0 = _S162;
+    point_1.is_in_horizon_0 = _S172;
     return point_1;
 }
 
 fn component_0( v_8 : vec3<f64>,  axis_5 : u32) -> f64
 {
-    var _S163 : f64;
+    var _S173 : f64;
     if(axis_5 == u32(0))
     {
-        _S163 = v_8.x;
+        _S173 = v_8.x;
     }
     else
     {
         if(axis_5 == u32(1))
         {
-            _S163 = v_8.y;
+            _S173 = v_8.y;
         }
         else
         {
-            _S163 = v_8.z;
+            _S173 = v_8.z;
         }
     }
-    return _S163;
+    return _S173;
 }
 
 struct Ray_0
@@ -2607,34 +2757,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  axes_6 : ptr<function, u32>) -> Ray_0
 {
     var size_1 : vec3<f32> = abs(vec3<f32>(direction_12));
-    var _S164 : f32 = size_1.x;
-    var _S165 : f32 = size_1.y;
-    var _S166 : bool;
-    if(_S164 >= _S165)
+    var _S174 : f32 = size_1.x;
+    var _S175 : f32 = size_1.y;
+    var _S176 : bool;
+    if(_S174 >= _S175)
     {
-        _S166 = _S164 >= (size_1.z);
+        _S176 = _S174 >= (size_1.z);
     }
     else
     {
-        _S166 = false;
+        _S176 = false;
     }
-    var _S167 : i32;
-    if(_S166)
+    var _S177 : i32;
+    if(_S176)
     {
-        _S167 = i32(0);
+        _S177 = i32(0);
     }
     else
     {
-        if(_S165 >= (size_1.z))
+        if(_S175 >= (size_1.z))
         {
-            _S167 = i32(1);
+            _S177 = i32(1);
         }
         else
         {
-            _S167 = i32(2);
+            _S177 = i32(2);
         }
     }
-    var z_2 : u32 = u32(_S167);
+    var z_2 : u32 = u32(_S177);
     var x_9 : u32 = (z_2 + u32(1)) % u32(3);
     var y_3 : u32 = (z_2 + u32(2)) % u32(3);
     (*axes_6) = (((x_9 | (((y_3 << (u32(2))))))) | (((z_2 << (u32(4))))));
@@ -2653,9 +2803,9 @@ fn ray_along_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,
     return ray_0;
 }
 
-fn ray_child_0( node_4 : u32,  slot_2 : u32) -> u32
+fn ray_child_0( node_5 : u32,  slot_2 : u32) -> u32
 {
-    return nodes_0[u32(14) * node_4 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
+    return nodes_0[u32(14) * node_5 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
 }
 
 struct RayView_0
@@ -2668,9 +2818,9 @@ struct RayView_0
      axes_7 : u32,
 };
 
-fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32) -> f32
+fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32) -> f32
 {
-    var _S168 : u32 = u32(14) * node_5 + slot_3 / u32(4);
+    var _S178 : u32 = u32(14) * node_6 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -2683,36 +2833,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S169 : u32 = axis_6;
-        var _S170 : u32 = _S168 + u32(2) * axis_6;
-        var _S171 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S170][_S171])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S170 + u32(6)][_S171])));
-        var _S172 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S173 : f32;
-        if(_S172)
+        var _S179 : u32 = axis_6;
+        var _S180 : u32 = _S178 + u32(2) * axis_6;
+        var _S181 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S180][_S181])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S180 + u32(6)][_S181])));
+        var _S182 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S183 : f32;
+        if(_S182)
         {
-            _S173 = high_0;
+            _S183 = high_0;
         }
         else
         {
-            _S173 = low_3;
+            _S183 = low_3;
         }
-        var _S174 : f32 = max(near_4, _S173 * view_1.inverse_1[_S169] - view_1.offset_near_0[axis_6]);
-        var _S175 : f32;
-        if(_S172)
+        var _S184 : f32 = max(near_4, _S183 * view_1.inverse_1[_S179] - view_1.offset_near_0[axis_6]);
+        var _S185 : f32;
+        if(_S182)
         {
-            _S175 = low_3;
+            _S185 = low_3;
         }
         else
         {
-            _S175 = high_0;
+            _S185 = high_0;
         }
-        var _S176 : f32 = min(far_3, _S175 * view_1.inverse_1[_S169] - view_1.offset_far_0[axis_6]);
-        var _S177 : u32 = axis_6 + u32(1);
-        near_4 = _S174;
-        far_3 = _S176;
-        axis_6 = _S177;
+        var _S186 : f32 = min(far_3, _S185 * view_1.inverse_1[_S179] - view_1.offset_far_0[axis_6]);
+        var _S187 : u32 = axis_6 + u32(1);
+        near_4 = _S184;
+        far_3 = _S186;
+        axis_6 = _S187;
     }
     if(near_4 <= far_3)
     {
@@ -2737,7 +2887,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S178 : u32 = k_9;
+        var _S188 : u32 = k_9;
         if((bounds_0[k_9]) > limit_2)
         {
             k_9 = k_9 + u32(1);
@@ -2754,24 +2904,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S179 : u32 = j_0;
-            var _S180 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S178]))
+            var _S189 : u32 = j_0;
+            var _S190 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S188]))
             {
-                _S180 = true;
+                _S190 = true;
             }
             else
             {
-                if((bounds_0[_S179]) == (bounds_0[_S178]))
+                if((bounds_0[_S189]) == (bounds_0[_S188]))
                 {
-                    _S180 = j_0 < k_9;
+                    _S190 = j_0 < k_9;
                 }
                 else
                 {
-                    _S180 = false;
+                    _S190 = false;
                 }
             }
-            if(_S180)
+            if(_S190)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -2783,7 +2933,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
     return order_0;
 }
 
-fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
+fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
     var slot_4 : u32 = u32(0);
@@ -2796,16 +2946,16 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
         {
             break;
         }
-        var _S181 : f32;
-        if((ray_child_0(node_6, slot_4)) == u32(4294967295))
+        var _S191 : f32;
+        if((ray_child_0(node_7, slot_4)) == u32(4294967295))
         {
-            _S181 = 3.00000000549775576e+38f;
+            _S191 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S181 = ray_bound_0(view_2, limit_3, node_6, slot_4);
+            _S191 = ray_bound_0(view_2, limit_3, node_7, slot_4);
         }
-        bounds_1[slot_4] = _S181;
+        bounds_1[slot_4] = _S191;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -2816,9 +2966,9 @@ fn rounded_0( product_2 : f64,  largest_2 : f64) -> f64
     return min(product_2, largest_2);
 }
 
-fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_36 : u32) -> vec3<f64>
+fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_39 : u32) -> vec3<f64>
 {
-    var relative_1 : vec3<f64> = primitive_vector_0(at_36) - ray_1.origin_0;
+    var relative_1 : vec3<f64> = primitive_vector_0(at_39) - ray_1.origin_0;
     var z_3 : f64 = component_0(relative_1, (axes_8 >> (u32(4))));
     return vec3<f64>(component_0(relative_1, (axes_8 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_3, ray_1.largest_1), component_0(relative_1, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_3, ray_1.largest_1), z_3);
 }
@@ -2831,56 +2981,56 @@ struct Crossing_0
      w_3 : f64,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_37 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_40 : u32) -> Crossing_0
 {
     var crossing_1 : Crossing_0;
     crossing_1.is_hit_0 = false;
     crossing_1.t_7 = 0.0lf;
     crossing_1.v_9 = 0.0lf;
     crossing_1.w_3 = 0.0lf;
-    var a_15 : vec3<f64> = corner_0(ray_2, axes_9, at_37);
-    var b_11 : vec3<f64> = corner_0(ray_2, axes_9, at_37 + u32(3));
-    var c_3 : vec3<f64> = corner_0(ray_2, axes_9, at_37 + u32(6));
-    var _S182 : f64 = c_3.x;
-    var _S183 : f64 = b_11.y;
-    var cx_by_0 : f64 = rounded_0(_S182 * _S183, ray_2.largest_1);
-    var _S184 : f64 = c_3.y;
-    var _S185 : f64 = b_11.x;
-    var cy_bx_0 : f64 = rounded_0(_S184 * _S185, ray_2.largest_1);
-    var _S186 : f64 = a_15.x;
-    var ax_cy_0 : f64 = rounded_0(_S186 * _S184, ray_2.largest_1);
-    var _S187 : f64 = a_15.y;
-    var ay_cx_0 : f64 = rounded_0(_S187 * _S182, ray_2.largest_1);
-    var bx_ay_0 : f64 = rounded_0(_S185 * _S187, ray_2.largest_1);
-    var by_ax_0 : f64 = rounded_0(_S183 * _S186, ray_2.largest_1);
+    var a_15 : vec3<f64> = corner_0(ray_2, axes_9, at_40);
+    var b_11 : vec3<f64> = corner_0(ray_2, axes_9, at_40 + u32(3));
+    var c_3 : vec3<f64> = corner_0(ray_2, axes_9, at_40 + u32(6));
+    var _S192 : f64 = c_3.x;
+    var _S193 : f64 = b_11.y;
+    var cx_by_0 : f64 = rounded_0(_S192 * _S193, ray_2.largest_1);
+    var _S194 : f64 = c_3.y;
+    var _S195 : f64 = b_11.x;
+    var cy_bx_0 : f64 = rounded_0(_S194 * _S195, ray_2.largest_1);
+    var _S196 : f64 = a_15.x;
+    var ax_cy_0 : f64 = rounded_0(_S196 * _S194, ray_2.largest_1);
+    var _S197 : f64 = a_15.y;
+    var ay_cx_0 : f64 = rounded_0(_S197 * _S192, ray_2.largest_1);
+    var bx_ay_0 : f64 = rounded_0(_S195 * _S197, ray_2.largest_1);
+    var by_ax_0 : f64 = rounded_0(_S193 * _S196, ray_2.largest_1);
     var u_2 : f64 = cx_by_0 - cy_bx_0;
     var v_10 : f64 = ax_cy_0 - ay_cx_0;
     var w_4 : f64 = bx_ay_0 - by_ax_0;
-    var _S188 : f64 = min(min(u_2, v_10), w_4);
-    var _S189 : f64 = max(max(u_2, v_10), w_4);
-    var _S190 : bool;
-    if(_S188 < 0.0lf)
+    var _S198 : f64 = min(min(u_2, v_10), w_4);
+    var _S199 : f64 = max(max(u_2, v_10), w_4);
+    var _S200 : bool;
+    if(_S198 < 0.0lf)
     {
-        _S190 = _S189 > 0.0lf;
+        _S200 = _S199 > 0.0lf;
     }
     else
     {
-        _S190 = false;
+        _S200 = false;
     }
-    if(_S190)
+    if(_S200)
     {
         return crossing_1;
     }
     var determinant_0 : f64 = u_2 + v_10 + w_4;
-    if(_S188 <= 0.0lf)
+    if(_S198 <= 0.0lf)
     {
-        _S190 = _S189 >= 0.0lf;
+        _S200 = _S199 >= 0.0lf;
     }
     else
     {
-        _S190 = false;
+        _S200 = false;
     }
-    if(_S190)
+    if(_S200)
     {
         if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -2894,13 +3044,13 @@ fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_37 : u32) -> Crossing_0
     var t_8 : f64 = (rounded_0(u_2 * a_15.z, ray_2.largest_1) + rounded_0(v_10 * b_11.z, ray_2.largest_1) + rounded_0(w_4 * c_3.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
     if((ray_2.t_min_0) <= t_8)
     {
-        _S190 = t_8 <= (ray_2.t_max_0);
+        _S200 = t_8 <= (ray_2.t_max_0);
     }
     else
     {
-        _S190 = false;
+        _S200 = false;
     }
-    crossing_1.is_hit_0 = _S190;
+    crossing_1.is_hit_0 = _S200;
     crossing_1.t_7 = t_8;
     crossing_1.v_9 = v_10 / determinant_0;
     crossing_1.w_3 = w_4 / determinant_0;
@@ -2922,7 +3072,7 @@ struct Found_0
 
 fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S191 : bool;
+    var _S201 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_7 = u32(4294967295);
@@ -2954,31 +3104,31 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S192 : u32 = way_2[level_0].y;
-        if(_S192 == u32(0))
+        var _S202 : u32 = way_2[level_0].y;
+        if(_S202 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S193 : u32 = level_0 - u32(1);
+            var _S203 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S193;
+            level_0 = _S203;
             continue;
         }
-        var slot_5 : u32 = ((_S192 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S192 >> (u32(4)));
-        var _S194 : bool;
+        var slot_5 : u32 = ((_S202 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S202 >> (u32(4)));
+        var _S204 : bool;
         if(!is_new_1)
         {
-            _S194 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+            _S204 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S194 = false;
+            _S204 = false;
         }
-        if(_S194)
+        if(_S204)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -2987,20 +3137,20 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S195 : u32 = level_0 + u32(1);
+            var _S205 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S195;
+            level_0 = _S205;
             continue;
         }
-        var leaf_1 : u32 = (child_0 & (u32(2147483647)));
-        var _S196 : u32 = leaf_starts_0[leaf_1 + u32(1)];
-        var _S197 : u32 = leaf_starts_0[leaf_1];
+        var leaf_4 : u32 = (child_0 & (u32(2147483647)));
+        var _S206 : u32 = leaf_starts_0[leaf_4 + u32(1)];
+        var _S207 : u32 = leaf_starts_0[leaf_4];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S197;
+        var i_2 : u32 = _S207;
         for(;;)
         {
-            if(i_2 < _S196)
+            if(i_2 < _S206)
             {
             }
             else
@@ -3015,23 +3165,23 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S191 = true;
+                _S201 = true;
             }
             else
             {
-                _S191 = (crossing_2.t_7) < ((*ray_3).t_max_0);
+                _S201 = (crossing_2.t_7) < ((*ray_3).t_max_0);
             }
-            var _S198 : bool;
-            if(_S191)
+            var _S208 : bool;
+            if(_S201)
             {
-                _S198 = true;
+                _S208 = true;
             }
             else
             {
-                _S198 = (face_1(i_2)) < (found_0.face_2);
+                _S208 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S198)
+            if(_S208)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_7 = i_2;
@@ -3049,13 +3199,13 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S191 = (found_0.face_2) != u32(4294967295);
+            _S201 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S191 = false;
+            _S201 = false;
         }
-        if(_S191)
+        if(_S201)
         {
             break;
         }
@@ -3069,11 +3219,11 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_2 : vec3<f64>,  direction_13 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_1 : bool,  t_9 : ptr<function, f32>) -> Found_0
 {
     var view_4 : RayView_0;
-    var _S199 : u32 = view_4.axes_7;
-    var _S200 : Ray_0 = ray_along_0(origin_2, direction_13, t_min_2, t_max_2, &(_S199));
-    view_4.axes_7 = _S199;
-    var ray_4 : Ray_0 = _S200;
-    var _S201 : vec3<f32> = vec3<f32>(direction_13 / vec3<f64>(ray_4.local_per_t_0));
+    var _S209 : u32 = view_4.axes_7;
+    var _S210 : Ray_0 = ray_along_0(origin_2, direction_13, t_min_2, t_max_2, &(_S209));
+    view_4.axes_7 = _S209;
+    var ray_4 : Ray_0 = _S210;
+    var _S211 : vec3<f32> = vec3<f32>(direction_13 / vec3<f64>(ray_4.local_per_t_0));
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -3084,17 +3234,17 @@ fn cast_0( origin_2 : vec3<f64>,  direction_13 : vec3<f64>,  t_min_2 : f64,  t_m
         {
             break;
         }
-        var _S202 : f32 = max(abs(_S201[axis_7]), 8.67361737988403547e-19f);
-        var _S203 : f32;
-        if((_S201[axis_7]) < 0.0f)
+        var _S212 : f32 = max(abs(_S211[axis_7]), 8.67361737988403547e-19f);
+        var _S213 : f32;
+        if((_S211[axis_7]) < 0.0f)
         {
-            _S203 = -1.0f / _S202;
+            _S213 = -1.0f / _S212;
         }
         else
         {
-            _S203 = 1.0f / _S202;
+            _S213 = 1.0f / _S212;
         }
-        view_4.inverse_1[axis_7] = _S203;
+        view_4.inverse_1[axis_7] = _S213;
         axis_7 = axis_7 + u32(1);
     }
     var offset_11 : vec3<f32> = vec3<f32>(origin_2) * view_4.inverse_1;
@@ -3117,7 +3267,7 @@ struct Side_0
      t_10 : f32,
 };
 
-fn look_0( at_38 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
+fn look_0( at_41 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
 {
     var step_0 : vec3<f64> = point_2.normal_6 * vec3<f64>(edge_real_0(u32(3)));
     var origin_3 : vec3<f64>;
@@ -3132,34 +3282,34 @@ fn look_0( at_38 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Sid
     var direction_15 : vec3<f64> = exact_unit_0(origin_3);
     if(point_2.is_in_horizon_0)
     {
-        var face_3 : vec3<f64> = face_normal_1(at_38);
+        var face_3 : vec3<f64> = face_normal_1(at_41);
         var height_3 : f64 = limit_at_0(u32(2));
-        var _S204 : f64;
+        var _S214 : f64;
         if((dot(direction_15, face_3)) < 0.0lf)
         {
-            _S204 = - height_3;
+            _S214 = - height_3;
         }
         else
         {
-            _S204 = height_3;
+            _S214 = height_3;
         }
-        origin_3 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S204);
+        origin_3 = at_41.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S214);
     }
     else
     {
-        origin_3 = at_38.vertex_2.surface_3.exact_0;
+        origin_3 = at_41.vertex_2.surface_3.exact_0;
     }
     var seen_4 : Side_0;
-    var _S205 : vec3<f32> = vec3<f32>(direction_15);
-    seen_4.direction_14 = _S205;
-    seen_4.rest_3 = vec3<f32>(direction_15 - vec3<f64>(_S205));
-    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, _S205);
-    var _S206 : f64 = limit_at_0(u32(2));
-    var _S207 : f64 = limit_at_0(u32(1));
-    var _S208 : f32 = seen_4.t_10;
-    var _S209 : Found_0 = cast_0(origin_3, direction_15, _S206, _S207, false, &(_S208));
-    seen_4.t_10 = _S208;
-    seen_4.found_2 = _S209;
+    var _S215 : vec3<f32> = vec3<f32>(direction_15);
+    seen_4.direction_14 = _S215;
+    seen_4.rest_3 = vec3<f32>(direction_15 - vec3<f64>(_S215));
+    seen_4.scattered_2 = scattered_from_0(at_41.vertex_2, _S215);
+    var _S216 : f64 = limit_at_0(u32(2));
+    var _S217 : f64 = limit_at_0(u32(1));
+    var _S218 : f32 = seen_4.t_10;
+    var _S219 : Found_0 = cast_0(origin_3, direction_15, _S216, _S217, false, &(_S218));
+    seen_4.t_10 = _S218;
+    seen_4.found_2 = _S219;
     return seen_4;
 }
 
@@ -3249,17 +3399,17 @@ fn set_place_0( path_14 : u32,  which_12 : ptr<function, u32>,  place_17 : Place
 
 fn begin_side_0( number_1 : u32,  path_15 : Path_0,  side_2 : Side_0,  weight_0 : vec3<f32>)
 {
-    var at_39 : u32 = u32(1);
-    set_vector_0(number_1, &(at_39), vec3<f32>(0.0f));
-    set_vector_0(number_1, &(at_39), vec3<f32>(1.0f));
-    set_vector_0(number_1, &(at_39), side_2.direction_14);
-    set_place_0(number_1, &(at_39), place_of_0(side_2.found_2));
-    var _S210 : u32 = at_39 + u32(1);
-    set_word_0(number_1, at_39, path_15.key_0.x);
-    at_39 = _S210 + u32(1);
-    set_word_0(number_1, _S210, path_15.key_0.y);
-    set_vector_0(number_1, &(at_39), side_2.rest_3);
-    set_vector_0(number_1, &(at_39), weight_0);
+    var at_42 : u32 = u32(1);
+    set_vector_0(number_1, &(at_42), vec3<f32>(0.0f));
+    set_vector_0(number_1, &(at_42), vec3<f32>(1.0f));
+    set_vector_0(number_1, &(at_42), side_2.direction_14);
+    set_place_0(number_1, &(at_42), place_of_0(side_2.found_2));
+    var _S220 : u32 = at_42 + u32(1);
+    set_word_0(number_1, at_42, path_15.key_0.x);
+    at_42 = _S220 + u32(1);
+    set_word_0(number_1, _S220, path_15.key_0.y);
+    set_vector_0(number_1, &(at_42), side_2.rest_3);
+    set_vector_0(number_1, &(at_42), weight_0);
     return;
 }
 
@@ -3268,7 +3418,7 @@ fn offset_of_0( point_3 : EdgePoint_0) -> vec3<f32>
     return vec3<f32>(point_3.direction_11 * vec3<f64>(point_3.distance_6));
 }
 
-fn begin_sides_of_0( at_40 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_path_3 : u32,  path_16 : Path_0,  factor_5 : vec3<f32>) -> vec2<bool>
+fn begin_sides_of_0( at_43 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_path_3 : u32,  path_16 : Path_0,  factor_5 : vec3<f32>) -> vec2<bool>
 {
     var sides_0 : array<Side_0, i32(2)>;
     var side_3 : u32 = u32(0);
@@ -3281,18 +3431,18 @@ fn begin_sides_of_0( at_40 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
         {
             break;
         }
-        sides_0[side_3] = look_0(at_40, point_4, side_3);
+        sides_0[side_3] = look_0(at_43, point_4, side_3);
         side_3 = side_3 + u32(1);
     }
     var nearest_0 : f32 = f32(point_4.distance_6) * 0.99999898672103882f;
-    var _S211 : bool;
+    var _S221 : bool;
     if((sides_0[i32(0)].found_2.face_2) == (sides_0[i32(1)].found_2.face_2))
     {
-        _S211 = (max(sides_0[i32(0)].t_10, sides_0[i32(1)].t_10)) < nearest_0;
+        _S221 = (max(sides_0[i32(0)].t_10, sides_0[i32(1)].t_10)) < nearest_0;
     }
     else
     {
-        _S211 = false;
+        _S221 = false;
     }
     var goes_on_1 : vec2<bool> = vec2<bool>(false, false);
     side_3 = u32(0);
@@ -3305,40 +3455,40 @@ fn begin_sides_of_0( at_40 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
         {
             break;
         }
-        var _S212 : bool;
-        if(_S211)
+        var _S222 : bool;
+        if(_S221)
         {
-            _S212 = true;
+            _S222 = true;
         }
         else
         {
-            _S212 = (sides_0[side_3].found_2.face_2) == u32(4294967295);
+            _S222 = (sides_0[side_3].found_2.face_2) == u32(4294967295);
         }
-        var _S213 : bool;
-        if(_S212)
+        var _S223 : bool;
+        if(_S222)
         {
-            _S213 = true;
+            _S223 = true;
         }
         else
         {
-            _S213 = !((largest_0(sides_0[side_3].scattered_2)) > 0.0f);
+            _S223 = !((largest_0(sides_0[side_3].scattered_2)) > 0.0f);
         }
-        if(_S213)
+        if(_S223)
         {
             side_3 = side_3 + u32(1);
             continue;
         }
-        var _S214 : vec3<f32> = factor_5 * sides_0[side_3].scattered_2;
-        var _S215 : f32;
+        var _S224 : vec3<f32> = factor_5 * sides_0[side_3].scattered_2;
+        var _S225 : f32;
         if(side_3 == u32(0))
         {
-            _S215 = 1.0f;
+            _S225 = 1.0f;
         }
         else
         {
-            _S215 = -1.0f;
+            _S225 = -1.0f;
         }
-        begin_side_0(side_path_0(number_of_path_3, side_3), path_16, sides_0[side_3], _S214 * vec3<f32>(_S215));
+        begin_side_0(side_path_0(number_of_path_3, side_3), path_16, sides_0[side_3], _S224 * vec3<f32>(_S225));
         goes_on_1[side_3] = true;
         side_3 = side_3 + u32(1);
     }
@@ -3346,18 +3496,18 @@ fn begin_sides_of_0( at_40 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
     var kept_1 : u32 = u32(23);
     set_vector_1(first_7, &(kept_1), vec3<f32>(point_4.normal_6) * vec3<f32>(point_4.measure_0));
     set_vector_1(first_7, &(kept_1), offset_of_0(point_4));
-    var _S216 : u32 = kept_1;
-    var _S217 : u32 = kept_1 + u32(1);
-    kept_1 = _S217;
-    set_word_0(first_7, _S216, (bitcast<u32>((point_4.t_5))));
-    set_word_0(first_7, _S217, point_4.edge_6.record_7);
+    var _S226 : u32 = kept_1;
+    var _S227 : u32 = kept_1 + u32(1);
+    kept_1 = _S227;
+    set_word_0(first_7, _S226, (bitcast<u32>((point_4.t_5))));
+    set_word_0(first_7, _S227, point_4.edge_6.record_7);
     return goes_on_1;
 }
 
-fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_41 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_4 : u32,  path_17 : Path_0)
+fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_44 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_4 : u32,  path_17 : Path_0)
 {
-    var _S218 : vec2<bool> = begin_sides_of_0(at_41, point_5, number_of_path_4, path_17, (*crossed_2).factor_1);
-    (*crossed_2).goes_on_0 = _S218;
+    var _S228 : vec2<bool> = begin_sides_of_0(at_44, point_5, number_of_path_4, path_17, (*crossed_2).factor_1);
+    (*crossed_2).goes_on_0 = _S228;
     return;
 }
 
@@ -3368,7 +3518,7 @@ struct Share_0
      place_18 : f64,
 };
 
-fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  number_of_path_5 : u32,  path_18 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
+fn draw_points_0( at_45 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  number_of_path_5 : u32,  path_18 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
 {
     var points_0 : u32 = u32(1);
     var least_3 : f32 = 0.0f;
@@ -3401,7 +3551,7 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
             }
             var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
             var total_1 : f32 = contributions_0 + least_4 * angles_0;
-            if((at_42.purpose_0) == u32(0))
+            if((at_45.purpose_0) == u32(0))
             {
                 contributions_1 = asked_0.share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
             }
@@ -3410,61 +3560,152 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 contributions_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(contributions_1 - 0.00100000004749745f));
-            var _S219 : f32 = asked_0.over_all_0 * f32(points_1);
+            var _S229 : f32 = asked_0.over_all_0 * f32(points_1);
             var step_2 : f64 = f64(total_1) / f64(points_1);
-            var _S220 : f64 = step_2 * asked_0.place_18;
+            var _S230 : f64 = step_2 * asked_0.place_18;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S219;
+            over_all_1 = _S229;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S220;
+            target_1 = _S230;
         }
         else
         {
             target_1 = target_0;
         }
-        var k_10 : u32 = edge_word_0(leaf_2 + u32(2));
-        var drawn_1 : u32 = drawn_0;
-        contributions_1 = contributions_0;
-        var angles_1 : f32 = angles_0;
-        var pieces_2 : f32 = pieces_1;
-        var cumulative_1 : f32 = cumulative_0;
-        var target_2 : f64 = target_1;
+        var leaves_4 : Leaves_0 = below_0(node_8);
+        var leaf_5 : u32;
+        target_0 = target_1;
         for(;;)
         {
-            var _S221 : bool;
-            if(k_10 < (edge_word_0(leaf_2 + u32(3))))
+            var _S231 : bool;
+            if(drawn_0 < points_0)
             {
-                _S221 = drawn_1 < points_0;
+                var _S232 : bool = next_leaf_1(at_45, &(leaves_4), &(leaf_5));
+                _S231 = _S232;
             }
             else
             {
-                _S221 = false;
+                _S231 = false;
             }
-            if(_S221)
+            if(_S231)
             {
             }
             else
             {
                 break;
             }
-            var seen_5 : SeenEdge_0;
-            var _S222 : bool = see_edge_0(at_42, k_10, &(seen_5));
-            var drawn_2 : u32;
-            var contributions_2 : f32;
-            var angles_2 : f32;
-            var pieces_3 : f32;
-            var cumulative_2 : f32;
-            var target_3 : f64;
-            if(!_S222)
+            var k_10 : u32 = edge_word_0(leaf_5 + u32(2));
+            var drawn_1 : u32 = drawn_0;
+            contributions_1 = contributions_0;
+            var angles_1 : f32 = angles_0;
+            var pieces_2 : f32 = pieces_1;
+            var cumulative_1 : f32 = cumulative_0;
+            var target_2 : f64 = target_0;
+            for(;;)
             {
-                drawn_2 = drawn_1;
+                var _S233 : bool;
+                if(k_10 < (edge_word_0(leaf_5 + u32(3))))
+                {
+                    _S233 = drawn_1 < points_0;
+                }
+                else
+                {
+                    _S233 = false;
+                }
+                if(_S233)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var seen_5 : SeenEdge_0;
+                var _S234 : bool = see_edge_0(at_45, k_10, &(seen_5));
+                var drawn_2 : u32;
+                var contributions_2 : f32;
+                var angles_2 : f32;
+                var pieces_3 : f32;
+                var cumulative_2 : f32;
+                var target_3 : f64;
+                if(!_S234)
+                {
+                    drawn_2 = drawn_1;
+                    contributions_2 = contributions_1;
+                    angles_2 = angles_1;
+                    pieces_3 = pieces_2;
+                    cumulative_2 = cumulative_1;
+                    target_3 = target_2;
+                    k_10 = k_10 + u32(1);
+                    drawn_1 = drawn_2;
+                    contributions_1 = contributions_2;
+                    angles_1 = angles_2;
+                    pieces_2 = pieces_3;
+                    cumulative_1 = cumulative_2;
+                    target_2 = target_3;
+                    continue;
+                }
+                var piece_2 : f32 = 0.0f;
                 contributions_2 = contributions_1;
                 angles_2 = angles_1;
                 pieces_3 = pieces_2;
                 cumulative_2 = cumulative_1;
+                drawn_2 = drawn_1;
                 target_3 = target_2;
+                for(;;)
+                {
+                    if(piece_2 < (seen_5.pieces_0))
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var weight_1 : vec2<f32> = weigh_0(at_45, seen_5, piece_2);
+                    if(pass_0 == u32(0))
+                    {
+                        var angles_3 : f32 = angles_2 + weight_1.y;
+                        var pieces_4 : f32 = pieces_3 + 1.0f;
+                        contributions_2 = contributions_2 + weight_1.x;
+                        angles_2 = angles_3;
+                        pieces_3 = pieces_4;
+                        piece_2 = piece_2 + 1.0f;
+                        continue;
+                    }
+                    var own_1 : f32 = weight_1.x + least_3 * weight_1.y;
+                    var cumulative_3 : f32 = cumulative_2 + own_1;
+                    var drawn_3 : u32 = drawn_2;
+                    var target_4 : f64 = target_3;
+                    for(;;)
+                    {
+                        var _S235 : bool;
+                        if(drawn_3 < points_0)
+                        {
+                            _S235 = target_4 < f64(cumulative_3);
+                        }
+                        else
+                        {
+                            _S235 = false;
+                        }
+                        if(_S235)
+                        {
+                        }
+                        else
+                        {
+                            break;
+                        }
+                        var _S236 : u32 = drawn_3 + u32(1);
+                        var target_5 : f64 = target_4 + step_1;
+                        cross_at_0(&((*crossed_3)), at_45, point_on_0(at_45, seen_5, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_1 * own_1 / total_0), number_of_path_5, path_18);
+                        drawn_3 = _S236;
+                        target_4 = target_5;
+                    }
+                    cumulative_2 = cumulative_3;
+                    drawn_2 = drawn_3;
+                    target_3 = target_4;
+                    piece_2 = piece_2 + 1.0f;
+                }
                 k_10 = k_10 + u32(1);
                 drawn_1 = drawn_2;
                 contributions_1 = contributions_2;
@@ -3472,101 +3713,51 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 pieces_2 = pieces_3;
                 cumulative_1 = cumulative_2;
                 target_2 = target_3;
-                continue;
             }
-            var piece_2 : f32 = 0.0f;
-            contributions_2 = contributions_1;
-            angles_2 = angles_1;
-            pieces_3 = pieces_2;
-            cumulative_2 = cumulative_1;
-            drawn_2 = drawn_1;
-            target_3 = target_2;
-            for(;;)
-            {
-                if(piece_2 < (seen_5.pieces_0))
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var weight_1 : vec2<f32> = weigh_0(at_42, seen_5, piece_2);
-                if(pass_0 == u32(0))
-                {
-                    var angles_3 : f32 = angles_2 + weight_1.y;
-                    var pieces_4 : f32 = pieces_3 + 1.0f;
-                    contributions_2 = contributions_2 + weight_1.x;
-                    angles_2 = angles_3;
-                    pieces_3 = pieces_4;
-                    piece_2 = piece_2 + 1.0f;
-                    continue;
-                }
-                var own_1 : f32 = weight_1.x + least_3 * weight_1.y;
-                var cumulative_3 : f32 = cumulative_2 + own_1;
-                var drawn_3 : u32 = drawn_2;
-                var target_4 : f64 = target_3;
-                for(;;)
-                {
-                    var _S223 : bool;
-                    if(drawn_3 < points_0)
-                    {
-                        _S223 = target_4 < f64(cumulative_3);
-                    }
-                    else
-                    {
-                        _S223 = false;
-                    }
-                    if(_S223)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var _S224 : u32 = drawn_3 + u32(1);
-                    var target_5 : f64 = target_4 + step_1;
-                    cross_at_0(&((*crossed_3)), at_42, point_on_0(at_42, seen_5, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_1 * own_1 / total_0), number_of_path_5, path_18);
-                    drawn_3 = _S224;
-                    target_4 = target_5;
-                }
-                cumulative_2 = cumulative_3;
-                drawn_2 = drawn_3;
-                target_3 = target_4;
-                piece_2 = piece_2 + 1.0f;
-            }
-            k_10 = k_10 + u32(1);
-            drawn_1 = drawn_2;
-            contributions_1 = contributions_2;
-            angles_1 = angles_2;
-            pieces_2 = pieces_3;
-            cumulative_1 = cumulative_2;
-            target_2 = target_3;
+            drawn_0 = drawn_1;
+            contributions_0 = contributions_1;
+            angles_0 = angles_1;
+            pieces_1 = pieces_2;
+            cumulative_0 = cumulative_1;
+            target_0 = target_2;
         }
         pass_0 = pass_0 + u32(1);
-        angles_0 = angles_1;
-        contributions_0 = contributions_1;
-        pieces_1 = pieces_2;
-        drawn_0 = drawn_1;
-        cumulative_0 = cumulative_1;
-        target_0 = target_2;
     }
     return;
 }
 
-fn sample_points_0( at_43 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_46 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
 {
-    var numbers_9 : u32 = numbers_for_0(at_43.purpose_0) + u32(1);
-    var leaf_3 : u32;
-    var probability_4 : f32;
-    var _S225 : bool = descend_0(at_43, (f64(subtree_0) + precise_random_0(path_19.key_0, numbers_9)) / f64(subtrees_0), &(leaf_3), &(probability_4));
-    if(!_S225)
+    var numbers_9 : u32 = numbers_for_0(at_46.purpose_0) + u32(1);
+    var node_9 : u32 = edge_word_0(at_46.tree_0);
+    var u_3 : f64 = precise_random_0(path_19.key_0, numbers_9);
+    var probability_4 : f32 = 1.0f;
+    var is_whole_0 : bool;
+    if((at_46.purpose_0) == u32(0))
+    {
+        is_whole_0 = takes_all_0(at_46);
+    }
+    else
+    {
+        is_whole_0 = false;
+    }
+    if(!is_whole_0)
+    {
+        var _S237 : bool = descend_0(at_46, (f64(subtree_0) + u_3) / f64(subtrees_0), &(node_9), &(probability_4));
+        is_whole_0 = !_S237;
+    }
+    else
+    {
+        is_whole_0 = false;
+    }
+    if(is_whole_0)
     {
         return;
     }
     var asked_1 : Share_0;
-    var _S226 : f32 = f32(subtrees_0);
-    asked_1.share_0 = 1.0f / _S226;
-    asked_1.over_all_0 = probability_4 * _S226;
+    var _S238 : f32 = f32(subtrees_0);
+    asked_1.share_0 = 1.0f / _S238;
+    asked_1.over_all_0 = probability_4 * _S238;
     asked_1.place_18 = precise_random_0(path_19.key_0, numbers_9 + u32(1)) + f64(0.6180340051651001f * f32(subtree_0));
     for(;;)
     {
@@ -3579,19 +3770,19 @@ fn sample_points_0( at_43 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : 
         }
         asked_1.place_18 = asked_1.place_18 - 1.0lf;
     }
-    draw_points_0(at_43, leaf_3, asked_1, number_of_path_6, path_19, &((*crossed_4)));
+    draw_points_0(at_46, node_9, asked_1, number_of_path_6, path_19, &((*crossed_4)));
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S227 : u32;
+    var _S239 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S228 : u32 = u32(2) + zero_0;
-        _S227 = _S228;
-        if(rounds_0 < _S228)
+        var _S240 : u32 = u32(2) + zero_0;
+        _S239 = _S240;
+        if(rounds_0 < _S240)
         {
         }
         else
@@ -3600,14 +3791,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S227;
+    return rounds_0 == _S239;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S229 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S241 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -3625,21 +3816,21 @@ fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var factor_6 : vec3<f32>;
     var path_20 : Path_0 = path_at_vertex_0(number_of_path_7, &(factor_6));
     var crossed_5 : Crossed_0 = nothing_crossed_0(factor_6);
-    var at_44 : ShadingPoint_0;
-    var _S230 : bool = shading_point_0(path_20, &(at_44));
-    var _S231 : bool;
-    if(_S230)
+    var at_47 : ShadingPoint_0;
+    var _S242 : bool = shading_point_0(path_20, &(at_47));
+    var _S243 : bool;
+    if(_S242)
     {
-        var _S232 : f32 = turn_to_0(u32(2), path_20.key_0, &(at_44));
-        _S231 = _S232 > 0.0f;
+        var _S244 : f32 = turn_to_0(u32(2), path_20.key_0, &(at_47));
+        _S243 = _S244 > 0.0f;
     }
     else
     {
-        _S231 = false;
+        _S243 = false;
     }
-    if(_S231)
+    if(_S243)
     {
-        sample_points_0(at_44, number_of_path_7, path_20, subtree_of_launch_0(), subtrees_of_0(at_44), &(crossed_5));
+        sample_points_0(at_47, number_of_path_7, path_20, subtree_of_launch_0(), subtrees_of_0(at_47), &(crossed_5));
     }
     var side_4 : u32 = u32(0);
     for(;;)
@@ -3654,17 +3845,17 @@ fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         var goes_on_2 : bool = crossed_5.goes_on_0[side_4];
         var number_2 : u32 = side_path_0(number_of_path_7, side_4);
         var which_13 : u32 = u32(20);
-        var _S233 : u32 = u32(2) * listed_0 + side_4;
-        var _S234 : u32;
+        var _S245 : u32 = u32(2) * listed_0 + side_4;
+        var _S246 : u32;
         if(crossed_5.goes_on_0[side_4])
         {
-            _S234 = number_2;
+            _S246 = number_2;
         }
         else
         {
-            _S234 = u32(4294967295);
+            _S246 = u32(4294967295);
         }
-        set_word_0(_S233, u32(0), _S234);
+        set_word_0(_S245, u32(0), _S246);
         if(!goes_on_2)
         {
             set_vector_2(number_2, &(which_13), vec3<f32>(0.0f));

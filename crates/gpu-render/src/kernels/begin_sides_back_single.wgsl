@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 95a321724ff541a4
-// result: a6d4c950c1945381
+// source: a5da34863903b748
+// result: 10af9bcbaba63c40
 
 struct Launch_std140_0
 {
@@ -1402,6 +1402,20 @@ fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f32
     return f32(((random_bits_0(key_4, dimension_2).y) >> (u32(8)))) / 4096.0f / 4096.0f;
 }
 
+struct Leaves_0
+{
+     count_3 : u32,
+     nodes_1 : array<u32, i32(96)>,
+};
+
+fn below_0( node_1 : u32) -> Leaves_0
+{
+    var leaves_0 : Leaves_0;
+    leaves_0.count_3 = u32(1);
+    leaves_0.nodes_1[i32(0)] = node_1;
+    return leaves_0;
+}
+
 fn edge_number_0( at_18 : u32) -> f32
 {
     return (bitcast<f32>((edge_word_0(at_18))));
@@ -1412,25 +1426,25 @@ fn edge_vector_0( at_19 : u32) -> vec3<f32>
     return vec3<f32>(edge_number_0(at_19), edge_number_0(at_19 + u32(1)), edge_number_0(at_19 + u32(2)));
 }
 
-fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
+fn may_have_silhouette_0( node_2 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
 {
-    var sine_2 : f32 = edge_number_0(node_1 + u32(11));
-    var cosine_3 : f32 = edge_number_0(node_1 + u32(12));
+    var sine_2 : f32 = edge_number_0(node_2 + u32(11));
+    var cosine_3 : f32 = edge_number_0(node_2 + u32(12));
     if(sine_2 > 1.0f)
     {
         return true;
     }
-    var margin_0 : f32 = (edge_number_0(node_1 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
+    var margin_0 : f32 = (edge_number_0(node_2 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
     var margin_1 : f32;
     if(cosine_3 > 0.0f)
     {
-        margin_1 = min((edge_number_0(node_1 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
+        margin_1 = min((edge_number_0(node_2 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
     }
     else
     {
         margin_1 = margin_0;
     }
-    return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
+    return !((abs(dot(edge_vector_0(node_2 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
 }
 
 fn is_outside_0( at_20 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
@@ -1533,16 +1547,16 @@ fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
     return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
 }
 
-fn speed_of_0( at_21 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+fn speed_of_0( at_21 : ShadingPoint_0,  node_3 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
 {
     if(is_blind_0())
     {
-        return edge_number_0(node_2 + u32(20)) + 0.10000000149011612f;
+        return edge_number_0(node_3 + u32(20)) + 0.10000000149011612f;
     }
-    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_21.motion_1, offset_7);
-    var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
-    var sine_3 : f32 = edge_number_0(node_2 + u32(11));
-    var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
+    var relative_0 : vec3<f32> = edge_vector_0(node_3 + u32(17)) - velocity_at_0(at_21.motion_1, offset_7);
+    var axis_4 : vec3<f32> = edge_vector_0(node_3 + u32(8));
+    var sine_3 : f32 = edge_number_0(node_3 + u32(11));
+    var cosine_4 : f32 = edge_number_0(node_3 + u32(12));
     var along_0 : f32 = abs(dot(axis_4, relative_0));
     var across_1 : f32 = length(cross(axis_4, relative_0));
     var speed_0 : f32;
@@ -1554,19 +1568,19 @@ fn speed_of_0( at_21 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  ra
     {
         speed_0 = length(relative_0);
     }
-    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_21.motion_1.rotation_0) * radius_3;
+    return speed_0 + edge_number_0(node_3 + u32(20)) + length(at_21.motion_1.rotation_0) * radius_3;
 }
 
-fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
+fn importance_of_0( at_22 : ShadingPoint_0,  node_4 : u32) -> f32
 {
-    var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
+    var centre_1 : vec3<f32> = edge_vector_0(node_4 + u32(4));
     var offset_8 : vec3<f32> = centre_1 - at_22.vertex_2.surface_3.position_1;
-    var radius_4 : f32 = edge_number_0(node_3 + u32(7));
+    var radius_4 : f32 = edge_number_0(node_4 + u32(7));
     var distance_5 : f32 = length(offset_8);
     var _S92 : bool;
     if(!at_22.has_creases_0)
     {
-        _S92 = !may_have_silhouette_0(node_3, offset_8, distance_5);
+        _S92 = !may_have_silhouette_0(node_4, offset_8, distance_5);
     }
     else
     {
@@ -1582,7 +1596,7 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
     }
     var cosine_5 : f32 = largest_cosine_0(at_22.vertex_2.surface_3.position_1, at_22.vertex_2.axes_5.n_0, centre_1, radius_4);
     var _S93 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
-    var least_0 : f32 = edge_number_0(node_3 + u32(16));
+    var least_0 : f32 = edge_number_0(node_4 + u32(16));
     var ratio_0 : f32 = _S93 / max(max(distance_5 * distance_5 - _S93, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
     var visible_0 : f32;
     if(ratio_0 < 0.00100000004749745f)
@@ -1594,55 +1608,191 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
         visible_0 = logarithm_0(1.0f + ratio_0);
     }
     var near_0 : f32 = visible_0 / _S93;
-    var visible_1 : f32 = edge_number_0(node_3 + u32(14));
-    if(distance_5 > (edge_number_0(node_3 + u32(15))))
+    var visible_1 : f32 = edge_number_0(node_4 + u32(14));
+    if(distance_5 > (edge_number_0(node_4 + u32(15))))
     {
-        visible_0 = visible_1 * edge_number_0(node_3 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
+        visible_0 = visible_1 * edge_number_0(node_4 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
     }
     else
     {
         visible_0 = visible_1;
     }
-    return visible_0 * speed_of_0(at_22, node_3, offset_8, radius_4) * cosine_5 * near_0;
+    return visible_0 * speed_of_0(at_22, node_4, offset_8, radius_4) * cosine_5 * near_0;
 }
 
-fn descend_0( at_23 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+fn next_leaf_0( at_23 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_0 : ptr<function, u32>) -> bool
 {
     var nodes_at_0 : u32 = edge_word_0(at_23.tree_0);
     (*leaf_0) = nodes_at_0;
-    (*probability_2) = 1.0f;
-    var _S94 : f32 = u_1;
     for(;;)
     {
-        if((edge_word_0((*leaf_0))) != u32(4294967295))
+        if(((*leaves_1).count_3) > u32(0))
         {
         }
         else
         {
             break;
         }
-        var first_2 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
-        var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
-        var of_first_0 : f32 = importance_of_0(at_23, first_2);
-        var of_second_0 : f32 = importance_of_0(at_23, second_1);
-        var sum_0 : f32 = of_first_0 + of_second_0;
-        var _S95 : bool;
-        if(sum_0 > 0.0f)
+        var _S94 : u32 = (*leaves_1).count_3 - u32(1);
+        (*leaves_1).count_3 = _S94;
+        var _S95 : u32 = (*leaves_1).nodes_1[_S94];
+        (*leaf_0) = (*leaves_1).nodes_1[_S94];
+        if(!((importance_of_0(at_23, _S95)) > 0.0f))
         {
-            _S95 = sum_0 < 3.00000000549775576e+38f;
+            continue;
+        }
+        if((edge_word_0((*leaf_0))) == u32(4294967295))
+        {
+            return true;
+        }
+        var half_0 : u32 = u32(0);
+        for(;;)
+        {
+            var _S96 : bool;
+            if(half_0 < u32(2))
+            {
+                _S96 = ((*leaves_1).count_3) < u32(96);
+            }
+            else
+            {
+                _S96 = false;
+            }
+            if(_S96)
+            {
+            }
+            else
+            {
+                break;
+            }
+            (*leaves_1).nodes_1[(*leaves_1).count_3] = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + half_0);
+            (*leaves_1).count_3 = (*leaves_1).count_3 + u32(1);
+            half_0 = half_0 + u32(1);
+        }
+    }
+    return false;
+}
+
+fn next_leaf_1( at_24 : ShadingPoint_0,  leaves_2 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
+{
+    var nodes_at_1 : u32 = edge_word_0(at_24.tree_0);
+    (*leaf_1) = nodes_at_1;
+    for(;;)
+    {
+        if(((*leaves_2).count_3) > u32(0))
+        {
         }
         else
         {
-            _S95 = false;
+            break;
         }
-        if(!_S95)
+        var _S97 : u32 = (*leaves_2).count_3 - u32(1);
+        (*leaves_2).count_3 = _S97;
+        var _S98 : u32 = (*leaves_2).nodes_1[_S97];
+        (*leaf_1) = (*leaves_2).nodes_1[_S97];
+        if(!((importance_of_0(at_24, _S98)) > 0.0f))
+        {
+            continue;
+        }
+        if((edge_word_0((*leaf_1))) == u32(4294967295))
+        {
+            return true;
+        }
+        var half_1 : u32 = u32(0);
+        for(;;)
+        {
+            var _S99 : bool;
+            if(half_1 < u32(2))
+            {
+                _S99 = ((*leaves_2).count_3) < u32(96);
+            }
+            else
+            {
+                _S99 = false;
+            }
+            if(_S99)
+            {
+            }
+            else
+            {
+                break;
+            }
+            (*leaves_2).nodes_1[(*leaves_2).count_3] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + half_1);
+            (*leaves_2).count_3 = (*leaves_2).count_3 + u32(1);
+            half_1 = half_1 + u32(1);
+        }
+    }
+    return false;
+}
+
+fn takes_all_0( at_25 : ShadingPoint_0) -> bool
+{
+    var _S100 : bool;
+    var leaves_3 : Leaves_0 = below_0(edge_word_0(at_25.tree_0));
+    var leaf_2 : u32;
+    var count_4 : u32 = u32(0);
+    for(;;)
+    {
+        var _S101 : bool = count_4 <= u32(24);
+        _S100 = _S101;
+        var _S102 : bool;
+        if(_S101)
+        {
+            var _S103 : bool = next_leaf_0(at_25, &(leaves_3), &(leaf_2));
+            _S102 = _S103;
+        }
+        else
+        {
+            _S102 = false;
+        }
+        if(_S102)
+        {
+        }
+        else
+        {
+            break;
+        }
+        count_4 = count_4 + u32(1);
+    }
+    return _S100;
+}
+
+fn descend_0( at_26 : ShadingPoint_0,  u_1 : f32,  leaf_3 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+{
+    var nodes_at_2 : u32 = edge_word_0(at_26.tree_0);
+    (*leaf_3) = nodes_at_2;
+    (*probability_2) = 1.0f;
+    var _S104 : f32 = u_1;
+    for(;;)
+    {
+        if((edge_word_0((*leaf_3))) != u32(4294967295))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var first_2 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3));
+        var second_1 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3) + u32(1));
+        var of_first_0 : f32 = importance_of_0(at_26, first_2);
+        var of_second_0 : f32 = importance_of_0(at_26, second_1);
+        var sum_0 : f32 = of_first_0 + of_second_0;
+        var _S105 : bool;
+        if(sum_0 > 0.0f)
+        {
+            _S105 = sum_0 < 3.00000000549775576e+38f;
+        }
+        else
+        {
+            _S105 = false;
+        }
+        if(!_S105)
         {
             return false;
         }
         var first_share_0 : f32 = of_first_0 / sum_0;
         var second_share_0 : f32 = of_second_0 / sum_0;
         var is_second_0 : bool;
-        if(_S94 >= first_share_0)
+        if(_S104 >= first_share_0)
         {
             is_second_0 = second_share_0 > 0.0f;
         }
@@ -1652,32 +1802,32 @@ fn descend_0( at_23 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>, 
         }
         if(is_second_0)
         {
-            _S94 = (_S94 - first_share_0) / second_share_0;
+            _S104 = (_S104 - first_share_0) / second_share_0;
         }
         else
         {
-            _S94 = min(_S94 / first_share_0, 1.0f);
+            _S104 = min(_S104 / first_share_0, 1.0f);
         }
-        var _S96 : f32;
+        var _S106 : f32;
         if(is_second_0)
         {
-            _S96 = second_share_0;
+            _S106 = second_share_0;
         }
         else
         {
-            _S96 = first_share_0;
+            _S106 = first_share_0;
         }
-        (*probability_2) = (*probability_2) * _S96;
-        var _S97 : u32;
+        (*probability_2) = (*probability_2) * _S106;
+        var _S107 : u32;
         if(is_second_0)
         {
-            _S97 = second_1;
+            _S107 = second_1;
         }
         else
         {
-            _S97 = first_2;
+            _S107 = first_2;
         }
-        (*leaf_0) = _S97;
+        (*leaf_3) = _S107;
     }
     return true;
 }
@@ -1688,11 +1838,11 @@ struct Edge_0
      numbers_4 : u32,
 };
 
-fn edge_at_0( at_24 : ShadingPoint_0,  place_10 : u32) -> Edge_0
+fn edge_at_0( at_27 : ShadingPoint_0,  place_10 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_7 = edge_word_0(at_24.tree_0 + u32(1)) + u32(12) * place_10;
-    edge_0.numbers_4 = edge_word_0(at_24.tree_0 + u32(2)) + u32(14) * place_10;
+    edge_0.record_7 = edge_word_0(at_27.tree_0 + u32(1)) + u32(12) * place_10;
+    edge_0.numbers_4 = edge_word_0(at_27.tree_0 + u32(2)) + u32(14) * place_10;
     return edge_0;
 }
 
@@ -1705,129 +1855,129 @@ fn side_seen_0( from_0 : vec3<f32>,  tolerance_0 : f32,  normal_4 : u32,  length
 {
     var height_1 : f32 = dot(edge_position_0(normal_4), from_0);
     var least_1 : f32 = tolerance_0 * edge_real_0(length_0);
-    var _S98 : i32;
+    var _S108 : i32;
     if(height_1 > least_1)
     {
-        _S98 = i32(1);
+        _S108 = i32(1);
     }
     else
     {
-        _S98 = i32(0);
+        _S108 = i32(0);
     }
-    var _S99 : i32;
+    var _S109 : i32;
     if(height_1 < (- least_1))
     {
-        _S99 = i32(1);
+        _S109 = i32(1);
     }
     else
     {
-        _S99 = i32(0);
+        _S109 = i32(0);
     }
-    return _S98 - _S99;
+    return _S108 - _S109;
 }
 
-fn is_silhouette_0( at_25 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+fn is_silhouette_0( at_28 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f32> = edge_position_0(edge_1.numbers_4);
-    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_25.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S100 : vec3<f32> = at_25.vertex_2.surface_3.exact_0 - start_0;
-    return (side_seen_0(_S100, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S100, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
+    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_28.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S110 : vec3<f32> = at_28.vertex_2.surface_3.exact_0 - start_0;
+    return (side_seen_0(_S110, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S110, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
 }
 
-fn factor_of_0( at_26 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+fn factor_of_0( at_29 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
-    var _S101 : u32 = edge_2.record_7 + u32(2);
-    var a_9 : vec3<f32> = edge_vector_0(_S101);
-    var b_7 : vec3<f32> = edge_vector_0(_S101 + u32(3));
-    var _S102 : bool;
+    var _S111 : u32 = edge_2.record_7 + u32(2);
+    var a_9 : vec3<f32> = edge_vector_0(_S111);
+    var b_7 : vec3<f32> = edge_vector_0(_S111 + u32(3));
+    var _S112 : bool;
     if(!is_blind_0())
     {
-        _S102 = rests_0(at_26.motion_1);
+        _S112 = rests_0(at_29.motion_1);
     }
     else
     {
-        _S102 = false;
+        _S112 = false;
     }
-    if(_S102)
+    if(_S112)
     {
-        _S102 = (all((a_9 == vec3<f32>(0.0f))));
+        _S112 = (all((a_9 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S102 = false;
+        _S112 = false;
     }
-    if(_S102)
+    if(_S112)
     {
-        _S102 = (all((b_7 == vec3<f32>(0.0f))));
+        _S112 = (all((b_7 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S102 = false;
+        _S112 = false;
     }
-    if(_S102)
+    if(_S112)
     {
         return 0.0f;
     }
-    if(is_silhouette_0(at_26, edge_2))
+    if(is_silhouette_0(at_29, edge_2))
     {
         return edge_number_0(edge_2.record_7);
     }
-    var _S103 : f32;
-    if(at_26.has_creases_0)
+    var _S113 : f32;
+    if(at_29.has_creases_0)
     {
-        _S103 = edge_number_0(edge_2.record_7 + u32(1));
+        _S113 = edge_number_0(edge_2.record_7 + u32(1));
     }
     else
     {
-        _S103 = 0.0f;
+        _S113 = 0.0f;
     }
-    return _S103;
+    return _S113;
 }
 
-fn is_clipped_0( at_27 : ShadingPoint_0,  a_10 : vec3<f32>,  b_8 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
+fn is_clipped_0( at_30 : ShadingPoint_0,  a_10 : vec3<f32>,  b_8 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
 {
     (*range_0) = vec2<f32>(0.0f, 1.0f);
-    var _S104 : bool;
-    if((dot(at_27.front_0, a_10 - at_27.front_offset_0)) < -3.99999998990097083e-06f)
+    var _S114 : bool;
+    if((dot(at_30.front_0, a_10 - at_30.front_offset_0)) < -3.99999998990097083e-06f)
     {
-        _S104 = (dot(at_27.front_0, b_8 - at_27.front_offset_0)) < -3.99999998990097083e-06f;
+        _S114 = (dot(at_30.front_0, b_8 - at_30.front_offset_0)) < -3.99999998990097083e-06f;
     }
     else
     {
-        _S104 = false;
+        _S114 = false;
     }
-    if(_S104)
+    if(_S114)
     {
         return true;
     }
-    var _S105 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_10, a_10), dot(b_8, b_8)));
+    var _S115 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_10, a_10), dot(b_8, b_8)));
     var k_5 : u32 = u32(0);
     for(;;)
     {
-        if(k_5 < (at_27.planes_0))
+        if(k_5 < (at_30.planes_0))
         {
         }
         else
         {
             break;
         }
-        var first_3 : f32 = dot(at_27.inside_2[k_5], a_10) + _S105;
-        var second_2 : f32 = dot(at_27.inside_2[k_5], b_8) + _S105;
-        var _S106 : bool = first_3 < 0.0f;
-        if(_S106)
+        var first_3 : f32 = dot(at_30.inside_2[k_5], a_10) + _S115;
+        var second_2 : f32 = dot(at_30.inside_2[k_5], b_8) + _S115;
+        var _S116 : bool = first_3 < 0.0f;
+        if(_S116)
         {
-            _S104 = second_2 < 0.0f;
+            _S114 = second_2 < 0.0f;
         }
         else
         {
-            _S104 = false;
+            _S114 = false;
         }
-        if(_S104)
+        if(_S114)
         {
             return true;
         }
         var crossing_0 : f32 = first_3 / (first_3 - second_2);
-        if(_S106)
+        if(_S116)
         {
             (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
         }
@@ -1858,54 +2008,54 @@ struct SeenEdge_0
      to_0 : vec3<f32>,
 };
 
-fn see_edge_0( at_28 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+fn see_edge_0( at_31 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S107 : Edge_0 = edge_at_0(at_28, place_11);
-    (*seen_1).edge_3 = _S107;
-    var _S108 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4) - at_28.vertex_2.surface_3.exact_0;
-    (*seen_1).start_1 = _S108;
-    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_28.vertex_2.surface_3.exact_0;
-    (*seen_1).along_1 = end_1 - _S108;
+    var _S117 : Edge_0 = edge_at_0(at_31, place_11);
+    (*seen_1).edge_3 = _S117;
+    var _S118 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4) - at_31.vertex_2.surface_3.exact_0;
+    (*seen_1).start_1 = _S118;
+    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_31.vertex_2.surface_3.exact_0;
+    (*seen_1).along_1 = end_1 - _S118;
     (*seen_1).far_0 = 1.0f;
     (*seen_1).near_1 = 1.0f;
     (*seen_1).chord_0 = 0.0f;
     (*seen_1).pieces_0 = 0.0f;
-    var _S109 : vec3<f32> = vec3<f32>(0.0f);
-    (*seen_1).to_0 = _S109;
-    (*seen_1).from_1 = _S109;
+    var _S119 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S119;
+    (*seen_1).from_1 = _S119;
     (*seen_1).range_1 = vec2<f32>(0.0f, 1.0f);
-    var _S110 : f32 = factor_of_0(at_28, _S107);
-    (*seen_1).factor_3 = _S110;
-    var _S111 : bool;
-    if(!(_S110 > 0.0f))
+    var _S120 : f32 = factor_of_0(at_31, _S117);
+    (*seen_1).factor_3 = _S120;
+    var _S121 : bool;
+    if(!(_S120 > 0.0f))
     {
-        _S111 = true;
+        _S121 = true;
     }
     else
     {
-        var _S112 : vec2<f32> = (*seen_1).range_1;
-        var _S113 : bool = is_clipped_0(at_28, (*seen_1).start_1, end_1, &(_S112));
-        (*seen_1).range_1 = _S112;
-        _S111 = _S113;
+        var _S122 : vec2<f32> = (*seen_1).range_1;
+        var _S123 : bool = is_clipped_0(at_31, (*seen_1).start_1, end_1, &(_S122));
+        (*seen_1).range_1 = _S122;
+        _S121 = _S123;
     }
-    if(_S111)
+    if(_S121)
     {
         return false;
     }
     var first_4 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.x);
     var last_0 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.y);
-    var _S114 : f32 = sqrt(dot(first_4, first_4));
-    (*seen_1).near_1 = _S114;
+    var _S124 : f32 = sqrt(dot(first_4, first_4));
+    (*seen_1).near_1 = _S124;
     (*seen_1).far_0 = sqrt(dot(last_0, last_0));
-    if(_S114 > 0.0f)
+    if(_S124 > 0.0f)
     {
-        _S111 = ((*seen_1).far_0) > 0.0f;
+        _S121 = ((*seen_1).far_0) > 0.0f;
     }
     else
     {
-        _S111 = false;
+        _S121 = false;
     }
-    if(!_S111)
+    if(!_S121)
     {
         return false;
     }
@@ -1913,7 +2063,7 @@ fn see_edge_0( at_28 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = last_0 / vec3<f32>((*seen_1).far_0);
     (*seen_1).chord_0 = length_of_0(last_0 / vec3<f32>((*seen_1).far_0) - first_4 / vec3<f32>((*seen_1).near_1));
     var longest_0 : f32;
-    if((at_28.vertex_2.lobe_1.kind_1) == u32(0))
+    if((at_31.vertex_2.lobe_1.kind_1) == u32(0))
     {
         longest_0 = 0.20000000298023224f;
     }
@@ -1930,10 +2080,10 @@ fn place_between_0( from_2 : f32,  to_1 : f32,  near_2 : f32,  far_1 : f32,  par
     return from_2 + (to_1 - from_2) * part_0 * near_2 / (part_0 * near_2 + (1.0f - part_0) * far_1);
 }
 
-fn velocity_on_0( at_29 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
+fn velocity_on_0( at_32 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S115 : u32 = edge_4.record_7 + u32(2);
-    return mix(edge_vector_0(_S115), edge_vector_0(_S115 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_29.motion_1, offset_9);
+    var _S125 : u32 = edge_4.record_7 + u32(2);
+    return mix(edge_vector_0(_S125), edge_vector_0(_S125 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_32.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -1945,25 +2095,25 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_7 : f32,  pdf_1 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S116 : Mirrored_0;
-    _S116.cosine_6 = cosine_7;
-    _S116.pdf_0 = pdf_1;
-    _S116.scattered_0 = scattered_1;
-    return _S116;
+    var _S126 : Mirrored_0;
+    _S126.cosine_6 = cosine_7;
+    _S126.pdf_0 = pdf_1;
+    _S126.scattered_0 = scattered_1;
+    return _S126;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S117 : bool;
+    var _S127 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S117 = true;
+        _S127 = true;
     }
     else
     {
-        _S117 = (lobe_3.kind_1) == u32(4);
+        _S127 = (lobe_3.kind_1) == u32(4);
     }
-    return _S117;
+    return _S127;
 }
 
 struct Microfacets_0
@@ -1993,68 +2143,68 @@ fn exponential_0( x_5 : f32) -> f32
 
 fn density_0( facets_1 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S118 : f32 = m_3.z;
-    if(_S118 <= 0.0f)
+    var _S128 : f32 = m_3.z;
+    if(_S128 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_0 : vec2<f32> = m_3.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S118 * _S118;
+    var cos2_0 : f32 = _S128 * _S128;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_1 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_1 * sum_1);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S119 : f32;
+    var _S129 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S119 = 0.0f;
+        _S129 = 0.0f;
     }
     else
     {
-        _S119 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S129 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S119;
+    return _S129;
 }
 
 fn error_function_plus_one_0( x_6 : f32) -> vec2<f32>
 {
-    var _S120 : f32 = min(abs(x_6), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S120 * _S120);
-    var place_12 : f32 = (_S120 - 2.0f) / (_S120 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S120);
-    var _S121 : f32;
+    var _S130 : f32 = min(abs(x_6), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S130 * _S130);
+    var place_12 : f32 = (_S130 - 2.0f) / (_S130 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S130);
+    var _S131 : f32;
     if(x_6 < 0.0f)
     {
-        _S121 = complement_0;
+        _S131 = complement_0;
     }
     else
     {
-        _S121 = 2.0f - complement_0;
+        _S131 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S121, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S131, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_2.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S122 : f32 = w_2.z;
-    var z2_0 : f32 = _S122 * _S122;
+    var _S132 : f32 = w_2.z;
+    var z2_0 : f32 = _S132 * _S132;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S122 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S132 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S122;
+        return 1.0f / _S132;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S122 / spread_1);
-    return 2.0f / (_S122 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S132 / spread_1);
+    return 2.0f / (_S132 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
@@ -2062,9 +2212,9 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_0 : vec3<f32> = normalize(wi_3 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_6 = dot(wi_3, h_0);
-    var _S123 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
-    mirrored_1.pdf_0 = _S123;
-    mirrored_1.scattered_0 = _S123 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    var _S133 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
+    mirrored_1.pdf_0 = _S133;
+    mirrored_1.scattered_0 = _S133 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
@@ -2081,9 +2231,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S124 : bool = real_0 < 0.0f;
+    var _S134 : bool = real_0 < 0.0f;
     var a_11 : f32;
-    if(_S124)
+    if(_S134)
     {
         a_11 = smaller_0;
     }
@@ -2092,7 +2242,7 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
         a_11 = larger_0;
     }
     var b_9 : f32;
-    if(_S124)
+    if(_S134)
     {
         b_9 = larger_0;
     }
@@ -2102,9 +2252,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var less_0 : f32 = a_11 - cosine_8;
     var more_0 : f32 = a_11 + cosine_8;
-    var _S125 : f32 = b_9 * b_9;
+    var _S135 : f32 = b_9 * b_9;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S125) / (more_0 * more_0 + _S125) * p_sum_0 / (p_sum_0 + 2.0f * a_11 * cosine_8 * sin2_0);
+    return (less_0 * less_0 + _S135) / (more_0 * more_0 + _S135) * p_sum_0 / (p_sum_0 + 2.0f * a_11 * cosine_8 * sin2_0);
 }
 
 fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_7 : vec3<f32>) -> vec3<f32>
@@ -2142,10 +2292,10 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_11, eta_4);
     }
     var place_13 : f32 = cosine_11 * 63.0f;
-    var _S126 : u32 = min(u32(place_13), u32(62));
-    var at_30 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S126;
-    var here_0 : f32 = number_0(at_30);
-    return here_0 + (number_0(at_30 + u32(1)) - here_0) * (place_13 - f32(_S126));
+    var _S136 : u32 = min(u32(place_13), u32(62));
+    var at_33 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S136;
+    var here_0 : f32 = number_0(at_33);
+    return here_0 + (number_0(at_33 + u32(1)) - here_0) * (place_13 - f32(_S136));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2196,15 +2346,15 @@ struct Scattering_0
 fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S127 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S127 * 0.31830987334251404f;
+    var _S137 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S137 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattering_1.value_5 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
-    var _S128 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S138 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_7))
     {
@@ -2212,7 +2362,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     else
     {
-        by_facets_0 = _S128;
+        by_facets_0 = _S138;
     }
     if((lobe_7.kind_1) == u32(2))
     {
@@ -2222,7 +2372,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     var eta_7 : f32 = coat_eta_0(numbers_8);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_4.z);
-    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S127) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S137) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_8, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -2235,16 +2385,16 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
 
 fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
 {
-    var _S129 : bool;
+    var _S139 : bool;
     if((wo_2.z) <= 0.0f)
     {
-        _S129 = true;
+        _S139 = true;
     }
     else
     {
-        _S129 = !has_smooth_0(vertex_5.lobe_1);
+        _S139 = !has_smooth_0(vertex_5.lobe_1);
     }
-    if(_S129)
+    if(_S139)
     {
         return vec3<f32>(0.0f);
     }
@@ -2273,37 +2423,37 @@ fn still_0( value_7 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 {
-    var _S130 : f32 = abs(x_7);
-    var _S131 : f32 = abs(y_1);
-    var _S132 : f32 = min(_S130, _S131);
-    var _S133 : f32 = max(_S130, _S131);
-    var is_steep_0 : bool = _S132 > (0.41421356797218323f * _S133);
+    var _S140 : f32 = abs(x_7);
+    var _S141 : f32 = abs(y_1);
+    var _S142 : f32 = min(_S140, _S141);
+    var _S143 : f32 = max(_S140, _S141);
+    var is_steep_0 : bool = _S142 > (0.41421356797218323f * _S143);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S132 - _S133;
+        above_0 = _S142 - _S143;
     }
     else
     {
-        above_0 = _S132;
+        above_0 = _S142;
     }
-    var below_0 : f32;
+    var below_1 : f32;
     if(is_steep_0)
     {
-        below_0 = _S132 + _S133;
+        below_1 = _S142 + _S143;
     }
     else
     {
-        below_0 = _S133;
+        below_1 = _S143;
     }
-    if(below_0 > 0.0f)
+    if(below_1 > 0.0f)
     {
     }
     else
     {
-        below_0 = 1.0f;
+        below_1 = 1.0f;
     }
-    var t_3 : f32 = above_0 / below_0;
+    var t_3 : f32 = above_0 / below_1;
     var z_1 : f32 = t_3 * t_3;
     var angle_0 : f32 = (((0.08053744584321976f * z_1 - 0.13877685368061066f) * z_1 + 0.19977711141109467f) * z_1 - 0.33332949876785278f) * z_1 * t_3 + t_3;
     var angle_1 : f32;
@@ -2315,7 +2465,7 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S131 > _S130)
+    if(_S141 > _S140)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -2336,8 +2486,8 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 
 fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
 {
-    var _S134 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S134) * vec3<f32>(direction_6.x) + vector_at_0(_S134 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S134 + u32(6)) * vec3<f32>(direction_6.z);
+    var _S144 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S144) * vec3<f32>(direction_6.x) + vector_at_0(_S144 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S144 + u32(6)) * vec3<f32>(direction_6.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -2354,11 +2504,11 @@ fn in_map_0( map_1 : u32,  direction_7 : vec3<f32>) -> Lookup_0
     var height_2 : i32 = i32(word_0(map_1 + u32(1)));
     var left_1 : u32 = wrapped_0(x_8, width_1, u32(0));
     var right_1 : u32 = wrapped_0(x_8 + i32(1), width_1, u32(0));
-    var _S135 : u32 = wrapped_0(y_2, height_2, u32(2));
-    var _S136 : u32 = u32(width_1);
-    var first_5 : u32 = _S135 * _S136;
-    var _S137 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
-    var second_3 : u32 = _S137 * _S136;
+    var _S145 : u32 = wrapped_0(y_2, height_2, u32(2));
+    var _S146 : u32 = u32(width_1);
+    var first_5 : u32 = _S145 * _S146;
+    var _S147 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S147 * _S146;
     return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_3 + left_1, second_3 + right_1), point_0);
 }
 
@@ -2368,113 +2518,113 @@ fn emitted_0( emitter_4 : u32,  place_15 : Place_0,  direction_8 : vec3<f32>) ->
     var texture_6 : u32 = word_0(record_8 + u32(1));
     if(!is_map_0(record_8))
     {
-        var _S138 : vec3<f32> = shown_0(texture_6, place_15);
-        return _S138;
+        var _S148 : vec3<f32> = shown_0(texture_6, place_15);
+        return _S148;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_4 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S139 : u32 = word_0(texture_6 + u32(11));
-    var _S140 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
-    return looked_up_0(_S139, _S140, change_1) * factor_4;
+    var _S149 : u32 = word_0(texture_6 + u32(11));
+    var _S150 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
+    return looked_up_0(_S149, _S150, change_1) * factor_4;
 }
 
-fn light_from_0( at_31 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
+fn light_from_0( at_34 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
 {
-    var light_1 : f32 = largest_0(scattered_from_0(at_31.vertex_2, direction_9));
-    var _S141 : bool;
-    if((at_31.purpose_0) != u32(1))
+    var light_1 : f32 = largest_0(scattered_from_0(at_34.vertex_2, direction_9));
+    var _S151 : bool;
+    if((at_34.purpose_0) != u32(1))
     {
-        _S141 = true;
+        _S151 = true;
     }
     else
     {
-        _S141 = !(light_1 > 0.0f);
+        _S151 = !(light_1 > 0.0f);
     }
-    if(_S141)
+    if(_S151)
     {
         return light_1;
     }
-    var _S142 : vec3<f32> = emitted_0(at_31.emitter_0, at_31.vertex_2.surface_3.place_3, still_0(direction_9));
-    return light_1 * largest_0(value_of_0(_S142));
+    var _S152 : vec3<f32> = emitted_0(at_34.emitter_0, at_34.vertex_2.surface_3.place_3, still_0(direction_9));
+    return light_1 * largest_0(value_of_0(_S152));
 }
 
-fn weigh_0( at_32 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+fn weigh_0( at_35 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
 {
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
     var t_4 : f32 = place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, part_1);
     var offset_10 : vec3<f32> = seen_2.start_1 + seen_2.along_1 * vec3<f32>(t_4);
     var normal_5 : vec3<f32> = exact_unit_0(cross(seen_2.start_1, seen_2.along_1));
-    var _S143 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
+    var _S153 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
     var speed_1 : f32;
     if(!is_blind_0())
     {
-        speed_1 = abs(dot(velocity_on_0(at_32, seen_2.edge_3, t_4, offset_10), normal_5));
+        speed_1 = abs(dot(velocity_on_0(at_35, seen_2.edge_3, t_4, offset_10), normal_5));
     }
     else
     {
-        speed_1 = _S143;
+        speed_1 = _S153;
     }
     var speed_2 : f32 = speed_1 / length(offset_10);
     var angle_2 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S144 : f32 = light_from_0(at_32, middle_1);
-    var contribution_0 : f32 = angle_2 * _S144 * speed_2;
-    var _S145 : vec2<f32>;
+    var _S154 : f32 = light_from_0(at_35, middle_1);
+    var contribution_0 : f32 = angle_2 * _S154 * speed_2;
+    var _S155 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
     {
-        _S145 = vec2<f32>(contribution_0, angle_2);
+        _S155 = vec2<f32>(contribution_0, angle_2);
     }
     else
     {
-        _S145 = vec2<f32>(0.0f);
+        _S155 = vec2<f32>(0.0f);
     }
-    return _S145;
+    return _S155;
 }
 
-fn multiplicity_0( at_33 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f32>,  normal_6 : vec3<f32>) -> f32
+fn multiplicity_0( at_36 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f32>,  normal_6 : vec3<f32>) -> f32
 {
-    var _S146 : vec3<f32> = cross(normal_6, direction_10);
-    var _S147 : u32 = edge_5.record_7 + u32(8);
-    var k_8 : u32 = edge_word_0(_S147);
-    var count_3 : f32 = 1.0f;
+    var _S156 : vec3<f32> = cross(normal_6, direction_10);
+    var _S157 : u32 = edge_5.record_7 + u32(8);
+    var k_8 : u32 = edge_word_0(_S157);
+    var count_5 : f32 = 1.0f;
     for(;;)
     {
-        if(k_8 < (edge_word_0(_S147 + u32(1))))
+        if(k_8 < (edge_word_0(_S157 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var other_0 : Edge_0 = edge_at_0(at_33, edge_word_0(k_8));
-        if(!((factor_of_0(at_33, other_0)) > 0.0f))
+        var other_0 : Edge_0 = edge_at_0(at_36, edge_word_0(k_8));
+        if(!((factor_of_0(at_36, other_0)) > 0.0f))
         {
             k_8 = k_8 + u32(1);
             continue;
         }
-        var a_12 : vec3<f32> = edge_position_0(other_0.numbers_4) - at_33.vertex_2.surface_3.exact_0;
-        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_4 + u32(3)) - at_33.vertex_2.surface_3.exact_0 - a_12;
-        var place_16 : f32 = - dot(a_12, _S146) / dot(way_1, _S146);
+        var a_12 : vec3<f32> = edge_position_0(other_0.numbers_4) - at_36.vertex_2.surface_3.exact_0;
+        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_4 + u32(3)) - at_36.vertex_2.surface_3.exact_0 - a_12;
+        var place_16 : f32 = - dot(a_12, _S156) / dot(way_1, _S156);
         var there_0 : vec3<f32> = a_12 + way_1 * vec3<f32>(place_16);
-        var _S148 : bool;
+        var _S158 : bool;
         if(place_16 >= 0.0f)
         {
-            _S148 = place_16 <= 1.0f;
+            _S158 = place_16 <= 1.0f;
         }
         else
         {
-            _S148 = false;
+            _S158 = false;
         }
-        var _S149 : bool;
-        if(_S148)
+        var _S159 : bool;
+        if(_S158)
         {
-            _S149 = (dot(there_0, direction_10)) > 0.0f;
+            _S159 = (dot(there_0, direction_10)) > 0.0f;
         }
         else
         {
-            _S149 = false;
+            _S159 = false;
         }
-        if(!_S149)
+        if(!_S159)
         {
             k_8 = k_8 + u32(1);
             continue;
@@ -2484,24 +2634,24 @@ fn multiplicity_0( at_33 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec
             k_8 = k_8 + u32(1);
             continue;
         }
-        var count_4 : f32;
+        var count_6 : f32;
         if((abs(dot(normal_6, exact_unit_0(cross(a_12, way_1))))) > 0.99999898672103882f)
         {
-            count_4 = count_3 + 1.0f;
+            count_6 = count_5 + 1.0f;
         }
         else
         {
-            count_4 = count_3;
+            count_6 = count_5;
         }
-        count_3 = count_4;
+        count_5 = count_6;
         k_8 = k_8 + u32(1);
     }
-    return count_3;
+    return count_5;
 }
 
-fn face_normal_1( at_34 : ShadingPoint_0) -> vec3<f32>
+fn face_normal_1( at_37 : ShadingPoint_0) -> vec3<f32>
 {
-    var corners_1 : u32 = u32(9) * at_34.vertex_2.surface_3.place_3.triangle_0;
+    var corners_1 : u32 = u32(9) * at_37.vertex_2.surface_3.place_3.triangle_0;
     var a_13 : vec3<f32> = primitive_vector_0(corners_1);
     return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_13, primitive_vector_0(corners_1 + u32(6)) - a_13));
 }
@@ -2522,12 +2672,12 @@ struct EdgePoint_0
      is_in_horizon_0 : bool,
 };
 
-fn point_on_0( at_35 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
+fn point_on_0( at_38 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
 {
-    var _S150 : f32 = seen_3.range_1.x;
-    var _S151 : f32 = seen_3.range_1.y;
-    var first_6 : f32 = place_between_0(_S150, _S151, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
-    var last_1 : f32 = place_between_0(_S150, _S151, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
+    var _S160 : f32 = seen_3.range_1.x;
+    var _S161 : f32 = seen_3.range_1.y;
+    var first_6 : f32 = place_between_0(_S160, _S161, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
+    var last_1 : f32 = place_between_0(_S160, _S161, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
     var a_14 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(first_6);
     var b_10 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(last_1);
     var near_3 : f32 = length_of_0(a_14);
@@ -2539,49 +2689,49 @@ fn point_on_0( at_35 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     var t_6 : f32 = place_between_0(first_6, last_1, near_3, far_2, inside_3);
     var offset_11 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(t_6);
     var point_1 : EdgePoint_0;
-    var _S152 : f32 = length_of_0(offset_11);
-    point_1.distance_6 = _S152;
-    var _S153 : vec3<f32> = offset_11 / vec3<f32>(_S152);
-    point_1.direction_11 = _S153;
-    var _S154 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
-    point_1.normal_7 = _S154;
+    var _S162 : f32 = length_of_0(offset_11);
+    point_1.distance_6 = _S162;
+    var _S163 : vec3<f32> = offset_11 / vec3<f32>(_S162);
+    point_1.direction_11 = _S163;
+    var _S164 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_1.normal_7 = _S164;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_5 = t_6;
-    point_1.measure_0 = angle_3 / _S152 / (part_of_all_0 * multiplicity_0(at_35, seen_3.edge_3, _S153, _S154));
-    var face_0 : vec3<f32> = face_normal_1(at_35);
+    point_1.measure_0 = angle_3 / _S162 / (part_of_all_0 * multiplicity_0(at_38, seen_3.edge_3, _S163, _S164));
+    var face_0 : vec3<f32> = face_normal_1(at_38);
     var least_2 : f32 = limit_at_0(u32(2));
-    var _S155 : bool;
+    var _S165 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
     {
-        _S155 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+        _S165 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
     }
     else
     {
-        _S155 = false;
+        _S165 = false;
     }
-    point_1.is_in_horizon_0 = _S155;
+    point_1.is_in_horizon_0 = _S165;
     return point_1;
 }
 
 fn component_0( v_8 : vec3<f32>,  axis_5 : u32) -> f32
 {
-    var _S156 : f32;
+    var _S166 : f32;
     if(axis_5 == u32(0))
     {
-        _S156 = v_8.x;
+        _S166 = v_8.x;
     }
     else
     {
         if(axis_5 == u32(1))
         {
-            _S156 = v_8.y;
+            _S166 = v_8.y;
         }
         else
         {
-            _S156 = v_8.z;
+            _S166 = v_8.z;
         }
     }
-    return _S156;
+    return _S166;
 }
 
 struct Ray_0
@@ -2601,34 +2751,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  axes_6 : ptr<function, u32>) -> Ray_0
 {
     var size_1 : vec3<f32> = abs(direction_12);
-    var _S157 : f32 = size_1.x;
-    var _S158 : f32 = size_1.y;
-    var _S159 : bool;
-    if(_S157 >= _S158)
+    var _S167 : f32 = size_1.x;
+    var _S168 : f32 = size_1.y;
+    var _S169 : bool;
+    if(_S167 >= _S168)
     {
-        _S159 = _S157 >= (size_1.z);
+        _S169 = _S167 >= (size_1.z);
     }
     else
     {
-        _S159 = false;
+        _S169 = false;
     }
-    var _S160 : i32;
-    if(_S159)
+    var _S170 : i32;
+    if(_S169)
     {
-        _S160 = i32(0);
+        _S170 = i32(0);
     }
     else
     {
-        if(_S158 >= (size_1.z))
+        if(_S168 >= (size_1.z))
         {
-            _S160 = i32(1);
+            _S170 = i32(1);
         }
         else
         {
-            _S160 = i32(2);
+            _S170 = i32(2);
         }
     }
-    var z_2 : u32 = u32(_S160);
+    var z_2 : u32 = u32(_S170);
     var x_9 : u32 = (z_2 + u32(1)) % u32(3);
     var y_3 : u32 = (z_2 + u32(2)) % u32(3);
     (*axes_6) = (((x_9 | (((y_3 << (u32(2))))))) | (((z_2 << (u32(4))))));
@@ -2647,9 +2797,9 @@ fn ray_along_0( origin_1 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_1 : f32,
     return ray_0;
 }
 
-fn ray_child_0( node_4 : u32,  slot_2 : u32) -> u32
+fn ray_child_0( node_5 : u32,  slot_2 : u32) -> u32
 {
-    return nodes_0[u32(14) * node_4 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
+    return nodes_0[u32(14) * node_5 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
 }
 
 struct RayView_0
@@ -2662,9 +2812,9 @@ struct RayView_0
      axes_7 : u32,
 };
 
-fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32) -> f32
+fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32) -> f32
 {
-    var _S161 : u32 = u32(14) * node_5 + slot_3 / u32(4);
+    var _S171 : u32 = u32(14) * node_6 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -2677,36 +2827,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S162 : u32 = axis_6;
-        var _S163 : u32 = _S161 + u32(2) * axis_6;
-        var _S164 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S163][_S164])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S163 + u32(6)][_S164])));
-        var _S165 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S166 : f32;
-        if(_S165)
+        var _S172 : u32 = axis_6;
+        var _S173 : u32 = _S171 + u32(2) * axis_6;
+        var _S174 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S173][_S174])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S173 + u32(6)][_S174])));
+        var _S175 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S176 : f32;
+        if(_S175)
         {
-            _S166 = high_0;
+            _S176 = high_0;
         }
         else
         {
-            _S166 = low_3;
+            _S176 = low_3;
         }
-        var _S167 : f32 = max(near_4, _S166 * view_1.inverse_1[_S162] - view_1.offset_near_0[axis_6]);
-        var _S168 : f32;
-        if(_S165)
+        var _S177 : f32 = max(near_4, _S176 * view_1.inverse_1[_S172] - view_1.offset_near_0[axis_6]);
+        var _S178 : f32;
+        if(_S175)
         {
-            _S168 = low_3;
+            _S178 = low_3;
         }
         else
         {
-            _S168 = high_0;
+            _S178 = high_0;
         }
-        var _S169 : f32 = min(far_3, _S168 * view_1.inverse_1[_S162] - view_1.offset_far_0[axis_6]);
-        var _S170 : u32 = axis_6 + u32(1);
-        near_4 = _S167;
-        far_3 = _S169;
-        axis_6 = _S170;
+        var _S179 : f32 = min(far_3, _S178 * view_1.inverse_1[_S172] - view_1.offset_far_0[axis_6]);
+        var _S180 : u32 = axis_6 + u32(1);
+        near_4 = _S177;
+        far_3 = _S179;
+        axis_6 = _S180;
     }
     if(near_4 <= far_3)
     {
@@ -2731,7 +2881,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S171 : u32 = k_9;
+        var _S181 : u32 = k_9;
         if((bounds_0[k_9]) > limit_2)
         {
             k_9 = k_9 + u32(1);
@@ -2748,24 +2898,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S172 : u32 = j_0;
-            var _S173 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S171]))
+            var _S182 : u32 = j_0;
+            var _S183 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S181]))
             {
-                _S173 = true;
+                _S183 = true;
             }
             else
             {
-                if((bounds_0[_S172]) == (bounds_0[_S171]))
+                if((bounds_0[_S182]) == (bounds_0[_S181]))
                 {
-                    _S173 = j_0 < k_9;
+                    _S183 = j_0 < k_9;
                 }
                 else
                 {
-                    _S173 = false;
+                    _S183 = false;
                 }
             }
-            if(_S173)
+            if(_S183)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -2777,7 +2927,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
     return order_0;
 }
 
-fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
+fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
     var slot_4 : u32 = u32(0);
@@ -2790,16 +2940,16 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
         {
             break;
         }
-        var _S174 : f32;
-        if((ray_child_0(node_6, slot_4)) == u32(4294967295))
+        var _S184 : f32;
+        if((ray_child_0(node_7, slot_4)) == u32(4294967295))
         {
-            _S174 = 3.00000000549775576e+38f;
+            _S184 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S174 = ray_bound_0(view_2, limit_3, node_6, slot_4);
+            _S184 = ray_bound_0(view_2, limit_3, node_7, slot_4);
         }
-        bounds_1[slot_4] = _S174;
+        bounds_1[slot_4] = _S184;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -2810,9 +2960,9 @@ fn rounded_0( product_2 : f32,  largest_2 : f32) -> f32
     return min(product_2, largest_2);
 }
 
-fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_36 : u32) -> vec3<f32>
+fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_39 : u32) -> vec3<f32>
 {
-    var relative_1 : vec3<f32> = primitive_vector_0(at_36) - ray_1.origin_0;
+    var relative_1 : vec3<f32> = primitive_vector_0(at_39) - ray_1.origin_0;
     var z_3 : f32 = component_0(relative_1, (axes_8 >> (u32(4))));
     return vec3<f32>(component_0(relative_1, (axes_8 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_3, ray_1.largest_1), component_0(relative_1, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_3, ray_1.largest_1), z_3);
 }
@@ -2825,56 +2975,56 @@ struct Crossing_0
      w_3 : f32,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_37 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_40 : u32) -> Crossing_0
 {
     var crossing_1 : Crossing_0;
     crossing_1.is_hit_0 = false;
     crossing_1.t_7 = 0.0f;
     crossing_1.v_9 = 0.0f;
     crossing_1.w_3 = 0.0f;
-    var a_15 : vec3<f32> = corner_0(ray_2, axes_9, at_37);
-    var b_11 : vec3<f32> = corner_0(ray_2, axes_9, at_37 + u32(3));
-    var c_3 : vec3<f32> = corner_0(ray_2, axes_9, at_37 + u32(6));
-    var _S175 : f32 = c_3.x;
-    var _S176 : f32 = b_11.y;
-    var cx_by_0 : f32 = rounded_0(_S175 * _S176, ray_2.largest_1);
-    var _S177 : f32 = c_3.y;
-    var _S178 : f32 = b_11.x;
-    var cy_bx_0 : f32 = rounded_0(_S177 * _S178, ray_2.largest_1);
-    var _S179 : f32 = a_15.x;
-    var ax_cy_0 : f32 = rounded_0(_S179 * _S177, ray_2.largest_1);
-    var _S180 : f32 = a_15.y;
-    var ay_cx_0 : f32 = rounded_0(_S180 * _S175, ray_2.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S178 * _S180, ray_2.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S176 * _S179, ray_2.largest_1);
+    var a_15 : vec3<f32> = corner_0(ray_2, axes_9, at_40);
+    var b_11 : vec3<f32> = corner_0(ray_2, axes_9, at_40 + u32(3));
+    var c_3 : vec3<f32> = corner_0(ray_2, axes_9, at_40 + u32(6));
+    var _S185 : f32 = c_3.x;
+    var _S186 : f32 = b_11.y;
+    var cx_by_0 : f32 = rounded_0(_S185 * _S186, ray_2.largest_1);
+    var _S187 : f32 = c_3.y;
+    var _S188 : f32 = b_11.x;
+    var cy_bx_0 : f32 = rounded_0(_S187 * _S188, ray_2.largest_1);
+    var _S189 : f32 = a_15.x;
+    var ax_cy_0 : f32 = rounded_0(_S189 * _S187, ray_2.largest_1);
+    var _S190 : f32 = a_15.y;
+    var ay_cx_0 : f32 = rounded_0(_S190 * _S185, ray_2.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S188 * _S190, ray_2.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S186 * _S189, ray_2.largest_1);
     var u_2 : f32 = cx_by_0 - cy_bx_0;
     var v_10 : f32 = ax_cy_0 - ay_cx_0;
     var w_4 : f32 = bx_ay_0 - by_ax_0;
-    var _S181 : f32 = min(min(u_2, v_10), w_4);
-    var _S182 : f32 = max(max(u_2, v_10), w_4);
-    var _S183 : bool;
-    if(_S181 < 0.0f)
+    var _S191 : f32 = min(min(u_2, v_10), w_4);
+    var _S192 : f32 = max(max(u_2, v_10), w_4);
+    var _S193 : bool;
+    if(_S191 < 0.0f)
     {
-        _S183 = _S182 > 0.0f;
+        _S193 = _S192 > 0.0f;
     }
     else
     {
-        _S183 = false;
+        _S193 = false;
     }
-    if(_S183)
+    if(_S193)
     {
         return crossing_1;
     }
     var determinant_0 : f32 = u_2 + v_10 + w_4;
-    if(_S181 <= 0.0f)
+    if(_S191 <= 0.0f)
     {
-        _S183 = _S182 >= 0.0f;
+        _S193 = _S192 >= 0.0f;
     }
     else
     {
-        _S183 = false;
+        _S193 = false;
     }
-    if(_S183)
+    if(_S193)
     {
         if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -2888,13 +3038,13 @@ fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_37 : u32) -> Crossing_0
     var t_8 : f32 = (rounded_0(u_2 * a_15.z, ray_2.largest_1) + rounded_0(v_10 * b_11.z, ray_2.largest_1) + rounded_0(w_4 * c_3.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
     if((ray_2.t_min_0) <= t_8)
     {
-        _S183 = t_8 <= (ray_2.t_max_0);
+        _S193 = t_8 <= (ray_2.t_max_0);
     }
     else
     {
-        _S183 = false;
+        _S193 = false;
     }
-    crossing_1.is_hit_0 = _S183;
+    crossing_1.is_hit_0 = _S193;
     crossing_1.t_7 = t_8;
     crossing_1.v_9 = v_10 / determinant_0;
     crossing_1.w_3 = w_4 / determinant_0;
@@ -2916,7 +3066,7 @@ struct Found_0
 
 fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S184 : bool;
+    var _S194 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_7 = u32(4294967295);
@@ -2948,31 +3098,31 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S185 : u32 = way_2[level_0].y;
-        if(_S185 == u32(0))
+        var _S195 : u32 = way_2[level_0].y;
+        if(_S195 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S186 : u32 = level_0 - u32(1);
+            var _S196 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S186;
+            level_0 = _S196;
             continue;
         }
-        var slot_5 : u32 = ((_S185 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S185 >> (u32(4)));
-        var _S187 : bool;
+        var slot_5 : u32 = ((_S195 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S195 >> (u32(4)));
+        var _S197 : bool;
         if(!is_new_1)
         {
-            _S187 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+            _S197 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S187 = false;
+            _S197 = false;
         }
-        if(_S187)
+        if(_S197)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -2981,20 +3131,20 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S188 : u32 = level_0 + u32(1);
+            var _S198 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S188;
+            level_0 = _S198;
             continue;
         }
-        var leaf_1 : u32 = (child_0 & (u32(2147483647)));
-        var _S189 : u32 = leaf_starts_0[leaf_1 + u32(1)];
-        var _S190 : u32 = leaf_starts_0[leaf_1];
+        var leaf_4 : u32 = (child_0 & (u32(2147483647)));
+        var _S199 : u32 = leaf_starts_0[leaf_4 + u32(1)];
+        var _S200 : u32 = leaf_starts_0[leaf_4];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S190;
+        var i_2 : u32 = _S200;
         for(;;)
         {
-            if(i_2 < _S189)
+            if(i_2 < _S199)
             {
             }
             else
@@ -3009,23 +3159,23 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S184 = true;
+                _S194 = true;
             }
             else
             {
-                _S184 = (crossing_2.t_7) < ((*ray_3).t_max_0);
+                _S194 = (crossing_2.t_7) < ((*ray_3).t_max_0);
             }
-            var _S191 : bool;
-            if(_S184)
+            var _S201 : bool;
+            if(_S194)
             {
-                _S191 = true;
+                _S201 = true;
             }
             else
             {
-                _S191 = (face_1(i_2)) < (found_0.face_2);
+                _S201 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S191)
+            if(_S201)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_7 = i_2;
@@ -3043,13 +3193,13 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S184 = (found_0.face_2) != u32(4294967295);
+            _S194 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S184 = false;
+            _S194 = false;
         }
-        if(_S184)
+        if(_S194)
         {
             break;
         }
@@ -3063,11 +3213,11 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_2 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_1 : bool,  t_9 : ptr<function, f32>) -> Found_0
 {
     var view_4 : RayView_0;
-    var _S192 : u32 = view_4.axes_7;
-    var _S193 : Ray_0 = ray_along_0(origin_2, direction_13, t_min_2, t_max_2, &(_S192));
-    view_4.axes_7 = _S192;
-    var ray_4 : Ray_0 = _S193;
-    var _S194 : vec3<f32> = direction_13 / vec3<f32>(ray_4.local_per_t_0);
+    var _S202 : u32 = view_4.axes_7;
+    var _S203 : Ray_0 = ray_along_0(origin_2, direction_13, t_min_2, t_max_2, &(_S202));
+    view_4.axes_7 = _S202;
+    var ray_4 : Ray_0 = _S203;
+    var _S204 : vec3<f32> = direction_13 / vec3<f32>(ray_4.local_per_t_0);
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -3078,17 +3228,17 @@ fn cast_0( origin_2 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_2 : f32,  t_m
         {
             break;
         }
-        var _S195 : f32 = max(abs(_S194[axis_7]), 8.67361737988403547e-19f);
-        var _S196 : f32;
-        if((_S194[axis_7]) < 0.0f)
+        var _S205 : f32 = max(abs(_S204[axis_7]), 8.67361737988403547e-19f);
+        var _S206 : f32;
+        if((_S204[axis_7]) < 0.0f)
         {
-            _S196 = -1.0f / _S195;
+            _S206 = -1.0f / _S205;
         }
         else
         {
-            _S196 = 1.0f / _S195;
+            _S206 = 1.0f / _S205;
         }
-        view_4.inverse_1[axis_7] = _S196;
+        view_4.inverse_1[axis_7] = _S206;
         axis_7 = axis_7 + u32(1);
     }
     var offset_12 : vec3<f32> = origin_2 * view_4.inverse_1;
@@ -3111,7 +3261,7 @@ struct Side_0
      t_10 : f32,
 };
 
-fn look_0( at_38 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
+fn look_0( at_41 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
 {
     var step_0 : vec3<f32> = point_2.normal_7 * vec3<f32>(edge_real_0(u32(3)));
     var origin_3 : vec3<f32>;
@@ -3126,33 +3276,33 @@ fn look_0( at_38 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Sid
     var direction_15 : vec3<f32> = exact_unit_0(origin_3);
     if(point_2.is_in_horizon_0)
     {
-        var face_3 : vec3<f32> = face_normal_1(at_38);
+        var face_3 : vec3<f32> = face_normal_1(at_41);
         var height_3 : f32 = limit_at_0(u32(2));
-        var _S197 : f32;
+        var _S207 : f32;
         if((dot(direction_15, face_3)) < 0.0f)
         {
-            _S197 = - height_3;
+            _S207 = - height_3;
         }
         else
         {
-            _S197 = height_3;
+            _S207 = height_3;
         }
-        origin_3 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f32>(_S197);
+        origin_3 = at_41.vertex_2.surface_3.exact_0 + face_3 * vec3<f32>(_S207);
     }
     else
     {
-        origin_3 = at_38.vertex_2.surface_3.exact_0;
+        origin_3 = at_41.vertex_2.surface_3.exact_0;
     }
     var seen_4 : Side_0;
     seen_4.direction_14 = direction_15;
     seen_4.rest_3 = vec3<f32>(0.0f);
-    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, direction_15);
-    var _S198 : f32 = limit_at_0(u32(2));
-    var _S199 : f32 = limit_at_0(u32(1));
-    var _S200 : f32 = seen_4.t_10;
-    var _S201 : Found_0 = cast_0(origin_3, direction_15, _S198, _S199, false, &(_S200));
-    seen_4.t_10 = _S200;
-    seen_4.found_2 = _S201;
+    seen_4.scattered_2 = scattered_from_0(at_41.vertex_2, direction_15);
+    var _S208 : f32 = limit_at_0(u32(2));
+    var _S209 : f32 = limit_at_0(u32(1));
+    var _S210 : f32 = seen_4.t_10;
+    var _S211 : Found_0 = cast_0(origin_3, direction_15, _S208, _S209, false, &(_S210));
+    seen_4.t_10 = _S210;
+    seen_4.found_2 = _S211;
     return seen_4;
 }
 
@@ -3242,17 +3392,17 @@ fn set_place_0( path_14 : u32,  which_12 : ptr<function, u32>,  place_17 : Place
 
 fn begin_side_0( number_1 : u32,  path_15 : Path_0,  side_2 : Side_0,  weight_0 : vec3<f32>)
 {
-    var at_39 : u32 = u32(1);
-    set_vector_0(number_1, &(at_39), vec3<f32>(0.0f));
-    set_vector_0(number_1, &(at_39), vec3<f32>(1.0f));
-    set_vector_0(number_1, &(at_39), side_2.direction_14);
-    set_place_0(number_1, &(at_39), place_of_0(side_2.found_2));
-    var _S202 : u32 = at_39 + u32(1);
-    set_word_0(number_1, at_39, path_15.key_0.x);
-    at_39 = _S202 + u32(1);
-    set_word_0(number_1, _S202, path_15.key_0.y);
-    set_vector_0(number_1, &(at_39), side_2.rest_3);
-    set_vector_0(number_1, &(at_39), weight_0);
+    var at_42 : u32 = u32(1);
+    set_vector_0(number_1, &(at_42), vec3<f32>(0.0f));
+    set_vector_0(number_1, &(at_42), vec3<f32>(1.0f));
+    set_vector_0(number_1, &(at_42), side_2.direction_14);
+    set_place_0(number_1, &(at_42), place_of_0(side_2.found_2));
+    var _S212 : u32 = at_42 + u32(1);
+    set_word_0(number_1, at_42, path_15.key_0.x);
+    at_42 = _S212 + u32(1);
+    set_word_0(number_1, _S212, path_15.key_0.y);
+    set_vector_0(number_1, &(at_42), side_2.rest_3);
+    set_vector_0(number_1, &(at_42), weight_0);
     return;
 }
 
@@ -3261,7 +3411,7 @@ fn offset_of_0( point_3 : EdgePoint_0) -> vec3<f32>
     return point_3.direction_11 * vec3<f32>(point_3.distance_6);
 }
 
-fn begin_sides_of_0( at_40 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_path_3 : u32,  path_16 : Path_0,  factor_5 : vec3<f32>) -> vec2<bool>
+fn begin_sides_of_0( at_43 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_path_3 : u32,  path_16 : Path_0,  factor_5 : vec3<f32>) -> vec2<bool>
 {
     var sides_0 : array<Side_0, i32(2)>;
     var side_3 : u32 = u32(0);
@@ -3274,18 +3424,18 @@ fn begin_sides_of_0( at_40 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
         {
             break;
         }
-        sides_0[side_3] = look_0(at_40, point_4, side_3);
+        sides_0[side_3] = look_0(at_43, point_4, side_3);
         side_3 = side_3 + u32(1);
     }
     var nearest_0 : f32 = point_4.distance_6 * 0.99999898672103882f;
-    var _S203 : bool;
+    var _S213 : bool;
     if((sides_0[i32(0)].found_2.face_2) == (sides_0[i32(1)].found_2.face_2))
     {
-        _S203 = (max(sides_0[i32(0)].t_10, sides_0[i32(1)].t_10)) < nearest_0;
+        _S213 = (max(sides_0[i32(0)].t_10, sides_0[i32(1)].t_10)) < nearest_0;
     }
     else
     {
-        _S203 = false;
+        _S213 = false;
     }
     var goes_on_1 : vec2<bool> = vec2<bool>(false, false);
     side_3 = u32(0);
@@ -3298,40 +3448,40 @@ fn begin_sides_of_0( at_40 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
         {
             break;
         }
-        var _S204 : bool;
-        if(_S203)
+        var _S214 : bool;
+        if(_S213)
         {
-            _S204 = true;
+            _S214 = true;
         }
         else
         {
-            _S204 = (sides_0[side_3].found_2.face_2) == u32(4294967295);
+            _S214 = (sides_0[side_3].found_2.face_2) == u32(4294967295);
         }
-        var _S205 : bool;
-        if(_S204)
+        var _S215 : bool;
+        if(_S214)
         {
-            _S205 = true;
+            _S215 = true;
         }
         else
         {
-            _S205 = !((largest_0(sides_0[side_3].scattered_2)) > 0.0f);
+            _S215 = !((largest_0(sides_0[side_3].scattered_2)) > 0.0f);
         }
-        if(_S205)
+        if(_S215)
         {
             side_3 = side_3 + u32(1);
             continue;
         }
-        var _S206 : vec3<f32> = factor_5 * sides_0[side_3].scattered_2;
-        var _S207 : f32;
+        var _S216 : vec3<f32> = factor_5 * sides_0[side_3].scattered_2;
+        var _S217 : f32;
         if(side_3 == u32(0))
         {
-            _S207 = 1.0f;
+            _S217 = 1.0f;
         }
         else
         {
-            _S207 = -1.0f;
+            _S217 = -1.0f;
         }
-        begin_side_0(side_path_0(number_of_path_3, side_3), path_16, sides_0[side_3], _S206 * vec3<f32>(_S207));
+        begin_side_0(side_path_0(number_of_path_3, side_3), path_16, sides_0[side_3], _S216 * vec3<f32>(_S217));
         goes_on_1[side_3] = true;
         side_3 = side_3 + u32(1);
     }
@@ -3339,18 +3489,18 @@ fn begin_sides_of_0( at_40 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
     var kept_1 : u32 = u32(23);
     set_vector_1(first_7, &(kept_1), point_4.normal_7 * vec3<f32>(point_4.measure_0));
     set_vector_1(first_7, &(kept_1), offset_of_0(point_4));
-    var _S208 : u32 = kept_1;
-    var _S209 : u32 = kept_1 + u32(1);
-    kept_1 = _S209;
-    set_word_0(first_7, _S208, (bitcast<u32>((point_4.t_5))));
-    set_word_0(first_7, _S209, point_4.edge_6.record_7);
+    var _S218 : u32 = kept_1;
+    var _S219 : u32 = kept_1 + u32(1);
+    kept_1 = _S219;
+    set_word_0(first_7, _S218, (bitcast<u32>((point_4.t_5))));
+    set_word_0(first_7, _S219, point_4.edge_6.record_7);
     return goes_on_1;
 }
 
-fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_41 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_4 : u32,  path_17 : Path_0)
+fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_44 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_4 : u32,  path_17 : Path_0)
 {
-    var _S210 : vec2<bool> = begin_sides_of_0(at_41, point_5, number_of_path_4, path_17, (*crossed_2).factor_1);
-    (*crossed_2).goes_on_0 = _S210;
+    var _S220 : vec2<bool> = begin_sides_of_0(at_44, point_5, number_of_path_4, path_17, (*crossed_2).factor_1);
+    (*crossed_2).goes_on_0 = _S220;
     return;
 }
 
@@ -3361,7 +3511,7 @@ struct Share_0
      place_18 : f32,
 };
 
-fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  number_of_path_5 : u32,  path_18 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
+fn draw_points_0( at_45 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  number_of_path_5 : u32,  path_18 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
 {
     var points_0 : u32 = u32(1);
     var least_3 : f32 = 0.0f;
@@ -3393,7 +3543,7 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
             }
             var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
             var total_1 : f32 = contributions_0 + least_4 * angles_0;
-            if((at_42.purpose_0) == u32(0))
+            if((at_45.purpose_0) == u32(0))
             {
                 target_1 = asked_0.share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
             }
@@ -3402,62 +3552,153 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 target_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(target_1 - 0.00100000004749745f));
-            var _S211 : f32 = f32(points_1);
-            var _S212 : f32 = asked_0.over_all_0 * _S211;
-            var step_2 : f32 = total_1 / _S211;
-            var _S213 : f32 = step_2 * asked_0.place_18;
+            var _S221 : f32 = f32(points_1);
+            var _S222 : f32 = asked_0.over_all_0 * _S221;
+            var step_2 : f32 = total_1 / _S221;
+            var _S223 : f32 = step_2 * asked_0.place_18;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S212;
+            over_all_1 = _S222;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S213;
+            target_1 = _S223;
         }
         else
         {
             target_1 = target_0;
         }
-        var k_10 : u32 = edge_word_0(leaf_2 + u32(2));
-        var drawn_1 : u32 = drawn_0;
-        var contributions_1 : f32 = contributions_0;
-        var angles_1 : f32 = angles_0;
-        var pieces_2 : f32 = pieces_1;
-        var cumulative_1 : f32 = cumulative_0;
-        var target_2 : f32 = target_1;
+        var leaves_4 : Leaves_0 = below_0(node_8);
+        var leaf_5 : u32;
+        target_0 = target_1;
         for(;;)
         {
-            var _S214 : bool;
-            if(k_10 < (edge_word_0(leaf_2 + u32(3))))
+            var _S224 : bool;
+            if(drawn_0 < points_0)
             {
-                _S214 = drawn_1 < points_0;
+                var _S225 : bool = next_leaf_1(at_45, &(leaves_4), &(leaf_5));
+                _S224 = _S225;
             }
             else
             {
-                _S214 = false;
+                _S224 = false;
             }
-            if(_S214)
+            if(_S224)
             {
             }
             else
             {
                 break;
             }
-            var seen_5 : SeenEdge_0;
-            var _S215 : bool = see_edge_0(at_42, k_10, &(seen_5));
-            var drawn_2 : u32;
-            var contributions_2 : f32;
-            var angles_2 : f32;
-            var pieces_3 : f32;
-            var cumulative_2 : f32;
-            var target_3 : f32;
-            if(!_S215)
+            var k_10 : u32 = edge_word_0(leaf_5 + u32(2));
+            var drawn_1 : u32 = drawn_0;
+            var contributions_1 : f32 = contributions_0;
+            var angles_1 : f32 = angles_0;
+            var pieces_2 : f32 = pieces_1;
+            var cumulative_1 : f32 = cumulative_0;
+            var target_2 : f32 = target_0;
+            for(;;)
             {
-                drawn_2 = drawn_1;
+                var _S226 : bool;
+                if(k_10 < (edge_word_0(leaf_5 + u32(3))))
+                {
+                    _S226 = drawn_1 < points_0;
+                }
+                else
+                {
+                    _S226 = false;
+                }
+                if(_S226)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var seen_5 : SeenEdge_0;
+                var _S227 : bool = see_edge_0(at_45, k_10, &(seen_5));
+                var drawn_2 : u32;
+                var contributions_2 : f32;
+                var angles_2 : f32;
+                var pieces_3 : f32;
+                var cumulative_2 : f32;
+                var target_3 : f32;
+                if(!_S227)
+                {
+                    drawn_2 = drawn_1;
+                    contributions_2 = contributions_1;
+                    angles_2 = angles_1;
+                    pieces_3 = pieces_2;
+                    cumulative_2 = cumulative_1;
+                    target_3 = target_2;
+                    k_10 = k_10 + u32(1);
+                    drawn_1 = drawn_2;
+                    contributions_1 = contributions_2;
+                    angles_1 = angles_2;
+                    pieces_2 = pieces_3;
+                    cumulative_1 = cumulative_2;
+                    target_2 = target_3;
+                    continue;
+                }
+                var piece_2 : f32 = 0.0f;
                 contributions_2 = contributions_1;
                 angles_2 = angles_1;
                 pieces_3 = pieces_2;
                 cumulative_2 = cumulative_1;
+                drawn_2 = drawn_1;
                 target_3 = target_2;
+                for(;;)
+                {
+                    if(piece_2 < (seen_5.pieces_0))
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var weight_1 : vec2<f32> = weigh_0(at_45, seen_5, piece_2);
+                    if(pass_0 == u32(0))
+                    {
+                        var angles_3 : f32 = angles_2 + weight_1.y;
+                        var pieces_4 : f32 = pieces_3 + 1.0f;
+                        contributions_2 = contributions_2 + weight_1.x;
+                        angles_2 = angles_3;
+                        pieces_3 = pieces_4;
+                        piece_2 = piece_2 + 1.0f;
+                        continue;
+                    }
+                    var own_1 : f32 = weight_1.x + least_3 * weight_1.y;
+                    var cumulative_3 : f32 = cumulative_2 + own_1;
+                    var drawn_3 : u32 = drawn_2;
+                    var target_4 : f32 = target_3;
+                    for(;;)
+                    {
+                        var _S228 : bool;
+                        if(drawn_3 < points_0)
+                        {
+                            _S228 = target_4 < cumulative_3;
+                        }
+                        else
+                        {
+                            _S228 = false;
+                        }
+                        if(_S228)
+                        {
+                        }
+                        else
+                        {
+                            break;
+                        }
+                        var _S229 : u32 = drawn_3 + u32(1);
+                        var target_5 : f32 = target_4 + step_1;
+                        cross_at_0(&((*crossed_3)), at_45, point_on_0(at_45, seen_5, piece_2, clamp((target_4 - cumulative_2) / own_1, 0.0f, 1.0f), over_all_1 * own_1 / total_0), number_of_path_5, path_18);
+                        drawn_3 = _S229;
+                        target_4 = target_5;
+                    }
+                    cumulative_2 = cumulative_3;
+                    drawn_2 = drawn_3;
+                    target_3 = target_4;
+                    piece_2 = piece_2 + 1.0f;
+                }
                 k_10 = k_10 + u32(1);
                 drawn_1 = drawn_2;
                 contributions_1 = contributions_2;
@@ -3465,103 +3706,52 @@ fn draw_points_0( at_42 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 pieces_2 = pieces_3;
                 cumulative_1 = cumulative_2;
                 target_2 = target_3;
-                continue;
             }
-            var piece_2 : f32 = 0.0f;
-            contributions_2 = contributions_1;
-            angles_2 = angles_1;
-            pieces_3 = pieces_2;
-            cumulative_2 = cumulative_1;
-            drawn_2 = drawn_1;
-            target_3 = target_2;
-            for(;;)
-            {
-                if(piece_2 < (seen_5.pieces_0))
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var weight_1 : vec2<f32> = weigh_0(at_42, seen_5, piece_2);
-                if(pass_0 == u32(0))
-                {
-                    var angles_3 : f32 = angles_2 + weight_1.y;
-                    var pieces_4 : f32 = pieces_3 + 1.0f;
-                    contributions_2 = contributions_2 + weight_1.x;
-                    angles_2 = angles_3;
-                    pieces_3 = pieces_4;
-                    piece_2 = piece_2 + 1.0f;
-                    continue;
-                }
-                var own_1 : f32 = weight_1.x + least_3 * weight_1.y;
-                var cumulative_3 : f32 = cumulative_2 + own_1;
-                var drawn_3 : u32 = drawn_2;
-                var target_4 : f32 = target_3;
-                for(;;)
-                {
-                    var _S216 : bool;
-                    if(drawn_3 < points_0)
-                    {
-                        _S216 = target_4 < cumulative_3;
-                    }
-                    else
-                    {
-                        _S216 = false;
-                    }
-                    if(_S216)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var _S217 : u32 = drawn_3 + u32(1);
-                    var target_5 : f32 = target_4 + step_1;
-                    cross_at_0(&((*crossed_3)), at_42, point_on_0(at_42, seen_5, piece_2, clamp((target_4 - cumulative_2) / own_1, 0.0f, 1.0f), over_all_1 * own_1 / total_0), number_of_path_5, path_18);
-                    drawn_3 = _S217;
-                    target_4 = target_5;
-                }
-                cumulative_2 = cumulative_3;
-                drawn_2 = drawn_3;
-                target_3 = target_4;
-                piece_2 = piece_2 + 1.0f;
-            }
-            k_10 = k_10 + u32(1);
-            drawn_1 = drawn_2;
-            contributions_1 = contributions_2;
-            angles_1 = angles_2;
-            pieces_2 = pieces_3;
-            cumulative_1 = cumulative_2;
-            target_2 = target_3;
+            drawn_0 = drawn_1;
+            contributions_0 = contributions_1;
+            angles_0 = angles_1;
+            pieces_1 = pieces_2;
+            cumulative_0 = cumulative_1;
+            target_0 = target_2;
         }
         pass_0 = pass_0 + u32(1);
-        angles_0 = angles_1;
-        contributions_0 = contributions_1;
-        pieces_1 = pieces_2;
-        drawn_0 = drawn_1;
-        cumulative_0 = cumulative_1;
-        target_0 = target_2;
     }
     return;
 }
 
-fn sample_points_0( at_43 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_46 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
 {
-    var numbers_9 : u32 = numbers_for_0(at_43.purpose_0) + u32(1);
-    var _S218 : f32 = f32(subtree_0);
-    var _S219 : f32 = f32(subtrees_0);
-    var leaf_3 : u32;
-    var probability_4 : f32;
-    var _S220 : bool = descend_0(at_43, (_S218 + precise_random_0(path_19.key_0, numbers_9)) / _S219, &(leaf_3), &(probability_4));
-    if(!_S220)
+    var numbers_9 : u32 = numbers_for_0(at_46.purpose_0) + u32(1);
+    var node_9 : u32 = edge_word_0(at_46.tree_0);
+    var u_3 : f32 = precise_random_0(path_19.key_0, numbers_9);
+    var probability_4 : f32 = 1.0f;
+    var is_whole_0 : bool;
+    if((at_46.purpose_0) == u32(0))
+    {
+        is_whole_0 = takes_all_0(at_46);
+    }
+    else
+    {
+        is_whole_0 = false;
+    }
+    if(!is_whole_0)
+    {
+        var _S230 : bool = descend_0(at_46, (f32(subtree_0) + u_3) / f32(subtrees_0), &(node_9), &(probability_4));
+        is_whole_0 = !_S230;
+    }
+    else
+    {
+        is_whole_0 = false;
+    }
+    if(is_whole_0)
     {
         return;
     }
     var asked_1 : Share_0;
-    asked_1.share_0 = 1.0f / _S219;
-    asked_1.over_all_0 = probability_4 * _S219;
-    asked_1.place_18 = precise_random_0(path_19.key_0, numbers_9 + u32(1)) + 0.6180340051651001f * _S218;
+    var _S231 : f32 = f32(subtrees_0);
+    asked_1.share_0 = 1.0f / _S231;
+    asked_1.over_all_0 = probability_4 * _S231;
+    asked_1.place_18 = precise_random_0(path_19.key_0, numbers_9 + u32(1)) + 0.6180340051651001f * f32(subtree_0);
     for(;;)
     {
         if((asked_1.place_18) >= 1.0f)
@@ -3573,19 +3763,19 @@ fn sample_points_0( at_43 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : 
         }
         asked_1.place_18 = asked_1.place_18 - 1.0f;
     }
-    draw_points_0(at_43, leaf_3, asked_1, number_of_path_6, path_19, &((*crossed_4)));
+    draw_points_0(at_46, node_9, asked_1, number_of_path_6, path_19, &((*crossed_4)));
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S221 : u32;
+    var _S232 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S222 : u32 = u32(2) + zero_0;
-        _S221 = _S222;
-        if(rounds_0 < _S222)
+        var _S233 : u32 = u32(2) + zero_0;
+        _S232 = _S233;
+        if(rounds_0 < _S233)
         {
         }
         else
@@ -3594,14 +3784,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S221;
+    return rounds_0 == _S232;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S223 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S234 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -3619,21 +3809,21 @@ fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var factor_6 : vec3<f32>;
     var path_20 : Path_0 = path_at_vertex_0(number_of_path_7, &(factor_6));
     var crossed_5 : Crossed_0 = nothing_crossed_0(factor_6);
-    var at_44 : ShadingPoint_0;
-    var _S224 : bool = shading_point_0(path_20, &(at_44));
-    var _S225 : bool;
-    if(_S224)
+    var at_47 : ShadingPoint_0;
+    var _S235 : bool = shading_point_0(path_20, &(at_47));
+    var _S236 : bool;
+    if(_S235)
     {
-        var _S226 : f32 = turn_to_0(u32(2), path_20.key_0, &(at_44));
-        _S225 = _S226 > 0.0f;
+        var _S237 : f32 = turn_to_0(u32(2), path_20.key_0, &(at_47));
+        _S236 = _S237 > 0.0f;
     }
     else
     {
-        _S225 = false;
+        _S236 = false;
     }
-    if(_S225)
+    if(_S236)
     {
-        sample_points_0(at_44, number_of_path_7, path_20, subtree_of_launch_0(), subtrees_of_0(at_44), &(crossed_5));
+        sample_points_0(at_47, number_of_path_7, path_20, subtree_of_launch_0(), subtrees_of_0(at_47), &(crossed_5));
     }
     var side_4 : u32 = u32(0);
     for(;;)
@@ -3648,17 +3838,17 @@ fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         var goes_on_2 : bool = crossed_5.goes_on_0[side_4];
         var number_2 : u32 = side_path_0(number_of_path_7, side_4);
         var which_13 : u32 = u32(20);
-        var _S227 : u32 = u32(2) * listed_0 + side_4;
-        var _S228 : u32;
+        var _S238 : u32 = u32(2) * listed_0 + side_4;
+        var _S239 : u32;
         if(crossed_5.goes_on_0[side_4])
         {
-            _S228 = number_2;
+            _S239 = number_2;
         }
         else
         {
-            _S228 = u32(4294967295);
+            _S239 = u32(4294967295);
         }
-        set_word_0(_S227, u32(0), _S228);
+        set_word_0(_S238, u32(0), _S239);
         if(!goes_on_2)
         {
             set_vector_2(number_2, &(which_13), vec3<f32>(0.0f));

@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: c229f8b3bfa803a5
-// result: 52ec756bad7ab38a
+// source: ac4f8309bee24285
+// result: 8fd0ebb6befced07
 
 struct Launch_std140_0
 {
@@ -1746,6 +1746,20 @@ fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f32
     return f32(((random_bits_0(key_4, dimension_2).y) >> (u32(8)))) / 4096.0f / 4096.0f;
 }
 
+struct Leaves_0
+{
+     count_3 : u32,
+     nodes_1 : array<u32, i32(96)>,
+};
+
+fn below_0( node_1 : u32) -> Leaves_0
+{
+    var leaves_0 : Leaves_0;
+    leaves_0.count_3 = u32(1);
+    leaves_0.nodes_1[i32(0)] = node_1;
+    return leaves_0;
+}
+
 fn edge_number_0( at_23 : u32) -> f32
 {
     return (bitcast<f32>((edge_word_0(at_23))));
@@ -1756,25 +1770,25 @@ fn edge_vector_0( at_24 : u32) -> vec3<f32>
     return vec3<f32>(edge_number_0(at_24), edge_number_0(at_24 + u32(1)), edge_number_0(at_24 + u32(2)));
 }
 
-fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_3 : f32) -> bool
+fn may_have_silhouette_0( node_2 : u32,  offset_4 : vec3<f32>,  distance_3 : f32) -> bool
 {
-    var sine_2 : f32 = edge_number_0(node_1 + u32(11));
-    var cosine_3 : f32 = edge_number_0(node_1 + u32(12));
+    var sine_2 : f32 = edge_number_0(node_2 + u32(11));
+    var cosine_3 : f32 = edge_number_0(node_2 + u32(12));
     if(sine_2 > 1.0f)
     {
         return true;
     }
-    var margin_0 : f32 = (edge_number_0(node_1 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
+    var margin_0 : f32 = (edge_number_0(node_2 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
     var margin_1 : f32;
     if(cosine_3 > 0.0f)
     {
-        margin_1 = min((edge_number_0(node_1 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
+        margin_1 = min((edge_number_0(node_2 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
     }
     else
     {
         margin_1 = margin_0;
     }
-    return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_3 + margin_1 + 3.99999998990097083e-06f));
+    return !((abs(dot(edge_vector_0(node_2 + u32(8)), offset_4))) > (sine_2 * distance_3 + margin_1 + 3.99999998990097083e-06f));
 }
 
 fn is_outside_0( at_25 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
@@ -1877,16 +1891,16 @@ fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
     return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
 }
 
-fn speed_of_0( at_26 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+fn speed_of_0( at_26 : ShadingPoint_0,  node_3 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
 {
     if(is_blind_0())
     {
-        return edge_number_0(node_2 + u32(20)) + 0.10000000149011612f;
+        return edge_number_0(node_3 + u32(20)) + 0.10000000149011612f;
     }
-    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_26.motion_1, offset_7);
-    var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
-    var sine_3 : f32 = edge_number_0(node_2 + u32(11));
-    var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
+    var relative_0 : vec3<f32> = edge_vector_0(node_3 + u32(17)) - velocity_at_0(at_26.motion_1, offset_7);
+    var axis_4 : vec3<f32> = edge_vector_0(node_3 + u32(8));
+    var sine_3 : f32 = edge_number_0(node_3 + u32(11));
+    var cosine_4 : f32 = edge_number_0(node_3 + u32(12));
     var along_0 : f32 = abs(dot(axis_4, relative_0));
     var across_2 : f32 = length(cross(axis_4, relative_0));
     var speed_0 : f32;
@@ -1898,19 +1912,19 @@ fn speed_of_0( at_26 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  ra
     {
         speed_0 = length(relative_0);
     }
-    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_26.motion_1.rotation_0) * radius_3;
+    return speed_0 + edge_number_0(node_3 + u32(20)) + length(at_26.motion_1.rotation_0) * radius_3;
 }
 
-fn importance_of_0( at_27 : ShadingPoint_0,  node_3 : u32) -> f32
+fn importance_of_0( at_27 : ShadingPoint_0,  node_4 : u32) -> f32
 {
-    var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
+    var centre_1 : vec3<f32> = edge_vector_0(node_4 + u32(4));
     var offset_8 : vec3<f32> = centre_1 - at_27.vertex_3.surface_4.position_0;
-    var radius_4 : f32 = edge_number_0(node_3 + u32(7));
+    var radius_4 : f32 = edge_number_0(node_4 + u32(7));
     var distance_4 : f32 = length(offset_8);
     var _S188 : bool;
     if(!at_27.has_creases_0)
     {
-        _S188 = !may_have_silhouette_0(node_3, offset_8, distance_4);
+        _S188 = !may_have_silhouette_0(node_4, offset_8, distance_4);
     }
     else
     {
@@ -1926,7 +1940,7 @@ fn importance_of_0( at_27 : ShadingPoint_0,  node_3 : u32) -> f32
     }
     var cosine_5 : f32 = largest_cosine_0(at_27.vertex_3.surface_4.position_0, at_27.vertex_3.axes_1.n_1, centre_1, radius_4);
     var _S189 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
-    var least_0 : f32 = edge_number_0(node_3 + u32(16));
+    var least_0 : f32 = edge_number_0(node_4 + u32(16));
     var ratio_0 : f32 = _S189 / max(max(distance_4 * distance_4 - _S189, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
     var visible_0 : f32;
     if(ratio_0 < 0.00100000004749745f)
@@ -1938,55 +1952,191 @@ fn importance_of_0( at_27 : ShadingPoint_0,  node_3 : u32) -> f32
         visible_0 = logarithm_0(1.0f + ratio_0);
     }
     var near_0 : f32 = visible_0 / _S189;
-    var visible_1 : f32 = edge_number_0(node_3 + u32(14));
-    if(distance_4 > (edge_number_0(node_3 + u32(15))))
+    var visible_1 : f32 = edge_number_0(node_4 + u32(14));
+    if(distance_4 > (edge_number_0(node_4 + u32(15))))
     {
-        visible_0 = visible_1 * edge_number_0(node_3 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
+        visible_0 = visible_1 * edge_number_0(node_4 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
     }
     else
     {
         visible_0 = visible_1;
     }
-    return visible_0 * speed_of_0(at_27, node_3, offset_8, radius_4) * cosine_5 * near_0;
+    return visible_0 * speed_of_0(at_27, node_4, offset_8, radius_4) * cosine_5 * near_0;
 }
 
-fn descend_0( at_28 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+fn next_leaf_0( at_28 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_0 : ptr<function, u32>) -> bool
 {
     var nodes_at_0 : u32 = edge_word_0(at_28.tree_0);
     (*leaf_0) = nodes_at_0;
-    (*probability_2) = 1.0f;
-    var _S190 : f32 = u_1;
     for(;;)
     {
-        if((edge_word_0((*leaf_0))) != u32(4294967295))
+        if(((*leaves_1).count_3) > u32(0))
         {
         }
         else
         {
             break;
         }
-        var first_3 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
-        var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
-        var of_first_0 : f32 = importance_of_0(at_28, first_3);
-        var of_second_0 : f32 = importance_of_0(at_28, second_1);
-        var sum_0 : f32 = of_first_0 + of_second_0;
-        var _S191 : bool;
-        if(sum_0 > 0.0f)
+        var _S190 : u32 = (*leaves_1).count_3 - u32(1);
+        (*leaves_1).count_3 = _S190;
+        var _S191 : u32 = (*leaves_1).nodes_1[_S190];
+        (*leaf_0) = (*leaves_1).nodes_1[_S190];
+        if(!((importance_of_0(at_28, _S191)) > 0.0f))
         {
-            _S191 = sum_0 < 3.00000000549775576e+38f;
+            continue;
+        }
+        if((edge_word_0((*leaf_0))) == u32(4294967295))
+        {
+            return true;
+        }
+        var half_0 : u32 = u32(0);
+        for(;;)
+        {
+            var _S192 : bool;
+            if(half_0 < u32(2))
+            {
+                _S192 = ((*leaves_1).count_3) < u32(96);
+            }
+            else
+            {
+                _S192 = false;
+            }
+            if(_S192)
+            {
+            }
+            else
+            {
+                break;
+            }
+            (*leaves_1).nodes_1[(*leaves_1).count_3] = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + half_0);
+            (*leaves_1).count_3 = (*leaves_1).count_3 + u32(1);
+            half_0 = half_0 + u32(1);
+        }
+    }
+    return false;
+}
+
+fn next_leaf_1( at_29 : ShadingPoint_0,  leaves_2 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
+{
+    var nodes_at_1 : u32 = edge_word_0(at_29.tree_0);
+    (*leaf_1) = nodes_at_1;
+    for(;;)
+    {
+        if(((*leaves_2).count_3) > u32(0))
+        {
         }
         else
         {
-            _S191 = false;
+            break;
         }
-        if(!_S191)
+        var _S193 : u32 = (*leaves_2).count_3 - u32(1);
+        (*leaves_2).count_3 = _S193;
+        var _S194 : u32 = (*leaves_2).nodes_1[_S193];
+        (*leaf_1) = (*leaves_2).nodes_1[_S193];
+        if(!((importance_of_0(at_29, _S194)) > 0.0f))
+        {
+            continue;
+        }
+        if((edge_word_0((*leaf_1))) == u32(4294967295))
+        {
+            return true;
+        }
+        var half_1 : u32 = u32(0);
+        for(;;)
+        {
+            var _S195 : bool;
+            if(half_1 < u32(2))
+            {
+                _S195 = ((*leaves_2).count_3) < u32(96);
+            }
+            else
+            {
+                _S195 = false;
+            }
+            if(_S195)
+            {
+            }
+            else
+            {
+                break;
+            }
+            (*leaves_2).nodes_1[(*leaves_2).count_3] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + half_1);
+            (*leaves_2).count_3 = (*leaves_2).count_3 + u32(1);
+            half_1 = half_1 + u32(1);
+        }
+    }
+    return false;
+}
+
+fn takes_all_0( at_30 : ShadingPoint_0) -> bool
+{
+    var _S196 : bool;
+    var leaves_3 : Leaves_0 = below_0(edge_word_0(at_30.tree_0));
+    var leaf_2 : u32;
+    var count_4 : u32 = u32(0);
+    for(;;)
+    {
+        var _S197 : bool = count_4 <= u32(24);
+        _S196 = _S197;
+        var _S198 : bool;
+        if(_S197)
+        {
+            var _S199 : bool = next_leaf_0(at_30, &(leaves_3), &(leaf_2));
+            _S198 = _S199;
+        }
+        else
+        {
+            _S198 = false;
+        }
+        if(_S198)
+        {
+        }
+        else
+        {
+            break;
+        }
+        count_4 = count_4 + u32(1);
+    }
+    return _S196;
+}
+
+fn descend_0( at_31 : ShadingPoint_0,  u_1 : f32,  leaf_3 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+{
+    var nodes_at_2 : u32 = edge_word_0(at_31.tree_0);
+    (*leaf_3) = nodes_at_2;
+    (*probability_2) = 1.0f;
+    var _S200 : f32 = u_1;
+    for(;;)
+    {
+        if((edge_word_0((*leaf_3))) != u32(4294967295))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var first_3 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3));
+        var second_1 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3) + u32(1));
+        var of_first_0 : f32 = importance_of_0(at_31, first_3);
+        var of_second_0 : f32 = importance_of_0(at_31, second_1);
+        var sum_0 : f32 = of_first_0 + of_second_0;
+        var _S201 : bool;
+        if(sum_0 > 0.0f)
+        {
+            _S201 = sum_0 < 3.00000000549775576e+38f;
+        }
+        else
+        {
+            _S201 = false;
+        }
+        if(!_S201)
         {
             return false;
         }
         var first_share_0 : f32 = of_first_0 / sum_0;
         var second_share_0 : f32 = of_second_0 / sum_0;
         var is_second_0 : bool;
-        if(_S190 >= first_share_0)
+        if(_S200 >= first_share_0)
         {
             is_second_0 = second_share_0 > 0.0f;
         }
@@ -1996,32 +2146,32 @@ fn descend_0( at_28 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>, 
         }
         if(is_second_0)
         {
-            _S190 = (_S190 - first_share_0) / second_share_0;
+            _S200 = (_S200 - first_share_0) / second_share_0;
         }
         else
         {
-            _S190 = min(_S190 / first_share_0, 1.0f);
+            _S200 = min(_S200 / first_share_0, 1.0f);
         }
-        var _S192 : f32;
+        var _S202 : f32;
         if(is_second_0)
         {
-            _S192 = second_share_0;
+            _S202 = second_share_0;
         }
         else
         {
-            _S192 = first_share_0;
+            _S202 = first_share_0;
         }
-        (*probability_2) = (*probability_2) * _S192;
-        var _S193 : u32;
+        (*probability_2) = (*probability_2) * _S202;
+        var _S203 : u32;
         if(is_second_0)
         {
-            _S193 = second_1;
+            _S203 = second_1;
         }
         else
         {
-            _S193 = first_3;
+            _S203 = first_3;
         }
-        (*leaf_0) = _S193;
+        (*leaf_3) = _S203;
     }
     return true;
 }
@@ -2032,11 +2182,11 @@ struct Edge_0
      numbers_3 : u32,
 };
 
-fn edge_at_0( at_29 : ShadingPoint_0,  place_13 : u32) -> Edge_0
+fn edge_at_0( at_32 : ShadingPoint_0,  place_13 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_8 = edge_word_0(at_29.tree_0 + u32(1)) + u32(12) * place_13;
-    edge_0.numbers_3 = edge_word_0(at_29.tree_0 + u32(2)) + u32(14) * place_13;
+    edge_0.record_8 = edge_word_0(at_32.tree_0 + u32(1)) + u32(12) * place_13;
+    edge_0.numbers_3 = edge_word_0(at_32.tree_0 + u32(2)) + u32(14) * place_13;
     return edge_0;
 }
 
@@ -2049,129 +2199,129 @@ fn side_seen_0( from_0 : vec3<f32>,  tolerance_0 : f32,  normal_5 : u32,  length
 {
     var height_1 : f32 = dot(edge_position_0(normal_5), from_0);
     var least_1 : f32 = tolerance_0 * edge_real_0(length_0);
-    var _S194 : i32;
+    var _S204 : i32;
     if(height_1 > least_1)
     {
-        _S194 = i32(1);
+        _S204 = i32(1);
     }
     else
     {
-        _S194 = i32(0);
+        _S204 = i32(0);
     }
-    var _S195 : i32;
+    var _S205 : i32;
     if(height_1 < (- least_1))
     {
-        _S195 = i32(1);
+        _S205 = i32(1);
     }
     else
     {
-        _S195 = i32(0);
+        _S205 = i32(0);
     }
-    return _S194 - _S195;
+    return _S204 - _S205;
 }
 
-fn is_silhouette_0( at_30 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+fn is_silhouette_0( at_33 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f32> = edge_position_0(edge_1.numbers_3);
-    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_30.vertex_3.surface_4.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S196 : vec3<f32> = at_30.vertex_3.surface_4.exact_0 - start_0;
-    return (side_seen_0(_S196, tolerance_1, edge_1.numbers_3 + u32(6), edge_1.numbers_3 + u32(12)) * side_seen_0(_S196, tolerance_1, edge_1.numbers_3 + u32(9), edge_1.numbers_3 + u32(13))) <= i32(0);
+    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_33.vertex_3.surface_4.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S206 : vec3<f32> = at_33.vertex_3.surface_4.exact_0 - start_0;
+    return (side_seen_0(_S206, tolerance_1, edge_1.numbers_3 + u32(6), edge_1.numbers_3 + u32(12)) * side_seen_0(_S206, tolerance_1, edge_1.numbers_3 + u32(9), edge_1.numbers_3 + u32(13))) <= i32(0);
 }
 
-fn factor_of_0( at_31 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+fn factor_of_0( at_34 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
-    var _S197 : u32 = edge_2.record_8 + u32(2);
-    var a_14 : vec3<f32> = edge_vector_0(_S197);
-    var b_9 : vec3<f32> = edge_vector_0(_S197 + u32(3));
-    var _S198 : bool;
+    var _S207 : u32 = edge_2.record_8 + u32(2);
+    var a_14 : vec3<f32> = edge_vector_0(_S207);
+    var b_9 : vec3<f32> = edge_vector_0(_S207 + u32(3));
+    var _S208 : bool;
     if(!is_blind_0())
     {
-        _S198 = rests_0(at_31.motion_1);
+        _S208 = rests_0(at_34.motion_1);
     }
     else
     {
-        _S198 = false;
+        _S208 = false;
     }
-    if(_S198)
+    if(_S208)
     {
-        _S198 = (all((a_14 == vec3<f32>(0.0f))));
+        _S208 = (all((a_14 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S198 = false;
+        _S208 = false;
     }
-    if(_S198)
+    if(_S208)
     {
-        _S198 = (all((b_9 == vec3<f32>(0.0f))));
+        _S208 = (all((b_9 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S198 = false;
+        _S208 = false;
     }
-    if(_S198)
+    if(_S208)
     {
         return 0.0f;
     }
-    if(is_silhouette_0(at_31, edge_2))
+    if(is_silhouette_0(at_34, edge_2))
     {
         return edge_number_0(edge_2.record_8);
     }
-    var _S199 : f32;
-    if(at_31.has_creases_0)
+    var _S209 : f32;
+    if(at_34.has_creases_0)
     {
-        _S199 = edge_number_0(edge_2.record_8 + u32(1));
+        _S209 = edge_number_0(edge_2.record_8 + u32(1));
     }
     else
     {
-        _S199 = 0.0f;
+        _S209 = 0.0f;
     }
-    return _S199;
+    return _S209;
 }
 
-fn is_clipped_0( at_32 : ShadingPoint_0,  a_15 : vec3<f32>,  b_10 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
+fn is_clipped_0( at_35 : ShadingPoint_0,  a_15 : vec3<f32>,  b_10 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
 {
     (*range_0) = vec2<f32>(0.0f, 1.0f);
-    var _S200 : bool;
-    if((dot(at_32.front_0, a_15 - at_32.front_offset_0)) < -3.99999998990097083e-06f)
+    var _S210 : bool;
+    if((dot(at_35.front_0, a_15 - at_35.front_offset_0)) < -3.99999998990097083e-06f)
     {
-        _S200 = (dot(at_32.front_0, b_10 - at_32.front_offset_0)) < -3.99999998990097083e-06f;
+        _S210 = (dot(at_35.front_0, b_10 - at_35.front_offset_0)) < -3.99999998990097083e-06f;
     }
     else
     {
-        _S200 = false;
+        _S210 = false;
     }
-    if(_S200)
+    if(_S210)
     {
         return true;
     }
-    var _S201 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_15, a_15), dot(b_10, b_10)));
+    var _S211 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_15, a_15), dot(b_10, b_10)));
     var k_6 : u32 = u32(0);
     for(;;)
     {
-        if(k_6 < (at_32.planes_0))
+        if(k_6 < (at_35.planes_0))
         {
         }
         else
         {
             break;
         }
-        var first_4 : f32 = dot(at_32.inside_2[k_6], a_15) + _S201;
-        var second_2 : f32 = dot(at_32.inside_2[k_6], b_10) + _S201;
-        var _S202 : bool = first_4 < 0.0f;
-        if(_S202)
+        var first_4 : f32 = dot(at_35.inside_2[k_6], a_15) + _S211;
+        var second_2 : f32 = dot(at_35.inside_2[k_6], b_10) + _S211;
+        var _S212 : bool = first_4 < 0.0f;
+        if(_S212)
         {
-            _S200 = second_2 < 0.0f;
+            _S210 = second_2 < 0.0f;
         }
         else
         {
-            _S200 = false;
+            _S210 = false;
         }
-        if(_S200)
+        if(_S210)
         {
             return true;
         }
         var crossing_0 : f32 = first_4 / (first_4 - second_2);
-        if(_S202)
+        if(_S212)
         {
             (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
         }
@@ -2202,54 +2352,54 @@ struct SeenEdge_0
      to_0 : vec3<f32>,
 };
 
-fn see_edge_0( at_33 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+fn see_edge_0( at_36 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S203 : Edge_0 = edge_at_0(at_33, place_14);
-    (*seen_1).edge_3 = _S203;
-    var _S204 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_3) - at_33.vertex_3.surface_4.exact_0;
-    (*seen_1).start_1 = _S204;
-    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_3 + u32(3)) - at_33.vertex_3.surface_4.exact_0;
-    (*seen_1).along_1 = end_1 - _S204;
+    var _S213 : Edge_0 = edge_at_0(at_36, place_14);
+    (*seen_1).edge_3 = _S213;
+    var _S214 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_3) - at_36.vertex_3.surface_4.exact_0;
+    (*seen_1).start_1 = _S214;
+    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_3 + u32(3)) - at_36.vertex_3.surface_4.exact_0;
+    (*seen_1).along_1 = end_1 - _S214;
     (*seen_1).far_0 = 1.0f;
     (*seen_1).near_1 = 1.0f;
     (*seen_1).chord_0 = 0.0f;
     (*seen_1).pieces_0 = 0.0f;
-    var _S205 : vec3<f32> = vec3<f32>(0.0f);
-    (*seen_1).to_0 = _S205;
-    (*seen_1).from_1 = _S205;
+    var _S215 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S215;
+    (*seen_1).from_1 = _S215;
     (*seen_1).range_1 = vec2<f32>(0.0f, 1.0f);
-    var _S206 : f32 = factor_of_0(at_33, _S203);
-    (*seen_1).factor_3 = _S206;
-    var _S207 : bool;
-    if(!(_S206 > 0.0f))
+    var _S216 : f32 = factor_of_0(at_36, _S213);
+    (*seen_1).factor_3 = _S216;
+    var _S217 : bool;
+    if(!(_S216 > 0.0f))
     {
-        _S207 = true;
+        _S217 = true;
     }
     else
     {
-        var _S208 : vec2<f32> = (*seen_1).range_1;
-        var _S209 : bool = is_clipped_0(at_33, (*seen_1).start_1, end_1, &(_S208));
-        (*seen_1).range_1 = _S208;
-        _S207 = _S209;
+        var _S218 : vec2<f32> = (*seen_1).range_1;
+        var _S219 : bool = is_clipped_0(at_36, (*seen_1).start_1, end_1, &(_S218));
+        (*seen_1).range_1 = _S218;
+        _S217 = _S219;
     }
-    if(_S207)
+    if(_S217)
     {
         return false;
     }
     var first_5 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.x);
     var last_0 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.y);
-    var _S210 : f32 = sqrt(dot(first_5, first_5));
-    (*seen_1).near_1 = _S210;
+    var _S220 : f32 = sqrt(dot(first_5, first_5));
+    (*seen_1).near_1 = _S220;
     (*seen_1).far_0 = sqrt(dot(last_0, last_0));
-    if(_S210 > 0.0f)
+    if(_S220 > 0.0f)
     {
-        _S207 = ((*seen_1).far_0) > 0.0f;
+        _S217 = ((*seen_1).far_0) > 0.0f;
     }
     else
     {
-        _S207 = false;
+        _S217 = false;
     }
-    if(!_S207)
+    if(!_S217)
     {
         return false;
     }
@@ -2257,7 +2407,7 @@ fn see_edge_0( at_33 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = last_0 / vec3<f32>((*seen_1).far_0);
     (*seen_1).chord_0 = length_of_0(last_0 / vec3<f32>((*seen_1).far_0) - first_5 / vec3<f32>((*seen_1).near_1));
     var longest_0 : f32;
-    if((at_33.vertex_3.lobe_1.kind_1) == u32(0))
+    if((at_36.vertex_3.lobe_1.kind_1) == u32(0))
     {
         longest_0 = 0.20000000298023224f;
     }
@@ -2274,10 +2424,10 @@ fn place_between_0( from_2 : f32,  to_1 : f32,  near_2 : f32,  far_1 : f32,  par
     return from_2 + (to_1 - from_2) * part_0 * near_2 / (part_0 * near_2 + (1.0f - part_0) * far_1);
 }
 
-fn velocity_on_0( at_34 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
+fn velocity_on_0( at_37 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S211 : u32 = edge_4.record_8 + u32(2);
-    return mix(edge_vector_0(_S211), edge_vector_0(_S211 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_34.motion_1, offset_9);
+    var _S221 : u32 = edge_4.record_8 + u32(2);
+    return mix(edge_vector_0(_S221), edge_vector_0(_S221 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_37.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -2289,25 +2439,25 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_7 : f32,  pdf_1 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S212 : Mirrored_0;
-    _S212.cosine_6 = cosine_7;
-    _S212.pdf_0 = pdf_1;
-    _S212.scattered_0 = scattered_1;
-    return _S212;
+    var _S222 : Mirrored_0;
+    _S222.cosine_6 = cosine_7;
+    _S222.pdf_0 = pdf_1;
+    _S222.scattered_0 = scattered_1;
+    return _S222;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S213 : bool;
+    var _S223 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S213 = true;
+        _S223 = true;
     }
     else
     {
-        _S213 = (lobe_3.kind_1) == u32(4);
+        _S223 = (lobe_3.kind_1) == u32(4);
     }
-    return _S213;
+    return _S223;
 }
 
 struct Microfacets_0
@@ -2337,68 +2487,68 @@ fn exponential_0( x_5 : f32) -> f32
 
 fn density_0( facets_1 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S214 : f32 = m_3.z;
-    if(_S214 <= 0.0f)
+    var _S224 : f32 = m_3.z;
+    if(_S224 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_0 : vec2<f32> = m_3.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S214 * _S214;
+    var cos2_0 : f32 = _S224 * _S224;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_1 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_1 * sum_1);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S215 : f32;
+    var _S225 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S215 = 0.0f;
+        _S225 = 0.0f;
     }
     else
     {
-        _S215 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S225 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S215;
+    return _S225;
 }
 
 fn error_function_plus_one_0( x_6 : f32) -> vec2<f32>
 {
-    var _S216 : f32 = min(abs(x_6), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S216 * _S216);
-    var place_15 : f32 = (_S216 - 2.0f) / (_S216 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S216);
-    var _S217 : f32;
+    var _S226 : f32 = min(abs(x_6), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S226 * _S226);
+    var place_15 : f32 = (_S226 - 2.0f) / (_S226 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S226);
+    var _S227 : f32;
     if(x_6 < 0.0f)
     {
-        _S217 = complement_0;
+        _S227 = complement_0;
     }
     else
     {
-        _S217 = 2.0f - complement_0;
+        _S227 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S217, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S227, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_2.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S218 : f32 = w_2.z;
-    var z2_0 : f32 = _S218 * _S218;
+    var _S228 : f32 = w_2.z;
+    var z2_0 : f32 = _S228 * _S228;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S218 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S228 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S218;
+        return 1.0f / _S228;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S218 / spread_1);
-    return 2.0f / (_S218 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S228 / spread_1);
+    return 2.0f / (_S228 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
@@ -2406,9 +2556,9 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_0 : vec3<f32> = normalize(wi_2 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_6 = dot(wi_2, h_0);
-    var _S219 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_2);
-    mirrored_1.pdf_0 = _S219;
-    mirrored_1.scattered_0 = _S219 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    var _S229 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_2);
+    mirrored_1.pdf_0 = _S229;
+    mirrored_1.scattered_0 = _S229 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
@@ -2425,9 +2575,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S220 : bool = real_0 < 0.0f;
+    var _S230 : bool = real_0 < 0.0f;
     var a_16 : f32;
-    if(_S220)
+    if(_S230)
     {
         a_16 = smaller_0;
     }
@@ -2436,7 +2586,7 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
         a_16 = larger_0;
     }
     var b_11 : f32;
-    if(_S220)
+    if(_S230)
     {
         b_11 = larger_0;
     }
@@ -2446,9 +2596,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
     }
     var less_0 : f32 = a_16 - cosine_8;
     var more_0 : f32 = a_16 + cosine_8;
-    var _S221 : f32 = b_11 * b_11;
+    var _S231 : f32 = b_11 * b_11;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S221) / (more_0 * more_0 + _S221) * p_sum_0 / (p_sum_0 + 2.0f * a_16 * cosine_8 * sin2_0);
+    return (less_0 * less_0 + _S231) / (more_0 * more_0 + _S231) * p_sum_0 / (p_sum_0 + 2.0f * a_16 * cosine_8 * sin2_0);
 }
 
 fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_8 : vec3<f32>) -> vec3<f32>
@@ -2486,10 +2636,10 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_11, eta_4);
     }
     var place_16 : f32 = cosine_11 * 63.0f;
-    var _S222 : u32 = min(u32(place_16), u32(62));
-    var at_35 : u32 = word_0(lobe_5.record_3 + u32(3)) + _S222;
-    var here_0 : f32 = number_0(at_35);
-    return here_0 + (number_0(at_35 + u32(1)) - here_0) * (place_16 - f32(_S222));
+    var _S232 : u32 = min(u32(place_16), u32(62));
+    var at_38 : u32 = word_0(lobe_5.record_3 + u32(3)) + _S232;
+    var here_0 : f32 = number_0(at_38);
+    return here_0 + (number_0(at_38 + u32(1)) - here_0) * (place_16 - f32(_S232));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2540,15 +2690,15 @@ struct Scattering_0
 fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S223 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S223 * 0.31830987334251404f;
+    var _S233 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S233 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattering_1.value_8 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
-    var _S224 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S234 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_7))
     {
@@ -2556,7 +2706,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     else
     {
-        by_facets_0 = _S224;
+        by_facets_0 = _S234;
     }
     if((lobe_7.kind_1) == u32(2))
     {
@@ -2566,7 +2716,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     var eta_7 : f32 = coat_eta_0(numbers_7);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_3.z);
-    scattering_1.value_8 = base_0(lobe_7, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S223) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_8 = base_0(lobe_7, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S233) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_7, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -2579,16 +2729,16 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
 
 fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
 {
-    var _S225 : bool;
+    var _S235 : bool;
     if((wo_2.z) <= 0.0f)
     {
-        _S225 = true;
+        _S235 = true;
     }
     else
     {
-        _S225 = !has_smooth_0(vertex_5.lobe_1);
+        _S235 = !has_smooth_0(vertex_5.lobe_1);
     }
-    if(_S225)
+    if(_S235)
     {
         return vec3<f32>(0.0f);
     }
@@ -2612,37 +2762,37 @@ fn still_0( value_9 : vec3<f32>) -> Vector_0
 
 fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 {
-    var _S226 : f32 = abs(x_7);
-    var _S227 : f32 = abs(y_1);
-    var _S228 : f32 = min(_S226, _S227);
-    var _S229 : f32 = max(_S226, _S227);
-    var is_steep_0 : bool = _S228 > (0.41421356797218323f * _S229);
+    var _S236 : f32 = abs(x_7);
+    var _S237 : f32 = abs(y_1);
+    var _S238 : f32 = min(_S236, _S237);
+    var _S239 : f32 = max(_S236, _S237);
+    var is_steep_0 : bool = _S238 > (0.41421356797218323f * _S239);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S228 - _S229;
+        above_0 = _S238 - _S239;
     }
     else
     {
-        above_0 = _S228;
+        above_0 = _S238;
     }
-    var below_0 : f32;
+    var below_1 : f32;
     if(is_steep_0)
     {
-        below_0 = _S228 + _S229;
+        below_1 = _S238 + _S239;
     }
     else
     {
-        below_0 = _S229;
+        below_1 = _S239;
     }
-    if(below_0 > 0.0f)
+    if(below_1 > 0.0f)
     {
     }
     else
     {
-        below_0 = 1.0f;
+        below_1 = 1.0f;
     }
-    var t_3 : f32 = above_0 / below_0;
+    var t_3 : f32 = above_0 / below_1;
     var z_1 : f32 = t_3 * t_3;
     var angle_0 : f32 = (((0.08053744584321976f * z_1 - 0.13877685368061066f) * z_1 + 0.19977711141109467f) * z_1 - 0.33332949876785278f) * z_1 * t_3 + t_3;
     var angle_1 : f32;
@@ -2654,7 +2804,7 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S227 > _S226)
+    if(_S237 > _S236)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -2675,60 +2825,60 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 
 fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S230 : DiffPair_float_0 = DiffPair_float_0( dpx_8.primal_0, dpx_8.differential_0 );
-    var _S231 : DiffPair_float_0 = _d_abs_0(_S230);
-    var _S232 : DiffPair_float_0 = DiffPair_float_0( dpy_3.primal_0, dpy_3.differential_0 );
-    var _S233 : DiffPair_float_0 = _d_abs_0(_S232);
-    var _S234 : DiffPair_float_0 = DiffPair_float_0( _S231.primal_0, _S231.differential_0 );
-    var _S235 : DiffPair_float_0 = DiffPair_float_0( _S233.primal_0, _S233.differential_0 );
-    var _S236 : DiffPair_float_0 = _d_min_0(_S234, _S235);
-    var _S237 : DiffPair_float_0 = _d_max_0(_S234, _S235);
-    var is_steep_1 : bool = (_S236.primal_0) > (0.41421356797218323f * _S237.primal_0);
+    var _S240 : DiffPair_float_0 = DiffPair_float_0( dpx_8.primal_0, dpx_8.differential_0 );
+    var _S241 : DiffPair_float_0 = _d_abs_0(_S240);
+    var _S242 : DiffPair_float_0 = DiffPair_float_0( dpy_3.primal_0, dpy_3.differential_0 );
+    var _S243 : DiffPair_float_0 = _d_abs_0(_S242);
+    var _S244 : DiffPair_float_0 = DiffPair_float_0( _S241.primal_0, _S241.differential_0 );
+    var _S245 : DiffPair_float_0 = DiffPair_float_0( _S243.primal_0, _S243.differential_0 );
+    var _S246 : DiffPair_float_0 = _d_min_0(_S244, _S245);
+    var _S247 : DiffPair_float_0 = _d_max_0(_S244, _S245);
+    var is_steep_1 : bool = (_S246.primal_0) > (0.41421356797218323f * _S247.primal_0);
     var above_1 : f32;
     var s_diff_above_0 : f32;
     if(is_steep_1)
     {
-        var _S238 : f32 = _S236.differential_0 - _S237.differential_0;
-        above_1 = _S236.primal_0 - _S237.primal_0;
-        s_diff_above_0 = _S238;
+        var _S248 : f32 = _S246.differential_0 - _S247.differential_0;
+        above_1 = _S246.primal_0 - _S247.primal_0;
+        s_diff_above_0 = _S248;
     }
     else
     {
-        above_1 = _S236.primal_0;
-        s_diff_above_0 = _S236.differential_0;
+        above_1 = _S246.primal_0;
+        s_diff_above_0 = _S246.differential_0;
     }
-    var below_1 : f32;
+    var below_2 : f32;
     var s_diff_below_0 : f32;
     if(is_steep_1)
     {
-        var _S239 : f32 = _S236.differential_0 + _S237.differential_0;
-        below_1 = _S236.primal_0 + _S237.primal_0;
-        s_diff_below_0 = _S239;
+        var _S249 : f32 = _S246.differential_0 + _S247.differential_0;
+        below_2 = _S246.primal_0 + _S247.primal_0;
+        s_diff_below_0 = _S249;
     }
     else
     {
-        below_1 = _S237.primal_0;
-        s_diff_below_0 = _S237.differential_0;
+        below_2 = _S247.primal_0;
+        s_diff_below_0 = _S247.differential_0;
     }
-    if(below_1 > 0.0f)
+    if(below_2 > 0.0f)
     {
     }
     else
     {
-        below_1 = 1.0f;
+        below_2 = 1.0f;
         s_diff_below_0 = 0.0f;
     }
-    var t_4 : f32 = above_1 / below_1;
-    var s_diff_t_0 : f32 = (s_diff_above_0 * below_1 - above_1 * s_diff_below_0) / (below_1 * below_1);
+    var t_4 : f32 = above_1 / below_2;
+    var s_diff_t_0 : f32 = (s_diff_above_0 * below_2 - above_1 * s_diff_below_0) / (below_2 * below_2);
     var z_2 : f32 = t_4 * t_4;
-    var _S240 : f32 = s_diff_t_0 * t_4;
-    var s_diff_z_0 : f32 = _S240 + _S240;
-    var _S241 : f32 = 0.08053744584321976f * z_2 - 0.13877685368061066f;
-    var _S242 : f32 = _S241 * z_2 + 0.19977711141109467f;
-    var tail_0 : f32 = _S242 * z_2 - 0.33332949876785278f;
-    var _S243 : f32 = tail_0 * z_2;
-    var angle_2 : f32 = _S243 * t_4 + t_4;
-    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_2 + s_diff_z_0 * _S241) * z_2 + s_diff_z_0 * _S242) * z_2 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S243 + s_diff_t_0;
+    var _S250 : f32 = s_diff_t_0 * t_4;
+    var s_diff_z_0 : f32 = _S250 + _S250;
+    var _S251 : f32 = 0.08053744584321976f * z_2 - 0.13877685368061066f;
+    var _S252 : f32 = _S251 * z_2 + 0.19977711141109467f;
+    var tail_0 : f32 = _S252 * z_2 - 0.33332949876785278f;
+    var _S253 : f32 = tail_0 * z_2;
+    var angle_2 : f32 = _S253 * t_4 + t_4;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_2 + s_diff_z_0 * _S251) * z_2 + s_diff_z_0 * _S252) * z_2 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S253 + s_diff_t_0;
     var angle_3 : f32;
     if(is_steep_1)
     {
@@ -2739,11 +2889,11 @@ fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> Dif
         angle_3 = angle_2;
     }
     var s_diff_angle_1 : f32;
-    if((_S233.primal_0) > (_S231.primal_0))
+    if((_S243.primal_0) > (_S241.primal_0))
     {
-        var _S244 : f32 = 0.0f - s_diff_angle_0;
+        var _S254 : f32 = 0.0f - s_diff_angle_0;
         angle_3 = 1.57079637050628662f - angle_3;
-        s_diff_angle_1 = _S244;
+        s_diff_angle_1 = _S254;
     }
     else
     {
@@ -2751,52 +2901,52 @@ fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> Dif
     }
     if((dpx_8.primal_0) < 0.0f)
     {
-        var _S245 : f32 = 0.0f - s_diff_angle_1;
+        var _S255 : f32 = 0.0f - s_diff_angle_1;
         angle_3 = 3.14159274101257324f - angle_3;
-        s_diff_angle_1 = _S245;
+        s_diff_angle_1 = _S255;
     }
     if((dpy_3.primal_0) < 0.0f)
     {
-        var _S246 : f32 = - s_diff_angle_1;
+        var _S256 : f32 = - s_diff_angle_1;
         above_1 = - angle_3;
-        s_diff_above_0 = _S246;
+        s_diff_above_0 = _S256;
     }
     else
     {
         above_1 = angle_3;
         s_diff_above_0 = s_diff_angle_1;
     }
-    var _S247 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
-    return _S247;
+    var _S257 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
+    return _S257;
 }
 
 fn map_place_0( map_0 : u32,  direction_7 : vec3<f32>) -> vec2<f32>
 {
-    var _S248 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S248) * vec3<f32>(direction_7.x) + vector_at_0(_S248 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S248 + u32(6)) * vec3<f32>(direction_7.z);
+    var _S258 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S258) * vec3<f32>(direction_7.x) + vector_at_0(_S258 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S258 + u32(6)) * vec3<f32>(direction_7.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
 fn s_fwd_map_place_0( map_1 : u32,  dpdirection_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var _S249 : u32 = map_1 + u32(2);
-    var _S250 : vec3<f32> = vector_at_0(_S249);
-    var _S251 : vec3<f32> = vector_at_0(_S249 + u32(3));
-    var _S252 : vec3<f32> = vector_at_0(_S249 + u32(6));
-    var d_2 : vec3<f32> = _S250 * vec3<f32>(dpdirection_1.primal_0.x) + _S251 * vec3<f32>(dpdirection_1.primal_0.y) + _S252 * vec3<f32>(dpdirection_1.primal_0.z);
-    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S250 + vec3<f32>(dpdirection_1.differential_0.y) * _S251 + vec3<f32>(dpdirection_1.differential_0.z) * _S252;
-    var _S253 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
-    var _S254 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
-    var _S255 : DiffPair_float_0 = s_fwd_angle_of_0(_S253, _S254);
-    var _S256 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
-    var _S257 : DiffPair_float_0 = s_fwd_length_impl_1(_S256);
-    var _S258 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
-    var _S259 : DiffPair_float_0 = DiffPair_float_0( _S257.primal_0, _S257.differential_0 );
-    var _S260 : DiffPair_float_0 = s_fwd_angle_of_0(_S258, _S259);
+    var _S259 : u32 = map_1 + u32(2);
+    var _S260 : vec3<f32> = vector_at_0(_S259);
+    var _S261 : vec3<f32> = vector_at_0(_S259 + u32(3));
+    var _S262 : vec3<f32> = vector_at_0(_S259 + u32(6));
+    var d_2 : vec3<f32> = _S260 * vec3<f32>(dpdirection_1.primal_0.x) + _S261 * vec3<f32>(dpdirection_1.primal_0.y) + _S262 * vec3<f32>(dpdirection_1.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S260 + vec3<f32>(dpdirection_1.differential_0.y) * _S261 + vec3<f32>(dpdirection_1.differential_0.z) * _S262;
+    var _S263 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
+    var _S264 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
+    var _S265 : DiffPair_float_0 = s_fwd_angle_of_0(_S263, _S264);
+    var _S266 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
+    var _S267 : DiffPair_float_0 = s_fwd_length_impl_1(_S266);
+    var _S268 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
+    var _S269 : DiffPair_float_0 = DiffPair_float_0( _S267.primal_0, _S267.differential_0 );
+    var _S270 : DiffPair_float_0 = s_fwd_angle_of_0(_S268, _S269);
     var width_1 : f32 = f32(word_0(map_1));
-    var _S261 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
-    var _S262 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S255.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S260.primal_0 * 0.31830987334251404f * _S261), vec2<f32>(_S255.differential_0 * 0.15915493667125702f * width_1, _S260.differential_0 * 0.31830987334251404f * _S261) );
-    return _S262;
+    var _S271 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
+    var _S272 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S265.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S270.primal_0 * 0.31830987334251404f * _S271), vec2<f32>(_S265.differential_0 * 0.15915493667125702f * width_1, _S270.differential_0 * 0.31830987334251404f * _S271) );
+    return _S272;
 }
 
 fn in_map_0( map_2 : u32,  direction_8 : vec3<f32>) -> Lookup_0
@@ -2812,11 +2962,11 @@ fn in_map_0( map_2 : u32,  direction_8 : vec3<f32>) -> Lookup_0
     var height_2 : i32 = i32(word_0(map_2 + u32(1)));
     var left_1 : u32 = wrapped_0(x_8, width_2, u32(0));
     var right_1 : u32 = wrapped_0(x_8 + i32(1), width_2, u32(0));
-    var _S263 : u32 = wrapped_0(y_2, height_2, u32(2));
-    var _S264 : u32 = u32(width_2);
-    var first_6 : u32 = _S263 * _S264;
-    var _S265 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
-    var second_3 : u32 = _S265 * _S264;
+    var _S273 : u32 = wrapped_0(y_2, height_2, u32(2));
+    var _S274 : u32 = u32(width_2);
+    var first_6 : u32 = _S273 * _S274;
+    var _S275 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S275 * _S274;
     return between_0(vec4<u32>(first_6 + left_1, first_6 + right_1, second_3 + left_1, second_3 + right_1), point_0);
 }
 
@@ -2831,114 +2981,114 @@ fn emitted_0( emitter_4 : u32,  place_18 : Place_0,  direction_9 : Vector_0) -> 
     var texture_7 : u32 = word_0(record_9 + u32(1));
     if(!is_map_0(record_9))
     {
-        var _S266 : Vector_0 = shown_0(texture_7, place_18);
-        return _S266;
+        var _S276 : Vector_0 = shown_0(texture_7, place_18);
+        return _S276;
     }
-    var _S267 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_9.value_0, direction_9.change_0 );
-    var _S268 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S267);
+    var _S277 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_9.value_0, direction_9.change_0 );
+    var _S278 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S277);
     var factor_4 : Vector_0 = looked_up_0(word_0(texture_7 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
-    var _S269 : u32 = word_0(texture_7 + u32(11));
-    var _S270 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_9));
-    return x2A_0(looked_up_0(_S269, _S270, _S268.differential_0), factor_4);
+    var _S279 : u32 = word_0(texture_7 + u32(11));
+    var _S280 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_9));
+    return x2A_0(looked_up_0(_S279, _S280, _S278.differential_0), factor_4);
 }
 
-fn light_from_0( at_36 : ShadingPoint_0,  direction_10 : vec3<f32>) -> f32
+fn light_from_0( at_39 : ShadingPoint_0,  direction_10 : vec3<f32>) -> f32
 {
-    var light_2 : f32 = largest_0(scattered_from_0(at_36.vertex_3, direction_10));
-    var _S271 : bool;
-    if((at_36.purpose_0) != u32(1))
+    var light_2 : f32 = largest_0(scattered_from_0(at_39.vertex_3, direction_10));
+    var _S281 : bool;
+    if((at_39.purpose_0) != u32(1))
     {
-        _S271 = true;
+        _S281 = true;
     }
     else
     {
-        _S271 = !(light_2 > 0.0f);
+        _S281 = !(light_2 > 0.0f);
     }
-    if(_S271)
+    if(_S281)
     {
         return light_2;
     }
-    var _S272 : Vector_0 = emitted_0(at_36.emitter_0, at_36.vertex_3.surface_4.place_3, still_0(direction_10));
-    return light_2 * largest_0(value_of_0(_S272));
+    var _S282 : Vector_0 = emitted_0(at_39.emitter_0, at_39.vertex_3.surface_4.place_3, still_0(direction_10));
+    return light_2 * largest_0(value_of_0(_S282));
 }
 
-fn weigh_0( at_37 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+fn weigh_0( at_40 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
 {
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
     var t_5 : f32 = place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, part_1);
     var offset_10 : vec3<f32> = seen_2.start_1 + seen_2.along_1 * vec3<f32>(t_5);
     var normal_6 : vec3<f32> = exact_unit_0(cross(seen_2.start_1, seen_2.along_1));
-    var _S273 : f32 = edge_number_0(seen_2.edge_3.record_8 + u32(10));
+    var _S283 : f32 = edge_number_0(seen_2.edge_3.record_8 + u32(10));
     var speed_1 : f32;
     if(!is_blind_0())
     {
-        speed_1 = abs(dot(velocity_on_0(at_37, seen_2.edge_3, t_5, offset_10), normal_6));
+        speed_1 = abs(dot(velocity_on_0(at_40, seen_2.edge_3, t_5, offset_10), normal_6));
     }
     else
     {
-        speed_1 = _S273;
+        speed_1 = _S283;
     }
     var speed_2 : f32 = speed_1 / length(offset_10);
     var angle_4 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S274 : f32 = light_from_0(at_37, middle_1);
-    var contribution_0 : f32 = angle_4 * _S274 * speed_2;
-    var _S275 : vec2<f32>;
+    var _S284 : f32 = light_from_0(at_40, middle_1);
+    var contribution_0 : f32 = angle_4 * _S284 * speed_2;
+    var _S285 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
     {
-        _S275 = vec2<f32>(contribution_0, angle_4);
+        _S285 = vec2<f32>(contribution_0, angle_4);
     }
     else
     {
-        _S275 = vec2<f32>(0.0f);
+        _S285 = vec2<f32>(0.0f);
     }
-    return _S275;
+    return _S285;
 }
 
-fn multiplicity_0( at_38 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec3<f32>,  normal_7 : vec3<f32>) -> f32
+fn multiplicity_0( at_41 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec3<f32>,  normal_7 : vec3<f32>) -> f32
 {
-    var _S276 : vec3<f32> = cross(normal_7, direction_11);
-    var _S277 : u32 = edge_5.record_8 + u32(8);
-    var k_9 : u32 = edge_word_0(_S277);
-    var count_3 : f32 = 1.0f;
+    var _S286 : vec3<f32> = cross(normal_7, direction_11);
+    var _S287 : u32 = edge_5.record_8 + u32(8);
+    var k_9 : u32 = edge_word_0(_S287);
+    var count_5 : f32 = 1.0f;
     for(;;)
     {
-        if(k_9 < (edge_word_0(_S277 + u32(1))))
+        if(k_9 < (edge_word_0(_S287 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var other_0 : Edge_0 = edge_at_0(at_38, edge_word_0(k_9));
-        if(!((factor_of_0(at_38, other_0)) > 0.0f))
+        var other_0 : Edge_0 = edge_at_0(at_41, edge_word_0(k_9));
+        if(!((factor_of_0(at_41, other_0)) > 0.0f))
         {
             k_9 = k_9 + u32(1);
             continue;
         }
-        var a_18 : vec3<f32> = edge_position_0(other_0.numbers_3) - at_38.vertex_3.surface_4.exact_0;
-        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_3 + u32(3)) - at_38.vertex_3.surface_4.exact_0 - a_18;
-        var place_19 : f32 = - dot(a_18, _S276) / dot(way_1, _S276);
+        var a_18 : vec3<f32> = edge_position_0(other_0.numbers_3) - at_41.vertex_3.surface_4.exact_0;
+        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_3 + u32(3)) - at_41.vertex_3.surface_4.exact_0 - a_18;
+        var place_19 : f32 = - dot(a_18, _S286) / dot(way_1, _S286);
         var there_0 : vec3<f32> = a_18 + way_1 * vec3<f32>(place_19);
-        var _S278 : bool;
+        var _S288 : bool;
         if(place_19 >= 0.0f)
         {
-            _S278 = place_19 <= 1.0f;
+            _S288 = place_19 <= 1.0f;
         }
         else
         {
-            _S278 = false;
+            _S288 = false;
         }
-        var _S279 : bool;
-        if(_S278)
+        var _S289 : bool;
+        if(_S288)
         {
-            _S279 = (dot(there_0, direction_11)) > 0.0f;
+            _S289 = (dot(there_0, direction_11)) > 0.0f;
         }
         else
         {
-            _S279 = false;
+            _S289 = false;
         }
-        if(!_S279)
+        if(!_S289)
         {
             k_9 = k_9 + u32(1);
             continue;
@@ -2948,24 +3098,24 @@ fn multiplicity_0( at_38 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec
             k_9 = k_9 + u32(1);
             continue;
         }
-        var count_4 : f32;
+        var count_6 : f32;
         if((abs(dot(normal_7, exact_unit_0(cross(a_18, way_1))))) > 0.99999898672103882f)
         {
-            count_4 = count_3 + 1.0f;
+            count_6 = count_5 + 1.0f;
         }
         else
         {
-            count_4 = count_3;
+            count_6 = count_5;
         }
-        count_3 = count_4;
+        count_5 = count_6;
         k_9 = k_9 + u32(1);
     }
-    return count_3;
+    return count_5;
 }
 
-fn face_normal_1( at_39 : ShadingPoint_0) -> vec3<f32>
+fn face_normal_1( at_42 : ShadingPoint_0) -> vec3<f32>
 {
-    var corners_1 : u32 = u32(9) * at_39.vertex_3.surface_4.place_3.triangle_0;
+    var corners_1 : u32 = u32(9) * at_42.vertex_3.surface_4.place_3.triangle_0;
     var a_19 : vec3<f32> = primitive_vector_0(corners_1);
     return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_19, primitive_vector_0(corners_1 + u32(6)) - a_19));
 }
@@ -2986,12 +3136,12 @@ struct EdgePoint_0
      is_in_horizon_0 : bool,
 };
 
-fn point_on_0( at_40 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
+fn point_on_0( at_43 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
 {
-    var _S280 : f32 = seen_3.range_1.x;
-    var _S281 : f32 = seen_3.range_1.y;
-    var first_7 : f32 = place_between_0(_S280, _S281, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
-    var last_1 : f32 = place_between_0(_S280, _S281, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
+    var _S290 : f32 = seen_3.range_1.x;
+    var _S291 : f32 = seen_3.range_1.y;
+    var first_7 : f32 = place_between_0(_S290, _S291, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
+    var last_1 : f32 = place_between_0(_S290, _S291, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
     var a_20 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(first_7);
     var b_13 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(last_1);
     var near_3 : f32 = length_of_0(a_20);
@@ -3003,27 +3153,27 @@ fn point_on_0( at_40 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     var t_7 : f32 = place_between_0(first_7, last_1, near_3, far_2, inside_3);
     var offset_11 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(t_7);
     var point_1 : EdgePoint_0;
-    var _S282 : f32 = length_of_0(offset_11);
-    point_1.distance_5 = _S282;
-    var _S283 : vec3<f32> = offset_11 / vec3<f32>(_S282);
-    point_1.direction_12 = _S283;
-    var _S284 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
-    point_1.normal_8 = _S284;
+    var _S292 : f32 = length_of_0(offset_11);
+    point_1.distance_5 = _S292;
+    var _S293 : vec3<f32> = offset_11 / vec3<f32>(_S292);
+    point_1.direction_12 = _S293;
+    var _S294 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_1.normal_8 = _S294;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_6 = t_7;
-    point_1.measure_0 = angle_5 / _S282 / (part_of_all_0 * multiplicity_0(at_40, seen_3.edge_3, _S283, _S284));
-    var face_0 : vec3<f32> = face_normal_1(at_40);
+    point_1.measure_0 = angle_5 / _S292 / (part_of_all_0 * multiplicity_0(at_43, seen_3.edge_3, _S293, _S294));
+    var face_0 : vec3<f32> = face_normal_1(at_43);
     var least_2 : f32 = limit_at_0(u32(2));
-    var _S285 : bool;
+    var _S295 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
     {
-        _S285 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+        _S295 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
     }
     else
     {
-        _S285 = false;
+        _S295 = false;
     }
-    point_1.is_in_horizon_0 = _S285;
+    point_1.is_in_horizon_0 = _S295;
     return point_1;
 }
 
@@ -3032,30 +3182,30 @@ fn offset_of_0( point_2 : EdgePoint_0) -> vec3<f32>
     return point_2.direction_12 * vec3<f32>(point_2.distance_5);
 }
 
-fn flow_at_0( at_41 : ShadingPoint_0,  point_3 : EdgePoint_0) -> f32
+fn flow_at_0( at_44 : ShadingPoint_0,  point_3 : EdgePoint_0) -> f32
 {
-    return dot(velocity_on_0(at_41, point_3.edge_6, point_3.t_6, offset_of_0(point_3)), point_3.normal_8) * point_3.measure_0;
+    return dot(velocity_on_0(at_44, point_3.edge_6, point_3.t_6, offset_of_0(point_3)), point_3.normal_8) * point_3.measure_0;
 }
 
 fn component_0( v_8 : vec3<f32>,  axis_5 : u32) -> f32
 {
-    var _S286 : f32;
+    var _S296 : f32;
     if(axis_5 == u32(0))
     {
-        _S286 = v_8.x;
+        _S296 = v_8.x;
     }
     else
     {
         if(axis_5 == u32(1))
         {
-            _S286 = v_8.y;
+            _S296 = v_8.y;
         }
         else
         {
-            _S286 = v_8.z;
+            _S296 = v_8.z;
         }
     }
-    return _S286;
+    return _S296;
 }
 
 struct Ray_0
@@ -3075,34 +3225,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  axes_3 : ptr<function, u32>) -> Ray_0
 {
     var size_2 : vec3<f32> = abs(direction_13);
-    var _S287 : f32 = size_2.x;
-    var _S288 : f32 = size_2.y;
-    var _S289 : bool;
-    if(_S287 >= _S288)
+    var _S297 : f32 = size_2.x;
+    var _S298 : f32 = size_2.y;
+    var _S299 : bool;
+    if(_S297 >= _S298)
     {
-        _S289 = _S287 >= (size_2.z);
+        _S299 = _S297 >= (size_2.z);
     }
     else
     {
-        _S289 = false;
+        _S299 = false;
     }
-    var _S290 : i32;
-    if(_S289)
+    var _S300 : i32;
+    if(_S299)
     {
-        _S290 = i32(0);
+        _S300 = i32(0);
     }
     else
     {
-        if(_S288 >= (size_2.z))
+        if(_S298 >= (size_2.z))
         {
-            _S290 = i32(1);
+            _S300 = i32(1);
         }
         else
         {
-            _S290 = i32(2);
+            _S300 = i32(2);
         }
     }
-    var z_3 : u32 = u32(_S290);
+    var z_3 : u32 = u32(_S300);
     var x_9 : u32 = (z_3 + u32(1)) % u32(3);
     var y_3 : u32 = (z_3 + u32(2)) % u32(3);
     (*axes_3) = (((x_9 | (((y_3 << (u32(2))))))) | (((z_3 << (u32(4))))));
@@ -3121,9 +3271,9 @@ fn ray_along_0( origin_1 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_1 : f32,
     return ray_0;
 }
 
-fn ray_child_0( node_4 : u32,  slot_2 : u32) -> u32
+fn ray_child_0( node_5 : u32,  slot_2 : u32) -> u32
 {
-    return nodes_0[u32(14) * node_4 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
+    return nodes_0[u32(14) * node_5 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
 }
 
 struct RayView_0
@@ -3136,9 +3286,9 @@ struct RayView_0
      axes_4 : u32,
 };
 
-fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32) -> f32
+fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32) -> f32
 {
-    var _S291 : u32 = u32(14) * node_5 + slot_3 / u32(4);
+    var _S301 : u32 = u32(14) * node_6 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -3151,36 +3301,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S292 : u32 = axis_6;
-        var _S293 : u32 = _S291 + u32(2) * axis_6;
-        var _S294 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S293][_S294])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S293 + u32(6)][_S294])));
-        var _S295 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S296 : f32;
-        if(_S295)
+        var _S302 : u32 = axis_6;
+        var _S303 : u32 = _S301 + u32(2) * axis_6;
+        var _S304 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S303][_S304])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S303 + u32(6)][_S304])));
+        var _S305 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S306 : f32;
+        if(_S305)
         {
-            _S296 = high_0;
+            _S306 = high_0;
         }
         else
         {
-            _S296 = low_3;
+            _S306 = low_3;
         }
-        var _S297 : f32 = max(near_4, _S296 * view_1.inverse_1[_S292] - view_1.offset_near_0[axis_6]);
-        var _S298 : f32;
-        if(_S295)
+        var _S307 : f32 = max(near_4, _S306 * view_1.inverse_1[_S302] - view_1.offset_near_0[axis_6]);
+        var _S308 : f32;
+        if(_S305)
         {
-            _S298 = low_3;
+            _S308 = low_3;
         }
         else
         {
-            _S298 = high_0;
+            _S308 = high_0;
         }
-        var _S299 : f32 = min(far_3, _S298 * view_1.inverse_1[_S292] - view_1.offset_far_0[axis_6]);
-        var _S300 : u32 = axis_6 + u32(1);
-        near_4 = _S297;
-        far_3 = _S299;
-        axis_6 = _S300;
+        var _S309 : f32 = min(far_3, _S308 * view_1.inverse_1[_S302] - view_1.offset_far_0[axis_6]);
+        var _S310 : u32 = axis_6 + u32(1);
+        near_4 = _S307;
+        far_3 = _S309;
+        axis_6 = _S310;
     }
     if(near_4 <= far_3)
     {
@@ -3205,7 +3355,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S301 : u32 = k_10;
+        var _S311 : u32 = k_10;
         if((bounds_0[k_10]) > limit_2)
         {
             k_10 = k_10 + u32(1);
@@ -3222,24 +3372,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S302 : u32 = j_0;
-            var _S303 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S301]))
+            var _S312 : u32 = j_0;
+            var _S313 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S311]))
             {
-                _S303 = true;
+                _S313 = true;
             }
             else
             {
-                if((bounds_0[_S302]) == (bounds_0[_S301]))
+                if((bounds_0[_S312]) == (bounds_0[_S311]))
                 {
-                    _S303 = j_0 < k_10;
+                    _S313 = j_0 < k_10;
                 }
                 else
                 {
-                    _S303 = false;
+                    _S313 = false;
                 }
             }
-            if(_S303)
+            if(_S313)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -3251,7 +3401,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
     return order_0;
 }
 
-fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
+fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
     var slot_4 : u32 = u32(0);
@@ -3264,16 +3414,16 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
         {
             break;
         }
-        var _S304 : f32;
-        if((ray_child_0(node_6, slot_4)) == u32(4294967295))
+        var _S314 : f32;
+        if((ray_child_0(node_7, slot_4)) == u32(4294967295))
         {
-            _S304 = 3.00000000549775576e+38f;
+            _S314 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S304 = ray_bound_0(view_2, limit_3, node_6, slot_4);
+            _S314 = ray_bound_0(view_2, limit_3, node_7, slot_4);
         }
-        bounds_1[slot_4] = _S304;
+        bounds_1[slot_4] = _S314;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -3284,9 +3434,9 @@ fn rounded_0( product_2 : f32,  largest_2 : f32) -> f32
     return min(product_2, largest_2);
 }
 
-fn corner_2( ray_1 : Ray_0,  axes_5 : u32,  at_42 : u32) -> vec3<f32>
+fn corner_2( ray_1 : Ray_0,  axes_5 : u32,  at_45 : u32) -> vec3<f32>
 {
-    var relative_1 : vec3<f32> = primitive_vector_0(at_42) - ray_1.origin_0;
+    var relative_1 : vec3<f32> = primitive_vector_0(at_45) - ray_1.origin_0;
     var z_4 : f32 = component_0(relative_1, (axes_5 >> (u32(4))));
     return vec3<f32>(component_0(relative_1, (axes_5 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_4, ray_1.largest_1), component_0(relative_1, (((axes_5 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_4, ray_1.largest_1), z_4);
 }
@@ -3299,56 +3449,56 @@ struct Crossing_0
      w_3 : f32,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_6 : u32,  at_43 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_6 : u32,  at_46 : u32) -> Crossing_0
 {
     var crossing_1 : Crossing_0;
     crossing_1.is_hit_0 = false;
     crossing_1.t_8 = 0.0f;
     crossing_1.v_9 = 0.0f;
     crossing_1.w_3 = 0.0f;
-    var a_21 : vec3<f32> = corner_2(ray_2, axes_6, at_43);
-    var b_14 : vec3<f32> = corner_2(ray_2, axes_6, at_43 + u32(3));
-    var c_4 : vec3<f32> = corner_2(ray_2, axes_6, at_43 + u32(6));
-    var _S305 : f32 = c_4.x;
-    var _S306 : f32 = b_14.y;
-    var cx_by_0 : f32 = rounded_0(_S305 * _S306, ray_2.largest_1);
-    var _S307 : f32 = c_4.y;
-    var _S308 : f32 = b_14.x;
-    var cy_bx_0 : f32 = rounded_0(_S307 * _S308, ray_2.largest_1);
-    var _S309 : f32 = a_21.x;
-    var ax_cy_0 : f32 = rounded_0(_S309 * _S307, ray_2.largest_1);
-    var _S310 : f32 = a_21.y;
-    var ay_cx_0 : f32 = rounded_0(_S310 * _S305, ray_2.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S308 * _S310, ray_2.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S306 * _S309, ray_2.largest_1);
+    var a_21 : vec3<f32> = corner_2(ray_2, axes_6, at_46);
+    var b_14 : vec3<f32> = corner_2(ray_2, axes_6, at_46 + u32(3));
+    var c_4 : vec3<f32> = corner_2(ray_2, axes_6, at_46 + u32(6));
+    var _S315 : f32 = c_4.x;
+    var _S316 : f32 = b_14.y;
+    var cx_by_0 : f32 = rounded_0(_S315 * _S316, ray_2.largest_1);
+    var _S317 : f32 = c_4.y;
+    var _S318 : f32 = b_14.x;
+    var cy_bx_0 : f32 = rounded_0(_S317 * _S318, ray_2.largest_1);
+    var _S319 : f32 = a_21.x;
+    var ax_cy_0 : f32 = rounded_0(_S319 * _S317, ray_2.largest_1);
+    var _S320 : f32 = a_21.y;
+    var ay_cx_0 : f32 = rounded_0(_S320 * _S315, ray_2.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S318 * _S320, ray_2.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S316 * _S319, ray_2.largest_1);
     var u_2 : f32 = cx_by_0 - cy_bx_0;
     var v_10 : f32 = ax_cy_0 - ay_cx_0;
     var w_4 : f32 = bx_ay_0 - by_ax_0;
-    var _S311 : f32 = min(min(u_2, v_10), w_4);
-    var _S312 : f32 = max(max(u_2, v_10), w_4);
-    var _S313 : bool;
-    if(_S311 < 0.0f)
+    var _S321 : f32 = min(min(u_2, v_10), w_4);
+    var _S322 : f32 = max(max(u_2, v_10), w_4);
+    var _S323 : bool;
+    if(_S321 < 0.0f)
     {
-        _S313 = _S312 > 0.0f;
+        _S323 = _S322 > 0.0f;
     }
     else
     {
-        _S313 = false;
+        _S323 = false;
     }
-    if(_S313)
+    if(_S323)
     {
         return crossing_1;
     }
     var determinant_0 : f32 = u_2 + v_10 + w_4;
-    if(_S311 <= 0.0f)
+    if(_S321 <= 0.0f)
     {
-        _S313 = _S312 >= 0.0f;
+        _S323 = _S322 >= 0.0f;
     }
     else
     {
-        _S313 = false;
+        _S323 = false;
     }
-    if(_S313)
+    if(_S323)
     {
         if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -3362,13 +3512,13 @@ fn intersect_0( ray_2 : Ray_0,  axes_6 : u32,  at_43 : u32) -> Crossing_0
     var t_9 : f32 = (rounded_0(u_2 * a_21.z, ray_2.largest_1) + rounded_0(v_10 * b_14.z, ray_2.largest_1) + rounded_0(w_4 * c_4.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
     if((ray_2.t_min_0) <= t_9)
     {
-        _S313 = t_9 <= (ray_2.t_max_0);
+        _S323 = t_9 <= (ray_2.t_max_0);
     }
     else
     {
-        _S313 = false;
+        _S323 = false;
     }
-    crossing_1.is_hit_0 = _S313;
+    crossing_1.is_hit_0 = _S323;
     crossing_1.t_8 = t_9;
     crossing_1.v_9 = v_10 / determinant_0;
     crossing_1.w_3 = w_4 / determinant_0;
@@ -3390,7 +3540,7 @@ struct Found_0
 
 fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S314 : bool;
+    var _S324 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_8 = u32(4294967295);
@@ -3422,31 +3572,31 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S315 : u32 = way_2[level_0].y;
-        if(_S315 == u32(0))
+        var _S325 : u32 = way_2[level_0].y;
+        if(_S325 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S316 : u32 = level_0 - u32(1);
+            var _S326 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S316;
+            level_0 = _S326;
             continue;
         }
-        var slot_5 : u32 = ((_S315 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S315 >> (u32(4)));
-        var _S317 : bool;
+        var slot_5 : u32 = ((_S325 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S325 >> (u32(4)));
+        var _S327 : bool;
         if(!is_new_1)
         {
-            _S317 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+            _S327 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S317 = false;
+            _S327 = false;
         }
-        if(_S317)
+        if(_S327)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -3455,20 +3605,20 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S318 : u32 = level_0 + u32(1);
+            var _S328 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S318;
+            level_0 = _S328;
             continue;
         }
-        var leaf_1 : u32 = (child_0 & (u32(2147483647)));
-        var _S319 : u32 = leaf_starts_0[leaf_1 + u32(1)];
-        var _S320 : u32 = leaf_starts_0[leaf_1];
+        var leaf_4 : u32 = (child_0 & (u32(2147483647)));
+        var _S329 : u32 = leaf_starts_0[leaf_4 + u32(1)];
+        var _S330 : u32 = leaf_starts_0[leaf_4];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S320;
+        var i_2 : u32 = _S330;
         for(;;)
         {
-            if(i_2 < _S319)
+            if(i_2 < _S329)
             {
             }
             else
@@ -3483,23 +3633,23 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S314 = true;
+                _S324 = true;
             }
             else
             {
-                _S314 = (crossing_2.t_8) < ((*ray_3).t_max_0);
+                _S324 = (crossing_2.t_8) < ((*ray_3).t_max_0);
             }
-            var _S321 : bool;
-            if(_S314)
+            var _S331 : bool;
+            if(_S324)
             {
-                _S321 = true;
+                _S331 = true;
             }
             else
             {
-                _S321 = (face_1(i_2)) < (found_0.face_2);
+                _S331 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S321)
+            if(_S331)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_8 = i_2;
@@ -3517,13 +3667,13 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S314 = (found_0.face_2) != u32(4294967295);
+            _S324 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S314 = false;
+            _S324 = false;
         }
-        if(_S314)
+        if(_S324)
         {
             break;
         }
@@ -3537,11 +3687,11 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_2 : vec3<f32>,  direction_14 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_1 : bool,  t_10 : ptr<function, f32>) -> Found_0
 {
     var view_4 : RayView_0;
-    var _S322 : u32 = view_4.axes_4;
-    var _S323 : Ray_0 = ray_along_0(origin_2, direction_14, t_min_2, t_max_2, &(_S322));
-    view_4.axes_4 = _S322;
-    var ray_4 : Ray_0 = _S323;
-    var _S324 : vec3<f32> = direction_14 / vec3<f32>(ray_4.local_per_t_0);
+    var _S332 : u32 = view_4.axes_4;
+    var _S333 : Ray_0 = ray_along_0(origin_2, direction_14, t_min_2, t_max_2, &(_S332));
+    view_4.axes_4 = _S332;
+    var ray_4 : Ray_0 = _S333;
+    var _S334 : vec3<f32> = direction_14 / vec3<f32>(ray_4.local_per_t_0);
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -3552,17 +3702,17 @@ fn cast_0( origin_2 : vec3<f32>,  direction_14 : vec3<f32>,  t_min_2 : f32,  t_m
         {
             break;
         }
-        var _S325 : f32 = max(abs(_S324[axis_7]), 8.67361737988403547e-19f);
-        var _S326 : f32;
-        if((_S324[axis_7]) < 0.0f)
+        var _S335 : f32 = max(abs(_S334[axis_7]), 8.67361737988403547e-19f);
+        var _S336 : f32;
+        if((_S334[axis_7]) < 0.0f)
         {
-            _S326 = -1.0f / _S325;
+            _S336 = -1.0f / _S335;
         }
         else
         {
-            _S326 = 1.0f / _S325;
+            _S336 = 1.0f / _S335;
         }
-        view_4.inverse_1[axis_7] = _S326;
+        view_4.inverse_1[axis_7] = _S336;
         axis_7 = axis_7 + u32(1);
     }
     var offset_12 : vec3<f32> = origin_2 * view_4.inverse_1;
@@ -3585,7 +3735,7 @@ struct Side_0
      t_11 : f32,
 };
 
-fn look_0( at_44 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Side_0
+fn look_0( at_47 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Side_0
 {
     var step_0 : vec3<f32> = point_4.normal_8 * vec3<f32>(edge_real_0(u32(3)));
     var origin_3 : vec3<f32>;
@@ -3600,33 +3750,33 @@ fn look_0( at_44 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Sid
     var direction_16 : vec3<f32> = exact_unit_0(origin_3);
     if(point_4.is_in_horizon_0)
     {
-        var face_3 : vec3<f32> = face_normal_1(at_44);
+        var face_3 : vec3<f32> = face_normal_1(at_47);
         var height_3 : f32 = limit_at_0(u32(2));
-        var _S327 : f32;
+        var _S337 : f32;
         if((dot(direction_16, face_3)) < 0.0f)
         {
-            _S327 = - height_3;
+            _S337 = - height_3;
         }
         else
         {
-            _S327 = height_3;
+            _S337 = height_3;
         }
-        origin_3 = at_44.vertex_3.surface_4.exact_0 + face_3 * vec3<f32>(_S327);
+        origin_3 = at_47.vertex_3.surface_4.exact_0 + face_3 * vec3<f32>(_S337);
     }
     else
     {
-        origin_3 = at_44.vertex_3.surface_4.exact_0;
+        origin_3 = at_47.vertex_3.surface_4.exact_0;
     }
     var seen_4 : Side_0;
     seen_4.direction_15 = direction_16;
     seen_4.rest_3 = vec3<f32>(0.0f);
-    seen_4.scattered_2 = scattered_from_0(at_44.vertex_3, direction_16);
-    var _S328 : f32 = limit_at_0(u32(2));
-    var _S329 : f32 = limit_at_0(u32(1));
-    var _S330 : f32 = seen_4.t_11;
-    var _S331 : Found_0 = cast_0(origin_3, direction_16, _S328, _S329, false, &(_S330));
-    seen_4.t_11 = _S330;
-    seen_4.found_2 = _S331;
+    seen_4.scattered_2 = scattered_from_0(at_47.vertex_3, direction_16);
+    var _S338 : f32 = limit_at_0(u32(2));
+    var _S339 : f32 = limit_at_0(u32(1));
+    var _S340 : f32 = seen_4.t_11;
+    var _S341 : Found_0 = cast_0(origin_3, direction_16, _S338, _S339, false, &(_S340));
+    seen_4.t_11 = _S340;
+    seen_4.found_2 = _S341;
     return seen_4;
 }
 
@@ -3697,21 +3847,21 @@ fn set_place_0( path_11 : u32,  which_9 : ptr<function, u32>,  place_20 : Place_
 
 fn begin_side_0( number_1 : u32,  path_12 : Path_0,  side_2 : Side_0,  weight_0 : vec3<f32>)
 {
-    var at_45 : u32 = u32(1);
-    set_vector_0(number_1, &(at_45), vec3<f32>(0.0f));
-    set_vector_0(number_1, &(at_45), vec3<f32>(1.0f));
-    set_vector_0(number_1, &(at_45), side_2.direction_15);
-    set_place_0(number_1, &(at_45), place_of_0(side_2.found_2));
-    var _S332 : u32 = at_45 + u32(1);
-    set_word_0(number_1, at_45, path_12.key_0.x);
-    at_45 = _S332 + u32(1);
-    set_word_0(number_1, _S332, path_12.key_0.y);
-    set_vector_0(number_1, &(at_45), side_2.rest_3);
-    set_vector_0(number_1, &(at_45), weight_0);
+    var at_48 : u32 = u32(1);
+    set_vector_0(number_1, &(at_48), vec3<f32>(0.0f));
+    set_vector_0(number_1, &(at_48), vec3<f32>(1.0f));
+    set_vector_0(number_1, &(at_48), side_2.direction_15);
+    set_place_0(number_1, &(at_48), place_of_0(side_2.found_2));
+    var _S342 : u32 = at_48 + u32(1);
+    set_word_0(number_1, at_48, path_12.key_0.x);
+    at_48 = _S342 + u32(1);
+    set_word_0(number_1, _S342, path_12.key_0.y);
+    set_vector_0(number_1, &(at_48), side_2.rest_3);
+    set_vector_0(number_1, &(at_48), weight_0);
     return;
 }
 
-fn begin_sides_of_0( at_46 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_3 : u32,  path_13 : Path_0,  factor_5 : vec3<f32>) -> vec2<bool>
+fn begin_sides_of_0( at_49 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_3 : u32,  path_13 : Path_0,  factor_5 : vec3<f32>) -> vec2<bool>
 {
     var sides_0 : array<Side_0, i32(2)>;
     var side_3 : u32 = u32(0);
@@ -3724,18 +3874,18 @@ fn begin_sides_of_0( at_46 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_
         {
             break;
         }
-        sides_0[side_3] = look_0(at_46, point_5, side_3);
+        sides_0[side_3] = look_0(at_49, point_5, side_3);
         side_3 = side_3 + u32(1);
     }
     var nearest_0 : f32 = point_5.distance_5 * 0.99999898672103882f;
-    var _S333 : bool;
+    var _S343 : bool;
     if((sides_0[i32(0)].found_2.face_2) == (sides_0[i32(1)].found_2.face_2))
     {
-        _S333 = (max(sides_0[i32(0)].t_11, sides_0[i32(1)].t_11)) < nearest_0;
+        _S343 = (max(sides_0[i32(0)].t_11, sides_0[i32(1)].t_11)) < nearest_0;
     }
     else
     {
-        _S333 = false;
+        _S343 = false;
     }
     var goes_on_1 : vec2<bool> = vec2<bool>(false, false);
     side_3 = u32(0);
@@ -3748,55 +3898,55 @@ fn begin_sides_of_0( at_46 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_
         {
             break;
         }
-        var _S334 : bool;
-        if(_S333)
+        var _S344 : bool;
+        if(_S343)
         {
-            _S334 = true;
+            _S344 = true;
         }
         else
         {
-            _S334 = (sides_0[side_3].found_2.face_2) == u32(4294967295);
+            _S344 = (sides_0[side_3].found_2.face_2) == u32(4294967295);
         }
-        var _S335 : bool;
-        if(_S334)
+        var _S345 : bool;
+        if(_S344)
         {
-            _S335 = true;
+            _S345 = true;
         }
         else
         {
-            _S335 = !((largest_0(sides_0[side_3].scattered_2)) > 0.0f);
+            _S345 = !((largest_0(sides_0[side_3].scattered_2)) > 0.0f);
         }
-        if(_S335)
+        if(_S345)
         {
             side_3 = side_3 + u32(1);
             continue;
         }
-        var _S336 : vec3<f32> = factor_5 * sides_0[side_3].scattered_2;
-        var _S337 : f32;
+        var _S346 : vec3<f32> = factor_5 * sides_0[side_3].scattered_2;
+        var _S347 : f32;
         if(side_3 == u32(0))
         {
-            _S337 = 1.0f;
+            _S347 = 1.0f;
         }
         else
         {
-            _S337 = -1.0f;
+            _S347 = -1.0f;
         }
-        begin_side_0(side_path_0(number_of_path_3, side_3), path_13, sides_0[side_3], _S336 * vec3<f32>(_S337));
+        begin_side_0(side_path_0(number_of_path_3, side_3), path_13, sides_0[side_3], _S346 * vec3<f32>(_S347));
         goes_on_1[side_3] = true;
         side_3 = side_3 + u32(1);
     }
     return goes_on_1;
 }
 
-fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_47 : ShadingPoint_0,  point_6 : EdgePoint_0,  number_of_path_4 : u32,  path_14 : Path_0)
+fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_50 : ShadingPoint_0,  point_6 : EdgePoint_0,  number_of_path_4 : u32,  path_14 : Path_0)
 {
-    var flow_0 : f32 = flow_at_0(at_47, point_6);
+    var flow_0 : f32 = flow_at_0(at_50, point_6);
     if(flow_0 == 0.0f)
     {
         return;
     }
-    var _S338 : vec2<bool> = begin_sides_of_0(at_47, point_6, number_of_path_4, path_14, (*crossed_2).factor_1 * vec3<f32>(flow_0));
-    (*crossed_2).goes_on_0 = _S338;
+    var _S348 : vec2<bool> = begin_sides_of_0(at_50, point_6, number_of_path_4, path_14, (*crossed_2).factor_1 * vec3<f32>(flow_0));
+    (*crossed_2).goes_on_0 = _S348;
     return;
 }
 
@@ -3807,7 +3957,7 @@ struct Share_0
      place_21 : f32,
 };
 
-fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  number_of_path_5 : u32,  path_15 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
+fn draw_points_0( at_51 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  number_of_path_5 : u32,  path_15 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
 {
     var points_0 : u32 = u32(1);
     var least_3 : f32 = 0.0f;
@@ -3839,7 +3989,7 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
             }
             var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
             var total_1 : f32 = contributions_0 + least_4 * angles_0;
-            if((at_48.purpose_0) == u32(0))
+            if((at_51.purpose_0) == u32(0))
             {
                 target_1 = asked_0.share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
             }
@@ -3848,62 +3998,153 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 target_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(target_1 - 0.00100000004749745f));
-            var _S339 : f32 = f32(points_1);
-            var _S340 : f32 = asked_0.over_all_0 * _S339;
-            var step_2 : f32 = total_1 / _S339;
-            var _S341 : f32 = step_2 * asked_0.place_21;
+            var _S349 : f32 = f32(points_1);
+            var _S350 : f32 = asked_0.over_all_0 * _S349;
+            var step_2 : f32 = total_1 / _S349;
+            var _S351 : f32 = step_2 * asked_0.place_21;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S340;
+            over_all_1 = _S350;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S341;
+            target_1 = _S351;
         }
         else
         {
             target_1 = target_0;
         }
-        var k_11 : u32 = edge_word_0(leaf_2 + u32(2));
-        var drawn_1 : u32 = drawn_0;
-        var contributions_1 : f32 = contributions_0;
-        var angles_1 : f32 = angles_0;
-        var pieces_2 : f32 = pieces_1;
-        var cumulative_1 : f32 = cumulative_0;
-        var target_2 : f32 = target_1;
+        var leaves_4 : Leaves_0 = below_0(node_8);
+        var leaf_5 : u32;
+        target_0 = target_1;
         for(;;)
         {
-            var _S342 : bool;
-            if(k_11 < (edge_word_0(leaf_2 + u32(3))))
+            var _S352 : bool;
+            if(drawn_0 < points_0)
             {
-                _S342 = drawn_1 < points_0;
+                var _S353 : bool = next_leaf_1(at_51, &(leaves_4), &(leaf_5));
+                _S352 = _S353;
             }
             else
             {
-                _S342 = false;
+                _S352 = false;
             }
-            if(_S342)
+            if(_S352)
             {
             }
             else
             {
                 break;
             }
-            var seen_5 : SeenEdge_0;
-            var _S343 : bool = see_edge_0(at_48, k_11, &(seen_5));
-            var drawn_2 : u32;
-            var contributions_2 : f32;
-            var angles_2 : f32;
-            var pieces_3 : f32;
-            var cumulative_2 : f32;
-            var target_3 : f32;
-            if(!_S343)
+            var k_11 : u32 = edge_word_0(leaf_5 + u32(2));
+            var drawn_1 : u32 = drawn_0;
+            var contributions_1 : f32 = contributions_0;
+            var angles_1 : f32 = angles_0;
+            var pieces_2 : f32 = pieces_1;
+            var cumulative_1 : f32 = cumulative_0;
+            var target_2 : f32 = target_0;
+            for(;;)
             {
-                drawn_2 = drawn_1;
+                var _S354 : bool;
+                if(k_11 < (edge_word_0(leaf_5 + u32(3))))
+                {
+                    _S354 = drawn_1 < points_0;
+                }
+                else
+                {
+                    _S354 = false;
+                }
+                if(_S354)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var seen_5 : SeenEdge_0;
+                var _S355 : bool = see_edge_0(at_51, k_11, &(seen_5));
+                var drawn_2 : u32;
+                var contributions_2 : f32;
+                var angles_2 : f32;
+                var pieces_3 : f32;
+                var cumulative_2 : f32;
+                var target_3 : f32;
+                if(!_S355)
+                {
+                    drawn_2 = drawn_1;
+                    contributions_2 = contributions_1;
+                    angles_2 = angles_1;
+                    pieces_3 = pieces_2;
+                    cumulative_2 = cumulative_1;
+                    target_3 = target_2;
+                    k_11 = k_11 + u32(1);
+                    drawn_1 = drawn_2;
+                    contributions_1 = contributions_2;
+                    angles_1 = angles_2;
+                    pieces_2 = pieces_3;
+                    cumulative_1 = cumulative_2;
+                    target_2 = target_3;
+                    continue;
+                }
+                var piece_2 : f32 = 0.0f;
                 contributions_2 = contributions_1;
                 angles_2 = angles_1;
                 pieces_3 = pieces_2;
                 cumulative_2 = cumulative_1;
+                drawn_2 = drawn_1;
                 target_3 = target_2;
+                for(;;)
+                {
+                    if(piece_2 < (seen_5.pieces_0))
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var weight_1 : vec2<f32> = weigh_0(at_51, seen_5, piece_2);
+                    if(pass_0 == u32(0))
+                    {
+                        var angles_3 : f32 = angles_2 + weight_1.y;
+                        var pieces_4 : f32 = pieces_3 + 1.0f;
+                        contributions_2 = contributions_2 + weight_1.x;
+                        angles_2 = angles_3;
+                        pieces_3 = pieces_4;
+                        piece_2 = piece_2 + 1.0f;
+                        continue;
+                    }
+                    var own_1 : f32 = weight_1.x + least_3 * weight_1.y;
+                    var cumulative_3 : f32 = cumulative_2 + own_1;
+                    var drawn_3 : u32 = drawn_2;
+                    var target_4 : f32 = target_3;
+                    for(;;)
+                    {
+                        var _S356 : bool;
+                        if(drawn_3 < points_0)
+                        {
+                            _S356 = target_4 < cumulative_3;
+                        }
+                        else
+                        {
+                            _S356 = false;
+                        }
+                        if(_S356)
+                        {
+                        }
+                        else
+                        {
+                            break;
+                        }
+                        var _S357 : u32 = drawn_3 + u32(1);
+                        var target_5 : f32 = target_4 + step_1;
+                        cross_at_0(&((*crossed_3)), at_51, point_on_0(at_51, seen_5, piece_2, clamp((target_4 - cumulative_2) / own_1, 0.0f, 1.0f), over_all_1 * own_1 / total_0), number_of_path_5, path_15);
+                        drawn_3 = _S357;
+                        target_4 = target_5;
+                    }
+                    cumulative_2 = cumulative_3;
+                    drawn_2 = drawn_3;
+                    target_3 = target_4;
+                    piece_2 = piece_2 + 1.0f;
+                }
                 k_11 = k_11 + u32(1);
                 drawn_1 = drawn_2;
                 contributions_1 = contributions_2;
@@ -3911,103 +4152,52 @@ fn draw_points_0( at_48 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 pieces_2 = pieces_3;
                 cumulative_1 = cumulative_2;
                 target_2 = target_3;
-                continue;
             }
-            var piece_2 : f32 = 0.0f;
-            contributions_2 = contributions_1;
-            angles_2 = angles_1;
-            pieces_3 = pieces_2;
-            cumulative_2 = cumulative_1;
-            drawn_2 = drawn_1;
-            target_3 = target_2;
-            for(;;)
-            {
-                if(piece_2 < (seen_5.pieces_0))
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var weight_1 : vec2<f32> = weigh_0(at_48, seen_5, piece_2);
-                if(pass_0 == u32(0))
-                {
-                    var angles_3 : f32 = angles_2 + weight_1.y;
-                    var pieces_4 : f32 = pieces_3 + 1.0f;
-                    contributions_2 = contributions_2 + weight_1.x;
-                    angles_2 = angles_3;
-                    pieces_3 = pieces_4;
-                    piece_2 = piece_2 + 1.0f;
-                    continue;
-                }
-                var own_1 : f32 = weight_1.x + least_3 * weight_1.y;
-                var cumulative_3 : f32 = cumulative_2 + own_1;
-                var drawn_3 : u32 = drawn_2;
-                var target_4 : f32 = target_3;
-                for(;;)
-                {
-                    var _S344 : bool;
-                    if(drawn_3 < points_0)
-                    {
-                        _S344 = target_4 < cumulative_3;
-                    }
-                    else
-                    {
-                        _S344 = false;
-                    }
-                    if(_S344)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var _S345 : u32 = drawn_3 + u32(1);
-                    var target_5 : f32 = target_4 + step_1;
-                    cross_at_0(&((*crossed_3)), at_48, point_on_0(at_48, seen_5, piece_2, clamp((target_4 - cumulative_2) / own_1, 0.0f, 1.0f), over_all_1 * own_1 / total_0), number_of_path_5, path_15);
-                    drawn_3 = _S345;
-                    target_4 = target_5;
-                }
-                cumulative_2 = cumulative_3;
-                drawn_2 = drawn_3;
-                target_3 = target_4;
-                piece_2 = piece_2 + 1.0f;
-            }
-            k_11 = k_11 + u32(1);
-            drawn_1 = drawn_2;
-            contributions_1 = contributions_2;
-            angles_1 = angles_2;
-            pieces_2 = pieces_3;
-            cumulative_1 = cumulative_2;
-            target_2 = target_3;
+            drawn_0 = drawn_1;
+            contributions_0 = contributions_1;
+            angles_0 = angles_1;
+            pieces_1 = pieces_2;
+            cumulative_0 = cumulative_1;
+            target_0 = target_2;
         }
         pass_0 = pass_0 + u32(1);
-        angles_0 = angles_1;
-        contributions_0 = contributions_1;
-        pieces_1 = pieces_2;
-        drawn_0 = drawn_1;
-        cumulative_0 = cumulative_1;
-        target_0 = target_2;
     }
     return;
 }
 
-fn sample_points_0( at_49 : ShadingPoint_0,  number_of_path_6 : u32,  path_16 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_52 : ShadingPoint_0,  number_of_path_6 : u32,  path_16 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
 {
-    var numbers_8 : u32 = numbers_for_0(at_49.purpose_0) + u32(1);
-    var _S346 : f32 = f32(subtree_0);
-    var _S347 : f32 = f32(subtrees_0);
-    var leaf_3 : u32;
-    var probability_4 : f32;
-    var _S348 : bool = descend_0(at_49, (_S346 + precise_random_0(path_16.key_0, numbers_8)) / _S347, &(leaf_3), &(probability_4));
-    if(!_S348)
+    var numbers_8 : u32 = numbers_for_0(at_52.purpose_0) + u32(1);
+    var node_9 : u32 = edge_word_0(at_52.tree_0);
+    var u_3 : f32 = precise_random_0(path_16.key_0, numbers_8);
+    var probability_4 : f32 = 1.0f;
+    var is_whole_0 : bool;
+    if((at_52.purpose_0) == u32(0))
+    {
+        is_whole_0 = takes_all_0(at_52);
+    }
+    else
+    {
+        is_whole_0 = false;
+    }
+    if(!is_whole_0)
+    {
+        var _S358 : bool = descend_0(at_52, (f32(subtree_0) + u_3) / f32(subtrees_0), &(node_9), &(probability_4));
+        is_whole_0 = !_S358;
+    }
+    else
+    {
+        is_whole_0 = false;
+    }
+    if(is_whole_0)
     {
         return;
     }
     var asked_1 : Share_0;
-    asked_1.share_0 = 1.0f / _S347;
-    asked_1.over_all_0 = probability_4 * _S347;
-    asked_1.place_21 = precise_random_0(path_16.key_0, numbers_8 + u32(1)) + 0.6180340051651001f * _S346;
+    var _S359 : f32 = f32(subtrees_0);
+    asked_1.share_0 = 1.0f / _S359;
+    asked_1.over_all_0 = probability_4 * _S359;
+    asked_1.place_21 = precise_random_0(path_16.key_0, numbers_8 + u32(1)) + 0.6180340051651001f * f32(subtree_0);
     for(;;)
     {
         if((asked_1.place_21) >= 1.0f)
@@ -4019,19 +4209,19 @@ fn sample_points_0( at_49 : ShadingPoint_0,  number_of_path_6 : u32,  path_16 : 
         }
         asked_1.place_21 = asked_1.place_21 - 1.0f;
     }
-    draw_points_0(at_49, leaf_3, asked_1, number_of_path_6, path_16, &((*crossed_4)));
+    draw_points_0(at_52, node_9, asked_1, number_of_path_6, path_16, &((*crossed_4)));
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S349 : u32;
+    var _S360 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S350 : u32 = u32(2) + zero_0;
-        _S349 = _S350;
-        if(rounds_0 < _S350)
+        var _S361 : u32 = u32(2) + zero_0;
+        _S360 = _S361;
+        if(rounds_0 < _S361)
         {
         }
         else
@@ -4040,14 +4230,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S349;
+    return rounds_0 == _S360;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S351 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S362 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4065,21 +4255,21 @@ fn begin_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var factor_6 : vec3<f32>;
     var path_17 : Path_0 = path_at_vertex_0(number_of_path_7, &(factor_6));
     var crossed_5 : Crossed_0 = nothing_crossed_0(factor_6);
-    var at_50 : ShadingPoint_0;
-    var _S352 : bool = shading_point_0(path_17, &(at_50));
-    var _S353 : bool;
-    if(_S352)
+    var at_53 : ShadingPoint_0;
+    var _S363 : bool = shading_point_0(path_17, &(at_53));
+    var _S364 : bool;
+    if(_S363)
     {
-        var _S354 : f32 = turn_to_0(u32(2), path_17.key_0, &(at_50));
-        _S353 = _S354 > 0.0f;
+        var _S365 : f32 = turn_to_0(u32(2), path_17.key_0, &(at_53));
+        _S364 = _S365 > 0.0f;
     }
     else
     {
-        _S353 = false;
+        _S364 = false;
     }
-    if(_S353)
+    if(_S364)
     {
-        sample_points_0(at_50, number_of_path_7, path_17, subtree_of_launch_0(), subtrees_of_0(at_50), &(crossed_5));
+        sample_points_0(at_53, number_of_path_7, path_17, subtree_of_launch_0(), subtrees_of_0(at_53), &(crossed_5));
     }
     var side_4 : u32 = u32(0);
     for(;;)
@@ -4094,17 +4284,17 @@ fn begin_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         var goes_on_2 : bool = crossed_5.goes_on_0[side_4];
         var number_2 : u32 = side_path_0(number_of_path_7, side_4);
         var which_10 : u32 = u32(20);
-        var _S355 : u32 = u32(2) * listed_0 + side_4;
-        var _S356 : u32;
+        var _S366 : u32 = u32(2) * listed_0 + side_4;
+        var _S367 : u32;
         if(crossed_5.goes_on_0[side_4])
         {
-            _S356 = number_2;
+            _S367 = number_2;
         }
         else
         {
-            _S356 = u32(4294967295);
+            _S367 = u32(4294967295);
         }
-        set_word_0(_S355, u32(0), _S356);
+        set_word_0(_S366, u32(0), _S367);
         if(!goes_on_2)
         {
             set_vector_1(number_2, &(which_10), vec3<f32>(0.0f));

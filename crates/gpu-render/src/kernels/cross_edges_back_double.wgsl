@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 95a321724ff541a4
-// result: 3dc3404fbc3550dc
+// source: a5da34863903b748
+// result: a9e959956f857bd0
 
 struct Launch_std140_0
 {
@@ -2021,6 +2021,20 @@ fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f64
     return (f64((_S271 >> (u32(11)))) + f64((((_S271 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
+struct Leaves_0
+{
+     count_3 : u32,
+     nodes_1 : array<u32, i32(96)>,
+};
+
+fn below_0( node_1 : u32) -> Leaves_0
+{
+    var leaves_0 : Leaves_0;
+    leaves_0.count_3 = u32(1);
+    leaves_0.nodes_1[i32(0)] = node_1;
+    return leaves_0;
+}
+
 fn edge_number_0( at_18 : u32) -> f32
 {
     return (bitcast<f32>((edge_word_0(at_18))));
@@ -2031,25 +2045,25 @@ fn edge_vector_0( at_19 : u32) -> vec3<f32>
     return vec3<f32>(edge_number_0(at_19), edge_number_0(at_19 + u32(1)), edge_number_0(at_19 + u32(2)));
 }
 
-fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
+fn may_have_silhouette_0( node_2 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
 {
-    var sine_2 : f32 = edge_number_0(node_1 + u32(11));
-    var cosine_3 : f32 = edge_number_0(node_1 + u32(12));
+    var sine_2 : f32 = edge_number_0(node_2 + u32(11));
+    var cosine_3 : f32 = edge_number_0(node_2 + u32(12));
     if(sine_2 > 1.0f)
     {
         return true;
     }
-    var margin_0 : f32 = (edge_number_0(node_1 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
+    var margin_0 : f32 = (edge_number_0(node_2 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
     var margin_1 : f32;
     if(cosine_3 > 0.0f)
     {
-        margin_1 = min((edge_number_0(node_1 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
+        margin_1 = min((edge_number_0(node_2 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
     }
     else
     {
         margin_1 = margin_0;
     }
-    return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
+    return !((abs(dot(edge_vector_0(node_2 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
 }
 
 fn is_outside_0( at_20 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
@@ -2152,16 +2166,16 @@ fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
     return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
 }
 
-fn speed_of_0( at_21 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+fn speed_of_0( at_21 : ShadingPoint_0,  node_3 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
 {
     if(is_blind_0())
     {
-        return edge_number_0(node_2 + u32(20)) + 0.10000000149011612f;
+        return edge_number_0(node_3 + u32(20)) + 0.10000000149011612f;
     }
-    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_21.motion_1, offset_7);
-    var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
-    var sine_3 : f32 = edge_number_0(node_2 + u32(11));
-    var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
+    var relative_0 : vec3<f32> = edge_vector_0(node_3 + u32(17)) - velocity_at_0(at_21.motion_1, offset_7);
+    var axis_4 : vec3<f32> = edge_vector_0(node_3 + u32(8));
+    var sine_3 : f32 = edge_number_0(node_3 + u32(11));
+    var cosine_4 : f32 = edge_number_0(node_3 + u32(12));
     var along_0 : f32 = abs(dot(axis_4, relative_0));
     var across_1 : f32 = length(cross(axis_4, relative_0));
     var speed_0 : f32;
@@ -2173,19 +2187,19 @@ fn speed_of_0( at_21 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  ra
     {
         speed_0 = length(relative_0);
     }
-    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_21.motion_1.rotation_0) * radius_3;
+    return speed_0 + edge_number_0(node_3 + u32(20)) + length(at_21.motion_1.rotation_0) * radius_3;
 }
 
-fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
+fn importance_of_0( at_22 : ShadingPoint_0,  node_4 : u32) -> f32
 {
-    var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
+    var centre_1 : vec3<f32> = edge_vector_0(node_4 + u32(4));
     var offset_8 : vec3<f32> = centre_1 - at_22.vertex_2.surface_3.position_0;
-    var radius_4 : f32 = edge_number_0(node_3 + u32(7));
+    var radius_4 : f32 = edge_number_0(node_4 + u32(7));
     var distance_5 : f32 = length(offset_8);
     var _S276 : bool;
     if(!at_22.has_creases_0)
     {
-        _S276 = !may_have_silhouette_0(node_3, offset_8, distance_5);
+        _S276 = !may_have_silhouette_0(node_4, offset_8, distance_5);
     }
     else
     {
@@ -2201,7 +2215,7 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
     }
     var cosine_5 : f32 = largest_cosine_0(at_22.vertex_2.surface_3.position_0, at_22.vertex_2.axes_4.n_0, centre_1, radius_4);
     var _S277 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
-    var least_0 : f32 = edge_number_0(node_3 + u32(16));
+    var least_0 : f32 = edge_number_0(node_4 + u32(16));
     var ratio_0 : f32 = _S277 / max(max(distance_5 * distance_5 - _S277, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
     var visible_0 : f32;
     if(ratio_0 < 0.00100000004749745f)
@@ -2213,56 +2227,192 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
         visible_0 = logarithm_0(1.0f + ratio_0);
     }
     var near_0 : f32 = visible_0 / _S277;
-    var visible_1 : f32 = edge_number_0(node_3 + u32(14));
-    if(distance_5 > (edge_number_0(node_3 + u32(15))))
+    var visible_1 : f32 = edge_number_0(node_4 + u32(14));
+    if(distance_5 > (edge_number_0(node_4 + u32(15))))
     {
-        visible_0 = visible_1 * edge_number_0(node_3 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
+        visible_0 = visible_1 * edge_number_0(node_4 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
     }
     else
     {
         visible_0 = visible_1;
     }
-    return visible_0 * speed_of_0(at_22, node_3, offset_8, radius_4) * cosine_5 * near_0;
+    return visible_0 * speed_of_0(at_22, node_4, offset_8, radius_4) * cosine_5 * near_0;
 }
 
-fn descend_0( at_23 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+fn next_leaf_0( at_23 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_0 : ptr<function, u32>) -> bool
 {
     var nodes_at_0 : u32 = edge_word_0(at_23.tree_0);
     (*leaf_0) = nodes_at_0;
-    (*probability_2) = 1.0f;
-    var _S278 : f64 = u_1;
     for(;;)
     {
-        if((edge_word_0((*leaf_0))) != u32(4294967295))
+        if(((*leaves_1).count_3) > u32(0))
         {
         }
         else
         {
             break;
         }
-        var first_2 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
-        var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
-        var of_first_0 : f32 = importance_of_0(at_23, first_2);
-        var of_second_0 : f32 = importance_of_0(at_23, second_1);
-        var sum_0 : f32 = of_first_0 + of_second_0;
-        var _S279 : bool;
-        if(sum_0 > 0.0f)
+        var _S278 : u32 = (*leaves_1).count_3 - u32(1);
+        (*leaves_1).count_3 = _S278;
+        var _S279 : u32 = (*leaves_1).nodes_1[_S278];
+        (*leaf_0) = (*leaves_1).nodes_1[_S278];
+        if(!((importance_of_0(at_23, _S279)) > 0.0f))
         {
-            _S279 = sum_0 < 3.00000000549775576e+38f;
+            continue;
+        }
+        if((edge_word_0((*leaf_0))) == u32(4294967295))
+        {
+            return true;
+        }
+        var half_0 : u32 = u32(0);
+        for(;;)
+        {
+            var _S280 : bool;
+            if(half_0 < u32(2))
+            {
+                _S280 = ((*leaves_1).count_3) < u32(96);
+            }
+            else
+            {
+                _S280 = false;
+            }
+            if(_S280)
+            {
+            }
+            else
+            {
+                break;
+            }
+            (*leaves_1).nodes_1[(*leaves_1).count_3] = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + half_0);
+            (*leaves_1).count_3 = (*leaves_1).count_3 + u32(1);
+            half_0 = half_0 + u32(1);
+        }
+    }
+    return false;
+}
+
+fn next_leaf_1( at_24 : ShadingPoint_0,  leaves_2 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
+{
+    var nodes_at_1 : u32 = edge_word_0(at_24.tree_0);
+    (*leaf_1) = nodes_at_1;
+    for(;;)
+    {
+        if(((*leaves_2).count_3) > u32(0))
+        {
         }
         else
         {
-            _S279 = false;
+            break;
         }
-        if(!_S279)
+        var _S281 : u32 = (*leaves_2).count_3 - u32(1);
+        (*leaves_2).count_3 = _S281;
+        var _S282 : u32 = (*leaves_2).nodes_1[_S281];
+        (*leaf_1) = (*leaves_2).nodes_1[_S281];
+        if(!((importance_of_0(at_24, _S282)) > 0.0f))
+        {
+            continue;
+        }
+        if((edge_word_0((*leaf_1))) == u32(4294967295))
+        {
+            return true;
+        }
+        var half_1 : u32 = u32(0);
+        for(;;)
+        {
+            var _S283 : bool;
+            if(half_1 < u32(2))
+            {
+                _S283 = ((*leaves_2).count_3) < u32(96);
+            }
+            else
+            {
+                _S283 = false;
+            }
+            if(_S283)
+            {
+            }
+            else
+            {
+                break;
+            }
+            (*leaves_2).nodes_1[(*leaves_2).count_3] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + half_1);
+            (*leaves_2).count_3 = (*leaves_2).count_3 + u32(1);
+            half_1 = half_1 + u32(1);
+        }
+    }
+    return false;
+}
+
+fn takes_all_0( at_25 : ShadingPoint_0) -> bool
+{
+    var _S284 : bool;
+    var leaves_3 : Leaves_0 = below_0(edge_word_0(at_25.tree_0));
+    var leaf_2 : u32;
+    var count_4 : u32 = u32(0);
+    for(;;)
+    {
+        var _S285 : bool = count_4 <= u32(24);
+        _S284 = _S285;
+        var _S286 : bool;
+        if(_S285)
+        {
+            var _S287 : bool = next_leaf_0(at_25, &(leaves_3), &(leaf_2));
+            _S286 = _S287;
+        }
+        else
+        {
+            _S286 = false;
+        }
+        if(_S286)
+        {
+        }
+        else
+        {
+            break;
+        }
+        count_4 = count_4 + u32(1);
+    }
+    return _S284;
+}
+
+fn descend_0( at_26 : ShadingPoint_0,  u_1 : f64,  leaf_3 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+{
+    var nodes_at_2 : u32 = edge_word_0(at_26.tree_0);
+    (*leaf_3) = nodes_at_2;
+    (*probability_2) = 1.0f;
+    var _S288 : f64 = u_1;
+    for(;;)
+    {
+        if((edge_word_0((*leaf_3))) != u32(4294967295))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var first_2 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3));
+        var second_1 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3) + u32(1));
+        var of_first_0 : f32 = importance_of_0(at_26, first_2);
+        var of_second_0 : f32 = importance_of_0(at_26, second_1);
+        var sum_0 : f32 = of_first_0 + of_second_0;
+        var _S289 : bool;
+        if(sum_0 > 0.0f)
+        {
+            _S289 = sum_0 < 3.00000000549775576e+38f;
+        }
+        else
+        {
+            _S289 = false;
+        }
+        if(!_S289)
         {
             return false;
         }
         var first_share_0 : f32 = of_first_0 / sum_0;
         var second_share_0 : f32 = of_second_0 / sum_0;
-        var _S280 : f64 = f64(first_share_0);
+        var _S290 : f64 = f64(first_share_0);
         var is_second_0 : bool;
-        if(_S278 >= _S280)
+        if(_S288 >= _S290)
         {
             is_second_0 = second_share_0 > 0.0f;
         }
@@ -2272,32 +2422,32 @@ fn descend_0( at_23 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>, 
         }
         if(is_second_0)
         {
-            _S278 = (_S278 - _S280) / f64(second_share_0);
+            _S288 = (_S288 - _S290) / f64(second_share_0);
         }
         else
         {
-            _S278 = min(_S278 / _S280, 1.0lf);
+            _S288 = min(_S288 / _S290, 1.0lf);
         }
-        var _S281 : f32;
+        var _S291 : f32;
         if(is_second_0)
         {
-            _S281 = second_share_0;
+            _S291 = second_share_0;
         }
         else
         {
-            _S281 = first_share_0;
+            _S291 = first_share_0;
         }
-        (*probability_2) = (*probability_2) * _S281;
-        var _S282 : u32;
+        (*probability_2) = (*probability_2) * _S291;
+        var _S292 : u32;
         if(is_second_0)
         {
-            _S282 = second_1;
+            _S292 = second_1;
         }
         else
         {
-            _S282 = first_2;
+            _S292 = first_2;
         }
-        (*leaf_0) = _S282;
+        (*leaf_3) = _S292;
     }
     return true;
 }
@@ -2308,11 +2458,11 @@ struct Edge_0
      numbers_4 : u32,
 };
 
-fn edge_at_0( at_24 : ShadingPoint_0,  place_10 : u32) -> Edge_0
+fn edge_at_0( at_27 : ShadingPoint_0,  place_10 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_7 = edge_word_0(at_24.tree_0 + u32(1)) + u32(12) * place_10;
-    edge_0.numbers_4 = edge_word_0(at_24.tree_0 + u32(2)) + u32(14) * place_10;
+    edge_0.record_7 = edge_word_0(at_27.tree_0 + u32(1)) + u32(12) * place_10;
+    edge_0.numbers_4 = edge_word_0(at_27.tree_0 + u32(2)) + u32(14) * place_10;
     return edge_0;
 }
 
@@ -2325,129 +2475,129 @@ fn side_seen_0( from_0 : vec3<f64>,  tolerance_0 : f64,  normal_4 : u32,  length
 {
     var height_1 : f64 = dot(edge_position_0(normal_4), from_0);
     var least_1 : f64 = tolerance_0 * edge_real_0(length_0);
-    var _S283 : i32;
+    var _S293 : i32;
     if(height_1 > least_1)
     {
-        _S283 = i32(1);
+        _S293 = i32(1);
     }
     else
     {
-        _S283 = i32(0);
+        _S293 = i32(0);
     }
-    var _S284 : i32;
+    var _S294 : i32;
     if(height_1 < (- least_1))
     {
-        _S284 = i32(1);
+        _S294 = i32(1);
     }
     else
     {
-        _S284 = i32(0);
+        _S294 = i32(0);
     }
-    return _S283 - _S284;
+    return _S293 - _S294;
 }
 
-fn is_silhouette_0( at_25 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+fn is_silhouette_0( at_28 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f64> = edge_position_0(edge_1.numbers_4);
-    var tolerance_1 : f64 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_25.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S285 : vec3<f64> = at_25.vertex_2.surface_3.exact_0 - start_0;
-    return (side_seen_0(_S285, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S285, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
+    var tolerance_1 : f64 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_28.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S295 : vec3<f64> = at_28.vertex_2.surface_3.exact_0 - start_0;
+    return (side_seen_0(_S295, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S295, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
 }
 
-fn factor_of_0( at_26 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+fn factor_of_0( at_29 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
-    var _S286 : u32 = edge_2.record_7 + u32(2);
-    var a_11 : vec3<f32> = edge_vector_0(_S286);
-    var b_8 : vec3<f32> = edge_vector_0(_S286 + u32(3));
-    var _S287 : bool;
+    var _S296 : u32 = edge_2.record_7 + u32(2);
+    var a_11 : vec3<f32> = edge_vector_0(_S296);
+    var b_8 : vec3<f32> = edge_vector_0(_S296 + u32(3));
+    var _S297 : bool;
     if(!is_blind_0())
     {
-        _S287 = rests_0(at_26.motion_1);
+        _S297 = rests_0(at_29.motion_1);
     }
     else
     {
-        _S287 = false;
+        _S297 = false;
     }
-    if(_S287)
+    if(_S297)
     {
-        _S287 = (all((a_11 == vec3<f32>(0.0f))));
+        _S297 = (all((a_11 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S287 = false;
+        _S297 = false;
     }
-    if(_S287)
+    if(_S297)
     {
-        _S287 = (all((b_8 == vec3<f32>(0.0f))));
+        _S297 = (all((b_8 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S287 = false;
+        _S297 = false;
     }
-    if(_S287)
+    if(_S297)
     {
         return 0.0f;
     }
-    if(is_silhouette_0(at_26, edge_2))
+    if(is_silhouette_0(at_29, edge_2))
     {
         return edge_number_0(edge_2.record_7);
     }
-    var _S288 : f32;
-    if(at_26.has_creases_0)
+    var _S298 : f32;
+    if(at_29.has_creases_0)
     {
-        _S288 = edge_number_0(edge_2.record_7 + u32(1));
+        _S298 = edge_number_0(edge_2.record_7 + u32(1));
     }
     else
     {
-        _S288 = 0.0f;
+        _S298 = 0.0f;
     }
-    return _S288;
+    return _S298;
 }
 
-fn is_clipped_0( at_27 : ShadingPoint_0,  a_12 : vec3<f64>,  b_9 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
+fn is_clipped_0( at_30 : ShadingPoint_0,  a_12 : vec3<f64>,  b_9 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
 {
     (*range_0) = vec2<f64>(0.0lf, 1.0lf);
-    var _S289 : bool;
-    if((dot(at_27.front_0, vec3<f32>(a_12) - at_27.front_offset_0)) < -3.99999998990097083e-06f)
+    var _S299 : bool;
+    if((dot(at_30.front_0, vec3<f32>(a_12) - at_30.front_offset_0)) < -3.99999998990097083e-06f)
     {
-        _S289 = (dot(at_27.front_0, vec3<f32>(b_9) - at_27.front_offset_0)) < -3.99999998990097083e-06f;
+        _S299 = (dot(at_30.front_0, vec3<f32>(b_9) - at_30.front_offset_0)) < -3.99999998990097083e-06f;
     }
     else
     {
-        _S289 = false;
+        _S299 = false;
     }
-    if(_S289)
+    if(_S299)
     {
         return true;
     }
-    var _S290 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_12, a_12), dot(b_9, b_9)));
+    var _S300 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_12, a_12), dot(b_9, b_9)));
     var k_5 : u32 = u32(0);
     for(;;)
     {
-        if(k_5 < (at_27.planes_0))
+        if(k_5 < (at_30.planes_0))
         {
         }
         else
         {
             break;
         }
-        var first_3 : f64 = dot(at_27.inside_2[k_5], a_12) + _S290;
-        var second_2 : f64 = dot(at_27.inside_2[k_5], b_9) + _S290;
-        var _S291 : bool = first_3 < 0.0lf;
-        if(_S291)
+        var first_3 : f64 = dot(at_30.inside_2[k_5], a_12) + _S300;
+        var second_2 : f64 = dot(at_30.inside_2[k_5], b_9) + _S300;
+        var _S301 : bool = first_3 < 0.0lf;
+        if(_S301)
         {
-            _S289 = second_2 < 0.0lf;
+            _S299 = second_2 < 0.0lf;
         }
         else
         {
-            _S289 = false;
+            _S299 = false;
         }
-        if(_S289)
+        if(_S299)
         {
             return true;
         }
         var crossing_0 : f64 = first_3 / (first_3 - second_2);
-        if(_S291)
+        if(_S301)
         {
             (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
         }
@@ -2478,54 +2628,54 @@ struct SeenEdge_0
      to_0 : vec3<f32>,
 };
 
-fn see_edge_0( at_28 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+fn see_edge_0( at_31 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S292 : Edge_0 = edge_at_0(at_28, place_11);
-    (*seen_1).edge_3 = _S292;
-    var _S293 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4) - at_28.vertex_2.surface_3.exact_0;
-    (*seen_1).start_1 = _S293;
-    var end_1 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_28.vertex_2.surface_3.exact_0;
-    (*seen_1).along_1 = end_1 - _S293;
+    var _S302 : Edge_0 = edge_at_0(at_31, place_11);
+    (*seen_1).edge_3 = _S302;
+    var _S303 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4) - at_31.vertex_2.surface_3.exact_0;
+    (*seen_1).start_1 = _S303;
+    var end_1 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_31.vertex_2.surface_3.exact_0;
+    (*seen_1).along_1 = end_1 - _S303;
     (*seen_1).far_0 = 1.0lf;
     (*seen_1).near_1 = 1.0lf;
     (*seen_1).chord_0 = 0.0f;
     (*seen_1).pieces_0 = 0.0f;
-    var _S294 : vec3<f32> = vec3<f32>(0.0f);
-    (*seen_1).to_0 = _S294;
-    (*seen_1).from_1 = _S294;
+    var _S304 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S304;
+    (*seen_1).from_1 = _S304;
     (*seen_1).range_1 = vec2<f64>(0.0lf, 1.0lf);
-    var _S295 : f32 = factor_of_0(at_28, _S292);
-    (*seen_1).factor_3 = _S295;
-    var _S296 : bool;
-    if(!(_S295 > 0.0f))
+    var _S305 : f32 = factor_of_0(at_31, _S302);
+    (*seen_1).factor_3 = _S305;
+    var _S306 : bool;
+    if(!(_S305 > 0.0f))
     {
-        _S296 = true;
+        _S306 = true;
     }
     else
     {
-        var _S297 : vec2<f64> = (*seen_1).range_1;
-        var _S298 : bool = is_clipped_0(at_28, (*seen_1).start_1, end_1, &(_S297));
-        (*seen_1).range_1 = _S297;
-        _S296 = _S298;
+        var _S307 : vec2<f64> = (*seen_1).range_1;
+        var _S308 : bool = is_clipped_0(at_31, (*seen_1).start_1, end_1, &(_S307));
+        (*seen_1).range_1 = _S307;
+        _S306 = _S308;
     }
-    if(_S296)
+    if(_S306)
     {
         return false;
     }
     var first_4 : vec3<f64> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f64>((*seen_1).range_1.x);
     var last_0 : vec3<f64> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f64>((*seen_1).range_1.y);
-    var _S299 : f64 = sqrt(dot(first_4, first_4));
-    (*seen_1).near_1 = _S299;
+    var _S309 : f64 = sqrt(dot(first_4, first_4));
+    (*seen_1).near_1 = _S309;
     (*seen_1).far_0 = sqrt(dot(last_0, last_0));
-    if(_S299 > 0.0lf)
+    if(_S309 > 0.0lf)
     {
-        _S296 = ((*seen_1).far_0) > 0.0lf;
+        _S306 = ((*seen_1).far_0) > 0.0lf;
     }
     else
     {
-        _S296 = false;
+        _S306 = false;
     }
-    if(!_S296)
+    if(!_S306)
     {
         return false;
     }
@@ -2533,7 +2683,7 @@ fn see_edge_0( at_28 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = vec3<f32>(last_0 / vec3<f64>((*seen_1).far_0));
     (*seen_1).chord_0 = f32(length_of_0(last_0 / vec3<f64>((*seen_1).far_0) - first_4 / vec3<f64>((*seen_1).near_1)));
     var longest_0 : f32;
-    if((at_28.vertex_2.lobe_1.kind_1) == u32(0))
+    if((at_31.vertex_2.lobe_1.kind_1) == u32(0))
     {
         longest_0 = 0.20000000298023224f;
     }
@@ -2550,10 +2700,10 @@ fn place_between_0( from_2 : f64,  to_1 : f64,  near_2 : f64,  far_1 : f64,  par
     return from_2 + (to_1 - from_2) * part_0 * near_2 / (part_0 * near_2 + (1.0lf - part_0) * far_1);
 }
 
-fn velocity_on_0( at_29 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
+fn velocity_on_0( at_32 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S300 : u32 = edge_4.record_7 + u32(2);
-    return mix(edge_vector_0(_S300), edge_vector_0(_S300 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_29.motion_1, offset_9);
+    var _S310 : u32 = edge_4.record_7 + u32(2);
+    return mix(edge_vector_0(_S310), edge_vector_0(_S310 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_32.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -2565,25 +2715,25 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_7 : f32,  pdf_1 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S301 : Mirrored_0;
-    _S301.cosine_6 = cosine_7;
-    _S301.pdf_0 = pdf_1;
-    _S301.scattered_0 = scattered_1;
-    return _S301;
+    var _S311 : Mirrored_0;
+    _S311.cosine_6 = cosine_7;
+    _S311.pdf_0 = pdf_1;
+    _S311.scattered_0 = scattered_1;
+    return _S311;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S302 : bool;
+    var _S312 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S302 = true;
+        _S312 = true;
     }
     else
     {
-        _S302 = (lobe_3.kind_1) == u32(4);
+        _S312 = (lobe_3.kind_1) == u32(4);
     }
-    return _S302;
+    return _S312;
 }
 
 struct Microfacets_0
@@ -2613,68 +2763,68 @@ fn exponential_0( x_9 : f32) -> f32
 
 fn density_0( facets_1 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S303 : f32 = m_3.z;
-    if(_S303 <= 0.0f)
+    var _S313 : f32 = m_3.z;
+    if(_S313 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_0 : vec2<f32> = m_3.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S303 * _S303;
+    var cos2_0 : f32 = _S313 * _S313;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_1 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_1 * sum_1);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S304 : f32;
+    var _S314 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S304 = 0.0f;
+        _S314 = 0.0f;
     }
     else
     {
-        _S304 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S314 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S304;
+    return _S314;
 }
 
 fn error_function_plus_one_0( x_10 : f32) -> vec2<f32>
 {
-    var _S305 : f32 = min(abs(x_10), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S305 * _S305);
-    var place_12 : f32 = (_S305 - 2.0f) / (_S305 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S305);
-    var _S306 : f32;
+    var _S315 : f32 = min(abs(x_10), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S315 * _S315);
+    var place_12 : f32 = (_S315 - 2.0f) / (_S315 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S315);
+    var _S316 : f32;
     if(x_10 < 0.0f)
     {
-        _S306 = complement_0;
+        _S316 = complement_0;
     }
     else
     {
-        _S306 = 2.0f - complement_0;
+        _S316 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S306, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S316, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_2.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S307 : f32 = w_2.z;
-    var z2_0 : f32 = _S307 * _S307;
+    var _S317 : f32 = w_2.z;
+    var z2_0 : f32 = _S317 * _S317;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S307 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S317 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S307;
+        return 1.0f / _S317;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S307 / spread_1);
-    return 2.0f / (_S307 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S317 / spread_1);
+    return 2.0f / (_S317 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
@@ -2682,9 +2832,9 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_0 : vec3<f32> = normalize(wi_3 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_6 = dot(wi_3, h_0);
-    var _S308 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
-    mirrored_1.pdf_0 = _S308;
-    mirrored_1.scattered_0 = _S308 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    var _S318 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
+    mirrored_1.pdf_0 = _S318;
+    mirrored_1.scattered_0 = _S318 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
@@ -2701,9 +2851,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S309 : bool = real_0 < 0.0f;
+    var _S319 : bool = real_0 < 0.0f;
     var a_13 : f32;
-    if(_S309)
+    if(_S319)
     {
         a_13 = smaller_0;
     }
@@ -2712,7 +2862,7 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
         a_13 = larger_0;
     }
     var b_10 : f32;
-    if(_S309)
+    if(_S319)
     {
         b_10 = larger_0;
     }
@@ -2722,9 +2872,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var less_0 : f32 = a_13 - cosine_8;
     var more_0 : f32 = a_13 + cosine_8;
-    var _S310 : f32 = b_10 * b_10;
+    var _S320 : f32 = b_10 * b_10;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S310) / (more_0 * more_0 + _S310) * p_sum_0 / (p_sum_0 + 2.0f * a_13 * cosine_8 * sin2_0);
+    return (less_0 * less_0 + _S320) / (more_0 * more_0 + _S320) * p_sum_0 / (p_sum_0 + 2.0f * a_13 * cosine_8 * sin2_0);
 }
 
 fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_7 : vec3<f32>) -> vec3<f32>
@@ -2762,10 +2912,10 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_11, eta_4);
     }
     var place_13 : f32 = cosine_11 * 63.0f;
-    var _S311 : u32 = min(u32(place_13), u32(62));
-    var at_30 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S311;
-    var here_0 : f32 = number_0(at_30);
-    return here_0 + (number_0(at_30 + u32(1)) - here_0) * (place_13 - f32(_S311));
+    var _S321 : u32 = min(u32(place_13), u32(62));
+    var at_33 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S321;
+    var here_0 : f32 = number_0(at_33);
+    return here_0 + (number_0(at_33 + u32(1)) - here_0) * (place_13 - f32(_S321));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2816,15 +2966,15 @@ struct Scattering_0
 fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S312 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S312 * 0.31830987334251404f;
+    var _S322 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S322 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattering_1.value_5 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
-    var _S313 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S323 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_7))
     {
@@ -2832,7 +2982,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     else
     {
-        by_facets_0 = _S313;
+        by_facets_0 = _S323;
     }
     if((lobe_7.kind_1) == u32(2))
     {
@@ -2842,7 +2992,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     var eta_7 : f32 = coat_eta_0(numbers_8);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_4.z);
-    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S312) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S322) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_8, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -2855,16 +3005,16 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
 
 fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
 {
-    var _S314 : bool;
+    var _S324 : bool;
     if((wo_2.z) <= 0.0f)
     {
-        _S314 = true;
+        _S324 = true;
     }
     else
     {
-        _S314 = !has_smooth_0(vertex_5.lobe_1);
+        _S324 = !has_smooth_0(vertex_5.lobe_1);
     }
-    if(_S314)
+    if(_S324)
     {
         return vec3<f32>(0.0f);
     }
@@ -2893,37 +3043,37 @@ fn still_0( value_7 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_11 : f32,  y_2 : f32) -> f32
 {
-    var _S315 : f32 = abs(x_11);
-    var _S316 : f32 = abs(y_2);
-    var _S317 : f32 = min(_S315, _S316);
-    var _S318 : f32 = max(_S315, _S316);
-    var is_steep_0 : bool = _S317 > (0.41421356797218323f * _S318);
+    var _S325 : f32 = abs(x_11);
+    var _S326 : f32 = abs(y_2);
+    var _S327 : f32 = min(_S325, _S326);
+    var _S328 : f32 = max(_S325, _S326);
+    var is_steep_0 : bool = _S327 > (0.41421356797218323f * _S328);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S317 - _S318;
+        above_0 = _S327 - _S328;
     }
     else
     {
-        above_0 = _S317;
+        above_0 = _S327;
     }
-    var below_0 : f32;
+    var below_1 : f32;
     if(is_steep_0)
     {
-        below_0 = _S317 + _S318;
+        below_1 = _S327 + _S328;
     }
     else
     {
-        below_0 = _S318;
+        below_1 = _S328;
     }
-    if(below_0 > 0.0f)
+    if(below_1 > 0.0f)
     {
     }
     else
     {
-        below_0 = 1.0f;
+        below_1 = 1.0f;
     }
-    var t_3 : f32 = above_0 / below_0;
+    var t_3 : f32 = above_0 / below_1;
     var z_1 : f32 = t_3 * t_3;
     var angle_0 : f32 = (((0.08053744584321976f * z_1 - 0.13877685368061066f) * z_1 + 0.19977711141109467f) * z_1 - 0.33332949876785278f) * z_1 * t_3 + t_3;
     var angle_1 : f32;
@@ -2935,7 +3085,7 @@ fn angle_of_0( x_11 : f32,  y_2 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S316 > _S315)
+    if(_S326 > _S325)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -2956,8 +3106,8 @@ fn angle_of_0( x_11 : f32,  y_2 : f32) -> f32
 
 fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
 {
-    var _S319 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S319) * vec3<f32>(direction_6.x) + vector_at_0(_S319 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S319 + u32(6)) * vec3<f32>(direction_6.z);
+    var _S329 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S329) * vec3<f32>(direction_6.x) + vector_at_0(_S329 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S329 + u32(6)) * vec3<f32>(direction_6.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -2974,11 +3124,11 @@ fn in_map_0( map_1 : u32,  direction_7 : vec3<f32>) -> Lookup_0
     var height_2 : i32 = i32(word_0(map_1 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_1, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_1, u32(0));
-    var _S320 : u32 = wrapped_0(y_3, height_2, u32(2));
-    var _S321 : u32 = u32(width_1);
-    var first_5 : u32 = _S320 * _S321;
-    var _S322 : u32 = wrapped_0(y_3 + i32(1), height_2, u32(2));
-    var second_3 : u32 = _S322 * _S321;
+    var _S330 : u32 = wrapped_0(y_3, height_2, u32(2));
+    var _S331 : u32 = u32(width_1);
+    var first_5 : u32 = _S330 * _S331;
+    var _S332 : u32 = wrapped_0(y_3 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S332 * _S331;
     return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_3 + left_1, second_3 + right_1), point_0);
 }
 
@@ -2988,113 +3138,113 @@ fn emitted_0( emitter_4 : u32,  place_15 : Place_0,  direction_8 : vec3<f32>) ->
     var texture_6 : u32 = word_0(record_8 + u32(1));
     if(!is_map_0(record_8))
     {
-        var _S323 : vec3<f32> = shown_0(texture_6, place_15);
-        return _S323;
+        var _S333 : vec3<f32> = shown_0(texture_6, place_15);
+        return _S333;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_4 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S324 : u32 = word_0(texture_6 + u32(11));
-    var _S325 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
-    return looked_up_0(_S324, _S325, change_1) * factor_4;
+    var _S334 : u32 = word_0(texture_6 + u32(11));
+    var _S335 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
+    return looked_up_0(_S334, _S335, change_1) * factor_4;
 }
 
-fn light_from_0( at_31 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
+fn light_from_0( at_34 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
 {
-    var light_1 : f32 = largest_0(scattered_from_0(at_31.vertex_2, direction_9));
-    var _S326 : bool;
-    if((at_31.purpose_0) != u32(1))
+    var light_1 : f32 = largest_0(scattered_from_0(at_34.vertex_2, direction_9));
+    var _S336 : bool;
+    if((at_34.purpose_0) != u32(1))
     {
-        _S326 = true;
+        _S336 = true;
     }
     else
     {
-        _S326 = !(light_1 > 0.0f);
+        _S336 = !(light_1 > 0.0f);
     }
-    if(_S326)
+    if(_S336)
     {
         return light_1;
     }
-    var _S327 : vec3<f32> = emitted_0(at_31.emitter_0, at_31.vertex_2.surface_3.place_3, still_0(direction_9));
-    return light_1 * largest_0(value_of_0(_S327));
+    var _S337 : vec3<f32> = emitted_0(at_34.emitter_0, at_34.vertex_2.surface_3.place_3, still_0(direction_9));
+    return light_1 * largest_0(value_of_0(_S337));
 }
 
-fn weigh_0( at_32 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+fn weigh_0( at_35 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
 {
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
     var t_4 : f32 = f32(place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, f64(part_1)));
-    var _S328 : vec3<f32> = vec3<f32>(seen_2.start_1 + seen_2.along_1 * vec3<f64>(f64(t_4)));
-    var _S329 : vec3<f32> = vec3<f32>(exact_unit_0(cross(seen_2.start_1, seen_2.along_1)));
-    var _S330 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
+    var _S338 : vec3<f32> = vec3<f32>(seen_2.start_1 + seen_2.along_1 * vec3<f64>(f64(t_4)));
+    var _S339 : vec3<f32> = vec3<f32>(exact_unit_0(cross(seen_2.start_1, seen_2.along_1)));
+    var _S340 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
     var speed_1 : f32;
     if(!is_blind_0())
     {
-        speed_1 = abs(dot(velocity_on_0(at_32, seen_2.edge_3, t_4, _S328), _S329));
+        speed_1 = abs(dot(velocity_on_0(at_35, seen_2.edge_3, t_4, _S338), _S339));
     }
     else
     {
-        speed_1 = _S330;
+        speed_1 = _S340;
     }
-    var speed_2 : f32 = speed_1 / length(_S328);
+    var speed_2 : f32 = speed_1 / length(_S338);
     var angle_2 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S331 : f32 = light_from_0(at_32, middle_1);
-    var contribution_0 : f32 = angle_2 * _S331 * speed_2;
-    var _S332 : vec2<f32>;
+    var _S341 : f32 = light_from_0(at_35, middle_1);
+    var contribution_0 : f32 = angle_2 * _S341 * speed_2;
+    var _S342 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
     {
-        _S332 = vec2<f32>(contribution_0, angle_2);
+        _S342 = vec2<f32>(contribution_0, angle_2);
     }
     else
     {
-        _S332 = vec2<f32>(0.0f);
+        _S342 = vec2<f32>(0.0f);
     }
-    return _S332;
+    return _S342;
 }
 
-fn multiplicity_0( at_33 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f64>,  normal_5 : vec3<f64>) -> f32
+fn multiplicity_0( at_36 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f64>,  normal_5 : vec3<f64>) -> f32
 {
-    var _S333 : vec3<f64> = cross(normal_5, direction_10);
-    var _S334 : u32 = edge_5.record_7 + u32(8);
-    var k_8 : u32 = edge_word_0(_S334);
-    var count_3 : f32 = 1.0f;
+    var _S343 : vec3<f64> = cross(normal_5, direction_10);
+    var _S344 : u32 = edge_5.record_7 + u32(8);
+    var k_8 : u32 = edge_word_0(_S344);
+    var count_5 : f32 = 1.0f;
     for(;;)
     {
-        if(k_8 < (edge_word_0(_S334 + u32(1))))
+        if(k_8 < (edge_word_0(_S344 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var other_0 : Edge_0 = edge_at_0(at_33, edge_word_0(k_8));
-        if(!((factor_of_0(at_33, other_0)) > 0.0f))
+        var other_0 : Edge_0 = edge_at_0(at_36, edge_word_0(k_8));
+        if(!((factor_of_0(at_36, other_0)) > 0.0f))
         {
             k_8 = k_8 + u32(1);
             continue;
         }
-        var a_14 : vec3<f64> = edge_position_0(other_0.numbers_4) - at_33.vertex_2.surface_3.exact_0;
-        var way_1 : vec3<f64> = edge_position_0(other_0.numbers_4 + u32(3)) - at_33.vertex_2.surface_3.exact_0 - a_14;
-        var place_16 : f64 = - dot(a_14, _S333) / dot(way_1, _S333);
+        var a_14 : vec3<f64> = edge_position_0(other_0.numbers_4) - at_36.vertex_2.surface_3.exact_0;
+        var way_1 : vec3<f64> = edge_position_0(other_0.numbers_4 + u32(3)) - at_36.vertex_2.surface_3.exact_0 - a_14;
+        var place_16 : f64 = - dot(a_14, _S343) / dot(way_1, _S343);
         var there_0 : vec3<f64> = a_14 + way_1 * vec3<f64>(place_16);
-        var _S335 : bool;
+        var _S345 : bool;
         if(place_16 >= 0.0lf)
         {
-            _S335 = place_16 <= 1.0lf;
+            _S345 = place_16 <= 1.0lf;
         }
         else
         {
-            _S335 = false;
+            _S345 = false;
         }
-        var _S336 : bool;
-        if(_S335)
+        var _S346 : bool;
+        if(_S345)
         {
-            _S336 = (dot(there_0, direction_10)) > 0.0lf;
+            _S346 = (dot(there_0, direction_10)) > 0.0lf;
         }
         else
         {
-            _S336 = false;
+            _S346 = false;
         }
-        if(!_S336)
+        if(!_S346)
         {
             k_8 = k_8 + u32(1);
             continue;
@@ -3104,24 +3254,24 @@ fn multiplicity_0( at_33 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec
             k_8 = k_8 + u32(1);
             continue;
         }
-        var count_4 : f32;
+        var count_6 : f32;
         if(f32(abs(dot(normal_5, exact_unit_0(cross(a_14, way_1))))) > 0.99999898672103882f)
         {
-            count_4 = count_3 + 1.0f;
+            count_6 = count_5 + 1.0f;
         }
         else
         {
-            count_4 = count_3;
+            count_6 = count_5;
         }
-        count_3 = count_4;
+        count_5 = count_6;
         k_8 = k_8 + u32(1);
     }
-    return count_3;
+    return count_5;
 }
 
-fn face_normal_1( at_34 : ShadingPoint_0) -> vec3<f64>
+fn face_normal_1( at_37 : ShadingPoint_0) -> vec3<f64>
 {
-    var corners_1 : u32 = u32(9) * at_34.vertex_2.surface_3.place_3.triangle_0;
+    var corners_1 : u32 = u32(9) * at_37.vertex_2.surface_3.place_3.triangle_0;
     var a_15 : vec3<f64> = primitive_vector_0(corners_1);
     return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_15, primitive_vector_0(corners_1 + u32(6)) - a_15));
 }
@@ -3142,13 +3292,13 @@ struct EdgePoint_0
      is_in_horizon_0 : bool,
 };
 
-fn point_on_0( at_35 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f64,  part_of_all_0 : f32) -> EdgePoint_0
+fn point_on_0( at_38 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f64,  part_of_all_0 : f32) -> EdgePoint_0
 {
-    var _S337 : f64 = seen_3.range_1.x;
-    var _S338 : f64 = seen_3.range_1.y;
-    var _S339 : f64 = f64(seen_3.pieces_0);
-    var first_6 : f64 = place_between_0(_S337, _S338, seen_3.near_1, seen_3.far_0, f64(piece_1) / _S339);
-    var last_1 : f64 = place_between_0(_S337, _S338, seen_3.near_1, seen_3.far_0, f64(piece_1 + 1.0f) / _S339);
+    var _S347 : f64 = seen_3.range_1.x;
+    var _S348 : f64 = seen_3.range_1.y;
+    var _S349 : f64 = f64(seen_3.pieces_0);
+    var first_6 : f64 = place_between_0(_S347, _S348, seen_3.near_1, seen_3.far_0, f64(piece_1) / _S349);
+    var last_1 : f64 = place_between_0(_S347, _S348, seen_3.near_1, seen_3.far_0, f64(piece_1 + 1.0f) / _S349);
     var a_16 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(first_6);
     var b_11 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(last_1);
     var near_3 : f64 = length_of_0(a_16);
@@ -3160,49 +3310,49 @@ fn point_on_0( at_35 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     var t_6 : f64 = place_between_0(first_6, last_1, near_3, far_2, inside_3);
     var offset_10 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(t_6);
     var point_1 : EdgePoint_0;
-    var _S340 : f64 = length_of_0(offset_10);
-    point_1.distance_6 = _S340;
-    var _S341 : vec3<f64> = offset_10 / vec3<f64>(_S340);
-    point_1.direction_11 = _S341;
-    var _S342 : vec3<f64> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
-    point_1.normal_6 = _S342;
+    var _S350 : f64 = length_of_0(offset_10);
+    point_1.distance_6 = _S350;
+    var _S351 : vec3<f64> = offset_10 / vec3<f64>(_S350);
+    point_1.direction_11 = _S351;
+    var _S352 : vec3<f64> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_1.normal_6 = _S352;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_5 = f32(t_6);
-    point_1.measure_0 = f32(angle_3 / _S340) / (part_of_all_0 * multiplicity_0(at_35, seen_3.edge_3, _S341, _S342));
-    var face_0 : vec3<f64> = face_normal_1(at_35);
+    point_1.measure_0 = f32(angle_3 / _S350) / (part_of_all_0 * multiplicity_0(at_38, seen_3.edge_3, _S351, _S352));
+    var face_0 : vec3<f64> = face_normal_1(at_38);
     var least_2 : f64 = limit_at_0(u32(2));
-    var _S343 : bool;
+    var _S353 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
     {
-        _S343 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+        _S353 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
     }
     else
     {
-        _S343 = false;
+        _S353 = false;
     }
-    point_1.is_in_horizon_0 = _S343;
+    point_1.is_in_horizon_0 = _S353;
     return point_1;
 }
 
 fn component_0( v_8 : vec3<f64>,  axis_5 : u32) -> f64
 {
-    var _S344 : f64;
+    var _S354 : f64;
     if(axis_5 == u32(0))
     {
-        _S344 = v_8.x;
+        _S354 = v_8.x;
     }
     else
     {
         if(axis_5 == u32(1))
         {
-            _S344 = v_8.y;
+            _S354 = v_8.y;
         }
         else
         {
-            _S344 = v_8.z;
+            _S354 = v_8.z;
         }
     }
-    return _S344;
+    return _S354;
 }
 
 struct Ray_0
@@ -3222,34 +3372,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  axes_6 : ptr<function, u32>) -> Ray_0
 {
     var size_1 : vec3<f32> = abs(vec3<f32>(direction_12));
-    var _S345 : f32 = size_1.x;
-    var _S346 : f32 = size_1.y;
-    var _S347 : bool;
-    if(_S345 >= _S346)
+    var _S355 : f32 = size_1.x;
+    var _S356 : f32 = size_1.y;
+    var _S357 : bool;
+    if(_S355 >= _S356)
     {
-        _S347 = _S345 >= (size_1.z);
+        _S357 = _S355 >= (size_1.z);
     }
     else
     {
-        _S347 = false;
+        _S357 = false;
     }
-    var _S348 : i32;
-    if(_S347)
+    var _S358 : i32;
+    if(_S357)
     {
-        _S348 = i32(0);
+        _S358 = i32(0);
     }
     else
     {
-        if(_S346 >= (size_1.z))
+        if(_S356 >= (size_1.z))
         {
-            _S348 = i32(1);
+            _S358 = i32(1);
         }
         else
         {
-            _S348 = i32(2);
+            _S358 = i32(2);
         }
     }
-    var z_2 : u32 = u32(_S348);
+    var z_2 : u32 = u32(_S358);
     var x_13 : u32 = (z_2 + u32(1)) % u32(3);
     var y_4 : u32 = (z_2 + u32(2)) % u32(3);
     (*axes_6) = (((x_13 | (((y_4 << (u32(2))))))) | (((z_2 << (u32(4))))));
@@ -3268,9 +3418,9 @@ fn ray_along_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,
     return ray_0;
 }
 
-fn ray_child_0( node_4 : u32,  slot_2 : u32) -> u32
+fn ray_child_0( node_5 : u32,  slot_2 : u32) -> u32
 {
-    return nodes_0[u32(14) * node_4 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
+    return nodes_0[u32(14) * node_5 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
 }
 
 struct RayView_0
@@ -3283,9 +3433,9 @@ struct RayView_0
      axes_7 : u32,
 };
 
-fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32) -> f32
+fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32) -> f32
 {
-    var _S349 : u32 = u32(14) * node_5 + slot_3 / u32(4);
+    var _S359 : u32 = u32(14) * node_6 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -3298,36 +3448,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S350 : u32 = axis_6;
-        var _S351 : u32 = _S349 + u32(2) * axis_6;
-        var _S352 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S351][_S352])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S351 + u32(6)][_S352])));
-        var _S353 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S354 : f32;
-        if(_S353)
+        var _S360 : u32 = axis_6;
+        var _S361 : u32 = _S359 + u32(2) * axis_6;
+        var _S362 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S361][_S362])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S361 + u32(6)][_S362])));
+        var _S363 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S364 : f32;
+        if(_S363)
         {
-            _S354 = high_0;
+            _S364 = high_0;
         }
         else
         {
-            _S354 = low_3;
+            _S364 = low_3;
         }
-        var _S355 : f32 = max(near_4, _S354 * view_1.inverse_1[_S350] - view_1.offset_near_0[axis_6]);
-        var _S356 : f32;
-        if(_S353)
+        var _S365 : f32 = max(near_4, _S364 * view_1.inverse_1[_S360] - view_1.offset_near_0[axis_6]);
+        var _S366 : f32;
+        if(_S363)
         {
-            _S356 = low_3;
+            _S366 = low_3;
         }
         else
         {
-            _S356 = high_0;
+            _S366 = high_0;
         }
-        var _S357 : f32 = min(far_3, _S356 * view_1.inverse_1[_S350] - view_1.offset_far_0[axis_6]);
-        var _S358 : u32 = axis_6 + u32(1);
-        near_4 = _S355;
-        far_3 = _S357;
-        axis_6 = _S358;
+        var _S367 : f32 = min(far_3, _S366 * view_1.inverse_1[_S360] - view_1.offset_far_0[axis_6]);
+        var _S368 : u32 = axis_6 + u32(1);
+        near_4 = _S365;
+        far_3 = _S367;
+        axis_6 = _S368;
     }
     if(near_4 <= far_3)
     {
@@ -3352,7 +3502,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S359 : u32 = k_9;
+        var _S369 : u32 = k_9;
         if((bounds_0[k_9]) > limit_2)
         {
             k_9 = k_9 + u32(1);
@@ -3369,24 +3519,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S360 : u32 = j_0;
-            var _S361 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S359]))
+            var _S370 : u32 = j_0;
+            var _S371 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S369]))
             {
-                _S361 = true;
+                _S371 = true;
             }
             else
             {
-                if((bounds_0[_S360]) == (bounds_0[_S359]))
+                if((bounds_0[_S370]) == (bounds_0[_S369]))
                 {
-                    _S361 = j_0 < k_9;
+                    _S371 = j_0 < k_9;
                 }
                 else
                 {
-                    _S361 = false;
+                    _S371 = false;
                 }
             }
-            if(_S361)
+            if(_S371)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -3398,7 +3548,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
     return order_0;
 }
 
-fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
+fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
     var slot_4 : u32 = u32(0);
@@ -3411,16 +3561,16 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
         {
             break;
         }
-        var _S362 : f32;
-        if((ray_child_0(node_6, slot_4)) == u32(4294967295))
+        var _S372 : f32;
+        if((ray_child_0(node_7, slot_4)) == u32(4294967295))
         {
-            _S362 = 3.00000000549775576e+38f;
+            _S372 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S362 = ray_bound_0(view_2, limit_3, node_6, slot_4);
+            _S372 = ray_bound_0(view_2, limit_3, node_7, slot_4);
         }
-        bounds_1[slot_4] = _S362;
+        bounds_1[slot_4] = _S372;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -3431,9 +3581,9 @@ fn rounded_0( product_2 : f64,  largest_2 : f64) -> f64
     return min(product_2, largest_2);
 }
 
-fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_36 : u32) -> vec3<f64>
+fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_39 : u32) -> vec3<f64>
 {
-    var relative_1 : vec3<f64> = primitive_vector_0(at_36) - ray_1.origin_0;
+    var relative_1 : vec3<f64> = primitive_vector_0(at_39) - ray_1.origin_0;
     var z_3 : f64 = component_0(relative_1, (axes_8 >> (u32(4))));
     return vec3<f64>(component_0(relative_1, (axes_8 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_3, ray_1.largest_1), component_0(relative_1, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_3, ray_1.largest_1), z_3);
 }
@@ -3446,56 +3596,56 @@ struct Crossing_0
      w_3 : f64,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_37 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_40 : u32) -> Crossing_0
 {
     var crossing_1 : Crossing_0;
     crossing_1.is_hit_0 = false;
     crossing_1.t_7 = 0.0lf;
     crossing_1.v_9 = 0.0lf;
     crossing_1.w_3 = 0.0lf;
-    var a_17 : vec3<f64> = corner_0(ray_2, axes_9, at_37);
-    var b_12 : vec3<f64> = corner_0(ray_2, axes_9, at_37 + u32(3));
-    var c_3 : vec3<f64> = corner_0(ray_2, axes_9, at_37 + u32(6));
-    var _S363 : f64 = c_3.x;
-    var _S364 : f64 = b_12.y;
-    var cx_by_0 : f64 = rounded_0(_S363 * _S364, ray_2.largest_1);
-    var _S365 : f64 = c_3.y;
-    var _S366 : f64 = b_12.x;
-    var cy_bx_0 : f64 = rounded_0(_S365 * _S366, ray_2.largest_1);
-    var _S367 : f64 = a_17.x;
-    var ax_cy_0 : f64 = rounded_0(_S367 * _S365, ray_2.largest_1);
-    var _S368 : f64 = a_17.y;
-    var ay_cx_0 : f64 = rounded_0(_S368 * _S363, ray_2.largest_1);
-    var bx_ay_0 : f64 = rounded_0(_S366 * _S368, ray_2.largest_1);
-    var by_ax_0 : f64 = rounded_0(_S364 * _S367, ray_2.largest_1);
+    var a_17 : vec3<f64> = corner_0(ray_2, axes_9, at_40);
+    var b_12 : vec3<f64> = corner_0(ray_2, axes_9, at_40 + u32(3));
+    var c_3 : vec3<f64> = corner_0(ray_2, axes_9, at_40 + u32(6));
+    var _S373 : f64 = c_3.x;
+    var _S374 : f64 = b_12.y;
+    var cx_by_0 : f64 = rounded_0(_S373 * _S374, ray_2.largest_1);
+    var _S375 : f64 = c_3.y;
+    var _S376 : f64 = b_12.x;
+    var cy_bx_0 : f64 = rounded_0(_S375 * _S376, ray_2.largest_1);
+    var _S377 : f64 = a_17.x;
+    var ax_cy_0 : f64 = rounded_0(_S377 * _S375, ray_2.largest_1);
+    var _S378 : f64 = a_17.y;
+    var ay_cx_0 : f64 = rounded_0(_S378 * _S373, ray_2.largest_1);
+    var bx_ay_0 : f64 = rounded_0(_S376 * _S378, ray_2.largest_1);
+    var by_ax_0 : f64 = rounded_0(_S374 * _S377, ray_2.largest_1);
     var u_2 : f64 = cx_by_0 - cy_bx_0;
     var v_10 : f64 = ax_cy_0 - ay_cx_0;
     var w_4 : f64 = bx_ay_0 - by_ax_0;
-    var _S369 : f64 = min(min(u_2, v_10), w_4);
-    var _S370 : f64 = max(max(u_2, v_10), w_4);
-    var _S371 : bool;
-    if(_S369 < 0.0lf)
+    var _S379 : f64 = min(min(u_2, v_10), w_4);
+    var _S380 : f64 = max(max(u_2, v_10), w_4);
+    var _S381 : bool;
+    if(_S379 < 0.0lf)
     {
-        _S371 = _S370 > 0.0lf;
+        _S381 = _S380 > 0.0lf;
     }
     else
     {
-        _S371 = false;
+        _S381 = false;
     }
-    if(_S371)
+    if(_S381)
     {
         return crossing_1;
     }
     var determinant_0 : f64 = u_2 + v_10 + w_4;
-    if(_S369 <= 0.0lf)
+    if(_S379 <= 0.0lf)
     {
-        _S371 = _S370 >= 0.0lf;
+        _S381 = _S380 >= 0.0lf;
     }
     else
     {
-        _S371 = false;
+        _S381 = false;
     }
-    if(_S371)
+    if(_S381)
     {
         if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -3509,13 +3659,13 @@ fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_37 : u32) -> Crossing_0
     var t_8 : f64 = (rounded_0(u_2 * a_17.z, ray_2.largest_1) + rounded_0(v_10 * b_12.z, ray_2.largest_1) + rounded_0(w_4 * c_3.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
     if((ray_2.t_min_0) <= t_8)
     {
-        _S371 = t_8 <= (ray_2.t_max_0);
+        _S381 = t_8 <= (ray_2.t_max_0);
     }
     else
     {
-        _S371 = false;
+        _S381 = false;
     }
-    crossing_1.is_hit_0 = _S371;
+    crossing_1.is_hit_0 = _S381;
     crossing_1.t_7 = t_8;
     crossing_1.v_9 = v_10 / determinant_0;
     crossing_1.w_3 = w_4 / determinant_0;
@@ -3537,7 +3687,7 @@ struct Found_0
 
 fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S372 : bool;
+    var _S382 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_7 = u32(4294967295);
@@ -3569,31 +3719,31 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S373 : u32 = way_2[level_0].y;
-        if(_S373 == u32(0))
+        var _S383 : u32 = way_2[level_0].y;
+        if(_S383 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S374 : u32 = level_0 - u32(1);
+            var _S384 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S374;
+            level_0 = _S384;
             continue;
         }
-        var slot_5 : u32 = ((_S373 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S373 >> (u32(4)));
-        var _S375 : bool;
+        var slot_5 : u32 = ((_S383 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S383 >> (u32(4)));
+        var _S385 : bool;
         if(!is_new_1)
         {
-            _S375 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+            _S385 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S375 = false;
+            _S385 = false;
         }
-        if(_S375)
+        if(_S385)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -3602,20 +3752,20 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S376 : u32 = level_0 + u32(1);
+            var _S386 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S376;
+            level_0 = _S386;
             continue;
         }
-        var leaf_1 : u32 = (child_0 & (u32(2147483647)));
-        var _S377 : u32 = leaf_starts_0[leaf_1 + u32(1)];
-        var _S378 : u32 = leaf_starts_0[leaf_1];
+        var leaf_4 : u32 = (child_0 & (u32(2147483647)));
+        var _S387 : u32 = leaf_starts_0[leaf_4 + u32(1)];
+        var _S388 : u32 = leaf_starts_0[leaf_4];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S378;
+        var i_2 : u32 = _S388;
         for(;;)
         {
-            if(i_2 < _S377)
+            if(i_2 < _S387)
             {
             }
             else
@@ -3630,23 +3780,23 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S372 = true;
+                _S382 = true;
             }
             else
             {
-                _S372 = (crossing_2.t_7) < ((*ray_3).t_max_0);
+                _S382 = (crossing_2.t_7) < ((*ray_3).t_max_0);
             }
-            var _S379 : bool;
-            if(_S372)
+            var _S389 : bool;
+            if(_S382)
             {
-                _S379 = true;
+                _S389 = true;
             }
             else
             {
-                _S379 = (face_1(i_2)) < (found_0.face_2);
+                _S389 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S379)
+            if(_S389)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_7 = i_2;
@@ -3664,13 +3814,13 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S372 = (found_0.face_2) != u32(4294967295);
+            _S382 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S372 = false;
+            _S382 = false;
         }
-        if(_S372)
+        if(_S382)
         {
             break;
         }
@@ -3684,11 +3834,11 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_2 : vec3<f64>,  direction_13 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_1 : bool,  t_9 : ptr<function, f32>) -> Found_0
 {
     var view_4 : RayView_0;
-    var _S380 : u32 = view_4.axes_7;
-    var _S381 : Ray_0 = ray_along_0(origin_2, direction_13, t_min_2, t_max_2, &(_S380));
-    view_4.axes_7 = _S380;
-    var ray_4 : Ray_0 = _S381;
-    var _S382 : vec3<f32> = vec3<f32>(direction_13 / vec3<f64>(ray_4.local_per_t_0));
+    var _S390 : u32 = view_4.axes_7;
+    var _S391 : Ray_0 = ray_along_0(origin_2, direction_13, t_min_2, t_max_2, &(_S390));
+    view_4.axes_7 = _S390;
+    var ray_4 : Ray_0 = _S391;
+    var _S392 : vec3<f32> = vec3<f32>(direction_13 / vec3<f64>(ray_4.local_per_t_0));
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -3699,17 +3849,17 @@ fn cast_0( origin_2 : vec3<f64>,  direction_13 : vec3<f64>,  t_min_2 : f64,  t_m
         {
             break;
         }
-        var _S383 : f32 = max(abs(_S382[axis_7]), 8.67361737988403547e-19f);
-        var _S384 : f32;
-        if((_S382[axis_7]) < 0.0f)
+        var _S393 : f32 = max(abs(_S392[axis_7]), 8.67361737988403547e-19f);
+        var _S394 : f32;
+        if((_S392[axis_7]) < 0.0f)
         {
-            _S384 = -1.0f / _S383;
+            _S394 = -1.0f / _S393;
         }
         else
         {
-            _S384 = 1.0f / _S383;
+            _S394 = 1.0f / _S393;
         }
-        view_4.inverse_1[axis_7] = _S384;
+        view_4.inverse_1[axis_7] = _S394;
         axis_7 = axis_7 + u32(1);
     }
     var offset_11 : vec3<f32> = vec3<f32>(origin_2) * view_4.inverse_1;
@@ -3732,7 +3882,7 @@ struct Side_0
      t_10 : f32,
 };
 
-fn look_0( at_38 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
+fn look_0( at_41 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
 {
     var step_0 : vec3<f64> = point_2.normal_6 * vec3<f64>(edge_real_0(u32(3)));
     var origin_3 : vec3<f64>;
@@ -3747,34 +3897,34 @@ fn look_0( at_38 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Sid
     var direction_15 : vec3<f64> = exact_unit_0(origin_3);
     if(point_2.is_in_horizon_0)
     {
-        var face_3 : vec3<f64> = face_normal_1(at_38);
+        var face_3 : vec3<f64> = face_normal_1(at_41);
         var height_3 : f64 = limit_at_0(u32(2));
-        var _S385 : f64;
+        var _S395 : f64;
         if((dot(direction_15, face_3)) < 0.0lf)
         {
-            _S385 = - height_3;
+            _S395 = - height_3;
         }
         else
         {
-            _S385 = height_3;
+            _S395 = height_3;
         }
-        origin_3 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S385);
+        origin_3 = at_41.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S395);
     }
     else
     {
-        origin_3 = at_38.vertex_2.surface_3.exact_0;
+        origin_3 = at_41.vertex_2.surface_3.exact_0;
     }
     var seen_4 : Side_0;
-    var _S386 : vec3<f32> = vec3<f32>(direction_15);
-    seen_4.direction_14 = _S386;
-    seen_4.rest_3 = vec3<f32>(direction_15 - vec3<f64>(_S386));
-    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, _S386);
-    var _S387 : f64 = limit_at_0(u32(2));
-    var _S388 : f64 = limit_at_0(u32(1));
-    var _S389 : f32 = seen_4.t_10;
-    var _S390 : Found_0 = cast_0(origin_3, direction_15, _S387, _S388, false, &(_S389));
-    seen_4.t_10 = _S389;
-    seen_4.found_2 = _S390;
+    var _S396 : vec3<f32> = vec3<f32>(direction_15);
+    seen_4.direction_14 = _S396;
+    seen_4.rest_3 = vec3<f32>(direction_15 - vec3<f64>(_S396));
+    seen_4.scattered_2 = scattered_from_0(at_41.vertex_2, _S396);
+    var _S397 : f64 = limit_at_0(u32(2));
+    var _S398 : f64 = limit_at_0(u32(1));
+    var _S399 : f32 = seen_4.t_10;
+    var _S400 : Found_0 = cast_0(origin_3, direction_15, _S397, _S398, false, &(_S399));
+    seen_4.t_10 = _S399;
+    seen_4.found_2 = _S400;
     return seen_4;
 }
 
@@ -3820,32 +3970,32 @@ fn emitter_seen_0( found_4 : Found_0,  direction_16 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_5 : u32 = word_0(shape_of_0(found_4.triangle_7) + u32(4));
-    var _S391 : bool;
+    var _S401 : bool;
     if(emitter_5 != u32(4294967295))
     {
-        _S391 = (dot(cross_of_0(found_4.triangle_7), direction_16)) < 0.0f;
+        _S401 = (dot(cross_of_0(found_4.triangle_7), direction_16)) < 0.0f;
     }
     else
     {
-        _S391 = false;
+        _S401 = false;
     }
-    var _S392 : u32;
-    if(_S391)
+    var _S402 : u32;
+    if(_S401)
     {
-        _S392 = emitter_5;
+        _S402 = emitter_5;
     }
     else
     {
-        _S392 = u32(4294967295);
+        _S402 = u32(4294967295);
     }
-    return _S392;
+    return _S402;
 }
 
-fn jump_of_light_0( at_39 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
+fn jump_of_light_0( at_42 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
 {
-    var _S393 : vec3<f32> = vec3<f32>(0.0f);
+    var _S403 : vec3<f32> = vec3<f32>(0.0f);
     var side_1 : u32 = u32(0);
-    var jump_0 : vec3<f32> = _S393;
+    var jump_0 : vec3<f32> = _S403;
     for(;;)
     {
         if(side_1 < u32(2))
@@ -3855,33 +4005,33 @@ fn jump_of_light_0( at_39 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
         {
             break;
         }
-        var seen_5 : Side_0 = look_0(at_39, point_4, side_1);
-        var _S394 : bool;
+        var seen_5 : Side_0 = look_0(at_42, point_4, side_1);
+        var _S404 : bool;
         if(!((largest_0(seen_5.scattered_2)) > 0.0f))
         {
-            _S394 = true;
+            _S404 = true;
         }
         else
         {
-            _S394 = (emitter_seen_0(seen_5.found_2, seen_5.direction_14)) != (at_39.emitter_0);
+            _S404 = (emitter_seen_0(seen_5.found_2, seen_5.direction_14)) != (at_42.emitter_0);
         }
-        if(_S394)
+        if(_S404)
         {
             side_1 = side_1 + u32(1);
             continue;
         }
-        var _S395 : vec3<f32> = emitted_0(at_39.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_14));
-        var light_2 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S395);
-        var _S396 : vec3<f32>;
+        var _S405 : vec3<f32> = emitted_0(at_42.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_14));
+        var light_2 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S405);
+        var _S406 : vec3<f32>;
         if(side_1 == u32(0))
         {
-            _S396 = light_2;
+            _S406 = light_2;
         }
         else
         {
-            _S396 = (vec3<f32>(0) - light_2);
+            _S406 = (vec3<f32>(0) - light_2);
         }
-        jump_0 = jump_0 + _S396;
+        jump_0 = jump_0 + _S406;
         side_1 = side_1 + u32(1);
     }
     return jump_0;
@@ -3891,27 +4041,27 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S397 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S407 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_2 : f32 = abs(scaled_0);
     if(size_2 > 7.73712524553362672e+25f)
     {
-        var _S398 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S408 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S399 : bool = scaled_0 < 0.0f;
-    var _S400 : i32;
+    var _S409 : bool = scaled_0 < 0.0f;
+    var _S410 : i32;
     if(size_2 >= 1.84467440737095516e+19f)
     {
-        _S400 = i32(1);
+        _S410 = i32(1);
     }
     else
     {
-        _S400 = i32(0);
+        _S410 = i32(0);
     }
-    var first_7 : u32 = u32(_S400);
+    var first_7 : u32 = u32(_S410);
     var size_3 : f32;
     if(first_7 == u32(1))
     {
@@ -3931,39 +4081,39 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
     {
         size_3 = lower_0;
     }
-    var _S401 : u32 = u32(3) + u32(4) * sum_2;
+    var _S411 : u32 = u32(3) + u32(4) * sum_2;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_3), u32(higher_0));
     var k_10 : u32 = first_7;
     for(;;)
     {
-        var _S402 : bool;
+        var _S412 : bool;
         if(k_10 < u32(4))
         {
-            _S402 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S412 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S402 = false;
+            _S412 = false;
         }
-        if(_S402)
+        if(_S412)
         {
         }
         else
         {
             break;
         }
-        var _S403 : u32;
-        if(_S399)
+        var _S413 : u32;
+        if(_S409)
         {
-            _S403 = u32(0) - digits_0.x;
+            _S413 = u32(0) - digits_0.x;
         }
         else
         {
-            _S403 = digits_0.x;
+            _S413 = digits_0.x;
         }
-        var before_2 : u32 = atomicAdd(&(sums_0[_S401 + k_10]), _S403);
+        var before_2 : u32 = atomicAdd(&(sums_0[_S411 + k_10]), _S413);
         var overflows_0 : bool;
-        if(_S399)
+        if(_S409)
         {
             overflows_0 = before_2 < (digits_0.x);
         }
@@ -3971,39 +4121,39 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_2 + digits_0.x) < before_2;
         }
-        var _S404 : u32 = digits_0.y;
+        var _S414 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S400 = i32(1);
+            _S410 = i32(1);
         }
         else
         {
-            _S400 = i32(0);
+            _S410 = i32(0);
         }
-        var _S405 : vec2<u32> = vec2<u32>(_S404 + u32(_S400), u32(0));
-        var _S406 : u32 = k_10 + u32(1);
-        digits_0 = _S405;
-        k_10 = _S406;
+        var _S415 : vec2<u32> = vec2<u32>(_S414 + u32(_S410), u32(0));
+        var _S416 : u32 = k_10 + u32(1);
+        digits_0 = _S415;
+        k_10 = _S416;
     }
     return;
 }
 
 fn add_to_sums_0( first_8 : u32,  derivative_1 : vec3<f32>)
 {
-    var _S407 : i32;
+    var _S417 : i32;
     if(first_8 == u32(4294967295))
     {
-        _S407 = i32(0);
+        _S417 = i32(0);
     }
     else
     {
-        _S407 = i32(3);
+        _S417 = i32(3);
     }
-    var _S408 : u32 = u32(_S407);
+    var _S418 : u32 = u32(_S417);
     var axis_9 : u32 = u32(0);
     for(;;)
     {
-        if(axis_9 < _S408)
+        if(axis_9 < _S418)
         {
         }
         else
@@ -4028,17 +4178,17 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
         {
             break;
         }
-        var _S409 : u32 = edge_word_0(record_9 + u32(2) + end_2);
-        var _S410 : f32;
+        var _S419 : u32 = edge_word_0(record_9 + u32(2) + end_2);
+        var _S420 : f32;
         if(end_2 == u32(0))
         {
-            _S410 = 1.0f - t_11;
+            _S420 = 1.0f - t_11;
         }
         else
         {
-            _S410 = t_11;
+            _S420 = t_11;
         }
-        add_to_sums_0(_S409, by_velocity_0 * vec3<f32>(_S410));
+        add_to_sums_0(_S419, by_velocity_0 * vec3<f32>(_S420));
         end_2 = end_2 + u32(1);
     }
     (*pulled_2).position_1 = (*pulled_2).position_1 - by_velocity_0;
@@ -4049,15 +4199,15 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
     return;
 }
 
-fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_40 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_2 : u32,  path_13 : Path_0)
+fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_43 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_2 : u32,  path_13 : Path_0)
 {
-    var _S411 : vec3<f32> = vec3<f32>(point_5.normal_6);
-    var _S412 : vec3<f32> = jump_of_light_0(at_40, point_5);
-    var by_velocity_1 : vec3<f32> = _S411 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S412)));
-    var _S413 : vec3<f32> = offset_of_0(point_5);
-    var _S414 : Pulled_0 = (*crossed_2).pulled_1;
-    edge_back_0(&(_S414), at_40.vertex_2, at_40.turns_0, point_5.edge_6.record_7, point_5.t_5, _S413, by_velocity_1);
-    (*crossed_2).pulled_1 = _S414;
+    var _S421 : vec3<f32> = vec3<f32>(point_5.normal_6);
+    var _S422 : vec3<f32> = jump_of_light_0(at_43, point_5);
+    var by_velocity_1 : vec3<f32> = _S421 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S422)));
+    var _S423 : vec3<f32> = offset_of_0(point_5);
+    var _S424 : Pulled_0 = (*crossed_2).pulled_1;
+    edge_back_0(&(_S424), at_43.vertex_2, at_43.turns_0, point_5.edge_6.record_7, point_5.t_5, _S423, by_velocity_1);
+    (*crossed_2).pulled_1 = _S424;
     return;
 }
 
@@ -4068,7 +4218,7 @@ struct Share_0
      place_17 : f64,
 };
 
-fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  number_of_path_3 : u32,  path_14 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
+fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  number_of_path_3 : u32,  path_14 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
 {
     var points_0 : u32 = u32(1);
     var least_3 : f32 = 0.0f;
@@ -4101,7 +4251,7 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
             }
             var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
             var total_1 : f32 = contributions_0 + least_4 * angles_0;
-            if((at_41.purpose_0) == u32(0))
+            if((at_44.purpose_0) == u32(0))
             {
                 contributions_1 = asked_0.share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
             }
@@ -4110,61 +4260,152 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 contributions_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(contributions_1 - 0.00100000004749745f));
-            var _S415 : f32 = asked_0.over_all_0 * f32(points_1);
+            var _S425 : f32 = asked_0.over_all_0 * f32(points_1);
             var step_2 : f64 = f64(total_1) / f64(points_1);
-            var _S416 : f64 = step_2 * asked_0.place_17;
+            var _S426 : f64 = step_2 * asked_0.place_17;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S415;
+            over_all_1 = _S425;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S416;
+            target_1 = _S426;
         }
         else
         {
             target_1 = target_0;
         }
-        var k_11 : u32 = edge_word_0(leaf_2 + u32(2));
-        var drawn_1 : u32 = drawn_0;
-        contributions_1 = contributions_0;
-        var angles_1 : f32 = angles_0;
-        var pieces_2 : f32 = pieces_1;
-        var cumulative_1 : f32 = cumulative_0;
-        var target_2 : f64 = target_1;
+        var leaves_4 : Leaves_0 = below_0(node_8);
+        var leaf_5 : u32;
+        target_0 = target_1;
         for(;;)
         {
-            var _S417 : bool;
-            if(k_11 < (edge_word_0(leaf_2 + u32(3))))
+            var _S427 : bool;
+            if(drawn_0 < points_0)
             {
-                _S417 = drawn_1 < points_0;
+                var _S428 : bool = next_leaf_1(at_44, &(leaves_4), &(leaf_5));
+                _S427 = _S428;
             }
             else
             {
-                _S417 = false;
+                _S427 = false;
             }
-            if(_S417)
+            if(_S427)
             {
             }
             else
             {
                 break;
             }
-            var seen_6 : SeenEdge_0;
-            var _S418 : bool = see_edge_0(at_41, k_11, &(seen_6));
-            var drawn_2 : u32;
-            var contributions_2 : f32;
-            var angles_2 : f32;
-            var pieces_3 : f32;
-            var cumulative_2 : f32;
-            var target_3 : f64;
-            if(!_S418)
+            var k_11 : u32 = edge_word_0(leaf_5 + u32(2));
+            var drawn_1 : u32 = drawn_0;
+            contributions_1 = contributions_0;
+            var angles_1 : f32 = angles_0;
+            var pieces_2 : f32 = pieces_1;
+            var cumulative_1 : f32 = cumulative_0;
+            var target_2 : f64 = target_0;
+            for(;;)
             {
-                drawn_2 = drawn_1;
+                var _S429 : bool;
+                if(k_11 < (edge_word_0(leaf_5 + u32(3))))
+                {
+                    _S429 = drawn_1 < points_0;
+                }
+                else
+                {
+                    _S429 = false;
+                }
+                if(_S429)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var seen_6 : SeenEdge_0;
+                var _S430 : bool = see_edge_0(at_44, k_11, &(seen_6));
+                var drawn_2 : u32;
+                var contributions_2 : f32;
+                var angles_2 : f32;
+                var pieces_3 : f32;
+                var cumulative_2 : f32;
+                var target_3 : f64;
+                if(!_S430)
+                {
+                    drawn_2 = drawn_1;
+                    contributions_2 = contributions_1;
+                    angles_2 = angles_1;
+                    pieces_3 = pieces_2;
+                    cumulative_2 = cumulative_1;
+                    target_3 = target_2;
+                    k_11 = k_11 + u32(1);
+                    drawn_1 = drawn_2;
+                    contributions_1 = contributions_2;
+                    angles_1 = angles_2;
+                    pieces_2 = pieces_3;
+                    cumulative_1 = cumulative_2;
+                    target_2 = target_3;
+                    continue;
+                }
+                var piece_2 : f32 = 0.0f;
                 contributions_2 = contributions_1;
                 angles_2 = angles_1;
                 pieces_3 = pieces_2;
                 cumulative_2 = cumulative_1;
+                drawn_2 = drawn_1;
                 target_3 = target_2;
+                for(;;)
+                {
+                    if(piece_2 < (seen_6.pieces_0))
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var weight_0 : vec2<f32> = weigh_0(at_44, seen_6, piece_2);
+                    if(pass_0 == u32(0))
+                    {
+                        var angles_3 : f32 = angles_2 + weight_0.y;
+                        var pieces_4 : f32 = pieces_3 + 1.0f;
+                        contributions_2 = contributions_2 + weight_0.x;
+                        angles_2 = angles_3;
+                        pieces_3 = pieces_4;
+                        piece_2 = piece_2 + 1.0f;
+                        continue;
+                    }
+                    var own_1 : f32 = weight_0.x + least_3 * weight_0.y;
+                    var cumulative_3 : f32 = cumulative_2 + own_1;
+                    var drawn_3 : u32 = drawn_2;
+                    var target_4 : f64 = target_3;
+                    for(;;)
+                    {
+                        var _S431 : bool;
+                        if(drawn_3 < points_0)
+                        {
+                            _S431 = target_4 < f64(cumulative_3);
+                        }
+                        else
+                        {
+                            _S431 = false;
+                        }
+                        if(_S431)
+                        {
+                        }
+                        else
+                        {
+                            break;
+                        }
+                        var _S432 : u32 = drawn_3 + u32(1);
+                        var target_5 : f64 = target_4 + step_1;
+                        cross_at_0(&((*crossed_3)), at_44, point_on_0(at_44, seen_6, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_1 * own_1 / total_0), number_of_path_3, path_14);
+                        drawn_3 = _S432;
+                        target_4 = target_5;
+                    }
+                    cumulative_2 = cumulative_3;
+                    drawn_2 = drawn_3;
+                    target_3 = target_4;
+                    piece_2 = piece_2 + 1.0f;
+                }
                 k_11 = k_11 + u32(1);
                 drawn_1 = drawn_2;
                 contributions_1 = contributions_2;
@@ -4172,101 +4413,51 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 pieces_2 = pieces_3;
                 cumulative_1 = cumulative_2;
                 target_2 = target_3;
-                continue;
             }
-            var piece_2 : f32 = 0.0f;
-            contributions_2 = contributions_1;
-            angles_2 = angles_1;
-            pieces_3 = pieces_2;
-            cumulative_2 = cumulative_1;
-            drawn_2 = drawn_1;
-            target_3 = target_2;
-            for(;;)
-            {
-                if(piece_2 < (seen_6.pieces_0))
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var weight_0 : vec2<f32> = weigh_0(at_41, seen_6, piece_2);
-                if(pass_0 == u32(0))
-                {
-                    var angles_3 : f32 = angles_2 + weight_0.y;
-                    var pieces_4 : f32 = pieces_3 + 1.0f;
-                    contributions_2 = contributions_2 + weight_0.x;
-                    angles_2 = angles_3;
-                    pieces_3 = pieces_4;
-                    piece_2 = piece_2 + 1.0f;
-                    continue;
-                }
-                var own_1 : f32 = weight_0.x + least_3 * weight_0.y;
-                var cumulative_3 : f32 = cumulative_2 + own_1;
-                var drawn_3 : u32 = drawn_2;
-                var target_4 : f64 = target_3;
-                for(;;)
-                {
-                    var _S419 : bool;
-                    if(drawn_3 < points_0)
-                    {
-                        _S419 = target_4 < f64(cumulative_3);
-                    }
-                    else
-                    {
-                        _S419 = false;
-                    }
-                    if(_S419)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var _S420 : u32 = drawn_3 + u32(1);
-                    var target_5 : f64 = target_4 + step_1;
-                    cross_at_0(&((*crossed_3)), at_41, point_on_0(at_41, seen_6, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_1 * own_1 / total_0), number_of_path_3, path_14);
-                    drawn_3 = _S420;
-                    target_4 = target_5;
-                }
-                cumulative_2 = cumulative_3;
-                drawn_2 = drawn_3;
-                target_3 = target_4;
-                piece_2 = piece_2 + 1.0f;
-            }
-            k_11 = k_11 + u32(1);
-            drawn_1 = drawn_2;
-            contributions_1 = contributions_2;
-            angles_1 = angles_2;
-            pieces_2 = pieces_3;
-            cumulative_1 = cumulative_2;
-            target_2 = target_3;
+            drawn_0 = drawn_1;
+            contributions_0 = contributions_1;
+            angles_0 = angles_1;
+            pieces_1 = pieces_2;
+            cumulative_0 = cumulative_1;
+            target_0 = target_2;
         }
         pass_0 = pass_0 + u32(1);
-        angles_0 = angles_1;
-        contributions_0 = contributions_1;
-        pieces_1 = pieces_2;
-        drawn_0 = drawn_1;
-        cumulative_0 = cumulative_1;
-        target_0 = target_2;
     }
     return;
 }
 
-fn sample_points_0( at_42 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_45 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
 {
-    var numbers_9 : u32 = numbers_for_0(at_42.purpose_0) + u32(1);
-    var leaf_3 : u32;
-    var probability_4 : f32;
-    var _S421 : bool = descend_0(at_42, (f64(subtree_0) + precise_random_0(path_15.key_0, numbers_9)) / f64(subtrees_0), &(leaf_3), &(probability_4));
-    if(!_S421)
+    var numbers_9 : u32 = numbers_for_0(at_45.purpose_0) + u32(1);
+    var node_9 : u32 = edge_word_0(at_45.tree_0);
+    var u_3 : f64 = precise_random_0(path_15.key_0, numbers_9);
+    var probability_4 : f32 = 1.0f;
+    var is_whole_0 : bool;
+    if((at_45.purpose_0) == u32(0))
+    {
+        is_whole_0 = takes_all_0(at_45);
+    }
+    else
+    {
+        is_whole_0 = false;
+    }
+    if(!is_whole_0)
+    {
+        var _S433 : bool = descend_0(at_45, (f64(subtree_0) + u_3) / f64(subtrees_0), &(node_9), &(probability_4));
+        is_whole_0 = !_S433;
+    }
+    else
+    {
+        is_whole_0 = false;
+    }
+    if(is_whole_0)
     {
         return;
     }
     var asked_1 : Share_0;
-    var _S422 : f32 = f32(subtrees_0);
-    asked_1.share_0 = 1.0f / _S422;
-    asked_1.over_all_0 = probability_4 * _S422;
+    var _S434 : f32 = f32(subtrees_0);
+    asked_1.share_0 = 1.0f / _S434;
+    asked_1.over_all_0 = probability_4 * _S434;
     asked_1.place_17 = precise_random_0(path_15.key_0, numbers_9 + u32(1)) + f64(0.6180340051651001f * f32(subtree_0));
     for(;;)
     {
@@ -4279,7 +4470,7 @@ fn sample_points_0( at_42 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : 
         }
         asked_1.place_17 = asked_1.place_17 - 1.0lf;
     }
-    draw_points_0(at_42, leaf_3, asked_1, number_of_path_4, path_15, &((*crossed_4)));
+    draw_points_0(at_45, node_9, asked_1, number_of_path_4, path_15, &((*crossed_4)));
     return;
 }
 
@@ -4322,20 +4513,20 @@ fn numbers_of_0( texture_7 : u32) -> u32
 fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
 {
     var first_9 : u32 = numbers_of_0(texture_8);
-    var _S423 : u32 = word_0(texture_8 + u32(1));
-    var _S424 : u32;
+    var _S435 : u32 = word_0(texture_8 + u32(1));
+    var _S436 : u32;
     if(first_9 == u32(4294967295))
     {
-        _S424 = u32(0);
+        _S436 = u32(0);
     }
     else
     {
-        _S424 = lookup_5.count_0;
+        _S436 = lookup_5.count_0;
     }
     var k_12 : u32 = u32(0);
     for(;;)
     {
-        if(k_12 < _S424)
+        if(k_12 < _S436)
         {
         }
         else
@@ -4344,7 +4535,7 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         }
         var own_2 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_12]);
         var own_3 : vec3<f32>;
-        if(_S423 == u32(1))
+        if(_S435 == u32(1))
         {
             own_3 = vec3<f32>((own_2.x + own_2.y + own_2.z));
         }
@@ -4355,14 +4546,14 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         var c_4 : u32 = u32(0);
         for(;;)
         {
-            if(c_4 < _S423)
+            if(c_4 < _S435)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_9 + _S423 * lookup_5.texels_0[k_12] + c_4, own_3[c_4]);
+            add_to_sum_0(first_9 + _S435 * lookup_5.texels_0[k_12] + c_4, own_3[c_4]);
             c_4 = c_4 + u32(1);
         }
         k_12 = k_12 + u32(1);
@@ -4378,13 +4569,13 @@ fn lookup_back_0( texture_9 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
 
 fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
 {
-    var _S425 : vec2<f32> = vec2<f32>(0.0f);
-    var _S426 : u32 = word_0(material_2 + u32(4));
+    var _S437 : vec2<f32> = vec2<f32>(0.0f);
+    var _S438 : u32 = word_0(material_2 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S425;
+    var by_place_0 : vec2<f32> = _S437;
     for(;;)
     {
-        if(slot_7 < _S426)
+        if(slot_7 < _S438)
         {
         }
         else
@@ -4397,9 +4588,9 @@ fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S427 : Lookup_0 = lookup_at_0(texture_10, place_18);
-        var _S428 : vec2<f32> = lookup_back_0(texture_10, _S427, slot_derivative_0(numbers_11, slot_7));
-        by_place_0 = by_place_0 + _S428;
+        var _S439 : Lookup_0 = lookup_at_0(texture_10, place_18);
+        var _S440 : vec2<f32> = lookup_back_0(texture_10, _S439, slot_derivative_0(numbers_11, slot_7));
+        by_place_0 = by_place_0 + _S440;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_0;
@@ -4420,10 +4611,10 @@ struct AtCorners_0
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_2 : AtCorners_0;
-    var _S429 : vec3<f32> = vec3<f32>(0.0f);
-    corners_2.c_5 = _S429;
-    corners_2.b_13 = _S429;
-    corners_2.a_18 = _S429;
+    var _S441 : vec3<f32> = vec3<f32>(0.0f);
+    corners_2.c_5 = _S441;
+    corners_2.b_13 = _S441;
+    corners_2.a_18 = _S441;
     return corners_2;
 }
 
@@ -4438,18 +4629,18 @@ fn tangent_back_0( points_2 : ptr<function, AtCorners_0>,  triangle_8 : u32,  ta
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_8);
     var first_10 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
     var second_4 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
-    var _S430 : f32 = second_4.y;
-    var _S431 : f32 = first_10.y;
-    var scale_1 : f32 = 1.0f / (first_10.x * _S430 - second_4.x * _S431);
-    var of_ab_0 : f32 = _S430 * scale_1;
-    var of_ac_0 : f32 = - _S431 * scale_1;
+    var _S442 : f32 = second_4.y;
+    var _S443 : f32 = first_10.y;
+    var scale_1 : f32 = 1.0f / (first_10.x * _S442 - second_4.x * _S443);
+    var of_ab_0 : f32 = _S442 * scale_1;
+    var of_ac_0 : f32 = - _S443 * scale_1;
     var a_19 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S432 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S433 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_19) * _S432 + vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_19) * _S433));
+    var _S444 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S445 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_19) * _S444 + vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_19) * _S445));
     (*points_2).a_18 = (*points_2).a_18 - derivative_5 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_2).b_13 = (*points_2).b_13 + derivative_5 * _S432;
-    (*points_2).c_5 = (*points_2).c_5 + derivative_5 * _S433;
+    (*points_2).b_13 = (*points_2).b_13 + derivative_5 * _S444;
+    (*points_2).c_5 = (*points_2).c_5 + derivative_5 * _S445;
     return;
 }
 
@@ -4476,45 +4667,45 @@ fn normals_of_0( triangle_9 : u32) -> u32
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_10 : u32,  corners_5 : AtCorners_0)
 {
-    var _S434 : u32 = triangle_record_0(triangle_10) + u32(2);
-    var _S435 : i32;
+    var _S446 : u32 = triangle_record_0(triangle_10) + u32(2);
+    var _S447 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S435 = i32(0);
+        _S447 = i32(0);
     }
     else
     {
-        _S435 = i32(3);
+        _S447 = i32(3);
     }
-    var _S436 : u32 = u32(_S435);
+    var _S448 : u32 = u32(_S447);
     var k_13 : u32 = u32(0);
     for(;;)
     {
-        if(k_13 < _S436)
+        if(k_13 < _S448)
         {
         }
         else
         {
             break;
         }
-        var _S437 : u32 = sums_at_0 + u32(3) * word_0(_S434 + k_13);
-        var _S438 : vec3<f32>;
+        var _S449 : u32 = sums_at_0 + u32(3) * word_0(_S446 + k_13);
+        var _S450 : vec3<f32>;
         if(k_13 == u32(0))
         {
-            _S438 = corners_5.a_18;
+            _S450 = corners_5.a_18;
         }
         else
         {
             if(k_13 == u32(1))
             {
-                _S438 = corners_5.b_13;
+                _S450 = corners_5.b_13;
             }
             else
             {
-                _S438 = corners_5.c_5;
+                _S450 = corners_5.c_5;
             }
         }
-        add_to_sums_0(_S437, _S438);
+        add_to_sums_0(_S449, _S450);
         k_13 = k_13 + u32(1);
     }
     return;
@@ -4524,12 +4715,12 @@ fn place_back_0( points_3 : ptr<function, AtCorners_0>,  place_21 : Place_0,  by
 {
     var corner_2 : u32 = u32(9) * place_21.triangle_0;
     var a_20 : vec3<f64> = primitive_vector_0(corner_2);
-    var _S439 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_20);
-    var _S440 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_20);
-    var across_2 : vec3<f32> = cross(_S439, _S440);
-    var _S441 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
-    var normal_7 : vec3<f32> = across_2 / vec3<f32>(_S441);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S440, normal_7) * vec3<f32>(by_place_1.x) + cross(normal_7, _S439) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_7, normal_7) * _S441)));
+    var _S451 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_20);
+    var _S452 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_20);
+    var across_2 : vec3<f32> = cross(_S451, _S452);
+    var _S453 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
+    var normal_7 : vec3<f32> = across_2 / vec3<f32>(_S453);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S452, normal_7) * vec3<f32>(by_place_1.x) + cross(normal_7, _S451) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_7, normal_7) * _S453)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_7 * vec3<f32>((dot(direction_17, by_slip_0) / dot(normal_7, direction_17)));
     add_at_place_1(&((*points_3)), place_21, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -4538,20 +4729,20 @@ fn place_back_0( points_3 : ptr<function, AtCorners_0>,  place_21 : Place_0,  by
 fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_18 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_6.shape_0);
-    var _S442 : vec2<f32>;
+    var _S454 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_3 : u32 = u32(9) * surface_6.place_3.triangle_0;
         var a_21 : vec3<f64> = primitive_vector_0(corner_3);
-        var _S443 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_21);
-        var _S444 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_21);
-        var derivative_8 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(cross(_S443, _S444)));
-        var by_ab_0 : vec3<f32> = cross(_S444, derivative_8);
-        var by_ac_0 : vec3<f32> = cross(derivative_8, _S443);
+        var _S455 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_21);
+        var _S456 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_21);
+        var derivative_8 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(cross(_S455, _S456)));
+        var by_ab_0 : vec3<f32> = cross(_S456, derivative_8);
+        var by_ac_0 : vec3<f32> = cross(derivative_8, _S455);
         (*points_4).a_18 = (*points_4).a_18 - (by_ab_0 + by_ac_0);
         (*points_4).b_13 = (*points_4).b_13 + by_ab_0;
         (*points_4).c_5 = (*points_4).c_5 + by_ac_0;
-        _S442 = by_place_2;
+        _S454 = by_place_2;
     }
     else
     {
@@ -4563,10 +4754,10 @@ fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_6.place_3, derivative_9);
         add_to_corners_0(normals_of_0(surface_6.place_3.triangle_0), surface_6.place_3.triangle_0, of_normals_0);
-        _S442 = by_place_2 + vec2<f32>(dot(ab_0, derivative_9), dot(ac_0, derivative_9));
+        _S454 = by_place_2 + vec2<f32>(dot(ab_0, derivative_9), dot(ac_0, derivative_9));
     }
-    var _S445 : vec3<f32> = place_back_0(&((*points_4)), surface_6.place_3, _S442, by_position_1, direction_18);
-    return _S445;
+    var _S457 : vec3<f32> = place_back_0(&((*points_4)), surface_6.place_3, _S454, by_position_1, direction_18);
+    return _S457;
 }
 
 fn points_of_0( triangle_11 : u32) -> u32
@@ -4577,33 +4768,33 @@ fn points_of_0( triangle_11 : u32) -> u32
 fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32,  direction_19 : vec3<f32>) -> ByRay_0
 {
     var by_ray_1 : ByRay_0;
-    var _S446 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_0 = _S446;
-    by_ray_1.drift_0 = _S446;
+    var _S458 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S458;
+    by_ray_1.drift_0 = _S458;
     var by_place_3 : vec2<f32> = numbers_back_0(material_3, vertex_8.surface_3.place_3, pulled_3.numbers_3);
     if(!is_moving_0())
     {
         return by_ray_1;
     }
-    var _S447 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S459 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_0 : DiffPair_Axes_0;
     towards_0.primal_0 = vertex_8.axes_4;
-    towards_0.differential_0 = _S447;
+    towards_0.differential_0 = _S459;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_19;
-    incoming_0.differential_0 = _S446;
+    incoming_0.differential_0 = _S458;
     _S173(&(towards_0), &(incoming_0), pulled_3.wi_2);
     by_ray_1.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_8.surface_3.outward_0;
-    outward_1.differential_0 = _S446;
-    var _S448 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
+    outward_1.differential_0 = _S458;
+    var _S460 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S448;
-    tangent_4.differential_0 = _S446;
+    tangent_4.primal_0 = _S460;
+    tangent_4.differential_0 = _S458;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_3.axes_5, towards_0.differential_0);
     var points_5 : AtCorners_0 = at_no_corner_0();
-    if((any((_S448 != _S446))))
+    if((any((_S460 != _S458))))
     {
         _S124(&(outward_1), &(tangent_4), vertex_8.surface_3.is_front_0, by_axes_0);
         tangent_back_0(&(points_5), vertex_8.surface_3.place_3.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -4612,32 +4803,32 @@ fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32, 
     {
         _S93(&(outward_1), vertex_8.surface_3.is_front_0, by_axes_0);
     }
-    var _S449 : vec3<f32> = surface_back_0(&(points_5), vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_19);
-    by_ray_1.drift_0 = _S449;
+    var _S461 : vec3<f32> = surface_back_0(&(points_5), vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_19);
+    by_ray_1.drift_0 = _S461;
     add_to_corners_0(points_of_0(vertex_8.surface_3.place_3.triangle_0), vertex_8.surface_3.place_3.triangle_0, points_5);
     return by_ray_1;
 }
 
-fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_43 : ShadingPoint_0,  direction_20 : vec3<f32>)
+fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_46 : ShadingPoint_0,  direction_20 : vec3<f32>)
 {
-    var _S450 : vec3<f32> = vec3<f32>(0.0f);
-    var _S451 : bool;
-    if((all(((crossed_5.pulled_1.position_1) == _S450))))
+    var _S462 : vec3<f32> = vec3<f32>(0.0f);
+    var _S463 : bool;
+    if((all(((crossed_5.pulled_1.position_1) == _S462))))
     {
-        _S451 = (all(((crossed_5.pulled_1.axes_5.n_0) == _S450)));
+        _S463 = (all(((crossed_5.pulled_1.axes_5.n_0) == _S462)));
     }
     else
     {
-        _S451 = false;
+        _S463 = false;
     }
-    if(_S451)
+    if(_S463)
     {
         return;
     }
-    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_43.vertex_2, material_of_0(at_43.vertex_2.surface_3), direction_20);
-    var _S452 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
-    var kept_1 : u32 = _S452;
-    var which_11 : u32 = _S452;
+    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_46.vertex_2, material_of_0(at_46.vertex_2.surface_3), direction_20);
+    var _S464 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
+    var kept_1 : u32 = _S464;
+    var which_11 : u32 = _S464;
     var drift_1 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     var by_direction_0 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     set_vector_0(number_of_path_5, &(kept_1), drift_1 + by_ray_2.drift_0);
@@ -4647,13 +4838,13 @@ fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_43 : ShadingPoint_
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S453 : u32;
+    var _S465 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S454 : u32 = u32(2) + zero_0;
-        _S453 = _S454;
-        if(rounds_0 < _S454)
+        var _S466 : u32 = u32(2) + zero_0;
+        _S465 = _S466;
+        if(rounds_0 < _S466)
         {
         }
         else
@@ -4662,14 +4853,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S453;
+    return rounds_0 == _S465;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S455 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S467 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4686,9 +4877,9 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var number_of_path_6 : u32 = input_0[listed_0];
     var factor_5 : vec3<f32>;
     var path_16 : Path_0 = path_at_vertex_0(number_of_path_6, &(factor_5));
-    var at_44 : ShadingPoint_0;
-    var _S456 : bool = shading_point_0(path_16, &(at_44));
-    if(!_S456)
+    var at_47 : ShadingPoint_0;
+    var _S468 : bool = shading_point_0(path_16, &(at_47));
+    if(!_S468)
     {
         return;
     }
@@ -4703,7 +4894,7 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         {
             break;
         }
-        var probability_5 : f32 = turn_to_0(purpose_3, path_16.key_0, &(at_44));
+        var probability_5 : f32 = turn_to_0(purpose_3, path_16.key_0, &(at_47));
         if(!(probability_5 > 0.0f))
         {
             purpose_3 = purpose_3 + u32(1);
@@ -4711,14 +4902,14 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         }
         crossed_6.factor_1 = factor_5 / vec3<f32>(probability_5);
         var subtree_1 : u32 = subtree_of_launch_0();
-        var subtrees_1 : u32 = subtrees_of_0(at_44);
+        var subtrees_1 : u32 = subtrees_of_0(at_47);
         if(subtree_1 < subtrees_1)
         {
-            sample_points_0(at_44, number_of_path_6, path_16, subtree_1, subtrees_1, &(crossed_6));
+            sample_points_0(at_47, number_of_path_6, path_16, subtree_1, subtrees_1, &(crossed_6));
         }
         purpose_3 = purpose_3 + u32(1);
     }
-    add_0(number_of_path_6, crossed_6, at_44, path_16.direction_1);
+    add_0(number_of_path_6, crossed_6, at_47, path_16.direction_1);
     check_loops_0();
     return;
 }

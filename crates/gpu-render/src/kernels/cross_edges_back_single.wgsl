@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 95a321724ff541a4
-// result: e09aad1daf9e7831
+// source: a5da34863903b748
+// result: 4cc7a3574a5ad7ac
 
 struct Launch_std140_0
 {
@@ -2017,6 +2017,20 @@ fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f32
     return f32(((random_bits_0(key_4, dimension_2).y) >> (u32(8)))) / 4096.0f / 4096.0f;
 }
 
+struct Leaves_0
+{
+     count_3 : u32,
+     nodes_1 : array<u32, i32(96)>,
+};
+
+fn below_0( node_1 : u32) -> Leaves_0
+{
+    var leaves_0 : Leaves_0;
+    leaves_0.count_3 = u32(1);
+    leaves_0.nodes_1[i32(0)] = node_1;
+    return leaves_0;
+}
+
 fn edge_number_0( at_18 : u32) -> f32
 {
     return (bitcast<f32>((edge_word_0(at_18))));
@@ -2027,25 +2041,25 @@ fn edge_vector_0( at_19 : u32) -> vec3<f32>
     return vec3<f32>(edge_number_0(at_19), edge_number_0(at_19 + u32(1)), edge_number_0(at_19 + u32(2)));
 }
 
-fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
+fn may_have_silhouette_0( node_2 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
 {
-    var sine_2 : f32 = edge_number_0(node_1 + u32(11));
-    var cosine_3 : f32 = edge_number_0(node_1 + u32(12));
+    var sine_2 : f32 = edge_number_0(node_2 + u32(11));
+    var cosine_3 : f32 = edge_number_0(node_2 + u32(12));
     if(sine_2 > 1.0f)
     {
         return true;
     }
-    var margin_0 : f32 = (edge_number_0(node_1 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
+    var margin_0 : f32 = (edge_number_0(node_2 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
     var margin_1 : f32;
     if(cosine_3 > 0.0f)
     {
-        margin_1 = min((edge_number_0(node_1 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
+        margin_1 = min((edge_number_0(node_2 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
     }
     else
     {
         margin_1 = margin_0;
     }
-    return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
+    return !((abs(dot(edge_vector_0(node_2 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
 }
 
 fn is_outside_0( at_20 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
@@ -2148,16 +2162,16 @@ fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
     return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
 }
 
-fn speed_of_0( at_21 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+fn speed_of_0( at_21 : ShadingPoint_0,  node_3 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
 {
     if(is_blind_0())
     {
-        return edge_number_0(node_2 + u32(20)) + 0.10000000149011612f;
+        return edge_number_0(node_3 + u32(20)) + 0.10000000149011612f;
     }
-    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_21.motion_1, offset_7);
-    var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
-    var sine_3 : f32 = edge_number_0(node_2 + u32(11));
-    var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
+    var relative_0 : vec3<f32> = edge_vector_0(node_3 + u32(17)) - velocity_at_0(at_21.motion_1, offset_7);
+    var axis_4 : vec3<f32> = edge_vector_0(node_3 + u32(8));
+    var sine_3 : f32 = edge_number_0(node_3 + u32(11));
+    var cosine_4 : f32 = edge_number_0(node_3 + u32(12));
     var along_0 : f32 = abs(dot(axis_4, relative_0));
     var across_1 : f32 = length(cross(axis_4, relative_0));
     var speed_0 : f32;
@@ -2169,19 +2183,19 @@ fn speed_of_0( at_21 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  ra
     {
         speed_0 = length(relative_0);
     }
-    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_21.motion_1.rotation_0) * radius_3;
+    return speed_0 + edge_number_0(node_3 + u32(20)) + length(at_21.motion_1.rotation_0) * radius_3;
 }
 
-fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
+fn importance_of_0( at_22 : ShadingPoint_0,  node_4 : u32) -> f32
 {
-    var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
+    var centre_1 : vec3<f32> = edge_vector_0(node_4 + u32(4));
     var offset_8 : vec3<f32> = centre_1 - at_22.vertex_2.surface_3.position_0;
-    var radius_4 : f32 = edge_number_0(node_3 + u32(7));
+    var radius_4 : f32 = edge_number_0(node_4 + u32(7));
     var distance_5 : f32 = length(offset_8);
     var _S273 : bool;
     if(!at_22.has_creases_0)
     {
-        _S273 = !may_have_silhouette_0(node_3, offset_8, distance_5);
+        _S273 = !may_have_silhouette_0(node_4, offset_8, distance_5);
     }
     else
     {
@@ -2197,7 +2211,7 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
     }
     var cosine_5 : f32 = largest_cosine_0(at_22.vertex_2.surface_3.position_0, at_22.vertex_2.axes_4.n_0, centre_1, radius_4);
     var _S274 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
-    var least_0 : f32 = edge_number_0(node_3 + u32(16));
+    var least_0 : f32 = edge_number_0(node_4 + u32(16));
     var ratio_0 : f32 = _S274 / max(max(distance_5 * distance_5 - _S274, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
     var visible_0 : f32;
     if(ratio_0 < 0.00100000004749745f)
@@ -2209,55 +2223,191 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_3 : u32) -> f32
         visible_0 = logarithm_0(1.0f + ratio_0);
     }
     var near_0 : f32 = visible_0 / _S274;
-    var visible_1 : f32 = edge_number_0(node_3 + u32(14));
-    if(distance_5 > (edge_number_0(node_3 + u32(15))))
+    var visible_1 : f32 = edge_number_0(node_4 + u32(14));
+    if(distance_5 > (edge_number_0(node_4 + u32(15))))
     {
-        visible_0 = visible_1 * edge_number_0(node_3 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
+        visible_0 = visible_1 * edge_number_0(node_4 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
     }
     else
     {
         visible_0 = visible_1;
     }
-    return visible_0 * speed_of_0(at_22, node_3, offset_8, radius_4) * cosine_5 * near_0;
+    return visible_0 * speed_of_0(at_22, node_4, offset_8, radius_4) * cosine_5 * near_0;
 }
 
-fn descend_0( at_23 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+fn next_leaf_0( at_23 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_0 : ptr<function, u32>) -> bool
 {
     var nodes_at_0 : u32 = edge_word_0(at_23.tree_0);
     (*leaf_0) = nodes_at_0;
-    (*probability_2) = 1.0f;
-    var _S275 : f32 = u_1;
     for(;;)
     {
-        if((edge_word_0((*leaf_0))) != u32(4294967295))
+        if(((*leaves_1).count_3) > u32(0))
         {
         }
         else
         {
             break;
         }
-        var first_2 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
-        var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
-        var of_first_0 : f32 = importance_of_0(at_23, first_2);
-        var of_second_0 : f32 = importance_of_0(at_23, second_1);
-        var sum_0 : f32 = of_first_0 + of_second_0;
-        var _S276 : bool;
-        if(sum_0 > 0.0f)
+        var _S275 : u32 = (*leaves_1).count_3 - u32(1);
+        (*leaves_1).count_3 = _S275;
+        var _S276 : u32 = (*leaves_1).nodes_1[_S275];
+        (*leaf_0) = (*leaves_1).nodes_1[_S275];
+        if(!((importance_of_0(at_23, _S276)) > 0.0f))
         {
-            _S276 = sum_0 < 3.00000000549775576e+38f;
+            continue;
+        }
+        if((edge_word_0((*leaf_0))) == u32(4294967295))
+        {
+            return true;
+        }
+        var half_0 : u32 = u32(0);
+        for(;;)
+        {
+            var _S277 : bool;
+            if(half_0 < u32(2))
+            {
+                _S277 = ((*leaves_1).count_3) < u32(96);
+            }
+            else
+            {
+                _S277 = false;
+            }
+            if(_S277)
+            {
+            }
+            else
+            {
+                break;
+            }
+            (*leaves_1).nodes_1[(*leaves_1).count_3] = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + half_0);
+            (*leaves_1).count_3 = (*leaves_1).count_3 + u32(1);
+            half_0 = half_0 + u32(1);
+        }
+    }
+    return false;
+}
+
+fn next_leaf_1( at_24 : ShadingPoint_0,  leaves_2 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
+{
+    var nodes_at_1 : u32 = edge_word_0(at_24.tree_0);
+    (*leaf_1) = nodes_at_1;
+    for(;;)
+    {
+        if(((*leaves_2).count_3) > u32(0))
+        {
         }
         else
         {
-            _S276 = false;
+            break;
         }
-        if(!_S276)
+        var _S278 : u32 = (*leaves_2).count_3 - u32(1);
+        (*leaves_2).count_3 = _S278;
+        var _S279 : u32 = (*leaves_2).nodes_1[_S278];
+        (*leaf_1) = (*leaves_2).nodes_1[_S278];
+        if(!((importance_of_0(at_24, _S279)) > 0.0f))
+        {
+            continue;
+        }
+        if((edge_word_0((*leaf_1))) == u32(4294967295))
+        {
+            return true;
+        }
+        var half_1 : u32 = u32(0);
+        for(;;)
+        {
+            var _S280 : bool;
+            if(half_1 < u32(2))
+            {
+                _S280 = ((*leaves_2).count_3) < u32(96);
+            }
+            else
+            {
+                _S280 = false;
+            }
+            if(_S280)
+            {
+            }
+            else
+            {
+                break;
+            }
+            (*leaves_2).nodes_1[(*leaves_2).count_3] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + half_1);
+            (*leaves_2).count_3 = (*leaves_2).count_3 + u32(1);
+            half_1 = half_1 + u32(1);
+        }
+    }
+    return false;
+}
+
+fn takes_all_0( at_25 : ShadingPoint_0) -> bool
+{
+    var _S281 : bool;
+    var leaves_3 : Leaves_0 = below_0(edge_word_0(at_25.tree_0));
+    var leaf_2 : u32;
+    var count_4 : u32 = u32(0);
+    for(;;)
+    {
+        var _S282 : bool = count_4 <= u32(24);
+        _S281 = _S282;
+        var _S283 : bool;
+        if(_S282)
+        {
+            var _S284 : bool = next_leaf_0(at_25, &(leaves_3), &(leaf_2));
+            _S283 = _S284;
+        }
+        else
+        {
+            _S283 = false;
+        }
+        if(_S283)
+        {
+        }
+        else
+        {
+            break;
+        }
+        count_4 = count_4 + u32(1);
+    }
+    return _S281;
+}
+
+fn descend_0( at_26 : ShadingPoint_0,  u_1 : f32,  leaf_3 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+{
+    var nodes_at_2 : u32 = edge_word_0(at_26.tree_0);
+    (*leaf_3) = nodes_at_2;
+    (*probability_2) = 1.0f;
+    var _S285 : f32 = u_1;
+    for(;;)
+    {
+        if((edge_word_0((*leaf_3))) != u32(4294967295))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var first_2 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3));
+        var second_1 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3) + u32(1));
+        var of_first_0 : f32 = importance_of_0(at_26, first_2);
+        var of_second_0 : f32 = importance_of_0(at_26, second_1);
+        var sum_0 : f32 = of_first_0 + of_second_0;
+        var _S286 : bool;
+        if(sum_0 > 0.0f)
+        {
+            _S286 = sum_0 < 3.00000000549775576e+38f;
+        }
+        else
+        {
+            _S286 = false;
+        }
+        if(!_S286)
         {
             return false;
         }
         var first_share_0 : f32 = of_first_0 / sum_0;
         var second_share_0 : f32 = of_second_0 / sum_0;
         var is_second_0 : bool;
-        if(_S275 >= first_share_0)
+        if(_S285 >= first_share_0)
         {
             is_second_0 = second_share_0 > 0.0f;
         }
@@ -2267,32 +2417,32 @@ fn descend_0( at_23 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>, 
         }
         if(is_second_0)
         {
-            _S275 = (_S275 - first_share_0) / second_share_0;
+            _S285 = (_S285 - first_share_0) / second_share_0;
         }
         else
         {
-            _S275 = min(_S275 / first_share_0, 1.0f);
+            _S285 = min(_S285 / first_share_0, 1.0f);
         }
-        var _S277 : f32;
+        var _S287 : f32;
         if(is_second_0)
         {
-            _S277 = second_share_0;
+            _S287 = second_share_0;
         }
         else
         {
-            _S277 = first_share_0;
+            _S287 = first_share_0;
         }
-        (*probability_2) = (*probability_2) * _S277;
-        var _S278 : u32;
+        (*probability_2) = (*probability_2) * _S287;
+        var _S288 : u32;
         if(is_second_0)
         {
-            _S278 = second_1;
+            _S288 = second_1;
         }
         else
         {
-            _S278 = first_2;
+            _S288 = first_2;
         }
-        (*leaf_0) = _S278;
+        (*leaf_3) = _S288;
     }
     return true;
 }
@@ -2303,11 +2453,11 @@ struct Edge_0
      numbers_4 : u32,
 };
 
-fn edge_at_0( at_24 : ShadingPoint_0,  place_10 : u32) -> Edge_0
+fn edge_at_0( at_27 : ShadingPoint_0,  place_10 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_7 = edge_word_0(at_24.tree_0 + u32(1)) + u32(12) * place_10;
-    edge_0.numbers_4 = edge_word_0(at_24.tree_0 + u32(2)) + u32(14) * place_10;
+    edge_0.record_7 = edge_word_0(at_27.tree_0 + u32(1)) + u32(12) * place_10;
+    edge_0.numbers_4 = edge_word_0(at_27.tree_0 + u32(2)) + u32(14) * place_10;
     return edge_0;
 }
 
@@ -2320,129 +2470,129 @@ fn side_seen_0( from_0 : vec3<f32>,  tolerance_0 : f32,  normal_4 : u32,  length
 {
     var height_1 : f32 = dot(edge_position_0(normal_4), from_0);
     var least_1 : f32 = tolerance_0 * edge_real_0(length_0);
-    var _S279 : i32;
+    var _S289 : i32;
     if(height_1 > least_1)
     {
-        _S279 = i32(1);
+        _S289 = i32(1);
     }
     else
     {
-        _S279 = i32(0);
+        _S289 = i32(0);
     }
-    var _S280 : i32;
+    var _S290 : i32;
     if(height_1 < (- least_1))
     {
-        _S280 = i32(1);
+        _S290 = i32(1);
     }
     else
     {
-        _S280 = i32(0);
+        _S290 = i32(0);
     }
-    return _S279 - _S280;
+    return _S289 - _S290;
 }
 
-fn is_silhouette_0( at_25 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+fn is_silhouette_0( at_28 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f32> = edge_position_0(edge_1.numbers_4);
-    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_25.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S281 : vec3<f32> = at_25.vertex_2.surface_3.exact_0 - start_0;
-    return (side_seen_0(_S281, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S281, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
+    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_28.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S291 : vec3<f32> = at_28.vertex_2.surface_3.exact_0 - start_0;
+    return (side_seen_0(_S291, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S291, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
 }
 
-fn factor_of_0( at_26 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+fn factor_of_0( at_29 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
-    var _S282 : u32 = edge_2.record_7 + u32(2);
-    var a_11 : vec3<f32> = edge_vector_0(_S282);
-    var b_8 : vec3<f32> = edge_vector_0(_S282 + u32(3));
-    var _S283 : bool;
+    var _S292 : u32 = edge_2.record_7 + u32(2);
+    var a_11 : vec3<f32> = edge_vector_0(_S292);
+    var b_8 : vec3<f32> = edge_vector_0(_S292 + u32(3));
+    var _S293 : bool;
     if(!is_blind_0())
     {
-        _S283 = rests_0(at_26.motion_1);
+        _S293 = rests_0(at_29.motion_1);
     }
     else
     {
-        _S283 = false;
+        _S293 = false;
     }
-    if(_S283)
+    if(_S293)
     {
-        _S283 = (all((a_11 == vec3<f32>(0.0f))));
+        _S293 = (all((a_11 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S283 = false;
+        _S293 = false;
     }
-    if(_S283)
+    if(_S293)
     {
-        _S283 = (all((b_8 == vec3<f32>(0.0f))));
+        _S293 = (all((b_8 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S283 = false;
+        _S293 = false;
     }
-    if(_S283)
+    if(_S293)
     {
         return 0.0f;
     }
-    if(is_silhouette_0(at_26, edge_2))
+    if(is_silhouette_0(at_29, edge_2))
     {
         return edge_number_0(edge_2.record_7);
     }
-    var _S284 : f32;
-    if(at_26.has_creases_0)
+    var _S294 : f32;
+    if(at_29.has_creases_0)
     {
-        _S284 = edge_number_0(edge_2.record_7 + u32(1));
+        _S294 = edge_number_0(edge_2.record_7 + u32(1));
     }
     else
     {
-        _S284 = 0.0f;
+        _S294 = 0.0f;
     }
-    return _S284;
+    return _S294;
 }
 
-fn is_clipped_0( at_27 : ShadingPoint_0,  a_12 : vec3<f32>,  b_9 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
+fn is_clipped_0( at_30 : ShadingPoint_0,  a_12 : vec3<f32>,  b_9 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
 {
     (*range_0) = vec2<f32>(0.0f, 1.0f);
-    var _S285 : bool;
-    if((dot(at_27.front_0, a_12 - at_27.front_offset_0)) < -3.99999998990097083e-06f)
+    var _S295 : bool;
+    if((dot(at_30.front_0, a_12 - at_30.front_offset_0)) < -3.99999998990097083e-06f)
     {
-        _S285 = (dot(at_27.front_0, b_9 - at_27.front_offset_0)) < -3.99999998990097083e-06f;
+        _S295 = (dot(at_30.front_0, b_9 - at_30.front_offset_0)) < -3.99999998990097083e-06f;
     }
     else
     {
-        _S285 = false;
+        _S295 = false;
     }
-    if(_S285)
+    if(_S295)
     {
         return true;
     }
-    var _S286 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_12, a_12), dot(b_9, b_9)));
+    var _S296 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_12, a_12), dot(b_9, b_9)));
     var k_5 : u32 = u32(0);
     for(;;)
     {
-        if(k_5 < (at_27.planes_0))
+        if(k_5 < (at_30.planes_0))
         {
         }
         else
         {
             break;
         }
-        var first_3 : f32 = dot(at_27.inside_2[k_5], a_12) + _S286;
-        var second_2 : f32 = dot(at_27.inside_2[k_5], b_9) + _S286;
-        var _S287 : bool = first_3 < 0.0f;
-        if(_S287)
+        var first_3 : f32 = dot(at_30.inside_2[k_5], a_12) + _S296;
+        var second_2 : f32 = dot(at_30.inside_2[k_5], b_9) + _S296;
+        var _S297 : bool = first_3 < 0.0f;
+        if(_S297)
         {
-            _S285 = second_2 < 0.0f;
+            _S295 = second_2 < 0.0f;
         }
         else
         {
-            _S285 = false;
+            _S295 = false;
         }
-        if(_S285)
+        if(_S295)
         {
             return true;
         }
         var crossing_0 : f32 = first_3 / (first_3 - second_2);
-        if(_S287)
+        if(_S297)
         {
             (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
         }
@@ -2473,54 +2623,54 @@ struct SeenEdge_0
      to_0 : vec3<f32>,
 };
 
-fn see_edge_0( at_28 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+fn see_edge_0( at_31 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S288 : Edge_0 = edge_at_0(at_28, place_11);
-    (*seen_1).edge_3 = _S288;
-    var _S289 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4) - at_28.vertex_2.surface_3.exact_0;
-    (*seen_1).start_1 = _S289;
-    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_28.vertex_2.surface_3.exact_0;
-    (*seen_1).along_1 = end_1 - _S289;
+    var _S298 : Edge_0 = edge_at_0(at_31, place_11);
+    (*seen_1).edge_3 = _S298;
+    var _S299 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4) - at_31.vertex_2.surface_3.exact_0;
+    (*seen_1).start_1 = _S299;
+    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_31.vertex_2.surface_3.exact_0;
+    (*seen_1).along_1 = end_1 - _S299;
     (*seen_1).far_0 = 1.0f;
     (*seen_1).near_1 = 1.0f;
     (*seen_1).chord_0 = 0.0f;
     (*seen_1).pieces_0 = 0.0f;
-    var _S290 : vec3<f32> = vec3<f32>(0.0f);
-    (*seen_1).to_0 = _S290;
-    (*seen_1).from_1 = _S290;
+    var _S300 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S300;
+    (*seen_1).from_1 = _S300;
     (*seen_1).range_1 = vec2<f32>(0.0f, 1.0f);
-    var _S291 : f32 = factor_of_0(at_28, _S288);
-    (*seen_1).factor_3 = _S291;
-    var _S292 : bool;
-    if(!(_S291 > 0.0f))
+    var _S301 : f32 = factor_of_0(at_31, _S298);
+    (*seen_1).factor_3 = _S301;
+    var _S302 : bool;
+    if(!(_S301 > 0.0f))
     {
-        _S292 = true;
+        _S302 = true;
     }
     else
     {
-        var _S293 : vec2<f32> = (*seen_1).range_1;
-        var _S294 : bool = is_clipped_0(at_28, (*seen_1).start_1, end_1, &(_S293));
-        (*seen_1).range_1 = _S293;
-        _S292 = _S294;
+        var _S303 : vec2<f32> = (*seen_1).range_1;
+        var _S304 : bool = is_clipped_0(at_31, (*seen_1).start_1, end_1, &(_S303));
+        (*seen_1).range_1 = _S303;
+        _S302 = _S304;
     }
-    if(_S292)
+    if(_S302)
     {
         return false;
     }
     var first_4 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.x);
     var last_0 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.y);
-    var _S295 : f32 = sqrt(dot(first_4, first_4));
-    (*seen_1).near_1 = _S295;
+    var _S305 : f32 = sqrt(dot(first_4, first_4));
+    (*seen_1).near_1 = _S305;
     (*seen_1).far_0 = sqrt(dot(last_0, last_0));
-    if(_S295 > 0.0f)
+    if(_S305 > 0.0f)
     {
-        _S292 = ((*seen_1).far_0) > 0.0f;
+        _S302 = ((*seen_1).far_0) > 0.0f;
     }
     else
     {
-        _S292 = false;
+        _S302 = false;
     }
-    if(!_S292)
+    if(!_S302)
     {
         return false;
     }
@@ -2528,7 +2678,7 @@ fn see_edge_0( at_28 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = last_0 / vec3<f32>((*seen_1).far_0);
     (*seen_1).chord_0 = length_of_0(last_0 / vec3<f32>((*seen_1).far_0) - first_4 / vec3<f32>((*seen_1).near_1));
     var longest_0 : f32;
-    if((at_28.vertex_2.lobe_1.kind_1) == u32(0))
+    if((at_31.vertex_2.lobe_1.kind_1) == u32(0))
     {
         longest_0 = 0.20000000298023224f;
     }
@@ -2545,10 +2695,10 @@ fn place_between_0( from_2 : f32,  to_1 : f32,  near_2 : f32,  far_1 : f32,  par
     return from_2 + (to_1 - from_2) * part_0 * near_2 / (part_0 * near_2 + (1.0f - part_0) * far_1);
 }
 
-fn velocity_on_0( at_29 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
+fn velocity_on_0( at_32 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S296 : u32 = edge_4.record_7 + u32(2);
-    return mix(edge_vector_0(_S296), edge_vector_0(_S296 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_29.motion_1, offset_9);
+    var _S306 : u32 = edge_4.record_7 + u32(2);
+    return mix(edge_vector_0(_S306), edge_vector_0(_S306 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_32.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -2560,25 +2710,25 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_7 : f32,  pdf_1 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S297 : Mirrored_0;
-    _S297.cosine_6 = cosine_7;
-    _S297.pdf_0 = pdf_1;
-    _S297.scattered_0 = scattered_1;
-    return _S297;
+    var _S307 : Mirrored_0;
+    _S307.cosine_6 = cosine_7;
+    _S307.pdf_0 = pdf_1;
+    _S307.scattered_0 = scattered_1;
+    return _S307;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S298 : bool;
+    var _S308 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S298 = true;
+        _S308 = true;
     }
     else
     {
-        _S298 = (lobe_3.kind_1) == u32(4);
+        _S308 = (lobe_3.kind_1) == u32(4);
     }
-    return _S298;
+    return _S308;
 }
 
 struct Microfacets_0
@@ -2608,68 +2758,68 @@ fn exponential_0( x_9 : f32) -> f32
 
 fn density_0( facets_1 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S299 : f32 = m_3.z;
-    if(_S299 <= 0.0f)
+    var _S309 : f32 = m_3.z;
+    if(_S309 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_0 : vec2<f32> = m_3.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S299 * _S299;
+    var cos2_0 : f32 = _S309 * _S309;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_1 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_1 * sum_1);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S300 : f32;
+    var _S310 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S300 = 0.0f;
+        _S310 = 0.0f;
     }
     else
     {
-        _S300 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S310 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S300;
+    return _S310;
 }
 
 fn error_function_plus_one_0( x_10 : f32) -> vec2<f32>
 {
-    var _S301 : f32 = min(abs(x_10), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S301 * _S301);
-    var place_12 : f32 = (_S301 - 2.0f) / (_S301 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S301);
-    var _S302 : f32;
+    var _S311 : f32 = min(abs(x_10), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S311 * _S311);
+    var place_12 : f32 = (_S311 - 2.0f) / (_S311 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S311);
+    var _S312 : f32;
     if(x_10 < 0.0f)
     {
-        _S302 = complement_0;
+        _S312 = complement_0;
     }
     else
     {
-        _S302 = 2.0f - complement_0;
+        _S312 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S302, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S312, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_2.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S303 : f32 = w_2.z;
-    var z2_0 : f32 = _S303 * _S303;
+    var _S313 : f32 = w_2.z;
+    var z2_0 : f32 = _S313 * _S313;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S303 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S313 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S303;
+        return 1.0f / _S313;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S303 / spread_1);
-    return 2.0f / (_S303 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S313 / spread_1);
+    return 2.0f / (_S313 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
@@ -2677,9 +2827,9 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_0 : vec3<f32> = normalize(wi_3 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_6 = dot(wi_3, h_0);
-    var _S304 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
-    mirrored_1.pdf_0 = _S304;
-    mirrored_1.scattered_0 = _S304 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    var _S314 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
+    mirrored_1.pdf_0 = _S314;
+    mirrored_1.scattered_0 = _S314 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
@@ -2696,9 +2846,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S305 : bool = real_0 < 0.0f;
+    var _S315 : bool = real_0 < 0.0f;
     var a_13 : f32;
-    if(_S305)
+    if(_S315)
     {
         a_13 = smaller_0;
     }
@@ -2707,7 +2857,7 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
         a_13 = larger_0;
     }
     var b_10 : f32;
-    if(_S305)
+    if(_S315)
     {
         b_10 = larger_0;
     }
@@ -2717,9 +2867,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var less_0 : f32 = a_13 - cosine_8;
     var more_0 : f32 = a_13 + cosine_8;
-    var _S306 : f32 = b_10 * b_10;
+    var _S316 : f32 = b_10 * b_10;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S306) / (more_0 * more_0 + _S306) * p_sum_0 / (p_sum_0 + 2.0f * a_13 * cosine_8 * sin2_0);
+    return (less_0 * less_0 + _S316) / (more_0 * more_0 + _S316) * p_sum_0 / (p_sum_0 + 2.0f * a_13 * cosine_8 * sin2_0);
 }
 
 fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_7 : vec3<f32>) -> vec3<f32>
@@ -2757,10 +2907,10 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_11, eta_4);
     }
     var place_13 : f32 = cosine_11 * 63.0f;
-    var _S307 : u32 = min(u32(place_13), u32(62));
-    var at_30 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S307;
-    var here_0 : f32 = number_0(at_30);
-    return here_0 + (number_0(at_30 + u32(1)) - here_0) * (place_13 - f32(_S307));
+    var _S317 : u32 = min(u32(place_13), u32(62));
+    var at_33 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S317;
+    var here_0 : f32 = number_0(at_33);
+    return here_0 + (number_0(at_33 + u32(1)) - here_0) * (place_13 - f32(_S317));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2811,15 +2961,15 @@ struct Scattering_0
 fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S308 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S308 * 0.31830987334251404f;
+    var _S318 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S318 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattering_1.value_5 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
-    var _S309 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S319 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_7))
     {
@@ -2827,7 +2977,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     else
     {
-        by_facets_0 = _S309;
+        by_facets_0 = _S319;
     }
     if((lobe_7.kind_1) == u32(2))
     {
@@ -2837,7 +2987,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     var eta_7 : f32 = coat_eta_0(numbers_8);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_4.z);
-    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S308) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S318) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_8, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -2850,16 +3000,16 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
 
 fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
 {
-    var _S310 : bool;
+    var _S320 : bool;
     if((wo_2.z) <= 0.0f)
     {
-        _S310 = true;
+        _S320 = true;
     }
     else
     {
-        _S310 = !has_smooth_0(vertex_5.lobe_1);
+        _S320 = !has_smooth_0(vertex_5.lobe_1);
     }
-    if(_S310)
+    if(_S320)
     {
         return vec3<f32>(0.0f);
     }
@@ -2888,37 +3038,37 @@ fn still_0( value_7 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_11 : f32,  y_2 : f32) -> f32
 {
-    var _S311 : f32 = abs(x_11);
-    var _S312 : f32 = abs(y_2);
-    var _S313 : f32 = min(_S311, _S312);
-    var _S314 : f32 = max(_S311, _S312);
-    var is_steep_0 : bool = _S313 > (0.41421356797218323f * _S314);
+    var _S321 : f32 = abs(x_11);
+    var _S322 : f32 = abs(y_2);
+    var _S323 : f32 = min(_S321, _S322);
+    var _S324 : f32 = max(_S321, _S322);
+    var is_steep_0 : bool = _S323 > (0.41421356797218323f * _S324);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S313 - _S314;
+        above_0 = _S323 - _S324;
     }
     else
     {
-        above_0 = _S313;
+        above_0 = _S323;
     }
-    var below_0 : f32;
+    var below_1 : f32;
     if(is_steep_0)
     {
-        below_0 = _S313 + _S314;
+        below_1 = _S323 + _S324;
     }
     else
     {
-        below_0 = _S314;
+        below_1 = _S324;
     }
-    if(below_0 > 0.0f)
+    if(below_1 > 0.0f)
     {
     }
     else
     {
-        below_0 = 1.0f;
+        below_1 = 1.0f;
     }
-    var t_3 : f32 = above_0 / below_0;
+    var t_3 : f32 = above_0 / below_1;
     var z_1 : f32 = t_3 * t_3;
     var angle_0 : f32 = (((0.08053744584321976f * z_1 - 0.13877685368061066f) * z_1 + 0.19977711141109467f) * z_1 - 0.33332949876785278f) * z_1 * t_3 + t_3;
     var angle_1 : f32;
@@ -2930,7 +3080,7 @@ fn angle_of_0( x_11 : f32,  y_2 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S312 > _S311)
+    if(_S322 > _S321)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -2951,8 +3101,8 @@ fn angle_of_0( x_11 : f32,  y_2 : f32) -> f32
 
 fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
 {
-    var _S315 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S315) * vec3<f32>(direction_6.x) + vector_at_0(_S315 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S315 + u32(6)) * vec3<f32>(direction_6.z);
+    var _S325 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S325) * vec3<f32>(direction_6.x) + vector_at_0(_S325 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S325 + u32(6)) * vec3<f32>(direction_6.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -2969,11 +3119,11 @@ fn in_map_0( map_1 : u32,  direction_7 : vec3<f32>) -> Lookup_0
     var height_2 : i32 = i32(word_0(map_1 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_1, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_1, u32(0));
-    var _S316 : u32 = wrapped_0(y_3, height_2, u32(2));
-    var _S317 : u32 = u32(width_1);
-    var first_5 : u32 = _S316 * _S317;
-    var _S318 : u32 = wrapped_0(y_3 + i32(1), height_2, u32(2));
-    var second_3 : u32 = _S318 * _S317;
+    var _S326 : u32 = wrapped_0(y_3, height_2, u32(2));
+    var _S327 : u32 = u32(width_1);
+    var first_5 : u32 = _S326 * _S327;
+    var _S328 : u32 = wrapped_0(y_3 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S328 * _S327;
     return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_3 + left_1, second_3 + right_1), point_0);
 }
 
@@ -2983,113 +3133,113 @@ fn emitted_0( emitter_4 : u32,  place_15 : Place_0,  direction_8 : vec3<f32>) ->
     var texture_6 : u32 = word_0(record_8 + u32(1));
     if(!is_map_0(record_8))
     {
-        var _S319 : vec3<f32> = shown_0(texture_6, place_15);
-        return _S319;
+        var _S329 : vec3<f32> = shown_0(texture_6, place_15);
+        return _S329;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_4 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S320 : u32 = word_0(texture_6 + u32(11));
-    var _S321 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
-    return looked_up_0(_S320, _S321, change_1) * factor_4;
+    var _S330 : u32 = word_0(texture_6 + u32(11));
+    var _S331 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
+    return looked_up_0(_S330, _S331, change_1) * factor_4;
 }
 
-fn light_from_0( at_31 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
+fn light_from_0( at_34 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
 {
-    var light_1 : f32 = largest_0(scattered_from_0(at_31.vertex_2, direction_9));
-    var _S322 : bool;
-    if((at_31.purpose_0) != u32(1))
+    var light_1 : f32 = largest_0(scattered_from_0(at_34.vertex_2, direction_9));
+    var _S332 : bool;
+    if((at_34.purpose_0) != u32(1))
     {
-        _S322 = true;
+        _S332 = true;
     }
     else
     {
-        _S322 = !(light_1 > 0.0f);
+        _S332 = !(light_1 > 0.0f);
     }
-    if(_S322)
+    if(_S332)
     {
         return light_1;
     }
-    var _S323 : vec3<f32> = emitted_0(at_31.emitter_0, at_31.vertex_2.surface_3.place_3, still_0(direction_9));
-    return light_1 * largest_0(value_of_0(_S323));
+    var _S333 : vec3<f32> = emitted_0(at_34.emitter_0, at_34.vertex_2.surface_3.place_3, still_0(direction_9));
+    return light_1 * largest_0(value_of_0(_S333));
 }
 
-fn weigh_0( at_32 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+fn weigh_0( at_35 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
 {
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
     var t_4 : f32 = place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, part_1);
     var offset_10 : vec3<f32> = seen_2.start_1 + seen_2.along_1 * vec3<f32>(t_4);
     var normal_5 : vec3<f32> = exact_unit_0(cross(seen_2.start_1, seen_2.along_1));
-    var _S324 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
+    var _S334 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
     var speed_1 : f32;
     if(!is_blind_0())
     {
-        speed_1 = abs(dot(velocity_on_0(at_32, seen_2.edge_3, t_4, offset_10), normal_5));
+        speed_1 = abs(dot(velocity_on_0(at_35, seen_2.edge_3, t_4, offset_10), normal_5));
     }
     else
     {
-        speed_1 = _S324;
+        speed_1 = _S334;
     }
     var speed_2 : f32 = speed_1 / length(offset_10);
     var angle_2 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S325 : f32 = light_from_0(at_32, middle_1);
-    var contribution_0 : f32 = angle_2 * _S325 * speed_2;
-    var _S326 : vec2<f32>;
+    var _S335 : f32 = light_from_0(at_35, middle_1);
+    var contribution_0 : f32 = angle_2 * _S335 * speed_2;
+    var _S336 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
     {
-        _S326 = vec2<f32>(contribution_0, angle_2);
+        _S336 = vec2<f32>(contribution_0, angle_2);
     }
     else
     {
-        _S326 = vec2<f32>(0.0f);
+        _S336 = vec2<f32>(0.0f);
     }
-    return _S326;
+    return _S336;
 }
 
-fn multiplicity_0( at_33 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f32>,  normal_6 : vec3<f32>) -> f32
+fn multiplicity_0( at_36 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f32>,  normal_6 : vec3<f32>) -> f32
 {
-    var _S327 : vec3<f32> = cross(normal_6, direction_10);
-    var _S328 : u32 = edge_5.record_7 + u32(8);
-    var k_8 : u32 = edge_word_0(_S328);
-    var count_3 : f32 = 1.0f;
+    var _S337 : vec3<f32> = cross(normal_6, direction_10);
+    var _S338 : u32 = edge_5.record_7 + u32(8);
+    var k_8 : u32 = edge_word_0(_S338);
+    var count_5 : f32 = 1.0f;
     for(;;)
     {
-        if(k_8 < (edge_word_0(_S328 + u32(1))))
+        if(k_8 < (edge_word_0(_S338 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var other_0 : Edge_0 = edge_at_0(at_33, edge_word_0(k_8));
-        if(!((factor_of_0(at_33, other_0)) > 0.0f))
+        var other_0 : Edge_0 = edge_at_0(at_36, edge_word_0(k_8));
+        if(!((factor_of_0(at_36, other_0)) > 0.0f))
         {
             k_8 = k_8 + u32(1);
             continue;
         }
-        var a_14 : vec3<f32> = edge_position_0(other_0.numbers_4) - at_33.vertex_2.surface_3.exact_0;
-        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_4 + u32(3)) - at_33.vertex_2.surface_3.exact_0 - a_14;
-        var place_16 : f32 = - dot(a_14, _S327) / dot(way_1, _S327);
+        var a_14 : vec3<f32> = edge_position_0(other_0.numbers_4) - at_36.vertex_2.surface_3.exact_0;
+        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_4 + u32(3)) - at_36.vertex_2.surface_3.exact_0 - a_14;
+        var place_16 : f32 = - dot(a_14, _S337) / dot(way_1, _S337);
         var there_0 : vec3<f32> = a_14 + way_1 * vec3<f32>(place_16);
-        var _S329 : bool;
+        var _S339 : bool;
         if(place_16 >= 0.0f)
         {
-            _S329 = place_16 <= 1.0f;
+            _S339 = place_16 <= 1.0f;
         }
         else
         {
-            _S329 = false;
+            _S339 = false;
         }
-        var _S330 : bool;
-        if(_S329)
+        var _S340 : bool;
+        if(_S339)
         {
-            _S330 = (dot(there_0, direction_10)) > 0.0f;
+            _S340 = (dot(there_0, direction_10)) > 0.0f;
         }
         else
         {
-            _S330 = false;
+            _S340 = false;
         }
-        if(!_S330)
+        if(!_S340)
         {
             k_8 = k_8 + u32(1);
             continue;
@@ -3099,24 +3249,24 @@ fn multiplicity_0( at_33 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec
             k_8 = k_8 + u32(1);
             continue;
         }
-        var count_4 : f32;
+        var count_6 : f32;
         if((abs(dot(normal_6, exact_unit_0(cross(a_14, way_1))))) > 0.99999898672103882f)
         {
-            count_4 = count_3 + 1.0f;
+            count_6 = count_5 + 1.0f;
         }
         else
         {
-            count_4 = count_3;
+            count_6 = count_5;
         }
-        count_3 = count_4;
+        count_5 = count_6;
         k_8 = k_8 + u32(1);
     }
-    return count_3;
+    return count_5;
 }
 
-fn face_normal_1( at_34 : ShadingPoint_0) -> vec3<f32>
+fn face_normal_1( at_37 : ShadingPoint_0) -> vec3<f32>
 {
-    var corners_1 : u32 = u32(9) * at_34.vertex_2.surface_3.place_3.triangle_0;
+    var corners_1 : u32 = u32(9) * at_37.vertex_2.surface_3.place_3.triangle_0;
     var a_15 : vec3<f32> = primitive_vector_0(corners_1);
     return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_15, primitive_vector_0(corners_1 + u32(6)) - a_15));
 }
@@ -3137,12 +3287,12 @@ struct EdgePoint_0
      is_in_horizon_0 : bool,
 };
 
-fn point_on_0( at_35 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
+fn point_on_0( at_38 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
 {
-    var _S331 : f32 = seen_3.range_1.x;
-    var _S332 : f32 = seen_3.range_1.y;
-    var first_6 : f32 = place_between_0(_S331, _S332, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
-    var last_1 : f32 = place_between_0(_S331, _S332, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
+    var _S341 : f32 = seen_3.range_1.x;
+    var _S342 : f32 = seen_3.range_1.y;
+    var first_6 : f32 = place_between_0(_S341, _S342, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
+    var last_1 : f32 = place_between_0(_S341, _S342, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
     var a_16 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(first_6);
     var b_11 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(last_1);
     var near_3 : f32 = length_of_0(a_16);
@@ -3154,49 +3304,49 @@ fn point_on_0( at_35 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     var t_6 : f32 = place_between_0(first_6, last_1, near_3, far_2, inside_3);
     var offset_11 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(t_6);
     var point_1 : EdgePoint_0;
-    var _S333 : f32 = length_of_0(offset_11);
-    point_1.distance_6 = _S333;
-    var _S334 : vec3<f32> = offset_11 / vec3<f32>(_S333);
-    point_1.direction_11 = _S334;
-    var _S335 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
-    point_1.normal_7 = _S335;
+    var _S343 : f32 = length_of_0(offset_11);
+    point_1.distance_6 = _S343;
+    var _S344 : vec3<f32> = offset_11 / vec3<f32>(_S343);
+    point_1.direction_11 = _S344;
+    var _S345 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_1.normal_7 = _S345;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_5 = t_6;
-    point_1.measure_0 = angle_3 / _S333 / (part_of_all_0 * multiplicity_0(at_35, seen_3.edge_3, _S334, _S335));
-    var face_0 : vec3<f32> = face_normal_1(at_35);
+    point_1.measure_0 = angle_3 / _S343 / (part_of_all_0 * multiplicity_0(at_38, seen_3.edge_3, _S344, _S345));
+    var face_0 : vec3<f32> = face_normal_1(at_38);
     var least_2 : f32 = limit_at_0(u32(2));
-    var _S336 : bool;
+    var _S346 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
     {
-        _S336 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+        _S346 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
     }
     else
     {
-        _S336 = false;
+        _S346 = false;
     }
-    point_1.is_in_horizon_0 = _S336;
+    point_1.is_in_horizon_0 = _S346;
     return point_1;
 }
 
 fn component_0( v_8 : vec3<f32>,  axis_5 : u32) -> f32
 {
-    var _S337 : f32;
+    var _S347 : f32;
     if(axis_5 == u32(0))
     {
-        _S337 = v_8.x;
+        _S347 = v_8.x;
     }
     else
     {
         if(axis_5 == u32(1))
         {
-            _S337 = v_8.y;
+            _S347 = v_8.y;
         }
         else
         {
-            _S337 = v_8.z;
+            _S347 = v_8.z;
         }
     }
-    return _S337;
+    return _S347;
 }
 
 struct Ray_0
@@ -3216,34 +3366,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  axes_6 : ptr<function, u32>) -> Ray_0
 {
     var size_1 : vec3<f32> = abs(direction_12);
-    var _S338 : f32 = size_1.x;
-    var _S339 : f32 = size_1.y;
-    var _S340 : bool;
-    if(_S338 >= _S339)
+    var _S348 : f32 = size_1.x;
+    var _S349 : f32 = size_1.y;
+    var _S350 : bool;
+    if(_S348 >= _S349)
     {
-        _S340 = _S338 >= (size_1.z);
+        _S350 = _S348 >= (size_1.z);
     }
     else
     {
-        _S340 = false;
+        _S350 = false;
     }
-    var _S341 : i32;
-    if(_S340)
+    var _S351 : i32;
+    if(_S350)
     {
-        _S341 = i32(0);
+        _S351 = i32(0);
     }
     else
     {
-        if(_S339 >= (size_1.z))
+        if(_S349 >= (size_1.z))
         {
-            _S341 = i32(1);
+            _S351 = i32(1);
         }
         else
         {
-            _S341 = i32(2);
+            _S351 = i32(2);
         }
     }
-    var z_2 : u32 = u32(_S341);
+    var z_2 : u32 = u32(_S351);
     var x_13 : u32 = (z_2 + u32(1)) % u32(3);
     var y_4 : u32 = (z_2 + u32(2)) % u32(3);
     (*axes_6) = (((x_13 | (((y_4 << (u32(2))))))) | (((z_2 << (u32(4))))));
@@ -3262,9 +3412,9 @@ fn ray_along_0( origin_1 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_1 : f32,
     return ray_0;
 }
 
-fn ray_child_0( node_4 : u32,  slot_2 : u32) -> u32
+fn ray_child_0( node_5 : u32,  slot_2 : u32) -> u32
 {
-    return nodes_0[u32(14) * node_4 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
+    return nodes_0[u32(14) * node_5 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
 }
 
 struct RayView_0
@@ -3277,9 +3427,9 @@ struct RayView_0
      axes_7 : u32,
 };
 
-fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32) -> f32
+fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32) -> f32
 {
-    var _S342 : u32 = u32(14) * node_5 + slot_3 / u32(4);
+    var _S352 : u32 = u32(14) * node_6 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -3292,36 +3442,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_5 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S343 : u32 = axis_6;
-        var _S344 : u32 = _S342 + u32(2) * axis_6;
-        var _S345 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S344][_S345])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S344 + u32(6)][_S345])));
-        var _S346 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S347 : f32;
-        if(_S346)
+        var _S353 : u32 = axis_6;
+        var _S354 : u32 = _S352 + u32(2) * axis_6;
+        var _S355 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S354][_S355])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S354 + u32(6)][_S355])));
+        var _S356 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S357 : f32;
+        if(_S356)
         {
-            _S347 = high_0;
+            _S357 = high_0;
         }
         else
         {
-            _S347 = low_3;
+            _S357 = low_3;
         }
-        var _S348 : f32 = max(near_4, _S347 * view_1.inverse_1[_S343] - view_1.offset_near_0[axis_6]);
-        var _S349 : f32;
-        if(_S346)
+        var _S358 : f32 = max(near_4, _S357 * view_1.inverse_1[_S353] - view_1.offset_near_0[axis_6]);
+        var _S359 : f32;
+        if(_S356)
         {
-            _S349 = low_3;
+            _S359 = low_3;
         }
         else
         {
-            _S349 = high_0;
+            _S359 = high_0;
         }
-        var _S350 : f32 = min(far_3, _S349 * view_1.inverse_1[_S343] - view_1.offset_far_0[axis_6]);
-        var _S351 : u32 = axis_6 + u32(1);
-        near_4 = _S348;
-        far_3 = _S350;
-        axis_6 = _S351;
+        var _S360 : f32 = min(far_3, _S359 * view_1.inverse_1[_S353] - view_1.offset_far_0[axis_6]);
+        var _S361 : u32 = axis_6 + u32(1);
+        near_4 = _S358;
+        far_3 = _S360;
+        axis_6 = _S361;
     }
     if(near_4 <= far_3)
     {
@@ -3346,7 +3496,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S352 : u32 = k_9;
+        var _S362 : u32 = k_9;
         if((bounds_0[k_9]) > limit_2)
         {
             k_9 = k_9 + u32(1);
@@ -3363,24 +3513,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S353 : u32 = j_0;
-            var _S354 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S352]))
+            var _S363 : u32 = j_0;
+            var _S364 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S362]))
             {
-                _S354 = true;
+                _S364 = true;
             }
             else
             {
-                if((bounds_0[_S353]) == (bounds_0[_S352]))
+                if((bounds_0[_S363]) == (bounds_0[_S362]))
                 {
-                    _S354 = j_0 < k_9;
+                    _S364 = j_0 < k_9;
                 }
                 else
                 {
-                    _S354 = false;
+                    _S364 = false;
                 }
             }
-            if(_S354)
+            if(_S364)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -3392,7 +3542,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
     return order_0;
 }
 
-fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
+fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
     var slot_4 : u32 = u32(0);
@@ -3405,16 +3555,16 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_6 : u32) -> u32
         {
             break;
         }
-        var _S355 : f32;
-        if((ray_child_0(node_6, slot_4)) == u32(4294967295))
+        var _S365 : f32;
+        if((ray_child_0(node_7, slot_4)) == u32(4294967295))
         {
-            _S355 = 3.00000000549775576e+38f;
+            _S365 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S355 = ray_bound_0(view_2, limit_3, node_6, slot_4);
+            _S365 = ray_bound_0(view_2, limit_3, node_7, slot_4);
         }
-        bounds_1[slot_4] = _S355;
+        bounds_1[slot_4] = _S365;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -3425,9 +3575,9 @@ fn rounded_0( product_2 : f32,  largest_2 : f32) -> f32
     return min(product_2, largest_2);
 }
 
-fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_36 : u32) -> vec3<f32>
+fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_39 : u32) -> vec3<f32>
 {
-    var relative_1 : vec3<f32> = primitive_vector_0(at_36) - ray_1.origin_0;
+    var relative_1 : vec3<f32> = primitive_vector_0(at_39) - ray_1.origin_0;
     var z_3 : f32 = component_0(relative_1, (axes_8 >> (u32(4))));
     return vec3<f32>(component_0(relative_1, (axes_8 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_3, ray_1.largest_1), component_0(relative_1, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_3, ray_1.largest_1), z_3);
 }
@@ -3440,56 +3590,56 @@ struct Crossing_0
      w_3 : f32,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_37 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_40 : u32) -> Crossing_0
 {
     var crossing_1 : Crossing_0;
     crossing_1.is_hit_0 = false;
     crossing_1.t_7 = 0.0f;
     crossing_1.v_9 = 0.0f;
     crossing_1.w_3 = 0.0f;
-    var a_17 : vec3<f32> = corner_0(ray_2, axes_9, at_37);
-    var b_12 : vec3<f32> = corner_0(ray_2, axes_9, at_37 + u32(3));
-    var c_3 : vec3<f32> = corner_0(ray_2, axes_9, at_37 + u32(6));
-    var _S356 : f32 = c_3.x;
-    var _S357 : f32 = b_12.y;
-    var cx_by_0 : f32 = rounded_0(_S356 * _S357, ray_2.largest_1);
-    var _S358 : f32 = c_3.y;
-    var _S359 : f32 = b_12.x;
-    var cy_bx_0 : f32 = rounded_0(_S358 * _S359, ray_2.largest_1);
-    var _S360 : f32 = a_17.x;
-    var ax_cy_0 : f32 = rounded_0(_S360 * _S358, ray_2.largest_1);
-    var _S361 : f32 = a_17.y;
-    var ay_cx_0 : f32 = rounded_0(_S361 * _S356, ray_2.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S359 * _S361, ray_2.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S357 * _S360, ray_2.largest_1);
+    var a_17 : vec3<f32> = corner_0(ray_2, axes_9, at_40);
+    var b_12 : vec3<f32> = corner_0(ray_2, axes_9, at_40 + u32(3));
+    var c_3 : vec3<f32> = corner_0(ray_2, axes_9, at_40 + u32(6));
+    var _S366 : f32 = c_3.x;
+    var _S367 : f32 = b_12.y;
+    var cx_by_0 : f32 = rounded_0(_S366 * _S367, ray_2.largest_1);
+    var _S368 : f32 = c_3.y;
+    var _S369 : f32 = b_12.x;
+    var cy_bx_0 : f32 = rounded_0(_S368 * _S369, ray_2.largest_1);
+    var _S370 : f32 = a_17.x;
+    var ax_cy_0 : f32 = rounded_0(_S370 * _S368, ray_2.largest_1);
+    var _S371 : f32 = a_17.y;
+    var ay_cx_0 : f32 = rounded_0(_S371 * _S366, ray_2.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S369 * _S371, ray_2.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S367 * _S370, ray_2.largest_1);
     var u_2 : f32 = cx_by_0 - cy_bx_0;
     var v_10 : f32 = ax_cy_0 - ay_cx_0;
     var w_4 : f32 = bx_ay_0 - by_ax_0;
-    var _S362 : f32 = min(min(u_2, v_10), w_4);
-    var _S363 : f32 = max(max(u_2, v_10), w_4);
-    var _S364 : bool;
-    if(_S362 < 0.0f)
+    var _S372 : f32 = min(min(u_2, v_10), w_4);
+    var _S373 : f32 = max(max(u_2, v_10), w_4);
+    var _S374 : bool;
+    if(_S372 < 0.0f)
     {
-        _S364 = _S363 > 0.0f;
+        _S374 = _S373 > 0.0f;
     }
     else
     {
-        _S364 = false;
+        _S374 = false;
     }
-    if(_S364)
+    if(_S374)
     {
         return crossing_1;
     }
     var determinant_0 : f32 = u_2 + v_10 + w_4;
-    if(_S362 <= 0.0f)
+    if(_S372 <= 0.0f)
     {
-        _S364 = _S363 >= 0.0f;
+        _S374 = _S373 >= 0.0f;
     }
     else
     {
-        _S364 = false;
+        _S374 = false;
     }
-    if(_S364)
+    if(_S374)
     {
         if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -3503,13 +3653,13 @@ fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_37 : u32) -> Crossing_0
     var t_8 : f32 = (rounded_0(u_2 * a_17.z, ray_2.largest_1) + rounded_0(v_10 * b_12.z, ray_2.largest_1) + rounded_0(w_4 * c_3.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
     if((ray_2.t_min_0) <= t_8)
     {
-        _S364 = t_8 <= (ray_2.t_max_0);
+        _S374 = t_8 <= (ray_2.t_max_0);
     }
     else
     {
-        _S364 = false;
+        _S374 = false;
     }
-    crossing_1.is_hit_0 = _S364;
+    crossing_1.is_hit_0 = _S374;
     crossing_1.t_7 = t_8;
     crossing_1.v_9 = v_10 / determinant_0;
     crossing_1.w_3 = w_4 / determinant_0;
@@ -3531,7 +3681,7 @@ struct Found_0
 
 fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S365 : bool;
+    var _S375 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_7 = u32(4294967295);
@@ -3563,31 +3713,31 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S366 : u32 = way_2[level_0].y;
-        if(_S366 == u32(0))
+        var _S376 : u32 = way_2[level_0].y;
+        if(_S376 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S367 : u32 = level_0 - u32(1);
+            var _S377 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S367;
+            level_0 = _S377;
             continue;
         }
-        var slot_5 : u32 = ((_S366 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S366 >> (u32(4)));
-        var _S368 : bool;
+        var slot_5 : u32 = ((_S376 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S376 >> (u32(4)));
+        var _S378 : bool;
         if(!is_new_1)
         {
-            _S368 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+            _S378 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S368 = false;
+            _S378 = false;
         }
-        if(_S368)
+        if(_S378)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -3596,20 +3746,20 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S369 : u32 = level_0 + u32(1);
+            var _S379 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S369;
+            level_0 = _S379;
             continue;
         }
-        var leaf_1 : u32 = (child_0 & (u32(2147483647)));
-        var _S370 : u32 = leaf_starts_0[leaf_1 + u32(1)];
-        var _S371 : u32 = leaf_starts_0[leaf_1];
+        var leaf_4 : u32 = (child_0 & (u32(2147483647)));
+        var _S380 : u32 = leaf_starts_0[leaf_4 + u32(1)];
+        var _S381 : u32 = leaf_starts_0[leaf_4];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S371;
+        var i_2 : u32 = _S381;
         for(;;)
         {
-            if(i_2 < _S370)
+            if(i_2 < _S380)
             {
             }
             else
@@ -3624,23 +3774,23 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S365 = true;
+                _S375 = true;
             }
             else
             {
-                _S365 = (crossing_2.t_7) < ((*ray_3).t_max_0);
+                _S375 = (crossing_2.t_7) < ((*ray_3).t_max_0);
             }
-            var _S372 : bool;
-            if(_S365)
+            var _S382 : bool;
+            if(_S375)
             {
-                _S372 = true;
+                _S382 = true;
             }
             else
             {
-                _S372 = (face_1(i_2)) < (found_0.face_2);
+                _S382 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S372)
+            if(_S382)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_7 = i_2;
@@ -3658,13 +3808,13 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S365 = (found_0.face_2) != u32(4294967295);
+            _S375 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S365 = false;
+            _S375 = false;
         }
-        if(_S365)
+        if(_S375)
         {
             break;
         }
@@ -3678,11 +3828,11 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_2 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_1 : bool,  t_9 : ptr<function, f32>) -> Found_0
 {
     var view_4 : RayView_0;
-    var _S373 : u32 = view_4.axes_7;
-    var _S374 : Ray_0 = ray_along_0(origin_2, direction_13, t_min_2, t_max_2, &(_S373));
-    view_4.axes_7 = _S373;
-    var ray_4 : Ray_0 = _S374;
-    var _S375 : vec3<f32> = direction_13 / vec3<f32>(ray_4.local_per_t_0);
+    var _S383 : u32 = view_4.axes_7;
+    var _S384 : Ray_0 = ray_along_0(origin_2, direction_13, t_min_2, t_max_2, &(_S383));
+    view_4.axes_7 = _S383;
+    var ray_4 : Ray_0 = _S384;
+    var _S385 : vec3<f32> = direction_13 / vec3<f32>(ray_4.local_per_t_0);
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -3693,17 +3843,17 @@ fn cast_0( origin_2 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_2 : f32,  t_m
         {
             break;
         }
-        var _S376 : f32 = max(abs(_S375[axis_7]), 8.67361737988403547e-19f);
-        var _S377 : f32;
-        if((_S375[axis_7]) < 0.0f)
+        var _S386 : f32 = max(abs(_S385[axis_7]), 8.67361737988403547e-19f);
+        var _S387 : f32;
+        if((_S385[axis_7]) < 0.0f)
         {
-            _S377 = -1.0f / _S376;
+            _S387 = -1.0f / _S386;
         }
         else
         {
-            _S377 = 1.0f / _S376;
+            _S387 = 1.0f / _S386;
         }
-        view_4.inverse_1[axis_7] = _S377;
+        view_4.inverse_1[axis_7] = _S387;
         axis_7 = axis_7 + u32(1);
     }
     var offset_12 : vec3<f32> = origin_2 * view_4.inverse_1;
@@ -3726,7 +3876,7 @@ struct Side_0
      t_10 : f32,
 };
 
-fn look_0( at_38 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
+fn look_0( at_41 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
 {
     var step_0 : vec3<f32> = point_2.normal_7 * vec3<f32>(edge_real_0(u32(3)));
     var origin_3 : vec3<f32>;
@@ -3741,33 +3891,33 @@ fn look_0( at_38 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Sid
     var direction_15 : vec3<f32> = exact_unit_0(origin_3);
     if(point_2.is_in_horizon_0)
     {
-        var face_3 : vec3<f32> = face_normal_1(at_38);
+        var face_3 : vec3<f32> = face_normal_1(at_41);
         var height_3 : f32 = limit_at_0(u32(2));
-        var _S378 : f32;
+        var _S388 : f32;
         if((dot(direction_15, face_3)) < 0.0f)
         {
-            _S378 = - height_3;
+            _S388 = - height_3;
         }
         else
         {
-            _S378 = height_3;
+            _S388 = height_3;
         }
-        origin_3 = at_38.vertex_2.surface_3.exact_0 + face_3 * vec3<f32>(_S378);
+        origin_3 = at_41.vertex_2.surface_3.exact_0 + face_3 * vec3<f32>(_S388);
     }
     else
     {
-        origin_3 = at_38.vertex_2.surface_3.exact_0;
+        origin_3 = at_41.vertex_2.surface_3.exact_0;
     }
     var seen_4 : Side_0;
     seen_4.direction_14 = direction_15;
     seen_4.rest_3 = vec3<f32>(0.0f);
-    seen_4.scattered_2 = scattered_from_0(at_38.vertex_2, direction_15);
-    var _S379 : f32 = limit_at_0(u32(2));
-    var _S380 : f32 = limit_at_0(u32(1));
-    var _S381 : f32 = seen_4.t_10;
-    var _S382 : Found_0 = cast_0(origin_3, direction_15, _S379, _S380, false, &(_S381));
-    seen_4.t_10 = _S381;
-    seen_4.found_2 = _S382;
+    seen_4.scattered_2 = scattered_from_0(at_41.vertex_2, direction_15);
+    var _S389 : f32 = limit_at_0(u32(2));
+    var _S390 : f32 = limit_at_0(u32(1));
+    var _S391 : f32 = seen_4.t_10;
+    var _S392 : Found_0 = cast_0(origin_3, direction_15, _S389, _S390, false, &(_S391));
+    seen_4.t_10 = _S391;
+    seen_4.found_2 = _S392;
     return seen_4;
 }
 
@@ -3813,32 +3963,32 @@ fn emitter_seen_0( found_4 : Found_0,  direction_16 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_5 : u32 = word_0(shape_of_0(found_4.triangle_7) + u32(4));
-    var _S383 : bool;
+    var _S393 : bool;
     if(emitter_5 != u32(4294967295))
     {
-        _S383 = (dot(cross_of_0(found_4.triangle_7), direction_16)) < 0.0f;
+        _S393 = (dot(cross_of_0(found_4.triangle_7), direction_16)) < 0.0f;
     }
     else
     {
-        _S383 = false;
+        _S393 = false;
     }
-    var _S384 : u32;
-    if(_S383)
+    var _S394 : u32;
+    if(_S393)
     {
-        _S384 = emitter_5;
+        _S394 = emitter_5;
     }
     else
     {
-        _S384 = u32(4294967295);
+        _S394 = u32(4294967295);
     }
-    return _S384;
+    return _S394;
 }
 
-fn jump_of_light_0( at_39 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
+fn jump_of_light_0( at_42 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
 {
-    var _S385 : vec3<f32> = vec3<f32>(0.0f);
+    var _S395 : vec3<f32> = vec3<f32>(0.0f);
     var side_1 : u32 = u32(0);
-    var jump_0 : vec3<f32> = _S385;
+    var jump_0 : vec3<f32> = _S395;
     for(;;)
     {
         if(side_1 < u32(2))
@@ -3848,33 +3998,33 @@ fn jump_of_light_0( at_39 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
         {
             break;
         }
-        var seen_5 : Side_0 = look_0(at_39, point_4, side_1);
-        var _S386 : bool;
+        var seen_5 : Side_0 = look_0(at_42, point_4, side_1);
+        var _S396 : bool;
         if(!((largest_0(seen_5.scattered_2)) > 0.0f))
         {
-            _S386 = true;
+            _S396 = true;
         }
         else
         {
-            _S386 = (emitter_seen_0(seen_5.found_2, seen_5.direction_14)) != (at_39.emitter_0);
+            _S396 = (emitter_seen_0(seen_5.found_2, seen_5.direction_14)) != (at_42.emitter_0);
         }
-        if(_S386)
+        if(_S396)
         {
             side_1 = side_1 + u32(1);
             continue;
         }
-        var _S387 : vec3<f32> = emitted_0(at_39.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_14));
-        var light_2 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S387);
-        var _S388 : vec3<f32>;
+        var _S397 : vec3<f32> = emitted_0(at_42.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_14));
+        var light_2 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S397);
+        var _S398 : vec3<f32>;
         if(side_1 == u32(0))
         {
-            _S388 = light_2;
+            _S398 = light_2;
         }
         else
         {
-            _S388 = (vec3<f32>(0) - light_2);
+            _S398 = (vec3<f32>(0) - light_2);
         }
-        jump_0 = jump_0 + _S388;
+        jump_0 = jump_0 + _S398;
         side_1 = side_1 + u32(1);
     }
     return jump_0;
@@ -3884,27 +4034,27 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S389 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S399 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_2 : f32 = abs(scaled_0);
     if(size_2 > 7.73712524553362672e+25f)
     {
-        var _S390 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S400 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S391 : bool = scaled_0 < 0.0f;
-    var _S392 : i32;
+    var _S401 : bool = scaled_0 < 0.0f;
+    var _S402 : i32;
     if(size_2 >= 1.84467440737095516e+19f)
     {
-        _S392 = i32(1);
+        _S402 = i32(1);
     }
     else
     {
-        _S392 = i32(0);
+        _S402 = i32(0);
     }
-    var first_7 : u32 = u32(_S392);
+    var first_7 : u32 = u32(_S402);
     var size_3 : f32;
     if(first_7 == u32(1))
     {
@@ -3924,39 +4074,39 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
     {
         size_3 = lower_0;
     }
-    var _S393 : u32 = u32(3) + u32(4) * sum_2;
+    var _S403 : u32 = u32(3) + u32(4) * sum_2;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_3), u32(higher_0));
     var k_10 : u32 = first_7;
     for(;;)
     {
-        var _S394 : bool;
+        var _S404 : bool;
         if(k_10 < u32(4))
         {
-            _S394 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S404 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S394 = false;
+            _S404 = false;
         }
-        if(_S394)
+        if(_S404)
         {
         }
         else
         {
             break;
         }
-        var _S395 : u32;
-        if(_S391)
+        var _S405 : u32;
+        if(_S401)
         {
-            _S395 = u32(0) - digits_0.x;
+            _S405 = u32(0) - digits_0.x;
         }
         else
         {
-            _S395 = digits_0.x;
+            _S405 = digits_0.x;
         }
-        var before_2 : u32 = atomicAdd(&(sums_0[_S393 + k_10]), _S395);
+        var before_2 : u32 = atomicAdd(&(sums_0[_S403 + k_10]), _S405);
         var overflows_0 : bool;
-        if(_S391)
+        if(_S401)
         {
             overflows_0 = before_2 < (digits_0.x);
         }
@@ -3964,39 +4114,39 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_2 + digits_0.x) < before_2;
         }
-        var _S396 : u32 = digits_0.y;
+        var _S406 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S392 = i32(1);
+            _S402 = i32(1);
         }
         else
         {
-            _S392 = i32(0);
+            _S402 = i32(0);
         }
-        var _S397 : vec2<u32> = vec2<u32>(_S396 + u32(_S392), u32(0));
-        var _S398 : u32 = k_10 + u32(1);
-        digits_0 = _S397;
-        k_10 = _S398;
+        var _S407 : vec2<u32> = vec2<u32>(_S406 + u32(_S402), u32(0));
+        var _S408 : u32 = k_10 + u32(1);
+        digits_0 = _S407;
+        k_10 = _S408;
     }
     return;
 }
 
 fn add_to_sums_0( first_8 : u32,  derivative_1 : vec3<f32>)
 {
-    var _S399 : i32;
+    var _S409 : i32;
     if(first_8 == u32(4294967295))
     {
-        _S399 = i32(0);
+        _S409 = i32(0);
     }
     else
     {
-        _S399 = i32(3);
+        _S409 = i32(3);
     }
-    var _S400 : u32 = u32(_S399);
+    var _S410 : u32 = u32(_S409);
     var axis_9 : u32 = u32(0);
     for(;;)
     {
-        if(axis_9 < _S400)
+        if(axis_9 < _S410)
         {
         }
         else
@@ -4021,17 +4171,17 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
         {
             break;
         }
-        var _S401 : u32 = edge_word_0(record_9 + u32(2) + end_2);
-        var _S402 : f32;
+        var _S411 : u32 = edge_word_0(record_9 + u32(2) + end_2);
+        var _S412 : f32;
         if(end_2 == u32(0))
         {
-            _S402 = 1.0f - t_11;
+            _S412 = 1.0f - t_11;
         }
         else
         {
-            _S402 = t_11;
+            _S412 = t_11;
         }
-        add_to_sums_0(_S401, by_velocity_0 * vec3<f32>(_S402));
+        add_to_sums_0(_S411, by_velocity_0 * vec3<f32>(_S412));
         end_2 = end_2 + u32(1);
     }
     (*pulled_2).position_1 = (*pulled_2).position_1 - by_velocity_0;
@@ -4042,14 +4192,14 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
     return;
 }
 
-fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_40 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_2 : u32,  path_13 : Path_0)
+fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_43 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_2 : u32,  path_13 : Path_0)
 {
-    var _S403 : vec3<f32> = jump_of_light_0(at_40, point_5);
-    var by_velocity_1 : vec3<f32> = point_5.normal_7 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S403)));
-    var _S404 : vec3<f32> = offset_of_0(point_5);
-    var _S405 : Pulled_0 = (*crossed_2).pulled_1;
-    edge_back_0(&(_S405), at_40.vertex_2, at_40.turns_0, point_5.edge_6.record_7, point_5.t_5, _S404, by_velocity_1);
-    (*crossed_2).pulled_1 = _S405;
+    var _S413 : vec3<f32> = jump_of_light_0(at_43, point_5);
+    var by_velocity_1 : vec3<f32> = point_5.normal_7 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S413)));
+    var _S414 : vec3<f32> = offset_of_0(point_5);
+    var _S415 : Pulled_0 = (*crossed_2).pulled_1;
+    edge_back_0(&(_S415), at_43.vertex_2, at_43.turns_0, point_5.edge_6.record_7, point_5.t_5, _S414, by_velocity_1);
+    (*crossed_2).pulled_1 = _S415;
     return;
 }
 
@@ -4060,7 +4210,7 @@ struct Share_0
      place_17 : f32,
 };
 
-fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  number_of_path_3 : u32,  path_14 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
+fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  number_of_path_3 : u32,  path_14 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
 {
     var points_0 : u32 = u32(1);
     var least_3 : f32 = 0.0f;
@@ -4092,7 +4242,7 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
             }
             var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
             var total_1 : f32 = contributions_0 + least_4 * angles_0;
-            if((at_41.purpose_0) == u32(0))
+            if((at_44.purpose_0) == u32(0))
             {
                 target_1 = asked_0.share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
             }
@@ -4101,62 +4251,153 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 target_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(target_1 - 0.00100000004749745f));
-            var _S406 : f32 = f32(points_1);
-            var _S407 : f32 = asked_0.over_all_0 * _S406;
-            var step_2 : f32 = total_1 / _S406;
-            var _S408 : f32 = step_2 * asked_0.place_17;
+            var _S416 : f32 = f32(points_1);
+            var _S417 : f32 = asked_0.over_all_0 * _S416;
+            var step_2 : f32 = total_1 / _S416;
+            var _S418 : f32 = step_2 * asked_0.place_17;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S407;
+            over_all_1 = _S417;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S408;
+            target_1 = _S418;
         }
         else
         {
             target_1 = target_0;
         }
-        var k_11 : u32 = edge_word_0(leaf_2 + u32(2));
-        var drawn_1 : u32 = drawn_0;
-        var contributions_1 : f32 = contributions_0;
-        var angles_1 : f32 = angles_0;
-        var pieces_2 : f32 = pieces_1;
-        var cumulative_1 : f32 = cumulative_0;
-        var target_2 : f32 = target_1;
+        var leaves_4 : Leaves_0 = below_0(node_8);
+        var leaf_5 : u32;
+        target_0 = target_1;
         for(;;)
         {
-            var _S409 : bool;
-            if(k_11 < (edge_word_0(leaf_2 + u32(3))))
+            var _S419 : bool;
+            if(drawn_0 < points_0)
             {
-                _S409 = drawn_1 < points_0;
+                var _S420 : bool = next_leaf_1(at_44, &(leaves_4), &(leaf_5));
+                _S419 = _S420;
             }
             else
             {
-                _S409 = false;
+                _S419 = false;
             }
-            if(_S409)
+            if(_S419)
             {
             }
             else
             {
                 break;
             }
-            var seen_6 : SeenEdge_0;
-            var _S410 : bool = see_edge_0(at_41, k_11, &(seen_6));
-            var drawn_2 : u32;
-            var contributions_2 : f32;
-            var angles_2 : f32;
-            var pieces_3 : f32;
-            var cumulative_2 : f32;
-            var target_3 : f32;
-            if(!_S410)
+            var k_11 : u32 = edge_word_0(leaf_5 + u32(2));
+            var drawn_1 : u32 = drawn_0;
+            var contributions_1 : f32 = contributions_0;
+            var angles_1 : f32 = angles_0;
+            var pieces_2 : f32 = pieces_1;
+            var cumulative_1 : f32 = cumulative_0;
+            var target_2 : f32 = target_0;
+            for(;;)
             {
-                drawn_2 = drawn_1;
+                var _S421 : bool;
+                if(k_11 < (edge_word_0(leaf_5 + u32(3))))
+                {
+                    _S421 = drawn_1 < points_0;
+                }
+                else
+                {
+                    _S421 = false;
+                }
+                if(_S421)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var seen_6 : SeenEdge_0;
+                var _S422 : bool = see_edge_0(at_44, k_11, &(seen_6));
+                var drawn_2 : u32;
+                var contributions_2 : f32;
+                var angles_2 : f32;
+                var pieces_3 : f32;
+                var cumulative_2 : f32;
+                var target_3 : f32;
+                if(!_S422)
+                {
+                    drawn_2 = drawn_1;
+                    contributions_2 = contributions_1;
+                    angles_2 = angles_1;
+                    pieces_3 = pieces_2;
+                    cumulative_2 = cumulative_1;
+                    target_3 = target_2;
+                    k_11 = k_11 + u32(1);
+                    drawn_1 = drawn_2;
+                    contributions_1 = contributions_2;
+                    angles_1 = angles_2;
+                    pieces_2 = pieces_3;
+                    cumulative_1 = cumulative_2;
+                    target_2 = target_3;
+                    continue;
+                }
+                var piece_2 : f32 = 0.0f;
                 contributions_2 = contributions_1;
                 angles_2 = angles_1;
                 pieces_3 = pieces_2;
                 cumulative_2 = cumulative_1;
+                drawn_2 = drawn_1;
                 target_3 = target_2;
+                for(;;)
+                {
+                    if(piece_2 < (seen_6.pieces_0))
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var weight_0 : vec2<f32> = weigh_0(at_44, seen_6, piece_2);
+                    if(pass_0 == u32(0))
+                    {
+                        var angles_3 : f32 = angles_2 + weight_0.y;
+                        var pieces_4 : f32 = pieces_3 + 1.0f;
+                        contributions_2 = contributions_2 + weight_0.x;
+                        angles_2 = angles_3;
+                        pieces_3 = pieces_4;
+                        piece_2 = piece_2 + 1.0f;
+                        continue;
+                    }
+                    var own_1 : f32 = weight_0.x + least_3 * weight_0.y;
+                    var cumulative_3 : f32 = cumulative_2 + own_1;
+                    var drawn_3 : u32 = drawn_2;
+                    var target_4 : f32 = target_3;
+                    for(;;)
+                    {
+                        var _S423 : bool;
+                        if(drawn_3 < points_0)
+                        {
+                            _S423 = target_4 < cumulative_3;
+                        }
+                        else
+                        {
+                            _S423 = false;
+                        }
+                        if(_S423)
+                        {
+                        }
+                        else
+                        {
+                            break;
+                        }
+                        var _S424 : u32 = drawn_3 + u32(1);
+                        var target_5 : f32 = target_4 + step_1;
+                        cross_at_0(&((*crossed_3)), at_44, point_on_0(at_44, seen_6, piece_2, clamp((target_4 - cumulative_2) / own_1, 0.0f, 1.0f), over_all_1 * own_1 / total_0), number_of_path_3, path_14);
+                        drawn_3 = _S424;
+                        target_4 = target_5;
+                    }
+                    cumulative_2 = cumulative_3;
+                    drawn_2 = drawn_3;
+                    target_3 = target_4;
+                    piece_2 = piece_2 + 1.0f;
+                }
                 k_11 = k_11 + u32(1);
                 drawn_1 = drawn_2;
                 contributions_1 = contributions_2;
@@ -4164,103 +4405,52 @@ fn draw_points_0( at_41 : ShadingPoint_0,  leaf_2 : u32,  asked_0 : Share_0,  nu
                 pieces_2 = pieces_3;
                 cumulative_1 = cumulative_2;
                 target_2 = target_3;
-                continue;
             }
-            var piece_2 : f32 = 0.0f;
-            contributions_2 = contributions_1;
-            angles_2 = angles_1;
-            pieces_3 = pieces_2;
-            cumulative_2 = cumulative_1;
-            drawn_2 = drawn_1;
-            target_3 = target_2;
-            for(;;)
-            {
-                if(piece_2 < (seen_6.pieces_0))
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var weight_0 : vec2<f32> = weigh_0(at_41, seen_6, piece_2);
-                if(pass_0 == u32(0))
-                {
-                    var angles_3 : f32 = angles_2 + weight_0.y;
-                    var pieces_4 : f32 = pieces_3 + 1.0f;
-                    contributions_2 = contributions_2 + weight_0.x;
-                    angles_2 = angles_3;
-                    pieces_3 = pieces_4;
-                    piece_2 = piece_2 + 1.0f;
-                    continue;
-                }
-                var own_1 : f32 = weight_0.x + least_3 * weight_0.y;
-                var cumulative_3 : f32 = cumulative_2 + own_1;
-                var drawn_3 : u32 = drawn_2;
-                var target_4 : f32 = target_3;
-                for(;;)
-                {
-                    var _S411 : bool;
-                    if(drawn_3 < points_0)
-                    {
-                        _S411 = target_4 < cumulative_3;
-                    }
-                    else
-                    {
-                        _S411 = false;
-                    }
-                    if(_S411)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var _S412 : u32 = drawn_3 + u32(1);
-                    var target_5 : f32 = target_4 + step_1;
-                    cross_at_0(&((*crossed_3)), at_41, point_on_0(at_41, seen_6, piece_2, clamp((target_4 - cumulative_2) / own_1, 0.0f, 1.0f), over_all_1 * own_1 / total_0), number_of_path_3, path_14);
-                    drawn_3 = _S412;
-                    target_4 = target_5;
-                }
-                cumulative_2 = cumulative_3;
-                drawn_2 = drawn_3;
-                target_3 = target_4;
-                piece_2 = piece_2 + 1.0f;
-            }
-            k_11 = k_11 + u32(1);
-            drawn_1 = drawn_2;
-            contributions_1 = contributions_2;
-            angles_1 = angles_2;
-            pieces_2 = pieces_3;
-            cumulative_1 = cumulative_2;
-            target_2 = target_3;
+            drawn_0 = drawn_1;
+            contributions_0 = contributions_1;
+            angles_0 = angles_1;
+            pieces_1 = pieces_2;
+            cumulative_0 = cumulative_1;
+            target_0 = target_2;
         }
         pass_0 = pass_0 + u32(1);
-        angles_0 = angles_1;
-        contributions_0 = contributions_1;
-        pieces_1 = pieces_2;
-        drawn_0 = drawn_1;
-        cumulative_0 = cumulative_1;
-        target_0 = target_2;
     }
     return;
 }
 
-fn sample_points_0( at_42 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_45 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
 {
-    var numbers_9 : u32 = numbers_for_0(at_42.purpose_0) + u32(1);
-    var _S413 : f32 = f32(subtree_0);
-    var _S414 : f32 = f32(subtrees_0);
-    var leaf_3 : u32;
-    var probability_4 : f32;
-    var _S415 : bool = descend_0(at_42, (_S413 + precise_random_0(path_15.key_0, numbers_9)) / _S414, &(leaf_3), &(probability_4));
-    if(!_S415)
+    var numbers_9 : u32 = numbers_for_0(at_45.purpose_0) + u32(1);
+    var node_9 : u32 = edge_word_0(at_45.tree_0);
+    var u_3 : f32 = precise_random_0(path_15.key_0, numbers_9);
+    var probability_4 : f32 = 1.0f;
+    var is_whole_0 : bool;
+    if((at_45.purpose_0) == u32(0))
+    {
+        is_whole_0 = takes_all_0(at_45);
+    }
+    else
+    {
+        is_whole_0 = false;
+    }
+    if(!is_whole_0)
+    {
+        var _S425 : bool = descend_0(at_45, (f32(subtree_0) + u_3) / f32(subtrees_0), &(node_9), &(probability_4));
+        is_whole_0 = !_S425;
+    }
+    else
+    {
+        is_whole_0 = false;
+    }
+    if(is_whole_0)
     {
         return;
     }
     var asked_1 : Share_0;
-    asked_1.share_0 = 1.0f / _S414;
-    asked_1.over_all_0 = probability_4 * _S414;
-    asked_1.place_17 = precise_random_0(path_15.key_0, numbers_9 + u32(1)) + 0.6180340051651001f * _S413;
+    var _S426 : f32 = f32(subtrees_0);
+    asked_1.share_0 = 1.0f / _S426;
+    asked_1.over_all_0 = probability_4 * _S426;
+    asked_1.place_17 = precise_random_0(path_15.key_0, numbers_9 + u32(1)) + 0.6180340051651001f * f32(subtree_0);
     for(;;)
     {
         if((asked_1.place_17) >= 1.0f)
@@ -4272,7 +4462,7 @@ fn sample_points_0( at_42 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : 
         }
         asked_1.place_17 = asked_1.place_17 - 1.0f;
     }
-    draw_points_0(at_42, leaf_3, asked_1, number_of_path_4, path_15, &((*crossed_4)));
+    draw_points_0(at_45, node_9, asked_1, number_of_path_4, path_15, &((*crossed_4)));
     return;
 }
 
@@ -4315,20 +4505,20 @@ fn numbers_of_0( texture_7 : u32) -> u32
 fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
 {
     var first_9 : u32 = numbers_of_0(texture_8);
-    var _S416 : u32 = word_0(texture_8 + u32(1));
-    var _S417 : u32;
+    var _S427 : u32 = word_0(texture_8 + u32(1));
+    var _S428 : u32;
     if(first_9 == u32(4294967295))
     {
-        _S417 = u32(0);
+        _S428 = u32(0);
     }
     else
     {
-        _S417 = lookup_5.count_0;
+        _S428 = lookup_5.count_0;
     }
     var k_12 : u32 = u32(0);
     for(;;)
     {
-        if(k_12 < _S417)
+        if(k_12 < _S428)
         {
         }
         else
@@ -4337,7 +4527,7 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         }
         var own_2 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_12]);
         var own_3 : vec3<f32>;
-        if(_S416 == u32(1))
+        if(_S427 == u32(1))
         {
             own_3 = vec3<f32>((own_2.x + own_2.y + own_2.z));
         }
@@ -4348,14 +4538,14 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         var c_4 : u32 = u32(0);
         for(;;)
         {
-            if(c_4 < _S416)
+            if(c_4 < _S427)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_9 + _S416 * lookup_5.texels_0[k_12] + c_4, own_3[c_4]);
+            add_to_sum_0(first_9 + _S427 * lookup_5.texels_0[k_12] + c_4, own_3[c_4]);
             c_4 = c_4 + u32(1);
         }
         k_12 = k_12 + u32(1);
@@ -4371,13 +4561,13 @@ fn lookup_back_0( texture_9 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
 
 fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
 {
-    var _S418 : vec2<f32> = vec2<f32>(0.0f);
-    var _S419 : u32 = word_0(material_2 + u32(4));
+    var _S429 : vec2<f32> = vec2<f32>(0.0f);
+    var _S430 : u32 = word_0(material_2 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S418;
+    var by_place_0 : vec2<f32> = _S429;
     for(;;)
     {
-        if(slot_7 < _S419)
+        if(slot_7 < _S430)
         {
         }
         else
@@ -4390,9 +4580,9 @@ fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S420 : Lookup_0 = lookup_at_0(texture_10, place_18);
-        var _S421 : vec2<f32> = lookup_back_0(texture_10, _S420, slot_derivative_0(numbers_11, slot_7));
-        by_place_0 = by_place_0 + _S421;
+        var _S431 : Lookup_0 = lookup_at_0(texture_10, place_18);
+        var _S432 : vec2<f32> = lookup_back_0(texture_10, _S431, slot_derivative_0(numbers_11, slot_7));
+        by_place_0 = by_place_0 + _S432;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_0;
@@ -4413,10 +4603,10 @@ struct AtCorners_0
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_2 : AtCorners_0;
-    var _S422 : vec3<f32> = vec3<f32>(0.0f);
-    corners_2.c_5 = _S422;
-    corners_2.b_13 = _S422;
-    corners_2.a_18 = _S422;
+    var _S433 : vec3<f32> = vec3<f32>(0.0f);
+    corners_2.c_5 = _S433;
+    corners_2.b_13 = _S433;
+    corners_2.a_18 = _S433;
     return corners_2;
 }
 
@@ -4431,18 +4621,18 @@ fn tangent_back_0( points_2 : ptr<function, AtCorners_0>,  triangle_8 : u32,  ta
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_8);
     var first_10 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
     var second_4 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
-    var _S423 : f32 = second_4.y;
-    var _S424 : f32 = first_10.y;
-    var scale_1 : f32 = 1.0f / (first_10.x * _S423 - second_4.x * _S424);
-    var of_ab_0 : f32 = _S423 * scale_1;
-    var of_ac_0 : f32 = - _S424 * scale_1;
+    var _S434 : f32 = second_4.y;
+    var _S435 : f32 = first_10.y;
+    var scale_1 : f32 = 1.0f / (first_10.x * _S434 - second_4.x * _S435);
+    var of_ab_0 : f32 = _S434 * scale_1;
+    var of_ac_0 : f32 = - _S435 * scale_1;
     var a_19 : vec3<f32> = primitive_vector_0(corner_1);
-    var _S425 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S426 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_1 + u32(3)) - a_19) * _S425 + (primitive_vector_0(corner_1 + u32(6)) - a_19) * _S426));
+    var _S436 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S437 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_1 + u32(3)) - a_19) * _S436 + (primitive_vector_0(corner_1 + u32(6)) - a_19) * _S437));
     (*points_2).a_18 = (*points_2).a_18 - derivative_5 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_2).b_13 = (*points_2).b_13 + derivative_5 * _S425;
-    (*points_2).c_5 = (*points_2).c_5 + derivative_5 * _S426;
+    (*points_2).b_13 = (*points_2).b_13 + derivative_5 * _S436;
+    (*points_2).c_5 = (*points_2).c_5 + derivative_5 * _S437;
     return;
 }
 
@@ -4469,45 +4659,45 @@ fn normals_of_0( triangle_9 : u32) -> u32
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_10 : u32,  corners_5 : AtCorners_0)
 {
-    var _S427 : u32 = triangle_record_0(triangle_10) + u32(2);
-    var _S428 : i32;
+    var _S438 : u32 = triangle_record_0(triangle_10) + u32(2);
+    var _S439 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S428 = i32(0);
+        _S439 = i32(0);
     }
     else
     {
-        _S428 = i32(3);
+        _S439 = i32(3);
     }
-    var _S429 : u32 = u32(_S428);
+    var _S440 : u32 = u32(_S439);
     var k_13 : u32 = u32(0);
     for(;;)
     {
-        if(k_13 < _S429)
+        if(k_13 < _S440)
         {
         }
         else
         {
             break;
         }
-        var _S430 : u32 = sums_at_0 + u32(3) * word_0(_S427 + k_13);
-        var _S431 : vec3<f32>;
+        var _S441 : u32 = sums_at_0 + u32(3) * word_0(_S438 + k_13);
+        var _S442 : vec3<f32>;
         if(k_13 == u32(0))
         {
-            _S431 = corners_5.a_18;
+            _S442 = corners_5.a_18;
         }
         else
         {
             if(k_13 == u32(1))
             {
-                _S431 = corners_5.b_13;
+                _S442 = corners_5.b_13;
             }
             else
             {
-                _S431 = corners_5.c_5;
+                _S442 = corners_5.c_5;
             }
         }
-        add_to_sums_0(_S430, _S431);
+        add_to_sums_0(_S441, _S442);
         k_13 = k_13 + u32(1);
     }
     return;
@@ -4520,9 +4710,9 @@ fn place_back_0( points_3 : ptr<function, AtCorners_0>,  place_21 : Place_0,  by
     var ab_0 : vec3<f32> = primitive_vector_0(corner_2 + u32(3)) - a_20;
     var ac_0 : vec3<f32> = primitive_vector_0(corner_2 + u32(6)) - a_20;
     var across_2 : vec3<f32> = cross(ab_0, ac_0);
-    var _S432 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
-    var normal_8 : vec3<f32> = across_2 / vec3<f32>(_S432);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_8) * vec3<f32>(by_place_1.x) + cross(normal_8, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_8, normal_8) * _S432)));
+    var _S443 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
+    var normal_8 : vec3<f32> = across_2 / vec3<f32>(_S443);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_8) * vec3<f32>(by_place_1.x) + cross(normal_8, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_8, normal_8) * _S443)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_8 * vec3<f32>((dot(direction_17, by_slip_0) / dot(normal_8, direction_17)));
     add_at_place_1(&((*points_3)), place_21, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -4531,7 +4721,7 @@ fn place_back_0( points_3 : ptr<function, AtCorners_0>,  place_21 : Place_0,  by
 fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_18 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_6.shape_0);
-    var _S433 : vec2<f32>;
+    var _S444 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_3 : u32 = u32(9) * surface_6.place_3.triangle_0;
@@ -4544,7 +4734,7 @@ fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0
         (*points_4).a_18 = (*points_4).a_18 - (by_ab_0 + by_ac_0);
         (*points_4).b_13 = (*points_4).b_13 + by_ab_0;
         (*points_4).c_5 = (*points_4).c_5 + by_ac_0;
-        _S433 = by_place_2;
+        _S444 = by_place_2;
     }
     else
     {
@@ -4556,10 +4746,10 @@ fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_6.place_3, derivative_9);
         add_to_corners_0(normals_of_0(surface_6.place_3.triangle_0), surface_6.place_3.triangle_0, of_normals_0);
-        _S433 = by_place_2 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_2, derivative_9));
+        _S444 = by_place_2 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_2, derivative_9));
     }
-    var _S434 : vec3<f32> = place_back_0(&((*points_4)), surface_6.place_3, _S433, by_position_1, direction_18);
-    return _S434;
+    var _S445 : vec3<f32> = place_back_0(&((*points_4)), surface_6.place_3, _S444, by_position_1, direction_18);
+    return _S445;
 }
 
 fn points_of_0( triangle_11 : u32) -> u32
@@ -4570,33 +4760,33 @@ fn points_of_0( triangle_11 : u32) -> u32
 fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32,  direction_19 : vec3<f32>) -> ByRay_0
 {
     var by_ray_1 : ByRay_0;
-    var _S435 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_0 = _S435;
-    by_ray_1.drift_0 = _S435;
+    var _S446 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S446;
+    by_ray_1.drift_0 = _S446;
     var by_place_3 : vec2<f32> = numbers_back_0(material_3, vertex_8.surface_3.place_3, pulled_3.numbers_3);
     if(!is_moving_0())
     {
         return by_ray_1;
     }
-    var _S436 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S447 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_0 : DiffPair_Axes_0;
     towards_0.primal_0 = vertex_8.axes_4;
-    towards_0.differential_0 = _S436;
+    towards_0.differential_0 = _S447;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_19;
-    incoming_0.differential_0 = _S435;
+    incoming_0.differential_0 = _S446;
     _S173(&(towards_0), &(incoming_0), pulled_3.wi_2);
     by_ray_1.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_8.surface_3.outward_0;
-    outward_1.differential_0 = _S435;
-    var _S437 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
+    outward_1.differential_0 = _S446;
+    var _S448 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S437;
-    tangent_4.differential_0 = _S435;
+    tangent_4.primal_0 = _S448;
+    tangent_4.differential_0 = _S446;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_3.axes_5, towards_0.differential_0);
     var points_5 : AtCorners_0 = at_no_corner_0();
-    if((any((_S437 != _S435))))
+    if((any((_S448 != _S446))))
     {
         _S124(&(outward_1), &(tangent_4), vertex_8.surface_3.is_front_0, by_axes_0);
         tangent_back_0(&(points_5), vertex_8.surface_3.place_3.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -4605,32 +4795,32 @@ fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32, 
     {
         _S93(&(outward_1), vertex_8.surface_3.is_front_0, by_axes_0);
     }
-    var _S438 : vec3<f32> = surface_back_0(&(points_5), vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_19);
-    by_ray_1.drift_0 = _S438;
+    var _S449 : vec3<f32> = surface_back_0(&(points_5), vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_19);
+    by_ray_1.drift_0 = _S449;
     add_to_corners_0(points_of_0(vertex_8.surface_3.place_3.triangle_0), vertex_8.surface_3.place_3.triangle_0, points_5);
     return by_ray_1;
 }
 
-fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_43 : ShadingPoint_0,  direction_20 : vec3<f32>)
+fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_46 : ShadingPoint_0,  direction_20 : vec3<f32>)
 {
-    var _S439 : vec3<f32> = vec3<f32>(0.0f);
-    var _S440 : bool;
-    if((all(((crossed_5.pulled_1.position_1) == _S439))))
+    var _S450 : vec3<f32> = vec3<f32>(0.0f);
+    var _S451 : bool;
+    if((all(((crossed_5.pulled_1.position_1) == _S450))))
     {
-        _S440 = (all(((crossed_5.pulled_1.axes_5.n_0) == _S439)));
+        _S451 = (all(((crossed_5.pulled_1.axes_5.n_0) == _S450)));
     }
     else
     {
-        _S440 = false;
+        _S451 = false;
     }
-    if(_S440)
+    if(_S451)
     {
         return;
     }
-    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_43.vertex_2, material_of_0(at_43.vertex_2.surface_3), direction_20);
-    var _S441 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
-    var kept_1 : u32 = _S441;
-    var which_11 : u32 = _S441;
+    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_46.vertex_2, material_of_0(at_46.vertex_2.surface_3), direction_20);
+    var _S452 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
+    var kept_1 : u32 = _S452;
+    var which_11 : u32 = _S452;
     var drift_1 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     var by_direction_0 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     set_vector_0(number_of_path_5, &(kept_1), drift_1 + by_ray_2.drift_0);
@@ -4640,13 +4830,13 @@ fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_43 : ShadingPoint_
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S442 : u32;
+    var _S453 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S443 : u32 = u32(2) + zero_0;
-        _S442 = _S443;
-        if(rounds_0 < _S443)
+        var _S454 : u32 = u32(2) + zero_0;
+        _S453 = _S454;
+        if(rounds_0 < _S454)
         {
         }
         else
@@ -4655,14 +4845,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S442;
+    return rounds_0 == _S453;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S444 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S455 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4679,9 +4869,9 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var number_of_path_6 : u32 = input_0[listed_0];
     var factor_5 : vec3<f32>;
     var path_16 : Path_0 = path_at_vertex_0(number_of_path_6, &(factor_5));
-    var at_44 : ShadingPoint_0;
-    var _S445 : bool = shading_point_0(path_16, &(at_44));
-    if(!_S445)
+    var at_47 : ShadingPoint_0;
+    var _S456 : bool = shading_point_0(path_16, &(at_47));
+    if(!_S456)
     {
         return;
     }
@@ -4696,7 +4886,7 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         {
             break;
         }
-        var probability_5 : f32 = turn_to_0(purpose_3, path_16.key_0, &(at_44));
+        var probability_5 : f32 = turn_to_0(purpose_3, path_16.key_0, &(at_47));
         if(!(probability_5 > 0.0f))
         {
             purpose_3 = purpose_3 + u32(1);
@@ -4704,14 +4894,14 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         }
         crossed_6.factor_1 = factor_5 / vec3<f32>(probability_5);
         var subtree_1 : u32 = subtree_of_launch_0();
-        var subtrees_1 : u32 = subtrees_of_0(at_44);
+        var subtrees_1 : u32 = subtrees_of_0(at_47);
         if(subtree_1 < subtrees_1)
         {
-            sample_points_0(at_44, number_of_path_6, path_16, subtree_1, subtrees_1, &(crossed_6));
+            sample_points_0(at_47, number_of_path_6, path_16, subtree_1, subtrees_1, &(crossed_6));
         }
         purpose_3 = purpose_3 + u32(1);
     }
-    add_0(number_of_path_6, crossed_6, at_44, path_16.direction_1);
+    add_0(number_of_path_6, crossed_6, at_47, path_16.direction_1);
     check_loops_0();
     return;
 }

@@ -392,7 +392,7 @@ fn what_has_no_edges_yet_is_refused() {
             room(DIFFUSE),
             Precision::Double,
             walks,
-            "directions are to walk elsewhere",
+            "the method is `walk`",
         ),
         (
             room(MIRROR),

@@ -9,6 +9,7 @@ mod derivatives;
 mod device;
 mod edges;
 mod faults;
+mod folders;
 mod materials;
 mod motion;
 mod parts;

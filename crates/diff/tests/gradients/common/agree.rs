@@ -7,7 +7,8 @@ use capwalk_diff::{
 };
 use capwalk_scene::*;
 
-/// Sizes and seeds of a case.
+/// Sizes of a case. Samples are such that less work would leave more noise in the difference:
+/// where a derivative has little noise, the samples are its reference's.
 #[derive(Clone, Copy)]
 pub struct Case {
     pub size: u32,
@@ -56,11 +57,23 @@ pub fn primary() -> Case {
 
 /// Runs both and demands agreement.
 pub fn agree(name: &str, scene: Scene, tangent: &Tangent, case: Case) {
-    agree_by(&[case.method], name, scene, tangent, case);
+    agree_by(
+        &[(case.method, case.gradient_spp)],
+        name,
+        scene,
+        tangent,
+        case,
+    );
 }
 
-/// Runs several methods, and demands agreement with one reference.
-pub fn agree_by(methods: &[Method], name: &str, mut scene: Scene, tangent: &Tangent, case: Case) {
+/// Runs several methods, each with its samples per pixel, and demands agreement with one reference.
+pub fn agree_by(
+    methods: &[(Method, u32)],
+    name: &str,
+    mut scene: Scene,
+    tangent: &Tangent,
+    case: Case,
+) {
     scene.film.size = [case.size; 2];
     scene.film.crop_size = [case.size; 2];
     scene.check().expect("a valid scene");
@@ -77,11 +90,11 @@ pub fn agree_by(methods: &[Method], name: &str, mut scene: Scene, tangent: &Tang
         &Unwatched,
     )
     .expect("covered");
-    for &method in methods {
+    for &(method, spp) in methods {
         let settings = GradientOptions {
             method,
             walk: case.walk,
-            ..GradientOptions::new(options(case.gradient_spp, 1))
+            ..GradientOptions::new(options(spp, 1))
         };
         let ours = gradient(
             &PreparedScene::new(scene.clone()),
