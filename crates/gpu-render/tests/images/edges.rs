@@ -308,7 +308,7 @@ pub fn cases() -> Vec<Case> {
             depth: 3,
             moving: vec!["wall"],
             velocity: Vec3::new(0.5, 0.3, 0.4),
-            ..case("a wall moves", [wall("bright"), large()])
+            ..case("a wall moves", [wall("metal"), large()])
         },
         Case {
             depth: 4,

@@ -29,8 +29,9 @@ fn parameters(folder: &str) -> Vec<String> {
     compared.map(parameter).collect()
 }
 
-/// Where neither refuses the derivative, the verdict of `capwalk check` between both is not "wrong": they
-/// differ by noise alone, in every pixel and in sums. One of some 15,000 right ones is called wrong.
+/// Where neither refuses the derivative, the verdict of `capwalk check` between both is not "wrong", and
+/// leaves no doubt: they differ by noise alone, in every pixel and in sums. Seeds are fixed; of right ones
+/// one in some hundred leaves a doubt.
 #[test]
 fn derivatives_of_folders_are_the_processors() {
     let Some(gpu) = device::open(Precision::Double) else {
@@ -69,7 +70,12 @@ fn derivatives_of_folders_are_the_processors() {
             let theirs = theirs.expect("not refused on the device").gradient;
             let found = compare(&ours, &theirs);
             println!("{folder}, {parameter}: {found}, worst {:?}", found.worst[0]);
-            if let Verdict::Wrong { reason } = found.verdict {
+            if let Verdict::Wrong { reason }
+            | Verdict::Inconclusive {
+                doubt: Some(reason),
+                ..
+            } = found.verdict
+            {
                 wrong.push(format!("{folder}, {parameter}: {reason}"));
             }
             compared += 1;
