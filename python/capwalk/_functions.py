@@ -134,7 +134,7 @@ def gradient(
         refusing the derivative; ``statistics["missing"]`` is the share of the radiance that
         arrives by paths with such events, whether something moves there or not.
     :param device: see :func:`render`. GPUs do not have all derivatives: for others ``"auto"`` takes
-        the processor, and ``"gpu"`` raises :class:`DeviceError` with the reason.
+        the processor, and ``"gpu"`` raises :class:`ArgumentError` with the reason.
     :raises Refused: the derivative could only be estimated with a bias; with ``reason`` and
         ``instead``.
     :raises ParameterError: a name means no parameter.

@@ -90,6 +90,12 @@ fn derivatives_come_from_the_device_that_is_asked_for() {
         size.as_f64().expect("a number")
     });
     assert!((a / b - 1.0).abs() < 0.3, "{a} {b}");
+    // Of everything, where no name is given.
+    let all = backward.replace("--spp 4", "--spp 1 --method edges");
+    let all = capwalk.json(&format!("{all} --device gpu -o all.npz"));
+    let names = all["parameters"].as_array().expect("a list");
+    let has = |name: &str| names.iter().any(|parameter| parameter["name"] == name);
+    assert!(has("leaf.positions") && has(colour), "{names:?}");
     let walks = moving.replace("edges", "walk");
     assert_has(
         &capwalk.error(&format!("{walks} --device gpu")),

@@ -181,8 +181,8 @@ const MOST_OFF: f64 = 4.0;
 /// Scenes whose whole derivative can be compared.
 const FEWEST_WHOLE: usize = 65;
 
-/// Scenes of `tests/parity` beside all of `tests/scenes`: emitters of many edges,
-/// maps, glossy surfaces, cameras with a lens and filters that overlap.
+/// Scenes of `tests/parity` beside all of `tests/scenes`: emitters of many edges, maps, glossy surfaces,
+/// cameras with a lens and filters that overlap.
 const MORE_SCENES: [&str; 13] = [
     "parity/anisotropic.xml",
     "parity/bitmap_ball.xml",

@@ -7,8 +7,8 @@ use capwalk_diff::{
 };
 use capwalk_scene::*;
 
-/// Sizes of a case. Samples are such that less work would leave more noise in the difference:
-/// where a derivative has little noise, the samples are its reference's.
+/// Sizes of a case. Of a derivative with little noise few samples are enough: then the noise of its
+/// reference decides.
 #[derive(Clone, Copy)]
 pub struct Case {
     pub size: u32,
