@@ -13,12 +13,13 @@ use crate::vulkan;
 
 /// Of the scenes that Mitsuba is compared in, those that are measured here: the device has all
 /// that they need.
-const SCENES: [&str; 6] = [
+const SCENES: [&str; 7] = [
     "leaf",
     "ball",
     "box-room",
     "lattice-shadow",
     "cornell-box",
+    "painted-box",
     "glossy-box",
 ];
 

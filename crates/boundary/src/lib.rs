@@ -70,7 +70,6 @@ pub use motion::Motion;
 pub use random::{Sampler, Stream, Streams};
 pub use refusal::{Refusal, SpecularCause};
 pub use silhouette_pieces::{EdgePoint, SilhouettePieces, beside, clip, place};
-pub use texture_line::is_discontinuous;
 pub use viewpoint::{EMITTED, SEEN, Viewpoint, Visibility};
 pub use warp::{Dependence, Warp};
 pub use window::{AreaEmitter, Extent, MANY_CORNERS, Window};

@@ -21,6 +21,12 @@ use crate::texture_records::Shown;
 use crate::unsupported::{Unsupported, unsupported};
 use crate::upload::{upload_numbers, upload_words};
 
+/// Of how many leaves before an emitter a thread looks at the edges, and how many points it takes on them
+/// at most. Software Vulkan allows few rounds of loops; and where threads work for long, a launch of few
+/// paths does, too.
+const AT_ONCE_IN_SOFTWARE: [u32; 2] = [1, 16];
+const AT_ONCE_ON_HARDWARE: [u32; 2] = [64, 64];
+
 /// A scene in a device's memory.
 #[derive(Debug)]
 pub struct DeviceScene<'a> {
@@ -129,7 +135,11 @@ impl<'a> DeviceScene<'a> {
         let accel = self.prepared.accel();
         let camera = CameraRecords::new(accel, &self.frame);
         let numbers = exact_numbers(accel, &camera, self.gpu.precision());
-        let records = EdgeRecords::new(tracer, boundaries, eval, motion, &self.frame);
+        let at_once = match self.gpu.is_software() {
+            true => AT_ONCE_IN_SOFTWARE,
+            false => AT_ONCE_ON_HARDWARE,
+        };
+        let records = EdgeRecords::new(tracer, boundaries, eval, motion, &self.frame, at_once);
         let image = match only_diffuse(self.prepared.scene()) {
             true => &DIFFUSE_IMAGE,
             false => &IMAGE,

@@ -5,15 +5,16 @@ use capwalk_gpu::GpuError;
 use capwalk_render::Watch;
 
 use crate::device_edges::DeviceEdges;
+use crate::fixed_point::{COUNTS, PARTS};
 use crate::paths::Paths;
 use crate::render_kernels::{BOUNDARY, BOUNDARY_BACK};
 
-/// Subtrees of which paths begin at the vertex that the camera sees, and at later ones; and, before
-/// emitters, how many times as many.
+/// Subtrees that are sampled at the vertex that the camera sees, and at later ones.
 const SUBTREES: [usize; 2] = [2, 1];
-const MORE_SUBTREES: usize = 4;
-/// The bits of a launch's depth that are the depth; those above are the number of a subtree.
-const DEPTH_BITS: usize = 24;
+/// The bits of a launch's depth that are the depth; those above are the number of a part of the edges or
+/// of a subtree.
+const DEPTH_BITS: usize = 20;
+const MOST_PARTS: usize = 1 << (32 - DEPTH_BITS);
 
 impl Paths<'_> {
     /// Adds the boundary terms at the vertices, of this number, that the paths of a list are at; false
@@ -29,29 +30,34 @@ impl Paths<'_> {
             true => &BOUNDARY_BACK,
             false => &BOUNDARY,
         };
-        // Each launch samples one subtree at each vertex, so that no thread works for long.
+        // Each launch looks at so many leaves or samples one subtree, so that no thread works for long.
         let subtrees = SUBTREES[usize::from(depth > 0)];
-        let of_subtree = |subtree: usize| depth | subtree << DEPTH_BITS;
-        let to_emitters = match &edges.crosses {
-            crosses if crosses.before_areas(depth) => MORE_SUBTREES * subtrees,
-            crosses if crosses.before_environment(depth) => subtrees,
-            _ => 0,
-        };
-        if to_emitters > 0 {
+        let of_part = |part: usize| depth | part << DEPTH_BITS;
+        let before = |has_any, parts| if has_any { parts } else { 0 };
+        let before_areas = edges.crosses.before_areas(depth);
+        let mut parts = before(edges.crosses.before_environment(depth), subtrees);
+        parts = parts.max(before(before_areas, 1));
+        if parts > 0 {
             self.write_list(list)?;
         }
-        for subtree in 0..to_emitters {
+        let mut part = 0;
+        while part < parts {
             if watch.should_stop() {
                 return Ok(false);
             }
-            self.launch(&kernels.cross_edges, list.len(), of_subtree(subtree))?;
+            self.launch(&kernels.cross_edges, list.len(), of_part(part))?;
+            if part == 0 && before_areas {
+                parts = parts.max(self.sums(COUNTS)?[PARTS] as usize);
+                assert!(parts <= MOST_PARTS, "there is no room for so many edges");
+            }
+            part += 1;
         }
         if !edges.crosses.before_surfaces(depth) {
             return Ok(true);
         }
         for subtree in 0..subtrees {
             self.write_list(list)?;
-            self.launch(&kernels.begin_sides, list.len(), of_subtree(subtree))?;
+            self.launch(&kernels.begin_sides, list.len(), of_part(subtree))?;
             let mut listed = 2 * list.len();
             let mut has_sides = false;
             // Follow the sides as paths of an image, from the next vertex on.

@@ -13,7 +13,7 @@ use crate::kept_edges::{KeptEdges, LEAF};
 use crate::texture_records::float;
 
 /// Words of the header.
-const HEADER: usize = 9;
+const HEADER: usize = 11;
 
 /// How far outside of a window an edge counts as inside, over its distance, and the angle between an
 /// edge and the rays beside it, as on the processor.
@@ -93,13 +93,15 @@ impl Crosses {
 
 impl EdgeRecords {
     /// Those of the edges that a tracer's scene has, in the coordinates of the frame, with what is known
-    /// of its motion and what the kernels read of that.
+    /// of its motion and what the kernels read of that. So many leaves and points before an emitter are
+    /// for one launch.
     pub fn new<R: Real, W: SceneEval<R>>(
         tracer: &Tracer,
         boundaries: &Boundaries,
         eval: &W,
         motion: &EdgeMotion,
         frame: &LocalFrame,
+        [leaves, points]: [u32; 2],
     ) -> Self {
         let (accel, plan) = (tracer.accel, tracer.plan);
         let walks = tracer.surface_walks();
@@ -154,6 +156,8 @@ impl EdgeRecords {
             walks.map_or(0, |walks| walks.first_number),
             walks.map_or(0, |walks| walks.numbers_per_vertex),
             walks.map_or(0, |walks| walks.events),
+            leaves,
+            points,
         ];
         records.words[..HEADER].copy_from_slice(&header);
         records

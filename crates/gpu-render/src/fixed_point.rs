@@ -10,10 +10,11 @@ use crate::change_words::{BOUNDARIES_MOVE, IS_BLIND, MOTION_AT, TEXTURE_CHANGES,
 use crate::texture_records::Shown;
 
 /// Words before the sums (`faults.slang`): how many derivatives were too large, how many not finite,
-/// and in how many threads loops were cut short.
-pub const COUNTS: usize = 3;
-/// Which of them is the last one.
+/// in how many threads loops were cut short, and in how many parts edges are to be taken.
+pub const COUNTS: usize = 4;
+/// Which of them are the last two.
 pub const CUT_SHORT: usize = 2;
+pub const PARTS: usize = 3;
 
 /// Words of a sum.
 const WORDS: usize = 4;
@@ -299,7 +300,7 @@ mod tests {
     fn sums_are_read_with_their_sign() {
         let minus_three = [u32::MAX - 2, u32::MAX, u32::MAX, u32::MAX];
         let large = [5, 0, 7, 0];
-        let words = [&[4, 9, 0][..], &minus_three, &large].concat();
+        let words = [&[4, 9, 0, 0][..], &minus_three, &large].concat();
         assert_eq!(words.len(), COUNTS + 2 * WORDS);
         let read = PartSums::read(&words);
         assert_eq!(read.sums, [-3, (7 << 64) + 5]);

@@ -12,7 +12,7 @@ use capwalk_scene::{EmitterId, Shape, ShapeId};
 use crate::camera_records::CameraRecords;
 use crate::emitter_records::emitter_record;
 use crate::lobe_records::add_lobe;
-use crate::texture_records::{Shown, TextureRecords, float};
+use crate::texture_records::{Shown, TextureRecords, float, two_floats};
 
 /// Words before the first array.
 const HEADER: usize = 16;
@@ -160,19 +160,22 @@ fn shape_record(
     words: &mut Vec<u32>,
 ) -> [u32; SHAPE_RECORD] {
     let shape = accel.scene.shape(id);
-    let mut add = |numbers: &mut dyn Iterator<Item = f64>| {
+    let mut add = |numbers: &mut dyn Iterator<Item = u32>| {
         let at = words.len() as u32;
-        words.extend(numbers.map(float));
+        words.extend(numbers);
         at
     };
     let normals = shape.normals.per_vertex().map_or(NONE, |normals| {
-        add(&mut normals.iter().flat_map(|normal| normal.to_array()))
+        add(&mut normals
+            .iter()
+            .flat_map(|normal| normal.to_array().map(float)))
     });
     let uvs = shape.uvs.as_ref().map_or(NONE, |uvs| {
-        add(&mut uvs.as_flattened().as_flattened().iter().copied())
+        let numbers = uvs.as_flattened().as_flattened().iter();
+        add(&mut numbers.copied().flat_map(two_floats))
     });
     let tangents = match accel.needs_tangent[id.0 as usize] {
-        true => add(&mut tangents(shape).flat_map(Vec3::to_array)),
+        true => add(&mut tangents(shape).flat_map(|tangent| tangent.to_array().map(float))),
         false => NONE,
     };
     let [front, back] =

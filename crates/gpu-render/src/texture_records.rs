@@ -88,7 +88,8 @@ fn add_texture(
     let is_bilinear = bitmap.filter == TexelFilter::Bilinear;
     words.extend([kind, texture.channels as u32]);
     words.extend([bitmap.width, bitmap.height, is_bilinear.into(), wrap]);
-    words.extend(bitmap.to_uv.rows.as_flattened().iter().copied().map(float));
+    let to_uv = bitmap.to_uv.rows.as_flattened();
+    words.extend(to_uv.iter().copied().flat_map(two_floats));
     words.push(number);
     words.extend(texture.data.iter().map(|x| float(scale * x)));
     at

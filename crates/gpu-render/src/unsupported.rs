@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use capwalk_boundary::{Field, MAX_EVENTS, is_discontinuous, may_be_specular, textures_of};
+use capwalk_boundary::{Field, MAX_EVENTS, may_be_specular};
 use capwalk_diff::{Gathers, GradientOptions, Method, Wanted};
 use capwalk_render::{MotionFacts, Plan, PreparedScene, RenderOptions, Tracer};
 use capwalk_scene::{
@@ -98,20 +98,6 @@ fn in_motion(
         let what = format!("mirrors may show each other more than {MAX_EVENTS} times");
         (planes.count() > 1 && is_long).then_some(what)
     };
-    // Both rays beside a line of a texture find one texel, in single precision.
-    let jumping = || {
-        let jumps = |shape| {
-            textures_of(scene, shape)
-                .into_iter()
-                .find(|&t| is_discontinuous(t))
-        };
-        let mut shapes = scene.shapes.iter();
-        shapes.find_map(|shape| {
-            let texture = &jumps(shape)?.id;
-            let what = "is discontinuous: its squares or texels are not interpolated";
-            Some(format!("the texture \"{texture}\" {what}"))
-        })
-    };
     // There the film moves under rays that stay, and its points with it.
     let film = || {
         let is_alone = wanted.film && !wanted.geometry();
@@ -150,7 +136,7 @@ fn in_motion(
         (!is_usual || walk.antithetic).then(|| what.to_owned())
     };
     let what = parallel.or_else(curved).or_else(repeated);
-    let what = what.or_else(jumping).or_else(walks).or_else(steps);
+    let what = what.or_else(walks).or_else(steps);
     match what {
         Some(what) => Some(format!("{what}, {}", what_moves(scene, wanted))),
         None => film(),

@@ -3,6 +3,9 @@
 use crate::real::Real;
 use crate::vec3::Vec3;
 
+/// Normals whose `z` is less have the frames of those that point down.
+const BELOW: f64 = -0.3;
+
 /// Three orthonormal directions, right-handed: `s × t = n`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame<R = f64> {
@@ -16,12 +19,12 @@ pub struct Frame<R = f64> {
 
 impl<R: Real> Frame<R> {
     /// A frame whose third axis is the unit vector `n`; continuous except
-    /// across `n.z = 0`. Duff et al. 2017, "Building an Orthonormal Basis,
-    /// Revisited".
+    /// across `n.z = -0.3`. Duff et al. 2017, "Building an Orthonormal Basis,
+    /// Revisited", which has it at zero: there rounding decides at upright walls.
     #[inline]
     pub fn from_normal(n: Vec3<R>) -> Self {
         let one = R::constant(1.0);
-        let sign = R::constant(1.0_f64.copysign(n.z.value()));
+        let sign = R::constant(if n.z.value() < BELOW { -1.0 } else { 1.0 });
         let a = -one / (sign + n.z);
         let b = n.x * n.y * a;
         Self {

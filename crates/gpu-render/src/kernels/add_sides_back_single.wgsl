@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: a5da34863903b748
-// result: 49f1f89c718cad7d
+// source: 9151c6c34a765e54
+// result: f2ceb8ba30c0d98c
 
 struct Launch_std140_0
 {
@@ -381,7 +381,7 @@ fn s_bwdProp_axes_around_0( _S74 : s_bwdCallableCtx_axes_around_0,  _S75 : ptr<f
 {
     var _S77 : f32 = _S74.value0_9.value0_8.z;
     var sign_0 : f32;
-    if(_S77 < 0.0f)
+    if(_S77 < -0.30000001192092896f)
     {
         sign_0 = -1.0f;
     }
@@ -812,7 +812,7 @@ fn load_0( number_of_path_1 : u32) -> Path_0
 
 fn depth_of_launch_0() -> u32
 {
-    return ((launch_0.depth_0) & (u32(16777215)));
+    return ((launch_0.depth_0) & (u32(1048575)));
 }
 
 fn kept_at_0( depth_1 : u32) -> u32
@@ -986,24 +986,34 @@ fn Corners2_x24init_0( a_6 : vec2<f32>,  b_3 : vec2<f32>,  c_2 : vec2<f32>) -> C
     return _S201;
 }
 
+fn precise_0( at_7 : u32) -> f32
+{
+    return number_0(at_7) + number_0(at_7 + u32(1));
+}
+
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f, 0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_5) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_7 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_5) + u32(1));
-    uvs_0.a_5 = vec2<f32>(number_0(at_7), number_0(at_7 + u32(1)));
-    uvs_0.b_2 = vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5)));
+    var at_8 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_5) + u32(1));
+    uvs_0.a_5 = vec2<f32>(precise_0(at_8), precise_0(at_8 + u32(2)));
+    uvs_0.b_2 = vec2<f32>(precise_0(at_8 + u32(4)), precise_0(at_8 + u32(6)));
+    uvs_0.c_1 = vec2<f32>(precise_0(at_8 + u32(8)), precise_0(at_8 + u32(10)));
     return uvs_0;
+}
+
+fn row_at_0( at_9 : u32) -> vec3<f32>
+{
+    return vec3<f32>(precise_0(at_9), precise_0(at_9 + u32(2)), precise_0(at_9 + u32(4)));
 }
 
 fn floor_of_0( x_4 : f32) -> i32
 {
-    return i32(floor(clamp(x_4, -1.0e+09f, 1.0e+09f)));
+    return i32(clamp(floor(x_4), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
@@ -1122,43 +1132,43 @@ fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_7.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
-    var uv_1 : Point_0;
-    var _S212 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_2 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
-    uv_1.value_1 = vec2<f32>(dot(_S212, to_u_0), dot(_S212, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_2 - uvs_1.a_5;
     var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_5;
-    var _S213 : vec2<f32> = to_u_0.xy;
-    var _S214 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S213), dot(by_v_0, _S214));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S213), dot(by_w_0, _S214));
+    var _S212 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f32> = row_at_0(_S212);
+    var to_v_0 : vec3<f32> = row_at_0(_S212 + u32(6));
+    var uv_1 : Point_0;
+    var _S213 : vec3<f32> = vec3<f32>(uvs_1.a_5 + by_v_0 * vec2<f32>((place_7.v_0 + place_7.v_rest_0)) + by_w_0 * vec2<f32>((place_7.w_0 + place_7.w_rest_0)), 1.0f);
+    uv_1.value_1 = vec2<f32>(dot(_S213, to_u_0), dot(_S213, to_v_0));
+    var _S214 : vec2<f32> = to_u_0.xy;
+    var _S215 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S214), dot(by_v_0, _S215));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S214), dot(by_w_0, _S215));
     if(kind_0 == u32(1))
     {
-        var _S215 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S215;
+        var _S216 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S216;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_1 - floor(uv_1.value_1);
-    var _S216 : i32;
+    var _S217 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S216 = i32(1);
+        _S217 = i32(1);
     }
     else
     {
-        _S216 = i32(0);
+        _S217 = i32(0);
     }
-    return one_texel_0(u32(_S216));
+    return one_texel_0(u32(_S217));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S217 : u32 = word_0(texture_2 + u32(1));
-    var _S218 : u32 = texture_2 + u32(13);
-    var _S219 : vec3<f32> = vec3<f32>(0.0f);
+    var _S218 : u32 = word_0(texture_2 + u32(1));
+    var _S219 : u32 = texture_2 + u32(19);
+    var _S220 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S219;
+    var value_2 : vec3<f32> = _S220;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1168,17 +1178,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S218 + _S217 * lookup_3.texels_0[k_1];
-        var _S220 : vec3<f32>;
-        if(_S217 == u32(1))
+        var at_10 : u32 = _S219 + _S218 * lookup_3.texels_0[k_1];
+        var _S221 : vec3<f32>;
+        if(_S218 == u32(1))
         {
-            _S220 = vec3<f32>(number_0(at_8));
+            _S221 = vec3<f32>(number_0(at_10));
         }
         else
         {
-            _S220 = vector_at_0(at_8);
+            _S221 = vector_at_0(at_10);
         }
-        var value_3 : vec3<f32> = value_2 + _S220 * vec3<f32>(weights_1[k_1]);
+        var value_3 : vec3<f32> = value_2 + _S221 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_2 = value_3;
     }
@@ -1192,8 +1202,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
 {
-    var _S221 : Lookup_0 = lookup_at_0(texture_4, place_8);
-    return looked_up_0(texture_4, _S221, vec2<f32>(0.0f));
+    var _S222 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S222, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -1252,38 +1262,38 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
     var lobe_0 : Lobe_0;
     lobe_0.record_2 = record_3;
     var is_black_0 : bool = record_3 == u32(4294967295);
-    var _S222 : u32;
+    var _S223 : u32;
     if(is_black_0)
     {
-        _S222 = u32(0);
+        _S223 = u32(0);
     }
     else
     {
-        _S222 = word_0(record_3);
+        _S223 = word_0(record_3);
     }
-    lobe_0.kind_1 = _S222;
+    lobe_0.kind_1 = _S223;
     if(is_black_0)
     {
-        _S222 = u32(1);
+        _S223 = u32(1);
     }
     else
     {
-        _S222 = word_0(record_3 + u32(1));
+        _S223 = word_0(record_3 + u32(1));
     }
-    lobe_0.distribution_0 = _S222;
+    lobe_0.distribution_0 = _S223;
     lobe_0.numbers_3 = no_numbers_0();
     if(is_black_0)
     {
-        _S222 = u32(0);
+        _S223 = u32(0);
     }
     else
     {
-        _S222 = word_0(record_3 + u32(4));
+        _S223 = word_0(record_3 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S222)
+        if(slot_1 < _S223)
         {
         }
         else
@@ -1297,10 +1307,10 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
-        var _S223 : vec3<f32> = value_of_0(colour_1);
-        var _S224 : Numbers_0 = lobe_0.numbers_3;
-        set_slot_0(&(_S224), slot_1, _S223);
-        lobe_0.numbers_3 = _S224;
+        var _S224 : vec3<f32> = value_of_0(colour_1);
+        var _S225 : Numbers_0 = lobe_0.numbers_3;
+        set_slot_0(&(_S225), slot_1, _S224);
+        lobe_0.numbers_3 = _S225;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -1315,53 +1325,53 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S225 : vec3<f32>;
+    var _S226 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S225 = tangent_0;
+        _S226 = tangent_0;
     }
     else
     {
-        _S225 = vec3<f32>(0.0f);
+        _S226 = vec3<f32>(0.0f);
     }
-    return _S225;
+    return _S226;
 }
 
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S226 : vec3<f32>;
+    var _S227 : vec3<f32>;
     if(is_front_1)
     {
-        _S226 = n_2;
+        _S227 = n_2;
     }
     else
     {
-        _S226 = (vec3<f32>(0) - n_2);
+        _S227 = (vec3<f32>(0) - n_2);
     }
-    axes_1.n_0 = _S226;
-    var _S227 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_1.s_0 = _S227;
-    axes_1.t_0 = cross(n_2, _S227);
+    axes_1.n_0 = _S227;
+    var _S228 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_1.s_0 = _S228;
+    axes_1.t_0 = cross(n_2, _S228);
     return axes_1;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_2 : Axes_0;
-    var _S228 : vec3<f32>;
+    var _S229 : vec3<f32>;
     if(is_front_2)
     {
-        _S228 = n_3;
+        _S229 = n_3;
     }
     else
     {
-        _S228 = (vec3<f32>(0) - n_3);
+        _S229 = (vec3<f32>(0) - n_3);
     }
-    axes_2.n_0 = _S228;
-    var _S229 : f32 = n_3.z;
+    axes_2.n_0 = _S229;
+    var _S230 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S229 < 0.0f)
+    if(_S230 < -0.30000001192092896f)
     {
         sign_1 = -1.0f;
     }
@@ -1369,12 +1379,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_1 = 1.0f;
     }
-    var a_7 : f32 = -1.0f / (sign_1 + _S229);
-    var _S230 : f32 = n_3.x;
-    var _S231 : f32 = n_3.y;
-    var b_4 : f32 = _S230 * _S231 * a_7;
-    axes_2.s_0 = vec3<f32>(1.0f + sign_1 * _S230 * _S230 * a_7, sign_1 * b_4, - sign_1 * _S230);
-    axes_2.t_0 = vec3<f32>(b_4, sign_1 + _S231 * _S231 * a_7, - _S231);
+    var a_7 : f32 = -1.0f / (sign_1 + _S230);
+    var _S231 : f32 = n_3.x;
+    var _S232 : f32 = n_3.y;
+    var b_4 : f32 = _S231 * _S232 * a_7;
+    axes_2.s_0 = vec3<f32>(1.0f + sign_1 * _S231 * _S231 * a_7, sign_1 * b_4, - sign_1 * _S231);
+    axes_2.t_0 = vec3<f32>(b_4, sign_1 + _S232 * _S232 * a_7, - _S232);
     return axes_2;
 }
 
@@ -1401,8 +1411,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_4 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S232 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S232;
+    var _S233 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S233;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -1425,9 +1435,9 @@ struct VertexMotion_0
 fn motion_of_0( vertex_1 : Vertex_0) -> VertexMotion_0
 {
     var motion_0 : VertexMotion_0;
-    var _S233 : vec3<f32> = vec3<f32>(0.0f);
-    motion_0.rotation_0 = _S233;
-    motion_0.velocity_0 = _S233;
+    var _S234 : vec3<f32> = vec3<f32>(0.0f);
+    motion_0.rotation_0 = _S234;
+    motion_0.velocity_0 = _S234;
     return motion_0;
 }
 
@@ -1452,24 +1462,24 @@ struct ShadingPoint_0
      front_offset_0 : vec3<f32>,
 };
 
-fn shading_point_0( path_10 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> bool
+fn shading_point_0( path_10 : Path_0,  at_11 : ptr<function, ShadingPoint_0>) -> bool
 {
     var surface_5 : Surface_0 = surface_at_0(path_10.place_1, value_of_0(path_10.direction_1));
     var material_1 : u32 = material_of_0(surface_5);
-    var _S234 : Vertex_0 = vertex_at_0(surface_5, material_1, path_10.direction_1);
-    (*at_9).vertex_2 = _S234;
-    var _S235 : VertexMotion_0 = motion_of_0(_S234);
-    (*at_9).motion_1 = _S235;
-    (*at_9).whole_0 = _S235;
-    (*at_9).planes_0 = u32(0);
-    (*at_9).tree_0 = u32(0);
-    (*at_9).emitter_0 = u32(0);
-    (*at_9).purpose_0 = u32(0);
-    (*at_9).turns_0 = false;
-    (*at_9).has_creases_0 = false;
-    var _S236 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_9).front_offset_0 = _S236;
-    (*at_9).front_0 = _S236;
+    var _S235 : Vertex_0 = vertex_at_0(surface_5, material_1, path_10.direction_1);
+    (*at_11).vertex_2 = _S235;
+    var _S236 : VertexMotion_0 = motion_of_0(_S235);
+    (*at_11).motion_1 = _S236;
+    (*at_11).whole_0 = _S236;
+    (*at_11).planes_0 = u32(0);
+    (*at_11).tree_0 = u32(0);
+    (*at_11).emitter_0 = u32(0);
+    (*at_11).purpose_0 = u32(0);
+    (*at_11).turns_0 = false;
+    (*at_11).has_creases_0 = false;
+    var _S237 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_11).front_offset_0 = _S237;
+    (*at_11).front_0 = _S237;
     var k_2 : u32 = u32(0);
     for(;;)
     {
@@ -1480,24 +1490,24 @@ fn shading_point_0( path_10 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> 
         {
             break;
         }
-        (*at_9).inside_2[k_2] = surface_5.exact_0;
+        (*at_11).inside_2[k_2] = surface_5.exact_0;
         k_2 = k_2 + u32(1);
     }
-    var _S237 : bool;
+    var _S238 : bool;
     if(material_1 != u32(4294967295))
     {
-        _S237 = has_smooth_0((*at_9).vertex_2.lobe_1);
+        _S238 = has_smooth_0((*at_11).vertex_2.lobe_1);
     }
     else
     {
-        _S237 = false;
+        _S238 = false;
     }
-    return _S237;
+    return _S238;
 }
 
-fn change_word_0( at_10 : u32) -> u32
+fn change_word_0( at_12 : u32) -> u32
 {
-    return input_0[launch_0.room_0 + at_10];
+    return input_0[launch_0.room_0 + at_12];
 }
 
 fn turns_1( vertex_3 : Vertex_0) -> bool
@@ -1505,36 +1515,36 @@ fn turns_1( vertex_3 : Vertex_0) -> bool
     return (change_word_0(u32(1))) != u32(0);
 }
 
-fn edge_word_0( at_11 : u32) -> u32
+fn edge_word_0( at_13 : u32) -> u32
 {
-    return change_word_0(change_word_0(u32(3)) + at_11);
+    return change_word_0(change_word_0(u32(3)) + at_13);
 }
 
 fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S238 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S239 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_1 : f32 = abs(scaled_0);
     if(size_1 > 7.73712524553362672e+25f)
     {
-        var _S239 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S240 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S240 : bool = scaled_0 < 0.0f;
-    var _S241 : i32;
+    var _S241 : bool = scaled_0 < 0.0f;
+    var _S242 : i32;
     if(size_1 >= 1.84467440737095516e+19f)
     {
-        _S241 = i32(1);
+        _S242 = i32(1);
     }
     else
     {
-        _S241 = i32(0);
+        _S242 = i32(0);
     }
-    var first_2 : u32 = u32(_S241);
+    var first_2 : u32 = u32(_S242);
     var size_2 : f32;
     if(first_2 == u32(1))
     {
@@ -1554,39 +1564,39 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
     {
         size_2 = lower_0;
     }
-    var _S242 : u32 = u32(3) + u32(4) * sum_0;
+    var _S243 : u32 = u32(4) + u32(4) * sum_0;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_2), u32(higher_0));
     var k_3 : u32 = first_2;
     for(;;)
     {
-        var _S243 : bool;
+        var _S244 : bool;
         if(k_3 < u32(4))
         {
-            _S243 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S244 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S243 = false;
+            _S244 = false;
         }
-        if(_S243)
+        if(_S244)
         {
         }
         else
         {
             break;
         }
-        var _S244 : u32;
-        if(_S240)
+        var _S245 : u32;
+        if(_S241)
         {
-            _S244 = u32(0) - digits_0.x;
+            _S245 = u32(0) - digits_0.x;
         }
         else
         {
-            _S244 = digits_0.x;
+            _S245 = digits_0.x;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S242 + k_3]), _S244);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S243 + k_3]), _S245);
         var overflows_0 : bool;
-        if(_S240)
+        if(_S241)
         {
             overflows_0 = before_0 < (digits_0.x);
         }
@@ -1594,39 +1604,39 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_0 + digits_0.x) < before_0;
         }
-        var _S245 : u32 = digits_0.y;
+        var _S246 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S241 = i32(1);
+            _S242 = i32(1);
         }
         else
         {
-            _S241 = i32(0);
+            _S242 = i32(0);
         }
-        var _S246 : vec2<u32> = vec2<u32>(_S245 + u32(_S241), u32(0));
-        var _S247 : u32 = k_3 + u32(1);
-        digits_0 = _S246;
-        k_3 = _S247;
+        var _S247 : vec2<u32> = vec2<u32>(_S246 + u32(_S242), u32(0));
+        var _S248 : u32 = k_3 + u32(1);
+        digits_0 = _S247;
+        k_3 = _S248;
     }
     return;
 }
 
 fn add_to_sums_0( first_3 : u32,  derivative_1 : vec3<f32>)
 {
-    var _S248 : i32;
+    var _S249 : i32;
     if(first_3 == u32(4294967295))
     {
-        _S248 = i32(0);
+        _S249 = i32(0);
     }
     else
     {
-        _S248 = i32(3);
+        _S249 = i32(3);
     }
-    var _S249 : u32 = u32(_S248);
+    var _S250 : u32 = u32(_S249);
     var axis_0 : u32 = u32(0);
     for(;;)
     {
-        if(axis_0 < _S249)
+        if(axis_0 < _S250)
         {
         }
         else
@@ -1651,17 +1661,17 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_4 : Vertex_0,  direc
         {
             break;
         }
-        var _S250 : u32 = edge_word_0(record_4 + u32(2) + end_1);
-        var _S251 : f32;
+        var _S251 : u32 = edge_word_0(record_4 + u32(2) + end_1);
+        var _S252 : f32;
         if(end_1 == u32(0))
         {
-            _S251 = 1.0f - t_1;
+            _S252 = 1.0f - t_1;
         }
         else
         {
-            _S251 = t_1;
+            _S252 = t_1;
         }
-        add_to_sums_0(_S250, by_velocity_0 * vec3<f32>(_S251));
+        add_to_sums_0(_S251, by_velocity_0 * vec3<f32>(_S252));
         end_1 = end_1 + u32(1);
     }
     (*pulled_2).position_0 = (*pulled_2).position_0 - by_velocity_0;
@@ -1705,26 +1715,26 @@ fn slot_derivative_0( numbers_4 : Numbers_0,  slot_2 : u32) -> vec3<f32>
 
 fn numbers_of_0( texture_6 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_6 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_6 + u32(18)));
 }
 
 fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
 {
     var first_4 : u32 = numbers_of_0(texture_7);
-    var _S252 : u32 = word_0(texture_7 + u32(1));
-    var _S253 : u32;
+    var _S253 : u32 = word_0(texture_7 + u32(1));
+    var _S254 : u32;
     if(first_4 == u32(4294967295))
     {
-        _S253 = u32(0);
+        _S254 = u32(0);
     }
     else
     {
-        _S253 = lookup_5.count_0;
+        _S254 = lookup_5.count_0;
     }
     var k_4 : u32 = u32(0);
     for(;;)
     {
-        if(k_4 < _S253)
+        if(k_4 < _S254)
         {
         }
         else
@@ -1733,7 +1743,7 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         }
         var own_0 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_4]);
         var own_1 : vec3<f32>;
-        if(_S252 == u32(1))
+        if(_S253 == u32(1))
         {
             own_1 = vec3<f32>((own_0.x + own_0.y + own_0.z));
         }
@@ -1744,14 +1754,14 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         var c_3 : u32 = u32(0);
         for(;;)
         {
-            if(c_3 < _S252)
+            if(c_3 < _S253)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_4 + _S252 * lookup_5.texels_0[k_4] + c_3, own_1[c_3]);
+            add_to_sum_0(first_4 + _S253 * lookup_5.texels_0[k_4] + c_3, own_1[c_3]);
             c_3 = c_3 + u32(1);
         }
         k_4 = k_4 + u32(1);
@@ -1767,13 +1777,13 @@ fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
 
 fn numbers_back_0( material_2 : u32,  place_10 : Place_0,  numbers_5 : Numbers_0) -> vec2<f32>
 {
-    var _S254 : vec2<f32> = vec2<f32>(0.0f);
-    var _S255 : u32 = word_0(material_2 + u32(4));
+    var _S255 : vec2<f32> = vec2<f32>(0.0f);
+    var _S256 : u32 = word_0(material_2 + u32(4));
     var slot_3 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S254;
+    var by_place_0 : vec2<f32> = _S255;
     for(;;)
     {
-        if(slot_3 < _S255)
+        if(slot_3 < _S256)
         {
         }
         else
@@ -1786,9 +1796,9 @@ fn numbers_back_0( material_2 : u32,  place_10 : Place_0,  numbers_5 : Numbers_0
             slot_3 = slot_3 + u32(1);
             continue;
         }
-        var _S256 : Lookup_0 = lookup_at_0(texture_9, place_10);
-        var _S257 : vec2<f32> = lookup_back_0(texture_9, _S256, slot_derivative_0(numbers_5, slot_3));
-        by_place_0 = by_place_0 + _S257;
+        var _S257 : Lookup_0 = lookup_at_0(texture_9, place_10);
+        var _S258 : vec2<f32> = lookup_back_0(texture_9, _S257, slot_derivative_0(numbers_5, slot_3));
+        by_place_0 = by_place_0 + _S258;
         slot_3 = slot_3 + u32(1);
     }
     return by_place_0;
@@ -1809,10 +1819,10 @@ struct AtCorners_0
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_0 : AtCorners_0;
-    var _S258 : vec3<f32> = vec3<f32>(0.0f);
-    corners_0.c_4 = _S258;
-    corners_0.b_5 = _S258;
-    corners_0.a_8 = _S258;
+    var _S259 : vec3<f32> = vec3<f32>(0.0f);
+    corners_0.c_4 = _S259;
+    corners_0.b_5 = _S259;
+    corners_0.a_8 = _S259;
     return corners_0;
 }
 
@@ -1827,18 +1837,18 @@ fn tangent_back_0( points_0 : ptr<function, AtCorners_0>,  triangle_6 : u32,  ta
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_6);
     var first_5 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
     var second_1 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
-    var _S259 : f32 = second_1.y;
-    var _S260 : f32 = first_5.y;
-    var scale_0 : f32 = 1.0f / (first_5.x * _S259 - second_1.x * _S260);
-    var of_ab_0 : f32 = _S259 * scale_0;
-    var of_ac_0 : f32 = - _S260 * scale_0;
+    var _S260 : f32 = second_1.y;
+    var _S261 : f32 = first_5.y;
+    var scale_0 : f32 = 1.0f / (first_5.x * _S260 - second_1.x * _S261);
+    var of_ab_0 : f32 = _S260 * scale_0;
+    var of_ac_0 : f32 = - _S261 * scale_0;
     var a_9 : vec3<f32> = primitive_vector_0(corner_0);
-    var _S261 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S262 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_0 + u32(3)) - a_9) * _S261 + (primitive_vector_0(corner_0 + u32(6)) - a_9) * _S262));
+    var _S262 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S263 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_0 + u32(3)) - a_9) * _S262 + (primitive_vector_0(corner_0 + u32(6)) - a_9) * _S263));
     (*points_0).a_8 = (*points_0).a_8 - derivative_5 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_0).b_5 = (*points_0).b_5 + derivative_5 * _S261;
-    (*points_0).c_4 = (*points_0).c_4 + derivative_5 * _S262;
+    (*points_0).b_5 = (*points_0).b_5 + derivative_5 * _S262;
+    (*points_0).c_4 = (*points_0).c_4 + derivative_5 * _S263;
     return;
 }
 
@@ -1865,45 +1875,45 @@ fn normals_of_0( triangle_7 : u32) -> u32
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_8 : u32,  corners_3 : AtCorners_0)
 {
-    var _S263 : u32 = triangle_record_0(triangle_8) + u32(2);
-    var _S264 : i32;
+    var _S264 : u32 = triangle_record_0(triangle_8) + u32(2);
+    var _S265 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S264 = i32(0);
+        _S265 = i32(0);
     }
     else
     {
-        _S264 = i32(3);
+        _S265 = i32(3);
     }
-    var _S265 : u32 = u32(_S264);
+    var _S266 : u32 = u32(_S265);
     var k_5 : u32 = u32(0);
     for(;;)
     {
-        if(k_5 < _S265)
+        if(k_5 < _S266)
         {
         }
         else
         {
             break;
         }
-        var _S266 : u32 = sums_at_0 + u32(3) * word_0(_S263 + k_5);
-        var _S267 : vec3<f32>;
+        var _S267 : u32 = sums_at_0 + u32(3) * word_0(_S264 + k_5);
+        var _S268 : vec3<f32>;
         if(k_5 == u32(0))
         {
-            _S267 = corners_3.a_8;
+            _S268 = corners_3.a_8;
         }
         else
         {
             if(k_5 == u32(1))
             {
-                _S267 = corners_3.b_5;
+                _S268 = corners_3.b_5;
             }
             else
             {
-                _S267 = corners_3.c_4;
+                _S268 = corners_3.c_4;
             }
         }
-        add_to_sums_0(_S266, _S267);
+        add_to_sums_0(_S267, _S268);
         k_5 = k_5 + u32(1);
     }
     return;
@@ -1916,9 +1926,9 @@ fn place_back_0( points_1 : ptr<function, AtCorners_0>,  place_13 : Place_0,  by
     var ab_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_10;
     var ac_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_10;
     var across_1 : vec3<f32> = cross(ab_0, ac_0);
-    var _S268 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
-    var normal_0 : vec3<f32> = across_1 / vec3<f32>(_S268);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_0) * vec3<f32>(by_place_1.x) + cross(normal_0, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S268)));
+    var _S269 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
+    var normal_0 : vec3<f32> = across_1 / vec3<f32>(_S269);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_0) * vec3<f32>(by_place_1.x) + cross(normal_0, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S269)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_5, by_slip_0) / dot(normal_0, direction_5)));
     add_at_place_1(&((*points_1)), place_13, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -1927,7 +1937,7 @@ fn place_back_0( points_1 : ptr<function, AtCorners_0>,  place_13 : Place_0,  by
 fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_6 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_6.shape_0);
-    var _S269 : vec2<f32>;
+    var _S270 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_2 : u32 = u32(9) * surface_6.place_3.triangle_0;
@@ -1940,7 +1950,7 @@ fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_6 : Surface_0
         (*points_2).a_8 = (*points_2).a_8 - (by_ab_0 + by_ac_0);
         (*points_2).b_5 = (*points_2).b_5 + by_ab_0;
         (*points_2).c_4 = (*points_2).c_4 + by_ac_0;
-        _S269 = by_place_2;
+        _S270 = by_place_2;
     }
     else
     {
@@ -1952,10 +1962,10 @@ fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_6 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_6.place_3, derivative_9);
         add_to_corners_0(normals_of_0(surface_6.place_3.triangle_0), surface_6.place_3.triangle_0, of_normals_0);
-        _S269 = by_place_2 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_2, derivative_9));
+        _S270 = by_place_2 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_2, derivative_9));
     }
-    var _S270 : vec3<f32> = place_back_0(&((*points_2)), surface_6.place_3, _S269, by_position_1, direction_6);
-    return _S270;
+    var _S271 : vec3<f32> = place_back_0(&((*points_2)), surface_6.place_3, _S270, by_position_1, direction_6);
+    return _S271;
 }
 
 fn points_of_0( triangle_9 : u32) -> u32
@@ -1966,33 +1976,33 @@ fn points_of_0( triangle_9 : u32) -> u32
 fn vertex_back_0( pulled_3 : Pulled_0,  vertex_5 : Vertex_0,  material_3 : u32,  direction_7 : vec3<f32>) -> ByRay_0
 {
     var by_ray_1 : ByRay_0;
-    var _S271 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_0 = _S271;
-    by_ray_1.drift_0 = _S271;
+    var _S272 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S272;
+    by_ray_1.drift_0 = _S272;
     var by_place_3 : vec2<f32> = numbers_back_0(material_3, vertex_5.surface_3.place_3, pulled_3.numbers_1);
     if(!is_moving_0())
     {
         return by_ray_1;
     }
-    var _S272 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S273 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_0 : DiffPair_Axes_0;
     towards_0.primal_0 = vertex_5.axes_5;
-    towards_0.differential_0 = _S272;
+    towards_0.differential_0 = _S273;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_7;
-    incoming_0.differential_0 = _S271;
+    incoming_0.differential_0 = _S272;
     _S173(&(towards_0), &(incoming_0), pulled_3.wi_0);
     by_ray_1.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_5.surface_3.outward_0;
-    outward_1.differential_0 = _S271;
-    var _S273 : vec3<f32> = tangent_at_0(vertex_5.surface_3);
+    outward_1.differential_0 = _S272;
+    var _S274 : vec3<f32> = tangent_at_0(vertex_5.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S273;
-    tangent_4.differential_0 = _S271;
+    tangent_4.primal_0 = _S274;
+    tangent_4.differential_0 = _S272;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_3.axes_0, towards_0.differential_0);
     var points_3 : AtCorners_0 = at_no_corner_0();
-    if((any((_S273 != _S271))))
+    if((any((_S274 != _S272))))
     {
         _S124(&(outward_1), &(tangent_4), vertex_5.surface_3.is_front_0, by_axes_0);
         tangent_back_0(&(points_3), vertex_5.surface_3.place_3.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -2001,8 +2011,8 @@ fn vertex_back_0( pulled_3 : Pulled_0,  vertex_5 : Vertex_0,  material_3 : u32, 
     {
         _S93(&(outward_1), vertex_5.surface_3.is_front_0, by_axes_0);
     }
-    var _S274 : vec3<f32> = surface_back_0(&(points_3), vertex_5.surface_3, by_place_3, pulled_3.position_0, outward_1.differential_0, direction_7);
-    by_ray_1.drift_0 = _S274;
+    var _S275 : vec3<f32> = surface_back_0(&(points_3), vertex_5.surface_3, by_place_3, pulled_3.position_0, outward_1.differential_0, direction_7);
+    by_ray_1.drift_0 = _S275;
     add_to_corners_0(points_of_0(vertex_5.surface_3.place_3.triangle_0), vertex_5.surface_3.place_3.triangle_0, points_3);
     return by_ray_1;
 }
@@ -2032,26 +2042,26 @@ fn set_vector_0( path_12 : u32,  which_9 : ptr<function, u32>,  value_6 : vec3<f
     return;
 }
 
-fn add_0( number_of_path_3 : u32,  crossed_1 : Crossed_0,  at_12 : ShadingPoint_0,  direction_8 : vec3<f32>)
+fn add_0( number_of_path_3 : u32,  crossed_1 : Crossed_0,  at_14 : ShadingPoint_0,  direction_8 : vec3<f32>)
 {
-    var _S275 : vec3<f32> = vec3<f32>(0.0f);
-    var _S276 : bool;
-    if((all(((crossed_1.pulled_1.position_0) == _S275))))
+    var _S276 : vec3<f32> = vec3<f32>(0.0f);
+    var _S277 : bool;
+    if((all(((crossed_1.pulled_1.position_0) == _S276))))
     {
-        _S276 = (all(((crossed_1.pulled_1.axes_0.n_0) == _S275)));
+        _S277 = (all(((crossed_1.pulled_1.axes_0.n_0) == _S276)));
     }
     else
     {
-        _S276 = false;
+        _S277 = false;
     }
-    if(_S276)
+    if(_S277)
     {
         return;
     }
-    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_1.pulled_1, at_12.vertex_2, material_of_0(at_12.vertex_2.surface_3), direction_8);
-    var _S277 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
-    var kept_1 : u32 = _S277;
-    var which_10 : u32 = _S277;
+    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_1.pulled_1, at_14.vertex_2, material_of_0(at_14.vertex_2.surface_3), direction_8);
+    var _S278 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
+    var kept_1 : u32 = _S278;
+    var which_10 : u32 = _S278;
     var drift_1 : vec3<f32> = path_vector_1(number_of_path_3, &(which_10));
     var by_direction_0 : vec3<f32> = path_vector_1(number_of_path_3, &(which_10));
     set_vector_0(number_of_path_3, &(kept_1), drift_1 + by_ray_2.drift_0);
@@ -2061,13 +2071,13 @@ fn add_0( number_of_path_3 : u32,  crossed_1 : Crossed_0,  at_12 : ShadingPoint_
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S278 : u32;
+    var _S279 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S279 : u32 = u32(2) + zero_0;
-        _S278 = _S279;
-        if(rounds_0 < _S279)
+        var _S280 : u32 = u32(2) + zero_0;
+        _S279 = _S280;
+        if(rounds_0 < _S280)
         {
         }
         else
@@ -2076,14 +2086,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S278;
+    return rounds_0 == _S279;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S280 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S281 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -2098,9 +2108,9 @@ fn add_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         return;
     }
     var number_of_path_4 : u32 = input_0[listed_0];
-    var _S281 : vec3<f32> = vec3<f32>(0.0f);
+    var _S282 : vec3<f32> = vec3<f32>(0.0f);
     var side_1 : u32 = u32(0);
-    var sum_1 : vec3<f32> = _S281;
+    var sum_1 : vec3<f32> = _S282;
     for(;;)
     {
         if(side_1 < u32(2))
@@ -2114,46 +2124,46 @@ fn add_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         var which_11 : u32 = u32(20);
         var weight_0 : vec3<f32> = path_vector_2(number_1, &(which_11));
         which_11 = u32(1);
-        if((any((weight_0 != _S281))))
+        if((any((weight_0 != _S282))))
         {
-            var _S282 : vec3<f32> = path_vector_2(number_1, &(which_11));
-            sum_1 = sum_1 + weight_0 * _S282;
+            var _S283 : vec3<f32> = path_vector_2(number_1, &(which_11));
+            sum_1 = sum_1 + weight_0 * _S283;
         }
         side_1 = side_1 + u32(1);
     }
-    var crossed_2 : Crossed_0 = nothing_crossed_0(_S281);
+    var crossed_2 : Crossed_0 = nothing_crossed_0(_S282);
     var unused_0 : vec3<f32>;
     var path_13 : Path_0 = path_at_vertex_0(number_of_path_4, &(unused_0));
-    var at_13 : ShadingPoint_0;
-    var _S283 : bool;
-    if((all((sum_1 == _S281))))
+    var at_15 : ShadingPoint_0;
+    var _S284 : bool;
+    if((all((sum_1 == _S282))))
     {
-        _S283 = true;
+        _S284 = true;
     }
     else
     {
-        var _S284 : bool = shading_point_0(path_13, &(at_13));
-        _S283 = !_S284;
+        var _S285 : bool = shading_point_0(path_13, &(at_15));
+        _S284 = !_S285;
     }
-    if(_S283)
+    if(_S284)
     {
         return;
     }
     var first_6 : u32 = side_path_0(number_of_path_4, u32(0));
     var kept_2 : u32 = u32(23);
-    var _S285 : vec3<f32> = path_vector_2(first_6, &(kept_2));
-    var by_velocity_1 : vec3<f32> = _S285 * vec3<f32>((sum_1.x + sum_1.y + sum_1.z));
+    var _S286 : vec3<f32> = path_vector_2(first_6, &(kept_2));
+    var by_velocity_1 : vec3<f32> = _S286 * vec3<f32>((sum_1.x + sum_1.y + sum_1.z));
     var offset_1 : vec3<f32> = path_vector_2(first_6, &(kept_2));
-    var _S286 : u32 = kept_2;
-    var _S287 : u32 = kept_2 + u32(1);
-    kept_2 = _S287;
-    var t_2 : f32 = (bitcast<f32>((path_word_0(first_6, _S286))));
-    var _S288 : bool = turns_1(at_13.vertex_2);
-    var _S289 : u32 = path_word_0(first_6, _S287);
-    var _S290 : Pulled_0 = crossed_2.pulled_1;
-    edge_back_0(&(_S290), at_13.vertex_2, _S288, _S289, t_2, offset_1, by_velocity_1);
-    crossed_2.pulled_1 = _S290;
-    add_0(number_of_path_4, crossed_2, at_13, path_13.direction_1);
+    var _S287 : u32 = kept_2;
+    var _S288 : u32 = kept_2 + u32(1);
+    kept_2 = _S288;
+    var t_2 : f32 = (bitcast<f32>((path_word_0(first_6, _S287))));
+    var _S289 : bool = turns_1(at_15.vertex_2);
+    var _S290 : u32 = path_word_0(first_6, _S288);
+    var _S291 : Pulled_0 = crossed_2.pulled_1;
+    edge_back_0(&(_S291), at_15.vertex_2, _S289, _S290, t_2, offset_1, by_velocity_1);
+    crossed_2.pulled_1 = _S291;
+    add_0(number_of_path_4, crossed_2, at_15, path_13.direction_1);
     check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from hits.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 30eb3b18c9c8d527
-// result: a81579aa3c5b5c17
+// source: 04a36d22ed41bc57
+// result: 3e7b8c606198ef15
 
 struct Launch_std140_0
 {
@@ -167,29 +167,34 @@ fn number_0( at_3 : u32) -> f32
     return (bitcast<f32>((scene_0[at_3])));
 }
 
+fn precise_0( at_4 : u32) -> f32
+{
+    return number_0(at_4) + number_0(at_4 + u32(1));
+}
+
 fn uvs_of_0( triangle_6 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f, 0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_6) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_4 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_6) + u32(1));
-    uvs_0.a_1 = vec2<f32>(number_0(at_4), number_0(at_4 + u32(1)));
-    uvs_0.b_0 = vec2<f32>(number_0(at_4 + u32(2)), number_0(at_4 + u32(3)));
-    uvs_0.c_0 = vec2<f32>(number_0(at_4 + u32(4)), number_0(at_4 + u32(5)));
+    var at_5 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_6) + u32(1));
+    uvs_0.a_1 = vec2<f32>(precise_0(at_5), precise_0(at_5 + u32(2)));
+    uvs_0.b_0 = vec2<f32>(precise_0(at_5 + u32(4)), precise_0(at_5 + u32(6)));
+    uvs_0.c_0 = vec2<f32>(precise_0(at_5 + u32(8)), precise_0(at_5 + u32(10)));
     return uvs_0;
 }
 
-fn vector_at_0( at_5 : u32) -> vec3<f32>
+fn row_at_0( at_6 : u32) -> vec3<f32>
 {
-    return vec3<f32>(number_0(at_5), number_0(at_5 + u32(1)), number_0(at_5 + u32(2)));
+    return vec3<f32>(precise_0(at_6), precise_0(at_6 + u32(2)), precise_0(at_6 + u32(4)));
 }
 
 fn floor_of_0( x_0 : f32) -> i32
 {
-    return i32(floor(clamp(x_0, -1.0e+09f, 1.0e+09f)));
+    return i32(clamp(floor(x_0), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -297,35 +302,40 @@ fn lookup_at_0( texture_1 : u32,  place_3 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_3.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
+    var _S14 : u32 = texture_1 + u32(6);
     var uv_1 : Point_0;
-    var _S14 : vec3<f32> = vec3<f32>(uvs_1.a_1 * vec2<f32>((1.0f - place_3.v_0 - place_3.w_0)) + uvs_1.b_0 * vec2<f32>(place_3.v_0) + uvs_1.c_0 * vec2<f32>(place_3.w_0), 1.0f);
-    uv_1.value_2 = vec2<f32>(dot(_S14, vector_at_0(rows_0)), dot(_S14, vector_at_0(rows_0 + u32(3))));
+    var _S15 : vec3<f32> = vec3<f32>(uvs_1.a_1 + (uvs_1.b_0 - uvs_1.a_1) * vec2<f32>((place_3.v_0 + place_3.v_rest_0)) + (uvs_1.c_0 - uvs_1.a_1) * vec2<f32>((place_3.w_0 + place_3.w_rest_0)), 1.0f);
+    uv_1.value_2 = vec2<f32>(dot(_S15, row_at_0(_S14)), dot(_S15, row_at_0(_S14 + u32(6))));
     if(kind_0 == u32(1))
     {
-        var _S15 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S15;
+        var _S16 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S16;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
-    var _S16 : i32;
+    var _S17 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S16 = i32(1);
+        _S17 = i32(1);
     }
     else
     {
-        _S16 = i32(0);
+        _S17 = i32(0);
     }
-    return one_texel_0(u32(_S16));
+    return one_texel_0(u32(_S17));
+}
+
+fn vector_at_0( at_7 : u32) -> vec3<f32>
+{
+    return vec3<f32>(number_0(at_7), number_0(at_7 + u32(1)), number_0(at_7 + u32(2)));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S17 : u32 = word_0(texture_2 + u32(1));
-    var _S18 : u32 = texture_2 + u32(13);
-    var _S19 : vec3<f32> = vec3<f32>(0.0f);
+    var _S18 : u32 = word_0(texture_2 + u32(1));
+    var _S19 : u32 = texture_2 + u32(19);
+    var _S20 : vec3<f32> = vec3<f32>(0.0f);
     var k_0 : u32 = u32(0);
-    var value_3 : vec3<f32> = _S19;
+    var value_3 : vec3<f32> = _S20;
     for(;;)
     {
         if(k_0 < (lookup_3.count_0))
@@ -335,17 +345,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_6 : u32 = _S18 + _S17 * lookup_3.texels_0[k_0];
-        var _S20 : vec3<f32>;
-        if(_S17 == u32(1))
+        var at_8 : u32 = _S19 + _S18 * lookup_3.texels_0[k_0];
+        var _S21 : vec3<f32>;
+        if(_S18 == u32(1))
         {
-            _S20 = vec3<f32>(number_0(at_6));
+            _S21 = vec3<f32>(number_0(at_8));
         }
         else
         {
-            _S20 = vector_at_0(at_6);
+            _S21 = vector_at_0(at_8);
         }
-        var value_4 : vec3<f32> = value_3 + _S20 * vec3<f32>(weights_1[k_0]);
+        var value_4 : vec3<f32> = value_3 + _S21 * vec3<f32>(weights_1[k_0]);
         k_0 = k_0 + u32(1);
         value_3 = value_4;
     }
@@ -359,8 +369,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_4 : Place_0) -> vec3<f32>
 {
-    var _S21 : Lookup_0 = lookup_at_0(texture_4, place_4);
-    return looked_up_0(texture_4, _S21, vec2<f32>(0.0f));
+    var _S22 : Lookup_0 = lookup_at_0(texture_4, place_4);
+    return looked_up_0(texture_4, _S22, vec2<f32>(0.0f));
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -370,28 +380,28 @@ fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_2 : f32,  y_1 : f32) -> f32
 {
-    var _S22 : f32 = abs(x_2);
-    var _S23 : f32 = abs(y_1);
-    var _S24 : f32 = min(_S22, _S23);
-    var _S25 : f32 = max(_S22, _S23);
-    var is_steep_0 : bool = _S24 > (0.41421356797218323f * _S25);
+    var _S23 : f32 = abs(x_2);
+    var _S24 : f32 = abs(y_1);
+    var _S25 : f32 = min(_S23, _S24);
+    var _S26 : f32 = max(_S23, _S24);
+    var is_steep_0 : bool = _S25 > (0.41421356797218323f * _S26);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S24 - _S25;
+        above_0 = _S25 - _S26;
     }
     else
     {
-        above_0 = _S24;
+        above_0 = _S25;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S24 + _S25;
+        below_0 = _S25 + _S26;
     }
     else
     {
-        below_0 = _S25;
+        below_0 = _S26;
     }
     if(below_0 > 0.0f)
     {
@@ -412,7 +422,7 @@ fn angle_of_0( x_2 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S23 > _S22)
+    if(_S24 > _S23)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -433,8 +443,8 @@ fn angle_of_0( x_2 : f32,  y_1 : f32) -> f32
 
 fn map_place_0( map_0 : u32,  direction_1 : vec3<f32>) -> vec2<f32>
 {
-    var _S26 : u32 = map_0 + u32(2);
-    var d_0 : vec3<f32> = vector_at_0(_S26) * vec3<f32>(direction_1.x) + vector_at_0(_S26 + u32(3)) * vec3<f32>(direction_1.y) + vector_at_0(_S26 + u32(6)) * vec3<f32>(direction_1.z);
+    var _S27 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S27) * vec3<f32>(direction_1.x) + vector_at_0(_S27 + u32(3)) * vec3<f32>(direction_1.y) + vector_at_0(_S27 + u32(6)) * vec3<f32>(direction_1.z);
     return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -449,11 +459,11 @@ fn in_map_0( map_1 : u32,  direction_2 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_1 + u32(1)));
     var left_1 : u32 = wrapped_0(x_3, width_1, u32(0));
     var right_1 : u32 = wrapped_0(x_3 + i32(1), width_1, u32(0));
-    var _S27 : u32 = wrapped_0(y_2, height_1, u32(2));
-    var _S28 : u32 = u32(width_1);
-    var first_2 : u32 = _S27 * _S28;
-    var _S29 : u32 = wrapped_0(y_2 + i32(1), height_1, u32(2));
-    var second_1 : u32 = _S29 * _S28;
+    var _S28 : u32 = wrapped_0(y_2, height_1, u32(2));
+    var _S29 : u32 = u32(width_1);
+    var first_2 : u32 = _S28 * _S29;
+    var _S30 : u32 = wrapped_0(y_2 + i32(1), height_1, u32(2));
+    var second_1 : u32 = _S30 * _S29;
     return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), point_0);
 }
 
@@ -463,14 +473,14 @@ fn emitted_0( emitter_2 : u32,  place_6 : Place_0,  direction_3 : vec3<f32>) -> 
     var texture_5 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var _S30 : vec3<f32> = shown_0(texture_5, place_6);
-        return _S30;
+        var _S31 : vec3<f32> = shown_0(texture_5, place_6);
+        return _S31;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_5 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S31 : u32 = word_0(texture_5 + u32(11));
-    var _S32 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_3));
-    return looked_up_0(_S31, _S32, change_1) * factor_0;
+    var _S32 : u32 = word_0(texture_5 + u32(11));
+    var _S33 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_3));
+    return looked_up_0(_S32, _S33, change_1) * factor_0;
 }
 
 fn set_word_0( path_0 : u32,  which_0 : u32,  value_5 : u32)
@@ -546,16 +556,16 @@ struct Path_0
 
 fn store_0( number_of_path_0 : u32,  path_5 : Path_0)
 {
-    var at_7 : u32 = u32(1);
-    set_changing_0(number_of_path_0, &(at_7), path_5.light_0);
-    set_changing_0(number_of_path_0, &(at_7), path_5.throughput_0);
-    set_changing_0(number_of_path_0, &(at_7), path_5.direction_4);
-    set_place_0(number_of_path_0, &(at_7), path_5.place_8);
-    var _S33 : u32 = at_7 + u32(1);
-    set_word_0(number_of_path_0, at_7, path_5.key_0.x);
-    at_7 = _S33 + u32(1);
-    set_word_0(number_of_path_0, _S33, path_5.key_0.y);
-    set_vector_0(number_of_path_0, &(at_7), path_5.direction_rest_0);
+    var at_9 : u32 = u32(1);
+    set_changing_0(number_of_path_0, &(at_9), path_5.light_0);
+    set_changing_0(number_of_path_0, &(at_9), path_5.throughput_0);
+    set_changing_0(number_of_path_0, &(at_9), path_5.direction_4);
+    set_place_0(number_of_path_0, &(at_9), path_5.place_8);
+    var _S34 : u32 = at_9 + u32(1);
+    set_word_0(number_of_path_0, at_9, path_5.key_0.x);
+    at_9 = _S34 + u32(1);
+    set_word_0(number_of_path_0, _S34, path_5.key_0.y);
+    set_vector_0(number_of_path_0, &(at_9), path_5.direction_rest_0);
     return;
 }
 
@@ -566,13 +576,13 @@ fn reaches_0( segments_0 : u32) -> bool
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S34 : u32;
+    var _S35 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S35 : u32 = u32(2) + zero_0;
-        _S34 = _S35;
-        if(rounds_0 < _S35)
+        var _S36 : u32 = u32(2) + zero_0;
+        _S35 = _S36;
+        if(rounds_0 < _S36)
         {
         }
         else
@@ -581,14 +591,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S34;
+    return rounds_0 == _S35;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S36 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S37 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -602,63 +612,63 @@ fn begin_at_hits(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     {
         return;
     }
-    var at_8 : u32 = u32(13) * number_of_path_1;
+    var at_10 : u32 = u32(13) * number_of_path_1;
     var found_2 : Found_0;
-    var _S37 : u32 = input_0[at_8];
-    found_2.face_0 = _S37;
-    var _S38 : u32;
-    if(_S37 == u32(4294967295))
+    var _S38 : u32 = input_0[at_10];
+    found_2.face_0 = _S38;
+    var _S39 : u32;
+    if(_S38 == u32(4294967295))
     {
-        _S38 = u32(0);
+        _S39 = u32(0);
     }
     else
     {
-        _S38 = word_0(word_0(u32(12)) + found_2.face_0);
+        _S39 = word_0(word_0(u32(12)) + found_2.face_0);
     }
-    found_2.triangle_2 = _S38;
-    found_2.v_2 = (bitcast<f32>((input_0[at_8 + u32(1)]))) + (bitcast<f32>((input_0[at_8 + u32(2)])));
-    found_2.w_2 = (bitcast<f32>((input_0[at_8 + u32(3)]))) + (bitcast<f32>((input_0[at_8 + u32(4)])));
+    found_2.triangle_2 = _S39;
+    found_2.v_2 = (bitcast<f32>((input_0[at_10 + u32(1)]))) + (bitcast<f32>((input_0[at_10 + u32(2)])));
+    found_2.w_2 = (bitcast<f32>((input_0[at_10 + u32(3)]))) + (bitcast<f32>((input_0[at_10 + u32(4)])));
     var path_6 : Path_0;
     path_6.place_8 = place_of_0(found_2);
-    var _S39 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_8 + u32(5)], input_0[at_8 + u32(6)], input_0[at_8 + u32(7)]))));
-    path_6.direction_4 = _S39;
-    path_6.direction_rest_0 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_8 + u32(8)], input_0[at_8 + u32(9)], input_0[at_8 + u32(10)]))));
-    path_6.key_0 = vec2<u32>(input_0[at_8 + u32(11)], input_0[at_8 + u32(12)]);
+    var _S40 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_10 + u32(5)], input_0[at_10 + u32(6)], input_0[at_10 + u32(7)]))));
+    path_6.direction_4 = _S40;
+    path_6.direction_rest_0 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_10 + u32(8)], input_0[at_10 + u32(9)], input_0[at_10 + u32(10)]))));
+    path_6.key_0 = vec2<u32>(input_0[at_10 + u32(11)], input_0[at_10 + u32(12)]);
     path_6.throughput_0 = still_0(vec3<f32>(1.0f));
     path_6.light_0 = still_0(vec3<f32>(0.0f));
-    var emitter_3 : u32 = emitter_seen_0(found_2, _S39);
-    var _S40 : bool;
+    var emitter_3 : u32 = emitter_seen_0(found_2, _S40);
+    var _S41 : bool;
     if(emitter_3 != u32(4294967295))
     {
-        _S40 = (word_0(u32(4))) != u32(0);
+        _S41 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S40 = false;
+        _S41 = false;
     }
-    if(_S40)
+    if(_S41)
     {
-        var _S41 : vec3<f32> = emitted_0(emitter_3, path_6.place_8, path_6.direction_4);
-        path_6.light_0 = _S41;
+        var _S42 : vec3<f32> = emitted_0(emitter_3, path_6.place_8, path_6.direction_4);
+        path_6.light_0 = _S42;
     }
     store_0(number_of_path_1, path_6);
     if((found_2.face_0) != u32(4294967295))
     {
-        _S40 = reaches_0(u32(2));
+        _S41 = reaches_0(u32(2));
     }
     else
     {
-        _S40 = false;
+        _S41 = false;
     }
-    if(_S40)
+    if(_S41)
     {
-        _S38 = number_of_path_1;
+        _S39 = number_of_path_1;
     }
     else
     {
-        _S38 = u32(4294967295);
+        _S39 = u32(4294967295);
     }
-    set_word_0(number_of_path_1, u32(0), _S38);
+    set_word_0(number_of_path_1, u32(0), _S39);
     check_loops_0();
     return;
 }

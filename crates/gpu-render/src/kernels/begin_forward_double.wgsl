@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 2e5817b098334c42
-// result: fc260c3e6224d3ca
+// source: 684ba1b74b9288b2
+// result: d2163b03fba2e756
 
 struct Launch_std140_0
 {
@@ -1191,12 +1191,12 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
 
 struct Corners2_0
 {
-     a_7 : vec2<f32>,
-     b_5 : vec2<f32>,
-     c_2 : vec2<f32>,
+     a_7 : vec2<f64>,
+     b_5 : vec2<f64>,
+     c_2 : vec2<f64>,
 };
 
-fn Corners2_x24init_0( a_8 : vec2<f32>,  b_6 : vec2<f32>,  c_3 : vec2<f32>) -> Corners2_0
+fn Corners2_x24init_0( a_8 : vec2<f64>,  b_6 : vec2<f64>,  c_3 : vec2<f64>) -> Corners2_0
 {
     var _S87 : Corners2_0;
     _S87.a_7 = a_8;
@@ -1210,29 +1210,34 @@ fn number_1( at_13 : u32) -> f32
     return (bitcast<f32>((scene_0[at_13])));
 }
 
+fn precise_0( at_14 : u32) -> f64
+{
+    return f64(number_1(at_14)) + f64(number_1(at_14 + u32(1)));
+}
+
 fn uvs_of_0( triangle_8 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f64>(0.0lf, 0.0lf), vec2<f64>(1.0lf, 0.0lf), vec2<f64>(0.0lf, 1.0lf));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_8) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_14 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_8) + u32(1));
-    uvs_0.a_7 = vec2<f32>(number_1(at_14), number_1(at_14 + u32(1)));
-    uvs_0.b_5 = vec2<f32>(number_1(at_14 + u32(2)), number_1(at_14 + u32(3)));
-    uvs_0.c_2 = vec2<f32>(number_1(at_14 + u32(4)), number_1(at_14 + u32(5)));
+    var at_15 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_8) + u32(1));
+    uvs_0.a_7 = vec2<f64>(precise_0(at_15), precise_0(at_15 + u32(2)));
+    uvs_0.b_5 = vec2<f64>(precise_0(at_15 + u32(4)), precise_0(at_15 + u32(6)));
+    uvs_0.c_2 = vec2<f64>(precise_0(at_15 + u32(8)), precise_0(at_15 + u32(10)));
     return uvs_0;
 }
 
-fn vector_at_0( at_15 : u32) -> vec3<f32>
+fn row_at_0( at_16 : u32) -> vec3<f64>
 {
-    return vec3<f32>(number_1(at_15), number_1(at_15 + u32(1)), number_1(at_15 + u32(2)));
+    return vec3<f64>(precise_0(at_16), precise_0(at_16 + u32(2)), precise_0(at_16 + u32(4)));
 }
 
-fn floor_of_0( x_9 : f32) -> i32
+fn floor_of_0( x_9 : f64) -> i32
 {
-    return i32(floor(clamp(x_9, -1.0e+09f, 1.0e+09f)));
+    return i32(clamp(f32(floor(x_9)), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -1273,25 +1278,25 @@ fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
 
 struct Point_0
 {
-     value_3 : vec2<f32>,
+     value_3 : vec2<f64>,
      by_first_1 : vec2<f32>,
      by_second_1 : vec2<f32>,
 };
 
 fn between_0( texels_1 : vec4<u32>,  place_4 : Point_0) -> Lookup_0
 {
-    var way_1 : vec2<f32> = place_4.value_3 - floor(place_4.value_3);
-    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_1;
+    var _S88 : vec2<f32> = vec2<f32>(place_4.value_3 - floor(place_4.value_3));
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - _S88;
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S88 : f32 = back_0.x;
-    var _S89 : f32 = back_0.y;
-    var _S90 : f32 = way_1.x;
-    var _S91 : f32 = way_1.y;
-    lookup_1.weights_0 = vec4<f32>(_S88 * _S89, _S90 * _S89, _S88 * _S91, _S90 * _S91);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S89, _S89, - _S91, _S91);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S88, - _S90, _S88, _S90);
+    var _S89 : f32 = back_0.x;
+    var _S90 : f32 = back_0.y;
+    var _S91 : f32 = _S88.x;
+    var _S92 : f32 = _S88.y;
+    lookup_1.weights_0 = vec4<f32>(_S89 * _S90, _S91 * _S90, _S89 * _S92, _S91 * _S92);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S90, _S90, - _S92, _S92);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S89, - _S91, _S89, _S91);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_4.by_first_1.x) + by_y_0 * vec4<f32>(place_4.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_4.by_second_1.x) + by_y_0 * vec4<f32>(place_4.by_second_1.y);
     return lookup_1;
@@ -1303,26 +1308,26 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
     var size_4 : vec2<f32> = vec2<f32>(f32(width_1), f32(height_0));
-    var place_5 : vec2<f32> = uv_0.value_3 * size_4;
+    var place_5 : vec2<f64> = uv_0.value_3 * vec2<f64>(size_4);
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_1 : u32 = wrapped_0(floor_of_0(place_5.y), height_0, wrap_1);
-        var _S92 : u32 = row_1 * u32(width_1);
-        var _S93 : u32 = wrapped_0(floor_of_0(place_5.x), width_1, wrap_1);
-        return one_texel_0(_S92 + _S93);
+        var _S93 : u32 = row_1 * u32(width_1);
+        var _S94 : u32 = wrapped_0(floor_of_0(place_5.x), width_1, wrap_1);
+        return one_texel_0(_S93 + _S94);
     }
     var centred_0 : Point_0;
-    var _S94 : vec2<f32> = place_5 - vec2<f32>(0.5f);
-    centred_0.value_3 = _S94;
+    var _S95 : vec2<f64> = place_5 - vec2<f64>(0.5lf);
+    centred_0.value_3 = _S95;
     centred_0.by_first_1 = uv_0.by_first_1 * size_4;
     centred_0.by_second_1 = uv_0.by_second_1 * size_4;
-    var x_10 : i32 = floor_of_0(_S94.x);
-    var y_3 : i32 = floor_of_0(_S94.y);
-    var _S95 : u32 = wrapped_0(y_3, height_0, wrap_1);
-    var _S96 : u32 = u32(width_1);
-    var first_2 : u32 = _S95 * _S96;
-    var _S97 : u32 = wrapped_0(y_3 + i32(1), height_0, wrap_1);
-    var second_1 : u32 = _S97 * _S96;
+    var x_10 : i32 = floor_of_0(_S95.x);
+    var y_3 : i32 = floor_of_0(_S95.y);
+    var _S96 : u32 = wrapped_0(y_3, height_0, wrap_1);
+    var _S97 : u32 = u32(width_1);
+    var first_2 : u32 = _S96 * _S97;
+    var _S98 : u32 = wrapped_0(y_3 + i32(1), height_0, wrap_1);
+    var second_1 : u32 = _S98 * _S97;
     var left_0 : u32 = wrapped_0(x_10, width_1, wrap_1);
     var right_0 : u32 = wrapped_0(x_10 + i32(1), width_1, wrap_1);
     return between_0(vec4<u32>(first_2 + left_0, first_2 + right_0, second_1 + left_0, second_1 + right_0), centred_0);
@@ -1351,43 +1356,48 @@ fn lookup_at_0( texture_1 : u32,  place_6 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_6.triangle_2);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
+    var by_v_0 : vec2<f64> = uvs_1.b_5 - uvs_1.a_7;
+    var by_w_0 : vec2<f64> = uvs_1.c_2 - uvs_1.a_7;
+    var _S99 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f64> = row_at_0(_S99);
+    var to_v_0 : vec3<f64> = row_at_0(_S99 + u32(6));
     var uv_1 : Point_0;
-    var _S98 : vec3<f32> = vec3<f32>(uvs_1.a_7 * vec2<f32>((1.0f - place_6.v_4 - place_6.w_3)) + uvs_1.b_5 * vec2<f32>(place_6.v_4) + uvs_1.c_2 * vec2<f32>(place_6.w_3), 1.0f);
-    uv_1.value_3 = vec2<f32>(dot(_S98, to_u_0), dot(_S98, to_v_0));
-    var by_v_0 : vec2<f32> = uvs_1.b_5 - uvs_1.a_7;
-    var by_w_0 : vec2<f32> = uvs_1.c_2 - uvs_1.a_7;
-    var _S99 : vec2<f32> = to_u_0.xy;
-    var _S100 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S99), dot(by_v_0, _S100));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S99), dot(by_w_0, _S100));
+    var _S100 : vec3<f64> = vec3<f64>(uvs_1.a_7 + by_v_0 * vec2<f64>((f64(place_6.v_4) + f64(place_6.v_rest_0))) + by_w_0 * vec2<f64>((f64(place_6.w_3) + f64(place_6.w_rest_0))), 1.0lf);
+    uv_1.value_3 = vec2<f64>(dot(_S100, to_u_0), dot(_S100, to_v_0));
+    var _S101 : vec2<f64> = to_u_0.xy;
+    var _S102 : vec2<f64> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(vec2<f64>(dot(by_v_0, _S101), dot(by_v_0, _S102)));
+    uv_1.by_second_1 = vec2<f32>(vec2<f64>(dot(by_w_0, _S101), dot(by_w_0, _S102)));
     if(kind_1 == u32(1))
     {
-        var _S101 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S101;
+        var _S103 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S103;
     }
-    var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
-    var _S102 : i32;
-    if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
+    var half_of_period_0 : vec2<f64> = uv_1.value_3 - floor(uv_1.value_3);
+    var _S104 : i32;
+    if(((half_of_period_0.x) > 0.5lf) != ((half_of_period_0.y) > 0.5lf))
     {
-        _S102 = i32(1);
+        _S104 = i32(1);
     }
     else
     {
-        _S102 = i32(0);
+        _S104 = i32(0);
     }
-    return one_texel_0(u32(_S102));
+    return one_texel_0(u32(_S104));
+}
+
+fn vector_at_0( at_17 : u32) -> vec3<f32>
+{
+    return vec3<f32>(number_1(at_17), number_1(at_17 + u32(1)), number_1(at_17 + u32(2)));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S103 : u32 = word_0(texture_2 + u32(1));
-    var _S104 : u32 = texture_2 + u32(13);
-    var _S105 : vec3<f32> = vec3<f32>(0.0f);
+    var _S105 : u32 = word_0(texture_2 + u32(1));
+    var _S106 : u32 = texture_2 + u32(19);
+    var _S107 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S105;
+    var value_4 : vec3<f32> = _S107;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1397,17 +1407,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_16 : u32 = _S104 + _S103 * lookup_3.texels_0[k_1];
-        var _S106 : vec3<f32>;
-        if(_S103 == u32(1))
+        var at_18 : u32 = _S106 + _S105 * lookup_3.texels_0[k_1];
+        var _S108 : vec3<f32>;
+        if(_S105 == u32(1))
         {
-            _S106 = vec3<f32>(number_1(at_16));
+            _S108 = vec3<f32>(number_1(at_18));
         }
         else
         {
-            _S106 = vector_at_0(at_16);
+            _S108 = vector_at_0(at_18);
         }
-        var value_5 : vec3<f32> = value_4 + _S106 * vec3<f32>(weights_1[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S108 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -1416,7 +1426,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_3 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_3 + u32(18)));
 }
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
@@ -1428,7 +1438,7 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
     {
         return changing_0(value_6, change_4);
     }
-    var _S107 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var _S109 : bool = (word_0(texture_4 + u32(1))) == u32(1);
     var k_2 : u32 = u32(0);
     var change_5 : vec3<f32> = change_4;
     for(;;)
@@ -1440,24 +1450,24 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
         {
             break;
         }
-        var _S108 : i32;
-        if(_S107)
+        var _S110 : i32;
+        if(_S109)
         {
-            _S108 = i32(1);
+            _S110 = i32(1);
         }
         else
         {
-            _S108 = i32(3);
+            _S110 = i32(3);
         }
-        var at_17 : u32 = first_3 + u32(_S108) * lookup_4.texels_0[k_2];
+        var at_19 : u32 = first_3 + u32(_S110) * lookup_4.texels_0[k_2];
         var of_texel_0 : vec3<f32>;
-        if(_S107)
+        if(_S109)
         {
-            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_17)))));
+            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_19)))));
         }
         else
         {
-            of_texel_0 = change_vector_0(at_17);
+            of_texel_0 = change_vector_0(at_19);
         }
         var change_6 : vec3<f32> = change_5 + of_texel_0 * vec3<f32>(lookup_4.weights_0[k_2]);
         k_2 = k_2 + u32(1);
@@ -1468,34 +1478,34 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_5 : u32,  place_7 : Place_0) -> Vector_0
 {
-    var _S109 : Lookup_0 = lookup_at_0(texture_5, place_7);
-    return looked_up_0(texture_5, _S109, place_7.change_3);
+    var _S111 : Lookup_0 = lookup_at_0(texture_5, place_7);
+    return looked_up_0(texture_5, _S111, place_7.change_3);
 }
 
 fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
 {
-    var _S110 : f32 = abs(x_11);
-    var _S111 : f32 = abs(y_4);
-    var _S112 : f32 = min(_S110, _S111);
-    var _S113 : f32 = max(_S110, _S111);
-    var is_steep_0 : bool = _S112 > (0.41421356797218323f * _S113);
+    var _S112 : f32 = abs(x_11);
+    var _S113 : f32 = abs(y_4);
+    var _S114 : f32 = min(_S112, _S113);
+    var _S115 : f32 = max(_S112, _S113);
+    var is_steep_0 : bool = _S114 > (0.41421356797218323f * _S115);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S112 - _S113;
+        above_0 = _S114 - _S115;
     }
     else
     {
-        above_0 = _S112;
+        above_0 = _S114;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S112 + _S113;
+        below_0 = _S114 + _S115;
     }
     else
     {
-        below_0 = _S113;
+        below_0 = _S115;
     }
     if(below_0 > 0.0f)
     {
@@ -1516,7 +1526,7 @@ fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
     {
         angle_2 = angle_1;
     }
-    if(_S111 > _S110)
+    if(_S113 > _S112)
     {
         angle_2 = 1.57079637050628662f - angle_2;
     }
@@ -1537,40 +1547,40 @@ fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
 
 fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S114 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0, dpx_5.differential_0 );
-    var _S115 : DiffPair_float_0 = _d_abs_0(_S114);
-    var _S116 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0, dpy_2.differential_0 );
+    var _S116 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0, dpx_5.differential_0 );
     var _S117 : DiffPair_float_0 = _d_abs_0(_S116);
-    var _S118 : DiffPair_float_0 = DiffPair_float_0( _S115.primal_0, _S115.differential_0 );
-    var _S119 : DiffPair_float_0 = DiffPair_float_0( _S117.primal_0, _S117.differential_0 );
-    var _S120 : DiffPair_float_0 = _d_min_0(_S118, _S119);
-    var _S121 : DiffPair_float_0 = _d_max_0(_S118, _S119);
-    var is_steep_1 : bool = (_S120.primal_0) > (0.41421356797218323f * _S121.primal_0);
+    var _S118 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0, dpy_2.differential_0 );
+    var _S119 : DiffPair_float_0 = _d_abs_0(_S118);
+    var _S120 : DiffPair_float_0 = DiffPair_float_0( _S117.primal_0, _S117.differential_0 );
+    var _S121 : DiffPair_float_0 = DiffPair_float_0( _S119.primal_0, _S119.differential_0 );
+    var _S122 : DiffPair_float_0 = _d_min_0(_S120, _S121);
+    var _S123 : DiffPair_float_0 = _d_max_0(_S120, _S121);
+    var is_steep_1 : bool = (_S122.primal_0) > (0.41421356797218323f * _S123.primal_0);
     var above_1 : f32;
     var s_diff_above_0 : f32;
     if(is_steep_1)
     {
-        var _S122 : f32 = _S120.differential_0 - _S121.differential_0;
-        above_1 = _S120.primal_0 - _S121.primal_0;
-        s_diff_above_0 = _S122;
+        var _S124 : f32 = _S122.differential_0 - _S123.differential_0;
+        above_1 = _S122.primal_0 - _S123.primal_0;
+        s_diff_above_0 = _S124;
     }
     else
     {
-        above_1 = _S120.primal_0;
-        s_diff_above_0 = _S120.differential_0;
+        above_1 = _S122.primal_0;
+        s_diff_above_0 = _S122.differential_0;
     }
     var below_1 : f32;
     var s_diff_below_0 : f32;
     if(is_steep_1)
     {
-        var _S123 : f32 = _S120.differential_0 + _S121.differential_0;
-        below_1 = _S120.primal_0 + _S121.primal_0;
-        s_diff_below_0 = _S123;
+        var _S125 : f32 = _S122.differential_0 + _S123.differential_0;
+        below_1 = _S122.primal_0 + _S123.primal_0;
+        s_diff_below_0 = _S125;
     }
     else
     {
-        below_1 = _S121.primal_0;
-        s_diff_below_0 = _S121.differential_0;
+        below_1 = _S123.primal_0;
+        s_diff_below_0 = _S123.differential_0;
     }
     if(below_1 > 0.0f)
     {
@@ -1583,14 +1593,14 @@ fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> Dif
     var t_4 : f32 = above_1 / below_1;
     var s_diff_t_0 : f32 = (s_diff_above_0 * below_1 - above_1 * s_diff_below_0) / (below_1 * below_1);
     var z_4 : f32 = t_4 * t_4;
-    var _S124 : f32 = s_diff_t_0 * t_4;
-    var s_diff_z_0 : f32 = _S124 + _S124;
-    var _S125 : f32 = 0.08053744584321976f * z_4 - 0.13877685368061066f;
-    var _S126 : f32 = _S125 * z_4 + 0.19977711141109467f;
-    var tail_0 : f32 = _S126 * z_4 - 0.33332949876785278f;
-    var _S127 : f32 = tail_0 * z_4;
-    var angle_3 : f32 = _S127 * t_4 + t_4;
-    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_4 + s_diff_z_0 * _S125) * z_4 + s_diff_z_0 * _S126) * z_4 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S127 + s_diff_t_0;
+    var _S126 : f32 = s_diff_t_0 * t_4;
+    var s_diff_z_0 : f32 = _S126 + _S126;
+    var _S127 : f32 = 0.08053744584321976f * z_4 - 0.13877685368061066f;
+    var _S128 : f32 = _S127 * z_4 + 0.19977711141109467f;
+    var tail_0 : f32 = _S128 * z_4 - 0.33332949876785278f;
+    var _S129 : f32 = tail_0 * z_4;
+    var angle_3 : f32 = _S129 * t_4 + t_4;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_4 + s_diff_z_0 * _S127) * z_4 + s_diff_z_0 * _S128) * z_4 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S129 + s_diff_t_0;
     var angle_4 : f32;
     if(is_steep_1)
     {
@@ -1601,11 +1611,11 @@ fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> Dif
         angle_4 = angle_3;
     }
     var s_diff_angle_1 : f32;
-    if((_S117.primal_0) > (_S115.primal_0))
+    if((_S119.primal_0) > (_S117.primal_0))
     {
-        var _S128 : f32 = 0.0f - s_diff_angle_0;
+        var _S130 : f32 = 0.0f - s_diff_angle_0;
         angle_4 = 1.57079637050628662f - angle_4;
-        s_diff_angle_1 = _S128;
+        s_diff_angle_1 = _S130;
     }
     else
     {
@@ -1613,29 +1623,29 @@ fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> Dif
     }
     if((dpx_5.primal_0) < 0.0f)
     {
-        var _S129 : f32 = 0.0f - s_diff_angle_1;
+        var _S131 : f32 = 0.0f - s_diff_angle_1;
         angle_4 = 3.14159274101257324f - angle_4;
-        s_diff_angle_1 = _S129;
+        s_diff_angle_1 = _S131;
     }
     if((dpy_2.primal_0) < 0.0f)
     {
-        var _S130 : f32 = - s_diff_angle_1;
+        var _S132 : f32 = - s_diff_angle_1;
         above_1 = - angle_4;
-        s_diff_above_0 = _S130;
+        s_diff_above_0 = _S132;
     }
     else
     {
         above_1 = angle_4;
         s_diff_above_0 = s_diff_angle_1;
     }
-    var _S131 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
-    return _S131;
+    var _S133 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
+    return _S133;
 }
 
 fn map_place_0( map_0 : u32,  direction_5 : vec3<f32>) -> vec2<f32>
 {
-    var _S132 : u32 = map_0 + u32(2);
-    var d_0 : vec3<f32> = vector_at_0(_S132) * vec3<f32>(direction_5.x) + vector_at_0(_S132 + u32(3)) * vec3<f32>(direction_5.y) + vector_at_0(_S132 + u32(6)) * vec3<f32>(direction_5.z);
+    var _S134 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S134) * vec3<f32>(direction_5.x) + vector_at_0(_S134 + u32(3)) * vec3<f32>(direction_5.y) + vector_at_0(_S134 + u32(6)) * vec3<f32>(direction_5.z);
     return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -1647,24 +1657,24 @@ struct DiffPair_vectorx3Cfloatx2C3x3E_0
 
 fn s_fwd_map_place_0( map_1 : u32,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var _S133 : u32 = map_1 + u32(2);
-    var _S134 : vec3<f32> = vector_at_0(_S133);
-    var _S135 : vec3<f32> = vector_at_0(_S133 + u32(3));
-    var _S136 : vec3<f32> = vector_at_0(_S133 + u32(6));
-    var d_1 : vec3<f32> = _S134 * vec3<f32>(dpdirection_0.primal_0.x) + _S135 * vec3<f32>(dpdirection_0.primal_0.y) + _S136 * vec3<f32>(dpdirection_0.primal_0.z);
-    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_0.differential_0.x) * _S134 + vec3<f32>(dpdirection_0.differential_0.y) * _S135 + vec3<f32>(dpdirection_0.differential_0.z) * _S136;
-    var _S137 : DiffPair_float_0 = DiffPair_float_0( - d_1.z, - s_diff_d_0.z );
-    var _S138 : DiffPair_float_0 = DiffPair_float_0( d_1.x, s_diff_d_0.x );
-    var _S139 : DiffPair_float_0 = s_fwd_angle_of_0(_S137, _S138);
-    var _S140 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_1.xz, s_diff_d_0.xz );
-    var _S141 : DiffPair_float_0 = s_fwd_length_impl_0(_S140);
-    var _S142 : DiffPair_float_0 = DiffPair_float_0( d_1.y, s_diff_d_0.y );
-    var _S143 : DiffPair_float_0 = DiffPair_float_0( _S141.primal_0, _S141.differential_0 );
-    var _S144 : DiffPair_float_0 = s_fwd_angle_of_0(_S142, _S143);
+    var _S135 : u32 = map_1 + u32(2);
+    var _S136 : vec3<f32> = vector_at_0(_S135);
+    var _S137 : vec3<f32> = vector_at_0(_S135 + u32(3));
+    var _S138 : vec3<f32> = vector_at_0(_S135 + u32(6));
+    var d_1 : vec3<f32> = _S136 * vec3<f32>(dpdirection_0.primal_0.x) + _S137 * vec3<f32>(dpdirection_0.primal_0.y) + _S138 * vec3<f32>(dpdirection_0.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_0.differential_0.x) * _S136 + vec3<f32>(dpdirection_0.differential_0.y) * _S137 + vec3<f32>(dpdirection_0.differential_0.z) * _S138;
+    var _S139 : DiffPair_float_0 = DiffPair_float_0( - d_1.z, - s_diff_d_0.z );
+    var _S140 : DiffPair_float_0 = DiffPair_float_0( d_1.x, s_diff_d_0.x );
+    var _S141 : DiffPair_float_0 = s_fwd_angle_of_0(_S139, _S140);
+    var _S142 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_1.xz, s_diff_d_0.xz );
+    var _S143 : DiffPair_float_0 = s_fwd_length_impl_0(_S142);
+    var _S144 : DiffPair_float_0 = DiffPair_float_0( d_1.y, s_diff_d_0.y );
+    var _S145 : DiffPair_float_0 = DiffPair_float_0( _S143.primal_0, _S143.differential_0 );
+    var _S146 : DiffPair_float_0 = s_fwd_angle_of_0(_S144, _S145);
     var width_2 : f32 = f32(word_0(map_1));
-    var _S145 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
-    var _S146 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S139.primal_0 * 0.15915493667125702f * width_2 - 0.5f, _S144.primal_0 * 0.31830987334251404f * _S145), vec2<f32>(_S139.differential_0 * 0.15915493667125702f * width_2, _S144.differential_0 * 0.31830987334251404f * _S145) );
-    return _S146;
+    var _S147 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
+    var _S148 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S141.primal_0 * 0.15915493667125702f * width_2 - 0.5f, _S146.primal_0 * 0.31830987334251404f * _S147), vec2<f32>(_S141.differential_0 * 0.15915493667125702f * width_2, _S146.differential_0 * 0.31830987334251404f * _S147) );
+    return _S148;
 }
 
 fn value_of_0( vector_2 : Vector_0) -> vec3<f32>
@@ -1674,22 +1684,22 @@ fn value_of_0( vector_2 : Vector_0) -> vec3<f32>
 
 fn in_map_0( map_2 : u32,  direction_6 : vec3<f32>) -> Lookup_0
 {
-    var place_8 : vec2<f32> = map_place_0(map_2, direction_6);
+    var _S149 : vec2<f64> = vec2<f64>(map_place_0(map_2, direction_6));
     var point_0 : Point_0;
-    point_0.value_3 = place_8;
+    point_0.value_3 = _S149;
     point_0.by_first_1 = vec2<f32>(1.0f, 0.0f);
     point_0.by_second_1 = vec2<f32>(0.0f, 1.0f);
-    var x_12 : i32 = floor_of_0(place_8.x);
-    var y_5 : i32 = floor_of_0(place_8.y);
+    var x_12 : i32 = floor_of_0(_S149.x);
+    var y_5 : i32 = floor_of_0(_S149.y);
     var width_3 : i32 = i32(word_0(map_2));
     var height_1 : i32 = i32(word_0(map_2 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_3, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_3, u32(0));
-    var _S147 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S148 : u32 = u32(width_3);
-    var first_4 : u32 = _S147 * _S148;
-    var _S149 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S149 * _S148;
+    var _S150 : u32 = wrapped_0(y_5, height_1, u32(2));
+    var _S151 : u32 = u32(width_3);
+    var first_4 : u32 = _S150 * _S151;
+    var _S152 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S152 * _S151;
     return between_0(vec4<u32>(first_4 + left_1, first_4 + right_1, second_2 + left_1, second_2 + right_1), point_0);
 }
 
@@ -1698,21 +1708,21 @@ fn x2A_0( a_9 : Vector_0,  b_7 : Vector_0) -> Vector_0
     return changing_0(a_9.value_0 * b_7.value_0, a_9.change_1 * b_7.value_0 + a_9.value_0 * b_7.change_1);
 }
 
-fn emitted_0( emitter_2 : u32,  place_9 : Place_0,  direction_7 : Vector_0) -> Vector_0
+fn emitted_0( emitter_2 : u32,  place_8 : Place_0,  direction_7 : Vector_0) -> Vector_0
 {
     var record_2 : u32 = emitter_record_0(emitter_2);
     var texture_6 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var _S150 : Vector_0 = shown_0(texture_6, place_9);
-        return _S150;
+        var _S153 : Vector_0 = shown_0(texture_6, place_8);
+        return _S153;
     }
-    var _S151 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_7.value_0, direction_7.change_1 );
-    var _S152 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_6, _S151);
+    var _S154 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_7.value_0, direction_7.change_1 );
+    var _S155 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_6, _S154);
     var factor_0 : Vector_0 = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
-    var _S153 : u32 = word_0(texture_6 + u32(11));
-    var _S154 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_7));
-    return x2A_0(looked_up_0(_S153, _S154, _S152.differential_0), factor_0);
+    var _S156 : u32 = word_0(texture_6 + u32(11));
+    var _S157 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_7));
+    return x2A_0(looked_up_0(_S156, _S157, _S155.differential_0), factor_0);
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1724,7 +1734,7 @@ struct Path_0
 {
      throughput_0 : Vector_0,
      direction_8 : Vector_0,
-     place_10 : Place_0,
+     place_9 : Place_0,
      key_4 : vec2<u32>,
      light_0 : Vector_0,
      drift_1 : vec3<f32>,
@@ -1736,73 +1746,73 @@ fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
     var drawn_4 : CameraSample_0 = camera_sample_0(number_of_path_1);
     var ray_6 : CameraRay_0 = camera_ray_0(drawn_4);
-    var _S155 : vec3<f32> = vec3<f32>(ray_6.direction_0);
+    var _S158 : vec3<f32> = vec3<f32>(ray_6.direction_0);
     (*path_0).key_4 = drawn_4.key_3;
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
-    atomicStore(&(sums_0[u32(3) + number_of_path_1]), (bitcast<u32>((drawn_4.weight_1))));
+    atomicStore(&(sums_0[u32(4) + number_of_path_1]), (bitcast<u32>((drawn_4.weight_1))));
     var t_5 : f32 = 0.0f;
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0lf;
     found_4.w_2 = 0.0lf;
-    var _S156 : bool;
+    var _S159 : bool;
     if((ray_6.length_0) >= 0.0lf)
     {
-        _S156 = (word_0(u32(14))) != u32(0);
+        _S159 = (word_0(u32(14))) != u32(0);
     }
     else
     {
-        _S156 = false;
+        _S159 = false;
     }
-    if(_S156)
+    if(_S159)
     {
-        var _S157 : Found_0 = cast_0(ray_6.start_1, ray_6.direction_0, 0.0lf, ray_6.length_0, false, &(t_5));
-        found_4 = _S157;
+        var _S160 : Found_0 = cast_0(ray_6.start_1, ray_6.direction_0, 0.0lf, ray_6.length_0, false, &(t_5));
+        found_4 = _S160;
     }
-    var _S158 : Place_0 = place_of_0(found_4);
-    (*path_0).place_10 = _S158;
-    var seen_0 : Place_0 = _S158;
-    var _S159 : vec3<f32> = vec3<f32>(0.0f);
-    (*path_0).walked_0 = _S159;
+    var _S161 : Place_0 = place_of_0(found_4);
+    (*path_0).place_9 = _S161;
+    var seen_0 : Place_0 = _S161;
+    var _S162 : vec3<f32> = vec3<f32>(0.0f);
+    (*path_0).walked_0 = _S162;
     (*path_0).divergence_0 = 0.0f;
-    (*path_0).direction_8 = changing_0(_S155, ray_6.direction_change_0);
+    (*path_0).direction_8 = changing_0(_S158, ray_6.direction_change_0);
     (*path_0).drift_1 = ray_6.start_change_0 + ray_6.direction_change_0 * vec3<f32>(t_5);
     var unused_0 : vec3<f32>;
     if((found_4.face_1) != u32(4294967295))
     {
-        move_place_0(&(seen_0), &(unused_0), _S155, (*path_0).drift_1);
+        move_place_0(&(seen_0), &(unused_0), _S158, (*path_0).drift_1);
     }
-    var _S160 : Vector_0 = still_0(_S159);
-    var emitter_3 : u32 = emitter_seen_0(found_4, _S155);
+    var _S163 : Vector_0 = still_0(_S162);
+    var emitter_3 : u32 = emitter_seen_0(found_4, _S158);
     if(emitter_3 != u32(4294967295))
     {
-        _S156 = (word_0(u32(4))) != u32(0);
+        _S159 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S156 = false;
+        _S159 = false;
     }
     var light_1 : Vector_0;
-    if(_S156)
+    if(_S159)
     {
-        var _S161 : Vector_0 = emitted_0(emitter_3, seen_0, (*path_0).direction_8);
-        light_1 = _S161;
+        var _S164 : Vector_0 = emitted_0(emitter_3, seen_0, (*path_0).direction_8);
+        light_1 = _S164;
     }
     else
     {
-        light_1 = _S160;
+        light_1 = _S163;
     }
     (*path_0).light_0 = light_1;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S156 = reaches_0(u32(2));
+        _S159 = reaches_0(u32(2));
     }
     else
     {
-        _S156 = false;
+        _S159 = false;
     }
-    return _S156;
+    return _S159;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_7 : u32)
@@ -1861,41 +1871,41 @@ fn set_changing_0( path_4 : u32,  which_4 : ptr<function, u32>,  vector_4 : Vect
     return;
 }
 
-fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_11 : Place_0)
+fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_10 : Place_0)
 {
-    set_word_0(path_5, (*which_5), place_11.triangle_2);
-    set_word_0(path_5, (*which_5) + u32(1), (bitcast<u32>((place_11.v_4))));
-    set_word_0(path_5, (*which_5) + u32(2), (bitcast<u32>((place_11.w_3))));
-    set_word_0(path_5, (*which_5) + u32(3), (bitcast<u32>((place_11.v_rest_0))));
-    set_word_0(path_5, (*which_5) + u32(4), (bitcast<u32>((place_11.w_rest_0))));
+    set_word_0(path_5, (*which_5), place_10.triangle_2);
+    set_word_0(path_5, (*which_5) + u32(1), (bitcast<u32>((place_10.v_4))));
+    set_word_0(path_5, (*which_5) + u32(2), (bitcast<u32>((place_10.w_3))));
+    set_word_0(path_5, (*which_5) + u32(3), (bitcast<u32>((place_10.v_rest_0))));
+    set_word_0(path_5, (*which_5) + u32(4), (bitcast<u32>((place_10.w_rest_0))));
     (*which_5) = (*which_5) + u32(5);
     return;
 }
 
 fn store_0( number_of_path_2 : u32,  path_6 : Path_0)
 {
-    var at_18 : u32 = u32(1);
-    set_changing_0(number_of_path_2, &(at_18), path_6.light_0);
-    set_changing_0(number_of_path_2, &(at_18), path_6.throughput_0);
-    set_changing_0(number_of_path_2, &(at_18), path_6.direction_8);
-    set_vector_0(number_of_path_2, &(at_18), path_6.drift_1);
-    set_place_0(number_of_path_2, &(at_18), path_6.place_10);
-    var _S162 : u32 = at_18 + u32(1);
-    set_word_0(number_of_path_2, at_18, path_6.key_4.x);
-    at_18 = _S162 + u32(1);
-    set_word_0(number_of_path_2, _S162, path_6.key_4.y);
+    var at_20 : u32 = u32(1);
+    set_changing_0(number_of_path_2, &(at_20), path_6.light_0);
+    set_changing_0(number_of_path_2, &(at_20), path_6.throughput_0);
+    set_changing_0(number_of_path_2, &(at_20), path_6.direction_8);
+    set_vector_0(number_of_path_2, &(at_20), path_6.drift_1);
+    set_place_0(number_of_path_2, &(at_20), path_6.place_9);
+    var _S165 : u32 = at_20 + u32(1);
+    set_word_0(number_of_path_2, at_20, path_6.key_4.x);
+    at_20 = _S165 + u32(1);
+    set_word_0(number_of_path_2, _S165, path_6.key_4.y);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S163 : u32;
+    var _S166 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S164 : u32 = u32(2) + zero_0;
-        _S163 = _S164;
-        if(rounds_0 < _S164)
+        var _S167 : u32 = u32(2) + zero_0;
+        _S166 = _S167;
+        if(rounds_0 < _S167)
         {
         }
         else
@@ -1904,14 +1914,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S163;
+    return rounds_0 == _S166;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S165 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S168 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -1928,16 +1938,16 @@ fn begin_forward(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_7 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_3, &(path_7));
     store_0(number_of_path_3, path_7);
-    var _S166 : u32;
+    var _S169 : u32;
     if(goes_on_0)
     {
-        _S166 = number_of_path_3;
+        _S169 = number_of_path_3;
     }
     else
     {
-        _S166 = u32(4294967295);
+        _S169 = u32(4294967295);
     }
-    set_word_0(number_of_path_3, u32(0), _S166);
+    set_word_0(number_of_path_3, u32(0), _S169);
     check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 2e5817b098334c42
-// result: 3590136c6443594d
+// source: 684ba1b74b9288b2
+// result: 263b2dfa793d7a52
 
 struct Launch_std140_0
 {
@@ -1205,29 +1205,34 @@ fn number_1( at_13 : u32) -> f32
     return (bitcast<f32>((scene_0[at_13])));
 }
 
+fn precise_0( at_14 : u32) -> f32
+{
+    return number_1(at_14) + number_1(at_14 + u32(1));
+}
+
 fn uvs_of_0( triangle_8 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f, 0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_8) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_14 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_8) + u32(1));
-    uvs_0.a_7 = vec2<f32>(number_1(at_14), number_1(at_14 + u32(1)));
-    uvs_0.b_5 = vec2<f32>(number_1(at_14 + u32(2)), number_1(at_14 + u32(3)));
-    uvs_0.c_2 = vec2<f32>(number_1(at_14 + u32(4)), number_1(at_14 + u32(5)));
+    var at_15 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_8) + u32(1));
+    uvs_0.a_7 = vec2<f32>(precise_0(at_15), precise_0(at_15 + u32(2)));
+    uvs_0.b_5 = vec2<f32>(precise_0(at_15 + u32(4)), precise_0(at_15 + u32(6)));
+    uvs_0.c_2 = vec2<f32>(precise_0(at_15 + u32(8)), precise_0(at_15 + u32(10)));
     return uvs_0;
 }
 
-fn vector_at_0( at_15 : u32) -> vec3<f32>
+fn row_at_0( at_16 : u32) -> vec3<f32>
 {
-    return vec3<f32>(number_1(at_15), number_1(at_15 + u32(1)), number_1(at_15 + u32(2)));
+    return vec3<f32>(precise_0(at_16), precise_0(at_16 + u32(2)), precise_0(at_16 + u32(4)));
 }
 
 fn floor_of_0( x_9 : f32) -> i32
 {
-    return i32(floor(clamp(x_9, -1.0e+09f, 1.0e+09f)));
+    return i32(clamp(floor(x_9), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -1346,43 +1351,48 @@ fn lookup_at_0( texture_1 : u32,  place_6 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_6.triangle_2);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
-    var uv_1 : Point_0;
-    var _S92 : vec3<f32> = vec3<f32>(uvs_1.a_7 * vec2<f32>((1.0f - place_6.v_4 - place_6.w_3)) + uvs_1.b_5 * vec2<f32>(place_6.v_4) + uvs_1.c_2 * vec2<f32>(place_6.w_3), 1.0f);
-    uv_1.value_3 = vec2<f32>(dot(_S92, to_u_0), dot(_S92, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_5 - uvs_1.a_7;
     var by_w_0 : vec2<f32> = uvs_1.c_2 - uvs_1.a_7;
-    var _S93 : vec2<f32> = to_u_0.xy;
-    var _S94 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S93), dot(by_v_0, _S94));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S93), dot(by_w_0, _S94));
+    var _S92 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f32> = row_at_0(_S92);
+    var to_v_0 : vec3<f32> = row_at_0(_S92 + u32(6));
+    var uv_1 : Point_0;
+    var _S93 : vec3<f32> = vec3<f32>(uvs_1.a_7 + by_v_0 * vec2<f32>((place_6.v_4 + place_6.v_rest_0)) + by_w_0 * vec2<f32>((place_6.w_3 + place_6.w_rest_0)), 1.0f);
+    uv_1.value_3 = vec2<f32>(dot(_S93, to_u_0), dot(_S93, to_v_0));
+    var _S94 : vec2<f32> = to_u_0.xy;
+    var _S95 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S94), dot(by_v_0, _S95));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S94), dot(by_w_0, _S95));
     if(kind_1 == u32(1))
     {
-        var _S95 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S95;
+        var _S96 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S96;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
-    var _S96 : i32;
+    var _S97 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S96 = i32(1);
+        _S97 = i32(1);
     }
     else
     {
-        _S96 = i32(0);
+        _S97 = i32(0);
     }
-    return one_texel_0(u32(_S96));
+    return one_texel_0(u32(_S97));
+}
+
+fn vector_at_0( at_17 : u32) -> vec3<f32>
+{
+    return vec3<f32>(number_1(at_17), number_1(at_17 + u32(1)), number_1(at_17 + u32(2)));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S97 : u32 = word_0(texture_2 + u32(1));
-    var _S98 : u32 = texture_2 + u32(13);
-    var _S99 : vec3<f32> = vec3<f32>(0.0f);
+    var _S98 : u32 = word_0(texture_2 + u32(1));
+    var _S99 : u32 = texture_2 + u32(19);
+    var _S100 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S99;
+    var value_4 : vec3<f32> = _S100;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1392,17 +1402,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_16 : u32 = _S98 + _S97 * lookup_3.texels_0[k_1];
-        var _S100 : vec3<f32>;
-        if(_S97 == u32(1))
+        var at_18 : u32 = _S99 + _S98 * lookup_3.texels_0[k_1];
+        var _S101 : vec3<f32>;
+        if(_S98 == u32(1))
         {
-            _S100 = vec3<f32>(number_1(at_16));
+            _S101 = vec3<f32>(number_1(at_18));
         }
         else
         {
-            _S100 = vector_at_0(at_16);
+            _S101 = vector_at_0(at_18);
         }
-        var value_5 : vec3<f32> = value_4 + _S100 * vec3<f32>(weights_1[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S101 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -1411,7 +1421,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_3 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_3 + u32(18)));
 }
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
@@ -1423,7 +1433,7 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
     {
         return changing_0(value_6, change_4);
     }
-    var _S101 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var _S102 : bool = (word_0(texture_4 + u32(1))) == u32(1);
     var k_2 : u32 = u32(0);
     var change_5 : vec3<f32> = change_4;
     for(;;)
@@ -1435,24 +1445,24 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
         {
             break;
         }
-        var _S102 : i32;
-        if(_S101)
+        var _S103 : i32;
+        if(_S102)
         {
-            _S102 = i32(1);
+            _S103 = i32(1);
         }
         else
         {
-            _S102 = i32(3);
+            _S103 = i32(3);
         }
-        var at_17 : u32 = first_3 + u32(_S102) * lookup_4.texels_0[k_2];
+        var at_19 : u32 = first_3 + u32(_S103) * lookup_4.texels_0[k_2];
         var of_texel_0 : vec3<f32>;
-        if(_S101)
+        if(_S102)
         {
-            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_17)))));
+            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_19)))));
         }
         else
         {
-            of_texel_0 = change_vector_0(at_17);
+            of_texel_0 = change_vector_0(at_19);
         }
         var change_6 : vec3<f32> = change_5 + of_texel_0 * vec3<f32>(lookup_4.weights_0[k_2]);
         k_2 = k_2 + u32(1);
@@ -1463,34 +1473,34 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_5 : u32,  place_7 : Place_0) -> Vector_0
 {
-    var _S103 : Lookup_0 = lookup_at_0(texture_5, place_7);
-    return looked_up_0(texture_5, _S103, place_7.change_3);
+    var _S104 : Lookup_0 = lookup_at_0(texture_5, place_7);
+    return looked_up_0(texture_5, _S104, place_7.change_3);
 }
 
 fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
 {
-    var _S104 : f32 = abs(x_11);
-    var _S105 : f32 = abs(y_4);
-    var _S106 : f32 = min(_S104, _S105);
-    var _S107 : f32 = max(_S104, _S105);
-    var is_steep_0 : bool = _S106 > (0.41421356797218323f * _S107);
+    var _S105 : f32 = abs(x_11);
+    var _S106 : f32 = abs(y_4);
+    var _S107 : f32 = min(_S105, _S106);
+    var _S108 : f32 = max(_S105, _S106);
+    var is_steep_0 : bool = _S107 > (0.41421356797218323f * _S108);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S106 - _S107;
+        above_0 = _S107 - _S108;
     }
     else
     {
-        above_0 = _S106;
+        above_0 = _S107;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S106 + _S107;
+        below_0 = _S107 + _S108;
     }
     else
     {
-        below_0 = _S107;
+        below_0 = _S108;
     }
     if(below_0 > 0.0f)
     {
@@ -1511,7 +1521,7 @@ fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
     {
         angle_2 = angle_1;
     }
-    if(_S105 > _S104)
+    if(_S106 > _S105)
     {
         angle_2 = 1.57079637050628662f - angle_2;
     }
@@ -1532,40 +1542,40 @@ fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
 
 fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S108 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0, dpx_5.differential_0 );
-    var _S109 : DiffPair_float_0 = _d_abs_0(_S108);
-    var _S110 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0, dpy_2.differential_0 );
-    var _S111 : DiffPair_float_0 = _d_abs_0(_S110);
-    var _S112 : DiffPair_float_0 = DiffPair_float_0( _S109.primal_0, _S109.differential_0 );
-    var _S113 : DiffPair_float_0 = DiffPair_float_0( _S111.primal_0, _S111.differential_0 );
-    var _S114 : DiffPair_float_0 = _d_min_0(_S112, _S113);
-    var _S115 : DiffPair_float_0 = _d_max_0(_S112, _S113);
-    var is_steep_1 : bool = (_S114.primal_0) > (0.41421356797218323f * _S115.primal_0);
+    var _S109 : DiffPair_float_0 = DiffPair_float_0( dpx_5.primal_0, dpx_5.differential_0 );
+    var _S110 : DiffPair_float_0 = _d_abs_0(_S109);
+    var _S111 : DiffPair_float_0 = DiffPair_float_0( dpy_2.primal_0, dpy_2.differential_0 );
+    var _S112 : DiffPair_float_0 = _d_abs_0(_S111);
+    var _S113 : DiffPair_float_0 = DiffPair_float_0( _S110.primal_0, _S110.differential_0 );
+    var _S114 : DiffPair_float_0 = DiffPair_float_0( _S112.primal_0, _S112.differential_0 );
+    var _S115 : DiffPair_float_0 = _d_min_0(_S113, _S114);
+    var _S116 : DiffPair_float_0 = _d_max_0(_S113, _S114);
+    var is_steep_1 : bool = (_S115.primal_0) > (0.41421356797218323f * _S116.primal_0);
     var above_1 : f32;
     var s_diff_above_0 : f32;
     if(is_steep_1)
     {
-        var _S116 : f32 = _S114.differential_0 - _S115.differential_0;
-        above_1 = _S114.primal_0 - _S115.primal_0;
-        s_diff_above_0 = _S116;
+        var _S117 : f32 = _S115.differential_0 - _S116.differential_0;
+        above_1 = _S115.primal_0 - _S116.primal_0;
+        s_diff_above_0 = _S117;
     }
     else
     {
-        above_1 = _S114.primal_0;
-        s_diff_above_0 = _S114.differential_0;
+        above_1 = _S115.primal_0;
+        s_diff_above_0 = _S115.differential_0;
     }
     var below_1 : f32;
     var s_diff_below_0 : f32;
     if(is_steep_1)
     {
-        var _S117 : f32 = _S114.differential_0 + _S115.differential_0;
-        below_1 = _S114.primal_0 + _S115.primal_0;
-        s_diff_below_0 = _S117;
+        var _S118 : f32 = _S115.differential_0 + _S116.differential_0;
+        below_1 = _S115.primal_0 + _S116.primal_0;
+        s_diff_below_0 = _S118;
     }
     else
     {
-        below_1 = _S115.primal_0;
-        s_diff_below_0 = _S115.differential_0;
+        below_1 = _S116.primal_0;
+        s_diff_below_0 = _S116.differential_0;
     }
     if(below_1 > 0.0f)
     {
@@ -1578,14 +1588,14 @@ fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> Dif
     var t_4 : f32 = above_1 / below_1;
     var s_diff_t_0 : f32 = (s_diff_above_0 * below_1 - above_1 * s_diff_below_0) / (below_1 * below_1);
     var z_4 : f32 = t_4 * t_4;
-    var _S118 : f32 = s_diff_t_0 * t_4;
-    var s_diff_z_0 : f32 = _S118 + _S118;
-    var _S119 : f32 = 0.08053744584321976f * z_4 - 0.13877685368061066f;
-    var _S120 : f32 = _S119 * z_4 + 0.19977711141109467f;
-    var tail_0 : f32 = _S120 * z_4 - 0.33332949876785278f;
-    var _S121 : f32 = tail_0 * z_4;
-    var angle_3 : f32 = _S121 * t_4 + t_4;
-    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_4 + s_diff_z_0 * _S119) * z_4 + s_diff_z_0 * _S120) * z_4 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S121 + s_diff_t_0;
+    var _S119 : f32 = s_diff_t_0 * t_4;
+    var s_diff_z_0 : f32 = _S119 + _S119;
+    var _S120 : f32 = 0.08053744584321976f * z_4 - 0.13877685368061066f;
+    var _S121 : f32 = _S120 * z_4 + 0.19977711141109467f;
+    var tail_0 : f32 = _S121 * z_4 - 0.33332949876785278f;
+    var _S122 : f32 = tail_0 * z_4;
+    var angle_3 : f32 = _S122 * t_4 + t_4;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_4 + s_diff_z_0 * _S120) * z_4 + s_diff_z_0 * _S121) * z_4 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S122 + s_diff_t_0;
     var angle_4 : f32;
     if(is_steep_1)
     {
@@ -1596,11 +1606,11 @@ fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> Dif
         angle_4 = angle_3;
     }
     var s_diff_angle_1 : f32;
-    if((_S111.primal_0) > (_S109.primal_0))
+    if((_S112.primal_0) > (_S110.primal_0))
     {
-        var _S122 : f32 = 0.0f - s_diff_angle_0;
+        var _S123 : f32 = 0.0f - s_diff_angle_0;
         angle_4 = 1.57079637050628662f - angle_4;
-        s_diff_angle_1 = _S122;
+        s_diff_angle_1 = _S123;
     }
     else
     {
@@ -1608,29 +1618,29 @@ fn s_fwd_angle_of_0( dpx_5 : DiffPair_float_0,  dpy_2 : DiffPair_float_0) -> Dif
     }
     if((dpx_5.primal_0) < 0.0f)
     {
-        var _S123 : f32 = 0.0f - s_diff_angle_1;
+        var _S124 : f32 = 0.0f - s_diff_angle_1;
         angle_4 = 3.14159274101257324f - angle_4;
-        s_diff_angle_1 = _S123;
+        s_diff_angle_1 = _S124;
     }
     if((dpy_2.primal_0) < 0.0f)
     {
-        var _S124 : f32 = - s_diff_angle_1;
+        var _S125 : f32 = - s_diff_angle_1;
         above_1 = - angle_4;
-        s_diff_above_0 = _S124;
+        s_diff_above_0 = _S125;
     }
     else
     {
         above_1 = angle_4;
         s_diff_above_0 = s_diff_angle_1;
     }
-    var _S125 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
-    return _S125;
+    var _S126 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
+    return _S126;
 }
 
 fn map_place_0( map_0 : u32,  direction_5 : vec3<f32>) -> vec2<f32>
 {
-    var _S126 : u32 = map_0 + u32(2);
-    var d_0 : vec3<f32> = vector_at_0(_S126) * vec3<f32>(direction_5.x) + vector_at_0(_S126 + u32(3)) * vec3<f32>(direction_5.y) + vector_at_0(_S126 + u32(6)) * vec3<f32>(direction_5.z);
+    var _S127 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S127) * vec3<f32>(direction_5.x) + vector_at_0(_S127 + u32(3)) * vec3<f32>(direction_5.y) + vector_at_0(_S127 + u32(6)) * vec3<f32>(direction_5.z);
     return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -1642,24 +1652,24 @@ struct DiffPair_vectorx3Cfloatx2C3x3E_0
 
 fn s_fwd_map_place_0( map_1 : u32,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var _S127 : u32 = map_1 + u32(2);
-    var _S128 : vec3<f32> = vector_at_0(_S127);
-    var _S129 : vec3<f32> = vector_at_0(_S127 + u32(3));
-    var _S130 : vec3<f32> = vector_at_0(_S127 + u32(6));
-    var d_1 : vec3<f32> = _S128 * vec3<f32>(dpdirection_0.primal_0.x) + _S129 * vec3<f32>(dpdirection_0.primal_0.y) + _S130 * vec3<f32>(dpdirection_0.primal_0.z);
-    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_0.differential_0.x) * _S128 + vec3<f32>(dpdirection_0.differential_0.y) * _S129 + vec3<f32>(dpdirection_0.differential_0.z) * _S130;
-    var _S131 : DiffPair_float_0 = DiffPair_float_0( - d_1.z, - s_diff_d_0.z );
-    var _S132 : DiffPair_float_0 = DiffPair_float_0( d_1.x, s_diff_d_0.x );
-    var _S133 : DiffPair_float_0 = s_fwd_angle_of_0(_S131, _S132);
-    var _S134 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_1.xz, s_diff_d_0.xz );
-    var _S135 : DiffPair_float_0 = s_fwd_length_impl_0(_S134);
-    var _S136 : DiffPair_float_0 = DiffPair_float_0( d_1.y, s_diff_d_0.y );
-    var _S137 : DiffPair_float_0 = DiffPair_float_0( _S135.primal_0, _S135.differential_0 );
-    var _S138 : DiffPair_float_0 = s_fwd_angle_of_0(_S136, _S137);
+    var _S128 : u32 = map_1 + u32(2);
+    var _S129 : vec3<f32> = vector_at_0(_S128);
+    var _S130 : vec3<f32> = vector_at_0(_S128 + u32(3));
+    var _S131 : vec3<f32> = vector_at_0(_S128 + u32(6));
+    var d_1 : vec3<f32> = _S129 * vec3<f32>(dpdirection_0.primal_0.x) + _S130 * vec3<f32>(dpdirection_0.primal_0.y) + _S131 * vec3<f32>(dpdirection_0.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_0.differential_0.x) * _S129 + vec3<f32>(dpdirection_0.differential_0.y) * _S130 + vec3<f32>(dpdirection_0.differential_0.z) * _S131;
+    var _S132 : DiffPair_float_0 = DiffPair_float_0( - d_1.z, - s_diff_d_0.z );
+    var _S133 : DiffPair_float_0 = DiffPair_float_0( d_1.x, s_diff_d_0.x );
+    var _S134 : DiffPair_float_0 = s_fwd_angle_of_0(_S132, _S133);
+    var _S135 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_1.xz, s_diff_d_0.xz );
+    var _S136 : DiffPair_float_0 = s_fwd_length_impl_0(_S135);
+    var _S137 : DiffPair_float_0 = DiffPair_float_0( d_1.y, s_diff_d_0.y );
+    var _S138 : DiffPair_float_0 = DiffPair_float_0( _S136.primal_0, _S136.differential_0 );
+    var _S139 : DiffPair_float_0 = s_fwd_angle_of_0(_S137, _S138);
     var width_2 : f32 = f32(word_0(map_1));
-    var _S139 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
-    var _S140 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S133.primal_0 * 0.15915493667125702f * width_2 - 0.5f, _S138.primal_0 * 0.31830987334251404f * _S139), vec2<f32>(_S133.differential_0 * 0.15915493667125702f * width_2, _S138.differential_0 * 0.31830987334251404f * _S139) );
-    return _S140;
+    var _S140 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
+    var _S141 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S134.primal_0 * 0.15915493667125702f * width_2 - 0.5f, _S139.primal_0 * 0.31830987334251404f * _S140), vec2<f32>(_S134.differential_0 * 0.15915493667125702f * width_2, _S139.differential_0 * 0.31830987334251404f * _S140) );
+    return _S141;
 }
 
 fn value_of_0( vector_2 : Vector_0) -> vec3<f32>
@@ -1680,11 +1690,11 @@ fn in_map_0( map_2 : u32,  direction_6 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_2 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_3, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_3, u32(0));
-    var _S141 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S142 : u32 = u32(width_3);
-    var first_4 : u32 = _S141 * _S142;
-    var _S143 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S143 * _S142;
+    var _S142 : u32 = wrapped_0(y_5, height_1, u32(2));
+    var _S143 : u32 = u32(width_3);
+    var first_4 : u32 = _S142 * _S143;
+    var _S144 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S144 * _S143;
     return between_0(vec4<u32>(first_4 + left_1, first_4 + right_1, second_2 + left_1, second_2 + right_1), point_0);
 }
 
@@ -1699,15 +1709,15 @@ fn emitted_0( emitter_2 : u32,  place_9 : Place_0,  direction_7 : Vector_0) -> V
     var texture_6 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var _S144 : Vector_0 = shown_0(texture_6, place_9);
-        return _S144;
+        var _S145 : Vector_0 = shown_0(texture_6, place_9);
+        return _S145;
     }
-    var _S145 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_7.value_0, direction_7.change_1 );
-    var _S146 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_6, _S145);
+    var _S146 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_7.value_0, direction_7.change_1 );
+    var _S147 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_6, _S146);
     var factor_0 : Vector_0 = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
-    var _S147 : u32 = word_0(texture_6 + u32(11));
-    var _S148 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_7));
-    return x2A_0(looked_up_0(_S147, _S148, _S146.differential_0), factor_0);
+    var _S148 : u32 = word_0(texture_6 + u32(11));
+    var _S149 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_7));
+    return x2A_0(looked_up_0(_S148, _S149, _S147.differential_0), factor_0);
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1733,32 +1743,32 @@ fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
     var ray_6 : CameraRay_0 = camera_ray_0(drawn_4);
     (*path_0).key_4 = drawn_4.key_3;
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
-    atomicStore(&(sums_0[u32(3) + number_of_path_1]), (bitcast<u32>((drawn_4.weight_1))));
+    atomicStore(&(sums_0[u32(4) + number_of_path_1]), (bitcast<u32>((drawn_4.weight_1))));
     var t_5 : f32 = 0.0f;
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0f;
     found_4.w_2 = 0.0f;
-    var _S149 : bool;
+    var _S150 : bool;
     if((ray_6.length_0) >= 0.0f)
     {
-        _S149 = (word_0(u32(14))) != u32(0);
+        _S150 = (word_0(u32(14))) != u32(0);
     }
     else
     {
-        _S149 = false;
+        _S150 = false;
     }
-    if(_S149)
+    if(_S150)
     {
-        var _S150 : Found_0 = cast_0(ray_6.start_1, ray_6.direction_0, 0.0f, ray_6.length_0, false, &(t_5));
-        found_4 = _S150;
+        var _S151 : Found_0 = cast_0(ray_6.start_1, ray_6.direction_0, 0.0f, ray_6.length_0, false, &(t_5));
+        found_4 = _S151;
     }
-    var _S151 : Place_0 = place_of_0(found_4);
-    (*path_0).place_10 = _S151;
-    var seen_0 : Place_0 = _S151;
-    var _S152 : vec3<f32> = vec3<f32>(0.0f);
-    (*path_0).walked_0 = _S152;
+    var _S152 : Place_0 = place_of_0(found_4);
+    (*path_0).place_10 = _S152;
+    var seen_0 : Place_0 = _S152;
+    var _S153 : vec3<f32> = vec3<f32>(0.0f);
+    (*path_0).walked_0 = _S153;
     (*path_0).divergence_0 = 0.0f;
     (*path_0).direction_8 = changing_0(ray_6.direction_0, ray_6.direction_change_0);
     (*path_0).drift_1 = ray_6.start_change_0 + ray_6.direction_change_0 * vec3<f32>(t_5);
@@ -1767,36 +1777,36 @@ fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
     {
         move_place_0(&(seen_0), &(unused_0), ray_6.direction_0, (*path_0).drift_1);
     }
-    var _S153 : Vector_0 = still_0(_S152);
+    var _S154 : Vector_0 = still_0(_S153);
     var emitter_3 : u32 = emitter_seen_0(found_4, ray_6.direction_0);
     if(emitter_3 != u32(4294967295))
     {
-        _S149 = (word_0(u32(4))) != u32(0);
+        _S150 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S149 = false;
+        _S150 = false;
     }
     var light_1 : Vector_0;
-    if(_S149)
+    if(_S150)
     {
-        var _S154 : Vector_0 = emitted_0(emitter_3, seen_0, (*path_0).direction_8);
-        light_1 = _S154;
+        var _S155 : Vector_0 = emitted_0(emitter_3, seen_0, (*path_0).direction_8);
+        light_1 = _S155;
     }
     else
     {
-        light_1 = _S153;
+        light_1 = _S154;
     }
     (*path_0).light_0 = light_1;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S149 = reaches_0(u32(2));
+        _S150 = reaches_0(u32(2));
     }
     else
     {
-        _S149 = false;
+        _S150 = false;
     }
-    return _S149;
+    return _S150;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_7 : u32)
@@ -1868,28 +1878,28 @@ fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_11 : Place_0
 
 fn store_0( number_of_path_2 : u32,  path_6 : Path_0)
 {
-    var at_18 : u32 = u32(1);
-    set_changing_0(number_of_path_2, &(at_18), path_6.light_0);
-    set_changing_0(number_of_path_2, &(at_18), path_6.throughput_0);
-    set_changing_0(number_of_path_2, &(at_18), path_6.direction_8);
-    set_vector_0(number_of_path_2, &(at_18), path_6.drift_1);
-    set_place_0(number_of_path_2, &(at_18), path_6.place_10);
-    var _S155 : u32 = at_18 + u32(1);
-    set_word_0(number_of_path_2, at_18, path_6.key_4.x);
-    at_18 = _S155 + u32(1);
-    set_word_0(number_of_path_2, _S155, path_6.key_4.y);
+    var at_20 : u32 = u32(1);
+    set_changing_0(number_of_path_2, &(at_20), path_6.light_0);
+    set_changing_0(number_of_path_2, &(at_20), path_6.throughput_0);
+    set_changing_0(number_of_path_2, &(at_20), path_6.direction_8);
+    set_vector_0(number_of_path_2, &(at_20), path_6.drift_1);
+    set_place_0(number_of_path_2, &(at_20), path_6.place_10);
+    var _S156 : u32 = at_20 + u32(1);
+    set_word_0(number_of_path_2, at_20, path_6.key_4.x);
+    at_20 = _S156 + u32(1);
+    set_word_0(number_of_path_2, _S156, path_6.key_4.y);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S156 : u32;
+    var _S157 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S157 : u32 = u32(2) + zero_0;
-        _S156 = _S157;
-        if(rounds_0 < _S157)
+        var _S158 : u32 = u32(2) + zero_0;
+        _S157 = _S158;
+        if(rounds_0 < _S158)
         {
         }
         else
@@ -1898,14 +1908,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S156;
+    return rounds_0 == _S157;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S158 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S159 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -1922,16 +1932,16 @@ fn begin_forward(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_7 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_3, &(path_7));
     store_0(number_of_path_3, path_7);
-    var _S159 : u32;
+    var _S160 : u32;
     if(goes_on_0)
     {
-        _S159 = number_of_path_3;
+        _S160 = number_of_path_3;
     }
     else
     {
-        _S159 = u32(4294967295);
+        _S160 = u32(4294967295);
     }
-    set_word_0(number_of_path_3, u32(0), _S159);
+    set_word_0(number_of_path_3, u32(0), _S160);
     check_loops_0();
     return;
 }

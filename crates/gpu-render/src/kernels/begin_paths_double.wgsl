@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 0b6ff8749d84514c
-// result: 4579c9100747bb4a
+// source: a294b5d90f914c0c
+// result: f5273d5251226b70
 
 struct Launch_std140_0
 {
@@ -1028,12 +1028,12 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
 
 struct Corners2_0
 {
-     a_5 : vec2<f32>,
-     b_4 : vec2<f32>,
-     c_1 : vec2<f32>,
+     a_5 : vec2<f64>,
+     b_4 : vec2<f64>,
+     c_1 : vec2<f64>,
 };
 
-fn Corners2_x24init_0( a_6 : vec2<f32>,  b_5 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
+fn Corners2_x24init_0( a_6 : vec2<f64>,  b_5 : vec2<f64>,  c_2 : vec2<f64>) -> Corners2_0
 {
     var _S66 : Corners2_0;
     _S66.a_5 = a_6;
@@ -1047,29 +1047,34 @@ fn number_1( at_9 : u32) -> f32
     return (bitcast<f32>((scene_0[at_9])));
 }
 
+fn precise_0( at_10 : u32) -> f64
+{
+    return f64(number_1(at_10)) + f64(number_1(at_10 + u32(1)));
+}
+
 fn uvs_of_0( triangle_7 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f64>(0.0lf, 0.0lf), vec2<f64>(1.0lf, 0.0lf), vec2<f64>(0.0lf, 1.0lf));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_7) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_10 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_7) + u32(1));
-    uvs_0.a_5 = vec2<f32>(number_1(at_10), number_1(at_10 + u32(1)));
-    uvs_0.b_4 = vec2<f32>(number_1(at_10 + u32(2)), number_1(at_10 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_1(at_10 + u32(4)), number_1(at_10 + u32(5)));
+    var at_11 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_7) + u32(1));
+    uvs_0.a_5 = vec2<f64>(precise_0(at_11), precise_0(at_11 + u32(2)));
+    uvs_0.b_4 = vec2<f64>(precise_0(at_11 + u32(4)), precise_0(at_11 + u32(6)));
+    uvs_0.c_1 = vec2<f64>(precise_0(at_11 + u32(8)), precise_0(at_11 + u32(10)));
     return uvs_0;
 }
 
-fn vector_at_0( at_11 : u32) -> vec3<f32>
+fn row_at_0( at_12 : u32) -> vec3<f64>
 {
-    return vec3<f32>(number_1(at_11), number_1(at_11 + u32(1)), number_1(at_11 + u32(2)));
+    return vec3<f64>(precise_0(at_12), precise_0(at_12 + u32(2)), precise_0(at_12 + u32(4)));
 }
 
-fn floor_of_0( x_9 : f32) -> i32
+fn floor_of_0( x_9 : f64) -> i32
 {
-    return i32(floor(clamp(x_9, -1.0e+09f, 1.0e+09f)));
+    return i32(clamp(f32(floor(x_9)), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -1110,21 +1115,21 @@ fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
 
 struct Point_0
 {
-     value_2 : vec2<f32>,
+     value_2 : vec2<f64>,
 };
 
 fn between_0( texels_1 : vec4<u32>,  place_2 : Point_0) -> Lookup_0
 {
-    var way_1 : vec2<f32> = place_2.value_2 - floor(place_2.value_2);
-    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_1;
+    var _S67 : vec2<f32> = vec2<f32>(place_2.value_2 - floor(place_2.value_2));
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - _S67;
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S67 : f32 = back_0.x;
-    var _S68 : f32 = back_0.y;
-    var _S69 : f32 = way_1.x;
-    var _S70 : f32 = way_1.y;
-    lookup_1.weights_0 = vec4<f32>(_S67 * _S68, _S69 * _S68, _S67 * _S70, _S69 * _S70);
+    var _S68 : f32 = back_0.x;
+    var _S69 : f32 = back_0.y;
+    var _S70 : f32 = _S67.x;
+    var _S71 : f32 = _S67.y;
+    lookup_1.weights_0 = vec4<f32>(_S68 * _S69, _S70 * _S69, _S68 * _S71, _S70 * _S71);
     return lookup_1;
 }
 
@@ -1133,24 +1138,24 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     var width_1 : i32 = i32(word_0(texture_0 + u32(2)));
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
-    var place_3 : vec2<f32> = uv_0.value_2 * vec2<f32>(f32(width_1), f32(height_0));
+    var place_3 : vec2<f64> = uv_0.value_2 * vec2<f64>(vec2<f32>(f32(width_1), f32(height_0)));
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_1 : u32 = wrapped_0(floor_of_0(place_3.y), height_0, wrap_1);
-        var _S71 : u32 = row_1 * u32(width_1);
-        var _S72 : u32 = wrapped_0(floor_of_0(place_3.x), width_1, wrap_1);
-        return one_texel_0(_S71 + _S72);
+        var _S72 : u32 = row_1 * u32(width_1);
+        var _S73 : u32 = wrapped_0(floor_of_0(place_3.x), width_1, wrap_1);
+        return one_texel_0(_S72 + _S73);
     }
     var centred_0 : Point_0;
-    var _S73 : vec2<f32> = place_3 - vec2<f32>(0.5f);
-    centred_0.value_2 = _S73;
-    var x_10 : i32 = floor_of_0(_S73.x);
-    var y_3 : i32 = floor_of_0(_S73.y);
-    var _S74 : u32 = wrapped_0(y_3, height_0, wrap_1);
-    var _S75 : u32 = u32(width_1);
-    var first_2 : u32 = _S74 * _S75;
-    var _S76 : u32 = wrapped_0(y_3 + i32(1), height_0, wrap_1);
-    var second_1 : u32 = _S76 * _S75;
+    var _S74 : vec2<f64> = place_3 - vec2<f64>(0.5lf);
+    centred_0.value_2 = _S74;
+    var x_10 : i32 = floor_of_0(_S74.x);
+    var y_3 : i32 = floor_of_0(_S74.y);
+    var _S75 : u32 = wrapped_0(y_3, height_0, wrap_1);
+    var _S76 : u32 = u32(width_1);
+    var first_2 : u32 = _S75 * _S76;
+    var _S77 : u32 = wrapped_0(y_3 + i32(1), height_0, wrap_1);
+    var second_1 : u32 = _S77 * _S76;
     var left_0 : u32 = wrapped_0(x_10, width_1, wrap_1);
     var right_0 : u32 = wrapped_0(x_10 + i32(1), width_1, wrap_1);
     return between_0(vec4<u32>(first_2 + left_0, first_2 + right_0, second_1 + left_0, second_1 + right_0), centred_0);
@@ -1177,35 +1182,40 @@ fn lookup_at_0( texture_1 : u32,  place_4 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_4.triangle_2);
-    var rows_0 : u32 = texture_1 + u32(6);
+    var _S78 : u32 = texture_1 + u32(6);
     var uv_1 : Point_0;
-    var _S77 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_4.v_4 - place_4.w_3)) + uvs_1.b_4 * vec2<f32>(place_4.v_4) + uvs_1.c_1 * vec2<f32>(place_4.w_3), 1.0f);
-    uv_1.value_2 = vec2<f32>(dot(_S77, vector_at_0(rows_0)), dot(_S77, vector_at_0(rows_0 + u32(3))));
+    var _S79 : vec3<f64> = vec3<f64>(uvs_1.a_5 + (uvs_1.b_4 - uvs_1.a_5) * vec2<f64>((f64(place_4.v_4) + f64(place_4.v_rest_0))) + (uvs_1.c_1 - uvs_1.a_5) * vec2<f64>((f64(place_4.w_3) + f64(place_4.w_rest_0))), 1.0lf);
+    uv_1.value_2 = vec2<f64>(dot(_S79, row_at_0(_S78)), dot(_S79, row_at_0(_S78 + u32(6))));
     if(kind_1 == u32(1))
     {
-        var _S78 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S78;
+        var _S80 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S80;
     }
-    var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
-    var _S79 : i32;
-    if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
+    var half_of_period_0 : vec2<f64> = uv_1.value_2 - floor(uv_1.value_2);
+    var _S81 : i32;
+    if(((half_of_period_0.x) > 0.5lf) != ((half_of_period_0.y) > 0.5lf))
     {
-        _S79 = i32(1);
+        _S81 = i32(1);
     }
     else
     {
-        _S79 = i32(0);
+        _S81 = i32(0);
     }
-    return one_texel_0(u32(_S79));
+    return one_texel_0(u32(_S81));
+}
+
+fn vector_at_0( at_13 : u32) -> vec3<f32>
+{
+    return vec3<f32>(number_1(at_13), number_1(at_13 + u32(1)), number_1(at_13 + u32(2)));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S80 : u32 = word_0(texture_2 + u32(1));
-    var _S81 : u32 = texture_2 + u32(13);
-    var _S82 : vec3<f32> = vec3<f32>(0.0f);
+    var _S82 : u32 = word_0(texture_2 + u32(1));
+    var _S83 : u32 = texture_2 + u32(19);
+    var _S84 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_3 : vec3<f32> = _S82;
+    var value_3 : vec3<f32> = _S84;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1215,17 +1225,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_12 : u32 = _S81 + _S80 * lookup_3.texels_0[k_1];
-        var _S83 : vec3<f32>;
-        if(_S80 == u32(1))
+        var at_14 : u32 = _S83 + _S82 * lookup_3.texels_0[k_1];
+        var _S85 : vec3<f32>;
+        if(_S82 == u32(1))
         {
-            _S83 = vec3<f32>(number_1(at_12));
+            _S85 = vec3<f32>(number_1(at_14));
         }
         else
         {
-            _S83 = vector_at_0(at_12);
+            _S85 = vector_at_0(at_14);
         }
-        var value_4 : vec3<f32> = value_3 + _S83 * vec3<f32>(weights_1[k_1]);
+        var value_4 : vec3<f32> = value_3 + _S85 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_3 = value_4;
     }
@@ -1239,8 +1249,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_5 : Place_0) -> vec3<f32>
 {
-    var _S84 : Lookup_0 = lookup_at_0(texture_4, place_5);
-    return looked_up_0(texture_4, _S84, vec2<f32>(0.0f));
+    var _S86 : Lookup_0 = lookup_at_0(texture_4, place_5);
+    return looked_up_0(texture_4, _S86, vec2<f32>(0.0f));
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -1250,28 +1260,28 @@ fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
 {
-    var _S85 : f32 = abs(x_11);
-    var _S86 : f32 = abs(y_4);
-    var _S87 : f32 = min(_S85, _S86);
-    var _S88 : f32 = max(_S85, _S86);
-    var is_steep_0 : bool = _S87 > (0.41421356797218323f * _S88);
+    var _S87 : f32 = abs(x_11);
+    var _S88 : f32 = abs(y_4);
+    var _S89 : f32 = min(_S87, _S88);
+    var _S90 : f32 = max(_S87, _S88);
+    var is_steep_0 : bool = _S89 > (0.41421356797218323f * _S90);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S87 - _S88;
+        above_0 = _S89 - _S90;
     }
     else
     {
-        above_0 = _S87;
+        above_0 = _S89;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S87 + _S88;
+        below_0 = _S89 + _S90;
     }
     else
     {
-        below_0 = _S88;
+        below_0 = _S90;
     }
     if(below_0 > 0.0f)
     {
@@ -1292,7 +1302,7 @@ fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
     {
         angle_2 = angle_1;
     }
-    if(_S86 > _S85)
+    if(_S88 > _S87)
     {
         angle_2 = 1.57079637050628662f - angle_2;
     }
@@ -1313,44 +1323,44 @@ fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
 
 fn map_place_0( map_0 : u32,  direction_4 : vec3<f32>) -> vec2<f32>
 {
-    var _S89 : u32 = map_0 + u32(2);
-    var d_0 : vec3<f32> = vector_at_0(_S89) * vec3<f32>(direction_4.x) + vector_at_0(_S89 + u32(3)) * vec3<f32>(direction_4.y) + vector_at_0(_S89 + u32(6)) * vec3<f32>(direction_4.z);
+    var _S91 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S91) * vec3<f32>(direction_4.x) + vector_at_0(_S91 + u32(3)) * vec3<f32>(direction_4.y) + vector_at_0(_S91 + u32(6)) * vec3<f32>(direction_4.z);
     return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
 fn in_map_0( map_1 : u32,  direction_5 : vec3<f32>) -> Lookup_0
 {
-    var place_6 : vec2<f32> = map_place_0(map_1, direction_5);
+    var _S92 : vec2<f64> = vec2<f64>(map_place_0(map_1, direction_5));
     var point_0 : Point_0;
-    point_0.value_2 = place_6;
-    var x_12 : i32 = floor_of_0(place_6.x);
-    var y_5 : i32 = floor_of_0(place_6.y);
+    point_0.value_2 = _S92;
+    var x_12 : i32 = floor_of_0(_S92.x);
+    var y_5 : i32 = floor_of_0(_S92.y);
     var width_2 : i32 = i32(word_0(map_1));
     var height_1 : i32 = i32(word_0(map_1 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_2, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_2, u32(0));
-    var _S90 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S91 : u32 = u32(width_2);
-    var first_3 : u32 = _S90 * _S91;
-    var _S92 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S92 * _S91;
+    var _S93 : u32 = wrapped_0(y_5, height_1, u32(2));
+    var _S94 : u32 = u32(width_2);
+    var first_3 : u32 = _S93 * _S94;
+    var _S95 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S95 * _S94;
     return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), point_0);
 }
 
-fn emitted_0( emitter_2 : u32,  place_7 : Place_0,  direction_6 : vec3<f32>) -> vec3<f32>
+fn emitted_0( emitter_2 : u32,  place_6 : Place_0,  direction_6 : vec3<f32>) -> vec3<f32>
 {
     var record_2 : u32 = emitter_record_0(emitter_2);
     var texture_5 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var _S93 : vec3<f32> = shown_0(texture_5, place_7);
-        return _S93;
+        var _S96 : vec3<f32> = shown_0(texture_5, place_6);
+        return _S96;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_5 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S94 : u32 = word_0(texture_5 + u32(11));
-    var _S95 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_6));
-    return looked_up_0(_S94, _S95, change_1) * factor_0;
+    var _S97 : u32 = word_0(texture_5 + u32(11));
+    var _S98 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_6));
+    return looked_up_0(_S97, _S98, change_1) * factor_0;
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1362,7 +1372,7 @@ struct Path_0
 {
      throughput_0 : vec3<f32>,
      direction_7 : vec3<f32>,
-     place_8 : Place_0,
+     place_7 : Place_0,
      key_4 : vec2<u32>,
      direction_rest_0 : vec3<f32>,
      light_0 : vec3<f32>,
@@ -1372,63 +1382,63 @@ fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
     var drawn_3 : CameraSample_0 = camera_sample_0(number_of_path_1);
     var ray_6 : CameraRay_0 = camera_ray_0(drawn_3);
-    var _S96 : vec3<f32> = vec3<f32>(ray_6.direction_0);
+    var _S99 : vec3<f32> = vec3<f32>(ray_6.direction_0);
     (*path_0).key_4 = drawn_3.key_3;
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
-    atomicStore(&(sums_0[u32(3) + number_of_path_1]), (bitcast<u32>((drawn_3.weight_1))));
+    atomicStore(&(sums_0[u32(4) + number_of_path_1]), (bitcast<u32>((drawn_3.weight_1))));
     var t_4 : f32 = 0.0f;
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0lf;
     found_4.w_2 = 0.0lf;
-    var _S97 : bool;
+    var _S100 : bool;
     if((ray_6.length_0) >= 0.0lf)
     {
-        _S97 = (word_0(u32(14))) != u32(0);
+        _S100 = (word_0(u32(14))) != u32(0);
     }
     else
     {
-        _S97 = false;
+        _S100 = false;
     }
-    if(_S97)
+    if(_S100)
     {
         found_4 = cast_0(ray_6.start_1, ray_6.direction_0, 0.0lf, ray_6.length_0, false, &(t_4));
     }
-    var _S98 : Place_0 = place_of_0(found_4);
-    (*path_0).place_8 = _S98;
-    (*path_0).direction_7 = _S96;
-    (*path_0).direction_rest_0 = vec3<f32>(ray_6.direction_0 - vec3<f64>(_S96));
-    var _S99 : vec3<f32> = still_0(vec3<f32>(0.0f));
-    var emitter_3 : u32 = emitter_seen_0(found_4, _S96);
+    var _S101 : Place_0 = place_of_0(found_4);
+    (*path_0).place_7 = _S101;
+    (*path_0).direction_7 = _S99;
+    (*path_0).direction_rest_0 = vec3<f32>(ray_6.direction_0 - vec3<f64>(_S99));
+    var _S102 : vec3<f32> = still_0(vec3<f32>(0.0f));
+    var emitter_3 : u32 = emitter_seen_0(found_4, _S99);
     if(emitter_3 != u32(4294967295))
     {
-        _S97 = (word_0(u32(4))) != u32(0);
+        _S100 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S97 = false;
+        _S100 = false;
     }
     var light_1 : vec3<f32>;
-    if(_S97)
+    if(_S100)
     {
-        var _S100 : vec3<f32> = emitted_0(emitter_3, _S98, (*path_0).direction_7);
-        light_1 = _S100;
+        var _S103 : vec3<f32> = emitted_0(emitter_3, _S101, (*path_0).direction_7);
+        light_1 = _S103;
     }
     else
     {
-        light_1 = _S99;
+        light_1 = _S102;
     }
     (*path_0).light_0 = light_1;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S97 = reaches_0(u32(2));
+        _S100 = reaches_0(u32(2));
     }
     else
     {
-        _S97 = false;
+        _S100 = false;
     }
-    return _S97;
+    return _S100;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
@@ -1481,41 +1491,41 @@ fn set_changing_0( path_4 : u32,  which_4 : ptr<function, u32>,  vector_1 : vec3
     return;
 }
 
-fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_9 : Place_0)
+fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_8 : Place_0)
 {
-    set_word_0(path_5, (*which_5), place_9.triangle_2);
-    set_word_0(path_5, (*which_5) + u32(1), (bitcast<u32>((place_9.v_4))));
-    set_word_0(path_5, (*which_5) + u32(2), (bitcast<u32>((place_9.w_3))));
-    set_word_0(path_5, (*which_5) + u32(3), (bitcast<u32>((place_9.v_rest_0))));
-    set_word_0(path_5, (*which_5) + u32(4), (bitcast<u32>((place_9.w_rest_0))));
+    set_word_0(path_5, (*which_5), place_8.triangle_2);
+    set_word_0(path_5, (*which_5) + u32(1), (bitcast<u32>((place_8.v_4))));
+    set_word_0(path_5, (*which_5) + u32(2), (bitcast<u32>((place_8.w_3))));
+    set_word_0(path_5, (*which_5) + u32(3), (bitcast<u32>((place_8.v_rest_0))));
+    set_word_0(path_5, (*which_5) + u32(4), (bitcast<u32>((place_8.w_rest_0))));
     (*which_5) = (*which_5) + u32(5);
     return;
 }
 
 fn store_0( number_of_path_2 : u32,  path_6 : Path_0)
 {
-    var at_13 : u32 = u32(1);
-    set_changing_0(number_of_path_2, &(at_13), path_6.light_0);
-    set_changing_0(number_of_path_2, &(at_13), path_6.throughput_0);
-    set_changing_0(number_of_path_2, &(at_13), path_6.direction_7);
-    set_place_0(number_of_path_2, &(at_13), path_6.place_8);
-    var _S101 : u32 = at_13 + u32(1);
-    set_word_0(number_of_path_2, at_13, path_6.key_4.x);
-    at_13 = _S101 + u32(1);
-    set_word_0(number_of_path_2, _S101, path_6.key_4.y);
-    set_vector_0(number_of_path_2, &(at_13), path_6.direction_rest_0);
+    var at_15 : u32 = u32(1);
+    set_changing_0(number_of_path_2, &(at_15), path_6.light_0);
+    set_changing_0(number_of_path_2, &(at_15), path_6.throughput_0);
+    set_changing_0(number_of_path_2, &(at_15), path_6.direction_7);
+    set_place_0(number_of_path_2, &(at_15), path_6.place_7);
+    var _S104 : u32 = at_15 + u32(1);
+    set_word_0(number_of_path_2, at_15, path_6.key_4.x);
+    at_15 = _S104 + u32(1);
+    set_word_0(number_of_path_2, _S104, path_6.key_4.y);
+    set_vector_0(number_of_path_2, &(at_15), path_6.direction_rest_0);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S102 : u32;
+    var _S105 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S103 : u32 = u32(2) + zero_0;
-        _S102 = _S103;
-        if(rounds_0 < _S103)
+        var _S106 : u32 = u32(2) + zero_0;
+        _S105 = _S106;
+        if(rounds_0 < _S106)
         {
         }
         else
@@ -1524,14 +1534,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S102;
+    return rounds_0 == _S105;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S104 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S107 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -1548,16 +1558,16 @@ fn begin_paths(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_7 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_3, &(path_7));
     store_0(number_of_path_3, path_7);
-    var _S105 : u32;
+    var _S108 : u32;
     if(goes_on_0)
     {
-        _S105 = number_of_path_3;
+        _S108 = number_of_path_3;
     }
     else
     {
-        _S105 = u32(4294967295);
+        _S108 = u32(4294967295);
     }
-    set_word_0(number_of_path_3, u32(0), _S105);
+    set_word_0(number_of_path_3, u32(0), _S108);
     check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 0b6ff8749d84514c
-// result: 254b8769d866cd22
+// source: a294b5d90f914c0c
+// result: ce27e90aa20f80e1
 
 struct Launch_std140_0
 {
@@ -1043,29 +1043,34 @@ fn number_1( at_9 : u32) -> f32
     return (bitcast<f32>((scene_0[at_9])));
 }
 
+fn precise_0( at_10 : u32) -> f32
+{
+    return number_1(at_10) + number_1(at_10 + u32(1));
+}
+
 fn uvs_of_0( triangle_7 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f, 0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_7) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_10 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_7) + u32(1));
-    uvs_0.a_5 = vec2<f32>(number_1(at_10), number_1(at_10 + u32(1)));
-    uvs_0.b_4 = vec2<f32>(number_1(at_10 + u32(2)), number_1(at_10 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_1(at_10 + u32(4)), number_1(at_10 + u32(5)));
+    var at_11 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_7) + u32(1));
+    uvs_0.a_5 = vec2<f32>(precise_0(at_11), precise_0(at_11 + u32(2)));
+    uvs_0.b_4 = vec2<f32>(precise_0(at_11 + u32(4)), precise_0(at_11 + u32(6)));
+    uvs_0.c_1 = vec2<f32>(precise_0(at_11 + u32(8)), precise_0(at_11 + u32(10)));
     return uvs_0;
 }
 
-fn vector_at_0( at_11 : u32) -> vec3<f32>
+fn row_at_0( at_12 : u32) -> vec3<f32>
 {
-    return vec3<f32>(number_1(at_11), number_1(at_11 + u32(1)), number_1(at_11 + u32(2)));
+    return vec3<f32>(precise_0(at_12), precise_0(at_12 + u32(2)), precise_0(at_12 + u32(4)));
 }
 
 fn floor_of_0( x_9 : f32) -> i32
 {
-    return i32(floor(clamp(x_9, -1.0e+09f, 1.0e+09f)));
+    return i32(clamp(floor(x_9), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -1173,35 +1178,40 @@ fn lookup_at_0( texture_1 : u32,  place_4 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_4.triangle_2);
-    var rows_0 : u32 = texture_1 + u32(6);
+    var _S74 : u32 = texture_1 + u32(6);
     var uv_1 : Point_0;
-    var _S74 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_4.v_4 - place_4.w_3)) + uvs_1.b_4 * vec2<f32>(place_4.v_4) + uvs_1.c_1 * vec2<f32>(place_4.w_3), 1.0f);
-    uv_1.value_2 = vec2<f32>(dot(_S74, vector_at_0(rows_0)), dot(_S74, vector_at_0(rows_0 + u32(3))));
+    var _S75 : vec3<f32> = vec3<f32>(uvs_1.a_5 + (uvs_1.b_4 - uvs_1.a_5) * vec2<f32>((place_4.v_4 + place_4.v_rest_0)) + (uvs_1.c_1 - uvs_1.a_5) * vec2<f32>((place_4.w_3 + place_4.w_rest_0)), 1.0f);
+    uv_1.value_2 = vec2<f32>(dot(_S75, row_at_0(_S74)), dot(_S75, row_at_0(_S74 + u32(6))));
     if(kind_1 == u32(1))
     {
-        var _S75 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S75;
+        var _S76 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S76;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
-    var _S76 : i32;
+    var _S77 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S76 = i32(1);
+        _S77 = i32(1);
     }
     else
     {
-        _S76 = i32(0);
+        _S77 = i32(0);
     }
-    return one_texel_0(u32(_S76));
+    return one_texel_0(u32(_S77));
+}
+
+fn vector_at_0( at_13 : u32) -> vec3<f32>
+{
+    return vec3<f32>(number_1(at_13), number_1(at_13 + u32(1)), number_1(at_13 + u32(2)));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S77 : u32 = word_0(texture_2 + u32(1));
-    var _S78 : u32 = texture_2 + u32(13);
-    var _S79 : vec3<f32> = vec3<f32>(0.0f);
+    var _S78 : u32 = word_0(texture_2 + u32(1));
+    var _S79 : u32 = texture_2 + u32(19);
+    var _S80 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_3 : vec3<f32> = _S79;
+    var value_3 : vec3<f32> = _S80;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1211,17 +1221,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_12 : u32 = _S78 + _S77 * lookup_3.texels_0[k_1];
-        var _S80 : vec3<f32>;
-        if(_S77 == u32(1))
+        var at_14 : u32 = _S79 + _S78 * lookup_3.texels_0[k_1];
+        var _S81 : vec3<f32>;
+        if(_S78 == u32(1))
         {
-            _S80 = vec3<f32>(number_1(at_12));
+            _S81 = vec3<f32>(number_1(at_14));
         }
         else
         {
-            _S80 = vector_at_0(at_12);
+            _S81 = vector_at_0(at_14);
         }
-        var value_4 : vec3<f32> = value_3 + _S80 * vec3<f32>(weights_1[k_1]);
+        var value_4 : vec3<f32> = value_3 + _S81 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_3 = value_4;
     }
@@ -1235,8 +1245,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_5 : Place_0) -> vec3<f32>
 {
-    var _S81 : Lookup_0 = lookup_at_0(texture_4, place_5);
-    return looked_up_0(texture_4, _S81, vec2<f32>(0.0f));
+    var _S82 : Lookup_0 = lookup_at_0(texture_4, place_5);
+    return looked_up_0(texture_4, _S82, vec2<f32>(0.0f));
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -1246,28 +1256,28 @@ fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
 {
-    var _S82 : f32 = abs(x_11);
-    var _S83 : f32 = abs(y_4);
-    var _S84 : f32 = min(_S82, _S83);
-    var _S85 : f32 = max(_S82, _S83);
-    var is_steep_0 : bool = _S84 > (0.41421356797218323f * _S85);
+    var _S83 : f32 = abs(x_11);
+    var _S84 : f32 = abs(y_4);
+    var _S85 : f32 = min(_S83, _S84);
+    var _S86 : f32 = max(_S83, _S84);
+    var is_steep_0 : bool = _S85 > (0.41421356797218323f * _S86);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S84 - _S85;
+        above_0 = _S85 - _S86;
     }
     else
     {
-        above_0 = _S84;
+        above_0 = _S85;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S84 + _S85;
+        below_0 = _S85 + _S86;
     }
     else
     {
-        below_0 = _S85;
+        below_0 = _S86;
     }
     if(below_0 > 0.0f)
     {
@@ -1288,7 +1298,7 @@ fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
     {
         angle_2 = angle_1;
     }
-    if(_S83 > _S82)
+    if(_S84 > _S83)
     {
         angle_2 = 1.57079637050628662f - angle_2;
     }
@@ -1309,8 +1319,8 @@ fn angle_of_0( x_11 : f32,  y_4 : f32) -> f32
 
 fn map_place_0( map_0 : u32,  direction_4 : vec3<f32>) -> vec2<f32>
 {
-    var _S86 : u32 = map_0 + u32(2);
-    var d_0 : vec3<f32> = vector_at_0(_S86) * vec3<f32>(direction_4.x) + vector_at_0(_S86 + u32(3)) * vec3<f32>(direction_4.y) + vector_at_0(_S86 + u32(6)) * vec3<f32>(direction_4.z);
+    var _S87 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S87) * vec3<f32>(direction_4.x) + vector_at_0(_S87 + u32(3)) * vec3<f32>(direction_4.y) + vector_at_0(_S87 + u32(6)) * vec3<f32>(direction_4.z);
     return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -1325,11 +1335,11 @@ fn in_map_0( map_1 : u32,  direction_5 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_1 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_2, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_2, u32(0));
-    var _S87 : u32 = wrapped_0(y_5, height_1, u32(2));
-    var _S88 : u32 = u32(width_2);
-    var first_3 : u32 = _S87 * _S88;
-    var _S89 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S89 * _S88;
+    var _S88 : u32 = wrapped_0(y_5, height_1, u32(2));
+    var _S89 : u32 = u32(width_2);
+    var first_3 : u32 = _S88 * _S89;
+    var _S90 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S90 * _S89;
     return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), point_0);
 }
 
@@ -1339,14 +1349,14 @@ fn emitted_0( emitter_2 : u32,  place_7 : Place_0,  direction_6 : vec3<f32>) -> 
     var texture_5 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var _S90 : vec3<f32> = shown_0(texture_5, place_7);
-        return _S90;
+        var _S91 : vec3<f32> = shown_0(texture_5, place_7);
+        return _S91;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_5 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S91 : u32 = word_0(texture_5 + u32(11));
-    var _S92 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_6));
-    return looked_up_0(_S91, _S92, change_1) * factor_0;
+    var _S92 : u32 = word_0(texture_5 + u32(11));
+    var _S93 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_6));
+    return looked_up_0(_S92, _S93, change_1) * factor_0;
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1370,60 +1380,60 @@ fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
     var ray_6 : CameraRay_0 = camera_ray_0(drawn_3);
     (*path_0).key_4 = drawn_3.key_3;
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
-    atomicStore(&(sums_0[u32(3) + number_of_path_1]), (bitcast<u32>((drawn_3.weight_1))));
+    atomicStore(&(sums_0[u32(4) + number_of_path_1]), (bitcast<u32>((drawn_3.weight_1))));
     var t_4 : f32 = 0.0f;
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0f;
     found_4.w_2 = 0.0f;
-    var _S93 : bool;
+    var _S94 : bool;
     if((ray_6.length_0) >= 0.0f)
     {
-        _S93 = (word_0(u32(14))) != u32(0);
+        _S94 = (word_0(u32(14))) != u32(0);
     }
     else
     {
-        _S93 = false;
+        _S94 = false;
     }
-    if(_S93)
+    if(_S94)
     {
         found_4 = cast_0(ray_6.start_1, ray_6.direction_0, 0.0f, ray_6.length_0, false, &(t_4));
     }
-    var _S94 : Place_0 = place_of_0(found_4);
-    (*path_0).place_8 = _S94;
+    var _S95 : Place_0 = place_of_0(found_4);
+    (*path_0).place_8 = _S95;
     (*path_0).direction_7 = ray_6.direction_0;
     (*path_0).direction_rest_0 = vec3<f32>(0.0f);
-    var _S95 : vec3<f32> = still_0(vec3<f32>(0.0f));
+    var _S96 : vec3<f32> = still_0(vec3<f32>(0.0f));
     var emitter_3 : u32 = emitter_seen_0(found_4, ray_6.direction_0);
     if(emitter_3 != u32(4294967295))
     {
-        _S93 = (word_0(u32(4))) != u32(0);
+        _S94 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S93 = false;
+        _S94 = false;
     }
     var light_1 : vec3<f32>;
-    if(_S93)
+    if(_S94)
     {
-        var _S96 : vec3<f32> = emitted_0(emitter_3, _S94, (*path_0).direction_7);
-        light_1 = _S96;
+        var _S97 : vec3<f32> = emitted_0(emitter_3, _S95, (*path_0).direction_7);
+        light_1 = _S97;
     }
     else
     {
-        light_1 = _S95;
+        light_1 = _S96;
     }
     (*path_0).light_0 = light_1;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S93 = reaches_0(u32(2));
+        _S94 = reaches_0(u32(2));
     }
     else
     {
-        _S93 = false;
+        _S94 = false;
     }
-    return _S93;
+    return _S94;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
@@ -1489,28 +1499,28 @@ fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_9 : Place_0)
 
 fn store_0( number_of_path_2 : u32,  path_6 : Path_0)
 {
-    var at_13 : u32 = u32(1);
-    set_changing_0(number_of_path_2, &(at_13), path_6.light_0);
-    set_changing_0(number_of_path_2, &(at_13), path_6.throughput_0);
-    set_changing_0(number_of_path_2, &(at_13), path_6.direction_7);
-    set_place_0(number_of_path_2, &(at_13), path_6.place_8);
-    var _S97 : u32 = at_13 + u32(1);
-    set_word_0(number_of_path_2, at_13, path_6.key_4.x);
-    at_13 = _S97 + u32(1);
-    set_word_0(number_of_path_2, _S97, path_6.key_4.y);
-    set_vector_0(number_of_path_2, &(at_13), path_6.direction_rest_0);
+    var at_15 : u32 = u32(1);
+    set_changing_0(number_of_path_2, &(at_15), path_6.light_0);
+    set_changing_0(number_of_path_2, &(at_15), path_6.throughput_0);
+    set_changing_0(number_of_path_2, &(at_15), path_6.direction_7);
+    set_place_0(number_of_path_2, &(at_15), path_6.place_8);
+    var _S98 : u32 = at_15 + u32(1);
+    set_word_0(number_of_path_2, at_15, path_6.key_4.x);
+    at_15 = _S98 + u32(1);
+    set_word_0(number_of_path_2, _S98, path_6.key_4.y);
+    set_vector_0(number_of_path_2, &(at_15), path_6.direction_rest_0);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S98 : u32;
+    var _S99 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S99 : u32 = u32(2) + zero_0;
-        _S98 = _S99;
-        if(rounds_0 < _S99)
+        var _S100 : u32 = u32(2) + zero_0;
+        _S99 = _S100;
+        if(rounds_0 < _S100)
         {
         }
         else
@@ -1519,14 +1529,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S98;
+    return rounds_0 == _S99;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S100 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S101 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -1543,16 +1553,16 @@ fn begin_paths(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_7 : Path_0;
     var goes_on_0 : bool = begin_0(number_of_path_3, &(path_7));
     store_0(number_of_path_3, path_7);
-    var _S101 : u32;
+    var _S102 : u32;
     if(goes_on_0)
     {
-        _S101 = number_of_path_3;
+        _S102 = number_of_path_3;
     }
     else
     {
-        _S101 = u32(4294967295);
+        _S102 = u32(4294967295);
     }
-    set_word_0(number_of_path_3, u32(0), _S101);
+    set_word_0(number_of_path_3, u32(0), _S102);
     check_loops_0();
     return;
 }

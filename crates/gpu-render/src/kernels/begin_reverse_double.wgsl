@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: cbd5b3ac6fc36d98
-// result: 03376b9941b08a19
+// source: 7c3aafa6eedce5f6
+// result: e3253f9a151ead07
 
 struct Launch_std140_0
 {
@@ -1642,12 +1642,12 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
 
 struct Corners2_0
 {
-     a_5 : vec2<f32>,
-     b_4 : vec2<f32>,
-     c_1 : vec2<f32>,
+     a_5 : vec2<f64>,
+     b_4 : vec2<f64>,
+     c_1 : vec2<f64>,
 };
 
-fn Corners2_x24init_0( a_6 : vec2<f32>,  b_5 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
+fn Corners2_x24init_0( a_6 : vec2<f64>,  b_5 : vec2<f64>,  c_2 : vec2<f64>) -> Corners2_0
 {
     var _S201 : Corners2_0;
     _S201.a_5 = a_6;
@@ -1656,24 +1656,34 @@ fn Corners2_x24init_0( a_6 : vec2<f32>,  b_5 : vec2<f32>,  c_2 : vec2<f32>) -> C
     return _S201;
 }
 
+fn precise_0( at_13 : u32) -> f64
+{
+    return f64(number_0(at_13)) + f64(number_0(at_13 + u32(1)));
+}
+
 fn uvs_of_0( triangle_7 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f64>(0.0lf, 0.0lf), vec2<f64>(1.0lf, 0.0lf), vec2<f64>(0.0lf, 1.0lf));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_7) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_13 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_7) + u32(1));
-    uvs_0.a_5 = vec2<f32>(number_0(at_13), number_0(at_13 + u32(1)));
-    uvs_0.b_4 = vec2<f32>(number_0(at_13 + u32(2)), number_0(at_13 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_13 + u32(4)), number_0(at_13 + u32(5)));
+    var at_14 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_7) + u32(1));
+    uvs_0.a_5 = vec2<f64>(precise_0(at_14), precise_0(at_14 + u32(2)));
+    uvs_0.b_4 = vec2<f64>(precise_0(at_14 + u32(4)), precise_0(at_14 + u32(6)));
+    uvs_0.c_1 = vec2<f64>(precise_0(at_14 + u32(8)), precise_0(at_14 + u32(10)));
     return uvs_0;
 }
 
-fn floor_of_0( x_13 : f32) -> i32
+fn row_at_0( at_15 : u32) -> vec3<f64>
 {
-    return i32(floor(clamp(x_13, -1.0e+09f, 1.0e+09f)));
+    return vec3<f64>(precise_0(at_15), precise_0(at_15 + u32(2)), precise_0(at_15 + u32(4)));
+}
+
+fn floor_of_0( x_13 : f64) -> i32
+{
+    return i32(clamp(f32(floor(x_13)), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -1714,25 +1724,25 @@ fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
 
 struct Point_0
 {
-     value_2 : vec2<f32>,
+     value_2 : vec2<f64>,
      by_first_1 : vec2<f32>,
      by_second_1 : vec2<f32>,
 };
 
 fn between_0( texels_1 : vec4<u32>,  place_2 : Point_0) -> Lookup_0
 {
-    var way_1 : vec2<f32> = place_2.value_2 - floor(place_2.value_2);
-    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_1;
+    var _S202 : vec2<f32> = vec2<f32>(place_2.value_2 - floor(place_2.value_2));
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - _S202;
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S202 : f32 = back_0.x;
-    var _S203 : f32 = back_0.y;
-    var _S204 : f32 = way_1.x;
-    var _S205 : f32 = way_1.y;
-    lookup_1.weights_0 = vec4<f32>(_S202 * _S203, _S204 * _S203, _S202 * _S205, _S204 * _S205);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S203, _S203, - _S205, _S205);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S202, - _S204, _S202, _S204);
+    var _S203 : f32 = back_0.x;
+    var _S204 : f32 = back_0.y;
+    var _S205 : f32 = _S202.x;
+    var _S206 : f32 = _S202.y;
+    lookup_1.weights_0 = vec4<f32>(_S203 * _S204, _S205 * _S204, _S203 * _S206, _S205 * _S206);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S204, _S204, - _S206, _S206);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S203, - _S205, _S203, _S205);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_2.by_first_1.x) + by_y_0 * vec4<f32>(place_2.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_2.by_second_1.x) + by_y_0 * vec4<f32>(place_2.by_second_1.y);
     return lookup_1;
@@ -1744,26 +1754,26 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
     var size_3 : vec2<f32> = vec2<f32>(f32(width_2), f32(height_0));
-    var place_3 : vec2<f32> = uv_0.value_2 * size_3;
+    var place_3 : vec2<f64> = uv_0.value_2 * vec2<f64>(size_3);
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_1 : u32 = wrapped_0(floor_of_0(place_3.y), height_0, wrap_1);
-        var _S206 : u32 = row_1 * u32(width_2);
-        var _S207 : u32 = wrapped_0(floor_of_0(place_3.x), width_2, wrap_1);
-        return one_texel_0(_S206 + _S207);
+        var _S207 : u32 = row_1 * u32(width_2);
+        var _S208 : u32 = wrapped_0(floor_of_0(place_3.x), width_2, wrap_1);
+        return one_texel_0(_S207 + _S208);
     }
     var centred_0 : Point_0;
-    var _S208 : vec2<f32> = place_3 - vec2<f32>(0.5f);
-    centred_0.value_2 = _S208;
+    var _S209 : vec2<f64> = place_3 - vec2<f64>(0.5lf);
+    centred_0.value_2 = _S209;
     centred_0.by_first_1 = uv_0.by_first_1 * size_3;
     centred_0.by_second_1 = uv_0.by_second_1 * size_3;
-    var x_14 : i32 = floor_of_0(_S208.x);
-    var y_5 : i32 = floor_of_0(_S208.y);
-    var _S209 : u32 = wrapped_0(y_5, height_0, wrap_1);
-    var _S210 : u32 = u32(width_2);
-    var first_2 : u32 = _S209 * _S210;
-    var _S211 : u32 = wrapped_0(y_5 + i32(1), height_0, wrap_1);
-    var second_1 : u32 = _S211 * _S210;
+    var x_14 : i32 = floor_of_0(_S209.x);
+    var y_5 : i32 = floor_of_0(_S209.y);
+    var _S210 : u32 = wrapped_0(y_5, height_0, wrap_1);
+    var _S211 : u32 = u32(width_2);
+    var first_2 : u32 = _S210 * _S211;
+    var _S212 : u32 = wrapped_0(y_5 + i32(1), height_0, wrap_1);
+    var second_1 : u32 = _S212 * _S211;
     var left_0 : u32 = wrapped_0(x_14, width_2, wrap_1);
     var right_0 : u32 = wrapped_0(x_14 + i32(1), width_2, wrap_1);
     return between_0(vec4<u32>(first_2 + left_0, first_2 + right_0, second_1 + left_0, second_1 + right_0), centred_0);
@@ -1792,43 +1802,43 @@ fn lookup_at_0( texture_1 : u32,  place_4 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_4.triangle_2);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
+    var by_v_0 : vec2<f64> = uvs_1.b_4 - uvs_1.a_5;
+    var by_w_0 : vec2<f64> = uvs_1.c_1 - uvs_1.a_5;
+    var _S213 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f64> = row_at_0(_S213);
+    var to_v_0 : vec3<f64> = row_at_0(_S213 + u32(6));
     var uv_1 : Point_0;
-    var _S212 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_4.v_4 - place_4.w_3)) + uvs_1.b_4 * vec2<f32>(place_4.v_4) + uvs_1.c_1 * vec2<f32>(place_4.w_3), 1.0f);
-    uv_1.value_2 = vec2<f32>(dot(_S212, to_u_0), dot(_S212, to_v_0));
-    var by_v_0 : vec2<f32> = uvs_1.b_4 - uvs_1.a_5;
-    var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_5;
-    var _S213 : vec2<f32> = to_u_0.xy;
-    var _S214 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S213), dot(by_v_0, _S214));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S213), dot(by_w_0, _S214));
+    var _S214 : vec3<f64> = vec3<f64>(uvs_1.a_5 + by_v_0 * vec2<f64>((f64(place_4.v_4) + f64(place_4.v_rest_0))) + by_w_0 * vec2<f64>((f64(place_4.w_3) + f64(place_4.w_rest_0))), 1.0lf);
+    uv_1.value_2 = vec2<f64>(dot(_S214, to_u_0), dot(_S214, to_v_0));
+    var _S215 : vec2<f64> = to_u_0.xy;
+    var _S216 : vec2<f64> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(vec2<f64>(dot(by_v_0, _S215), dot(by_v_0, _S216)));
+    uv_1.by_second_1 = vec2<f32>(vec2<f64>(dot(by_w_0, _S215), dot(by_w_0, _S216)));
     if(kind_1 == u32(1))
     {
-        var _S215 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S215;
+        var _S217 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S217;
     }
-    var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
-    var _S216 : i32;
-    if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
+    var half_of_period_0 : vec2<f64> = uv_1.value_2 - floor(uv_1.value_2);
+    var _S218 : i32;
+    if(((half_of_period_0.x) > 0.5lf) != ((half_of_period_0.y) > 0.5lf))
     {
-        _S216 = i32(1);
+        _S218 = i32(1);
     }
     else
     {
-        _S216 = i32(0);
+        _S218 = i32(0);
     }
-    return one_texel_0(u32(_S216));
+    return one_texel_0(u32(_S218));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S217 : u32 = word_0(texture_2 + u32(1));
-    var _S218 : u32 = texture_2 + u32(13);
-    var _S219 : vec3<f32> = vec3<f32>(0.0f);
+    var _S219 : u32 = word_0(texture_2 + u32(1));
+    var _S220 : u32 = texture_2 + u32(19);
+    var _S221 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_3 : vec3<f32> = _S219;
+    var value_3 : vec3<f32> = _S221;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1838,17 +1848,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_14 : u32 = _S218 + _S217 * lookup_3.texels_0[k_1];
-        var _S220 : vec3<f32>;
-        if(_S217 == u32(1))
+        var at_16 : u32 = _S220 + _S219 * lookup_3.texels_0[k_1];
+        var _S222 : vec3<f32>;
+        if(_S219 == u32(1))
         {
-            _S220 = vec3<f32>(number_0(at_14));
+            _S222 = vec3<f32>(number_0(at_16));
         }
         else
         {
-            _S220 = vector_at_0(at_14);
+            _S222 = vector_at_0(at_16);
         }
-        var value_4 : vec3<f32> = value_3 + _S220 * vec3<f32>(weights_1[k_1]);
+        var value_4 : vec3<f32> = value_3 + _S222 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_3 = value_4;
     }
@@ -1862,8 +1872,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_5 : Place_0) -> vec3<f32>
 {
-    var _S221 : Lookup_0 = lookup_at_0(texture_4, place_5);
-    return looked_up_0(texture_4, _S221, vec2<f32>(0.0f));
+    var _S223 : Lookup_0 = lookup_at_0(texture_4, place_5);
+    return looked_up_0(texture_4, _S223, vec2<f32>(0.0f));
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -1873,28 +1883,28 @@ fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_15 : f32,  y_6 : f32) -> f32
 {
-    var _S222 : f32 = abs(x_15);
-    var _S223 : f32 = abs(y_6);
-    var _S224 : f32 = min(_S222, _S223);
-    var _S225 : f32 = max(_S222, _S223);
-    var is_steep_2 : bool = _S224 > (0.41421356797218323f * _S225);
+    var _S224 : f32 = abs(x_15);
+    var _S225 : f32 = abs(y_6);
+    var _S226 : f32 = min(_S224, _S225);
+    var _S227 : f32 = max(_S224, _S225);
+    var is_steep_2 : bool = _S226 > (0.41421356797218323f * _S227);
     var above_2 : f32;
     if(is_steep_2)
     {
-        above_2 = _S224 - _S225;
+        above_2 = _S226 - _S227;
     }
     else
     {
-        above_2 = _S224;
+        above_2 = _S226;
     }
     var below_2 : f32;
     if(is_steep_2)
     {
-        below_2 = _S224 + _S225;
+        below_2 = _S226 + _S227;
     }
     else
     {
-        below_2 = _S225;
+        below_2 = _S227;
     }
     if(below_2 > 0.0f)
     {
@@ -1915,7 +1925,7 @@ fn angle_of_0( x_15 : f32,  y_6 : f32) -> f32
     {
         angle_4 = angle_3;
     }
-    if(_S223 > _S222)
+    if(_S225 > _S224)
     {
         angle_4 = 1.57079637050628662f - angle_4;
     }
@@ -1936,78 +1946,78 @@ fn angle_of_0( x_15 : f32,  y_6 : f32) -> f32
 
 fn map_place_0( map_1 : u32,  direction_4 : vec3<f32>) -> vec2<f32>
 {
-    var _S226 : u32 = map_1 + u32(2);
-    var d_2 : vec3<f32> = vector_at_0(_S226) * vec3<f32>(direction_4.x) + vector_at_0(_S226 + u32(3)) * vec3<f32>(direction_4.y) + vector_at_0(_S226 + u32(6)) * vec3<f32>(direction_4.z);
+    var _S228 : u32 = map_1 + u32(2);
+    var d_2 : vec3<f32> = vector_at_0(_S228) * vec3<f32>(direction_4.x) + vector_at_0(_S228 + u32(3)) * vec3<f32>(direction_4.y) + vector_at_0(_S228 + u32(6)) * vec3<f32>(direction_4.z);
     return vec2<f32>(angle_of_0(- d_2.z, d_2.x) * 0.15915493667125702f * f32(word_0(map_1)) - 0.5f, angle_of_0(d_2.y, length(d_2.xz)) * 0.31830987334251404f * (f32(word_0(map_1 + u32(1))) - 1.0f));
 }
 
 fn in_map_0( map_2 : u32,  direction_5 : vec3<f32>) -> Lookup_0
 {
-    var place_6 : vec2<f32> = map_place_0(map_2, direction_5);
+    var _S229 : vec2<f64> = vec2<f64>(map_place_0(map_2, direction_5));
     var point_0 : Point_0;
-    point_0.value_2 = place_6;
+    point_0.value_2 = _S229;
     point_0.by_first_1 = vec2<f32>(1.0f, 0.0f);
     point_0.by_second_1 = vec2<f32>(0.0f, 1.0f);
-    var x_16 : i32 = floor_of_0(place_6.x);
-    var y_7 : i32 = floor_of_0(place_6.y);
+    var x_16 : i32 = floor_of_0(_S229.x);
+    var y_7 : i32 = floor_of_0(_S229.y);
     var width_3 : i32 = i32(word_0(map_2));
     var height_1 : i32 = i32(word_0(map_2 + u32(1)));
     var left_1 : u32 = wrapped_0(x_16, width_3, u32(0));
     var right_1 : u32 = wrapped_0(x_16 + i32(1), width_3, u32(0));
-    var _S227 : u32 = wrapped_0(y_7, height_1, u32(2));
-    var _S228 : u32 = u32(width_3);
-    var first_3 : u32 = _S227 * _S228;
-    var _S229 : u32 = wrapped_0(y_7 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S229 * _S228;
+    var _S230 : u32 = wrapped_0(y_7, height_1, u32(2));
+    var _S231 : u32 = u32(width_3);
+    var first_3 : u32 = _S230 * _S231;
+    var _S232 : u32 = wrapped_0(y_7 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S232 * _S231;
     return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), point_0);
 }
 
-fn emitted_0( emitter_2 : u32,  place_7 : Place_0,  direction_6 : vec3<f32>) -> vec3<f32>
+fn emitted_0( emitter_2 : u32,  place_6 : Place_0,  direction_6 : vec3<f32>) -> vec3<f32>
 {
     var record_2 : u32 = emitter_record_0(emitter_2);
     var texture_5 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var _S230 : vec3<f32> = shown_0(texture_5, place_7);
-        return _S230;
+        var _S233 : vec3<f32> = shown_0(texture_5, place_6);
+        return _S233;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_5 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S231 : u32 = word_0(texture_5 + u32(11));
-    var _S232 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_6));
-    return looked_up_0(_S231, _S232, change_1) * factor_0;
+    var _S234 : u32 = word_0(texture_5 + u32(11));
+    var _S235 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_6));
+    return looked_up_0(_S234, _S235, change_1) * factor_0;
 }
 
 fn numbers_of_0( texture_6 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_6 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_6 + u32(18)));
 }
 
 fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S233 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S236 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_4 : f32 = abs(scaled_0);
     if(size_4 > 7.73712524553362672e+25f)
     {
-        var _S234 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S237 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S235 : bool = scaled_0 < 0.0f;
-    var _S236 : i32;
+    var _S238 : bool = scaled_0 < 0.0f;
+    var _S239 : i32;
     if(size_4 >= 1.84467440737095516e+19f)
     {
-        _S236 = i32(1);
+        _S239 = i32(1);
     }
     else
     {
-        _S236 = i32(0);
+        _S239 = i32(0);
     }
-    var first_4 : u32 = u32(_S236);
+    var first_4 : u32 = u32(_S239);
     var size_5 : f32;
     if(first_4 == u32(1))
     {
@@ -2027,39 +2037,39 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
     {
         size_5 = lower_0;
     }
-    var _S237 : u32 = u32(3) + u32(4) * sum_0;
+    var _S240 : u32 = u32(4) + u32(4) * sum_0;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_5), u32(higher_0));
     var k_2 : u32 = first_4;
     for(;;)
     {
-        var _S238 : bool;
+        var _S241 : bool;
         if(k_2 < u32(4))
         {
-            _S238 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S241 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S238 = false;
+            _S241 = false;
         }
-        if(_S238)
+        if(_S241)
         {
         }
         else
         {
             break;
         }
-        var _S239 : u32;
-        if(_S235)
+        var _S242 : u32;
+        if(_S238)
         {
-            _S239 = u32(0) - digits_0.x;
+            _S242 = u32(0) - digits_0.x;
         }
         else
         {
-            _S239 = digits_0.x;
+            _S242 = digits_0.x;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S237 + k_2]), _S239);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S240 + k_2]), _S242);
         var overflows_0 : bool;
-        if(_S235)
+        if(_S238)
         {
             overflows_0 = before_0 < (digits_0.x);
         }
@@ -2067,19 +2077,19 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_0 + digits_0.x) < before_0;
         }
-        var _S240 : u32 = digits_0.y;
+        var _S243 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S236 = i32(1);
+            _S239 = i32(1);
         }
         else
         {
-            _S236 = i32(0);
+            _S239 = i32(0);
         }
-        var _S241 : vec2<u32> = vec2<u32>(_S240 + u32(_S236), u32(0));
-        var _S242 : u32 = k_2 + u32(1);
-        digits_0 = _S241;
-        k_2 = _S242;
+        var _S244 : vec2<u32> = vec2<u32>(_S243 + u32(_S239), u32(0));
+        var _S245 : u32 = k_2 + u32(1);
+        digits_0 = _S244;
+        k_2 = _S245;
     }
     return;
 }
@@ -2087,20 +2097,20 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
 fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
 {
     var first_5 : u32 = numbers_of_0(texture_7);
-    var _S243 : u32 = word_0(texture_7 + u32(1));
-    var _S244 : u32;
+    var _S246 : u32 = word_0(texture_7 + u32(1));
+    var _S247 : u32;
     if(first_5 == u32(4294967295))
     {
-        _S244 = u32(0);
+        _S247 = u32(0);
     }
     else
     {
-        _S244 = lookup_5.count_0;
+        _S247 = lookup_5.count_0;
     }
     var k_3 : u32 = u32(0);
     for(;;)
     {
-        if(k_3 < _S244)
+        if(k_3 < _S247)
         {
         }
         else
@@ -2109,7 +2119,7 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         }
         var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_0[k_3]);
         var own_1 : vec3<f32>;
-        if(_S243 == u32(1))
+        if(_S246 == u32(1))
         {
             own_1 = vec3<f32>((own_0.x + own_0.y + own_0.z));
         }
@@ -2120,14 +2130,14 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         var c_3 : u32 = u32(0);
         for(;;)
         {
-            if(c_3 < _S243)
+            if(c_3 < _S246)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_5 + _S243 * lookup_5.texels_0[k_3] + c_3, own_1[c_3]);
+            add_to_sum_0(first_5 + _S246 * lookup_5.texels_0[k_3] + c_3, own_1[c_3]);
             c_3 = c_3 + u32(1);
         }
         k_3 = k_3 + u32(1);
@@ -2161,33 +2171,33 @@ struct AtCorners_0
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_0 : AtCorners_0;
-    var _S245 : vec3<f32> = vec3<f32>(0.0f);
-    corners_0.c_4 = _S245;
-    corners_0.b_6 = _S245;
-    corners_0.a_7 = _S245;
+    var _S248 : vec3<f32> = vec3<f32>(0.0f);
+    corners_0.c_4 = _S248;
+    corners_0.b_6 = _S248;
+    corners_0.a_7 = _S248;
     return corners_0;
 }
 
-fn add_at_place_0( corners_1 : ptr<function, AtCorners_0>,  place_8 : Place_0,  derivative_3 : vec3<f32>)
+fn add_at_place_0( corners_1 : ptr<function, AtCorners_0>,  place_7 : Place_0,  derivative_3 : vec3<f32>)
 {
-    (*corners_1).a_7 = (*corners_1).a_7 + derivative_3 * vec3<f32>((1.0f - place_8.v_4 - place_8.w_3));
-    (*corners_1).b_6 = (*corners_1).b_6 + derivative_3 * vec3<f32>(place_8.v_4);
-    (*corners_1).c_4 = (*corners_1).c_4 + derivative_3 * vec3<f32>(place_8.w_3);
+    (*corners_1).a_7 = (*corners_1).a_7 + derivative_3 * vec3<f32>((1.0f - place_7.v_4 - place_7.w_3));
+    (*corners_1).b_6 = (*corners_1).b_6 + derivative_3 * vec3<f32>(place_7.v_4);
+    (*corners_1).c_4 = (*corners_1).c_4 + derivative_3 * vec3<f32>(place_7.w_3);
     return;
 }
 
-fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_9 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_7 : vec3<f32>) -> vec3<f32>
+fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_8 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_7 : vec3<f32>) -> vec3<f32>
 {
-    var corner_1 : u32 = u32(9) * place_9.triangle_2;
+    var corner_1 : u32 = u32(9) * place_8.triangle_2;
     var a_8 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S246 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_8);
-    var _S247 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_8);
-    var across_0 : vec3<f32> = cross(_S246, _S247);
-    var _S248 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
-    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S248);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S247, normal_0) * vec3<f32>(by_place_0.x) + cross(normal_0, _S246) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S248)));
+    var _S249 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_8);
+    var _S250 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_8);
+    var across_0 : vec3<f32> = cross(_S249, _S250);
+    var _S251 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S251);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S250, normal_0) * vec3<f32>(by_place_0.x) + cross(normal_0, _S249) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S251)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_7, by_slip_0) / dot(normal_0, direction_7)));
-    add_at_place_0(&((*points_0)), place_9, by_position_0 - by_drift_0);
+    add_at_place_0(&((*points_0)), place_8, by_position_0 - by_drift_0);
     return by_drift_0;
 }
 
@@ -2198,20 +2208,20 @@ fn points_of_0( triangle_8 : u32) -> u32
 
 fn add_to_sums_0( first_6 : u32,  derivative_4 : vec3<f32>)
 {
-    var _S249 : i32;
+    var _S252 : i32;
     if(first_6 == u32(4294967295))
     {
-        _S249 = i32(0);
+        _S252 = i32(0);
     }
     else
     {
-        _S249 = i32(3);
+        _S252 = i32(3);
     }
-    var _S250 : u32 = u32(_S249);
+    var _S253 : u32 = u32(_S252);
     var axis_4 : u32 = u32(0);
     for(;;)
     {
-        if(axis_4 < _S250)
+        if(axis_4 < _S253)
         {
         }
         else
@@ -2226,51 +2236,51 @@ fn add_to_sums_0( first_6 : u32,  derivative_4 : vec3<f32>)
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_9 : u32,  corners_2 : AtCorners_0)
 {
-    var _S251 : u32 = triangle_record_0(triangle_9) + u32(2);
-    var _S252 : i32;
+    var _S254 : u32 = triangle_record_0(triangle_9) + u32(2);
+    var _S255 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S252 = i32(0);
+        _S255 = i32(0);
     }
     else
     {
-        _S252 = i32(3);
+        _S255 = i32(3);
     }
-    var _S253 : u32 = u32(_S252);
+    var _S256 : u32 = u32(_S255);
     var k_4 : u32 = u32(0);
     for(;;)
     {
-        if(k_4 < _S253)
+        if(k_4 < _S256)
         {
         }
         else
         {
             break;
         }
-        var _S254 : u32 = sums_at_0 + u32(3) * word_0(_S251 + k_4);
-        var _S255 : vec3<f32>;
+        var _S257 : u32 = sums_at_0 + u32(3) * word_0(_S254 + k_4);
+        var _S258 : vec3<f32>;
         if(k_4 == u32(0))
         {
-            _S255 = corners_2.a_7;
+            _S258 = corners_2.a_7;
         }
         else
         {
             if(k_4 == u32(1))
             {
-                _S255 = corners_2.b_6;
+                _S258 = corners_2.b_6;
             }
             else
             {
-                _S255 = corners_2.c_4;
+                _S258 = corners_2.c_4;
             }
         }
-        add_to_sums_0(_S254, _S255);
+        add_to_sums_0(_S257, _S258);
         k_4 = k_4 + u32(1);
     }
     return;
 }
 
-fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_3 : u32,  place_10 : Place_0,  direction_8 : vec3<f32>,  t_6 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
+fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_3 : u32,  place_9 : Place_0,  direction_8 : vec3<f32>,  t_6 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
 {
     var record_4 : u32 = emitter_record_0(emitter_3);
     var texture_9 : u32 = word_0(record_4 + u32(1));
@@ -2280,61 +2290,61 @@ fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_3 : u32,  pla
     {
         var scale_0 : u32 = word_0(texture_9 + u32(12));
         var lookup_8 : Lookup_0 = in_map_0(texture_9, direction_8);
-        var _S256 : Lookup_0 = one_texel_0(u32(0));
-        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_0, _S256, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
-        add_to_texels_0(scale_0, _S256, importance_0 * weighted_texels_0(word_0(texture_9 + u32(11)), lookup_8, lookup_8.weights_0));
+        var _S259 : Lookup_0 = one_texel_0(u32(0));
+        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_0, _S259, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
+        add_to_texels_0(scale_0, _S259, importance_0 * weighted_texels_0(word_0(texture_9 + u32(11)), lookup_8, lookup_8.weights_0));
         lookup_7 = lookup_8;
         by_texels_0 = by_texels_1;
     }
     else
     {
-        var _S257 : Lookup_0 = lookup_at_0(texture_9, place_10);
-        lookup_7 = _S257;
+        var _S260 : Lookup_0 = lookup_at_0(texture_9, place_9);
+        lookup_7 = _S260;
         by_texels_0 = importance_0;
     }
-    var _S258 : u32;
+    var _S261 : u32;
     if(is_map_0(record_4))
     {
-        _S258 = word_0(texture_9 + u32(11));
+        _S261 = word_0(texture_9 + u32(11));
     }
     else
     {
-        _S258 = texture_9;
+        _S261 = texture_9;
     }
-    var by_place_1 : vec2<f32> = lookup_back_0(_S258, lookup_7, by_texels_0);
+    var by_place_1 : vec2<f32> = lookup_back_0(_S261, lookup_7, by_texels_0);
     if(is_map_0(record_4))
     {
-        var _S259 : vec3<f32> = vec3<f32>(0.0f);
+        var _S262 : vec3<f32> = vec3<f32>(0.0f);
         var moving_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
         moving_0.primal_0 = direction_8;
-        moving_0.differential_0 = _S259;
+        moving_0.differential_0 = _S262;
         _S127(texture_9, &(moving_0), by_place_1);
         return moving_0.differential_0;
     }
-    var _S260 : bool;
+    var _S263 : bool;
     if(!is_area_0(record_4))
     {
-        _S260 = true;
+        _S263 = true;
     }
     else
     {
-        _S260 = !is_moving_0();
+        _S263 = !is_moving_0();
     }
-    if(_S260)
+    if(_S263)
     {
-        _S260 = true;
+        _S263 = true;
     }
     else
     {
-        _S260 = (all((by_place_1 == vec2<f32>(0.0f))));
+        _S263 = (all((by_place_1 == vec2<f32>(0.0f))));
     }
-    if(_S260)
+    if(_S263)
     {
         return vec3<f32>(0.0f);
     }
     var points_1 : AtCorners_0 = at_no_corner_0();
-    var by_drift_1 : vec3<f32> = place_back_0(&(points_1), place_10, by_place_1, vec3<f32>(0.0f), direction_8);
-    add_to_corners_0(points_of_0(place_10.triangle_2), place_10.triangle_2, points_1);
+    var by_drift_1 : vec3<f32> = place_back_0(&(points_1), place_9, by_place_1, vec3<f32>(0.0f), direction_8);
+    add_to_corners_0(points_of_0(place_9.triangle_2), place_9.triangle_2, points_1);
     (*by_start_0) = (*by_start_0) + by_drift_1;
     return by_drift_1 * vec3<f32>(t_6);
 }
@@ -2354,7 +2364,7 @@ struct Path_0
 {
      throughput_0 : vec3<f32>,
      direction_10 : vec3<f32>,
-     place_11 : Place_0,
+     place_10 : Place_0,
      key_4 : vec2<u32>,
      adjoint_0 : vec3<f32>,
      distance_0 : f32,
@@ -2365,72 +2375,72 @@ fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
     var drawn_3 : CameraSample_0 = camera_sample_0(number_of_path_1);
     var ray_6 : CameraRay_0 = camera_ray_0(drawn_3);
-    var _S261 : vec3<f32> = vec3<f32>(ray_6.direction_0);
+    var _S264 : vec3<f32> = vec3<f32>(ray_6.direction_0);
     (*path_0).key_4 = drawn_3.key_3;
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
     (*path_0).adjoint_0 = change_vector_0(change_word_0(u32(5)) + u32(3) * drawn_3.pixel_1) * vec3<f32>(drawn_3.weight_1);
-    var _S262 : vec3<f32> = vec3<f32>(0.0f);
-    (*path_0).by_ray_0.direction_9 = _S262;
-    (*path_0).by_ray_0.drift_0 = _S262;
+    var _S265 : vec3<f32> = vec3<f32>(0.0f);
+    (*path_0).by_ray_0.direction_9 = _S265;
+    (*path_0).by_ray_0.drift_0 = _S265;
     var t_7 : f32 = 0.0f;
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0lf;
     found_4.w_2 = 0.0lf;
-    var _S263 : bool;
+    var _S266 : bool;
     if((ray_6.length_0) >= 0.0lf)
     {
-        _S263 = (word_0(u32(14))) != u32(0);
+        _S266 = (word_0(u32(14))) != u32(0);
     }
     else
     {
-        _S263 = false;
+        _S266 = false;
     }
-    if(_S263)
+    if(_S266)
     {
-        var _S264 : Found_0 = cast_0(ray_6.start_1, ray_6.direction_0, 0.0lf, ray_6.length_0, false, &(t_7));
-        found_4 = _S264;
+        var _S267 : Found_0 = cast_0(ray_6.start_1, ray_6.direction_0, 0.0lf, ray_6.length_0, false, &(t_7));
+        found_4 = _S267;
     }
-    var _S265 : Place_0 = place_of_0(found_4);
-    (*path_0).place_11 = _S265;
-    (*path_0).direction_10 = _S261;
-    var _S266 : f32;
+    var _S268 : Place_0 = place_of_0(found_4);
+    (*path_0).place_10 = _S268;
+    (*path_0).direction_10 = _S264;
+    var _S269 : f32;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S266 = ray_6.from_camera_0 + t_7;
+        _S269 = ray_6.from_camera_0 + t_7;
     }
     else
     {
-        _S266 = 0.0f;
+        _S269 = 0.0f;
     }
-    (*path_0).distance_0 = _S266;
-    var emitter_4 : u32 = emitter_seen_0(found_4, _S261);
+    (*path_0).distance_0 = _S269;
+    var emitter_4 : u32 = emitter_seen_0(found_4, _S264);
     if(emitter_4 != u32(4294967295))
     {
-        _S263 = (word_0(u32(4))) != u32(0);
+        _S266 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S263 = false;
+        _S266 = false;
     }
-    if(_S263)
+    if(_S266)
     {
-        var _S267 : vec3<f32> = emitted_0(emitter_4, _S265, (*path_0).direction_10);
-        var _S268 : vec3<f32> = (*path_0).by_ray_0.drift_0;
-        var _S269 : vec3<f32> = emitted_back_0(&(_S268), emitter_4, _S265, _S261, (*path_0).distance_0, (*path_0).adjoint_0);
-        (*path_0).by_ray_0.drift_0 = _S268;
-        (*path_0).by_ray_0.direction_9 = _S269;
+        var _S270 : vec3<f32> = emitted_0(emitter_4, _S268, (*path_0).direction_10);
+        var _S271 : vec3<f32> = (*path_0).by_ray_0.drift_0;
+        var _S272 : vec3<f32> = emitted_back_0(&(_S271), emitter_4, _S268, _S264, (*path_0).distance_0, (*path_0).adjoint_0);
+        (*path_0).by_ray_0.drift_0 = _S271;
+        (*path_0).by_ray_0.direction_9 = _S272;
     }
     if((found_4.face_1) != u32(4294967295))
     {
-        _S263 = reaches_0(u32(2));
+        _S266 = reaches_0(u32(2));
     }
     else
     {
-        _S263 = false;
+        _S266 = false;
     }
-    return _S263;
+    return _S266;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
@@ -2502,40 +2512,40 @@ fn set_changing_0( path_5 : u32,  which_5 : ptr<function, u32>,  vector_1 : vec3
     return;
 }
 
-fn set_place_0( path_6 : u32,  which_6 : ptr<function, u32>,  place_12 : Place_0)
+fn set_place_0( path_6 : u32,  which_6 : ptr<function, u32>,  place_11 : Place_0)
 {
-    set_word_0(path_6, (*which_6), place_12.triangle_2);
-    set_word_0(path_6, (*which_6) + u32(1), (bitcast<u32>((place_12.v_4))));
-    set_word_0(path_6, (*which_6) + u32(2), (bitcast<u32>((place_12.w_3))));
-    set_word_0(path_6, (*which_6) + u32(3), (bitcast<u32>((place_12.v_rest_0))));
-    set_word_0(path_6, (*which_6) + u32(4), (bitcast<u32>((place_12.w_rest_0))));
+    set_word_0(path_6, (*which_6), place_11.triangle_2);
+    set_word_0(path_6, (*which_6) + u32(1), (bitcast<u32>((place_11.v_4))));
+    set_word_0(path_6, (*which_6) + u32(2), (bitcast<u32>((place_11.w_3))));
+    set_word_0(path_6, (*which_6) + u32(3), (bitcast<u32>((place_11.v_rest_0))));
+    set_word_0(path_6, (*which_6) + u32(4), (bitcast<u32>((place_11.w_rest_0))));
     (*which_6) = (*which_6) + u32(5);
     return;
 }
 
 fn store_0( number_of_path_2 : u32,  path_7 : Path_0)
 {
-    var at_15 : u32 = u32(1);
-    set_vector_0(number_of_path_2, &(at_15), path_7.adjoint_0);
-    set_changing_0(number_of_path_2, &(at_15), path_7.throughput_0);
-    set_changing_0(number_of_path_2, &(at_15), path_7.direction_10);
-    set_place_0(number_of_path_2, &(at_15), path_7.place_11);
-    var _S270 : u32 = at_15 + u32(1);
-    set_word_0(number_of_path_2, at_15, path_7.key_4.x);
-    at_15 = _S270 + u32(1);
-    set_word_0(number_of_path_2, _S270, path_7.key_4.y);
+    var at_17 : u32 = u32(1);
+    set_vector_0(number_of_path_2, &(at_17), path_7.adjoint_0);
+    set_changing_0(number_of_path_2, &(at_17), path_7.throughput_0);
+    set_changing_0(number_of_path_2, &(at_17), path_7.direction_10);
+    set_place_0(number_of_path_2, &(at_17), path_7.place_10);
+    var _S273 : u32 = at_17 + u32(1);
+    set_word_0(number_of_path_2, at_17, path_7.key_4.x);
+    at_17 = _S273 + u32(1);
+    set_word_0(number_of_path_2, _S273, path_7.key_4.y);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S271 : u32;
+    var _S274 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S272 : u32 = u32(2) + zero_0;
-        _S271 = _S272;
-        if(rounds_0 < _S272)
+        var _S275 : u32 = u32(2) + zero_0;
+        _S274 = _S275;
+        if(rounds_0 < _S275)
         {
         }
         else
@@ -2544,14 +2554,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S271;
+    return rounds_0 == _S274;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S273 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S276 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }

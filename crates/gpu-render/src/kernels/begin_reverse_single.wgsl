@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: cbd5b3ac6fc36d98
-// result: 48f977e733568692
+// source: 7c3aafa6eedce5f6
+// result: 4469d2ce8709b438
 
 struct Launch_std140_0
 {
@@ -1652,24 +1652,34 @@ fn Corners2_x24init_0( a_6 : vec2<f32>,  b_5 : vec2<f32>,  c_2 : vec2<f32>) -> C
     return _S198;
 }
 
+fn precise_0( at_13 : u32) -> f32
+{
+    return number_0(at_13) + number_0(at_13 + u32(1));
+}
+
 fn uvs_of_0( triangle_7 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f, 0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_7) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_13 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_7) + u32(1));
-    uvs_0.a_5 = vec2<f32>(number_0(at_13), number_0(at_13 + u32(1)));
-    uvs_0.b_4 = vec2<f32>(number_0(at_13 + u32(2)), number_0(at_13 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_13 + u32(4)), number_0(at_13 + u32(5)));
+    var at_14 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_7) + u32(1));
+    uvs_0.a_5 = vec2<f32>(precise_0(at_14), precise_0(at_14 + u32(2)));
+    uvs_0.b_4 = vec2<f32>(precise_0(at_14 + u32(4)), precise_0(at_14 + u32(6)));
+    uvs_0.c_1 = vec2<f32>(precise_0(at_14 + u32(8)), precise_0(at_14 + u32(10)));
     return uvs_0;
+}
+
+fn row_at_0( at_15 : u32) -> vec3<f32>
+{
+    return vec3<f32>(precise_0(at_15), precise_0(at_15 + u32(2)), precise_0(at_15 + u32(4)));
 }
 
 fn floor_of_0( x_13 : f32) -> i32
 {
-    return i32(floor(clamp(x_13, -1.0e+09f, 1.0e+09f)));
+    return i32(clamp(floor(x_13), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -1788,43 +1798,43 @@ fn lookup_at_0( texture_1 : u32,  place_4 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_4.triangle_2);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
-    var uv_1 : Point_0;
-    var _S209 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_4.v_4 - place_4.w_3)) + uvs_1.b_4 * vec2<f32>(place_4.v_4) + uvs_1.c_1 * vec2<f32>(place_4.w_3), 1.0f);
-    uv_1.value_2 = vec2<f32>(dot(_S209, to_u_0), dot(_S209, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_4 - uvs_1.a_5;
     var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_5;
-    var _S210 : vec2<f32> = to_u_0.xy;
-    var _S211 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S210), dot(by_v_0, _S211));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S210), dot(by_w_0, _S211));
+    var _S209 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f32> = row_at_0(_S209);
+    var to_v_0 : vec3<f32> = row_at_0(_S209 + u32(6));
+    var uv_1 : Point_0;
+    var _S210 : vec3<f32> = vec3<f32>(uvs_1.a_5 + by_v_0 * vec2<f32>((place_4.v_4 + place_4.v_rest_0)) + by_w_0 * vec2<f32>((place_4.w_3 + place_4.w_rest_0)), 1.0f);
+    uv_1.value_2 = vec2<f32>(dot(_S210, to_u_0), dot(_S210, to_v_0));
+    var _S211 : vec2<f32> = to_u_0.xy;
+    var _S212 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S211), dot(by_v_0, _S212));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S211), dot(by_w_0, _S212));
     if(kind_1 == u32(1))
     {
-        var _S212 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S212;
+        var _S213 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S213;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
-    var _S213 : i32;
+    var _S214 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S213 = i32(1);
+        _S214 = i32(1);
     }
     else
     {
-        _S213 = i32(0);
+        _S214 = i32(0);
     }
-    return one_texel_0(u32(_S213));
+    return one_texel_0(u32(_S214));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S214 : u32 = word_0(texture_2 + u32(1));
-    var _S215 : u32 = texture_2 + u32(13);
-    var _S216 : vec3<f32> = vec3<f32>(0.0f);
+    var _S215 : u32 = word_0(texture_2 + u32(1));
+    var _S216 : u32 = texture_2 + u32(19);
+    var _S217 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_3 : vec3<f32> = _S216;
+    var value_3 : vec3<f32> = _S217;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1834,17 +1844,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_14 : u32 = _S215 + _S214 * lookup_3.texels_0[k_1];
-        var _S217 : vec3<f32>;
-        if(_S214 == u32(1))
+        var at_16 : u32 = _S216 + _S215 * lookup_3.texels_0[k_1];
+        var _S218 : vec3<f32>;
+        if(_S215 == u32(1))
         {
-            _S217 = vec3<f32>(number_0(at_14));
+            _S218 = vec3<f32>(number_0(at_16));
         }
         else
         {
-            _S217 = vector_at_0(at_14);
+            _S218 = vector_at_0(at_16);
         }
-        var value_4 : vec3<f32> = value_3 + _S217 * vec3<f32>(weights_1[k_1]);
+        var value_4 : vec3<f32> = value_3 + _S218 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_3 = value_4;
     }
@@ -1858,8 +1868,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_5 : Place_0) -> vec3<f32>
 {
-    var _S218 : Lookup_0 = lookup_at_0(texture_4, place_5);
-    return looked_up_0(texture_4, _S218, vec2<f32>(0.0f));
+    var _S219 : Lookup_0 = lookup_at_0(texture_4, place_5);
+    return looked_up_0(texture_4, _S219, vec2<f32>(0.0f));
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -1869,28 +1879,28 @@ fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_15 : f32,  y_6 : f32) -> f32
 {
-    var _S219 : f32 = abs(x_15);
-    var _S220 : f32 = abs(y_6);
-    var _S221 : f32 = min(_S219, _S220);
-    var _S222 : f32 = max(_S219, _S220);
-    var is_steep_2 : bool = _S221 > (0.41421356797218323f * _S222);
+    var _S220 : f32 = abs(x_15);
+    var _S221 : f32 = abs(y_6);
+    var _S222 : f32 = min(_S220, _S221);
+    var _S223 : f32 = max(_S220, _S221);
+    var is_steep_2 : bool = _S222 > (0.41421356797218323f * _S223);
     var above_2 : f32;
     if(is_steep_2)
     {
-        above_2 = _S221 - _S222;
+        above_2 = _S222 - _S223;
     }
     else
     {
-        above_2 = _S221;
+        above_2 = _S222;
     }
     var below_2 : f32;
     if(is_steep_2)
     {
-        below_2 = _S221 + _S222;
+        below_2 = _S222 + _S223;
     }
     else
     {
-        below_2 = _S222;
+        below_2 = _S223;
     }
     if(below_2 > 0.0f)
     {
@@ -1911,7 +1921,7 @@ fn angle_of_0( x_15 : f32,  y_6 : f32) -> f32
     {
         angle_4 = angle_3;
     }
-    if(_S220 > _S219)
+    if(_S221 > _S220)
     {
         angle_4 = 1.57079637050628662f - angle_4;
     }
@@ -1932,8 +1942,8 @@ fn angle_of_0( x_15 : f32,  y_6 : f32) -> f32
 
 fn map_place_0( map_1 : u32,  direction_4 : vec3<f32>) -> vec2<f32>
 {
-    var _S223 : u32 = map_1 + u32(2);
-    var d_2 : vec3<f32> = vector_at_0(_S223) * vec3<f32>(direction_4.x) + vector_at_0(_S223 + u32(3)) * vec3<f32>(direction_4.y) + vector_at_0(_S223 + u32(6)) * vec3<f32>(direction_4.z);
+    var _S224 : u32 = map_1 + u32(2);
+    var d_2 : vec3<f32> = vector_at_0(_S224) * vec3<f32>(direction_4.x) + vector_at_0(_S224 + u32(3)) * vec3<f32>(direction_4.y) + vector_at_0(_S224 + u32(6)) * vec3<f32>(direction_4.z);
     return vec2<f32>(angle_of_0(- d_2.z, d_2.x) * 0.15915493667125702f * f32(word_0(map_1)) - 0.5f, angle_of_0(d_2.y, length(d_2.xz)) * 0.31830987334251404f * (f32(word_0(map_1 + u32(1))) - 1.0f));
 }
 
@@ -1950,11 +1960,11 @@ fn in_map_0( map_2 : u32,  direction_5 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_2 + u32(1)));
     var left_1 : u32 = wrapped_0(x_16, width_3, u32(0));
     var right_1 : u32 = wrapped_0(x_16 + i32(1), width_3, u32(0));
-    var _S224 : u32 = wrapped_0(y_7, height_1, u32(2));
-    var _S225 : u32 = u32(width_3);
-    var first_3 : u32 = _S224 * _S225;
-    var _S226 : u32 = wrapped_0(y_7 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S226 * _S225;
+    var _S225 : u32 = wrapped_0(y_7, height_1, u32(2));
+    var _S226 : u32 = u32(width_3);
+    var first_3 : u32 = _S225 * _S226;
+    var _S227 : u32 = wrapped_0(y_7 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S227 * _S226;
     return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), point_0);
 }
 
@@ -1964,46 +1974,46 @@ fn emitted_0( emitter_2 : u32,  place_7 : Place_0,  direction_6 : vec3<f32>) -> 
     var texture_5 : u32 = word_0(record_2 + u32(1));
     if(!is_map_0(record_2))
     {
-        var _S227 : vec3<f32> = shown_0(texture_5, place_7);
-        return _S227;
+        var _S228 : vec3<f32> = shown_0(texture_5, place_7);
+        return _S228;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_5 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S228 : u32 = word_0(texture_5 + u32(11));
-    var _S229 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_6));
-    return looked_up_0(_S228, _S229, change_1) * factor_0;
+    var _S229 : u32 = word_0(texture_5 + u32(11));
+    var _S230 : Lookup_0 = in_map_0(texture_5, value_of_0(direction_6));
+    return looked_up_0(_S229, _S230, change_1) * factor_0;
 }
 
 fn numbers_of_0( texture_6 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_6 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_6 + u32(18)));
 }
 
 fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S230 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S231 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_4 : f32 = abs(scaled_0);
     if(size_4 > 7.73712524553362672e+25f)
     {
-        var _S231 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S232 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S232 : bool = scaled_0 < 0.0f;
-    var _S233 : i32;
+    var _S233 : bool = scaled_0 < 0.0f;
+    var _S234 : i32;
     if(size_4 >= 1.84467440737095516e+19f)
     {
-        _S233 = i32(1);
+        _S234 = i32(1);
     }
     else
     {
-        _S233 = i32(0);
+        _S234 = i32(0);
     }
-    var first_4 : u32 = u32(_S233);
+    var first_4 : u32 = u32(_S234);
     var size_5 : f32;
     if(first_4 == u32(1))
     {
@@ -2023,39 +2033,39 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
     {
         size_5 = lower_0;
     }
-    var _S234 : u32 = u32(3) + u32(4) * sum_0;
+    var _S235 : u32 = u32(4) + u32(4) * sum_0;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_5), u32(higher_0));
     var k_2 : u32 = first_4;
     for(;;)
     {
-        var _S235 : bool;
+        var _S236 : bool;
         if(k_2 < u32(4))
         {
-            _S235 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S236 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S235 = false;
+            _S236 = false;
         }
-        if(_S235)
+        if(_S236)
         {
         }
         else
         {
             break;
         }
-        var _S236 : u32;
-        if(_S232)
+        var _S237 : u32;
+        if(_S233)
         {
-            _S236 = u32(0) - digits_0.x;
+            _S237 = u32(0) - digits_0.x;
         }
         else
         {
-            _S236 = digits_0.x;
+            _S237 = digits_0.x;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S234 + k_2]), _S236);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S235 + k_2]), _S237);
         var overflows_0 : bool;
-        if(_S232)
+        if(_S233)
         {
             overflows_0 = before_0 < (digits_0.x);
         }
@@ -2063,19 +2073,19 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_0 + digits_0.x) < before_0;
         }
-        var _S237 : u32 = digits_0.y;
+        var _S238 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S233 = i32(1);
+            _S234 = i32(1);
         }
         else
         {
-            _S233 = i32(0);
+            _S234 = i32(0);
         }
-        var _S238 : vec2<u32> = vec2<u32>(_S237 + u32(_S233), u32(0));
-        var _S239 : u32 = k_2 + u32(1);
-        digits_0 = _S238;
-        k_2 = _S239;
+        var _S239 : vec2<u32> = vec2<u32>(_S238 + u32(_S234), u32(0));
+        var _S240 : u32 = k_2 + u32(1);
+        digits_0 = _S239;
+        k_2 = _S240;
     }
     return;
 }
@@ -2083,20 +2093,20 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
 fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
 {
     var first_5 : u32 = numbers_of_0(texture_7);
-    var _S240 : u32 = word_0(texture_7 + u32(1));
-    var _S241 : u32;
+    var _S241 : u32 = word_0(texture_7 + u32(1));
+    var _S242 : u32;
     if(first_5 == u32(4294967295))
     {
-        _S241 = u32(0);
+        _S242 = u32(0);
     }
     else
     {
-        _S241 = lookup_5.count_0;
+        _S242 = lookup_5.count_0;
     }
     var k_3 : u32 = u32(0);
     for(;;)
     {
-        if(k_3 < _S241)
+        if(k_3 < _S242)
         {
         }
         else
@@ -2105,7 +2115,7 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         }
         var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_0[k_3]);
         var own_1 : vec3<f32>;
-        if(_S240 == u32(1))
+        if(_S241 == u32(1))
         {
             own_1 = vec3<f32>((own_0.x + own_0.y + own_0.z));
         }
@@ -2116,14 +2126,14 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         var c_3 : u32 = u32(0);
         for(;;)
         {
-            if(c_3 < _S240)
+            if(c_3 < _S241)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_5 + _S240 * lookup_5.texels_0[k_3] + c_3, own_1[c_3]);
+            add_to_sum_0(first_5 + _S241 * lookup_5.texels_0[k_3] + c_3, own_1[c_3]);
             c_3 = c_3 + u32(1);
         }
         k_3 = k_3 + u32(1);
@@ -2157,10 +2167,10 @@ struct AtCorners_0
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_0 : AtCorners_0;
-    var _S242 : vec3<f32> = vec3<f32>(0.0f);
-    corners_0.c_4 = _S242;
-    corners_0.b_6 = _S242;
-    corners_0.a_7 = _S242;
+    var _S243 : vec3<f32> = vec3<f32>(0.0f);
+    corners_0.c_4 = _S243;
+    corners_0.b_6 = _S243;
+    corners_0.a_7 = _S243;
     return corners_0;
 }
 
@@ -2179,9 +2189,9 @@ fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_9 : Place_0,  by_
     var ab_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_8;
     var ac_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_8;
     var across_0 : vec3<f32> = cross(ab_0, ac_0);
-    var _S243 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
-    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S243);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_0) * vec3<f32>(by_place_0.x) + cross(normal_0, ab_0) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S243)));
+    var _S244 : f32 = max(max(abs(across_0.x), abs(across_0.y)), abs(across_0.z));
+    var normal_0 : vec3<f32> = across_0 / vec3<f32>(_S244);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_0) * vec3<f32>(by_place_0.x) + cross(normal_0, ab_0) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S244)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_7, by_slip_0) / dot(normal_0, direction_7)));
     add_at_place_0(&((*points_0)), place_9, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -2194,20 +2204,20 @@ fn points_of_0( triangle_8 : u32) -> u32
 
 fn add_to_sums_0( first_6 : u32,  derivative_4 : vec3<f32>)
 {
-    var _S244 : i32;
+    var _S245 : i32;
     if(first_6 == u32(4294967295))
     {
-        _S244 = i32(0);
+        _S245 = i32(0);
     }
     else
     {
-        _S244 = i32(3);
+        _S245 = i32(3);
     }
-    var _S245 : u32 = u32(_S244);
+    var _S246 : u32 = u32(_S245);
     var axis_4 : u32 = u32(0);
     for(;;)
     {
-        if(axis_4 < _S245)
+        if(axis_4 < _S246)
         {
         }
         else
@@ -2222,45 +2232,45 @@ fn add_to_sums_0( first_6 : u32,  derivative_4 : vec3<f32>)
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_9 : u32,  corners_2 : AtCorners_0)
 {
-    var _S246 : u32 = triangle_record_0(triangle_9) + u32(2);
-    var _S247 : i32;
+    var _S247 : u32 = triangle_record_0(triangle_9) + u32(2);
+    var _S248 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S247 = i32(0);
+        _S248 = i32(0);
     }
     else
     {
-        _S247 = i32(3);
+        _S248 = i32(3);
     }
-    var _S248 : u32 = u32(_S247);
+    var _S249 : u32 = u32(_S248);
     var k_4 : u32 = u32(0);
     for(;;)
     {
-        if(k_4 < _S248)
+        if(k_4 < _S249)
         {
         }
         else
         {
             break;
         }
-        var _S249 : u32 = sums_at_0 + u32(3) * word_0(_S246 + k_4);
-        var _S250 : vec3<f32>;
+        var _S250 : u32 = sums_at_0 + u32(3) * word_0(_S247 + k_4);
+        var _S251 : vec3<f32>;
         if(k_4 == u32(0))
         {
-            _S250 = corners_2.a_7;
+            _S251 = corners_2.a_7;
         }
         else
         {
             if(k_4 == u32(1))
             {
-                _S250 = corners_2.b_6;
+                _S251 = corners_2.b_6;
             }
             else
             {
-                _S250 = corners_2.c_4;
+                _S251 = corners_2.c_4;
             }
         }
-        add_to_sums_0(_S249, _S250);
+        add_to_sums_0(_S250, _S251);
         k_4 = k_4 + u32(1);
     }
     return;
@@ -2276,55 +2286,55 @@ fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_3 : u32,  pla
     {
         var scale_0 : u32 = word_0(texture_9 + u32(12));
         var lookup_8 : Lookup_0 = in_map_0(texture_9, direction_8);
-        var _S251 : Lookup_0 = one_texel_0(u32(0));
-        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_0, _S251, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
-        add_to_texels_0(scale_0, _S251, importance_0 * weighted_texels_0(word_0(texture_9 + u32(11)), lookup_8, lookup_8.weights_0));
+        var _S252 : Lookup_0 = one_texel_0(u32(0));
+        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_0, _S252, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
+        add_to_texels_0(scale_0, _S252, importance_0 * weighted_texels_0(word_0(texture_9 + u32(11)), lookup_8, lookup_8.weights_0));
         lookup_7 = lookup_8;
         by_texels_0 = by_texels_1;
     }
     else
     {
-        var _S252 : Lookup_0 = lookup_at_0(texture_9, place_10);
-        lookup_7 = _S252;
+        var _S253 : Lookup_0 = lookup_at_0(texture_9, place_10);
+        lookup_7 = _S253;
         by_texels_0 = importance_0;
     }
-    var _S253 : u32;
+    var _S254 : u32;
     if(is_map_0(record_4))
     {
-        _S253 = word_0(texture_9 + u32(11));
+        _S254 = word_0(texture_9 + u32(11));
     }
     else
     {
-        _S253 = texture_9;
+        _S254 = texture_9;
     }
-    var by_place_1 : vec2<f32> = lookup_back_0(_S253, lookup_7, by_texels_0);
+    var by_place_1 : vec2<f32> = lookup_back_0(_S254, lookup_7, by_texels_0);
     if(is_map_0(record_4))
     {
-        var _S254 : vec3<f32> = vec3<f32>(0.0f);
+        var _S255 : vec3<f32> = vec3<f32>(0.0f);
         var moving_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
         moving_0.primal_0 = direction_8;
-        moving_0.differential_0 = _S254;
+        moving_0.differential_0 = _S255;
         _S127(texture_9, &(moving_0), by_place_1);
         return moving_0.differential_0;
     }
-    var _S255 : bool;
+    var _S256 : bool;
     if(!is_area_0(record_4))
     {
-        _S255 = true;
+        _S256 = true;
     }
     else
     {
-        _S255 = !is_moving_0();
+        _S256 = !is_moving_0();
     }
-    if(_S255)
+    if(_S256)
     {
-        _S255 = true;
+        _S256 = true;
     }
     else
     {
-        _S255 = (all((by_place_1 == vec2<f32>(0.0f))));
+        _S256 = (all((by_place_1 == vec2<f32>(0.0f))));
     }
-    if(_S255)
+    if(_S256)
     {
         return vec3<f32>(0.0f);
     }
@@ -2364,68 +2374,68 @@ fn begin_0( number_of_path_1 : u32,  path_0 : ptr<function, Path_0>) -> bool
     (*path_0).key_4 = drawn_3.key_3;
     (*path_0).throughput_0 = still_0(vec3<f32>(1.0f));
     (*path_0).adjoint_0 = change_vector_0(change_word_0(u32(5)) + u32(3) * drawn_3.pixel_1) * vec3<f32>(drawn_3.weight_1);
-    var _S256 : vec3<f32> = vec3<f32>(0.0f);
-    (*path_0).by_ray_0.direction_9 = _S256;
-    (*path_0).by_ray_0.drift_0 = _S256;
+    var _S257 : vec3<f32> = vec3<f32>(0.0f);
+    (*path_0).by_ray_0.direction_9 = _S257;
+    (*path_0).by_ray_0.drift_0 = _S257;
     var t_7 : f32 = 0.0f;
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0f;
     found_4.w_2 = 0.0f;
-    var _S257 : bool;
+    var _S258 : bool;
     if((ray_6.length_0) >= 0.0f)
     {
-        _S257 = (word_0(u32(14))) != u32(0);
+        _S258 = (word_0(u32(14))) != u32(0);
     }
     else
     {
-        _S257 = false;
+        _S258 = false;
     }
-    if(_S257)
+    if(_S258)
     {
-        var _S258 : Found_0 = cast_0(ray_6.start_1, ray_6.direction_0, 0.0f, ray_6.length_0, false, &(t_7));
-        found_4 = _S258;
+        var _S259 : Found_0 = cast_0(ray_6.start_1, ray_6.direction_0, 0.0f, ray_6.length_0, false, &(t_7));
+        found_4 = _S259;
     }
-    var _S259 : Place_0 = place_of_0(found_4);
-    (*path_0).place_11 = _S259;
+    var _S260 : Place_0 = place_of_0(found_4);
+    (*path_0).place_11 = _S260;
     (*path_0).direction_10 = ray_6.direction_0;
-    var _S260 : f32;
+    var _S261 : f32;
     if((found_4.face_1) != u32(4294967295))
     {
-        _S260 = ray_6.from_camera_0 + t_7;
+        _S261 = ray_6.from_camera_0 + t_7;
     }
     else
     {
-        _S260 = 0.0f;
+        _S261 = 0.0f;
     }
-    (*path_0).distance_0 = _S260;
+    (*path_0).distance_0 = _S261;
     var emitter_4 : u32 = emitter_seen_0(found_4, ray_6.direction_0);
     if(emitter_4 != u32(4294967295))
     {
-        _S257 = (word_0(u32(4))) != u32(0);
+        _S258 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S257 = false;
+        _S258 = false;
     }
-    if(_S257)
+    if(_S258)
     {
-        var _S261 : vec3<f32> = emitted_0(emitter_4, _S259, (*path_0).direction_10);
-        var _S262 : vec3<f32> = (*path_0).by_ray_0.drift_0;
-        var _S263 : vec3<f32> = emitted_back_0(&(_S262), emitter_4, _S259, ray_6.direction_0, (*path_0).distance_0, (*path_0).adjoint_0);
-        (*path_0).by_ray_0.drift_0 = _S262;
-        (*path_0).by_ray_0.direction_9 = _S263;
+        var _S262 : vec3<f32> = emitted_0(emitter_4, _S260, (*path_0).direction_10);
+        var _S263 : vec3<f32> = (*path_0).by_ray_0.drift_0;
+        var _S264 : vec3<f32> = emitted_back_0(&(_S263), emitter_4, _S260, ray_6.direction_0, (*path_0).distance_0, (*path_0).adjoint_0);
+        (*path_0).by_ray_0.drift_0 = _S263;
+        (*path_0).by_ray_0.direction_9 = _S264;
     }
     if((found_4.face_1) != u32(4294967295))
     {
-        _S257 = reaches_0(u32(2));
+        _S258 = reaches_0(u32(2));
     }
     else
     {
-        _S257 = false;
+        _S258 = false;
     }
-    return _S257;
+    return _S258;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_5 : u32)
@@ -2510,27 +2520,27 @@ fn set_place_0( path_6 : u32,  which_6 : ptr<function, u32>,  place_12 : Place_0
 
 fn store_0( number_of_path_2 : u32,  path_7 : Path_0)
 {
-    var at_15 : u32 = u32(1);
-    set_vector_0(number_of_path_2, &(at_15), path_7.adjoint_0);
-    set_changing_0(number_of_path_2, &(at_15), path_7.throughput_0);
-    set_changing_0(number_of_path_2, &(at_15), path_7.direction_10);
-    set_place_0(number_of_path_2, &(at_15), path_7.place_11);
-    var _S264 : u32 = at_15 + u32(1);
-    set_word_0(number_of_path_2, at_15, path_7.key_4.x);
-    at_15 = _S264 + u32(1);
-    set_word_0(number_of_path_2, _S264, path_7.key_4.y);
+    var at_17 : u32 = u32(1);
+    set_vector_0(number_of_path_2, &(at_17), path_7.adjoint_0);
+    set_changing_0(number_of_path_2, &(at_17), path_7.throughput_0);
+    set_changing_0(number_of_path_2, &(at_17), path_7.direction_10);
+    set_place_0(number_of_path_2, &(at_17), path_7.place_11);
+    var _S265 : u32 = at_17 + u32(1);
+    set_word_0(number_of_path_2, at_17, path_7.key_4.x);
+    at_17 = _S265 + u32(1);
+    set_word_0(number_of_path_2, _S265, path_7.key_4.y);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S265 : u32;
+    var _S266 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S266 : u32 = u32(2) + zero_0;
-        _S265 = _S266;
-        if(rounds_0 < _S266)
+        var _S267 : u32 = u32(2) + zero_0;
+        _S266 = _S267;
+        if(rounds_0 < _S267)
         {
         }
         else
@@ -2539,14 +2549,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S265;
+    return rounds_0 == _S266;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S267 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S268 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }

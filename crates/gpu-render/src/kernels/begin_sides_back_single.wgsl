@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: a5da34863903b748
-// result: 10af9bcbaba63c40
+// source: 9151c6c34a765e54
+// result: 82ceba3ed2d4640c
 
 struct Launch_std140_0
 {
@@ -133,7 +133,7 @@ fn load_0( number_of_path_0 : u32) -> Path_0
 
 fn depth_of_launch_0() -> u32
 {
-    return ((launch_0.depth_0) & (u32(16777215)));
+    return ((launch_0.depth_0) & (u32(1048575)));
 }
 
 fn kept_at_0( depth_1 : u32) -> u32
@@ -372,24 +372,34 @@ fn Corners2_x24init_0( a_4 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> C
     return _S20;
 }
 
+fn precise_0( at_7 : u32) -> f32
+{
+    return number_0(at_7) + number_0(at_7 + u32(1));
+}
+
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f, 0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_5) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_7 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_5) + u32(1));
-    uvs_0.a_3 = vec2<f32>(number_0(at_7), number_0(at_7 + u32(1)));
-    uvs_0.b_1 = vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5)));
+    var at_8 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_5) + u32(1));
+    uvs_0.a_3 = vec2<f32>(precise_0(at_8), precise_0(at_8 + u32(2)));
+    uvs_0.b_1 = vec2<f32>(precise_0(at_8 + u32(4)), precise_0(at_8 + u32(6)));
+    uvs_0.c_1 = vec2<f32>(precise_0(at_8 + u32(8)), precise_0(at_8 + u32(10)));
     return uvs_0;
+}
+
+fn row_at_0( at_9 : u32) -> vec3<f32>
+{
+    return vec3<f32>(precise_0(at_9), precise_0(at_9 + u32(2)), precise_0(at_9 + u32(4)));
 }
 
 fn floor_of_0( x_0 : f32) -> i32
 {
-    return i32(floor(clamp(x_0, -1.0e+09f, 1.0e+09f)));
+    return i32(clamp(floor(x_0), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
@@ -508,43 +518,43 @@ fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_7.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
-    var uv_1 : Point_0;
-    var _S31 : vec3<f32> = vec3<f32>(uvs_1.a_3 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_1 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
-    uv_1.value_1 = vec2<f32>(dot(_S31, to_u_0), dot(_S31, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_1 - uvs_1.a_3;
     var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_3;
-    var _S32 : vec2<f32> = to_u_0.xy;
-    var _S33 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S32), dot(by_v_0, _S33));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S32), dot(by_w_0, _S33));
+    var _S31 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f32> = row_at_0(_S31);
+    var to_v_0 : vec3<f32> = row_at_0(_S31 + u32(6));
+    var uv_1 : Point_0;
+    var _S32 : vec3<f32> = vec3<f32>(uvs_1.a_3 + by_v_0 * vec2<f32>((place_7.v_0 + place_7.v_rest_0)) + by_w_0 * vec2<f32>((place_7.w_0 + place_7.w_rest_0)), 1.0f);
+    uv_1.value_1 = vec2<f32>(dot(_S32, to_u_0), dot(_S32, to_v_0));
+    var _S33 : vec2<f32> = to_u_0.xy;
+    var _S34 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S33), dot(by_v_0, _S34));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S33), dot(by_w_0, _S34));
     if(kind_0 == u32(1))
     {
-        var _S34 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S34;
+        var _S35 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S35;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_1 - floor(uv_1.value_1);
-    var _S35 : i32;
+    var _S36 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S35 = i32(1);
+        _S36 = i32(1);
     }
     else
     {
-        _S35 = i32(0);
+        _S36 = i32(0);
     }
-    return one_texel_0(u32(_S35));
+    return one_texel_0(u32(_S36));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S36 : u32 = word_0(texture_2 + u32(1));
-    var _S37 : u32 = texture_2 + u32(13);
-    var _S38 : vec3<f32> = vec3<f32>(0.0f);
+    var _S37 : u32 = word_0(texture_2 + u32(1));
+    var _S38 : u32 = texture_2 + u32(19);
+    var _S39 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S38;
+    var value_2 : vec3<f32> = _S39;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -554,17 +564,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S37 + _S36 * lookup_3.texels_0[k_1];
-        var _S39 : vec3<f32>;
-        if(_S36 == u32(1))
+        var at_10 : u32 = _S38 + _S37 * lookup_3.texels_0[k_1];
+        var _S40 : vec3<f32>;
+        if(_S37 == u32(1))
         {
-            _S39 = vec3<f32>(number_0(at_8));
+            _S40 = vec3<f32>(number_0(at_10));
         }
         else
         {
-            _S39 = vector_at_0(at_8);
+            _S40 = vector_at_0(at_10);
         }
-        var value_3 : vec3<f32> = value_2 + _S39 * vec3<f32>(weights_1[k_1]);
+        var value_3 : vec3<f32> = value_2 + _S40 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_2 = value_3;
     }
@@ -578,8 +588,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
 {
-    var _S40 : Lookup_0 = lookup_at_0(texture_4, place_8);
-    return looked_up_0(texture_4, _S40, vec2<f32>(0.0f));
+    var _S41 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S41, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -638,38 +648,38 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
     var lobe_0 : Lobe_0;
     lobe_0.record_2 = record_3;
     var is_black_0 : bool = record_3 == u32(4294967295);
-    var _S41 : u32;
+    var _S42 : u32;
     if(is_black_0)
     {
-        _S41 = u32(0);
+        _S42 = u32(0);
     }
     else
     {
-        _S41 = word_0(record_3);
+        _S42 = word_0(record_3);
     }
-    lobe_0.kind_1 = _S41;
+    lobe_0.kind_1 = _S42;
     if(is_black_0)
     {
-        _S41 = u32(1);
+        _S42 = u32(1);
     }
     else
     {
-        _S41 = word_0(record_3 + u32(1));
+        _S42 = word_0(record_3 + u32(1));
     }
-    lobe_0.distribution_0 = _S41;
+    lobe_0.distribution_0 = _S42;
     lobe_0.numbers_3 = no_numbers_0();
     if(is_black_0)
     {
-        _S41 = u32(0);
+        _S42 = u32(0);
     }
     else
     {
-        _S41 = word_0(record_3 + u32(4));
+        _S42 = word_0(record_3 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S41)
+        if(slot_1 < _S42)
         {
         }
         else
@@ -683,10 +693,10 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
-        var _S42 : vec3<f32> = value_of_0(colour_1);
-        var _S43 : Numbers_0 = lobe_0.numbers_3;
-        set_slot_0(&(_S43), slot_1, _S42);
-        lobe_0.numbers_3 = _S43;
+        var _S43 : vec3<f32> = value_of_0(colour_1);
+        var _S44 : Numbers_0 = lobe_0.numbers_3;
+        set_slot_0(&(_S44), slot_1, _S43);
+        lobe_0.numbers_3 = _S44;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -701,53 +711,53 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S44 : vec3<f32>;
+    var _S45 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S44 = tangent_0;
+        _S45 = tangent_0;
     }
     else
     {
-        _S44 = vec3<f32>(0.0f);
+        _S45 = vec3<f32>(0.0f);
     }
-    return _S44;
+    return _S45;
 }
 
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S45 : vec3<f32>;
+    var _S46 : vec3<f32>;
     if(is_front_1)
     {
-        _S45 = n_2;
+        _S46 = n_2;
     }
     else
     {
-        _S45 = (vec3<f32>(0) - n_2);
+        _S46 = (vec3<f32>(0) - n_2);
     }
-    axes_1.n_0 = _S45;
-    var _S46 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_1.s_0 = _S46;
-    axes_1.t_0 = cross(n_2, _S46);
+    axes_1.n_0 = _S46;
+    var _S47 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_1.s_0 = _S47;
+    axes_1.t_0 = cross(n_2, _S47);
     return axes_1;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_2 : Axes_0;
-    var _S47 : vec3<f32>;
+    var _S48 : vec3<f32>;
     if(is_front_2)
     {
-        _S47 = n_3;
+        _S48 = n_3;
     }
     else
     {
-        _S47 = (vec3<f32>(0) - n_3);
+        _S48 = (vec3<f32>(0) - n_3);
     }
-    axes_2.n_0 = _S47;
-    var _S48 : f32 = n_3.z;
+    axes_2.n_0 = _S48;
+    var _S49 : f32 = n_3.z;
     var sign_0 : f32;
-    if(_S48 < 0.0f)
+    if(_S49 < -0.30000001192092896f)
     {
         sign_0 = -1.0f;
     }
@@ -755,12 +765,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_0 = 1.0f;
     }
-    var a_5 : f32 = -1.0f / (sign_0 + _S48);
-    var _S49 : f32 = n_3.x;
-    var _S50 : f32 = n_3.y;
-    var b_3 : f32 = _S49 * _S50 * a_5;
-    axes_2.s_0 = vec3<f32>(1.0f + sign_0 * _S49 * _S49 * a_5, sign_0 * b_3, - sign_0 * _S49);
-    axes_2.t_0 = vec3<f32>(b_3, sign_0 + _S50 * _S50 * a_5, - _S50);
+    var a_5 : f32 = -1.0f / (sign_0 + _S49);
+    var _S50 : f32 = n_3.x;
+    var _S51 : f32 = n_3.y;
+    var b_3 : f32 = _S50 * _S51 * a_5;
+    axes_2.s_0 = vec3<f32>(1.0f + sign_0 * _S50 * _S50 * a_5, sign_0 * b_3, - sign_0 * _S50);
+    axes_2.t_0 = vec3<f32>(b_3, sign_0 + _S51 * _S51 * a_5, - _S51);
     return axes_2;
 }
 
@@ -787,8 +797,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_4 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S51 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S51;
+    var _S52 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S52;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -811,9 +821,9 @@ struct VertexMotion_0
 fn motion_of_0( vertex_1 : Vertex_0) -> VertexMotion_0
 {
     var motion_0 : VertexMotion_0;
-    var _S52 : vec3<f32> = vec3<f32>(0.0f);
-    motion_0.rotation_0 = _S52;
-    motion_0.velocity_0 = _S52;
+    var _S53 : vec3<f32> = vec3<f32>(0.0f);
+    motion_0.rotation_0 = _S53;
+    motion_0.velocity_0 = _S53;
     return motion_0;
 }
 
@@ -838,24 +848,24 @@ struct ShadingPoint_0
      front_offset_0 : vec3<f32>,
 };
 
-fn shading_point_0( path_9 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> bool
+fn shading_point_0( path_9 : Path_0,  at_11 : ptr<function, ShadingPoint_0>) -> bool
 {
     var surface_5 : Surface_0 = surface_at_0(path_9.place_1, value_of_0(path_9.direction_1));
     var material_1 : u32 = material_of_0(surface_5);
-    var _S53 : Vertex_0 = vertex_at_0(surface_5, material_1, path_9.direction_1);
-    (*at_9).vertex_2 = _S53;
-    var _S54 : VertexMotion_0 = motion_of_0(_S53);
-    (*at_9).motion_1 = _S54;
-    (*at_9).whole_0 = _S54;
-    (*at_9).planes_0 = u32(0);
-    (*at_9).tree_0 = u32(0);
-    (*at_9).emitter_0 = u32(0);
-    (*at_9).purpose_0 = u32(0);
-    (*at_9).turns_0 = false;
-    (*at_9).has_creases_0 = false;
-    var _S55 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_9).front_offset_0 = _S55;
-    (*at_9).front_0 = _S55;
+    var _S54 : Vertex_0 = vertex_at_0(surface_5, material_1, path_9.direction_1);
+    (*at_11).vertex_2 = _S54;
+    var _S55 : VertexMotion_0 = motion_of_0(_S54);
+    (*at_11).motion_1 = _S55;
+    (*at_11).whole_0 = _S55;
+    (*at_11).planes_0 = u32(0);
+    (*at_11).tree_0 = u32(0);
+    (*at_11).emitter_0 = u32(0);
+    (*at_11).purpose_0 = u32(0);
+    (*at_11).turns_0 = false;
+    (*at_11).has_creases_0 = false;
+    var _S56 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_11).front_offset_0 = _S56;
+    (*at_11).front_0 = _S56;
     var k_2 : u32 = u32(0);
     for(;;)
     {
@@ -866,24 +876,24 @@ fn shading_point_0( path_9 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> b
         {
             break;
         }
-        (*at_9).inside_2[k_2] = surface_5.exact_0;
+        (*at_11).inside_2[k_2] = surface_5.exact_0;
         k_2 = k_2 + u32(1);
     }
-    var _S56 : bool;
+    var _S57 : bool;
     if(material_1 != u32(4294967295))
     {
-        _S56 = has_smooth_0((*at_9).vertex_2.lobe_1);
+        _S57 = has_smooth_0((*at_11).vertex_2.lobe_1);
     }
     else
     {
-        _S56 = false;
+        _S57 = false;
     }
-    return _S56;
+    return _S57;
 }
 
-fn change_word_0( at_10 : u32) -> u32
+fn change_word_0( at_12 : u32) -> u32
 {
-    return input_0[launch_0.room_0 + at_10];
+    return input_0[launch_0.room_0 + at_12];
 }
 
 fn turns_1( vertex_3 : Vertex_0) -> bool
@@ -891,9 +901,9 @@ fn turns_1( vertex_3 : Vertex_0) -> bool
     return (change_word_0(u32(1))) != u32(0);
 }
 
-fn edge_word_0( at_11 : u32) -> u32
+fn edge_word_0( at_13 : u32) -> u32
 {
-    return change_word_0(change_word_0(u32(3)) + at_11);
+    return change_word_0(change_word_0(u32(3)) + at_13);
 }
 
 fn numbers_for_0( purpose_1 : u32) -> u32
@@ -915,33 +925,33 @@ fn product_0( a_6 : u32,  b_4 : u32) -> vec2<u32>
 
 fn times_0( a_7 : vec2<u32>,  b_5 : vec2<u32>) -> vec2<u32>
 {
-    var _S57 : u32 = a_7.x;
-    var _S58 : u32 = b_5.x;
-    var low_1 : vec2<u32> = product_0(_S57, _S58);
-    return vec2<u32>(low_1.x, low_1.y + _S57 * b_5.y + a_7.y * _S58);
+    var _S58 : u32 = a_7.x;
+    var _S59 : u32 = b_5.x;
+    var low_1 : vec2<u32> = product_0(_S58, _S59);
+    return vec2<u32>(low_1.x, low_1.y + _S58 * b_5.y + a_7.y * _S59);
 }
 
 fn plus_0( a_8 : vec2<u32>,  b_6 : vec2<u32>) -> vec2<u32>
 {
-    var _S59 : u32 = a_8.x;
-    var low_2 : u32 = _S59 + b_6.x;
-    var _S60 : u32 = a_8.y + b_6.y;
-    var _S61 : i32;
-    if(low_2 < _S59)
+    var _S60 : u32 = a_8.x;
+    var low_2 : u32 = _S60 + b_6.x;
+    var _S61 : u32 = a_8.y + b_6.y;
+    var _S62 : i32;
+    if(low_2 < _S60)
     {
-        _S61 = i32(1);
+        _S62 = i32(1);
     }
     else
     {
-        _S61 = i32(0);
+        _S62 = i32(0);
     }
-    return vec2<u32>(low_2, _S60 + u32(_S61));
+    return vec2<u32>(low_2, _S61 + u32(_S62));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S62 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S62 << ((u32(32) - by_0)))))), (_S62 >> (by_0)))));
+    var _S63 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S63 << ((u32(32) - by_0)))))), (_S63 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -1030,8 +1040,8 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_1) / distance_2, 0.0f) / squared_0;
     }
-    var _S63 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S63 * _S63 / (2.0f * (_S63 - max(lowest_0, -1.0f)) * squared_0);
+    var _S64 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S64 * _S64 / (2.0f * (_S64 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn emitter_view_0( emitter_2 : u32,  position_3 : vec3<f32>,  normal_1 : vec3<f32>) -> f32
@@ -1055,16 +1065,16 @@ struct Choice_0
 fn light_of_0( emitter_3 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_3, choice_0.position_4, choice_0.normal_2);
-    var _S64 : f32;
+    var _S65 : f32;
     if(view_0 > 0.0f)
     {
-        _S64 = 1.0f;
+        _S65 = 1.0f;
     }
     else
     {
-        _S64 = 0.0f;
+        _S65 = 0.0f;
     }
-    (*can_light_0) = _S64;
+    (*can_light_0) = _S65;
     return view_0 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -1075,13 +1085,13 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
     choice_1.normal_2 = vertex_4.axes_5.n_0;
     choice_1.all_0 = 0.0f;
     choice_1.lit_0 = 0.0f;
-    var _S65 : u32 = word_0(u32(6));
+    var _S66 : u32 = word_0(u32(6));
     var can_light_1 : f32;
     var i_1 : u32 = u32(0);
     var count_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S65)
+        if(i_1 < _S66)
         {
         }
         else
@@ -1093,36 +1103,36 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S66 : u32 = count_1 + u32(1);
-        if(_S65 > u32(32))
+        var _S67 : u32 = count_1 + u32(1);
+        if(_S66 > u32(32))
         {
-            count_1 = _S66;
+            count_1 = _S67;
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S67 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
-        choice_1.all_0 = choice_1.all_0 + _S67;
+        var _S68 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
+        choice_1.all_0 = choice_1.all_0 + _S68;
         choice_1.lit_0 = choice_1.lit_0 + can_light_1;
-        count_1 = _S66;
+        count_1 = _S67;
         i_1 = i_1 + u32(1);
     }
     (*probability_0) = 0.0f;
-    var _S68 : bool;
+    var _S69 : bool;
     if((choice_1.all_0) > 0.0f)
     {
-        _S68 = (choice_1.all_0) < 3.00000000549775576e+38f;
+        _S69 = (choice_1.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S68 = false;
+        _S69 = false;
     }
-    var _S69 : bool = !_S68;
+    var _S70 : bool = !_S69;
     var chosen_0 : u32 = u32(0);
     i_1 = u32(0);
     var rest_1 : f32 = u_0;
     for(;;)
     {
-        if(i_1 < _S65)
+        if(i_1 < _S66)
         {
         }
         else
@@ -1134,16 +1144,16 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S70 : f32 = 1.0f / f32(count_1);
+        var _S71 : f32 = 1.0f / f32(count_1);
         var own_0 : f32;
-        if(!_S69)
+        if(!_S70)
         {
             var light_0 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
             own_0 = 0.5f * can_light_1 / choice_1.lit_0 + 0.5f * light_0 / choice_1.all_0;
         }
         else
         {
-            own_0 = _S70;
+            own_0 = _S71;
         }
         var chosen_1 : u32;
         if(own_0 > 0.0f)
@@ -1168,19 +1178,19 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
     return chosen_0;
 }
 
-fn real_place_0( at_12 : u32) -> u32
+fn real_place_0( at_14 : u32) -> u32
 {
-    return word_0(u32(15)) + u32(4) + at_12;
+    return word_0(u32(15)) + u32(4) + at_14;
 }
 
-fn edge_real_0( at_13 : u32) -> f32
+fn edge_real_0( at_15 : u32) -> f32
 {
-    return primitives_0[real_place_0(at_13)];
+    return primitives_0[real_place_0(at_15)];
 }
 
-fn edge_position_0( at_14 : u32) -> vec3<f32>
+fn edge_position_0( at_16 : u32) -> vec3<f32>
 {
-    return primitive_vector_0(real_place_0(at_14));
+    return primitive_vector_0(real_place_0(at_16));
 }
 
 fn exact_unit_0( v_4 : vec3<f32>) -> vec3<f32>
@@ -1193,22 +1203,22 @@ fn length_of_0( v_5 : vec3<f32>) -> f32
     return sqrt(dot(v_5, v_5));
 }
 
-fn open_window_0( at_15 : ptr<function, ShadingPoint_0>) -> bool
+fn open_window_0( at_17 : ptr<function, ShadingPoint_0>) -> bool
 {
-    var window_0 : u32 = edge_word_0(edge_word_0(u32(5)) + (*at_15).emitter_0);
+    var window_0 : u32 = edge_word_0(edge_word_0(u32(5)) + (*at_17).emitter_0);
     var corners_0 : u32 = u32(edge_real_0(window_0));
-    var apex_0 : vec3<f32> = (*at_15).vertex_2.surface_3.exact_0;
+    var apex_0 : vec3<f32> = (*at_17).vertex_2.surface_3.exact_0;
     var before_0 : vec3<f32>;
     if(corners_0 > u32(0))
     {
-        var _S71 : u32 = window_0 + u32(1);
-        var normal_3 : vec3<f32> = edge_position_0(_S71);
-        var before_1 : vec3<f32> = edge_position_0(_S71 + u32(3) * corners_0) - apex_0;
+        var _S72 : u32 = window_0 + u32(1);
+        var normal_3 : vec3<f32> = edge_position_0(_S72);
+        var before_1 : vec3<f32> = edge_position_0(_S72 + u32(3) * corners_0) - apex_0;
         if((dot(normal_3, before_1)) >= 0.0f)
         {
             return false;
         }
-        (*at_15).planes_0 = corners_0;
+        (*at_17).planes_0 = corners_0;
         before_0 = before_1;
         var k_3 : u32 = u32(0);
         for(;;)
@@ -1221,13 +1231,13 @@ fn open_window_0( at_15 : ptr<function, ShadingPoint_0>) -> bool
                 break;
             }
             var offset_2 : vec3<f32> = edge_position_0(window_0 + u32(4) + u32(3) * k_3) - apex_0;
-            (*at_15).inside_2[k_3] = exact_unit_0(cross(offset_2, before_0));
-            var _S72 : u32 = k_3 + u32(1);
+            (*at_17).inside_2[k_3] = exact_unit_0(cross(offset_2, before_0));
+            var _S73 : u32 = k_3 + u32(1);
             before_0 = offset_2;
-            k_3 = _S72;
+            k_3 = _S73;
         }
-        (*at_15).front_0 = normal_3;
-        (*at_15).front_offset_0 = before_0;
+        (*at_17).front_0 = normal_3;
+        (*at_17).front_offset_0 = before_0;
         return true;
     }
     var offset_3 : vec3<f32> = edge_position_0(window_0 + u32(1)) - apex_0;
@@ -1249,15 +1259,15 @@ fn open_window_0( at_15 : ptr<function, ShadingPoint_0>) -> bool
     }
     var s_1 : vec3<f32> = exact_unit_0(cross(axis_1, before_0));
     var t_1 : vec3<f32> = cross(axis_1, s_1);
-    (*at_15).planes_0 = u32(4);
-    var _S73 : vec3<f32> = axis_1 * vec3<f32>(sine_1);
-    var _S74 : vec3<f32> = vec3<f32>(cosine_2);
-    var _S75 : vec3<f32> = s_1 * _S74;
-    (*at_15).inside_2[i32(0)] = _S73 + _S75;
-    (*at_15).inside_2[i32(1)] = _S73 - _S75;
-    var _S76 : vec3<f32> = t_1 * _S74;
-    (*at_15).inside_2[i32(2)] = _S73 + _S76;
-    (*at_15).inside_2[i32(3)] = _S73 - _S76;
+    (*at_17).planes_0 = u32(4);
+    var _S74 : vec3<f32> = axis_1 * vec3<f32>(sine_1);
+    var _S75 : vec3<f32> = vec3<f32>(cosine_2);
+    var _S76 : vec3<f32> = s_1 * _S75;
+    (*at_17).inside_2[i32(0)] = _S74 + _S76;
+    (*at_17).inside_2[i32(1)] = _S74 - _S76;
+    var _S77 : vec3<f32> = t_1 * _S75;
+    (*at_17).inside_2[i32(2)] = _S74 + _S77;
+    (*at_17).inside_2[i32(3)] = _S74 - _S77;
     return true;
 }
 
@@ -1273,30 +1283,30 @@ fn is_blind_0() -> bool
 
 fn rests_0( motion_2 : VertexMotion_0) -> bool
 {
-    var _S77 : vec3<f32> = vec3<f32>(0.0f);
-    var _S78 : bool;
-    if((all(((motion_2.velocity_0) == _S77))))
+    var _S78 : vec3<f32> = vec3<f32>(0.0f);
+    var _S79 : bool;
+    if((all(((motion_2.velocity_0) == _S78))))
     {
-        _S78 = (all(((motion_2.rotation_0) == _S77)));
+        _S79 = (all(((motion_2.rotation_0) == _S78)));
     }
     else
     {
-        _S78 = false;
+        _S79 = false;
     }
-    return _S78;
+    return _S79;
 }
 
-fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_16 : ptr<function, ShadingPoint_0>) -> f32
+fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_18 : ptr<function, ShadingPoint_0>) -> f32
 {
     var probability_1 : f32 = 1.0f;
-    (*at_16).purpose_0 = purpose_2;
-    (*at_16).planes_0 = u32(0);
-    var _S79 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_16).front_0 = _S79;
-    var _S80 : bool = purpose_2 == u32(2);
-    (*at_16).has_creases_0 = _S80;
+    (*at_18).purpose_0 = purpose_2;
+    (*at_18).planes_0 = u32(0);
+    var _S80 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_18).front_0 = _S80;
+    var _S81 : bool = purpose_2 == u32(2);
+    (*at_18).has_creases_0 = _S81;
     var tree_1 : u32;
-    if(_S80)
+    if(_S81)
     {
         tree_1 = u32(1);
     }
@@ -1304,97 +1314,79 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_16 : ptr<function, Shadin
     {
         tree_1 = u32(0);
     }
-    (*at_16).motion_1 = (*at_16).whole_0;
-    (*at_16).turns_0 = turns_1((*at_16).vertex_2);
-    var _S81 : bool;
+    (*at_18).motion_1 = (*at_18).whole_0;
+    (*at_18).turns_0 = turns_1((*at_18).vertex_2);
+    var _S82 : bool;
     if(purpose_2 == u32(0))
     {
-        var _S82 : u32 = edge_word_0(u32(4));
-        (*at_16).turns_0 = false;
-        var _S83 : u32 = chosen_area_emitter_0((*at_16).vertex_2, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
-        (*at_16).emitter_0 = _S83;
+        var _S83 : u32 = edge_word_0(u32(4));
+        (*at_18).turns_0 = false;
+        var _S84 : u32 = chosen_area_emitter_0((*at_18).vertex_2, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
+        (*at_18).emitter_0 = _S84;
         if(!(probability_1 > 0.0f))
         {
-            _S81 = true;
+            _S82 = true;
         }
         else
         {
-            var _S84 : bool = open_window_0(&((*at_16)));
-            _S81 = !_S84;
+            var _S85 : bool = open_window_0(&((*at_18)));
+            _S82 = !_S85;
         }
-        if(_S81)
+        if(_S82)
         {
             return 0.0f;
         }
-        tree_1 = _S82;
+        tree_1 = _S83;
     }
     else
     {
         if(purpose_2 == u32(1))
         {
-            var _S85 : u32 = word_0(u32(8));
-            (*at_16).emitter_0 = _S85;
-            if(_S85 == u32(4294967295))
+            var _S86 : u32 = word_0(u32(8));
+            (*at_18).emitter_0 = _S86;
+            if(_S86 == u32(4294967295))
             {
                 return 0.0f;
             }
-            if(is_map_0(emitter_record_0((*at_16).emitter_0)))
+            if(is_map_0(emitter_record_0((*at_18).emitter_0)))
             {
-                (*at_16).turns_0 = false;
+                (*at_18).turns_0 = false;
             }
         }
     }
-    if(!(*at_16).turns_0)
+    if(!(*at_18).turns_0)
     {
-        (*at_16).motion_1.rotation_0 = _S79;
+        (*at_18).motion_1.rotation_0 = _S80;
     }
     if(!is_blind_0())
     {
-        _S81 = rests_0((*at_16).motion_1);
+        _S82 = rests_0((*at_18).motion_1);
     }
     else
     {
-        _S81 = false;
+        _S82 = false;
     }
-    if(_S81)
+    if(_S82)
     {
         tree_1 = tree_1 + u32(2);
     }
-    var _S86 : u32 = edge_word_0(tree_1);
-    (*at_16).tree_0 = _S86;
-    var _S87 : f32;
-    if(_S86 == u32(4294967295))
+    var _S87 : u32 = edge_word_0(tree_1);
+    (*at_18).tree_0 = _S87;
+    var _S88 : f32;
+    if(_S87 == u32(4294967295))
     {
-        _S87 = 0.0f;
+        _S88 = 0.0f;
     }
     else
     {
-        _S87 = probability_1;
+        _S88 = probability_1;
     }
-    return _S87;
+    return _S88;
 }
 
-fn subtree_of_launch_0() -> u32
+fn part_of_launch_0() -> u32
 {
-    return ((launch_0.depth_0) >> (u32(24)));
-}
-
-fn subtrees_of_0( at_17 : ShadingPoint_0) -> u32
-{
-    var count_2 : u32;
-    if((depth_of_launch_0()) == u32(0))
-    {
-        count_2 = u32(2);
-    }
-    else
-    {
-        count_2 = u32(1);
-    }
-    if((at_17.purpose_0) == u32(0))
-    {
-        count_2 = u32(4) * count_2;
-    }
-    return count_2;
+    return ((launch_0.depth_0) >> (u32(20)));
 }
 
 fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f32
@@ -1402,70 +1394,137 @@ fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f32
     return f32(((random_bits_0(key_4, dimension_2).y) >> (u32(8)))) / 4096.0f / 4096.0f;
 }
 
-struct Leaves_0
+fn edge_number_0( at_19 : u32) -> f32
 {
-     count_3 : u32,
-     nodes_1 : array<u32, i32(96)>,
-};
-
-fn below_0( node_1 : u32) -> Leaves_0
-{
-    var leaves_0 : Leaves_0;
-    leaves_0.count_3 = u32(1);
-    leaves_0.nodes_1[i32(0)] = node_1;
-    return leaves_0;
+    return (bitcast<f32>((edge_word_0(at_19))));
 }
 
-fn edge_number_0( at_18 : u32) -> f32
+fn edge_vector_0( at_20 : u32) -> vec3<f32>
 {
-    return (bitcast<f32>((edge_word_0(at_18))));
+    return vec3<f32>(edge_number_0(at_20), edge_number_0(at_20 + u32(1)), edge_number_0(at_20 + u32(2)));
 }
 
-fn edge_vector_0( at_19 : u32) -> vec3<f32>
+fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
 {
-    return vec3<f32>(edge_number_0(at_19), edge_number_0(at_19 + u32(1)), edge_number_0(at_19 + u32(2)));
-}
-
-fn may_have_silhouette_0( node_2 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
-{
-    var sine_2 : f32 = edge_number_0(node_2 + u32(11));
-    var cosine_3 : f32 = edge_number_0(node_2 + u32(12));
+    var sine_2 : f32 = edge_number_0(node_1 + u32(11));
+    var cosine_3 : f32 = edge_number_0(node_1 + u32(12));
     if(sine_2 > 1.0f)
     {
         return true;
     }
-    var margin_0 : f32 = (edge_number_0(node_2 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
+    var margin_0 : f32 = (edge_number_0(node_1 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
     var margin_1 : f32;
     if(cosine_3 > 0.0f)
     {
-        margin_1 = min((edge_number_0(node_2 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
+        margin_1 = min((edge_number_0(node_1 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
     }
     else
     {
         margin_1 = margin_0;
     }
-    return !((abs(dot(edge_vector_0(node_2 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
+    return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
 }
 
-fn is_outside_0( at_20 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
+fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
 {
-    var k_4 : u32 = u32(0);
-    for(;;)
+    var _S89 : bool;
+    if(u32(0) < (at_21.planes_0))
     {
-        if(k_4 < (at_20.planes_0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        if((dot(at_20.inside_2[k_4], offset_5)) < (- radius_2 - 3.99999998990097083e-06f))
-        {
-            return true;
-        }
-        k_4 = k_4 + u32(1);
+        _S89 = (dot(at_21.inside_2[u32(0)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
-    return (dot(at_20.front_0, offset_5 - at_20.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
+    else
+    {
+        _S89 = false;
+    }
+    if(_S89)
+    {
+        return true;
+    }
+    if(u32(1) < (at_21.planes_0))
+    {
+        _S89 = (dot(at_21.inside_2[u32(1)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S89 = false;
+    }
+    if(_S89)
+    {
+        return true;
+    }
+    if(u32(2) < (at_21.planes_0))
+    {
+        _S89 = (dot(at_21.inside_2[u32(2)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S89 = false;
+    }
+    if(_S89)
+    {
+        return true;
+    }
+    if(u32(3) < (at_21.planes_0))
+    {
+        _S89 = (dot(at_21.inside_2[u32(3)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S89 = false;
+    }
+    if(_S89)
+    {
+        return true;
+    }
+    if(u32(4) < (at_21.planes_0))
+    {
+        _S89 = (dot(at_21.inside_2[u32(4)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S89 = false;
+    }
+    if(_S89)
+    {
+        return true;
+    }
+    if(u32(5) < (at_21.planes_0))
+    {
+        _S89 = (dot(at_21.inside_2[u32(5)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S89 = false;
+    }
+    if(_S89)
+    {
+        return true;
+    }
+    if(u32(6) < (at_21.planes_0))
+    {
+        _S89 = (dot(at_21.inside_2[u32(6)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S89 = false;
+    }
+    if(_S89)
+    {
+        return true;
+    }
+    if(u32(7) < (at_21.planes_0))
+    {
+        _S89 = (dot(at_21.inside_2[u32(7)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S89 = false;
+    }
+    if(_S89)
+    {
+        return true;
+    }
+    return (dot(at_21.front_0, offset_5 - at_21.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
 }
 
 fn logarithm_0( x_4 : f32) -> f32
@@ -1493,16 +1552,16 @@ fn logarithm_0( x_4 : f32) -> f32
 
 fn direction_number_0( d_0 : vec3<f32>) -> u32
 {
-    var _S88 : i32;
+    var _S90 : i32;
     if((abs(d_0.y)) > (abs(d_0.x)))
     {
-        _S88 = i32(1);
+        _S90 = i32(1);
     }
     else
     {
-        _S88 = i32(0);
+        _S90 = i32(0);
     }
-    var axis_2 : u32 = u32(_S88);
+    var axis_2 : u32 = u32(_S90);
     var axis_3 : u32;
     if((abs(d_0.z)) > (abs(d_0[axis_2])))
     {
@@ -1512,34 +1571,34 @@ fn direction_number_0( d_0 : vec3<f32>) -> u32
     {
         axis_3 = axis_2;
     }
-    var _S89 : u32 = u32(8) * axis_3;
+    var _S91 : u32 = u32(8) * axis_3;
     if((d_0[axis_3]) < 0.0f)
     {
-        _S88 = i32(4);
+        _S90 = i32(4);
     }
     else
     {
-        _S88 = i32(0);
+        _S90 = i32(0);
     }
-    var _S90 : u32 = _S89 + u32(_S88);
+    var _S92 : u32 = _S91 + u32(_S90);
     if((d_0[(axis_3 + u32(1)) % u32(3)]) < 0.0f)
     {
-        _S88 = i32(2);
+        _S90 = i32(2);
     }
     else
     {
-        _S88 = i32(0);
+        _S90 = i32(0);
     }
-    var _S91 : u32 = _S90 + u32(_S88);
+    var _S93 : u32 = _S92 + u32(_S90);
     if((d_0[(axis_3 + u32(2)) % u32(3)]) < 0.0f)
     {
-        _S88 = i32(1);
+        _S90 = i32(1);
     }
     else
     {
-        _S88 = i32(0);
+        _S90 = i32(0);
     }
-    return _S91 + u32(_S88);
+    return _S93 + u32(_S90);
 }
 
 fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
@@ -1547,16 +1606,16 @@ fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
     return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
 }
 
-fn speed_of_0( at_21 : ShadingPoint_0,  node_3 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+fn speed_of_0( at_22 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
 {
     if(is_blind_0())
     {
-        return edge_number_0(node_3 + u32(20)) + 0.10000000149011612f;
+        return edge_number_0(node_2 + u32(20)) + 0.10000000149011612f;
     }
-    var relative_0 : vec3<f32> = edge_vector_0(node_3 + u32(17)) - velocity_at_0(at_21.motion_1, offset_7);
-    var axis_4 : vec3<f32> = edge_vector_0(node_3 + u32(8));
-    var sine_3 : f32 = edge_number_0(node_3 + u32(11));
-    var cosine_4 : f32 = edge_number_0(node_3 + u32(12));
+    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_22.motion_1, offset_7);
+    var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
+    var sine_3 : f32 = edge_number_0(node_2 + u32(11));
+    var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
     var along_0 : f32 = abs(dot(axis_4, relative_0));
     var across_1 : f32 = length(cross(axis_4, relative_0));
     var speed_0 : f32;
@@ -1568,36 +1627,36 @@ fn speed_of_0( at_21 : ShadingPoint_0,  node_3 : u32,  offset_7 : vec3<f32>,  ra
     {
         speed_0 = length(relative_0);
     }
-    return speed_0 + edge_number_0(node_3 + u32(20)) + length(at_21.motion_1.rotation_0) * radius_3;
+    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_22.motion_1.rotation_0) * radius_3;
 }
 
-fn importance_of_0( at_22 : ShadingPoint_0,  node_4 : u32) -> f32
+fn importance_of_0( at_23 : ShadingPoint_0,  node_3 : u32) -> f32
 {
-    var centre_1 : vec3<f32> = edge_vector_0(node_4 + u32(4));
-    var offset_8 : vec3<f32> = centre_1 - at_22.vertex_2.surface_3.position_1;
-    var radius_4 : f32 = edge_number_0(node_4 + u32(7));
+    var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
+    var offset_8 : vec3<f32> = centre_1 - at_23.vertex_2.surface_3.position_1;
+    var radius_4 : f32 = edge_number_0(node_3 + u32(7));
     var distance_5 : f32 = length(offset_8);
-    var _S92 : bool;
-    if(!at_22.has_creases_0)
+    var _S94 : bool;
+    if(!at_23.has_creases_0)
     {
-        _S92 = !may_have_silhouette_0(node_4, offset_8, distance_5);
+        _S94 = !may_have_silhouette_0(node_3, offset_8, distance_5);
     }
     else
     {
-        _S92 = false;
+        _S94 = false;
     }
-    if(_S92)
+    if(_S94)
     {
         return 0.0f;
     }
-    if(is_outside_0(at_22, offset_8, radius_4))
+    if(is_outside_0(at_23, offset_8, radius_4))
     {
         return 0.0f;
     }
-    var cosine_5 : f32 = largest_cosine_0(at_22.vertex_2.surface_3.position_1, at_22.vertex_2.axes_5.n_0, centre_1, radius_4);
-    var _S93 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
-    var least_0 : f32 = edge_number_0(node_4 + u32(16));
-    var ratio_0 : f32 = _S93 / max(max(distance_5 * distance_5 - _S93, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
+    var cosine_5 : f32 = largest_cosine_0(at_23.vertex_2.surface_3.position_1, at_23.vertex_2.axes_5.n_0, centre_1, radius_4);
+    var _S95 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
+    var least_0 : f32 = edge_number_0(node_3 + u32(16));
+    var ratio_0 : f32 = _S95 / max(max(distance_5 * distance_5 - _S95, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
     var visible_0 : f32;
     if(ratio_0 < 0.00100000004749745f)
     {
@@ -1607,192 +1666,56 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_4 : u32) -> f32
     {
         visible_0 = logarithm_0(1.0f + ratio_0);
     }
-    var near_0 : f32 = visible_0 / _S93;
-    var visible_1 : f32 = edge_number_0(node_4 + u32(14));
-    if(distance_5 > (edge_number_0(node_4 + u32(15))))
+    var near_0 : f32 = visible_0 / _S95;
+    var visible_1 : f32 = edge_number_0(node_3 + u32(14));
+    if(distance_5 > (edge_number_0(node_3 + u32(15))))
     {
-        visible_0 = visible_1 * edge_number_0(node_4 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
+        visible_0 = visible_1 * edge_number_0(node_3 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
     }
     else
     {
         visible_0 = visible_1;
     }
-    return visible_0 * speed_of_0(at_22, node_4, offset_8, radius_4) * cosine_5 * near_0;
+    return visible_0 * speed_of_0(at_23, node_3, offset_8, radius_4) * cosine_5 * near_0;
 }
 
-fn next_leaf_0( at_23 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_0 : ptr<function, u32>) -> bool
+fn descend_0( at_24 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
 {
-    var nodes_at_0 : u32 = edge_word_0(at_23.tree_0);
+    var nodes_at_0 : u32 = edge_word_0(at_24.tree_0);
     (*leaf_0) = nodes_at_0;
-    for(;;)
-    {
-        if(((*leaves_1).count_3) > u32(0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S94 : u32 = (*leaves_1).count_3 - u32(1);
-        (*leaves_1).count_3 = _S94;
-        var _S95 : u32 = (*leaves_1).nodes_1[_S94];
-        (*leaf_0) = (*leaves_1).nodes_1[_S94];
-        if(!((importance_of_0(at_23, _S95)) > 0.0f))
-        {
-            continue;
-        }
-        if((edge_word_0((*leaf_0))) == u32(4294967295))
-        {
-            return true;
-        }
-        var half_0 : u32 = u32(0);
-        for(;;)
-        {
-            var _S96 : bool;
-            if(half_0 < u32(2))
-            {
-                _S96 = ((*leaves_1).count_3) < u32(96);
-            }
-            else
-            {
-                _S96 = false;
-            }
-            if(_S96)
-            {
-            }
-            else
-            {
-                break;
-            }
-            (*leaves_1).nodes_1[(*leaves_1).count_3] = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + half_0);
-            (*leaves_1).count_3 = (*leaves_1).count_3 + u32(1);
-            half_0 = half_0 + u32(1);
-        }
-    }
-    return false;
-}
-
-fn next_leaf_1( at_24 : ShadingPoint_0,  leaves_2 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
-{
-    var nodes_at_1 : u32 = edge_word_0(at_24.tree_0);
-    (*leaf_1) = nodes_at_1;
-    for(;;)
-    {
-        if(((*leaves_2).count_3) > u32(0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S97 : u32 = (*leaves_2).count_3 - u32(1);
-        (*leaves_2).count_3 = _S97;
-        var _S98 : u32 = (*leaves_2).nodes_1[_S97];
-        (*leaf_1) = (*leaves_2).nodes_1[_S97];
-        if(!((importance_of_0(at_24, _S98)) > 0.0f))
-        {
-            continue;
-        }
-        if((edge_word_0((*leaf_1))) == u32(4294967295))
-        {
-            return true;
-        }
-        var half_1 : u32 = u32(0);
-        for(;;)
-        {
-            var _S99 : bool;
-            if(half_1 < u32(2))
-            {
-                _S99 = ((*leaves_2).count_3) < u32(96);
-            }
-            else
-            {
-                _S99 = false;
-            }
-            if(_S99)
-            {
-            }
-            else
-            {
-                break;
-            }
-            (*leaves_2).nodes_1[(*leaves_2).count_3] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + half_1);
-            (*leaves_2).count_3 = (*leaves_2).count_3 + u32(1);
-            half_1 = half_1 + u32(1);
-        }
-    }
-    return false;
-}
-
-fn takes_all_0( at_25 : ShadingPoint_0) -> bool
-{
-    var _S100 : bool;
-    var leaves_3 : Leaves_0 = below_0(edge_word_0(at_25.tree_0));
-    var leaf_2 : u32;
-    var count_4 : u32 = u32(0);
-    for(;;)
-    {
-        var _S101 : bool = count_4 <= u32(24);
-        _S100 = _S101;
-        var _S102 : bool;
-        if(_S101)
-        {
-            var _S103 : bool = next_leaf_0(at_25, &(leaves_3), &(leaf_2));
-            _S102 = _S103;
-        }
-        else
-        {
-            _S102 = false;
-        }
-        if(_S102)
-        {
-        }
-        else
-        {
-            break;
-        }
-        count_4 = count_4 + u32(1);
-    }
-    return _S100;
-}
-
-fn descend_0( at_26 : ShadingPoint_0,  u_1 : f32,  leaf_3 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
-{
-    var nodes_at_2 : u32 = edge_word_0(at_26.tree_0);
-    (*leaf_3) = nodes_at_2;
     (*probability_2) = 1.0f;
-    var _S104 : f32 = u_1;
+    var _S96 : f32 = u_1;
     for(;;)
     {
-        if((edge_word_0((*leaf_3))) != u32(4294967295))
+        if((edge_word_0((*leaf_0))) != u32(4294967295))
         {
         }
         else
         {
             break;
         }
-        var first_2 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3));
-        var second_1 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3) + u32(1));
-        var of_first_0 : f32 = importance_of_0(at_26, first_2);
-        var of_second_0 : f32 = importance_of_0(at_26, second_1);
+        var first_2 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
+        var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
+        var of_first_0 : f32 = importance_of_0(at_24, first_2);
+        var of_second_0 : f32 = importance_of_0(at_24, second_1);
         var sum_0 : f32 = of_first_0 + of_second_0;
-        var _S105 : bool;
+        var _S97 : bool;
         if(sum_0 > 0.0f)
         {
-            _S105 = sum_0 < 3.00000000549775576e+38f;
+            _S97 = sum_0 < 3.00000000549775576e+38f;
         }
         else
         {
-            _S105 = false;
+            _S97 = false;
         }
-        if(!_S105)
+        if(!_S97)
         {
             return false;
         }
         var first_share_0 : f32 = of_first_0 / sum_0;
         var second_share_0 : f32 = of_second_0 / sum_0;
         var is_second_0 : bool;
-        if(_S104 >= first_share_0)
+        if(_S96 >= first_share_0)
         {
             is_second_0 = second_share_0 > 0.0f;
         }
@@ -1802,34 +1725,83 @@ fn descend_0( at_26 : ShadingPoint_0,  u_1 : f32,  leaf_3 : ptr<function, u32>, 
         }
         if(is_second_0)
         {
-            _S104 = (_S104 - first_share_0) / second_share_0;
+            _S96 = (_S96 - first_share_0) / second_share_0;
         }
         else
         {
-            _S104 = min(_S104 / first_share_0, 1.0f);
+            _S96 = min(_S96 / first_share_0, 1.0f);
         }
-        var _S106 : f32;
+        var _S98 : f32;
         if(is_second_0)
         {
-            _S106 = second_share_0;
+            _S98 = second_share_0;
         }
         else
         {
-            _S106 = first_share_0;
+            _S98 = first_share_0;
         }
-        (*probability_2) = (*probability_2) * _S106;
-        var _S107 : u32;
+        (*probability_2) = (*probability_2) * _S98;
+        var _S99 : u32;
         if(is_second_0)
         {
-            _S107 = second_1;
+            _S99 = second_1;
         }
         else
         {
-            _S107 = first_2;
+            _S99 = first_2;
         }
-        (*leaf_3) = _S107;
+        (*leaf_0) = _S99;
     }
     return true;
+}
+
+struct Leaves_0
+{
+     count_2 : u32,
+     nodes_1 : array<u32, i32(96)>,
+};
+
+fn below_0( node_4 : u32) -> Leaves_0
+{
+    var leaves_0 : Leaves_0;
+    leaves_0.count_2 = u32(1);
+    leaves_0.nodes_1[i32(0)] = node_4;
+    return leaves_0;
+}
+
+fn next_leaf_0( at_25 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
+{
+    var nodes_at_1 : u32 = edge_word_0(at_25.tree_0);
+    (*leaf_1) = nodes_at_1;
+    for(;;)
+    {
+        if(((*leaves_1).count_2) > u32(0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S100 : u32 = (*leaves_1).count_2 - u32(1);
+        (*leaves_1).count_2 = _S100;
+        var _S101 : u32 = (*leaves_1).nodes_1[_S100];
+        (*leaf_1) = (*leaves_1).nodes_1[_S100];
+        if(!((importance_of_0(at_25, _S101)) > 0.0f))
+        {
+            continue;
+        }
+        if((edge_word_0((*leaf_1))) == u32(4294967295))
+        {
+            return true;
+        }
+        var _S102 : u32 = (*leaves_1).count_2;
+        var _S103 : u32 = (*leaves_1).count_2 + u32(1);
+        (*leaves_1).count_2 = _S103;
+        (*leaves_1).nodes_1[_S102] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1));
+        (*leaves_1).count_2 = _S103 + u32(1);
+        (*leaves_1).nodes_1[_S103] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + u32(1));
+    }
+    return false;
 }
 
 struct Edge_0
@@ -1838,11 +1810,11 @@ struct Edge_0
      numbers_4 : u32,
 };
 
-fn edge_at_0( at_27 : ShadingPoint_0,  place_10 : u32) -> Edge_0
+fn edge_at_0( at_26 : ShadingPoint_0,  place_10 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_7 = edge_word_0(at_27.tree_0 + u32(1)) + u32(12) * place_10;
-    edge_0.numbers_4 = edge_word_0(at_27.tree_0 + u32(2)) + u32(14) * place_10;
+    edge_0.record_7 = edge_word_0(at_26.tree_0 + u32(1)) + u32(12) * place_10;
+    edge_0.numbers_4 = edge_word_0(at_26.tree_0 + u32(2)) + u32(14) * place_10;
     return edge_0;
 }
 
@@ -1855,140 +1827,351 @@ fn side_seen_0( from_0 : vec3<f32>,  tolerance_0 : f32,  normal_4 : u32,  length
 {
     var height_1 : f32 = dot(edge_position_0(normal_4), from_0);
     var least_1 : f32 = tolerance_0 * edge_real_0(length_0);
-    var _S108 : i32;
+    var _S104 : i32;
     if(height_1 > least_1)
     {
-        _S108 = i32(1);
+        _S104 = i32(1);
     }
     else
     {
-        _S108 = i32(0);
+        _S104 = i32(0);
     }
-    var _S109 : i32;
+    var _S105 : i32;
     if(height_1 < (- least_1))
     {
-        _S109 = i32(1);
+        _S105 = i32(1);
     }
     else
     {
-        _S109 = i32(0);
+        _S105 = i32(0);
     }
-    return _S108 - _S109;
+    return _S104 - _S105;
 }
 
-fn is_silhouette_0( at_28 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+fn is_silhouette_0( at_27 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f32> = edge_position_0(edge_1.numbers_4);
-    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_28.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S110 : vec3<f32> = at_28.vertex_2.surface_3.exact_0 - start_0;
-    return (side_seen_0(_S110, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S110, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
+    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_27.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S106 : vec3<f32> = at_27.vertex_2.surface_3.exact_0 - start_0;
+    return (side_seen_0(_S106, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S106, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
 }
 
-fn factor_of_0( at_29 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+fn factor_of_0( at_28 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
-    var _S111 : u32 = edge_2.record_7 + u32(2);
-    var a_9 : vec3<f32> = edge_vector_0(_S111);
-    var b_7 : vec3<f32> = edge_vector_0(_S111 + u32(3));
-    var _S112 : bool;
+    var _S107 : u32 = edge_2.record_7 + u32(2);
+    var a_9 : vec3<f32> = edge_vector_0(_S107);
+    var b_7 : vec3<f32> = edge_vector_0(_S107 + u32(3));
+    var _S108 : bool;
     if(!is_blind_0())
     {
-        _S112 = rests_0(at_29.motion_1);
+        _S108 = rests_0(at_28.motion_1);
     }
     else
     {
-        _S112 = false;
+        _S108 = false;
     }
-    if(_S112)
+    if(_S108)
     {
-        _S112 = (all((a_9 == vec3<f32>(0.0f))));
+        _S108 = (all((a_9 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S112 = false;
+        _S108 = false;
     }
-    if(_S112)
+    if(_S108)
     {
-        _S112 = (all((b_7 == vec3<f32>(0.0f))));
+        _S108 = (all((b_7 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S112 = false;
+        _S108 = false;
     }
-    if(_S112)
+    if(_S108)
     {
         return 0.0f;
     }
-    if(is_silhouette_0(at_29, edge_2))
+    if(is_silhouette_0(at_28, edge_2))
     {
         return edge_number_0(edge_2.record_7);
     }
-    var _S113 : f32;
-    if(at_29.has_creases_0)
+    var _S109 : f32;
+    if(at_28.has_creases_0)
     {
-        _S113 = edge_number_0(edge_2.record_7 + u32(1));
+        _S109 = edge_number_0(edge_2.record_7 + u32(1));
     }
     else
     {
-        _S113 = 0.0f;
+        _S109 = 0.0f;
     }
-    return _S113;
+    return _S109;
 }
 
-fn is_clipped_0( at_30 : ShadingPoint_0,  a_10 : vec3<f32>,  b_8 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
+fn is_clipped_0( at_29 : ShadingPoint_0,  a_10 : vec3<f32>,  b_8 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
 {
     (*range_0) = vec2<f32>(0.0f, 1.0f);
-    var _S114 : bool;
-    if((dot(at_30.front_0, a_10 - at_30.front_offset_0)) < -3.99999998990097083e-06f)
+    var _S110 : bool;
+    if((dot(at_29.front_0, a_10 - at_29.front_offset_0)) < -3.99999998990097083e-06f)
     {
-        _S114 = (dot(at_30.front_0, b_8 - at_30.front_offset_0)) < -3.99999998990097083e-06f;
+        _S110 = (dot(at_29.front_0, b_8 - at_29.front_offset_0)) < -3.99999998990097083e-06f;
     }
     else
     {
-        _S114 = false;
+        _S110 = false;
     }
-    if(_S114)
+    if(_S110)
     {
         return true;
     }
-    var _S115 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_10, a_10), dot(b_8, b_8)));
-    var k_5 : u32 = u32(0);
-    for(;;)
+    var _S111 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_10, a_10), dot(b_8, b_8)));
+    var first_3 : f32;
+    var second_2 : f32;
+    if(u32(0) < (at_29.planes_0))
     {
-        if(k_5 < (at_30.planes_0))
+        var _S112 : f32 = dot(at_29.inside_2[u32(0)], b_8) + _S111;
+        first_3 = dot(at_29.inside_2[u32(0)], a_10) + _S111;
+        second_2 = _S112;
+    }
+    else
+    {
+        first_3 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_3 < 0.0f)
+    {
+        var _S113 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
         {
+            first_3 = 1.0f;
         }
         else
         {
-            break;
+            first_3 = first_3 / (first_3 - second_2);
         }
-        var first_3 : f32 = dot(at_30.inside_2[k_5], a_10) + _S115;
-        var second_2 : f32 = dot(at_30.inside_2[k_5], b_8) + _S115;
-        var _S116 : bool = first_3 < 0.0f;
-        if(_S116)
+        (*range_0)[i32(0)] = max(_S113, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
         {
-            _S114 = second_2 < 0.0f;
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(1) < (at_29.planes_0))
+    {
+        var _S114 : f32 = dot(at_29.inside_2[u32(1)], b_8) + _S111;
+        first_3 = dot(at_29.inside_2[u32(1)], a_10) + _S111;
+        second_2 = _S114;
+    }
+    else
+    {
+        first_3 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_3 < 0.0f)
+    {
+        var _S115 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_3 = 1.0f;
         }
         else
         {
-            _S114 = false;
+            first_3 = first_3 / (first_3 - second_2);
         }
-        if(_S114)
+        (*range_0)[i32(0)] = max(_S115, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
         {
-            return true;
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
         }
-        var crossing_0 : f32 = first_3 / (first_3 - second_2);
-        if(_S116)
+    }
+    if(u32(2) < (at_29.planes_0))
+    {
+        var _S116 : f32 = dot(at_29.inside_2[u32(2)], b_8) + _S111;
+        first_3 = dot(at_29.inside_2[u32(2)], a_10) + _S111;
+        second_2 = _S116;
+    }
+    else
+    {
+        first_3 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_3 < 0.0f)
+    {
+        var _S117 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
         {
-            (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
+            first_3 = 1.0f;
         }
         else
         {
-            if(second_2 < 0.0f)
-            {
-                (*range_0)[i32(1)] = min((*range_0).y, crossing_0);
-            }
+            first_3 = first_3 / (first_3 - second_2);
         }
-        k_5 = k_5 + u32(1);
+        (*range_0)[i32(0)] = max(_S117, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(3) < (at_29.planes_0))
+    {
+        var _S118 : f32 = dot(at_29.inside_2[u32(3)], b_8) + _S111;
+        first_3 = dot(at_29.inside_2[u32(3)], a_10) + _S111;
+        second_2 = _S118;
+    }
+    else
+    {
+        first_3 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_3 < 0.0f)
+    {
+        var _S119 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_3 = 1.0f;
+        }
+        else
+        {
+            first_3 = first_3 / (first_3 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S119, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(4) < (at_29.planes_0))
+    {
+        var _S120 : f32 = dot(at_29.inside_2[u32(4)], b_8) + _S111;
+        first_3 = dot(at_29.inside_2[u32(4)], a_10) + _S111;
+        second_2 = _S120;
+    }
+    else
+    {
+        first_3 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_3 < 0.0f)
+    {
+        var _S121 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_3 = 1.0f;
+        }
+        else
+        {
+            first_3 = first_3 / (first_3 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S121, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(5) < (at_29.planes_0))
+    {
+        var _S122 : f32 = dot(at_29.inside_2[u32(5)], b_8) + _S111;
+        first_3 = dot(at_29.inside_2[u32(5)], a_10) + _S111;
+        second_2 = _S122;
+    }
+    else
+    {
+        first_3 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_3 < 0.0f)
+    {
+        var _S123 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_3 = 1.0f;
+        }
+        else
+        {
+            first_3 = first_3 / (first_3 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S123, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(6) < (at_29.planes_0))
+    {
+        var _S124 : f32 = dot(at_29.inside_2[u32(6)], b_8) + _S111;
+        first_3 = dot(at_29.inside_2[u32(6)], a_10) + _S111;
+        second_2 = _S124;
+    }
+    else
+    {
+        first_3 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_3 < 0.0f)
+    {
+        var _S125 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_3 = 1.0f;
+        }
+        else
+        {
+            first_3 = first_3 / (first_3 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S125, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(7) < (at_29.planes_0))
+    {
+        var _S126 : f32 = dot(at_29.inside_2[u32(7)], b_8) + _S111;
+        first_3 = dot(at_29.inside_2[u32(7)], a_10) + _S111;
+        second_2 = _S126;
+    }
+    else
+    {
+        first_3 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_3 < 0.0f)
+    {
+        var _S127 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_3 = 1.0f;
+        }
+        else
+        {
+            first_3 = first_3 / (first_3 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S127, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
     }
     return !(((*range_0).x) < ((*range_0).y));
 }
@@ -2008,54 +2191,54 @@ struct SeenEdge_0
      to_0 : vec3<f32>,
 };
 
-fn see_edge_0( at_31 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+fn see_edge_0( at_30 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S117 : Edge_0 = edge_at_0(at_31, place_11);
-    (*seen_1).edge_3 = _S117;
-    var _S118 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4) - at_31.vertex_2.surface_3.exact_0;
-    (*seen_1).start_1 = _S118;
-    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_31.vertex_2.surface_3.exact_0;
-    (*seen_1).along_1 = end_1 - _S118;
+    var _S128 : Edge_0 = edge_at_0(at_30, place_11);
+    (*seen_1).edge_3 = _S128;
+    var _S129 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4) - at_30.vertex_2.surface_3.exact_0;
+    (*seen_1).start_1 = _S129;
+    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_30.vertex_2.surface_3.exact_0;
+    (*seen_1).along_1 = end_1 - _S129;
     (*seen_1).far_0 = 1.0f;
     (*seen_1).near_1 = 1.0f;
     (*seen_1).chord_0 = 0.0f;
     (*seen_1).pieces_0 = 0.0f;
-    var _S119 : vec3<f32> = vec3<f32>(0.0f);
-    (*seen_1).to_0 = _S119;
-    (*seen_1).from_1 = _S119;
+    var _S130 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S130;
+    (*seen_1).from_1 = _S130;
     (*seen_1).range_1 = vec2<f32>(0.0f, 1.0f);
-    var _S120 : f32 = factor_of_0(at_31, _S117);
-    (*seen_1).factor_3 = _S120;
-    var _S121 : bool;
-    if(!(_S120 > 0.0f))
+    var _S131 : f32 = factor_of_0(at_30, _S128);
+    (*seen_1).factor_3 = _S131;
+    var _S132 : bool;
+    if(!(_S131 > 0.0f))
     {
-        _S121 = true;
+        _S132 = true;
     }
     else
     {
-        var _S122 : vec2<f32> = (*seen_1).range_1;
-        var _S123 : bool = is_clipped_0(at_31, (*seen_1).start_1, end_1, &(_S122));
-        (*seen_1).range_1 = _S122;
-        _S121 = _S123;
+        var _S133 : vec2<f32> = (*seen_1).range_1;
+        var _S134 : bool = is_clipped_0(at_30, (*seen_1).start_1, end_1, &(_S133));
+        (*seen_1).range_1 = _S133;
+        _S132 = _S134;
     }
-    if(_S121)
+    if(_S132)
     {
         return false;
     }
     var first_4 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.x);
     var last_0 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.y);
-    var _S124 : f32 = sqrt(dot(first_4, first_4));
-    (*seen_1).near_1 = _S124;
+    var _S135 : f32 = sqrt(dot(first_4, first_4));
+    (*seen_1).near_1 = _S135;
     (*seen_1).far_0 = sqrt(dot(last_0, last_0));
-    if(_S124 > 0.0f)
+    if(_S135 > 0.0f)
     {
-        _S121 = ((*seen_1).far_0) > 0.0f;
+        _S132 = ((*seen_1).far_0) > 0.0f;
     }
     else
     {
-        _S121 = false;
+        _S132 = false;
     }
-    if(!_S121)
+    if(!_S132)
     {
         return false;
     }
@@ -2063,7 +2246,7 @@ fn see_edge_0( at_31 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = last_0 / vec3<f32>((*seen_1).far_0);
     (*seen_1).chord_0 = length_of_0(last_0 / vec3<f32>((*seen_1).far_0) - first_4 / vec3<f32>((*seen_1).near_1));
     var longest_0 : f32;
-    if((at_31.vertex_2.lobe_1.kind_1) == u32(0))
+    if((at_30.vertex_2.lobe_1.kind_1) == u32(0))
     {
         longest_0 = 0.20000000298023224f;
     }
@@ -2080,10 +2263,10 @@ fn place_between_0( from_2 : f32,  to_1 : f32,  near_2 : f32,  far_1 : f32,  par
     return from_2 + (to_1 - from_2) * part_0 * near_2 / (part_0 * near_2 + (1.0f - part_0) * far_1);
 }
 
-fn velocity_on_0( at_32 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
+fn velocity_on_0( at_31 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S125 : u32 = edge_4.record_7 + u32(2);
-    return mix(edge_vector_0(_S125), edge_vector_0(_S125 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_32.motion_1, offset_9);
+    var _S136 : u32 = edge_4.record_7 + u32(2);
+    return mix(edge_vector_0(_S136), edge_vector_0(_S136 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_31.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -2095,25 +2278,25 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_7 : f32,  pdf_1 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S126 : Mirrored_0;
-    _S126.cosine_6 = cosine_7;
-    _S126.pdf_0 = pdf_1;
-    _S126.scattered_0 = scattered_1;
-    return _S126;
+    var _S137 : Mirrored_0;
+    _S137.cosine_6 = cosine_7;
+    _S137.pdf_0 = pdf_1;
+    _S137.scattered_0 = scattered_1;
+    return _S137;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S127 : bool;
+    var _S138 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S127 = true;
+        _S138 = true;
     }
     else
     {
-        _S127 = (lobe_3.kind_1) == u32(4);
+        _S138 = (lobe_3.kind_1) == u32(4);
     }
-    return _S127;
+    return _S138;
 }
 
 struct Microfacets_0
@@ -2143,68 +2326,68 @@ fn exponential_0( x_5 : f32) -> f32
 
 fn density_0( facets_1 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S128 : f32 = m_3.z;
-    if(_S128 <= 0.0f)
+    var _S139 : f32 = m_3.z;
+    if(_S139 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_0 : vec2<f32> = m_3.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S128 * _S128;
+    var cos2_0 : f32 = _S139 * _S139;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_1 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_1 * sum_1);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S129 : f32;
+    var _S140 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S129 = 0.0f;
+        _S140 = 0.0f;
     }
     else
     {
-        _S129 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S140 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S129;
+    return _S140;
 }
 
 fn error_function_plus_one_0( x_6 : f32) -> vec2<f32>
 {
-    var _S130 : f32 = min(abs(x_6), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S130 * _S130);
-    var place_12 : f32 = (_S130 - 2.0f) / (_S130 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S130);
-    var _S131 : f32;
+    var _S141 : f32 = min(abs(x_6), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S141 * _S141);
+    var place_12 : f32 = (_S141 - 2.0f) / (_S141 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S141);
+    var _S142 : f32;
     if(x_6 < 0.0f)
     {
-        _S131 = complement_0;
+        _S142 = complement_0;
     }
     else
     {
-        _S131 = 2.0f - complement_0;
+        _S142 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S131, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S142, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_2.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S132 : f32 = w_2.z;
-    var z2_0 : f32 = _S132 * _S132;
+    var _S143 : f32 = w_2.z;
+    var z2_0 : f32 = _S143 * _S143;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S132 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S143 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S132;
+        return 1.0f / _S143;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S132 / spread_1);
-    return 2.0f / (_S132 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S143 / spread_1);
+    return 2.0f / (_S143 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
@@ -2212,18 +2395,18 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_0 : vec3<f32> = normalize(wi_3 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_6 = dot(wi_3, h_0);
-    var _S133 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
-    mirrored_1.pdf_0 = _S133;
-    mirrored_1.scattered_0 = _S133 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    var _S144 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
+    mirrored_1.pdf_0 = _S144;
+    mirrored_1.scattered_0 = _S144 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
-fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
+fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_4 : f32) -> f32
 {
     var cos2_1 : f32 = cosine_8 * cosine_8;
     var sin2_0 : f32 = 1.0f - cos2_1;
-    var real_0 : f32 = eta_1 * eta_1 - k_6 * k_6 - sin2_0;
-    var product_1 : f32 = eta_1 * k_6;
+    var real_0 : f32 = eta_1 * eta_1 - k_4 * k_4 - sin2_0;
+    var product_1 : f32 = eta_1 * k_4;
     var modulus_0 : f32 = sqrt(real_0 * real_0 + 4.0f * (product_1 * product_1));
     if(modulus_0 == 0.0f)
     {
@@ -2231,9 +2414,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S134 : bool = real_0 < 0.0f;
+    var _S145 : bool = real_0 < 0.0f;
     var a_11 : f32;
-    if(_S134)
+    if(_S145)
     {
         a_11 = smaller_0;
     }
@@ -2242,7 +2425,7 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
         a_11 = larger_0;
     }
     var b_9 : f32;
-    if(_S134)
+    if(_S145)
     {
         b_9 = larger_0;
     }
@@ -2252,14 +2435,14 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var less_0 : f32 = a_11 - cosine_8;
     var more_0 : f32 = a_11 + cosine_8;
-    var _S135 : f32 = b_9 * b_9;
+    var _S146 : f32 = b_9 * b_9;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S135) / (more_0 * more_0 + _S135) * p_sum_0 / (p_sum_0 + 2.0f * a_11 * cosine_8 * sin2_0);
+    return (less_0 * less_0 + _S146) / (more_0 * more_0 + _S146) * p_sum_0 / (p_sum_0 + 2.0f * a_11 * cosine_8 * sin2_0);
 }
 
-fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_7 : vec3<f32>) -> vec3<f32>
+fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_5 : vec3<f32>) -> vec3<f32>
 {
-    return vec3<f32>(fresnel_conductor_channel_0(cosine_9, eta_2.x, k_7.x), fresnel_conductor_channel_0(cosine_9, eta_2.y, k_7.y), fresnel_conductor_channel_0(cosine_9, eta_2.z, k_7.z));
+    return vec3<f32>(fresnel_conductor_channel_0(cosine_9, eta_2.x, k_5.x), fresnel_conductor_channel_0(cosine_9, eta_2.y, k_5.y), fresnel_conductor_channel_0(cosine_9, eta_2.z, k_5.z));
 }
 
 fn coat_eta_0( numbers_6 : Numbers_0) -> f32
@@ -2292,10 +2475,10 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_11, eta_4);
     }
     var place_13 : f32 = cosine_11 * 63.0f;
-    var _S136 : u32 = min(u32(place_13), u32(62));
-    var at_33 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S136;
-    var here_0 : f32 = number_0(at_33);
-    return here_0 + (number_0(at_33 + u32(1)) - here_0) * (place_13 - f32(_S136));
+    var _S147 : u32 = min(u32(place_13), u32(62));
+    var at_32 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S147;
+    var here_0 : f32 = number_0(at_32);
+    return here_0 + (number_0(at_32 + u32(1)) - here_0) * (place_13 - f32(_S147));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2346,15 +2529,15 @@ struct Scattering_0
 fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S137 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S137 * 0.31830987334251404f;
+    var _S148 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S148 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattering_1.value_5 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
-    var _S138 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S149 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_7))
     {
@@ -2362,7 +2545,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     else
     {
-        by_facets_0 = _S138;
+        by_facets_0 = _S149;
     }
     if((lobe_7.kind_1) == u32(2))
     {
@@ -2372,7 +2555,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     var eta_7 : f32 = coat_eta_0(numbers_8);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_4.z);
-    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S137) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S148) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_8, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -2385,16 +2568,16 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
 
 fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
 {
-    var _S139 : bool;
+    var _S150 : bool;
     if((wo_2.z) <= 0.0f)
     {
-        _S139 = true;
+        _S150 = true;
     }
     else
     {
-        _S139 = !has_smooth_0(vertex_5.lobe_1);
+        _S150 = !has_smooth_0(vertex_5.lobe_1);
     }
-    if(_S139)
+    if(_S150)
     {
         return vec3<f32>(0.0f);
     }
@@ -2423,28 +2606,28 @@ fn still_0( value_7 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 {
-    var _S140 : f32 = abs(x_7);
-    var _S141 : f32 = abs(y_1);
-    var _S142 : f32 = min(_S140, _S141);
-    var _S143 : f32 = max(_S140, _S141);
-    var is_steep_0 : bool = _S142 > (0.41421356797218323f * _S143);
+    var _S151 : f32 = abs(x_7);
+    var _S152 : f32 = abs(y_1);
+    var _S153 : f32 = min(_S151, _S152);
+    var _S154 : f32 = max(_S151, _S152);
+    var is_steep_0 : bool = _S153 > (0.41421356797218323f * _S154);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S142 - _S143;
+        above_0 = _S153 - _S154;
     }
     else
     {
-        above_0 = _S142;
+        above_0 = _S153;
     }
     var below_1 : f32;
     if(is_steep_0)
     {
-        below_1 = _S142 + _S143;
+        below_1 = _S153 + _S154;
     }
     else
     {
-        below_1 = _S143;
+        below_1 = _S154;
     }
     if(below_1 > 0.0f)
     {
@@ -2465,7 +2648,7 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S141 > _S140)
+    if(_S152 > _S151)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -2486,8 +2669,8 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 
 fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
 {
-    var _S144 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S144) * vec3<f32>(direction_6.x) + vector_at_0(_S144 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S144 + u32(6)) * vec3<f32>(direction_6.z);
+    var _S155 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S155) * vec3<f32>(direction_6.x) + vector_at_0(_S155 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S155 + u32(6)) * vec3<f32>(direction_6.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -2504,11 +2687,11 @@ fn in_map_0( map_1 : u32,  direction_7 : vec3<f32>) -> Lookup_0
     var height_2 : i32 = i32(word_0(map_1 + u32(1)));
     var left_1 : u32 = wrapped_0(x_8, width_1, u32(0));
     var right_1 : u32 = wrapped_0(x_8 + i32(1), width_1, u32(0));
-    var _S145 : u32 = wrapped_0(y_2, height_2, u32(2));
-    var _S146 : u32 = u32(width_1);
-    var first_5 : u32 = _S145 * _S146;
-    var _S147 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
-    var second_3 : u32 = _S147 * _S146;
+    var _S156 : u32 = wrapped_0(y_2, height_2, u32(2));
+    var _S157 : u32 = u32(width_1);
+    var first_5 : u32 = _S156 * _S157;
+    var _S158 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S158 * _S157;
     return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_3 + left_1, second_3 + right_1), point_0);
 }
 
@@ -2518,140 +2701,140 @@ fn emitted_0( emitter_4 : u32,  place_15 : Place_0,  direction_8 : vec3<f32>) ->
     var texture_6 : u32 = word_0(record_8 + u32(1));
     if(!is_map_0(record_8))
     {
-        var _S148 : vec3<f32> = shown_0(texture_6, place_15);
-        return _S148;
+        var _S159 : vec3<f32> = shown_0(texture_6, place_15);
+        return _S159;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_4 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S149 : u32 = word_0(texture_6 + u32(11));
-    var _S150 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
-    return looked_up_0(_S149, _S150, change_1) * factor_4;
+    var _S160 : u32 = word_0(texture_6 + u32(11));
+    var _S161 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
+    return looked_up_0(_S160, _S161, change_1) * factor_4;
 }
 
-fn light_from_0( at_34 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
+fn light_from_0( at_33 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
 {
-    var light_1 : f32 = largest_0(scattered_from_0(at_34.vertex_2, direction_9));
-    var _S151 : bool;
-    if((at_34.purpose_0) != u32(1))
+    var light_1 : f32 = largest_0(scattered_from_0(at_33.vertex_2, direction_9));
+    var _S162 : bool;
+    if((at_33.purpose_0) != u32(1))
     {
-        _S151 = true;
+        _S162 = true;
     }
     else
     {
-        _S151 = !(light_1 > 0.0f);
+        _S162 = !(light_1 > 0.0f);
     }
-    if(_S151)
+    if(_S162)
     {
         return light_1;
     }
-    var _S152 : vec3<f32> = emitted_0(at_34.emitter_0, at_34.vertex_2.surface_3.place_3, still_0(direction_9));
-    return light_1 * largest_0(value_of_0(_S152));
+    var _S163 : vec3<f32> = emitted_0(at_33.emitter_0, at_33.vertex_2.surface_3.place_3, still_0(direction_9));
+    return light_1 * largest_0(value_of_0(_S163));
 }
 
-fn weigh_0( at_35 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+fn weigh_0( at_34 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
 {
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
     var t_4 : f32 = place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, part_1);
     var offset_10 : vec3<f32> = seen_2.start_1 + seen_2.along_1 * vec3<f32>(t_4);
     var normal_5 : vec3<f32> = exact_unit_0(cross(seen_2.start_1, seen_2.along_1));
-    var _S153 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
+    var _S164 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
     var speed_1 : f32;
     if(!is_blind_0())
     {
-        speed_1 = abs(dot(velocity_on_0(at_35, seen_2.edge_3, t_4, offset_10), normal_5));
+        speed_1 = abs(dot(velocity_on_0(at_34, seen_2.edge_3, t_4, offset_10), normal_5));
     }
     else
     {
-        speed_1 = _S153;
+        speed_1 = _S164;
     }
     var speed_2 : f32 = speed_1 / length(offset_10);
     var angle_2 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S154 : f32 = light_from_0(at_35, middle_1);
-    var contribution_0 : f32 = angle_2 * _S154 * speed_2;
-    var _S155 : vec2<f32>;
+    var _S165 : f32 = light_from_0(at_34, middle_1);
+    var contribution_0 : f32 = angle_2 * _S165 * speed_2;
+    var _S166 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
     {
-        _S155 = vec2<f32>(contribution_0, angle_2);
+        _S166 = vec2<f32>(contribution_0, angle_2);
     }
     else
     {
-        _S155 = vec2<f32>(0.0f);
+        _S166 = vec2<f32>(0.0f);
     }
-    return _S155;
+    return _S166;
 }
 
-fn multiplicity_0( at_36 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f32>,  normal_6 : vec3<f32>) -> f32
+fn multiplicity_0( at_35 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f32>,  normal_6 : vec3<f32>) -> f32
 {
-    var _S156 : vec3<f32> = cross(normal_6, direction_10);
-    var _S157 : u32 = edge_5.record_7 + u32(8);
-    var k_8 : u32 = edge_word_0(_S157);
-    var count_5 : f32 = 1.0f;
+    var _S167 : vec3<f32> = cross(normal_6, direction_10);
+    var _S168 : u32 = edge_5.record_7 + u32(8);
+    var k_6 : u32 = edge_word_0(_S168);
+    var count_3 : f32 = 1.0f;
     for(;;)
     {
-        if(k_8 < (edge_word_0(_S157 + u32(1))))
+        if(k_6 < (edge_word_0(_S168 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var other_0 : Edge_0 = edge_at_0(at_36, edge_word_0(k_8));
-        if(!((factor_of_0(at_36, other_0)) > 0.0f))
+        var other_0 : Edge_0 = edge_at_0(at_35, edge_word_0(k_6));
+        if(!((factor_of_0(at_35, other_0)) > 0.0f))
         {
-            k_8 = k_8 + u32(1);
+            k_6 = k_6 + u32(1);
             continue;
         }
-        var a_12 : vec3<f32> = edge_position_0(other_0.numbers_4) - at_36.vertex_2.surface_3.exact_0;
-        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_4 + u32(3)) - at_36.vertex_2.surface_3.exact_0 - a_12;
-        var place_16 : f32 = - dot(a_12, _S156) / dot(way_1, _S156);
+        var a_12 : vec3<f32> = edge_position_0(other_0.numbers_4) - at_35.vertex_2.surface_3.exact_0;
+        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_4 + u32(3)) - at_35.vertex_2.surface_3.exact_0 - a_12;
+        var place_16 : f32 = - dot(a_12, _S167) / dot(way_1, _S167);
         var there_0 : vec3<f32> = a_12 + way_1 * vec3<f32>(place_16);
-        var _S158 : bool;
+        var _S169 : bool;
         if(place_16 >= 0.0f)
         {
-            _S158 = place_16 <= 1.0f;
+            _S169 = place_16 <= 1.0f;
         }
         else
         {
-            _S158 = false;
+            _S169 = false;
         }
-        var _S159 : bool;
-        if(_S158)
+        var _S170 : bool;
+        if(_S169)
         {
-            _S159 = (dot(there_0, direction_10)) > 0.0f;
+            _S170 = (dot(there_0, direction_10)) > 0.0f;
         }
         else
         {
-            _S159 = false;
+            _S170 = false;
         }
-        if(!_S159)
+        if(!_S170)
         {
-            k_8 = k_8 + u32(1);
+            k_6 = k_6 + u32(1);
             continue;
         }
         if(!((abs(dot(normal_6, there_0))) <= (edge_real_0(u32(3)) * length_of_0(there_0))))
         {
-            k_8 = k_8 + u32(1);
+            k_6 = k_6 + u32(1);
             continue;
         }
-        var count_6 : f32;
+        var count_4 : f32;
         if((abs(dot(normal_6, exact_unit_0(cross(a_12, way_1))))) > 0.99999898672103882f)
         {
-            count_6 = count_5 + 1.0f;
+            count_4 = count_3 + 1.0f;
         }
         else
         {
-            count_6 = count_5;
+            count_4 = count_3;
         }
-        count_5 = count_6;
-        k_8 = k_8 + u32(1);
+        count_3 = count_4;
+        k_6 = k_6 + u32(1);
     }
-    return count_5;
+    return count_3;
 }
 
-fn face_normal_1( at_37 : ShadingPoint_0) -> vec3<f32>
+fn face_normal_1( at_36 : ShadingPoint_0) -> vec3<f32>
 {
-    var corners_1 : u32 = u32(9) * at_37.vertex_2.surface_3.place_3.triangle_0;
+    var corners_1 : u32 = u32(9) * at_36.vertex_2.surface_3.place_3.triangle_0;
     var a_13 : vec3<f32> = primitive_vector_0(corners_1);
     return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_13, primitive_vector_0(corners_1 + u32(6)) - a_13));
 }
@@ -2672,12 +2855,12 @@ struct EdgePoint_0
      is_in_horizon_0 : bool,
 };
 
-fn point_on_0( at_38 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
+fn point_on_0( at_37 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
 {
-    var _S160 : f32 = seen_3.range_1.x;
-    var _S161 : f32 = seen_3.range_1.y;
-    var first_6 : f32 = place_between_0(_S160, _S161, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
-    var last_1 : f32 = place_between_0(_S160, _S161, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
+    var _S171 : f32 = seen_3.range_1.x;
+    var _S172 : f32 = seen_3.range_1.y;
+    var first_6 : f32 = place_between_0(_S171, _S172, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
+    var last_1 : f32 = place_between_0(_S171, _S172, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
     var a_14 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(first_6);
     var b_10 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(last_1);
     var near_3 : f32 = length_of_0(a_14);
@@ -2689,49 +2872,49 @@ fn point_on_0( at_38 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     var t_6 : f32 = place_between_0(first_6, last_1, near_3, far_2, inside_3);
     var offset_11 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(t_6);
     var point_1 : EdgePoint_0;
-    var _S162 : f32 = length_of_0(offset_11);
-    point_1.distance_6 = _S162;
-    var _S163 : vec3<f32> = offset_11 / vec3<f32>(_S162);
-    point_1.direction_11 = _S163;
-    var _S164 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
-    point_1.normal_7 = _S164;
+    var _S173 : f32 = length_of_0(offset_11);
+    point_1.distance_6 = _S173;
+    var _S174 : vec3<f32> = offset_11 / vec3<f32>(_S173);
+    point_1.direction_11 = _S174;
+    var _S175 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_1.normal_7 = _S175;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_5 = t_6;
-    point_1.measure_0 = angle_3 / _S162 / (part_of_all_0 * multiplicity_0(at_38, seen_3.edge_3, _S163, _S164));
-    var face_0 : vec3<f32> = face_normal_1(at_38);
+    point_1.measure_0 = angle_3 / _S173 / (part_of_all_0 * multiplicity_0(at_37, seen_3.edge_3, _S174, _S175));
+    var face_0 : vec3<f32> = face_normal_1(at_37);
     var least_2 : f32 = limit_at_0(u32(2));
-    var _S165 : bool;
+    var _S176 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
     {
-        _S165 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+        _S176 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
     }
     else
     {
-        _S165 = false;
+        _S176 = false;
     }
-    point_1.is_in_horizon_0 = _S165;
+    point_1.is_in_horizon_0 = _S176;
     return point_1;
 }
 
 fn component_0( v_8 : vec3<f32>,  axis_5 : u32) -> f32
 {
-    var _S166 : f32;
+    var _S177 : f32;
     if(axis_5 == u32(0))
     {
-        _S166 = v_8.x;
+        _S177 = v_8.x;
     }
     else
     {
         if(axis_5 == u32(1))
         {
-            _S166 = v_8.y;
+            _S177 = v_8.y;
         }
         else
         {
-            _S166 = v_8.z;
+            _S177 = v_8.z;
         }
     }
-    return _S166;
+    return _S177;
 }
 
 struct Ray_0
@@ -2751,34 +2934,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  axes_6 : ptr<function, u32>) -> Ray_0
 {
     var size_1 : vec3<f32> = abs(direction_12);
-    var _S167 : f32 = size_1.x;
-    var _S168 : f32 = size_1.y;
-    var _S169 : bool;
-    if(_S167 >= _S168)
+    var _S178 : f32 = size_1.x;
+    var _S179 : f32 = size_1.y;
+    var _S180 : bool;
+    if(_S178 >= _S179)
     {
-        _S169 = _S167 >= (size_1.z);
+        _S180 = _S178 >= (size_1.z);
     }
     else
     {
-        _S169 = false;
+        _S180 = false;
     }
-    var _S170 : i32;
-    if(_S169)
+    var _S181 : i32;
+    if(_S180)
     {
-        _S170 = i32(0);
+        _S181 = i32(0);
     }
     else
     {
-        if(_S168 >= (size_1.z))
+        if(_S179 >= (size_1.z))
         {
-            _S170 = i32(1);
+            _S181 = i32(1);
         }
         else
         {
-            _S170 = i32(2);
+            _S181 = i32(2);
         }
     }
-    var z_2 : u32 = u32(_S170);
+    var z_2 : u32 = u32(_S181);
     var x_9 : u32 = (z_2 + u32(1)) % u32(3);
     var y_3 : u32 = (z_2 + u32(2)) % u32(3);
     (*axes_6) = (((x_9 | (((y_3 << (u32(2))))))) | (((z_2 << (u32(4))))));
@@ -2814,7 +2997,7 @@ struct RayView_0
 
 fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32) -> f32
 {
-    var _S171 : u32 = u32(14) * node_6 + slot_3 / u32(4);
+    var _S182 : u32 = u32(14) * node_6 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -2827,36 +3010,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S172 : u32 = axis_6;
-        var _S173 : u32 = _S171 + u32(2) * axis_6;
-        var _S174 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S173][_S174])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S173 + u32(6)][_S174])));
-        var _S175 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S176 : f32;
-        if(_S175)
+        var _S183 : u32 = axis_6;
+        var _S184 : u32 = _S182 + u32(2) * axis_6;
+        var _S185 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S184][_S185])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S184 + u32(6)][_S185])));
+        var _S186 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S187 : f32;
+        if(_S186)
         {
-            _S176 = high_0;
+            _S187 = high_0;
         }
         else
         {
-            _S176 = low_3;
+            _S187 = low_3;
         }
-        var _S177 : f32 = max(near_4, _S176 * view_1.inverse_1[_S172] - view_1.offset_near_0[axis_6]);
-        var _S178 : f32;
-        if(_S175)
+        var _S188 : f32 = max(near_4, _S187 * view_1.inverse_1[_S183] - view_1.offset_near_0[axis_6]);
+        var _S189 : f32;
+        if(_S186)
         {
-            _S178 = low_3;
+            _S189 = low_3;
         }
         else
         {
-            _S178 = high_0;
+            _S189 = high_0;
         }
-        var _S179 : f32 = min(far_3, _S178 * view_1.inverse_1[_S172] - view_1.offset_far_0[axis_6]);
-        var _S180 : u32 = axis_6 + u32(1);
-        near_4 = _S177;
-        far_3 = _S179;
-        axis_6 = _S180;
+        var _S190 : f32 = min(far_3, _S189 * view_1.inverse_1[_S183] - view_1.offset_far_0[axis_6]);
+        var _S191 : u32 = axis_6 + u32(1);
+        near_4 = _S188;
+        far_3 = _S190;
+        axis_6 = _S191;
     }
     if(near_4 <= far_3)
     {
@@ -2870,21 +3053,21 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32
 
 fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 {
-    var k_9 : u32 = u32(0);
+    var k_7 : u32 = u32(0);
     var order_0 : u32 = u32(0);
     for(;;)
     {
-        if(k_9 < u32(8))
+        if(k_7 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S181 : u32 = k_9;
-        if((bounds_0[k_9]) > limit_2)
+        var _S192 : u32 = k_7;
+        if((bounds_0[k_7]) > limit_2)
         {
-            k_9 = k_9 + u32(1);
+            k_7 = k_7 + u32(1);
             continue;
         }
         var j_0 : u32 = u32(0);
@@ -2898,31 +3081,31 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S182 : u32 = j_0;
-            var _S183 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S181]))
+            var _S193 : u32 = j_0;
+            var _S194 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S192]))
             {
-                _S183 = true;
+                _S194 = true;
             }
             else
             {
-                if((bounds_0[_S182]) == (bounds_0[_S181]))
+                if((bounds_0[_S193]) == (bounds_0[_S192]))
                 {
-                    _S183 = j_0 < k_9;
+                    _S194 = j_0 < k_7;
                 }
                 else
                 {
-                    _S183 = false;
+                    _S194 = false;
                 }
             }
-            if(_S183)
+            if(_S194)
             {
                 rank_0 = rank_0 + u32(1);
             }
             j_0 = j_0 + u32(1);
         }
-        order_0 = (order_0 | ((((k_9 + u32(1)) << ((u32(4) * rank_0))))));
-        k_9 = k_9 + u32(1);
+        order_0 = (order_0 | ((((k_7 + u32(1)) << ((u32(4) * rank_0))))));
+        k_7 = k_7 + u32(1);
     }
     return order_0;
 }
@@ -2940,16 +3123,16 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
         {
             break;
         }
-        var _S184 : f32;
+        var _S195 : f32;
         if((ray_child_0(node_7, slot_4)) == u32(4294967295))
         {
-            _S184 = 3.00000000549775576e+38f;
+            _S195 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S184 = ray_bound_0(view_2, limit_3, node_7, slot_4);
+            _S195 = ray_bound_0(view_2, limit_3, node_7, slot_4);
         }
-        bounds_1[slot_4] = _S184;
+        bounds_1[slot_4] = _S195;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -2960,9 +3143,9 @@ fn rounded_0( product_2 : f32,  largest_2 : f32) -> f32
     return min(product_2, largest_2);
 }
 
-fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_39 : u32) -> vec3<f32>
+fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_38 : u32) -> vec3<f32>
 {
-    var relative_1 : vec3<f32> = primitive_vector_0(at_39) - ray_1.origin_0;
+    var relative_1 : vec3<f32> = primitive_vector_0(at_38) - ray_1.origin_0;
     var z_3 : f32 = component_0(relative_1, (axes_8 >> (u32(4))));
     return vec3<f32>(component_0(relative_1, (axes_8 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_3, ray_1.largest_1), component_0(relative_1, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_3, ray_1.largest_1), z_3);
 }
@@ -2975,80 +3158,80 @@ struct Crossing_0
      w_3 : f32,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_40 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_39 : u32) -> Crossing_0
 {
-    var crossing_1 : Crossing_0;
-    crossing_1.is_hit_0 = false;
-    crossing_1.t_7 = 0.0f;
-    crossing_1.v_9 = 0.0f;
-    crossing_1.w_3 = 0.0f;
-    var a_15 : vec3<f32> = corner_0(ray_2, axes_9, at_40);
-    var b_11 : vec3<f32> = corner_0(ray_2, axes_9, at_40 + u32(3));
-    var c_3 : vec3<f32> = corner_0(ray_2, axes_9, at_40 + u32(6));
-    var _S185 : f32 = c_3.x;
-    var _S186 : f32 = b_11.y;
-    var cx_by_0 : f32 = rounded_0(_S185 * _S186, ray_2.largest_1);
-    var _S187 : f32 = c_3.y;
-    var _S188 : f32 = b_11.x;
-    var cy_bx_0 : f32 = rounded_0(_S187 * _S188, ray_2.largest_1);
-    var _S189 : f32 = a_15.x;
-    var ax_cy_0 : f32 = rounded_0(_S189 * _S187, ray_2.largest_1);
-    var _S190 : f32 = a_15.y;
-    var ay_cx_0 : f32 = rounded_0(_S190 * _S185, ray_2.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S188 * _S190, ray_2.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S186 * _S189, ray_2.largest_1);
+    var crossing_0 : Crossing_0;
+    crossing_0.is_hit_0 = false;
+    crossing_0.t_7 = 0.0f;
+    crossing_0.v_9 = 0.0f;
+    crossing_0.w_3 = 0.0f;
+    var a_15 : vec3<f32> = corner_0(ray_2, axes_9, at_39);
+    var b_11 : vec3<f32> = corner_0(ray_2, axes_9, at_39 + u32(3));
+    var c_3 : vec3<f32> = corner_0(ray_2, axes_9, at_39 + u32(6));
+    var _S196 : f32 = c_3.x;
+    var _S197 : f32 = b_11.y;
+    var cx_by_0 : f32 = rounded_0(_S196 * _S197, ray_2.largest_1);
+    var _S198 : f32 = c_3.y;
+    var _S199 : f32 = b_11.x;
+    var cy_bx_0 : f32 = rounded_0(_S198 * _S199, ray_2.largest_1);
+    var _S200 : f32 = a_15.x;
+    var ax_cy_0 : f32 = rounded_0(_S200 * _S198, ray_2.largest_1);
+    var _S201 : f32 = a_15.y;
+    var ay_cx_0 : f32 = rounded_0(_S201 * _S196, ray_2.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S199 * _S201, ray_2.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S197 * _S200, ray_2.largest_1);
     var u_2 : f32 = cx_by_0 - cy_bx_0;
     var v_10 : f32 = ax_cy_0 - ay_cx_0;
     var w_4 : f32 = bx_ay_0 - by_ax_0;
-    var _S191 : f32 = min(min(u_2, v_10), w_4);
-    var _S192 : f32 = max(max(u_2, v_10), w_4);
-    var _S193 : bool;
-    if(_S191 < 0.0f)
+    var _S202 : f32 = min(min(u_2, v_10), w_4);
+    var _S203 : f32 = max(max(u_2, v_10), w_4);
+    var _S204 : bool;
+    if(_S202 < 0.0f)
     {
-        _S193 = _S192 > 0.0f;
+        _S204 = _S203 > 0.0f;
     }
     else
     {
-        _S193 = false;
+        _S204 = false;
     }
-    if(_S193)
+    if(_S204)
     {
-        return crossing_1;
+        return crossing_0;
     }
     var determinant_0 : f32 = u_2 + v_10 + w_4;
-    if(_S191 <= 0.0f)
+    if(_S202 <= 0.0f)
     {
-        _S193 = _S192 >= 0.0f;
+        _S204 = _S203 >= 0.0f;
     }
     else
     {
-        _S193 = false;
+        _S204 = false;
     }
-    if(_S193)
+    if(_S204)
     {
         if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
-            return crossing_1;
+            return crossing_0;
         }
     }
     if(determinant_0 == 0.0f)
     {
-        return crossing_1;
+        return crossing_0;
     }
     var t_8 : f32 = (rounded_0(u_2 * a_15.z, ray_2.largest_1) + rounded_0(v_10 * b_11.z, ray_2.largest_1) + rounded_0(w_4 * c_3.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
     if((ray_2.t_min_0) <= t_8)
     {
-        _S193 = t_8 <= (ray_2.t_max_0);
+        _S204 = t_8 <= (ray_2.t_max_0);
     }
     else
     {
-        _S193 = false;
+        _S204 = false;
     }
-    crossing_1.is_hit_0 = _S193;
-    crossing_1.t_7 = t_8;
-    crossing_1.v_9 = v_10 / determinant_0;
-    crossing_1.w_3 = w_4 / determinant_0;
-    return crossing_1;
+    crossing_0.is_hit_0 = _S204;
+    crossing_0.t_7 = t_8;
+    crossing_0.v_9 = v_10 / determinant_0;
+    crossing_0.w_3 = w_4 / determinant_0;
+    return crossing_0;
 }
 
 fn face_1( triangle_6 : u32) -> u32
@@ -3066,7 +3249,7 @@ struct Found_0
 
 fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S194 : bool;
+    var _S205 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_7 = u32(4294967295);
@@ -3098,31 +3281,31 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S195 : u32 = way_2[level_0].y;
-        if(_S195 == u32(0))
+        var _S206 : u32 = way_2[level_0].y;
+        if(_S206 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S196 : u32 = level_0 - u32(1);
+            var _S207 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S196;
+            level_0 = _S207;
             continue;
         }
-        var slot_5 : u32 = ((_S195 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S195 >> (u32(4)));
-        var _S197 : bool;
+        var slot_5 : u32 = ((_S206 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S206 >> (u32(4)));
+        var _S208 : bool;
         if(!is_new_1)
         {
-            _S197 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+            _S208 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S197 = false;
+            _S208 = false;
         }
-        if(_S197)
+        if(_S208)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -3131,58 +3314,58 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S198 : u32 = level_0 + u32(1);
+            var _S209 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S198;
+            level_0 = _S209;
             continue;
         }
-        var leaf_4 : u32 = (child_0 & (u32(2147483647)));
-        var _S199 : u32 = leaf_starts_0[leaf_4 + u32(1)];
-        var _S200 : u32 = leaf_starts_0[leaf_4];
+        var leaf_2 : u32 = (child_0 & (u32(2147483647)));
+        var _S210 : u32 = leaf_starts_0[leaf_2 + u32(1)];
+        var _S211 : u32 = leaf_starts_0[leaf_2];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S200;
+        var i_2 : u32 = _S211;
         for(;;)
         {
-            if(i_2 < _S199)
+            if(i_2 < _S210)
             {
             }
             else
             {
                 break;
             }
-            var crossing_2 : Crossing_0 = intersect_0((*ray_3), view_3.axes_7, u32(9) * i_2);
-            if(!crossing_2.is_hit_0)
+            var crossing_1 : Crossing_0 = intersect_0((*ray_3), view_3.axes_7, u32(9) * i_2);
+            if(!crossing_1.is_hit_0)
             {
                 i_2 = i_2 + u32(1);
                 continue;
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S194 = true;
+                _S205 = true;
             }
             else
             {
-                _S194 = (crossing_2.t_7) < ((*ray_3).t_max_0);
+                _S205 = (crossing_1.t_7) < ((*ray_3).t_max_0);
             }
-            var _S201 : bool;
-            if(_S194)
+            var _S212 : bool;
+            if(_S205)
             {
-                _S201 = true;
+                _S212 = true;
             }
             else
             {
-                _S201 = (face_1(i_2)) < (found_0.face_2);
+                _S212 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S201)
+            if(_S212)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_7 = i_2;
-                (*ray_3).t_max_0 = crossing_2.t_7;
-                found_0.v_11 = crossing_2.v_9;
-                found_0.w_5 = crossing_2.w_3;
-                limit_6 = min(limit_5, crossing_2.t_7 * (*ray_3).local_per_t_0 - (*ray_3).enter_0 + 2.0f * view_3.margin_2);
+                (*ray_3).t_max_0 = crossing_1.t_7;
+                found_0.v_11 = crossing_1.v_9;
+                found_0.w_5 = crossing_1.w_3;
+                limit_6 = min(limit_5, crossing_1.t_7 * (*ray_3).local_per_t_0 - (*ray_3).enter_0 + 2.0f * view_3.margin_2);
             }
             else
             {
@@ -3193,13 +3376,13 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S194 = (found_0.face_2) != u32(4294967295);
+            _S205 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S194 = false;
+            _S205 = false;
         }
-        if(_S194)
+        if(_S205)
         {
             break;
         }
@@ -3213,11 +3396,11 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_2 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_1 : bool,  t_9 : ptr<function, f32>) -> Found_0
 {
     var view_4 : RayView_0;
-    var _S202 : u32 = view_4.axes_7;
-    var _S203 : Ray_0 = ray_along_0(origin_2, direction_13, t_min_2, t_max_2, &(_S202));
-    view_4.axes_7 = _S202;
-    var ray_4 : Ray_0 = _S203;
-    var _S204 : vec3<f32> = direction_13 / vec3<f32>(ray_4.local_per_t_0);
+    var _S213 : u32 = view_4.axes_7;
+    var _S214 : Ray_0 = ray_along_0(origin_2, direction_13, t_min_2, t_max_2, &(_S213));
+    view_4.axes_7 = _S213;
+    var ray_4 : Ray_0 = _S214;
+    var _S215 : vec3<f32> = direction_13 / vec3<f32>(ray_4.local_per_t_0);
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -3228,17 +3411,17 @@ fn cast_0( origin_2 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_2 : f32,  t_m
         {
             break;
         }
-        var _S205 : f32 = max(abs(_S204[axis_7]), 8.67361737988403547e-19f);
-        var _S206 : f32;
-        if((_S204[axis_7]) < 0.0f)
+        var _S216 : f32 = max(abs(_S215[axis_7]), 8.67361737988403547e-19f);
+        var _S217 : f32;
+        if((_S215[axis_7]) < 0.0f)
         {
-            _S206 = -1.0f / _S205;
+            _S217 = -1.0f / _S216;
         }
         else
         {
-            _S206 = 1.0f / _S205;
+            _S217 = 1.0f / _S216;
         }
-        view_4.inverse_1[axis_7] = _S206;
+        view_4.inverse_1[axis_7] = _S217;
         axis_7 = axis_7 + u32(1);
     }
     var offset_12 : vec3<f32> = origin_2 * view_4.inverse_1;
@@ -3261,7 +3444,7 @@ struct Side_0
      t_10 : f32,
 };
 
-fn look_0( at_41 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
+fn look_0( at_40 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
 {
     var step_0 : vec3<f32> = point_2.normal_7 * vec3<f32>(edge_real_0(u32(3)));
     var origin_3 : vec3<f32>;
@@ -3276,33 +3459,33 @@ fn look_0( at_41 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Sid
     var direction_15 : vec3<f32> = exact_unit_0(origin_3);
     if(point_2.is_in_horizon_0)
     {
-        var face_3 : vec3<f32> = face_normal_1(at_41);
+        var face_3 : vec3<f32> = face_normal_1(at_40);
         var height_3 : f32 = limit_at_0(u32(2));
-        var _S207 : f32;
+        var _S218 : f32;
         if((dot(direction_15, face_3)) < 0.0f)
         {
-            _S207 = - height_3;
+            _S218 = - height_3;
         }
         else
         {
-            _S207 = height_3;
+            _S218 = height_3;
         }
-        origin_3 = at_41.vertex_2.surface_3.exact_0 + face_3 * vec3<f32>(_S207);
+        origin_3 = at_40.vertex_2.surface_3.exact_0 + face_3 * vec3<f32>(_S218);
     }
     else
     {
-        origin_3 = at_41.vertex_2.surface_3.exact_0;
+        origin_3 = at_40.vertex_2.surface_3.exact_0;
     }
     var seen_4 : Side_0;
     seen_4.direction_14 = direction_15;
     seen_4.rest_3 = vec3<f32>(0.0f);
-    seen_4.scattered_2 = scattered_from_0(at_41.vertex_2, direction_15);
-    var _S208 : f32 = limit_at_0(u32(2));
-    var _S209 : f32 = limit_at_0(u32(1));
-    var _S210 : f32 = seen_4.t_10;
-    var _S211 : Found_0 = cast_0(origin_3, direction_15, _S208, _S209, false, &(_S210));
-    seen_4.t_10 = _S210;
-    seen_4.found_2 = _S211;
+    seen_4.scattered_2 = scattered_from_0(at_40.vertex_2, direction_15);
+    var _S219 : f32 = limit_at_0(u32(2));
+    var _S220 : f32 = limit_at_0(u32(1));
+    var _S221 : f32 = seen_4.t_10;
+    var _S222 : Found_0 = cast_0(origin_3, direction_15, _S219, _S220, false, &(_S221));
+    seen_4.t_10 = _S221;
+    seen_4.found_2 = _S222;
     return seen_4;
 }
 
@@ -3392,17 +3575,17 @@ fn set_place_0( path_14 : u32,  which_12 : ptr<function, u32>,  place_17 : Place
 
 fn begin_side_0( number_1 : u32,  path_15 : Path_0,  side_2 : Side_0,  weight_0 : vec3<f32>)
 {
-    var at_42 : u32 = u32(1);
-    set_vector_0(number_1, &(at_42), vec3<f32>(0.0f));
-    set_vector_0(number_1, &(at_42), vec3<f32>(1.0f));
-    set_vector_0(number_1, &(at_42), side_2.direction_14);
-    set_place_0(number_1, &(at_42), place_of_0(side_2.found_2));
-    var _S212 : u32 = at_42 + u32(1);
-    set_word_0(number_1, at_42, path_15.key_0.x);
-    at_42 = _S212 + u32(1);
-    set_word_0(number_1, _S212, path_15.key_0.y);
-    set_vector_0(number_1, &(at_42), side_2.rest_3);
-    set_vector_0(number_1, &(at_42), weight_0);
+    var at_41 : u32 = u32(1);
+    set_vector_0(number_1, &(at_41), vec3<f32>(0.0f));
+    set_vector_0(number_1, &(at_41), vec3<f32>(1.0f));
+    set_vector_0(number_1, &(at_41), side_2.direction_14);
+    set_place_0(number_1, &(at_41), place_of_0(side_2.found_2));
+    var _S223 : u32 = at_41 + u32(1);
+    set_word_0(number_1, at_41, path_15.key_0.x);
+    at_41 = _S223 + u32(1);
+    set_word_0(number_1, _S223, path_15.key_0.y);
+    set_vector_0(number_1, &(at_41), side_2.rest_3);
+    set_vector_0(number_1, &(at_41), weight_0);
     return;
 }
 
@@ -3411,7 +3594,7 @@ fn offset_of_0( point_3 : EdgePoint_0) -> vec3<f32>
     return point_3.direction_11 * vec3<f32>(point_3.distance_6);
 }
 
-fn begin_sides_of_0( at_43 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_path_3 : u32,  path_16 : Path_0,  factor_5 : vec3<f32>) -> vec2<bool>
+fn begin_sides_of_0( at_42 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_path_3 : u32,  path_16 : Path_0,  factor_5 : vec3<f32>) -> vec2<bool>
 {
     var sides_0 : array<Side_0, i32(2)>;
     var side_3 : u32 = u32(0);
@@ -3424,18 +3607,18 @@ fn begin_sides_of_0( at_43 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
         {
             break;
         }
-        sides_0[side_3] = look_0(at_43, point_4, side_3);
+        sides_0[side_3] = look_0(at_42, point_4, side_3);
         side_3 = side_3 + u32(1);
     }
     var nearest_0 : f32 = point_4.distance_6 * 0.99999898672103882f;
-    var _S213 : bool;
+    var _S224 : bool;
     if((sides_0[i32(0)].found_2.face_2) == (sides_0[i32(1)].found_2.face_2))
     {
-        _S213 = (max(sides_0[i32(0)].t_10, sides_0[i32(1)].t_10)) < nearest_0;
+        _S224 = (max(sides_0[i32(0)].t_10, sides_0[i32(1)].t_10)) < nearest_0;
     }
     else
     {
-        _S213 = false;
+        _S224 = false;
     }
     var goes_on_1 : vec2<bool> = vec2<bool>(false, false);
     side_3 = u32(0);
@@ -3448,40 +3631,40 @@ fn begin_sides_of_0( at_43 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
         {
             break;
         }
-        var _S214 : bool;
-        if(_S213)
+        var _S225 : bool;
+        if(_S224)
         {
-            _S214 = true;
+            _S225 = true;
         }
         else
         {
-            _S214 = (sides_0[side_3].found_2.face_2) == u32(4294967295);
+            _S225 = (sides_0[side_3].found_2.face_2) == u32(4294967295);
         }
-        var _S215 : bool;
-        if(_S214)
+        var _S226 : bool;
+        if(_S225)
         {
-            _S215 = true;
+            _S226 = true;
         }
         else
         {
-            _S215 = !((largest_0(sides_0[side_3].scattered_2)) > 0.0f);
+            _S226 = !((largest_0(sides_0[side_3].scattered_2)) > 0.0f);
         }
-        if(_S215)
+        if(_S226)
         {
             side_3 = side_3 + u32(1);
             continue;
         }
-        var _S216 : vec3<f32> = factor_5 * sides_0[side_3].scattered_2;
-        var _S217 : f32;
+        var _S227 : vec3<f32> = factor_5 * sides_0[side_3].scattered_2;
+        var _S228 : f32;
         if(side_3 == u32(0))
         {
-            _S217 = 1.0f;
+            _S228 = 1.0f;
         }
         else
         {
-            _S217 = -1.0f;
+            _S228 = -1.0f;
         }
-        begin_side_0(side_path_0(number_of_path_3, side_3), path_16, sides_0[side_3], _S216 * vec3<f32>(_S217));
+        begin_side_0(side_path_0(number_of_path_3, side_3), path_16, sides_0[side_3], _S227 * vec3<f32>(_S228));
         goes_on_1[side_3] = true;
         side_3 = side_3 + u32(1);
     }
@@ -3489,33 +3672,39 @@ fn begin_sides_of_0( at_43 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
     var kept_1 : u32 = u32(23);
     set_vector_1(first_7, &(kept_1), point_4.normal_7 * vec3<f32>(point_4.measure_0));
     set_vector_1(first_7, &(kept_1), offset_of_0(point_4));
-    var _S218 : u32 = kept_1;
-    var _S219 : u32 = kept_1 + u32(1);
-    kept_1 = _S219;
-    set_word_0(first_7, _S218, (bitcast<u32>((point_4.t_5))));
-    set_word_0(first_7, _S219, point_4.edge_6.record_7);
+    var _S229 : u32 = kept_1;
+    var _S230 : u32 = kept_1 + u32(1);
+    kept_1 = _S230;
+    set_word_0(first_7, _S229, (bitcast<u32>((point_4.t_5))));
+    set_word_0(first_7, _S230, point_4.edge_6.record_7);
     return goes_on_1;
 }
 
-fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_44 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_4 : u32,  path_17 : Path_0)
+fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_43 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_4 : u32,  path_17 : Path_0)
 {
-    var _S220 : vec2<bool> = begin_sides_of_0(at_44, point_5, number_of_path_4, path_17, (*crossed_2).factor_1);
-    (*crossed_2).goes_on_0 = _S220;
+    var _S231 : vec2<bool> = begin_sides_of_0(at_43, point_5, number_of_path_4, path_17, (*crossed_2).factor_1);
+    (*crossed_2).goes_on_0 = _S231;
     return;
 }
 
-struct Share_0
+fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  place_18 : f32,  number_of_path_5 : u32,  path_18 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
 {
-     share_0 : f32,
-     over_all_0 : f32,
-     place_18 : f32,
-};
-
-fn draw_points_0( at_45 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  number_of_path_5 : u32,  path_18 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
-{
+    var _S232 : bool;
+    var most_0 : u32 = edge_word_0(u32(9));
+    var _S233 : bool = (at_44.purpose_0) == u32(0);
+    var _S234 : u32;
+    if(_S233)
+    {
+        _S234 = most_0 * part_of_launch_0();
+    }
+    else
+    {
+        _S234 = u32(0);
+    }
+    var count_5 : u32 = u32(0);
     var points_0 : u32 = u32(1);
     var least_3 : f32 = 0.0f;
-    var over_all_1 : f32 = 0.0f;
+    var over_all_0 : f32 = 0.0f;
     var total_0 : f32 = 0.0f;
     var step_1 : f32 = 0.0f;
     var pass_0 : u32 = u32(0);
@@ -3543,71 +3732,108 @@ fn draw_points_0( at_45 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  nu
             }
             var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
             var total_1 : f32 = contributions_0 + least_4 * angles_0;
-            if((at_45.purpose_0) == u32(0))
+            if(_S233)
             {
-                target_1 = asked_0.share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
+                var parts_0 : f32 = ceil(f32(count_5) / f32(most_0));
+                target_1 = min(4.0f * max(sqrt(pieces_1 / parts_0), 2.0f / parts_0), f32(edge_word_0(u32(10))));
             }
             else
             {
                 target_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(target_1 - 0.00100000004749745f));
-            var _S221 : f32 = f32(points_1);
-            var _S222 : f32 = asked_0.over_all_0 * _S221;
-            var step_2 : f32 = total_1 / _S221;
-            var _S223 : f32 = step_2 * asked_0.place_18;
+            var _S235 : f32 = f32(points_1);
+            var _S236 : f32 = probability_4 * _S235;
+            var step_2 : f32 = total_1 / _S235;
+            var _S237 : f32 = step_2 * place_18;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S222;
+            over_all_0 = _S236;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S223;
+            target_1 = _S237;
         }
         else
         {
             target_1 = target_0;
         }
-        var leaves_4 : Leaves_0 = below_0(node_8);
-        var leaf_5 : u32;
-        target_0 = target_1;
+        var leaves_2 : Leaves_0 = below_0(node_8);
+        var leaf_3 : u32;
+        var drawn_1 : u32 = drawn_0;
+        var passed_0 : u32 = u32(0);
+        var contributions_1 : f32 = contributions_0;
+        var angles_1 : f32 = angles_0;
+        var pieces_2 : f32 = pieces_1;
+        var cumulative_1 : f32 = cumulative_0;
+        var target_2 : f32 = target_1;
         for(;;)
         {
-            var _S224 : bool;
-            if(drawn_0 < points_0)
+            var _S238 : bool;
+            if(drawn_1 < points_0)
             {
-                var _S225 : bool = next_leaf_1(at_45, &(leaves_4), &(leaf_5));
-                _S224 = _S225;
+                if(pass_0 == u32(0))
+                {
+                    _S238 = true;
+                }
+                else
+                {
+                    _S238 = passed_0 < (_S234 + most_0);
+                }
             }
             else
             {
-                _S224 = false;
+                _S238 = false;
             }
-            if(_S224)
+            var _S239 : bool;
+            if(_S238)
+            {
+                var _S240 : bool = next_leaf_0(at_44, &(leaves_2), &(leaf_3));
+                _S239 = _S240;
+            }
+            else
+            {
+                _S239 = false;
+            }
+            if(_S239)
             {
             }
             else
             {
                 break;
             }
-            var k_10 : u32 = edge_word_0(leaf_5 + u32(2));
-            var drawn_1 : u32 = drawn_0;
-            var contributions_1 : f32 = contributions_0;
-            var angles_1 : f32 = angles_0;
-            var pieces_2 : f32 = pieces_1;
-            var cumulative_1 : f32 = cumulative_0;
-            var target_2 : f32 = target_0;
+            var passed_1 : u32 = passed_0 + u32(1);
+            if(passed_1 <= _S234)
+            {
+                _S232 = true;
+            }
+            else
+            {
+                _S232 = passed_1 > (_S234 + most_0);
+            }
+            if(_S232)
+            {
+                passed_0 = passed_1;
+                continue;
+            }
+            var k_8 : u32 = edge_word_0(leaf_3 + u32(2));
+            var drawn_2 : u32 = drawn_1;
+            var contributions_2 : f32 = contributions_1;
+            var angles_2 : f32 = angles_1;
+            var pieces_3 : f32 = pieces_2;
+            var cumulative_2 : f32 = cumulative_1;
+            var target_3 : f32 = target_2;
             for(;;)
             {
-                var _S226 : bool;
-                if(k_10 < (edge_word_0(leaf_5 + u32(3))))
+                var _S241 : bool;
+                if(k_8 < (edge_word_0(leaf_3 + u32(3))))
                 {
-                    _S226 = drawn_1 < points_0;
+                    _S241 = drawn_2 < points_0;
                 }
                 else
                 {
-                    _S226 = false;
+                    _S241 = false;
                 }
-                if(_S226)
+                if(_S241)
                 {
                 }
                 else
@@ -3615,37 +3841,37 @@ fn draw_points_0( at_45 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  nu
                     break;
                 }
                 var seen_5 : SeenEdge_0;
-                var _S227 : bool = see_edge_0(at_45, k_10, &(seen_5));
-                var drawn_2 : u32;
-                var contributions_2 : f32;
-                var angles_2 : f32;
-                var pieces_3 : f32;
-                var cumulative_2 : f32;
-                var target_3 : f32;
-                if(!_S227)
+                var _S242 : bool = see_edge_0(at_44, k_8, &(seen_5));
+                var drawn_3 : u32;
+                var contributions_3 : f32;
+                var angles_3 : f32;
+                var pieces_4 : f32;
+                var cumulative_3 : f32;
+                var target_4 : f32;
+                if(!_S242)
                 {
-                    drawn_2 = drawn_1;
-                    contributions_2 = contributions_1;
-                    angles_2 = angles_1;
-                    pieces_3 = pieces_2;
-                    cumulative_2 = cumulative_1;
-                    target_3 = target_2;
-                    k_10 = k_10 + u32(1);
-                    drawn_1 = drawn_2;
-                    contributions_1 = contributions_2;
-                    angles_1 = angles_2;
-                    pieces_2 = pieces_3;
-                    cumulative_1 = cumulative_2;
-                    target_2 = target_3;
+                    drawn_3 = drawn_2;
+                    contributions_3 = contributions_2;
+                    angles_3 = angles_2;
+                    pieces_4 = pieces_3;
+                    cumulative_3 = cumulative_2;
+                    target_4 = target_3;
+                    k_8 = k_8 + u32(1);
+                    drawn_2 = drawn_3;
+                    contributions_2 = contributions_3;
+                    angles_2 = angles_3;
+                    pieces_3 = pieces_4;
+                    cumulative_2 = cumulative_3;
+                    target_3 = target_4;
                     continue;
                 }
                 var piece_2 : f32 = 0.0f;
-                contributions_2 = contributions_1;
-                angles_2 = angles_1;
-                pieces_3 = pieces_2;
-                cumulative_2 = cumulative_1;
-                drawn_2 = drawn_1;
-                target_3 = target_2;
+                contributions_3 = contributions_2;
+                angles_3 = angles_2;
+                pieces_4 = pieces_3;
+                cumulative_3 = cumulative_2;
+                drawn_3 = drawn_2;
+                target_4 = target_3;
                 for(;;)
                 {
                     if(piece_2 < (seen_5.pieces_0))
@@ -3655,127 +3881,151 @@ fn draw_points_0( at_45 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  nu
                     {
                         break;
                     }
-                    var weight_1 : vec2<f32> = weigh_0(at_45, seen_5, piece_2);
+                    var weight_1 : vec2<f32> = weigh_0(at_44, seen_5, piece_2);
                     if(pass_0 == u32(0))
                     {
-                        var angles_3 : f32 = angles_2 + weight_1.y;
-                        var pieces_4 : f32 = pieces_3 + 1.0f;
-                        contributions_2 = contributions_2 + weight_1.x;
-                        angles_2 = angles_3;
-                        pieces_3 = pieces_4;
+                        var angles_4 : f32 = angles_3 + weight_1.y;
+                        var pieces_5 : f32 = pieces_4 + 1.0f;
+                        contributions_3 = contributions_3 + weight_1.x;
+                        angles_3 = angles_4;
+                        pieces_4 = pieces_5;
                         piece_2 = piece_2 + 1.0f;
                         continue;
                     }
                     var own_1 : f32 = weight_1.x + least_3 * weight_1.y;
-                    var cumulative_3 : f32 = cumulative_2 + own_1;
-                    var drawn_3 : u32 = drawn_2;
-                    var target_4 : f32 = target_3;
+                    var cumulative_4 : f32 = cumulative_3 + own_1;
+                    var drawn_4 : u32 = drawn_3;
+                    var target_5 : f32 = target_4;
                     for(;;)
                     {
-                        var _S228 : bool;
-                        if(drawn_3 < points_0)
+                        var _S243 : bool;
+                        if(drawn_4 < points_0)
                         {
-                            _S228 = target_4 < cumulative_3;
+                            _S243 = target_5 < cumulative_4;
                         }
                         else
                         {
-                            _S228 = false;
+                            _S243 = false;
                         }
-                        if(_S228)
+                        if(_S243)
                         {
                         }
                         else
                         {
                             break;
                         }
-                        var _S229 : u32 = drawn_3 + u32(1);
-                        var target_5 : f32 = target_4 + step_1;
-                        cross_at_0(&((*crossed_3)), at_45, point_on_0(at_45, seen_5, piece_2, clamp((target_4 - cumulative_2) / own_1, 0.0f, 1.0f), over_all_1 * own_1 / total_0), number_of_path_5, path_18);
-                        drawn_3 = _S229;
-                        target_4 = target_5;
+                        var _S244 : u32 = drawn_4 + u32(1);
+                        var target_6 : f32 = target_5 + step_1;
+                        cross_at_0(&((*crossed_3)), at_44, point_on_0(at_44, seen_5, piece_2, clamp((target_5 - cumulative_3) / own_1, 0.0f, 1.0f), over_all_0 * own_1 / total_0), number_of_path_5, path_18);
+                        drawn_4 = _S244;
+                        target_5 = target_6;
                     }
-                    cumulative_2 = cumulative_3;
-                    drawn_2 = drawn_3;
-                    target_3 = target_4;
+                    cumulative_3 = cumulative_4;
+                    drawn_3 = drawn_4;
+                    target_4 = target_5;
                     piece_2 = piece_2 + 1.0f;
                 }
-                k_10 = k_10 + u32(1);
-                drawn_1 = drawn_2;
-                contributions_1 = contributions_2;
-                angles_1 = angles_2;
-                pieces_2 = pieces_3;
-                cumulative_1 = cumulative_2;
-                target_2 = target_3;
+                k_8 = k_8 + u32(1);
+                drawn_2 = drawn_3;
+                contributions_2 = contributions_3;
+                angles_2 = angles_3;
+                pieces_3 = pieces_4;
+                cumulative_2 = cumulative_3;
+                target_3 = target_4;
             }
-            drawn_0 = drawn_1;
-            contributions_0 = contributions_1;
+            drawn_1 = drawn_2;
+            passed_0 = passed_1;
+            contributions_1 = contributions_2;
+            angles_1 = angles_2;
+            pieces_2 = pieces_3;
+            cumulative_1 = cumulative_2;
+            target_2 = target_3;
+        }
+        if(pass_0 > u32(0))
+        {
+            pass_0 = pass_0 + u32(1);
             angles_0 = angles_1;
+            contributions_0 = contributions_1;
             pieces_1 = pieces_2;
+            drawn_0 = drawn_1;
             cumulative_0 = cumulative_1;
             target_0 = target_2;
+            continue;
         }
+        if(_S234 == u32(0))
+        {
+            _S232 = passed_0 > most_0;
+        }
+        else
+        {
+            _S232 = false;
+        }
+        if(_S232)
+        {
+            var _S245 : u32 = (passed_0 + most_0 - u32(1)) / most_0;
+            var _S246 : u32 = atomicMax(&(sums_0[u32(3)]), _S245);
+        }
+        count_5 = passed_0;
         pass_0 = pass_0 + u32(1);
+        angles_0 = angles_1;
+        contributions_0 = contributions_1;
+        pieces_1 = pieces_2;
+        drawn_0 = drawn_1;
+        cumulative_0 = cumulative_1;
+        target_0 = target_2;
     }
     return;
 }
 
-fn sample_points_0( at_46 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_45 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : Path_0,  crossed_4 : ptr<function, Crossed_0>)
 {
-    var numbers_9 : u32 = numbers_for_0(at_46.purpose_0) + u32(1);
-    var node_9 : u32 = edge_word_0(at_46.tree_0);
-    var u_3 : f32 = precise_random_0(path_19.key_0, numbers_9);
-    var probability_4 : f32 = 1.0f;
-    var is_whole_0 : bool;
-    if((at_46.purpose_0) == u32(0))
+    var numbers_9 : u32 = numbers_for_0(at_45.purpose_0) + u32(1);
+    var part_2 : u32 = part_of_launch_0();
+    var node_9 : u32 = edge_word_0(at_45.tree_0);
+    var probability_5 : f32 = 1.0f;
+    if((at_45.purpose_0) != u32(0))
     {
-        is_whole_0 = takes_all_0(at_46);
-    }
-    else
-    {
-        is_whole_0 = false;
-    }
-    if(!is_whole_0)
-    {
-        var _S230 : bool = descend_0(at_46, (f32(subtree_0) + u_3) / f32(subtrees_0), &(node_9), &(probability_4));
-        is_whole_0 = !_S230;
-    }
-    else
-    {
-        is_whole_0 = false;
-    }
-    if(is_whole_0)
-    {
-        return;
-    }
-    var asked_1 : Share_0;
-    var _S231 : f32 = f32(subtrees_0);
-    asked_1.share_0 = 1.0f / _S231;
-    asked_1.over_all_0 = probability_4 * _S231;
-    asked_1.place_18 = precise_random_0(path_19.key_0, numbers_9 + u32(1)) + 0.6180340051651001f * f32(subtree_0);
-    for(;;)
-    {
-        if((asked_1.place_18) >= 1.0f)
+        var subtrees_0 : u32;
+        if((depth_of_launch_0()) == u32(0))
         {
+            subtrees_0 = u32(2);
         }
         else
         {
-            break;
+            subtrees_0 = u32(1);
         }
-        asked_1.place_18 = asked_1.place_18 - 1.0f;
+        var _S247 : f32 = f32(subtrees_0);
+        var u_3 : f32 = (f32(part_2) + precise_random_0(path_19.key_0, numbers_9)) / _S247;
+        var _S248 : bool;
+        if(part_2 >= subtrees_0)
+        {
+            _S248 = true;
+        }
+        else
+        {
+            var _S249 : bool = descend_0(at_45, u_3, &(node_9), &(probability_5));
+            _S248 = !_S249;
+        }
+        if(_S248)
+        {
+            return;
+        }
+        probability_5 = probability_5 * _S247;
     }
-    draw_points_0(at_46, node_9, asked_1, number_of_path_6, path_19, &((*crossed_4)));
+    var place_19 : f32 = precise_random_0(path_19.key_0, numbers_9 + u32(1)) + 0.6180340051651001f * f32(part_2);
+    draw_points_0(at_45, node_9, probability_5, place_19 - floor(place_19), number_of_path_6, path_19, &((*crossed_4)));
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S232 : u32;
+    var _S250 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S233 : u32 = u32(2) + zero_0;
-        _S232 = _S233;
-        if(rounds_0 < _S233)
+        var _S251 : u32 = u32(2) + zero_0;
+        _S250 = _S251;
+        if(rounds_0 < _S251)
         {
         }
         else
@@ -3784,14 +4034,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S232;
+    return rounds_0 == _S250;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S234 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S252 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -3809,21 +4059,21 @@ fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var factor_6 : vec3<f32>;
     var path_20 : Path_0 = path_at_vertex_0(number_of_path_7, &(factor_6));
     var crossed_5 : Crossed_0 = nothing_crossed_0(factor_6);
-    var at_47 : ShadingPoint_0;
-    var _S235 : bool = shading_point_0(path_20, &(at_47));
-    var _S236 : bool;
-    if(_S235)
+    var at_46 : ShadingPoint_0;
+    var _S253 : bool = shading_point_0(path_20, &(at_46));
+    var _S254 : bool;
+    if(_S253)
     {
-        var _S237 : f32 = turn_to_0(u32(2), path_20.key_0, &(at_47));
-        _S236 = _S237 > 0.0f;
+        var _S255 : f32 = turn_to_0(u32(2), path_20.key_0, &(at_46));
+        _S254 = _S255 > 0.0f;
     }
     else
     {
-        _S236 = false;
+        _S254 = false;
     }
-    if(_S236)
+    if(_S254)
     {
-        sample_points_0(at_47, number_of_path_7, path_20, subtree_of_launch_0(), subtrees_of_0(at_47), &(crossed_5));
+        sample_points_0(at_46, number_of_path_7, path_20, &(crossed_5));
     }
     var side_4 : u32 = u32(0);
     for(;;)
@@ -3838,17 +4088,17 @@ fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         var goes_on_2 : bool = crossed_5.goes_on_0[side_4];
         var number_2 : u32 = side_path_0(number_of_path_7, side_4);
         var which_13 : u32 = u32(20);
-        var _S238 : u32 = u32(2) * listed_0 + side_4;
-        var _S239 : u32;
+        var _S256 : u32 = u32(2) * listed_0 + side_4;
+        var _S257 : u32;
         if(crossed_5.goes_on_0[side_4])
         {
-            _S239 = number_2;
+            _S257 = number_2;
         }
         else
         {
-            _S239 = u32(4294967295);
+            _S257 = u32(4294967295);
         }
-        set_word_0(_S238, u32(0), _S239);
+        set_word_0(_S256, u32(0), _S257);
         if(!goes_on_2)
         {
             set_vector_2(number_2, &(which_13), vec3<f32>(0.0f));

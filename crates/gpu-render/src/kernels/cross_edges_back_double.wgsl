@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: a5da34863903b748
-// result: a9e959956f857bd0
+// source: 9151c6c34a765e54
+// result: e952d845c63f699a
 
 struct Launch_std140_0
 {
@@ -387,7 +387,7 @@ fn s_bwdProp_axes_around_0( _S74 : s_bwdCallableCtx_axes_around_0,  _S75 : ptr<f
 {
     var _S77 : f32 = _S74.value0_9.value0_8.z;
     var sign_0 : f32;
-    if(_S77 < 0.0f)
+    if(_S77 < -0.30000001192092896f)
     {
         sign_0 = -1.0f;
     }
@@ -757,7 +757,7 @@ fn load_0( number_of_path_0 : u32) -> Path_0
 
 fn depth_of_launch_0() -> u32
 {
-    return ((launch_0.depth_0) & (u32(16777215)));
+    return ((launch_0.depth_0) & (u32(1048575)));
 }
 
 fn kept_at_0( depth_1 : u32) -> u32
@@ -938,12 +938,12 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
 
 struct Corners2_0
 {
-     a_5 : vec2<f32>,
-     b_2 : vec2<f32>,
-     c_1 : vec2<f32>,
+     a_5 : vec2<f64>,
+     b_2 : vec2<f64>,
+     c_1 : vec2<f64>,
 };
 
-fn Corners2_x24init_0( a_6 : vec2<f32>,  b_3 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
+fn Corners2_x24init_0( a_6 : vec2<f64>,  b_3 : vec2<f64>,  c_2 : vec2<f64>) -> Corners2_0
 {
     var _S202 : Corners2_0;
     _S202.a_5 = a_6;
@@ -952,24 +952,34 @@ fn Corners2_x24init_0( a_6 : vec2<f32>,  b_3 : vec2<f32>,  c_2 : vec2<f32>) -> C
     return _S202;
 }
 
+fn precise_0( at_7 : u32) -> f64
+{
+    return f64(number_0(at_7)) + f64(number_0(at_7 + u32(1)));
+}
+
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f64>(0.0lf, 0.0lf), vec2<f64>(1.0lf, 0.0lf), vec2<f64>(0.0lf, 1.0lf));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_5) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_7 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_5) + u32(1));
-    uvs_0.a_5 = vec2<f32>(number_0(at_7), number_0(at_7 + u32(1)));
-    uvs_0.b_2 = vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5)));
+    var at_8 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_5) + u32(1));
+    uvs_0.a_5 = vec2<f64>(precise_0(at_8), precise_0(at_8 + u32(2)));
+    uvs_0.b_2 = vec2<f64>(precise_0(at_8 + u32(4)), precise_0(at_8 + u32(6)));
+    uvs_0.c_1 = vec2<f64>(precise_0(at_8 + u32(8)), precise_0(at_8 + u32(10)));
     return uvs_0;
 }
 
-fn floor_of_0( x_4 : f32) -> i32
+fn row_at_0( at_9 : u32) -> vec3<f64>
 {
-    return i32(floor(clamp(x_4, -1.0e+09f, 1.0e+09f)));
+    return vec3<f64>(precise_0(at_9), precise_0(at_9 + u32(2)), precise_0(at_9 + u32(4)));
+}
+
+fn floor_of_0( x_4 : f64) -> i32
+{
+    return i32(clamp(f32(floor(x_4)), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
@@ -1010,25 +1020,25 @@ fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
 
 struct Point_0
 {
-     value_1 : vec2<f32>,
+     value_1 : vec2<f64>,
      by_first_1 : vec2<f32>,
      by_second_1 : vec2<f32>,
 };
 
 fn between_0( texels_1 : vec4<u32>,  place_5 : Point_0) -> Lookup_0
 {
-    var way_0 : vec2<f32> = place_5.value_1 - floor(place_5.value_1);
-    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
+    var _S203 : vec2<f32> = vec2<f32>(place_5.value_1 - floor(place_5.value_1));
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - _S203;
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S203 : f32 = back_0.x;
-    var _S204 : f32 = back_0.y;
-    var _S205 : f32 = way_0.x;
-    var _S206 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S203 * _S204, _S205 * _S204, _S203 * _S206, _S205 * _S206);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S204, _S204, - _S206, _S206);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S203, - _S205, _S203, _S205);
+    var _S204 : f32 = back_0.x;
+    var _S205 : f32 = back_0.y;
+    var _S206 : f32 = _S203.x;
+    var _S207 : f32 = _S203.y;
+    lookup_1.weights_0 = vec4<f32>(_S204 * _S205, _S206 * _S205, _S204 * _S207, _S206 * _S207);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S205, _S205, - _S207, _S207);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S204, - _S206, _S204, _S206);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_5.by_first_1.x) + by_y_0 * vec4<f32>(place_5.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_5.by_second_1.x) + by_y_0 * vec4<f32>(place_5.by_second_1.y);
     return lookup_1;
@@ -1040,26 +1050,26 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
     var size_0 : vec2<f32> = vec2<f32>(f32(width_0), f32(height_0));
-    var place_6 : vec2<f32> = uv_0.value_1 * size_0;
+    var place_6 : vec2<f64> = uv_0.value_1 * vec2<f64>(size_0);
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_6.y), height_0, wrap_1);
-        var _S207 : u32 = row_0 * u32(width_0);
-        var _S208 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
-        return one_texel_0(_S207 + _S208);
+        var _S208 : u32 = row_0 * u32(width_0);
+        var _S209 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
+        return one_texel_0(_S208 + _S209);
     }
     var centred_0 : Point_0;
-    var _S209 : vec2<f32> = place_6 - vec2<f32>(0.5f);
-    centred_0.value_1 = _S209;
+    var _S210 : vec2<f64> = place_6 - vec2<f64>(0.5lf);
+    centred_0.value_1 = _S210;
     centred_0.by_first_1 = uv_0.by_first_1 * size_0;
     centred_0.by_second_1 = uv_0.by_second_1 * size_0;
-    var x_5 : i32 = floor_of_0(_S209.x);
-    var y_1 : i32 = floor_of_0(_S209.y);
-    var _S210 : u32 = wrapped_0(y_1, height_0, wrap_1);
-    var _S211 : u32 = u32(width_0);
-    var first_1 : u32 = _S210 * _S211;
-    var _S212 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S212 * _S211;
+    var x_5 : i32 = floor_of_0(_S210.x);
+    var y_1 : i32 = floor_of_0(_S210.y);
+    var _S211 : u32 = wrapped_0(y_1, height_0, wrap_1);
+    var _S212 : u32 = u32(width_0);
+    var first_1 : u32 = _S211 * _S212;
+    var _S213 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S213 * _S212;
     var left_0 : u32 = wrapped_0(x_5, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_5 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -1088,43 +1098,43 @@ fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_7.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
+    var by_v_0 : vec2<f64> = uvs_1.b_2 - uvs_1.a_5;
+    var by_w_0 : vec2<f64> = uvs_1.c_1 - uvs_1.a_5;
+    var _S214 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f64> = row_at_0(_S214);
+    var to_v_0 : vec3<f64> = row_at_0(_S214 + u32(6));
     var uv_1 : Point_0;
-    var _S213 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_2 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
-    uv_1.value_1 = vec2<f32>(dot(_S213, to_u_0), dot(_S213, to_v_0));
-    var by_v_0 : vec2<f32> = uvs_1.b_2 - uvs_1.a_5;
-    var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_5;
-    var _S214 : vec2<f32> = to_u_0.xy;
-    var _S215 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S214), dot(by_v_0, _S215));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S214), dot(by_w_0, _S215));
+    var _S215 : vec3<f64> = vec3<f64>(uvs_1.a_5 + by_v_0 * vec2<f64>((f64(place_7.v_0) + f64(place_7.v_rest_0))) + by_w_0 * vec2<f64>((f64(place_7.w_0) + f64(place_7.w_rest_0))), 1.0lf);
+    uv_1.value_1 = vec2<f64>(dot(_S215, to_u_0), dot(_S215, to_v_0));
+    var _S216 : vec2<f64> = to_u_0.xy;
+    var _S217 : vec2<f64> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(vec2<f64>(dot(by_v_0, _S216), dot(by_v_0, _S217)));
+    uv_1.by_second_1 = vec2<f32>(vec2<f64>(dot(by_w_0, _S216), dot(by_w_0, _S217)));
     if(kind_0 == u32(1))
     {
-        var _S216 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S216;
+        var _S218 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S218;
     }
-    var half_of_period_0 : vec2<f32> = uv_1.value_1 - floor(uv_1.value_1);
-    var _S217 : i32;
-    if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
+    var half_of_period_0 : vec2<f64> = uv_1.value_1 - floor(uv_1.value_1);
+    var _S219 : i32;
+    if(((half_of_period_0.x) > 0.5lf) != ((half_of_period_0.y) > 0.5lf))
     {
-        _S217 = i32(1);
+        _S219 = i32(1);
     }
     else
     {
-        _S217 = i32(0);
+        _S219 = i32(0);
     }
-    return one_texel_0(u32(_S217));
+    return one_texel_0(u32(_S219));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S218 : u32 = word_0(texture_2 + u32(1));
-    var _S219 : u32 = texture_2 + u32(13);
-    var _S220 : vec3<f32> = vec3<f32>(0.0f);
+    var _S220 : u32 = word_0(texture_2 + u32(1));
+    var _S221 : u32 = texture_2 + u32(19);
+    var _S222 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S220;
+    var value_2 : vec3<f32> = _S222;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1134,17 +1144,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S219 + _S218 * lookup_3.texels_0[k_1];
-        var _S221 : vec3<f32>;
-        if(_S218 == u32(1))
+        var at_10 : u32 = _S221 + _S220 * lookup_3.texels_0[k_1];
+        var _S223 : vec3<f32>;
+        if(_S220 == u32(1))
         {
-            _S221 = vec3<f32>(number_0(at_8));
+            _S223 = vec3<f32>(number_0(at_10));
         }
         else
         {
-            _S221 = vector_at_0(at_8);
+            _S223 = vector_at_0(at_10);
         }
-        var value_3 : vec3<f32> = value_2 + _S221 * vec3<f32>(weights_1[k_1]);
+        var value_3 : vec3<f32> = value_2 + _S223 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_2 = value_3;
     }
@@ -1158,8 +1168,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
 {
-    var _S222 : Lookup_0 = lookup_at_0(texture_4, place_8);
-    return looked_up_0(texture_4, _S222, vec2<f32>(0.0f));
+    var _S224 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S224, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -1218,38 +1228,38 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
     var lobe_0 : Lobe_0;
     lobe_0.record_2 = record_3;
     var is_black_0 : bool = record_3 == u32(4294967295);
-    var _S223 : u32;
+    var _S225 : u32;
     if(is_black_0)
     {
-        _S223 = u32(0);
+        _S225 = u32(0);
     }
     else
     {
-        _S223 = word_0(record_3);
+        _S225 = word_0(record_3);
     }
-    lobe_0.kind_1 = _S223;
+    lobe_0.kind_1 = _S225;
     if(is_black_0)
     {
-        _S223 = u32(1);
+        _S225 = u32(1);
     }
     else
     {
-        _S223 = word_0(record_3 + u32(1));
+        _S225 = word_0(record_3 + u32(1));
     }
-    lobe_0.distribution_0 = _S223;
+    lobe_0.distribution_0 = _S225;
     lobe_0.numbers_2 = no_numbers_0();
     if(is_black_0)
     {
-        _S223 = u32(0);
+        _S225 = u32(0);
     }
     else
     {
-        _S223 = word_0(record_3 + u32(4));
+        _S225 = word_0(record_3 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S223)
+        if(slot_1 < _S225)
         {
         }
         else
@@ -1263,10 +1273,10 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
-        var _S224 : vec3<f32> = value_of_0(colour_1);
-        var _S225 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S225), slot_1, _S224);
-        lobe_0.numbers_2 = _S225;
+        var _S226 : vec3<f32> = value_of_0(colour_1);
+        var _S227 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S227), slot_1, _S226);
+        lobe_0.numbers_2 = _S227;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -1281,53 +1291,53 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S226 : vec3<f32>;
+    var _S228 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S226 = tangent_0;
+        _S228 = tangent_0;
     }
     else
     {
-        _S226 = vec3<f32>(0.0f);
+        _S228 = vec3<f32>(0.0f);
     }
-    return _S226;
+    return _S228;
 }
 
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S227 : vec3<f32>;
+    var _S229 : vec3<f32>;
     if(is_front_1)
     {
-        _S227 = n_2;
+        _S229 = n_2;
     }
     else
     {
-        _S227 = (vec3<f32>(0) - n_2);
+        _S229 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_0 = _S227;
-    var _S228 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S228;
-    axes_0.t_0 = cross(n_2, _S228);
+    axes_0.n_0 = _S229;
+    var _S230 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S230;
+    axes_0.t_0 = cross(n_2, _S230);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S229 : vec3<f32>;
+    var _S231 : vec3<f32>;
     if(is_front_2)
     {
-        _S229 = n_3;
+        _S231 = n_3;
     }
     else
     {
-        _S229 = (vec3<f32>(0) - n_3);
+        _S231 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_0 = _S229;
-    var _S230 : f32 = n_3.z;
+    axes_1.n_0 = _S231;
+    var _S232 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S230 < 0.0f)
+    if(_S232 < -0.30000001192092896f)
     {
         sign_1 = -1.0f;
     }
@@ -1335,12 +1345,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_1 = 1.0f;
     }
-    var a_7 : f32 = -1.0f / (sign_1 + _S230);
-    var _S231 : f32 = n_3.x;
-    var _S232 : f32 = n_3.y;
-    var b_4 : f32 = _S231 * _S232 * a_7;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S231 * _S231 * a_7, sign_1 * b_4, - sign_1 * _S231);
-    axes_1.t_0 = vec3<f32>(b_4, sign_1 + _S232 * _S232 * a_7, - _S232);
+    var a_7 : f32 = -1.0f / (sign_1 + _S232);
+    var _S233 : f32 = n_3.x;
+    var _S234 : f32 = n_3.y;
+    var b_4 : f32 = _S233 * _S234 * a_7;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S233 * _S233 * a_7, sign_1 * b_4, - sign_1 * _S233);
+    axes_1.t_0 = vec3<f32>(b_4, sign_1 + _S234 * _S234 * a_7, - _S234);
     return axes_1;
 }
 
@@ -1367,8 +1377,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_4 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S233 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S233;
+    var _S235 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S235;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -1391,9 +1401,9 @@ struct VertexMotion_0
 fn motion_of_0( vertex_1 : Vertex_0) -> VertexMotion_0
 {
     var motion_0 : VertexMotion_0;
-    var _S234 : vec3<f32> = vec3<f32>(0.0f);
-    motion_0.rotation_0 = _S234;
-    motion_0.velocity_0 = _S234;
+    var _S236 : vec3<f32> = vec3<f32>(0.0f);
+    motion_0.rotation_0 = _S236;
+    motion_0.velocity_0 = _S236;
     return motion_0;
 }
 
@@ -1418,24 +1428,24 @@ struct ShadingPoint_0
      front_offset_0 : vec3<f32>,
 };
 
-fn shading_point_0( path_10 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> bool
+fn shading_point_0( path_10 : Path_0,  at_11 : ptr<function, ShadingPoint_0>) -> bool
 {
     var surface_5 : Surface_0 = surface_at_0(path_10.place_1, value_of_0(path_10.direction_1));
     var material_1 : u32 = material_of_0(surface_5);
-    var _S235 : Vertex_0 = vertex_at_0(surface_5, material_1, path_10.direction_1);
-    (*at_9).vertex_2 = _S235;
-    var _S236 : VertexMotion_0 = motion_of_0(_S235);
-    (*at_9).motion_1 = _S236;
-    (*at_9).whole_0 = _S236;
-    (*at_9).planes_0 = u32(0);
-    (*at_9).tree_0 = u32(0);
-    (*at_9).emitter_0 = u32(0);
-    (*at_9).purpose_0 = u32(0);
-    (*at_9).turns_0 = false;
-    (*at_9).has_creases_0 = false;
-    var _S237 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_9).front_offset_0 = _S237;
-    (*at_9).front_0 = _S237;
+    var _S237 : Vertex_0 = vertex_at_0(surface_5, material_1, path_10.direction_1);
+    (*at_11).vertex_2 = _S237;
+    var _S238 : VertexMotion_0 = motion_of_0(_S237);
+    (*at_11).motion_1 = _S238;
+    (*at_11).whole_0 = _S238;
+    (*at_11).planes_0 = u32(0);
+    (*at_11).tree_0 = u32(0);
+    (*at_11).emitter_0 = u32(0);
+    (*at_11).purpose_0 = u32(0);
+    (*at_11).turns_0 = false;
+    (*at_11).has_creases_0 = false;
+    var _S239 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_11).front_offset_0 = _S239;
+    (*at_11).front_0 = _S239;
     var k_2 : u32 = u32(0);
     for(;;)
     {
@@ -1446,19 +1456,19 @@ fn shading_point_0( path_10 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> 
         {
             break;
         }
-        (*at_9).inside_2[k_2] = surface_5.exact_0;
+        (*at_11).inside_2[k_2] = surface_5.exact_0;
         k_2 = k_2 + u32(1);
     }
-    var _S238 : bool;
+    var _S240 : bool;
     if(material_1 != u32(4294967295))
     {
-        _S238 = has_smooth_0((*at_9).vertex_2.lobe_1);
+        _S240 = has_smooth_0((*at_11).vertex_2.lobe_1);
     }
     else
     {
-        _S238 = false;
+        _S240 = false;
     }
-    return _S238;
+    return _S240;
 }
 
 struct Pulled_0
@@ -1473,12 +1483,12 @@ fn nothing_pulled_0() -> Pulled_0
 {
     var pulled_0 : Pulled_0;
     pulled_0.numbers_3 = no_numbers_0();
-    var _S239 : vec3<f32> = vec3<f32>(0.0f);
-    pulled_0.position_1 = _S239;
-    pulled_0.wi_2 = _S239;
-    pulled_0.axes_5.n_0 = _S239;
-    pulled_0.axes_5.t_0 = _S239;
-    pulled_0.axes_5.s_0 = _S239;
+    var _S241 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_1 = _S241;
+    pulled_0.wi_2 = _S241;
+    pulled_0.axes_5.n_0 = _S241;
+    pulled_0.axes_5.t_0 = _S241;
+    pulled_0.axes_5.s_0 = _S241;
     return pulled_0;
 }
 
@@ -1498,9 +1508,9 @@ fn nothing_crossed_0( factor_2 : vec3<f32>) -> Crossed_0
     return crossed_0;
 }
 
-fn change_word_0( at_10 : u32) -> u32
+fn change_word_0( at_12 : u32) -> u32
 {
-    return input_0[launch_0.room_0 + at_10];
+    return input_0[launch_0.room_0 + at_12];
 }
 
 fn turns_1( vertex_3 : Vertex_0) -> bool
@@ -1508,9 +1518,9 @@ fn turns_1( vertex_3 : Vertex_0) -> bool
     return (change_word_0(u32(1))) != u32(0);
 }
 
-fn edge_word_0( at_11 : u32) -> u32
+fn edge_word_0( at_13 : u32) -> u32
 {
-    return change_word_0(change_word_0(u32(3)) + at_11);
+    return change_word_0(change_word_0(u32(3)) + at_13);
 }
 
 fn numbers_for_0( purpose_1 : u32) -> u32
@@ -1532,33 +1542,33 @@ fn product_0( a_8 : u32,  b_5 : u32) -> vec2<u32>
 
 fn times_0( a_9 : vec2<u32>,  b_6 : vec2<u32>) -> vec2<u32>
 {
-    var _S240 : u32 = a_9.x;
-    var _S241 : u32 = b_6.x;
-    var low_1 : vec2<u32> = product_0(_S240, _S241);
-    return vec2<u32>(low_1.x, low_1.y + _S240 * b_6.y + a_9.y * _S241);
+    var _S242 : u32 = a_9.x;
+    var _S243 : u32 = b_6.x;
+    var low_1 : vec2<u32> = product_0(_S242, _S243);
+    return vec2<u32>(low_1.x, low_1.y + _S242 * b_6.y + a_9.y * _S243);
 }
 
 fn plus_0( a_10 : vec2<u32>,  b_7 : vec2<u32>) -> vec2<u32>
 {
-    var _S242 : u32 = a_10.x;
-    var low_2 : u32 = _S242 + b_7.x;
-    var _S243 : u32 = a_10.y + b_7.y;
-    var _S244 : i32;
-    if(low_2 < _S242)
+    var _S244 : u32 = a_10.x;
+    var low_2 : u32 = _S244 + b_7.x;
+    var _S245 : u32 = a_10.y + b_7.y;
+    var _S246 : i32;
+    if(low_2 < _S244)
     {
-        _S244 = i32(1);
+        _S246 = i32(1);
     }
     else
     {
-        _S244 = i32(0);
+        _S246 = i32(0);
     }
-    return vec2<u32>(low_2, _S243 + u32(_S244));
+    return vec2<u32>(low_2, _S245 + u32(_S246));
 }
 
 fn shifted_xor_0( x_6 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S245 : u32 = x_6.y;
-    return (x_6 ^ (vec2<u32>(((((x_6.x) >> (by_0))) | (((_S245 << ((u32(32) - by_0)))))), (_S245 >> (by_0)))));
+    var _S247 : u32 = x_6.y;
+    return (x_6 ^ (vec2<u32>(((((x_6.x) >> (by_0))) | (((_S247 << ((u32(32) - by_0)))))), (_S247 >> (by_0)))));
 }
 
 fn mix_0( x_7 : vec2<u32>) -> vec2<u32>
@@ -1647,8 +1657,8 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_1) / distance_2, 0.0f) / squared_0;
     }
-    var _S246 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S246 * _S246 / (2.0f * (_S246 - max(lowest_0, -1.0f)) * squared_0);
+    var _S248 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S248 * _S248 / (2.0f * (_S248 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn emitter_view_0( emitter_2 : u32,  position_3 : vec3<f32>,  normal_1 : vec3<f32>) -> f32
@@ -1672,16 +1682,16 @@ struct Choice_0
 fn light_of_0( emitter_3 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_3, choice_0.position_4, choice_0.normal_2);
-    var _S247 : f32;
+    var _S249 : f32;
     if(view_0 > 0.0f)
     {
-        _S247 = 1.0f;
+        _S249 = 1.0f;
     }
     else
     {
-        _S247 = 0.0f;
+        _S249 = 0.0f;
     }
-    (*can_light_0) = _S247;
+    (*can_light_0) = _S249;
     return view_0 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -1692,13 +1702,13 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
     choice_1.normal_2 = vertex_4.axes_4.n_0;
     choice_1.all_0 = 0.0f;
     choice_1.lit_0 = 0.0f;
-    var _S248 : u32 = word_0(u32(6));
+    var _S250 : u32 = word_0(u32(6));
     var can_light_1 : f32;
     var i_1 : u32 = u32(0);
     var count_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S248)
+        if(i_1 < _S250)
         {
         }
         else
@@ -1710,36 +1720,36 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S249 : u32 = count_1 + u32(1);
-        if(_S248 > u32(32))
+        var _S251 : u32 = count_1 + u32(1);
+        if(_S250 > u32(32))
         {
-            count_1 = _S249;
+            count_1 = _S251;
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S250 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
-        choice_1.all_0 = choice_1.all_0 + _S250;
+        var _S252 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
+        choice_1.all_0 = choice_1.all_0 + _S252;
         choice_1.lit_0 = choice_1.lit_0 + can_light_1;
-        count_1 = _S249;
+        count_1 = _S251;
         i_1 = i_1 + u32(1);
     }
     (*probability_0) = 0.0f;
-    var _S251 : bool;
+    var _S253 : bool;
     if((choice_1.all_0) > 0.0f)
     {
-        _S251 = (choice_1.all_0) < 3.00000000549775576e+38f;
+        _S253 = (choice_1.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S251 = false;
+        _S253 = false;
     }
-    var _S252 : bool = !_S251;
+    var _S254 : bool = !_S253;
     var chosen_0 : u32 = u32(0);
     i_1 = u32(0);
     var rest_1 : f32 = u_0;
     for(;;)
     {
-        if(i_1 < _S248)
+        if(i_1 < _S250)
         {
         }
         else
@@ -1751,16 +1761,16 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S253 : f32 = 1.0f / f32(count_1);
+        var _S255 : f32 = 1.0f / f32(count_1);
         var own_0 : f32;
-        if(!_S252)
+        if(!_S254)
         {
             var light_0 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
             own_0 = 0.5f * can_light_1 / choice_1.lit_0 + 0.5f * light_0 / choice_1.all_0;
         }
         else
         {
-            own_0 = _S253;
+            own_0 = _S255;
         }
         var chosen_1 : u32;
         if(own_0 > 0.0f)
@@ -1785,19 +1795,19 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
     return chosen_0;
 }
 
-fn real_place_0( at_12 : u32) -> u32
+fn real_place_0( at_14 : u32) -> u32
 {
-    return word_0(u32(15)) + u32(4) + at_12;
+    return word_0(u32(15)) + u32(4) + at_14;
 }
 
-fn edge_real_0( at_13 : u32) -> f64
+fn edge_real_0( at_15 : u32) -> f64
 {
-    return primitives_0[real_place_0(at_13)];
+    return primitives_0[real_place_0(at_15)];
 }
 
-fn edge_position_0( at_14 : u32) -> vec3<f64>
+fn edge_position_0( at_16 : u32) -> vec3<f64>
 {
-    return primitive_vector_0(real_place_0(at_14));
+    return primitive_vector_0(real_place_0(at_16));
 }
 
 fn exact_unit_0( v_4 : vec3<f64>) -> vec3<f64>
@@ -1810,22 +1820,22 @@ fn length_of_0( v_5 : vec3<f64>) -> f64
     return sqrt(dot(v_5, v_5));
 }
 
-fn open_window_0( at_15 : ptr<function, ShadingPoint_0>) -> bool
+fn open_window_0( at_17 : ptr<function, ShadingPoint_0>) -> bool
 {
-    var window_0 : u32 = edge_word_0(edge_word_0(u32(5)) + (*at_15).emitter_0);
+    var window_0 : u32 = edge_word_0(edge_word_0(u32(5)) + (*at_17).emitter_0);
     var corners_0 : u32 = u32(f32(edge_real_0(window_0)));
-    var apex_0 : vec3<f64> = (*at_15).vertex_2.surface_3.exact_0;
+    var apex_0 : vec3<f64> = (*at_17).vertex_2.surface_3.exact_0;
     var before_0 : vec3<f64>;
     if(corners_0 > u32(0))
     {
-        var _S254 : u32 = window_0 + u32(1);
-        var normal_3 : vec3<f64> = edge_position_0(_S254);
-        var before_1 : vec3<f64> = edge_position_0(_S254 + u32(3) * corners_0) - apex_0;
+        var _S256 : u32 = window_0 + u32(1);
+        var normal_3 : vec3<f64> = edge_position_0(_S256);
+        var before_1 : vec3<f64> = edge_position_0(_S256 + u32(3) * corners_0) - apex_0;
         if((dot(normal_3, before_1)) >= 0.0lf)
         {
             return false;
         }
-        (*at_15).planes_0 = corners_0;
+        (*at_17).planes_0 = corners_0;
         before_0 = before_1;
         var k_3 : u32 = u32(0);
         for(;;)
@@ -1838,13 +1848,13 @@ fn open_window_0( at_15 : ptr<function, ShadingPoint_0>) -> bool
                 break;
             }
             var offset_2 : vec3<f64> = edge_position_0(window_0 + u32(4) + u32(3) * k_3) - apex_0;
-            (*at_15).inside_2[k_3] = exact_unit_0(cross(offset_2, before_0));
-            var _S255 : u32 = k_3 + u32(1);
+            (*at_17).inside_2[k_3] = exact_unit_0(cross(offset_2, before_0));
+            var _S257 : u32 = k_3 + u32(1);
             before_0 = offset_2;
-            k_3 = _S255;
+            k_3 = _S257;
         }
-        (*at_15).front_0 = vec3<f32>(normal_3);
-        (*at_15).front_offset_0 = vec3<f32>(before_0);
+        (*at_17).front_0 = vec3<f32>(normal_3);
+        (*at_17).front_offset_0 = vec3<f32>(before_0);
         return true;
     }
     var offset_3 : vec3<f64> = edge_position_0(window_0 + u32(1)) - apex_0;
@@ -1866,15 +1876,15 @@ fn open_window_0( at_15 : ptr<function, ShadingPoint_0>) -> bool
     }
     var s_1 : vec3<f64> = exact_unit_0(cross(axis_1, before_0));
     var t_1 : vec3<f64> = cross(axis_1, s_1);
-    (*at_15).planes_0 = u32(4);
-    var _S256 : vec3<f64> = axis_1 * vec3<f64>(sine_1);
-    var _S257 : vec3<f64> = vec3<f64>(cosine_2);
-    var _S258 : vec3<f64> = s_1 * _S257;
-    (*at_15).inside_2[i32(0)] = _S256 + _S258;
-    (*at_15).inside_2[i32(1)] = _S256 - _S258;
-    var _S259 : vec3<f64> = t_1 * _S257;
-    (*at_15).inside_2[i32(2)] = _S256 + _S259;
-    (*at_15).inside_2[i32(3)] = _S256 - _S259;
+    (*at_17).planes_0 = u32(4);
+    var _S258 : vec3<f64> = axis_1 * vec3<f64>(sine_1);
+    var _S259 : vec3<f64> = vec3<f64>(cosine_2);
+    var _S260 : vec3<f64> = s_1 * _S259;
+    (*at_17).inside_2[i32(0)] = _S258 + _S260;
+    (*at_17).inside_2[i32(1)] = _S258 - _S260;
+    var _S261 : vec3<f64> = t_1 * _S259;
+    (*at_17).inside_2[i32(2)] = _S258 + _S261;
+    (*at_17).inside_2[i32(3)] = _S258 - _S261;
     return true;
 }
 
@@ -1890,30 +1900,30 @@ fn is_blind_0() -> bool
 
 fn rests_0( motion_2 : VertexMotion_0) -> bool
 {
-    var _S260 : vec3<f32> = vec3<f32>(0.0f);
-    var _S261 : bool;
-    if((all(((motion_2.velocity_0) == _S260))))
+    var _S262 : vec3<f32> = vec3<f32>(0.0f);
+    var _S263 : bool;
+    if((all(((motion_2.velocity_0) == _S262))))
     {
-        _S261 = (all(((motion_2.rotation_0) == _S260)));
+        _S263 = (all(((motion_2.rotation_0) == _S262)));
     }
     else
     {
-        _S261 = false;
+        _S263 = false;
     }
-    return _S261;
+    return _S263;
 }
 
-fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_16 : ptr<function, ShadingPoint_0>) -> f32
+fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_18 : ptr<function, ShadingPoint_0>) -> f32
 {
     var probability_1 : f32 = 1.0f;
-    (*at_16).purpose_0 = purpose_2;
-    (*at_16).planes_0 = u32(0);
-    var _S262 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_16).front_0 = _S262;
-    var _S263 : bool = purpose_2 == u32(2);
-    (*at_16).has_creases_0 = _S263;
+    (*at_18).purpose_0 = purpose_2;
+    (*at_18).planes_0 = u32(0);
+    var _S264 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_18).front_0 = _S264;
+    var _S265 : bool = purpose_2 == u32(2);
+    (*at_18).has_creases_0 = _S265;
     var tree_1 : u32;
-    if(_S263)
+    if(_S265)
     {
         tree_1 = u32(1);
     }
@@ -1921,170 +1931,219 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_16 : ptr<function, Shadin
     {
         tree_1 = u32(0);
     }
-    (*at_16).motion_1 = (*at_16).whole_0;
-    (*at_16).turns_0 = turns_1((*at_16).vertex_2);
-    var _S264 : bool;
+    (*at_18).motion_1 = (*at_18).whole_0;
+    (*at_18).turns_0 = turns_1((*at_18).vertex_2);
+    var _S266 : bool;
     if(purpose_2 == u32(0))
     {
-        var _S265 : u32 = edge_word_0(u32(4));
-        (*at_16).turns_0 = false;
-        var _S266 : u32 = chosen_area_emitter_0((*at_16).vertex_2, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
-        (*at_16).emitter_0 = _S266;
+        var _S267 : u32 = edge_word_0(u32(4));
+        (*at_18).turns_0 = false;
+        var _S268 : u32 = chosen_area_emitter_0((*at_18).vertex_2, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
+        (*at_18).emitter_0 = _S268;
         if(!(probability_1 > 0.0f))
         {
-            _S264 = true;
+            _S266 = true;
         }
         else
         {
-            var _S267 : bool = open_window_0(&((*at_16)));
-            _S264 = !_S267;
+            var _S269 : bool = open_window_0(&((*at_18)));
+            _S266 = !_S269;
         }
-        if(_S264)
+        if(_S266)
         {
             return 0.0f;
         }
-        tree_1 = _S265;
+        tree_1 = _S267;
     }
     else
     {
         if(purpose_2 == u32(1))
         {
-            var _S268 : u32 = word_0(u32(8));
-            (*at_16).emitter_0 = _S268;
-            if(_S268 == u32(4294967295))
+            var _S270 : u32 = word_0(u32(8));
+            (*at_18).emitter_0 = _S270;
+            if(_S270 == u32(4294967295))
             {
                 return 0.0f;
             }
-            if(is_map_0(emitter_record_0((*at_16).emitter_0)))
+            if(is_map_0(emitter_record_0((*at_18).emitter_0)))
             {
-                (*at_16).turns_0 = false;
+                (*at_18).turns_0 = false;
             }
         }
     }
-    if(!(*at_16).turns_0)
+    if(!(*at_18).turns_0)
     {
-        (*at_16).motion_1.rotation_0 = _S262;
+        (*at_18).motion_1.rotation_0 = _S264;
     }
     if(!is_blind_0())
     {
-        _S264 = rests_0((*at_16).motion_1);
+        _S266 = rests_0((*at_18).motion_1);
     }
     else
     {
-        _S264 = false;
+        _S266 = false;
     }
-    if(_S264)
+    if(_S266)
     {
         tree_1 = tree_1 + u32(2);
     }
-    var _S269 : u32 = edge_word_0(tree_1);
-    (*at_16).tree_0 = _S269;
-    var _S270 : f32;
-    if(_S269 == u32(4294967295))
+    var _S271 : u32 = edge_word_0(tree_1);
+    (*at_18).tree_0 = _S271;
+    var _S272 : f32;
+    if(_S271 == u32(4294967295))
     {
-        _S270 = 0.0f;
+        _S272 = 0.0f;
     }
     else
     {
-        _S270 = probability_1;
+        _S272 = probability_1;
     }
-    return _S270;
+    return _S272;
 }
 
-fn subtree_of_launch_0() -> u32
+fn part_of_launch_0() -> u32
 {
-    return ((launch_0.depth_0) >> (u32(24)));
-}
-
-fn subtrees_of_0( at_17 : ShadingPoint_0) -> u32
-{
-    var count_2 : u32;
-    if((depth_of_launch_0()) == u32(0))
-    {
-        count_2 = u32(2);
-    }
-    else
-    {
-        count_2 = u32(1);
-    }
-    if((at_17.purpose_0) == u32(0))
-    {
-        count_2 = u32(4) * count_2;
-    }
-    return count_2;
+    return ((launch_0.depth_0) >> (u32(20)));
 }
 
 fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f64
 {
     var bits_0 : vec2<u32> = random_bits_0(key_4, dimension_2);
-    var _S271 : u32 = bits_0.y;
-    return (f64((_S271 >> (u32(11)))) + f64((((_S271 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
+    var _S273 : u32 = bits_0.y;
+    return (f64((_S273 >> (u32(11)))) + f64((((_S273 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
-struct Leaves_0
+fn edge_number_0( at_19 : u32) -> f32
 {
-     count_3 : u32,
-     nodes_1 : array<u32, i32(96)>,
-};
-
-fn below_0( node_1 : u32) -> Leaves_0
-{
-    var leaves_0 : Leaves_0;
-    leaves_0.count_3 = u32(1);
-    leaves_0.nodes_1[i32(0)] = node_1;
-    return leaves_0;
+    return (bitcast<f32>((edge_word_0(at_19))));
 }
 
-fn edge_number_0( at_18 : u32) -> f32
+fn edge_vector_0( at_20 : u32) -> vec3<f32>
 {
-    return (bitcast<f32>((edge_word_0(at_18))));
+    return vec3<f32>(edge_number_0(at_20), edge_number_0(at_20 + u32(1)), edge_number_0(at_20 + u32(2)));
 }
 
-fn edge_vector_0( at_19 : u32) -> vec3<f32>
+fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
 {
-    return vec3<f32>(edge_number_0(at_19), edge_number_0(at_19 + u32(1)), edge_number_0(at_19 + u32(2)));
-}
-
-fn may_have_silhouette_0( node_2 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
-{
-    var sine_2 : f32 = edge_number_0(node_2 + u32(11));
-    var cosine_3 : f32 = edge_number_0(node_2 + u32(12));
+    var sine_2 : f32 = edge_number_0(node_1 + u32(11));
+    var cosine_3 : f32 = edge_number_0(node_1 + u32(12));
     if(sine_2 > 1.0f)
     {
         return true;
     }
-    var margin_0 : f32 = (edge_number_0(node_2 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
+    var margin_0 : f32 = (edge_number_0(node_1 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
     var margin_1 : f32;
     if(cosine_3 > 0.0f)
     {
-        margin_1 = min((edge_number_0(node_2 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
+        margin_1 = min((edge_number_0(node_1 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
     }
     else
     {
         margin_1 = margin_0;
     }
-    return !((abs(dot(edge_vector_0(node_2 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
+    return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
 }
 
-fn is_outside_0( at_20 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
+fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
 {
-    var k_4 : u32 = u32(0);
-    for(;;)
+    var _S274 : bool;
+    if(u32(0) < (at_21.planes_0))
     {
-        if(k_4 < (at_20.planes_0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        if((dot(vec3<f32>(at_20.inside_2[k_4]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f))
-        {
-            return true;
-        }
-        k_4 = k_4 + u32(1);
+        _S274 = (dot(vec3<f32>(at_21.inside_2[u32(0)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
-    return (dot(at_20.front_0, offset_5 - at_20.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
+    else
+    {
+        _S274 = false;
+    }
+    if(_S274)
+    {
+        return true;
+    }
+    if(u32(1) < (at_21.planes_0))
+    {
+        _S274 = (dot(vec3<f32>(at_21.inside_2[u32(1)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S274 = false;
+    }
+    if(_S274)
+    {
+        return true;
+    }
+    if(u32(2) < (at_21.planes_0))
+    {
+        _S274 = (dot(vec3<f32>(at_21.inside_2[u32(2)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S274 = false;
+    }
+    if(_S274)
+    {
+        return true;
+    }
+    if(u32(3) < (at_21.planes_0))
+    {
+        _S274 = (dot(vec3<f32>(at_21.inside_2[u32(3)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S274 = false;
+    }
+    if(_S274)
+    {
+        return true;
+    }
+    if(u32(4) < (at_21.planes_0))
+    {
+        _S274 = (dot(vec3<f32>(at_21.inside_2[u32(4)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S274 = false;
+    }
+    if(_S274)
+    {
+        return true;
+    }
+    if(u32(5) < (at_21.planes_0))
+    {
+        _S274 = (dot(vec3<f32>(at_21.inside_2[u32(5)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S274 = false;
+    }
+    if(_S274)
+    {
+        return true;
+    }
+    if(u32(6) < (at_21.planes_0))
+    {
+        _S274 = (dot(vec3<f32>(at_21.inside_2[u32(6)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S274 = false;
+    }
+    if(_S274)
+    {
+        return true;
+    }
+    if(u32(7) < (at_21.planes_0))
+    {
+        _S274 = (dot(vec3<f32>(at_21.inside_2[u32(7)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S274 = false;
+    }
+    if(_S274)
+    {
+        return true;
+    }
+    return (dot(at_21.front_0, offset_5 - at_21.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
 }
 
 fn logarithm_0( x_8 : f32) -> f32
@@ -2112,16 +2171,16 @@ fn logarithm_0( x_8 : f32) -> f32
 
 fn direction_number_0( d_0 : vec3<f32>) -> u32
 {
-    var _S272 : i32;
+    var _S275 : i32;
     if((abs(d_0.y)) > (abs(d_0.x)))
     {
-        _S272 = i32(1);
+        _S275 = i32(1);
     }
     else
     {
-        _S272 = i32(0);
+        _S275 = i32(0);
     }
-    var axis_2 : u32 = u32(_S272);
+    var axis_2 : u32 = u32(_S275);
     var axis_3 : u32;
     if((abs(d_0.z)) > (abs(d_0[axis_2])))
     {
@@ -2131,34 +2190,34 @@ fn direction_number_0( d_0 : vec3<f32>) -> u32
     {
         axis_3 = axis_2;
     }
-    var _S273 : u32 = u32(8) * axis_3;
+    var _S276 : u32 = u32(8) * axis_3;
     if((d_0[axis_3]) < 0.0f)
     {
-        _S272 = i32(4);
+        _S275 = i32(4);
     }
     else
     {
-        _S272 = i32(0);
+        _S275 = i32(0);
     }
-    var _S274 : u32 = _S273 + u32(_S272);
+    var _S277 : u32 = _S276 + u32(_S275);
     if((d_0[(axis_3 + u32(1)) % u32(3)]) < 0.0f)
     {
-        _S272 = i32(2);
+        _S275 = i32(2);
     }
     else
     {
-        _S272 = i32(0);
+        _S275 = i32(0);
     }
-    var _S275 : u32 = _S274 + u32(_S272);
+    var _S278 : u32 = _S277 + u32(_S275);
     if((d_0[(axis_3 + u32(2)) % u32(3)]) < 0.0f)
     {
-        _S272 = i32(1);
+        _S275 = i32(1);
     }
     else
     {
-        _S272 = i32(0);
+        _S275 = i32(0);
     }
-    return _S275 + u32(_S272);
+    return _S278 + u32(_S275);
 }
 
 fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
@@ -2166,16 +2225,16 @@ fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
     return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
 }
 
-fn speed_of_0( at_21 : ShadingPoint_0,  node_3 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+fn speed_of_0( at_22 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
 {
     if(is_blind_0())
     {
-        return edge_number_0(node_3 + u32(20)) + 0.10000000149011612f;
+        return edge_number_0(node_2 + u32(20)) + 0.10000000149011612f;
     }
-    var relative_0 : vec3<f32> = edge_vector_0(node_3 + u32(17)) - velocity_at_0(at_21.motion_1, offset_7);
-    var axis_4 : vec3<f32> = edge_vector_0(node_3 + u32(8));
-    var sine_3 : f32 = edge_number_0(node_3 + u32(11));
-    var cosine_4 : f32 = edge_number_0(node_3 + u32(12));
+    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_22.motion_1, offset_7);
+    var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
+    var sine_3 : f32 = edge_number_0(node_2 + u32(11));
+    var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
     var along_0 : f32 = abs(dot(axis_4, relative_0));
     var across_1 : f32 = length(cross(axis_4, relative_0));
     var speed_0 : f32;
@@ -2187,36 +2246,36 @@ fn speed_of_0( at_21 : ShadingPoint_0,  node_3 : u32,  offset_7 : vec3<f32>,  ra
     {
         speed_0 = length(relative_0);
     }
-    return speed_0 + edge_number_0(node_3 + u32(20)) + length(at_21.motion_1.rotation_0) * radius_3;
+    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_22.motion_1.rotation_0) * radius_3;
 }
 
-fn importance_of_0( at_22 : ShadingPoint_0,  node_4 : u32) -> f32
+fn importance_of_0( at_23 : ShadingPoint_0,  node_3 : u32) -> f32
 {
-    var centre_1 : vec3<f32> = edge_vector_0(node_4 + u32(4));
-    var offset_8 : vec3<f32> = centre_1 - at_22.vertex_2.surface_3.position_0;
-    var radius_4 : f32 = edge_number_0(node_4 + u32(7));
+    var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
+    var offset_8 : vec3<f32> = centre_1 - at_23.vertex_2.surface_3.position_0;
+    var radius_4 : f32 = edge_number_0(node_3 + u32(7));
     var distance_5 : f32 = length(offset_8);
-    var _S276 : bool;
-    if(!at_22.has_creases_0)
+    var _S279 : bool;
+    if(!at_23.has_creases_0)
     {
-        _S276 = !may_have_silhouette_0(node_4, offset_8, distance_5);
+        _S279 = !may_have_silhouette_0(node_3, offset_8, distance_5);
     }
     else
     {
-        _S276 = false;
+        _S279 = false;
     }
-    if(_S276)
+    if(_S279)
     {
         return 0.0f;
     }
-    if(is_outside_0(at_22, offset_8, radius_4))
+    if(is_outside_0(at_23, offset_8, radius_4))
     {
         return 0.0f;
     }
-    var cosine_5 : f32 = largest_cosine_0(at_22.vertex_2.surface_3.position_0, at_22.vertex_2.axes_4.n_0, centre_1, radius_4);
-    var _S277 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
-    var least_0 : f32 = edge_number_0(node_4 + u32(16));
-    var ratio_0 : f32 = _S277 / max(max(distance_5 * distance_5 - _S277, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
+    var cosine_5 : f32 = largest_cosine_0(at_23.vertex_2.surface_3.position_0, at_23.vertex_2.axes_4.n_0, centre_1, radius_4);
+    var _S280 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
+    var least_0 : f32 = edge_number_0(node_3 + u32(16));
+    var ratio_0 : f32 = _S280 / max(max(distance_5 * distance_5 - _S280, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
     var visible_0 : f32;
     if(ratio_0 < 0.00100000004749745f)
     {
@@ -2226,193 +2285,57 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_4 : u32) -> f32
     {
         visible_0 = logarithm_0(1.0f + ratio_0);
     }
-    var near_0 : f32 = visible_0 / _S277;
-    var visible_1 : f32 = edge_number_0(node_4 + u32(14));
-    if(distance_5 > (edge_number_0(node_4 + u32(15))))
+    var near_0 : f32 = visible_0 / _S280;
+    var visible_1 : f32 = edge_number_0(node_3 + u32(14));
+    if(distance_5 > (edge_number_0(node_3 + u32(15))))
     {
-        visible_0 = visible_1 * edge_number_0(node_4 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
+        visible_0 = visible_1 * edge_number_0(node_3 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
     }
     else
     {
         visible_0 = visible_1;
     }
-    return visible_0 * speed_of_0(at_22, node_4, offset_8, radius_4) * cosine_5 * near_0;
+    return visible_0 * speed_of_0(at_23, node_3, offset_8, radius_4) * cosine_5 * near_0;
 }
 
-fn next_leaf_0( at_23 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_0 : ptr<function, u32>) -> bool
+fn descend_0( at_24 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
 {
-    var nodes_at_0 : u32 = edge_word_0(at_23.tree_0);
+    var nodes_at_0 : u32 = edge_word_0(at_24.tree_0);
     (*leaf_0) = nodes_at_0;
-    for(;;)
-    {
-        if(((*leaves_1).count_3) > u32(0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S278 : u32 = (*leaves_1).count_3 - u32(1);
-        (*leaves_1).count_3 = _S278;
-        var _S279 : u32 = (*leaves_1).nodes_1[_S278];
-        (*leaf_0) = (*leaves_1).nodes_1[_S278];
-        if(!((importance_of_0(at_23, _S279)) > 0.0f))
-        {
-            continue;
-        }
-        if((edge_word_0((*leaf_0))) == u32(4294967295))
-        {
-            return true;
-        }
-        var half_0 : u32 = u32(0);
-        for(;;)
-        {
-            var _S280 : bool;
-            if(half_0 < u32(2))
-            {
-                _S280 = ((*leaves_1).count_3) < u32(96);
-            }
-            else
-            {
-                _S280 = false;
-            }
-            if(_S280)
-            {
-            }
-            else
-            {
-                break;
-            }
-            (*leaves_1).nodes_1[(*leaves_1).count_3] = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + half_0);
-            (*leaves_1).count_3 = (*leaves_1).count_3 + u32(1);
-            half_0 = half_0 + u32(1);
-        }
-    }
-    return false;
-}
-
-fn next_leaf_1( at_24 : ShadingPoint_0,  leaves_2 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
-{
-    var nodes_at_1 : u32 = edge_word_0(at_24.tree_0);
-    (*leaf_1) = nodes_at_1;
-    for(;;)
-    {
-        if(((*leaves_2).count_3) > u32(0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S281 : u32 = (*leaves_2).count_3 - u32(1);
-        (*leaves_2).count_3 = _S281;
-        var _S282 : u32 = (*leaves_2).nodes_1[_S281];
-        (*leaf_1) = (*leaves_2).nodes_1[_S281];
-        if(!((importance_of_0(at_24, _S282)) > 0.0f))
-        {
-            continue;
-        }
-        if((edge_word_0((*leaf_1))) == u32(4294967295))
-        {
-            return true;
-        }
-        var half_1 : u32 = u32(0);
-        for(;;)
-        {
-            var _S283 : bool;
-            if(half_1 < u32(2))
-            {
-                _S283 = ((*leaves_2).count_3) < u32(96);
-            }
-            else
-            {
-                _S283 = false;
-            }
-            if(_S283)
-            {
-            }
-            else
-            {
-                break;
-            }
-            (*leaves_2).nodes_1[(*leaves_2).count_3] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + half_1);
-            (*leaves_2).count_3 = (*leaves_2).count_3 + u32(1);
-            half_1 = half_1 + u32(1);
-        }
-    }
-    return false;
-}
-
-fn takes_all_0( at_25 : ShadingPoint_0) -> bool
-{
-    var _S284 : bool;
-    var leaves_3 : Leaves_0 = below_0(edge_word_0(at_25.tree_0));
-    var leaf_2 : u32;
-    var count_4 : u32 = u32(0);
-    for(;;)
-    {
-        var _S285 : bool = count_4 <= u32(24);
-        _S284 = _S285;
-        var _S286 : bool;
-        if(_S285)
-        {
-            var _S287 : bool = next_leaf_0(at_25, &(leaves_3), &(leaf_2));
-            _S286 = _S287;
-        }
-        else
-        {
-            _S286 = false;
-        }
-        if(_S286)
-        {
-        }
-        else
-        {
-            break;
-        }
-        count_4 = count_4 + u32(1);
-    }
-    return _S284;
-}
-
-fn descend_0( at_26 : ShadingPoint_0,  u_1 : f64,  leaf_3 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
-{
-    var nodes_at_2 : u32 = edge_word_0(at_26.tree_0);
-    (*leaf_3) = nodes_at_2;
     (*probability_2) = 1.0f;
-    var _S288 : f64 = u_1;
+    var _S281 : f64 = u_1;
     for(;;)
     {
-        if((edge_word_0((*leaf_3))) != u32(4294967295))
+        if((edge_word_0((*leaf_0))) != u32(4294967295))
         {
         }
         else
         {
             break;
         }
-        var first_2 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3));
-        var second_1 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3) + u32(1));
-        var of_first_0 : f32 = importance_of_0(at_26, first_2);
-        var of_second_0 : f32 = importance_of_0(at_26, second_1);
+        var first_2 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
+        var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
+        var of_first_0 : f32 = importance_of_0(at_24, first_2);
+        var of_second_0 : f32 = importance_of_0(at_24, second_1);
         var sum_0 : f32 = of_first_0 + of_second_0;
-        var _S289 : bool;
+        var _S282 : bool;
         if(sum_0 > 0.0f)
         {
-            _S289 = sum_0 < 3.00000000549775576e+38f;
+            _S282 = sum_0 < 3.00000000549775576e+38f;
         }
         else
         {
-            _S289 = false;
+            _S282 = false;
         }
-        if(!_S289)
+        if(!_S282)
         {
             return false;
         }
         var first_share_0 : f32 = of_first_0 / sum_0;
         var second_share_0 : f32 = of_second_0 / sum_0;
-        var _S290 : f64 = f64(first_share_0);
+        var _S283 : f64 = f64(first_share_0);
         var is_second_0 : bool;
-        if(_S288 >= _S290)
+        if(_S281 >= _S283)
         {
             is_second_0 = second_share_0 > 0.0f;
         }
@@ -2422,34 +2345,83 @@ fn descend_0( at_26 : ShadingPoint_0,  u_1 : f64,  leaf_3 : ptr<function, u32>, 
         }
         if(is_second_0)
         {
-            _S288 = (_S288 - _S290) / f64(second_share_0);
+            _S281 = (_S281 - _S283) / f64(second_share_0);
         }
         else
         {
-            _S288 = min(_S288 / _S290, 1.0lf);
+            _S281 = min(_S281 / _S283, 1.0lf);
         }
-        var _S291 : f32;
+        var _S284 : f32;
         if(is_second_0)
         {
-            _S291 = second_share_0;
+            _S284 = second_share_0;
         }
         else
         {
-            _S291 = first_share_0;
+            _S284 = first_share_0;
         }
-        (*probability_2) = (*probability_2) * _S291;
-        var _S292 : u32;
+        (*probability_2) = (*probability_2) * _S284;
+        var _S285 : u32;
         if(is_second_0)
         {
-            _S292 = second_1;
+            _S285 = second_1;
         }
         else
         {
-            _S292 = first_2;
+            _S285 = first_2;
         }
-        (*leaf_3) = _S292;
+        (*leaf_0) = _S285;
     }
     return true;
+}
+
+struct Leaves_0
+{
+     count_2 : u32,
+     nodes_1 : array<u32, i32(96)>,
+};
+
+fn below_0( node_4 : u32) -> Leaves_0
+{
+    var leaves_0 : Leaves_0;
+    leaves_0.count_2 = u32(1);
+    leaves_0.nodes_1[i32(0)] = node_4;
+    return leaves_0;
+}
+
+fn next_leaf_0( at_25 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
+{
+    var nodes_at_1 : u32 = edge_word_0(at_25.tree_0);
+    (*leaf_1) = nodes_at_1;
+    for(;;)
+    {
+        if(((*leaves_1).count_2) > u32(0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S286 : u32 = (*leaves_1).count_2 - u32(1);
+        (*leaves_1).count_2 = _S286;
+        var _S287 : u32 = (*leaves_1).nodes_1[_S286];
+        (*leaf_1) = (*leaves_1).nodes_1[_S286];
+        if(!((importance_of_0(at_25, _S287)) > 0.0f))
+        {
+            continue;
+        }
+        if((edge_word_0((*leaf_1))) == u32(4294967295))
+        {
+            return true;
+        }
+        var _S288 : u32 = (*leaves_1).count_2;
+        var _S289 : u32 = (*leaves_1).count_2 + u32(1);
+        (*leaves_1).count_2 = _S289;
+        (*leaves_1).nodes_1[_S288] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1));
+        (*leaves_1).count_2 = _S289 + u32(1);
+        (*leaves_1).nodes_1[_S289] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + u32(1));
+    }
+    return false;
 }
 
 struct Edge_0
@@ -2458,11 +2430,11 @@ struct Edge_0
      numbers_4 : u32,
 };
 
-fn edge_at_0( at_27 : ShadingPoint_0,  place_10 : u32) -> Edge_0
+fn edge_at_0( at_26 : ShadingPoint_0,  place_10 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_7 = edge_word_0(at_27.tree_0 + u32(1)) + u32(12) * place_10;
-    edge_0.numbers_4 = edge_word_0(at_27.tree_0 + u32(2)) + u32(14) * place_10;
+    edge_0.record_7 = edge_word_0(at_26.tree_0 + u32(1)) + u32(12) * place_10;
+    edge_0.numbers_4 = edge_word_0(at_26.tree_0 + u32(2)) + u32(14) * place_10;
     return edge_0;
 }
 
@@ -2475,140 +2447,351 @@ fn side_seen_0( from_0 : vec3<f64>,  tolerance_0 : f64,  normal_4 : u32,  length
 {
     var height_1 : f64 = dot(edge_position_0(normal_4), from_0);
     var least_1 : f64 = tolerance_0 * edge_real_0(length_0);
-    var _S293 : i32;
+    var _S290 : i32;
     if(height_1 > least_1)
     {
-        _S293 = i32(1);
+        _S290 = i32(1);
     }
     else
     {
-        _S293 = i32(0);
+        _S290 = i32(0);
     }
-    var _S294 : i32;
+    var _S291 : i32;
     if(height_1 < (- least_1))
     {
-        _S294 = i32(1);
+        _S291 = i32(1);
     }
     else
     {
-        _S294 = i32(0);
+        _S291 = i32(0);
     }
-    return _S293 - _S294;
+    return _S290 - _S291;
 }
 
-fn is_silhouette_0( at_28 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+fn is_silhouette_0( at_27 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f64> = edge_position_0(edge_1.numbers_4);
-    var tolerance_1 : f64 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_28.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S295 : vec3<f64> = at_28.vertex_2.surface_3.exact_0 - start_0;
-    return (side_seen_0(_S295, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S295, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
+    var tolerance_1 : f64 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_27.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S292 : vec3<f64> = at_27.vertex_2.surface_3.exact_0 - start_0;
+    return (side_seen_0(_S292, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S292, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
 }
 
-fn factor_of_0( at_29 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+fn factor_of_0( at_28 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
-    var _S296 : u32 = edge_2.record_7 + u32(2);
-    var a_11 : vec3<f32> = edge_vector_0(_S296);
-    var b_8 : vec3<f32> = edge_vector_0(_S296 + u32(3));
-    var _S297 : bool;
+    var _S293 : u32 = edge_2.record_7 + u32(2);
+    var a_11 : vec3<f32> = edge_vector_0(_S293);
+    var b_8 : vec3<f32> = edge_vector_0(_S293 + u32(3));
+    var _S294 : bool;
     if(!is_blind_0())
     {
-        _S297 = rests_0(at_29.motion_1);
+        _S294 = rests_0(at_28.motion_1);
     }
     else
     {
-        _S297 = false;
+        _S294 = false;
     }
-    if(_S297)
+    if(_S294)
     {
-        _S297 = (all((a_11 == vec3<f32>(0.0f))));
+        _S294 = (all((a_11 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S297 = false;
+        _S294 = false;
     }
-    if(_S297)
+    if(_S294)
     {
-        _S297 = (all((b_8 == vec3<f32>(0.0f))));
+        _S294 = (all((b_8 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S297 = false;
+        _S294 = false;
     }
-    if(_S297)
+    if(_S294)
     {
         return 0.0f;
     }
-    if(is_silhouette_0(at_29, edge_2))
+    if(is_silhouette_0(at_28, edge_2))
     {
         return edge_number_0(edge_2.record_7);
     }
-    var _S298 : f32;
-    if(at_29.has_creases_0)
+    var _S295 : f32;
+    if(at_28.has_creases_0)
     {
-        _S298 = edge_number_0(edge_2.record_7 + u32(1));
+        _S295 = edge_number_0(edge_2.record_7 + u32(1));
     }
     else
     {
-        _S298 = 0.0f;
+        _S295 = 0.0f;
     }
-    return _S298;
+    return _S295;
 }
 
-fn is_clipped_0( at_30 : ShadingPoint_0,  a_12 : vec3<f64>,  b_9 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
+fn is_clipped_0( at_29 : ShadingPoint_0,  a_12 : vec3<f64>,  b_9 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
 {
     (*range_0) = vec2<f64>(0.0lf, 1.0lf);
-    var _S299 : bool;
-    if((dot(at_30.front_0, vec3<f32>(a_12) - at_30.front_offset_0)) < -3.99999998990097083e-06f)
+    var _S296 : bool;
+    if((dot(at_29.front_0, vec3<f32>(a_12) - at_29.front_offset_0)) < -3.99999998990097083e-06f)
     {
-        _S299 = (dot(at_30.front_0, vec3<f32>(b_9) - at_30.front_offset_0)) < -3.99999998990097083e-06f;
+        _S296 = (dot(at_29.front_0, vec3<f32>(b_9) - at_29.front_offset_0)) < -3.99999998990097083e-06f;
     }
     else
     {
-        _S299 = false;
+        _S296 = false;
     }
-    if(_S299)
+    if(_S296)
     {
         return true;
     }
-    var _S300 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_12, a_12), dot(b_9, b_9)));
-    var k_5 : u32 = u32(0);
-    for(;;)
+    var _S297 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_12, a_12), dot(b_9, b_9)));
+    var first_3 : f64;
+    var second_2 : f64;
+    if(u32(0) < (at_29.planes_0))
     {
-        if(k_5 < (at_30.planes_0))
+        var _S298 : f64 = dot(at_29.inside_2[u32(0)], b_9) + _S297;
+        first_3 = dot(at_29.inside_2[u32(0)], a_12) + _S297;
+        second_2 = _S298;
+    }
+    else
+    {
+        first_3 = 1.0lf;
+        second_2 = 1.0lf;
+    }
+    if(first_3 < 0.0lf)
+    {
+        var _S299 : f64 = (*range_0).x;
+        if(second_2 < 0.0lf)
         {
+            first_3 = 1.0lf;
         }
         else
         {
-            break;
+            first_3 = first_3 / (first_3 - second_2);
         }
-        var first_3 : f64 = dot(at_30.inside_2[k_5], a_12) + _S300;
-        var second_2 : f64 = dot(at_30.inside_2[k_5], b_9) + _S300;
-        var _S301 : bool = first_3 < 0.0lf;
-        if(_S301)
+        (*range_0)[i32(0)] = max(_S299, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0lf)
         {
-            _S299 = second_2 < 0.0lf;
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(1) < (at_29.planes_0))
+    {
+        var _S300 : f64 = dot(at_29.inside_2[u32(1)], b_9) + _S297;
+        first_3 = dot(at_29.inside_2[u32(1)], a_12) + _S297;
+        second_2 = _S300;
+    }
+    else
+    {
+        first_3 = 1.0lf;
+        second_2 = 1.0lf;
+    }
+    if(first_3 < 0.0lf)
+    {
+        var _S301 : f64 = (*range_0).x;
+        if(second_2 < 0.0lf)
+        {
+            first_3 = 1.0lf;
         }
         else
         {
-            _S299 = false;
+            first_3 = first_3 / (first_3 - second_2);
         }
-        if(_S299)
+        (*range_0)[i32(0)] = max(_S301, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0lf)
         {
-            return true;
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
         }
-        var crossing_0 : f64 = first_3 / (first_3 - second_2);
-        if(_S301)
+    }
+    if(u32(2) < (at_29.planes_0))
+    {
+        var _S302 : f64 = dot(at_29.inside_2[u32(2)], b_9) + _S297;
+        first_3 = dot(at_29.inside_2[u32(2)], a_12) + _S297;
+        second_2 = _S302;
+    }
+    else
+    {
+        first_3 = 1.0lf;
+        second_2 = 1.0lf;
+    }
+    if(first_3 < 0.0lf)
+    {
+        var _S303 : f64 = (*range_0).x;
+        if(second_2 < 0.0lf)
         {
-            (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
+            first_3 = 1.0lf;
         }
         else
         {
-            if(second_2 < 0.0lf)
-            {
-                (*range_0)[i32(1)] = min((*range_0).y, crossing_0);
-            }
+            first_3 = first_3 / (first_3 - second_2);
         }
-        k_5 = k_5 + u32(1);
+        (*range_0)[i32(0)] = max(_S303, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0lf)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(3) < (at_29.planes_0))
+    {
+        var _S304 : f64 = dot(at_29.inside_2[u32(3)], b_9) + _S297;
+        first_3 = dot(at_29.inside_2[u32(3)], a_12) + _S297;
+        second_2 = _S304;
+    }
+    else
+    {
+        first_3 = 1.0lf;
+        second_2 = 1.0lf;
+    }
+    if(first_3 < 0.0lf)
+    {
+        var _S305 : f64 = (*range_0).x;
+        if(second_2 < 0.0lf)
+        {
+            first_3 = 1.0lf;
+        }
+        else
+        {
+            first_3 = first_3 / (first_3 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S305, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0lf)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(4) < (at_29.planes_0))
+    {
+        var _S306 : f64 = dot(at_29.inside_2[u32(4)], b_9) + _S297;
+        first_3 = dot(at_29.inside_2[u32(4)], a_12) + _S297;
+        second_2 = _S306;
+    }
+    else
+    {
+        first_3 = 1.0lf;
+        second_2 = 1.0lf;
+    }
+    if(first_3 < 0.0lf)
+    {
+        var _S307 : f64 = (*range_0).x;
+        if(second_2 < 0.0lf)
+        {
+            first_3 = 1.0lf;
+        }
+        else
+        {
+            first_3 = first_3 / (first_3 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S307, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0lf)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(5) < (at_29.planes_0))
+    {
+        var _S308 : f64 = dot(at_29.inside_2[u32(5)], b_9) + _S297;
+        first_3 = dot(at_29.inside_2[u32(5)], a_12) + _S297;
+        second_2 = _S308;
+    }
+    else
+    {
+        first_3 = 1.0lf;
+        second_2 = 1.0lf;
+    }
+    if(first_3 < 0.0lf)
+    {
+        var _S309 : f64 = (*range_0).x;
+        if(second_2 < 0.0lf)
+        {
+            first_3 = 1.0lf;
+        }
+        else
+        {
+            first_3 = first_3 / (first_3 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S309, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0lf)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(6) < (at_29.planes_0))
+    {
+        var _S310 : f64 = dot(at_29.inside_2[u32(6)], b_9) + _S297;
+        first_3 = dot(at_29.inside_2[u32(6)], a_12) + _S297;
+        second_2 = _S310;
+    }
+    else
+    {
+        first_3 = 1.0lf;
+        second_2 = 1.0lf;
+    }
+    if(first_3 < 0.0lf)
+    {
+        var _S311 : f64 = (*range_0).x;
+        if(second_2 < 0.0lf)
+        {
+            first_3 = 1.0lf;
+        }
+        else
+        {
+            first_3 = first_3 / (first_3 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S311, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0lf)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(7) < (at_29.planes_0))
+    {
+        var _S312 : f64 = dot(at_29.inside_2[u32(7)], b_9) + _S297;
+        first_3 = dot(at_29.inside_2[u32(7)], a_12) + _S297;
+        second_2 = _S312;
+    }
+    else
+    {
+        first_3 = 1.0lf;
+        second_2 = 1.0lf;
+    }
+    if(first_3 < 0.0lf)
+    {
+        var _S313 : f64 = (*range_0).x;
+        if(second_2 < 0.0lf)
+        {
+            first_3 = 1.0lf;
+        }
+        else
+        {
+            first_3 = first_3 / (first_3 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S313, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0lf)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
     }
     return !(((*range_0).x) < ((*range_0).y));
 }
@@ -2628,54 +2811,54 @@ struct SeenEdge_0
      to_0 : vec3<f32>,
 };
 
-fn see_edge_0( at_31 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+fn see_edge_0( at_30 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S302 : Edge_0 = edge_at_0(at_31, place_11);
-    (*seen_1).edge_3 = _S302;
-    var _S303 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4) - at_31.vertex_2.surface_3.exact_0;
-    (*seen_1).start_1 = _S303;
-    var end_1 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_31.vertex_2.surface_3.exact_0;
-    (*seen_1).along_1 = end_1 - _S303;
+    var _S314 : Edge_0 = edge_at_0(at_30, place_11);
+    (*seen_1).edge_3 = _S314;
+    var _S315 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4) - at_30.vertex_2.surface_3.exact_0;
+    (*seen_1).start_1 = _S315;
+    var end_1 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_30.vertex_2.surface_3.exact_0;
+    (*seen_1).along_1 = end_1 - _S315;
     (*seen_1).far_0 = 1.0lf;
     (*seen_1).near_1 = 1.0lf;
     (*seen_1).chord_0 = 0.0f;
     (*seen_1).pieces_0 = 0.0f;
-    var _S304 : vec3<f32> = vec3<f32>(0.0f);
-    (*seen_1).to_0 = _S304;
-    (*seen_1).from_1 = _S304;
+    var _S316 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S316;
+    (*seen_1).from_1 = _S316;
     (*seen_1).range_1 = vec2<f64>(0.0lf, 1.0lf);
-    var _S305 : f32 = factor_of_0(at_31, _S302);
-    (*seen_1).factor_3 = _S305;
-    var _S306 : bool;
-    if(!(_S305 > 0.0f))
+    var _S317 : f32 = factor_of_0(at_30, _S314);
+    (*seen_1).factor_3 = _S317;
+    var _S318 : bool;
+    if(!(_S317 > 0.0f))
     {
-        _S306 = true;
+        _S318 = true;
     }
     else
     {
-        var _S307 : vec2<f64> = (*seen_1).range_1;
-        var _S308 : bool = is_clipped_0(at_31, (*seen_1).start_1, end_1, &(_S307));
-        (*seen_1).range_1 = _S307;
-        _S306 = _S308;
+        var _S319 : vec2<f64> = (*seen_1).range_1;
+        var _S320 : bool = is_clipped_0(at_30, (*seen_1).start_1, end_1, &(_S319));
+        (*seen_1).range_1 = _S319;
+        _S318 = _S320;
     }
-    if(_S306)
+    if(_S318)
     {
         return false;
     }
     var first_4 : vec3<f64> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f64>((*seen_1).range_1.x);
     var last_0 : vec3<f64> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f64>((*seen_1).range_1.y);
-    var _S309 : f64 = sqrt(dot(first_4, first_4));
-    (*seen_1).near_1 = _S309;
+    var _S321 : f64 = sqrt(dot(first_4, first_4));
+    (*seen_1).near_1 = _S321;
     (*seen_1).far_0 = sqrt(dot(last_0, last_0));
-    if(_S309 > 0.0lf)
+    if(_S321 > 0.0lf)
     {
-        _S306 = ((*seen_1).far_0) > 0.0lf;
+        _S318 = ((*seen_1).far_0) > 0.0lf;
     }
     else
     {
-        _S306 = false;
+        _S318 = false;
     }
-    if(!_S306)
+    if(!_S318)
     {
         return false;
     }
@@ -2683,7 +2866,7 @@ fn see_edge_0( at_31 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = vec3<f32>(last_0 / vec3<f64>((*seen_1).far_0));
     (*seen_1).chord_0 = f32(length_of_0(last_0 / vec3<f64>((*seen_1).far_0) - first_4 / vec3<f64>((*seen_1).near_1)));
     var longest_0 : f32;
-    if((at_31.vertex_2.lobe_1.kind_1) == u32(0))
+    if((at_30.vertex_2.lobe_1.kind_1) == u32(0))
     {
         longest_0 = 0.20000000298023224f;
     }
@@ -2700,10 +2883,10 @@ fn place_between_0( from_2 : f64,  to_1 : f64,  near_2 : f64,  far_1 : f64,  par
     return from_2 + (to_1 - from_2) * part_0 * near_2 / (part_0 * near_2 + (1.0lf - part_0) * far_1);
 }
 
-fn velocity_on_0( at_32 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
+fn velocity_on_0( at_31 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S310 : u32 = edge_4.record_7 + u32(2);
-    return mix(edge_vector_0(_S310), edge_vector_0(_S310 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_32.motion_1, offset_9);
+    var _S322 : u32 = edge_4.record_7 + u32(2);
+    return mix(edge_vector_0(_S322), edge_vector_0(_S322 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_31.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -2715,25 +2898,25 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_7 : f32,  pdf_1 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S311 : Mirrored_0;
-    _S311.cosine_6 = cosine_7;
-    _S311.pdf_0 = pdf_1;
-    _S311.scattered_0 = scattered_1;
-    return _S311;
+    var _S323 : Mirrored_0;
+    _S323.cosine_6 = cosine_7;
+    _S323.pdf_0 = pdf_1;
+    _S323.scattered_0 = scattered_1;
+    return _S323;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S312 : bool;
+    var _S324 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S312 = true;
+        _S324 = true;
     }
     else
     {
-        _S312 = (lobe_3.kind_1) == u32(4);
+        _S324 = (lobe_3.kind_1) == u32(4);
     }
-    return _S312;
+    return _S324;
 }
 
 struct Microfacets_0
@@ -2763,68 +2946,68 @@ fn exponential_0( x_9 : f32) -> f32
 
 fn density_0( facets_1 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S313 : f32 = m_3.z;
-    if(_S313 <= 0.0f)
+    var _S325 : f32 = m_3.z;
+    if(_S325 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_0 : vec2<f32> = m_3.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S313 * _S313;
+    var cos2_0 : f32 = _S325 * _S325;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_1 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_1 * sum_1);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S314 : f32;
+    var _S326 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S314 = 0.0f;
+        _S326 = 0.0f;
     }
     else
     {
-        _S314 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S326 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S314;
+    return _S326;
 }
 
 fn error_function_plus_one_0( x_10 : f32) -> vec2<f32>
 {
-    var _S315 : f32 = min(abs(x_10), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S315 * _S315);
-    var place_12 : f32 = (_S315 - 2.0f) / (_S315 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S315);
-    var _S316 : f32;
+    var _S327 : f32 = min(abs(x_10), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S327 * _S327);
+    var place_12 : f32 = (_S327 - 2.0f) / (_S327 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S327);
+    var _S328 : f32;
     if(x_10 < 0.0f)
     {
-        _S316 = complement_0;
+        _S328 = complement_0;
     }
     else
     {
-        _S316 = 2.0f - complement_0;
+        _S328 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S316, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S328, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_2.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S317 : f32 = w_2.z;
-    var z2_0 : f32 = _S317 * _S317;
+    var _S329 : f32 = w_2.z;
+    var z2_0 : f32 = _S329 * _S329;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S317 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S329 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S317;
+        return 1.0f / _S329;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S317 / spread_1);
-    return 2.0f / (_S317 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S329 / spread_1);
+    return 2.0f / (_S329 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
@@ -2832,18 +3015,18 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_0 : vec3<f32> = normalize(wi_3 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_6 = dot(wi_3, h_0);
-    var _S318 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
-    mirrored_1.pdf_0 = _S318;
-    mirrored_1.scattered_0 = _S318 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    var _S330 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
+    mirrored_1.pdf_0 = _S330;
+    mirrored_1.scattered_0 = _S330 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
-fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
+fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_4 : f32) -> f32
 {
     var cos2_1 : f32 = cosine_8 * cosine_8;
     var sin2_0 : f32 = 1.0f - cos2_1;
-    var real_0 : f32 = eta_1 * eta_1 - k_6 * k_6 - sin2_0;
-    var product_1 : f32 = eta_1 * k_6;
+    var real_0 : f32 = eta_1 * eta_1 - k_4 * k_4 - sin2_0;
+    var product_1 : f32 = eta_1 * k_4;
     var modulus_0 : f32 = sqrt(real_0 * real_0 + 4.0f * (product_1 * product_1));
     if(modulus_0 == 0.0f)
     {
@@ -2851,9 +3034,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S319 : bool = real_0 < 0.0f;
+    var _S331 : bool = real_0 < 0.0f;
     var a_13 : f32;
-    if(_S319)
+    if(_S331)
     {
         a_13 = smaller_0;
     }
@@ -2862,7 +3045,7 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
         a_13 = larger_0;
     }
     var b_10 : f32;
-    if(_S319)
+    if(_S331)
     {
         b_10 = larger_0;
     }
@@ -2872,14 +3055,14 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var less_0 : f32 = a_13 - cosine_8;
     var more_0 : f32 = a_13 + cosine_8;
-    var _S320 : f32 = b_10 * b_10;
+    var _S332 : f32 = b_10 * b_10;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S320) / (more_0 * more_0 + _S320) * p_sum_0 / (p_sum_0 + 2.0f * a_13 * cosine_8 * sin2_0);
+    return (less_0 * less_0 + _S332) / (more_0 * more_0 + _S332) * p_sum_0 / (p_sum_0 + 2.0f * a_13 * cosine_8 * sin2_0);
 }
 
-fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_7 : vec3<f32>) -> vec3<f32>
+fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_5 : vec3<f32>) -> vec3<f32>
 {
-    return vec3<f32>(fresnel_conductor_channel_0(cosine_9, eta_2.x, k_7.x), fresnel_conductor_channel_0(cosine_9, eta_2.y, k_7.y), fresnel_conductor_channel_0(cosine_9, eta_2.z, k_7.z));
+    return vec3<f32>(fresnel_conductor_channel_0(cosine_9, eta_2.x, k_5.x), fresnel_conductor_channel_0(cosine_9, eta_2.y, k_5.y), fresnel_conductor_channel_0(cosine_9, eta_2.z, k_5.z));
 }
 
 fn coat_eta_0( numbers_6 : Numbers_0) -> f32
@@ -2912,10 +3095,10 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_11, eta_4);
     }
     var place_13 : f32 = cosine_11 * 63.0f;
-    var _S321 : u32 = min(u32(place_13), u32(62));
-    var at_33 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S321;
-    var here_0 : f32 = number_0(at_33);
-    return here_0 + (number_0(at_33 + u32(1)) - here_0) * (place_13 - f32(_S321));
+    var _S333 : u32 = min(u32(place_13), u32(62));
+    var at_32 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S333;
+    var here_0 : f32 = number_0(at_32);
+    return here_0 + (number_0(at_32 + u32(1)) - here_0) * (place_13 - f32(_S333));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2966,15 +3149,15 @@ struct Scattering_0
 fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S322 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S322 * 0.31830987334251404f;
+    var _S334 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S334 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattering_1.value_5 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
-    var _S323 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S335 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_7))
     {
@@ -2982,7 +3165,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     else
     {
-        by_facets_0 = _S323;
+        by_facets_0 = _S335;
     }
     if((lobe_7.kind_1) == u32(2))
     {
@@ -2992,7 +3175,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     var eta_7 : f32 = coat_eta_0(numbers_8);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_4.z);
-    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S322) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S334) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_8, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -3005,16 +3188,16 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
 
 fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
 {
-    var _S324 : bool;
+    var _S336 : bool;
     if((wo_2.z) <= 0.0f)
     {
-        _S324 = true;
+        _S336 = true;
     }
     else
     {
-        _S324 = !has_smooth_0(vertex_5.lobe_1);
+        _S336 = !has_smooth_0(vertex_5.lobe_1);
     }
-    if(_S324)
+    if(_S336)
     {
         return vec3<f32>(0.0f);
     }
@@ -3043,28 +3226,28 @@ fn still_0( value_7 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_11 : f32,  y_2 : f32) -> f32
 {
-    var _S325 : f32 = abs(x_11);
-    var _S326 : f32 = abs(y_2);
-    var _S327 : f32 = min(_S325, _S326);
-    var _S328 : f32 = max(_S325, _S326);
-    var is_steep_0 : bool = _S327 > (0.41421356797218323f * _S328);
+    var _S337 : f32 = abs(x_11);
+    var _S338 : f32 = abs(y_2);
+    var _S339 : f32 = min(_S337, _S338);
+    var _S340 : f32 = max(_S337, _S338);
+    var is_steep_0 : bool = _S339 > (0.41421356797218323f * _S340);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S327 - _S328;
+        above_0 = _S339 - _S340;
     }
     else
     {
-        above_0 = _S327;
+        above_0 = _S339;
     }
     var below_1 : f32;
     if(is_steep_0)
     {
-        below_1 = _S327 + _S328;
+        below_1 = _S339 + _S340;
     }
     else
     {
-        below_1 = _S328;
+        below_1 = _S340;
     }
     if(below_1 > 0.0f)
     {
@@ -3085,7 +3268,7 @@ fn angle_of_0( x_11 : f32,  y_2 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S326 > _S325)
+    if(_S338 > _S337)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -3106,172 +3289,172 @@ fn angle_of_0( x_11 : f32,  y_2 : f32) -> f32
 
 fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
 {
-    var _S329 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S329) * vec3<f32>(direction_6.x) + vector_at_0(_S329 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S329 + u32(6)) * vec3<f32>(direction_6.z);
+    var _S341 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S341) * vec3<f32>(direction_6.x) + vector_at_0(_S341 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S341 + u32(6)) * vec3<f32>(direction_6.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
 fn in_map_0( map_1 : u32,  direction_7 : vec3<f32>) -> Lookup_0
 {
-    var place_14 : vec2<f32> = map_place_0(map_1, direction_7);
+    var _S342 : vec2<f64> = vec2<f64>(map_place_0(map_1, direction_7));
     var point_0 : Point_0;
-    point_0.value_1 = place_14;
+    point_0.value_1 = _S342;
     point_0.by_first_1 = vec2<f32>(1.0f, 0.0f);
     point_0.by_second_1 = vec2<f32>(0.0f, 1.0f);
-    var x_12 : i32 = floor_of_0(place_14.x);
-    var y_3 : i32 = floor_of_0(place_14.y);
+    var x_12 : i32 = floor_of_0(_S342.x);
+    var y_3 : i32 = floor_of_0(_S342.y);
     var width_1 : i32 = i32(word_0(map_1));
     var height_2 : i32 = i32(word_0(map_1 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_1, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_1, u32(0));
-    var _S330 : u32 = wrapped_0(y_3, height_2, u32(2));
-    var _S331 : u32 = u32(width_1);
-    var first_5 : u32 = _S330 * _S331;
-    var _S332 : u32 = wrapped_0(y_3 + i32(1), height_2, u32(2));
-    var second_3 : u32 = _S332 * _S331;
+    var _S343 : u32 = wrapped_0(y_3, height_2, u32(2));
+    var _S344 : u32 = u32(width_1);
+    var first_5 : u32 = _S343 * _S344;
+    var _S345 : u32 = wrapped_0(y_3 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S345 * _S344;
     return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_3 + left_1, second_3 + right_1), point_0);
 }
 
-fn emitted_0( emitter_4 : u32,  place_15 : Place_0,  direction_8 : vec3<f32>) -> vec3<f32>
+fn emitted_0( emitter_4 : u32,  place_14 : Place_0,  direction_8 : vec3<f32>) -> vec3<f32>
 {
     var record_8 : u32 = emitter_record_0(emitter_4);
     var texture_6 : u32 = word_0(record_8 + u32(1));
     if(!is_map_0(record_8))
     {
-        var _S333 : vec3<f32> = shown_0(texture_6, place_15);
-        return _S333;
+        var _S346 : vec3<f32> = shown_0(texture_6, place_14);
+        return _S346;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_4 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S334 : u32 = word_0(texture_6 + u32(11));
-    var _S335 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
-    return looked_up_0(_S334, _S335, change_1) * factor_4;
+    var _S347 : u32 = word_0(texture_6 + u32(11));
+    var _S348 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
+    return looked_up_0(_S347, _S348, change_1) * factor_4;
 }
 
-fn light_from_0( at_34 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
+fn light_from_0( at_33 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
 {
-    var light_1 : f32 = largest_0(scattered_from_0(at_34.vertex_2, direction_9));
-    var _S336 : bool;
-    if((at_34.purpose_0) != u32(1))
+    var light_1 : f32 = largest_0(scattered_from_0(at_33.vertex_2, direction_9));
+    var _S349 : bool;
+    if((at_33.purpose_0) != u32(1))
     {
-        _S336 = true;
+        _S349 = true;
     }
     else
     {
-        _S336 = !(light_1 > 0.0f);
+        _S349 = !(light_1 > 0.0f);
     }
-    if(_S336)
+    if(_S349)
     {
         return light_1;
     }
-    var _S337 : vec3<f32> = emitted_0(at_34.emitter_0, at_34.vertex_2.surface_3.place_3, still_0(direction_9));
-    return light_1 * largest_0(value_of_0(_S337));
+    var _S350 : vec3<f32> = emitted_0(at_33.emitter_0, at_33.vertex_2.surface_3.place_3, still_0(direction_9));
+    return light_1 * largest_0(value_of_0(_S350));
 }
 
-fn weigh_0( at_35 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+fn weigh_0( at_34 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
 {
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
     var t_4 : f32 = f32(place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, f64(part_1)));
-    var _S338 : vec3<f32> = vec3<f32>(seen_2.start_1 + seen_2.along_1 * vec3<f64>(f64(t_4)));
-    var _S339 : vec3<f32> = vec3<f32>(exact_unit_0(cross(seen_2.start_1, seen_2.along_1)));
-    var _S340 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
+    var _S351 : vec3<f32> = vec3<f32>(seen_2.start_1 + seen_2.along_1 * vec3<f64>(f64(t_4)));
+    var _S352 : vec3<f32> = vec3<f32>(exact_unit_0(cross(seen_2.start_1, seen_2.along_1)));
+    var _S353 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
     var speed_1 : f32;
     if(!is_blind_0())
     {
-        speed_1 = abs(dot(velocity_on_0(at_35, seen_2.edge_3, t_4, _S338), _S339));
+        speed_1 = abs(dot(velocity_on_0(at_34, seen_2.edge_3, t_4, _S351), _S352));
     }
     else
     {
-        speed_1 = _S340;
+        speed_1 = _S353;
     }
-    var speed_2 : f32 = speed_1 / length(_S338);
+    var speed_2 : f32 = speed_1 / length(_S351);
     var angle_2 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S341 : f32 = light_from_0(at_35, middle_1);
-    var contribution_0 : f32 = angle_2 * _S341 * speed_2;
-    var _S342 : vec2<f32>;
+    var _S354 : f32 = light_from_0(at_34, middle_1);
+    var contribution_0 : f32 = angle_2 * _S354 * speed_2;
+    var _S355 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
     {
-        _S342 = vec2<f32>(contribution_0, angle_2);
+        _S355 = vec2<f32>(contribution_0, angle_2);
     }
     else
     {
-        _S342 = vec2<f32>(0.0f);
+        _S355 = vec2<f32>(0.0f);
     }
-    return _S342;
+    return _S355;
 }
 
-fn multiplicity_0( at_36 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f64>,  normal_5 : vec3<f64>) -> f32
+fn multiplicity_0( at_35 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f64>,  normal_5 : vec3<f64>) -> f32
 {
-    var _S343 : vec3<f64> = cross(normal_5, direction_10);
-    var _S344 : u32 = edge_5.record_7 + u32(8);
-    var k_8 : u32 = edge_word_0(_S344);
-    var count_5 : f32 = 1.0f;
+    var _S356 : vec3<f64> = cross(normal_5, direction_10);
+    var _S357 : u32 = edge_5.record_7 + u32(8);
+    var k_6 : u32 = edge_word_0(_S357);
+    var count_3 : f32 = 1.0f;
     for(;;)
     {
-        if(k_8 < (edge_word_0(_S344 + u32(1))))
+        if(k_6 < (edge_word_0(_S357 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var other_0 : Edge_0 = edge_at_0(at_36, edge_word_0(k_8));
-        if(!((factor_of_0(at_36, other_0)) > 0.0f))
+        var other_0 : Edge_0 = edge_at_0(at_35, edge_word_0(k_6));
+        if(!((factor_of_0(at_35, other_0)) > 0.0f))
         {
-            k_8 = k_8 + u32(1);
+            k_6 = k_6 + u32(1);
             continue;
         }
-        var a_14 : vec3<f64> = edge_position_0(other_0.numbers_4) - at_36.vertex_2.surface_3.exact_0;
-        var way_1 : vec3<f64> = edge_position_0(other_0.numbers_4 + u32(3)) - at_36.vertex_2.surface_3.exact_0 - a_14;
-        var place_16 : f64 = - dot(a_14, _S343) / dot(way_1, _S343);
-        var there_0 : vec3<f64> = a_14 + way_1 * vec3<f64>(place_16);
-        var _S345 : bool;
-        if(place_16 >= 0.0lf)
+        var a_14 : vec3<f64> = edge_position_0(other_0.numbers_4) - at_35.vertex_2.surface_3.exact_0;
+        var way_0 : vec3<f64> = edge_position_0(other_0.numbers_4 + u32(3)) - at_35.vertex_2.surface_3.exact_0 - a_14;
+        var place_15 : f64 = - dot(a_14, _S356) / dot(way_0, _S356);
+        var there_0 : vec3<f64> = a_14 + way_0 * vec3<f64>(place_15);
+        var _S358 : bool;
+        if(place_15 >= 0.0lf)
         {
-            _S345 = place_16 <= 1.0lf;
+            _S358 = place_15 <= 1.0lf;
         }
         else
         {
-            _S345 = false;
+            _S358 = false;
         }
-        var _S346 : bool;
-        if(_S345)
+        var _S359 : bool;
+        if(_S358)
         {
-            _S346 = (dot(there_0, direction_10)) > 0.0lf;
+            _S359 = (dot(there_0, direction_10)) > 0.0lf;
         }
         else
         {
-            _S346 = false;
+            _S359 = false;
         }
-        if(!_S346)
+        if(!_S359)
         {
-            k_8 = k_8 + u32(1);
+            k_6 = k_6 + u32(1);
             continue;
         }
         if(!((abs(dot(normal_5, there_0))) <= (edge_real_0(u32(3)) * length_of_0(there_0))))
         {
-            k_8 = k_8 + u32(1);
+            k_6 = k_6 + u32(1);
             continue;
         }
-        var count_6 : f32;
-        if(f32(abs(dot(normal_5, exact_unit_0(cross(a_14, way_1))))) > 0.99999898672103882f)
+        var count_4 : f32;
+        if(f32(abs(dot(normal_5, exact_unit_0(cross(a_14, way_0))))) > 0.99999898672103882f)
         {
-            count_6 = count_5 + 1.0f;
+            count_4 = count_3 + 1.0f;
         }
         else
         {
-            count_6 = count_5;
+            count_4 = count_3;
         }
-        count_5 = count_6;
-        k_8 = k_8 + u32(1);
+        count_3 = count_4;
+        k_6 = k_6 + u32(1);
     }
-    return count_5;
+    return count_3;
 }
 
-fn face_normal_1( at_37 : ShadingPoint_0) -> vec3<f64>
+fn face_normal_1( at_36 : ShadingPoint_0) -> vec3<f64>
 {
-    var corners_1 : u32 = u32(9) * at_37.vertex_2.surface_3.place_3.triangle_0;
+    var corners_1 : u32 = u32(9) * at_36.vertex_2.surface_3.place_3.triangle_0;
     var a_15 : vec3<f64> = primitive_vector_0(corners_1);
     return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_15, primitive_vector_0(corners_1 + u32(6)) - a_15));
 }
@@ -3292,13 +3475,13 @@ struct EdgePoint_0
      is_in_horizon_0 : bool,
 };
 
-fn point_on_0( at_38 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f64,  part_of_all_0 : f32) -> EdgePoint_0
+fn point_on_0( at_37 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f64,  part_of_all_0 : f32) -> EdgePoint_0
 {
-    var _S347 : f64 = seen_3.range_1.x;
-    var _S348 : f64 = seen_3.range_1.y;
-    var _S349 : f64 = f64(seen_3.pieces_0);
-    var first_6 : f64 = place_between_0(_S347, _S348, seen_3.near_1, seen_3.far_0, f64(piece_1) / _S349);
-    var last_1 : f64 = place_between_0(_S347, _S348, seen_3.near_1, seen_3.far_0, f64(piece_1 + 1.0f) / _S349);
+    var _S360 : f64 = seen_3.range_1.x;
+    var _S361 : f64 = seen_3.range_1.y;
+    var _S362 : f64 = f64(seen_3.pieces_0);
+    var first_6 : f64 = place_between_0(_S360, _S361, seen_3.near_1, seen_3.far_0, f64(piece_1) / _S362);
+    var last_1 : f64 = place_between_0(_S360, _S361, seen_3.near_1, seen_3.far_0, f64(piece_1 + 1.0f) / _S362);
     var a_16 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(first_6);
     var b_11 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(last_1);
     var near_3 : f64 = length_of_0(a_16);
@@ -3310,49 +3493,49 @@ fn point_on_0( at_38 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     var t_6 : f64 = place_between_0(first_6, last_1, near_3, far_2, inside_3);
     var offset_10 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(t_6);
     var point_1 : EdgePoint_0;
-    var _S350 : f64 = length_of_0(offset_10);
-    point_1.distance_6 = _S350;
-    var _S351 : vec3<f64> = offset_10 / vec3<f64>(_S350);
-    point_1.direction_11 = _S351;
-    var _S352 : vec3<f64> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
-    point_1.normal_6 = _S352;
+    var _S363 : f64 = length_of_0(offset_10);
+    point_1.distance_6 = _S363;
+    var _S364 : vec3<f64> = offset_10 / vec3<f64>(_S363);
+    point_1.direction_11 = _S364;
+    var _S365 : vec3<f64> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_1.normal_6 = _S365;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_5 = f32(t_6);
-    point_1.measure_0 = f32(angle_3 / _S350) / (part_of_all_0 * multiplicity_0(at_38, seen_3.edge_3, _S351, _S352));
-    var face_0 : vec3<f64> = face_normal_1(at_38);
+    point_1.measure_0 = f32(angle_3 / _S363) / (part_of_all_0 * multiplicity_0(at_37, seen_3.edge_3, _S364, _S365));
+    var face_0 : vec3<f64> = face_normal_1(at_37);
     var least_2 : f64 = limit_at_0(u32(2));
-    var _S353 : bool;
+    var _S366 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
     {
-        _S353 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+        _S366 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
     }
     else
     {
-        _S353 = false;
+        _S366 = false;
     }
-    point_1.is_in_horizon_0 = _S353;
+    point_1.is_in_horizon_0 = _S366;
     return point_1;
 }
 
 fn component_0( v_8 : vec3<f64>,  axis_5 : u32) -> f64
 {
-    var _S354 : f64;
+    var _S367 : f64;
     if(axis_5 == u32(0))
     {
-        _S354 = v_8.x;
+        _S367 = v_8.x;
     }
     else
     {
         if(axis_5 == u32(1))
         {
-            _S354 = v_8.y;
+            _S367 = v_8.y;
         }
         else
         {
-            _S354 = v_8.z;
+            _S367 = v_8.z;
         }
     }
-    return _S354;
+    return _S367;
 }
 
 struct Ray_0
@@ -3372,34 +3555,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  axes_6 : ptr<function, u32>) -> Ray_0
 {
     var size_1 : vec3<f32> = abs(vec3<f32>(direction_12));
-    var _S355 : f32 = size_1.x;
-    var _S356 : f32 = size_1.y;
-    var _S357 : bool;
-    if(_S355 >= _S356)
+    var _S368 : f32 = size_1.x;
+    var _S369 : f32 = size_1.y;
+    var _S370 : bool;
+    if(_S368 >= _S369)
     {
-        _S357 = _S355 >= (size_1.z);
+        _S370 = _S368 >= (size_1.z);
     }
     else
     {
-        _S357 = false;
+        _S370 = false;
     }
-    var _S358 : i32;
-    if(_S357)
+    var _S371 : i32;
+    if(_S370)
     {
-        _S358 = i32(0);
+        _S371 = i32(0);
     }
     else
     {
-        if(_S356 >= (size_1.z))
+        if(_S369 >= (size_1.z))
         {
-            _S358 = i32(1);
+            _S371 = i32(1);
         }
         else
         {
-            _S358 = i32(2);
+            _S371 = i32(2);
         }
     }
-    var z_2 : u32 = u32(_S358);
+    var z_2 : u32 = u32(_S371);
     var x_13 : u32 = (z_2 + u32(1)) % u32(3);
     var y_4 : u32 = (z_2 + u32(2)) % u32(3);
     (*axes_6) = (((x_13 | (((y_4 << (u32(2))))))) | (((z_2 << (u32(4))))));
@@ -3435,7 +3618,7 @@ struct RayView_0
 
 fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32) -> f32
 {
-    var _S359 : u32 = u32(14) * node_6 + slot_3 / u32(4);
+    var _S372 : u32 = u32(14) * node_6 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -3448,36 +3631,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S360 : u32 = axis_6;
-        var _S361 : u32 = _S359 + u32(2) * axis_6;
-        var _S362 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S361][_S362])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S361 + u32(6)][_S362])));
-        var _S363 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S364 : f32;
-        if(_S363)
+        var _S373 : u32 = axis_6;
+        var _S374 : u32 = _S372 + u32(2) * axis_6;
+        var _S375 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S374][_S375])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S374 + u32(6)][_S375])));
+        var _S376 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S377 : f32;
+        if(_S376)
         {
-            _S364 = high_0;
+            _S377 = high_0;
         }
         else
         {
-            _S364 = low_3;
+            _S377 = low_3;
         }
-        var _S365 : f32 = max(near_4, _S364 * view_1.inverse_1[_S360] - view_1.offset_near_0[axis_6]);
-        var _S366 : f32;
-        if(_S363)
+        var _S378 : f32 = max(near_4, _S377 * view_1.inverse_1[_S373] - view_1.offset_near_0[axis_6]);
+        var _S379 : f32;
+        if(_S376)
         {
-            _S366 = low_3;
+            _S379 = low_3;
         }
         else
         {
-            _S366 = high_0;
+            _S379 = high_0;
         }
-        var _S367 : f32 = min(far_3, _S366 * view_1.inverse_1[_S360] - view_1.offset_far_0[axis_6]);
-        var _S368 : u32 = axis_6 + u32(1);
-        near_4 = _S365;
-        far_3 = _S367;
-        axis_6 = _S368;
+        var _S380 : f32 = min(far_3, _S379 * view_1.inverse_1[_S373] - view_1.offset_far_0[axis_6]);
+        var _S381 : u32 = axis_6 + u32(1);
+        near_4 = _S378;
+        far_3 = _S380;
+        axis_6 = _S381;
     }
     if(near_4 <= far_3)
     {
@@ -3491,21 +3674,21 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32
 
 fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 {
-    var k_9 : u32 = u32(0);
+    var k_7 : u32 = u32(0);
     var order_0 : u32 = u32(0);
     for(;;)
     {
-        if(k_9 < u32(8))
+        if(k_7 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S369 : u32 = k_9;
-        if((bounds_0[k_9]) > limit_2)
+        var _S382 : u32 = k_7;
+        if((bounds_0[k_7]) > limit_2)
         {
-            k_9 = k_9 + u32(1);
+            k_7 = k_7 + u32(1);
             continue;
         }
         var j_0 : u32 = u32(0);
@@ -3519,31 +3702,31 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S370 : u32 = j_0;
-            var _S371 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S369]))
+            var _S383 : u32 = j_0;
+            var _S384 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S382]))
             {
-                _S371 = true;
+                _S384 = true;
             }
             else
             {
-                if((bounds_0[_S370]) == (bounds_0[_S369]))
+                if((bounds_0[_S383]) == (bounds_0[_S382]))
                 {
-                    _S371 = j_0 < k_9;
+                    _S384 = j_0 < k_7;
                 }
                 else
                 {
-                    _S371 = false;
+                    _S384 = false;
                 }
             }
-            if(_S371)
+            if(_S384)
             {
                 rank_0 = rank_0 + u32(1);
             }
             j_0 = j_0 + u32(1);
         }
-        order_0 = (order_0 | ((((k_9 + u32(1)) << ((u32(4) * rank_0))))));
-        k_9 = k_9 + u32(1);
+        order_0 = (order_0 | ((((k_7 + u32(1)) << ((u32(4) * rank_0))))));
+        k_7 = k_7 + u32(1);
     }
     return order_0;
 }
@@ -3561,16 +3744,16 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
         {
             break;
         }
-        var _S372 : f32;
+        var _S385 : f32;
         if((ray_child_0(node_7, slot_4)) == u32(4294967295))
         {
-            _S372 = 3.00000000549775576e+38f;
+            _S385 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S372 = ray_bound_0(view_2, limit_3, node_7, slot_4);
+            _S385 = ray_bound_0(view_2, limit_3, node_7, slot_4);
         }
-        bounds_1[slot_4] = _S372;
+        bounds_1[slot_4] = _S385;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -3581,9 +3764,9 @@ fn rounded_0( product_2 : f64,  largest_2 : f64) -> f64
     return min(product_2, largest_2);
 }
 
-fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_39 : u32) -> vec3<f64>
+fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_38 : u32) -> vec3<f64>
 {
-    var relative_1 : vec3<f64> = primitive_vector_0(at_39) - ray_1.origin_0;
+    var relative_1 : vec3<f64> = primitive_vector_0(at_38) - ray_1.origin_0;
     var z_3 : f64 = component_0(relative_1, (axes_8 >> (u32(4))));
     return vec3<f64>(component_0(relative_1, (axes_8 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_3, ray_1.largest_1), component_0(relative_1, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_3, ray_1.largest_1), z_3);
 }
@@ -3596,80 +3779,80 @@ struct Crossing_0
      w_3 : f64,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_40 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_39 : u32) -> Crossing_0
 {
-    var crossing_1 : Crossing_0;
-    crossing_1.is_hit_0 = false;
-    crossing_1.t_7 = 0.0lf;
-    crossing_1.v_9 = 0.0lf;
-    crossing_1.w_3 = 0.0lf;
-    var a_17 : vec3<f64> = corner_0(ray_2, axes_9, at_40);
-    var b_12 : vec3<f64> = corner_0(ray_2, axes_9, at_40 + u32(3));
-    var c_3 : vec3<f64> = corner_0(ray_2, axes_9, at_40 + u32(6));
-    var _S373 : f64 = c_3.x;
-    var _S374 : f64 = b_12.y;
-    var cx_by_0 : f64 = rounded_0(_S373 * _S374, ray_2.largest_1);
-    var _S375 : f64 = c_3.y;
-    var _S376 : f64 = b_12.x;
-    var cy_bx_0 : f64 = rounded_0(_S375 * _S376, ray_2.largest_1);
-    var _S377 : f64 = a_17.x;
-    var ax_cy_0 : f64 = rounded_0(_S377 * _S375, ray_2.largest_1);
-    var _S378 : f64 = a_17.y;
-    var ay_cx_0 : f64 = rounded_0(_S378 * _S373, ray_2.largest_1);
-    var bx_ay_0 : f64 = rounded_0(_S376 * _S378, ray_2.largest_1);
-    var by_ax_0 : f64 = rounded_0(_S374 * _S377, ray_2.largest_1);
+    var crossing_0 : Crossing_0;
+    crossing_0.is_hit_0 = false;
+    crossing_0.t_7 = 0.0lf;
+    crossing_0.v_9 = 0.0lf;
+    crossing_0.w_3 = 0.0lf;
+    var a_17 : vec3<f64> = corner_0(ray_2, axes_9, at_39);
+    var b_12 : vec3<f64> = corner_0(ray_2, axes_9, at_39 + u32(3));
+    var c_3 : vec3<f64> = corner_0(ray_2, axes_9, at_39 + u32(6));
+    var _S386 : f64 = c_3.x;
+    var _S387 : f64 = b_12.y;
+    var cx_by_0 : f64 = rounded_0(_S386 * _S387, ray_2.largest_1);
+    var _S388 : f64 = c_3.y;
+    var _S389 : f64 = b_12.x;
+    var cy_bx_0 : f64 = rounded_0(_S388 * _S389, ray_2.largest_1);
+    var _S390 : f64 = a_17.x;
+    var ax_cy_0 : f64 = rounded_0(_S390 * _S388, ray_2.largest_1);
+    var _S391 : f64 = a_17.y;
+    var ay_cx_0 : f64 = rounded_0(_S391 * _S386, ray_2.largest_1);
+    var bx_ay_0 : f64 = rounded_0(_S389 * _S391, ray_2.largest_1);
+    var by_ax_0 : f64 = rounded_0(_S387 * _S390, ray_2.largest_1);
     var u_2 : f64 = cx_by_0 - cy_bx_0;
     var v_10 : f64 = ax_cy_0 - ay_cx_0;
     var w_4 : f64 = bx_ay_0 - by_ax_0;
-    var _S379 : f64 = min(min(u_2, v_10), w_4);
-    var _S380 : f64 = max(max(u_2, v_10), w_4);
-    var _S381 : bool;
-    if(_S379 < 0.0lf)
+    var _S392 : f64 = min(min(u_2, v_10), w_4);
+    var _S393 : f64 = max(max(u_2, v_10), w_4);
+    var _S394 : bool;
+    if(_S392 < 0.0lf)
     {
-        _S381 = _S380 > 0.0lf;
+        _S394 = _S393 > 0.0lf;
     }
     else
     {
-        _S381 = false;
+        _S394 = false;
     }
-    if(_S381)
+    if(_S394)
     {
-        return crossing_1;
+        return crossing_0;
     }
     var determinant_0 : f64 = u_2 + v_10 + w_4;
-    if(_S379 <= 0.0lf)
+    if(_S392 <= 0.0lf)
     {
-        _S381 = _S380 >= 0.0lf;
+        _S394 = _S393 >= 0.0lf;
     }
     else
     {
-        _S381 = false;
+        _S394 = false;
     }
-    if(_S381)
+    if(_S394)
     {
         if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
-            return crossing_1;
+            return crossing_0;
         }
     }
     if(determinant_0 == 0.0lf)
     {
-        return crossing_1;
+        return crossing_0;
     }
     var t_8 : f64 = (rounded_0(u_2 * a_17.z, ray_2.largest_1) + rounded_0(v_10 * b_12.z, ray_2.largest_1) + rounded_0(w_4 * c_3.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
     if((ray_2.t_min_0) <= t_8)
     {
-        _S381 = t_8 <= (ray_2.t_max_0);
+        _S394 = t_8 <= (ray_2.t_max_0);
     }
     else
     {
-        _S381 = false;
+        _S394 = false;
     }
-    crossing_1.is_hit_0 = _S381;
-    crossing_1.t_7 = t_8;
-    crossing_1.v_9 = v_10 / determinant_0;
-    crossing_1.w_3 = w_4 / determinant_0;
-    return crossing_1;
+    crossing_0.is_hit_0 = _S394;
+    crossing_0.t_7 = t_8;
+    crossing_0.v_9 = v_10 / determinant_0;
+    crossing_0.w_3 = w_4 / determinant_0;
+    return crossing_0;
 }
 
 fn face_1( triangle_6 : u32) -> u32
@@ -3687,7 +3870,7 @@ struct Found_0
 
 fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S382 : bool;
+    var _S395 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_7 = u32(4294967295);
@@ -3697,8 +3880,8 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
     {
         return found_0;
     }
-    var way_2 : array<vec2<u32>, i32(40)>;
-    way_2[i32(0)] = vec2<u32>(u32(0), u32(0));
+    var way_1 : array<vec2<u32>, i32(40)>;
+    way_1[i32(0)] = vec2<u32>(u32(0), u32(0));
     var entered_0 : u32 = u32(0);
     var limit_4 : f32 = view_3.limit_0;
     var is_new_0 : bool = true;
@@ -3709,7 +3892,7 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var is_new_1 : bool;
         if(entered_0 != u32(4294967295))
         {
-            way_2[level_0] = vec2<u32>(entered_0, crossed_1(view_3, limit_4, entered_0));
+            way_1[level_0] = vec2<u32>(entered_0, crossed_1(view_3, limit_4, entered_0));
             is_new_1 = true;
             entered_1 = u32(4294967295);
         }
@@ -3718,32 +3901,32 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             is_new_1 = is_new_0;
             entered_1 = entered_0;
         }
-        var here_1 : vec2<u32> = way_2[level_0];
-        var _S383 : u32 = way_2[level_0].y;
-        if(_S383 == u32(0))
+        var here_1 : vec2<u32> = way_1[level_0];
+        var _S396 : u32 = way_1[level_0].y;
+        if(_S396 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S384 : u32 = level_0 - u32(1);
+            var _S397 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S384;
+            level_0 = _S397;
             continue;
         }
-        var slot_5 : u32 = ((_S383 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S383 >> (u32(4)));
-        var _S385 : bool;
+        var slot_5 : u32 = ((_S396 & (u32(15)))) - u32(1);
+        way_1[level_0][i32(1)] = (_S396 >> (u32(4)));
+        var _S398 : bool;
         if(!is_new_1)
         {
-            _S385 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+            _S398 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S385 = false;
+            _S398 = false;
         }
-        if(_S385)
+        if(_S398)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -3752,58 +3935,58 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S386 : u32 = level_0 + u32(1);
+            var _S399 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S386;
+            level_0 = _S399;
             continue;
         }
-        var leaf_4 : u32 = (child_0 & (u32(2147483647)));
-        var _S387 : u32 = leaf_starts_0[leaf_4 + u32(1)];
-        var _S388 : u32 = leaf_starts_0[leaf_4];
+        var leaf_2 : u32 = (child_0 & (u32(2147483647)));
+        var _S400 : u32 = leaf_starts_0[leaf_2 + u32(1)];
+        var _S401 : u32 = leaf_starts_0[leaf_2];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S388;
+        var i_2 : u32 = _S401;
         for(;;)
         {
-            if(i_2 < _S387)
+            if(i_2 < _S400)
             {
             }
             else
             {
                 break;
             }
-            var crossing_2 : Crossing_0 = intersect_0((*ray_3), view_3.axes_7, u32(9) * i_2);
-            if(!crossing_2.is_hit_0)
+            var crossing_1 : Crossing_0 = intersect_0((*ray_3), view_3.axes_7, u32(9) * i_2);
+            if(!crossing_1.is_hit_0)
             {
                 i_2 = i_2 + u32(1);
                 continue;
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S382 = true;
+                _S395 = true;
             }
             else
             {
-                _S382 = (crossing_2.t_7) < ((*ray_3).t_max_0);
+                _S395 = (crossing_1.t_7) < ((*ray_3).t_max_0);
             }
-            var _S389 : bool;
-            if(_S382)
+            var _S402 : bool;
+            if(_S395)
             {
-                _S389 = true;
+                _S402 = true;
             }
             else
             {
-                _S389 = (face_1(i_2)) < (found_0.face_2);
+                _S402 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S389)
+            if(_S402)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_7 = i_2;
-                (*ray_3).t_max_0 = crossing_2.t_7;
-                found_0.v_11 = crossing_2.v_9;
-                found_0.w_5 = crossing_2.w_3;
-                limit_6 = min(limit_5, f32(crossing_2.t_7 * (*ray_3).local_per_t_0 - (*ray_3).enter_0) + 2.0f * view_3.margin_2);
+                (*ray_3).t_max_0 = crossing_1.t_7;
+                found_0.v_11 = crossing_1.v_9;
+                found_0.w_5 = crossing_1.w_3;
+                limit_6 = min(limit_5, f32(crossing_1.t_7 * (*ray_3).local_per_t_0 - (*ray_3).enter_0) + 2.0f * view_3.margin_2);
             }
             else
             {
@@ -3814,13 +3997,13 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S382 = (found_0.face_2) != u32(4294967295);
+            _S395 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S382 = false;
+            _S395 = false;
         }
-        if(_S382)
+        if(_S395)
         {
             break;
         }
@@ -3834,11 +4017,11 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_2 : vec3<f64>,  direction_13 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_1 : bool,  t_9 : ptr<function, f32>) -> Found_0
 {
     var view_4 : RayView_0;
-    var _S390 : u32 = view_4.axes_7;
-    var _S391 : Ray_0 = ray_along_0(origin_2, direction_13, t_min_2, t_max_2, &(_S390));
-    view_4.axes_7 = _S390;
-    var ray_4 : Ray_0 = _S391;
-    var _S392 : vec3<f32> = vec3<f32>(direction_13 / vec3<f64>(ray_4.local_per_t_0));
+    var _S403 : u32 = view_4.axes_7;
+    var _S404 : Ray_0 = ray_along_0(origin_2, direction_13, t_min_2, t_max_2, &(_S403));
+    view_4.axes_7 = _S403;
+    var ray_4 : Ray_0 = _S404;
+    var _S405 : vec3<f32> = vec3<f32>(direction_13 / vec3<f64>(ray_4.local_per_t_0));
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -3849,17 +4032,17 @@ fn cast_0( origin_2 : vec3<f64>,  direction_13 : vec3<f64>,  t_min_2 : f64,  t_m
         {
             break;
         }
-        var _S393 : f32 = max(abs(_S392[axis_7]), 8.67361737988403547e-19f);
-        var _S394 : f32;
-        if((_S392[axis_7]) < 0.0f)
+        var _S406 : f32 = max(abs(_S405[axis_7]), 8.67361737988403547e-19f);
+        var _S407 : f32;
+        if((_S405[axis_7]) < 0.0f)
         {
-            _S394 = -1.0f / _S393;
+            _S407 = -1.0f / _S406;
         }
         else
         {
-            _S394 = 1.0f / _S393;
+            _S407 = 1.0f / _S406;
         }
-        view_4.inverse_1[axis_7] = _S394;
+        view_4.inverse_1[axis_7] = _S407;
         axis_7 = axis_7 + u32(1);
     }
     var offset_11 : vec3<f32> = vec3<f32>(origin_2) * view_4.inverse_1;
@@ -3882,7 +4065,7 @@ struct Side_0
      t_10 : f32,
 };
 
-fn look_0( at_41 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
+fn look_0( at_40 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
 {
     var step_0 : vec3<f64> = point_2.normal_6 * vec3<f64>(edge_real_0(u32(3)));
     var origin_3 : vec3<f64>;
@@ -3897,34 +4080,34 @@ fn look_0( at_41 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Sid
     var direction_15 : vec3<f64> = exact_unit_0(origin_3);
     if(point_2.is_in_horizon_0)
     {
-        var face_3 : vec3<f64> = face_normal_1(at_41);
+        var face_3 : vec3<f64> = face_normal_1(at_40);
         var height_3 : f64 = limit_at_0(u32(2));
-        var _S395 : f64;
+        var _S408 : f64;
         if((dot(direction_15, face_3)) < 0.0lf)
         {
-            _S395 = - height_3;
+            _S408 = - height_3;
         }
         else
         {
-            _S395 = height_3;
+            _S408 = height_3;
         }
-        origin_3 = at_41.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S395);
+        origin_3 = at_40.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S408);
     }
     else
     {
-        origin_3 = at_41.vertex_2.surface_3.exact_0;
+        origin_3 = at_40.vertex_2.surface_3.exact_0;
     }
     var seen_4 : Side_0;
-    var _S396 : vec3<f32> = vec3<f32>(direction_15);
-    seen_4.direction_14 = _S396;
-    seen_4.rest_3 = vec3<f32>(direction_15 - vec3<f64>(_S396));
-    seen_4.scattered_2 = scattered_from_0(at_41.vertex_2, _S396);
-    var _S397 : f64 = limit_at_0(u32(2));
-    var _S398 : f64 = limit_at_0(u32(1));
-    var _S399 : f32 = seen_4.t_10;
-    var _S400 : Found_0 = cast_0(origin_3, direction_15, _S397, _S398, false, &(_S399));
-    seen_4.t_10 = _S399;
-    seen_4.found_2 = _S400;
+    var _S409 : vec3<f32> = vec3<f32>(direction_15);
+    seen_4.direction_14 = _S409;
+    seen_4.rest_3 = vec3<f32>(direction_15 - vec3<f64>(_S409));
+    seen_4.scattered_2 = scattered_from_0(at_40.vertex_2, _S409);
+    var _S410 : f64 = limit_at_0(u32(2));
+    var _S411 : f64 = limit_at_0(u32(1));
+    var _S412 : f32 = seen_4.t_10;
+    var _S413 : Found_0 = cast_0(origin_3, direction_15, _S410, _S411, false, &(_S412));
+    seen_4.t_10 = _S412;
+    seen_4.found_2 = _S413;
     return seen_4;
 }
 
@@ -3970,32 +4153,32 @@ fn emitter_seen_0( found_4 : Found_0,  direction_16 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_5 : u32 = word_0(shape_of_0(found_4.triangle_7) + u32(4));
-    var _S401 : bool;
+    var _S414 : bool;
     if(emitter_5 != u32(4294967295))
     {
-        _S401 = (dot(cross_of_0(found_4.triangle_7), direction_16)) < 0.0f;
+        _S414 = (dot(cross_of_0(found_4.triangle_7), direction_16)) < 0.0f;
     }
     else
     {
-        _S401 = false;
+        _S414 = false;
     }
-    var _S402 : u32;
-    if(_S401)
+    var _S415 : u32;
+    if(_S414)
     {
-        _S402 = emitter_5;
+        _S415 = emitter_5;
     }
     else
     {
-        _S402 = u32(4294967295);
+        _S415 = u32(4294967295);
     }
-    return _S402;
+    return _S415;
 }
 
-fn jump_of_light_0( at_42 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
+fn jump_of_light_0( at_41 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
 {
-    var _S403 : vec3<f32> = vec3<f32>(0.0f);
+    var _S416 : vec3<f32> = vec3<f32>(0.0f);
     var side_1 : u32 = u32(0);
-    var jump_0 : vec3<f32> = _S403;
+    var jump_0 : vec3<f32> = _S416;
     for(;;)
     {
         if(side_1 < u32(2))
@@ -4005,33 +4188,33 @@ fn jump_of_light_0( at_42 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
         {
             break;
         }
-        var seen_5 : Side_0 = look_0(at_42, point_4, side_1);
-        var _S404 : bool;
+        var seen_5 : Side_0 = look_0(at_41, point_4, side_1);
+        var _S417 : bool;
         if(!((largest_0(seen_5.scattered_2)) > 0.0f))
         {
-            _S404 = true;
+            _S417 = true;
         }
         else
         {
-            _S404 = (emitter_seen_0(seen_5.found_2, seen_5.direction_14)) != (at_42.emitter_0);
+            _S417 = (emitter_seen_0(seen_5.found_2, seen_5.direction_14)) != (at_41.emitter_0);
         }
-        if(_S404)
+        if(_S417)
         {
             side_1 = side_1 + u32(1);
             continue;
         }
-        var _S405 : vec3<f32> = emitted_0(at_42.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_14));
-        var light_2 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S405);
-        var _S406 : vec3<f32>;
+        var _S418 : vec3<f32> = emitted_0(at_41.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_14));
+        var light_2 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S418);
+        var _S419 : vec3<f32>;
         if(side_1 == u32(0))
         {
-            _S406 = light_2;
+            _S419 = light_2;
         }
         else
         {
-            _S406 = (vec3<f32>(0) - light_2);
+            _S419 = (vec3<f32>(0) - light_2);
         }
-        jump_0 = jump_0 + _S406;
+        jump_0 = jump_0 + _S419;
         side_1 = side_1 + u32(1);
     }
     return jump_0;
@@ -4041,27 +4224,27 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S407 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S420 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_2 : f32 = abs(scaled_0);
     if(size_2 > 7.73712524553362672e+25f)
     {
-        var _S408 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S421 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S409 : bool = scaled_0 < 0.0f;
-    var _S410 : i32;
+    var _S422 : bool = scaled_0 < 0.0f;
+    var _S423 : i32;
     if(size_2 >= 1.84467440737095516e+19f)
     {
-        _S410 = i32(1);
+        _S423 = i32(1);
     }
     else
     {
-        _S410 = i32(0);
+        _S423 = i32(0);
     }
-    var first_7 : u32 = u32(_S410);
+    var first_7 : u32 = u32(_S423);
     var size_3 : f32;
     if(first_7 == u32(1))
     {
@@ -4081,39 +4264,39 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
     {
         size_3 = lower_0;
     }
-    var _S411 : u32 = u32(3) + u32(4) * sum_2;
+    var _S424 : u32 = u32(4) + u32(4) * sum_2;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_3), u32(higher_0));
-    var k_10 : u32 = first_7;
+    var k_8 : u32 = first_7;
     for(;;)
     {
-        var _S412 : bool;
-        if(k_10 < u32(4))
+        var _S425 : bool;
+        if(k_8 < u32(4))
         {
-            _S412 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S425 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S412 = false;
+            _S425 = false;
         }
-        if(_S412)
+        if(_S425)
         {
         }
         else
         {
             break;
         }
-        var _S413 : u32;
-        if(_S409)
+        var _S426 : u32;
+        if(_S422)
         {
-            _S413 = u32(0) - digits_0.x;
+            _S426 = u32(0) - digits_0.x;
         }
         else
         {
-            _S413 = digits_0.x;
+            _S426 = digits_0.x;
         }
-        var before_2 : u32 = atomicAdd(&(sums_0[_S411 + k_10]), _S413);
+        var before_2 : u32 = atomicAdd(&(sums_0[_S424 + k_8]), _S426);
         var overflows_0 : bool;
-        if(_S409)
+        if(_S422)
         {
             overflows_0 = before_2 < (digits_0.x);
         }
@@ -4121,39 +4304,39 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_2 + digits_0.x) < before_2;
         }
-        var _S414 : u32 = digits_0.y;
+        var _S427 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S410 = i32(1);
+            _S423 = i32(1);
         }
         else
         {
-            _S410 = i32(0);
+            _S423 = i32(0);
         }
-        var _S415 : vec2<u32> = vec2<u32>(_S414 + u32(_S410), u32(0));
-        var _S416 : u32 = k_10 + u32(1);
-        digits_0 = _S415;
-        k_10 = _S416;
+        var _S428 : vec2<u32> = vec2<u32>(_S427 + u32(_S423), u32(0));
+        var _S429 : u32 = k_8 + u32(1);
+        digits_0 = _S428;
+        k_8 = _S429;
     }
     return;
 }
 
 fn add_to_sums_0( first_8 : u32,  derivative_1 : vec3<f32>)
 {
-    var _S417 : i32;
+    var _S430 : i32;
     if(first_8 == u32(4294967295))
     {
-        _S417 = i32(0);
+        _S430 = i32(0);
     }
     else
     {
-        _S417 = i32(3);
+        _S430 = i32(3);
     }
-    var _S418 : u32 = u32(_S417);
+    var _S431 : u32 = u32(_S430);
     var axis_9 : u32 = u32(0);
     for(;;)
     {
-        if(axis_9 < _S418)
+        if(axis_9 < _S431)
         {
         }
         else
@@ -4178,17 +4361,17 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
         {
             break;
         }
-        var _S419 : u32 = edge_word_0(record_9 + u32(2) + end_2);
-        var _S420 : f32;
+        var _S432 : u32 = edge_word_0(record_9 + u32(2) + end_2);
+        var _S433 : f32;
         if(end_2 == u32(0))
         {
-            _S420 = 1.0f - t_11;
+            _S433 = 1.0f - t_11;
         }
         else
         {
-            _S420 = t_11;
+            _S433 = t_11;
         }
-        add_to_sums_0(_S419, by_velocity_0 * vec3<f32>(_S420));
+        add_to_sums_0(_S432, by_velocity_0 * vec3<f32>(_S433));
         end_2 = end_2 + u32(1);
     }
     (*pulled_2).position_1 = (*pulled_2).position_1 - by_velocity_0;
@@ -4199,30 +4382,36 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
     return;
 }
 
-fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_43 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_2 : u32,  path_13 : Path_0)
+fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_42 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_2 : u32,  path_13 : Path_0)
 {
-    var _S421 : vec3<f32> = vec3<f32>(point_5.normal_6);
-    var _S422 : vec3<f32> = jump_of_light_0(at_43, point_5);
-    var by_velocity_1 : vec3<f32> = _S421 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S422)));
-    var _S423 : vec3<f32> = offset_of_0(point_5);
-    var _S424 : Pulled_0 = (*crossed_2).pulled_1;
-    edge_back_0(&(_S424), at_43.vertex_2, at_43.turns_0, point_5.edge_6.record_7, point_5.t_5, _S423, by_velocity_1);
-    (*crossed_2).pulled_1 = _S424;
+    var _S434 : vec3<f32> = vec3<f32>(point_5.normal_6);
+    var _S435 : vec3<f32> = jump_of_light_0(at_42, point_5);
+    var by_velocity_1 : vec3<f32> = _S434 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S435)));
+    var _S436 : vec3<f32> = offset_of_0(point_5);
+    var _S437 : Pulled_0 = (*crossed_2).pulled_1;
+    edge_back_0(&(_S437), at_42.vertex_2, at_42.turns_0, point_5.edge_6.record_7, point_5.t_5, _S436, by_velocity_1);
+    (*crossed_2).pulled_1 = _S437;
     return;
 }
 
-struct Share_0
+fn draw_points_0( at_43 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  place_16 : f64,  number_of_path_3 : u32,  path_14 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
 {
-     share_0 : f32,
-     over_all_0 : f32,
-     place_17 : f64,
-};
-
-fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  number_of_path_3 : u32,  path_14 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
-{
+    var _S438 : bool;
+    var most_0 : u32 = edge_word_0(u32(9));
+    var _S439 : bool = (at_43.purpose_0) == u32(0);
+    var _S440 : u32;
+    if(_S439)
+    {
+        _S440 = most_0 * part_of_launch_0();
+    }
+    else
+    {
+        _S440 = u32(0);
+    }
+    var count_5 : u32 = u32(0);
     var points_0 : u32 = u32(1);
     var least_3 : f32 = 0.0f;
-    var over_all_1 : f32 = 0.0f;
+    var over_all_0 : f32 = 0.0f;
     var total_0 : f32 = 0.0f;
     var step_1 : f64 = 0.0lf;
     var pass_0 : u32 = u32(0);
@@ -4251,70 +4440,107 @@ fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  nu
             }
             var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
             var total_1 : f32 = contributions_0 + least_4 * angles_0;
-            if((at_44.purpose_0) == u32(0))
+            if(_S439)
             {
-                contributions_1 = asked_0.share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
+                var parts_0 : f32 = ceil(f32(count_5) / f32(most_0));
+                contributions_1 = min(4.0f * max(sqrt(pieces_1 / parts_0), 2.0f / parts_0), f32(edge_word_0(u32(10))));
             }
             else
             {
                 contributions_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(contributions_1 - 0.00100000004749745f));
-            var _S425 : f32 = asked_0.over_all_0 * f32(points_1);
+            var _S441 : f32 = probability_4 * f32(points_1);
             var step_2 : f64 = f64(total_1) / f64(points_1);
-            var _S426 : f64 = step_2 * asked_0.place_17;
+            var _S442 : f64 = step_2 * place_16;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S425;
+            over_all_0 = _S441;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S426;
+            target_1 = _S442;
         }
         else
         {
             target_1 = target_0;
         }
-        var leaves_4 : Leaves_0 = below_0(node_8);
-        var leaf_5 : u32;
-        target_0 = target_1;
+        var leaves_2 : Leaves_0 = below_0(node_8);
+        var leaf_3 : u32;
+        var drawn_1 : u32 = drawn_0;
+        var passed_0 : u32 = u32(0);
+        contributions_1 = contributions_0;
+        var angles_1 : f32 = angles_0;
+        var pieces_2 : f32 = pieces_1;
+        var cumulative_1 : f32 = cumulative_0;
+        var target_2 : f64 = target_1;
         for(;;)
         {
-            var _S427 : bool;
-            if(drawn_0 < points_0)
+            var _S443 : bool;
+            if(drawn_1 < points_0)
             {
-                var _S428 : bool = next_leaf_1(at_44, &(leaves_4), &(leaf_5));
-                _S427 = _S428;
+                if(pass_0 == u32(0))
+                {
+                    _S443 = true;
+                }
+                else
+                {
+                    _S443 = passed_0 < (_S440 + most_0);
+                }
             }
             else
             {
-                _S427 = false;
+                _S443 = false;
             }
-            if(_S427)
+            var _S444 : bool;
+            if(_S443)
+            {
+                var _S445 : bool = next_leaf_0(at_43, &(leaves_2), &(leaf_3));
+                _S444 = _S445;
+            }
+            else
+            {
+                _S444 = false;
+            }
+            if(_S444)
             {
             }
             else
             {
                 break;
             }
-            var k_11 : u32 = edge_word_0(leaf_5 + u32(2));
-            var drawn_1 : u32 = drawn_0;
-            contributions_1 = contributions_0;
-            var angles_1 : f32 = angles_0;
-            var pieces_2 : f32 = pieces_1;
-            var cumulative_1 : f32 = cumulative_0;
-            var target_2 : f64 = target_0;
+            var passed_1 : u32 = passed_0 + u32(1);
+            if(passed_1 <= _S440)
+            {
+                _S438 = true;
+            }
+            else
+            {
+                _S438 = passed_1 > (_S440 + most_0);
+            }
+            if(_S438)
+            {
+                passed_0 = passed_1;
+                continue;
+            }
+            var k_9 : u32 = edge_word_0(leaf_3 + u32(2));
+            var drawn_2 : u32 = drawn_1;
+            var contributions_2 : f32 = contributions_1;
+            var angles_2 : f32 = angles_1;
+            var pieces_3 : f32 = pieces_2;
+            var cumulative_2 : f32 = cumulative_1;
+            var target_3 : f64 = target_2;
             for(;;)
             {
-                var _S429 : bool;
-                if(k_11 < (edge_word_0(leaf_5 + u32(3))))
+                var _S446 : bool;
+                if(k_9 < (edge_word_0(leaf_3 + u32(3))))
                 {
-                    _S429 = drawn_1 < points_0;
+                    _S446 = drawn_2 < points_0;
                 }
                 else
                 {
-                    _S429 = false;
+                    _S446 = false;
                 }
-                if(_S429)
+                if(_S446)
                 {
                 }
                 else
@@ -4322,37 +4548,37 @@ fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  nu
                     break;
                 }
                 var seen_6 : SeenEdge_0;
-                var _S430 : bool = see_edge_0(at_44, k_11, &(seen_6));
-                var drawn_2 : u32;
-                var contributions_2 : f32;
-                var angles_2 : f32;
-                var pieces_3 : f32;
-                var cumulative_2 : f32;
-                var target_3 : f64;
-                if(!_S430)
+                var _S447 : bool = see_edge_0(at_43, k_9, &(seen_6));
+                var drawn_3 : u32;
+                var contributions_3 : f32;
+                var angles_3 : f32;
+                var pieces_4 : f32;
+                var cumulative_3 : f32;
+                var target_4 : f64;
+                if(!_S447)
                 {
-                    drawn_2 = drawn_1;
-                    contributions_2 = contributions_1;
-                    angles_2 = angles_1;
-                    pieces_3 = pieces_2;
-                    cumulative_2 = cumulative_1;
-                    target_3 = target_2;
-                    k_11 = k_11 + u32(1);
-                    drawn_1 = drawn_2;
-                    contributions_1 = contributions_2;
-                    angles_1 = angles_2;
-                    pieces_2 = pieces_3;
-                    cumulative_1 = cumulative_2;
-                    target_2 = target_3;
+                    drawn_3 = drawn_2;
+                    contributions_3 = contributions_2;
+                    angles_3 = angles_2;
+                    pieces_4 = pieces_3;
+                    cumulative_3 = cumulative_2;
+                    target_4 = target_3;
+                    k_9 = k_9 + u32(1);
+                    drawn_2 = drawn_3;
+                    contributions_2 = contributions_3;
+                    angles_2 = angles_3;
+                    pieces_3 = pieces_4;
+                    cumulative_2 = cumulative_3;
+                    target_3 = target_4;
                     continue;
                 }
                 var piece_2 : f32 = 0.0f;
-                contributions_2 = contributions_1;
-                angles_2 = angles_1;
-                pieces_3 = pieces_2;
-                cumulative_2 = cumulative_1;
-                drawn_2 = drawn_1;
-                target_3 = target_2;
+                contributions_3 = contributions_2;
+                angles_3 = angles_2;
+                pieces_4 = pieces_3;
+                cumulative_3 = cumulative_2;
+                drawn_3 = drawn_2;
+                target_4 = target_3;
                 for(;;)
                 {
                     if(piece_2 < (seen_6.pieces_0))
@@ -4362,115 +4588,138 @@ fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  nu
                     {
                         break;
                     }
-                    var weight_0 : vec2<f32> = weigh_0(at_44, seen_6, piece_2);
+                    var weight_0 : vec2<f32> = weigh_0(at_43, seen_6, piece_2);
                     if(pass_0 == u32(0))
                     {
-                        var angles_3 : f32 = angles_2 + weight_0.y;
-                        var pieces_4 : f32 = pieces_3 + 1.0f;
-                        contributions_2 = contributions_2 + weight_0.x;
-                        angles_2 = angles_3;
-                        pieces_3 = pieces_4;
+                        var angles_4 : f32 = angles_3 + weight_0.y;
+                        var pieces_5 : f32 = pieces_4 + 1.0f;
+                        contributions_3 = contributions_3 + weight_0.x;
+                        angles_3 = angles_4;
+                        pieces_4 = pieces_5;
                         piece_2 = piece_2 + 1.0f;
                         continue;
                     }
                     var own_1 : f32 = weight_0.x + least_3 * weight_0.y;
-                    var cumulative_3 : f32 = cumulative_2 + own_1;
-                    var drawn_3 : u32 = drawn_2;
-                    var target_4 : f64 = target_3;
+                    var cumulative_4 : f32 = cumulative_3 + own_1;
+                    var drawn_4 : u32 = drawn_3;
+                    var target_5 : f64 = target_4;
                     for(;;)
                     {
-                        var _S431 : bool;
-                        if(drawn_3 < points_0)
+                        var _S448 : bool;
+                        if(drawn_4 < points_0)
                         {
-                            _S431 = target_4 < f64(cumulative_3);
+                            _S448 = target_5 < f64(cumulative_4);
                         }
                         else
                         {
-                            _S431 = false;
+                            _S448 = false;
                         }
-                        if(_S431)
+                        if(_S448)
                         {
                         }
                         else
                         {
                             break;
                         }
-                        var _S432 : u32 = drawn_3 + u32(1);
-                        var target_5 : f64 = target_4 + step_1;
-                        cross_at_0(&((*crossed_3)), at_44, point_on_0(at_44, seen_6, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_1 * own_1 / total_0), number_of_path_3, path_14);
-                        drawn_3 = _S432;
-                        target_4 = target_5;
+                        var _S449 : u32 = drawn_4 + u32(1);
+                        var target_6 : f64 = target_5 + step_1;
+                        cross_at_0(&((*crossed_3)), at_43, point_on_0(at_43, seen_6, piece_2, clamp((target_5 - f64(cumulative_3)) / f64(own_1), 0.0lf, 1.0lf), over_all_0 * own_1 / total_0), number_of_path_3, path_14);
+                        drawn_4 = _S449;
+                        target_5 = target_6;
                     }
-                    cumulative_2 = cumulative_3;
-                    drawn_2 = drawn_3;
-                    target_3 = target_4;
+                    cumulative_3 = cumulative_4;
+                    drawn_3 = drawn_4;
+                    target_4 = target_5;
                     piece_2 = piece_2 + 1.0f;
                 }
-                k_11 = k_11 + u32(1);
-                drawn_1 = drawn_2;
-                contributions_1 = contributions_2;
-                angles_1 = angles_2;
-                pieces_2 = pieces_3;
-                cumulative_1 = cumulative_2;
-                target_2 = target_3;
+                k_9 = k_9 + u32(1);
+                drawn_2 = drawn_3;
+                contributions_2 = contributions_3;
+                angles_2 = angles_3;
+                pieces_3 = pieces_4;
+                cumulative_2 = cumulative_3;
+                target_3 = target_4;
             }
-            drawn_0 = drawn_1;
-            contributions_0 = contributions_1;
+            drawn_1 = drawn_2;
+            passed_0 = passed_1;
+            contributions_1 = contributions_2;
+            angles_1 = angles_2;
+            pieces_2 = pieces_3;
+            cumulative_1 = cumulative_2;
+            target_2 = target_3;
+        }
+        if(pass_0 > u32(0))
+        {
+            pass_0 = pass_0 + u32(1);
             angles_0 = angles_1;
+            contributions_0 = contributions_1;
             pieces_1 = pieces_2;
+            drawn_0 = drawn_1;
             cumulative_0 = cumulative_1;
             target_0 = target_2;
+            continue;
         }
+        if(_S440 == u32(0))
+        {
+            _S438 = passed_0 > most_0;
+        }
+        else
+        {
+            _S438 = false;
+        }
+        if(_S438)
+        {
+            var _S450 : u32 = (passed_0 + most_0 - u32(1)) / most_0;
+            var _S451 : u32 = atomicMax(&(sums_0[u32(3)]), _S450);
+        }
+        count_5 = passed_0;
         pass_0 = pass_0 + u32(1);
+        angles_0 = angles_1;
+        contributions_0 = contributions_1;
+        pieces_1 = pieces_2;
+        drawn_0 = drawn_1;
+        cumulative_0 = cumulative_1;
+        target_0 = target_2;
     }
     return;
 }
 
-fn sample_points_0( at_45 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_44 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : Path_0,  crossed_4 : ptr<function, Crossed_0>)
 {
-    var numbers_9 : u32 = numbers_for_0(at_45.purpose_0) + u32(1);
-    var node_9 : u32 = edge_word_0(at_45.tree_0);
-    var u_3 : f64 = precise_random_0(path_15.key_0, numbers_9);
-    var probability_4 : f32 = 1.0f;
-    var is_whole_0 : bool;
-    if((at_45.purpose_0) == u32(0))
+    var numbers_9 : u32 = numbers_for_0(at_44.purpose_0) + u32(1);
+    var part_2 : u32 = part_of_launch_0();
+    var node_9 : u32 = edge_word_0(at_44.tree_0);
+    var probability_5 : f32 = 1.0f;
+    if((at_44.purpose_0) != u32(0))
     {
-        is_whole_0 = takes_all_0(at_45);
-    }
-    else
-    {
-        is_whole_0 = false;
-    }
-    if(!is_whole_0)
-    {
-        var _S433 : bool = descend_0(at_45, (f64(subtree_0) + u_3) / f64(subtrees_0), &(node_9), &(probability_4));
-        is_whole_0 = !_S433;
-    }
-    else
-    {
-        is_whole_0 = false;
-    }
-    if(is_whole_0)
-    {
-        return;
-    }
-    var asked_1 : Share_0;
-    var _S434 : f32 = f32(subtrees_0);
-    asked_1.share_0 = 1.0f / _S434;
-    asked_1.over_all_0 = probability_4 * _S434;
-    asked_1.place_17 = precise_random_0(path_15.key_0, numbers_9 + u32(1)) + f64(0.6180340051651001f * f32(subtree_0));
-    for(;;)
-    {
-        if((asked_1.place_17) >= 1.0lf)
+        var subtrees_0 : u32;
+        if((depth_of_launch_0()) == u32(0))
         {
+            subtrees_0 = u32(2);
         }
         else
         {
-            break;
+            subtrees_0 = u32(1);
         }
-        asked_1.place_17 = asked_1.place_17 - 1.0lf;
+        var u_3 : f64 = (f64(part_2) + precise_random_0(path_15.key_0, numbers_9)) / f64(subtrees_0);
+        var _S452 : bool;
+        if(part_2 >= subtrees_0)
+        {
+            _S452 = true;
+        }
+        else
+        {
+            var _S453 : bool = descend_0(at_44, u_3, &(node_9), &(probability_5));
+            _S452 = !_S453;
+        }
+        if(_S452)
+        {
+            return;
+        }
+        probability_5 = probability_5 * f32(subtrees_0);
     }
-    draw_points_0(at_45, node_9, asked_1, number_of_path_4, path_15, &((*crossed_4)));
+    var place_17 : f64 = precise_random_0(path_15.key_0, numbers_9 + u32(1)) + f64(0.6180340051651001f * f32(part_2));
+    draw_points_0(at_44, node_9, probability_5, place_17 - floor(place_17), number_of_path_4, path_15, &((*crossed_4)));
     return;
 }
 
@@ -4507,35 +4756,35 @@ fn slot_derivative_0( numbers_10 : Numbers_0,  slot_6 : u32) -> vec3<f32>
 
 fn numbers_of_0( texture_7 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_7 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_7 + u32(18)));
 }
 
 fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
 {
     var first_9 : u32 = numbers_of_0(texture_8);
-    var _S435 : u32 = word_0(texture_8 + u32(1));
-    var _S436 : u32;
+    var _S454 : u32 = word_0(texture_8 + u32(1));
+    var _S455 : u32;
     if(first_9 == u32(4294967295))
     {
-        _S436 = u32(0);
+        _S455 = u32(0);
     }
     else
     {
-        _S436 = lookup_5.count_0;
+        _S455 = lookup_5.count_0;
     }
-    var k_12 : u32 = u32(0);
+    var k_10 : u32 = u32(0);
     for(;;)
     {
-        if(k_12 < _S436)
+        if(k_10 < _S455)
         {
         }
         else
         {
             break;
         }
-        var own_2 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_12]);
+        var own_2 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_10]);
         var own_3 : vec3<f32>;
-        if(_S435 == u32(1))
+        if(_S454 == u32(1))
         {
             own_3 = vec3<f32>((own_2.x + own_2.y + own_2.z));
         }
@@ -4546,17 +4795,17 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         var c_4 : u32 = u32(0);
         for(;;)
         {
-            if(c_4 < _S435)
+            if(c_4 < _S454)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_9 + _S435 * lookup_5.texels_0[k_12] + c_4, own_3[c_4]);
+            add_to_sum_0(first_9 + _S454 * lookup_5.texels_0[k_10] + c_4, own_3[c_4]);
             c_4 = c_4 + u32(1);
         }
-        k_12 = k_12 + u32(1);
+        k_10 = k_10 + u32(1);
     }
     return;
 }
@@ -4569,13 +4818,13 @@ fn lookup_back_0( texture_9 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
 
 fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
 {
-    var _S437 : vec2<f32> = vec2<f32>(0.0f);
-    var _S438 : u32 = word_0(material_2 + u32(4));
+    var _S456 : vec2<f32> = vec2<f32>(0.0f);
+    var _S457 : u32 = word_0(material_2 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S437;
+    var by_place_0 : vec2<f32> = _S456;
     for(;;)
     {
-        if(slot_7 < _S438)
+        if(slot_7 < _S457)
         {
         }
         else
@@ -4588,9 +4837,9 @@ fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S439 : Lookup_0 = lookup_at_0(texture_10, place_18);
-        var _S440 : vec2<f32> = lookup_back_0(texture_10, _S439, slot_derivative_0(numbers_11, slot_7));
-        by_place_0 = by_place_0 + _S440;
+        var _S458 : Lookup_0 = lookup_at_0(texture_10, place_18);
+        var _S459 : vec2<f32> = lookup_back_0(texture_10, _S458, slot_derivative_0(numbers_11, slot_7));
+        by_place_0 = by_place_0 + _S459;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_0;
@@ -4611,10 +4860,10 @@ struct AtCorners_0
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_2 : AtCorners_0;
-    var _S441 : vec3<f32> = vec3<f32>(0.0f);
-    corners_2.c_5 = _S441;
-    corners_2.b_13 = _S441;
-    corners_2.a_18 = _S441;
+    var _S460 : vec3<f32> = vec3<f32>(0.0f);
+    corners_2.c_5 = _S460;
+    corners_2.b_13 = _S460;
+    corners_2.a_18 = _S460;
     return corners_2;
 }
 
@@ -4627,20 +4876,20 @@ fn tangent_back_0( points_2 : ptr<function, AtCorners_0>,  triangle_8 : u32,  ta
 {
     var corner_1 : u32 = u32(9) * triangle_8;
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_8);
-    var first_10 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
-    var second_4 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
-    var _S442 : f32 = second_4.y;
-    var _S443 : f32 = first_10.y;
-    var scale_1 : f32 = 1.0f / (first_10.x * _S442 - second_4.x * _S443);
-    var of_ab_0 : f32 = _S442 * scale_1;
-    var of_ac_0 : f32 = - _S443 * scale_1;
+    var _S461 : vec2<f32> = vec2<f32>(uvs_2.b_2 - uvs_2.a_5);
+    var _S462 : vec2<f32> = vec2<f32>(uvs_2.c_1 - uvs_2.a_5);
+    var _S463 : f32 = _S462.y;
+    var _S464 : f32 = _S461.y;
+    var scale_1 : f32 = 1.0f / (_S461.x * _S463 - _S462.x * _S464);
+    var of_ab_0 : f32 = _S463 * scale_1;
+    var of_ac_0 : f32 = - _S464 * scale_1;
     var a_19 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S444 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S445 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_19) * _S444 + vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_19) * _S445));
+    var _S465 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S466 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_19) * _S465 + vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_19) * _S466));
     (*points_2).a_18 = (*points_2).a_18 - derivative_5 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_2).b_13 = (*points_2).b_13 + derivative_5 * _S444;
-    (*points_2).c_5 = (*points_2).c_5 + derivative_5 * _S445;
+    (*points_2).b_13 = (*points_2).b_13 + derivative_5 * _S465;
+    (*points_2).c_5 = (*points_2).c_5 + derivative_5 * _S466;
     return;
 }
 
@@ -4667,46 +4916,46 @@ fn normals_of_0( triangle_9 : u32) -> u32
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_10 : u32,  corners_5 : AtCorners_0)
 {
-    var _S446 : u32 = triangle_record_0(triangle_10) + u32(2);
-    var _S447 : i32;
+    var _S467 : u32 = triangle_record_0(triangle_10) + u32(2);
+    var _S468 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S447 = i32(0);
+        _S468 = i32(0);
     }
     else
     {
-        _S447 = i32(3);
+        _S468 = i32(3);
     }
-    var _S448 : u32 = u32(_S447);
-    var k_13 : u32 = u32(0);
+    var _S469 : u32 = u32(_S468);
+    var k_11 : u32 = u32(0);
     for(;;)
     {
-        if(k_13 < _S448)
+        if(k_11 < _S469)
         {
         }
         else
         {
             break;
         }
-        var _S449 : u32 = sums_at_0 + u32(3) * word_0(_S446 + k_13);
-        var _S450 : vec3<f32>;
-        if(k_13 == u32(0))
+        var _S470 : u32 = sums_at_0 + u32(3) * word_0(_S467 + k_11);
+        var _S471 : vec3<f32>;
+        if(k_11 == u32(0))
         {
-            _S450 = corners_5.a_18;
+            _S471 = corners_5.a_18;
         }
         else
         {
-            if(k_13 == u32(1))
+            if(k_11 == u32(1))
             {
-                _S450 = corners_5.b_13;
+                _S471 = corners_5.b_13;
             }
             else
             {
-                _S450 = corners_5.c_5;
+                _S471 = corners_5.c_5;
             }
         }
-        add_to_sums_0(_S449, _S450);
-        k_13 = k_13 + u32(1);
+        add_to_sums_0(_S470, _S471);
+        k_11 = k_11 + u32(1);
     }
     return;
 }
@@ -4715,12 +4964,12 @@ fn place_back_0( points_3 : ptr<function, AtCorners_0>,  place_21 : Place_0,  by
 {
     var corner_2 : u32 = u32(9) * place_21.triangle_0;
     var a_20 : vec3<f64> = primitive_vector_0(corner_2);
-    var _S451 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_20);
-    var _S452 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_20);
-    var across_2 : vec3<f32> = cross(_S451, _S452);
-    var _S453 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
-    var normal_7 : vec3<f32> = across_2 / vec3<f32>(_S453);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S452, normal_7) * vec3<f32>(by_place_1.x) + cross(normal_7, _S451) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_7, normal_7) * _S453)));
+    var _S472 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_20);
+    var _S473 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_20);
+    var across_2 : vec3<f32> = cross(_S472, _S473);
+    var _S474 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
+    var normal_7 : vec3<f32> = across_2 / vec3<f32>(_S474);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S473, normal_7) * vec3<f32>(by_place_1.x) + cross(normal_7, _S472) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_7, normal_7) * _S474)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_7 * vec3<f32>((dot(direction_17, by_slip_0) / dot(normal_7, direction_17)));
     add_at_place_1(&((*points_3)), place_21, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -4729,20 +4978,20 @@ fn place_back_0( points_3 : ptr<function, AtCorners_0>,  place_21 : Place_0,  by
 fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_18 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_6.shape_0);
-    var _S454 : vec2<f32>;
+    var _S475 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_3 : u32 = u32(9) * surface_6.place_3.triangle_0;
         var a_21 : vec3<f64> = primitive_vector_0(corner_3);
-        var _S455 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_21);
-        var _S456 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_21);
-        var derivative_8 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(cross(_S455, _S456)));
-        var by_ab_0 : vec3<f32> = cross(_S456, derivative_8);
-        var by_ac_0 : vec3<f32> = cross(derivative_8, _S455);
+        var _S476 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_21);
+        var _S477 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_21);
+        var derivative_8 : vec3<f32> = unit_back_0(surface_6.outward_0, by_outward_0, length(cross(_S476, _S477)));
+        var by_ab_0 : vec3<f32> = cross(_S477, derivative_8);
+        var by_ac_0 : vec3<f32> = cross(derivative_8, _S476);
         (*points_4).a_18 = (*points_4).a_18 - (by_ab_0 + by_ac_0);
         (*points_4).b_13 = (*points_4).b_13 + by_ab_0;
         (*points_4).c_5 = (*points_4).c_5 + by_ac_0;
-        _S454 = by_place_2;
+        _S475 = by_place_2;
     }
     else
     {
@@ -4754,10 +5003,10 @@ fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_6.place_3, derivative_9);
         add_to_corners_0(normals_of_0(surface_6.place_3.triangle_0), surface_6.place_3.triangle_0, of_normals_0);
-        _S454 = by_place_2 + vec2<f32>(dot(ab_0, derivative_9), dot(ac_0, derivative_9));
+        _S475 = by_place_2 + vec2<f32>(dot(ab_0, derivative_9), dot(ac_0, derivative_9));
     }
-    var _S457 : vec3<f32> = place_back_0(&((*points_4)), surface_6.place_3, _S454, by_position_1, direction_18);
-    return _S457;
+    var _S478 : vec3<f32> = place_back_0(&((*points_4)), surface_6.place_3, _S475, by_position_1, direction_18);
+    return _S478;
 }
 
 fn points_of_0( triangle_11 : u32) -> u32
@@ -4768,33 +5017,33 @@ fn points_of_0( triangle_11 : u32) -> u32
 fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32,  direction_19 : vec3<f32>) -> ByRay_0
 {
     var by_ray_1 : ByRay_0;
-    var _S458 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_0 = _S458;
-    by_ray_1.drift_0 = _S458;
+    var _S479 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S479;
+    by_ray_1.drift_0 = _S479;
     var by_place_3 : vec2<f32> = numbers_back_0(material_3, vertex_8.surface_3.place_3, pulled_3.numbers_3);
     if(!is_moving_0())
     {
         return by_ray_1;
     }
-    var _S459 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S480 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_0 : DiffPair_Axes_0;
     towards_0.primal_0 = vertex_8.axes_4;
-    towards_0.differential_0 = _S459;
+    towards_0.differential_0 = _S480;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_19;
-    incoming_0.differential_0 = _S458;
+    incoming_0.differential_0 = _S479;
     _S173(&(towards_0), &(incoming_0), pulled_3.wi_2);
     by_ray_1.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_8.surface_3.outward_0;
-    outward_1.differential_0 = _S458;
-    var _S460 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
+    outward_1.differential_0 = _S479;
+    var _S481 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S460;
-    tangent_4.differential_0 = _S458;
+    tangent_4.primal_0 = _S481;
+    tangent_4.differential_0 = _S479;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_3.axes_5, towards_0.differential_0);
     var points_5 : AtCorners_0 = at_no_corner_0();
-    if((any((_S460 != _S458))))
+    if((any((_S481 != _S479))))
     {
         _S124(&(outward_1), &(tangent_4), vertex_8.surface_3.is_front_0, by_axes_0);
         tangent_back_0(&(points_5), vertex_8.surface_3.place_3.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -4803,32 +5052,32 @@ fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32, 
     {
         _S93(&(outward_1), vertex_8.surface_3.is_front_0, by_axes_0);
     }
-    var _S461 : vec3<f32> = surface_back_0(&(points_5), vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_19);
-    by_ray_1.drift_0 = _S461;
+    var _S482 : vec3<f32> = surface_back_0(&(points_5), vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_19);
+    by_ray_1.drift_0 = _S482;
     add_to_corners_0(points_of_0(vertex_8.surface_3.place_3.triangle_0), vertex_8.surface_3.place_3.triangle_0, points_5);
     return by_ray_1;
 }
 
-fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_46 : ShadingPoint_0,  direction_20 : vec3<f32>)
+fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_45 : ShadingPoint_0,  direction_20 : vec3<f32>)
 {
-    var _S462 : vec3<f32> = vec3<f32>(0.0f);
-    var _S463 : bool;
-    if((all(((crossed_5.pulled_1.position_1) == _S462))))
+    var _S483 : vec3<f32> = vec3<f32>(0.0f);
+    var _S484 : bool;
+    if((all(((crossed_5.pulled_1.position_1) == _S483))))
     {
-        _S463 = (all(((crossed_5.pulled_1.axes_5.n_0) == _S462)));
+        _S484 = (all(((crossed_5.pulled_1.axes_5.n_0) == _S483)));
     }
     else
     {
-        _S463 = false;
+        _S484 = false;
     }
-    if(_S463)
+    if(_S484)
     {
         return;
     }
-    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_46.vertex_2, material_of_0(at_46.vertex_2.surface_3), direction_20);
-    var _S464 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
-    var kept_1 : u32 = _S464;
-    var which_11 : u32 = _S464;
+    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_45.vertex_2, material_of_0(at_45.vertex_2.surface_3), direction_20);
+    var _S485 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
+    var kept_1 : u32 = _S485;
+    var which_11 : u32 = _S485;
     var drift_1 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     var by_direction_0 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     set_vector_0(number_of_path_5, &(kept_1), drift_1 + by_ray_2.drift_0);
@@ -4838,13 +5087,13 @@ fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_46 : ShadingPoint_
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S465 : u32;
+    var _S486 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S466 : u32 = u32(2) + zero_0;
-        _S465 = _S466;
-        if(rounds_0 < _S466)
+        var _S487 : u32 = u32(2) + zero_0;
+        _S486 = _S487;
+        if(rounds_0 < _S487)
         {
         }
         else
@@ -4853,14 +5102,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S465;
+    return rounds_0 == _S486;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S467 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S488 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4877,9 +5126,9 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var number_of_path_6 : u32 = input_0[listed_0];
     var factor_5 : vec3<f32>;
     var path_16 : Path_0 = path_at_vertex_0(number_of_path_6, &(factor_5));
-    var at_47 : ShadingPoint_0;
-    var _S468 : bool = shading_point_0(path_16, &(at_47));
-    if(!_S468)
+    var at_46 : ShadingPoint_0;
+    var _S489 : bool = shading_point_0(path_16, &(at_46));
+    if(!_S489)
     {
         return;
     }
@@ -4894,22 +5143,17 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         {
             break;
         }
-        var probability_5 : f32 = turn_to_0(purpose_3, path_16.key_0, &(at_47));
-        if(!(probability_5 > 0.0f))
+        var probability_6 : f32 = turn_to_0(purpose_3, path_16.key_0, &(at_46));
+        if(!(probability_6 > 0.0f))
         {
             purpose_3 = purpose_3 + u32(1);
             continue;
         }
-        crossed_6.factor_1 = factor_5 / vec3<f32>(probability_5);
-        var subtree_1 : u32 = subtree_of_launch_0();
-        var subtrees_1 : u32 = subtrees_of_0(at_47);
-        if(subtree_1 < subtrees_1)
-        {
-            sample_points_0(at_47, number_of_path_6, path_16, subtree_1, subtrees_1, &(crossed_6));
-        }
+        crossed_6.factor_1 = factor_5 / vec3<f32>(probability_6);
+        sample_points_0(at_46, number_of_path_6, path_16, &(crossed_6));
         purpose_3 = purpose_3 + u32(1);
     }
-    add_0(number_of_path_6, crossed_6, at_47, path_16.direction_1);
+    add_0(number_of_path_6, crossed_6, at_46, path_16.direction_1);
     check_loops_0();
     return;
 }

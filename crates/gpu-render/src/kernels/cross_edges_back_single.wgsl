@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: a5da34863903b748
-// result: 4cc7a3574a5ad7ac
+// source: 9151c6c34a765e54
+// result: efaaf75b93e080dd
 
 struct Launch_std140_0
 {
@@ -387,7 +387,7 @@ fn s_bwdProp_axes_around_0( _S74 : s_bwdCallableCtx_axes_around_0,  _S75 : ptr<f
 {
     var _S77 : f32 = _S74.value0_9.value0_8.z;
     var sign_0 : f32;
-    if(_S77 < 0.0f)
+    if(_S77 < -0.30000001192092896f)
     {
         sign_0 = -1.0f;
     }
@@ -755,7 +755,7 @@ fn load_0( number_of_path_0 : u32) -> Path_0
 
 fn depth_of_launch_0() -> u32
 {
-    return ((launch_0.depth_0) & (u32(16777215)));
+    return ((launch_0.depth_0) & (u32(1048575)));
 }
 
 fn kept_at_0( depth_1 : u32) -> u32
@@ -950,24 +950,34 @@ fn Corners2_x24init_0( a_6 : vec2<f32>,  b_3 : vec2<f32>,  c_2 : vec2<f32>) -> C
     return _S200;
 }
 
+fn precise_0( at_7 : u32) -> f32
+{
+    return number_0(at_7) + number_0(at_7 + u32(1));
+}
+
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f, 0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_5) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_7 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_5) + u32(1));
-    uvs_0.a_5 = vec2<f32>(number_0(at_7), number_0(at_7 + u32(1)));
-    uvs_0.b_2 = vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5)));
+    var at_8 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_5) + u32(1));
+    uvs_0.a_5 = vec2<f32>(precise_0(at_8), precise_0(at_8 + u32(2)));
+    uvs_0.b_2 = vec2<f32>(precise_0(at_8 + u32(4)), precise_0(at_8 + u32(6)));
+    uvs_0.c_1 = vec2<f32>(precise_0(at_8 + u32(8)), precise_0(at_8 + u32(10)));
     return uvs_0;
+}
+
+fn row_at_0( at_9 : u32) -> vec3<f32>
+{
+    return vec3<f32>(precise_0(at_9), precise_0(at_9 + u32(2)), precise_0(at_9 + u32(4)));
 }
 
 fn floor_of_0( x_4 : f32) -> i32
 {
-    return i32(floor(clamp(x_4, -1.0e+09f, 1.0e+09f)));
+    return i32(clamp(floor(x_4), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
@@ -1086,43 +1096,43 @@ fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_7.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
-    var uv_1 : Point_0;
-    var _S211 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_2 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
-    uv_1.value_1 = vec2<f32>(dot(_S211, to_u_0), dot(_S211, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_2 - uvs_1.a_5;
     var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_5;
-    var _S212 : vec2<f32> = to_u_0.xy;
-    var _S213 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S212), dot(by_v_0, _S213));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S212), dot(by_w_0, _S213));
+    var _S211 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f32> = row_at_0(_S211);
+    var to_v_0 : vec3<f32> = row_at_0(_S211 + u32(6));
+    var uv_1 : Point_0;
+    var _S212 : vec3<f32> = vec3<f32>(uvs_1.a_5 + by_v_0 * vec2<f32>((place_7.v_0 + place_7.v_rest_0)) + by_w_0 * vec2<f32>((place_7.w_0 + place_7.w_rest_0)), 1.0f);
+    uv_1.value_1 = vec2<f32>(dot(_S212, to_u_0), dot(_S212, to_v_0));
+    var _S213 : vec2<f32> = to_u_0.xy;
+    var _S214 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S213), dot(by_v_0, _S214));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S213), dot(by_w_0, _S214));
     if(kind_0 == u32(1))
     {
-        var _S214 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S214;
+        var _S215 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S215;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_1 - floor(uv_1.value_1);
-    var _S215 : i32;
+    var _S216 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S215 = i32(1);
+        _S216 = i32(1);
     }
     else
     {
-        _S215 = i32(0);
+        _S216 = i32(0);
     }
-    return one_texel_0(u32(_S215));
+    return one_texel_0(u32(_S216));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S216 : u32 = word_0(texture_2 + u32(1));
-    var _S217 : u32 = texture_2 + u32(13);
-    var _S218 : vec3<f32> = vec3<f32>(0.0f);
+    var _S217 : u32 = word_0(texture_2 + u32(1));
+    var _S218 : u32 = texture_2 + u32(19);
+    var _S219 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S218;
+    var value_2 : vec3<f32> = _S219;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1132,17 +1142,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S217 + _S216 * lookup_3.texels_0[k_1];
-        var _S219 : vec3<f32>;
-        if(_S216 == u32(1))
+        var at_10 : u32 = _S218 + _S217 * lookup_3.texels_0[k_1];
+        var _S220 : vec3<f32>;
+        if(_S217 == u32(1))
         {
-            _S219 = vec3<f32>(number_0(at_8));
+            _S220 = vec3<f32>(number_0(at_10));
         }
         else
         {
-            _S219 = vector_at_0(at_8);
+            _S220 = vector_at_0(at_10);
         }
-        var value_3 : vec3<f32> = value_2 + _S219 * vec3<f32>(weights_1[k_1]);
+        var value_3 : vec3<f32> = value_2 + _S220 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_2 = value_3;
     }
@@ -1156,8 +1166,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
 {
-    var _S220 : Lookup_0 = lookup_at_0(texture_4, place_8);
-    return looked_up_0(texture_4, _S220, vec2<f32>(0.0f));
+    var _S221 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S221, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -1216,38 +1226,38 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
     var lobe_0 : Lobe_0;
     lobe_0.record_2 = record_3;
     var is_black_0 : bool = record_3 == u32(4294967295);
-    var _S221 : u32;
+    var _S222 : u32;
     if(is_black_0)
     {
-        _S221 = u32(0);
+        _S222 = u32(0);
     }
     else
     {
-        _S221 = word_0(record_3);
+        _S222 = word_0(record_3);
     }
-    lobe_0.kind_1 = _S221;
+    lobe_0.kind_1 = _S222;
     if(is_black_0)
     {
-        _S221 = u32(1);
+        _S222 = u32(1);
     }
     else
     {
-        _S221 = word_0(record_3 + u32(1));
+        _S222 = word_0(record_3 + u32(1));
     }
-    lobe_0.distribution_0 = _S221;
+    lobe_0.distribution_0 = _S222;
     lobe_0.numbers_2 = no_numbers_0();
     if(is_black_0)
     {
-        _S221 = u32(0);
+        _S222 = u32(0);
     }
     else
     {
-        _S221 = word_0(record_3 + u32(4));
+        _S222 = word_0(record_3 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S221)
+        if(slot_1 < _S222)
         {
         }
         else
@@ -1261,10 +1271,10 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
-        var _S222 : vec3<f32> = value_of_0(colour_1);
-        var _S223 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S223), slot_1, _S222);
-        lobe_0.numbers_2 = _S223;
+        var _S223 : vec3<f32> = value_of_0(colour_1);
+        var _S224 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S224), slot_1, _S223);
+        lobe_0.numbers_2 = _S224;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -1279,53 +1289,53 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S224 : vec3<f32>;
+    var _S225 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S224 = tangent_0;
+        _S225 = tangent_0;
     }
     else
     {
-        _S224 = vec3<f32>(0.0f);
+        _S225 = vec3<f32>(0.0f);
     }
-    return _S224;
+    return _S225;
 }
 
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S225 : vec3<f32>;
+    var _S226 : vec3<f32>;
     if(is_front_1)
     {
-        _S225 = n_2;
+        _S226 = n_2;
     }
     else
     {
-        _S225 = (vec3<f32>(0) - n_2);
+        _S226 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_0 = _S225;
-    var _S226 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S226;
-    axes_0.t_0 = cross(n_2, _S226);
+    axes_0.n_0 = _S226;
+    var _S227 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S227;
+    axes_0.t_0 = cross(n_2, _S227);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S227 : vec3<f32>;
+    var _S228 : vec3<f32>;
     if(is_front_2)
     {
-        _S227 = n_3;
+        _S228 = n_3;
     }
     else
     {
-        _S227 = (vec3<f32>(0) - n_3);
+        _S228 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_0 = _S227;
-    var _S228 : f32 = n_3.z;
+    axes_1.n_0 = _S228;
+    var _S229 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S228 < 0.0f)
+    if(_S229 < -0.30000001192092896f)
     {
         sign_1 = -1.0f;
     }
@@ -1333,12 +1343,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_1 = 1.0f;
     }
-    var a_7 : f32 = -1.0f / (sign_1 + _S228);
-    var _S229 : f32 = n_3.x;
-    var _S230 : f32 = n_3.y;
-    var b_4 : f32 = _S229 * _S230 * a_7;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S229 * _S229 * a_7, sign_1 * b_4, - sign_1 * _S229);
-    axes_1.t_0 = vec3<f32>(b_4, sign_1 + _S230 * _S230 * a_7, - _S230);
+    var a_7 : f32 = -1.0f / (sign_1 + _S229);
+    var _S230 : f32 = n_3.x;
+    var _S231 : f32 = n_3.y;
+    var b_4 : f32 = _S230 * _S231 * a_7;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S230 * _S230 * a_7, sign_1 * b_4, - sign_1 * _S230);
+    axes_1.t_0 = vec3<f32>(b_4, sign_1 + _S231 * _S231 * a_7, - _S231);
     return axes_1;
 }
 
@@ -1365,8 +1375,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_4 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S231 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S231;
+    var _S232 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S232;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -1389,9 +1399,9 @@ struct VertexMotion_0
 fn motion_of_0( vertex_1 : Vertex_0) -> VertexMotion_0
 {
     var motion_0 : VertexMotion_0;
-    var _S232 : vec3<f32> = vec3<f32>(0.0f);
-    motion_0.rotation_0 = _S232;
-    motion_0.velocity_0 = _S232;
+    var _S233 : vec3<f32> = vec3<f32>(0.0f);
+    motion_0.rotation_0 = _S233;
+    motion_0.velocity_0 = _S233;
     return motion_0;
 }
 
@@ -1416,24 +1426,24 @@ struct ShadingPoint_0
      front_offset_0 : vec3<f32>,
 };
 
-fn shading_point_0( path_10 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> bool
+fn shading_point_0( path_10 : Path_0,  at_11 : ptr<function, ShadingPoint_0>) -> bool
 {
     var surface_5 : Surface_0 = surface_at_0(path_10.place_1, value_of_0(path_10.direction_1));
     var material_1 : u32 = material_of_0(surface_5);
-    var _S233 : Vertex_0 = vertex_at_0(surface_5, material_1, path_10.direction_1);
-    (*at_9).vertex_2 = _S233;
-    var _S234 : VertexMotion_0 = motion_of_0(_S233);
-    (*at_9).motion_1 = _S234;
-    (*at_9).whole_0 = _S234;
-    (*at_9).planes_0 = u32(0);
-    (*at_9).tree_0 = u32(0);
-    (*at_9).emitter_0 = u32(0);
-    (*at_9).purpose_0 = u32(0);
-    (*at_9).turns_0 = false;
-    (*at_9).has_creases_0 = false;
-    var _S235 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_9).front_offset_0 = _S235;
-    (*at_9).front_0 = _S235;
+    var _S234 : Vertex_0 = vertex_at_0(surface_5, material_1, path_10.direction_1);
+    (*at_11).vertex_2 = _S234;
+    var _S235 : VertexMotion_0 = motion_of_0(_S234);
+    (*at_11).motion_1 = _S235;
+    (*at_11).whole_0 = _S235;
+    (*at_11).planes_0 = u32(0);
+    (*at_11).tree_0 = u32(0);
+    (*at_11).emitter_0 = u32(0);
+    (*at_11).purpose_0 = u32(0);
+    (*at_11).turns_0 = false;
+    (*at_11).has_creases_0 = false;
+    var _S236 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_11).front_offset_0 = _S236;
+    (*at_11).front_0 = _S236;
     var k_2 : u32 = u32(0);
     for(;;)
     {
@@ -1444,19 +1454,19 @@ fn shading_point_0( path_10 : Path_0,  at_9 : ptr<function, ShadingPoint_0>) -> 
         {
             break;
         }
-        (*at_9).inside_2[k_2] = surface_5.exact_0;
+        (*at_11).inside_2[k_2] = surface_5.exact_0;
         k_2 = k_2 + u32(1);
     }
-    var _S236 : bool;
+    var _S237 : bool;
     if(material_1 != u32(4294967295))
     {
-        _S236 = has_smooth_0((*at_9).vertex_2.lobe_1);
+        _S237 = has_smooth_0((*at_11).vertex_2.lobe_1);
     }
     else
     {
-        _S236 = false;
+        _S237 = false;
     }
-    return _S236;
+    return _S237;
 }
 
 struct Pulled_0
@@ -1471,12 +1481,12 @@ fn nothing_pulled_0() -> Pulled_0
 {
     var pulled_0 : Pulled_0;
     pulled_0.numbers_3 = no_numbers_0();
-    var _S237 : vec3<f32> = vec3<f32>(0.0f);
-    pulled_0.position_1 = _S237;
-    pulled_0.wi_2 = _S237;
-    pulled_0.axes_5.n_0 = _S237;
-    pulled_0.axes_5.t_0 = _S237;
-    pulled_0.axes_5.s_0 = _S237;
+    var _S238 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_1 = _S238;
+    pulled_0.wi_2 = _S238;
+    pulled_0.axes_5.n_0 = _S238;
+    pulled_0.axes_5.t_0 = _S238;
+    pulled_0.axes_5.s_0 = _S238;
     return pulled_0;
 }
 
@@ -1496,9 +1506,9 @@ fn nothing_crossed_0( factor_2 : vec3<f32>) -> Crossed_0
     return crossed_0;
 }
 
-fn change_word_0( at_10 : u32) -> u32
+fn change_word_0( at_12 : u32) -> u32
 {
-    return input_0[launch_0.room_0 + at_10];
+    return input_0[launch_0.room_0 + at_12];
 }
 
 fn turns_1( vertex_3 : Vertex_0) -> bool
@@ -1506,9 +1516,9 @@ fn turns_1( vertex_3 : Vertex_0) -> bool
     return (change_word_0(u32(1))) != u32(0);
 }
 
-fn edge_word_0( at_11 : u32) -> u32
+fn edge_word_0( at_13 : u32) -> u32
 {
-    return change_word_0(change_word_0(u32(3)) + at_11);
+    return change_word_0(change_word_0(u32(3)) + at_13);
 }
 
 fn numbers_for_0( purpose_1 : u32) -> u32
@@ -1530,33 +1540,33 @@ fn product_0( a_8 : u32,  b_5 : u32) -> vec2<u32>
 
 fn times_0( a_9 : vec2<u32>,  b_6 : vec2<u32>) -> vec2<u32>
 {
-    var _S238 : u32 = a_9.x;
-    var _S239 : u32 = b_6.x;
-    var low_1 : vec2<u32> = product_0(_S238, _S239);
-    return vec2<u32>(low_1.x, low_1.y + _S238 * b_6.y + a_9.y * _S239);
+    var _S239 : u32 = a_9.x;
+    var _S240 : u32 = b_6.x;
+    var low_1 : vec2<u32> = product_0(_S239, _S240);
+    return vec2<u32>(low_1.x, low_1.y + _S239 * b_6.y + a_9.y * _S240);
 }
 
 fn plus_0( a_10 : vec2<u32>,  b_7 : vec2<u32>) -> vec2<u32>
 {
-    var _S240 : u32 = a_10.x;
-    var low_2 : u32 = _S240 + b_7.x;
-    var _S241 : u32 = a_10.y + b_7.y;
-    var _S242 : i32;
-    if(low_2 < _S240)
+    var _S241 : u32 = a_10.x;
+    var low_2 : u32 = _S241 + b_7.x;
+    var _S242 : u32 = a_10.y + b_7.y;
+    var _S243 : i32;
+    if(low_2 < _S241)
     {
-        _S242 = i32(1);
+        _S243 = i32(1);
     }
     else
     {
-        _S242 = i32(0);
+        _S243 = i32(0);
     }
-    return vec2<u32>(low_2, _S241 + u32(_S242));
+    return vec2<u32>(low_2, _S242 + u32(_S243));
 }
 
 fn shifted_xor_0( x_6 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S243 : u32 = x_6.y;
-    return (x_6 ^ (vec2<u32>(((((x_6.x) >> (by_0))) | (((_S243 << ((u32(32) - by_0)))))), (_S243 >> (by_0)))));
+    var _S244 : u32 = x_6.y;
+    return (x_6 ^ (vec2<u32>(((((x_6.x) >> (by_0))) | (((_S244 << ((u32(32) - by_0)))))), (_S244 >> (by_0)))));
 }
 
 fn mix_0( x_7 : vec2<u32>) -> vec2<u32>
@@ -1645,8 +1655,8 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_1) / distance_2, 0.0f) / squared_0;
     }
-    var _S244 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S244 * _S244 / (2.0f * (_S244 - max(lowest_0, -1.0f)) * squared_0);
+    var _S245 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S245 * _S245 / (2.0f * (_S245 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn emitter_view_0( emitter_2 : u32,  position_3 : vec3<f32>,  normal_1 : vec3<f32>) -> f32
@@ -1670,16 +1680,16 @@ struct Choice_0
 fn light_of_0( emitter_3 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_3, choice_0.position_4, choice_0.normal_2);
-    var _S245 : f32;
+    var _S246 : f32;
     if(view_0 > 0.0f)
     {
-        _S245 = 1.0f;
+        _S246 = 1.0f;
     }
     else
     {
-        _S245 = 0.0f;
+        _S246 = 0.0f;
     }
-    (*can_light_0) = _S245;
+    (*can_light_0) = _S246;
     return view_0 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -1690,13 +1700,13 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
     choice_1.normal_2 = vertex_4.axes_4.n_0;
     choice_1.all_0 = 0.0f;
     choice_1.lit_0 = 0.0f;
-    var _S246 : u32 = word_0(u32(6));
+    var _S247 : u32 = word_0(u32(6));
     var can_light_1 : f32;
     var i_1 : u32 = u32(0);
     var count_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S246)
+        if(i_1 < _S247)
         {
         }
         else
@@ -1708,36 +1718,36 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S247 : u32 = count_1 + u32(1);
-        if(_S246 > u32(32))
+        var _S248 : u32 = count_1 + u32(1);
+        if(_S247 > u32(32))
         {
-            count_1 = _S247;
+            count_1 = _S248;
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S248 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
-        choice_1.all_0 = choice_1.all_0 + _S248;
+        var _S249 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
+        choice_1.all_0 = choice_1.all_0 + _S249;
         choice_1.lit_0 = choice_1.lit_0 + can_light_1;
-        count_1 = _S247;
+        count_1 = _S248;
         i_1 = i_1 + u32(1);
     }
     (*probability_0) = 0.0f;
-    var _S249 : bool;
+    var _S250 : bool;
     if((choice_1.all_0) > 0.0f)
     {
-        _S249 = (choice_1.all_0) < 3.00000000549775576e+38f;
+        _S250 = (choice_1.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S249 = false;
+        _S250 = false;
     }
-    var _S250 : bool = !_S249;
+    var _S251 : bool = !_S250;
     var chosen_0 : u32 = u32(0);
     i_1 = u32(0);
     var rest_1 : f32 = u_0;
     for(;;)
     {
-        if(i_1 < _S246)
+        if(i_1 < _S247)
         {
         }
         else
@@ -1749,16 +1759,16 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S251 : f32 = 1.0f / f32(count_1);
+        var _S252 : f32 = 1.0f / f32(count_1);
         var own_0 : f32;
-        if(!_S250)
+        if(!_S251)
         {
             var light_0 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
             own_0 = 0.5f * can_light_1 / choice_1.lit_0 + 0.5f * light_0 / choice_1.all_0;
         }
         else
         {
-            own_0 = _S251;
+            own_0 = _S252;
         }
         var chosen_1 : u32;
         if(own_0 > 0.0f)
@@ -1783,19 +1793,19 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
     return chosen_0;
 }
 
-fn real_place_0( at_12 : u32) -> u32
+fn real_place_0( at_14 : u32) -> u32
 {
-    return word_0(u32(15)) + u32(4) + at_12;
+    return word_0(u32(15)) + u32(4) + at_14;
 }
 
-fn edge_real_0( at_13 : u32) -> f32
+fn edge_real_0( at_15 : u32) -> f32
 {
-    return primitives_0[real_place_0(at_13)];
+    return primitives_0[real_place_0(at_15)];
 }
 
-fn edge_position_0( at_14 : u32) -> vec3<f32>
+fn edge_position_0( at_16 : u32) -> vec3<f32>
 {
-    return primitive_vector_0(real_place_0(at_14));
+    return primitive_vector_0(real_place_0(at_16));
 }
 
 fn exact_unit_0( v_4 : vec3<f32>) -> vec3<f32>
@@ -1808,22 +1818,22 @@ fn length_of_0( v_5 : vec3<f32>) -> f32
     return sqrt(dot(v_5, v_5));
 }
 
-fn open_window_0( at_15 : ptr<function, ShadingPoint_0>) -> bool
+fn open_window_0( at_17 : ptr<function, ShadingPoint_0>) -> bool
 {
-    var window_0 : u32 = edge_word_0(edge_word_0(u32(5)) + (*at_15).emitter_0);
+    var window_0 : u32 = edge_word_0(edge_word_0(u32(5)) + (*at_17).emitter_0);
     var corners_0 : u32 = u32(edge_real_0(window_0));
-    var apex_0 : vec3<f32> = (*at_15).vertex_2.surface_3.exact_0;
+    var apex_0 : vec3<f32> = (*at_17).vertex_2.surface_3.exact_0;
     var before_0 : vec3<f32>;
     if(corners_0 > u32(0))
     {
-        var _S252 : u32 = window_0 + u32(1);
-        var normal_3 : vec3<f32> = edge_position_0(_S252);
-        var before_1 : vec3<f32> = edge_position_0(_S252 + u32(3) * corners_0) - apex_0;
+        var _S253 : u32 = window_0 + u32(1);
+        var normal_3 : vec3<f32> = edge_position_0(_S253);
+        var before_1 : vec3<f32> = edge_position_0(_S253 + u32(3) * corners_0) - apex_0;
         if((dot(normal_3, before_1)) >= 0.0f)
         {
             return false;
         }
-        (*at_15).planes_0 = corners_0;
+        (*at_17).planes_0 = corners_0;
         before_0 = before_1;
         var k_3 : u32 = u32(0);
         for(;;)
@@ -1836,13 +1846,13 @@ fn open_window_0( at_15 : ptr<function, ShadingPoint_0>) -> bool
                 break;
             }
             var offset_2 : vec3<f32> = edge_position_0(window_0 + u32(4) + u32(3) * k_3) - apex_0;
-            (*at_15).inside_2[k_3] = exact_unit_0(cross(offset_2, before_0));
-            var _S253 : u32 = k_3 + u32(1);
+            (*at_17).inside_2[k_3] = exact_unit_0(cross(offset_2, before_0));
+            var _S254 : u32 = k_3 + u32(1);
             before_0 = offset_2;
-            k_3 = _S253;
+            k_3 = _S254;
         }
-        (*at_15).front_0 = normal_3;
-        (*at_15).front_offset_0 = before_0;
+        (*at_17).front_0 = normal_3;
+        (*at_17).front_offset_0 = before_0;
         return true;
     }
     var offset_3 : vec3<f32> = edge_position_0(window_0 + u32(1)) - apex_0;
@@ -1864,15 +1874,15 @@ fn open_window_0( at_15 : ptr<function, ShadingPoint_0>) -> bool
     }
     var s_1 : vec3<f32> = exact_unit_0(cross(axis_1, before_0));
     var t_1 : vec3<f32> = cross(axis_1, s_1);
-    (*at_15).planes_0 = u32(4);
-    var _S254 : vec3<f32> = axis_1 * vec3<f32>(sine_1);
-    var _S255 : vec3<f32> = vec3<f32>(cosine_2);
-    var _S256 : vec3<f32> = s_1 * _S255;
-    (*at_15).inside_2[i32(0)] = _S254 + _S256;
-    (*at_15).inside_2[i32(1)] = _S254 - _S256;
-    var _S257 : vec3<f32> = t_1 * _S255;
-    (*at_15).inside_2[i32(2)] = _S254 + _S257;
-    (*at_15).inside_2[i32(3)] = _S254 - _S257;
+    (*at_17).planes_0 = u32(4);
+    var _S255 : vec3<f32> = axis_1 * vec3<f32>(sine_1);
+    var _S256 : vec3<f32> = vec3<f32>(cosine_2);
+    var _S257 : vec3<f32> = s_1 * _S256;
+    (*at_17).inside_2[i32(0)] = _S255 + _S257;
+    (*at_17).inside_2[i32(1)] = _S255 - _S257;
+    var _S258 : vec3<f32> = t_1 * _S256;
+    (*at_17).inside_2[i32(2)] = _S255 + _S258;
+    (*at_17).inside_2[i32(3)] = _S255 - _S258;
     return true;
 }
 
@@ -1888,30 +1898,30 @@ fn is_blind_0() -> bool
 
 fn rests_0( motion_2 : VertexMotion_0) -> bool
 {
-    var _S258 : vec3<f32> = vec3<f32>(0.0f);
-    var _S259 : bool;
-    if((all(((motion_2.velocity_0) == _S258))))
+    var _S259 : vec3<f32> = vec3<f32>(0.0f);
+    var _S260 : bool;
+    if((all(((motion_2.velocity_0) == _S259))))
     {
-        _S259 = (all(((motion_2.rotation_0) == _S258)));
+        _S260 = (all(((motion_2.rotation_0) == _S259)));
     }
     else
     {
-        _S259 = false;
+        _S260 = false;
     }
-    return _S259;
+    return _S260;
 }
 
-fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_16 : ptr<function, ShadingPoint_0>) -> f32
+fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_18 : ptr<function, ShadingPoint_0>) -> f32
 {
     var probability_1 : f32 = 1.0f;
-    (*at_16).purpose_0 = purpose_2;
-    (*at_16).planes_0 = u32(0);
-    var _S260 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_16).front_0 = _S260;
-    var _S261 : bool = purpose_2 == u32(2);
-    (*at_16).has_creases_0 = _S261;
+    (*at_18).purpose_0 = purpose_2;
+    (*at_18).planes_0 = u32(0);
+    var _S261 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_18).front_0 = _S261;
+    var _S262 : bool = purpose_2 == u32(2);
+    (*at_18).has_creases_0 = _S262;
     var tree_1 : u32;
-    if(_S261)
+    if(_S262)
     {
         tree_1 = u32(1);
     }
@@ -1919,97 +1929,79 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_16 : ptr<function, Shadin
     {
         tree_1 = u32(0);
     }
-    (*at_16).motion_1 = (*at_16).whole_0;
-    (*at_16).turns_0 = turns_1((*at_16).vertex_2);
-    var _S262 : bool;
+    (*at_18).motion_1 = (*at_18).whole_0;
+    (*at_18).turns_0 = turns_1((*at_18).vertex_2);
+    var _S263 : bool;
     if(purpose_2 == u32(0))
     {
-        var _S263 : u32 = edge_word_0(u32(4));
-        (*at_16).turns_0 = false;
-        var _S264 : u32 = chosen_area_emitter_0((*at_16).vertex_2, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
-        (*at_16).emitter_0 = _S264;
+        var _S264 : u32 = edge_word_0(u32(4));
+        (*at_18).turns_0 = false;
+        var _S265 : u32 = chosen_area_emitter_0((*at_18).vertex_2, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
+        (*at_18).emitter_0 = _S265;
         if(!(probability_1 > 0.0f))
         {
-            _S262 = true;
+            _S263 = true;
         }
         else
         {
-            var _S265 : bool = open_window_0(&((*at_16)));
-            _S262 = !_S265;
+            var _S266 : bool = open_window_0(&((*at_18)));
+            _S263 = !_S266;
         }
-        if(_S262)
+        if(_S263)
         {
             return 0.0f;
         }
-        tree_1 = _S263;
+        tree_1 = _S264;
     }
     else
     {
         if(purpose_2 == u32(1))
         {
-            var _S266 : u32 = word_0(u32(8));
-            (*at_16).emitter_0 = _S266;
-            if(_S266 == u32(4294967295))
+            var _S267 : u32 = word_0(u32(8));
+            (*at_18).emitter_0 = _S267;
+            if(_S267 == u32(4294967295))
             {
                 return 0.0f;
             }
-            if(is_map_0(emitter_record_0((*at_16).emitter_0)))
+            if(is_map_0(emitter_record_0((*at_18).emitter_0)))
             {
-                (*at_16).turns_0 = false;
+                (*at_18).turns_0 = false;
             }
         }
     }
-    if(!(*at_16).turns_0)
+    if(!(*at_18).turns_0)
     {
-        (*at_16).motion_1.rotation_0 = _S260;
+        (*at_18).motion_1.rotation_0 = _S261;
     }
     if(!is_blind_0())
     {
-        _S262 = rests_0((*at_16).motion_1);
+        _S263 = rests_0((*at_18).motion_1);
     }
     else
     {
-        _S262 = false;
+        _S263 = false;
     }
-    if(_S262)
+    if(_S263)
     {
         tree_1 = tree_1 + u32(2);
     }
-    var _S267 : u32 = edge_word_0(tree_1);
-    (*at_16).tree_0 = _S267;
-    var _S268 : f32;
-    if(_S267 == u32(4294967295))
+    var _S268 : u32 = edge_word_0(tree_1);
+    (*at_18).tree_0 = _S268;
+    var _S269 : f32;
+    if(_S268 == u32(4294967295))
     {
-        _S268 = 0.0f;
+        _S269 = 0.0f;
     }
     else
     {
-        _S268 = probability_1;
+        _S269 = probability_1;
     }
-    return _S268;
+    return _S269;
 }
 
-fn subtree_of_launch_0() -> u32
+fn part_of_launch_0() -> u32
 {
-    return ((launch_0.depth_0) >> (u32(24)));
-}
-
-fn subtrees_of_0( at_17 : ShadingPoint_0) -> u32
-{
-    var count_2 : u32;
-    if((depth_of_launch_0()) == u32(0))
-    {
-        count_2 = u32(2);
-    }
-    else
-    {
-        count_2 = u32(1);
-    }
-    if((at_17.purpose_0) == u32(0))
-    {
-        count_2 = u32(4) * count_2;
-    }
-    return count_2;
+    return ((launch_0.depth_0) >> (u32(20)));
 }
 
 fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f32
@@ -2017,70 +2009,137 @@ fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f32
     return f32(((random_bits_0(key_4, dimension_2).y) >> (u32(8)))) / 4096.0f / 4096.0f;
 }
 
-struct Leaves_0
+fn edge_number_0( at_19 : u32) -> f32
 {
-     count_3 : u32,
-     nodes_1 : array<u32, i32(96)>,
-};
-
-fn below_0( node_1 : u32) -> Leaves_0
-{
-    var leaves_0 : Leaves_0;
-    leaves_0.count_3 = u32(1);
-    leaves_0.nodes_1[i32(0)] = node_1;
-    return leaves_0;
+    return (bitcast<f32>((edge_word_0(at_19))));
 }
 
-fn edge_number_0( at_18 : u32) -> f32
+fn edge_vector_0( at_20 : u32) -> vec3<f32>
 {
-    return (bitcast<f32>((edge_word_0(at_18))));
+    return vec3<f32>(edge_number_0(at_20), edge_number_0(at_20 + u32(1)), edge_number_0(at_20 + u32(2)));
 }
 
-fn edge_vector_0( at_19 : u32) -> vec3<f32>
+fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
 {
-    return vec3<f32>(edge_number_0(at_19), edge_number_0(at_19 + u32(1)), edge_number_0(at_19 + u32(2)));
-}
-
-fn may_have_silhouette_0( node_2 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
-{
-    var sine_2 : f32 = edge_number_0(node_2 + u32(11));
-    var cosine_3 : f32 = edge_number_0(node_2 + u32(12));
+    var sine_2 : f32 = edge_number_0(node_1 + u32(11));
+    var cosine_3 : f32 = edge_number_0(node_1 + u32(12));
     if(sine_2 > 1.0f)
     {
         return true;
     }
-    var margin_0 : f32 = (edge_number_0(node_2 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
+    var margin_0 : f32 = (edge_number_0(node_1 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
     var margin_1 : f32;
     if(cosine_3 > 0.0f)
     {
-        margin_1 = min((edge_number_0(node_2 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
+        margin_1 = min((edge_number_0(node_1 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
     }
     else
     {
         margin_1 = margin_0;
     }
-    return !((abs(dot(edge_vector_0(node_2 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
+    return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
 }
 
-fn is_outside_0( at_20 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
+fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
 {
-    var k_4 : u32 = u32(0);
-    for(;;)
+    var _S270 : bool;
+    if(u32(0) < (at_21.planes_0))
     {
-        if(k_4 < (at_20.planes_0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        if((dot(at_20.inside_2[k_4], offset_5)) < (- radius_2 - 3.99999998990097083e-06f))
-        {
-            return true;
-        }
-        k_4 = k_4 + u32(1);
+        _S270 = (dot(at_21.inside_2[u32(0)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
-    return (dot(at_20.front_0, offset_5 - at_20.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
+    else
+    {
+        _S270 = false;
+    }
+    if(_S270)
+    {
+        return true;
+    }
+    if(u32(1) < (at_21.planes_0))
+    {
+        _S270 = (dot(at_21.inside_2[u32(1)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S270 = false;
+    }
+    if(_S270)
+    {
+        return true;
+    }
+    if(u32(2) < (at_21.planes_0))
+    {
+        _S270 = (dot(at_21.inside_2[u32(2)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S270 = false;
+    }
+    if(_S270)
+    {
+        return true;
+    }
+    if(u32(3) < (at_21.planes_0))
+    {
+        _S270 = (dot(at_21.inside_2[u32(3)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S270 = false;
+    }
+    if(_S270)
+    {
+        return true;
+    }
+    if(u32(4) < (at_21.planes_0))
+    {
+        _S270 = (dot(at_21.inside_2[u32(4)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S270 = false;
+    }
+    if(_S270)
+    {
+        return true;
+    }
+    if(u32(5) < (at_21.planes_0))
+    {
+        _S270 = (dot(at_21.inside_2[u32(5)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S270 = false;
+    }
+    if(_S270)
+    {
+        return true;
+    }
+    if(u32(6) < (at_21.planes_0))
+    {
+        _S270 = (dot(at_21.inside_2[u32(6)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S270 = false;
+    }
+    if(_S270)
+    {
+        return true;
+    }
+    if(u32(7) < (at_21.planes_0))
+    {
+        _S270 = (dot(at_21.inside_2[u32(7)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S270 = false;
+    }
+    if(_S270)
+    {
+        return true;
+    }
+    return (dot(at_21.front_0, offset_5 - at_21.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
 }
 
 fn logarithm_0( x_8 : f32) -> f32
@@ -2108,16 +2167,16 @@ fn logarithm_0( x_8 : f32) -> f32
 
 fn direction_number_0( d_0 : vec3<f32>) -> u32
 {
-    var _S269 : i32;
+    var _S271 : i32;
     if((abs(d_0.y)) > (abs(d_0.x)))
     {
-        _S269 = i32(1);
+        _S271 = i32(1);
     }
     else
     {
-        _S269 = i32(0);
+        _S271 = i32(0);
     }
-    var axis_2 : u32 = u32(_S269);
+    var axis_2 : u32 = u32(_S271);
     var axis_3 : u32;
     if((abs(d_0.z)) > (abs(d_0[axis_2])))
     {
@@ -2127,34 +2186,34 @@ fn direction_number_0( d_0 : vec3<f32>) -> u32
     {
         axis_3 = axis_2;
     }
-    var _S270 : u32 = u32(8) * axis_3;
+    var _S272 : u32 = u32(8) * axis_3;
     if((d_0[axis_3]) < 0.0f)
     {
-        _S269 = i32(4);
+        _S271 = i32(4);
     }
     else
     {
-        _S269 = i32(0);
+        _S271 = i32(0);
     }
-    var _S271 : u32 = _S270 + u32(_S269);
+    var _S273 : u32 = _S272 + u32(_S271);
     if((d_0[(axis_3 + u32(1)) % u32(3)]) < 0.0f)
     {
-        _S269 = i32(2);
+        _S271 = i32(2);
     }
     else
     {
-        _S269 = i32(0);
+        _S271 = i32(0);
     }
-    var _S272 : u32 = _S271 + u32(_S269);
+    var _S274 : u32 = _S273 + u32(_S271);
     if((d_0[(axis_3 + u32(2)) % u32(3)]) < 0.0f)
     {
-        _S269 = i32(1);
+        _S271 = i32(1);
     }
     else
     {
-        _S269 = i32(0);
+        _S271 = i32(0);
     }
-    return _S272 + u32(_S269);
+    return _S274 + u32(_S271);
 }
 
 fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
@@ -2162,16 +2221,16 @@ fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
     return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
 }
 
-fn speed_of_0( at_21 : ShadingPoint_0,  node_3 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+fn speed_of_0( at_22 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
 {
     if(is_blind_0())
     {
-        return edge_number_0(node_3 + u32(20)) + 0.10000000149011612f;
+        return edge_number_0(node_2 + u32(20)) + 0.10000000149011612f;
     }
-    var relative_0 : vec3<f32> = edge_vector_0(node_3 + u32(17)) - velocity_at_0(at_21.motion_1, offset_7);
-    var axis_4 : vec3<f32> = edge_vector_0(node_3 + u32(8));
-    var sine_3 : f32 = edge_number_0(node_3 + u32(11));
-    var cosine_4 : f32 = edge_number_0(node_3 + u32(12));
+    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_22.motion_1, offset_7);
+    var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
+    var sine_3 : f32 = edge_number_0(node_2 + u32(11));
+    var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
     var along_0 : f32 = abs(dot(axis_4, relative_0));
     var across_1 : f32 = length(cross(axis_4, relative_0));
     var speed_0 : f32;
@@ -2183,36 +2242,36 @@ fn speed_of_0( at_21 : ShadingPoint_0,  node_3 : u32,  offset_7 : vec3<f32>,  ra
     {
         speed_0 = length(relative_0);
     }
-    return speed_0 + edge_number_0(node_3 + u32(20)) + length(at_21.motion_1.rotation_0) * radius_3;
+    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_22.motion_1.rotation_0) * radius_3;
 }
 
-fn importance_of_0( at_22 : ShadingPoint_0,  node_4 : u32) -> f32
+fn importance_of_0( at_23 : ShadingPoint_0,  node_3 : u32) -> f32
 {
-    var centre_1 : vec3<f32> = edge_vector_0(node_4 + u32(4));
-    var offset_8 : vec3<f32> = centre_1 - at_22.vertex_2.surface_3.position_0;
-    var radius_4 : f32 = edge_number_0(node_4 + u32(7));
+    var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
+    var offset_8 : vec3<f32> = centre_1 - at_23.vertex_2.surface_3.position_0;
+    var radius_4 : f32 = edge_number_0(node_3 + u32(7));
     var distance_5 : f32 = length(offset_8);
-    var _S273 : bool;
-    if(!at_22.has_creases_0)
+    var _S275 : bool;
+    if(!at_23.has_creases_0)
     {
-        _S273 = !may_have_silhouette_0(node_4, offset_8, distance_5);
+        _S275 = !may_have_silhouette_0(node_3, offset_8, distance_5);
     }
     else
     {
-        _S273 = false;
+        _S275 = false;
     }
-    if(_S273)
+    if(_S275)
     {
         return 0.0f;
     }
-    if(is_outside_0(at_22, offset_8, radius_4))
+    if(is_outside_0(at_23, offset_8, radius_4))
     {
         return 0.0f;
     }
-    var cosine_5 : f32 = largest_cosine_0(at_22.vertex_2.surface_3.position_0, at_22.vertex_2.axes_4.n_0, centre_1, radius_4);
-    var _S274 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
-    var least_0 : f32 = edge_number_0(node_4 + u32(16));
-    var ratio_0 : f32 = _S274 / max(max(distance_5 * distance_5 - _S274, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
+    var cosine_5 : f32 = largest_cosine_0(at_23.vertex_2.surface_3.position_0, at_23.vertex_2.axes_4.n_0, centre_1, radius_4);
+    var _S276 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
+    var least_0 : f32 = edge_number_0(node_3 + u32(16));
+    var ratio_0 : f32 = _S276 / max(max(distance_5 * distance_5 - _S276, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
     var visible_0 : f32;
     if(ratio_0 < 0.00100000004749745f)
     {
@@ -2222,192 +2281,56 @@ fn importance_of_0( at_22 : ShadingPoint_0,  node_4 : u32) -> f32
     {
         visible_0 = logarithm_0(1.0f + ratio_0);
     }
-    var near_0 : f32 = visible_0 / _S274;
-    var visible_1 : f32 = edge_number_0(node_4 + u32(14));
-    if(distance_5 > (edge_number_0(node_4 + u32(15))))
+    var near_0 : f32 = visible_0 / _S276;
+    var visible_1 : f32 = edge_number_0(node_3 + u32(14));
+    if(distance_5 > (edge_number_0(node_3 + u32(15))))
     {
-        visible_0 = visible_1 * edge_number_0(node_4 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
+        visible_0 = visible_1 * edge_number_0(node_3 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
     }
     else
     {
         visible_0 = visible_1;
     }
-    return visible_0 * speed_of_0(at_22, node_4, offset_8, radius_4) * cosine_5 * near_0;
+    return visible_0 * speed_of_0(at_23, node_3, offset_8, radius_4) * cosine_5 * near_0;
 }
 
-fn next_leaf_0( at_23 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_0 : ptr<function, u32>) -> bool
+fn descend_0( at_24 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
 {
-    var nodes_at_0 : u32 = edge_word_0(at_23.tree_0);
+    var nodes_at_0 : u32 = edge_word_0(at_24.tree_0);
     (*leaf_0) = nodes_at_0;
-    for(;;)
-    {
-        if(((*leaves_1).count_3) > u32(0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S275 : u32 = (*leaves_1).count_3 - u32(1);
-        (*leaves_1).count_3 = _S275;
-        var _S276 : u32 = (*leaves_1).nodes_1[_S275];
-        (*leaf_0) = (*leaves_1).nodes_1[_S275];
-        if(!((importance_of_0(at_23, _S276)) > 0.0f))
-        {
-            continue;
-        }
-        if((edge_word_0((*leaf_0))) == u32(4294967295))
-        {
-            return true;
-        }
-        var half_0 : u32 = u32(0);
-        for(;;)
-        {
-            var _S277 : bool;
-            if(half_0 < u32(2))
-            {
-                _S277 = ((*leaves_1).count_3) < u32(96);
-            }
-            else
-            {
-                _S277 = false;
-            }
-            if(_S277)
-            {
-            }
-            else
-            {
-                break;
-            }
-            (*leaves_1).nodes_1[(*leaves_1).count_3] = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + half_0);
-            (*leaves_1).count_3 = (*leaves_1).count_3 + u32(1);
-            half_0 = half_0 + u32(1);
-        }
-    }
-    return false;
-}
-
-fn next_leaf_1( at_24 : ShadingPoint_0,  leaves_2 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
-{
-    var nodes_at_1 : u32 = edge_word_0(at_24.tree_0);
-    (*leaf_1) = nodes_at_1;
-    for(;;)
-    {
-        if(((*leaves_2).count_3) > u32(0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S278 : u32 = (*leaves_2).count_3 - u32(1);
-        (*leaves_2).count_3 = _S278;
-        var _S279 : u32 = (*leaves_2).nodes_1[_S278];
-        (*leaf_1) = (*leaves_2).nodes_1[_S278];
-        if(!((importance_of_0(at_24, _S279)) > 0.0f))
-        {
-            continue;
-        }
-        if((edge_word_0((*leaf_1))) == u32(4294967295))
-        {
-            return true;
-        }
-        var half_1 : u32 = u32(0);
-        for(;;)
-        {
-            var _S280 : bool;
-            if(half_1 < u32(2))
-            {
-                _S280 = ((*leaves_2).count_3) < u32(96);
-            }
-            else
-            {
-                _S280 = false;
-            }
-            if(_S280)
-            {
-            }
-            else
-            {
-                break;
-            }
-            (*leaves_2).nodes_1[(*leaves_2).count_3] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + half_1);
-            (*leaves_2).count_3 = (*leaves_2).count_3 + u32(1);
-            half_1 = half_1 + u32(1);
-        }
-    }
-    return false;
-}
-
-fn takes_all_0( at_25 : ShadingPoint_0) -> bool
-{
-    var _S281 : bool;
-    var leaves_3 : Leaves_0 = below_0(edge_word_0(at_25.tree_0));
-    var leaf_2 : u32;
-    var count_4 : u32 = u32(0);
-    for(;;)
-    {
-        var _S282 : bool = count_4 <= u32(24);
-        _S281 = _S282;
-        var _S283 : bool;
-        if(_S282)
-        {
-            var _S284 : bool = next_leaf_0(at_25, &(leaves_3), &(leaf_2));
-            _S283 = _S284;
-        }
-        else
-        {
-            _S283 = false;
-        }
-        if(_S283)
-        {
-        }
-        else
-        {
-            break;
-        }
-        count_4 = count_4 + u32(1);
-    }
-    return _S281;
-}
-
-fn descend_0( at_26 : ShadingPoint_0,  u_1 : f32,  leaf_3 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
-{
-    var nodes_at_2 : u32 = edge_word_0(at_26.tree_0);
-    (*leaf_3) = nodes_at_2;
     (*probability_2) = 1.0f;
-    var _S285 : f32 = u_1;
+    var _S277 : f32 = u_1;
     for(;;)
     {
-        if((edge_word_0((*leaf_3))) != u32(4294967295))
+        if((edge_word_0((*leaf_0))) != u32(4294967295))
         {
         }
         else
         {
             break;
         }
-        var first_2 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3));
-        var second_1 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3) + u32(1));
-        var of_first_0 : f32 = importance_of_0(at_26, first_2);
-        var of_second_0 : f32 = importance_of_0(at_26, second_1);
+        var first_2 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
+        var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
+        var of_first_0 : f32 = importance_of_0(at_24, first_2);
+        var of_second_0 : f32 = importance_of_0(at_24, second_1);
         var sum_0 : f32 = of_first_0 + of_second_0;
-        var _S286 : bool;
+        var _S278 : bool;
         if(sum_0 > 0.0f)
         {
-            _S286 = sum_0 < 3.00000000549775576e+38f;
+            _S278 = sum_0 < 3.00000000549775576e+38f;
         }
         else
         {
-            _S286 = false;
+            _S278 = false;
         }
-        if(!_S286)
+        if(!_S278)
         {
             return false;
         }
         var first_share_0 : f32 = of_first_0 / sum_0;
         var second_share_0 : f32 = of_second_0 / sum_0;
         var is_second_0 : bool;
-        if(_S285 >= first_share_0)
+        if(_S277 >= first_share_0)
         {
             is_second_0 = second_share_0 > 0.0f;
         }
@@ -2417,34 +2340,83 @@ fn descend_0( at_26 : ShadingPoint_0,  u_1 : f32,  leaf_3 : ptr<function, u32>, 
         }
         if(is_second_0)
         {
-            _S285 = (_S285 - first_share_0) / second_share_0;
+            _S277 = (_S277 - first_share_0) / second_share_0;
         }
         else
         {
-            _S285 = min(_S285 / first_share_0, 1.0f);
+            _S277 = min(_S277 / first_share_0, 1.0f);
         }
-        var _S287 : f32;
+        var _S279 : f32;
         if(is_second_0)
         {
-            _S287 = second_share_0;
+            _S279 = second_share_0;
         }
         else
         {
-            _S287 = first_share_0;
+            _S279 = first_share_0;
         }
-        (*probability_2) = (*probability_2) * _S287;
-        var _S288 : u32;
+        (*probability_2) = (*probability_2) * _S279;
+        var _S280 : u32;
         if(is_second_0)
         {
-            _S288 = second_1;
+            _S280 = second_1;
         }
         else
         {
-            _S288 = first_2;
+            _S280 = first_2;
         }
-        (*leaf_3) = _S288;
+        (*leaf_0) = _S280;
     }
     return true;
+}
+
+struct Leaves_0
+{
+     count_2 : u32,
+     nodes_1 : array<u32, i32(96)>,
+};
+
+fn below_0( node_4 : u32) -> Leaves_0
+{
+    var leaves_0 : Leaves_0;
+    leaves_0.count_2 = u32(1);
+    leaves_0.nodes_1[i32(0)] = node_4;
+    return leaves_0;
+}
+
+fn next_leaf_0( at_25 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
+{
+    var nodes_at_1 : u32 = edge_word_0(at_25.tree_0);
+    (*leaf_1) = nodes_at_1;
+    for(;;)
+    {
+        if(((*leaves_1).count_2) > u32(0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S281 : u32 = (*leaves_1).count_2 - u32(1);
+        (*leaves_1).count_2 = _S281;
+        var _S282 : u32 = (*leaves_1).nodes_1[_S281];
+        (*leaf_1) = (*leaves_1).nodes_1[_S281];
+        if(!((importance_of_0(at_25, _S282)) > 0.0f))
+        {
+            continue;
+        }
+        if((edge_word_0((*leaf_1))) == u32(4294967295))
+        {
+            return true;
+        }
+        var _S283 : u32 = (*leaves_1).count_2;
+        var _S284 : u32 = (*leaves_1).count_2 + u32(1);
+        (*leaves_1).count_2 = _S284;
+        (*leaves_1).nodes_1[_S283] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1));
+        (*leaves_1).count_2 = _S284 + u32(1);
+        (*leaves_1).nodes_1[_S284] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + u32(1));
+    }
+    return false;
 }
 
 struct Edge_0
@@ -2453,11 +2425,11 @@ struct Edge_0
      numbers_4 : u32,
 };
 
-fn edge_at_0( at_27 : ShadingPoint_0,  place_10 : u32) -> Edge_0
+fn edge_at_0( at_26 : ShadingPoint_0,  place_10 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_7 = edge_word_0(at_27.tree_0 + u32(1)) + u32(12) * place_10;
-    edge_0.numbers_4 = edge_word_0(at_27.tree_0 + u32(2)) + u32(14) * place_10;
+    edge_0.record_7 = edge_word_0(at_26.tree_0 + u32(1)) + u32(12) * place_10;
+    edge_0.numbers_4 = edge_word_0(at_26.tree_0 + u32(2)) + u32(14) * place_10;
     return edge_0;
 }
 
@@ -2470,140 +2442,351 @@ fn side_seen_0( from_0 : vec3<f32>,  tolerance_0 : f32,  normal_4 : u32,  length
 {
     var height_1 : f32 = dot(edge_position_0(normal_4), from_0);
     var least_1 : f32 = tolerance_0 * edge_real_0(length_0);
-    var _S289 : i32;
+    var _S285 : i32;
     if(height_1 > least_1)
     {
-        _S289 = i32(1);
+        _S285 = i32(1);
     }
     else
     {
-        _S289 = i32(0);
+        _S285 = i32(0);
     }
-    var _S290 : i32;
+    var _S286 : i32;
     if(height_1 < (- least_1))
     {
-        _S290 = i32(1);
+        _S286 = i32(1);
     }
     else
     {
-        _S290 = i32(0);
+        _S286 = i32(0);
     }
-    return _S289 - _S290;
+    return _S285 - _S286;
 }
 
-fn is_silhouette_0( at_28 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+fn is_silhouette_0( at_27 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f32> = edge_position_0(edge_1.numbers_4);
-    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_28.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S291 : vec3<f32> = at_28.vertex_2.surface_3.exact_0 - start_0;
-    return (side_seen_0(_S291, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S291, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
+    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_27.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S287 : vec3<f32> = at_27.vertex_2.surface_3.exact_0 - start_0;
+    return (side_seen_0(_S287, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S287, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
 }
 
-fn factor_of_0( at_29 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+fn factor_of_0( at_28 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
-    var _S292 : u32 = edge_2.record_7 + u32(2);
-    var a_11 : vec3<f32> = edge_vector_0(_S292);
-    var b_8 : vec3<f32> = edge_vector_0(_S292 + u32(3));
-    var _S293 : bool;
+    var _S288 : u32 = edge_2.record_7 + u32(2);
+    var a_11 : vec3<f32> = edge_vector_0(_S288);
+    var b_8 : vec3<f32> = edge_vector_0(_S288 + u32(3));
+    var _S289 : bool;
     if(!is_blind_0())
     {
-        _S293 = rests_0(at_29.motion_1);
+        _S289 = rests_0(at_28.motion_1);
     }
     else
     {
-        _S293 = false;
+        _S289 = false;
     }
-    if(_S293)
+    if(_S289)
     {
-        _S293 = (all((a_11 == vec3<f32>(0.0f))));
+        _S289 = (all((a_11 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S293 = false;
+        _S289 = false;
     }
-    if(_S293)
+    if(_S289)
     {
-        _S293 = (all((b_8 == vec3<f32>(0.0f))));
+        _S289 = (all((b_8 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S293 = false;
+        _S289 = false;
     }
-    if(_S293)
+    if(_S289)
     {
         return 0.0f;
     }
-    if(is_silhouette_0(at_29, edge_2))
+    if(is_silhouette_0(at_28, edge_2))
     {
         return edge_number_0(edge_2.record_7);
     }
-    var _S294 : f32;
-    if(at_29.has_creases_0)
+    var _S290 : f32;
+    if(at_28.has_creases_0)
     {
-        _S294 = edge_number_0(edge_2.record_7 + u32(1));
+        _S290 = edge_number_0(edge_2.record_7 + u32(1));
     }
     else
     {
-        _S294 = 0.0f;
+        _S290 = 0.0f;
     }
-    return _S294;
+    return _S290;
 }
 
-fn is_clipped_0( at_30 : ShadingPoint_0,  a_12 : vec3<f32>,  b_9 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
+fn is_clipped_0( at_29 : ShadingPoint_0,  a_12 : vec3<f32>,  b_9 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
 {
     (*range_0) = vec2<f32>(0.0f, 1.0f);
-    var _S295 : bool;
-    if((dot(at_30.front_0, a_12 - at_30.front_offset_0)) < -3.99999998990097083e-06f)
+    var _S291 : bool;
+    if((dot(at_29.front_0, a_12 - at_29.front_offset_0)) < -3.99999998990097083e-06f)
     {
-        _S295 = (dot(at_30.front_0, b_9 - at_30.front_offset_0)) < -3.99999998990097083e-06f;
+        _S291 = (dot(at_29.front_0, b_9 - at_29.front_offset_0)) < -3.99999998990097083e-06f;
     }
     else
     {
-        _S295 = false;
+        _S291 = false;
     }
-    if(_S295)
+    if(_S291)
     {
         return true;
     }
-    var _S296 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_12, a_12), dot(b_9, b_9)));
-    var k_5 : u32 = u32(0);
-    for(;;)
+    var _S292 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_12, a_12), dot(b_9, b_9)));
+    var first_3 : f32;
+    var second_2 : f32;
+    if(u32(0) < (at_29.planes_0))
     {
-        if(k_5 < (at_30.planes_0))
+        var _S293 : f32 = dot(at_29.inside_2[u32(0)], b_9) + _S292;
+        first_3 = dot(at_29.inside_2[u32(0)], a_12) + _S292;
+        second_2 = _S293;
+    }
+    else
+    {
+        first_3 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_3 < 0.0f)
+    {
+        var _S294 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
         {
+            first_3 = 1.0f;
         }
         else
         {
-            break;
+            first_3 = first_3 / (first_3 - second_2);
         }
-        var first_3 : f32 = dot(at_30.inside_2[k_5], a_12) + _S296;
-        var second_2 : f32 = dot(at_30.inside_2[k_5], b_9) + _S296;
-        var _S297 : bool = first_3 < 0.0f;
-        if(_S297)
+        (*range_0)[i32(0)] = max(_S294, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
         {
-            _S295 = second_2 < 0.0f;
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(1) < (at_29.planes_0))
+    {
+        var _S295 : f32 = dot(at_29.inside_2[u32(1)], b_9) + _S292;
+        first_3 = dot(at_29.inside_2[u32(1)], a_12) + _S292;
+        second_2 = _S295;
+    }
+    else
+    {
+        first_3 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_3 < 0.0f)
+    {
+        var _S296 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_3 = 1.0f;
         }
         else
         {
-            _S295 = false;
+            first_3 = first_3 / (first_3 - second_2);
         }
-        if(_S295)
+        (*range_0)[i32(0)] = max(_S296, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
         {
-            return true;
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
         }
-        var crossing_0 : f32 = first_3 / (first_3 - second_2);
-        if(_S297)
+    }
+    if(u32(2) < (at_29.planes_0))
+    {
+        var _S297 : f32 = dot(at_29.inside_2[u32(2)], b_9) + _S292;
+        first_3 = dot(at_29.inside_2[u32(2)], a_12) + _S292;
+        second_2 = _S297;
+    }
+    else
+    {
+        first_3 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_3 < 0.0f)
+    {
+        var _S298 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
         {
-            (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
+            first_3 = 1.0f;
         }
         else
         {
-            if(second_2 < 0.0f)
-            {
-                (*range_0)[i32(1)] = min((*range_0).y, crossing_0);
-            }
+            first_3 = first_3 / (first_3 - second_2);
         }
-        k_5 = k_5 + u32(1);
+        (*range_0)[i32(0)] = max(_S298, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(3) < (at_29.planes_0))
+    {
+        var _S299 : f32 = dot(at_29.inside_2[u32(3)], b_9) + _S292;
+        first_3 = dot(at_29.inside_2[u32(3)], a_12) + _S292;
+        second_2 = _S299;
+    }
+    else
+    {
+        first_3 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_3 < 0.0f)
+    {
+        var _S300 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_3 = 1.0f;
+        }
+        else
+        {
+            first_3 = first_3 / (first_3 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S300, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(4) < (at_29.planes_0))
+    {
+        var _S301 : f32 = dot(at_29.inside_2[u32(4)], b_9) + _S292;
+        first_3 = dot(at_29.inside_2[u32(4)], a_12) + _S292;
+        second_2 = _S301;
+    }
+    else
+    {
+        first_3 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_3 < 0.0f)
+    {
+        var _S302 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_3 = 1.0f;
+        }
+        else
+        {
+            first_3 = first_3 / (first_3 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S302, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(5) < (at_29.planes_0))
+    {
+        var _S303 : f32 = dot(at_29.inside_2[u32(5)], b_9) + _S292;
+        first_3 = dot(at_29.inside_2[u32(5)], a_12) + _S292;
+        second_2 = _S303;
+    }
+    else
+    {
+        first_3 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_3 < 0.0f)
+    {
+        var _S304 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_3 = 1.0f;
+        }
+        else
+        {
+            first_3 = first_3 / (first_3 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S304, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(6) < (at_29.planes_0))
+    {
+        var _S305 : f32 = dot(at_29.inside_2[u32(6)], b_9) + _S292;
+        first_3 = dot(at_29.inside_2[u32(6)], a_12) + _S292;
+        second_2 = _S305;
+    }
+    else
+    {
+        first_3 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_3 < 0.0f)
+    {
+        var _S306 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_3 = 1.0f;
+        }
+        else
+        {
+            first_3 = first_3 / (first_3 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S306, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
+    }
+    if(u32(7) < (at_29.planes_0))
+    {
+        var _S307 : f32 = dot(at_29.inside_2[u32(7)], b_9) + _S292;
+        first_3 = dot(at_29.inside_2[u32(7)], a_12) + _S292;
+        second_2 = _S307;
+    }
+    else
+    {
+        first_3 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_3 < 0.0f)
+    {
+        var _S308 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_3 = 1.0f;
+        }
+        else
+        {
+            first_3 = first_3 / (first_3 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S308, first_3);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
+        }
     }
     return !(((*range_0).x) < ((*range_0).y));
 }
@@ -2623,54 +2806,54 @@ struct SeenEdge_0
      to_0 : vec3<f32>,
 };
 
-fn see_edge_0( at_31 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+fn see_edge_0( at_30 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S298 : Edge_0 = edge_at_0(at_31, place_11);
-    (*seen_1).edge_3 = _S298;
-    var _S299 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4) - at_31.vertex_2.surface_3.exact_0;
-    (*seen_1).start_1 = _S299;
-    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_31.vertex_2.surface_3.exact_0;
-    (*seen_1).along_1 = end_1 - _S299;
+    var _S309 : Edge_0 = edge_at_0(at_30, place_11);
+    (*seen_1).edge_3 = _S309;
+    var _S310 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4) - at_30.vertex_2.surface_3.exact_0;
+    (*seen_1).start_1 = _S310;
+    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_30.vertex_2.surface_3.exact_0;
+    (*seen_1).along_1 = end_1 - _S310;
     (*seen_1).far_0 = 1.0f;
     (*seen_1).near_1 = 1.0f;
     (*seen_1).chord_0 = 0.0f;
     (*seen_1).pieces_0 = 0.0f;
-    var _S300 : vec3<f32> = vec3<f32>(0.0f);
-    (*seen_1).to_0 = _S300;
-    (*seen_1).from_1 = _S300;
+    var _S311 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S311;
+    (*seen_1).from_1 = _S311;
     (*seen_1).range_1 = vec2<f32>(0.0f, 1.0f);
-    var _S301 : f32 = factor_of_0(at_31, _S298);
-    (*seen_1).factor_3 = _S301;
-    var _S302 : bool;
-    if(!(_S301 > 0.0f))
+    var _S312 : f32 = factor_of_0(at_30, _S309);
+    (*seen_1).factor_3 = _S312;
+    var _S313 : bool;
+    if(!(_S312 > 0.0f))
     {
-        _S302 = true;
+        _S313 = true;
     }
     else
     {
-        var _S303 : vec2<f32> = (*seen_1).range_1;
-        var _S304 : bool = is_clipped_0(at_31, (*seen_1).start_1, end_1, &(_S303));
-        (*seen_1).range_1 = _S303;
-        _S302 = _S304;
+        var _S314 : vec2<f32> = (*seen_1).range_1;
+        var _S315 : bool = is_clipped_0(at_30, (*seen_1).start_1, end_1, &(_S314));
+        (*seen_1).range_1 = _S314;
+        _S313 = _S315;
     }
-    if(_S302)
+    if(_S313)
     {
         return false;
     }
     var first_4 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.x);
     var last_0 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.y);
-    var _S305 : f32 = sqrt(dot(first_4, first_4));
-    (*seen_1).near_1 = _S305;
+    var _S316 : f32 = sqrt(dot(first_4, first_4));
+    (*seen_1).near_1 = _S316;
     (*seen_1).far_0 = sqrt(dot(last_0, last_0));
-    if(_S305 > 0.0f)
+    if(_S316 > 0.0f)
     {
-        _S302 = ((*seen_1).far_0) > 0.0f;
+        _S313 = ((*seen_1).far_0) > 0.0f;
     }
     else
     {
-        _S302 = false;
+        _S313 = false;
     }
-    if(!_S302)
+    if(!_S313)
     {
         return false;
     }
@@ -2678,7 +2861,7 @@ fn see_edge_0( at_31 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = last_0 / vec3<f32>((*seen_1).far_0);
     (*seen_1).chord_0 = length_of_0(last_0 / vec3<f32>((*seen_1).far_0) - first_4 / vec3<f32>((*seen_1).near_1));
     var longest_0 : f32;
-    if((at_31.vertex_2.lobe_1.kind_1) == u32(0))
+    if((at_30.vertex_2.lobe_1.kind_1) == u32(0))
     {
         longest_0 = 0.20000000298023224f;
     }
@@ -2695,10 +2878,10 @@ fn place_between_0( from_2 : f32,  to_1 : f32,  near_2 : f32,  far_1 : f32,  par
     return from_2 + (to_1 - from_2) * part_0 * near_2 / (part_0 * near_2 + (1.0f - part_0) * far_1);
 }
 
-fn velocity_on_0( at_32 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
+fn velocity_on_0( at_31 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S306 : u32 = edge_4.record_7 + u32(2);
-    return mix(edge_vector_0(_S306), edge_vector_0(_S306 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_32.motion_1, offset_9);
+    var _S317 : u32 = edge_4.record_7 + u32(2);
+    return mix(edge_vector_0(_S317), edge_vector_0(_S317 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_31.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -2710,25 +2893,25 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_7 : f32,  pdf_1 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S307 : Mirrored_0;
-    _S307.cosine_6 = cosine_7;
-    _S307.pdf_0 = pdf_1;
-    _S307.scattered_0 = scattered_1;
-    return _S307;
+    var _S318 : Mirrored_0;
+    _S318.cosine_6 = cosine_7;
+    _S318.pdf_0 = pdf_1;
+    _S318.scattered_0 = scattered_1;
+    return _S318;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S308 : bool;
+    var _S319 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S308 = true;
+        _S319 = true;
     }
     else
     {
-        _S308 = (lobe_3.kind_1) == u32(4);
+        _S319 = (lobe_3.kind_1) == u32(4);
     }
-    return _S308;
+    return _S319;
 }
 
 struct Microfacets_0
@@ -2758,68 +2941,68 @@ fn exponential_0( x_9 : f32) -> f32
 
 fn density_0( facets_1 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S309 : f32 = m_3.z;
-    if(_S309 <= 0.0f)
+    var _S320 : f32 = m_3.z;
+    if(_S320 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_0 : vec2<f32> = m_3.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S309 * _S309;
+    var cos2_0 : f32 = _S320 * _S320;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_1 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_1 * sum_1);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S310 : f32;
+    var _S321 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S310 = 0.0f;
+        _S321 = 0.0f;
     }
     else
     {
-        _S310 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S321 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S310;
+    return _S321;
 }
 
 fn error_function_plus_one_0( x_10 : f32) -> vec2<f32>
 {
-    var _S311 : f32 = min(abs(x_10), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S311 * _S311);
-    var place_12 : f32 = (_S311 - 2.0f) / (_S311 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S311);
-    var _S312 : f32;
+    var _S322 : f32 = min(abs(x_10), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S322 * _S322);
+    var place_12 : f32 = (_S322 - 2.0f) / (_S322 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_12 - 0.00127731403335929f) * place_12 + 0.00131371302995831f) * place_12 + 0.008666617795825f) * place_12 - 0.00805134233087301f) * place_12 - 0.05421232059597969f) * place_12 + 0.1640533059835434f) * place_12 - 0.16603080928325653f) * place_12 - 0.09276388585567474f) * place_12 + 1.27697837352752686f) / (1.0f + 2.0f * _S322);
+    var _S323 : f32;
     if(x_10 < 0.0f)
     {
-        _S312 = complement_0;
+        _S323 = complement_0;
     }
     else
     {
-        _S312 = 2.0f - complement_0;
+        _S323 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S312, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S323, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_2.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S313 : f32 = w_2.z;
-    var z2_0 : f32 = _S313 * _S313;
+    var _S324 : f32 = w_2.z;
+    var z2_0 : f32 = _S324 * _S324;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S313 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S324 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S313;
+        return 1.0f / _S324;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S313 / spread_1);
-    return 2.0f / (_S313 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S324 / spread_1);
+    return 2.0f / (_S324 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
@@ -2827,18 +3010,18 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_0 : vec3<f32> = normalize(wi_3 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_6 = dot(wi_3, h_0);
-    var _S314 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
-    mirrored_1.pdf_0 = _S314;
-    mirrored_1.scattered_0 = _S314 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    var _S325 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_3);
+    mirrored_1.pdf_0 = _S325;
+    mirrored_1.scattered_0 = _S325 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
-fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
+fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_4 : f32) -> f32
 {
     var cos2_1 : f32 = cosine_8 * cosine_8;
     var sin2_0 : f32 = 1.0f - cos2_1;
-    var real_0 : f32 = eta_1 * eta_1 - k_6 * k_6 - sin2_0;
-    var product_1 : f32 = eta_1 * k_6;
+    var real_0 : f32 = eta_1 * eta_1 - k_4 * k_4 - sin2_0;
+    var product_1 : f32 = eta_1 * k_4;
     var modulus_0 : f32 = sqrt(real_0 * real_0 + 4.0f * (product_1 * product_1));
     if(modulus_0 == 0.0f)
     {
@@ -2846,9 +3029,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S315 : bool = real_0 < 0.0f;
+    var _S326 : bool = real_0 < 0.0f;
     var a_13 : f32;
-    if(_S315)
+    if(_S326)
     {
         a_13 = smaller_0;
     }
@@ -2857,7 +3040,7 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
         a_13 = larger_0;
     }
     var b_10 : f32;
-    if(_S315)
+    if(_S326)
     {
         b_10 = larger_0;
     }
@@ -2867,14 +3050,14 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_6 : f32) -> f32
     }
     var less_0 : f32 = a_13 - cosine_8;
     var more_0 : f32 = a_13 + cosine_8;
-    var _S316 : f32 = b_10 * b_10;
+    var _S327 : f32 = b_10 * b_10;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S316) / (more_0 * more_0 + _S316) * p_sum_0 / (p_sum_0 + 2.0f * a_13 * cosine_8 * sin2_0);
+    return (less_0 * less_0 + _S327) / (more_0 * more_0 + _S327) * p_sum_0 / (p_sum_0 + 2.0f * a_13 * cosine_8 * sin2_0);
 }
 
-fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_7 : vec3<f32>) -> vec3<f32>
+fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_5 : vec3<f32>) -> vec3<f32>
 {
-    return vec3<f32>(fresnel_conductor_channel_0(cosine_9, eta_2.x, k_7.x), fresnel_conductor_channel_0(cosine_9, eta_2.y, k_7.y), fresnel_conductor_channel_0(cosine_9, eta_2.z, k_7.z));
+    return vec3<f32>(fresnel_conductor_channel_0(cosine_9, eta_2.x, k_5.x), fresnel_conductor_channel_0(cosine_9, eta_2.y, k_5.y), fresnel_conductor_channel_0(cosine_9, eta_2.z, k_5.z));
 }
 
 fn coat_eta_0( numbers_6 : Numbers_0) -> f32
@@ -2907,10 +3090,10 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_11, eta_4);
     }
     var place_13 : f32 = cosine_11 * 63.0f;
-    var _S317 : u32 = min(u32(place_13), u32(62));
-    var at_33 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S317;
-    var here_0 : f32 = number_0(at_33);
-    return here_0 + (number_0(at_33 + u32(1)) - here_0) * (place_13 - f32(_S317));
+    var _S328 : u32 = min(u32(place_13), u32(62));
+    var at_32 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S328;
+    var here_0 : f32 = number_0(at_32);
+    return here_0 + (number_0(at_32 + u32(1)) - here_0) * (place_13 - f32(_S328));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2961,15 +3144,15 @@ struct Scattering_0
 fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S318 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S318 * 0.31830987334251404f;
+    var _S329 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S329 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattering_1.value_5 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
-    var _S319 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S330 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_7))
     {
@@ -2977,7 +3160,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     else
     {
-        by_facets_0 = _S319;
+        by_facets_0 = _S330;
     }
     if((lobe_7.kind_1) == u32(2))
     {
@@ -2987,7 +3170,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     var eta_7 : f32 = coat_eta_0(numbers_8);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_4.z);
-    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S318) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S329) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_8, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -3000,16 +3183,16 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
 
 fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
 {
-    var _S320 : bool;
+    var _S331 : bool;
     if((wo_2.z) <= 0.0f)
     {
-        _S320 = true;
+        _S331 = true;
     }
     else
     {
-        _S320 = !has_smooth_0(vertex_5.lobe_1);
+        _S331 = !has_smooth_0(vertex_5.lobe_1);
     }
-    if(_S320)
+    if(_S331)
     {
         return vec3<f32>(0.0f);
     }
@@ -3038,28 +3221,28 @@ fn still_0( value_7 : vec3<f32>) -> vec3<f32>
 
 fn angle_of_0( x_11 : f32,  y_2 : f32) -> f32
 {
-    var _S321 : f32 = abs(x_11);
-    var _S322 : f32 = abs(y_2);
-    var _S323 : f32 = min(_S321, _S322);
-    var _S324 : f32 = max(_S321, _S322);
-    var is_steep_0 : bool = _S323 > (0.41421356797218323f * _S324);
+    var _S332 : f32 = abs(x_11);
+    var _S333 : f32 = abs(y_2);
+    var _S334 : f32 = min(_S332, _S333);
+    var _S335 : f32 = max(_S332, _S333);
+    var is_steep_0 : bool = _S334 > (0.41421356797218323f * _S335);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S323 - _S324;
+        above_0 = _S334 - _S335;
     }
     else
     {
-        above_0 = _S323;
+        above_0 = _S334;
     }
     var below_1 : f32;
     if(is_steep_0)
     {
-        below_1 = _S323 + _S324;
+        below_1 = _S334 + _S335;
     }
     else
     {
-        below_1 = _S324;
+        below_1 = _S335;
     }
     if(below_1 > 0.0f)
     {
@@ -3080,7 +3263,7 @@ fn angle_of_0( x_11 : f32,  y_2 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S322 > _S321)
+    if(_S333 > _S332)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -3101,8 +3284,8 @@ fn angle_of_0( x_11 : f32,  y_2 : f32) -> f32
 
 fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
 {
-    var _S325 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S325) * vec3<f32>(direction_6.x) + vector_at_0(_S325 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S325 + u32(6)) * vec3<f32>(direction_6.z);
+    var _S336 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S336) * vec3<f32>(direction_6.x) + vector_at_0(_S336 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S336 + u32(6)) * vec3<f32>(direction_6.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -3119,11 +3302,11 @@ fn in_map_0( map_1 : u32,  direction_7 : vec3<f32>) -> Lookup_0
     var height_2 : i32 = i32(word_0(map_1 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_1, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_1, u32(0));
-    var _S326 : u32 = wrapped_0(y_3, height_2, u32(2));
-    var _S327 : u32 = u32(width_1);
-    var first_5 : u32 = _S326 * _S327;
-    var _S328 : u32 = wrapped_0(y_3 + i32(1), height_2, u32(2));
-    var second_3 : u32 = _S328 * _S327;
+    var _S337 : u32 = wrapped_0(y_3, height_2, u32(2));
+    var _S338 : u32 = u32(width_1);
+    var first_5 : u32 = _S337 * _S338;
+    var _S339 : u32 = wrapped_0(y_3 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S339 * _S338;
     return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_3 + left_1, second_3 + right_1), point_0);
 }
 
@@ -3133,140 +3316,140 @@ fn emitted_0( emitter_4 : u32,  place_15 : Place_0,  direction_8 : vec3<f32>) ->
     var texture_6 : u32 = word_0(record_8 + u32(1));
     if(!is_map_0(record_8))
     {
-        var _S329 : vec3<f32> = shown_0(texture_6, place_15);
-        return _S329;
+        var _S340 : vec3<f32> = shown_0(texture_6, place_15);
+        return _S340;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_4 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S330 : u32 = word_0(texture_6 + u32(11));
-    var _S331 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
-    return looked_up_0(_S330, _S331, change_1) * factor_4;
+    var _S341 : u32 = word_0(texture_6 + u32(11));
+    var _S342 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_8));
+    return looked_up_0(_S341, _S342, change_1) * factor_4;
 }
 
-fn light_from_0( at_34 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
+fn light_from_0( at_33 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
 {
-    var light_1 : f32 = largest_0(scattered_from_0(at_34.vertex_2, direction_9));
-    var _S332 : bool;
-    if((at_34.purpose_0) != u32(1))
+    var light_1 : f32 = largest_0(scattered_from_0(at_33.vertex_2, direction_9));
+    var _S343 : bool;
+    if((at_33.purpose_0) != u32(1))
     {
-        _S332 = true;
+        _S343 = true;
     }
     else
     {
-        _S332 = !(light_1 > 0.0f);
+        _S343 = !(light_1 > 0.0f);
     }
-    if(_S332)
+    if(_S343)
     {
         return light_1;
     }
-    var _S333 : vec3<f32> = emitted_0(at_34.emitter_0, at_34.vertex_2.surface_3.place_3, still_0(direction_9));
-    return light_1 * largest_0(value_of_0(_S333));
+    var _S344 : vec3<f32> = emitted_0(at_33.emitter_0, at_33.vertex_2.surface_3.place_3, still_0(direction_9));
+    return light_1 * largest_0(value_of_0(_S344));
 }
 
-fn weigh_0( at_35 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+fn weigh_0( at_34 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
 {
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
     var t_4 : f32 = place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, part_1);
     var offset_10 : vec3<f32> = seen_2.start_1 + seen_2.along_1 * vec3<f32>(t_4);
     var normal_5 : vec3<f32> = exact_unit_0(cross(seen_2.start_1, seen_2.along_1));
-    var _S334 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
+    var _S345 : f32 = edge_number_0(seen_2.edge_3.record_7 + u32(10));
     var speed_1 : f32;
     if(!is_blind_0())
     {
-        speed_1 = abs(dot(velocity_on_0(at_35, seen_2.edge_3, t_4, offset_10), normal_5));
+        speed_1 = abs(dot(velocity_on_0(at_34, seen_2.edge_3, t_4, offset_10), normal_5));
     }
     else
     {
-        speed_1 = _S334;
+        speed_1 = _S345;
     }
     var speed_2 : f32 = speed_1 / length(offset_10);
     var angle_2 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S335 : f32 = light_from_0(at_35, middle_1);
-    var contribution_0 : f32 = angle_2 * _S335 * speed_2;
-    var _S336 : vec2<f32>;
+    var _S346 : f32 = light_from_0(at_34, middle_1);
+    var contribution_0 : f32 = angle_2 * _S346 * speed_2;
+    var _S347 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
     {
-        _S336 = vec2<f32>(contribution_0, angle_2);
+        _S347 = vec2<f32>(contribution_0, angle_2);
     }
     else
     {
-        _S336 = vec2<f32>(0.0f);
+        _S347 = vec2<f32>(0.0f);
     }
-    return _S336;
+    return _S347;
 }
 
-fn multiplicity_0( at_36 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f32>,  normal_6 : vec3<f32>) -> f32
+fn multiplicity_0( at_35 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f32>,  normal_6 : vec3<f32>) -> f32
 {
-    var _S337 : vec3<f32> = cross(normal_6, direction_10);
-    var _S338 : u32 = edge_5.record_7 + u32(8);
-    var k_8 : u32 = edge_word_0(_S338);
-    var count_5 : f32 = 1.0f;
+    var _S348 : vec3<f32> = cross(normal_6, direction_10);
+    var _S349 : u32 = edge_5.record_7 + u32(8);
+    var k_6 : u32 = edge_word_0(_S349);
+    var count_3 : f32 = 1.0f;
     for(;;)
     {
-        if(k_8 < (edge_word_0(_S338 + u32(1))))
+        if(k_6 < (edge_word_0(_S349 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var other_0 : Edge_0 = edge_at_0(at_36, edge_word_0(k_8));
-        if(!((factor_of_0(at_36, other_0)) > 0.0f))
+        var other_0 : Edge_0 = edge_at_0(at_35, edge_word_0(k_6));
+        if(!((factor_of_0(at_35, other_0)) > 0.0f))
         {
-            k_8 = k_8 + u32(1);
+            k_6 = k_6 + u32(1);
             continue;
         }
-        var a_14 : vec3<f32> = edge_position_0(other_0.numbers_4) - at_36.vertex_2.surface_3.exact_0;
-        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_4 + u32(3)) - at_36.vertex_2.surface_3.exact_0 - a_14;
-        var place_16 : f32 = - dot(a_14, _S337) / dot(way_1, _S337);
+        var a_14 : vec3<f32> = edge_position_0(other_0.numbers_4) - at_35.vertex_2.surface_3.exact_0;
+        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_4 + u32(3)) - at_35.vertex_2.surface_3.exact_0 - a_14;
+        var place_16 : f32 = - dot(a_14, _S348) / dot(way_1, _S348);
         var there_0 : vec3<f32> = a_14 + way_1 * vec3<f32>(place_16);
-        var _S339 : bool;
+        var _S350 : bool;
         if(place_16 >= 0.0f)
         {
-            _S339 = place_16 <= 1.0f;
+            _S350 = place_16 <= 1.0f;
         }
         else
         {
-            _S339 = false;
+            _S350 = false;
         }
-        var _S340 : bool;
-        if(_S339)
+        var _S351 : bool;
+        if(_S350)
         {
-            _S340 = (dot(there_0, direction_10)) > 0.0f;
+            _S351 = (dot(there_0, direction_10)) > 0.0f;
         }
         else
         {
-            _S340 = false;
+            _S351 = false;
         }
-        if(!_S340)
+        if(!_S351)
         {
-            k_8 = k_8 + u32(1);
+            k_6 = k_6 + u32(1);
             continue;
         }
         if(!((abs(dot(normal_6, there_0))) <= (edge_real_0(u32(3)) * length_of_0(there_0))))
         {
-            k_8 = k_8 + u32(1);
+            k_6 = k_6 + u32(1);
             continue;
         }
-        var count_6 : f32;
+        var count_4 : f32;
         if((abs(dot(normal_6, exact_unit_0(cross(a_14, way_1))))) > 0.99999898672103882f)
         {
-            count_6 = count_5 + 1.0f;
+            count_4 = count_3 + 1.0f;
         }
         else
         {
-            count_6 = count_5;
+            count_4 = count_3;
         }
-        count_5 = count_6;
-        k_8 = k_8 + u32(1);
+        count_3 = count_4;
+        k_6 = k_6 + u32(1);
     }
-    return count_5;
+    return count_3;
 }
 
-fn face_normal_1( at_37 : ShadingPoint_0) -> vec3<f32>
+fn face_normal_1( at_36 : ShadingPoint_0) -> vec3<f32>
 {
-    var corners_1 : u32 = u32(9) * at_37.vertex_2.surface_3.place_3.triangle_0;
+    var corners_1 : u32 = u32(9) * at_36.vertex_2.surface_3.place_3.triangle_0;
     var a_15 : vec3<f32> = primitive_vector_0(corners_1);
     return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_15, primitive_vector_0(corners_1 + u32(6)) - a_15));
 }
@@ -3287,12 +3470,12 @@ struct EdgePoint_0
      is_in_horizon_0 : bool,
 };
 
-fn point_on_0( at_38 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
+fn point_on_0( at_37 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
 {
-    var _S341 : f32 = seen_3.range_1.x;
-    var _S342 : f32 = seen_3.range_1.y;
-    var first_6 : f32 = place_between_0(_S341, _S342, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
-    var last_1 : f32 = place_between_0(_S341, _S342, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
+    var _S352 : f32 = seen_3.range_1.x;
+    var _S353 : f32 = seen_3.range_1.y;
+    var first_6 : f32 = place_between_0(_S352, _S353, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
+    var last_1 : f32 = place_between_0(_S352, _S353, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
     var a_16 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(first_6);
     var b_11 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(last_1);
     var near_3 : f32 = length_of_0(a_16);
@@ -3304,49 +3487,49 @@ fn point_on_0( at_38 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     var t_6 : f32 = place_between_0(first_6, last_1, near_3, far_2, inside_3);
     var offset_11 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(t_6);
     var point_1 : EdgePoint_0;
-    var _S343 : f32 = length_of_0(offset_11);
-    point_1.distance_6 = _S343;
-    var _S344 : vec3<f32> = offset_11 / vec3<f32>(_S343);
-    point_1.direction_11 = _S344;
-    var _S345 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
-    point_1.normal_7 = _S345;
+    var _S354 : f32 = length_of_0(offset_11);
+    point_1.distance_6 = _S354;
+    var _S355 : vec3<f32> = offset_11 / vec3<f32>(_S354);
+    point_1.direction_11 = _S355;
+    var _S356 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_1.normal_7 = _S356;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_5 = t_6;
-    point_1.measure_0 = angle_3 / _S343 / (part_of_all_0 * multiplicity_0(at_38, seen_3.edge_3, _S344, _S345));
-    var face_0 : vec3<f32> = face_normal_1(at_38);
+    point_1.measure_0 = angle_3 / _S354 / (part_of_all_0 * multiplicity_0(at_37, seen_3.edge_3, _S355, _S356));
+    var face_0 : vec3<f32> = face_normal_1(at_37);
     var least_2 : f32 = limit_at_0(u32(2));
-    var _S346 : bool;
+    var _S357 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
     {
-        _S346 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+        _S357 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
     }
     else
     {
-        _S346 = false;
+        _S357 = false;
     }
-    point_1.is_in_horizon_0 = _S346;
+    point_1.is_in_horizon_0 = _S357;
     return point_1;
 }
 
 fn component_0( v_8 : vec3<f32>,  axis_5 : u32) -> f32
 {
-    var _S347 : f32;
+    var _S358 : f32;
     if(axis_5 == u32(0))
     {
-        _S347 = v_8.x;
+        _S358 = v_8.x;
     }
     else
     {
         if(axis_5 == u32(1))
         {
-            _S347 = v_8.y;
+            _S358 = v_8.y;
         }
         else
         {
-            _S347 = v_8.z;
+            _S358 = v_8.z;
         }
     }
-    return _S347;
+    return _S358;
 }
 
 struct Ray_0
@@ -3366,34 +3549,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  axes_6 : ptr<function, u32>) -> Ray_0
 {
     var size_1 : vec3<f32> = abs(direction_12);
-    var _S348 : f32 = size_1.x;
-    var _S349 : f32 = size_1.y;
-    var _S350 : bool;
-    if(_S348 >= _S349)
+    var _S359 : f32 = size_1.x;
+    var _S360 : f32 = size_1.y;
+    var _S361 : bool;
+    if(_S359 >= _S360)
     {
-        _S350 = _S348 >= (size_1.z);
+        _S361 = _S359 >= (size_1.z);
     }
     else
     {
-        _S350 = false;
+        _S361 = false;
     }
-    var _S351 : i32;
-    if(_S350)
+    var _S362 : i32;
+    if(_S361)
     {
-        _S351 = i32(0);
+        _S362 = i32(0);
     }
     else
     {
-        if(_S349 >= (size_1.z))
+        if(_S360 >= (size_1.z))
         {
-            _S351 = i32(1);
+            _S362 = i32(1);
         }
         else
         {
-            _S351 = i32(2);
+            _S362 = i32(2);
         }
     }
-    var z_2 : u32 = u32(_S351);
+    var z_2 : u32 = u32(_S362);
     var x_13 : u32 = (z_2 + u32(1)) % u32(3);
     var y_4 : u32 = (z_2 + u32(2)) % u32(3);
     (*axes_6) = (((x_13 | (((y_4 << (u32(2))))))) | (((z_2 << (u32(4))))));
@@ -3429,7 +3612,7 @@ struct RayView_0
 
 fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32) -> f32
 {
-    var _S352 : u32 = u32(14) * node_6 + slot_3 / u32(4);
+    var _S363 : u32 = u32(14) * node_6 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -3442,36 +3625,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S353 : u32 = axis_6;
-        var _S354 : u32 = _S352 + u32(2) * axis_6;
-        var _S355 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S354][_S355])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S354 + u32(6)][_S355])));
-        var _S356 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S357 : f32;
-        if(_S356)
+        var _S364 : u32 = axis_6;
+        var _S365 : u32 = _S363 + u32(2) * axis_6;
+        var _S366 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S365][_S366])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S365 + u32(6)][_S366])));
+        var _S367 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S368 : f32;
+        if(_S367)
         {
-            _S357 = high_0;
+            _S368 = high_0;
         }
         else
         {
-            _S357 = low_3;
+            _S368 = low_3;
         }
-        var _S358 : f32 = max(near_4, _S357 * view_1.inverse_1[_S353] - view_1.offset_near_0[axis_6]);
-        var _S359 : f32;
-        if(_S356)
+        var _S369 : f32 = max(near_4, _S368 * view_1.inverse_1[_S364] - view_1.offset_near_0[axis_6]);
+        var _S370 : f32;
+        if(_S367)
         {
-            _S359 = low_3;
+            _S370 = low_3;
         }
         else
         {
-            _S359 = high_0;
+            _S370 = high_0;
         }
-        var _S360 : f32 = min(far_3, _S359 * view_1.inverse_1[_S353] - view_1.offset_far_0[axis_6]);
-        var _S361 : u32 = axis_6 + u32(1);
-        near_4 = _S358;
-        far_3 = _S360;
-        axis_6 = _S361;
+        var _S371 : f32 = min(far_3, _S370 * view_1.inverse_1[_S364] - view_1.offset_far_0[axis_6]);
+        var _S372 : u32 = axis_6 + u32(1);
+        near_4 = _S369;
+        far_3 = _S371;
+        axis_6 = _S372;
     }
     if(near_4 <= far_3)
     {
@@ -3485,21 +3668,21 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32
 
 fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 {
-    var k_9 : u32 = u32(0);
+    var k_7 : u32 = u32(0);
     var order_0 : u32 = u32(0);
     for(;;)
     {
-        if(k_9 < u32(8))
+        if(k_7 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S362 : u32 = k_9;
-        if((bounds_0[k_9]) > limit_2)
+        var _S373 : u32 = k_7;
+        if((bounds_0[k_7]) > limit_2)
         {
-            k_9 = k_9 + u32(1);
+            k_7 = k_7 + u32(1);
             continue;
         }
         var j_0 : u32 = u32(0);
@@ -3513,31 +3696,31 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S363 : u32 = j_0;
-            var _S364 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S362]))
+            var _S374 : u32 = j_0;
+            var _S375 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S373]))
             {
-                _S364 = true;
+                _S375 = true;
             }
             else
             {
-                if((bounds_0[_S363]) == (bounds_0[_S362]))
+                if((bounds_0[_S374]) == (bounds_0[_S373]))
                 {
-                    _S364 = j_0 < k_9;
+                    _S375 = j_0 < k_7;
                 }
                 else
                 {
-                    _S364 = false;
+                    _S375 = false;
                 }
             }
-            if(_S364)
+            if(_S375)
             {
                 rank_0 = rank_0 + u32(1);
             }
             j_0 = j_0 + u32(1);
         }
-        order_0 = (order_0 | ((((k_9 + u32(1)) << ((u32(4) * rank_0))))));
-        k_9 = k_9 + u32(1);
+        order_0 = (order_0 | ((((k_7 + u32(1)) << ((u32(4) * rank_0))))));
+        k_7 = k_7 + u32(1);
     }
     return order_0;
 }
@@ -3555,16 +3738,16 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
         {
             break;
         }
-        var _S365 : f32;
+        var _S376 : f32;
         if((ray_child_0(node_7, slot_4)) == u32(4294967295))
         {
-            _S365 = 3.00000000549775576e+38f;
+            _S376 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S365 = ray_bound_0(view_2, limit_3, node_7, slot_4);
+            _S376 = ray_bound_0(view_2, limit_3, node_7, slot_4);
         }
-        bounds_1[slot_4] = _S365;
+        bounds_1[slot_4] = _S376;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -3575,9 +3758,9 @@ fn rounded_0( product_2 : f32,  largest_2 : f32) -> f32
     return min(product_2, largest_2);
 }
 
-fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_39 : u32) -> vec3<f32>
+fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_38 : u32) -> vec3<f32>
 {
-    var relative_1 : vec3<f32> = primitive_vector_0(at_39) - ray_1.origin_0;
+    var relative_1 : vec3<f32> = primitive_vector_0(at_38) - ray_1.origin_0;
     var z_3 : f32 = component_0(relative_1, (axes_8 >> (u32(4))));
     return vec3<f32>(component_0(relative_1, (axes_8 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_3, ray_1.largest_1), component_0(relative_1, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_3, ray_1.largest_1), z_3);
 }
@@ -3590,80 +3773,80 @@ struct Crossing_0
      w_3 : f32,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_40 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_39 : u32) -> Crossing_0
 {
-    var crossing_1 : Crossing_0;
-    crossing_1.is_hit_0 = false;
-    crossing_1.t_7 = 0.0f;
-    crossing_1.v_9 = 0.0f;
-    crossing_1.w_3 = 0.0f;
-    var a_17 : vec3<f32> = corner_0(ray_2, axes_9, at_40);
-    var b_12 : vec3<f32> = corner_0(ray_2, axes_9, at_40 + u32(3));
-    var c_3 : vec3<f32> = corner_0(ray_2, axes_9, at_40 + u32(6));
-    var _S366 : f32 = c_3.x;
-    var _S367 : f32 = b_12.y;
-    var cx_by_0 : f32 = rounded_0(_S366 * _S367, ray_2.largest_1);
-    var _S368 : f32 = c_3.y;
-    var _S369 : f32 = b_12.x;
-    var cy_bx_0 : f32 = rounded_0(_S368 * _S369, ray_2.largest_1);
-    var _S370 : f32 = a_17.x;
-    var ax_cy_0 : f32 = rounded_0(_S370 * _S368, ray_2.largest_1);
-    var _S371 : f32 = a_17.y;
-    var ay_cx_0 : f32 = rounded_0(_S371 * _S366, ray_2.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S369 * _S371, ray_2.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S367 * _S370, ray_2.largest_1);
+    var crossing_0 : Crossing_0;
+    crossing_0.is_hit_0 = false;
+    crossing_0.t_7 = 0.0f;
+    crossing_0.v_9 = 0.0f;
+    crossing_0.w_3 = 0.0f;
+    var a_17 : vec3<f32> = corner_0(ray_2, axes_9, at_39);
+    var b_12 : vec3<f32> = corner_0(ray_2, axes_9, at_39 + u32(3));
+    var c_3 : vec3<f32> = corner_0(ray_2, axes_9, at_39 + u32(6));
+    var _S377 : f32 = c_3.x;
+    var _S378 : f32 = b_12.y;
+    var cx_by_0 : f32 = rounded_0(_S377 * _S378, ray_2.largest_1);
+    var _S379 : f32 = c_3.y;
+    var _S380 : f32 = b_12.x;
+    var cy_bx_0 : f32 = rounded_0(_S379 * _S380, ray_2.largest_1);
+    var _S381 : f32 = a_17.x;
+    var ax_cy_0 : f32 = rounded_0(_S381 * _S379, ray_2.largest_1);
+    var _S382 : f32 = a_17.y;
+    var ay_cx_0 : f32 = rounded_0(_S382 * _S377, ray_2.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S380 * _S382, ray_2.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S378 * _S381, ray_2.largest_1);
     var u_2 : f32 = cx_by_0 - cy_bx_0;
     var v_10 : f32 = ax_cy_0 - ay_cx_0;
     var w_4 : f32 = bx_ay_0 - by_ax_0;
-    var _S372 : f32 = min(min(u_2, v_10), w_4);
-    var _S373 : f32 = max(max(u_2, v_10), w_4);
-    var _S374 : bool;
-    if(_S372 < 0.0f)
+    var _S383 : f32 = min(min(u_2, v_10), w_4);
+    var _S384 : f32 = max(max(u_2, v_10), w_4);
+    var _S385 : bool;
+    if(_S383 < 0.0f)
     {
-        _S374 = _S373 > 0.0f;
+        _S385 = _S384 > 0.0f;
     }
     else
     {
-        _S374 = false;
+        _S385 = false;
     }
-    if(_S374)
+    if(_S385)
     {
-        return crossing_1;
+        return crossing_0;
     }
     var determinant_0 : f32 = u_2 + v_10 + w_4;
-    if(_S372 <= 0.0f)
+    if(_S383 <= 0.0f)
     {
-        _S374 = _S373 >= 0.0f;
+        _S385 = _S384 >= 0.0f;
     }
     else
     {
-        _S374 = false;
+        _S385 = false;
     }
-    if(_S374)
+    if(_S385)
     {
         if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
-            return crossing_1;
+            return crossing_0;
         }
     }
     if(determinant_0 == 0.0f)
     {
-        return crossing_1;
+        return crossing_0;
     }
     var t_8 : f32 = (rounded_0(u_2 * a_17.z, ray_2.largest_1) + rounded_0(v_10 * b_12.z, ray_2.largest_1) + rounded_0(w_4 * c_3.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
     if((ray_2.t_min_0) <= t_8)
     {
-        _S374 = t_8 <= (ray_2.t_max_0);
+        _S385 = t_8 <= (ray_2.t_max_0);
     }
     else
     {
-        _S374 = false;
+        _S385 = false;
     }
-    crossing_1.is_hit_0 = _S374;
-    crossing_1.t_7 = t_8;
-    crossing_1.v_9 = v_10 / determinant_0;
-    crossing_1.w_3 = w_4 / determinant_0;
-    return crossing_1;
+    crossing_0.is_hit_0 = _S385;
+    crossing_0.t_7 = t_8;
+    crossing_0.v_9 = v_10 / determinant_0;
+    crossing_0.w_3 = w_4 / determinant_0;
+    return crossing_0;
 }
 
 fn face_1( triangle_6 : u32) -> u32
@@ -3681,7 +3864,7 @@ struct Found_0
 
 fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S375 : bool;
+    var _S386 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_7 = u32(4294967295);
@@ -3713,31 +3896,31 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S376 : u32 = way_2[level_0].y;
-        if(_S376 == u32(0))
+        var _S387 : u32 = way_2[level_0].y;
+        if(_S387 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S377 : u32 = level_0 - u32(1);
+            var _S388 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S377;
+            level_0 = _S388;
             continue;
         }
-        var slot_5 : u32 = ((_S376 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S376 >> (u32(4)));
-        var _S378 : bool;
+        var slot_5 : u32 = ((_S387 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S387 >> (u32(4)));
+        var _S389 : bool;
         if(!is_new_1)
         {
-            _S378 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+            _S389 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S378 = false;
+            _S389 = false;
         }
-        if(_S378)
+        if(_S389)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -3746,58 +3929,58 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S379 : u32 = level_0 + u32(1);
+            var _S390 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S379;
+            level_0 = _S390;
             continue;
         }
-        var leaf_4 : u32 = (child_0 & (u32(2147483647)));
-        var _S380 : u32 = leaf_starts_0[leaf_4 + u32(1)];
-        var _S381 : u32 = leaf_starts_0[leaf_4];
+        var leaf_2 : u32 = (child_0 & (u32(2147483647)));
+        var _S391 : u32 = leaf_starts_0[leaf_2 + u32(1)];
+        var _S392 : u32 = leaf_starts_0[leaf_2];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S381;
+        var i_2 : u32 = _S392;
         for(;;)
         {
-            if(i_2 < _S380)
+            if(i_2 < _S391)
             {
             }
             else
             {
                 break;
             }
-            var crossing_2 : Crossing_0 = intersect_0((*ray_3), view_3.axes_7, u32(9) * i_2);
-            if(!crossing_2.is_hit_0)
+            var crossing_1 : Crossing_0 = intersect_0((*ray_3), view_3.axes_7, u32(9) * i_2);
+            if(!crossing_1.is_hit_0)
             {
                 i_2 = i_2 + u32(1);
                 continue;
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S375 = true;
+                _S386 = true;
             }
             else
             {
-                _S375 = (crossing_2.t_7) < ((*ray_3).t_max_0);
+                _S386 = (crossing_1.t_7) < ((*ray_3).t_max_0);
             }
-            var _S382 : bool;
-            if(_S375)
+            var _S393 : bool;
+            if(_S386)
             {
-                _S382 = true;
+                _S393 = true;
             }
             else
             {
-                _S382 = (face_1(i_2)) < (found_0.face_2);
+                _S393 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S382)
+            if(_S393)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_7 = i_2;
-                (*ray_3).t_max_0 = crossing_2.t_7;
-                found_0.v_11 = crossing_2.v_9;
-                found_0.w_5 = crossing_2.w_3;
-                limit_6 = min(limit_5, crossing_2.t_7 * (*ray_3).local_per_t_0 - (*ray_3).enter_0 + 2.0f * view_3.margin_2);
+                (*ray_3).t_max_0 = crossing_1.t_7;
+                found_0.v_11 = crossing_1.v_9;
+                found_0.w_5 = crossing_1.w_3;
+                limit_6 = min(limit_5, crossing_1.t_7 * (*ray_3).local_per_t_0 - (*ray_3).enter_0 + 2.0f * view_3.margin_2);
             }
             else
             {
@@ -3808,13 +3991,13 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S375 = (found_0.face_2) != u32(4294967295);
+            _S386 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S375 = false;
+            _S386 = false;
         }
-        if(_S375)
+        if(_S386)
         {
             break;
         }
@@ -3828,11 +4011,11 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_2 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_1 : bool,  t_9 : ptr<function, f32>) -> Found_0
 {
     var view_4 : RayView_0;
-    var _S383 : u32 = view_4.axes_7;
-    var _S384 : Ray_0 = ray_along_0(origin_2, direction_13, t_min_2, t_max_2, &(_S383));
-    view_4.axes_7 = _S383;
-    var ray_4 : Ray_0 = _S384;
-    var _S385 : vec3<f32> = direction_13 / vec3<f32>(ray_4.local_per_t_0);
+    var _S394 : u32 = view_4.axes_7;
+    var _S395 : Ray_0 = ray_along_0(origin_2, direction_13, t_min_2, t_max_2, &(_S394));
+    view_4.axes_7 = _S394;
+    var ray_4 : Ray_0 = _S395;
+    var _S396 : vec3<f32> = direction_13 / vec3<f32>(ray_4.local_per_t_0);
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -3843,17 +4026,17 @@ fn cast_0( origin_2 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_2 : f32,  t_m
         {
             break;
         }
-        var _S386 : f32 = max(abs(_S385[axis_7]), 8.67361737988403547e-19f);
-        var _S387 : f32;
-        if((_S385[axis_7]) < 0.0f)
+        var _S397 : f32 = max(abs(_S396[axis_7]), 8.67361737988403547e-19f);
+        var _S398 : f32;
+        if((_S396[axis_7]) < 0.0f)
         {
-            _S387 = -1.0f / _S386;
+            _S398 = -1.0f / _S397;
         }
         else
         {
-            _S387 = 1.0f / _S386;
+            _S398 = 1.0f / _S397;
         }
-        view_4.inverse_1[axis_7] = _S387;
+        view_4.inverse_1[axis_7] = _S398;
         axis_7 = axis_7 + u32(1);
     }
     var offset_12 : vec3<f32> = origin_2 * view_4.inverse_1;
@@ -3876,7 +4059,7 @@ struct Side_0
      t_10 : f32,
 };
 
-fn look_0( at_41 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
+fn look_0( at_40 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
 {
     var step_0 : vec3<f32> = point_2.normal_7 * vec3<f32>(edge_real_0(u32(3)));
     var origin_3 : vec3<f32>;
@@ -3891,33 +4074,33 @@ fn look_0( at_41 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Sid
     var direction_15 : vec3<f32> = exact_unit_0(origin_3);
     if(point_2.is_in_horizon_0)
     {
-        var face_3 : vec3<f32> = face_normal_1(at_41);
+        var face_3 : vec3<f32> = face_normal_1(at_40);
         var height_3 : f32 = limit_at_0(u32(2));
-        var _S388 : f32;
+        var _S399 : f32;
         if((dot(direction_15, face_3)) < 0.0f)
         {
-            _S388 = - height_3;
+            _S399 = - height_3;
         }
         else
         {
-            _S388 = height_3;
+            _S399 = height_3;
         }
-        origin_3 = at_41.vertex_2.surface_3.exact_0 + face_3 * vec3<f32>(_S388);
+        origin_3 = at_40.vertex_2.surface_3.exact_0 + face_3 * vec3<f32>(_S399);
     }
     else
     {
-        origin_3 = at_41.vertex_2.surface_3.exact_0;
+        origin_3 = at_40.vertex_2.surface_3.exact_0;
     }
     var seen_4 : Side_0;
     seen_4.direction_14 = direction_15;
     seen_4.rest_3 = vec3<f32>(0.0f);
-    seen_4.scattered_2 = scattered_from_0(at_41.vertex_2, direction_15);
-    var _S389 : f32 = limit_at_0(u32(2));
-    var _S390 : f32 = limit_at_0(u32(1));
-    var _S391 : f32 = seen_4.t_10;
-    var _S392 : Found_0 = cast_0(origin_3, direction_15, _S389, _S390, false, &(_S391));
-    seen_4.t_10 = _S391;
-    seen_4.found_2 = _S392;
+    seen_4.scattered_2 = scattered_from_0(at_40.vertex_2, direction_15);
+    var _S400 : f32 = limit_at_0(u32(2));
+    var _S401 : f32 = limit_at_0(u32(1));
+    var _S402 : f32 = seen_4.t_10;
+    var _S403 : Found_0 = cast_0(origin_3, direction_15, _S400, _S401, false, &(_S402));
+    seen_4.t_10 = _S402;
+    seen_4.found_2 = _S403;
     return seen_4;
 }
 
@@ -3963,32 +4146,32 @@ fn emitter_seen_0( found_4 : Found_0,  direction_16 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_5 : u32 = word_0(shape_of_0(found_4.triangle_7) + u32(4));
-    var _S393 : bool;
+    var _S404 : bool;
     if(emitter_5 != u32(4294967295))
     {
-        _S393 = (dot(cross_of_0(found_4.triangle_7), direction_16)) < 0.0f;
+        _S404 = (dot(cross_of_0(found_4.triangle_7), direction_16)) < 0.0f;
     }
     else
     {
-        _S393 = false;
+        _S404 = false;
     }
-    var _S394 : u32;
-    if(_S393)
+    var _S405 : u32;
+    if(_S404)
     {
-        _S394 = emitter_5;
+        _S405 = emitter_5;
     }
     else
     {
-        _S394 = u32(4294967295);
+        _S405 = u32(4294967295);
     }
-    return _S394;
+    return _S405;
 }
 
-fn jump_of_light_0( at_42 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
+fn jump_of_light_0( at_41 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
 {
-    var _S395 : vec3<f32> = vec3<f32>(0.0f);
+    var _S406 : vec3<f32> = vec3<f32>(0.0f);
     var side_1 : u32 = u32(0);
-    var jump_0 : vec3<f32> = _S395;
+    var jump_0 : vec3<f32> = _S406;
     for(;;)
     {
         if(side_1 < u32(2))
@@ -3998,33 +4181,33 @@ fn jump_of_light_0( at_42 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
         {
             break;
         }
-        var seen_5 : Side_0 = look_0(at_42, point_4, side_1);
-        var _S396 : bool;
+        var seen_5 : Side_0 = look_0(at_41, point_4, side_1);
+        var _S407 : bool;
         if(!((largest_0(seen_5.scattered_2)) > 0.0f))
         {
-            _S396 = true;
+            _S407 = true;
         }
         else
         {
-            _S396 = (emitter_seen_0(seen_5.found_2, seen_5.direction_14)) != (at_42.emitter_0);
+            _S407 = (emitter_seen_0(seen_5.found_2, seen_5.direction_14)) != (at_41.emitter_0);
         }
-        if(_S396)
+        if(_S407)
         {
             side_1 = side_1 + u32(1);
             continue;
         }
-        var _S397 : vec3<f32> = emitted_0(at_42.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_14));
-        var light_2 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S397);
-        var _S398 : vec3<f32>;
+        var _S408 : vec3<f32> = emitted_0(at_41.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_14));
+        var light_2 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S408);
+        var _S409 : vec3<f32>;
         if(side_1 == u32(0))
         {
-            _S398 = light_2;
+            _S409 = light_2;
         }
         else
         {
-            _S398 = (vec3<f32>(0) - light_2);
+            _S409 = (vec3<f32>(0) - light_2);
         }
-        jump_0 = jump_0 + _S398;
+        jump_0 = jump_0 + _S409;
         side_1 = side_1 + u32(1);
     }
     return jump_0;
@@ -4034,27 +4217,27 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S399 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S410 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_2 : f32 = abs(scaled_0);
     if(size_2 > 7.73712524553362672e+25f)
     {
-        var _S400 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S411 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S401 : bool = scaled_0 < 0.0f;
-    var _S402 : i32;
+    var _S412 : bool = scaled_0 < 0.0f;
+    var _S413 : i32;
     if(size_2 >= 1.84467440737095516e+19f)
     {
-        _S402 = i32(1);
+        _S413 = i32(1);
     }
     else
     {
-        _S402 = i32(0);
+        _S413 = i32(0);
     }
-    var first_7 : u32 = u32(_S402);
+    var first_7 : u32 = u32(_S413);
     var size_3 : f32;
     if(first_7 == u32(1))
     {
@@ -4074,39 +4257,39 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
     {
         size_3 = lower_0;
     }
-    var _S403 : u32 = u32(3) + u32(4) * sum_2;
+    var _S414 : u32 = u32(4) + u32(4) * sum_2;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_3), u32(higher_0));
-    var k_10 : u32 = first_7;
+    var k_8 : u32 = first_7;
     for(;;)
     {
-        var _S404 : bool;
-        if(k_10 < u32(4))
+        var _S415 : bool;
+        if(k_8 < u32(4))
         {
-            _S404 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S415 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S404 = false;
+            _S415 = false;
         }
-        if(_S404)
+        if(_S415)
         {
         }
         else
         {
             break;
         }
-        var _S405 : u32;
-        if(_S401)
+        var _S416 : u32;
+        if(_S412)
         {
-            _S405 = u32(0) - digits_0.x;
+            _S416 = u32(0) - digits_0.x;
         }
         else
         {
-            _S405 = digits_0.x;
+            _S416 = digits_0.x;
         }
-        var before_2 : u32 = atomicAdd(&(sums_0[_S403 + k_10]), _S405);
+        var before_2 : u32 = atomicAdd(&(sums_0[_S414 + k_8]), _S416);
         var overflows_0 : bool;
-        if(_S401)
+        if(_S412)
         {
             overflows_0 = before_2 < (digits_0.x);
         }
@@ -4114,39 +4297,39 @@ fn add_to_sum_0( sum_2 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_2 + digits_0.x) < before_2;
         }
-        var _S406 : u32 = digits_0.y;
+        var _S417 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S402 = i32(1);
+            _S413 = i32(1);
         }
         else
         {
-            _S402 = i32(0);
+            _S413 = i32(0);
         }
-        var _S407 : vec2<u32> = vec2<u32>(_S406 + u32(_S402), u32(0));
-        var _S408 : u32 = k_10 + u32(1);
-        digits_0 = _S407;
-        k_10 = _S408;
+        var _S418 : vec2<u32> = vec2<u32>(_S417 + u32(_S413), u32(0));
+        var _S419 : u32 = k_8 + u32(1);
+        digits_0 = _S418;
+        k_8 = _S419;
     }
     return;
 }
 
 fn add_to_sums_0( first_8 : u32,  derivative_1 : vec3<f32>)
 {
-    var _S409 : i32;
+    var _S420 : i32;
     if(first_8 == u32(4294967295))
     {
-        _S409 = i32(0);
+        _S420 = i32(0);
     }
     else
     {
-        _S409 = i32(3);
+        _S420 = i32(3);
     }
-    var _S410 : u32 = u32(_S409);
+    var _S421 : u32 = u32(_S420);
     var axis_9 : u32 = u32(0);
     for(;;)
     {
-        if(axis_9 < _S410)
+        if(axis_9 < _S421)
         {
         }
         else
@@ -4171,17 +4354,17 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
         {
             break;
         }
-        var _S411 : u32 = edge_word_0(record_9 + u32(2) + end_2);
-        var _S412 : f32;
+        var _S422 : u32 = edge_word_0(record_9 + u32(2) + end_2);
+        var _S423 : f32;
         if(end_2 == u32(0))
         {
-            _S412 = 1.0f - t_11;
+            _S423 = 1.0f - t_11;
         }
         else
         {
-            _S412 = t_11;
+            _S423 = t_11;
         }
-        add_to_sums_0(_S411, by_velocity_0 * vec3<f32>(_S412));
+        add_to_sums_0(_S422, by_velocity_0 * vec3<f32>(_S423));
         end_2 = end_2 + u32(1);
     }
     (*pulled_2).position_1 = (*pulled_2).position_1 - by_velocity_0;
@@ -4192,29 +4375,35 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
     return;
 }
 
-fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_43 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_2 : u32,  path_13 : Path_0)
+fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_42 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_2 : u32,  path_13 : Path_0)
 {
-    var _S413 : vec3<f32> = jump_of_light_0(at_43, point_5);
-    var by_velocity_1 : vec3<f32> = point_5.normal_7 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S413)));
-    var _S414 : vec3<f32> = offset_of_0(point_5);
-    var _S415 : Pulled_0 = (*crossed_2).pulled_1;
-    edge_back_0(&(_S415), at_43.vertex_2, at_43.turns_0, point_5.edge_6.record_7, point_5.t_5, _S414, by_velocity_1);
-    (*crossed_2).pulled_1 = _S415;
+    var _S424 : vec3<f32> = jump_of_light_0(at_42, point_5);
+    var by_velocity_1 : vec3<f32> = point_5.normal_7 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S424)));
+    var _S425 : vec3<f32> = offset_of_0(point_5);
+    var _S426 : Pulled_0 = (*crossed_2).pulled_1;
+    edge_back_0(&(_S426), at_42.vertex_2, at_42.turns_0, point_5.edge_6.record_7, point_5.t_5, _S425, by_velocity_1);
+    (*crossed_2).pulled_1 = _S426;
     return;
 }
 
-struct Share_0
+fn draw_points_0( at_43 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  place_17 : f32,  number_of_path_3 : u32,  path_14 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
 {
-     share_0 : f32,
-     over_all_0 : f32,
-     place_17 : f32,
-};
-
-fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  number_of_path_3 : u32,  path_14 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
-{
+    var _S427 : bool;
+    var most_0 : u32 = edge_word_0(u32(9));
+    var _S428 : bool = (at_43.purpose_0) == u32(0);
+    var _S429 : u32;
+    if(_S428)
+    {
+        _S429 = most_0 * part_of_launch_0();
+    }
+    else
+    {
+        _S429 = u32(0);
+    }
+    var count_5 : u32 = u32(0);
     var points_0 : u32 = u32(1);
     var least_3 : f32 = 0.0f;
-    var over_all_1 : f32 = 0.0f;
+    var over_all_0 : f32 = 0.0f;
     var total_0 : f32 = 0.0f;
     var step_1 : f32 = 0.0f;
     var pass_0 : u32 = u32(0);
@@ -4242,71 +4431,108 @@ fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  nu
             }
             var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
             var total_1 : f32 = contributions_0 + least_4 * angles_0;
-            if((at_44.purpose_0) == u32(0))
+            if(_S428)
             {
-                target_1 = asked_0.share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
+                var parts_0 : f32 = ceil(f32(count_5) / f32(most_0));
+                target_1 = min(4.0f * max(sqrt(pieces_1 / parts_0), 2.0f / parts_0), f32(edge_word_0(u32(10))));
             }
             else
             {
                 target_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(target_1 - 0.00100000004749745f));
-            var _S416 : f32 = f32(points_1);
-            var _S417 : f32 = asked_0.over_all_0 * _S416;
-            var step_2 : f32 = total_1 / _S416;
-            var _S418 : f32 = step_2 * asked_0.place_17;
+            var _S430 : f32 = f32(points_1);
+            var _S431 : f32 = probability_4 * _S430;
+            var step_2 : f32 = total_1 / _S430;
+            var _S432 : f32 = step_2 * place_17;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S417;
+            over_all_0 = _S431;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S418;
+            target_1 = _S432;
         }
         else
         {
             target_1 = target_0;
         }
-        var leaves_4 : Leaves_0 = below_0(node_8);
-        var leaf_5 : u32;
-        target_0 = target_1;
+        var leaves_2 : Leaves_0 = below_0(node_8);
+        var leaf_3 : u32;
+        var drawn_1 : u32 = drawn_0;
+        var passed_0 : u32 = u32(0);
+        var contributions_1 : f32 = contributions_0;
+        var angles_1 : f32 = angles_0;
+        var pieces_2 : f32 = pieces_1;
+        var cumulative_1 : f32 = cumulative_0;
+        var target_2 : f32 = target_1;
         for(;;)
         {
-            var _S419 : bool;
-            if(drawn_0 < points_0)
+            var _S433 : bool;
+            if(drawn_1 < points_0)
             {
-                var _S420 : bool = next_leaf_1(at_44, &(leaves_4), &(leaf_5));
-                _S419 = _S420;
+                if(pass_0 == u32(0))
+                {
+                    _S433 = true;
+                }
+                else
+                {
+                    _S433 = passed_0 < (_S429 + most_0);
+                }
             }
             else
             {
-                _S419 = false;
+                _S433 = false;
             }
-            if(_S419)
+            var _S434 : bool;
+            if(_S433)
+            {
+                var _S435 : bool = next_leaf_0(at_43, &(leaves_2), &(leaf_3));
+                _S434 = _S435;
+            }
+            else
+            {
+                _S434 = false;
+            }
+            if(_S434)
             {
             }
             else
             {
                 break;
             }
-            var k_11 : u32 = edge_word_0(leaf_5 + u32(2));
-            var drawn_1 : u32 = drawn_0;
-            var contributions_1 : f32 = contributions_0;
-            var angles_1 : f32 = angles_0;
-            var pieces_2 : f32 = pieces_1;
-            var cumulative_1 : f32 = cumulative_0;
-            var target_2 : f32 = target_0;
+            var passed_1 : u32 = passed_0 + u32(1);
+            if(passed_1 <= _S429)
+            {
+                _S427 = true;
+            }
+            else
+            {
+                _S427 = passed_1 > (_S429 + most_0);
+            }
+            if(_S427)
+            {
+                passed_0 = passed_1;
+                continue;
+            }
+            var k_9 : u32 = edge_word_0(leaf_3 + u32(2));
+            var drawn_2 : u32 = drawn_1;
+            var contributions_2 : f32 = contributions_1;
+            var angles_2 : f32 = angles_1;
+            var pieces_3 : f32 = pieces_2;
+            var cumulative_2 : f32 = cumulative_1;
+            var target_3 : f32 = target_2;
             for(;;)
             {
-                var _S421 : bool;
-                if(k_11 < (edge_word_0(leaf_5 + u32(3))))
+                var _S436 : bool;
+                if(k_9 < (edge_word_0(leaf_3 + u32(3))))
                 {
-                    _S421 = drawn_1 < points_0;
+                    _S436 = drawn_2 < points_0;
                 }
                 else
                 {
-                    _S421 = false;
+                    _S436 = false;
                 }
-                if(_S421)
+                if(_S436)
                 {
                 }
                 else
@@ -4314,37 +4540,37 @@ fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  nu
                     break;
                 }
                 var seen_6 : SeenEdge_0;
-                var _S422 : bool = see_edge_0(at_44, k_11, &(seen_6));
-                var drawn_2 : u32;
-                var contributions_2 : f32;
-                var angles_2 : f32;
-                var pieces_3 : f32;
-                var cumulative_2 : f32;
-                var target_3 : f32;
-                if(!_S422)
+                var _S437 : bool = see_edge_0(at_43, k_9, &(seen_6));
+                var drawn_3 : u32;
+                var contributions_3 : f32;
+                var angles_3 : f32;
+                var pieces_4 : f32;
+                var cumulative_3 : f32;
+                var target_4 : f32;
+                if(!_S437)
                 {
-                    drawn_2 = drawn_1;
-                    contributions_2 = contributions_1;
-                    angles_2 = angles_1;
-                    pieces_3 = pieces_2;
-                    cumulative_2 = cumulative_1;
-                    target_3 = target_2;
-                    k_11 = k_11 + u32(1);
-                    drawn_1 = drawn_2;
-                    contributions_1 = contributions_2;
-                    angles_1 = angles_2;
-                    pieces_2 = pieces_3;
-                    cumulative_1 = cumulative_2;
-                    target_2 = target_3;
+                    drawn_3 = drawn_2;
+                    contributions_3 = contributions_2;
+                    angles_3 = angles_2;
+                    pieces_4 = pieces_3;
+                    cumulative_3 = cumulative_2;
+                    target_4 = target_3;
+                    k_9 = k_9 + u32(1);
+                    drawn_2 = drawn_3;
+                    contributions_2 = contributions_3;
+                    angles_2 = angles_3;
+                    pieces_3 = pieces_4;
+                    cumulative_2 = cumulative_3;
+                    target_3 = target_4;
                     continue;
                 }
                 var piece_2 : f32 = 0.0f;
-                contributions_2 = contributions_1;
-                angles_2 = angles_1;
-                pieces_3 = pieces_2;
-                cumulative_2 = cumulative_1;
-                drawn_2 = drawn_1;
-                target_3 = target_2;
+                contributions_3 = contributions_2;
+                angles_3 = angles_2;
+                pieces_4 = pieces_3;
+                cumulative_3 = cumulative_2;
+                drawn_3 = drawn_2;
+                target_4 = target_3;
                 for(;;)
                 {
                     if(piece_2 < (seen_6.pieces_0))
@@ -4354,115 +4580,139 @@ fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  nu
                     {
                         break;
                     }
-                    var weight_0 : vec2<f32> = weigh_0(at_44, seen_6, piece_2);
+                    var weight_0 : vec2<f32> = weigh_0(at_43, seen_6, piece_2);
                     if(pass_0 == u32(0))
                     {
-                        var angles_3 : f32 = angles_2 + weight_0.y;
-                        var pieces_4 : f32 = pieces_3 + 1.0f;
-                        contributions_2 = contributions_2 + weight_0.x;
-                        angles_2 = angles_3;
-                        pieces_3 = pieces_4;
+                        var angles_4 : f32 = angles_3 + weight_0.y;
+                        var pieces_5 : f32 = pieces_4 + 1.0f;
+                        contributions_3 = contributions_3 + weight_0.x;
+                        angles_3 = angles_4;
+                        pieces_4 = pieces_5;
                         piece_2 = piece_2 + 1.0f;
                         continue;
                     }
                     var own_1 : f32 = weight_0.x + least_3 * weight_0.y;
-                    var cumulative_3 : f32 = cumulative_2 + own_1;
-                    var drawn_3 : u32 = drawn_2;
-                    var target_4 : f32 = target_3;
+                    var cumulative_4 : f32 = cumulative_3 + own_1;
+                    var drawn_4 : u32 = drawn_3;
+                    var target_5 : f32 = target_4;
                     for(;;)
                     {
-                        var _S423 : bool;
-                        if(drawn_3 < points_0)
+                        var _S438 : bool;
+                        if(drawn_4 < points_0)
                         {
-                            _S423 = target_4 < cumulative_3;
+                            _S438 = target_5 < cumulative_4;
                         }
                         else
                         {
-                            _S423 = false;
+                            _S438 = false;
                         }
-                        if(_S423)
+                        if(_S438)
                         {
                         }
                         else
                         {
                             break;
                         }
-                        var _S424 : u32 = drawn_3 + u32(1);
-                        var target_5 : f32 = target_4 + step_1;
-                        cross_at_0(&((*crossed_3)), at_44, point_on_0(at_44, seen_6, piece_2, clamp((target_4 - cumulative_2) / own_1, 0.0f, 1.0f), over_all_1 * own_1 / total_0), number_of_path_3, path_14);
-                        drawn_3 = _S424;
-                        target_4 = target_5;
+                        var _S439 : u32 = drawn_4 + u32(1);
+                        var target_6 : f32 = target_5 + step_1;
+                        cross_at_0(&((*crossed_3)), at_43, point_on_0(at_43, seen_6, piece_2, clamp((target_5 - cumulative_3) / own_1, 0.0f, 1.0f), over_all_0 * own_1 / total_0), number_of_path_3, path_14);
+                        drawn_4 = _S439;
+                        target_5 = target_6;
                     }
-                    cumulative_2 = cumulative_3;
-                    drawn_2 = drawn_3;
-                    target_3 = target_4;
+                    cumulative_3 = cumulative_4;
+                    drawn_3 = drawn_4;
+                    target_4 = target_5;
                     piece_2 = piece_2 + 1.0f;
                 }
-                k_11 = k_11 + u32(1);
-                drawn_1 = drawn_2;
-                contributions_1 = contributions_2;
-                angles_1 = angles_2;
-                pieces_2 = pieces_3;
-                cumulative_1 = cumulative_2;
-                target_2 = target_3;
+                k_9 = k_9 + u32(1);
+                drawn_2 = drawn_3;
+                contributions_2 = contributions_3;
+                angles_2 = angles_3;
+                pieces_3 = pieces_4;
+                cumulative_2 = cumulative_3;
+                target_3 = target_4;
             }
-            drawn_0 = drawn_1;
-            contributions_0 = contributions_1;
+            drawn_1 = drawn_2;
+            passed_0 = passed_1;
+            contributions_1 = contributions_2;
+            angles_1 = angles_2;
+            pieces_2 = pieces_3;
+            cumulative_1 = cumulative_2;
+            target_2 = target_3;
+        }
+        if(pass_0 > u32(0))
+        {
+            pass_0 = pass_0 + u32(1);
             angles_0 = angles_1;
+            contributions_0 = contributions_1;
             pieces_1 = pieces_2;
+            drawn_0 = drawn_1;
             cumulative_0 = cumulative_1;
             target_0 = target_2;
+            continue;
         }
+        if(_S429 == u32(0))
+        {
+            _S427 = passed_0 > most_0;
+        }
+        else
+        {
+            _S427 = false;
+        }
+        if(_S427)
+        {
+            var _S440 : u32 = (passed_0 + most_0 - u32(1)) / most_0;
+            var _S441 : u32 = atomicMax(&(sums_0[u32(3)]), _S440);
+        }
+        count_5 = passed_0;
         pass_0 = pass_0 + u32(1);
+        angles_0 = angles_1;
+        contributions_0 = contributions_1;
+        pieces_1 = pieces_2;
+        drawn_0 = drawn_1;
+        cumulative_0 = cumulative_1;
+        target_0 = target_2;
     }
     return;
 }
 
-fn sample_points_0( at_45 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_44 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : Path_0,  crossed_4 : ptr<function, Crossed_0>)
 {
-    var numbers_9 : u32 = numbers_for_0(at_45.purpose_0) + u32(1);
-    var node_9 : u32 = edge_word_0(at_45.tree_0);
-    var u_3 : f32 = precise_random_0(path_15.key_0, numbers_9);
-    var probability_4 : f32 = 1.0f;
-    var is_whole_0 : bool;
-    if((at_45.purpose_0) == u32(0))
+    var numbers_9 : u32 = numbers_for_0(at_44.purpose_0) + u32(1);
+    var part_2 : u32 = part_of_launch_0();
+    var node_9 : u32 = edge_word_0(at_44.tree_0);
+    var probability_5 : f32 = 1.0f;
+    if((at_44.purpose_0) != u32(0))
     {
-        is_whole_0 = takes_all_0(at_45);
-    }
-    else
-    {
-        is_whole_0 = false;
-    }
-    if(!is_whole_0)
-    {
-        var _S425 : bool = descend_0(at_45, (f32(subtree_0) + u_3) / f32(subtrees_0), &(node_9), &(probability_4));
-        is_whole_0 = !_S425;
-    }
-    else
-    {
-        is_whole_0 = false;
-    }
-    if(is_whole_0)
-    {
-        return;
-    }
-    var asked_1 : Share_0;
-    var _S426 : f32 = f32(subtrees_0);
-    asked_1.share_0 = 1.0f / _S426;
-    asked_1.over_all_0 = probability_4 * _S426;
-    asked_1.place_17 = precise_random_0(path_15.key_0, numbers_9 + u32(1)) + 0.6180340051651001f * f32(subtree_0);
-    for(;;)
-    {
-        if((asked_1.place_17) >= 1.0f)
+        var subtrees_0 : u32;
+        if((depth_of_launch_0()) == u32(0))
         {
+            subtrees_0 = u32(2);
         }
         else
         {
-            break;
+            subtrees_0 = u32(1);
         }
-        asked_1.place_17 = asked_1.place_17 - 1.0f;
+        var _S442 : f32 = f32(subtrees_0);
+        var u_3 : f32 = (f32(part_2) + precise_random_0(path_15.key_0, numbers_9)) / _S442;
+        var _S443 : bool;
+        if(part_2 >= subtrees_0)
+        {
+            _S443 = true;
+        }
+        else
+        {
+            var _S444 : bool = descend_0(at_44, u_3, &(node_9), &(probability_5));
+            _S443 = !_S444;
+        }
+        if(_S443)
+        {
+            return;
+        }
+        probability_5 = probability_5 * _S442;
     }
-    draw_points_0(at_45, node_9, asked_1, number_of_path_4, path_15, &((*crossed_4)));
+    var place_18 : f32 = precise_random_0(path_15.key_0, numbers_9 + u32(1)) + 0.6180340051651001f * f32(part_2);
+    draw_points_0(at_44, node_9, probability_5, place_18 - floor(place_18), number_of_path_4, path_15, &((*crossed_4)));
     return;
 }
 
@@ -4499,35 +4749,35 @@ fn slot_derivative_0( numbers_10 : Numbers_0,  slot_6 : u32) -> vec3<f32>
 
 fn numbers_of_0( texture_7 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_7 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_7 + u32(18)));
 }
 
 fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
 {
     var first_9 : u32 = numbers_of_0(texture_8);
-    var _S427 : u32 = word_0(texture_8 + u32(1));
-    var _S428 : u32;
+    var _S445 : u32 = word_0(texture_8 + u32(1));
+    var _S446 : u32;
     if(first_9 == u32(4294967295))
     {
-        _S428 = u32(0);
+        _S446 = u32(0);
     }
     else
     {
-        _S428 = lookup_5.count_0;
+        _S446 = lookup_5.count_0;
     }
-    var k_12 : u32 = u32(0);
+    var k_10 : u32 = u32(0);
     for(;;)
     {
-        if(k_12 < _S428)
+        if(k_10 < _S446)
         {
         }
         else
         {
             break;
         }
-        var own_2 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_12]);
+        var own_2 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_10]);
         var own_3 : vec3<f32>;
-        if(_S427 == u32(1))
+        if(_S445 == u32(1))
         {
             own_3 = vec3<f32>((own_2.x + own_2.y + own_2.z));
         }
@@ -4538,17 +4788,17 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         var c_4 : u32 = u32(0);
         for(;;)
         {
-            if(c_4 < _S427)
+            if(c_4 < _S445)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_9 + _S427 * lookup_5.texels_0[k_12] + c_4, own_3[c_4]);
+            add_to_sum_0(first_9 + _S445 * lookup_5.texels_0[k_10] + c_4, own_3[c_4]);
             c_4 = c_4 + u32(1);
         }
-        k_12 = k_12 + u32(1);
+        k_10 = k_10 + u32(1);
     }
     return;
 }
@@ -4559,15 +4809,15 @@ fn lookup_back_0( texture_9 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
     return vec2<f32>(dot(weighted_texels_0(texture_9, lookup_6, lookup_6.by_first_0), derivative_3), dot(weighted_texels_0(texture_9, lookup_6, lookup_6.by_second_0), derivative_3));
 }
 
-fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
+fn numbers_back_0( material_2 : u32,  place_19 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
 {
-    var _S429 : vec2<f32> = vec2<f32>(0.0f);
-    var _S430 : u32 = word_0(material_2 + u32(4));
+    var _S447 : vec2<f32> = vec2<f32>(0.0f);
+    var _S448 : u32 = word_0(material_2 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S429;
+    var by_place_0 : vec2<f32> = _S447;
     for(;;)
     {
-        if(slot_7 < _S430)
+        if(slot_7 < _S448)
         {
         }
         else
@@ -4580,9 +4830,9 @@ fn numbers_back_0( material_2 : u32,  place_18 : Place_0,  numbers_11 : Numbers_
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S431 : Lookup_0 = lookup_at_0(texture_10, place_18);
-        var _S432 : vec2<f32> = lookup_back_0(texture_10, _S431, slot_derivative_0(numbers_11, slot_7));
-        by_place_0 = by_place_0 + _S432;
+        var _S449 : Lookup_0 = lookup_at_0(texture_10, place_19);
+        var _S450 : vec2<f32> = lookup_back_0(texture_10, _S449, slot_derivative_0(numbers_11, slot_7));
+        by_place_0 = by_place_0 + _S450;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_0;
@@ -4603,10 +4853,10 @@ struct AtCorners_0
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_2 : AtCorners_0;
-    var _S433 : vec3<f32> = vec3<f32>(0.0f);
-    corners_2.c_5 = _S433;
-    corners_2.b_13 = _S433;
-    corners_2.a_18 = _S433;
+    var _S451 : vec3<f32> = vec3<f32>(0.0f);
+    corners_2.c_5 = _S451;
+    corners_2.b_13 = _S451;
+    corners_2.a_18 = _S451;
     return corners_2;
 }
 
@@ -4621,34 +4871,34 @@ fn tangent_back_0( points_2 : ptr<function, AtCorners_0>,  triangle_8 : u32,  ta
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_8);
     var first_10 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
     var second_4 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
-    var _S434 : f32 = second_4.y;
-    var _S435 : f32 = first_10.y;
-    var scale_1 : f32 = 1.0f / (first_10.x * _S434 - second_4.x * _S435);
-    var of_ab_0 : f32 = _S434 * scale_1;
-    var of_ac_0 : f32 = - _S435 * scale_1;
+    var _S452 : f32 = second_4.y;
+    var _S453 : f32 = first_10.y;
+    var scale_1 : f32 = 1.0f / (first_10.x * _S452 - second_4.x * _S453);
+    var of_ab_0 : f32 = _S452 * scale_1;
+    var of_ac_0 : f32 = - _S453 * scale_1;
     var a_19 : vec3<f32> = primitive_vector_0(corner_1);
-    var _S436 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S437 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_1 + u32(3)) - a_19) * _S436 + (primitive_vector_0(corner_1 + u32(6)) - a_19) * _S437));
+    var _S454 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S455 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_1 + u32(3)) - a_19) * _S454 + (primitive_vector_0(corner_1 + u32(6)) - a_19) * _S455));
     (*points_2).a_18 = (*points_2).a_18 - derivative_5 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_2).b_13 = (*points_2).b_13 + derivative_5 * _S436;
-    (*points_2).c_5 = (*points_2).c_5 + derivative_5 * _S437;
+    (*points_2).b_13 = (*points_2).b_13 + derivative_5 * _S454;
+    (*points_2).c_5 = (*points_2).c_5 + derivative_5 * _S455;
     return;
 }
 
-fn add_at_place_0( corners_3 : ptr<function, AtCorners_0>,  place_19 : Place_0,  derivative_6 : vec3<f32>)
+fn add_at_place_0( corners_3 : ptr<function, AtCorners_0>,  place_20 : Place_0,  derivative_6 : vec3<f32>)
 {
-    (*corners_3).a_18 = (*corners_3).a_18 + derivative_6 * vec3<f32>((1.0f - place_19.v_0 - place_19.w_0));
-    (*corners_3).b_13 = (*corners_3).b_13 + derivative_6 * vec3<f32>(place_19.v_0);
-    (*corners_3).c_5 = (*corners_3).c_5 + derivative_6 * vec3<f32>(place_19.w_0);
+    (*corners_3).a_18 = (*corners_3).a_18 + derivative_6 * vec3<f32>((1.0f - place_20.v_0 - place_20.w_0));
+    (*corners_3).b_13 = (*corners_3).b_13 + derivative_6 * vec3<f32>(place_20.v_0);
+    (*corners_3).c_5 = (*corners_3).c_5 + derivative_6 * vec3<f32>(place_20.w_0);
     return;
 }
 
-fn add_at_place_1( corners_4 : ptr<function, AtCorners_0>,  place_20 : Place_0,  derivative_7 : vec3<f32>)
+fn add_at_place_1( corners_4 : ptr<function, AtCorners_0>,  place_21 : Place_0,  derivative_7 : vec3<f32>)
 {
-    (*corners_4).a_18 = (*corners_4).a_18 + derivative_7 * vec3<f32>((1.0f - place_20.v_0 - place_20.w_0));
-    (*corners_4).b_13 = (*corners_4).b_13 + derivative_7 * vec3<f32>(place_20.v_0);
-    (*corners_4).c_5 = (*corners_4).c_5 + derivative_7 * vec3<f32>(place_20.w_0);
+    (*corners_4).a_18 = (*corners_4).a_18 + derivative_7 * vec3<f32>((1.0f - place_21.v_0 - place_21.w_0));
+    (*corners_4).b_13 = (*corners_4).b_13 + derivative_7 * vec3<f32>(place_21.v_0);
+    (*corners_4).c_5 = (*corners_4).c_5 + derivative_7 * vec3<f32>(place_21.w_0);
     return;
 }
 
@@ -4659,69 +4909,69 @@ fn normals_of_0( triangle_9 : u32) -> u32
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_10 : u32,  corners_5 : AtCorners_0)
 {
-    var _S438 : u32 = triangle_record_0(triangle_10) + u32(2);
-    var _S439 : i32;
+    var _S456 : u32 = triangle_record_0(triangle_10) + u32(2);
+    var _S457 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S439 = i32(0);
+        _S457 = i32(0);
     }
     else
     {
-        _S439 = i32(3);
+        _S457 = i32(3);
     }
-    var _S440 : u32 = u32(_S439);
-    var k_13 : u32 = u32(0);
+    var _S458 : u32 = u32(_S457);
+    var k_11 : u32 = u32(0);
     for(;;)
     {
-        if(k_13 < _S440)
+        if(k_11 < _S458)
         {
         }
         else
         {
             break;
         }
-        var _S441 : u32 = sums_at_0 + u32(3) * word_0(_S438 + k_13);
-        var _S442 : vec3<f32>;
-        if(k_13 == u32(0))
+        var _S459 : u32 = sums_at_0 + u32(3) * word_0(_S456 + k_11);
+        var _S460 : vec3<f32>;
+        if(k_11 == u32(0))
         {
-            _S442 = corners_5.a_18;
+            _S460 = corners_5.a_18;
         }
         else
         {
-            if(k_13 == u32(1))
+            if(k_11 == u32(1))
             {
-                _S442 = corners_5.b_13;
+                _S460 = corners_5.b_13;
             }
             else
             {
-                _S442 = corners_5.c_5;
+                _S460 = corners_5.c_5;
             }
         }
-        add_to_sums_0(_S441, _S442);
-        k_13 = k_13 + u32(1);
+        add_to_sums_0(_S459, _S460);
+        k_11 = k_11 + u32(1);
     }
     return;
 }
 
-fn place_back_0( points_3 : ptr<function, AtCorners_0>,  place_21 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_17 : vec3<f32>) -> vec3<f32>
+fn place_back_0( points_3 : ptr<function, AtCorners_0>,  place_22 : Place_0,  by_place_1 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_17 : vec3<f32>) -> vec3<f32>
 {
-    var corner_2 : u32 = u32(9) * place_21.triangle_0;
+    var corner_2 : u32 = u32(9) * place_22.triangle_0;
     var a_20 : vec3<f32> = primitive_vector_0(corner_2);
     var ab_0 : vec3<f32> = primitive_vector_0(corner_2 + u32(3)) - a_20;
     var ac_0 : vec3<f32> = primitive_vector_0(corner_2 + u32(6)) - a_20;
     var across_2 : vec3<f32> = cross(ab_0, ac_0);
-    var _S443 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
-    var normal_8 : vec3<f32> = across_2 / vec3<f32>(_S443);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_8) * vec3<f32>(by_place_1.x) + cross(normal_8, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_8, normal_8) * _S443)));
+    var _S461 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
+    var normal_8 : vec3<f32> = across_2 / vec3<f32>(_S461);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_8) * vec3<f32>(by_place_1.x) + cross(normal_8, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_8, normal_8) * _S461)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_8 * vec3<f32>((dot(direction_17, by_slip_0) / dot(normal_8, direction_17)));
-    add_at_place_1(&((*points_3)), place_21, by_position_0 - by_drift_0);
+    add_at_place_1(&((*points_3)), place_22, by_position_0 - by_drift_0);
     return by_drift_0;
 }
 
 fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_18 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_6.shape_0);
-    var _S444 : vec2<f32>;
+    var _S462 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_3 : u32 = u32(9) * surface_6.place_3.triangle_0;
@@ -4734,7 +4984,7 @@ fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0
         (*points_4).a_18 = (*points_4).a_18 - (by_ab_0 + by_ac_0);
         (*points_4).b_13 = (*points_4).b_13 + by_ab_0;
         (*points_4).c_5 = (*points_4).c_5 + by_ac_0;
-        _S444 = by_place_2;
+        _S462 = by_place_2;
     }
     else
     {
@@ -4746,10 +4996,10 @@ fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_6.place_3, derivative_9);
         add_to_corners_0(normals_of_0(surface_6.place_3.triangle_0), surface_6.place_3.triangle_0, of_normals_0);
-        _S444 = by_place_2 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_2, derivative_9));
+        _S462 = by_place_2 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_2, derivative_9));
     }
-    var _S445 : vec3<f32> = place_back_0(&((*points_4)), surface_6.place_3, _S444, by_position_1, direction_18);
-    return _S445;
+    var _S463 : vec3<f32> = place_back_0(&((*points_4)), surface_6.place_3, _S462, by_position_1, direction_18);
+    return _S463;
 }
 
 fn points_of_0( triangle_11 : u32) -> u32
@@ -4760,33 +5010,33 @@ fn points_of_0( triangle_11 : u32) -> u32
 fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32,  direction_19 : vec3<f32>) -> ByRay_0
 {
     var by_ray_1 : ByRay_0;
-    var _S446 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_0 = _S446;
-    by_ray_1.drift_0 = _S446;
+    var _S464 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S464;
+    by_ray_1.drift_0 = _S464;
     var by_place_3 : vec2<f32> = numbers_back_0(material_3, vertex_8.surface_3.place_3, pulled_3.numbers_3);
     if(!is_moving_0())
     {
         return by_ray_1;
     }
-    var _S447 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S465 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_0 : DiffPair_Axes_0;
     towards_0.primal_0 = vertex_8.axes_4;
-    towards_0.differential_0 = _S447;
+    towards_0.differential_0 = _S465;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_19;
-    incoming_0.differential_0 = _S446;
+    incoming_0.differential_0 = _S464;
     _S173(&(towards_0), &(incoming_0), pulled_3.wi_2);
     by_ray_1.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_8.surface_3.outward_0;
-    outward_1.differential_0 = _S446;
-    var _S448 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
+    outward_1.differential_0 = _S464;
+    var _S466 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S448;
-    tangent_4.differential_0 = _S446;
+    tangent_4.primal_0 = _S466;
+    tangent_4.differential_0 = _S464;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_3.axes_5, towards_0.differential_0);
     var points_5 : AtCorners_0 = at_no_corner_0();
-    if((any((_S448 != _S446))))
+    if((any((_S466 != _S464))))
     {
         _S124(&(outward_1), &(tangent_4), vertex_8.surface_3.is_front_0, by_axes_0);
         tangent_back_0(&(points_5), vertex_8.surface_3.place_3.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -4795,32 +5045,32 @@ fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32, 
     {
         _S93(&(outward_1), vertex_8.surface_3.is_front_0, by_axes_0);
     }
-    var _S449 : vec3<f32> = surface_back_0(&(points_5), vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_19);
-    by_ray_1.drift_0 = _S449;
+    var _S467 : vec3<f32> = surface_back_0(&(points_5), vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_19);
+    by_ray_1.drift_0 = _S467;
     add_to_corners_0(points_of_0(vertex_8.surface_3.place_3.triangle_0), vertex_8.surface_3.place_3.triangle_0, points_5);
     return by_ray_1;
 }
 
-fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_46 : ShadingPoint_0,  direction_20 : vec3<f32>)
+fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_45 : ShadingPoint_0,  direction_20 : vec3<f32>)
 {
-    var _S450 : vec3<f32> = vec3<f32>(0.0f);
-    var _S451 : bool;
-    if((all(((crossed_5.pulled_1.position_1) == _S450))))
+    var _S468 : vec3<f32> = vec3<f32>(0.0f);
+    var _S469 : bool;
+    if((all(((crossed_5.pulled_1.position_1) == _S468))))
     {
-        _S451 = (all(((crossed_5.pulled_1.axes_5.n_0) == _S450)));
+        _S469 = (all(((crossed_5.pulled_1.axes_5.n_0) == _S468)));
     }
     else
     {
-        _S451 = false;
+        _S469 = false;
     }
-    if(_S451)
+    if(_S469)
     {
         return;
     }
-    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_46.vertex_2, material_of_0(at_46.vertex_2.surface_3), direction_20);
-    var _S452 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
-    var kept_1 : u32 = _S452;
-    var which_11 : u32 = _S452;
+    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_45.vertex_2, material_of_0(at_45.vertex_2.surface_3), direction_20);
+    var _S470 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
+    var kept_1 : u32 = _S470;
+    var which_11 : u32 = _S470;
     var drift_1 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     var by_direction_0 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
     set_vector_0(number_of_path_5, &(kept_1), drift_1 + by_ray_2.drift_0);
@@ -4830,13 +5080,13 @@ fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_46 : ShadingPoint_
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S453 : u32;
+    var _S471 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S454 : u32 = u32(2) + zero_0;
-        _S453 = _S454;
-        if(rounds_0 < _S454)
+        var _S472 : u32 = u32(2) + zero_0;
+        _S471 = _S472;
+        if(rounds_0 < _S472)
         {
         }
         else
@@ -4845,14 +5095,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S453;
+    return rounds_0 == _S471;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S455 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S473 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4869,9 +5119,9 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var number_of_path_6 : u32 = input_0[listed_0];
     var factor_5 : vec3<f32>;
     var path_16 : Path_0 = path_at_vertex_0(number_of_path_6, &(factor_5));
-    var at_47 : ShadingPoint_0;
-    var _S456 : bool = shading_point_0(path_16, &(at_47));
-    if(!_S456)
+    var at_46 : ShadingPoint_0;
+    var _S474 : bool = shading_point_0(path_16, &(at_46));
+    if(!_S474)
     {
         return;
     }
@@ -4886,22 +5136,17 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         {
             break;
         }
-        var probability_5 : f32 = turn_to_0(purpose_3, path_16.key_0, &(at_47));
-        if(!(probability_5 > 0.0f))
+        var probability_6 : f32 = turn_to_0(purpose_3, path_16.key_0, &(at_46));
+        if(!(probability_6 > 0.0f))
         {
             purpose_3 = purpose_3 + u32(1);
             continue;
         }
-        crossed_6.factor_1 = factor_5 / vec3<f32>(probability_5);
-        var subtree_1 : u32 = subtree_of_launch_0();
-        var subtrees_1 : u32 = subtrees_of_0(at_47);
-        if(subtree_1 < subtrees_1)
-        {
-            sample_points_0(at_47, number_of_path_6, path_16, subtree_1, subtrees_1, &(crossed_6));
-        }
+        crossed_6.factor_1 = factor_5 / vec3<f32>(probability_6);
+        sample_points_0(at_46, number_of_path_6, path_16, &(crossed_6));
         purpose_3 = purpose_3 + u32(1);
     }
-    add_0(number_of_path_6, crossed_6, at_47, path_16.direction_1);
+    add_0(number_of_path_6, crossed_6, at_46, path_16.direction_1);
     check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: ac4f8309bee24285
-// result: e00f70fe06027b72
+// source: cd3543edc17042d7
+// result: 7162e6091dfd4a73
 
 struct Launch_std140_0
 {
@@ -536,12 +536,12 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
 
 struct Corners2_0
 {
-     a_8 : vec2<f32>,
-     b_3 : vec2<f32>,
-     c_2 : vec2<f32>,
+     a_8 : vec2<f64>,
+     b_3 : vec2<f64>,
+     c_2 : vec2<f64>,
 };
 
-fn Corners2_x24init_0( a_9 : vec2<f32>,  b_4 : vec2<f32>,  c_3 : vec2<f32>) -> Corners2_0
+fn Corners2_x24init_0( a_9 : vec2<f64>,  b_4 : vec2<f64>,  c_3 : vec2<f64>) -> Corners2_0
 {
     var _S68 : Corners2_0;
     _S68.a_8 = a_9;
@@ -550,24 +550,34 @@ fn Corners2_x24init_0( a_9 : vec2<f32>,  b_4 : vec2<f32>,  c_3 : vec2<f32>) -> C
     return _S68;
 }
 
+fn precise_0( at_12 : u32) -> f64
+{
+    return f64(number_0(at_12)) + f64(number_0(at_12 + u32(1)));
+}
+
 fn uvs_of_0( triangle_6 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f64>(0.0lf, 0.0lf), vec2<f64>(1.0lf, 0.0lf), vec2<f64>(0.0lf, 1.0lf));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_6) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_12 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_6) + u32(1));
-    uvs_0.a_8 = vec2<f32>(number_0(at_12), number_0(at_12 + u32(1)));
-    uvs_0.b_3 = vec2<f32>(number_0(at_12 + u32(2)), number_0(at_12 + u32(3)));
-    uvs_0.c_2 = vec2<f32>(number_0(at_12 + u32(4)), number_0(at_12 + u32(5)));
+    var at_13 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_6) + u32(1));
+    uvs_0.a_8 = vec2<f64>(precise_0(at_13), precise_0(at_13 + u32(2)));
+    uvs_0.b_3 = vec2<f64>(precise_0(at_13 + u32(4)), precise_0(at_13 + u32(6)));
+    uvs_0.c_2 = vec2<f64>(precise_0(at_13 + u32(8)), precise_0(at_13 + u32(10)));
     return uvs_0;
 }
 
-fn floor_of_0( x_0 : f32) -> i32
+fn row_at_0( at_14 : u32) -> vec3<f64>
 {
-    return i32(floor(clamp(x_0, -1.0e+09f, 1.0e+09f)));
+    return vec3<f64>(precise_0(at_14), precise_0(at_14 + u32(2)), precise_0(at_14 + u32(4)));
+}
+
+fn floor_of_0( x_0 : f64) -> i32
+{
+    return i32(clamp(f32(floor(x_0)), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -608,25 +618,25 @@ fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
 
 struct Point_0
 {
-     value_3 : vec2<f32>,
+     value_3 : vec2<f64>,
      by_first_1 : vec2<f32>,
      by_second_1 : vec2<f32>,
 };
 
 fn between_0( texels_1 : vec4<u32>,  place_8 : Point_0) -> Lookup_0
 {
-    var way_0 : vec2<f32> = place_8.value_3 - floor(place_8.value_3);
-    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
+    var _S69 : vec2<f32> = vec2<f32>(place_8.value_3 - floor(place_8.value_3));
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - _S69;
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S69 : f32 = back_0.x;
-    var _S70 : f32 = back_0.y;
-    var _S71 : f32 = way_0.x;
-    var _S72 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S69 * _S70, _S71 * _S70, _S69 * _S72, _S71 * _S72);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S70, _S70, - _S72, _S72);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S69, - _S71, _S69, _S71);
+    var _S70 : f32 = back_0.x;
+    var _S71 : f32 = back_0.y;
+    var _S72 : f32 = _S69.x;
+    var _S73 : f32 = _S69.y;
+    lookup_1.weights_0 = vec4<f32>(_S70 * _S71, _S72 * _S71, _S70 * _S73, _S72 * _S73);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S71, _S71, - _S73, _S73);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S70, - _S72, _S70, _S72);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_8.by_first_1.x) + by_y_0 * vec4<f32>(place_8.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_8.by_second_1.x) + by_y_0 * vec4<f32>(place_8.by_second_1.y);
     return lookup_1;
@@ -638,26 +648,26 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
     var size_1 : vec2<f32> = vec2<f32>(f32(width_0), f32(height_0));
-    var place_9 : vec2<f32> = uv_0.value_3 * size_1;
+    var place_9 : vec2<f64> = uv_0.value_3 * vec2<f64>(size_1);
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_9.y), height_0, wrap_1);
-        var _S73 : u32 = row_0 * u32(width_0);
-        var _S74 : u32 = wrapped_0(floor_of_0(place_9.x), width_0, wrap_1);
-        return one_texel_0(_S73 + _S74);
+        var _S74 : u32 = row_0 * u32(width_0);
+        var _S75 : u32 = wrapped_0(floor_of_0(place_9.x), width_0, wrap_1);
+        return one_texel_0(_S74 + _S75);
     }
     var centred_0 : Point_0;
-    var _S75 : vec2<f32> = place_9 - vec2<f32>(0.5f);
-    centred_0.value_3 = _S75;
+    var _S76 : vec2<f64> = place_9 - vec2<f64>(0.5lf);
+    centred_0.value_3 = _S76;
     centred_0.by_first_1 = uv_0.by_first_1 * size_1;
     centred_0.by_second_1 = uv_0.by_second_1 * size_1;
-    var x_1 : i32 = floor_of_0(_S75.x);
-    var y_0 : i32 = floor_of_0(_S75.y);
-    var _S76 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S77 : u32 = u32(width_0);
-    var first_1 : u32 = _S76 * _S77;
-    var _S78 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S78 * _S77;
+    var x_1 : i32 = floor_of_0(_S76.x);
+    var y_0 : i32 = floor_of_0(_S76.y);
+    var _S77 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S78 : u32 = u32(width_0);
+    var first_1 : u32 = _S77 * _S78;
+    var _S79 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S79 * _S78;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -686,43 +696,43 @@ fn lookup_at_0( texture_1 : u32,  place_10 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_10.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
+    var by_v_0 : vec2<f64> = uvs_1.b_3 - uvs_1.a_8;
+    var by_w_0 : vec2<f64> = uvs_1.c_2 - uvs_1.a_8;
+    var _S80 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f64> = row_at_0(_S80);
+    var to_v_0 : vec3<f64> = row_at_0(_S80 + u32(6));
     var uv_1 : Point_0;
-    var _S79 : vec3<f32> = vec3<f32>(uvs_1.a_8 * vec2<f32>((1.0f - place_10.v_0 - place_10.w_0)) + uvs_1.b_3 * vec2<f32>(place_10.v_0) + uvs_1.c_2 * vec2<f32>(place_10.w_0), 1.0f);
-    uv_1.value_3 = vec2<f32>(dot(_S79, to_u_0), dot(_S79, to_v_0));
-    var by_v_0 : vec2<f32> = uvs_1.b_3 - uvs_1.a_8;
-    var by_w_0 : vec2<f32> = uvs_1.c_2 - uvs_1.a_8;
-    var _S80 : vec2<f32> = to_u_0.xy;
-    var _S81 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S80), dot(by_v_0, _S81));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S80), dot(by_w_0, _S81));
+    var _S81 : vec3<f64> = vec3<f64>(uvs_1.a_8 + by_v_0 * vec2<f64>((f64(place_10.v_0) + f64(place_10.v_rest_0))) + by_w_0 * vec2<f64>((f64(place_10.w_0) + f64(place_10.w_rest_0))), 1.0lf);
+    uv_1.value_3 = vec2<f64>(dot(_S81, to_u_0), dot(_S81, to_v_0));
+    var _S82 : vec2<f64> = to_u_0.xy;
+    var _S83 : vec2<f64> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(vec2<f64>(dot(by_v_0, _S82), dot(by_v_0, _S83)));
+    uv_1.by_second_1 = vec2<f32>(vec2<f64>(dot(by_w_0, _S82), dot(by_w_0, _S83)));
     if(kind_0 == u32(1))
     {
-        var _S82 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S82;
+        var _S84 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S84;
     }
-    var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
-    var _S83 : i32;
-    if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
+    var half_of_period_0 : vec2<f64> = uv_1.value_3 - floor(uv_1.value_3);
+    var _S85 : i32;
+    if(((half_of_period_0.x) > 0.5lf) != ((half_of_period_0.y) > 0.5lf))
     {
-        _S83 = i32(1);
+        _S85 = i32(1);
     }
     else
     {
-        _S83 = i32(0);
+        _S85 = i32(0);
     }
-    return one_texel_0(u32(_S83));
+    return one_texel_0(u32(_S85));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S84 : u32 = word_0(texture_2 + u32(1));
-    var _S85 : u32 = texture_2 + u32(13);
-    var _S86 : vec3<f32> = vec3<f32>(0.0f);
+    var _S86 : u32 = word_0(texture_2 + u32(1));
+    var _S87 : u32 = texture_2 + u32(19);
+    var _S88 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S86;
+    var value_4 : vec3<f32> = _S88;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -732,17 +742,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_13 : u32 = _S85 + _S84 * lookup_3.texels_0[k_1];
-        var _S87 : vec3<f32>;
-        if(_S84 == u32(1))
+        var at_15 : u32 = _S87 + _S86 * lookup_3.texels_0[k_1];
+        var _S89 : vec3<f32>;
+        if(_S86 == u32(1))
         {
-            _S87 = vec3<f32>(number_0(at_13));
+            _S89 = vec3<f32>(number_0(at_15));
         }
         else
         {
-            _S87 = vector_at_0(at_13);
+            _S89 = vector_at_0(at_15);
         }
-        var value_5 : vec3<f32> = value_4 + _S87 * vec3<f32>(weights_1[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S89 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -751,7 +761,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_3 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_3 + u32(18)));
 }
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
@@ -763,7 +773,7 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
     {
         return changing_0(value_6, change_4);
     }
-    var _S88 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var _S90 : bool = (word_0(texture_4 + u32(1))) == u32(1);
     var k_2 : u32 = u32(0);
     var change_5 : vec3<f32> = change_4;
     for(;;)
@@ -775,24 +785,24 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
         {
             break;
         }
-        var _S89 : i32;
-        if(_S88)
+        var _S91 : i32;
+        if(_S90)
         {
-            _S89 = i32(1);
+            _S91 = i32(1);
         }
         else
         {
-            _S89 = i32(3);
+            _S91 = i32(3);
         }
-        var at_14 : u32 = first_2 + u32(_S89) * lookup_4.texels_0[k_2];
+        var at_16 : u32 = first_2 + u32(_S91) * lookup_4.texels_0[k_2];
         var of_texel_0 : vec3<f32>;
-        if(_S88)
+        if(_S90)
         {
-            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_14)))));
+            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_16)))));
         }
         else
         {
-            of_texel_0 = change_vector_0(at_14);
+            of_texel_0 = change_vector_0(at_16);
         }
         var change_6 : vec3<f32> = change_5 + of_texel_0 * vec3<f32>(lookup_4.weights_0[k_2]);
         k_2 = k_2 + u32(1);
@@ -803,8 +813,8 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_5 : u32,  place_11 : Place_0) -> Vector_0
 {
-    var _S90 : Lookup_0 = lookup_at_0(texture_5, place_11);
-    return looked_up_0(texture_5, _S90, place_11.change_2);
+    var _S92 : Lookup_0 = lookup_at_0(texture_5, place_11);
+    return looked_up_0(texture_5, _S92, place_11.change_2);
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -869,40 +879,40 @@ fn lobe_at_0( record_4 : u32,  place_12 : Place_0) -> Lobe_0
     var lobe_0 : Lobe_0;
     lobe_0.record_3 = record_4;
     var is_black_0 : bool = record_4 == u32(4294967295);
-    var _S91 : u32;
+    var _S93 : u32;
     if(is_black_0)
     {
-        _S91 = u32(0);
+        _S93 = u32(0);
     }
     else
     {
-        _S91 = word_0(record_4);
+        _S93 = word_0(record_4);
     }
-    lobe_0.kind_1 = _S91;
+    lobe_0.kind_1 = _S93;
     if(is_black_0)
     {
-        _S91 = u32(1);
+        _S93 = u32(1);
     }
     else
     {
-        _S91 = word_0(record_4 + u32(1));
+        _S93 = word_0(record_4 + u32(1));
     }
-    lobe_0.distribution_0 = _S91;
-    var _S92 : Numbers_0 = no_numbers_0();
-    lobe_0.numbers_2 = _S92;
-    lobe_0.changes_0 = _S92;
+    lobe_0.distribution_0 = _S93;
+    var _S94 : Numbers_0 = no_numbers_0();
+    lobe_0.numbers_2 = _S94;
+    lobe_0.changes_0 = _S94;
     if(is_black_0)
     {
-        _S91 = u32(0);
+        _S93 = u32(0);
     }
     else
     {
-        _S91 = word_0(record_4 + u32(4));
+        _S93 = word_0(record_4 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S91)
+        if(slot_1 < _S93)
         {
         }
         else
@@ -916,14 +926,14 @@ fn lobe_at_0( record_4 : u32,  place_12 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : Vector_0 = shown_0(texture_6, place_12);
-        var _S93 : vec3<f32> = value_of_0(colour_1);
-        var _S94 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S94), slot_1, _S93);
-        lobe_0.numbers_2 = _S94;
-        var _S95 : vec3<f32> = change_of_0(colour_1);
-        var _S96 : Numbers_0 = lobe_0.changes_0;
+        var _S95 : vec3<f32> = value_of_0(colour_1);
+        var _S96 : Numbers_0 = lobe_0.numbers_2;
         set_slot_0(&(_S96), slot_1, _S95);
-        lobe_0.changes_0 = _S96;
+        lobe_0.numbers_2 = _S96;
+        var _S97 : vec3<f32> = change_of_0(colour_1);
+        var _S98 : Numbers_0 = lobe_0.changes_0;
+        set_slot_0(&(_S98), slot_1, _S97);
+        lobe_0.changes_0 = _S98;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -938,16 +948,16 @@ fn tangent_at_0( surface_3 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_3.place_3.triangle_0) + u32(1)));
     var across_1 : vec3<f32> = cross(tangent_0, surface_3.outward_0);
-    var _S97 : vec3<f32>;
+    var _S99 : vec3<f32>;
     if((dot(across_1, across_1)) > 0.0f)
     {
-        _S97 = tangent_0;
+        _S99 = tangent_0;
     }
     else
     {
-        _S97 = vec3<f32>(0.0f);
+        _S99 = vec3<f32>(0.0f);
     }
-    return _S97;
+    return _S99;
 }
 
 struct Axes_0
@@ -965,52 +975,52 @@ struct DiffPair_Axes_0
 
 fn s_fwd_axes_along_0( dpn_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dptangent_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_1 : bool) -> DiffPair_Axes_0
 {
-    var _S98 : vec3<f32>;
-    var _S99 : vec3<f32>;
+    var _S100 : vec3<f32>;
+    var _S101 : vec3<f32>;
     if(is_front_1)
     {
-        _S98 = dpn_0.primal_0;
-        _S99 = dpn_0.differential_0;
+        _S100 = dpn_0.primal_0;
+        _S101 = dpn_0.differential_0;
     }
     else
     {
-        var _S100 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
-        _S98 = (vec3<f32>(0) - dpn_0.primal_0);
-        _S99 = _S100;
+        var _S102 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
+        _S100 = (vec3<f32>(0) - dpn_0.primal_0);
+        _S101 = _S102;
     }
-    var _S101 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
-    var _S102 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
-    var _S103 : DiffPair_float_0 = _d_dot_0(_S101, _S102);
-    var _S104 : vec3<f32> = vec3<f32>(_S103.primal_0);
-    var _S105 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S104, dptangent_0.differential_0 - (dpn_0.differential_0 * _S104 + vec3<f32>(_S103.differential_0) * dpn_0.primal_0) );
-    var _S106 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S105);
-    var _S107 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S106.primal_0, _S106.differential_0 );
-    var _S108 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S101, _S107);
-    var _S109 : Axes_0 = Axes_0( _S106.primal_0, _S108.primal_0, _S98 );
-    var _S110 : Axes_0 = Axes_0( _S106.differential_0, _S108.differential_0, _S99 );
-    var _S111 : DiffPair_Axes_0 = DiffPair_Axes_0( _S109, _S110 );
-    return _S111;
+    var _S103 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
+    var _S104 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
+    var _S105 : DiffPair_float_0 = _d_dot_0(_S103, _S104);
+    var _S106 : vec3<f32> = vec3<f32>(_S105.primal_0);
+    var _S107 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S106, dptangent_0.differential_0 - (dpn_0.differential_0 * _S106 + vec3<f32>(_S105.differential_0) * dpn_0.primal_0) );
+    var _S108 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S107);
+    var _S109 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S108.primal_0, _S108.differential_0 );
+    var _S110 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S103, _S109);
+    var _S111 : Axes_0 = Axes_0( _S108.primal_0, _S110.primal_0, _S100 );
+    var _S112 : Axes_0 = Axes_0( _S108.differential_0, _S110.differential_0, _S101 );
+    var _S113 : DiffPair_Axes_0 = DiffPair_Axes_0( _S111, _S112 );
+    return _S113;
 }
 
 fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_2 : bool) -> DiffPair_Axes_0
 {
-    var _S112 : vec3<f32>;
-    var _S113 : vec3<f32>;
+    var _S114 : vec3<f32>;
+    var _S115 : vec3<f32>;
     if(is_front_2)
     {
-        _S112 = dpn_1.primal_0;
-        _S113 = dpn_1.differential_0;
+        _S114 = dpn_1.primal_0;
+        _S115 = dpn_1.differential_0;
     }
     else
     {
-        var _S114 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
-        _S112 = (vec3<f32>(0) - dpn_1.primal_0);
-        _S113 = _S114;
+        var _S116 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
+        _S114 = (vec3<f32>(0) - dpn_1.primal_0);
+        _S115 = _S116;
     }
-    var _S115 : f32 = dpn_1.primal_0.z;
-    var _S116 : f32 = dpn_1.differential_0.z;
+    var _S117 : f32 = dpn_1.primal_0.z;
+    var _S118 : f32 = dpn_1.differential_0.z;
     var sign_0 : f32;
-    if(_S115 < 0.0f)
+    if(_S117 < -0.30000001192092896f)
     {
         sign_0 = -1.0f;
     }
@@ -1018,25 +1028,25 @@ fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_2 : 
     {
         sign_0 = 1.0f;
     }
-    var _S117 : f32 = sign_0 + _S115;
-    var a_10 : f32 = -1.0f / _S117;
-    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S116) / (_S117 * _S117);
-    var _S118 : f32 = dpn_1.primal_0.x;
-    var _S119 : f32 = dpn_1.differential_0.x;
-    var _S120 : f32 = dpn_1.primal_0.y;
-    var _S121 : f32 = dpn_1.differential_0.y;
-    var _S122 : f32 = _S118 * _S120;
-    var b_5 : f32 = _S122 * a_10;
-    var s_diff_b_0 : f32 = (_S119 * _S120 + _S121 * _S118) * a_10 + s_diff_a_0 * _S122;
-    var _S123 : f32 = sign_0 * _S118;
-    var _S124 : f32 = _S123 * _S118;
-    var _S125 : f32 = - sign_0;
-    var _S126 : f32 = _S120 * _S120;
-    var _S127 : f32 = _S121 * _S120;
-    var _S128 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S124 * a_10, sign_0 * b_5, _S125 * _S118), vec3<f32>(b_5, sign_0 + _S126 * a_10, - _S120), _S112 );
-    var _S129 : Axes_0 = Axes_0( vec3<f32>((_S119 * sign_0 * _S118 + _S119 * _S123) * a_10 + s_diff_a_0 * _S124, s_diff_b_0 * sign_0, _S119 * _S125), vec3<f32>(s_diff_b_0, (_S127 + _S127) * a_10 + s_diff_a_0 * _S126, - _S121), _S113 );
-    var _S130 : DiffPair_Axes_0 = DiffPair_Axes_0( _S128, _S129 );
-    return _S130;
+    var _S119 : f32 = sign_0 + _S117;
+    var a_10 : f32 = -1.0f / _S119;
+    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S118) / (_S119 * _S119);
+    var _S120 : f32 = dpn_1.primal_0.x;
+    var _S121 : f32 = dpn_1.differential_0.x;
+    var _S122 : f32 = dpn_1.primal_0.y;
+    var _S123 : f32 = dpn_1.differential_0.y;
+    var _S124 : f32 = _S120 * _S122;
+    var b_5 : f32 = _S124 * a_10;
+    var s_diff_b_0 : f32 = (_S121 * _S122 + _S123 * _S120) * a_10 + s_diff_a_0 * _S124;
+    var _S125 : f32 = sign_0 * _S120;
+    var _S126 : f32 = _S125 * _S120;
+    var _S127 : f32 = - sign_0;
+    var _S128 : f32 = _S122 * _S122;
+    var _S129 : f32 = _S123 * _S122;
+    var _S130 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S126 * a_10, sign_0 * b_5, _S127 * _S120), vec3<f32>(b_5, sign_0 + _S128 * a_10, - _S122), _S114 );
+    var _S131 : Axes_0 = Axes_0( vec3<f32>((_S121 * sign_0 * _S120 + _S121 * _S125) * a_10 + s_diff_a_0 * _S126, s_diff_b_0 * sign_0, _S121 * _S127), vec3<f32>(s_diff_b_0, (_S129 + _S129) * a_10 + s_diff_a_0 * _S128, - _S123), _S115 );
+    var _S132 : DiffPair_Axes_0 = DiffPair_Axes_0( _S130, _S131 );
+    return _S132;
 }
 
 fn to_local_0( axes_0 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
@@ -1046,31 +1056,31 @@ fn to_local_0( axes_0 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
 
 fn s_fwd_to_local_0( dpaxes_0 : DiffPair_Axes_0,  dpv_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S131 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
-    var _S132 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
-    var _S133 : DiffPair_float_0 = _d_dot_0(_S131, _S132);
-    var _S134 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
-    var _S135 : DiffPair_float_0 = _d_dot_0(_S134, _S132);
-    var _S136 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
-    var _S137 : DiffPair_float_0 = _d_dot_0(_S136, _S132);
-    var _S138 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S133.primal_0, _S135.primal_0, _S137.primal_0), vec3<f32>(_S133.differential_0, _S135.differential_0, _S137.differential_0) );
-    return _S138;
+    var _S133 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
+    var _S134 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
+    var _S135 : DiffPair_float_0 = _d_dot_0(_S133, _S134);
+    var _S136 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
+    var _S137 : DiffPair_float_0 = _d_dot_0(_S136, _S134);
+    var _S138 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
+    var _S139 : DiffPair_float_0 = _d_dot_0(_S138, _S134);
+    var _S140 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S135.primal_0, _S137.primal_0, _S139.primal_0), vec3<f32>(_S135.differential_0, _S137.differential_0, _S139.differential_0) );
+    return _S140;
 }
 
 fn s_fwd_towards_viewer_0( dpaxes_1 : DiffPair_Axes_0,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S139 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
-    var _S140 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
-    var _S141 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S139, _S140);
-    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S141.primal_0);
-    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S141.differential_0);
-    var _S142 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
-    var _S143 : DiffPair_float_0 = _d_abs_0(_S142);
-    var _S144 : DiffPair_float_0 = DiffPair_float_0( _S143.primal_0, _S143.differential_0 );
-    var _S145 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
-    var _S146 : DiffPair_float_0 = _d_max_0(_S144, _S145);
-    var _S147 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S146.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S146.differential_0) );
-    return _S147;
+    var _S141 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
+    var _S142 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
+    var _S143 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S141, _S142);
+    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S143.primal_0);
+    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S143.differential_0);
+    var _S144 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
+    var _S145 : DiffPair_float_0 = _d_abs_0(_S144);
+    var _S146 : DiffPair_float_0 = DiffPair_float_0( _S145.primal_0, _S145.differential_0 );
+    var _S147 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
+    var _S148 : DiffPair_float_0 = _d_max_0(_S146, _S147);
+    var _S149 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S148.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S148.differential_0) );
+    return _S149;
 }
 
 struct Vertex_0
@@ -1086,10 +1096,10 @@ fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_4 : Vector_
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_4 = surface_5;
-    var _S148 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
-    vertex_0.lobe_1 = _S148;
+    var _S150 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
+    vertex_0.lobe_1 = _S150;
     var tangent_1 : vec3<f32> = tangent_at_0(surface_5);
-    var _S149 : vec3<f32> = vec3<f32>(0.0f);
+    var _S151 : vec3<f32> = vec3<f32>(0.0f);
     var tangent_change_0 : vec3<f32>;
     if(is_moving_0())
     {
@@ -1097,24 +1107,24 @@ fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_4 : Vector_
     }
     else
     {
-        tangent_change_0 = _S149;
+        tangent_change_0 = _S151;
     }
-    var _S150 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
+    var _S152 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
     var axes_2 : DiffPair_Axes_0;
-    if((any((tangent_1 != _S149))))
+    if((any((tangent_1 != _S151))))
     {
-        var _S151 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
-        axes_2 = s_fwd_axes_along_0(_S150, _S151, surface_5.is_front_0);
+        var _S153 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
+        axes_2 = s_fwd_axes_along_0(_S152, _S153, surface_5.is_front_0);
     }
     else
     {
-        axes_2 = s_fwd_axes_around_0(_S150, surface_5.is_front_0);
+        axes_2 = s_fwd_axes_around_0(_S152, surface_5.is_front_0);
     }
     vertex_0.axes_1 = axes_2.primal_0;
     vertex_0.axes_change_0 = axes_2.differential_0;
-    var _S152 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_4), change_of_0(direction_4) );
-    var _S153 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S152);
-    vertex_0.wi_1 = changing_0(_S153.primal_0, _S153.differential_0);
+    var _S154 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_4), change_of_0(direction_4) );
+    var _S155 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S154);
+    vertex_0.wi_1 = changing_0(_S155.primal_0, _S155.differential_0);
     return vertex_0;
 }
 
@@ -1137,16 +1147,16 @@ fn motion_of_1( vertex_2 : Vertex_0) -> VertexMotion_0
 {
     var motion_0 : VertexMotion_0;
     motion_0.velocity_0 = vertex_2.surface_4.position_change_0;
-    var _S154 : vec3<f32>;
+    var _S156 : vec3<f32>;
     if(turns_0(vertex_2))
     {
-        _S154 = cross(vertex_2.axes_1.n_1, vertex_2.axes_change_0.n_1);
+        _S156 = cross(vertex_2.axes_1.n_1, vertex_2.axes_change_0.n_1);
     }
     else
     {
-        _S154 = vec3<f32>(0.0f);
+        _S156 = vec3<f32>(0.0f);
     }
-    motion_0.rotation_0 = _S154;
+    motion_0.rotation_0 = _S156;
     return motion_0;
 }
 
@@ -1171,26 +1181,26 @@ struct ShadingPoint_0
      front_offset_0 : vec3<f32>,
 };
 
-fn shading_point_0( path_7 : Path_0,  at_15 : ptr<function, ShadingPoint_0>) -> bool
+fn shading_point_0( path_7 : Path_0,  at_17 : ptr<function, ShadingPoint_0>) -> bool
 {
     var direction_5 : vec3<f32> = value_of_0(path_7.direction_0);
     var surface_6 : Surface_0 = surface_at_0(path_7.place_1, direction_5);
     move_surface_0(&(surface_6), direction_5, path_7.drift_0);
     var material_1 : u32 = material_of_0(surface_6);
-    var _S155 : Vertex_0 = vertex_at_0(surface_6, material_1, path_7.direction_0);
-    (*at_15).vertex_3 = _S155;
-    var _S156 : VertexMotion_0 = motion_of_1(_S155);
-    (*at_15).motion_1 = _S156;
-    (*at_15).whole_0 = _S156;
-    (*at_15).planes_0 = u32(0);
-    (*at_15).tree_0 = u32(0);
-    (*at_15).emitter_0 = u32(0);
-    (*at_15).purpose_0 = u32(0);
-    (*at_15).turns_1 = false;
-    (*at_15).has_creases_0 = false;
-    var _S157 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_15).front_offset_0 = _S157;
-    (*at_15).front_0 = _S157;
+    var _S157 : Vertex_0 = vertex_at_0(surface_6, material_1, path_7.direction_0);
+    (*at_17).vertex_3 = _S157;
+    var _S158 : VertexMotion_0 = motion_of_1(_S157);
+    (*at_17).motion_1 = _S158;
+    (*at_17).whole_0 = _S158;
+    (*at_17).planes_0 = u32(0);
+    (*at_17).tree_0 = u32(0);
+    (*at_17).emitter_0 = u32(0);
+    (*at_17).purpose_0 = u32(0);
+    (*at_17).turns_1 = false;
+    (*at_17).has_creases_0 = false;
+    var _S159 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_17).front_offset_0 = _S159;
+    (*at_17).front_0 = _S159;
     var k_3 : u32 = u32(0);
     for(;;)
     {
@@ -1201,19 +1211,19 @@ fn shading_point_0( path_7 : Path_0,  at_15 : ptr<function, ShadingPoint_0>) -> 
         {
             break;
         }
-        (*at_15).inside_2[k_3] = surface_6.exact_0;
+        (*at_17).inside_2[k_3] = surface_6.exact_0;
         k_3 = k_3 + u32(1);
     }
-    var _S158 : bool;
+    var _S160 : bool;
     if(material_1 != u32(4294967295))
     {
-        _S158 = has_smooth_0((*at_15).vertex_3.lobe_1);
+        _S160 = has_smooth_0((*at_17).vertex_3.lobe_1);
     }
     else
     {
-        _S158 = false;
+        _S160 = false;
     }
-    return _S158;
+    return _S160;
 }
 
 struct Crossed_0
@@ -1232,14 +1242,14 @@ fn nothing_crossed_0( factor_2 : vec3<f32>) -> Crossed_0
     return crossed_0;
 }
 
-fn edge_word_0( at_16 : u32) -> u32
+fn edge_word_0( at_18 : u32) -> u32
 {
-    return change_word_0(change_word_0(u32(3)) + at_16);
+    return change_word_0(change_word_0(u32(3)) + at_18);
 }
 
 fn depth_of_launch_0() -> u32
 {
-    return ((launch_0.depth_0) & (u32(16777215)));
+    return ((launch_0.depth_0) & (u32(1048575)));
 }
 
 fn numbers_for_0( purpose_1 : u32) -> u32
@@ -1261,33 +1271,33 @@ fn product_0( a_11 : u32,  b_6 : u32) -> vec2<u32>
 
 fn times_0( a_12 : vec2<u32>,  b_7 : vec2<u32>) -> vec2<u32>
 {
-    var _S159 : u32 = a_12.x;
-    var _S160 : u32 = b_7.x;
-    var low_1 : vec2<u32> = product_0(_S159, _S160);
-    return vec2<u32>(low_1.x, low_1.y + _S159 * b_7.y + a_12.y * _S160);
+    var _S161 : u32 = a_12.x;
+    var _S162 : u32 = b_7.x;
+    var low_1 : vec2<u32> = product_0(_S161, _S162);
+    return vec2<u32>(low_1.x, low_1.y + _S161 * b_7.y + a_12.y * _S162);
 }
 
 fn plus_0( a_13 : vec2<u32>,  b_8 : vec2<u32>) -> vec2<u32>
 {
-    var _S161 : u32 = a_13.x;
-    var low_2 : u32 = _S161 + b_8.x;
-    var _S162 : u32 = a_13.y + b_8.y;
-    var _S163 : i32;
-    if(low_2 < _S161)
+    var _S163 : u32 = a_13.x;
+    var low_2 : u32 = _S163 + b_8.x;
+    var _S164 : u32 = a_13.y + b_8.y;
+    var _S165 : i32;
+    if(low_2 < _S163)
     {
-        _S163 = i32(1);
+        _S165 = i32(1);
     }
     else
     {
-        _S163 = i32(0);
+        _S165 = i32(0);
     }
-    return vec2<u32>(low_2, _S162 + u32(_S163));
+    return vec2<u32>(low_2, _S164 + u32(_S165));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S164 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S164 << ((u32(32) - by_0)))))), (_S164 >> (by_0)))));
+    var _S166 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S166 << ((u32(32) - by_0)))))), (_S166 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -1376,8 +1386,8 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_1) / distance_1, 0.0f) / squared_0;
     }
-    var _S165 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S165 * _S165 / (2.0f * (_S165 - max(lowest_0, -1.0f)) * squared_0);
+    var _S167 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S167 * _S167 / (2.0f * (_S167 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn emitter_view_0( emitter_2 : u32,  position_2 : vec3<f32>,  normal_2 : vec3<f32>) -> f32
@@ -1401,16 +1411,16 @@ struct Choice_0
 fn light_of_0( emitter_3 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_3, choice_0.position_3, choice_0.normal_3);
-    var _S166 : f32;
+    var _S168 : f32;
     if(view_0 > 0.0f)
     {
-        _S166 = 1.0f;
+        _S168 = 1.0f;
     }
     else
     {
-        _S166 = 0.0f;
+        _S168 = 0.0f;
     }
-    (*can_light_0) = _S166;
+    (*can_light_0) = _S168;
     return view_0 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -1421,13 +1431,13 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
     choice_1.normal_3 = vertex_4.axes_1.n_1;
     choice_1.all_0 = 0.0f;
     choice_1.lit_0 = 0.0f;
-    var _S167 : u32 = word_0(u32(6));
+    var _S169 : u32 = word_0(u32(6));
     var can_light_1 : f32;
     var i_1 : u32 = u32(0);
     var count_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S167)
+        if(i_1 < _S169)
         {
         }
         else
@@ -1439,36 +1449,36 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S168 : u32 = count_1 + u32(1);
-        if(_S167 > u32(32))
+        var _S170 : u32 = count_1 + u32(1);
+        if(_S169 > u32(32))
         {
-            count_1 = _S168;
+            count_1 = _S170;
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S169 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
-        choice_1.all_0 = choice_1.all_0 + _S169;
+        var _S171 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
+        choice_1.all_0 = choice_1.all_0 + _S171;
         choice_1.lit_0 = choice_1.lit_0 + can_light_1;
-        count_1 = _S168;
+        count_1 = _S170;
         i_1 = i_1 + u32(1);
     }
     (*probability_0) = 0.0f;
-    var _S170 : bool;
+    var _S172 : bool;
     if((choice_1.all_0) > 0.0f)
     {
-        _S170 = (choice_1.all_0) < 3.00000000549775576e+38f;
+        _S172 = (choice_1.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S170 = false;
+        _S172 = false;
     }
-    var _S171 : bool = !_S170;
+    var _S173 : bool = !_S172;
     var chosen_0 : u32 = u32(0);
     i_1 = u32(0);
     var rest_1 : f32 = u_0;
     for(;;)
     {
-        if(i_1 < _S167)
+        if(i_1 < _S169)
         {
         }
         else
@@ -1480,16 +1490,16 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S172 : f32 = 1.0f / f32(count_1);
+        var _S174 : f32 = 1.0f / f32(count_1);
         var own_0 : f32;
-        if(!_S171)
+        if(!_S173)
         {
             var light_1 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
             own_0 = 0.5f * can_light_1 / choice_1.lit_0 + 0.5f * light_1 / choice_1.all_0;
         }
         else
         {
-            own_0 = _S172;
+            own_0 = _S174;
         }
         var chosen_1 : u32;
         if(own_0 > 0.0f)
@@ -1514,19 +1524,19 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
     return chosen_0;
 }
 
-fn real_place_0( at_17 : u32) -> u32
+fn real_place_0( at_19 : u32) -> u32
 {
-    return word_0(u32(15)) + u32(4) + at_17;
+    return word_0(u32(15)) + u32(4) + at_19;
 }
 
-fn edge_real_0( at_18 : u32) -> f64
+fn edge_real_0( at_20 : u32) -> f64
 {
-    return primitives_0[real_place_0(at_18)];
+    return primitives_0[real_place_0(at_20)];
 }
 
-fn edge_position_0( at_19 : u32) -> vec3<f64>
+fn edge_position_0( at_21 : u32) -> vec3<f64>
 {
-    return primitive_vector_0(real_place_0(at_19));
+    return primitive_vector_0(real_place_0(at_21));
 }
 
 fn exact_unit_0( v_4 : vec3<f64>) -> vec3<f64>
@@ -1539,22 +1549,22 @@ fn length_of_0( v_5 : vec3<f64>) -> f64
     return sqrt(dot(v_5, v_5));
 }
 
-fn open_window_0( at_20 : ptr<function, ShadingPoint_0>) -> bool
+fn open_window_0( at_22 : ptr<function, ShadingPoint_0>) -> bool
 {
-    var window_0 : u32 = edge_word_0(edge_word_0(u32(5)) + (*at_20).emitter_0);
+    var window_0 : u32 = edge_word_0(edge_word_0(u32(5)) + (*at_22).emitter_0);
     var corners_0 : u32 = u32(f32(edge_real_0(window_0)));
-    var apex_0 : vec3<f64> = (*at_20).vertex_3.surface_4.exact_0;
+    var apex_0 : vec3<f64> = (*at_22).vertex_3.surface_4.exact_0;
     var before_0 : vec3<f64>;
     if(corners_0 > u32(0))
     {
-        var _S173 : u32 = window_0 + u32(1);
-        var normal_4 : vec3<f64> = edge_position_0(_S173);
-        var before_1 : vec3<f64> = edge_position_0(_S173 + u32(3) * corners_0) - apex_0;
+        var _S175 : u32 = window_0 + u32(1);
+        var normal_4 : vec3<f64> = edge_position_0(_S175);
+        var before_1 : vec3<f64> = edge_position_0(_S175 + u32(3) * corners_0) - apex_0;
         if((dot(normal_4, before_1)) >= 0.0lf)
         {
             return false;
         }
-        (*at_20).planes_0 = corners_0;
+        (*at_22).planes_0 = corners_0;
         before_0 = before_1;
         var k_4 : u32 = u32(0);
         for(;;)
@@ -1567,13 +1577,13 @@ fn open_window_0( at_20 : ptr<function, ShadingPoint_0>) -> bool
                 break;
             }
             var offset_2 : vec3<f64> = edge_position_0(window_0 + u32(4) + u32(3) * k_4) - apex_0;
-            (*at_20).inside_2[k_4] = exact_unit_0(cross(offset_2, before_0));
-            var _S174 : u32 = k_4 + u32(1);
+            (*at_22).inside_2[k_4] = exact_unit_0(cross(offset_2, before_0));
+            var _S176 : u32 = k_4 + u32(1);
             before_0 = offset_2;
-            k_4 = _S174;
+            k_4 = _S176;
         }
-        (*at_20).front_0 = vec3<f32>(normal_4);
-        (*at_20).front_offset_0 = vec3<f32>(before_0);
+        (*at_22).front_0 = vec3<f32>(normal_4);
+        (*at_22).front_offset_0 = vec3<f32>(before_0);
         return true;
     }
     var offset_3 : vec3<f64> = edge_position_0(window_0 + u32(1)) - apex_0;
@@ -1595,15 +1605,15 @@ fn open_window_0( at_20 : ptr<function, ShadingPoint_0>) -> bool
     }
     var s_1 : vec3<f64> = exact_unit_0(cross(axis_1, before_0));
     var t_1 : vec3<f64> = cross(axis_1, s_1);
-    (*at_20).planes_0 = u32(4);
-    var _S175 : vec3<f64> = axis_1 * vec3<f64>(sine_1);
-    var _S176 : vec3<f64> = vec3<f64>(cosine_2);
-    var _S177 : vec3<f64> = s_1 * _S176;
-    (*at_20).inside_2[i32(0)] = _S175 + _S177;
-    (*at_20).inside_2[i32(1)] = _S175 - _S177;
-    var _S178 : vec3<f64> = t_1 * _S176;
-    (*at_20).inside_2[i32(2)] = _S175 + _S178;
-    (*at_20).inside_2[i32(3)] = _S175 - _S178;
+    (*at_22).planes_0 = u32(4);
+    var _S177 : vec3<f64> = axis_1 * vec3<f64>(sine_1);
+    var _S178 : vec3<f64> = vec3<f64>(cosine_2);
+    var _S179 : vec3<f64> = s_1 * _S178;
+    (*at_22).inside_2[i32(0)] = _S177 + _S179;
+    (*at_22).inside_2[i32(1)] = _S177 - _S179;
+    var _S180 : vec3<f64> = t_1 * _S178;
+    (*at_22).inside_2[i32(2)] = _S177 + _S180;
+    (*at_22).inside_2[i32(3)] = _S177 - _S180;
     return true;
 }
 
@@ -1619,30 +1629,30 @@ fn is_blind_0() -> bool
 
 fn rests_0( motion_2 : VertexMotion_0) -> bool
 {
-    var _S179 : vec3<f32> = vec3<f32>(0.0f);
-    var _S180 : bool;
-    if((all(((motion_2.velocity_0) == _S179))))
+    var _S181 : vec3<f32> = vec3<f32>(0.0f);
+    var _S182 : bool;
+    if((all(((motion_2.velocity_0) == _S181))))
     {
-        _S180 = (all(((motion_2.rotation_0) == _S179)));
+        _S182 = (all(((motion_2.rotation_0) == _S181)));
     }
     else
     {
-        _S180 = false;
+        _S182 = false;
     }
-    return _S180;
+    return _S182;
 }
 
-fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_21 : ptr<function, ShadingPoint_0>) -> f32
+fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_23 : ptr<function, ShadingPoint_0>) -> f32
 {
     var probability_1 : f32 = 1.0f;
-    (*at_21).purpose_0 = purpose_2;
-    (*at_21).planes_0 = u32(0);
-    var _S181 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_21).front_0 = _S181;
-    var _S182 : bool = purpose_2 == u32(2);
-    (*at_21).has_creases_0 = _S182;
+    (*at_23).purpose_0 = purpose_2;
+    (*at_23).planes_0 = u32(0);
+    var _S183 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_23).front_0 = _S183;
+    var _S184 : bool = purpose_2 == u32(2);
+    (*at_23).has_creases_0 = _S184;
     var tree_1 : u32;
-    if(_S182)
+    if(_S184)
     {
         tree_1 = u32(1);
     }
@@ -1650,170 +1660,219 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_21 : ptr<function, Shadin
     {
         tree_1 = u32(0);
     }
-    (*at_21).motion_1 = (*at_21).whole_0;
-    (*at_21).turns_1 = turns_0((*at_21).vertex_3);
-    var _S183 : bool;
+    (*at_23).motion_1 = (*at_23).whole_0;
+    (*at_23).turns_1 = turns_0((*at_23).vertex_3);
+    var _S185 : bool;
     if(purpose_2 == u32(0))
     {
-        var _S184 : u32 = edge_word_0(u32(4));
-        (*at_21).turns_1 = false;
-        var _S185 : u32 = chosen_area_emitter_0((*at_21).vertex_3, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
-        (*at_21).emitter_0 = _S185;
+        var _S186 : u32 = edge_word_0(u32(4));
+        (*at_23).turns_1 = false;
+        var _S187 : u32 = chosen_area_emitter_0((*at_23).vertex_3, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
+        (*at_23).emitter_0 = _S187;
         if(!(probability_1 > 0.0f))
         {
-            _S183 = true;
+            _S185 = true;
         }
         else
         {
-            var _S186 : bool = open_window_0(&((*at_21)));
-            _S183 = !_S186;
+            var _S188 : bool = open_window_0(&((*at_23)));
+            _S185 = !_S188;
         }
-        if(_S183)
+        if(_S185)
         {
             return 0.0f;
         }
-        tree_1 = _S184;
+        tree_1 = _S186;
     }
     else
     {
         if(purpose_2 == u32(1))
         {
-            var _S187 : u32 = word_0(u32(8));
-            (*at_21).emitter_0 = _S187;
-            if(_S187 == u32(4294967295))
+            var _S189 : u32 = word_0(u32(8));
+            (*at_23).emitter_0 = _S189;
+            if(_S189 == u32(4294967295))
             {
                 return 0.0f;
             }
-            if(is_map_0(emitter_record_0((*at_21).emitter_0)))
+            if(is_map_0(emitter_record_0((*at_23).emitter_0)))
             {
-                (*at_21).turns_1 = false;
+                (*at_23).turns_1 = false;
             }
         }
     }
-    if(!(*at_21).turns_1)
+    if(!(*at_23).turns_1)
     {
-        (*at_21).motion_1.rotation_0 = _S181;
+        (*at_23).motion_1.rotation_0 = _S183;
     }
     if(!is_blind_0())
     {
-        _S183 = rests_0((*at_21).motion_1);
+        _S185 = rests_0((*at_23).motion_1);
     }
     else
     {
-        _S183 = false;
+        _S185 = false;
     }
-    if(_S183)
+    if(_S185)
     {
         tree_1 = tree_1 + u32(2);
     }
-    var _S188 : u32 = edge_word_0(tree_1);
-    (*at_21).tree_0 = _S188;
-    var _S189 : f32;
-    if(_S188 == u32(4294967295))
+    var _S190 : u32 = edge_word_0(tree_1);
+    (*at_23).tree_0 = _S190;
+    var _S191 : f32;
+    if(_S190 == u32(4294967295))
     {
-        _S189 = 0.0f;
+        _S191 = 0.0f;
     }
     else
     {
-        _S189 = probability_1;
+        _S191 = probability_1;
     }
-    return _S189;
+    return _S191;
 }
 
-fn subtree_of_launch_0() -> u32
+fn part_of_launch_0() -> u32
 {
-    return ((launch_0.depth_0) >> (u32(24)));
-}
-
-fn subtrees_of_0( at_22 : ShadingPoint_0) -> u32
-{
-    var count_2 : u32;
-    if((depth_of_launch_0()) == u32(0))
-    {
-        count_2 = u32(2);
-    }
-    else
-    {
-        count_2 = u32(1);
-    }
-    if((at_22.purpose_0) == u32(0))
-    {
-        count_2 = u32(4) * count_2;
-    }
-    return count_2;
+    return ((launch_0.depth_0) >> (u32(20)));
 }
 
 fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f64
 {
     var bits_0 : vec2<u32> = random_bits_0(key_4, dimension_2);
-    var _S190 : u32 = bits_0.y;
-    return (f64((_S190 >> (u32(11)))) + f64((((_S190 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
+    var _S192 : u32 = bits_0.y;
+    return (f64((_S192 >> (u32(11)))) + f64((((_S192 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
-struct Leaves_0
+fn edge_number_0( at_24 : u32) -> f32
 {
-     count_3 : u32,
-     nodes_1 : array<u32, i32(96)>,
-};
-
-fn below_0( node_1 : u32) -> Leaves_0
-{
-    var leaves_0 : Leaves_0;
-    leaves_0.count_3 = u32(1);
-    leaves_0.nodes_1[i32(0)] = node_1;
-    return leaves_0;
+    return (bitcast<f32>((edge_word_0(at_24))));
 }
 
-fn edge_number_0( at_23 : u32) -> f32
+fn edge_vector_0( at_25 : u32) -> vec3<f32>
 {
-    return (bitcast<f32>((edge_word_0(at_23))));
+    return vec3<f32>(edge_number_0(at_25), edge_number_0(at_25 + u32(1)), edge_number_0(at_25 + u32(2)));
 }
 
-fn edge_vector_0( at_24 : u32) -> vec3<f32>
+fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_3 : f32) -> bool
 {
-    return vec3<f32>(edge_number_0(at_24), edge_number_0(at_24 + u32(1)), edge_number_0(at_24 + u32(2)));
-}
-
-fn may_have_silhouette_0( node_2 : u32,  offset_4 : vec3<f32>,  distance_3 : f32) -> bool
-{
-    var sine_2 : f32 = edge_number_0(node_2 + u32(11));
-    var cosine_3 : f32 = edge_number_0(node_2 + u32(12));
+    var sine_2 : f32 = edge_number_0(node_1 + u32(11));
+    var cosine_3 : f32 = edge_number_0(node_1 + u32(12));
     if(sine_2 > 1.0f)
     {
         return true;
     }
-    var margin_0 : f32 = (edge_number_0(node_2 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
+    var margin_0 : f32 = (edge_number_0(node_1 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
     var margin_1 : f32;
     if(cosine_3 > 0.0f)
     {
-        margin_1 = min((edge_number_0(node_2 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
+        margin_1 = min((edge_number_0(node_1 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
     }
     else
     {
         margin_1 = margin_0;
     }
-    return !((abs(dot(edge_vector_0(node_2 + u32(8)), offset_4))) > (sine_2 * distance_3 + margin_1 + 3.99999998990097083e-06f));
+    return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_3 + margin_1 + 3.99999998990097083e-06f));
 }
 
-fn is_outside_0( at_25 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
+fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
 {
-    var k_5 : u32 = u32(0);
-    for(;;)
+    var _S193 : bool;
+    if(u32(0) < (at_26.planes_0))
     {
-        if(k_5 < (at_25.planes_0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        if((dot(vec3<f32>(at_25.inside_2[k_5]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f))
-        {
-            return true;
-        }
-        k_5 = k_5 + u32(1);
+        _S193 = (dot(vec3<f32>(at_26.inside_2[u32(0)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
-    return (dot(at_25.front_0, offset_5 - at_25.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
+    else
+    {
+        _S193 = false;
+    }
+    if(_S193)
+    {
+        return true;
+    }
+    if(u32(1) < (at_26.planes_0))
+    {
+        _S193 = (dot(vec3<f32>(at_26.inside_2[u32(1)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S193 = false;
+    }
+    if(_S193)
+    {
+        return true;
+    }
+    if(u32(2) < (at_26.planes_0))
+    {
+        _S193 = (dot(vec3<f32>(at_26.inside_2[u32(2)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S193 = false;
+    }
+    if(_S193)
+    {
+        return true;
+    }
+    if(u32(3) < (at_26.planes_0))
+    {
+        _S193 = (dot(vec3<f32>(at_26.inside_2[u32(3)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S193 = false;
+    }
+    if(_S193)
+    {
+        return true;
+    }
+    if(u32(4) < (at_26.planes_0))
+    {
+        _S193 = (dot(vec3<f32>(at_26.inside_2[u32(4)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S193 = false;
+    }
+    if(_S193)
+    {
+        return true;
+    }
+    if(u32(5) < (at_26.planes_0))
+    {
+        _S193 = (dot(vec3<f32>(at_26.inside_2[u32(5)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S193 = false;
+    }
+    if(_S193)
+    {
+        return true;
+    }
+    if(u32(6) < (at_26.planes_0))
+    {
+        _S193 = (dot(vec3<f32>(at_26.inside_2[u32(6)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S193 = false;
+    }
+    if(_S193)
+    {
+        return true;
+    }
+    if(u32(7) < (at_26.planes_0))
+    {
+        _S193 = (dot(vec3<f32>(at_26.inside_2[u32(7)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S193 = false;
+    }
+    if(_S193)
+    {
+        return true;
+    }
+    return (dot(at_26.front_0, offset_5 - at_26.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
 }
 
 fn logarithm_0( x_4 : f32) -> f32
@@ -1841,16 +1900,16 @@ fn logarithm_0( x_4 : f32) -> f32
 
 fn direction_number_0( d_0 : vec3<f32>) -> u32
 {
-    var _S191 : i32;
+    var _S194 : i32;
     if((abs(d_0.y)) > (abs(d_0.x)))
     {
-        _S191 = i32(1);
+        _S194 = i32(1);
     }
     else
     {
-        _S191 = i32(0);
+        _S194 = i32(0);
     }
-    var axis_2 : u32 = u32(_S191);
+    var axis_2 : u32 = u32(_S194);
     var axis_3 : u32;
     if((abs(d_0.z)) > (abs(d_0[axis_2])))
     {
@@ -1860,34 +1919,34 @@ fn direction_number_0( d_0 : vec3<f32>) -> u32
     {
         axis_3 = axis_2;
     }
-    var _S192 : u32 = u32(8) * axis_3;
+    var _S195 : u32 = u32(8) * axis_3;
     if((d_0[axis_3]) < 0.0f)
     {
-        _S191 = i32(4);
+        _S194 = i32(4);
     }
     else
     {
-        _S191 = i32(0);
+        _S194 = i32(0);
     }
-    var _S193 : u32 = _S192 + u32(_S191);
+    var _S196 : u32 = _S195 + u32(_S194);
     if((d_0[(axis_3 + u32(1)) % u32(3)]) < 0.0f)
     {
-        _S191 = i32(2);
+        _S194 = i32(2);
     }
     else
     {
-        _S191 = i32(0);
+        _S194 = i32(0);
     }
-    var _S194 : u32 = _S193 + u32(_S191);
+    var _S197 : u32 = _S196 + u32(_S194);
     if((d_0[(axis_3 + u32(2)) % u32(3)]) < 0.0f)
     {
-        _S191 = i32(1);
+        _S194 = i32(1);
     }
     else
     {
-        _S191 = i32(0);
+        _S194 = i32(0);
     }
-    return _S194 + u32(_S191);
+    return _S197 + u32(_S194);
 }
 
 fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
@@ -1895,16 +1954,16 @@ fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
     return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
 }
 
-fn speed_of_0( at_26 : ShadingPoint_0,  node_3 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+fn speed_of_0( at_27 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
 {
     if(is_blind_0())
     {
-        return edge_number_0(node_3 + u32(20)) + 0.10000000149011612f;
+        return edge_number_0(node_2 + u32(20)) + 0.10000000149011612f;
     }
-    var relative_0 : vec3<f32> = edge_vector_0(node_3 + u32(17)) - velocity_at_0(at_26.motion_1, offset_7);
-    var axis_4 : vec3<f32> = edge_vector_0(node_3 + u32(8));
-    var sine_3 : f32 = edge_number_0(node_3 + u32(11));
-    var cosine_4 : f32 = edge_number_0(node_3 + u32(12));
+    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_27.motion_1, offset_7);
+    var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
+    var sine_3 : f32 = edge_number_0(node_2 + u32(11));
+    var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
     var along_0 : f32 = abs(dot(axis_4, relative_0));
     var across_2 : f32 = length(cross(axis_4, relative_0));
     var speed_0 : f32;
@@ -1916,36 +1975,36 @@ fn speed_of_0( at_26 : ShadingPoint_0,  node_3 : u32,  offset_7 : vec3<f32>,  ra
     {
         speed_0 = length(relative_0);
     }
-    return speed_0 + edge_number_0(node_3 + u32(20)) + length(at_26.motion_1.rotation_0) * radius_3;
+    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_27.motion_1.rotation_0) * radius_3;
 }
 
-fn importance_of_0( at_27 : ShadingPoint_0,  node_4 : u32) -> f32
+fn importance_of_0( at_28 : ShadingPoint_0,  node_3 : u32) -> f32
 {
-    var centre_1 : vec3<f32> = edge_vector_0(node_4 + u32(4));
-    var offset_8 : vec3<f32> = centre_1 - at_27.vertex_3.surface_4.position_0;
-    var radius_4 : f32 = edge_number_0(node_4 + u32(7));
+    var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
+    var offset_8 : vec3<f32> = centre_1 - at_28.vertex_3.surface_4.position_0;
+    var radius_4 : f32 = edge_number_0(node_3 + u32(7));
     var distance_4 : f32 = length(offset_8);
-    var _S195 : bool;
-    if(!at_27.has_creases_0)
+    var _S198 : bool;
+    if(!at_28.has_creases_0)
     {
-        _S195 = !may_have_silhouette_0(node_4, offset_8, distance_4);
+        _S198 = !may_have_silhouette_0(node_3, offset_8, distance_4);
     }
     else
     {
-        _S195 = false;
+        _S198 = false;
     }
-    if(_S195)
+    if(_S198)
     {
         return 0.0f;
     }
-    if(is_outside_0(at_27, offset_8, radius_4))
+    if(is_outside_0(at_28, offset_8, radius_4))
     {
         return 0.0f;
     }
-    var cosine_5 : f32 = largest_cosine_0(at_27.vertex_3.surface_4.position_0, at_27.vertex_3.axes_1.n_1, centre_1, radius_4);
-    var _S196 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
-    var least_0 : f32 = edge_number_0(node_4 + u32(16));
-    var ratio_0 : f32 = _S196 / max(max(distance_4 * distance_4 - _S196, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
+    var cosine_5 : f32 = largest_cosine_0(at_28.vertex_3.surface_4.position_0, at_28.vertex_3.axes_1.n_1, centre_1, radius_4);
+    var _S199 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
+    var least_0 : f32 = edge_number_0(node_3 + u32(16));
+    var ratio_0 : f32 = _S199 / max(max(distance_4 * distance_4 - _S199, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
     var visible_0 : f32;
     if(ratio_0 < 0.00100000004749745f)
     {
@@ -1955,193 +2014,57 @@ fn importance_of_0( at_27 : ShadingPoint_0,  node_4 : u32) -> f32
     {
         visible_0 = logarithm_0(1.0f + ratio_0);
     }
-    var near_0 : f32 = visible_0 / _S196;
-    var visible_1 : f32 = edge_number_0(node_4 + u32(14));
-    if(distance_4 > (edge_number_0(node_4 + u32(15))))
+    var near_0 : f32 = visible_0 / _S199;
+    var visible_1 : f32 = edge_number_0(node_3 + u32(14));
+    if(distance_4 > (edge_number_0(node_3 + u32(15))))
     {
-        visible_0 = visible_1 * edge_number_0(node_4 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
+        visible_0 = visible_1 * edge_number_0(node_3 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
     }
     else
     {
         visible_0 = visible_1;
     }
-    return visible_0 * speed_of_0(at_27, node_4, offset_8, radius_4) * cosine_5 * near_0;
+    return visible_0 * speed_of_0(at_28, node_3, offset_8, radius_4) * cosine_5 * near_0;
 }
 
-fn next_leaf_0( at_28 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_0 : ptr<function, u32>) -> bool
+fn descend_0( at_29 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
 {
-    var nodes_at_0 : u32 = edge_word_0(at_28.tree_0);
+    var nodes_at_0 : u32 = edge_word_0(at_29.tree_0);
     (*leaf_0) = nodes_at_0;
-    for(;;)
-    {
-        if(((*leaves_1).count_3) > u32(0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S197 : u32 = (*leaves_1).count_3 - u32(1);
-        (*leaves_1).count_3 = _S197;
-        var _S198 : u32 = (*leaves_1).nodes_1[_S197];
-        (*leaf_0) = (*leaves_1).nodes_1[_S197];
-        if(!((importance_of_0(at_28, _S198)) > 0.0f))
-        {
-            continue;
-        }
-        if((edge_word_0((*leaf_0))) == u32(4294967295))
-        {
-            return true;
-        }
-        var half_0 : u32 = u32(0);
-        for(;;)
-        {
-            var _S199 : bool;
-            if(half_0 < u32(2))
-            {
-                _S199 = ((*leaves_1).count_3) < u32(96);
-            }
-            else
-            {
-                _S199 = false;
-            }
-            if(_S199)
-            {
-            }
-            else
-            {
-                break;
-            }
-            (*leaves_1).nodes_1[(*leaves_1).count_3] = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + half_0);
-            (*leaves_1).count_3 = (*leaves_1).count_3 + u32(1);
-            half_0 = half_0 + u32(1);
-        }
-    }
-    return false;
-}
-
-fn next_leaf_1( at_29 : ShadingPoint_0,  leaves_2 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
-{
-    var nodes_at_1 : u32 = edge_word_0(at_29.tree_0);
-    (*leaf_1) = nodes_at_1;
-    for(;;)
-    {
-        if(((*leaves_2).count_3) > u32(0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S200 : u32 = (*leaves_2).count_3 - u32(1);
-        (*leaves_2).count_3 = _S200;
-        var _S201 : u32 = (*leaves_2).nodes_1[_S200];
-        (*leaf_1) = (*leaves_2).nodes_1[_S200];
-        if(!((importance_of_0(at_29, _S201)) > 0.0f))
-        {
-            continue;
-        }
-        if((edge_word_0((*leaf_1))) == u32(4294967295))
-        {
-            return true;
-        }
-        var half_1 : u32 = u32(0);
-        for(;;)
-        {
-            var _S202 : bool;
-            if(half_1 < u32(2))
-            {
-                _S202 = ((*leaves_2).count_3) < u32(96);
-            }
-            else
-            {
-                _S202 = false;
-            }
-            if(_S202)
-            {
-            }
-            else
-            {
-                break;
-            }
-            (*leaves_2).nodes_1[(*leaves_2).count_3] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + half_1);
-            (*leaves_2).count_3 = (*leaves_2).count_3 + u32(1);
-            half_1 = half_1 + u32(1);
-        }
-    }
-    return false;
-}
-
-fn takes_all_0( at_30 : ShadingPoint_0) -> bool
-{
-    var _S203 : bool;
-    var leaves_3 : Leaves_0 = below_0(edge_word_0(at_30.tree_0));
-    var leaf_2 : u32;
-    var count_4 : u32 = u32(0);
-    for(;;)
-    {
-        var _S204 : bool = count_4 <= u32(24);
-        _S203 = _S204;
-        var _S205 : bool;
-        if(_S204)
-        {
-            var _S206 : bool = next_leaf_0(at_30, &(leaves_3), &(leaf_2));
-            _S205 = _S206;
-        }
-        else
-        {
-            _S205 = false;
-        }
-        if(_S205)
-        {
-        }
-        else
-        {
-            break;
-        }
-        count_4 = count_4 + u32(1);
-    }
-    return _S203;
-}
-
-fn descend_0( at_31 : ShadingPoint_0,  u_1 : f64,  leaf_3 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
-{
-    var nodes_at_2 : u32 = edge_word_0(at_31.tree_0);
-    (*leaf_3) = nodes_at_2;
     (*probability_2) = 1.0f;
-    var _S207 : f64 = u_1;
+    var _S200 : f64 = u_1;
     for(;;)
     {
-        if((edge_word_0((*leaf_3))) != u32(4294967295))
+        if((edge_word_0((*leaf_0))) != u32(4294967295))
         {
         }
         else
         {
             break;
         }
-        var first_3 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3));
-        var second_1 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3) + u32(1));
-        var of_first_0 : f32 = importance_of_0(at_31, first_3);
-        var of_second_0 : f32 = importance_of_0(at_31, second_1);
+        var first_3 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
+        var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
+        var of_first_0 : f32 = importance_of_0(at_29, first_3);
+        var of_second_0 : f32 = importance_of_0(at_29, second_1);
         var sum_0 : f32 = of_first_0 + of_second_0;
-        var _S208 : bool;
+        var _S201 : bool;
         if(sum_0 > 0.0f)
         {
-            _S208 = sum_0 < 3.00000000549775576e+38f;
+            _S201 = sum_0 < 3.00000000549775576e+38f;
         }
         else
         {
-            _S208 = false;
+            _S201 = false;
         }
-        if(!_S208)
+        if(!_S201)
         {
             return false;
         }
         var first_share_0 : f32 = of_first_0 / sum_0;
         var second_share_0 : f32 = of_second_0 / sum_0;
-        var _S209 : f64 = f64(first_share_0);
+        var _S202 : f64 = f64(first_share_0);
         var is_second_0 : bool;
-        if(_S207 >= _S209)
+        if(_S200 >= _S202)
         {
             is_second_0 = second_share_0 > 0.0f;
         }
@@ -2151,34 +2074,83 @@ fn descend_0( at_31 : ShadingPoint_0,  u_1 : f64,  leaf_3 : ptr<function, u32>, 
         }
         if(is_second_0)
         {
-            _S207 = (_S207 - _S209) / f64(second_share_0);
+            _S200 = (_S200 - _S202) / f64(second_share_0);
         }
         else
         {
-            _S207 = min(_S207 / _S209, 1.0lf);
+            _S200 = min(_S200 / _S202, 1.0lf);
         }
-        var _S210 : f32;
+        var _S203 : f32;
         if(is_second_0)
         {
-            _S210 = second_share_0;
+            _S203 = second_share_0;
         }
         else
         {
-            _S210 = first_share_0;
+            _S203 = first_share_0;
         }
-        (*probability_2) = (*probability_2) * _S210;
-        var _S211 : u32;
+        (*probability_2) = (*probability_2) * _S203;
+        var _S204 : u32;
         if(is_second_0)
         {
-            _S211 = second_1;
+            _S204 = second_1;
         }
         else
         {
-            _S211 = first_3;
+            _S204 = first_3;
         }
-        (*leaf_3) = _S211;
+        (*leaf_0) = _S204;
     }
     return true;
+}
+
+struct Leaves_0
+{
+     count_2 : u32,
+     nodes_1 : array<u32, i32(96)>,
+};
+
+fn below_0( node_4 : u32) -> Leaves_0
+{
+    var leaves_0 : Leaves_0;
+    leaves_0.count_2 = u32(1);
+    leaves_0.nodes_1[i32(0)] = node_4;
+    return leaves_0;
+}
+
+fn next_leaf_0( at_30 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
+{
+    var nodes_at_1 : u32 = edge_word_0(at_30.tree_0);
+    (*leaf_1) = nodes_at_1;
+    for(;;)
+    {
+        if(((*leaves_1).count_2) > u32(0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S205 : u32 = (*leaves_1).count_2 - u32(1);
+        (*leaves_1).count_2 = _S205;
+        var _S206 : u32 = (*leaves_1).nodes_1[_S205];
+        (*leaf_1) = (*leaves_1).nodes_1[_S205];
+        if(!((importance_of_0(at_30, _S206)) > 0.0f))
+        {
+            continue;
+        }
+        if((edge_word_0((*leaf_1))) == u32(4294967295))
+        {
+            return true;
+        }
+        var _S207 : u32 = (*leaves_1).count_2;
+        var _S208 : u32 = (*leaves_1).count_2 + u32(1);
+        (*leaves_1).count_2 = _S208;
+        (*leaves_1).nodes_1[_S207] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1));
+        (*leaves_1).count_2 = _S208 + u32(1);
+        (*leaves_1).nodes_1[_S208] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + u32(1));
+    }
+    return false;
 }
 
 struct Edge_0
@@ -2187,11 +2159,11 @@ struct Edge_0
      numbers_3 : u32,
 };
 
-fn edge_at_0( at_32 : ShadingPoint_0,  place_13 : u32) -> Edge_0
+fn edge_at_0( at_31 : ShadingPoint_0,  place_13 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_8 = edge_word_0(at_32.tree_0 + u32(1)) + u32(12) * place_13;
-    edge_0.numbers_3 = edge_word_0(at_32.tree_0 + u32(2)) + u32(14) * place_13;
+    edge_0.record_8 = edge_word_0(at_31.tree_0 + u32(1)) + u32(12) * place_13;
+    edge_0.numbers_3 = edge_word_0(at_31.tree_0 + u32(2)) + u32(14) * place_13;
     return edge_0;
 }
 
@@ -2204,140 +2176,351 @@ fn side_seen_0( from_0 : vec3<f64>,  tolerance_0 : f64,  normal_5 : u32,  length
 {
     var height_1 : f64 = dot(edge_position_0(normal_5), from_0);
     var least_1 : f64 = tolerance_0 * edge_real_0(length_0);
-    var _S212 : i32;
+    var _S209 : i32;
     if(height_1 > least_1)
     {
-        _S212 = i32(1);
+        _S209 = i32(1);
     }
     else
     {
-        _S212 = i32(0);
+        _S209 = i32(0);
     }
-    var _S213 : i32;
+    var _S210 : i32;
     if(height_1 < (- least_1))
     {
-        _S213 = i32(1);
+        _S210 = i32(1);
     }
     else
     {
-        _S213 = i32(0);
+        _S210 = i32(0);
     }
-    return _S212 - _S213;
+    return _S209 - _S210;
 }
 
-fn is_silhouette_0( at_33 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+fn is_silhouette_0( at_32 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f64> = edge_position_0(edge_1.numbers_3);
-    var tolerance_1 : f64 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_33.vertex_3.surface_4.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S214 : vec3<f64> = at_33.vertex_3.surface_4.exact_0 - start_0;
-    return (side_seen_0(_S214, tolerance_1, edge_1.numbers_3 + u32(6), edge_1.numbers_3 + u32(12)) * side_seen_0(_S214, tolerance_1, edge_1.numbers_3 + u32(9), edge_1.numbers_3 + u32(13))) <= i32(0);
+    var tolerance_1 : f64 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_32.vertex_3.surface_4.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S211 : vec3<f64> = at_32.vertex_3.surface_4.exact_0 - start_0;
+    return (side_seen_0(_S211, tolerance_1, edge_1.numbers_3 + u32(6), edge_1.numbers_3 + u32(12)) * side_seen_0(_S211, tolerance_1, edge_1.numbers_3 + u32(9), edge_1.numbers_3 + u32(13))) <= i32(0);
 }
 
-fn factor_of_0( at_34 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+fn factor_of_0( at_33 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
-    var _S215 : u32 = edge_2.record_8 + u32(2);
-    var a_14 : vec3<f32> = edge_vector_0(_S215);
-    var b_9 : vec3<f32> = edge_vector_0(_S215 + u32(3));
-    var _S216 : bool;
+    var _S212 : u32 = edge_2.record_8 + u32(2);
+    var a_14 : vec3<f32> = edge_vector_0(_S212);
+    var b_9 : vec3<f32> = edge_vector_0(_S212 + u32(3));
+    var _S213 : bool;
     if(!is_blind_0())
     {
-        _S216 = rests_0(at_34.motion_1);
+        _S213 = rests_0(at_33.motion_1);
     }
     else
     {
-        _S216 = false;
+        _S213 = false;
     }
-    if(_S216)
+    if(_S213)
     {
-        _S216 = (all((a_14 == vec3<f32>(0.0f))));
+        _S213 = (all((a_14 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S216 = false;
+        _S213 = false;
     }
-    if(_S216)
+    if(_S213)
     {
-        _S216 = (all((b_9 == vec3<f32>(0.0f))));
+        _S213 = (all((b_9 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S216 = false;
+        _S213 = false;
     }
-    if(_S216)
+    if(_S213)
     {
         return 0.0f;
     }
-    if(is_silhouette_0(at_34, edge_2))
+    if(is_silhouette_0(at_33, edge_2))
     {
         return edge_number_0(edge_2.record_8);
     }
-    var _S217 : f32;
-    if(at_34.has_creases_0)
+    var _S214 : f32;
+    if(at_33.has_creases_0)
     {
-        _S217 = edge_number_0(edge_2.record_8 + u32(1));
+        _S214 = edge_number_0(edge_2.record_8 + u32(1));
     }
     else
     {
-        _S217 = 0.0f;
+        _S214 = 0.0f;
     }
-    return _S217;
+    return _S214;
 }
 
-fn is_clipped_0( at_35 : ShadingPoint_0,  a_15 : vec3<f64>,  b_10 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
+fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f64>,  b_10 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
 {
     (*range_0) = vec2<f64>(0.0lf, 1.0lf);
-    var _S218 : bool;
-    if((dot(at_35.front_0, vec3<f32>(a_15) - at_35.front_offset_0)) < -3.99999998990097083e-06f)
+    var _S215 : bool;
+    if((dot(at_34.front_0, vec3<f32>(a_15) - at_34.front_offset_0)) < -3.99999998990097083e-06f)
     {
-        _S218 = (dot(at_35.front_0, vec3<f32>(b_10) - at_35.front_offset_0)) < -3.99999998990097083e-06f;
+        _S215 = (dot(at_34.front_0, vec3<f32>(b_10) - at_34.front_offset_0)) < -3.99999998990097083e-06f;
     }
     else
     {
-        _S218 = false;
+        _S215 = false;
     }
-    if(_S218)
+    if(_S215)
     {
         return true;
     }
-    var _S219 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_15, a_15), dot(b_10, b_10)));
-    var k_6 : u32 = u32(0);
-    for(;;)
+    var _S216 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_15, a_15), dot(b_10, b_10)));
+    var first_4 : f64;
+    var second_2 : f64;
+    if(u32(0) < (at_34.planes_0))
     {
-        if(k_6 < (at_35.planes_0))
+        var _S217 : f64 = dot(at_34.inside_2[u32(0)], b_10) + _S216;
+        first_4 = dot(at_34.inside_2[u32(0)], a_15) + _S216;
+        second_2 = _S217;
+    }
+    else
+    {
+        first_4 = 1.0lf;
+        second_2 = 1.0lf;
+    }
+    if(first_4 < 0.0lf)
+    {
+        var _S218 : f64 = (*range_0).x;
+        if(second_2 < 0.0lf)
         {
+            first_4 = 1.0lf;
         }
         else
         {
-            break;
+            first_4 = first_4 / (first_4 - second_2);
         }
-        var first_4 : f64 = dot(at_35.inside_2[k_6], a_15) + _S219;
-        var second_2 : f64 = dot(at_35.inside_2[k_6], b_10) + _S219;
-        var _S220 : bool = first_4 < 0.0lf;
-        if(_S220)
+        (*range_0)[i32(0)] = max(_S218, first_4);
+    }
+    else
+    {
+        if(second_2 < 0.0lf)
         {
-            _S218 = second_2 < 0.0lf;
+            (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
+        }
+    }
+    if(u32(1) < (at_34.planes_0))
+    {
+        var _S219 : f64 = dot(at_34.inside_2[u32(1)], b_10) + _S216;
+        first_4 = dot(at_34.inside_2[u32(1)], a_15) + _S216;
+        second_2 = _S219;
+    }
+    else
+    {
+        first_4 = 1.0lf;
+        second_2 = 1.0lf;
+    }
+    if(first_4 < 0.0lf)
+    {
+        var _S220 : f64 = (*range_0).x;
+        if(second_2 < 0.0lf)
+        {
+            first_4 = 1.0lf;
         }
         else
         {
-            _S218 = false;
+            first_4 = first_4 / (first_4 - second_2);
         }
-        if(_S218)
+        (*range_0)[i32(0)] = max(_S220, first_4);
+    }
+    else
+    {
+        if(second_2 < 0.0lf)
         {
-            return true;
+            (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
         }
-        var crossing_0 : f64 = first_4 / (first_4 - second_2);
-        if(_S220)
+    }
+    if(u32(2) < (at_34.planes_0))
+    {
+        var _S221 : f64 = dot(at_34.inside_2[u32(2)], b_10) + _S216;
+        first_4 = dot(at_34.inside_2[u32(2)], a_15) + _S216;
+        second_2 = _S221;
+    }
+    else
+    {
+        first_4 = 1.0lf;
+        second_2 = 1.0lf;
+    }
+    if(first_4 < 0.0lf)
+    {
+        var _S222 : f64 = (*range_0).x;
+        if(second_2 < 0.0lf)
         {
-            (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
+            first_4 = 1.0lf;
         }
         else
         {
-            if(second_2 < 0.0lf)
-            {
-                (*range_0)[i32(1)] = min((*range_0).y, crossing_0);
-            }
+            first_4 = first_4 / (first_4 - second_2);
         }
-        k_6 = k_6 + u32(1);
+        (*range_0)[i32(0)] = max(_S222, first_4);
+    }
+    else
+    {
+        if(second_2 < 0.0lf)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
+        }
+    }
+    if(u32(3) < (at_34.planes_0))
+    {
+        var _S223 : f64 = dot(at_34.inside_2[u32(3)], b_10) + _S216;
+        first_4 = dot(at_34.inside_2[u32(3)], a_15) + _S216;
+        second_2 = _S223;
+    }
+    else
+    {
+        first_4 = 1.0lf;
+        second_2 = 1.0lf;
+    }
+    if(first_4 < 0.0lf)
+    {
+        var _S224 : f64 = (*range_0).x;
+        if(second_2 < 0.0lf)
+        {
+            first_4 = 1.0lf;
+        }
+        else
+        {
+            first_4 = first_4 / (first_4 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S224, first_4);
+    }
+    else
+    {
+        if(second_2 < 0.0lf)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
+        }
+    }
+    if(u32(4) < (at_34.planes_0))
+    {
+        var _S225 : f64 = dot(at_34.inside_2[u32(4)], b_10) + _S216;
+        first_4 = dot(at_34.inside_2[u32(4)], a_15) + _S216;
+        second_2 = _S225;
+    }
+    else
+    {
+        first_4 = 1.0lf;
+        second_2 = 1.0lf;
+    }
+    if(first_4 < 0.0lf)
+    {
+        var _S226 : f64 = (*range_0).x;
+        if(second_2 < 0.0lf)
+        {
+            first_4 = 1.0lf;
+        }
+        else
+        {
+            first_4 = first_4 / (first_4 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S226, first_4);
+    }
+    else
+    {
+        if(second_2 < 0.0lf)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
+        }
+    }
+    if(u32(5) < (at_34.planes_0))
+    {
+        var _S227 : f64 = dot(at_34.inside_2[u32(5)], b_10) + _S216;
+        first_4 = dot(at_34.inside_2[u32(5)], a_15) + _S216;
+        second_2 = _S227;
+    }
+    else
+    {
+        first_4 = 1.0lf;
+        second_2 = 1.0lf;
+    }
+    if(first_4 < 0.0lf)
+    {
+        var _S228 : f64 = (*range_0).x;
+        if(second_2 < 0.0lf)
+        {
+            first_4 = 1.0lf;
+        }
+        else
+        {
+            first_4 = first_4 / (first_4 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S228, first_4);
+    }
+    else
+    {
+        if(second_2 < 0.0lf)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
+        }
+    }
+    if(u32(6) < (at_34.planes_0))
+    {
+        var _S229 : f64 = dot(at_34.inside_2[u32(6)], b_10) + _S216;
+        first_4 = dot(at_34.inside_2[u32(6)], a_15) + _S216;
+        second_2 = _S229;
+    }
+    else
+    {
+        first_4 = 1.0lf;
+        second_2 = 1.0lf;
+    }
+    if(first_4 < 0.0lf)
+    {
+        var _S230 : f64 = (*range_0).x;
+        if(second_2 < 0.0lf)
+        {
+            first_4 = 1.0lf;
+        }
+        else
+        {
+            first_4 = first_4 / (first_4 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S230, first_4);
+    }
+    else
+    {
+        if(second_2 < 0.0lf)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
+        }
+    }
+    if(u32(7) < (at_34.planes_0))
+    {
+        var _S231 : f64 = dot(at_34.inside_2[u32(7)], b_10) + _S216;
+        first_4 = dot(at_34.inside_2[u32(7)], a_15) + _S216;
+        second_2 = _S231;
+    }
+    else
+    {
+        first_4 = 1.0lf;
+        second_2 = 1.0lf;
+    }
+    if(first_4 < 0.0lf)
+    {
+        var _S232 : f64 = (*range_0).x;
+        if(second_2 < 0.0lf)
+        {
+            first_4 = 1.0lf;
+        }
+        else
+        {
+            first_4 = first_4 / (first_4 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S232, first_4);
+    }
+    else
+    {
+        if(second_2 < 0.0lf)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
+        }
     }
     return !(((*range_0).x) < ((*range_0).y));
 }
@@ -2357,54 +2540,54 @@ struct SeenEdge_0
      to_0 : vec3<f32>,
 };
 
-fn see_edge_0( at_36 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+fn see_edge_0( at_35 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S221 : Edge_0 = edge_at_0(at_36, place_14);
-    (*seen_1).edge_3 = _S221;
-    var _S222 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_3) - at_36.vertex_3.surface_4.exact_0;
-    (*seen_1).start_1 = _S222;
-    var end_1 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_3 + u32(3)) - at_36.vertex_3.surface_4.exact_0;
-    (*seen_1).along_1 = end_1 - _S222;
+    var _S233 : Edge_0 = edge_at_0(at_35, place_14);
+    (*seen_1).edge_3 = _S233;
+    var _S234 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_3) - at_35.vertex_3.surface_4.exact_0;
+    (*seen_1).start_1 = _S234;
+    var end_1 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_3 + u32(3)) - at_35.vertex_3.surface_4.exact_0;
+    (*seen_1).along_1 = end_1 - _S234;
     (*seen_1).far_0 = 1.0lf;
     (*seen_1).near_1 = 1.0lf;
     (*seen_1).chord_0 = 0.0f;
     (*seen_1).pieces_0 = 0.0f;
-    var _S223 : vec3<f32> = vec3<f32>(0.0f);
-    (*seen_1).to_0 = _S223;
-    (*seen_1).from_1 = _S223;
+    var _S235 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S235;
+    (*seen_1).from_1 = _S235;
     (*seen_1).range_1 = vec2<f64>(0.0lf, 1.0lf);
-    var _S224 : f32 = factor_of_0(at_36, _S221);
-    (*seen_1).factor_3 = _S224;
-    var _S225 : bool;
-    if(!(_S224 > 0.0f))
+    var _S236 : f32 = factor_of_0(at_35, _S233);
+    (*seen_1).factor_3 = _S236;
+    var _S237 : bool;
+    if(!(_S236 > 0.0f))
     {
-        _S225 = true;
+        _S237 = true;
     }
     else
     {
-        var _S226 : vec2<f64> = (*seen_1).range_1;
-        var _S227 : bool = is_clipped_0(at_36, (*seen_1).start_1, end_1, &(_S226));
-        (*seen_1).range_1 = _S226;
-        _S225 = _S227;
+        var _S238 : vec2<f64> = (*seen_1).range_1;
+        var _S239 : bool = is_clipped_0(at_35, (*seen_1).start_1, end_1, &(_S238));
+        (*seen_1).range_1 = _S238;
+        _S237 = _S239;
     }
-    if(_S225)
+    if(_S237)
     {
         return false;
     }
     var first_5 : vec3<f64> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f64>((*seen_1).range_1.x);
     var last_0 : vec3<f64> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f64>((*seen_1).range_1.y);
-    var _S228 : f64 = sqrt(dot(first_5, first_5));
-    (*seen_1).near_1 = _S228;
+    var _S240 : f64 = sqrt(dot(first_5, first_5));
+    (*seen_1).near_1 = _S240;
     (*seen_1).far_0 = sqrt(dot(last_0, last_0));
-    if(_S228 > 0.0lf)
+    if(_S240 > 0.0lf)
     {
-        _S225 = ((*seen_1).far_0) > 0.0lf;
+        _S237 = ((*seen_1).far_0) > 0.0lf;
     }
     else
     {
-        _S225 = false;
+        _S237 = false;
     }
-    if(!_S225)
+    if(!_S237)
     {
         return false;
     }
@@ -2412,7 +2595,7 @@ fn see_edge_0( at_36 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = vec3<f32>(last_0 / vec3<f64>((*seen_1).far_0));
     (*seen_1).chord_0 = f32(length_of_0(last_0 / vec3<f64>((*seen_1).far_0) - first_5 / vec3<f64>((*seen_1).near_1)));
     var longest_0 : f32;
-    if((at_36.vertex_3.lobe_1.kind_1) == u32(0))
+    if((at_35.vertex_3.lobe_1.kind_1) == u32(0))
     {
         longest_0 = 0.20000000298023224f;
     }
@@ -2429,10 +2612,10 @@ fn place_between_0( from_2 : f64,  to_1 : f64,  near_2 : f64,  far_1 : f64,  par
     return from_2 + (to_1 - from_2) * part_0 * near_2 / (part_0 * near_2 + (1.0lf - part_0) * far_1);
 }
 
-fn velocity_on_0( at_37 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
+fn velocity_on_0( at_36 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S229 : u32 = edge_4.record_8 + u32(2);
-    return mix(edge_vector_0(_S229), edge_vector_0(_S229 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_37.motion_1, offset_9);
+    var _S241 : u32 = edge_4.record_8 + u32(2);
+    return mix(edge_vector_0(_S241), edge_vector_0(_S241 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_36.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -2444,25 +2627,25 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_7 : f32,  pdf_1 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S230 : Mirrored_0;
-    _S230.cosine_6 = cosine_7;
-    _S230.pdf_0 = pdf_1;
-    _S230.scattered_0 = scattered_1;
-    return _S230;
+    var _S242 : Mirrored_0;
+    _S242.cosine_6 = cosine_7;
+    _S242.pdf_0 = pdf_1;
+    _S242.scattered_0 = scattered_1;
+    return _S242;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S231 : bool;
+    var _S243 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S231 = true;
+        _S243 = true;
     }
     else
     {
-        _S231 = (lobe_3.kind_1) == u32(4);
+        _S243 = (lobe_3.kind_1) == u32(4);
     }
-    return _S231;
+    return _S243;
 }
 
 struct Microfacets_0
@@ -2492,68 +2675,68 @@ fn exponential_0( x_5 : f32) -> f32
 
 fn density_0( facets_1 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S232 : f32 = m_3.z;
-    if(_S232 <= 0.0f)
+    var _S244 : f32 = m_3.z;
+    if(_S244 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_0 : vec2<f32> = m_3.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S232 * _S232;
+    var cos2_0 : f32 = _S244 * _S244;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_1 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_1 * sum_1);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S233 : f32;
+    var _S245 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S233 = 0.0f;
+        _S245 = 0.0f;
     }
     else
     {
-        _S233 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S245 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S233;
+    return _S245;
 }
 
 fn error_function_plus_one_0( x_6 : f32) -> vec2<f32>
 {
-    var _S234 : f32 = min(abs(x_6), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S234 * _S234);
-    var place_15 : f32 = (_S234 - 2.0f) / (_S234 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S234);
-    var _S235 : f32;
+    var _S246 : f32 = min(abs(x_6), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S246 * _S246);
+    var place_15 : f32 = (_S246 - 2.0f) / (_S246 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S246);
+    var _S247 : f32;
     if(x_6 < 0.0f)
     {
-        _S235 = complement_0;
+        _S247 = complement_0;
     }
     else
     {
-        _S235 = 2.0f - complement_0;
+        _S247 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S235, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S247, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_2.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S236 : f32 = w_2.z;
-    var z2_0 : f32 = _S236 * _S236;
+    var _S248 : f32 = w_2.z;
+    var z2_0 : f32 = _S248 * _S248;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S236 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S248 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S236;
+        return 1.0f / _S248;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S236 / spread_1);
-    return 2.0f / (_S236 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S248 / spread_1);
+    return 2.0f / (_S248 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
@@ -2561,18 +2744,18 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_0 : vec3<f32> = normalize(wi_2 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_6 = dot(wi_2, h_0);
-    var _S237 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_2);
-    mirrored_1.pdf_0 = _S237;
-    mirrored_1.scattered_0 = _S237 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    var _S249 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_2);
+    mirrored_1.pdf_0 = _S249;
+    mirrored_1.scattered_0 = _S249 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
-fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
+fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_5 : f32) -> f32
 {
     var cos2_1 : f32 = cosine_8 * cosine_8;
     var sin2_0 : f32 = 1.0f - cos2_1;
-    var real_0 : f32 = eta_1 * eta_1 - k_7 * k_7 - sin2_0;
-    var product_1 : f32 = eta_1 * k_7;
+    var real_0 : f32 = eta_1 * eta_1 - k_5 * k_5 - sin2_0;
+    var product_1 : f32 = eta_1 * k_5;
     var modulus_0 : f32 = sqrt(real_0 * real_0 + 4.0f * (product_1 * product_1));
     if(modulus_0 == 0.0f)
     {
@@ -2580,9 +2763,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S238 : bool = real_0 < 0.0f;
+    var _S250 : bool = real_0 < 0.0f;
     var a_16 : f32;
-    if(_S238)
+    if(_S250)
     {
         a_16 = smaller_0;
     }
@@ -2591,7 +2774,7 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
         a_16 = larger_0;
     }
     var b_11 : f32;
-    if(_S238)
+    if(_S250)
     {
         b_11 = larger_0;
     }
@@ -2601,14 +2784,14 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
     }
     var less_0 : f32 = a_16 - cosine_8;
     var more_0 : f32 = a_16 + cosine_8;
-    var _S239 : f32 = b_11 * b_11;
+    var _S251 : f32 = b_11 * b_11;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S239) / (more_0 * more_0 + _S239) * p_sum_0 / (p_sum_0 + 2.0f * a_16 * cosine_8 * sin2_0);
+    return (less_0 * less_0 + _S251) / (more_0 * more_0 + _S251) * p_sum_0 / (p_sum_0 + 2.0f * a_16 * cosine_8 * sin2_0);
 }
 
-fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_8 : vec3<f32>) -> vec3<f32>
+fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_6 : vec3<f32>) -> vec3<f32>
 {
-    return vec3<f32>(fresnel_conductor_channel_0(cosine_9, eta_2.x, k_8.x), fresnel_conductor_channel_0(cosine_9, eta_2.y, k_8.y), fresnel_conductor_channel_0(cosine_9, eta_2.z, k_8.z));
+    return vec3<f32>(fresnel_conductor_channel_0(cosine_9, eta_2.x, k_6.x), fresnel_conductor_channel_0(cosine_9, eta_2.y, k_6.y), fresnel_conductor_channel_0(cosine_9, eta_2.z, k_6.z));
 }
 
 fn coat_eta_0( numbers_5 : Numbers_0) -> f32
@@ -2641,10 +2824,10 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_11, eta_4);
     }
     var place_16 : f32 = cosine_11 * 63.0f;
-    var _S240 : u32 = min(u32(place_16), u32(62));
-    var at_38 : u32 = word_0(lobe_5.record_3 + u32(3)) + _S240;
-    var here_0 : f32 = number_0(at_38);
-    return here_0 + (number_0(at_38 + u32(1)) - here_0) * (place_16 - f32(_S240));
+    var _S252 : u32 = min(u32(place_16), u32(62));
+    var at_37 : u32 = word_0(lobe_5.record_3 + u32(3)) + _S252;
+    var here_0 : f32 = number_0(at_37);
+    return here_0 + (number_0(at_37 + u32(1)) - here_0) * (place_16 - f32(_S252));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2695,15 +2878,15 @@ struct Scattering_0
 fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S241 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S241 * 0.31830987334251404f;
+    var _S253 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S253 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattering_1.value_8 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
-    var _S242 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S254 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_7))
     {
@@ -2711,7 +2894,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     else
     {
-        by_facets_0 = _S242;
+        by_facets_0 = _S254;
     }
     if((lobe_7.kind_1) == u32(2))
     {
@@ -2721,7 +2904,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     var eta_7 : f32 = coat_eta_0(numbers_7);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_3.z);
-    scattering_1.value_8 = base_0(lobe_7, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S241) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_8 = base_0(lobe_7, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S253) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_7, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -2734,16 +2917,16 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
 
 fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
 {
-    var _S243 : bool;
+    var _S255 : bool;
     if((wo_2.z) <= 0.0f)
     {
-        _S243 = true;
+        _S255 = true;
     }
     else
     {
-        _S243 = !has_smooth_0(vertex_5.lobe_1);
+        _S255 = !has_smooth_0(vertex_5.lobe_1);
     }
-    if(_S243)
+    if(_S255)
     {
         return vec3<f32>(0.0f);
     }
@@ -2767,28 +2950,28 @@ fn still_0( value_9 : vec3<f32>) -> Vector_0
 
 fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 {
-    var _S244 : f32 = abs(x_7);
-    var _S245 : f32 = abs(y_1);
-    var _S246 : f32 = min(_S244, _S245);
-    var _S247 : f32 = max(_S244, _S245);
-    var is_steep_0 : bool = _S246 > (0.41421356797218323f * _S247);
+    var _S256 : f32 = abs(x_7);
+    var _S257 : f32 = abs(y_1);
+    var _S258 : f32 = min(_S256, _S257);
+    var _S259 : f32 = max(_S256, _S257);
+    var is_steep_0 : bool = _S258 > (0.41421356797218323f * _S259);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S246 - _S247;
+        above_0 = _S258 - _S259;
     }
     else
     {
-        above_0 = _S246;
+        above_0 = _S258;
     }
     var below_1 : f32;
     if(is_steep_0)
     {
-        below_1 = _S246 + _S247;
+        below_1 = _S258 + _S259;
     }
     else
     {
-        below_1 = _S247;
+        below_1 = _S259;
     }
     if(below_1 > 0.0f)
     {
@@ -2809,7 +2992,7 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S245 > _S244)
+    if(_S257 > _S256)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -2830,40 +3013,40 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 
 fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S248 : DiffPair_float_0 = DiffPair_float_0( dpx_8.primal_0, dpx_8.differential_0 );
-    var _S249 : DiffPair_float_0 = _d_abs_0(_S248);
-    var _S250 : DiffPair_float_0 = DiffPair_float_0( dpy_3.primal_0, dpy_3.differential_0 );
-    var _S251 : DiffPair_float_0 = _d_abs_0(_S250);
-    var _S252 : DiffPair_float_0 = DiffPair_float_0( _S249.primal_0, _S249.differential_0 );
-    var _S253 : DiffPair_float_0 = DiffPair_float_0( _S251.primal_0, _S251.differential_0 );
-    var _S254 : DiffPair_float_0 = _d_min_0(_S252, _S253);
-    var _S255 : DiffPair_float_0 = _d_max_0(_S252, _S253);
-    var is_steep_1 : bool = (_S254.primal_0) > (0.41421356797218323f * _S255.primal_0);
+    var _S260 : DiffPair_float_0 = DiffPair_float_0( dpx_8.primal_0, dpx_8.differential_0 );
+    var _S261 : DiffPair_float_0 = _d_abs_0(_S260);
+    var _S262 : DiffPair_float_0 = DiffPair_float_0( dpy_3.primal_0, dpy_3.differential_0 );
+    var _S263 : DiffPair_float_0 = _d_abs_0(_S262);
+    var _S264 : DiffPair_float_0 = DiffPair_float_0( _S261.primal_0, _S261.differential_0 );
+    var _S265 : DiffPair_float_0 = DiffPair_float_0( _S263.primal_0, _S263.differential_0 );
+    var _S266 : DiffPair_float_0 = _d_min_0(_S264, _S265);
+    var _S267 : DiffPair_float_0 = _d_max_0(_S264, _S265);
+    var is_steep_1 : bool = (_S266.primal_0) > (0.41421356797218323f * _S267.primal_0);
     var above_1 : f32;
     var s_diff_above_0 : f32;
     if(is_steep_1)
     {
-        var _S256 : f32 = _S254.differential_0 - _S255.differential_0;
-        above_1 = _S254.primal_0 - _S255.primal_0;
-        s_diff_above_0 = _S256;
+        var _S268 : f32 = _S266.differential_0 - _S267.differential_0;
+        above_1 = _S266.primal_0 - _S267.primal_0;
+        s_diff_above_0 = _S268;
     }
     else
     {
-        above_1 = _S254.primal_0;
-        s_diff_above_0 = _S254.differential_0;
+        above_1 = _S266.primal_0;
+        s_diff_above_0 = _S266.differential_0;
     }
     var below_2 : f32;
     var s_diff_below_0 : f32;
     if(is_steep_1)
     {
-        var _S257 : f32 = _S254.differential_0 + _S255.differential_0;
-        below_2 = _S254.primal_0 + _S255.primal_0;
-        s_diff_below_0 = _S257;
+        var _S269 : f32 = _S266.differential_0 + _S267.differential_0;
+        below_2 = _S266.primal_0 + _S267.primal_0;
+        s_diff_below_0 = _S269;
     }
     else
     {
-        below_2 = _S255.primal_0;
-        s_diff_below_0 = _S255.differential_0;
+        below_2 = _S267.primal_0;
+        s_diff_below_0 = _S267.differential_0;
     }
     if(below_2 > 0.0f)
     {
@@ -2876,14 +3059,14 @@ fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> Dif
     var t_4 : f32 = above_1 / below_2;
     var s_diff_t_0 : f32 = (s_diff_above_0 * below_2 - above_1 * s_diff_below_0) / (below_2 * below_2);
     var z_2 : f32 = t_4 * t_4;
-    var _S258 : f32 = s_diff_t_0 * t_4;
-    var s_diff_z_0 : f32 = _S258 + _S258;
-    var _S259 : f32 = 0.08053744584321976f * z_2 - 0.13877685368061066f;
-    var _S260 : f32 = _S259 * z_2 + 0.19977711141109467f;
-    var tail_0 : f32 = _S260 * z_2 - 0.33332949876785278f;
-    var _S261 : f32 = tail_0 * z_2;
-    var angle_2 : f32 = _S261 * t_4 + t_4;
-    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_2 + s_diff_z_0 * _S259) * z_2 + s_diff_z_0 * _S260) * z_2 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S261 + s_diff_t_0;
+    var _S270 : f32 = s_diff_t_0 * t_4;
+    var s_diff_z_0 : f32 = _S270 + _S270;
+    var _S271 : f32 = 0.08053744584321976f * z_2 - 0.13877685368061066f;
+    var _S272 : f32 = _S271 * z_2 + 0.19977711141109467f;
+    var tail_0 : f32 = _S272 * z_2 - 0.33332949876785278f;
+    var _S273 : f32 = tail_0 * z_2;
+    var angle_2 : f32 = _S273 * t_4 + t_4;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_2 + s_diff_z_0 * _S271) * z_2 + s_diff_z_0 * _S272) * z_2 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S273 + s_diff_t_0;
     var angle_3 : f32;
     if(is_steep_1)
     {
@@ -2894,11 +3077,11 @@ fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> Dif
         angle_3 = angle_2;
     }
     var s_diff_angle_1 : f32;
-    if((_S251.primal_0) > (_S249.primal_0))
+    if((_S263.primal_0) > (_S261.primal_0))
     {
-        var _S262 : f32 = 0.0f - s_diff_angle_0;
+        var _S274 : f32 = 0.0f - s_diff_angle_0;
         angle_3 = 1.57079637050628662f - angle_3;
-        s_diff_angle_1 = _S262;
+        s_diff_angle_1 = _S274;
     }
     else
     {
@@ -2906,72 +3089,72 @@ fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> Dif
     }
     if((dpx_8.primal_0) < 0.0f)
     {
-        var _S263 : f32 = 0.0f - s_diff_angle_1;
+        var _S275 : f32 = 0.0f - s_diff_angle_1;
         angle_3 = 3.14159274101257324f - angle_3;
-        s_diff_angle_1 = _S263;
+        s_diff_angle_1 = _S275;
     }
     if((dpy_3.primal_0) < 0.0f)
     {
-        var _S264 : f32 = - s_diff_angle_1;
+        var _S276 : f32 = - s_diff_angle_1;
         above_1 = - angle_3;
-        s_diff_above_0 = _S264;
+        s_diff_above_0 = _S276;
     }
     else
     {
         above_1 = angle_3;
         s_diff_above_0 = s_diff_angle_1;
     }
-    var _S265 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
-    return _S265;
+    var _S277 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
+    return _S277;
 }
 
 fn map_place_0( map_0 : u32,  direction_7 : vec3<f32>) -> vec2<f32>
 {
-    var _S266 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S266) * vec3<f32>(direction_7.x) + vector_at_0(_S266 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S266 + u32(6)) * vec3<f32>(direction_7.z);
+    var _S278 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S278) * vec3<f32>(direction_7.x) + vector_at_0(_S278 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S278 + u32(6)) * vec3<f32>(direction_7.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
 fn s_fwd_map_place_0( map_1 : u32,  dpdirection_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var _S267 : u32 = map_1 + u32(2);
-    var _S268 : vec3<f32> = vector_at_0(_S267);
-    var _S269 : vec3<f32> = vector_at_0(_S267 + u32(3));
-    var _S270 : vec3<f32> = vector_at_0(_S267 + u32(6));
-    var d_2 : vec3<f32> = _S268 * vec3<f32>(dpdirection_1.primal_0.x) + _S269 * vec3<f32>(dpdirection_1.primal_0.y) + _S270 * vec3<f32>(dpdirection_1.primal_0.z);
-    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S268 + vec3<f32>(dpdirection_1.differential_0.y) * _S269 + vec3<f32>(dpdirection_1.differential_0.z) * _S270;
-    var _S271 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
-    var _S272 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
-    var _S273 : DiffPair_float_0 = s_fwd_angle_of_0(_S271, _S272);
-    var _S274 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
-    var _S275 : DiffPair_float_0 = s_fwd_length_impl_1(_S274);
-    var _S276 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
-    var _S277 : DiffPair_float_0 = DiffPair_float_0( _S275.primal_0, _S275.differential_0 );
-    var _S278 : DiffPair_float_0 = s_fwd_angle_of_0(_S276, _S277);
+    var _S279 : u32 = map_1 + u32(2);
+    var _S280 : vec3<f32> = vector_at_0(_S279);
+    var _S281 : vec3<f32> = vector_at_0(_S279 + u32(3));
+    var _S282 : vec3<f32> = vector_at_0(_S279 + u32(6));
+    var d_2 : vec3<f32> = _S280 * vec3<f32>(dpdirection_1.primal_0.x) + _S281 * vec3<f32>(dpdirection_1.primal_0.y) + _S282 * vec3<f32>(dpdirection_1.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S280 + vec3<f32>(dpdirection_1.differential_0.y) * _S281 + vec3<f32>(dpdirection_1.differential_0.z) * _S282;
+    var _S283 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
+    var _S284 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
+    var _S285 : DiffPair_float_0 = s_fwd_angle_of_0(_S283, _S284);
+    var _S286 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
+    var _S287 : DiffPair_float_0 = s_fwd_length_impl_1(_S286);
+    var _S288 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
+    var _S289 : DiffPair_float_0 = DiffPair_float_0( _S287.primal_0, _S287.differential_0 );
+    var _S290 : DiffPair_float_0 = s_fwd_angle_of_0(_S288, _S289);
     var width_1 : f32 = f32(word_0(map_1));
-    var _S279 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
-    var _S280 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S273.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S278.primal_0 * 0.31830987334251404f * _S279), vec2<f32>(_S273.differential_0 * 0.15915493667125702f * width_1, _S278.differential_0 * 0.31830987334251404f * _S279) );
-    return _S280;
+    var _S291 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
+    var _S292 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S285.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S290.primal_0 * 0.31830987334251404f * _S291), vec2<f32>(_S285.differential_0 * 0.15915493667125702f * width_1, _S290.differential_0 * 0.31830987334251404f * _S291) );
+    return _S292;
 }
 
 fn in_map_0( map_2 : u32,  direction_8 : vec3<f32>) -> Lookup_0
 {
-    var place_17 : vec2<f32> = map_place_0(map_2, direction_8);
+    var _S293 : vec2<f64> = vec2<f64>(map_place_0(map_2, direction_8));
     var point_0 : Point_0;
-    point_0.value_3 = place_17;
+    point_0.value_3 = _S293;
     point_0.by_first_1 = vec2<f32>(1.0f, 0.0f);
     point_0.by_second_1 = vec2<f32>(0.0f, 1.0f);
-    var x_8 : i32 = floor_of_0(place_17.x);
-    var y_2 : i32 = floor_of_0(place_17.y);
+    var x_8 : i32 = floor_of_0(_S293.x);
+    var y_2 : i32 = floor_of_0(_S293.y);
     var width_2 : i32 = i32(word_0(map_2));
     var height_2 : i32 = i32(word_0(map_2 + u32(1)));
     var left_1 : u32 = wrapped_0(x_8, width_2, u32(0));
     var right_1 : u32 = wrapped_0(x_8 + i32(1), width_2, u32(0));
-    var _S281 : u32 = wrapped_0(y_2, height_2, u32(2));
-    var _S282 : u32 = u32(width_2);
-    var first_6 : u32 = _S281 * _S282;
-    var _S283 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
-    var second_3 : u32 = _S283 * _S282;
+    var _S294 : u32 = wrapped_0(y_2, height_2, u32(2));
+    var _S295 : u32 = u32(width_2);
+    var first_6 : u32 = _S294 * _S295;
+    var _S296 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S296 * _S295;
     return between_0(vec4<u32>(first_6 + left_1, first_6 + right_1, second_3 + left_1, second_3 + right_1), point_0);
 }
 
@@ -2980,147 +3163,147 @@ fn x2A_0( a_17 : Vector_0,  b_12 : Vector_0) -> Vector_0
     return changing_0(a_17.value_0 * b_12.value_0, a_17.change_0 * b_12.value_0 + a_17.value_0 * b_12.change_0);
 }
 
-fn emitted_0( emitter_4 : u32,  place_18 : Place_0,  direction_9 : Vector_0) -> Vector_0
+fn emitted_0( emitter_4 : u32,  place_17 : Place_0,  direction_9 : Vector_0) -> Vector_0
 {
     var record_9 : u32 = emitter_record_0(emitter_4);
     var texture_7 : u32 = word_0(record_9 + u32(1));
     if(!is_map_0(record_9))
     {
-        var _S284 : Vector_0 = shown_0(texture_7, place_18);
-        return _S284;
+        var _S297 : Vector_0 = shown_0(texture_7, place_17);
+        return _S297;
     }
-    var _S285 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_9.value_0, direction_9.change_0 );
-    var _S286 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S285);
+    var _S298 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_9.value_0, direction_9.change_0 );
+    var _S299 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S298);
     var factor_4 : Vector_0 = looked_up_0(word_0(texture_7 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
-    var _S287 : u32 = word_0(texture_7 + u32(11));
-    var _S288 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_9));
-    return x2A_0(looked_up_0(_S287, _S288, _S286.differential_0), factor_4);
+    var _S300 : u32 = word_0(texture_7 + u32(11));
+    var _S301 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_9));
+    return x2A_0(looked_up_0(_S300, _S301, _S299.differential_0), factor_4);
 }
 
-fn light_from_0( at_39 : ShadingPoint_0,  direction_10 : vec3<f32>) -> f32
+fn light_from_0( at_38 : ShadingPoint_0,  direction_10 : vec3<f32>) -> f32
 {
-    var light_2 : f32 = largest_0(scattered_from_0(at_39.vertex_3, direction_10));
-    var _S289 : bool;
-    if((at_39.purpose_0) != u32(1))
+    var light_2 : f32 = largest_0(scattered_from_0(at_38.vertex_3, direction_10));
+    var _S302 : bool;
+    if((at_38.purpose_0) != u32(1))
     {
-        _S289 = true;
+        _S302 = true;
     }
     else
     {
-        _S289 = !(light_2 > 0.0f);
+        _S302 = !(light_2 > 0.0f);
     }
-    if(_S289)
+    if(_S302)
     {
         return light_2;
     }
-    var _S290 : Vector_0 = emitted_0(at_39.emitter_0, at_39.vertex_3.surface_4.place_3, still_0(direction_10));
-    return light_2 * largest_0(value_of_0(_S290));
+    var _S303 : Vector_0 = emitted_0(at_38.emitter_0, at_38.vertex_3.surface_4.place_3, still_0(direction_10));
+    return light_2 * largest_0(value_of_0(_S303));
 }
 
-fn weigh_0( at_40 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+fn weigh_0( at_39 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
 {
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
     var t_5 : f32 = f32(place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, f64(part_1)));
-    var _S291 : vec3<f32> = vec3<f32>(seen_2.start_1 + seen_2.along_1 * vec3<f64>(f64(t_5)));
-    var _S292 : vec3<f32> = vec3<f32>(exact_unit_0(cross(seen_2.start_1, seen_2.along_1)));
-    var _S293 : f32 = edge_number_0(seen_2.edge_3.record_8 + u32(10));
+    var _S304 : vec3<f32> = vec3<f32>(seen_2.start_1 + seen_2.along_1 * vec3<f64>(f64(t_5)));
+    var _S305 : vec3<f32> = vec3<f32>(exact_unit_0(cross(seen_2.start_1, seen_2.along_1)));
+    var _S306 : f32 = edge_number_0(seen_2.edge_3.record_8 + u32(10));
     var speed_1 : f32;
     if(!is_blind_0())
     {
-        speed_1 = abs(dot(velocity_on_0(at_40, seen_2.edge_3, t_5, _S291), _S292));
+        speed_1 = abs(dot(velocity_on_0(at_39, seen_2.edge_3, t_5, _S304), _S305));
     }
     else
     {
-        speed_1 = _S293;
+        speed_1 = _S306;
     }
-    var speed_2 : f32 = speed_1 / length(_S291);
+    var speed_2 : f32 = speed_1 / length(_S304);
     var angle_4 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S294 : f32 = light_from_0(at_40, middle_1);
-    var contribution_0 : f32 = angle_4 * _S294 * speed_2;
-    var _S295 : vec2<f32>;
+    var _S307 : f32 = light_from_0(at_39, middle_1);
+    var contribution_0 : f32 = angle_4 * _S307 * speed_2;
+    var _S308 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
     {
-        _S295 = vec2<f32>(contribution_0, angle_4);
+        _S308 = vec2<f32>(contribution_0, angle_4);
     }
     else
     {
-        _S295 = vec2<f32>(0.0f);
+        _S308 = vec2<f32>(0.0f);
     }
-    return _S295;
+    return _S308;
 }
 
-fn multiplicity_0( at_41 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec3<f64>,  normal_6 : vec3<f64>) -> f32
+fn multiplicity_0( at_40 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec3<f64>,  normal_6 : vec3<f64>) -> f32
 {
-    var _S296 : vec3<f64> = cross(normal_6, direction_11);
-    var _S297 : u32 = edge_5.record_8 + u32(8);
-    var k_9 : u32 = edge_word_0(_S297);
-    var count_5 : f32 = 1.0f;
+    var _S309 : vec3<f64> = cross(normal_6, direction_11);
+    var _S310 : u32 = edge_5.record_8 + u32(8);
+    var k_7 : u32 = edge_word_0(_S310);
+    var count_3 : f32 = 1.0f;
     for(;;)
     {
-        if(k_9 < (edge_word_0(_S297 + u32(1))))
+        if(k_7 < (edge_word_0(_S310 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var other_0 : Edge_0 = edge_at_0(at_41, edge_word_0(k_9));
-        if(!((factor_of_0(at_41, other_0)) > 0.0f))
+        var other_0 : Edge_0 = edge_at_0(at_40, edge_word_0(k_7));
+        if(!((factor_of_0(at_40, other_0)) > 0.0f))
         {
-            k_9 = k_9 + u32(1);
+            k_7 = k_7 + u32(1);
             continue;
         }
-        var a_18 : vec3<f64> = edge_position_0(other_0.numbers_3) - at_41.vertex_3.surface_4.exact_0;
-        var way_1 : vec3<f64> = edge_position_0(other_0.numbers_3 + u32(3)) - at_41.vertex_3.surface_4.exact_0 - a_18;
-        var place_19 : f64 = - dot(a_18, _S296) / dot(way_1, _S296);
-        var there_0 : vec3<f64> = a_18 + way_1 * vec3<f64>(place_19);
-        var _S298 : bool;
-        if(place_19 >= 0.0lf)
+        var a_18 : vec3<f64> = edge_position_0(other_0.numbers_3) - at_40.vertex_3.surface_4.exact_0;
+        var way_0 : vec3<f64> = edge_position_0(other_0.numbers_3 + u32(3)) - at_40.vertex_3.surface_4.exact_0 - a_18;
+        var place_18 : f64 = - dot(a_18, _S309) / dot(way_0, _S309);
+        var there_0 : vec3<f64> = a_18 + way_0 * vec3<f64>(place_18);
+        var _S311 : bool;
+        if(place_18 >= 0.0lf)
         {
-            _S298 = place_19 <= 1.0lf;
+            _S311 = place_18 <= 1.0lf;
         }
         else
         {
-            _S298 = false;
+            _S311 = false;
         }
-        var _S299 : bool;
-        if(_S298)
+        var _S312 : bool;
+        if(_S311)
         {
-            _S299 = (dot(there_0, direction_11)) > 0.0lf;
+            _S312 = (dot(there_0, direction_11)) > 0.0lf;
         }
         else
         {
-            _S299 = false;
+            _S312 = false;
         }
-        if(!_S299)
+        if(!_S312)
         {
-            k_9 = k_9 + u32(1);
+            k_7 = k_7 + u32(1);
             continue;
         }
         if(!((abs(dot(normal_6, there_0))) <= (edge_real_0(u32(3)) * length_of_0(there_0))))
         {
-            k_9 = k_9 + u32(1);
+            k_7 = k_7 + u32(1);
             continue;
         }
-        var count_6 : f32;
-        if(f32(abs(dot(normal_6, exact_unit_0(cross(a_18, way_1))))) > 0.99999898672103882f)
+        var count_4 : f32;
+        if(f32(abs(dot(normal_6, exact_unit_0(cross(a_18, way_0))))) > 0.99999898672103882f)
         {
-            count_6 = count_5 + 1.0f;
+            count_4 = count_3 + 1.0f;
         }
         else
         {
-            count_6 = count_5;
+            count_4 = count_3;
         }
-        count_5 = count_6;
-        k_9 = k_9 + u32(1);
+        count_3 = count_4;
+        k_7 = k_7 + u32(1);
     }
-    return count_5;
+    return count_3;
 }
 
-fn face_normal_1( at_42 : ShadingPoint_0) -> vec3<f64>
+fn face_normal_1( at_41 : ShadingPoint_0) -> vec3<f64>
 {
-    var corners_1 : u32 = u32(9) * at_42.vertex_3.surface_4.place_3.triangle_0;
+    var corners_1 : u32 = u32(9) * at_41.vertex_3.surface_4.place_3.triangle_0;
     var a_19 : vec3<f64> = primitive_vector_0(corners_1);
     return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_19, primitive_vector_0(corners_1 + u32(6)) - a_19));
 }
@@ -3141,13 +3324,13 @@ struct EdgePoint_0
      is_in_horizon_0 : bool,
 };
 
-fn point_on_0( at_43 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f64,  part_of_all_0 : f32) -> EdgePoint_0
+fn point_on_0( at_42 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f64,  part_of_all_0 : f32) -> EdgePoint_0
 {
-    var _S300 : f64 = seen_3.range_1.x;
-    var _S301 : f64 = seen_3.range_1.y;
-    var _S302 : f64 = f64(seen_3.pieces_0);
-    var first_7 : f64 = place_between_0(_S300, _S301, seen_3.near_1, seen_3.far_0, f64(piece_1) / _S302);
-    var last_1 : f64 = place_between_0(_S300, _S301, seen_3.near_1, seen_3.far_0, f64(piece_1 + 1.0f) / _S302);
+    var _S313 : f64 = seen_3.range_1.x;
+    var _S314 : f64 = seen_3.range_1.y;
+    var _S315 : f64 = f64(seen_3.pieces_0);
+    var first_7 : f64 = place_between_0(_S313, _S314, seen_3.near_1, seen_3.far_0, f64(piece_1) / _S315);
+    var last_1 : f64 = place_between_0(_S313, _S314, seen_3.near_1, seen_3.far_0, f64(piece_1 + 1.0f) / _S315);
     var a_20 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(first_7);
     var b_13 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(last_1);
     var near_3 : f64 = length_of_0(a_20);
@@ -3159,27 +3342,27 @@ fn point_on_0( at_43 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     var t_7 : f64 = place_between_0(first_7, last_1, near_3, far_2, inside_3);
     var offset_10 : vec3<f64> = seen_3.start_1 + seen_3.along_1 * vec3<f64>(t_7);
     var point_1 : EdgePoint_0;
-    var _S303 : f64 = length_of_0(offset_10);
-    point_1.distance_5 = _S303;
-    var _S304 : vec3<f64> = offset_10 / vec3<f64>(_S303);
-    point_1.direction_12 = _S304;
-    var _S305 : vec3<f64> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
-    point_1.normal_7 = _S305;
+    var _S316 : f64 = length_of_0(offset_10);
+    point_1.distance_5 = _S316;
+    var _S317 : vec3<f64> = offset_10 / vec3<f64>(_S316);
+    point_1.direction_12 = _S317;
+    var _S318 : vec3<f64> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_1.normal_7 = _S318;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_6 = f32(t_7);
-    point_1.measure_0 = f32(angle_5 / _S303) / (part_of_all_0 * multiplicity_0(at_43, seen_3.edge_3, _S304, _S305));
-    var face_0 : vec3<f64> = face_normal_1(at_43);
+    point_1.measure_0 = f32(angle_5 / _S316) / (part_of_all_0 * multiplicity_0(at_42, seen_3.edge_3, _S317, _S318));
+    var face_0 : vec3<f64> = face_normal_1(at_42);
     var least_2 : f64 = limit_at_0(u32(2));
-    var _S306 : bool;
+    var _S319 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
     {
-        _S306 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+        _S319 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
     }
     else
     {
-        _S306 = false;
+        _S319 = false;
     }
-    point_1.is_in_horizon_0 = _S306;
+    point_1.is_in_horizon_0 = _S319;
     return point_1;
 }
 
@@ -3188,30 +3371,30 @@ fn offset_of_0( point_2 : EdgePoint_0) -> vec3<f32>
     return vec3<f32>(point_2.direction_12 * vec3<f64>(point_2.distance_5));
 }
 
-fn flow_at_0( at_44 : ShadingPoint_0,  point_3 : EdgePoint_0) -> f32
+fn flow_at_0( at_43 : ShadingPoint_0,  point_3 : EdgePoint_0) -> f32
 {
-    return f32(dot(vec3<f64>(velocity_on_0(at_44, point_3.edge_6, point_3.t_6, offset_of_0(point_3))), point_3.normal_7)) * point_3.measure_0;
+    return f32(dot(vec3<f64>(velocity_on_0(at_43, point_3.edge_6, point_3.t_6, offset_of_0(point_3))), point_3.normal_7)) * point_3.measure_0;
 }
 
 fn component_0( v_8 : vec3<f64>,  axis_5 : u32) -> f64
 {
-    var _S307 : f64;
+    var _S320 : f64;
     if(axis_5 == u32(0))
     {
-        _S307 = v_8.x;
+        _S320 = v_8.x;
     }
     else
     {
         if(axis_5 == u32(1))
         {
-            _S307 = v_8.y;
+            _S320 = v_8.y;
         }
         else
         {
-            _S307 = v_8.z;
+            _S320 = v_8.z;
         }
     }
-    return _S307;
+    return _S320;
 }
 
 struct Ray_0
@@ -3231,34 +3414,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f64>,  direction_13 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  axes_3 : ptr<function, u32>) -> Ray_0
 {
     var size_2 : vec3<f32> = abs(vec3<f32>(direction_13));
-    var _S308 : f32 = size_2.x;
-    var _S309 : f32 = size_2.y;
-    var _S310 : bool;
-    if(_S308 >= _S309)
+    var _S321 : f32 = size_2.x;
+    var _S322 : f32 = size_2.y;
+    var _S323 : bool;
+    if(_S321 >= _S322)
     {
-        _S310 = _S308 >= (size_2.z);
+        _S323 = _S321 >= (size_2.z);
     }
     else
     {
-        _S310 = false;
+        _S323 = false;
     }
-    var _S311 : i32;
-    if(_S310)
+    var _S324 : i32;
+    if(_S323)
     {
-        _S311 = i32(0);
+        _S324 = i32(0);
     }
     else
     {
-        if(_S309 >= (size_2.z))
+        if(_S322 >= (size_2.z))
         {
-            _S311 = i32(1);
+            _S324 = i32(1);
         }
         else
         {
-            _S311 = i32(2);
+            _S324 = i32(2);
         }
     }
-    var z_3 : u32 = u32(_S311);
+    var z_3 : u32 = u32(_S324);
     var x_9 : u32 = (z_3 + u32(1)) % u32(3);
     var y_3 : u32 = (z_3 + u32(2)) % u32(3);
     (*axes_3) = (((x_9 | (((y_3 << (u32(2))))))) | (((z_3 << (u32(4))))));
@@ -3294,7 +3477,7 @@ struct RayView_0
 
 fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32) -> f32
 {
-    var _S312 : u32 = u32(14) * node_6 + slot_3 / u32(4);
+    var _S325 : u32 = u32(14) * node_6 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -3307,36 +3490,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S313 : u32 = axis_6;
-        var _S314 : u32 = _S312 + u32(2) * axis_6;
-        var _S315 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S314][_S315])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S314 + u32(6)][_S315])));
-        var _S316 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S317 : f32;
-        if(_S316)
+        var _S326 : u32 = axis_6;
+        var _S327 : u32 = _S325 + u32(2) * axis_6;
+        var _S328 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S327][_S328])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S327 + u32(6)][_S328])));
+        var _S329 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S330 : f32;
+        if(_S329)
         {
-            _S317 = high_0;
+            _S330 = high_0;
         }
         else
         {
-            _S317 = low_3;
+            _S330 = low_3;
         }
-        var _S318 : f32 = max(near_4, _S317 * view_1.inverse_1[_S313] - view_1.offset_near_0[axis_6]);
-        var _S319 : f32;
-        if(_S316)
+        var _S331 : f32 = max(near_4, _S330 * view_1.inverse_1[_S326] - view_1.offset_near_0[axis_6]);
+        var _S332 : f32;
+        if(_S329)
         {
-            _S319 = low_3;
+            _S332 = low_3;
         }
         else
         {
-            _S319 = high_0;
+            _S332 = high_0;
         }
-        var _S320 : f32 = min(far_3, _S319 * view_1.inverse_1[_S313] - view_1.offset_far_0[axis_6]);
-        var _S321 : u32 = axis_6 + u32(1);
-        near_4 = _S318;
-        far_3 = _S320;
-        axis_6 = _S321;
+        var _S333 : f32 = min(far_3, _S332 * view_1.inverse_1[_S326] - view_1.offset_far_0[axis_6]);
+        var _S334 : u32 = axis_6 + u32(1);
+        near_4 = _S331;
+        far_3 = _S333;
+        axis_6 = _S334;
     }
     if(near_4 <= far_3)
     {
@@ -3350,21 +3533,21 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32
 
 fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 {
-    var k_10 : u32 = u32(0);
+    var k_8 : u32 = u32(0);
     var order_0 : u32 = u32(0);
     for(;;)
     {
-        if(k_10 < u32(8))
+        if(k_8 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S322 : u32 = k_10;
-        if((bounds_0[k_10]) > limit_2)
+        var _S335 : u32 = k_8;
+        if((bounds_0[k_8]) > limit_2)
         {
-            k_10 = k_10 + u32(1);
+            k_8 = k_8 + u32(1);
             continue;
         }
         var j_0 : u32 = u32(0);
@@ -3378,31 +3561,31 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S323 : u32 = j_0;
-            var _S324 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S322]))
+            var _S336 : u32 = j_0;
+            var _S337 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S335]))
             {
-                _S324 = true;
+                _S337 = true;
             }
             else
             {
-                if((bounds_0[_S323]) == (bounds_0[_S322]))
+                if((bounds_0[_S336]) == (bounds_0[_S335]))
                 {
-                    _S324 = j_0 < k_10;
+                    _S337 = j_0 < k_8;
                 }
                 else
                 {
-                    _S324 = false;
+                    _S337 = false;
                 }
             }
-            if(_S324)
+            if(_S337)
             {
                 rank_0 = rank_0 + u32(1);
             }
             j_0 = j_0 + u32(1);
         }
-        order_0 = (order_0 | ((((k_10 + u32(1)) << ((u32(4) * rank_0))))));
-        k_10 = k_10 + u32(1);
+        order_0 = (order_0 | ((((k_8 + u32(1)) << ((u32(4) * rank_0))))));
+        k_8 = k_8 + u32(1);
     }
     return order_0;
 }
@@ -3420,16 +3603,16 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
         {
             break;
         }
-        var _S325 : f32;
+        var _S338 : f32;
         if((ray_child_0(node_7, slot_4)) == u32(4294967295))
         {
-            _S325 = 3.00000000549775576e+38f;
+            _S338 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S325 = ray_bound_0(view_2, limit_3, node_7, slot_4);
+            _S338 = ray_bound_0(view_2, limit_3, node_7, slot_4);
         }
-        bounds_1[slot_4] = _S325;
+        bounds_1[slot_4] = _S338;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -3440,9 +3623,9 @@ fn rounded_0( product_2 : f64,  largest_2 : f64) -> f64
     return min(product_2, largest_2);
 }
 
-fn corner_2( ray_1 : Ray_0,  axes_5 : u32,  at_45 : u32) -> vec3<f64>
+fn corner_2( ray_1 : Ray_0,  axes_5 : u32,  at_44 : u32) -> vec3<f64>
 {
-    var relative_1 : vec3<f64> = primitive_vector_0(at_45) - ray_1.origin_0;
+    var relative_1 : vec3<f64> = primitive_vector_0(at_44) - ray_1.origin_0;
     var z_4 : f64 = component_0(relative_1, (axes_5 >> (u32(4))));
     return vec3<f64>(component_0(relative_1, (axes_5 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_4, ray_1.largest_1), component_0(relative_1, (((axes_5 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_4, ray_1.largest_1), z_4);
 }
@@ -3455,80 +3638,80 @@ struct Crossing_0
      w_3 : f64,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_6 : u32,  at_46 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_6 : u32,  at_45 : u32) -> Crossing_0
 {
-    var crossing_1 : Crossing_0;
-    crossing_1.is_hit_0 = false;
-    crossing_1.t_8 = 0.0lf;
-    crossing_1.v_9 = 0.0lf;
-    crossing_1.w_3 = 0.0lf;
-    var a_21 : vec3<f64> = corner_2(ray_2, axes_6, at_46);
-    var b_14 : vec3<f64> = corner_2(ray_2, axes_6, at_46 + u32(3));
-    var c_4 : vec3<f64> = corner_2(ray_2, axes_6, at_46 + u32(6));
-    var _S326 : f64 = c_4.x;
-    var _S327 : f64 = b_14.y;
-    var cx_by_0 : f64 = rounded_0(_S326 * _S327, ray_2.largest_1);
-    var _S328 : f64 = c_4.y;
-    var _S329 : f64 = b_14.x;
-    var cy_bx_0 : f64 = rounded_0(_S328 * _S329, ray_2.largest_1);
-    var _S330 : f64 = a_21.x;
-    var ax_cy_0 : f64 = rounded_0(_S330 * _S328, ray_2.largest_1);
-    var _S331 : f64 = a_21.y;
-    var ay_cx_0 : f64 = rounded_0(_S331 * _S326, ray_2.largest_1);
-    var bx_ay_0 : f64 = rounded_0(_S329 * _S331, ray_2.largest_1);
-    var by_ax_0 : f64 = rounded_0(_S327 * _S330, ray_2.largest_1);
+    var crossing_0 : Crossing_0;
+    crossing_0.is_hit_0 = false;
+    crossing_0.t_8 = 0.0lf;
+    crossing_0.v_9 = 0.0lf;
+    crossing_0.w_3 = 0.0lf;
+    var a_21 : vec3<f64> = corner_2(ray_2, axes_6, at_45);
+    var b_14 : vec3<f64> = corner_2(ray_2, axes_6, at_45 + u32(3));
+    var c_4 : vec3<f64> = corner_2(ray_2, axes_6, at_45 + u32(6));
+    var _S339 : f64 = c_4.x;
+    var _S340 : f64 = b_14.y;
+    var cx_by_0 : f64 = rounded_0(_S339 * _S340, ray_2.largest_1);
+    var _S341 : f64 = c_4.y;
+    var _S342 : f64 = b_14.x;
+    var cy_bx_0 : f64 = rounded_0(_S341 * _S342, ray_2.largest_1);
+    var _S343 : f64 = a_21.x;
+    var ax_cy_0 : f64 = rounded_0(_S343 * _S341, ray_2.largest_1);
+    var _S344 : f64 = a_21.y;
+    var ay_cx_0 : f64 = rounded_0(_S344 * _S339, ray_2.largest_1);
+    var bx_ay_0 : f64 = rounded_0(_S342 * _S344, ray_2.largest_1);
+    var by_ax_0 : f64 = rounded_0(_S340 * _S343, ray_2.largest_1);
     var u_2 : f64 = cx_by_0 - cy_bx_0;
     var v_10 : f64 = ax_cy_0 - ay_cx_0;
     var w_4 : f64 = bx_ay_0 - by_ax_0;
-    var _S332 : f64 = min(min(u_2, v_10), w_4);
-    var _S333 : f64 = max(max(u_2, v_10), w_4);
-    var _S334 : bool;
-    if(_S332 < 0.0lf)
+    var _S345 : f64 = min(min(u_2, v_10), w_4);
+    var _S346 : f64 = max(max(u_2, v_10), w_4);
+    var _S347 : bool;
+    if(_S345 < 0.0lf)
     {
-        _S334 = _S333 > 0.0lf;
+        _S347 = _S346 > 0.0lf;
     }
     else
     {
-        _S334 = false;
+        _S347 = false;
     }
-    if(_S334)
+    if(_S347)
     {
-        return crossing_1;
+        return crossing_0;
     }
     var determinant_0 : f64 = u_2 + v_10 + w_4;
-    if(_S332 <= 0.0lf)
+    if(_S345 <= 0.0lf)
     {
-        _S334 = _S333 >= 0.0lf;
+        _S347 = _S346 >= 0.0lf;
     }
     else
     {
-        _S334 = false;
+        _S347 = false;
     }
-    if(_S334)
+    if(_S347)
     {
         if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
-            return crossing_1;
+            return crossing_0;
         }
     }
     if(determinant_0 == 0.0lf)
     {
-        return crossing_1;
+        return crossing_0;
     }
     var t_9 : f64 = (rounded_0(u_2 * a_21.z, ray_2.largest_1) + rounded_0(v_10 * b_14.z, ray_2.largest_1) + rounded_0(w_4 * c_4.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
     if((ray_2.t_min_0) <= t_9)
     {
-        _S334 = t_9 <= (ray_2.t_max_0);
+        _S347 = t_9 <= (ray_2.t_max_0);
     }
     else
     {
-        _S334 = false;
+        _S347 = false;
     }
-    crossing_1.is_hit_0 = _S334;
-    crossing_1.t_8 = t_9;
-    crossing_1.v_9 = v_10 / determinant_0;
-    crossing_1.w_3 = w_4 / determinant_0;
-    return crossing_1;
+    crossing_0.is_hit_0 = _S347;
+    crossing_0.t_8 = t_9;
+    crossing_0.v_9 = v_10 / determinant_0;
+    crossing_0.w_3 = w_4 / determinant_0;
+    return crossing_0;
 }
 
 fn face_1( triangle_7 : u32) -> u32
@@ -3546,7 +3729,7 @@ struct Found_0
 
 fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S335 : bool;
+    var _S348 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_8 = u32(4294967295);
@@ -3556,8 +3739,8 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
     {
         return found_0;
     }
-    var way_2 : array<vec2<u32>, i32(40)>;
-    way_2[i32(0)] = vec2<u32>(u32(0), u32(0));
+    var way_1 : array<vec2<u32>, i32(40)>;
+    way_1[i32(0)] = vec2<u32>(u32(0), u32(0));
     var entered_0 : u32 = u32(0);
     var limit_4 : f32 = view_3.limit_0;
     var is_new_0 : bool = true;
@@ -3568,7 +3751,7 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var is_new_1 : bool;
         if(entered_0 != u32(4294967295))
         {
-            way_2[level_0] = vec2<u32>(entered_0, crossed_1(view_3, limit_4, entered_0));
+            way_1[level_0] = vec2<u32>(entered_0, crossed_1(view_3, limit_4, entered_0));
             is_new_1 = true;
             entered_1 = u32(4294967295);
         }
@@ -3577,32 +3760,32 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             is_new_1 = is_new_0;
             entered_1 = entered_0;
         }
-        var here_1 : vec2<u32> = way_2[level_0];
-        var _S336 : u32 = way_2[level_0].y;
-        if(_S336 == u32(0))
+        var here_1 : vec2<u32> = way_1[level_0];
+        var _S349 : u32 = way_1[level_0].y;
+        if(_S349 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S337 : u32 = level_0 - u32(1);
+            var _S350 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S337;
+            level_0 = _S350;
             continue;
         }
-        var slot_5 : u32 = ((_S336 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S336 >> (u32(4)));
-        var _S338 : bool;
+        var slot_5 : u32 = ((_S349 & (u32(15)))) - u32(1);
+        way_1[level_0][i32(1)] = (_S349 >> (u32(4)));
+        var _S351 : bool;
         if(!is_new_1)
         {
-            _S338 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+            _S351 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S338 = false;
+            _S351 = false;
         }
-        if(_S338)
+        if(_S351)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -3611,58 +3794,58 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S339 : u32 = level_0 + u32(1);
+            var _S352 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S339;
+            level_0 = _S352;
             continue;
         }
-        var leaf_4 : u32 = (child_0 & (u32(2147483647)));
-        var _S340 : u32 = leaf_starts_0[leaf_4 + u32(1)];
-        var _S341 : u32 = leaf_starts_0[leaf_4];
+        var leaf_2 : u32 = (child_0 & (u32(2147483647)));
+        var _S353 : u32 = leaf_starts_0[leaf_2 + u32(1)];
+        var _S354 : u32 = leaf_starts_0[leaf_2];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S341;
+        var i_2 : u32 = _S354;
         for(;;)
         {
-            if(i_2 < _S340)
+            if(i_2 < _S353)
             {
             }
             else
             {
                 break;
             }
-            var crossing_2 : Crossing_0 = intersect_0((*ray_3), view_3.axes_4, u32(9) * i_2);
-            if(!crossing_2.is_hit_0)
+            var crossing_1 : Crossing_0 = intersect_0((*ray_3), view_3.axes_4, u32(9) * i_2);
+            if(!crossing_1.is_hit_0)
             {
                 i_2 = i_2 + u32(1);
                 continue;
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S335 = true;
+                _S348 = true;
             }
             else
             {
-                _S335 = (crossing_2.t_8) < ((*ray_3).t_max_0);
+                _S348 = (crossing_1.t_8) < ((*ray_3).t_max_0);
             }
-            var _S342 : bool;
-            if(_S335)
+            var _S355 : bool;
+            if(_S348)
             {
-                _S342 = true;
+                _S355 = true;
             }
             else
             {
-                _S342 = (face_1(i_2)) < (found_0.face_2);
+                _S355 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S342)
+            if(_S355)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_8 = i_2;
-                (*ray_3).t_max_0 = crossing_2.t_8;
-                found_0.v_11 = crossing_2.v_9;
-                found_0.w_5 = crossing_2.w_3;
-                limit_6 = min(limit_5, f32(crossing_2.t_8 * (*ray_3).local_per_t_0 - (*ray_3).enter_0) + 2.0f * view_3.margin_2);
+                (*ray_3).t_max_0 = crossing_1.t_8;
+                found_0.v_11 = crossing_1.v_9;
+                found_0.w_5 = crossing_1.w_3;
+                limit_6 = min(limit_5, f32(crossing_1.t_8 * (*ray_3).local_per_t_0 - (*ray_3).enter_0) + 2.0f * view_3.margin_2);
             }
             else
             {
@@ -3673,13 +3856,13 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S335 = (found_0.face_2) != u32(4294967295);
+            _S348 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S335 = false;
+            _S348 = false;
         }
-        if(_S335)
+        if(_S348)
         {
             break;
         }
@@ -3693,11 +3876,11 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_2 : vec3<f64>,  direction_14 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_1 : bool,  t_10 : ptr<function, f32>) -> Found_0
 {
     var view_4 : RayView_0;
-    var _S343 : u32 = view_4.axes_4;
-    var _S344 : Ray_0 = ray_along_0(origin_2, direction_14, t_min_2, t_max_2, &(_S343));
-    view_4.axes_4 = _S343;
-    var ray_4 : Ray_0 = _S344;
-    var _S345 : vec3<f32> = vec3<f32>(direction_14 / vec3<f64>(ray_4.local_per_t_0));
+    var _S356 : u32 = view_4.axes_4;
+    var _S357 : Ray_0 = ray_along_0(origin_2, direction_14, t_min_2, t_max_2, &(_S356));
+    view_4.axes_4 = _S356;
+    var ray_4 : Ray_0 = _S357;
+    var _S358 : vec3<f32> = vec3<f32>(direction_14 / vec3<f64>(ray_4.local_per_t_0));
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -3708,17 +3891,17 @@ fn cast_0( origin_2 : vec3<f64>,  direction_14 : vec3<f64>,  t_min_2 : f64,  t_m
         {
             break;
         }
-        var _S346 : f32 = max(abs(_S345[axis_7]), 8.67361737988403547e-19f);
-        var _S347 : f32;
-        if((_S345[axis_7]) < 0.0f)
+        var _S359 : f32 = max(abs(_S358[axis_7]), 8.67361737988403547e-19f);
+        var _S360 : f32;
+        if((_S358[axis_7]) < 0.0f)
         {
-            _S347 = -1.0f / _S346;
+            _S360 = -1.0f / _S359;
         }
         else
         {
-            _S347 = 1.0f / _S346;
+            _S360 = 1.0f / _S359;
         }
-        view_4.inverse_1[axis_7] = _S347;
+        view_4.inverse_1[axis_7] = _S360;
         axis_7 = axis_7 + u32(1);
     }
     var offset_11 : vec3<f32> = vec3<f32>(origin_2) * view_4.inverse_1;
@@ -3741,7 +3924,7 @@ struct Side_0
      t_11 : f32,
 };
 
-fn look_0( at_47 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Side_0
+fn look_0( at_46 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Side_0
 {
     var step_0 : vec3<f64> = point_4.normal_7 * vec3<f64>(edge_real_0(u32(3)));
     var origin_3 : vec3<f64>;
@@ -3756,34 +3939,34 @@ fn look_0( at_47 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Sid
     var direction_16 : vec3<f64> = exact_unit_0(origin_3);
     if(point_4.is_in_horizon_0)
     {
-        var face_3 : vec3<f64> = face_normal_1(at_47);
+        var face_3 : vec3<f64> = face_normal_1(at_46);
         var height_3 : f64 = limit_at_0(u32(2));
-        var _S348 : f64;
+        var _S361 : f64;
         if((dot(direction_16, face_3)) < 0.0lf)
         {
-            _S348 = - height_3;
+            _S361 = - height_3;
         }
         else
         {
-            _S348 = height_3;
+            _S361 = height_3;
         }
-        origin_3 = at_47.vertex_3.surface_4.exact_0 + face_3 * vec3<f64>(_S348);
+        origin_3 = at_46.vertex_3.surface_4.exact_0 + face_3 * vec3<f64>(_S361);
     }
     else
     {
-        origin_3 = at_47.vertex_3.surface_4.exact_0;
+        origin_3 = at_46.vertex_3.surface_4.exact_0;
     }
     var seen_4 : Side_0;
-    var _S349 : vec3<f32> = vec3<f32>(direction_16);
-    seen_4.direction_15 = _S349;
-    seen_4.rest_3 = vec3<f32>(direction_16 - vec3<f64>(_S349));
-    seen_4.scattered_2 = scattered_from_0(at_47.vertex_3, _S349);
-    var _S350 : f64 = limit_at_0(u32(2));
-    var _S351 : f64 = limit_at_0(u32(1));
-    var _S352 : f32 = seen_4.t_11;
-    var _S353 : Found_0 = cast_0(origin_3, direction_16, _S350, _S351, false, &(_S352));
-    seen_4.t_11 = _S352;
-    seen_4.found_2 = _S353;
+    var _S362 : vec3<f32> = vec3<f32>(direction_16);
+    seen_4.direction_15 = _S362;
+    seen_4.rest_3 = vec3<f32>(direction_16 - vec3<f64>(_S362));
+    seen_4.scattered_2 = scattered_from_0(at_46.vertex_3, _S362);
+    var _S363 : f64 = limit_at_0(u32(2));
+    var _S364 : f64 = limit_at_0(u32(1));
+    var _S365 : f32 = seen_4.t_11;
+    var _S366 : Found_0 = cast_0(origin_3, direction_16, _S363, _S364, false, &(_S365));
+    seen_4.t_11 = _S365;
+    seen_4.found_2 = _S366;
     return seen_4;
 }
 
@@ -3824,32 +4007,32 @@ fn emitter_seen_0( found_4 : Found_0,  direction_17 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_5 : u32 = word_0(shape_of_0(found_4.triangle_8) + u32(4));
-    var _S354 : bool;
+    var _S367 : bool;
     if(emitter_5 != u32(4294967295))
     {
-        _S354 = (dot(cross_of_0(found_4.triangle_8), direction_17)) < 0.0f;
+        _S367 = (dot(cross_of_0(found_4.triangle_8), direction_17)) < 0.0f;
     }
     else
     {
-        _S354 = false;
+        _S367 = false;
     }
-    var _S355 : u32;
-    if(_S354)
+    var _S368 : u32;
+    if(_S367)
     {
-        _S355 = emitter_5;
+        _S368 = emitter_5;
     }
     else
     {
-        _S355 = u32(4294967295);
+        _S368 = u32(4294967295);
     }
-    return _S355;
+    return _S368;
 }
 
-fn jump_of_light_0( at_48 : ShadingPoint_0,  point_5 : EdgePoint_0) -> vec3<f32>
+fn jump_of_light_0( at_47 : ShadingPoint_0,  point_5 : EdgePoint_0) -> vec3<f32>
 {
-    var _S356 : vec3<f32> = vec3<f32>(0.0f);
+    var _S369 : vec3<f32> = vec3<f32>(0.0f);
     var side_1 : u32 = u32(0);
-    var jump_0 : vec3<f32> = _S356;
+    var jump_0 : vec3<f32> = _S369;
     for(;;)
     {
         if(side_1 < u32(2))
@@ -3859,62 +4042,68 @@ fn jump_of_light_0( at_48 : ShadingPoint_0,  point_5 : EdgePoint_0) -> vec3<f32>
         {
             break;
         }
-        var seen_5 : Side_0 = look_0(at_48, point_5, side_1);
-        var _S357 : bool;
+        var seen_5 : Side_0 = look_0(at_47, point_5, side_1);
+        var _S370 : bool;
         if(!((largest_0(seen_5.scattered_2)) > 0.0f))
         {
-            _S357 = true;
+            _S370 = true;
         }
         else
         {
-            _S357 = (emitter_seen_0(seen_5.found_2, seen_5.direction_15)) != (at_48.emitter_0);
+            _S370 = (emitter_seen_0(seen_5.found_2, seen_5.direction_15)) != (at_47.emitter_0);
         }
-        if(_S357)
+        if(_S370)
         {
             side_1 = side_1 + u32(1);
             continue;
         }
-        var _S358 : Vector_0 = emitted_0(at_48.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_15));
-        var light_3 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S358);
-        var _S359 : vec3<f32>;
+        var _S371 : Vector_0 = emitted_0(at_47.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_15));
+        var light_3 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S371);
+        var _S372 : vec3<f32>;
         if(side_1 == u32(0))
         {
-            _S359 = light_3;
+            _S372 = light_3;
         }
         else
         {
-            _S359 = (vec3<f32>(0) - light_3);
+            _S372 = (vec3<f32>(0) - light_3);
         }
-        jump_0 = jump_0 + _S359;
+        jump_0 = jump_0 + _S372;
         side_1 = side_1 + u32(1);
     }
     return jump_0;
 }
 
-fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_49 : ShadingPoint_0,  point_6 : EdgePoint_0,  number_of_path_2 : u32,  path_10 : Path_0)
+fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_48 : ShadingPoint_0,  point_6 : EdgePoint_0,  number_of_path_2 : u32,  path_10 : Path_0)
 {
-    var flow_0 : f32 = flow_at_0(at_49, point_6);
+    var flow_0 : f32 = flow_at_0(at_48, point_6);
     if(flow_0 == 0.0f)
     {
         return;
     }
-    var _S360 : vec3<f32> = jump_of_light_0(at_49, point_6);
-    (*crossed_2).term_0 = (*crossed_2).term_0 + (*crossed_2).factor_1 * _S360 * vec3<f32>(flow_0);
+    var _S373 : vec3<f32> = jump_of_light_0(at_48, point_6);
+    (*crossed_2).term_0 = (*crossed_2).term_0 + (*crossed_2).factor_1 * _S373 * vec3<f32>(flow_0);
     return;
 }
 
-struct Share_0
+fn draw_points_0( at_49 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  place_19 : f64,  number_of_path_3 : u32,  path_11 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
 {
-     share_0 : f32,
-     over_all_0 : f32,
-     place_20 : f64,
-};
-
-fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  number_of_path_3 : u32,  path_11 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
-{
+    var _S374 : bool;
+    var most_0 : u32 = edge_word_0(u32(9));
+    var _S375 : bool = (at_49.purpose_0) == u32(0);
+    var _S376 : u32;
+    if(_S375)
+    {
+        _S376 = most_0 * part_of_launch_0();
+    }
+    else
+    {
+        _S376 = u32(0);
+    }
+    var count_5 : u32 = u32(0);
     var points_0 : u32 = u32(1);
     var least_3 : f32 = 0.0f;
-    var over_all_1 : f32 = 0.0f;
+    var over_all_0 : f32 = 0.0f;
     var total_0 : f32 = 0.0f;
     var step_1 : f64 = 0.0lf;
     var pass_0 : u32 = u32(0);
@@ -3943,70 +4132,107 @@ fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  nu
             }
             var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
             var total_1 : f32 = contributions_0 + least_4 * angles_0;
-            if((at_50.purpose_0) == u32(0))
+            if(_S375)
             {
-                contributions_1 = asked_0.share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
+                var parts_0 : f32 = ceil(f32(count_5) / f32(most_0));
+                contributions_1 = min(4.0f * max(sqrt(pieces_1 / parts_0), 2.0f / parts_0), f32(edge_word_0(u32(10))));
             }
             else
             {
                 contributions_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(contributions_1 - 0.00100000004749745f));
-            var _S361 : f32 = asked_0.over_all_0 * f32(points_1);
+            var _S377 : f32 = probability_4 * f32(points_1);
             var step_2 : f64 = f64(total_1) / f64(points_1);
-            var _S362 : f64 = step_2 * asked_0.place_20;
+            var _S378 : f64 = step_2 * place_19;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S361;
+            over_all_0 = _S377;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S362;
+            target_1 = _S378;
         }
         else
         {
             target_1 = target_0;
         }
-        var leaves_4 : Leaves_0 = below_0(node_8);
-        var leaf_5 : u32;
-        target_0 = target_1;
+        var leaves_2 : Leaves_0 = below_0(node_8);
+        var leaf_3 : u32;
+        var drawn_1 : u32 = drawn_0;
+        var passed_0 : u32 = u32(0);
+        contributions_1 = contributions_0;
+        var angles_1 : f32 = angles_0;
+        var pieces_2 : f32 = pieces_1;
+        var cumulative_1 : f32 = cumulative_0;
+        var target_2 : f64 = target_1;
         for(;;)
         {
-            var _S363 : bool;
-            if(drawn_0 < points_0)
+            var _S379 : bool;
+            if(drawn_1 < points_0)
             {
-                var _S364 : bool = next_leaf_1(at_50, &(leaves_4), &(leaf_5));
-                _S363 = _S364;
+                if(pass_0 == u32(0))
+                {
+                    _S379 = true;
+                }
+                else
+                {
+                    _S379 = passed_0 < (_S376 + most_0);
+                }
             }
             else
             {
-                _S363 = false;
+                _S379 = false;
             }
-            if(_S363)
+            var _S380 : bool;
+            if(_S379)
+            {
+                var _S381 : bool = next_leaf_0(at_49, &(leaves_2), &(leaf_3));
+                _S380 = _S381;
+            }
+            else
+            {
+                _S380 = false;
+            }
+            if(_S380)
             {
             }
             else
             {
                 break;
             }
-            var k_11 : u32 = edge_word_0(leaf_5 + u32(2));
-            var drawn_1 : u32 = drawn_0;
-            contributions_1 = contributions_0;
-            var angles_1 : f32 = angles_0;
-            var pieces_2 : f32 = pieces_1;
-            var cumulative_1 : f32 = cumulative_0;
-            var target_2 : f64 = target_0;
+            var passed_1 : u32 = passed_0 + u32(1);
+            if(passed_1 <= _S376)
+            {
+                _S374 = true;
+            }
+            else
+            {
+                _S374 = passed_1 > (_S376 + most_0);
+            }
+            if(_S374)
+            {
+                passed_0 = passed_1;
+                continue;
+            }
+            var k_9 : u32 = edge_word_0(leaf_3 + u32(2));
+            var drawn_2 : u32 = drawn_1;
+            var contributions_2 : f32 = contributions_1;
+            var angles_2 : f32 = angles_1;
+            var pieces_3 : f32 = pieces_2;
+            var cumulative_2 : f32 = cumulative_1;
+            var target_3 : f64 = target_2;
             for(;;)
             {
-                var _S365 : bool;
-                if(k_11 < (edge_word_0(leaf_5 + u32(3))))
+                var _S382 : bool;
+                if(k_9 < (edge_word_0(leaf_3 + u32(3))))
                 {
-                    _S365 = drawn_1 < points_0;
+                    _S382 = drawn_2 < points_0;
                 }
                 else
                 {
-                    _S365 = false;
+                    _S382 = false;
                 }
-                if(_S365)
+                if(_S382)
                 {
                 }
                 else
@@ -4014,37 +4240,37 @@ fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  nu
                     break;
                 }
                 var seen_6 : SeenEdge_0;
-                var _S366 : bool = see_edge_0(at_50, k_11, &(seen_6));
-                var drawn_2 : u32;
-                var contributions_2 : f32;
-                var angles_2 : f32;
-                var pieces_3 : f32;
-                var cumulative_2 : f32;
-                var target_3 : f64;
-                if(!_S366)
+                var _S383 : bool = see_edge_0(at_49, k_9, &(seen_6));
+                var drawn_3 : u32;
+                var contributions_3 : f32;
+                var angles_3 : f32;
+                var pieces_4 : f32;
+                var cumulative_3 : f32;
+                var target_4 : f64;
+                if(!_S383)
                 {
-                    drawn_2 = drawn_1;
-                    contributions_2 = contributions_1;
-                    angles_2 = angles_1;
-                    pieces_3 = pieces_2;
-                    cumulative_2 = cumulative_1;
-                    target_3 = target_2;
-                    k_11 = k_11 + u32(1);
-                    drawn_1 = drawn_2;
-                    contributions_1 = contributions_2;
-                    angles_1 = angles_2;
-                    pieces_2 = pieces_3;
-                    cumulative_1 = cumulative_2;
-                    target_2 = target_3;
+                    drawn_3 = drawn_2;
+                    contributions_3 = contributions_2;
+                    angles_3 = angles_2;
+                    pieces_4 = pieces_3;
+                    cumulative_3 = cumulative_2;
+                    target_4 = target_3;
+                    k_9 = k_9 + u32(1);
+                    drawn_2 = drawn_3;
+                    contributions_2 = contributions_3;
+                    angles_2 = angles_3;
+                    pieces_3 = pieces_4;
+                    cumulative_2 = cumulative_3;
+                    target_3 = target_4;
                     continue;
                 }
                 var piece_2 : f32 = 0.0f;
-                contributions_2 = contributions_1;
-                angles_2 = angles_1;
-                pieces_3 = pieces_2;
-                cumulative_2 = cumulative_1;
-                drawn_2 = drawn_1;
-                target_3 = target_2;
+                contributions_3 = contributions_2;
+                angles_3 = angles_2;
+                pieces_4 = pieces_3;
+                cumulative_3 = cumulative_2;
+                drawn_3 = drawn_2;
+                target_4 = target_3;
                 for(;;)
                 {
                     if(piece_2 < (seen_6.pieces_0))
@@ -4054,115 +4280,138 @@ fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  nu
                     {
                         break;
                     }
-                    var weight_0 : vec2<f32> = weigh_0(at_50, seen_6, piece_2);
+                    var weight_0 : vec2<f32> = weigh_0(at_49, seen_6, piece_2);
                     if(pass_0 == u32(0))
                     {
-                        var angles_3 : f32 = angles_2 + weight_0.y;
-                        var pieces_4 : f32 = pieces_3 + 1.0f;
-                        contributions_2 = contributions_2 + weight_0.x;
-                        angles_2 = angles_3;
-                        pieces_3 = pieces_4;
+                        var angles_4 : f32 = angles_3 + weight_0.y;
+                        var pieces_5 : f32 = pieces_4 + 1.0f;
+                        contributions_3 = contributions_3 + weight_0.x;
+                        angles_3 = angles_4;
+                        pieces_4 = pieces_5;
                         piece_2 = piece_2 + 1.0f;
                         continue;
                     }
                     var own_1 : f32 = weight_0.x + least_3 * weight_0.y;
-                    var cumulative_3 : f32 = cumulative_2 + own_1;
-                    var drawn_3 : u32 = drawn_2;
-                    var target_4 : f64 = target_3;
+                    var cumulative_4 : f32 = cumulative_3 + own_1;
+                    var drawn_4 : u32 = drawn_3;
+                    var target_5 : f64 = target_4;
                     for(;;)
                     {
-                        var _S367 : bool;
-                        if(drawn_3 < points_0)
+                        var _S384 : bool;
+                        if(drawn_4 < points_0)
                         {
-                            _S367 = target_4 < f64(cumulative_3);
+                            _S384 = target_5 < f64(cumulative_4);
                         }
                         else
                         {
-                            _S367 = false;
+                            _S384 = false;
                         }
-                        if(_S367)
+                        if(_S384)
                         {
                         }
                         else
                         {
                             break;
                         }
-                        var _S368 : u32 = drawn_3 + u32(1);
-                        var target_5 : f64 = target_4 + step_1;
-                        cross_at_0(&((*crossed_3)), at_50, point_on_0(at_50, seen_6, piece_2, clamp((target_4 - f64(cumulative_2)) / f64(own_1), 0.0lf, 1.0lf), over_all_1 * own_1 / total_0), number_of_path_3, path_11);
-                        drawn_3 = _S368;
-                        target_4 = target_5;
+                        var _S385 : u32 = drawn_4 + u32(1);
+                        var target_6 : f64 = target_5 + step_1;
+                        cross_at_0(&((*crossed_3)), at_49, point_on_0(at_49, seen_6, piece_2, clamp((target_5 - f64(cumulative_3)) / f64(own_1), 0.0lf, 1.0lf), over_all_0 * own_1 / total_0), number_of_path_3, path_11);
+                        drawn_4 = _S385;
+                        target_5 = target_6;
                     }
-                    cumulative_2 = cumulative_3;
-                    drawn_2 = drawn_3;
-                    target_3 = target_4;
+                    cumulative_3 = cumulative_4;
+                    drawn_3 = drawn_4;
+                    target_4 = target_5;
                     piece_2 = piece_2 + 1.0f;
                 }
-                k_11 = k_11 + u32(1);
-                drawn_1 = drawn_2;
-                contributions_1 = contributions_2;
-                angles_1 = angles_2;
-                pieces_2 = pieces_3;
-                cumulative_1 = cumulative_2;
-                target_2 = target_3;
+                k_9 = k_9 + u32(1);
+                drawn_2 = drawn_3;
+                contributions_2 = contributions_3;
+                angles_2 = angles_3;
+                pieces_3 = pieces_4;
+                cumulative_2 = cumulative_3;
+                target_3 = target_4;
             }
-            drawn_0 = drawn_1;
-            contributions_0 = contributions_1;
+            drawn_1 = drawn_2;
+            passed_0 = passed_1;
+            contributions_1 = contributions_2;
+            angles_1 = angles_2;
+            pieces_2 = pieces_3;
+            cumulative_1 = cumulative_2;
+            target_2 = target_3;
+        }
+        if(pass_0 > u32(0))
+        {
+            pass_0 = pass_0 + u32(1);
             angles_0 = angles_1;
+            contributions_0 = contributions_1;
             pieces_1 = pieces_2;
+            drawn_0 = drawn_1;
             cumulative_0 = cumulative_1;
             target_0 = target_2;
+            continue;
         }
+        if(_S376 == u32(0))
+        {
+            _S374 = passed_0 > most_0;
+        }
+        else
+        {
+            _S374 = false;
+        }
+        if(_S374)
+        {
+            var _S386 : u32 = (passed_0 + most_0 - u32(1)) / most_0;
+            var _S387 : u32 = atomicMax(&(sums_0[u32(3)]), _S386);
+        }
+        count_5 = passed_0;
         pass_0 = pass_0 + u32(1);
+        angles_0 = angles_1;
+        contributions_0 = contributions_1;
+        pieces_1 = pieces_2;
+        drawn_0 = drawn_1;
+        cumulative_0 = cumulative_1;
+        target_0 = target_2;
     }
     return;
 }
 
-fn sample_points_0( at_51 : ShadingPoint_0,  number_of_path_4 : u32,  path_12 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_50 : ShadingPoint_0,  number_of_path_4 : u32,  path_12 : Path_0,  crossed_4 : ptr<function, Crossed_0>)
 {
-    var numbers_8 : u32 = numbers_for_0(at_51.purpose_0) + u32(1);
-    var node_9 : u32 = edge_word_0(at_51.tree_0);
-    var u_3 : f64 = precise_random_0(path_12.key_0, numbers_8);
-    var probability_4 : f32 = 1.0f;
-    var is_whole_0 : bool;
-    if((at_51.purpose_0) == u32(0))
+    var numbers_8 : u32 = numbers_for_0(at_50.purpose_0) + u32(1);
+    var part_2 : u32 = part_of_launch_0();
+    var node_9 : u32 = edge_word_0(at_50.tree_0);
+    var probability_5 : f32 = 1.0f;
+    if((at_50.purpose_0) != u32(0))
     {
-        is_whole_0 = takes_all_0(at_51);
-    }
-    else
-    {
-        is_whole_0 = false;
-    }
-    if(!is_whole_0)
-    {
-        var _S369 : bool = descend_0(at_51, (f64(subtree_0) + u_3) / f64(subtrees_0), &(node_9), &(probability_4));
-        is_whole_0 = !_S369;
-    }
-    else
-    {
-        is_whole_0 = false;
-    }
-    if(is_whole_0)
-    {
-        return;
-    }
-    var asked_1 : Share_0;
-    var _S370 : f32 = f32(subtrees_0);
-    asked_1.share_0 = 1.0f / _S370;
-    asked_1.over_all_0 = probability_4 * _S370;
-    asked_1.place_20 = precise_random_0(path_12.key_0, numbers_8 + u32(1)) + f64(0.6180340051651001f * f32(subtree_0));
-    for(;;)
-    {
-        if((asked_1.place_20) >= 1.0lf)
+        var subtrees_0 : u32;
+        if((depth_of_launch_0()) == u32(0))
         {
+            subtrees_0 = u32(2);
         }
         else
         {
-            break;
+            subtrees_0 = u32(1);
         }
-        asked_1.place_20 = asked_1.place_20 - 1.0lf;
+        var u_3 : f64 = (f64(part_2) + precise_random_0(path_12.key_0, numbers_8)) / f64(subtrees_0);
+        var _S388 : bool;
+        if(part_2 >= subtrees_0)
+        {
+            _S388 = true;
+        }
+        else
+        {
+            var _S389 : bool = descend_0(at_50, u_3, &(node_9), &(probability_5));
+            _S388 = !_S389;
+        }
+        if(_S388)
+        {
+            return;
+        }
+        probability_5 = probability_5 * f32(subtrees_0);
     }
-    draw_points_0(at_51, node_9, asked_1, number_of_path_4, path_12, &((*crossed_4)));
+    var place_20 : f64 = precise_random_0(path_12.key_0, numbers_8 + u32(1)) + f64(0.6180340051651001f * f32(part_2));
+    draw_points_0(at_50, node_9, probability_5, place_20 - floor(place_20), number_of_path_4, path_12, &((*crossed_4)));
     return;
 }
 
@@ -4177,13 +4426,13 @@ fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0)
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S371 : u32;
+    var _S390 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S372 : u32 = u32(2) + zero_0;
-        _S371 = _S372;
-        if(rounds_0 < _S372)
+        var _S391 : u32 = u32(2) + zero_0;
+        _S390 = _S391;
+        if(rounds_0 < _S391)
         {
         }
         else
@@ -4192,14 +4441,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S371;
+    return rounds_0 == _S390;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S373 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S392 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4216,9 +4465,9 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var number_of_path_6 : u32 = input_0[listed_0];
     var factor_5 : vec3<f32>;
     var path_13 : Path_0 = path_at_vertex_0(number_of_path_6, &(factor_5));
-    var at_52 : ShadingPoint_0;
-    var _S374 : bool = shading_point_0(path_13, &(at_52));
-    if(!_S374)
+    var at_51 : ShadingPoint_0;
+    var _S393 : bool = shading_point_0(path_13, &(at_51));
+    if(!_S393)
     {
         return;
     }
@@ -4233,19 +4482,14 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         {
             break;
         }
-        var probability_5 : f32 = turn_to_0(purpose_3, path_13.key_0, &(at_52));
-        if(!(probability_5 > 0.0f))
+        var probability_6 : f32 = turn_to_0(purpose_3, path_13.key_0, &(at_51));
+        if(!(probability_6 > 0.0f))
         {
             purpose_3 = purpose_3 + u32(1);
             continue;
         }
-        crossed_6.factor_1 = factor_5 / vec3<f32>(probability_5);
-        var subtree_1 : u32 = subtree_of_launch_0();
-        var subtrees_1 : u32 = subtrees_of_0(at_52);
-        if(subtree_1 < subtrees_1)
-        {
-            sample_points_0(at_52, number_of_path_6, path_13, subtree_1, subtrees_1, &(crossed_6));
-        }
+        crossed_6.factor_1 = factor_5 / vec3<f32>(probability_6);
+        sample_points_0(at_51, number_of_path_6, path_13, &(crossed_6));
         purpose_3 = purpose_3 + u32(1);
     }
     add_0(number_of_path_6, crossed_6);

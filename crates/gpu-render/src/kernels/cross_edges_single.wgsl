@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: ac4f8309bee24285
-// result: 9985a829350d52b8
+// source: cd3543edc17042d7
+// result: 65fdf128738b9901
 
 struct Launch_std140_0
 {
@@ -548,24 +548,34 @@ fn Corners2_x24init_0( a_9 : vec2<f32>,  b_4 : vec2<f32>,  c_3 : vec2<f32>) -> C
     return _S62;
 }
 
+fn precise_0( at_12 : u32) -> f32
+{
+    return number_0(at_12) + number_0(at_12 + u32(1));
+}
+
 fn uvs_of_0( triangle_6 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f, 0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_6) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_12 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_6) + u32(1));
-    uvs_0.a_8 = vec2<f32>(number_0(at_12), number_0(at_12 + u32(1)));
-    uvs_0.b_3 = vec2<f32>(number_0(at_12 + u32(2)), number_0(at_12 + u32(3)));
-    uvs_0.c_2 = vec2<f32>(number_0(at_12 + u32(4)), number_0(at_12 + u32(5)));
+    var at_13 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_6) + u32(1));
+    uvs_0.a_8 = vec2<f32>(precise_0(at_13), precise_0(at_13 + u32(2)));
+    uvs_0.b_3 = vec2<f32>(precise_0(at_13 + u32(4)), precise_0(at_13 + u32(6)));
+    uvs_0.c_2 = vec2<f32>(precise_0(at_13 + u32(8)), precise_0(at_13 + u32(10)));
     return uvs_0;
+}
+
+fn row_at_0( at_14 : u32) -> vec3<f32>
+{
+    return vec3<f32>(precise_0(at_14), precise_0(at_14 + u32(2)), precise_0(at_14 + u32(4)));
 }
 
 fn floor_of_0( x_0 : f32) -> i32
 {
-    return i32(floor(clamp(x_0, -1.0e+09f, 1.0e+09f)));
+    return i32(clamp(floor(x_0), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -684,43 +694,43 @@ fn lookup_at_0( texture_1 : u32,  place_10 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_10.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
-    var uv_1 : Point_0;
-    var _S73 : vec3<f32> = vec3<f32>(uvs_1.a_8 * vec2<f32>((1.0f - place_10.v_0 - place_10.w_0)) + uvs_1.b_3 * vec2<f32>(place_10.v_0) + uvs_1.c_2 * vec2<f32>(place_10.w_0), 1.0f);
-    uv_1.value_3 = vec2<f32>(dot(_S73, to_u_0), dot(_S73, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_3 - uvs_1.a_8;
     var by_w_0 : vec2<f32> = uvs_1.c_2 - uvs_1.a_8;
-    var _S74 : vec2<f32> = to_u_0.xy;
-    var _S75 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S74), dot(by_v_0, _S75));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S74), dot(by_w_0, _S75));
+    var _S73 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f32> = row_at_0(_S73);
+    var to_v_0 : vec3<f32> = row_at_0(_S73 + u32(6));
+    var uv_1 : Point_0;
+    var _S74 : vec3<f32> = vec3<f32>(uvs_1.a_8 + by_v_0 * vec2<f32>((place_10.v_0 + place_10.v_rest_0)) + by_w_0 * vec2<f32>((place_10.w_0 + place_10.w_rest_0)), 1.0f);
+    uv_1.value_3 = vec2<f32>(dot(_S74, to_u_0), dot(_S74, to_v_0));
+    var _S75 : vec2<f32> = to_u_0.xy;
+    var _S76 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S75), dot(by_v_0, _S76));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S75), dot(by_w_0, _S76));
     if(kind_0 == u32(1))
     {
-        var _S76 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S76;
+        var _S77 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S77;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
-    var _S77 : i32;
+    var _S78 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S77 = i32(1);
+        _S78 = i32(1);
     }
     else
     {
-        _S77 = i32(0);
+        _S78 = i32(0);
     }
-    return one_texel_0(u32(_S77));
+    return one_texel_0(u32(_S78));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S78 : u32 = word_0(texture_2 + u32(1));
-    var _S79 : u32 = texture_2 + u32(13);
-    var _S80 : vec3<f32> = vec3<f32>(0.0f);
+    var _S79 : u32 = word_0(texture_2 + u32(1));
+    var _S80 : u32 = texture_2 + u32(19);
+    var _S81 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S80;
+    var value_4 : vec3<f32> = _S81;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -730,17 +740,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_13 : u32 = _S79 + _S78 * lookup_3.texels_0[k_1];
-        var _S81 : vec3<f32>;
-        if(_S78 == u32(1))
+        var at_15 : u32 = _S80 + _S79 * lookup_3.texels_0[k_1];
+        var _S82 : vec3<f32>;
+        if(_S79 == u32(1))
         {
-            _S81 = vec3<f32>(number_0(at_13));
+            _S82 = vec3<f32>(number_0(at_15));
         }
         else
         {
-            _S81 = vector_at_0(at_13);
+            _S82 = vector_at_0(at_15);
         }
-        var value_5 : vec3<f32> = value_4 + _S81 * vec3<f32>(weights_1[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S82 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -749,7 +759,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_3 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_3 + u32(18)));
 }
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
@@ -761,7 +771,7 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
     {
         return changing_0(value_6, change_4);
     }
-    var _S82 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var _S83 : bool = (word_0(texture_4 + u32(1))) == u32(1);
     var k_2 : u32 = u32(0);
     var change_5 : vec3<f32> = change_4;
     for(;;)
@@ -773,24 +783,24 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
         {
             break;
         }
-        var _S83 : i32;
-        if(_S82)
+        var _S84 : i32;
+        if(_S83)
         {
-            _S83 = i32(1);
+            _S84 = i32(1);
         }
         else
         {
-            _S83 = i32(3);
+            _S84 = i32(3);
         }
-        var at_14 : u32 = first_2 + u32(_S83) * lookup_4.texels_0[k_2];
+        var at_16 : u32 = first_2 + u32(_S84) * lookup_4.texels_0[k_2];
         var of_texel_0 : vec3<f32>;
-        if(_S82)
+        if(_S83)
         {
-            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_14)))));
+            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_16)))));
         }
         else
         {
-            of_texel_0 = change_vector_0(at_14);
+            of_texel_0 = change_vector_0(at_16);
         }
         var change_6 : vec3<f32> = change_5 + of_texel_0 * vec3<f32>(lookup_4.weights_0[k_2]);
         k_2 = k_2 + u32(1);
@@ -801,8 +811,8 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_5 : u32,  place_11 : Place_0) -> Vector_0
 {
-    var _S84 : Lookup_0 = lookup_at_0(texture_5, place_11);
-    return looked_up_0(texture_5, _S84, place_11.change_2);
+    var _S85 : Lookup_0 = lookup_at_0(texture_5, place_11);
+    return looked_up_0(texture_5, _S85, place_11.change_2);
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -867,40 +877,40 @@ fn lobe_at_0( record_4 : u32,  place_12 : Place_0) -> Lobe_0
     var lobe_0 : Lobe_0;
     lobe_0.record_3 = record_4;
     var is_black_0 : bool = record_4 == u32(4294967295);
-    var _S85 : u32;
+    var _S86 : u32;
     if(is_black_0)
     {
-        _S85 = u32(0);
+        _S86 = u32(0);
     }
     else
     {
-        _S85 = word_0(record_4);
+        _S86 = word_0(record_4);
     }
-    lobe_0.kind_1 = _S85;
+    lobe_0.kind_1 = _S86;
     if(is_black_0)
     {
-        _S85 = u32(1);
+        _S86 = u32(1);
     }
     else
     {
-        _S85 = word_0(record_4 + u32(1));
+        _S86 = word_0(record_4 + u32(1));
     }
-    lobe_0.distribution_0 = _S85;
-    var _S86 : Numbers_0 = no_numbers_0();
-    lobe_0.numbers_2 = _S86;
-    lobe_0.changes_0 = _S86;
+    lobe_0.distribution_0 = _S86;
+    var _S87 : Numbers_0 = no_numbers_0();
+    lobe_0.numbers_2 = _S87;
+    lobe_0.changes_0 = _S87;
     if(is_black_0)
     {
-        _S85 = u32(0);
+        _S86 = u32(0);
     }
     else
     {
-        _S85 = word_0(record_4 + u32(4));
+        _S86 = word_0(record_4 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S85)
+        if(slot_1 < _S86)
         {
         }
         else
@@ -914,14 +924,14 @@ fn lobe_at_0( record_4 : u32,  place_12 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : Vector_0 = shown_0(texture_6, place_12);
-        var _S87 : vec3<f32> = value_of_0(colour_1);
-        var _S88 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S88), slot_1, _S87);
-        lobe_0.numbers_2 = _S88;
-        var _S89 : vec3<f32> = change_of_0(colour_1);
-        var _S90 : Numbers_0 = lobe_0.changes_0;
-        set_slot_0(&(_S90), slot_1, _S89);
-        lobe_0.changes_0 = _S90;
+        var _S88 : vec3<f32> = value_of_0(colour_1);
+        var _S89 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S89), slot_1, _S88);
+        lobe_0.numbers_2 = _S89;
+        var _S90 : vec3<f32> = change_of_0(colour_1);
+        var _S91 : Numbers_0 = lobe_0.changes_0;
+        set_slot_0(&(_S91), slot_1, _S90);
+        lobe_0.changes_0 = _S91;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -936,16 +946,16 @@ fn tangent_at_0( surface_3 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_3.place_3.triangle_0) + u32(1)));
     var across_1 : vec3<f32> = cross(tangent_0, surface_3.outward_0);
-    var _S91 : vec3<f32>;
+    var _S92 : vec3<f32>;
     if((dot(across_1, across_1)) > 0.0f)
     {
-        _S91 = tangent_0;
+        _S92 = tangent_0;
     }
     else
     {
-        _S91 = vec3<f32>(0.0f);
+        _S92 = vec3<f32>(0.0f);
     }
-    return _S91;
+    return _S92;
 }
 
 struct Axes_0
@@ -963,52 +973,52 @@ struct DiffPair_Axes_0
 
 fn s_fwd_axes_along_0( dpn_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dptangent_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_1 : bool) -> DiffPair_Axes_0
 {
-    var _S92 : vec3<f32>;
     var _S93 : vec3<f32>;
+    var _S94 : vec3<f32>;
     if(is_front_1)
     {
-        _S92 = dpn_0.primal_0;
-        _S93 = dpn_0.differential_0;
+        _S93 = dpn_0.primal_0;
+        _S94 = dpn_0.differential_0;
     }
     else
     {
-        var _S94 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
-        _S92 = (vec3<f32>(0) - dpn_0.primal_0);
-        _S93 = _S94;
+        var _S95 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
+        _S93 = (vec3<f32>(0) - dpn_0.primal_0);
+        _S94 = _S95;
     }
-    var _S95 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
-    var _S96 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
-    var _S97 : DiffPair_float_0 = _d_dot_0(_S95, _S96);
-    var _S98 : vec3<f32> = vec3<f32>(_S97.primal_0);
-    var _S99 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S98, dptangent_0.differential_0 - (dpn_0.differential_0 * _S98 + vec3<f32>(_S97.differential_0) * dpn_0.primal_0) );
-    var _S100 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S99);
-    var _S101 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S100.primal_0, _S100.differential_0 );
-    var _S102 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S95, _S101);
-    var _S103 : Axes_0 = Axes_0( _S100.primal_0, _S102.primal_0, _S92 );
-    var _S104 : Axes_0 = Axes_0( _S100.differential_0, _S102.differential_0, _S93 );
-    var _S105 : DiffPair_Axes_0 = DiffPair_Axes_0( _S103, _S104 );
-    return _S105;
+    var _S96 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
+    var _S97 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
+    var _S98 : DiffPair_float_0 = _d_dot_0(_S96, _S97);
+    var _S99 : vec3<f32> = vec3<f32>(_S98.primal_0);
+    var _S100 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S99, dptangent_0.differential_0 - (dpn_0.differential_0 * _S99 + vec3<f32>(_S98.differential_0) * dpn_0.primal_0) );
+    var _S101 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S100);
+    var _S102 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S101.primal_0, _S101.differential_0 );
+    var _S103 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S96, _S102);
+    var _S104 : Axes_0 = Axes_0( _S101.primal_0, _S103.primal_0, _S93 );
+    var _S105 : Axes_0 = Axes_0( _S101.differential_0, _S103.differential_0, _S94 );
+    var _S106 : DiffPair_Axes_0 = DiffPair_Axes_0( _S104, _S105 );
+    return _S106;
 }
 
 fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_2 : bool) -> DiffPair_Axes_0
 {
-    var _S106 : vec3<f32>;
     var _S107 : vec3<f32>;
+    var _S108 : vec3<f32>;
     if(is_front_2)
     {
-        _S106 = dpn_1.primal_0;
-        _S107 = dpn_1.differential_0;
+        _S107 = dpn_1.primal_0;
+        _S108 = dpn_1.differential_0;
     }
     else
     {
-        var _S108 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
-        _S106 = (vec3<f32>(0) - dpn_1.primal_0);
-        _S107 = _S108;
+        var _S109 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
+        _S107 = (vec3<f32>(0) - dpn_1.primal_0);
+        _S108 = _S109;
     }
-    var _S109 : f32 = dpn_1.primal_0.z;
-    var _S110 : f32 = dpn_1.differential_0.z;
+    var _S110 : f32 = dpn_1.primal_0.z;
+    var _S111 : f32 = dpn_1.differential_0.z;
     var sign_0 : f32;
-    if(_S109 < 0.0f)
+    if(_S110 < -0.30000001192092896f)
     {
         sign_0 = -1.0f;
     }
@@ -1016,25 +1026,25 @@ fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_2 : 
     {
         sign_0 = 1.0f;
     }
-    var _S111 : f32 = sign_0 + _S109;
-    var a_10 : f32 = -1.0f / _S111;
-    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S110) / (_S111 * _S111);
-    var _S112 : f32 = dpn_1.primal_0.x;
-    var _S113 : f32 = dpn_1.differential_0.x;
-    var _S114 : f32 = dpn_1.primal_0.y;
-    var _S115 : f32 = dpn_1.differential_0.y;
-    var _S116 : f32 = _S112 * _S114;
-    var b_5 : f32 = _S116 * a_10;
-    var s_diff_b_0 : f32 = (_S113 * _S114 + _S115 * _S112) * a_10 + s_diff_a_0 * _S116;
-    var _S117 : f32 = sign_0 * _S112;
-    var _S118 : f32 = _S117 * _S112;
-    var _S119 : f32 = - sign_0;
-    var _S120 : f32 = _S114 * _S114;
-    var _S121 : f32 = _S115 * _S114;
-    var _S122 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S118 * a_10, sign_0 * b_5, _S119 * _S112), vec3<f32>(b_5, sign_0 + _S120 * a_10, - _S114), _S106 );
-    var _S123 : Axes_0 = Axes_0( vec3<f32>((_S113 * sign_0 * _S112 + _S113 * _S117) * a_10 + s_diff_a_0 * _S118, s_diff_b_0 * sign_0, _S113 * _S119), vec3<f32>(s_diff_b_0, (_S121 + _S121) * a_10 + s_diff_a_0 * _S120, - _S115), _S107 );
-    var _S124 : DiffPair_Axes_0 = DiffPair_Axes_0( _S122, _S123 );
-    return _S124;
+    var _S112 : f32 = sign_0 + _S110;
+    var a_10 : f32 = -1.0f / _S112;
+    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S111) / (_S112 * _S112);
+    var _S113 : f32 = dpn_1.primal_0.x;
+    var _S114 : f32 = dpn_1.differential_0.x;
+    var _S115 : f32 = dpn_1.primal_0.y;
+    var _S116 : f32 = dpn_1.differential_0.y;
+    var _S117 : f32 = _S113 * _S115;
+    var b_5 : f32 = _S117 * a_10;
+    var s_diff_b_0 : f32 = (_S114 * _S115 + _S116 * _S113) * a_10 + s_diff_a_0 * _S117;
+    var _S118 : f32 = sign_0 * _S113;
+    var _S119 : f32 = _S118 * _S113;
+    var _S120 : f32 = - sign_0;
+    var _S121 : f32 = _S115 * _S115;
+    var _S122 : f32 = _S116 * _S115;
+    var _S123 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S119 * a_10, sign_0 * b_5, _S120 * _S113), vec3<f32>(b_5, sign_0 + _S121 * a_10, - _S115), _S107 );
+    var _S124 : Axes_0 = Axes_0( vec3<f32>((_S114 * sign_0 * _S113 + _S114 * _S118) * a_10 + s_diff_a_0 * _S119, s_diff_b_0 * sign_0, _S114 * _S120), vec3<f32>(s_diff_b_0, (_S122 + _S122) * a_10 + s_diff_a_0 * _S121, - _S116), _S108 );
+    var _S125 : DiffPair_Axes_0 = DiffPair_Axes_0( _S123, _S124 );
+    return _S125;
 }
 
 fn to_local_0( axes_0 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
@@ -1044,31 +1054,31 @@ fn to_local_0( axes_0 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
 
 fn s_fwd_to_local_0( dpaxes_0 : DiffPair_Axes_0,  dpv_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S125 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
-    var _S126 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
-    var _S127 : DiffPair_float_0 = _d_dot_0(_S125, _S126);
-    var _S128 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
-    var _S129 : DiffPair_float_0 = _d_dot_0(_S128, _S126);
-    var _S130 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
-    var _S131 : DiffPair_float_0 = _d_dot_0(_S130, _S126);
-    var _S132 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S127.primal_0, _S129.primal_0, _S131.primal_0), vec3<f32>(_S127.differential_0, _S129.differential_0, _S131.differential_0) );
-    return _S132;
+    var _S126 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
+    var _S127 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
+    var _S128 : DiffPair_float_0 = _d_dot_0(_S126, _S127);
+    var _S129 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
+    var _S130 : DiffPair_float_0 = _d_dot_0(_S129, _S127);
+    var _S131 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
+    var _S132 : DiffPair_float_0 = _d_dot_0(_S131, _S127);
+    var _S133 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S128.primal_0, _S130.primal_0, _S132.primal_0), vec3<f32>(_S128.differential_0, _S130.differential_0, _S132.differential_0) );
+    return _S133;
 }
 
 fn s_fwd_towards_viewer_0( dpaxes_1 : DiffPair_Axes_0,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S133 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
-    var _S134 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
-    var _S135 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S133, _S134);
-    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S135.primal_0);
-    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S135.differential_0);
-    var _S136 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
-    var _S137 : DiffPair_float_0 = _d_abs_0(_S136);
-    var _S138 : DiffPair_float_0 = DiffPair_float_0( _S137.primal_0, _S137.differential_0 );
-    var _S139 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
-    var _S140 : DiffPair_float_0 = _d_max_0(_S138, _S139);
-    var _S141 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S140.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S140.differential_0) );
-    return _S141;
+    var _S134 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
+    var _S135 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
+    var _S136 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S134, _S135);
+    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S136.primal_0);
+    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S136.differential_0);
+    var _S137 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
+    var _S138 : DiffPair_float_0 = _d_abs_0(_S137);
+    var _S139 : DiffPair_float_0 = DiffPair_float_0( _S138.primal_0, _S138.differential_0 );
+    var _S140 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
+    var _S141 : DiffPair_float_0 = _d_max_0(_S139, _S140);
+    var _S142 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S141.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S141.differential_0) );
+    return _S142;
 }
 
 struct Vertex_0
@@ -1084,10 +1094,10 @@ fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_4 : Vector_
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_4 = surface_5;
-    var _S142 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
-    vertex_0.lobe_1 = _S142;
+    var _S143 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
+    vertex_0.lobe_1 = _S143;
     var tangent_1 : vec3<f32> = tangent_at_0(surface_5);
-    var _S143 : vec3<f32> = vec3<f32>(0.0f);
+    var _S144 : vec3<f32> = vec3<f32>(0.0f);
     var tangent_change_0 : vec3<f32>;
     if(is_moving_0())
     {
@@ -1095,24 +1105,24 @@ fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_4 : Vector_
     }
     else
     {
-        tangent_change_0 = _S143;
+        tangent_change_0 = _S144;
     }
-    var _S144 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
+    var _S145 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
     var axes_2 : DiffPair_Axes_0;
-    if((any((tangent_1 != _S143))))
+    if((any((tangent_1 != _S144))))
     {
-        var _S145 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
-        axes_2 = s_fwd_axes_along_0(_S144, _S145, surface_5.is_front_0);
+        var _S146 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
+        axes_2 = s_fwd_axes_along_0(_S145, _S146, surface_5.is_front_0);
     }
     else
     {
-        axes_2 = s_fwd_axes_around_0(_S144, surface_5.is_front_0);
+        axes_2 = s_fwd_axes_around_0(_S145, surface_5.is_front_0);
     }
     vertex_0.axes_1 = axes_2.primal_0;
     vertex_0.axes_change_0 = axes_2.differential_0;
-    var _S146 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_4), change_of_0(direction_4) );
-    var _S147 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S146);
-    vertex_0.wi_1 = changing_0(_S147.primal_0, _S147.differential_0);
+    var _S147 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_4), change_of_0(direction_4) );
+    var _S148 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S147);
+    vertex_0.wi_1 = changing_0(_S148.primal_0, _S148.differential_0);
     return vertex_0;
 }
 
@@ -1135,16 +1145,16 @@ fn motion_of_1( vertex_2 : Vertex_0) -> VertexMotion_0
 {
     var motion_0 : VertexMotion_0;
     motion_0.velocity_0 = vertex_2.surface_4.position_change_0;
-    var _S148 : vec3<f32>;
+    var _S149 : vec3<f32>;
     if(turns_0(vertex_2))
     {
-        _S148 = cross(vertex_2.axes_1.n_1, vertex_2.axes_change_0.n_1);
+        _S149 = cross(vertex_2.axes_1.n_1, vertex_2.axes_change_0.n_1);
     }
     else
     {
-        _S148 = vec3<f32>(0.0f);
+        _S149 = vec3<f32>(0.0f);
     }
-    motion_0.rotation_0 = _S148;
+    motion_0.rotation_0 = _S149;
     return motion_0;
 }
 
@@ -1169,26 +1179,26 @@ struct ShadingPoint_0
      front_offset_0 : vec3<f32>,
 };
 
-fn shading_point_0( path_7 : Path_0,  at_15 : ptr<function, ShadingPoint_0>) -> bool
+fn shading_point_0( path_7 : Path_0,  at_17 : ptr<function, ShadingPoint_0>) -> bool
 {
     var direction_5 : vec3<f32> = value_of_0(path_7.direction_0);
     var surface_6 : Surface_0 = surface_at_0(path_7.place_1, direction_5);
     move_surface_0(&(surface_6), direction_5, path_7.drift_0);
     var material_1 : u32 = material_of_0(surface_6);
-    var _S149 : Vertex_0 = vertex_at_0(surface_6, material_1, path_7.direction_0);
-    (*at_15).vertex_3 = _S149;
-    var _S150 : VertexMotion_0 = motion_of_1(_S149);
-    (*at_15).motion_1 = _S150;
-    (*at_15).whole_0 = _S150;
-    (*at_15).planes_0 = u32(0);
-    (*at_15).tree_0 = u32(0);
-    (*at_15).emitter_0 = u32(0);
-    (*at_15).purpose_0 = u32(0);
-    (*at_15).turns_1 = false;
-    (*at_15).has_creases_0 = false;
-    var _S151 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_15).front_offset_0 = _S151;
-    (*at_15).front_0 = _S151;
+    var _S150 : Vertex_0 = vertex_at_0(surface_6, material_1, path_7.direction_0);
+    (*at_17).vertex_3 = _S150;
+    var _S151 : VertexMotion_0 = motion_of_1(_S150);
+    (*at_17).motion_1 = _S151;
+    (*at_17).whole_0 = _S151;
+    (*at_17).planes_0 = u32(0);
+    (*at_17).tree_0 = u32(0);
+    (*at_17).emitter_0 = u32(0);
+    (*at_17).purpose_0 = u32(0);
+    (*at_17).turns_1 = false;
+    (*at_17).has_creases_0 = false;
+    var _S152 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_17).front_offset_0 = _S152;
+    (*at_17).front_0 = _S152;
     var k_3 : u32 = u32(0);
     for(;;)
     {
@@ -1199,19 +1209,19 @@ fn shading_point_0( path_7 : Path_0,  at_15 : ptr<function, ShadingPoint_0>) -> 
         {
             break;
         }
-        (*at_15).inside_2[k_3] = surface_6.exact_0;
+        (*at_17).inside_2[k_3] = surface_6.exact_0;
         k_3 = k_3 + u32(1);
     }
-    var _S152 : bool;
+    var _S153 : bool;
     if(material_1 != u32(4294967295))
     {
-        _S152 = has_smooth_0((*at_15).vertex_3.lobe_1);
+        _S153 = has_smooth_0((*at_17).vertex_3.lobe_1);
     }
     else
     {
-        _S152 = false;
+        _S153 = false;
     }
-    return _S152;
+    return _S153;
 }
 
 struct Crossed_0
@@ -1230,14 +1240,14 @@ fn nothing_crossed_0( factor_2 : vec3<f32>) -> Crossed_0
     return crossed_0;
 }
 
-fn edge_word_0( at_16 : u32) -> u32
+fn edge_word_0( at_18 : u32) -> u32
 {
-    return change_word_0(change_word_0(u32(3)) + at_16);
+    return change_word_0(change_word_0(u32(3)) + at_18);
 }
 
 fn depth_of_launch_0() -> u32
 {
-    return ((launch_0.depth_0) & (u32(16777215)));
+    return ((launch_0.depth_0) & (u32(1048575)));
 }
 
 fn numbers_for_0( purpose_1 : u32) -> u32
@@ -1259,33 +1269,33 @@ fn product_0( a_11 : u32,  b_6 : u32) -> vec2<u32>
 
 fn times_0( a_12 : vec2<u32>,  b_7 : vec2<u32>) -> vec2<u32>
 {
-    var _S153 : u32 = a_12.x;
-    var _S154 : u32 = b_7.x;
-    var low_1 : vec2<u32> = product_0(_S153, _S154);
-    return vec2<u32>(low_1.x, low_1.y + _S153 * b_7.y + a_12.y * _S154);
+    var _S154 : u32 = a_12.x;
+    var _S155 : u32 = b_7.x;
+    var low_1 : vec2<u32> = product_0(_S154, _S155);
+    return vec2<u32>(low_1.x, low_1.y + _S154 * b_7.y + a_12.y * _S155);
 }
 
 fn plus_0( a_13 : vec2<u32>,  b_8 : vec2<u32>) -> vec2<u32>
 {
-    var _S155 : u32 = a_13.x;
-    var low_2 : u32 = _S155 + b_8.x;
-    var _S156 : u32 = a_13.y + b_8.y;
-    var _S157 : i32;
-    if(low_2 < _S155)
+    var _S156 : u32 = a_13.x;
+    var low_2 : u32 = _S156 + b_8.x;
+    var _S157 : u32 = a_13.y + b_8.y;
+    var _S158 : i32;
+    if(low_2 < _S156)
     {
-        _S157 = i32(1);
+        _S158 = i32(1);
     }
     else
     {
-        _S157 = i32(0);
+        _S158 = i32(0);
     }
-    return vec2<u32>(low_2, _S156 + u32(_S157));
+    return vec2<u32>(low_2, _S157 + u32(_S158));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S158 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S158 << ((u32(32) - by_0)))))), (_S158 >> (by_0)))));
+    var _S159 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S159 << ((u32(32) - by_0)))))), (_S159 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -1374,8 +1384,8 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_1) / distance_1, 0.0f) / squared_0;
     }
-    var _S159 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S159 * _S159 / (2.0f * (_S159 - max(lowest_0, -1.0f)) * squared_0);
+    var _S160 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S160 * _S160 / (2.0f * (_S160 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn emitter_view_0( emitter_2 : u32,  position_2 : vec3<f32>,  normal_2 : vec3<f32>) -> f32
@@ -1399,16 +1409,16 @@ struct Choice_0
 fn light_of_0( emitter_3 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_3, choice_0.position_3, choice_0.normal_3);
-    var _S160 : f32;
+    var _S161 : f32;
     if(view_0 > 0.0f)
     {
-        _S160 = 1.0f;
+        _S161 = 1.0f;
     }
     else
     {
-        _S160 = 0.0f;
+        _S161 = 0.0f;
     }
-    (*can_light_0) = _S160;
+    (*can_light_0) = _S161;
     return view_0 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -1419,13 +1429,13 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
     choice_1.normal_3 = vertex_4.axes_1.n_1;
     choice_1.all_0 = 0.0f;
     choice_1.lit_0 = 0.0f;
-    var _S161 : u32 = word_0(u32(6));
+    var _S162 : u32 = word_0(u32(6));
     var can_light_1 : f32;
     var i_1 : u32 = u32(0);
     var count_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S161)
+        if(i_1 < _S162)
         {
         }
         else
@@ -1437,36 +1447,36 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S162 : u32 = count_1 + u32(1);
-        if(_S161 > u32(32))
+        var _S163 : u32 = count_1 + u32(1);
+        if(_S162 > u32(32))
         {
-            count_1 = _S162;
+            count_1 = _S163;
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S163 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
-        choice_1.all_0 = choice_1.all_0 + _S163;
+        var _S164 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
+        choice_1.all_0 = choice_1.all_0 + _S164;
         choice_1.lit_0 = choice_1.lit_0 + can_light_1;
-        count_1 = _S162;
+        count_1 = _S163;
         i_1 = i_1 + u32(1);
     }
     (*probability_0) = 0.0f;
-    var _S164 : bool;
+    var _S165 : bool;
     if((choice_1.all_0) > 0.0f)
     {
-        _S164 = (choice_1.all_0) < 3.00000000549775576e+38f;
+        _S165 = (choice_1.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S164 = false;
+        _S165 = false;
     }
-    var _S165 : bool = !_S164;
+    var _S166 : bool = !_S165;
     var chosen_0 : u32 = u32(0);
     i_1 = u32(0);
     var rest_1 : f32 = u_0;
     for(;;)
     {
-        if(i_1 < _S161)
+        if(i_1 < _S162)
         {
         }
         else
@@ -1478,16 +1488,16 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
             i_1 = i_1 + u32(1);
             continue;
         }
-        var _S166 : f32 = 1.0f / f32(count_1);
+        var _S167 : f32 = 1.0f / f32(count_1);
         var own_0 : f32;
-        if(!_S165)
+        if(!_S166)
         {
             var light_1 : f32 = light_of_0(i_1, choice_1, &(can_light_1));
             own_0 = 0.5f * can_light_1 / choice_1.lit_0 + 0.5f * light_1 / choice_1.all_0;
         }
         else
         {
-            own_0 = _S166;
+            own_0 = _S167;
         }
         var chosen_1 : u32;
         if(own_0 > 0.0f)
@@ -1512,19 +1522,19 @@ fn chosen_area_emitter_0( vertex_4 : Vertex_0,  u_0 : f32,  probability_0 : ptr<
     return chosen_0;
 }
 
-fn real_place_0( at_17 : u32) -> u32
+fn real_place_0( at_19 : u32) -> u32
 {
-    return word_0(u32(15)) + u32(4) + at_17;
+    return word_0(u32(15)) + u32(4) + at_19;
 }
 
-fn edge_real_0( at_18 : u32) -> f32
+fn edge_real_0( at_20 : u32) -> f32
 {
-    return primitives_0[real_place_0(at_18)];
+    return primitives_0[real_place_0(at_20)];
 }
 
-fn edge_position_0( at_19 : u32) -> vec3<f32>
+fn edge_position_0( at_21 : u32) -> vec3<f32>
 {
-    return primitive_vector_0(real_place_0(at_19));
+    return primitive_vector_0(real_place_0(at_21));
 }
 
 fn exact_unit_0( v_4 : vec3<f32>) -> vec3<f32>
@@ -1537,22 +1547,22 @@ fn length_of_0( v_5 : vec3<f32>) -> f32
     return sqrt(dot(v_5, v_5));
 }
 
-fn open_window_0( at_20 : ptr<function, ShadingPoint_0>) -> bool
+fn open_window_0( at_22 : ptr<function, ShadingPoint_0>) -> bool
 {
-    var window_0 : u32 = edge_word_0(edge_word_0(u32(5)) + (*at_20).emitter_0);
+    var window_0 : u32 = edge_word_0(edge_word_0(u32(5)) + (*at_22).emitter_0);
     var corners_0 : u32 = u32(edge_real_0(window_0));
-    var apex_0 : vec3<f32> = (*at_20).vertex_3.surface_4.exact_0;
+    var apex_0 : vec3<f32> = (*at_22).vertex_3.surface_4.exact_0;
     var before_0 : vec3<f32>;
     if(corners_0 > u32(0))
     {
-        var _S167 : u32 = window_0 + u32(1);
-        var normal_4 : vec3<f32> = edge_position_0(_S167);
-        var before_1 : vec3<f32> = edge_position_0(_S167 + u32(3) * corners_0) - apex_0;
+        var _S168 : u32 = window_0 + u32(1);
+        var normal_4 : vec3<f32> = edge_position_0(_S168);
+        var before_1 : vec3<f32> = edge_position_0(_S168 + u32(3) * corners_0) - apex_0;
         if((dot(normal_4, before_1)) >= 0.0f)
         {
             return false;
         }
-        (*at_20).planes_0 = corners_0;
+        (*at_22).planes_0 = corners_0;
         before_0 = before_1;
         var k_4 : u32 = u32(0);
         for(;;)
@@ -1565,13 +1575,13 @@ fn open_window_0( at_20 : ptr<function, ShadingPoint_0>) -> bool
                 break;
             }
             var offset_2 : vec3<f32> = edge_position_0(window_0 + u32(4) + u32(3) * k_4) - apex_0;
-            (*at_20).inside_2[k_4] = exact_unit_0(cross(offset_2, before_0));
-            var _S168 : u32 = k_4 + u32(1);
+            (*at_22).inside_2[k_4] = exact_unit_0(cross(offset_2, before_0));
+            var _S169 : u32 = k_4 + u32(1);
             before_0 = offset_2;
-            k_4 = _S168;
+            k_4 = _S169;
         }
-        (*at_20).front_0 = normal_4;
-        (*at_20).front_offset_0 = before_0;
+        (*at_22).front_0 = normal_4;
+        (*at_22).front_offset_0 = before_0;
         return true;
     }
     var offset_3 : vec3<f32> = edge_position_0(window_0 + u32(1)) - apex_0;
@@ -1593,15 +1603,15 @@ fn open_window_0( at_20 : ptr<function, ShadingPoint_0>) -> bool
     }
     var s_1 : vec3<f32> = exact_unit_0(cross(axis_1, before_0));
     var t_1 : vec3<f32> = cross(axis_1, s_1);
-    (*at_20).planes_0 = u32(4);
-    var _S169 : vec3<f32> = axis_1 * vec3<f32>(sine_1);
-    var _S170 : vec3<f32> = vec3<f32>(cosine_2);
-    var _S171 : vec3<f32> = s_1 * _S170;
-    (*at_20).inside_2[i32(0)] = _S169 + _S171;
-    (*at_20).inside_2[i32(1)] = _S169 - _S171;
-    var _S172 : vec3<f32> = t_1 * _S170;
-    (*at_20).inside_2[i32(2)] = _S169 + _S172;
-    (*at_20).inside_2[i32(3)] = _S169 - _S172;
+    (*at_22).planes_0 = u32(4);
+    var _S170 : vec3<f32> = axis_1 * vec3<f32>(sine_1);
+    var _S171 : vec3<f32> = vec3<f32>(cosine_2);
+    var _S172 : vec3<f32> = s_1 * _S171;
+    (*at_22).inside_2[i32(0)] = _S170 + _S172;
+    (*at_22).inside_2[i32(1)] = _S170 - _S172;
+    var _S173 : vec3<f32> = t_1 * _S171;
+    (*at_22).inside_2[i32(2)] = _S170 + _S173;
+    (*at_22).inside_2[i32(3)] = _S170 - _S173;
     return true;
 }
 
@@ -1617,30 +1627,30 @@ fn is_blind_0() -> bool
 
 fn rests_0( motion_2 : VertexMotion_0) -> bool
 {
-    var _S173 : vec3<f32> = vec3<f32>(0.0f);
-    var _S174 : bool;
-    if((all(((motion_2.velocity_0) == _S173))))
+    var _S174 : vec3<f32> = vec3<f32>(0.0f);
+    var _S175 : bool;
+    if((all(((motion_2.velocity_0) == _S174))))
     {
-        _S174 = (all(((motion_2.rotation_0) == _S173)));
+        _S175 = (all(((motion_2.rotation_0) == _S174)));
     }
     else
     {
-        _S174 = false;
+        _S175 = false;
     }
-    return _S174;
+    return _S175;
 }
 
-fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_21 : ptr<function, ShadingPoint_0>) -> f32
+fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_23 : ptr<function, ShadingPoint_0>) -> f32
 {
     var probability_1 : f32 = 1.0f;
-    (*at_21).purpose_0 = purpose_2;
-    (*at_21).planes_0 = u32(0);
-    var _S175 : vec3<f32> = vec3<f32>(0.0f);
-    (*at_21).front_0 = _S175;
-    var _S176 : bool = purpose_2 == u32(2);
-    (*at_21).has_creases_0 = _S176;
+    (*at_23).purpose_0 = purpose_2;
+    (*at_23).planes_0 = u32(0);
+    var _S176 : vec3<f32> = vec3<f32>(0.0f);
+    (*at_23).front_0 = _S176;
+    var _S177 : bool = purpose_2 == u32(2);
+    (*at_23).has_creases_0 = _S177;
     var tree_1 : u32;
-    if(_S176)
+    if(_S177)
     {
         tree_1 = u32(1);
     }
@@ -1648,97 +1658,79 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_21 : ptr<function, Shadin
     {
         tree_1 = u32(0);
     }
-    (*at_21).motion_1 = (*at_21).whole_0;
-    (*at_21).turns_1 = turns_0((*at_21).vertex_3);
-    var _S177 : bool;
+    (*at_23).motion_1 = (*at_23).whole_0;
+    (*at_23).turns_1 = turns_0((*at_23).vertex_3);
+    var _S178 : bool;
     if(purpose_2 == u32(0))
     {
-        var _S178 : u32 = edge_word_0(u32(4));
-        (*at_21).turns_1 = false;
-        var _S179 : u32 = chosen_area_emitter_0((*at_21).vertex_3, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
-        (*at_21).emitter_0 = _S179;
+        var _S179 : u32 = edge_word_0(u32(4));
+        (*at_23).turns_1 = false;
+        var _S180 : u32 = chosen_area_emitter_0((*at_23).vertex_3, random_0(key_3, numbers_for_0(purpose_2)), &(probability_1));
+        (*at_23).emitter_0 = _S180;
         if(!(probability_1 > 0.0f))
         {
-            _S177 = true;
+            _S178 = true;
         }
         else
         {
-            var _S180 : bool = open_window_0(&((*at_21)));
-            _S177 = !_S180;
+            var _S181 : bool = open_window_0(&((*at_23)));
+            _S178 = !_S181;
         }
-        if(_S177)
+        if(_S178)
         {
             return 0.0f;
         }
-        tree_1 = _S178;
+        tree_1 = _S179;
     }
     else
     {
         if(purpose_2 == u32(1))
         {
-            var _S181 : u32 = word_0(u32(8));
-            (*at_21).emitter_0 = _S181;
-            if(_S181 == u32(4294967295))
+            var _S182 : u32 = word_0(u32(8));
+            (*at_23).emitter_0 = _S182;
+            if(_S182 == u32(4294967295))
             {
                 return 0.0f;
             }
-            if(is_map_0(emitter_record_0((*at_21).emitter_0)))
+            if(is_map_0(emitter_record_0((*at_23).emitter_0)))
             {
-                (*at_21).turns_1 = false;
+                (*at_23).turns_1 = false;
             }
         }
     }
-    if(!(*at_21).turns_1)
+    if(!(*at_23).turns_1)
     {
-        (*at_21).motion_1.rotation_0 = _S175;
+        (*at_23).motion_1.rotation_0 = _S176;
     }
     if(!is_blind_0())
     {
-        _S177 = rests_0((*at_21).motion_1);
+        _S178 = rests_0((*at_23).motion_1);
     }
     else
     {
-        _S177 = false;
+        _S178 = false;
     }
-    if(_S177)
+    if(_S178)
     {
         tree_1 = tree_1 + u32(2);
     }
-    var _S182 : u32 = edge_word_0(tree_1);
-    (*at_21).tree_0 = _S182;
-    var _S183 : f32;
-    if(_S182 == u32(4294967295))
+    var _S183 : u32 = edge_word_0(tree_1);
+    (*at_23).tree_0 = _S183;
+    var _S184 : f32;
+    if(_S183 == u32(4294967295))
     {
-        _S183 = 0.0f;
+        _S184 = 0.0f;
     }
     else
     {
-        _S183 = probability_1;
+        _S184 = probability_1;
     }
-    return _S183;
+    return _S184;
 }
 
-fn subtree_of_launch_0() -> u32
+fn part_of_launch_0() -> u32
 {
-    return ((launch_0.depth_0) >> (u32(24)));
-}
-
-fn subtrees_of_0( at_22 : ShadingPoint_0) -> u32
-{
-    var count_2 : u32;
-    if((depth_of_launch_0()) == u32(0))
-    {
-        count_2 = u32(2);
-    }
-    else
-    {
-        count_2 = u32(1);
-    }
-    if((at_22.purpose_0) == u32(0))
-    {
-        count_2 = u32(4) * count_2;
-    }
-    return count_2;
+    return ((launch_0.depth_0) >> (u32(20)));
 }
 
 fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f32
@@ -1746,70 +1738,137 @@ fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f32
     return f32(((random_bits_0(key_4, dimension_2).y) >> (u32(8)))) / 4096.0f / 4096.0f;
 }
 
-struct Leaves_0
+fn edge_number_0( at_24 : u32) -> f32
 {
-     count_3 : u32,
-     nodes_1 : array<u32, i32(96)>,
-};
-
-fn below_0( node_1 : u32) -> Leaves_0
-{
-    var leaves_0 : Leaves_0;
-    leaves_0.count_3 = u32(1);
-    leaves_0.nodes_1[i32(0)] = node_1;
-    return leaves_0;
+    return (bitcast<f32>((edge_word_0(at_24))));
 }
 
-fn edge_number_0( at_23 : u32) -> f32
+fn edge_vector_0( at_25 : u32) -> vec3<f32>
 {
-    return (bitcast<f32>((edge_word_0(at_23))));
+    return vec3<f32>(edge_number_0(at_25), edge_number_0(at_25 + u32(1)), edge_number_0(at_25 + u32(2)));
 }
 
-fn edge_vector_0( at_24 : u32) -> vec3<f32>
+fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_3 : f32) -> bool
 {
-    return vec3<f32>(edge_number_0(at_24), edge_number_0(at_24 + u32(1)), edge_number_0(at_24 + u32(2)));
-}
-
-fn may_have_silhouette_0( node_2 : u32,  offset_4 : vec3<f32>,  distance_3 : f32) -> bool
-{
-    var sine_2 : f32 = edge_number_0(node_2 + u32(11));
-    var cosine_3 : f32 = edge_number_0(node_2 + u32(12));
+    var sine_2 : f32 = edge_number_0(node_1 + u32(11));
+    var cosine_3 : f32 = edge_number_0(node_1 + u32(12));
     if(sine_2 > 1.0f)
     {
         return true;
     }
-    var margin_0 : f32 = (edge_number_0(node_2 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
+    var margin_0 : f32 = (edge_number_0(node_1 + u32(7)) + 3.99999998990097083e-06f) * cosine_3;
     var margin_1 : f32;
     if(cosine_3 > 0.0f)
     {
-        margin_1 = min((edge_number_0(node_2 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
+        margin_1 = min((edge_number_0(node_1 + u32(13)) + 3.99999998990097083e-06f) / cosine_3, margin_0);
     }
     else
     {
         margin_1 = margin_0;
     }
-    return !((abs(dot(edge_vector_0(node_2 + u32(8)), offset_4))) > (sine_2 * distance_3 + margin_1 + 3.99999998990097083e-06f));
+    return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_3 + margin_1 + 3.99999998990097083e-06f));
 }
 
-fn is_outside_0( at_25 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
+fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
 {
-    var k_5 : u32 = u32(0);
-    for(;;)
+    var _S185 : bool;
+    if(u32(0) < (at_26.planes_0))
     {
-        if(k_5 < (at_25.planes_0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        if((dot(at_25.inside_2[k_5], offset_5)) < (- radius_2 - 3.99999998990097083e-06f))
-        {
-            return true;
-        }
-        k_5 = k_5 + u32(1);
+        _S185 = (dot(at_26.inside_2[u32(0)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
-    return (dot(at_25.front_0, offset_5 - at_25.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
+    else
+    {
+        _S185 = false;
+    }
+    if(_S185)
+    {
+        return true;
+    }
+    if(u32(1) < (at_26.planes_0))
+    {
+        _S185 = (dot(at_26.inside_2[u32(1)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S185 = false;
+    }
+    if(_S185)
+    {
+        return true;
+    }
+    if(u32(2) < (at_26.planes_0))
+    {
+        _S185 = (dot(at_26.inside_2[u32(2)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S185 = false;
+    }
+    if(_S185)
+    {
+        return true;
+    }
+    if(u32(3) < (at_26.planes_0))
+    {
+        _S185 = (dot(at_26.inside_2[u32(3)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S185 = false;
+    }
+    if(_S185)
+    {
+        return true;
+    }
+    if(u32(4) < (at_26.planes_0))
+    {
+        _S185 = (dot(at_26.inside_2[u32(4)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S185 = false;
+    }
+    if(_S185)
+    {
+        return true;
+    }
+    if(u32(5) < (at_26.planes_0))
+    {
+        _S185 = (dot(at_26.inside_2[u32(5)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S185 = false;
+    }
+    if(_S185)
+    {
+        return true;
+    }
+    if(u32(6) < (at_26.planes_0))
+    {
+        _S185 = (dot(at_26.inside_2[u32(6)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S185 = false;
+    }
+    if(_S185)
+    {
+        return true;
+    }
+    if(u32(7) < (at_26.planes_0))
+    {
+        _S185 = (dot(at_26.inside_2[u32(7)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+    }
+    else
+    {
+        _S185 = false;
+    }
+    if(_S185)
+    {
+        return true;
+    }
+    return (dot(at_26.front_0, offset_5 - at_26.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
 }
 
 fn logarithm_0( x_4 : f32) -> f32
@@ -1837,16 +1896,16 @@ fn logarithm_0( x_4 : f32) -> f32
 
 fn direction_number_0( d_0 : vec3<f32>) -> u32
 {
-    var _S184 : i32;
+    var _S186 : i32;
     if((abs(d_0.y)) > (abs(d_0.x)))
     {
-        _S184 = i32(1);
+        _S186 = i32(1);
     }
     else
     {
-        _S184 = i32(0);
+        _S186 = i32(0);
     }
-    var axis_2 : u32 = u32(_S184);
+    var axis_2 : u32 = u32(_S186);
     var axis_3 : u32;
     if((abs(d_0.z)) > (abs(d_0[axis_2])))
     {
@@ -1856,34 +1915,34 @@ fn direction_number_0( d_0 : vec3<f32>) -> u32
     {
         axis_3 = axis_2;
     }
-    var _S185 : u32 = u32(8) * axis_3;
+    var _S187 : u32 = u32(8) * axis_3;
     if((d_0[axis_3]) < 0.0f)
     {
-        _S184 = i32(4);
+        _S186 = i32(4);
     }
     else
     {
-        _S184 = i32(0);
+        _S186 = i32(0);
     }
-    var _S186 : u32 = _S185 + u32(_S184);
+    var _S188 : u32 = _S187 + u32(_S186);
     if((d_0[(axis_3 + u32(1)) % u32(3)]) < 0.0f)
     {
-        _S184 = i32(2);
+        _S186 = i32(2);
     }
     else
     {
-        _S184 = i32(0);
+        _S186 = i32(0);
     }
-    var _S187 : u32 = _S186 + u32(_S184);
+    var _S189 : u32 = _S188 + u32(_S186);
     if((d_0[(axis_3 + u32(2)) % u32(3)]) < 0.0f)
     {
-        _S184 = i32(1);
+        _S186 = i32(1);
     }
     else
     {
-        _S184 = i32(0);
+        _S186 = i32(0);
     }
-    return _S187 + u32(_S184);
+    return _S189 + u32(_S186);
 }
 
 fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
@@ -1891,16 +1950,16 @@ fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
     return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
 }
 
-fn speed_of_0( at_26 : ShadingPoint_0,  node_3 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+fn speed_of_0( at_27 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
 {
     if(is_blind_0())
     {
-        return edge_number_0(node_3 + u32(20)) + 0.10000000149011612f;
+        return edge_number_0(node_2 + u32(20)) + 0.10000000149011612f;
     }
-    var relative_0 : vec3<f32> = edge_vector_0(node_3 + u32(17)) - velocity_at_0(at_26.motion_1, offset_7);
-    var axis_4 : vec3<f32> = edge_vector_0(node_3 + u32(8));
-    var sine_3 : f32 = edge_number_0(node_3 + u32(11));
-    var cosine_4 : f32 = edge_number_0(node_3 + u32(12));
+    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_27.motion_1, offset_7);
+    var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
+    var sine_3 : f32 = edge_number_0(node_2 + u32(11));
+    var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
     var along_0 : f32 = abs(dot(axis_4, relative_0));
     var across_2 : f32 = length(cross(axis_4, relative_0));
     var speed_0 : f32;
@@ -1912,36 +1971,36 @@ fn speed_of_0( at_26 : ShadingPoint_0,  node_3 : u32,  offset_7 : vec3<f32>,  ra
     {
         speed_0 = length(relative_0);
     }
-    return speed_0 + edge_number_0(node_3 + u32(20)) + length(at_26.motion_1.rotation_0) * radius_3;
+    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_27.motion_1.rotation_0) * radius_3;
 }
 
-fn importance_of_0( at_27 : ShadingPoint_0,  node_4 : u32) -> f32
+fn importance_of_0( at_28 : ShadingPoint_0,  node_3 : u32) -> f32
 {
-    var centre_1 : vec3<f32> = edge_vector_0(node_4 + u32(4));
-    var offset_8 : vec3<f32> = centre_1 - at_27.vertex_3.surface_4.position_0;
-    var radius_4 : f32 = edge_number_0(node_4 + u32(7));
+    var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
+    var offset_8 : vec3<f32> = centre_1 - at_28.vertex_3.surface_4.position_0;
+    var radius_4 : f32 = edge_number_0(node_3 + u32(7));
     var distance_4 : f32 = length(offset_8);
-    var _S188 : bool;
-    if(!at_27.has_creases_0)
+    var _S190 : bool;
+    if(!at_28.has_creases_0)
     {
-        _S188 = !may_have_silhouette_0(node_4, offset_8, distance_4);
+        _S190 = !may_have_silhouette_0(node_3, offset_8, distance_4);
     }
     else
     {
-        _S188 = false;
+        _S190 = false;
     }
-    if(_S188)
+    if(_S190)
     {
         return 0.0f;
     }
-    if(is_outside_0(at_27, offset_8, radius_4))
+    if(is_outside_0(at_28, offset_8, radius_4))
     {
         return 0.0f;
     }
-    var cosine_5 : f32 = largest_cosine_0(at_27.vertex_3.surface_4.position_0, at_27.vertex_3.axes_1.n_1, centre_1, radius_4);
-    var _S189 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
-    var least_0 : f32 = edge_number_0(node_4 + u32(16));
-    var ratio_0 : f32 = _S189 / max(max(distance_4 * distance_4 - _S189, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
+    var cosine_5 : f32 = largest_cosine_0(at_28.vertex_3.surface_4.position_0, at_28.vertex_3.axes_1.n_1, centre_1, radius_4);
+    var _S191 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
+    var least_0 : f32 = edge_number_0(node_3 + u32(16));
+    var ratio_0 : f32 = _S191 / max(max(distance_4 * distance_4 - _S191, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
     var visible_0 : f32;
     if(ratio_0 < 0.00100000004749745f)
     {
@@ -1951,192 +2010,56 @@ fn importance_of_0( at_27 : ShadingPoint_0,  node_4 : u32) -> f32
     {
         visible_0 = logarithm_0(1.0f + ratio_0);
     }
-    var near_0 : f32 = visible_0 / _S189;
-    var visible_1 : f32 = edge_number_0(node_4 + u32(14));
-    if(distance_4 > (edge_number_0(node_4 + u32(15))))
+    var near_0 : f32 = visible_0 / _S191;
+    var visible_1 : f32 = edge_number_0(node_3 + u32(14));
+    if(distance_4 > (edge_number_0(node_3 + u32(15))))
     {
-        visible_0 = visible_1 * edge_number_0(node_4 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
+        visible_0 = visible_1 * edge_number_0(node_3 + u32(21) + direction_number_0((vec3<f32>(0) - offset_8)));
     }
     else
     {
         visible_0 = visible_1;
     }
-    return visible_0 * speed_of_0(at_27, node_4, offset_8, radius_4) * cosine_5 * near_0;
+    return visible_0 * speed_of_0(at_28, node_3, offset_8, radius_4) * cosine_5 * near_0;
 }
 
-fn next_leaf_0( at_28 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_0 : ptr<function, u32>) -> bool
+fn descend_0( at_29 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
 {
-    var nodes_at_0 : u32 = edge_word_0(at_28.tree_0);
+    var nodes_at_0 : u32 = edge_word_0(at_29.tree_0);
     (*leaf_0) = nodes_at_0;
-    for(;;)
-    {
-        if(((*leaves_1).count_3) > u32(0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S190 : u32 = (*leaves_1).count_3 - u32(1);
-        (*leaves_1).count_3 = _S190;
-        var _S191 : u32 = (*leaves_1).nodes_1[_S190];
-        (*leaf_0) = (*leaves_1).nodes_1[_S190];
-        if(!((importance_of_0(at_28, _S191)) > 0.0f))
-        {
-            continue;
-        }
-        if((edge_word_0((*leaf_0))) == u32(4294967295))
-        {
-            return true;
-        }
-        var half_0 : u32 = u32(0);
-        for(;;)
-        {
-            var _S192 : bool;
-            if(half_0 < u32(2))
-            {
-                _S192 = ((*leaves_1).count_3) < u32(96);
-            }
-            else
-            {
-                _S192 = false;
-            }
-            if(_S192)
-            {
-            }
-            else
-            {
-                break;
-            }
-            (*leaves_1).nodes_1[(*leaves_1).count_3] = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + half_0);
-            (*leaves_1).count_3 = (*leaves_1).count_3 + u32(1);
-            half_0 = half_0 + u32(1);
-        }
-    }
-    return false;
-}
-
-fn next_leaf_1( at_29 : ShadingPoint_0,  leaves_2 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
-{
-    var nodes_at_1 : u32 = edge_word_0(at_29.tree_0);
-    (*leaf_1) = nodes_at_1;
-    for(;;)
-    {
-        if(((*leaves_2).count_3) > u32(0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S193 : u32 = (*leaves_2).count_3 - u32(1);
-        (*leaves_2).count_3 = _S193;
-        var _S194 : u32 = (*leaves_2).nodes_1[_S193];
-        (*leaf_1) = (*leaves_2).nodes_1[_S193];
-        if(!((importance_of_0(at_29, _S194)) > 0.0f))
-        {
-            continue;
-        }
-        if((edge_word_0((*leaf_1))) == u32(4294967295))
-        {
-            return true;
-        }
-        var half_1 : u32 = u32(0);
-        for(;;)
-        {
-            var _S195 : bool;
-            if(half_1 < u32(2))
-            {
-                _S195 = ((*leaves_2).count_3) < u32(96);
-            }
-            else
-            {
-                _S195 = false;
-            }
-            if(_S195)
-            {
-            }
-            else
-            {
-                break;
-            }
-            (*leaves_2).nodes_1[(*leaves_2).count_3] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + half_1);
-            (*leaves_2).count_3 = (*leaves_2).count_3 + u32(1);
-            half_1 = half_1 + u32(1);
-        }
-    }
-    return false;
-}
-
-fn takes_all_0( at_30 : ShadingPoint_0) -> bool
-{
-    var _S196 : bool;
-    var leaves_3 : Leaves_0 = below_0(edge_word_0(at_30.tree_0));
-    var leaf_2 : u32;
-    var count_4 : u32 = u32(0);
-    for(;;)
-    {
-        var _S197 : bool = count_4 <= u32(24);
-        _S196 = _S197;
-        var _S198 : bool;
-        if(_S197)
-        {
-            var _S199 : bool = next_leaf_0(at_30, &(leaves_3), &(leaf_2));
-            _S198 = _S199;
-        }
-        else
-        {
-            _S198 = false;
-        }
-        if(_S198)
-        {
-        }
-        else
-        {
-            break;
-        }
-        count_4 = count_4 + u32(1);
-    }
-    return _S196;
-}
-
-fn descend_0( at_31 : ShadingPoint_0,  u_1 : f32,  leaf_3 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
-{
-    var nodes_at_2 : u32 = edge_word_0(at_31.tree_0);
-    (*leaf_3) = nodes_at_2;
     (*probability_2) = 1.0f;
-    var _S200 : f32 = u_1;
+    var _S192 : f32 = u_1;
     for(;;)
     {
-        if((edge_word_0((*leaf_3))) != u32(4294967295))
+        if((edge_word_0((*leaf_0))) != u32(4294967295))
         {
         }
         else
         {
             break;
         }
-        var first_3 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3));
-        var second_1 : u32 = nodes_at_2 + u32(45) * edge_word_0((*leaf_3) + u32(1));
-        var of_first_0 : f32 = importance_of_0(at_31, first_3);
-        var of_second_0 : f32 = importance_of_0(at_31, second_1);
+        var first_3 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
+        var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
+        var of_first_0 : f32 = importance_of_0(at_29, first_3);
+        var of_second_0 : f32 = importance_of_0(at_29, second_1);
         var sum_0 : f32 = of_first_0 + of_second_0;
-        var _S201 : bool;
+        var _S193 : bool;
         if(sum_0 > 0.0f)
         {
-            _S201 = sum_0 < 3.00000000549775576e+38f;
+            _S193 = sum_0 < 3.00000000549775576e+38f;
         }
         else
         {
-            _S201 = false;
+            _S193 = false;
         }
-        if(!_S201)
+        if(!_S193)
         {
             return false;
         }
         var first_share_0 : f32 = of_first_0 / sum_0;
         var second_share_0 : f32 = of_second_0 / sum_0;
         var is_second_0 : bool;
-        if(_S200 >= first_share_0)
+        if(_S192 >= first_share_0)
         {
             is_second_0 = second_share_0 > 0.0f;
         }
@@ -2146,34 +2069,83 @@ fn descend_0( at_31 : ShadingPoint_0,  u_1 : f32,  leaf_3 : ptr<function, u32>, 
         }
         if(is_second_0)
         {
-            _S200 = (_S200 - first_share_0) / second_share_0;
+            _S192 = (_S192 - first_share_0) / second_share_0;
         }
         else
         {
-            _S200 = min(_S200 / first_share_0, 1.0f);
+            _S192 = min(_S192 / first_share_0, 1.0f);
         }
-        var _S202 : f32;
+        var _S194 : f32;
         if(is_second_0)
         {
-            _S202 = second_share_0;
+            _S194 = second_share_0;
         }
         else
         {
-            _S202 = first_share_0;
+            _S194 = first_share_0;
         }
-        (*probability_2) = (*probability_2) * _S202;
-        var _S203 : u32;
+        (*probability_2) = (*probability_2) * _S194;
+        var _S195 : u32;
         if(is_second_0)
         {
-            _S203 = second_1;
+            _S195 = second_1;
         }
         else
         {
-            _S203 = first_3;
+            _S195 = first_3;
         }
-        (*leaf_3) = _S203;
+        (*leaf_0) = _S195;
     }
     return true;
+}
+
+struct Leaves_0
+{
+     count_2 : u32,
+     nodes_1 : array<u32, i32(96)>,
+};
+
+fn below_0( node_4 : u32) -> Leaves_0
+{
+    var leaves_0 : Leaves_0;
+    leaves_0.count_2 = u32(1);
+    leaves_0.nodes_1[i32(0)] = node_4;
+    return leaves_0;
+}
+
+fn next_leaf_0( at_30 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
+{
+    var nodes_at_1 : u32 = edge_word_0(at_30.tree_0);
+    (*leaf_1) = nodes_at_1;
+    for(;;)
+    {
+        if(((*leaves_1).count_2) > u32(0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S196 : u32 = (*leaves_1).count_2 - u32(1);
+        (*leaves_1).count_2 = _S196;
+        var _S197 : u32 = (*leaves_1).nodes_1[_S196];
+        (*leaf_1) = (*leaves_1).nodes_1[_S196];
+        if(!((importance_of_0(at_30, _S197)) > 0.0f))
+        {
+            continue;
+        }
+        if((edge_word_0((*leaf_1))) == u32(4294967295))
+        {
+            return true;
+        }
+        var _S198 : u32 = (*leaves_1).count_2;
+        var _S199 : u32 = (*leaves_1).count_2 + u32(1);
+        (*leaves_1).count_2 = _S199;
+        (*leaves_1).nodes_1[_S198] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1));
+        (*leaves_1).count_2 = _S199 + u32(1);
+        (*leaves_1).nodes_1[_S199] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + u32(1));
+    }
+    return false;
 }
 
 struct Edge_0
@@ -2182,11 +2154,11 @@ struct Edge_0
      numbers_3 : u32,
 };
 
-fn edge_at_0( at_32 : ShadingPoint_0,  place_13 : u32) -> Edge_0
+fn edge_at_0( at_31 : ShadingPoint_0,  place_13 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_8 = edge_word_0(at_32.tree_0 + u32(1)) + u32(12) * place_13;
-    edge_0.numbers_3 = edge_word_0(at_32.tree_0 + u32(2)) + u32(14) * place_13;
+    edge_0.record_8 = edge_word_0(at_31.tree_0 + u32(1)) + u32(12) * place_13;
+    edge_0.numbers_3 = edge_word_0(at_31.tree_0 + u32(2)) + u32(14) * place_13;
     return edge_0;
 }
 
@@ -2199,140 +2171,351 @@ fn side_seen_0( from_0 : vec3<f32>,  tolerance_0 : f32,  normal_5 : u32,  length
 {
     var height_1 : f32 = dot(edge_position_0(normal_5), from_0);
     var least_1 : f32 = tolerance_0 * edge_real_0(length_0);
-    var _S204 : i32;
+    var _S200 : i32;
     if(height_1 > least_1)
     {
-        _S204 = i32(1);
+        _S200 = i32(1);
     }
     else
     {
-        _S204 = i32(0);
+        _S200 = i32(0);
     }
-    var _S205 : i32;
+    var _S201 : i32;
     if(height_1 < (- least_1))
     {
-        _S205 = i32(1);
+        _S201 = i32(1);
     }
     else
     {
-        _S205 = i32(0);
+        _S201 = i32(0);
     }
-    return _S204 - _S205;
+    return _S200 - _S201;
 }
 
-fn is_silhouette_0( at_33 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+fn is_silhouette_0( at_32 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f32> = edge_position_0(edge_1.numbers_3);
-    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_33.vertex_3.surface_4.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S206 : vec3<f32> = at_33.vertex_3.surface_4.exact_0 - start_0;
-    return (side_seen_0(_S206, tolerance_1, edge_1.numbers_3 + u32(6), edge_1.numbers_3 + u32(12)) * side_seen_0(_S206, tolerance_1, edge_1.numbers_3 + u32(9), edge_1.numbers_3 + u32(13))) <= i32(0);
+    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_32.vertex_3.surface_4.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S202 : vec3<f32> = at_32.vertex_3.surface_4.exact_0 - start_0;
+    return (side_seen_0(_S202, tolerance_1, edge_1.numbers_3 + u32(6), edge_1.numbers_3 + u32(12)) * side_seen_0(_S202, tolerance_1, edge_1.numbers_3 + u32(9), edge_1.numbers_3 + u32(13))) <= i32(0);
 }
 
-fn factor_of_0( at_34 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+fn factor_of_0( at_33 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
-    var _S207 : u32 = edge_2.record_8 + u32(2);
-    var a_14 : vec3<f32> = edge_vector_0(_S207);
-    var b_9 : vec3<f32> = edge_vector_0(_S207 + u32(3));
-    var _S208 : bool;
+    var _S203 : u32 = edge_2.record_8 + u32(2);
+    var a_14 : vec3<f32> = edge_vector_0(_S203);
+    var b_9 : vec3<f32> = edge_vector_0(_S203 + u32(3));
+    var _S204 : bool;
     if(!is_blind_0())
     {
-        _S208 = rests_0(at_34.motion_1);
+        _S204 = rests_0(at_33.motion_1);
     }
     else
     {
-        _S208 = false;
+        _S204 = false;
     }
-    if(_S208)
+    if(_S204)
     {
-        _S208 = (all((a_14 == vec3<f32>(0.0f))));
+        _S204 = (all((a_14 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S208 = false;
+        _S204 = false;
     }
-    if(_S208)
+    if(_S204)
     {
-        _S208 = (all((b_9 == vec3<f32>(0.0f))));
+        _S204 = (all((b_9 == vec3<f32>(0.0f))));
     }
     else
     {
-        _S208 = false;
+        _S204 = false;
     }
-    if(_S208)
+    if(_S204)
     {
         return 0.0f;
     }
-    if(is_silhouette_0(at_34, edge_2))
+    if(is_silhouette_0(at_33, edge_2))
     {
         return edge_number_0(edge_2.record_8);
     }
-    var _S209 : f32;
-    if(at_34.has_creases_0)
+    var _S205 : f32;
+    if(at_33.has_creases_0)
     {
-        _S209 = edge_number_0(edge_2.record_8 + u32(1));
+        _S205 = edge_number_0(edge_2.record_8 + u32(1));
     }
     else
     {
-        _S209 = 0.0f;
+        _S205 = 0.0f;
     }
-    return _S209;
+    return _S205;
 }
 
-fn is_clipped_0( at_35 : ShadingPoint_0,  a_15 : vec3<f32>,  b_10 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
+fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f32>,  b_10 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
 {
     (*range_0) = vec2<f32>(0.0f, 1.0f);
-    var _S210 : bool;
-    if((dot(at_35.front_0, a_15 - at_35.front_offset_0)) < -3.99999998990097083e-06f)
+    var _S206 : bool;
+    if((dot(at_34.front_0, a_15 - at_34.front_offset_0)) < -3.99999998990097083e-06f)
     {
-        _S210 = (dot(at_35.front_0, b_10 - at_35.front_offset_0)) < -3.99999998990097083e-06f;
+        _S206 = (dot(at_34.front_0, b_10 - at_34.front_offset_0)) < -3.99999998990097083e-06f;
     }
     else
     {
-        _S210 = false;
+        _S206 = false;
     }
-    if(_S210)
+    if(_S206)
     {
         return true;
     }
-    var _S211 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_15, a_15), dot(b_10, b_10)));
-    var k_6 : u32 = u32(0);
-    for(;;)
+    var _S207 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_15, a_15), dot(b_10, b_10)));
+    var first_4 : f32;
+    var second_2 : f32;
+    if(u32(0) < (at_34.planes_0))
     {
-        if(k_6 < (at_35.planes_0))
+        var _S208 : f32 = dot(at_34.inside_2[u32(0)], b_10) + _S207;
+        first_4 = dot(at_34.inside_2[u32(0)], a_15) + _S207;
+        second_2 = _S208;
+    }
+    else
+    {
+        first_4 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_4 < 0.0f)
+    {
+        var _S209 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
         {
+            first_4 = 1.0f;
         }
         else
         {
-            break;
+            first_4 = first_4 / (first_4 - second_2);
         }
-        var first_4 : f32 = dot(at_35.inside_2[k_6], a_15) + _S211;
-        var second_2 : f32 = dot(at_35.inside_2[k_6], b_10) + _S211;
-        var _S212 : bool = first_4 < 0.0f;
-        if(_S212)
+        (*range_0)[i32(0)] = max(_S209, first_4);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
         {
-            _S210 = second_2 < 0.0f;
+            (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
+        }
+    }
+    if(u32(1) < (at_34.planes_0))
+    {
+        var _S210 : f32 = dot(at_34.inside_2[u32(1)], b_10) + _S207;
+        first_4 = dot(at_34.inside_2[u32(1)], a_15) + _S207;
+        second_2 = _S210;
+    }
+    else
+    {
+        first_4 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_4 < 0.0f)
+    {
+        var _S211 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_4 = 1.0f;
         }
         else
         {
-            _S210 = false;
+            first_4 = first_4 / (first_4 - second_2);
         }
-        if(_S210)
+        (*range_0)[i32(0)] = max(_S211, first_4);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
         {
-            return true;
+            (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
         }
-        var crossing_0 : f32 = first_4 / (first_4 - second_2);
-        if(_S212)
+    }
+    if(u32(2) < (at_34.planes_0))
+    {
+        var _S212 : f32 = dot(at_34.inside_2[u32(2)], b_10) + _S207;
+        first_4 = dot(at_34.inside_2[u32(2)], a_15) + _S207;
+        second_2 = _S212;
+    }
+    else
+    {
+        first_4 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_4 < 0.0f)
+    {
+        var _S213 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
         {
-            (*range_0)[i32(0)] = max((*range_0).x, crossing_0);
+            first_4 = 1.0f;
         }
         else
         {
-            if(second_2 < 0.0f)
-            {
-                (*range_0)[i32(1)] = min((*range_0).y, crossing_0);
-            }
+            first_4 = first_4 / (first_4 - second_2);
         }
-        k_6 = k_6 + u32(1);
+        (*range_0)[i32(0)] = max(_S213, first_4);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
+        }
+    }
+    if(u32(3) < (at_34.planes_0))
+    {
+        var _S214 : f32 = dot(at_34.inside_2[u32(3)], b_10) + _S207;
+        first_4 = dot(at_34.inside_2[u32(3)], a_15) + _S207;
+        second_2 = _S214;
+    }
+    else
+    {
+        first_4 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_4 < 0.0f)
+    {
+        var _S215 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_4 = 1.0f;
+        }
+        else
+        {
+            first_4 = first_4 / (first_4 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S215, first_4);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
+        }
+    }
+    if(u32(4) < (at_34.planes_0))
+    {
+        var _S216 : f32 = dot(at_34.inside_2[u32(4)], b_10) + _S207;
+        first_4 = dot(at_34.inside_2[u32(4)], a_15) + _S207;
+        second_2 = _S216;
+    }
+    else
+    {
+        first_4 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_4 < 0.0f)
+    {
+        var _S217 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_4 = 1.0f;
+        }
+        else
+        {
+            first_4 = first_4 / (first_4 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S217, first_4);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
+        }
+    }
+    if(u32(5) < (at_34.planes_0))
+    {
+        var _S218 : f32 = dot(at_34.inside_2[u32(5)], b_10) + _S207;
+        first_4 = dot(at_34.inside_2[u32(5)], a_15) + _S207;
+        second_2 = _S218;
+    }
+    else
+    {
+        first_4 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_4 < 0.0f)
+    {
+        var _S219 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_4 = 1.0f;
+        }
+        else
+        {
+            first_4 = first_4 / (first_4 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S219, first_4);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
+        }
+    }
+    if(u32(6) < (at_34.planes_0))
+    {
+        var _S220 : f32 = dot(at_34.inside_2[u32(6)], b_10) + _S207;
+        first_4 = dot(at_34.inside_2[u32(6)], a_15) + _S207;
+        second_2 = _S220;
+    }
+    else
+    {
+        first_4 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_4 < 0.0f)
+    {
+        var _S221 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_4 = 1.0f;
+        }
+        else
+        {
+            first_4 = first_4 / (first_4 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S221, first_4);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
+        }
+    }
+    if(u32(7) < (at_34.planes_0))
+    {
+        var _S222 : f32 = dot(at_34.inside_2[u32(7)], b_10) + _S207;
+        first_4 = dot(at_34.inside_2[u32(7)], a_15) + _S207;
+        second_2 = _S222;
+    }
+    else
+    {
+        first_4 = 1.0f;
+        second_2 = 1.0f;
+    }
+    if(first_4 < 0.0f)
+    {
+        var _S223 : f32 = (*range_0).x;
+        if(second_2 < 0.0f)
+        {
+            first_4 = 1.0f;
+        }
+        else
+        {
+            first_4 = first_4 / (first_4 - second_2);
+        }
+        (*range_0)[i32(0)] = max(_S223, first_4);
+    }
+    else
+    {
+        if(second_2 < 0.0f)
+        {
+            (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
+        }
     }
     return !(((*range_0).x) < ((*range_0).y));
 }
@@ -2352,54 +2535,54 @@ struct SeenEdge_0
      to_0 : vec3<f32>,
 };
 
-fn see_edge_0( at_36 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+fn see_edge_0( at_35 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S213 : Edge_0 = edge_at_0(at_36, place_14);
-    (*seen_1).edge_3 = _S213;
-    var _S214 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_3) - at_36.vertex_3.surface_4.exact_0;
-    (*seen_1).start_1 = _S214;
-    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_3 + u32(3)) - at_36.vertex_3.surface_4.exact_0;
-    (*seen_1).along_1 = end_1 - _S214;
+    var _S224 : Edge_0 = edge_at_0(at_35, place_14);
+    (*seen_1).edge_3 = _S224;
+    var _S225 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_3) - at_35.vertex_3.surface_4.exact_0;
+    (*seen_1).start_1 = _S225;
+    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_3 + u32(3)) - at_35.vertex_3.surface_4.exact_0;
+    (*seen_1).along_1 = end_1 - _S225;
     (*seen_1).far_0 = 1.0f;
     (*seen_1).near_1 = 1.0f;
     (*seen_1).chord_0 = 0.0f;
     (*seen_1).pieces_0 = 0.0f;
-    var _S215 : vec3<f32> = vec3<f32>(0.0f);
-    (*seen_1).to_0 = _S215;
-    (*seen_1).from_1 = _S215;
+    var _S226 : vec3<f32> = vec3<f32>(0.0f);
+    (*seen_1).to_0 = _S226;
+    (*seen_1).from_1 = _S226;
     (*seen_1).range_1 = vec2<f32>(0.0f, 1.0f);
-    var _S216 : f32 = factor_of_0(at_36, _S213);
-    (*seen_1).factor_3 = _S216;
-    var _S217 : bool;
-    if(!(_S216 > 0.0f))
+    var _S227 : f32 = factor_of_0(at_35, _S224);
+    (*seen_1).factor_3 = _S227;
+    var _S228 : bool;
+    if(!(_S227 > 0.0f))
     {
-        _S217 = true;
+        _S228 = true;
     }
     else
     {
-        var _S218 : vec2<f32> = (*seen_1).range_1;
-        var _S219 : bool = is_clipped_0(at_36, (*seen_1).start_1, end_1, &(_S218));
-        (*seen_1).range_1 = _S218;
-        _S217 = _S219;
+        var _S229 : vec2<f32> = (*seen_1).range_1;
+        var _S230 : bool = is_clipped_0(at_35, (*seen_1).start_1, end_1, &(_S229));
+        (*seen_1).range_1 = _S229;
+        _S228 = _S230;
     }
-    if(_S217)
+    if(_S228)
     {
         return false;
     }
     var first_5 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.x);
     var last_0 : vec3<f32> = (*seen_1).start_1 + (*seen_1).along_1 * vec3<f32>((*seen_1).range_1.y);
-    var _S220 : f32 = sqrt(dot(first_5, first_5));
-    (*seen_1).near_1 = _S220;
+    var _S231 : f32 = sqrt(dot(first_5, first_5));
+    (*seen_1).near_1 = _S231;
     (*seen_1).far_0 = sqrt(dot(last_0, last_0));
-    if(_S220 > 0.0f)
+    if(_S231 > 0.0f)
     {
-        _S217 = ((*seen_1).far_0) > 0.0f;
+        _S228 = ((*seen_1).far_0) > 0.0f;
     }
     else
     {
-        _S217 = false;
+        _S228 = false;
     }
-    if(!_S217)
+    if(!_S228)
     {
         return false;
     }
@@ -2407,7 +2590,7 @@ fn see_edge_0( at_36 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = last_0 / vec3<f32>((*seen_1).far_0);
     (*seen_1).chord_0 = length_of_0(last_0 / vec3<f32>((*seen_1).far_0) - first_5 / vec3<f32>((*seen_1).near_1));
     var longest_0 : f32;
-    if((at_36.vertex_3.lobe_1.kind_1) == u32(0))
+    if((at_35.vertex_3.lobe_1.kind_1) == u32(0))
     {
         longest_0 = 0.20000000298023224f;
     }
@@ -2424,10 +2607,10 @@ fn place_between_0( from_2 : f32,  to_1 : f32,  near_2 : f32,  far_1 : f32,  par
     return from_2 + (to_1 - from_2) * part_0 * near_2 / (part_0 * near_2 + (1.0f - part_0) * far_1);
 }
 
-fn velocity_on_0( at_37 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
+fn velocity_on_0( at_36 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S221 : u32 = edge_4.record_8 + u32(2);
-    return mix(edge_vector_0(_S221), edge_vector_0(_S221 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_37.motion_1, offset_9);
+    var _S232 : u32 = edge_4.record_8 + u32(2);
+    return mix(edge_vector_0(_S232), edge_vector_0(_S232 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_36.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -2439,25 +2622,25 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_7 : f32,  pdf_1 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S222 : Mirrored_0;
-    _S222.cosine_6 = cosine_7;
-    _S222.pdf_0 = pdf_1;
-    _S222.scattered_0 = scattered_1;
-    return _S222;
+    var _S233 : Mirrored_0;
+    _S233.cosine_6 = cosine_7;
+    _S233.pdf_0 = pdf_1;
+    _S233.scattered_0 = scattered_1;
+    return _S233;
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S223 : bool;
+    var _S234 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S223 = true;
+        _S234 = true;
     }
     else
     {
-        _S223 = (lobe_3.kind_1) == u32(4);
+        _S234 = (lobe_3.kind_1) == u32(4);
     }
-    return _S223;
+    return _S234;
 }
 
 struct Microfacets_0
@@ -2487,68 +2670,68 @@ fn exponential_0( x_5 : f32) -> f32
 
 fn density_0( facets_1 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S224 : f32 = m_3.z;
-    if(_S224 <= 0.0f)
+    var _S235 : f32 = m_3.z;
+    if(_S235 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_1.alpha_1.x * facets_1.alpha_1.y;
     var slope_0 : vec2<f32> = m_3.xy / facets_1.alpha_1;
     var spread_0 : f32 = dot(slope_0, slope_0);
-    var cos2_0 : f32 = _S224 * _S224;
+    var cos2_0 : f32 = _S235 * _S235;
     if((facets_1.distribution_1) == u32(1))
     {
         var sum_1 : f32 = spread_0 + cos2_0;
         return 1.0f / (scale_0 * sum_1 * sum_1);
     }
     var exponent_0 : f32 = spread_0 / cos2_0;
-    var _S225 : f32;
+    var _S236 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S225 = 0.0f;
+        _S236 = 0.0f;
     }
     else
     {
-        _S225 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+        _S236 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
     }
-    return _S225;
+    return _S236;
 }
 
 fn error_function_plus_one_0( x_6 : f32) -> vec2<f32>
 {
-    var _S226 : f32 = min(abs(x_6), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S226 * _S226);
-    var place_15 : f32 = (_S226 - 2.0f) / (_S226 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S226);
-    var _S227 : f32;
+    var _S237 : f32 = min(abs(x_6), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S237 * _S237);
+    var place_15 : f32 = (_S237 - 2.0f) / (_S237 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S237);
+    var _S238 : f32;
     if(x_6 < 0.0f)
     {
-        _S227 = complement_0;
+        _S238 = complement_0;
     }
     else
     {
-        _S227 = 2.0f - complement_0;
+        _S238 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S227, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S238, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
 {
     var stretched_0 : vec2<f32> = w_2.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_0, stretched_0);
-    var _S228 : f32 = w_2.z;
-    var z2_0 : f32 = _S228 * _S228;
+    var _S239 : f32 = w_2.z;
+    var z2_0 : f32 = _S239 * _S239;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S228 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S239 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S228;
+        return 1.0f / _S239;
     }
     var spread_1 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S228 / spread_1);
-    return 2.0f / (_S228 * both_0.x + 0.5f * spread_1 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S239 / spread_1);
+    return 2.0f / (_S239 * both_0.x + 0.5f * spread_1 * both_0.y);
 }
 
 fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
@@ -2556,18 +2739,18 @@ fn mirrored_0( facets_3 : Microfacets_0,  wi_2 : vec3<f32>,  wo_0 : vec3<f32>) -
     var h_0 : vec3<f32> = normalize(wi_2 + wo_0);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_6 = dot(wi_2, h_0);
-    var _S229 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_2);
-    mirrored_1.pdf_0 = _S229;
-    mirrored_1.scattered_0 = _S229 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
+    var _S240 : f32 = 0.25f * density_0(facets_3, h_0) * visible_over_cos_0(facets_3, wi_2);
+    mirrored_1.pdf_0 = _S240;
+    mirrored_1.scattered_0 = _S240 * visible_over_cos_0(facets_3, wo_0) * wo_0.z;
     return mirrored_1;
 }
 
-fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
+fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_5 : f32) -> f32
 {
     var cos2_1 : f32 = cosine_8 * cosine_8;
     var sin2_0 : f32 = 1.0f - cos2_1;
-    var real_0 : f32 = eta_1 * eta_1 - k_7 * k_7 - sin2_0;
-    var product_1 : f32 = eta_1 * k_7;
+    var real_0 : f32 = eta_1 * eta_1 - k_5 * k_5 - sin2_0;
+    var product_1 : f32 = eta_1 * k_5;
     var modulus_0 : f32 = sqrt(real_0 * real_0 + 4.0f * (product_1 * product_1));
     if(modulus_0 == 0.0f)
     {
@@ -2575,9 +2758,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S230 : bool = real_0 < 0.0f;
+    var _S241 : bool = real_0 < 0.0f;
     var a_16 : f32;
-    if(_S230)
+    if(_S241)
     {
         a_16 = smaller_0;
     }
@@ -2586,7 +2769,7 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
         a_16 = larger_0;
     }
     var b_11 : f32;
-    if(_S230)
+    if(_S241)
     {
         b_11 = larger_0;
     }
@@ -2596,14 +2779,14 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_1 : f32,  k_7 : f32) -> f32
     }
     var less_0 : f32 = a_16 - cosine_8;
     var more_0 : f32 = a_16 + cosine_8;
-    var _S231 : f32 = b_11 * b_11;
+    var _S242 : f32 = b_11 * b_11;
     var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S231) / (more_0 * more_0 + _S231) * p_sum_0 / (p_sum_0 + 2.0f * a_16 * cosine_8 * sin2_0);
+    return (less_0 * less_0 + _S242) / (more_0 * more_0 + _S242) * p_sum_0 / (p_sum_0 + 2.0f * a_16 * cosine_8 * sin2_0);
 }
 
-fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_8 : vec3<f32>) -> vec3<f32>
+fn fresnel_conductor_0( cosine_9 : f32,  eta_2 : vec3<f32>,  k_6 : vec3<f32>) -> vec3<f32>
 {
-    return vec3<f32>(fresnel_conductor_channel_0(cosine_9, eta_2.x, k_8.x), fresnel_conductor_channel_0(cosine_9, eta_2.y, k_8.y), fresnel_conductor_channel_0(cosine_9, eta_2.z, k_8.z));
+    return vec3<f32>(fresnel_conductor_channel_0(cosine_9, eta_2.x, k_6.x), fresnel_conductor_channel_0(cosine_9, eta_2.y, k_6.y), fresnel_conductor_channel_0(cosine_9, eta_2.z, k_6.z));
 }
 
 fn coat_eta_0( numbers_5 : Numbers_0) -> f32
@@ -2636,10 +2819,10 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_11, eta_4);
     }
     var place_16 : f32 = cosine_11 * 63.0f;
-    var _S232 : u32 = min(u32(place_16), u32(62));
-    var at_38 : u32 = word_0(lobe_5.record_3 + u32(3)) + _S232;
-    var here_0 : f32 = number_0(at_38);
-    return here_0 + (number_0(at_38 + u32(1)) - here_0) * (place_16 - f32(_S232));
+    var _S243 : u32 = min(u32(place_16), u32(62));
+    var at_37 : u32 = word_0(lobe_5.record_3 + u32(3)) + _S243;
+    var here_0 : f32 = number_0(at_37);
+    return here_0 + (number_0(at_37 + u32(1)) - here_0) * (place_16 - f32(_S243));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2690,15 +2873,15 @@ struct Scattering_0
 fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S233 : f32 = wo_1.z;
-    var by_cosine_0 : f32 = _S233 * 0.31830987334251404f;
+    var _S244 : f32 = wo_1.z;
+    var by_cosine_0 : f32 = _S244 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
         scattering_1.value_8 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
-    var _S234 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S245 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_7))
     {
@@ -2706,7 +2889,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     else
     {
-        by_facets_0 = _S234;
+        by_facets_0 = _S245;
     }
     if((lobe_7.kind_1) == u32(2))
     {
@@ -2716,7 +2899,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     var eta_7 : f32 = coat_eta_0(numbers_7);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_3.z);
-    scattering_1.value_8 = base_0(lobe_7, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S233) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_8 = base_0(lobe_7, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S244) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_7, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
@@ -2729,16 +2912,16 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
 
 fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
 {
-    var _S235 : bool;
+    var _S246 : bool;
     if((wo_2.z) <= 0.0f)
     {
-        _S235 = true;
+        _S246 = true;
     }
     else
     {
-        _S235 = !has_smooth_0(vertex_5.lobe_1);
+        _S246 = !has_smooth_0(vertex_5.lobe_1);
     }
-    if(_S235)
+    if(_S246)
     {
         return vec3<f32>(0.0f);
     }
@@ -2762,28 +2945,28 @@ fn still_0( value_9 : vec3<f32>) -> Vector_0
 
 fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 {
-    var _S236 : f32 = abs(x_7);
-    var _S237 : f32 = abs(y_1);
-    var _S238 : f32 = min(_S236, _S237);
-    var _S239 : f32 = max(_S236, _S237);
-    var is_steep_0 : bool = _S238 > (0.41421356797218323f * _S239);
+    var _S247 : f32 = abs(x_7);
+    var _S248 : f32 = abs(y_1);
+    var _S249 : f32 = min(_S247, _S248);
+    var _S250 : f32 = max(_S247, _S248);
+    var is_steep_0 : bool = _S249 > (0.41421356797218323f * _S250);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S238 - _S239;
+        above_0 = _S249 - _S250;
     }
     else
     {
-        above_0 = _S238;
+        above_0 = _S249;
     }
     var below_1 : f32;
     if(is_steep_0)
     {
-        below_1 = _S238 + _S239;
+        below_1 = _S249 + _S250;
     }
     else
     {
-        below_1 = _S239;
+        below_1 = _S250;
     }
     if(below_1 > 0.0f)
     {
@@ -2804,7 +2987,7 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S237 > _S236)
+    if(_S248 > _S247)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -2825,40 +3008,40 @@ fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
 
 fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S240 : DiffPair_float_0 = DiffPair_float_0( dpx_8.primal_0, dpx_8.differential_0 );
-    var _S241 : DiffPair_float_0 = _d_abs_0(_S240);
-    var _S242 : DiffPair_float_0 = DiffPair_float_0( dpy_3.primal_0, dpy_3.differential_0 );
-    var _S243 : DiffPair_float_0 = _d_abs_0(_S242);
-    var _S244 : DiffPair_float_0 = DiffPair_float_0( _S241.primal_0, _S241.differential_0 );
-    var _S245 : DiffPair_float_0 = DiffPair_float_0( _S243.primal_0, _S243.differential_0 );
-    var _S246 : DiffPair_float_0 = _d_min_0(_S244, _S245);
-    var _S247 : DiffPair_float_0 = _d_max_0(_S244, _S245);
-    var is_steep_1 : bool = (_S246.primal_0) > (0.41421356797218323f * _S247.primal_0);
+    var _S251 : DiffPair_float_0 = DiffPair_float_0( dpx_8.primal_0, dpx_8.differential_0 );
+    var _S252 : DiffPair_float_0 = _d_abs_0(_S251);
+    var _S253 : DiffPair_float_0 = DiffPair_float_0( dpy_3.primal_0, dpy_3.differential_0 );
+    var _S254 : DiffPair_float_0 = _d_abs_0(_S253);
+    var _S255 : DiffPair_float_0 = DiffPair_float_0( _S252.primal_0, _S252.differential_0 );
+    var _S256 : DiffPair_float_0 = DiffPair_float_0( _S254.primal_0, _S254.differential_0 );
+    var _S257 : DiffPair_float_0 = _d_min_0(_S255, _S256);
+    var _S258 : DiffPair_float_0 = _d_max_0(_S255, _S256);
+    var is_steep_1 : bool = (_S257.primal_0) > (0.41421356797218323f * _S258.primal_0);
     var above_1 : f32;
     var s_diff_above_0 : f32;
     if(is_steep_1)
     {
-        var _S248 : f32 = _S246.differential_0 - _S247.differential_0;
-        above_1 = _S246.primal_0 - _S247.primal_0;
-        s_diff_above_0 = _S248;
+        var _S259 : f32 = _S257.differential_0 - _S258.differential_0;
+        above_1 = _S257.primal_0 - _S258.primal_0;
+        s_diff_above_0 = _S259;
     }
     else
     {
-        above_1 = _S246.primal_0;
-        s_diff_above_0 = _S246.differential_0;
+        above_1 = _S257.primal_0;
+        s_diff_above_0 = _S257.differential_0;
     }
     var below_2 : f32;
     var s_diff_below_0 : f32;
     if(is_steep_1)
     {
-        var _S249 : f32 = _S246.differential_0 + _S247.differential_0;
-        below_2 = _S246.primal_0 + _S247.primal_0;
-        s_diff_below_0 = _S249;
+        var _S260 : f32 = _S257.differential_0 + _S258.differential_0;
+        below_2 = _S257.primal_0 + _S258.primal_0;
+        s_diff_below_0 = _S260;
     }
     else
     {
-        below_2 = _S247.primal_0;
-        s_diff_below_0 = _S247.differential_0;
+        below_2 = _S258.primal_0;
+        s_diff_below_0 = _S258.differential_0;
     }
     if(below_2 > 0.0f)
     {
@@ -2871,14 +3054,14 @@ fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> Dif
     var t_4 : f32 = above_1 / below_2;
     var s_diff_t_0 : f32 = (s_diff_above_0 * below_2 - above_1 * s_diff_below_0) / (below_2 * below_2);
     var z_2 : f32 = t_4 * t_4;
-    var _S250 : f32 = s_diff_t_0 * t_4;
-    var s_diff_z_0 : f32 = _S250 + _S250;
-    var _S251 : f32 = 0.08053744584321976f * z_2 - 0.13877685368061066f;
-    var _S252 : f32 = _S251 * z_2 + 0.19977711141109467f;
-    var tail_0 : f32 = _S252 * z_2 - 0.33332949876785278f;
-    var _S253 : f32 = tail_0 * z_2;
-    var angle_2 : f32 = _S253 * t_4 + t_4;
-    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_2 + s_diff_z_0 * _S251) * z_2 + s_diff_z_0 * _S252) * z_2 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S253 + s_diff_t_0;
+    var _S261 : f32 = s_diff_t_0 * t_4;
+    var s_diff_z_0 : f32 = _S261 + _S261;
+    var _S262 : f32 = 0.08053744584321976f * z_2 - 0.13877685368061066f;
+    var _S263 : f32 = _S262 * z_2 + 0.19977711141109467f;
+    var tail_0 : f32 = _S263 * z_2 - 0.33332949876785278f;
+    var _S264 : f32 = tail_0 * z_2;
+    var angle_2 : f32 = _S264 * t_4 + t_4;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_2 + s_diff_z_0 * _S262) * z_2 + s_diff_z_0 * _S263) * z_2 + s_diff_z_0 * tail_0) * t_4 + s_diff_t_0 * _S264 + s_diff_t_0;
     var angle_3 : f32;
     if(is_steep_1)
     {
@@ -2889,11 +3072,11 @@ fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> Dif
         angle_3 = angle_2;
     }
     var s_diff_angle_1 : f32;
-    if((_S243.primal_0) > (_S241.primal_0))
+    if((_S254.primal_0) > (_S252.primal_0))
     {
-        var _S254 : f32 = 0.0f - s_diff_angle_0;
+        var _S265 : f32 = 0.0f - s_diff_angle_0;
         angle_3 = 1.57079637050628662f - angle_3;
-        s_diff_angle_1 = _S254;
+        s_diff_angle_1 = _S265;
     }
     else
     {
@@ -2901,52 +3084,52 @@ fn s_fwd_angle_of_0( dpx_8 : DiffPair_float_0,  dpy_3 : DiffPair_float_0) -> Dif
     }
     if((dpx_8.primal_0) < 0.0f)
     {
-        var _S255 : f32 = 0.0f - s_diff_angle_1;
+        var _S266 : f32 = 0.0f - s_diff_angle_1;
         angle_3 = 3.14159274101257324f - angle_3;
-        s_diff_angle_1 = _S255;
+        s_diff_angle_1 = _S266;
     }
     if((dpy_3.primal_0) < 0.0f)
     {
-        var _S256 : f32 = - s_diff_angle_1;
+        var _S267 : f32 = - s_diff_angle_1;
         above_1 = - angle_3;
-        s_diff_above_0 = _S256;
+        s_diff_above_0 = _S267;
     }
     else
     {
         above_1 = angle_3;
         s_diff_above_0 = s_diff_angle_1;
     }
-    var _S257 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
-    return _S257;
+    var _S268 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
+    return _S268;
 }
 
 fn map_place_0( map_0 : u32,  direction_7 : vec3<f32>) -> vec2<f32>
 {
-    var _S258 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S258) * vec3<f32>(direction_7.x) + vector_at_0(_S258 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S258 + u32(6)) * vec3<f32>(direction_7.z);
+    var _S269 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S269) * vec3<f32>(direction_7.x) + vector_at_0(_S269 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S269 + u32(6)) * vec3<f32>(direction_7.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
 fn s_fwd_map_place_0( map_1 : u32,  dpdirection_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var _S259 : u32 = map_1 + u32(2);
-    var _S260 : vec3<f32> = vector_at_0(_S259);
-    var _S261 : vec3<f32> = vector_at_0(_S259 + u32(3));
-    var _S262 : vec3<f32> = vector_at_0(_S259 + u32(6));
-    var d_2 : vec3<f32> = _S260 * vec3<f32>(dpdirection_1.primal_0.x) + _S261 * vec3<f32>(dpdirection_1.primal_0.y) + _S262 * vec3<f32>(dpdirection_1.primal_0.z);
-    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S260 + vec3<f32>(dpdirection_1.differential_0.y) * _S261 + vec3<f32>(dpdirection_1.differential_0.z) * _S262;
-    var _S263 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
-    var _S264 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
-    var _S265 : DiffPair_float_0 = s_fwd_angle_of_0(_S263, _S264);
-    var _S266 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
-    var _S267 : DiffPair_float_0 = s_fwd_length_impl_1(_S266);
-    var _S268 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
-    var _S269 : DiffPair_float_0 = DiffPair_float_0( _S267.primal_0, _S267.differential_0 );
-    var _S270 : DiffPair_float_0 = s_fwd_angle_of_0(_S268, _S269);
+    var _S270 : u32 = map_1 + u32(2);
+    var _S271 : vec3<f32> = vector_at_0(_S270);
+    var _S272 : vec3<f32> = vector_at_0(_S270 + u32(3));
+    var _S273 : vec3<f32> = vector_at_0(_S270 + u32(6));
+    var d_2 : vec3<f32> = _S271 * vec3<f32>(dpdirection_1.primal_0.x) + _S272 * vec3<f32>(dpdirection_1.primal_0.y) + _S273 * vec3<f32>(dpdirection_1.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S271 + vec3<f32>(dpdirection_1.differential_0.y) * _S272 + vec3<f32>(dpdirection_1.differential_0.z) * _S273;
+    var _S274 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
+    var _S275 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
+    var _S276 : DiffPair_float_0 = s_fwd_angle_of_0(_S274, _S275);
+    var _S277 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
+    var _S278 : DiffPair_float_0 = s_fwd_length_impl_1(_S277);
+    var _S279 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
+    var _S280 : DiffPair_float_0 = DiffPair_float_0( _S278.primal_0, _S278.differential_0 );
+    var _S281 : DiffPair_float_0 = s_fwd_angle_of_0(_S279, _S280);
     var width_1 : f32 = f32(word_0(map_1));
-    var _S271 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
-    var _S272 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S265.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S270.primal_0 * 0.31830987334251404f * _S271), vec2<f32>(_S265.differential_0 * 0.15915493667125702f * width_1, _S270.differential_0 * 0.31830987334251404f * _S271) );
-    return _S272;
+    var _S282 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
+    var _S283 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S276.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S281.primal_0 * 0.31830987334251404f * _S282), vec2<f32>(_S276.differential_0 * 0.15915493667125702f * width_1, _S281.differential_0 * 0.31830987334251404f * _S282) );
+    return _S283;
 }
 
 fn in_map_0( map_2 : u32,  direction_8 : vec3<f32>) -> Lookup_0
@@ -2962,11 +3145,11 @@ fn in_map_0( map_2 : u32,  direction_8 : vec3<f32>) -> Lookup_0
     var height_2 : i32 = i32(word_0(map_2 + u32(1)));
     var left_1 : u32 = wrapped_0(x_8, width_2, u32(0));
     var right_1 : u32 = wrapped_0(x_8 + i32(1), width_2, u32(0));
-    var _S273 : u32 = wrapped_0(y_2, height_2, u32(2));
-    var _S274 : u32 = u32(width_2);
-    var first_6 : u32 = _S273 * _S274;
-    var _S275 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
-    var second_3 : u32 = _S275 * _S274;
+    var _S284 : u32 = wrapped_0(y_2, height_2, u32(2));
+    var _S285 : u32 = u32(width_2);
+    var first_6 : u32 = _S284 * _S285;
+    var _S286 : u32 = wrapped_0(y_2 + i32(1), height_2, u32(2));
+    var second_3 : u32 = _S286 * _S285;
     return between_0(vec4<u32>(first_6 + left_1, first_6 + right_1, second_3 + left_1, second_3 + right_1), point_0);
 }
 
@@ -2981,141 +3164,141 @@ fn emitted_0( emitter_4 : u32,  place_18 : Place_0,  direction_9 : Vector_0) -> 
     var texture_7 : u32 = word_0(record_9 + u32(1));
     if(!is_map_0(record_9))
     {
-        var _S276 : Vector_0 = shown_0(texture_7, place_18);
-        return _S276;
+        var _S287 : Vector_0 = shown_0(texture_7, place_18);
+        return _S287;
     }
-    var _S277 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_9.value_0, direction_9.change_0 );
-    var _S278 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S277);
+    var _S288 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_9.value_0, direction_9.change_0 );
+    var _S289 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S288);
     var factor_4 : Vector_0 = looked_up_0(word_0(texture_7 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
-    var _S279 : u32 = word_0(texture_7 + u32(11));
-    var _S280 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_9));
-    return x2A_0(looked_up_0(_S279, _S280, _S278.differential_0), factor_4);
+    var _S290 : u32 = word_0(texture_7 + u32(11));
+    var _S291 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_9));
+    return x2A_0(looked_up_0(_S290, _S291, _S289.differential_0), factor_4);
 }
 
-fn light_from_0( at_39 : ShadingPoint_0,  direction_10 : vec3<f32>) -> f32
+fn light_from_0( at_38 : ShadingPoint_0,  direction_10 : vec3<f32>) -> f32
 {
-    var light_2 : f32 = largest_0(scattered_from_0(at_39.vertex_3, direction_10));
-    var _S281 : bool;
-    if((at_39.purpose_0) != u32(1))
+    var light_2 : f32 = largest_0(scattered_from_0(at_38.vertex_3, direction_10));
+    var _S292 : bool;
+    if((at_38.purpose_0) != u32(1))
     {
-        _S281 = true;
+        _S292 = true;
     }
     else
     {
-        _S281 = !(light_2 > 0.0f);
+        _S292 = !(light_2 > 0.0f);
     }
-    if(_S281)
+    if(_S292)
     {
         return light_2;
     }
-    var _S282 : Vector_0 = emitted_0(at_39.emitter_0, at_39.vertex_3.surface_4.place_3, still_0(direction_10));
-    return light_2 * largest_0(value_of_0(_S282));
+    var _S293 : Vector_0 = emitted_0(at_38.emitter_0, at_38.vertex_3.surface_4.place_3, still_0(direction_10));
+    return light_2 * largest_0(value_of_0(_S293));
 }
 
-fn weigh_0( at_40 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+fn weigh_0( at_39 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
 {
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
     var t_5 : f32 = place_between_0(seen_2.range_1.x, seen_2.range_1.y, seen_2.near_1, seen_2.far_0, part_1);
     var offset_10 : vec3<f32> = seen_2.start_1 + seen_2.along_1 * vec3<f32>(t_5);
     var normal_6 : vec3<f32> = exact_unit_0(cross(seen_2.start_1, seen_2.along_1));
-    var _S283 : f32 = edge_number_0(seen_2.edge_3.record_8 + u32(10));
+    var _S294 : f32 = edge_number_0(seen_2.edge_3.record_8 + u32(10));
     var speed_1 : f32;
     if(!is_blind_0())
     {
-        speed_1 = abs(dot(velocity_on_0(at_40, seen_2.edge_3, t_5, offset_10), normal_6));
+        speed_1 = abs(dot(velocity_on_0(at_39, seen_2.edge_3, t_5, offset_10), normal_6));
     }
     else
     {
-        speed_1 = _S283;
+        speed_1 = _S294;
     }
     var speed_2 : f32 = speed_1 / length(offset_10);
     var angle_4 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S284 : f32 = light_from_0(at_40, middle_1);
-    var contribution_0 : f32 = angle_4 * _S284 * speed_2;
-    var _S285 : vec2<f32>;
+    var _S295 : f32 = light_from_0(at_39, middle_1);
+    var contribution_0 : f32 = angle_4 * _S295 * speed_2;
+    var _S296 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
     {
-        _S285 = vec2<f32>(contribution_0, angle_4);
+        _S296 = vec2<f32>(contribution_0, angle_4);
     }
     else
     {
-        _S285 = vec2<f32>(0.0f);
+        _S296 = vec2<f32>(0.0f);
     }
-    return _S285;
+    return _S296;
 }
 
-fn multiplicity_0( at_41 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec3<f32>,  normal_7 : vec3<f32>) -> f32
+fn multiplicity_0( at_40 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec3<f32>,  normal_7 : vec3<f32>) -> f32
 {
-    var _S286 : vec3<f32> = cross(normal_7, direction_11);
-    var _S287 : u32 = edge_5.record_8 + u32(8);
-    var k_9 : u32 = edge_word_0(_S287);
-    var count_5 : f32 = 1.0f;
+    var _S297 : vec3<f32> = cross(normal_7, direction_11);
+    var _S298 : u32 = edge_5.record_8 + u32(8);
+    var k_7 : u32 = edge_word_0(_S298);
+    var count_3 : f32 = 1.0f;
     for(;;)
     {
-        if(k_9 < (edge_word_0(_S287 + u32(1))))
+        if(k_7 < (edge_word_0(_S298 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var other_0 : Edge_0 = edge_at_0(at_41, edge_word_0(k_9));
-        if(!((factor_of_0(at_41, other_0)) > 0.0f))
+        var other_0 : Edge_0 = edge_at_0(at_40, edge_word_0(k_7));
+        if(!((factor_of_0(at_40, other_0)) > 0.0f))
         {
-            k_9 = k_9 + u32(1);
+            k_7 = k_7 + u32(1);
             continue;
         }
-        var a_18 : vec3<f32> = edge_position_0(other_0.numbers_3) - at_41.vertex_3.surface_4.exact_0;
-        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_3 + u32(3)) - at_41.vertex_3.surface_4.exact_0 - a_18;
-        var place_19 : f32 = - dot(a_18, _S286) / dot(way_1, _S286);
+        var a_18 : vec3<f32> = edge_position_0(other_0.numbers_3) - at_40.vertex_3.surface_4.exact_0;
+        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_3 + u32(3)) - at_40.vertex_3.surface_4.exact_0 - a_18;
+        var place_19 : f32 = - dot(a_18, _S297) / dot(way_1, _S297);
         var there_0 : vec3<f32> = a_18 + way_1 * vec3<f32>(place_19);
-        var _S288 : bool;
+        var _S299 : bool;
         if(place_19 >= 0.0f)
         {
-            _S288 = place_19 <= 1.0f;
+            _S299 = place_19 <= 1.0f;
         }
         else
         {
-            _S288 = false;
+            _S299 = false;
         }
-        var _S289 : bool;
-        if(_S288)
+        var _S300 : bool;
+        if(_S299)
         {
-            _S289 = (dot(there_0, direction_11)) > 0.0f;
+            _S300 = (dot(there_0, direction_11)) > 0.0f;
         }
         else
         {
-            _S289 = false;
+            _S300 = false;
         }
-        if(!_S289)
+        if(!_S300)
         {
-            k_9 = k_9 + u32(1);
+            k_7 = k_7 + u32(1);
             continue;
         }
         if(!((abs(dot(normal_7, there_0))) <= (edge_real_0(u32(3)) * length_of_0(there_0))))
         {
-            k_9 = k_9 + u32(1);
+            k_7 = k_7 + u32(1);
             continue;
         }
-        var count_6 : f32;
+        var count_4 : f32;
         if((abs(dot(normal_7, exact_unit_0(cross(a_18, way_1))))) > 0.99999898672103882f)
         {
-            count_6 = count_5 + 1.0f;
+            count_4 = count_3 + 1.0f;
         }
         else
         {
-            count_6 = count_5;
+            count_4 = count_3;
         }
-        count_5 = count_6;
-        k_9 = k_9 + u32(1);
+        count_3 = count_4;
+        k_7 = k_7 + u32(1);
     }
-    return count_5;
+    return count_3;
 }
 
-fn face_normal_1( at_42 : ShadingPoint_0) -> vec3<f32>
+fn face_normal_1( at_41 : ShadingPoint_0) -> vec3<f32>
 {
-    var corners_1 : u32 = u32(9) * at_42.vertex_3.surface_4.place_3.triangle_0;
+    var corners_1 : u32 = u32(9) * at_41.vertex_3.surface_4.place_3.triangle_0;
     var a_19 : vec3<f32> = primitive_vector_0(corners_1);
     return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_19, primitive_vector_0(corners_1 + u32(6)) - a_19));
 }
@@ -3136,12 +3319,12 @@ struct EdgePoint_0
      is_in_horizon_0 : bool,
 };
 
-fn point_on_0( at_43 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
+fn point_on_0( at_42 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
 {
-    var _S290 : f32 = seen_3.range_1.x;
-    var _S291 : f32 = seen_3.range_1.y;
-    var first_7 : f32 = place_between_0(_S290, _S291, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
-    var last_1 : f32 = place_between_0(_S290, _S291, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
+    var _S301 : f32 = seen_3.range_1.x;
+    var _S302 : f32 = seen_3.range_1.y;
+    var first_7 : f32 = place_between_0(_S301, _S302, seen_3.near_1, seen_3.far_0, piece_1 / seen_3.pieces_0);
+    var last_1 : f32 = place_between_0(_S301, _S302, seen_3.near_1, seen_3.far_0, (piece_1 + 1.0f) / seen_3.pieces_0);
     var a_20 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(first_7);
     var b_13 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(last_1);
     var near_3 : f32 = length_of_0(a_20);
@@ -3153,27 +3336,27 @@ fn point_on_0( at_43 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     var t_7 : f32 = place_between_0(first_7, last_1, near_3, far_2, inside_3);
     var offset_11 : vec3<f32> = seen_3.start_1 + seen_3.along_1 * vec3<f32>(t_7);
     var point_1 : EdgePoint_0;
-    var _S292 : f32 = length_of_0(offset_11);
-    point_1.distance_5 = _S292;
-    var _S293 : vec3<f32> = offset_11 / vec3<f32>(_S292);
-    point_1.direction_12 = _S293;
-    var _S294 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
-    point_1.normal_8 = _S294;
+    var _S303 : f32 = length_of_0(offset_11);
+    point_1.distance_5 = _S303;
+    var _S304 : vec3<f32> = offset_11 / vec3<f32>(_S303);
+    point_1.direction_12 = _S304;
+    var _S305 : vec3<f32> = exact_unit_0(cross(seen_3.start_1, seen_3.along_1));
+    point_1.normal_8 = _S305;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_6 = t_7;
-    point_1.measure_0 = angle_5 / _S292 / (part_of_all_0 * multiplicity_0(at_43, seen_3.edge_3, _S293, _S294));
-    var face_0 : vec3<f32> = face_normal_1(at_43);
+    point_1.measure_0 = angle_5 / _S303 / (part_of_all_0 * multiplicity_0(at_42, seen_3.edge_3, _S304, _S305));
+    var face_0 : vec3<f32> = face_normal_1(at_42);
     var least_2 : f32 = limit_at_0(u32(2));
-    var _S295 : bool;
+    var _S306 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
     {
-        _S295 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
+        _S306 = (abs(dot(seen_3.start_1 + seen_3.along_1, face_0))) <= least_2;
     }
     else
     {
-        _S295 = false;
+        _S306 = false;
     }
-    point_1.is_in_horizon_0 = _S295;
+    point_1.is_in_horizon_0 = _S306;
     return point_1;
 }
 
@@ -3182,30 +3365,30 @@ fn offset_of_0( point_2 : EdgePoint_0) -> vec3<f32>
     return point_2.direction_12 * vec3<f32>(point_2.distance_5);
 }
 
-fn flow_at_0( at_44 : ShadingPoint_0,  point_3 : EdgePoint_0) -> f32
+fn flow_at_0( at_43 : ShadingPoint_0,  point_3 : EdgePoint_0) -> f32
 {
-    return dot(velocity_on_0(at_44, point_3.edge_6, point_3.t_6, offset_of_0(point_3)), point_3.normal_8) * point_3.measure_0;
+    return dot(velocity_on_0(at_43, point_3.edge_6, point_3.t_6, offset_of_0(point_3)), point_3.normal_8) * point_3.measure_0;
 }
 
 fn component_0( v_8 : vec3<f32>,  axis_5 : u32) -> f32
 {
-    var _S296 : f32;
+    var _S307 : f32;
     if(axis_5 == u32(0))
     {
-        _S296 = v_8.x;
+        _S307 = v_8.x;
     }
     else
     {
         if(axis_5 == u32(1))
         {
-            _S296 = v_8.y;
+            _S307 = v_8.y;
         }
         else
         {
-            _S296 = v_8.z;
+            _S307 = v_8.z;
         }
     }
-    return _S296;
+    return _S307;
 }
 
 struct Ray_0
@@ -3225,34 +3408,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  axes_3 : ptr<function, u32>) -> Ray_0
 {
     var size_2 : vec3<f32> = abs(direction_13);
-    var _S297 : f32 = size_2.x;
-    var _S298 : f32 = size_2.y;
-    var _S299 : bool;
-    if(_S297 >= _S298)
+    var _S308 : f32 = size_2.x;
+    var _S309 : f32 = size_2.y;
+    var _S310 : bool;
+    if(_S308 >= _S309)
     {
-        _S299 = _S297 >= (size_2.z);
+        _S310 = _S308 >= (size_2.z);
     }
     else
     {
-        _S299 = false;
+        _S310 = false;
     }
-    var _S300 : i32;
-    if(_S299)
+    var _S311 : i32;
+    if(_S310)
     {
-        _S300 = i32(0);
+        _S311 = i32(0);
     }
     else
     {
-        if(_S298 >= (size_2.z))
+        if(_S309 >= (size_2.z))
         {
-            _S300 = i32(1);
+            _S311 = i32(1);
         }
         else
         {
-            _S300 = i32(2);
+            _S311 = i32(2);
         }
     }
-    var z_3 : u32 = u32(_S300);
+    var z_3 : u32 = u32(_S311);
     var x_9 : u32 = (z_3 + u32(1)) % u32(3);
     var y_3 : u32 = (z_3 + u32(2)) % u32(3);
     (*axes_3) = (((x_9 | (((y_3 << (u32(2))))))) | (((z_3 << (u32(4))))));
@@ -3288,7 +3471,7 @@ struct RayView_0
 
 fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32) -> f32
 {
-    var _S301 : u32 = u32(14) * node_6 + slot_3 / u32(4);
+    var _S312 : u32 = u32(14) * node_6 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -3301,36 +3484,36 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S302 : u32 = axis_6;
-        var _S303 : u32 = _S301 + u32(2) * axis_6;
-        var _S304 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S303][_S304])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S303 + u32(6)][_S304])));
-        var _S305 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
-        var _S306 : f32;
-        if(_S305)
+        var _S313 : u32 = axis_6;
+        var _S314 : u32 = _S312 + u32(2) * axis_6;
+        var _S315 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S314][_S315])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S314 + u32(6)][_S315])));
+        var _S316 : bool = (view_1.inverse_1[axis_6]) < 0.0f;
+        var _S317 : f32;
+        if(_S316)
         {
-            _S306 = high_0;
+            _S317 = high_0;
         }
         else
         {
-            _S306 = low_3;
+            _S317 = low_3;
         }
-        var _S307 : f32 = max(near_4, _S306 * view_1.inverse_1[_S302] - view_1.offset_near_0[axis_6]);
-        var _S308 : f32;
-        if(_S305)
+        var _S318 : f32 = max(near_4, _S317 * view_1.inverse_1[_S313] - view_1.offset_near_0[axis_6]);
+        var _S319 : f32;
+        if(_S316)
         {
-            _S308 = low_3;
+            _S319 = low_3;
         }
         else
         {
-            _S308 = high_0;
+            _S319 = high_0;
         }
-        var _S309 : f32 = min(far_3, _S308 * view_1.inverse_1[_S302] - view_1.offset_far_0[axis_6]);
-        var _S310 : u32 = axis_6 + u32(1);
-        near_4 = _S307;
-        far_3 = _S309;
-        axis_6 = _S310;
+        var _S320 : f32 = min(far_3, _S319 * view_1.inverse_1[_S313] - view_1.offset_far_0[axis_6]);
+        var _S321 : u32 = axis_6 + u32(1);
+        near_4 = _S318;
+        far_3 = _S320;
+        axis_6 = _S321;
     }
     if(near_4 <= far_3)
     {
@@ -3344,21 +3527,21 @@ fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32
 
 fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 {
-    var k_10 : u32 = u32(0);
+    var k_8 : u32 = u32(0);
     var order_0 : u32 = u32(0);
     for(;;)
     {
-        if(k_10 < u32(8))
+        if(k_8 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S311 : u32 = k_10;
-        if((bounds_0[k_10]) > limit_2)
+        var _S322 : u32 = k_8;
+        if((bounds_0[k_8]) > limit_2)
         {
-            k_10 = k_10 + u32(1);
+            k_8 = k_8 + u32(1);
             continue;
         }
         var j_0 : u32 = u32(0);
@@ -3372,31 +3555,31 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S312 : u32 = j_0;
-            var _S313 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S311]))
+            var _S323 : u32 = j_0;
+            var _S324 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S322]))
             {
-                _S313 = true;
+                _S324 = true;
             }
             else
             {
-                if((bounds_0[_S312]) == (bounds_0[_S311]))
+                if((bounds_0[_S323]) == (bounds_0[_S322]))
                 {
-                    _S313 = j_0 < k_10;
+                    _S324 = j_0 < k_8;
                 }
                 else
                 {
-                    _S313 = false;
+                    _S324 = false;
                 }
             }
-            if(_S313)
+            if(_S324)
             {
                 rank_0 = rank_0 + u32(1);
             }
             j_0 = j_0 + u32(1);
         }
-        order_0 = (order_0 | ((((k_10 + u32(1)) << ((u32(4) * rank_0))))));
-        k_10 = k_10 + u32(1);
+        order_0 = (order_0 | ((((k_8 + u32(1)) << ((u32(4) * rank_0))))));
+        k_8 = k_8 + u32(1);
     }
     return order_0;
 }
@@ -3414,16 +3597,16 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
         {
             break;
         }
-        var _S314 : f32;
+        var _S325 : f32;
         if((ray_child_0(node_7, slot_4)) == u32(4294967295))
         {
-            _S314 = 3.00000000549775576e+38f;
+            _S325 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S314 = ray_bound_0(view_2, limit_3, node_7, slot_4);
+            _S325 = ray_bound_0(view_2, limit_3, node_7, slot_4);
         }
-        bounds_1[slot_4] = _S314;
+        bounds_1[slot_4] = _S325;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -3434,9 +3617,9 @@ fn rounded_0( product_2 : f32,  largest_2 : f32) -> f32
     return min(product_2, largest_2);
 }
 
-fn corner_2( ray_1 : Ray_0,  axes_5 : u32,  at_45 : u32) -> vec3<f32>
+fn corner_2( ray_1 : Ray_0,  axes_5 : u32,  at_44 : u32) -> vec3<f32>
 {
-    var relative_1 : vec3<f32> = primitive_vector_0(at_45) - ray_1.origin_0;
+    var relative_1 : vec3<f32> = primitive_vector_0(at_44) - ray_1.origin_0;
     var z_4 : f32 = component_0(relative_1, (axes_5 >> (u32(4))));
     return vec3<f32>(component_0(relative_1, (axes_5 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_4, ray_1.largest_1), component_0(relative_1, (((axes_5 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_4, ray_1.largest_1), z_4);
 }
@@ -3449,80 +3632,80 @@ struct Crossing_0
      w_3 : f32,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_6 : u32,  at_46 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_6 : u32,  at_45 : u32) -> Crossing_0
 {
-    var crossing_1 : Crossing_0;
-    crossing_1.is_hit_0 = false;
-    crossing_1.t_8 = 0.0f;
-    crossing_1.v_9 = 0.0f;
-    crossing_1.w_3 = 0.0f;
-    var a_21 : vec3<f32> = corner_2(ray_2, axes_6, at_46);
-    var b_14 : vec3<f32> = corner_2(ray_2, axes_6, at_46 + u32(3));
-    var c_4 : vec3<f32> = corner_2(ray_2, axes_6, at_46 + u32(6));
-    var _S315 : f32 = c_4.x;
-    var _S316 : f32 = b_14.y;
-    var cx_by_0 : f32 = rounded_0(_S315 * _S316, ray_2.largest_1);
-    var _S317 : f32 = c_4.y;
-    var _S318 : f32 = b_14.x;
-    var cy_bx_0 : f32 = rounded_0(_S317 * _S318, ray_2.largest_1);
-    var _S319 : f32 = a_21.x;
-    var ax_cy_0 : f32 = rounded_0(_S319 * _S317, ray_2.largest_1);
-    var _S320 : f32 = a_21.y;
-    var ay_cx_0 : f32 = rounded_0(_S320 * _S315, ray_2.largest_1);
-    var bx_ay_0 : f32 = rounded_0(_S318 * _S320, ray_2.largest_1);
-    var by_ax_0 : f32 = rounded_0(_S316 * _S319, ray_2.largest_1);
+    var crossing_0 : Crossing_0;
+    crossing_0.is_hit_0 = false;
+    crossing_0.t_8 = 0.0f;
+    crossing_0.v_9 = 0.0f;
+    crossing_0.w_3 = 0.0f;
+    var a_21 : vec3<f32> = corner_2(ray_2, axes_6, at_45);
+    var b_14 : vec3<f32> = corner_2(ray_2, axes_6, at_45 + u32(3));
+    var c_4 : vec3<f32> = corner_2(ray_2, axes_6, at_45 + u32(6));
+    var _S326 : f32 = c_4.x;
+    var _S327 : f32 = b_14.y;
+    var cx_by_0 : f32 = rounded_0(_S326 * _S327, ray_2.largest_1);
+    var _S328 : f32 = c_4.y;
+    var _S329 : f32 = b_14.x;
+    var cy_bx_0 : f32 = rounded_0(_S328 * _S329, ray_2.largest_1);
+    var _S330 : f32 = a_21.x;
+    var ax_cy_0 : f32 = rounded_0(_S330 * _S328, ray_2.largest_1);
+    var _S331 : f32 = a_21.y;
+    var ay_cx_0 : f32 = rounded_0(_S331 * _S326, ray_2.largest_1);
+    var bx_ay_0 : f32 = rounded_0(_S329 * _S331, ray_2.largest_1);
+    var by_ax_0 : f32 = rounded_0(_S327 * _S330, ray_2.largest_1);
     var u_2 : f32 = cx_by_0 - cy_bx_0;
     var v_10 : f32 = ax_cy_0 - ay_cx_0;
     var w_4 : f32 = bx_ay_0 - by_ax_0;
-    var _S321 : f32 = min(min(u_2, v_10), w_4);
-    var _S322 : f32 = max(max(u_2, v_10), w_4);
-    var _S323 : bool;
-    if(_S321 < 0.0f)
+    var _S332 : f32 = min(min(u_2, v_10), w_4);
+    var _S333 : f32 = max(max(u_2, v_10), w_4);
+    var _S334 : bool;
+    if(_S332 < 0.0f)
     {
-        _S323 = _S322 > 0.0f;
+        _S334 = _S333 > 0.0f;
     }
     else
     {
-        _S323 = false;
+        _S334 = false;
     }
-    if(_S323)
+    if(_S334)
     {
-        return crossing_1;
+        return crossing_0;
     }
     var determinant_0 : f32 = u_2 + v_10 + w_4;
-    if(_S321 <= 0.0f)
+    if(_S332 <= 0.0f)
     {
-        _S323 = _S322 >= 0.0f;
+        _S334 = _S333 >= 0.0f;
     }
     else
     {
-        _S323 = false;
+        _S334 = false;
     }
-    if(_S323)
+    if(_S334)
     {
         if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
-            return crossing_1;
+            return crossing_0;
         }
     }
     if(determinant_0 == 0.0f)
     {
-        return crossing_1;
+        return crossing_0;
     }
     var t_9 : f32 = (rounded_0(u_2 * a_21.z, ray_2.largest_1) + rounded_0(v_10 * b_14.z, ray_2.largest_1) + rounded_0(w_4 * c_4.z, ray_2.largest_1)) / determinant_0 * ray_2.inverse_z_0;
     if((ray_2.t_min_0) <= t_9)
     {
-        _S323 = t_9 <= (ray_2.t_max_0);
+        _S334 = t_9 <= (ray_2.t_max_0);
     }
     else
     {
-        _S323 = false;
+        _S334 = false;
     }
-    crossing_1.is_hit_0 = _S323;
-    crossing_1.t_8 = t_9;
-    crossing_1.v_9 = v_10 / determinant_0;
-    crossing_1.w_3 = w_4 / determinant_0;
-    return crossing_1;
+    crossing_0.is_hit_0 = _S334;
+    crossing_0.t_8 = t_9;
+    crossing_0.v_9 = v_10 / determinant_0;
+    crossing_0.w_3 = w_4 / determinant_0;
+    return crossing_0;
 }
 
 fn face_1( triangle_7 : u32) -> u32
@@ -3540,7 +3723,7 @@ struct Found_0
 
 fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S324 : bool;
+    var _S335 : bool;
     var found_0 : Found_0;
     found_0.face_2 = u32(4294967295);
     found_0.triangle_8 = u32(4294967295);
@@ -3572,31 +3755,31 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S325 : u32 = way_2[level_0].y;
-        if(_S325 == u32(0))
+        var _S336 : u32 = way_2[level_0].y;
+        if(_S336 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S326 : u32 = level_0 - u32(1);
+            var _S337 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S326;
+            level_0 = _S337;
             continue;
         }
-        var slot_5 : u32 = ((_S325 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S325 >> (u32(4)));
-        var _S327 : bool;
+        var slot_5 : u32 = ((_S336 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S336 >> (u32(4)));
+        var _S338 : bool;
         if(!is_new_1)
         {
-            _S327 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
+            _S338 = (ray_bound_0(view_3, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S327 = false;
+            _S338 = false;
         }
-        if(_S327)
+        if(_S338)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -3605,58 +3788,58 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S328 : u32 = level_0 + u32(1);
+            var _S339 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S328;
+            level_0 = _S339;
             continue;
         }
-        var leaf_4 : u32 = (child_0 & (u32(2147483647)));
-        var _S329 : u32 = leaf_starts_0[leaf_4 + u32(1)];
-        var _S330 : u32 = leaf_starts_0[leaf_4];
+        var leaf_2 : u32 = (child_0 & (u32(2147483647)));
+        var _S340 : u32 = leaf_starts_0[leaf_2 + u32(1)];
+        var _S341 : u32 = leaf_starts_0[leaf_2];
         var limit_5 : f32 = limit_4;
-        var i_2 : u32 = _S330;
+        var i_2 : u32 = _S341;
         for(;;)
         {
-            if(i_2 < _S329)
+            if(i_2 < _S340)
             {
             }
             else
             {
                 break;
             }
-            var crossing_2 : Crossing_0 = intersect_0((*ray_3), view_3.axes_4, u32(9) * i_2);
-            if(!crossing_2.is_hit_0)
+            var crossing_1 : Crossing_0 = intersect_0((*ray_3), view_3.axes_4, u32(9) * i_2);
+            if(!crossing_1.is_hit_0)
             {
                 i_2 = i_2 + u32(1);
                 continue;
             }
             if((found_0.face_2) == u32(4294967295))
             {
-                _S324 = true;
+                _S335 = true;
             }
             else
             {
-                _S324 = (crossing_2.t_8) < ((*ray_3).t_max_0);
+                _S335 = (crossing_1.t_8) < ((*ray_3).t_max_0);
             }
-            var _S331 : bool;
-            if(_S324)
+            var _S342 : bool;
+            if(_S335)
             {
-                _S331 = true;
+                _S342 = true;
             }
             else
             {
-                _S331 = (face_1(i_2)) < (found_0.face_2);
+                _S342 = (face_1(i_2)) < (found_0.face_2);
             }
             var limit_6 : f32;
-            if(_S331)
+            if(_S342)
             {
                 found_0.face_2 = face_1(i_2);
                 found_0.triangle_8 = i_2;
-                (*ray_3).t_max_0 = crossing_2.t_8;
-                found_0.v_11 = crossing_2.v_9;
-                found_0.w_5 = crossing_2.w_3;
-                limit_6 = min(limit_5, crossing_2.t_8 * (*ray_3).local_per_t_0 - (*ray_3).enter_0 + 2.0f * view_3.margin_2);
+                (*ray_3).t_max_0 = crossing_1.t_8;
+                found_0.v_11 = crossing_1.v_9;
+                found_0.w_5 = crossing_1.w_3;
+                limit_6 = min(limit_5, crossing_1.t_8 * (*ray_3).local_per_t_0 - (*ray_3).enter_0 + 2.0f * view_3.margin_2);
             }
             else
             {
@@ -3667,13 +3850,13 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S324 = (found_0.face_2) != u32(4294967295);
+            _S335 = (found_0.face_2) != u32(4294967295);
         }
         else
         {
-            _S324 = false;
+            _S335 = false;
         }
-        if(_S324)
+        if(_S335)
         {
             break;
         }
@@ -3687,11 +3870,11 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_2 : vec3<f32>,  direction_14 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_1 : bool,  t_10 : ptr<function, f32>) -> Found_0
 {
     var view_4 : RayView_0;
-    var _S332 : u32 = view_4.axes_4;
-    var _S333 : Ray_0 = ray_along_0(origin_2, direction_14, t_min_2, t_max_2, &(_S332));
-    view_4.axes_4 = _S332;
-    var ray_4 : Ray_0 = _S333;
-    var _S334 : vec3<f32> = direction_14 / vec3<f32>(ray_4.local_per_t_0);
+    var _S343 : u32 = view_4.axes_4;
+    var _S344 : Ray_0 = ray_along_0(origin_2, direction_14, t_min_2, t_max_2, &(_S343));
+    view_4.axes_4 = _S343;
+    var ray_4 : Ray_0 = _S344;
+    var _S345 : vec3<f32> = direction_14 / vec3<f32>(ray_4.local_per_t_0);
     var axis_7 : u32 = u32(0);
     for(;;)
     {
@@ -3702,17 +3885,17 @@ fn cast_0( origin_2 : vec3<f32>,  direction_14 : vec3<f32>,  t_min_2 : f32,  t_m
         {
             break;
         }
-        var _S335 : f32 = max(abs(_S334[axis_7]), 8.67361737988403547e-19f);
-        var _S336 : f32;
-        if((_S334[axis_7]) < 0.0f)
+        var _S346 : f32 = max(abs(_S345[axis_7]), 8.67361737988403547e-19f);
+        var _S347 : f32;
+        if((_S345[axis_7]) < 0.0f)
         {
-            _S336 = -1.0f / _S335;
+            _S347 = -1.0f / _S346;
         }
         else
         {
-            _S336 = 1.0f / _S335;
+            _S347 = 1.0f / _S346;
         }
-        view_4.inverse_1[axis_7] = _S336;
+        view_4.inverse_1[axis_7] = _S347;
         axis_7 = axis_7 + u32(1);
     }
     var offset_12 : vec3<f32> = origin_2 * view_4.inverse_1;
@@ -3735,7 +3918,7 @@ struct Side_0
      t_11 : f32,
 };
 
-fn look_0( at_47 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Side_0
+fn look_0( at_46 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Side_0
 {
     var step_0 : vec3<f32> = point_4.normal_8 * vec3<f32>(edge_real_0(u32(3)));
     var origin_3 : vec3<f32>;
@@ -3750,33 +3933,33 @@ fn look_0( at_47 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Sid
     var direction_16 : vec3<f32> = exact_unit_0(origin_3);
     if(point_4.is_in_horizon_0)
     {
-        var face_3 : vec3<f32> = face_normal_1(at_47);
+        var face_3 : vec3<f32> = face_normal_1(at_46);
         var height_3 : f32 = limit_at_0(u32(2));
-        var _S337 : f32;
+        var _S348 : f32;
         if((dot(direction_16, face_3)) < 0.0f)
         {
-            _S337 = - height_3;
+            _S348 = - height_3;
         }
         else
         {
-            _S337 = height_3;
+            _S348 = height_3;
         }
-        origin_3 = at_47.vertex_3.surface_4.exact_0 + face_3 * vec3<f32>(_S337);
+        origin_3 = at_46.vertex_3.surface_4.exact_0 + face_3 * vec3<f32>(_S348);
     }
     else
     {
-        origin_3 = at_47.vertex_3.surface_4.exact_0;
+        origin_3 = at_46.vertex_3.surface_4.exact_0;
     }
     var seen_4 : Side_0;
     seen_4.direction_15 = direction_16;
     seen_4.rest_3 = vec3<f32>(0.0f);
-    seen_4.scattered_2 = scattered_from_0(at_47.vertex_3, direction_16);
-    var _S338 : f32 = limit_at_0(u32(2));
-    var _S339 : f32 = limit_at_0(u32(1));
-    var _S340 : f32 = seen_4.t_11;
-    var _S341 : Found_0 = cast_0(origin_3, direction_16, _S338, _S339, false, &(_S340));
-    seen_4.t_11 = _S340;
-    seen_4.found_2 = _S341;
+    seen_4.scattered_2 = scattered_from_0(at_46.vertex_3, direction_16);
+    var _S349 : f32 = limit_at_0(u32(2));
+    var _S350 : f32 = limit_at_0(u32(1));
+    var _S351 : f32 = seen_4.t_11;
+    var _S352 : Found_0 = cast_0(origin_3, direction_16, _S349, _S350, false, &(_S351));
+    seen_4.t_11 = _S351;
+    seen_4.found_2 = _S352;
     return seen_4;
 }
 
@@ -3817,32 +4000,32 @@ fn emitter_seen_0( found_4 : Found_0,  direction_17 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_5 : u32 = word_0(shape_of_0(found_4.triangle_8) + u32(4));
-    var _S342 : bool;
+    var _S353 : bool;
     if(emitter_5 != u32(4294967295))
     {
-        _S342 = (dot(cross_of_0(found_4.triangle_8), direction_17)) < 0.0f;
+        _S353 = (dot(cross_of_0(found_4.triangle_8), direction_17)) < 0.0f;
     }
     else
     {
-        _S342 = false;
+        _S353 = false;
     }
-    var _S343 : u32;
-    if(_S342)
+    var _S354 : u32;
+    if(_S353)
     {
-        _S343 = emitter_5;
+        _S354 = emitter_5;
     }
     else
     {
-        _S343 = u32(4294967295);
+        _S354 = u32(4294967295);
     }
-    return _S343;
+    return _S354;
 }
 
-fn jump_of_light_0( at_48 : ShadingPoint_0,  point_5 : EdgePoint_0) -> vec3<f32>
+fn jump_of_light_0( at_47 : ShadingPoint_0,  point_5 : EdgePoint_0) -> vec3<f32>
 {
-    var _S344 : vec3<f32> = vec3<f32>(0.0f);
+    var _S355 : vec3<f32> = vec3<f32>(0.0f);
     var side_1 : u32 = u32(0);
-    var jump_0 : vec3<f32> = _S344;
+    var jump_0 : vec3<f32> = _S355;
     for(;;)
     {
         if(side_1 < u32(2))
@@ -3852,62 +4035,68 @@ fn jump_of_light_0( at_48 : ShadingPoint_0,  point_5 : EdgePoint_0) -> vec3<f32>
         {
             break;
         }
-        var seen_5 : Side_0 = look_0(at_48, point_5, side_1);
-        var _S345 : bool;
+        var seen_5 : Side_0 = look_0(at_47, point_5, side_1);
+        var _S356 : bool;
         if(!((largest_0(seen_5.scattered_2)) > 0.0f))
         {
-            _S345 = true;
+            _S356 = true;
         }
         else
         {
-            _S345 = (emitter_seen_0(seen_5.found_2, seen_5.direction_15)) != (at_48.emitter_0);
+            _S356 = (emitter_seen_0(seen_5.found_2, seen_5.direction_15)) != (at_47.emitter_0);
         }
-        if(_S345)
+        if(_S356)
         {
             side_1 = side_1 + u32(1);
             continue;
         }
-        var _S346 : Vector_0 = emitted_0(at_48.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_15));
-        var light_3 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S346);
-        var _S347 : vec3<f32>;
+        var _S357 : Vector_0 = emitted_0(at_47.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_15));
+        var light_3 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S357);
+        var _S358 : vec3<f32>;
         if(side_1 == u32(0))
         {
-            _S347 = light_3;
+            _S358 = light_3;
         }
         else
         {
-            _S347 = (vec3<f32>(0) - light_3);
+            _S358 = (vec3<f32>(0) - light_3);
         }
-        jump_0 = jump_0 + _S347;
+        jump_0 = jump_0 + _S358;
         side_1 = side_1 + u32(1);
     }
     return jump_0;
 }
 
-fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_49 : ShadingPoint_0,  point_6 : EdgePoint_0,  number_of_path_2 : u32,  path_10 : Path_0)
+fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_48 : ShadingPoint_0,  point_6 : EdgePoint_0,  number_of_path_2 : u32,  path_10 : Path_0)
 {
-    var flow_0 : f32 = flow_at_0(at_49, point_6);
+    var flow_0 : f32 = flow_at_0(at_48, point_6);
     if(flow_0 == 0.0f)
     {
         return;
     }
-    var _S348 : vec3<f32> = jump_of_light_0(at_49, point_6);
-    (*crossed_2).term_0 = (*crossed_2).term_0 + (*crossed_2).factor_1 * _S348 * vec3<f32>(flow_0);
+    var _S359 : vec3<f32> = jump_of_light_0(at_48, point_6);
+    (*crossed_2).term_0 = (*crossed_2).term_0 + (*crossed_2).factor_1 * _S359 * vec3<f32>(flow_0);
     return;
 }
 
-struct Share_0
+fn draw_points_0( at_49 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  place_20 : f32,  number_of_path_3 : u32,  path_11 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
 {
-     share_0 : f32,
-     over_all_0 : f32,
-     place_20 : f32,
-};
-
-fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  number_of_path_3 : u32,  path_11 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
-{
+    var _S360 : bool;
+    var most_0 : u32 = edge_word_0(u32(9));
+    var _S361 : bool = (at_49.purpose_0) == u32(0);
+    var _S362 : u32;
+    if(_S361)
+    {
+        _S362 = most_0 * part_of_launch_0();
+    }
+    else
+    {
+        _S362 = u32(0);
+    }
+    var count_5 : u32 = u32(0);
     var points_0 : u32 = u32(1);
     var least_3 : f32 = 0.0f;
-    var over_all_1 : f32 = 0.0f;
+    var over_all_0 : f32 = 0.0f;
     var total_0 : f32 = 0.0f;
     var step_1 : f32 = 0.0f;
     var pass_0 : u32 = u32(0);
@@ -3935,71 +4124,108 @@ fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  nu
             }
             var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
             var total_1 : f32 = contributions_0 + least_4 * angles_0;
-            if((at_50.purpose_0) == u32(0))
+            if(_S361)
             {
-                target_1 = asked_0.share_0 * 4.0f * clamp(sqrt(pieces_1), 2.0f, 32.0f);
+                var parts_0 : f32 = ceil(f32(count_5) / f32(most_0));
+                target_1 = min(4.0f * max(sqrt(pieces_1 / parts_0), 2.0f / parts_0), f32(edge_word_0(u32(10))));
             }
             else
             {
                 target_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(target_1 - 0.00100000004749745f));
-            var _S349 : f32 = f32(points_1);
-            var _S350 : f32 = asked_0.over_all_0 * _S349;
-            var step_2 : f32 = total_1 / _S349;
-            var _S351 : f32 = step_2 * asked_0.place_20;
+            var _S363 : f32 = f32(points_1);
+            var _S364 : f32 = probability_4 * _S363;
+            var step_2 : f32 = total_1 / _S363;
+            var _S365 : f32 = step_2 * place_20;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_1 = _S350;
+            over_all_0 = _S364;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S351;
+            target_1 = _S365;
         }
         else
         {
             target_1 = target_0;
         }
-        var leaves_4 : Leaves_0 = below_0(node_8);
-        var leaf_5 : u32;
-        target_0 = target_1;
+        var leaves_2 : Leaves_0 = below_0(node_8);
+        var leaf_3 : u32;
+        var drawn_1 : u32 = drawn_0;
+        var passed_0 : u32 = u32(0);
+        var contributions_1 : f32 = contributions_0;
+        var angles_1 : f32 = angles_0;
+        var pieces_2 : f32 = pieces_1;
+        var cumulative_1 : f32 = cumulative_0;
+        var target_2 : f32 = target_1;
         for(;;)
         {
-            var _S352 : bool;
-            if(drawn_0 < points_0)
+            var _S366 : bool;
+            if(drawn_1 < points_0)
             {
-                var _S353 : bool = next_leaf_1(at_50, &(leaves_4), &(leaf_5));
-                _S352 = _S353;
+                if(pass_0 == u32(0))
+                {
+                    _S366 = true;
+                }
+                else
+                {
+                    _S366 = passed_0 < (_S362 + most_0);
+                }
             }
             else
             {
-                _S352 = false;
+                _S366 = false;
             }
-            if(_S352)
+            var _S367 : bool;
+            if(_S366)
+            {
+                var _S368 : bool = next_leaf_0(at_49, &(leaves_2), &(leaf_3));
+                _S367 = _S368;
+            }
+            else
+            {
+                _S367 = false;
+            }
+            if(_S367)
             {
             }
             else
             {
                 break;
             }
-            var k_11 : u32 = edge_word_0(leaf_5 + u32(2));
-            var drawn_1 : u32 = drawn_0;
-            var contributions_1 : f32 = contributions_0;
-            var angles_1 : f32 = angles_0;
-            var pieces_2 : f32 = pieces_1;
-            var cumulative_1 : f32 = cumulative_0;
-            var target_2 : f32 = target_0;
+            var passed_1 : u32 = passed_0 + u32(1);
+            if(passed_1 <= _S362)
+            {
+                _S360 = true;
+            }
+            else
+            {
+                _S360 = passed_1 > (_S362 + most_0);
+            }
+            if(_S360)
+            {
+                passed_0 = passed_1;
+                continue;
+            }
+            var k_9 : u32 = edge_word_0(leaf_3 + u32(2));
+            var drawn_2 : u32 = drawn_1;
+            var contributions_2 : f32 = contributions_1;
+            var angles_2 : f32 = angles_1;
+            var pieces_3 : f32 = pieces_2;
+            var cumulative_2 : f32 = cumulative_1;
+            var target_3 : f32 = target_2;
             for(;;)
             {
-                var _S354 : bool;
-                if(k_11 < (edge_word_0(leaf_5 + u32(3))))
+                var _S369 : bool;
+                if(k_9 < (edge_word_0(leaf_3 + u32(3))))
                 {
-                    _S354 = drawn_1 < points_0;
+                    _S369 = drawn_2 < points_0;
                 }
                 else
                 {
-                    _S354 = false;
+                    _S369 = false;
                 }
-                if(_S354)
+                if(_S369)
                 {
                 }
                 else
@@ -4007,37 +4233,37 @@ fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  nu
                     break;
                 }
                 var seen_6 : SeenEdge_0;
-                var _S355 : bool = see_edge_0(at_50, k_11, &(seen_6));
-                var drawn_2 : u32;
-                var contributions_2 : f32;
-                var angles_2 : f32;
-                var pieces_3 : f32;
-                var cumulative_2 : f32;
-                var target_3 : f32;
-                if(!_S355)
+                var _S370 : bool = see_edge_0(at_49, k_9, &(seen_6));
+                var drawn_3 : u32;
+                var contributions_3 : f32;
+                var angles_3 : f32;
+                var pieces_4 : f32;
+                var cumulative_3 : f32;
+                var target_4 : f32;
+                if(!_S370)
                 {
-                    drawn_2 = drawn_1;
-                    contributions_2 = contributions_1;
-                    angles_2 = angles_1;
-                    pieces_3 = pieces_2;
-                    cumulative_2 = cumulative_1;
-                    target_3 = target_2;
-                    k_11 = k_11 + u32(1);
-                    drawn_1 = drawn_2;
-                    contributions_1 = contributions_2;
-                    angles_1 = angles_2;
-                    pieces_2 = pieces_3;
-                    cumulative_1 = cumulative_2;
-                    target_2 = target_3;
+                    drawn_3 = drawn_2;
+                    contributions_3 = contributions_2;
+                    angles_3 = angles_2;
+                    pieces_4 = pieces_3;
+                    cumulative_3 = cumulative_2;
+                    target_4 = target_3;
+                    k_9 = k_9 + u32(1);
+                    drawn_2 = drawn_3;
+                    contributions_2 = contributions_3;
+                    angles_2 = angles_3;
+                    pieces_3 = pieces_4;
+                    cumulative_2 = cumulative_3;
+                    target_3 = target_4;
                     continue;
                 }
                 var piece_2 : f32 = 0.0f;
-                contributions_2 = contributions_1;
-                angles_2 = angles_1;
-                pieces_3 = pieces_2;
-                cumulative_2 = cumulative_1;
-                drawn_2 = drawn_1;
-                target_3 = target_2;
+                contributions_3 = contributions_2;
+                angles_3 = angles_2;
+                pieces_4 = pieces_3;
+                cumulative_3 = cumulative_2;
+                drawn_3 = drawn_2;
+                target_4 = target_3;
                 for(;;)
                 {
                     if(piece_2 < (seen_6.pieces_0))
@@ -4047,115 +4273,139 @@ fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  asked_0 : Share_0,  nu
                     {
                         break;
                     }
-                    var weight_0 : vec2<f32> = weigh_0(at_50, seen_6, piece_2);
+                    var weight_0 : vec2<f32> = weigh_0(at_49, seen_6, piece_2);
                     if(pass_0 == u32(0))
                     {
-                        var angles_3 : f32 = angles_2 + weight_0.y;
-                        var pieces_4 : f32 = pieces_3 + 1.0f;
-                        contributions_2 = contributions_2 + weight_0.x;
-                        angles_2 = angles_3;
-                        pieces_3 = pieces_4;
+                        var angles_4 : f32 = angles_3 + weight_0.y;
+                        var pieces_5 : f32 = pieces_4 + 1.0f;
+                        contributions_3 = contributions_3 + weight_0.x;
+                        angles_3 = angles_4;
+                        pieces_4 = pieces_5;
                         piece_2 = piece_2 + 1.0f;
                         continue;
                     }
                     var own_1 : f32 = weight_0.x + least_3 * weight_0.y;
-                    var cumulative_3 : f32 = cumulative_2 + own_1;
-                    var drawn_3 : u32 = drawn_2;
-                    var target_4 : f32 = target_3;
+                    var cumulative_4 : f32 = cumulative_3 + own_1;
+                    var drawn_4 : u32 = drawn_3;
+                    var target_5 : f32 = target_4;
                     for(;;)
                     {
-                        var _S356 : bool;
-                        if(drawn_3 < points_0)
+                        var _S371 : bool;
+                        if(drawn_4 < points_0)
                         {
-                            _S356 = target_4 < cumulative_3;
+                            _S371 = target_5 < cumulative_4;
                         }
                         else
                         {
-                            _S356 = false;
+                            _S371 = false;
                         }
-                        if(_S356)
+                        if(_S371)
                         {
                         }
                         else
                         {
                             break;
                         }
-                        var _S357 : u32 = drawn_3 + u32(1);
-                        var target_5 : f32 = target_4 + step_1;
-                        cross_at_0(&((*crossed_3)), at_50, point_on_0(at_50, seen_6, piece_2, clamp((target_4 - cumulative_2) / own_1, 0.0f, 1.0f), over_all_1 * own_1 / total_0), number_of_path_3, path_11);
-                        drawn_3 = _S357;
-                        target_4 = target_5;
+                        var _S372 : u32 = drawn_4 + u32(1);
+                        var target_6 : f32 = target_5 + step_1;
+                        cross_at_0(&((*crossed_3)), at_49, point_on_0(at_49, seen_6, piece_2, clamp((target_5 - cumulative_3) / own_1, 0.0f, 1.0f), over_all_0 * own_1 / total_0), number_of_path_3, path_11);
+                        drawn_4 = _S372;
+                        target_5 = target_6;
                     }
-                    cumulative_2 = cumulative_3;
-                    drawn_2 = drawn_3;
-                    target_3 = target_4;
+                    cumulative_3 = cumulative_4;
+                    drawn_3 = drawn_4;
+                    target_4 = target_5;
                     piece_2 = piece_2 + 1.0f;
                 }
-                k_11 = k_11 + u32(1);
-                drawn_1 = drawn_2;
-                contributions_1 = contributions_2;
-                angles_1 = angles_2;
-                pieces_2 = pieces_3;
-                cumulative_1 = cumulative_2;
-                target_2 = target_3;
+                k_9 = k_9 + u32(1);
+                drawn_2 = drawn_3;
+                contributions_2 = contributions_3;
+                angles_2 = angles_3;
+                pieces_3 = pieces_4;
+                cumulative_2 = cumulative_3;
+                target_3 = target_4;
             }
-            drawn_0 = drawn_1;
-            contributions_0 = contributions_1;
+            drawn_1 = drawn_2;
+            passed_0 = passed_1;
+            contributions_1 = contributions_2;
+            angles_1 = angles_2;
+            pieces_2 = pieces_3;
+            cumulative_1 = cumulative_2;
+            target_2 = target_3;
+        }
+        if(pass_0 > u32(0))
+        {
+            pass_0 = pass_0 + u32(1);
             angles_0 = angles_1;
+            contributions_0 = contributions_1;
             pieces_1 = pieces_2;
+            drawn_0 = drawn_1;
             cumulative_0 = cumulative_1;
             target_0 = target_2;
+            continue;
         }
+        if(_S362 == u32(0))
+        {
+            _S360 = passed_0 > most_0;
+        }
+        else
+        {
+            _S360 = false;
+        }
+        if(_S360)
+        {
+            var _S373 : u32 = (passed_0 + most_0 - u32(1)) / most_0;
+            var _S374 : u32 = atomicMax(&(sums_0[u32(3)]), _S373);
+        }
+        count_5 = passed_0;
         pass_0 = pass_0 + u32(1);
+        angles_0 = angles_1;
+        contributions_0 = contributions_1;
+        pieces_1 = pieces_2;
+        drawn_0 = drawn_1;
+        cumulative_0 = cumulative_1;
+        target_0 = target_2;
     }
     return;
 }
 
-fn sample_points_0( at_51 : ShadingPoint_0,  number_of_path_4 : u32,  path_12 : Path_0,  subtree_0 : u32,  subtrees_0 : u32,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_50 : ShadingPoint_0,  number_of_path_4 : u32,  path_12 : Path_0,  crossed_4 : ptr<function, Crossed_0>)
 {
-    var numbers_8 : u32 = numbers_for_0(at_51.purpose_0) + u32(1);
-    var node_9 : u32 = edge_word_0(at_51.tree_0);
-    var u_3 : f32 = precise_random_0(path_12.key_0, numbers_8);
-    var probability_4 : f32 = 1.0f;
-    var is_whole_0 : bool;
-    if((at_51.purpose_0) == u32(0))
+    var numbers_8 : u32 = numbers_for_0(at_50.purpose_0) + u32(1);
+    var part_2 : u32 = part_of_launch_0();
+    var node_9 : u32 = edge_word_0(at_50.tree_0);
+    var probability_5 : f32 = 1.0f;
+    if((at_50.purpose_0) != u32(0))
     {
-        is_whole_0 = takes_all_0(at_51);
-    }
-    else
-    {
-        is_whole_0 = false;
-    }
-    if(!is_whole_0)
-    {
-        var _S358 : bool = descend_0(at_51, (f32(subtree_0) + u_3) / f32(subtrees_0), &(node_9), &(probability_4));
-        is_whole_0 = !_S358;
-    }
-    else
-    {
-        is_whole_0 = false;
-    }
-    if(is_whole_0)
-    {
-        return;
-    }
-    var asked_1 : Share_0;
-    var _S359 : f32 = f32(subtrees_0);
-    asked_1.share_0 = 1.0f / _S359;
-    asked_1.over_all_0 = probability_4 * _S359;
-    asked_1.place_20 = precise_random_0(path_12.key_0, numbers_8 + u32(1)) + 0.6180340051651001f * f32(subtree_0);
-    for(;;)
-    {
-        if((asked_1.place_20) >= 1.0f)
+        var subtrees_0 : u32;
+        if((depth_of_launch_0()) == u32(0))
         {
+            subtrees_0 = u32(2);
         }
         else
         {
-            break;
+            subtrees_0 = u32(1);
         }
-        asked_1.place_20 = asked_1.place_20 - 1.0f;
+        var _S375 : f32 = f32(subtrees_0);
+        var u_3 : f32 = (f32(part_2) + precise_random_0(path_12.key_0, numbers_8)) / _S375;
+        var _S376 : bool;
+        if(part_2 >= subtrees_0)
+        {
+            _S376 = true;
+        }
+        else
+        {
+            var _S377 : bool = descend_0(at_50, u_3, &(node_9), &(probability_5));
+            _S376 = !_S377;
+        }
+        if(_S376)
+        {
+            return;
+        }
+        probability_5 = probability_5 * _S375;
     }
-    draw_points_0(at_51, node_9, asked_1, number_of_path_4, path_12, &((*crossed_4)));
+    var place_21 : f32 = precise_random_0(path_12.key_0, numbers_8 + u32(1)) + 0.6180340051651001f * f32(part_2);
+    draw_points_0(at_50, node_9, probability_5, place_21 - floor(place_21), number_of_path_4, path_12, &((*crossed_4)));
     return;
 }
 
@@ -4170,13 +4420,13 @@ fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0)
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S360 : u32;
+    var _S378 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S361 : u32 = u32(2) + zero_0;
-        _S360 = _S361;
-        if(rounds_0 < _S361)
+        var _S379 : u32 = u32(2) + zero_0;
+        _S378 = _S379;
+        if(rounds_0 < _S379)
         {
         }
         else
@@ -4185,14 +4435,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S360;
+    return rounds_0 == _S378;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S362 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S380 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4209,9 +4459,9 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var number_of_path_6 : u32 = input_0[listed_0];
     var factor_5 : vec3<f32>;
     var path_13 : Path_0 = path_at_vertex_0(number_of_path_6, &(factor_5));
-    var at_52 : ShadingPoint_0;
-    var _S363 : bool = shading_point_0(path_13, &(at_52));
-    if(!_S363)
+    var at_51 : ShadingPoint_0;
+    var _S381 : bool = shading_point_0(path_13, &(at_51));
+    if(!_S381)
     {
         return;
     }
@@ -4226,19 +4476,14 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         {
             break;
         }
-        var probability_5 : f32 = turn_to_0(purpose_3, path_13.key_0, &(at_52));
-        if(!(probability_5 > 0.0f))
+        var probability_6 : f32 = turn_to_0(purpose_3, path_13.key_0, &(at_51));
+        if(!(probability_6 > 0.0f))
         {
             purpose_3 = purpose_3 + u32(1);
             continue;
         }
-        crossed_6.factor_1 = factor_5 / vec3<f32>(probability_5);
-        var subtree_1 : u32 = subtree_of_launch_0();
-        var subtrees_1 : u32 = subtrees_of_0(at_52);
-        if(subtree_1 < subtrees_1)
-        {
-            sample_points_0(at_52, number_of_path_6, path_13, subtree_1, subtrees_1, &(crossed_6));
-        }
+        crossed_6.factor_1 = factor_5 / vec3<f32>(probability_6);
+        sample_points_0(at_51, number_of_path_6, path_13, &(crossed_6));
         purpose_3 = purpose_3 + u32(1);
     }
     add_0(number_of_path_6, crossed_6);

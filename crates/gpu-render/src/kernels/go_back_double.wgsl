@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: cbd5b3ac6fc36d98
-// result: 8f905f0dd6eaa588
+// source: 7c3aafa6eedce5f6
+// result: aa9d339b197b5d84
 
 struct Launch_std140_0
 {
@@ -563,7 +563,7 @@ fn s_bwdProp_axes_around_0( _S91 : s_bwdCallableCtx_axes_around_0,  _S92 : ptr<f
 {
     var _S94 : f32 = _S91.value0_13.value0_12.z;
     var sign_0 : f32;
-    if(_S94 < 0.0f)
+    if(_S94 < -0.30000001192092896f)
     {
         sign_0 = -1.0f;
     }
@@ -3567,12 +3567,12 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
 
 struct Corners2_0
 {
-     a_7 : vec2<f32>,
-     b_4 : vec2<f32>,
-     c_1 : vec2<f32>,
+     a_7 : vec2<f64>,
+     b_4 : vec2<f64>,
+     c_1 : vec2<f64>,
 };
 
-fn Corners2_x24init_0( a_8 : vec2<f32>,  b_5 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
+fn Corners2_x24init_0( a_8 : vec2<f64>,  b_5 : vec2<f64>,  c_2 : vec2<f64>) -> Corners2_0
 {
     var _S1002 : Corners2_0;
     _S1002.a_7 = a_8;
@@ -3581,24 +3581,34 @@ fn Corners2_x24init_0( a_8 : vec2<f32>,  b_5 : vec2<f32>,  c_2 : vec2<f32>) -> C
     return _S1002;
 }
 
+fn precise_0( at_7 : u32) -> f64
+{
+    return f64(number_0(at_7)) + f64(number_0(at_7 + u32(1)));
+}
+
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f64>(0.0lf, 0.0lf), vec2<f64>(1.0lf, 0.0lf), vec2<f64>(0.0lf, 1.0lf));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_5) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_7 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_5) + u32(1));
-    uvs_0.a_7 = vec2<f32>(number_0(at_7), number_0(at_7 + u32(1)));
-    uvs_0.b_4 = vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5)));
+    var at_8 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_5) + u32(1));
+    uvs_0.a_7 = vec2<f64>(precise_0(at_8), precise_0(at_8 + u32(2)));
+    uvs_0.b_4 = vec2<f64>(precise_0(at_8 + u32(4)), precise_0(at_8 + u32(6)));
+    uvs_0.c_1 = vec2<f64>(precise_0(at_8 + u32(8)), precise_0(at_8 + u32(10)));
     return uvs_0;
 }
 
-fn floor_of_0( x_11 : f32) -> i32
+fn row_at_0( at_9 : u32) -> vec3<f64>
 {
-    return i32(floor(clamp(x_11, -1.0e+09f, 1.0e+09f)));
+    return vec3<f64>(precise_0(at_9), precise_0(at_9 + u32(2)), precise_0(at_9 + u32(4)));
+}
+
+fn floor_of_0( x_11 : f64) -> i32
+{
+    return i32(clamp(f32(floor(x_11)), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
@@ -3639,25 +3649,25 @@ fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
 
 struct Point_0
 {
-     value_2 : vec2<f32>,
+     value_2 : vec2<f64>,
      by_first_1 : vec2<f32>,
      by_second_1 : vec2<f32>,
 };
 
 fn between_0( texels_1 : vec4<u32>,  place_6 : Point_0) -> Lookup_0
 {
-    var way_0 : vec2<f32> = place_6.value_2 - floor(place_6.value_2);
-    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
+    var _S1003 : vec2<f32> = vec2<f32>(place_6.value_2 - floor(place_6.value_2));
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - _S1003;
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S1003 : f32 = back_0.x;
-    var _S1004 : f32 = back_0.y;
-    var _S1005 : f32 = way_0.x;
-    var _S1006 : f32 = way_0.y;
-    lookup_1.weights_1 = vec4<f32>(_S1003 * _S1004, _S1005 * _S1004, _S1003 * _S1006, _S1005 * _S1006);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S1004, _S1004, - _S1006, _S1006);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S1003, - _S1005, _S1003, _S1005);
+    var _S1004 : f32 = back_0.x;
+    var _S1005 : f32 = back_0.y;
+    var _S1006 : f32 = _S1003.x;
+    var _S1007 : f32 = _S1003.y;
+    lookup_1.weights_1 = vec4<f32>(_S1004 * _S1005, _S1006 * _S1005, _S1004 * _S1007, _S1006 * _S1007);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S1005, _S1005, - _S1007, _S1007);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S1004, - _S1006, _S1004, _S1006);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_6.by_first_1.x) + by_y_0 * vec4<f32>(place_6.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_6.by_second_1.x) + by_y_0 * vec4<f32>(place_6.by_second_1.y);
     return lookup_1;
@@ -3669,26 +3679,26 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
     var size_0 : vec2<f32> = vec2<f32>(f32(width_0), f32(height_0));
-    var place_7 : vec2<f32> = uv_0.value_2 * size_0;
+    var place_7 : vec2<f64> = uv_0.value_2 * vec2<f64>(size_0);
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_7.y), height_0, wrap_1);
-        var _S1007 : u32 = row_0 * u32(width_0);
-        var _S1008 : u32 = wrapped_0(floor_of_0(place_7.x), width_0, wrap_1);
-        return one_texel_0(_S1007 + _S1008);
+        var _S1008 : u32 = row_0 * u32(width_0);
+        var _S1009 : u32 = wrapped_0(floor_of_0(place_7.x), width_0, wrap_1);
+        return one_texel_0(_S1008 + _S1009);
     }
     var centred_0 : Point_0;
-    var _S1009 : vec2<f32> = place_7 - vec2<f32>(0.5f);
-    centred_0.value_2 = _S1009;
+    var _S1010 : vec2<f64> = place_7 - vec2<f64>(0.5lf);
+    centred_0.value_2 = _S1010;
     centred_0.by_first_1 = uv_0.by_first_1 * size_0;
     centred_0.by_second_1 = uv_0.by_second_1 * size_0;
-    var x_12 : i32 = floor_of_0(_S1009.x);
-    var y_3 : i32 = floor_of_0(_S1009.y);
-    var _S1010 : u32 = wrapped_0(y_3, height_0, wrap_1);
-    var _S1011 : u32 = u32(width_0);
-    var first_1 : u32 = _S1010 * _S1011;
-    var _S1012 : u32 = wrapped_0(y_3 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S1012 * _S1011;
+    var x_12 : i32 = floor_of_0(_S1010.x);
+    var y_3 : i32 = floor_of_0(_S1010.y);
+    var _S1011 : u32 = wrapped_0(y_3, height_0, wrap_1);
+    var _S1012 : u32 = u32(width_0);
+    var first_1 : u32 = _S1011 * _S1012;
+    var _S1013 : u32 = wrapped_0(y_3 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S1013 * _S1012;
     var left_0 : u32 = wrapped_0(x_12, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_12 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -3717,43 +3727,43 @@ fn lookup_at_0( texture_1 : u32,  place_8 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_8.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
+    var by_v_0 : vec2<f64> = uvs_1.b_4 - uvs_1.a_7;
+    var by_w_0 : vec2<f64> = uvs_1.c_1 - uvs_1.a_7;
+    var _S1014 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f64> = row_at_0(_S1014);
+    var to_v_0 : vec3<f64> = row_at_0(_S1014 + u32(6));
     var uv_1 : Point_0;
-    var _S1013 : vec3<f32> = vec3<f32>(uvs_1.a_7 * vec2<f32>((1.0f - place_8.v_0 - place_8.w_0)) + uvs_1.b_4 * vec2<f32>(place_8.v_0) + uvs_1.c_1 * vec2<f32>(place_8.w_0), 1.0f);
-    uv_1.value_2 = vec2<f32>(dot(_S1013, to_u_0), dot(_S1013, to_v_0));
-    var by_v_0 : vec2<f32> = uvs_1.b_4 - uvs_1.a_7;
-    var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_7;
-    var _S1014 : vec2<f32> = to_u_0.xy;
-    var _S1015 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S1014), dot(by_v_0, _S1015));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S1014), dot(by_w_0, _S1015));
+    var _S1015 : vec3<f64> = vec3<f64>(uvs_1.a_7 + by_v_0 * vec2<f64>((f64(place_8.v_0) + f64(place_8.v_rest_0))) + by_w_0 * vec2<f64>((f64(place_8.w_0) + f64(place_8.w_rest_0))), 1.0lf);
+    uv_1.value_2 = vec2<f64>(dot(_S1015, to_u_0), dot(_S1015, to_v_0));
+    var _S1016 : vec2<f64> = to_u_0.xy;
+    var _S1017 : vec2<f64> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(vec2<f64>(dot(by_v_0, _S1016), dot(by_v_0, _S1017)));
+    uv_1.by_second_1 = vec2<f32>(vec2<f64>(dot(by_w_0, _S1016), dot(by_w_0, _S1017)));
     if(kind_1 == u32(1))
     {
-        var _S1016 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S1016;
+        var _S1018 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S1018;
     }
-    var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
-    var _S1017 : i32;
-    if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
+    var half_of_period_0 : vec2<f64> = uv_1.value_2 - floor(uv_1.value_2);
+    var _S1019 : i32;
+    if(((half_of_period_0.x) > 0.5lf) != ((half_of_period_0.y) > 0.5lf))
     {
-        _S1017 = i32(1);
+        _S1019 = i32(1);
     }
     else
     {
-        _S1017 = i32(0);
+        _S1019 = i32(0);
     }
-    return one_texel_0(u32(_S1017));
+    return one_texel_0(u32(_S1019));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f32>) -> vec3<f32>
 {
-    var _S1018 : u32 = word_0(texture_2 + u32(1));
-    var _S1019 : u32 = texture_2 + u32(13);
-    var _S1020 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1020 : u32 = word_0(texture_2 + u32(1));
+    var _S1021 : u32 = texture_2 + u32(19);
+    var _S1022 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_3 : vec3<f32> = _S1020;
+    var value_3 : vec3<f32> = _S1022;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -3763,17 +3773,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S1019 + _S1018 * lookup_3.texels_0[k_1];
-        var _S1021 : vec3<f32>;
-        if(_S1018 == u32(1))
+        var at_10 : u32 = _S1021 + _S1020 * lookup_3.texels_0[k_1];
+        var _S1023 : vec3<f32>;
+        if(_S1020 == u32(1))
         {
-            _S1021 = vec3<f32>(number_0(at_8));
+            _S1023 = vec3<f32>(number_0(at_10));
         }
         else
         {
-            _S1021 = vector_at_0(at_8);
+            _S1023 = vector_at_0(at_10);
         }
-        var value_4 : vec3<f32> = value_3 + _S1021 * vec3<f32>(weights_2[k_1]);
+        var value_4 : vec3<f32> = value_3 + _S1023 * vec3<f32>(weights_2[k_1]);
         k_1 = k_1 + u32(1);
         value_3 = value_4;
     }
@@ -3787,8 +3797,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_9 : Place_0) -> vec3<f32>
 {
-    var _S1022 : Lookup_0 = lookup_at_0(texture_4, place_9);
-    return looked_up_0(texture_4, _S1022, vec2<f32>(0.0f));
+    var _S1024 : Lookup_0 = lookup_at_0(texture_4, place_9);
+    return looked_up_0(texture_4, _S1024, vec2<f32>(0.0f));
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -3844,38 +3854,38 @@ fn lobe_at_0( record_3 : u32,  place_10 : Place_0) -> Lobe_0
     var lobe_5 : Lobe_0;
     lobe_5.record_0 = record_3;
     var is_black_0 : bool = record_3 == u32(4294967295);
-    var _S1023 : u32;
+    var _S1025 : u32;
     if(is_black_0)
     {
-        _S1023 = u32(0);
+        _S1025 = u32(0);
     }
     else
     {
-        _S1023 = word_0(record_3);
+        _S1025 = word_0(record_3);
     }
-    lobe_5.kind_0 = _S1023;
+    lobe_5.kind_0 = _S1025;
     if(is_black_0)
     {
-        _S1023 = u32(1);
+        _S1025 = u32(1);
     }
     else
     {
-        _S1023 = word_0(record_3 + u32(1));
+        _S1025 = word_0(record_3 + u32(1));
     }
-    lobe_5.distribution_0 = _S1023;
+    lobe_5.distribution_0 = _S1025;
     lobe_5.numbers_0 = no_numbers_0();
     if(is_black_0)
     {
-        _S1023 = u32(0);
+        _S1025 = u32(0);
     }
     else
     {
-        _S1023 = word_0(record_3 + u32(4));
+        _S1025 = word_0(record_3 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S1023)
+        if(slot_1 < _S1025)
         {
         }
         else
@@ -3889,10 +3899,10 @@ fn lobe_at_0( record_3 : u32,  place_10 : Place_0) -> Lobe_0
             continue;
         }
         var colour_2 : vec3<f32> = shown_0(texture_5, place_10);
-        var _S1024 : vec3<f32> = value_of_0(colour_2);
-        var _S1025 : Numbers_0 = lobe_5.numbers_0;
-        set_slot_0(&(_S1025), slot_1, _S1024);
-        lobe_5.numbers_0 = _S1025;
+        var _S1026 : vec3<f32> = value_of_0(colour_2);
+        var _S1027 : Numbers_0 = lobe_5.numbers_0;
+        set_slot_0(&(_S1027), slot_1, _S1026);
+        lobe_5.numbers_0 = _S1027;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_5;
@@ -3907,53 +3917,53 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_4.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S1026 : vec3<f32>;
+    var _S1028 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S1026 = tangent_0;
+        _S1028 = tangent_0;
     }
     else
     {
-        _S1026 = vec3<f32>(0.0f);
+        _S1028 = vec3<f32>(0.0f);
     }
-    return _S1026;
+    return _S1028;
 }
 
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S1027 : vec3<f32>;
+    var _S1029 : vec3<f32>;
     if(is_front_1)
     {
-        _S1027 = n_2;
+        _S1029 = n_2;
     }
     else
     {
-        _S1027 = (vec3<f32>(0) - n_2);
+        _S1029 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_0 = _S1027;
-    var _S1028 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S1028;
-    axes_0.t_0 = cross(n_2, _S1028);
+    axes_0.n_0 = _S1029;
+    var _S1030 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S1030;
+    axes_0.t_0 = cross(n_2, _S1030);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S1029 : vec3<f32>;
+    var _S1031 : vec3<f32>;
     if(is_front_2)
     {
-        _S1029 = n_3;
+        _S1031 = n_3;
     }
     else
     {
-        _S1029 = (vec3<f32>(0) - n_3);
+        _S1031 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_0 = _S1029;
-    var _S1030 : f32 = n_3.z;
+    axes_1.n_0 = _S1031;
+    var _S1032 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S1030 < 0.0f)
+    if(_S1032 < -0.30000001192092896f)
     {
         sign_1 = -1.0f;
     }
@@ -3961,12 +3971,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_1 = 1.0f;
     }
-    var a_9 : f32 = -1.0f / (sign_1 + _S1030);
-    var _S1031 : f32 = n_3.x;
-    var _S1032 : f32 = n_3.y;
-    var b_6 : f32 = _S1031 * _S1032 * a_9;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S1031 * _S1031 * a_9, sign_1 * b_6, - sign_1 * _S1031);
-    axes_1.t_0 = vec3<f32>(b_6, sign_1 + _S1032 * _S1032 * a_9, - _S1032);
+    var a_9 : f32 = -1.0f / (sign_1 + _S1032);
+    var _S1033 : f32 = n_3.x;
+    var _S1034 : f32 = n_3.y;
+    var b_6 : f32 = _S1033 * _S1034 * a_9;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S1033 * _S1033 * a_9, sign_1 * b_6, - sign_1 * _S1033);
+    axes_1.t_0 = vec3<f32>(b_6, sign_1 + _S1034 * _S1034 * a_9, - _S1034);
     return axes_1;
 }
 
@@ -3993,8 +4003,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_2 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S1033 : Lobe_0 = lobe_at_0(material_0, surface_4.place_4);
-    vertex_0.lobe_6 = _S1033;
+    var _S1035 : Lobe_0 = lobe_at_0(material_0, surface_4.place_4);
+    vertex_0.lobe_6 = _S1035;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -4020,12 +4030,12 @@ fn nothing_pulled_0() -> Pulled_0
 {
     var pulled_0 : Pulled_0;
     pulled_0.numbers_4 = no_numbers_0();
-    var _S1034 : vec3<f32> = vec3<f32>(0.0f);
-    pulled_0.position_1 = _S1034;
-    pulled_0.wi_2 = _S1034;
-    pulled_0.axes_5.n_0 = _S1034;
-    pulled_0.axes_5.t_0 = _S1034;
-    pulled_0.axes_5.s_0 = _S1034;
+    var _S1036 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_1 = _S1036;
+    pulled_0.wi_2 = _S1036;
+    pulled_0.axes_5.n_0 = _S1036;
+    pulled_0.axes_5.t_0 = _S1036;
+    pulled_0.axes_5.s_0 = _S1036;
     return pulled_0;
 }
 
@@ -4044,17 +4054,17 @@ fn axes_back_0( axes_7 : ptr<function, Axes_0>,  local_0 : vec3<f32>,  world_0 :
 
 fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_1 : Vertex_0,  wo_0 : vec3<f32>,  direction_3 : vec3<f32>,  is_specular_0 : bool,  by_value_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S1035 : Numbers_0 = no_numbers_0();
+    var _S1037 : Numbers_0 = no_numbers_0();
     var numbers_5 : DiffPair_Numbers_0;
     numbers_5.primal_0 = vertex_1.lobe_6.numbers_0;
-    numbers_5.differential_0 = _S1035;
-    var _S1036 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_5.differential_0 = _S1037;
+    var _S1038 : vec3<f32> = vec3<f32>(0.0f);
     var wi_3 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     wi_3.primal_0 = vertex_1.wi_1;
-    wi_3.differential_0 = _S1036;
+    wi_3.differential_0 = _S1038;
     var onward_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     onward_0.primal_0 = wo_0;
-    onward_0.differential_0 = _S1036;
+    onward_0.differential_0 = _S1038;
     if(is_specular_0)
     {
         _S984(vertex_1.lobe_6, &(numbers_5), &(wi_3), by_value_0);
@@ -4064,37 +4074,37 @@ fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_1 : Vertex_0,  
         var by_scattering_0 : Scattering_Differential_0;
         by_scattering_0.value_0 = by_value_0;
         _S926(vertex_1.lobe_6, &(numbers_5), &(wi_3), &(onward_0), by_scattering_0);
-        var _S1037 : Axes_0 = (*pulled_1).axes_5;
-        axes_back_0(&(_S1037), onward_0.differential_0, direction_3);
-        (*pulled_1).axes_5 = _S1037;
+        var _S1039 : Axes_0 = (*pulled_1).axes_5;
+        axes_back_0(&(_S1039), onward_0.differential_0, direction_3);
+        (*pulled_1).axes_5 = _S1039;
     }
     (*pulled_1).numbers_4 = Numbers_x24_syn_dadd_0((*pulled_1).numbers_4, numbers_5.differential_0);
     (*pulled_1).wi_2 = (*pulled_1).wi_2 + wi_3.differential_0;
-    var _S1038 : vec3<f32>;
+    var _S1040 : vec3<f32>;
     if(is_specular_0)
     {
-        _S1038 = _S1036;
+        _S1040 = _S1038;
     }
     else
     {
-        _S1038 = to_world_0(vertex_1.axes_4, onward_0.differential_0);
+        _S1040 = to_world_0(vertex_1.axes_4, onward_0.differential_0);
     }
-    return _S1038;
+    return _S1040;
 }
 
 fn specular_direction_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_2 : Vertex_0,  wo_1 : vec3<f32>,  by_direction_0 : vec3<f32>)
 {
     var local_1 : vec3<f32> = to_local_0(vertex_2.axes_4, by_direction_0);
-    var _S1039 : Axes_0 = (*pulled_2).axes_5;
-    axes_back_0(&(_S1039), wo_1, by_direction_0);
-    (*pulled_2).axes_5 = _S1039;
+    var _S1041 : Axes_0 = (*pulled_2).axes_5;
+    axes_back_0(&(_S1041), wo_1, by_direction_0);
+    (*pulled_2).axes_5 = _S1041;
     (*pulled_2).wi_2 = (*pulled_2).wi_2 + vec3<f32>((vec2<f32>(0) - local_1.xy), local_1.z);
     return;
 }
 
-fn change_word_0( at_9 : u32) -> u32
+fn change_word_0( at_11 : u32) -> u32
 {
-    return input_0[launch_0.room_0 + at_9];
+    return input_0[launch_0.room_0 + at_11];
 }
 
 fn walks_0() -> bool
@@ -4149,34 +4159,34 @@ fn slot_derivative_0( numbers_6 : Numbers_0,  slot_2 : u32) -> vec3<f32>
 
 fn numbers_of_0( texture_6 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_6 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_6 + u32(18)));
 }
 
 fn add_to_sum_0( sum_3 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S1040 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S1042 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_1 : f32 = abs(scaled_0);
     if(size_1 > 7.73712524553362672e+25f)
     {
-        var _S1041 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S1043 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S1042 : bool = scaled_0 < 0.0f;
-    var _S1043 : i32;
+    var _S1044 : bool = scaled_0 < 0.0f;
+    var _S1045 : i32;
     if(size_1 >= 1.84467440737095516e+19f)
     {
-        _S1043 = i32(1);
+        _S1045 = i32(1);
     }
     else
     {
-        _S1043 = i32(0);
+        _S1045 = i32(0);
     }
-    var first_2 : u32 = u32(_S1043);
+    var first_2 : u32 = u32(_S1045);
     var size_2 : f32;
     if(first_2 == u32(1))
     {
@@ -4196,39 +4206,39 @@ fn add_to_sum_0( sum_3 : u32,  derivative_0 : f32)
     {
         size_2 = lower_0;
     }
-    var _S1044 : u32 = u32(3) + u32(4) * sum_3;
+    var _S1046 : u32 = u32(4) + u32(4) * sum_3;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_2), u32(higher_0));
     var k_2 : u32 = first_2;
     for(;;)
     {
-        var _S1045 : bool;
+        var _S1047 : bool;
         if(k_2 < u32(4))
         {
-            _S1045 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S1047 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S1045 = false;
+            _S1047 = false;
         }
-        if(_S1045)
+        if(_S1047)
         {
         }
         else
         {
             break;
         }
-        var _S1046 : u32;
-        if(_S1042)
+        var _S1048 : u32;
+        if(_S1044)
         {
-            _S1046 = u32(0) - digits_0.x;
+            _S1048 = u32(0) - digits_0.x;
         }
         else
         {
-            _S1046 = digits_0.x;
+            _S1048 = digits_0.x;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S1044 + k_2]), _S1046);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S1046 + k_2]), _S1048);
         var overflows_0 : bool;
-        if(_S1042)
+        if(_S1044)
         {
             overflows_0 = before_0 < (digits_0.x);
         }
@@ -4236,19 +4246,19 @@ fn add_to_sum_0( sum_3 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_0 + digits_0.x) < before_0;
         }
-        var _S1047 : u32 = digits_0.y;
+        var _S1049 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S1043 = i32(1);
+            _S1045 = i32(1);
         }
         else
         {
-            _S1043 = i32(0);
+            _S1045 = i32(0);
         }
-        var _S1048 : vec2<u32> = vec2<u32>(_S1047 + u32(_S1043), u32(0));
-        var _S1049 : u32 = k_2 + u32(1);
-        digits_0 = _S1048;
-        k_2 = _S1049;
+        var _S1050 : vec2<u32> = vec2<u32>(_S1049 + u32(_S1045), u32(0));
+        var _S1051 : u32 = k_2 + u32(1);
+        digits_0 = _S1050;
+        k_2 = _S1051;
     }
     return;
 }
@@ -4256,20 +4266,20 @@ fn add_to_sum_0( sum_3 : u32,  derivative_0 : f32)
 fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
 {
     var first_3 : u32 = numbers_of_0(texture_7);
-    var _S1050 : u32 = word_0(texture_7 + u32(1));
-    var _S1051 : u32;
+    var _S1052 : u32 = word_0(texture_7 + u32(1));
+    var _S1053 : u32;
     if(first_3 == u32(4294967295))
     {
-        _S1051 = u32(0);
+        _S1053 = u32(0);
     }
     else
     {
-        _S1051 = lookup_5.count_0;
+        _S1053 = lookup_5.count_0;
     }
     var k_3 : u32 = u32(0);
     for(;;)
     {
-        if(k_3 < _S1051)
+        if(k_3 < _S1053)
         {
         }
         else
@@ -4278,7 +4288,7 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         }
         var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_1[k_3]);
         var own_1 : vec3<f32>;
-        if(_S1050 == u32(1))
+        if(_S1052 == u32(1))
         {
             own_1 = vec3<f32>((own_0.x + own_0.y + own_0.z));
         }
@@ -4289,14 +4299,14 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         var c_3 : u32 = u32(0);
         for(;;)
         {
-            if(c_3 < _S1050)
+            if(c_3 < _S1052)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_3 + _S1050 * lookup_5.texels_0[k_3] + c_3, own_1[c_3]);
+            add_to_sum_0(first_3 + _S1052 * lookup_5.texels_0[k_3] + c_3, own_1[c_3]);
             c_3 = c_3 + u32(1);
         }
         k_3 = k_3 + u32(1);
@@ -4312,13 +4322,13 @@ fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_2 : vec3<f3
 
 fn numbers_back_0( material_1 : u32,  place_11 : Place_0,  numbers_7 : Numbers_0) -> vec2<f32>
 {
-    var _S1052 : vec2<f32> = vec2<f32>(0.0f);
-    var _S1053 : u32 = word_0(material_1 + u32(4));
+    var _S1054 : vec2<f32> = vec2<f32>(0.0f);
+    var _S1055 : u32 = word_0(material_1 + u32(4));
     var slot_3 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S1052;
+    var by_place_0 : vec2<f32> = _S1054;
     for(;;)
     {
-        if(slot_3 < _S1053)
+        if(slot_3 < _S1055)
         {
         }
         else
@@ -4331,9 +4341,9 @@ fn numbers_back_0( material_1 : u32,  place_11 : Place_0,  numbers_7 : Numbers_0
             slot_3 = slot_3 + u32(1);
             continue;
         }
-        var _S1054 : Lookup_0 = lookup_at_0(texture_9, place_11);
-        var _S1055 : vec2<f32> = lookup_back_0(texture_9, _S1054, slot_derivative_0(numbers_7, slot_3));
-        by_place_0 = by_place_0 + _S1055;
+        var _S1056 : Lookup_0 = lookup_at_0(texture_9, place_11);
+        var _S1057 : vec2<f32> = lookup_back_0(texture_9, _S1056, slot_derivative_0(numbers_7, slot_3));
+        by_place_0 = by_place_0 + _S1057;
         slot_3 = slot_3 + u32(1);
     }
     return by_place_0;
@@ -4354,10 +4364,10 @@ struct AtCorners_0
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_0 : AtCorners_0;
-    var _S1056 : vec3<f32> = vec3<f32>(0.0f);
-    corners_0.c_4 = _S1056;
-    corners_0.b_7 = _S1056;
-    corners_0.a_10 = _S1056;
+    var _S1058 : vec3<f32> = vec3<f32>(0.0f);
+    corners_0.c_4 = _S1058;
+    corners_0.b_7 = _S1058;
+    corners_0.a_10 = _S1058;
     return corners_0;
 }
 
@@ -4370,20 +4380,20 @@ fn tangent_back_0( points_0 : ptr<function, AtCorners_0>,  triangle_6 : u32,  ta
 {
     var corner_0 : u32 = u32(9) * triangle_6;
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_6);
-    var first_4 : vec2<f32> = uvs_2.b_4 - uvs_2.a_7;
-    var second_1 : vec2<f32> = uvs_2.c_1 - uvs_2.a_7;
-    var _S1057 : f32 = second_1.y;
-    var _S1058 : f32 = first_4.y;
-    var scale_2 : f32 = 1.0f / (first_4.x * _S1057 - second_1.x * _S1058);
-    var of_ab_0 : f32 = _S1057 * scale_2;
-    var of_ac_0 : f32 = - _S1058 * scale_2;
+    var _S1059 : vec2<f32> = vec2<f32>(uvs_2.b_4 - uvs_2.a_7);
+    var _S1060 : vec2<f32> = vec2<f32>(uvs_2.c_1 - uvs_2.a_7);
+    var _S1061 : f32 = _S1060.y;
+    var _S1062 : f32 = _S1059.y;
+    var scale_2 : f32 = 1.0f / (_S1059.x * _S1061 - _S1060.x * _S1062);
+    var of_ab_0 : f32 = _S1061 * scale_2;
+    var of_ac_0 : f32 = - _S1062 * scale_2;
     var a_11 : vec3<f64> = primitive_vector_0(corner_0);
-    var _S1059 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S1060 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_4 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_0 + u32(3)) - a_11) * _S1059 + vec3<f32>(primitive_vector_0(corner_0 + u32(6)) - a_11) * _S1060));
+    var _S1063 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S1064 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_4 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_0 + u32(3)) - a_11) * _S1063 + vec3<f32>(primitive_vector_0(corner_0 + u32(6)) - a_11) * _S1064));
     (*points_0).a_10 = (*points_0).a_10 - derivative_4 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_0).b_7 = (*points_0).b_7 + derivative_4 * _S1059;
-    (*points_0).c_4 = (*points_0).c_4 + derivative_4 * _S1060;
+    (*points_0).b_7 = (*points_0).b_7 + derivative_4 * _S1063;
+    (*points_0).c_4 = (*points_0).c_4 + derivative_4 * _S1064;
     return;
 }
 
@@ -4408,29 +4418,29 @@ fn normals_of_0( triangle_7 : u32) -> u32
     return change_word_0(change_word_0(u32(0)) + u32(2) * word_0(triangle_record_0(triangle_7)) + u32(1));
 }
 
-fn add_to_sums_0( first_5 : u32,  derivative_7 : vec3<f32>)
+fn add_to_sums_0( first_4 : u32,  derivative_7 : vec3<f32>)
 {
-    var _S1061 : i32;
-    if(first_5 == u32(4294967295))
+    var _S1065 : i32;
+    if(first_4 == u32(4294967295))
     {
-        _S1061 = i32(0);
+        _S1065 = i32(0);
     }
     else
     {
-        _S1061 = i32(3);
+        _S1065 = i32(3);
     }
-    var _S1062 : u32 = u32(_S1061);
+    var _S1066 : u32 = u32(_S1065);
     var axis_0 : u32 = u32(0);
     for(;;)
     {
-        if(axis_0 < _S1062)
+        if(axis_0 < _S1066)
         {
         }
         else
         {
             break;
         }
-        add_to_sum_0(first_5 + axis_0, derivative_7[axis_0]);
+        add_to_sum_0(first_4 + axis_0, derivative_7[axis_0]);
         axis_0 = axis_0 + u32(1);
     }
     return;
@@ -4438,45 +4448,45 @@ fn add_to_sums_0( first_5 : u32,  derivative_7 : vec3<f32>)
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_8 : u32,  corners_3 : AtCorners_0)
 {
-    var _S1063 : u32 = triangle_record_0(triangle_8) + u32(2);
-    var _S1064 : i32;
+    var _S1067 : u32 = triangle_record_0(triangle_8) + u32(2);
+    var _S1068 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S1064 = i32(0);
+        _S1068 = i32(0);
     }
     else
     {
-        _S1064 = i32(3);
+        _S1068 = i32(3);
     }
-    var _S1065 : u32 = u32(_S1064);
+    var _S1069 : u32 = u32(_S1068);
     var k_4 : u32 = u32(0);
     for(;;)
     {
-        if(k_4 < _S1065)
+        if(k_4 < _S1069)
         {
         }
         else
         {
             break;
         }
-        var _S1066 : u32 = sums_at_0 + u32(3) * word_0(_S1063 + k_4);
-        var _S1067 : vec3<f32>;
+        var _S1070 : u32 = sums_at_0 + u32(3) * word_0(_S1067 + k_4);
+        var _S1071 : vec3<f32>;
         if(k_4 == u32(0))
         {
-            _S1067 = corners_3.a_10;
+            _S1071 = corners_3.a_10;
         }
         else
         {
             if(k_4 == u32(1))
             {
-                _S1067 = corners_3.b_7;
+                _S1071 = corners_3.b_7;
             }
             else
             {
-                _S1067 = corners_3.c_4;
+                _S1071 = corners_3.c_4;
             }
         }
-        add_to_sums_0(_S1066, _S1067);
+        add_to_sums_0(_S1070, _S1071);
         k_4 = k_4 + u32(1);
     }
     return;
@@ -4486,12 +4496,12 @@ fn place_back_0( points_1 : ptr<function, AtCorners_0>,  place_14 : Place_0,  by
 {
     var corner_1 : u32 = u32(9) * place_14.triangle_0;
     var a_12 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S1068 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_12);
-    var _S1069 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_12);
-    var across_1 : vec3<f32> = cross(_S1068, _S1069);
-    var _S1070 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
-    var normal_0 : vec3<f32> = across_1 / vec3<f32>(_S1070);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S1069, normal_0) * vec3<f32>(by_place_1.x) + cross(normal_0, _S1068) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S1070)));
+    var _S1072 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_12);
+    var _S1073 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_12);
+    var across_1 : vec3<f32> = cross(_S1072, _S1073);
+    var _S1074 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
+    var normal_0 : vec3<f32> = across_1 / vec3<f32>(_S1074);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S1073, normal_0) * vec3<f32>(by_place_1.x) + cross(normal_0, _S1072) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S1074)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_5, by_slip_0) / dot(normal_0, direction_5)));
     add_at_place_1(&((*points_1)), place_14, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -4500,20 +4510,20 @@ fn place_back_0( points_1 : ptr<function, AtCorners_0>,  place_14 : Place_0,  by
 fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_5 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_6 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_5.shape_0);
-    var _S1071 : vec2<f32>;
+    var _S1075 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_2 : u32 = u32(9) * surface_5.place_4.triangle_0;
         var a_13 : vec3<f64> = primitive_vector_0(corner_2);
-        var _S1072 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_13);
-        var _S1073 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_13);
-        var derivative_8 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(_S1072, _S1073)));
-        var by_ab_0 : vec3<f32> = cross(_S1073, derivative_8);
-        var by_ac_0 : vec3<f32> = cross(derivative_8, _S1072);
+        var _S1076 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_13);
+        var _S1077 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_13);
+        var derivative_8 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(_S1076, _S1077)));
+        var by_ab_0 : vec3<f32> = cross(_S1077, derivative_8);
+        var by_ac_0 : vec3<f32> = cross(derivative_8, _S1076);
         (*points_2).a_10 = (*points_2).a_10 - (by_ab_0 + by_ac_0);
         (*points_2).b_7 = (*points_2).b_7 + by_ab_0;
         (*points_2).c_4 = (*points_2).c_4 + by_ac_0;
-        _S1071 = by_place_2;
+        _S1075 = by_place_2;
     }
     else
     {
@@ -4525,10 +4535,10 @@ fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_5 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_5.place_4, derivative_9);
         add_to_corners_0(normals_of_0(surface_5.place_4.triangle_0), surface_5.place_4.triangle_0, of_normals_0);
-        _S1071 = by_place_2 + vec2<f32>(dot(ab_0, derivative_9), dot(ac_0, derivative_9));
+        _S1075 = by_place_2 + vec2<f32>(dot(ab_0, derivative_9), dot(ac_0, derivative_9));
     }
-    var _S1074 : vec3<f32> = place_back_0(&((*points_2)), surface_5.place_4, _S1071, by_position_1, direction_6);
-    return _S1074;
+    var _S1078 : vec3<f32> = place_back_0(&((*points_2)), surface_5.place_4, _S1075, by_position_1, direction_6);
+    return _S1078;
 }
 
 fn points_of_0( triangle_9 : u32) -> u32
@@ -4545,33 +4555,33 @@ struct ByRay_0
 fn vertex_back_0( pulled_4 : Pulled_0,  vertex_5 : Vertex_0,  material_2 : u32,  direction_8 : vec3<f32>) -> ByRay_0
 {
     var by_ray_0 : ByRay_0;
-    var _S1075 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_0.direction_7 = _S1075;
-    by_ray_0.drift_0 = _S1075;
+    var _S1079 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_0.direction_7 = _S1079;
+    by_ray_0.drift_0 = _S1079;
     var by_place_3 : vec2<f32> = numbers_back_0(material_2, vertex_5.surface_3.place_4, pulled_4.numbers_4);
     if(!is_moving_0())
     {
         return by_ray_0;
     }
-    var _S1076 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S1080 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_0 : DiffPair_Axes_0;
     towards_0.primal_0 = vertex_5.axes_4;
-    towards_0.differential_0 = _S1076;
+    towards_0.differential_0 = _S1080;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_8;
-    incoming_0.differential_0 = _S1075;
+    incoming_0.differential_0 = _S1079;
     _S190(&(towards_0), &(incoming_0), pulled_4.wi_2);
     by_ray_0.direction_7 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_5.surface_3.outward_0;
-    outward_1.differential_0 = _S1075;
-    var _S1077 : vec3<f32> = tangent_at_0(vertex_5.surface_3);
+    outward_1.differential_0 = _S1079;
+    var _S1081 : vec3<f32> = tangent_at_0(vertex_5.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S1077;
-    tangent_4.differential_0 = _S1075;
+    tangent_4.primal_0 = _S1081;
+    tangent_4.differential_0 = _S1079;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_4.axes_5, towards_0.differential_0);
     var points_3 : AtCorners_0 = at_no_corner_0();
-    if((any((_S1077 != _S1075))))
+    if((any((_S1081 != _S1079))))
     {
         _S141(&(outward_1), &(tangent_4), vertex_5.surface_3.is_front_0, by_axes_0);
         tangent_back_0(&(points_3), vertex_5.surface_3.place_4.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -4580,8 +4590,8 @@ fn vertex_back_0( pulled_4 : Pulled_0,  vertex_5 : Vertex_0,  material_2 : u32, 
     {
         _S110(&(outward_1), vertex_5.surface_3.is_front_0, by_axes_0);
     }
-    var _S1078 : vec3<f32> = surface_back_0(&(points_3), vertex_5.surface_3, by_place_3, pulled_4.position_1, outward_1.differential_0, direction_8);
-    by_ray_0.drift_0 = _S1078;
+    var _S1082 : vec3<f32> = surface_back_0(&(points_3), vertex_5.surface_3, by_place_3, pulled_4.position_1, outward_1.differential_0, direction_8);
+    by_ray_0.drift_0 = _S1082;
     add_to_corners_0(points_of_0(vertex_5.surface_3.place_4.triangle_0), vertex_5.surface_3.place_4.triangle_0, points_3);
     return by_ray_0;
 }
@@ -4613,13 +4623,13 @@ fn set_vector_0( path_4 : u32,  which_4 : ptr<function, u32>,  value_7 : vec3<f3
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S1079 : u32;
+    var _S1083 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S1080 : u32 = u32(2) + zero_0;
-        _S1079 = _S1080;
-        if(rounds_0 < _S1080)
+        var _S1084 : u32 = u32(2) + zero_0;
+        _S1083 = _S1084;
+        if(rounds_0 < _S1084)
         {
         }
         else
@@ -4628,14 +4638,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S1079;
+    return rounds_0 == _S1083;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S1081 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S1085 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4644,12 +4654,12 @@ fn check_loops_0()
 @workgroup_size(64, 1, 1)
 fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
 {
-    var at_10 : u32 = launch_0.first_0 + thread_0.x;
-    if(at_10 >= (launch_0.end_0))
+    var at_12 : u32 = launch_0.first_0 + thread_0.x;
+    if(at_12 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_0 : u32 = input_0[at_10];
+    var number_of_path_0 : u32 = input_0[at_12];
     var kept_0 : u32 = kept_at_0(launch_0.depth_0);
     var which_5 : u32 = u32(17);
     var importance_0 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
@@ -4659,10 +4669,10 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var onward_1 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
     var wo_2 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
     var by_ray_1 : ByRay_0;
-    var _S1082 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
-    by_ray_1.drift_0 = _S1082;
-    var _S1083 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
-    by_ray_1.direction_7 = _S1083;
+    var _S1086 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
+    by_ray_1.drift_0 = _S1086;
+    var _S1087 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
+    by_ray_1.direction_7 = _S1087;
     var is_specular_1 : bool = (path_word_0(number_of_path_0, kept_0)) != u32(0);
     var factor_0 : f32 = (bitcast<f32>((path_word_0(number_of_path_0, kept_0 + u32(1)))));
     var t_1 : f32 = (bitcast<f32>((path_word_0(number_of_path_0, kept_0 + u32(2)))));
@@ -4671,30 +4681,30 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var by_direction_2 : vec3<f32> = path_vector_0(number_of_path_0, &(which_5));
     var surface_6 : Surface_0 = surface_at_0(place_15, direction_9);
     var material_3 : u32 = material_of_0(surface_6);
-    var _S1084 : vec4<f32> = vec4<f32>(0.0f);
-    var _S1085 : bool;
+    var _S1088 : vec4<f32> = vec4<f32>(0.0f);
+    var _S1089 : bool;
     if(material_3 != u32(4294967295))
     {
-        _S1085 = factor_0 != 0.0f;
+        _S1089 = factor_0 != 0.0f;
     }
     else
     {
-        _S1085 = false;
+        _S1089 = false;
     }
     var by_walk_0 : vec4<f32>;
-    if(_S1085)
+    if(_S1089)
     {
         var vertex_6 : Vertex_0 = vertex_at_0(surface_6, material_3, direction_9);
         var pulled_5 : Pulled_0 = nothing_pulled_0();
         var onward_direction_0 : vec3<f32> = normalize(to_world_0(vertex_6.axes_4, wo_2));
         pulled_5.position_1 = by_drift_1;
         var by_direction_3 : vec3<f32> = by_direction_2 + by_drift_1 * vec3<f32>(t_1);
-        var _S1086 : vec3<f32> = scattered_back_0(&(pulled_5), vertex_6, wo_2, onward_direction_0, is_specular_1, importance_0 * beyond_0 * vec3<f32>(factor_0));
-        var by_direction_4 : vec3<f32> = by_direction_3 + _S1086;
+        var _S1090 : vec3<f32> = scattered_back_0(&(pulled_5), vertex_6, wo_2, onward_direction_0, is_specular_1, importance_0 * beyond_0 * vec3<f32>(factor_0));
+        var by_direction_4 : vec3<f32> = by_direction_3 + _S1090;
         if(is_specular_1)
         {
             specular_direction_back_0(&(pulled_5), vertex_6, wo_2, by_direction_4);
-            by_walk_0 = _S1084;
+            by_walk_0 = _S1088;
         }
         else
         {
@@ -4705,7 +4715,7 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
             else
             {
                 turning_back_0(&(pulled_5), vertex_6, onward_direction_0, by_direction_4);
-                by_walk_0 = _S1084;
+                by_walk_0 = _S1088;
             }
         }
         var onward_by_ray_0 : ByRay_0 = vertex_back_0(pulled_5, vertex_6, material_3, direction_9);
@@ -4714,7 +4724,7 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     }
     else
     {
-        by_walk_0 = _S1084;
+        by_walk_0 = _S1088;
     }
     if(walks_0())
     {

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: cbd5b3ac6fc36d98
-// result: 6fbd83d9c7e2a96a
+// source: 7c3aafa6eedce5f6
+// result: d62bc0abf63d38bb
 
 struct Launch_std140_0
 {
@@ -563,7 +563,7 @@ fn s_bwdProp_axes_around_0( _S91 : s_bwdCallableCtx_axes_around_0,  _S92 : ptr<f
 {
     var _S94 : f32 = _S91.value0_13.value0_12.z;
     var sign_0 : f32;
-    if(_S94 < 0.0f)
+    if(_S94 < -0.30000001192092896f)
     {
         sign_0 = -1.0f;
     }
@@ -3579,24 +3579,34 @@ fn Corners2_x24init_0( a_8 : vec2<f32>,  b_5 : vec2<f32>,  c_2 : vec2<f32>) -> C
     return _S1000;
 }
 
+fn precise_0( at_7 : u32) -> f32
+{
+    return number_0(at_7) + number_0(at_7 + u32(1));
+}
+
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f, 0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_5) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_7 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_5) + u32(1));
-    uvs_0.a_7 = vec2<f32>(number_0(at_7), number_0(at_7 + u32(1)));
-    uvs_0.b_4 = vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5)));
+    var at_8 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_5) + u32(1));
+    uvs_0.a_7 = vec2<f32>(precise_0(at_8), precise_0(at_8 + u32(2)));
+    uvs_0.b_4 = vec2<f32>(precise_0(at_8 + u32(4)), precise_0(at_8 + u32(6)));
+    uvs_0.c_1 = vec2<f32>(precise_0(at_8 + u32(8)), precise_0(at_8 + u32(10)));
     return uvs_0;
+}
+
+fn row_at_0( at_9 : u32) -> vec3<f32>
+{
+    return vec3<f32>(precise_0(at_9), precise_0(at_9 + u32(2)), precise_0(at_9 + u32(4)));
 }
 
 fn floor_of_0( x_11 : f32) -> i32
 {
-    return i32(floor(clamp(x_11, -1.0e+09f, 1.0e+09f)));
+    return i32(clamp(floor(x_11), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
@@ -3715,43 +3725,43 @@ fn lookup_at_0( texture_1 : u32,  place_8 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_8.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
-    var uv_1 : Point_0;
-    var _S1011 : vec3<f32> = vec3<f32>(uvs_1.a_7 * vec2<f32>((1.0f - place_8.v_0 - place_8.w_0)) + uvs_1.b_4 * vec2<f32>(place_8.v_0) + uvs_1.c_1 * vec2<f32>(place_8.w_0), 1.0f);
-    uv_1.value_2 = vec2<f32>(dot(_S1011, to_u_0), dot(_S1011, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_4 - uvs_1.a_7;
     var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_7;
-    var _S1012 : vec2<f32> = to_u_0.xy;
-    var _S1013 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S1012), dot(by_v_0, _S1013));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S1012), dot(by_w_0, _S1013));
+    var _S1011 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f32> = row_at_0(_S1011);
+    var to_v_0 : vec3<f32> = row_at_0(_S1011 + u32(6));
+    var uv_1 : Point_0;
+    var _S1012 : vec3<f32> = vec3<f32>(uvs_1.a_7 + by_v_0 * vec2<f32>((place_8.v_0 + place_8.v_rest_0)) + by_w_0 * vec2<f32>((place_8.w_0 + place_8.w_rest_0)), 1.0f);
+    uv_1.value_2 = vec2<f32>(dot(_S1012, to_u_0), dot(_S1012, to_v_0));
+    var _S1013 : vec2<f32> = to_u_0.xy;
+    var _S1014 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S1013), dot(by_v_0, _S1014));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S1013), dot(by_w_0, _S1014));
     if(kind_1 == u32(1))
     {
-        var _S1014 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S1014;
+        var _S1015 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S1015;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
-    var _S1015 : i32;
+    var _S1016 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S1015 = i32(1);
+        _S1016 = i32(1);
     }
     else
     {
-        _S1015 = i32(0);
+        _S1016 = i32(0);
     }
-    return one_texel_0(u32(_S1015));
+    return one_texel_0(u32(_S1016));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f32>) -> vec3<f32>
 {
-    var _S1016 : u32 = word_0(texture_2 + u32(1));
-    var _S1017 : u32 = texture_2 + u32(13);
-    var _S1018 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1017 : u32 = word_0(texture_2 + u32(1));
+    var _S1018 : u32 = texture_2 + u32(19);
+    var _S1019 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_3 : vec3<f32> = _S1018;
+    var value_3 : vec3<f32> = _S1019;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -3761,17 +3771,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S1017 + _S1016 * lookup_3.texels_0[k_1];
-        var _S1019 : vec3<f32>;
-        if(_S1016 == u32(1))
+        var at_10 : u32 = _S1018 + _S1017 * lookup_3.texels_0[k_1];
+        var _S1020 : vec3<f32>;
+        if(_S1017 == u32(1))
         {
-            _S1019 = vec3<f32>(number_0(at_8));
+            _S1020 = vec3<f32>(number_0(at_10));
         }
         else
         {
-            _S1019 = vector_at_0(at_8);
+            _S1020 = vector_at_0(at_10);
         }
-        var value_4 : vec3<f32> = value_3 + _S1019 * vec3<f32>(weights_2[k_1]);
+        var value_4 : vec3<f32> = value_3 + _S1020 * vec3<f32>(weights_2[k_1]);
         k_1 = k_1 + u32(1);
         value_3 = value_4;
     }
@@ -3785,8 +3795,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_9 : Place_0) -> vec3<f32>
 {
-    var _S1020 : Lookup_0 = lookup_at_0(texture_4, place_9);
-    return looked_up_0(texture_4, _S1020, vec2<f32>(0.0f));
+    var _S1021 : Lookup_0 = lookup_at_0(texture_4, place_9);
+    return looked_up_0(texture_4, _S1021, vec2<f32>(0.0f));
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -3842,38 +3852,38 @@ fn lobe_at_0( record_3 : u32,  place_10 : Place_0) -> Lobe_0
     var lobe_5 : Lobe_0;
     lobe_5.record_0 = record_3;
     var is_black_0 : bool = record_3 == u32(4294967295);
-    var _S1021 : u32;
+    var _S1022 : u32;
     if(is_black_0)
     {
-        _S1021 = u32(0);
+        _S1022 = u32(0);
     }
     else
     {
-        _S1021 = word_0(record_3);
+        _S1022 = word_0(record_3);
     }
-    lobe_5.kind_0 = _S1021;
+    lobe_5.kind_0 = _S1022;
     if(is_black_0)
     {
-        _S1021 = u32(1);
+        _S1022 = u32(1);
     }
     else
     {
-        _S1021 = word_0(record_3 + u32(1));
+        _S1022 = word_0(record_3 + u32(1));
     }
-    lobe_5.distribution_0 = _S1021;
+    lobe_5.distribution_0 = _S1022;
     lobe_5.numbers_0 = no_numbers_0();
     if(is_black_0)
     {
-        _S1021 = u32(0);
+        _S1022 = u32(0);
     }
     else
     {
-        _S1021 = word_0(record_3 + u32(4));
+        _S1022 = word_0(record_3 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S1021)
+        if(slot_1 < _S1022)
         {
         }
         else
@@ -3887,10 +3897,10 @@ fn lobe_at_0( record_3 : u32,  place_10 : Place_0) -> Lobe_0
             continue;
         }
         var colour_2 : vec3<f32> = shown_0(texture_5, place_10);
-        var _S1022 : vec3<f32> = value_of_0(colour_2);
-        var _S1023 : Numbers_0 = lobe_5.numbers_0;
-        set_slot_0(&(_S1023), slot_1, _S1022);
-        lobe_5.numbers_0 = _S1023;
+        var _S1023 : vec3<f32> = value_of_0(colour_2);
+        var _S1024 : Numbers_0 = lobe_5.numbers_0;
+        set_slot_0(&(_S1024), slot_1, _S1023);
+        lobe_5.numbers_0 = _S1024;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_5;
@@ -3905,53 +3915,53 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_4.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S1024 : vec3<f32>;
+    var _S1025 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S1024 = tangent_0;
+        _S1025 = tangent_0;
     }
     else
     {
-        _S1024 = vec3<f32>(0.0f);
+        _S1025 = vec3<f32>(0.0f);
     }
-    return _S1024;
+    return _S1025;
 }
 
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S1025 : vec3<f32>;
+    var _S1026 : vec3<f32>;
     if(is_front_1)
     {
-        _S1025 = n_2;
+        _S1026 = n_2;
     }
     else
     {
-        _S1025 = (vec3<f32>(0) - n_2);
+        _S1026 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_0 = _S1025;
-    var _S1026 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S1026;
-    axes_0.t_0 = cross(n_2, _S1026);
+    axes_0.n_0 = _S1026;
+    var _S1027 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S1027;
+    axes_0.t_0 = cross(n_2, _S1027);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S1027 : vec3<f32>;
+    var _S1028 : vec3<f32>;
     if(is_front_2)
     {
-        _S1027 = n_3;
+        _S1028 = n_3;
     }
     else
     {
-        _S1027 = (vec3<f32>(0) - n_3);
+        _S1028 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_0 = _S1027;
-    var _S1028 : f32 = n_3.z;
+    axes_1.n_0 = _S1028;
+    var _S1029 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S1028 < 0.0f)
+    if(_S1029 < -0.30000001192092896f)
     {
         sign_1 = -1.0f;
     }
@@ -3959,12 +3969,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_1 = 1.0f;
     }
-    var a_9 : f32 = -1.0f / (sign_1 + _S1028);
-    var _S1029 : f32 = n_3.x;
-    var _S1030 : f32 = n_3.y;
-    var b_6 : f32 = _S1029 * _S1030 * a_9;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S1029 * _S1029 * a_9, sign_1 * b_6, - sign_1 * _S1029);
-    axes_1.t_0 = vec3<f32>(b_6, sign_1 + _S1030 * _S1030 * a_9, - _S1030);
+    var a_9 : f32 = -1.0f / (sign_1 + _S1029);
+    var _S1030 : f32 = n_3.x;
+    var _S1031 : f32 = n_3.y;
+    var b_6 : f32 = _S1030 * _S1031 * a_9;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S1030 * _S1030 * a_9, sign_1 * b_6, - sign_1 * _S1030);
+    axes_1.t_0 = vec3<f32>(b_6, sign_1 + _S1031 * _S1031 * a_9, - _S1031);
     return axes_1;
 }
 
@@ -3991,8 +4001,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_2 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S1031 : Lobe_0 = lobe_at_0(material_0, surface_4.place_4);
-    vertex_0.lobe_6 = _S1031;
+    var _S1032 : Lobe_0 = lobe_at_0(material_0, surface_4.place_4);
+    vertex_0.lobe_6 = _S1032;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -4018,12 +4028,12 @@ fn nothing_pulled_0() -> Pulled_0
 {
     var pulled_0 : Pulled_0;
     pulled_0.numbers_4 = no_numbers_0();
-    var _S1032 : vec3<f32> = vec3<f32>(0.0f);
-    pulled_0.position_1 = _S1032;
-    pulled_0.wi_2 = _S1032;
-    pulled_0.axes_5.n_0 = _S1032;
-    pulled_0.axes_5.t_0 = _S1032;
-    pulled_0.axes_5.s_0 = _S1032;
+    var _S1033 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_1 = _S1033;
+    pulled_0.wi_2 = _S1033;
+    pulled_0.axes_5.n_0 = _S1033;
+    pulled_0.axes_5.t_0 = _S1033;
+    pulled_0.axes_5.s_0 = _S1033;
     return pulled_0;
 }
 
@@ -4042,17 +4052,17 @@ fn axes_back_0( axes_7 : ptr<function, Axes_0>,  local_0 : vec3<f32>,  world_0 :
 
 fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_1 : Vertex_0,  wo_0 : vec3<f32>,  direction_3 : vec3<f32>,  is_specular_0 : bool,  by_value_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S1033 : Numbers_0 = no_numbers_0();
+    var _S1034 : Numbers_0 = no_numbers_0();
     var numbers_5 : DiffPair_Numbers_0;
     numbers_5.primal_0 = vertex_1.lobe_6.numbers_0;
-    numbers_5.differential_0 = _S1033;
-    var _S1034 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_5.differential_0 = _S1034;
+    var _S1035 : vec3<f32> = vec3<f32>(0.0f);
     var wi_3 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     wi_3.primal_0 = vertex_1.wi_1;
-    wi_3.differential_0 = _S1034;
+    wi_3.differential_0 = _S1035;
     var onward_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     onward_0.primal_0 = wo_0;
-    onward_0.differential_0 = _S1034;
+    onward_0.differential_0 = _S1035;
     if(is_specular_0)
     {
         _S984(vertex_1.lobe_6, &(numbers_5), &(wi_3), by_value_0);
@@ -4062,37 +4072,37 @@ fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_1 : Vertex_0,  
         var by_scattering_0 : Scattering_Differential_0;
         by_scattering_0.value_0 = by_value_0;
         _S926(vertex_1.lobe_6, &(numbers_5), &(wi_3), &(onward_0), by_scattering_0);
-        var _S1035 : Axes_0 = (*pulled_1).axes_5;
-        axes_back_0(&(_S1035), onward_0.differential_0, direction_3);
-        (*pulled_1).axes_5 = _S1035;
+        var _S1036 : Axes_0 = (*pulled_1).axes_5;
+        axes_back_0(&(_S1036), onward_0.differential_0, direction_3);
+        (*pulled_1).axes_5 = _S1036;
     }
     (*pulled_1).numbers_4 = Numbers_x24_syn_dadd_0((*pulled_1).numbers_4, numbers_5.differential_0);
     (*pulled_1).wi_2 = (*pulled_1).wi_2 + wi_3.differential_0;
-    var _S1036 : vec3<f32>;
+    var _S1037 : vec3<f32>;
     if(is_specular_0)
     {
-        _S1036 = _S1034;
+        _S1037 = _S1035;
     }
     else
     {
-        _S1036 = to_world_0(vertex_1.axes_4, onward_0.differential_0);
+        _S1037 = to_world_0(vertex_1.axes_4, onward_0.differential_0);
     }
-    return _S1036;
+    return _S1037;
 }
 
 fn specular_direction_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_2 : Vertex_0,  wo_1 : vec3<f32>,  by_direction_0 : vec3<f32>)
 {
     var local_1 : vec3<f32> = to_local_0(vertex_2.axes_4, by_direction_0);
-    var _S1037 : Axes_0 = (*pulled_2).axes_5;
-    axes_back_0(&(_S1037), wo_1, by_direction_0);
-    (*pulled_2).axes_5 = _S1037;
+    var _S1038 : Axes_0 = (*pulled_2).axes_5;
+    axes_back_0(&(_S1038), wo_1, by_direction_0);
+    (*pulled_2).axes_5 = _S1038;
     (*pulled_2).wi_2 = (*pulled_2).wi_2 + vec3<f32>((vec2<f32>(0) - local_1.xy), local_1.z);
     return;
 }
 
-fn change_word_0( at_9 : u32) -> u32
+fn change_word_0( at_11 : u32) -> u32
 {
-    return input_0[launch_0.room_0 + at_9];
+    return input_0[launch_0.room_0 + at_11];
 }
 
 fn walks_0() -> bool
@@ -4147,34 +4157,34 @@ fn slot_derivative_0( numbers_6 : Numbers_0,  slot_2 : u32) -> vec3<f32>
 
 fn numbers_of_0( texture_6 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_6 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_6 + u32(18)));
 }
 
 fn add_to_sum_0( sum_3 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S1038 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S1039 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_1 : f32 = abs(scaled_0);
     if(size_1 > 7.73712524553362672e+25f)
     {
-        var _S1039 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S1040 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S1040 : bool = scaled_0 < 0.0f;
-    var _S1041 : i32;
+    var _S1041 : bool = scaled_0 < 0.0f;
+    var _S1042 : i32;
     if(size_1 >= 1.84467440737095516e+19f)
     {
-        _S1041 = i32(1);
+        _S1042 = i32(1);
     }
     else
     {
-        _S1041 = i32(0);
+        _S1042 = i32(0);
     }
-    var first_2 : u32 = u32(_S1041);
+    var first_2 : u32 = u32(_S1042);
     var size_2 : f32;
     if(first_2 == u32(1))
     {
@@ -4194,39 +4204,39 @@ fn add_to_sum_0( sum_3 : u32,  derivative_0 : f32)
     {
         size_2 = lower_0;
     }
-    var _S1042 : u32 = u32(3) + u32(4) * sum_3;
+    var _S1043 : u32 = u32(4) + u32(4) * sum_3;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_2), u32(higher_0));
     var k_2 : u32 = first_2;
     for(;;)
     {
-        var _S1043 : bool;
+        var _S1044 : bool;
         if(k_2 < u32(4))
         {
-            _S1043 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S1044 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S1043 = false;
+            _S1044 = false;
         }
-        if(_S1043)
+        if(_S1044)
         {
         }
         else
         {
             break;
         }
-        var _S1044 : u32;
-        if(_S1040)
+        var _S1045 : u32;
+        if(_S1041)
         {
-            _S1044 = u32(0) - digits_0.x;
+            _S1045 = u32(0) - digits_0.x;
         }
         else
         {
-            _S1044 = digits_0.x;
+            _S1045 = digits_0.x;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S1042 + k_2]), _S1044);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S1043 + k_2]), _S1045);
         var overflows_0 : bool;
-        if(_S1040)
+        if(_S1041)
         {
             overflows_0 = before_0 < (digits_0.x);
         }
@@ -4234,19 +4244,19 @@ fn add_to_sum_0( sum_3 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_0 + digits_0.x) < before_0;
         }
-        var _S1045 : u32 = digits_0.y;
+        var _S1046 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S1041 = i32(1);
+            _S1042 = i32(1);
         }
         else
         {
-            _S1041 = i32(0);
+            _S1042 = i32(0);
         }
-        var _S1046 : vec2<u32> = vec2<u32>(_S1045 + u32(_S1041), u32(0));
-        var _S1047 : u32 = k_2 + u32(1);
-        digits_0 = _S1046;
-        k_2 = _S1047;
+        var _S1047 : vec2<u32> = vec2<u32>(_S1046 + u32(_S1042), u32(0));
+        var _S1048 : u32 = k_2 + u32(1);
+        digits_0 = _S1047;
+        k_2 = _S1048;
     }
     return;
 }
@@ -4254,20 +4264,20 @@ fn add_to_sum_0( sum_3 : u32,  derivative_0 : f32)
 fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
 {
     var first_3 : u32 = numbers_of_0(texture_7);
-    var _S1048 : u32 = word_0(texture_7 + u32(1));
-    var _S1049 : u32;
+    var _S1049 : u32 = word_0(texture_7 + u32(1));
+    var _S1050 : u32;
     if(first_3 == u32(4294967295))
     {
-        _S1049 = u32(0);
+        _S1050 = u32(0);
     }
     else
     {
-        _S1049 = lookup_5.count_0;
+        _S1050 = lookup_5.count_0;
     }
     var k_3 : u32 = u32(0);
     for(;;)
     {
-        if(k_3 < _S1049)
+        if(k_3 < _S1050)
         {
         }
         else
@@ -4276,7 +4286,7 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         }
         var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_1[k_3]);
         var own_1 : vec3<f32>;
-        if(_S1048 == u32(1))
+        if(_S1049 == u32(1))
         {
             own_1 = vec3<f32>((own_0.x + own_0.y + own_0.z));
         }
@@ -4287,14 +4297,14 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         var c_3 : u32 = u32(0);
         for(;;)
         {
-            if(c_3 < _S1048)
+            if(c_3 < _S1049)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_3 + _S1048 * lookup_5.texels_0[k_3] + c_3, own_1[c_3]);
+            add_to_sum_0(first_3 + _S1049 * lookup_5.texels_0[k_3] + c_3, own_1[c_3]);
             c_3 = c_3 + u32(1);
         }
         k_3 = k_3 + u32(1);
@@ -4310,13 +4320,13 @@ fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_2 : vec3<f3
 
 fn numbers_back_0( material_1 : u32,  place_11 : Place_0,  numbers_7 : Numbers_0) -> vec2<f32>
 {
-    var _S1050 : vec2<f32> = vec2<f32>(0.0f);
-    var _S1051 : u32 = word_0(material_1 + u32(4));
+    var _S1051 : vec2<f32> = vec2<f32>(0.0f);
+    var _S1052 : u32 = word_0(material_1 + u32(4));
     var slot_3 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S1050;
+    var by_place_0 : vec2<f32> = _S1051;
     for(;;)
     {
-        if(slot_3 < _S1051)
+        if(slot_3 < _S1052)
         {
         }
         else
@@ -4329,9 +4339,9 @@ fn numbers_back_0( material_1 : u32,  place_11 : Place_0,  numbers_7 : Numbers_0
             slot_3 = slot_3 + u32(1);
             continue;
         }
-        var _S1052 : Lookup_0 = lookup_at_0(texture_9, place_11);
-        var _S1053 : vec2<f32> = lookup_back_0(texture_9, _S1052, slot_derivative_0(numbers_7, slot_3));
-        by_place_0 = by_place_0 + _S1053;
+        var _S1053 : Lookup_0 = lookup_at_0(texture_9, place_11);
+        var _S1054 : vec2<f32> = lookup_back_0(texture_9, _S1053, slot_derivative_0(numbers_7, slot_3));
+        by_place_0 = by_place_0 + _S1054;
         slot_3 = slot_3 + u32(1);
     }
     return by_place_0;
@@ -4352,10 +4362,10 @@ struct AtCorners_0
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_0 : AtCorners_0;
-    var _S1054 : vec3<f32> = vec3<f32>(0.0f);
-    corners_0.c_4 = _S1054;
-    corners_0.b_7 = _S1054;
-    corners_0.a_10 = _S1054;
+    var _S1055 : vec3<f32> = vec3<f32>(0.0f);
+    corners_0.c_4 = _S1055;
+    corners_0.b_7 = _S1055;
+    corners_0.a_10 = _S1055;
     return corners_0;
 }
 
@@ -4370,18 +4380,18 @@ fn tangent_back_0( points_0 : ptr<function, AtCorners_0>,  triangle_6 : u32,  ta
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_6);
     var first_4 : vec2<f32> = uvs_2.b_4 - uvs_2.a_7;
     var second_1 : vec2<f32> = uvs_2.c_1 - uvs_2.a_7;
-    var _S1055 : f32 = second_1.y;
-    var _S1056 : f32 = first_4.y;
-    var scale_2 : f32 = 1.0f / (first_4.x * _S1055 - second_1.x * _S1056);
-    var of_ab_0 : f32 = _S1055 * scale_2;
-    var of_ac_0 : f32 = - _S1056 * scale_2;
+    var _S1056 : f32 = second_1.y;
+    var _S1057 : f32 = first_4.y;
+    var scale_2 : f32 = 1.0f / (first_4.x * _S1056 - second_1.x * _S1057);
+    var of_ab_0 : f32 = _S1056 * scale_2;
+    var of_ac_0 : f32 = - _S1057 * scale_2;
     var a_11 : vec3<f32> = primitive_vector_0(corner_0);
-    var _S1057 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S1058 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_4 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_0 + u32(3)) - a_11) * _S1057 + (primitive_vector_0(corner_0 + u32(6)) - a_11) * _S1058));
+    var _S1058 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S1059 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_4 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_0 + u32(3)) - a_11) * _S1058 + (primitive_vector_0(corner_0 + u32(6)) - a_11) * _S1059));
     (*points_0).a_10 = (*points_0).a_10 - derivative_4 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_0).b_7 = (*points_0).b_7 + derivative_4 * _S1057;
-    (*points_0).c_4 = (*points_0).c_4 + derivative_4 * _S1058;
+    (*points_0).b_7 = (*points_0).b_7 + derivative_4 * _S1058;
+    (*points_0).c_4 = (*points_0).c_4 + derivative_4 * _S1059;
     return;
 }
 
@@ -4408,20 +4418,20 @@ fn normals_of_0( triangle_7 : u32) -> u32
 
 fn add_to_sums_0( first_5 : u32,  derivative_7 : vec3<f32>)
 {
-    var _S1059 : i32;
+    var _S1060 : i32;
     if(first_5 == u32(4294967295))
     {
-        _S1059 = i32(0);
+        _S1060 = i32(0);
     }
     else
     {
-        _S1059 = i32(3);
+        _S1060 = i32(3);
     }
-    var _S1060 : u32 = u32(_S1059);
+    var _S1061 : u32 = u32(_S1060);
     var axis_0 : u32 = u32(0);
     for(;;)
     {
-        if(axis_0 < _S1060)
+        if(axis_0 < _S1061)
         {
         }
         else
@@ -4436,45 +4446,45 @@ fn add_to_sums_0( first_5 : u32,  derivative_7 : vec3<f32>)
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_8 : u32,  corners_3 : AtCorners_0)
 {
-    var _S1061 : u32 = triangle_record_0(triangle_8) + u32(2);
-    var _S1062 : i32;
+    var _S1062 : u32 = triangle_record_0(triangle_8) + u32(2);
+    var _S1063 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S1062 = i32(0);
+        _S1063 = i32(0);
     }
     else
     {
-        _S1062 = i32(3);
+        _S1063 = i32(3);
     }
-    var _S1063 : u32 = u32(_S1062);
+    var _S1064 : u32 = u32(_S1063);
     var k_4 : u32 = u32(0);
     for(;;)
     {
-        if(k_4 < _S1063)
+        if(k_4 < _S1064)
         {
         }
         else
         {
             break;
         }
-        var _S1064 : u32 = sums_at_0 + u32(3) * word_0(_S1061 + k_4);
-        var _S1065 : vec3<f32>;
+        var _S1065 : u32 = sums_at_0 + u32(3) * word_0(_S1062 + k_4);
+        var _S1066 : vec3<f32>;
         if(k_4 == u32(0))
         {
-            _S1065 = corners_3.a_10;
+            _S1066 = corners_3.a_10;
         }
         else
         {
             if(k_4 == u32(1))
             {
-                _S1065 = corners_3.b_7;
+                _S1066 = corners_3.b_7;
             }
             else
             {
-                _S1065 = corners_3.c_4;
+                _S1066 = corners_3.c_4;
             }
         }
-        add_to_sums_0(_S1064, _S1065);
+        add_to_sums_0(_S1065, _S1066);
         k_4 = k_4 + u32(1);
     }
     return;
@@ -4487,9 +4497,9 @@ fn place_back_0( points_1 : ptr<function, AtCorners_0>,  place_14 : Place_0,  by
     var ab_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_12;
     var ac_0 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_12;
     var across_1 : vec3<f32> = cross(ab_0, ac_0);
-    var _S1066 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
-    var normal_0 : vec3<f32> = across_1 / vec3<f32>(_S1066);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_0) * vec3<f32>(by_place_1.x) + cross(normal_0, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S1066)));
+    var _S1067 : f32 = max(max(abs(across_1.x), abs(across_1.y)), abs(across_1.z));
+    var normal_0 : vec3<f32> = across_1 / vec3<f32>(_S1067);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_0) * vec3<f32>(by_place_1.x) + cross(normal_0, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_0, normal_0) * _S1067)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_0 * vec3<f32>((dot(direction_5, by_slip_0) / dot(normal_0, direction_5)));
     add_at_place_1(&((*points_1)), place_14, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -4498,7 +4508,7 @@ fn place_back_0( points_1 : ptr<function, AtCorners_0>,  place_14 : Place_0,  by
 fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_5 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_6 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_5.shape_0);
-    var _S1067 : vec2<f32>;
+    var _S1068 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_2 : u32 = u32(9) * surface_5.place_4.triangle_0;
@@ -4511,7 +4521,7 @@ fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_5 : Surface_0
         (*points_2).a_10 = (*points_2).a_10 - (by_ab_0 + by_ac_0);
         (*points_2).b_7 = (*points_2).b_7 + by_ab_0;
         (*points_2).c_4 = (*points_2).c_4 + by_ac_0;
-        _S1067 = by_place_2;
+        _S1068 = by_place_2;
     }
     else
     {
@@ -4523,10 +4533,10 @@ fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_5 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_5.place_4, derivative_9);
         add_to_corners_0(normals_of_0(surface_5.place_4.triangle_0), surface_5.place_4.triangle_0, of_normals_0);
-        _S1067 = by_place_2 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_2, derivative_9));
+        _S1068 = by_place_2 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_2, derivative_9));
     }
-    var _S1068 : vec3<f32> = place_back_0(&((*points_2)), surface_5.place_4, _S1067, by_position_1, direction_6);
-    return _S1068;
+    var _S1069 : vec3<f32> = place_back_0(&((*points_2)), surface_5.place_4, _S1068, by_position_1, direction_6);
+    return _S1069;
 }
 
 fn points_of_0( triangle_9 : u32) -> u32
@@ -4543,33 +4553,33 @@ struct ByRay_0
 fn vertex_back_0( pulled_4 : Pulled_0,  vertex_5 : Vertex_0,  material_2 : u32,  direction_8 : vec3<f32>) -> ByRay_0
 {
     var by_ray_0 : ByRay_0;
-    var _S1069 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_0.direction_7 = _S1069;
-    by_ray_0.drift_0 = _S1069;
+    var _S1070 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_0.direction_7 = _S1070;
+    by_ray_0.drift_0 = _S1070;
     var by_place_3 : vec2<f32> = numbers_back_0(material_2, vertex_5.surface_3.place_4, pulled_4.numbers_4);
     if(!is_moving_0())
     {
         return by_ray_0;
     }
-    var _S1070 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S1071 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_0 : DiffPair_Axes_0;
     towards_0.primal_0 = vertex_5.axes_4;
-    towards_0.differential_0 = _S1070;
+    towards_0.differential_0 = _S1071;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_8;
-    incoming_0.differential_0 = _S1069;
+    incoming_0.differential_0 = _S1070;
     _S190(&(towards_0), &(incoming_0), pulled_4.wi_2);
     by_ray_0.direction_7 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_5.surface_3.outward_0;
-    outward_1.differential_0 = _S1069;
-    var _S1071 : vec3<f32> = tangent_at_0(vertex_5.surface_3);
+    outward_1.differential_0 = _S1070;
+    var _S1072 : vec3<f32> = tangent_at_0(vertex_5.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S1071;
-    tangent_4.differential_0 = _S1069;
+    tangent_4.primal_0 = _S1072;
+    tangent_4.differential_0 = _S1070;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_4.axes_5, towards_0.differential_0);
     var points_3 : AtCorners_0 = at_no_corner_0();
-    if((any((_S1071 != _S1069))))
+    if((any((_S1072 != _S1070))))
     {
         _S141(&(outward_1), &(tangent_4), vertex_5.surface_3.is_front_0, by_axes_0);
         tangent_back_0(&(points_3), vertex_5.surface_3.place_4.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -4578,8 +4588,8 @@ fn vertex_back_0( pulled_4 : Pulled_0,  vertex_5 : Vertex_0,  material_2 : u32, 
     {
         _S110(&(outward_1), vertex_5.surface_3.is_front_0, by_axes_0);
     }
-    var _S1072 : vec3<f32> = surface_back_0(&(points_3), vertex_5.surface_3, by_place_3, pulled_4.position_1, outward_1.differential_0, direction_8);
-    by_ray_0.drift_0 = _S1072;
+    var _S1073 : vec3<f32> = surface_back_0(&(points_3), vertex_5.surface_3, by_place_3, pulled_4.position_1, outward_1.differential_0, direction_8);
+    by_ray_0.drift_0 = _S1073;
     add_to_corners_0(points_of_0(vertex_5.surface_3.place_4.triangle_0), vertex_5.surface_3.place_4.triangle_0, points_3);
     return by_ray_0;
 }
@@ -4611,13 +4621,13 @@ fn set_vector_0( path_4 : u32,  which_4 : ptr<function, u32>,  value_7 : vec3<f3
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S1073 : u32;
+    var _S1074 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S1074 : u32 = u32(2) + zero_0;
-        _S1073 = _S1074;
-        if(rounds_0 < _S1074)
+        var _S1075 : u32 = u32(2) + zero_0;
+        _S1074 = _S1075;
+        if(rounds_0 < _S1075)
         {
         }
         else
@@ -4626,14 +4636,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S1073;
+    return rounds_0 == _S1074;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S1075 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S1076 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4642,12 +4652,12 @@ fn check_loops_0()
 @workgroup_size(64, 1, 1)
 fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
 {
-    var at_10 : u32 = launch_0.first_0 + thread_0.x;
-    if(at_10 >= (launch_0.end_0))
+    var at_12 : u32 = launch_0.first_0 + thread_0.x;
+    if(at_12 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_0 : u32 = input_0[at_10];
+    var number_of_path_0 : u32 = input_0[at_12];
     var kept_0 : u32 = kept_at_0(launch_0.depth_0);
     var which_5 : u32 = u32(17);
     var importance_0 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
@@ -4657,10 +4667,10 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var onward_1 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
     var wo_2 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
     var by_ray_1 : ByRay_0;
-    var _S1076 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
-    by_ray_1.drift_0 = _S1076;
     var _S1077 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
-    by_ray_1.direction_7 = _S1077;
+    by_ray_1.drift_0 = _S1077;
+    var _S1078 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
+    by_ray_1.direction_7 = _S1078;
     var is_specular_1 : bool = (path_word_0(number_of_path_0, kept_0)) != u32(0);
     var factor_0 : f32 = (bitcast<f32>((path_word_0(number_of_path_0, kept_0 + u32(1)))));
     var t_1 : f32 = (bitcast<f32>((path_word_0(number_of_path_0, kept_0 + u32(2)))));
@@ -4669,30 +4679,30 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var by_direction_2 : vec3<f32> = path_vector_0(number_of_path_0, &(which_5));
     var surface_6 : Surface_0 = surface_at_0(place_15, direction_9);
     var material_3 : u32 = material_of_0(surface_6);
-    var _S1078 : vec4<f32> = vec4<f32>(0.0f);
-    var _S1079 : bool;
+    var _S1079 : vec4<f32> = vec4<f32>(0.0f);
+    var _S1080 : bool;
     if(material_3 != u32(4294967295))
     {
-        _S1079 = factor_0 != 0.0f;
+        _S1080 = factor_0 != 0.0f;
     }
     else
     {
-        _S1079 = false;
+        _S1080 = false;
     }
     var by_walk_0 : vec4<f32>;
-    if(_S1079)
+    if(_S1080)
     {
         var vertex_6 : Vertex_0 = vertex_at_0(surface_6, material_3, direction_9);
         var pulled_5 : Pulled_0 = nothing_pulled_0();
         var onward_direction_0 : vec3<f32> = normalize(to_world_0(vertex_6.axes_4, wo_2));
         pulled_5.position_1 = by_drift_1;
         var by_direction_3 : vec3<f32> = by_direction_2 + by_drift_1 * vec3<f32>(t_1);
-        var _S1080 : vec3<f32> = scattered_back_0(&(pulled_5), vertex_6, wo_2, onward_direction_0, is_specular_1, importance_0 * beyond_0 * vec3<f32>(factor_0));
-        var by_direction_4 : vec3<f32> = by_direction_3 + _S1080;
+        var _S1081 : vec3<f32> = scattered_back_0(&(pulled_5), vertex_6, wo_2, onward_direction_0, is_specular_1, importance_0 * beyond_0 * vec3<f32>(factor_0));
+        var by_direction_4 : vec3<f32> = by_direction_3 + _S1081;
         if(is_specular_1)
         {
             specular_direction_back_0(&(pulled_5), vertex_6, wo_2, by_direction_4);
-            by_walk_0 = _S1078;
+            by_walk_0 = _S1079;
         }
         else
         {
@@ -4703,7 +4713,7 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
             else
             {
                 turning_back_0(&(pulled_5), vertex_6, onward_direction_0, by_direction_4);
-                by_walk_0 = _S1078;
+                by_walk_0 = _S1079;
             }
         }
         var onward_by_ray_0 : ByRay_0 = vertex_back_0(pulled_5, vertex_6, material_3, direction_9);
@@ -4712,7 +4722,7 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     }
     else
     {
-        by_walk_0 = _S1078;
+        by_walk_0 = _S1079;
     }
     if(walks_0())
     {

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 0b6ff8749d84514c
-// result: fff7ecb200b139ad
+// source: a294b5d90f914c0c
+// result: 253e1d1cbfc181fb
 
 struct Launch_std140_0
 {
@@ -296,12 +296,12 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
 
 struct Corners2_0
 {
-     a_3 : vec2<f32>,
-     b_1 : vec2<f32>,
-     c_1 : vec2<f32>,
+     a_3 : vec2<f64>,
+     b_1 : vec2<f64>,
+     c_1 : vec2<f64>,
 };
 
-fn Corners2_x24init_0( a_4 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
+fn Corners2_x24init_0( a_4 : vec2<f64>,  b_2 : vec2<f64>,  c_2 : vec2<f64>) -> Corners2_0
 {
     var _S16 : Corners2_0;
     _S16.a_3 = a_4;
@@ -310,24 +310,34 @@ fn Corners2_x24init_0( a_4 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> C
     return _S16;
 }
 
+fn precise_0( at_7 : u32) -> f64
+{
+    return f64(number_0(at_7)) + f64(number_0(at_7 + u32(1)));
+}
+
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f64>(0.0lf, 0.0lf), vec2<f64>(1.0lf, 0.0lf), vec2<f64>(0.0lf, 1.0lf));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_5) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_7 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_5) + u32(1));
-    uvs_0.a_3 = vec2<f32>(number_0(at_7), number_0(at_7 + u32(1)));
-    uvs_0.b_1 = vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5)));
+    var at_8 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_5) + u32(1));
+    uvs_0.a_3 = vec2<f64>(precise_0(at_8), precise_0(at_8 + u32(2)));
+    uvs_0.b_1 = vec2<f64>(precise_0(at_8 + u32(4)), precise_0(at_8 + u32(6)));
+    uvs_0.c_1 = vec2<f64>(precise_0(at_8 + u32(8)), precise_0(at_8 + u32(10)));
     return uvs_0;
 }
 
-fn floor_of_0( x_0 : f32) -> i32
+fn row_at_0( at_9 : u32) -> vec3<f64>
 {
-    return i32(floor(clamp(x_0, -1.0e+09f, 1.0e+09f)));
+    return vec3<f64>(precise_0(at_9), precise_0(at_9 + u32(2)), precise_0(at_9 + u32(4)));
+}
+
+fn floor_of_0( x_0 : f64) -> i32
+{
+    return i32(clamp(f32(floor(x_0)), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -368,21 +378,21 @@ fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
 
 struct Point_0
 {
-     value_3 : vec2<f32>,
+     value_3 : vec2<f64>,
 };
 
 fn between_0( texels_1 : vec4<u32>,  place_5 : Point_0) -> Lookup_0
 {
-    var way_0 : vec2<f32> = place_5.value_3 - floor(place_5.value_3);
-    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
+    var _S17 : vec2<f32> = vec2<f32>(place_5.value_3 - floor(place_5.value_3));
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - _S17;
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S17 : f32 = back_0.x;
-    var _S18 : f32 = back_0.y;
-    var _S19 : f32 = way_0.x;
-    var _S20 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S17 * _S18, _S19 * _S18, _S17 * _S20, _S19 * _S20);
+    var _S18 : f32 = back_0.x;
+    var _S19 : f32 = back_0.y;
+    var _S20 : f32 = _S17.x;
+    var _S21 : f32 = _S17.y;
+    lookup_1.weights_0 = vec4<f32>(_S18 * _S19, _S20 * _S19, _S18 * _S21, _S20 * _S21);
     return lookup_1;
 }
 
@@ -391,24 +401,24 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     var width_0 : i32 = i32(word_0(texture_0 + u32(2)));
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
-    var place_6 : vec2<f32> = uv_0.value_3 * vec2<f32>(f32(width_0), f32(height_0));
+    var place_6 : vec2<f64> = uv_0.value_3 * vec2<f64>(vec2<f32>(f32(width_0), f32(height_0)));
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_6.y), height_0, wrap_1);
-        var _S21 : u32 = row_0 * u32(width_0);
-        var _S22 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
-        return one_texel_0(_S21 + _S22);
+        var _S22 : u32 = row_0 * u32(width_0);
+        var _S23 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
+        return one_texel_0(_S22 + _S23);
     }
     var centred_0 : Point_0;
-    var _S23 : vec2<f32> = place_6 - vec2<f32>(0.5f);
-    centred_0.value_3 = _S23;
-    var x_1 : i32 = floor_of_0(_S23.x);
-    var y_0 : i32 = floor_of_0(_S23.y);
-    var _S24 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S25 : u32 = u32(width_0);
-    var first_1 : u32 = _S24 * _S25;
-    var _S26 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S26 * _S25;
+    var _S24 : vec2<f64> = place_6 - vec2<f64>(0.5lf);
+    centred_0.value_3 = _S24;
+    var x_1 : i32 = floor_of_0(_S24.x);
+    var y_0 : i32 = floor_of_0(_S24.y);
+    var _S25 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S26 : u32 = u32(width_0);
+    var first_1 : u32 = _S25 * _S26;
+    var _S27 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S27 * _S26;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -435,35 +445,35 @@ fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_7.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
+    var _S28 : u32 = texture_1 + u32(6);
     var uv_1 : Point_0;
-    var _S27 : vec3<f32> = vec3<f32>(uvs_1.a_3 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_1 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
-    uv_1.value_3 = vec2<f32>(dot(_S27, vector_at_0(rows_0)), dot(_S27, vector_at_0(rows_0 + u32(3))));
+    var _S29 : vec3<f64> = vec3<f64>(uvs_1.a_3 + (uvs_1.b_1 - uvs_1.a_3) * vec2<f64>((f64(place_7.v_0) + f64(place_7.v_rest_0))) + (uvs_1.c_1 - uvs_1.a_3) * vec2<f64>((f64(place_7.w_0) + f64(place_7.w_rest_0))), 1.0lf);
+    uv_1.value_3 = vec2<f64>(dot(_S29, row_at_0(_S28)), dot(_S29, row_at_0(_S28 + u32(6))));
     if(kind_0 == u32(1))
     {
-        var _S28 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S28;
+        var _S30 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S30;
     }
-    var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
-    var _S29 : i32;
-    if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
+    var half_of_period_0 : vec2<f64> = uv_1.value_3 - floor(uv_1.value_3);
+    var _S31 : i32;
+    if(((half_of_period_0.x) > 0.5lf) != ((half_of_period_0.y) > 0.5lf))
     {
-        _S29 = i32(1);
+        _S31 = i32(1);
     }
     else
     {
-        _S29 = i32(0);
+        _S31 = i32(0);
     }
-    return one_texel_0(u32(_S29));
+    return one_texel_0(u32(_S31));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S30 : u32 = word_0(texture_2 + u32(1));
-    var _S31 : u32 = texture_2 + u32(13);
-    var _S32 : vec3<f32> = vec3<f32>(0.0f);
+    var _S32 : u32 = word_0(texture_2 + u32(1));
+    var _S33 : u32 = texture_2 + u32(19);
+    var _S34 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S32;
+    var value_4 : vec3<f32> = _S34;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -473,17 +483,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S31 + _S30 * lookup_3.texels_0[k_1];
-        var _S33 : vec3<f32>;
-        if(_S30 == u32(1))
+        var at_10 : u32 = _S33 + _S32 * lookup_3.texels_0[k_1];
+        var _S35 : vec3<f32>;
+        if(_S32 == u32(1))
         {
-            _S33 = vec3<f32>(number_0(at_8));
+            _S35 = vec3<f32>(number_0(at_10));
         }
         else
         {
-            _S33 = vector_at_0(at_8);
+            _S35 = vector_at_0(at_10);
         }
-        var value_5 : vec3<f32> = value_4 + _S33 * vec3<f32>(weights_1[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S35 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -497,8 +507,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
 {
-    var _S34 : Lookup_0 = lookup_at_0(texture_4, place_8);
-    return looked_up_0(texture_4, _S34, vec2<f32>(0.0f));
+    var _S36 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S36, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -557,38 +567,38 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
     var lobe_0 : Lobe_0;
     lobe_0.record_2 = record_3;
     var is_black_0 : bool = record_3 == u32(4294967295);
-    var _S35 : u32;
+    var _S37 : u32;
     if(is_black_0)
     {
-        _S35 = u32(0);
+        _S37 = u32(0);
     }
     else
     {
-        _S35 = word_0(record_3);
+        _S37 = word_0(record_3);
     }
-    lobe_0.kind_1 = _S35;
+    lobe_0.kind_1 = _S37;
     if(is_black_0)
     {
-        _S35 = u32(1);
+        _S37 = u32(1);
     }
     else
     {
-        _S35 = word_0(record_3 + u32(1));
+        _S37 = word_0(record_3 + u32(1));
     }
-    lobe_0.distribution_0 = _S35;
+    lobe_0.distribution_0 = _S37;
     lobe_0.numbers_2 = no_numbers_0();
     if(is_black_0)
     {
-        _S35 = u32(0);
+        _S37 = u32(0);
     }
     else
     {
-        _S35 = word_0(record_3 + u32(4));
+        _S37 = word_0(record_3 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S35)
+        if(slot_1 < _S37)
         {
         }
         else
@@ -602,10 +612,10 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
-        var _S36 : vec3<f32> = value_of_0(colour_1);
-        var _S37 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S37), slot_1, _S36);
-        lobe_0.numbers_2 = _S37;
+        var _S38 : vec3<f32> = value_of_0(colour_1);
+        var _S39 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S39), slot_1, _S38);
+        lobe_0.numbers_2 = _S39;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -620,16 +630,16 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S38 : vec3<f32>;
+    var _S40 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S38 = tangent_0;
+        _S40 = tangent_0;
     }
     else
     {
-        _S38 = vec3<f32>(0.0f);
+        _S40 = vec3<f32>(0.0f);
     }
-    return _S38;
+    return _S40;
 }
 
 struct Axes_0
@@ -642,38 +652,38 @@ struct Axes_0
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S39 : vec3<f32>;
+    var _S41 : vec3<f32>;
     if(is_front_1)
     {
-        _S39 = n_2;
+        _S41 = n_2;
     }
     else
     {
-        _S39 = (vec3<f32>(0) - n_2);
+        _S41 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_1 = _S39;
-    var _S40 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S40;
-    axes_0.t_0 = cross(n_2, _S40);
+    axes_0.n_1 = _S41;
+    var _S42 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S42;
+    axes_0.t_0 = cross(n_2, _S42);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S41 : vec3<f32>;
+    var _S43 : vec3<f32>;
     if(is_front_2)
     {
-        _S41 = n_3;
+        _S43 = n_3;
     }
     else
     {
-        _S41 = (vec3<f32>(0) - n_3);
+        _S43 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_1 = _S41;
-    var _S42 : f32 = n_3.z;
+    axes_1.n_1 = _S43;
+    var _S44 : f32 = n_3.z;
     var sign_0 : f32;
-    if(_S42 < 0.0f)
+    if(_S44 < -0.30000001192092896f)
     {
         sign_0 = -1.0f;
     }
@@ -681,12 +691,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_0 = 1.0f;
     }
-    var a_5 : f32 = -1.0f / (sign_0 + _S42);
-    var _S43 : f32 = n_3.x;
-    var _S44 : f32 = n_3.y;
-    var b_3 : f32 = _S43 * _S44 * a_5;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_0 * _S43 * _S43 * a_5, sign_0 * b_3, - sign_0 * _S43);
-    axes_1.t_0 = vec3<f32>(b_3, sign_0 + _S44 * _S44 * a_5, - _S44);
+    var a_5 : f32 = -1.0f / (sign_0 + _S44);
+    var _S45 : f32 = n_3.x;
+    var _S46 : f32 = n_3.y;
+    var b_3 : f32 = _S45 * _S46 * a_5;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_0 * _S45 * _S45 * a_5, sign_0 * b_3, - sign_0 * _S45);
+    axes_1.t_0 = vec3<f32>(b_3, sign_0 + _S46 * _S46 * a_5, - _S46);
     return axes_1;
 }
 
@@ -713,8 +723,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_3 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S45 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S45;
+    var _S47 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S47;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -786,35 +796,35 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_0, 0.0f) / squared_0;
     }
-    var _S46 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S46 * _S46 / (2.0f * (_S46 - max(lowest_0, -1.0f)) * squared_0);
+    var _S48 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S48 * _S48 / (2.0f * (_S48 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S47 : bool;
+    var _S49 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S47 = true;
+        _S49 = true;
     }
     else
     {
-        _S47 = (word_0(u32(2))) == u32(0);
+        _S49 = (word_0(u32(2))) == u32(0);
     }
-    if(_S47)
+    if(_S49)
     {
         return false;
     }
     var record_5 : u32 = emitter_record_0(u32(0));
     if(is_area_0(record_5))
     {
-        _S47 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
+        _S49 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S47 = false;
+        _S49 = false;
     }
-    return _S47;
+    return _S49;
 }
 
 fn has_smooth_0( lobe_2 : Lobe_0) -> bool
@@ -861,32 +871,32 @@ struct Choice_0
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_4, choice_0.normal_2);
-    var _S48 : f32;
+    var _S50 : f32;
     if(view_0 > 0.0f)
     {
-        _S48 = 1.0f;
+        _S50 = 1.0f;
     }
     else
     {
-        _S48 = 0.0f;
+        _S50 = 0.0f;
     }
-    (*can_light_0) = _S48;
+    (*can_light_0) = _S50;
     return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
 }
 
 fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
 {
     var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_2);
-    var _S49 : f32;
+    var _S51 : f32;
     if(view_1 > 0.0f)
     {
-        _S49 = 1.0f;
+        _S51 = 1.0f;
     }
     else
     {
-        _S49 = 0.0f;
+        _S51 = 0.0f;
     }
-    (*can_light_1) = _S49;
+    (*can_light_1) = _S51;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -898,32 +908,32 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
     var count_1 : u32 = word_0(u32(6));
-    var _S50 : bool;
+    var _S52 : bool;
     if(alike_0)
     {
-        _S50 = true;
+        _S52 = true;
     }
     else
     {
-        _S50 = (word_0(u32(5))) != u32(0);
+        _S52 = (word_0(u32(5))) != u32(0);
     }
-    if(_S50)
+    if(_S52)
     {
-        _S50 = true;
+        _S52 = true;
     }
     else
     {
-        _S50 = count_1 < u32(2);
+        _S52 = count_1 < u32(2);
     }
-    if(_S50)
+    if(_S52)
     {
-        _S50 = true;
+        _S52 = true;
     }
     else
     {
-        _S50 = count_1 > u32(32);
+        _S52 = count_1 > u32(32);
     }
-    if(_S50)
+    if(_S52)
     {
         return choice_2;
     }
@@ -938,20 +948,20 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
             break;
         }
         var can_light_2 : f32;
-        var _S51 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S51;
+        var _S53 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S53;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S50 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S52 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S50 = false;
+        _S52 = false;
     }
-    if(!_S50)
+    if(!_S52)
     {
         choice_2.all_0 = 0.0f;
     }
@@ -977,33 +987,33 @@ fn product_0( a_6 : u32,  b_4 : u32) -> vec2<u32>
 
 fn times_0( a_7 : vec2<u32>,  b_5 : vec2<u32>) -> vec2<u32>
 {
-    var _S52 : u32 = a_7.x;
-    var _S53 : u32 = b_5.x;
-    var low_1 : vec2<u32> = product_0(_S52, _S53);
-    return vec2<u32>(low_1.x, low_1.y + _S52 * b_5.y + a_7.y * _S53);
+    var _S54 : u32 = a_7.x;
+    var _S55 : u32 = b_5.x;
+    var low_1 : vec2<u32> = product_0(_S54, _S55);
+    return vec2<u32>(low_1.x, low_1.y + _S54 * b_5.y + a_7.y * _S55);
 }
 
 fn plus_0( a_8 : vec2<u32>,  b_6 : vec2<u32>) -> vec2<u32>
 {
-    var _S54 : u32 = a_8.x;
-    var low_2 : u32 = _S54 + b_6.x;
-    var _S55 : u32 = a_8.y + b_6.y;
-    var _S56 : i32;
-    if(low_2 < _S54)
+    var _S56 : u32 = a_8.x;
+    var low_2 : u32 = _S56 + b_6.x;
+    var _S57 : u32 = a_8.y + b_6.y;
+    var _S58 : i32;
+    if(low_2 < _S56)
     {
-        _S56 = i32(1);
+        _S58 = i32(1);
     }
     else
     {
-        _S56 = i32(0);
+        _S58 = i32(0);
     }
-    return vec2<u32>(low_2, _S55 + u32(_S56));
+    return vec2<u32>(low_2, _S57 + u32(_S58));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S57 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S57 << ((u32(32) - by_0)))))), (_S57 >> (by_0)))));
+    var _S59 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S59 << ((u32(32) - by_0)))))), (_S59 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -1042,9 +1052,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S58 : f32 = f32(count_2);
-        (*probability_0) = 1.0f / _S58;
-        return min(u32(u_0 * _S58), count_2 - u32(1));
+        var _S60 : f32 = f32(count_2);
+        (*probability_0) = 1.0f / _S60;
+        return min(u32(u_0 * _S60), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
@@ -1075,9 +1085,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S59 : u32 = i_2 + u32(1);
+        var _S61 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S59;
+        i_2 = _S61;
         rest_1 = rest_2;
     }
     return found_0;
@@ -1090,28 +1100,28 @@ fn place_at_0( triangle_6 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
 
 fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 {
-    var _S60 : f32 = abs(x_4);
-    var _S61 : f32 = abs(y_1);
-    var _S62 : f32 = min(_S60, _S61);
-    var _S63 : f32 = max(_S60, _S61);
-    var is_steep_0 : bool = _S62 > (0.41421356797218323f * _S63);
+    var _S62 : f32 = abs(x_4);
+    var _S63 : f32 = abs(y_1);
+    var _S64 : f32 = min(_S62, _S63);
+    var _S65 : f32 = max(_S62, _S63);
+    var is_steep_0 : bool = _S64 > (0.41421356797218323f * _S65);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S62 - _S63;
+        above_0 = _S64 - _S65;
     }
     else
     {
-        above_0 = _S62;
+        above_0 = _S64;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S62 + _S63;
+        below_0 = _S64 + _S65;
     }
     else
     {
-        below_0 = _S63;
+        below_0 = _S65;
     }
     if(below_0 > 0.0f)
     {
@@ -1132,7 +1142,7 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S61 > _S60)
+    if(_S63 > _S62)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -1167,11 +1177,11 @@ fn solid_angle_of_0( a_9 : vec3<f32>,  b_7 : vec3<f32>,  c_3 : vec3<f32>) -> f32
 
 fn complex_product_0( a_10 : vec2<f32>,  b_8 : vec2<f32>) -> vec2<f32>
 {
-    var _S64 : f32 = a_10.x;
-    var _S65 : f32 = b_8.x;
-    var _S66 : f32 = a_10.y;
-    var _S67 : f32 = b_8.y;
-    return vec2<f32>(_S64 * _S65 - _S66 * _S67, _S64 * _S67 + _S66 * _S65);
+    var _S66 : f32 = a_10.x;
+    var _S67 : f32 = b_8.x;
+    var _S68 : f32 = a_10.y;
+    var _S69 : f32 = b_8.y;
+    return vec2<f32>(_S66 * _S67 - _S68 * _S69, _S66 * _S69 + _S68 * _S67);
 }
 
 struct SeenRectangle_0
@@ -1184,36 +1194,36 @@ struct SeenRectangle_0
      inverse_to_line_0 : vec2<f32>,
 };
 
-fn seen_rectangle_0( at_9 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
+fn seen_rectangle_0( at_11 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
 {
-    var offset_2 : vec3<f32> = vector_at_0(at_9) - viewpoint_1;
-    var x0_0 : f32 = dot(vector_at_0(at_9 + u32(3)), offset_2);
-    var y0_0 : f32 = dot(vector_at_0(at_9 + u32(6)), offset_2);
-    var x1_0 : f32 = x0_0 + number_0(at_9 + u32(12));
-    var y1_0 : f32 = y0_0 + number_0(at_9 + u32(13));
+    var offset_2 : vec3<f32> = vector_at_0(at_11) - viewpoint_1;
+    var x0_0 : f32 = dot(vector_at_0(at_11 + u32(3)), offset_2);
+    var y0_0 : f32 = dot(vector_at_0(at_11 + u32(6)), offset_2);
+    var x1_0 : f32 = x0_0 + number_0(at_11 + u32(12));
+    var y1_0 : f32 = y0_0 + number_0(at_11 + u32(13));
     var seen_1 : SeenRectangle_0;
     seen_1.x_5 = vec2<f32>(x0_0, x1_0);
     seen_1.y_2 = vec2<f32>(y0_0, y1_0);
-    var _S68 : f32 = - dot(vector_at_0(at_9 + u32(9)), offset_2);
-    seen_1.z_1 = _S68;
-    var a_11 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S68);
-    var b_9 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S68);
-    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S68);
-    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S68);
-    var _S69 : f32 = length(a_11);
-    var _S70 : f32 = length(c_4);
-    var _S71 : f32;
-    if(_S68 > (9.99999997475242708e-07f * max(max(_S69, length(b_9)), max(_S70, length(d_0)))))
+    var _S70 : f32 = - dot(vector_at_0(at_11 + u32(9)), offset_2);
+    seen_1.z_1 = _S70;
+    var a_11 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S70);
+    var b_9 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S70);
+    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S70);
+    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S70);
+    var _S71 : f32 = length(a_11);
+    var _S72 : f32 = length(c_4);
+    var _S73 : f32;
+    if(_S70 > (9.99999997475242708e-07f * max(max(_S71, length(b_9)), max(_S72, length(d_0)))))
     {
-        _S71 = solid_angle_of_0(a_11, c_4, b_9) + solid_angle_of_0(d_0, b_9, c_4);
+        _S73 = solid_angle_of_0(a_11, c_4, b_9) + solid_angle_of_0(d_0, b_9, c_4);
     }
     else
     {
-        _S71 = 0.0f;
+        _S73 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S71;
+    seen_1.solid_angle_0 = _S73;
     var z2_0 : f32 = seen_1.z_1 * seen_1.z_1;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S70), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S69));
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S72), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S71));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_2 * seen_1.y_2 + vec2<f32>(z2_0));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_0) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
@@ -1250,32 +1260,32 @@ fn sine_cosine_0( angle_2 : f32) -> vec2<f32>
 fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
-    var at_10 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S72 : f32 = seen_2.y_2.x;
-    var _S73 : f32 = seen_2.inverse_to_line_0.x;
-    var _S74 : f32 = seen_2.y_2.y;
-    var n_4 : f32 = - at_10.x * _S72 * _S73 - _S74 * seen_2.inverse_to_line_0.y;
-    var _S75 : f32 = at_10.y;
-    var flat_0 : f32 = _S75 * seen_2.z_1 * _S73;
-    var size_0 : f32 = seen_2.z_1 * abs(_S75) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
-    var _S76 : f32;
-    if((n_4 * _S75) < 0.0f)
+    var at_12 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
+    var _S74 : f32 = seen_2.y_2.x;
+    var _S75 : f32 = seen_2.inverse_to_line_0.x;
+    var _S76 : f32 = seen_2.y_2.y;
+    var n_4 : f32 = - at_12.x * _S74 * _S75 - _S76 * seen_2.inverse_to_line_0.y;
+    var _S77 : f32 = at_12.y;
+    var flat_0 : f32 = _S77 * seen_2.z_1 * _S75;
+    var size_0 : f32 = seen_2.z_1 * abs(_S77) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
+    var _S78 : f32;
+    if((n_4 * _S77) < 0.0f)
     {
-        _S76 = - size_0;
+        _S78 = - size_0;
     }
     else
     {
-        _S76 = size_0;
+        _S78 = size_0;
     }
-    var x_7 : f32 = clamp(_S76, seen_2.x_5.x, seen_2.x_5.y);
+    var x_7 : f32 = clamp(_S78, seen_2.x_5.x, seen_2.x_5.y);
     var squared_1 : f32 = x_7 * x_7 + seen_2.z_1 * seen_2.z_1;
     var h_0 : vec2<f32> = seen_2.y_2 / sqrt(vec2<f32>(squared_1) + seen_2.y_2 * seen_2.y_2);
-    var _S77 : f32 = h_0.x;
-    var sine_2 : f32 = _S77 + u_1.y * (h_0.y - _S77);
-    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S72, _S74));
+    var _S79 : f32 = h_0.x;
+    var sine_2 : f32 = _S79 + u_1.y * (h_0.y - _S79);
+    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S74, _S76));
 }
 
-fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
+fn rectangle_face_0( at_13 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
 {
     var best_0 : f32 = -1.00000001504746622e+30f;
     var found_2 : u32 = u32(0);
@@ -1289,17 +1299,17 @@ fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<functi
         {
             break;
         }
-        var row_1 : u32 = at_11 + u32(14) + u32(6) * face_0;
-        var _S78 : f32 = place_10.x;
-        var _S79 : f32 = place_10.y;
-        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S78 + number_0(row_1 + u32(2)) * _S79;
-        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S78 + number_0(row_1 + u32(5)) * _S79;
-        var _S80 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
-        if(_S80 > best_0)
+        var row_1 : u32 = at_13 + u32(14) + u32(6) * face_0;
+        var _S80 : f32 = place_10.x;
+        var _S81 : f32 = place_10.y;
+        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S80 + number_0(row_1 + u32(2)) * _S81;
+        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S80 + number_0(row_1 + u32(5)) * _S81;
+        var _S82 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
+        if(_S82 > best_0)
         {
             (*weights_2)[i32(0)] = clamp(v_5, 0.0f, 1.0f);
             (*weights_2)[i32(1)] = clamp(w_3, 0.0f, 1.0f - (*weights_2).x);
-            best_0 = _S80;
+            best_0 = _S82;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -1315,26 +1325,26 @@ fn emitter_triangle_0( record_7 : u32,  face_1 : u32) -> u32
 fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f64
 {
     var bits_0 : vec2<u32> = random_bits_0(key_3, dimension_2);
-    var _S81 : u32 = bits_0.y;
-    return (f64((_S81 >> (u32(11)))) + f64((((_S81 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
+    var _S83 : u32 = bits_0.y;
+    return (f64((_S83 >> (u32(11)))) + f64((((_S83 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S82 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S83 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S82, _S83);
-    var sum_0 : f32 = _S82 + _S83;
-    var _S84 : vec2<f32>;
+    var _S84 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S85 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S84, _S85);
+    var sum_0 : f32 = _S84 + _S85;
+    var _S86 : vec2<f32>;
     if(sum_0 > 0.0f)
     {
-        _S84 = seen_3 / vec2<f32>(sum_0);
+        _S86 = seen_3 / vec2<f32>(sum_0);
     }
     else
     {
-        _S84 = vec2<f32>(0.0f);
+        _S86 = vec2<f32>(0.0f);
     }
-    return _S84;
+    return _S86;
 }
 
 struct Corners_0
@@ -1346,11 +1356,11 @@ struct Corners_0
 
 fn corners_from_0( record_8 : u32,  face_2 : u32,  viewpoint_3 : vec3<f64>) -> Corners_0
 {
-    var at_12 : u32 = u32(9) * emitter_triangle_0(record_8, face_2);
+    var at_14 : u32 = u32(9) * emitter_triangle_0(record_8, face_2);
     var corners_0 : Corners_0;
-    corners_0.a_12 = vec3<f32>(primitive_vector_0(at_12) - viewpoint_3);
-    corners_0.b_10 = vec3<f32>(primitive_vector_0(at_12 + u32(3)) - viewpoint_3);
-    corners_0.c_5 = vec3<f32>(primitive_vector_0(at_12 + u32(6)) - viewpoint_3);
+    corners_0.a_12 = vec3<f32>(primitive_vector_0(at_14) - viewpoint_3);
+    corners_0.b_10 = vec3<f32>(primitive_vector_0(at_14 + u32(3)) - viewpoint_3);
+    corners_0.c_5 = vec3<f32>(primitive_vector_0(at_14 + u32(6)) - viewpoint_3);
     return corners_0;
 }
 
@@ -1367,28 +1377,28 @@ fn unit_across_0( v_6 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_3 : f32) -> vec3<f32>
 {
-    var _S85 : f32 = clamp(cosine_3, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S85) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S85) * (1.0f + _S85)));
+    var _S87 : f32 = clamp(cosine_3, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S87) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S87) * (1.0f + _S87)));
 }
 
 fn triangle_direction_0( a_13 : vec3<f32>,  b_11 : vec3<f32>,  c_6 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S86 : vec3<f32> = normalize(a_13);
-    var _S87 : vec3<f32> = normalize(b_11);
-    var _S88 : vec3<f32> = normalize(c_6);
-    var ab_0 : vec3<f32> = normalize(cross(_S86, _S87));
-    var ca_0 : vec3<f32> = normalize(cross(_S88, _S86));
+    var _S88 : vec3<f32> = normalize(a_13);
+    var _S89 : vec3<f32> = normalize(b_11);
+    var _S90 : vec3<f32> = normalize(c_6);
+    var ab_0 : vec3<f32> = normalize(cross(_S88, _S89));
+    var ca_0 : vec3<f32> = normalize(cross(_S90, _S88));
     var sine_alpha_0 : f32 = length(cross(ab_0, ca_0));
     var cosine_alpha_0 : f32 = - dot(ab_0, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S89 : f32 = part_0.x;
-    var _S90 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S89 * cosine_alpha_0 - _S90 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S90 * cosine_alpha_0 + _S89 * sine_alpha_0;
+    var _S91 : f32 = part_0.x;
+    var _S92 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S91 * cosine_alpha_0 - _S92 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S92 * cosine_alpha_0 + _S91 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S86, _S87);
-    var between_1 : vec3<f32> = along_0(_S86, _S88, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S87, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S87)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S88, _S89);
+    var between_1 : vec3<f32> = along_0(_S88, _S90, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S89, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S89)));
 }
 
 fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_2 : f32,  direction_4 : vec3<f32>) -> f32
@@ -1432,10 +1442,10 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             return point_0;
         }
     }
-    var _S91 : f64 = precise_random_0(key_4, dimension_3);
+    var _S93 : f64 = precise_random_0(key_4, dimension_3);
     var nodes_at_1 : u32 = word_0(record_10 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f64 = _S91;
+    var u_3 : f64 = _S93;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -1447,17 +1457,17 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S92 : f32 = shares_0.x;
-        var _S93 : f32 = shares_0.y;
-        if(!((_S92 + _S93) > 0.0f))
+        var _S94 : f32 = shares_0.x;
+        var _S95 : f32 = shares_0.y;
+        if(!((_S94 + _S95) > 0.0f))
         {
             return point_0;
         }
-        var _S94 : f64 = f64(_S92);
+        var _S96 : f64 = f64(_S94);
         var is_second_0 : bool;
-        if(u_3 >= _S94)
+        if(u_3 >= _S96)
         {
-            is_second_0 = _S93 > 0.0f;
+            is_second_0 = _S95 > 0.0f;
         }
         else
         {
@@ -1465,86 +1475,86 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S94) / f64(_S93);
+            u_3 = (u_3 - _S96) / f64(_S95);
         }
         else
         {
-            u_3 = min(u_3 / _S94, 1.0lf);
+            u_3 = min(u_3 / _S96, 1.0lf);
         }
         if(is_second_0)
         {
-            total_0 = _S93;
+            total_0 = _S95;
         }
         else
         {
-            total_0 = _S92;
+            total_0 = _S94;
         }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S95 : i32;
+        var _S97 : i32;
         if(is_second_0)
         {
-            _S95 = i32(3);
+            _S97 = i32(3);
         }
         else
         {
-            _S95 = i32(2);
+            _S97 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S95));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S97));
         chosen_0 = chosen_1;
     }
     var first_2 : u32 = word_0(node_2);
-    var _S96 : u32 = word_0(node_2 + u32(1));
-    var _S97 : u32 = word_0(record_10 + u32(6));
+    var _S98 : u32 = word_0(node_2 + u32(1));
+    var _S99 : u32 = word_0(record_10 + u32(6));
     var k_2 : u32 = first_2;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_2 < _S96)
+        if(k_2 < _S98)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S97 + k_2), from_1.exact_0);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S99 + k_2), from_1.exact_0);
         k_2 = k_2 + u32(1);
         total_0 = total_1;
     }
-    var _S98 : f32 = f32(u_3) * total_0;
+    var _S100 : f32 = f32(u_3) * total_0;
     var face_5 : u32 = u32(4294967295);
     var angle_3 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
     k_2 = first_2;
-    var rest_3 : f32 = _S98;
+    var rest_3 : f32 = _S100;
     for(;;)
     {
-        if(k_2 < _S96)
+        if(k_2 < _S98)
         {
         }
         else
         {
             break;
         }
-        var _S99 : u32 = _S97 + k_2;
-        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S99), from_1.exact_0);
+        var _S101 : u32 = _S99 + k_2;
+        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S101), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
             k_2 = k_2 + u32(1);
             continue;
         }
-        var _S100 : u32 = word_0(_S99);
-        var _S101 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S102 : u32 = word_0(_S101);
+        var _S103 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S100;
+            face_5 = _S102;
             angle_3 = own_1;
-            inside_2 = _S101;
+            inside_2 = _S103;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S100;
+        face_5 = _S102;
         angle_3 = own_1;
-        inside_2 = _S101;
+        inside_2 = _S103;
         rest_3 = rest_4;
         k_2 = k_2 + u32(1);
     }
@@ -1568,9 +1578,9 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         var direction_5 : vec3<f32> = triangle_direction_0(corners_2.a_12, corners_2.b_10, corners_2.c_5, angle_3, vec2<f32>(inside_2, second_1));
         var within_0 : vec3<f32> = direction_5 * vec3<f32>((dot(corners_2.a_12, normal_6) / dot(direction_5, normal_6))) - corners_2.a_12;
         var squared_2 : f32 = dot(normal_6, normal_6);
-        var _S102 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
-        point_0.place_11.v_0 = _S102;
-        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S102);
+        var _S104 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
+        point_0.place_11.v_0 = _S104;
+        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S104);
     }
     var offset_3 : vec3<f32> = corners_2.a_12 + ab_1 * vec3<f32>(point_0.place_11.v_0) + ac_0 * vec3<f32>(point_0.place_11.w_0);
     var distance_3 : f32 = length(offset_3);
@@ -1589,15 +1599,15 @@ fn is_map_0( record_11 : u32) -> bool
 
 fn uniform_direction_0( u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S103 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S103 * (1.0f - _S103))));
-    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S103);
+    var _S105 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S105 * (1.0f - _S105))));
+    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S105);
 }
 
 fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
 {
-    var _S104 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S104) * vec3<f32>(direction_6.x) + vector_at_0(_S104 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S104 + u32(6)) * vec3<f32>(direction_6.z);
+    var _S106 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S106) * vec3<f32>(direction_6.x) + vector_at_0(_S106 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S106 + u32(6)) * vec3<f32>(direction_6.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -1612,24 +1622,19 @@ fn map_pdf_0( map_2 : u32,  direction_7 : vec3<f32>) -> f32
     {
         return 0.07957746833562851f;
     }
-    var place_12 : vec2<f32> = map_place_0(map_2, direction_7);
+    var _S107 : vec2<f64> = vec2<f64>(map_place_0(map_2, direction_7));
     var width_1 : u32 = word_0(map_2);
-    var column_0 : u32 = wrapped_0(floor_of_0(place_12.x), i32(width_1), u32(0));
-    return cell_pdf_0(map_2, u32(clamp(floor_of_0(place_12.y), i32(0), i32(word_0(map_2 + u32(1))) - i32(2))) * width_1 + column_0);
-}
-
-fn sum_at_0( at_13 : u32) -> f64
-{
-    return f64(number_0(at_13)) + f64(number_0(at_13 + u32(1)));
+    var column_0 : u32 = wrapped_0(floor_of_0(_S107.x), i32(width_1), u32(0));
+    return cell_pdf_0(map_2, u32(clamp(floor_of_0(_S107.y), i32(0), i32(word_0(map_2 + u32(1))) - i32(2))) * width_1 + column_0);
 }
 
 fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr<function, f32>) -> u32
 {
-    var _S105 : u32 = count_3 - u32(1);
-    var total_2 : f64 = sum_at_0(sums_1 + u32(2) * _S105);
+    var _S108 : u32 = count_3 - u32(1);
+    var total_2 : f64 = precise_0(sums_1 + u32(2) * _S108);
     var target_0 : f64 = u_5 * total_2;
     var low_3 : u32 = u32(0);
-    var high_0 : u32 = _S105;
+    var high_0 : u32 = _S108;
     for(;;)
     {
         if(low_3 < high_0)
@@ -1640,17 +1645,17 @@ fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr
             break;
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
-        var sum_1 : f64 = sum_at_0(sums_1 + u32(2) * middle_1);
-        var _S106 : bool;
+        var sum_1 : f64 = precise_0(sums_1 + u32(2) * middle_1);
+        var _S109 : bool;
         if(sum_1 <= target_0)
         {
-            _S106 = sum_1 < total_2;
+            _S109 = sum_1 < total_2;
         }
         else
         {
-            _S106 = false;
+            _S109 = false;
         }
-        if(_S106)
+        if(_S109)
         {
             low_3 = middle_1 + u32(1);
         }
@@ -1662,13 +1667,13 @@ fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr
     var below_1 : f64;
     if(low_3 > u32(0))
     {
-        below_1 = sum_at_0(sums_1 + u32(2) * (low_3 - u32(1)));
+        below_1 = precise_0(sums_1 + u32(2) * (low_3 - u32(1)));
     }
     else
     {
         below_1 = 0.0lf;
     }
-    (*through_0) = clamp(f32((target_0 - below_1) / (sum_at_0(sums_1 + u32(2) * low_3) - below_1)), 0.0f, 1.0f);
+    (*through_0) = clamp(f32((target_0 - below_1) / (precise_0(sums_1 + u32(2) * low_3) - below_1)), 0.0f, 1.0f);
     return low_3;
 }
 
@@ -1678,52 +1683,52 @@ fn cell_direction_0( map_3 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,
     var azimuth_0 : vec2<f32> = sine_cosine_0(6.28318548202514648f * (turns_0 - floor(turns_0 + 0.5f)));
     var last_0 : u32 = word_0(map_3 + u32(1)) - u32(1);
     var is_lower_0 : bool = (u32(2) * row_2) >= last_0;
-    var rows_1 : vec2<f32>;
+    var rows_0 : vec2<f32>;
     if(is_lower_0)
     {
-        var _S107 : u32 = last_0 - row_2;
-        rows_1 = vec2<f32>(f32(_S107), f32(_S107 - u32(1)));
+        var _S110 : u32 = last_0 - row_2;
+        rows_0 = vec2<f32>(f32(_S110), f32(_S110 - u32(1)));
     }
     else
     {
-        rows_1 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
+        rows_0 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
     }
-    var _S108 : f32 = f32(last_0);
-    var _S109 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S108)).x;
-    var _S110 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S108)).x;
-    var off_0 : f32 = 2.0f * mix(_S109 * _S109, _S110 * _S110, down_0);
+    var _S111 : f32 = f32(last_0);
+    var _S112 : f32 = sine_cosine_0(rows_0.x * (1.57079637050628662f / _S111)).x;
+    var _S113 : f32 = sine_cosine_0(rows_0.y * (1.57079637050628662f / _S111)).x;
+    var off_0 : f32 = 2.0f * mix(_S112 * _S112, _S113 * _S113, down_0);
     var sine_3 : f32 = sqrt(off_0 * (2.0f - off_0));
-    var _S111 : f32 = azimuth_0.x * sine_3;
-    var _S112 : f32;
+    var _S114 : f32 = azimuth_0.x * sine_3;
+    var _S115 : f32;
     if(is_lower_0)
     {
-        _S112 = off_0 - 1.0f;
+        _S115 = off_0 - 1.0f;
     }
     else
     {
-        _S112 = 1.0f - off_0;
+        _S115 = 1.0f - off_0;
     }
-    var local_0 : vec3<f32> = vec3<f32>(_S111, _S112, - azimuth_0.y * sine_3);
-    var _S113 : u32 = map_3 + u32(2);
-    return vec3<f32>(dot(vector_at_0(_S113), local_0), dot(vector_at_0(_S113 + u32(3)), local_0), dot(vector_at_0(_S113 + u32(6)), local_0));
+    var local_0 : vec3<f32> = vec3<f32>(_S114, _S115, - azimuth_0.y * sine_3);
+    var _S116 : u32 = map_3 + u32(2);
+    return vec3<f32>(dot(vector_at_0(_S116), local_0), dot(vector_at_0(_S116 + u32(3)), local_0), dot(vector_at_0(_S116 + u32(6)), local_0));
 }
 
 fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : ptr<function, f32>) -> vec3<f32>
 {
     var u_6 : f64 = precise_random_0(key_5, dimension_4);
     var rest_5 : f64 = u_6 * 20.0lf - 1.0lf;
-    var _S114 : u32 = map_4 + u32(13);
-    var is_black_1 : bool = (word_0(_S114)) == u32(4294967295);
-    var _S115 : bool;
+    var _S117 : u32 = map_4 + u32(13);
+    var is_black_1 : bool = (word_0(_S117)) == u32(4294967295);
+    var _S118 : bool;
     if(is_black_1)
     {
-        _S115 = true;
+        _S118 = true;
     }
     else
     {
-        _S115 = rest_5 < 0.0lf;
+        _S118 = rest_5 < 0.0lf;
     }
-    if(_S115)
+    if(_S118)
     {
         var share_0 : f32;
         if(is_black_1)
@@ -1735,14 +1740,14 @@ fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
             share_0 = 0.05000000074505806f;
         }
         var direction_8 : vec3<f32> = uniform_direction_0(vec2<f32>(f32(u_6) / share_0, random_0(key_5, dimension_4 + u32(1))));
-        var _S116 : f32 = map_pdf_0(map_4, direction_8);
-        (*pdf_1) = _S116;
+        var _S119 : f32 = map_pdf_0(map_4, direction_8);
+        (*pdf_1) = _S119;
         return direction_8;
     }
     var rest_6 : f64 = rest_5 / 19.0lf;
     var width_2 : u32 = word_0(map_4);
     var down_1 : f32;
-    var row_3 : u32 = chosen_interval_0(word_0(_S114), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
+    var row_3 : u32 = chosen_interval_0(word_0(_S117), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
     var along_2 : f32;
     var column_2 : u32 = chosen_interval_0(word_0(map_4 + u32(14)) + u32(2) * width_2 * row_3, width_2, rest_6, &(along_2));
     (*pdf_1) = cell_pdf_0(map_4, row_3 * width_2 + column_2);
@@ -1756,9 +1761,9 @@ fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
 
 fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
 {
-    var _S117 : f32 = u_7.x;
-    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S117));
-    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S117));
+    var _S120 : f32 = u_7.x;
+    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S120));
+    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S120));
 }
 
 fn to_world_0( axes_5 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
@@ -1770,7 +1775,7 @@ struct LightSample_0
 {
      direction_9 : vec3<f32>,
      wo_0 : vec3<f32>,
-     way_1 : vec3<f64>,
+     way_0 : vec3<f64>,
      nearest_0 : f64,
      farthest_0 : f64,
      is_on_emitter_0 : bool,
@@ -1778,7 +1783,7 @@ struct LightSample_0
      probability_1 : f32,
      pdf_2 : f32,
      distance_4 : f32,
-     place_13 : Place_0,
+     place_12 : Place_0,
      is_specular_0 : bool,
 };
 
@@ -1788,18 +1793,18 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
     (*sample_0).is_specular_0 = false;
     (*sample_0).direction_9 = vertex_1.axes_4.n_1;
     (*sample_0).wo_0 = vec3<f32>(0.0f);
-    (*sample_0).way_1 = vertex_1.surface_3.exact_0;
+    (*sample_0).way_0 = vertex_1.surface_3.exact_0;
     (*sample_0).distance_4 = 0.0f;
     (*sample_0).pdf_2 = 0.0f;
-    (*sample_0).place_13 = vertex_1.surface_3.place_3;
+    (*sample_0).place_12 = vertex_1.surface_3.place_3;
     (*sample_0).nearest_0 = limit_at_0(u32(2));
     (*sample_0).farthest_0 = limit_at_0(u32(1));
-    var _S118 : f32 = random_0(key_7, first_3);
-    var _S119 : f32 = (*sample_0).probability_1;
-    var _S120 : u32 = chosen_emitter_0(choice_5, _S118, &(_S119));
-    (*sample_0).probability_1 = _S119;
-    (*sample_0).emitter_5 = _S120;
-    if(_S119 == 0.0f)
+    var _S121 : f32 = random_0(key_7, first_3);
+    var _S122 : f32 = (*sample_0).probability_1;
+    var _S123 : u32 = chosen_emitter_0(choice_5, _S121, &(_S122));
+    (*sample_0).probability_1 = _S122;
+    (*sample_0).emitter_5 = _S123;
+    if(_S122 == 0.0f)
     {
         return false;
     }
@@ -1812,26 +1817,26 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
             return false;
         }
         (*sample_0).pdf_2 = point_1.pdf_0;
-        (*sample_0).place_13 = point_1.place_11;
-        var _S121 : vec3<f64> = position_of_0(point_1.place_11) - vertex_1.surface_3.exact_0;
-        (*sample_0).way_1 = _S121;
-        var _S122 : vec3<f32> = vec3<f32>(_S121);
-        var _S123 : f32 = length(_S122);
-        (*sample_0).distance_4 = _S123;
-        (*sample_0).direction_9 = _S122 / vec3<f32>(_S123);
-        (*sample_0).nearest_0 = (*sample_0).nearest_0 / f64(_S123);
+        (*sample_0).place_12 = point_1.place_11;
+        var _S124 : vec3<f64> = position_of_0(point_1.place_11) - vertex_1.surface_3.exact_0;
+        (*sample_0).way_0 = _S124;
+        var _S125 : vec3<f32> = vec3<f32>(_S124);
+        var _S126 : f32 = length(_S125);
+        (*sample_0).distance_4 = _S126;
+        (*sample_0).direction_9 = _S125 / vec3<f32>(_S126);
+        (*sample_0).nearest_0 = (*sample_0).nearest_0 / f64(_S126);
         (*sample_0).farthest_0 = limit_at_0(u32(3));
     }
     else
     {
         if(is_map_0(record_12))
         {
-            var _S124 : u32 = word_0(record_12 + u32(1));
-            var _S125 : u32 = first_3 + u32(1);
-            var _S126 : f32 = (*sample_0).pdf_2;
-            var _S127 : vec3<f32> = sample_map_0(_S124, key_7, _S125, &(_S126));
-            (*sample_0).pdf_2 = _S126;
-            (*sample_0).direction_9 = _S127;
+            var _S127 : u32 = word_0(record_12 + u32(1));
+            var _S128 : u32 = first_3 + u32(1);
+            var _S129 : f32 = (*sample_0).pdf_2;
+            var _S130 : vec3<f32> = sample_map_0(_S127, key_7, _S128, &(_S129));
+            (*sample_0).pdf_2 = _S129;
+            (*sample_0).direction_9 = _S130;
         }
         else
         {
@@ -1839,11 +1844,11 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
             (*sample_0).direction_9 = normalize(to_world_0(vertex_1.axes_4, local_1));
             (*sample_0).pdf_2 = local_1.z * 0.31830987334251404f;
         }
-        (*sample_0).way_1 = vec3<f64>((*sample_0).direction_9);
+        (*sample_0).way_0 = vec3<f64>((*sample_0).direction_9);
     }
-    var _S128 : vec3<f32> = to_local_0(vertex_1.axes_4, (*sample_0).direction_9);
-    (*sample_0).wo_0 = _S128;
-    return (_S128.z) > 0.0f;
+    var _S131 : vec3<f32> = to_local_0(vertex_1.axes_4, (*sample_0).direction_9);
+    (*sample_0).wo_0 = _S131;
+    return (_S131.z) > 0.0f;
 }
 
 fn first_material_number_0( depth_2 : u32) -> u32
@@ -1880,11 +1885,11 @@ fn transmittance_0( lobe_3 : Lobe_0,  eta_2 : f32,  cosine_5 : f32) -> f32
     {
         return 1.0f - fresnel_dielectric_0(cosine_5, eta_2);
     }
-    var place_14 : f32 = cosine_5 * 63.0f;
-    var _S129 : u32 = min(u32(place_14), u32(62));
-    var at_14 : u32 = word_0(lobe_3.record_2 + u32(3)) + _S129;
-    var here_0 : f32 = number_0(at_14);
-    return here_0 + (number_0(at_14 + u32(1)) - here_0) * (place_14 - f32(_S129));
+    var place_13 : f32 = cosine_5 * 63.0f;
+    var _S132 : u32 = min(u32(place_13), u32(62));
+    var at_15 : u32 = word_0(lobe_3.record_2 + u32(3)) + _S132;
+    var here_0 : f32 = number_0(at_15);
+    return here_0 + (number_0(at_15 + u32(1)) - here_0) * (place_13 - f32(_S132));
 }
 
 fn choice_weight_0( colour_2 : vec3<f32>) -> f32
@@ -1900,16 +1905,16 @@ fn base_probability_0( numbers_4 : Numbers_0,  enters_0 : f32) -> f32
 
 fn is_rough_0( lobe_4 : Lobe_0) -> bool
 {
-    var _S130 : bool;
+    var _S133 : bool;
     if((lobe_4.kind_1) == u32(2))
     {
-        _S130 = true;
+        _S133 = true;
     }
     else
     {
-        _S130 = (lobe_4.kind_1) == u32(4);
+        _S133 = (lobe_4.kind_1) == u32(4);
     }
-    return _S130;
+    return _S133;
 }
 
 struct Microfacets_0
@@ -1938,37 +1943,37 @@ fn stretched_0( facets_1 : Microfacets_0,  wi_2 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_2.xy * facets_1.alpha_1, wi_2.z);
     var view_2 : Stretched_0;
-    var _S131 : f32 = length(longer_0);
-    view_2.length_0 = _S131;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S131);
-    var _S132 : vec2<f32> = longer_1.xy;
-    var _S133 : f32 = length(_S132);
-    view_2.sine_4 = _S133;
+    var _S134 : f32 = length(longer_0);
+    view_2.length_0 = _S134;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S134);
+    var _S135 : vec2<f32> = longer_1.xy;
+    var _S136 : f32 = length(_S135);
+    view_2.sine_4 = _S136;
     view_2.cosine_6 = longer_1.z;
-    var _S134 : vec2<f32>;
-    if(_S133 > 0.0f)
+    var _S137 : vec2<f32>;
+    if(_S136 > 0.0f)
     {
-        _S134 = _S132 / vec2<f32>(view_2.sine_4);
+        _S137 = _S135 / vec2<f32>(view_2.sine_4);
     }
     else
     {
-        _S134 = vec2<f32>(1.0f, 0.0f);
+        _S137 = vec2<f32>(1.0f, 0.0f);
     }
-    view_2.around_0 = _S134;
+    view_2.around_0 = _S137;
     return view_2;
 }
 
 fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
 {
-    var _S135 : f32 = u_8.x;
-    var radius_2 : f32 = sqrt(_S135);
+    var _S138 : f32 = u_8.x;
+    var radius_2 : f32 = sqrt(_S138);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_8.y);
     var across_1 : f32 = radius_2 * turn_3.y;
     var along_3 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_3.cosine_6);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S136 : f32 = 1.0f - _S135;
-    var edge_0 : f32 = sqrt(_S136 + along_3 * along_3);
+    var _S139 : f32 = 1.0f - _S138;
+    var edge_0 : f32 = sqrt(_S139 + along_3 * along_3);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_3;
     var from_top_0 : f32 = edge_0 - along_3;
     var from_bottom_0 : f32 = edge_0 + along_3;
@@ -1976,14 +1981,14 @@ fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_3 > 0.0f)
     {
-        from_top_1 = _S136 / from_bottom_0;
+        from_top_1 = _S139 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S137 : f32 = _S136 / from_top_0;
+        var _S140 : f32 = _S139 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S137;
+        from_bottom_1 = _S140;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_3.sine_4 - up_0 * view_3.cosine_6, across_1, max(towards_0 * view_3.cosine_6 + up_0 * view_3.sine_4, 0.0f));
@@ -2002,39 +2007,39 @@ fn exponential_0( x_8 : f32) -> f32
 
 fn error_function_plus_one_0( x_9 : f32) -> vec2<f32>
 {
-    var _S138 : f32 = min(abs(x_9), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S138 * _S138);
-    var place_15 : f32 = (_S138 - 2.0f) / (_S138 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S138);
-    var _S139 : f32;
+    var _S141 : f32 = min(abs(x_9), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S141 * _S141);
+    var place_14 : f32 = (_S141 - 2.0f) / (_S141 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_14 - 0.00127731403335929f) * place_14 + 0.00131371302995831f) * place_14 + 0.008666617795825f) * place_14 - 0.00805134233087301f) * place_14 - 0.05421232059597969f) * place_14 + 0.1640533059835434f) * place_14 - 0.16603080928325653f) * place_14 - 0.09276388585567474f) * place_14 + 1.27697837352752686f) / (1.0f + 2.0f * _S141);
+    var _S142 : f32;
     if(x_9 < 0.0f)
     {
-        _S139 = complement_0;
+        _S142 = complement_0;
     }
     else
     {
-        _S139 = 2.0f - complement_0;
+        _S142 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S139, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S142, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_4 : vec3<f32>) -> f32
 {
     var stretched_1 : vec2<f32> = w_4.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_1, stretched_1);
-    var _S140 : f32 = w_4.z;
-    var z2_1 : f32 = _S140 * _S140;
+    var _S143 : f32 = w_4.z;
+    var z2_1 : f32 = _S143 * _S143;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S140 + sqrt(z2_1 + spread2_0));
+        return 2.0f / (_S143 + sqrt(z2_1 + spread2_0));
     }
     if(z2_1 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S140;
+        return 1.0f / _S143;
     }
     var spread_0 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S140 / spread_0);
-    return 2.0f / (_S140 * both_0.x + 0.5f * spread_0 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S143 / spread_0);
+    return 2.0f / (_S143 * both_0.x + 0.5f * spread_0 * both_0.y);
 }
 
 fn logarithm_0( x_10 : f32) -> f32
@@ -2084,8 +2089,8 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_9.x * (2.0f / (visible_1 * view_4.length_0));
-    var _S141 : f32 = max(view_4.cosine_6, view_4.sine_4);
-    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S141 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S141, -6.0f, 0.5f * steepest_0);
+    var _S144 : f32 = max(view_4.cosine_6, view_4.sine_4);
+    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S144 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S144, -6.0f, 0.5f * steepest_0);
     var low_4 : f32 = -6.0f;
     var high_1 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -2099,10 +2104,10 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             break;
         }
         var both_1 : vec2<f32> = error_function_plus_one_0(slope_0);
-        var _S142 : f32 = both_1.y;
-        var error_0 : f32 = view_4.cosine_6 * both_1.x + 0.5f * view_4.sine_4 * _S142 - target_1;
-        var own_2 : f32 = _S142 * (view_4.cosine_6 - slope_0 * view_4.sine_4);
-        var bend_0 : f32 = -2.0f * slope_0 * own_2 - _S142 * view_4.sine_4;
+        var _S145 : f32 = both_1.y;
+        var error_0 : f32 = view_4.cosine_6 * both_1.x + 0.5f * view_4.sine_4 * _S145 - target_1;
+        var own_2 : f32 = _S145 * (view_4.cosine_6 - slope_0 * view_4.sine_4);
+        var bend_0 : f32 = -2.0f * slope_0 * own_2 - _S145 * view_4.sine_4;
         if(error_0 > 0.0f)
         {
             high_1 = slope_0;
@@ -2112,17 +2117,17 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             low_4 = slope_0;
         }
         var next_0 : f32 = slope_0 - error_0 * own_2 / (own_2 * own_2 - 0.5f * error_0 * bend_0);
-        var _S143 : bool;
+        var _S146 : bool;
         if(next_0 >= low_4)
         {
-            _S143 = next_0 <= high_1;
+            _S146 = next_0 <= high_1;
         }
         else
         {
-            _S143 = false;
+            _S146 = false;
         }
         var next_1 : f32;
-        if(!_S143)
+        if(!_S146)
         {
             next_1 = 0.5f * (low_4 + high_1);
         }
@@ -2135,9 +2140,9 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             slope_0 = next_1;
             break;
         }
-        var _S144 : u32 = step_0 + u32(1);
+        var _S147 : u32 = step_0 + u32(1);
         slope_0 = next_1;
-        step_0 = _S144;
+        step_0 = _S147;
     }
     return vec3<f32>(- slope_0, error_function_inverse_0(max(2.0f * u_9.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -2154,11 +2159,11 @@ fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  u_10 : vec
     {
         normal_7 = beckmann_normal_0(view_5, visible_over_cos_0(facets_3, wi_3), u_10);
     }
-    var _S145 : f32 = view_5.around_0.x;
-    var _S146 : f32 = normal_7.x;
-    var _S147 : f32 = view_5.around_0.y;
-    var _S148 : f32 = normal_7.y;
-    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S145 * _S146 - _S147 * _S148, _S147 * _S146 + _S145 * _S148) * facets_3.alpha_1, normal_7.z));
+    var _S148 : f32 = view_5.around_0.x;
+    var _S149 : f32 = normal_7.x;
+    var _S150 : f32 = view_5.around_0.y;
+    var _S151 : f32 = normal_7.y;
+    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S148 * _S149 - _S150 * _S151, _S150 * _S149 + _S148 * _S151) * facets_3.alpha_1, normal_7.z));
     return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_3, normal_8))) - wi_3);
 }
 
@@ -2171,9 +2176,9 @@ struct Drawn_0
 
 fn draw_0( lobe_6 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32>) -> Drawn_0
 {
-    var _S149 : bool = (lobe_6.kind_1) == u32(0);
+    var _S152 : bool = (lobe_6.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S149)
+    if(_S152)
     {
         has_base_0 = true;
     }
@@ -2190,7 +2195,7 @@ fn draw_0( lobe_6 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32
         has_base_0 = (lobe_6.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S149)
+    if(_S152)
     {
         of_base_1 = 1.0f;
     }
@@ -2198,16 +2203,16 @@ fn draw_0( lobe_6 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32
     {
         of_base_1 = 0.0f;
     }
-    var _S150 : bool;
+    var _S153 : bool;
     if((lobe_6.kind_1) == u32(3))
     {
-        _S150 = true;
+        _S153 = true;
     }
     else
     {
-        _S150 = (lobe_6.kind_1) == u32(4);
+        _S153 = (lobe_6.kind_1) == u32(4);
     }
-    if(_S150)
+    if(_S153)
     {
         of_base_1 = base_probability_0(lobe_6.numbers_2, transmittance_0(lobe_6, coat_eta_0(lobe_6.numbers_2), wi_4.z));
     }
@@ -2250,15 +2255,15 @@ fn sample_material_0( vertex_2 : Vertex_0,  key_8 : vec2<u32>,  first_4 : u32) -
     sample_1.is_specular_0 = drawn_1.is_specular_1;
     sample_1.probability_1 = drawn_1.probability_2;
     sample_1.wo_0 = drawn_1.wo_1;
-    var _S151 : vec3<f32> = normalize(to_world_0(vertex_2.axes_4, drawn_1.wo_1));
-    sample_1.direction_9 = _S151;
-    sample_1.way_1 = vec3<f64>(_S151);
+    var _S154 : vec3<f32> = normalize(to_world_0(vertex_2.axes_4, drawn_1.wo_1));
+    sample_1.direction_9 = _S154;
+    sample_1.way_0 = vec3<f64>(_S154);
     sample_1.nearest_0 = limit_at_0(u32(2));
     sample_1.farthest_0 = limit_at_0(u32(1));
     sample_1.emitter_5 = u32(4294967295);
     sample_1.distance_4 = 0.0f;
     sample_1.pdf_2 = 0.0f;
-    sample_1.place_13 = vertex_2.surface_3.place_3;
+    sample_1.place_12 = vertex_2.surface_3.place_3;
     return sample_1;
 }
 
@@ -2277,15 +2282,15 @@ struct Mirror_0
 
 fn mirror_at_0( triangle_7 : u32) -> Mirror_0
 {
-    var at_15 : u32 = u32(9) * triangle_7;
+    var at_16 : u32 = u32(9) * triangle_7;
     var mirror_0 : Mirror_0;
-    var _S152 : vec3<f64> = primitive_vector_0(at_15);
-    mirror_0.corner_0 = _S152;
-    var _S153 : vec3<f64> = primitive_vector_0(at_15 + u32(3)) - _S152;
-    mirror_0.ab_2 = _S153;
-    var _S154 : vec3<f64> = primitive_vector_0(at_15 + u32(6)) - _S152;
-    mirror_0.ac_1 = _S154;
-    mirror_0.normal_9 = exact_unit_0(cross(_S153, _S154));
+    var _S155 : vec3<f64> = primitive_vector_0(at_16);
+    mirror_0.corner_0 = _S155;
+    var _S156 : vec3<f64> = primitive_vector_0(at_16 + u32(3)) - _S155;
+    mirror_0.ab_2 = _S156;
+    var _S157 : vec3<f64> = primitive_vector_0(at_16 + u32(6)) - _S155;
+    mirror_0.ac_1 = _S157;
+    mirror_0.normal_9 = exact_unit_0(cross(_S156, _S157));
     return mirror_0;
 }
 
@@ -2317,9 +2322,9 @@ fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_3 : f32,  k_3 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S155 : bool = real_0 < 0.0f;
+    var _S158 : bool = real_0 < 0.0f;
     var a_14 : f32;
-    if(_S155)
+    if(_S158)
     {
         a_14 = smaller_0;
     }
@@ -2328,7 +2333,7 @@ fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_3 : f32,  k_3 : f32) -> f32
         a_14 = larger_0;
     }
     var b_12 : f32;
-    if(_S155)
+    if(_S158)
     {
         b_12 = larger_0;
     }
@@ -2338,9 +2343,9 @@ fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_3 : f32,  k_3 : f32) -> f32
     }
     var less_0 : f32 = a_14 - cosine_7;
     var more_0 : f32 = a_14 + cosine_7;
-    var _S156 : f32 = b_12 * b_12;
+    var _S159 : f32 = b_12 * b_12;
     var p_sum_1 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S156) / (more_0 * more_0 + _S156) * p_sum_1 / (p_sum_1 + 2.0f * a_14 * cosine_7 * sin2_0);
+    return (less_0 * less_0 + _S159) / (more_0 * more_0 + _S159) * p_sum_1 / (p_sum_1 + 2.0f * a_14 * cosine_7 * sin2_0);
 }
 
 fn fresnel_conductor_0( cosine_8 : f32,  eta_4 : vec3<f32>,  k_4 : vec3<f32>) -> vec3<f32>
@@ -2369,16 +2374,16 @@ fn turning_0( vertex_4 : Vertex_0,  direction_12 : vec3<f32>) -> vec3<f32>
 
 fn towards_emitter_0( vertex_5 : Vertex_0,  direction_13 : vec3<f32>,  record_13 : u32) -> vec3<f32>
 {
-    var _S157 : vec3<f32>;
+    var _S160 : vec3<f32>;
     if((word_0(record_13)) == u32(1))
     {
-        _S157 = changing_0(direction_13, turning_0(vertex_5, direction_13));
+        _S160 = changing_0(direction_13, turning_0(vertex_5, direction_13));
     }
     else
     {
-        _S157 = still_0(direction_13);
+        _S160 = still_0(direction_13);
     }
-    return _S157;
+    return _S160;
 }
 
 fn turns_onward_0() -> bool
@@ -2400,40 +2405,40 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_10 : f32,  pdf_4 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S158 : Mirrored_0;
-    _S158.cosine_9 = cosine_10;
-    _S158.pdf_3 = pdf_4;
-    _S158.scattered_0 = scattered_1;
-    return _S158;
+    var _S161 : Mirrored_0;
+    _S161.cosine_9 = cosine_10;
+    _S161.pdf_3 = pdf_4;
+    _S161.scattered_0 = scattered_1;
+    return _S161;
 }
 
 fn density_0( facets_4 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S159 : f32 = m_3.z;
-    if(_S159 <= 0.0f)
+    var _S162 : f32 = m_3.z;
+    if(_S162 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_4.alpha_1.x * facets_4.alpha_1.y;
     var slope_1 : vec2<f32> = m_3.xy / facets_4.alpha_1;
     var spread_1 : f32 = dot(slope_1, slope_1);
-    var cos2_2 : f32 = _S159 * _S159;
+    var cos2_2 : f32 = _S162 * _S162;
     if((facets_4.distribution_1) == u32(1))
     {
         var sum_2 : f32 = spread_1 + cos2_2;
         return 1.0f / (scale_0 * sum_2 * sum_2);
     }
     var exponent_0 : f32 = spread_1 / cos2_2;
-    var _S160 : f32;
+    var _S163 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S160 = 0.0f;
+        _S163 = 0.0f;
     }
     else
     {
-        _S160 = exponential_0(- exponent_0) / (scale_0 * cos2_2 * cos2_2);
+        _S163 = exponential_0(- exponent_0) / (scale_0 * cos2_2 * cos2_2);
     }
-    return _S160;
+    return _S163;
 }
 
 fn mirrored_1( facets_5 : Microfacets_0,  wi_7 : vec3<f32>,  wo_3 : vec3<f32>) -> Mirrored_0
@@ -2441,9 +2446,9 @@ fn mirrored_1( facets_5 : Microfacets_0,  wi_7 : vec3<f32>,  wo_3 : vec3<f32>) -
     var h_1 : vec3<f32> = normalize(wi_7 + wo_3);
     var mirrored_2 : Mirrored_0;
     mirrored_2.cosine_9 = dot(wi_7, h_1);
-    var _S161 : f32 = 0.25f * density_0(facets_5, h_1) * visible_over_cos_0(facets_5, wi_7);
-    mirrored_2.pdf_3 = _S161;
-    mirrored_2.scattered_0 = _S161 * visible_over_cos_0(facets_5, wo_3) * wo_3.z;
+    var _S164 : f32 = 0.25f * density_0(facets_5, h_1) * visible_over_cos_0(facets_5, wi_7);
+    mirrored_2.pdf_3 = _S164;
+    mirrored_2.scattered_0 = _S164 * visible_over_cos_0(facets_5, wo_3) * wo_3.z;
     return mirrored_2;
 }
 
@@ -2484,15 +2489,15 @@ struct Scattering_0
 fn scattering_0( lobe_10 : Lobe_0,  numbers_7 : Numbers_0,  wi_8 : vec3<f32>,  wo_4 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S162 : f32 = wo_4.z;
-    var by_cosine_0 : f32 = _S162 * 0.31830987334251404f;
+    var _S165 : f32 = wo_4.z;
+    var by_cosine_0 : f32 = _S165 * 0.31830987334251404f;
     if((lobe_10.kind_1) == u32(0))
     {
         scattering_1.value_7 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_5 = by_cosine_0;
         return scattering_1;
     }
-    var _S163 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S166 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_10))
     {
@@ -2500,7 +2505,7 @@ fn scattering_0( lobe_10 : Lobe_0,  numbers_7 : Numbers_0,  wi_8 : vec3<f32>,  w
     }
     else
     {
-        by_facets_0 = _S163;
+        by_facets_0 = _S166;
     }
     if((lobe_10.kind_1) == u32(2))
     {
@@ -2510,7 +2515,7 @@ fn scattering_0( lobe_10 : Lobe_0,  numbers_7 : Numbers_0,  wi_8 : vec3<f32>,  w
     }
     var eta_7 : f32 = coat_eta_0(numbers_7);
     var enters_1 : f32 = transmittance_0(lobe_10, eta_7, wi_8.z);
-    scattering_1.value_7 = base_0(lobe_10, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_10, eta_7, _S162) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_7 = base_0(lobe_10, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_10, eta_7, _S165) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_7, enters_1);
     scattering_1.pdf_5 = probability_3 * by_cosine_0;
     if((lobe_10.kind_1) == u32(4))
@@ -2532,16 +2537,16 @@ fn eval_and_pdf_0( lobe_11 : Lobe_0,  wi_9 : vec3<f32>,  wo_5 : vec3<f32>) -> Sc
     var scattered_2 : Scattered_0;
     scattered_2.value_8 = still_0(vec3<f32>(0.0f));
     scattered_2.pdf_6 = 0.0f;
-    var _S164 : bool;
+    var _S167 : bool;
     if((value_of_0(wo_5).z) <= 0.0f)
     {
-        _S164 = true;
+        _S167 = true;
     }
     else
     {
-        _S164 = !has_smooth_0(lobe_11);
+        _S167 = !has_smooth_0(lobe_11);
     }
-    if(_S164)
+    if(_S167)
     {
         return scattered_2;
     }
@@ -2572,39 +2577,39 @@ fn scattered_along_0( vertex_8 : Vertex_0,  sample_2 : LightSample_0,  walked_0 
     }
     else
     {
-        var _S165 : vec3<f32>;
+        var _S168 : vec3<f32>;
         if(turns_onward_0())
         {
-            _S165 = turning_0(vertex_8, sample_2.direction_9);
+            _S168 = turning_0(vertex_8, sample_2.direction_9);
         }
         else
         {
-            _S165 = walked_0;
+            _S168 = walked_0;
         }
-        (*moving_0) = changing_0(sample_2.direction_9, _S165);
+        (*moving_0) = changing_0(sample_2.direction_9, _S168);
     }
     return scattered_to_0(vertex_8, sample_2.wo_0, (*moving_0));
 }
 
 fn component_0( v_9 : vec3<f64>,  axis_2 : u32) -> f64
 {
-    var _S166 : f64;
+    var _S169 : f64;
     if(axis_2 == u32(0))
     {
-        _S166 = v_9.x;
+        _S169 = v_9.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S166 = v_9.y;
+            _S169 = v_9.y;
         }
         else
         {
-            _S166 = v_9.z;
+            _S169 = v_9.z;
         }
     }
-    return _S166;
+    return _S169;
 }
 
 struct Ray_0
@@ -2624,34 +2629,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f64>,  direction_16 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  axes_6 : ptr<function, u32>) -> Ray_0
 {
     var size_1 : vec3<f32> = abs(vec3<f32>(direction_16));
-    var _S167 : f32 = size_1.x;
-    var _S168 : f32 = size_1.y;
-    var _S169 : bool;
-    if(_S167 >= _S168)
+    var _S170 : f32 = size_1.x;
+    var _S171 : f32 = size_1.y;
+    var _S172 : bool;
+    if(_S170 >= _S171)
     {
-        _S169 = _S167 >= (size_1.z);
+        _S172 = _S170 >= (size_1.z);
     }
     else
     {
-        _S169 = false;
+        _S172 = false;
     }
-    var _S170 : i32;
-    if(_S169)
+    var _S173 : i32;
+    if(_S172)
     {
-        _S170 = i32(0);
+        _S173 = i32(0);
     }
     else
     {
-        if(_S168 >= (size_1.z))
+        if(_S171 >= (size_1.z))
         {
-            _S170 = i32(1);
+            _S173 = i32(1);
         }
         else
         {
-            _S170 = i32(2);
+            _S173 = i32(2);
         }
     }
-    var z_4 : u32 = u32(_S170);
+    var z_4 : u32 = u32(_S173);
     var x_11 : u32 = (z_4 + u32(1)) % u32(3);
     var y_3 : u32 = (z_4 + u32(2)) % u32(3);
     (*axes_6) = (((x_11 | (((y_3 << (u32(2))))))) | (((z_4 << (u32(4))))));
@@ -2687,7 +2692,7 @@ struct RayView_0
 
 fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S171 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S174 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -2700,36 +2705,36 @@ fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S172 : u32 = axis_3;
-        var _S173 : u32 = _S171 + u32(2) * axis_3;
-        var _S174 : u32 = slot_3 % u32(4);
-        var low_5 : f32 = (bitcast<f32>((nodes_0[_S173][_S174])));
-        var high_2 : f32 = (bitcast<f32>((nodes_0[_S173 + u32(6)][_S174])));
-        var _S175 : bool = (view_6.inverse_1[axis_3]) < 0.0f;
-        var _S176 : f32;
-        if(_S175)
+        var _S175 : u32 = axis_3;
+        var _S176 : u32 = _S174 + u32(2) * axis_3;
+        var _S177 : u32 = slot_3 % u32(4);
+        var low_5 : f32 = (bitcast<f32>((nodes_0[_S176][_S177])));
+        var high_2 : f32 = (bitcast<f32>((nodes_0[_S176 + u32(6)][_S177])));
+        var _S178 : bool = (view_6.inverse_1[axis_3]) < 0.0f;
+        var _S179 : f32;
+        if(_S178)
         {
-            _S176 = high_2;
+            _S179 = high_2;
         }
         else
         {
-            _S176 = low_5;
+            _S179 = low_5;
         }
-        var _S177 : f32 = max(near_0, _S176 * view_6.inverse_1[_S172] - view_6.offset_near_0[axis_3]);
-        var _S178 : f32;
-        if(_S175)
+        var _S180 : f32 = max(near_0, _S179 * view_6.inverse_1[_S175] - view_6.offset_near_0[axis_3]);
+        var _S181 : f32;
+        if(_S178)
         {
-            _S178 = low_5;
+            _S181 = low_5;
         }
         else
         {
-            _S178 = high_2;
+            _S181 = high_2;
         }
-        var _S179 : f32 = min(far_0, _S178 * view_6.inverse_1[_S172] - view_6.offset_far_0[axis_3]);
-        var _S180 : u32 = axis_3 + u32(1);
-        near_0 = _S177;
-        far_0 = _S179;
-        axis_3 = _S180;
+        var _S182 : f32 = min(far_0, _S181 * view_6.inverse_1[_S175] - view_6.offset_far_0[axis_3]);
+        var _S183 : u32 = axis_3 + u32(1);
+        near_0 = _S180;
+        far_0 = _S182;
+        axis_3 = _S183;
     }
     if(near_0 <= far_0)
     {
@@ -2754,7 +2759,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S181 : u32 = k_5;
+        var _S184 : u32 = k_5;
         if((bounds_0[k_5]) > limit_2)
         {
             k_5 = k_5 + u32(1);
@@ -2771,24 +2776,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S182 : u32 = j_0;
-            var _S183 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S181]))
+            var _S185 : u32 = j_0;
+            var _S186 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S184]))
             {
-                _S183 = true;
+                _S186 = true;
             }
             else
             {
-                if((bounds_0[_S182]) == (bounds_0[_S181]))
+                if((bounds_0[_S185]) == (bounds_0[_S184]))
                 {
-                    _S183 = j_0 < k_5;
+                    _S186 = j_0 < k_5;
                 }
                 else
                 {
-                    _S183 = false;
+                    _S186 = false;
                 }
             }
-            if(_S183)
+            if(_S186)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -2813,16 +2818,16 @@ fn crossed_0( view_7 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S184 : f32;
+        var _S187 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S184 = 3.00000000549775576e+38f;
+            _S187 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S184 = ray_bound_0(view_7, limit_3, node_5, slot_4);
+            _S187 = ray_bound_0(view_7, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S184;
+        bounds_1[slot_4] = _S187;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -2833,9 +2838,9 @@ fn rounded_0( product_2 : f64,  largest_1 : f64) -> f64
     return min(product_2, largest_1);
 }
 
-fn corner_1( ray_1 : Ray_0,  axes_8 : u32,  at_16 : u32) -> vec3<f64>
+fn corner_1( ray_1 : Ray_0,  axes_8 : u32,  at_17 : u32) -> vec3<f64>
 {
-    var relative_0 : vec3<f64> = primitive_vector_0(at_16) - ray_1.origin_0;
+    var relative_0 : vec3<f64> = primitive_vector_0(at_17) - ray_1.origin_0;
     var z_5 : f64 = component_0(relative_0, (axes_8 >> (u32(4))));
     return vec3<f64>(component_0(relative_0, (axes_8 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_5, ray_1.largest_0), component_0(relative_0, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_5, ray_1.largest_0), z_5);
 }
@@ -2848,56 +2853,56 @@ struct Crossing_0
      w_8 : f64,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_17 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_18 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_2 = 0.0lf;
     crossing_0.v_10 = 0.0lf;
     crossing_0.w_8 = 0.0lf;
-    var a_15 : vec3<f64> = corner_1(ray_2, axes_9, at_17);
-    var b_13 : vec3<f64> = corner_1(ray_2, axes_9, at_17 + u32(3));
-    var c_7 : vec3<f64> = corner_1(ray_2, axes_9, at_17 + u32(6));
-    var _S185 : f64 = c_7.x;
-    var _S186 : f64 = b_13.y;
-    var cx_by_0 : f64 = rounded_0(_S185 * _S186, ray_2.largest_0);
-    var _S187 : f64 = c_7.y;
-    var _S188 : f64 = b_13.x;
-    var cy_bx_0 : f64 = rounded_0(_S187 * _S188, ray_2.largest_0);
-    var _S189 : f64 = a_15.x;
-    var ax_cy_0 : f64 = rounded_0(_S189 * _S187, ray_2.largest_0);
-    var _S190 : f64 = a_15.y;
-    var ay_cx_0 : f64 = rounded_0(_S190 * _S185, ray_2.largest_0);
-    var bx_ay_0 : f64 = rounded_0(_S188 * _S190, ray_2.largest_0);
-    var by_ax_0 : f64 = rounded_0(_S186 * _S189, ray_2.largest_0);
+    var a_15 : vec3<f64> = corner_1(ray_2, axes_9, at_18);
+    var b_13 : vec3<f64> = corner_1(ray_2, axes_9, at_18 + u32(3));
+    var c_7 : vec3<f64> = corner_1(ray_2, axes_9, at_18 + u32(6));
+    var _S188 : f64 = c_7.x;
+    var _S189 : f64 = b_13.y;
+    var cx_by_0 : f64 = rounded_0(_S188 * _S189, ray_2.largest_0);
+    var _S190 : f64 = c_7.y;
+    var _S191 : f64 = b_13.x;
+    var cy_bx_0 : f64 = rounded_0(_S190 * _S191, ray_2.largest_0);
+    var _S192 : f64 = a_15.x;
+    var ax_cy_0 : f64 = rounded_0(_S192 * _S190, ray_2.largest_0);
+    var _S193 : f64 = a_15.y;
+    var ay_cx_0 : f64 = rounded_0(_S193 * _S188, ray_2.largest_0);
+    var bx_ay_0 : f64 = rounded_0(_S191 * _S193, ray_2.largest_0);
+    var by_ax_0 : f64 = rounded_0(_S189 * _S192, ray_2.largest_0);
     var u_12 : f64 = cx_by_0 - cy_bx_0;
     var v_11 : f64 = ax_cy_0 - ay_cx_0;
     var w_9 : f64 = bx_ay_0 - by_ax_0;
-    var _S191 : f64 = min(min(u_12, v_11), w_9);
-    var _S192 : f64 = max(max(u_12, v_11), w_9);
-    var _S193 : bool;
-    if(_S191 < 0.0lf)
+    var _S194 : f64 = min(min(u_12, v_11), w_9);
+    var _S195 : f64 = max(max(u_12, v_11), w_9);
+    var _S196 : bool;
+    if(_S194 < 0.0lf)
     {
-        _S193 = _S192 > 0.0lf;
+        _S196 = _S195 > 0.0lf;
     }
     else
     {
-        _S193 = false;
+        _S196 = false;
     }
-    if(_S193)
+    if(_S196)
     {
         return crossing_0;
     }
     var determinant_0 : f64 = u_12 + v_11 + w_9;
-    if(_S191 <= 0.0lf)
+    if(_S194 <= 0.0lf)
     {
-        _S193 = _S192 >= 0.0lf;
+        _S196 = _S195 >= 0.0lf;
     }
     else
     {
-        _S193 = false;
+        _S196 = false;
     }
-    if(_S193)
+    if(_S196)
     {
         if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -2911,13 +2916,13 @@ fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_17 : u32) -> Crossing_0
     var t_3 : f64 = (rounded_0(u_12 * a_15.z, ray_2.largest_0) + rounded_0(v_11 * b_13.z, ray_2.largest_0) + rounded_0(w_9 * c_7.z, ray_2.largest_0)) / determinant_0 * ray_2.inverse_z_0;
     if((ray_2.t_min_0) <= t_3)
     {
-        _S193 = t_3 <= (ray_2.t_max_0);
+        _S196 = t_3 <= (ray_2.t_max_0);
     }
     else
     {
-        _S193 = false;
+        _S196 = false;
     }
-    crossing_0.is_hit_0 = _S193;
+    crossing_0.is_hit_0 = _S196;
     crossing_0.t_2 = t_3;
     crossing_0.v_10 = v_11 / determinant_0;
     crossing_0.w_8 = w_9 / determinant_0;
@@ -2939,7 +2944,7 @@ struct Found_0
 
 fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S194 : bool;
+    var _S197 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
     found_3.triangle_9 = u32(4294967295);
@@ -2949,8 +2954,8 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
     {
         return found_3;
     }
-    var way_2 : array<vec2<u32>, i32(40)>;
-    way_2[i32(0)] = vec2<u32>(u32(0), u32(0));
+    var way_1 : array<vec2<u32>, i32(40)>;
+    way_1[i32(0)] = vec2<u32>(u32(0), u32(0));
     var entered_0 : u32 = u32(0);
     var limit_4 : f32 = view_8.limit_0;
     var is_new_0 : bool = true;
@@ -2961,7 +2966,7 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var is_new_1 : bool;
         if(entered_0 != u32(4294967295))
         {
-            way_2[level_0] = vec2<u32>(entered_0, crossed_0(view_8, limit_4, entered_0));
+            way_1[level_0] = vec2<u32>(entered_0, crossed_0(view_8, limit_4, entered_0));
             is_new_1 = true;
             entered_1 = u32(4294967295);
         }
@@ -2970,32 +2975,32 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             is_new_1 = is_new_0;
             entered_1 = entered_0;
         }
-        var here_1 : vec2<u32> = way_2[level_0];
-        var _S195 : u32 = way_2[level_0].y;
-        if(_S195 == u32(0))
+        var here_1 : vec2<u32> = way_1[level_0];
+        var _S198 : u32 = way_1[level_0].y;
+        if(_S198 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S196 : u32 = level_0 - u32(1);
+            var _S199 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S196;
+            level_0 = _S199;
             continue;
         }
-        var slot_5 : u32 = ((_S195 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S195 >> (u32(4)));
-        var _S197 : bool;
+        var slot_5 : u32 = ((_S198 & (u32(15)))) - u32(1);
+        way_1[level_0][i32(1)] = (_S198 >> (u32(4)));
+        var _S200 : bool;
         if(!is_new_1)
         {
-            _S197 = (ray_bound_0(view_8, limit_4, here_1.x, slot_5)) > limit_4;
+            _S200 = (ray_bound_0(view_8, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S197 = false;
+            _S200 = false;
         }
-        if(_S197)
+        if(_S200)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -3004,20 +3009,20 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S198 : u32 = level_0 + u32(1);
+            var _S201 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S198;
+            level_0 = _S201;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S199 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S200 : u32 = leaf_starts_0[leaf_0];
+        var _S202 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S203 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S200;
+        var i_3 : u32 = _S203;
         for(;;)
         {
-            if(i_3 < _S199)
+            if(i_3 < _S202)
             {
             }
             else
@@ -3032,23 +3037,23 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S194 = true;
+                _S197 = true;
             }
             else
             {
-                _S194 = (crossing_1.t_2) < ((*ray_3).t_max_0);
+                _S197 = (crossing_1.t_2) < ((*ray_3).t_max_0);
             }
-            var _S201 : bool;
-            if(_S194)
+            var _S204 : bool;
+            if(_S197)
             {
-                _S201 = true;
+                _S204 = true;
             }
             else
             {
-                _S201 = (face_6(i_3)) < (found_3.face_7);
+                _S204 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S201)
+            if(_S204)
             {
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_9 = i_3;
@@ -3066,13 +3071,13 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S194 = (found_3.face_7) != u32(4294967295);
+            _S197 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S194 = false;
+            _S197 = false;
         }
-        if(_S194)
+        if(_S197)
         {
             break;
         }
@@ -3086,11 +3091,11 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_2 : vec3<f64>,  direction_17 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
 {
     var view_9 : RayView_0;
-    var _S202 : u32 = view_9.axes_7;
-    var _S203 : Ray_0 = ray_along_0(origin_2, direction_17, t_min_2, t_max_2, &(_S202));
-    view_9.axes_7 = _S202;
-    var ray_4 : Ray_0 = _S203;
-    var _S204 : vec3<f32> = vec3<f32>(direction_17 / vec3<f64>(ray_4.local_per_t_0));
+    var _S205 : u32 = view_9.axes_7;
+    var _S206 : Ray_0 = ray_along_0(origin_2, direction_17, t_min_2, t_max_2, &(_S205));
+    view_9.axes_7 = _S205;
+    var ray_4 : Ray_0 = _S206;
+    var _S207 : vec3<f32> = vec3<f32>(direction_17 / vec3<f64>(ray_4.local_per_t_0));
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -3101,17 +3106,17 @@ fn cast_0( origin_2 : vec3<f64>,  direction_17 : vec3<f64>,  t_min_2 : f64,  t_m
         {
             break;
         }
-        var _S205 : f32 = max(abs(_S204[axis_4]), 8.67361737988403547e-19f);
-        var _S206 : f32;
-        if((_S204[axis_4]) < 0.0f)
+        var _S208 : f32 = max(abs(_S207[axis_4]), 8.67361737988403547e-19f);
+        var _S209 : f32;
+        if((_S207[axis_4]) < 0.0f)
         {
-            _S206 = -1.0f / _S205;
+            _S209 = -1.0f / _S208;
         }
         else
         {
-            _S206 = 1.0f / _S205;
+            _S209 = 1.0f / _S208;
         }
-        view_9.inverse_1[axis_4] = _S206;
+        view_9.inverse_1[axis_4] = _S209;
         axis_4 = axis_4 + u32(1);
     }
     var offset_4 : vec3<f32> = vec3<f32>(origin_2) * view_9.inverse_1;
@@ -3137,25 +3142,25 @@ fn emitter_seen_0( found_6 : Found_0,  direction_18 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_6 : u32 = word_0(shape_of_0(found_6.triangle_9) + u32(4));
-    var _S207 : bool;
+    var _S210 : bool;
     if(emitter_6 != u32(4294967295))
     {
-        _S207 = (dot(cross_of_0(found_6.triangle_9), direction_18)) < 0.0f;
+        _S210 = (dot(cross_of_0(found_6.triangle_9), direction_18)) < 0.0f;
     }
     else
     {
-        _S207 = false;
+        _S210 = false;
     }
-    var _S208 : u32;
-    if(_S207)
+    var _S211 : u32;
+    if(_S210)
     {
-        _S208 = emitter_6;
+        _S211 = emitter_6;
     }
     else
     {
-        _S208 = u32(4294967295);
+        _S211 = u32(4294967295);
     }
-    return _S208;
+    return _S211;
 }
 
 fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_19 : vec3<f32>,  distance_5 : f32) -> f32
@@ -3164,17 +3169,17 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
     var rectangle_1 : u32 = word_0(record_14 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S209 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S209.solid_angle_0) > 0.0f))
+        var _S212 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S212.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S209.solid_angle_0) >= 0.00100000004749745f)
+        if((_S212.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S209.solid_angle_0;
+            return 1.0f / _S212.solid_angle_0;
         }
     }
-    var _S210 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
+    var _S213 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_14 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -3188,7 +3193,7 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S210 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S213 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_3 = shares_1.y;
@@ -3198,22 +3203,22 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             own_3 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_3;
-        var _S211 : i32;
+        var _S214 : i32;
         if(is_second_1)
         {
-            _S211 = i32(3);
+            _S214 = i32(3);
         }
         else
         {
-            _S211 = i32(2);
+            _S214 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S211));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S214));
         chosen_2 = chosen_3;
     }
-    var _S212 : u32 = word_0(record_14 + u32(6));
-    var _S213 : u32 = word_0(node_6);
+    var _S215 : u32 = word_0(record_14 + u32(6));
+    var _S216 : u32 = word_0(node_6);
     own_3 = 0.0f;
-    var k_6 : u32 = _S213;
+    var k_6 : u32 = _S216;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -3224,9 +3229,9 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_14, word_0(_S212 + k_6), from_2.exact_0);
+        var angle_4 : f32 = face_solid_angle_0(record_14, word_0(_S215 + k_6), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_4;
-        if(k_6 == _S210)
+        if(k_6 == _S213)
         {
             own_3 = angle_4;
         }
@@ -3245,8 +3250,8 @@ fn emitter_pdf_0( emitter_7 : u32,  found_7 : Found_0,  vertex_9 : Vertex_0,  di
     var record_15 : u32 = emitter_record_0(emitter_7);
     if(is_map_0(record_15))
     {
-        var _S214 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_20);
-        return _S214;
+        var _S217 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_20);
+        return _S217;
     }
     if(!is_area_0(record_15))
     {
@@ -3255,9 +3260,9 @@ fn emitter_pdf_0( emitter_7 : u32,  found_7 : Found_0,  vertex_9 : Vertex_0,  di
     return area_pdf_0(record_15, found_7.face_7 - word_0(record_15 + u32(3)), vertex_9.surface_3, direction_20, t_5);
 }
 
-fn met_0( vertex_10 : Vertex_0,  direction_21 : vec3<f32>,  t_6 : f32,  place_16 : Place_0) -> Place_0
+fn met_0( vertex_10 : Vertex_0,  direction_21 : vec3<f32>,  t_6 : f32,  place_15 : Place_0) -> Place_0
 {
-    return place_16;
+    return place_15;
 }
 
 fn weight_over_0( own_4 : f32,  other_0 : f32) -> f32
@@ -3272,43 +3277,43 @@ fn weight_over_0( own_4 : f32,  other_0 : f32) -> f32
 
 fn in_map_0( map_5 : u32,  direction_22 : vec3<f32>) -> Lookup_0
 {
-    var place_17 : vec2<f32> = map_place_0(map_5, direction_22);
+    var _S218 : vec2<f64> = vec2<f64>(map_place_0(map_5, direction_22));
     var point_2 : Point_0;
-    point_2.value_3 = place_17;
-    var x_12 : i32 = floor_of_0(place_17.x);
-    var y_4 : i32 = floor_of_0(place_17.y);
+    point_2.value_3 = _S218;
+    var x_12 : i32 = floor_of_0(_S218.x);
+    var y_4 : i32 = floor_of_0(_S218.y);
     var width_3 : i32 = i32(word_0(map_5));
     var height_1 : i32 = i32(word_0(map_5 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_3, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_3, u32(0));
-    var _S215 : u32 = wrapped_0(y_4, height_1, u32(2));
-    var _S216 : u32 = u32(width_3);
-    var first_5 : u32 = _S215 * _S216;
-    var _S217 : u32 = wrapped_0(y_4 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S217 * _S216;
+    var _S219 : u32 = wrapped_0(y_4, height_1, u32(2));
+    var _S220 : u32 = u32(width_3);
+    var first_5 : u32 = _S219 * _S220;
+    var _S221 : u32 = wrapped_0(y_4 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S221 * _S220;
     return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_2 + left_1, second_2 + right_1), point_2);
 }
 
-fn emitted_0( emitter_8 : u32,  place_18 : Place_0,  direction_23 : vec3<f32>) -> vec3<f32>
+fn emitted_0( emitter_8 : u32,  place_16 : Place_0,  direction_23 : vec3<f32>) -> vec3<f32>
 {
     var record_16 : u32 = emitter_record_0(emitter_8);
     var texture_6 : u32 = word_0(record_16 + u32(1));
     if(!is_map_0(record_16))
     {
-        var _S218 : vec3<f32> = shown_0(texture_6, place_18);
-        return _S218;
+        var _S222 : vec3<f32> = shown_0(texture_6, place_16);
+        return _S222;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S219 : u32 = word_0(texture_6 + u32(11));
-    var _S220 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_23));
-    return looked_up_0(_S219, _S220, change_1) * factor_0;
+    var _S223 : u32 = word_0(texture_6 + u32(11));
+    var _S224 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_23));
+    return looked_up_0(_S223, _S224, change_1) * factor_0;
 }
 
 fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_0 : vec3<f32>) -> bool
 {
     var depth_3 : u32 = launch_0.depth_0;
-    var _S221 : u32 = vertex_numbers_0(launch_0.depth_0);
+    var _S225 : u32 = vertex_numbers_0(launch_0.depth_0);
     var incoming_0 : vec3<f32> = value_of_0((*path_7).direction_0);
     var surface_5 : Surface_0 = surface_at_0((*path_7).place_1, incoming_0);
     var material_1 : u32 = material_of_0(surface_5);
@@ -3318,10 +3323,10 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     var vertex_11 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_7).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S222 : u32 = word_0(u32(3));
-    var _S223 : bool = !reaches_0(depth_3 + u32(3));
+    var _S226 : u32 = word_0(u32(3));
+    var _S227 : bool = !reaches_0(depth_3 + u32(3));
     var goes_on_0 : bool;
-    if(_S223)
+    if(_S227)
     {
         goes_on_0 = (vertex_11.lobe_1.kind_1) == u32(0);
     }
@@ -3344,7 +3349,7 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     else
     {
-        bsdf_samples_0 = _S222;
+        bsdf_samples_0 = _S226;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_11.lobe_1))
@@ -3355,12 +3360,12 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S224 : Choice_0 = choice_at_0(surface_5.position_0, vertex_11.axes_4.n_1, on_emitters_0 == u32(0));
-    var _S225 : vec3<f32> = vec3<f32>(0.0f);
+    var _S228 : Choice_0 = choice_at_0(surface_5.position_0, vertex_11.axes_4.n_1, on_emitters_0 == u32(0));
+    var _S229 : vec3<f32> = vec3<f32>(0.0f);
     goes_on_0 = false;
     var next_2 : Place_0 = (*path_7).place_1;
     var next_direction_0 : vec3<f32> = (*path_7).direction_0;
-    var next_rest_0 : vec3<f32> = _S225;
+    var next_rest_0 : vec3<f32> = _S229;
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -3372,26 +3377,26 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
             break;
         }
         var sample_3 : LightSample_0;
-        var _S226 : bool;
+        var _S230 : bool;
         var goes_on_1 : bool;
         var next_3 : Place_0;
         var next_direction_1 : vec3<f32>;
         var next_rest_1 : vec3<f32>;
         if(i_4 < on_emitters_0)
         {
-            var _S227 : bool = sample_emitter_0(vertex_11, _S224, (*path_7).key_0, _S221 + u32(3) * i_4, &(sample_3));
-            if(!_S227)
+            var _S231 : bool = sample_emitter_0(vertex_11, _S228, (*path_7).key_0, _S225 + u32(3) * i_4, &(sample_3));
+            if(!_S231)
             {
                 goes_on_1 = goes_on_0;
                 next_3 = next_2;
                 next_direction_1 = next_direction_0;
                 next_rest_1 = next_rest_0;
-                var _S228 : u32 = i_4 + u32(1);
+                var _S232 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
                 next_rest_0 = next_rest_1;
-                i_4 = _S228;
+                i_4 = _S232;
                 continue;
             }
         }
@@ -3400,43 +3405,43 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
             sample_3 = sample_material_0(vertex_11, (*path_7).key_0, first_material_number_0(depth_3) + u32(3) * (i_4 - on_emitters_0));
             if(sample_3.is_specular_0)
             {
-                _S226 = (word_0(surface_5.shape_0 + u32(6))) != u32(0);
+                _S230 = (word_0(surface_5.shape_0 + u32(6))) != u32(0);
             }
             else
             {
-                _S226 = false;
+                _S230 = false;
             }
-            if(_S226)
+            if(_S230)
             {
-                sample_3.way_1 = mirrored_0(mirror_at_0(surface_5.place_3.triangle_0), vec3<f64>(incoming_0) + vec3<f64>((*path_7).direction_rest_0));
+                sample_3.way_0 = mirrored_0(mirror_at_0(surface_5.place_3.triangle_0), vec3<f64>(incoming_0) + vec3<f64>((*path_7).direction_rest_0));
             }
         }
         var moving_1 : vec3<f32>;
         var scattered_4 : Scattered_0 = scattered_along_0(vertex_11, sample_3, walked_of_0((*path_7)), &(moving_1));
         if(!sample_3.is_on_emitter_0)
         {
-            _S226 = !((scattered_4.pdf_6) > 0.0f);
+            _S230 = !((scattered_4.pdf_6) > 0.0f);
         }
         else
         {
-            _S226 = false;
+            _S230 = false;
         }
-        if(_S226)
+        if(_S230)
         {
             goes_on_1 = goes_on_0;
             next_3 = next_2;
             next_direction_1 = next_direction_0;
             next_rest_1 = next_rest_0;
-            var _S228 : u32 = i_4 + u32(1);
+            var _S232 : u32 = i_4 + u32(1);
             goes_on_0 = goes_on_1;
             next_2 = next_3;
             next_direction_0 = next_direction_1;
             next_rest_0 = next_rest_1;
-            i_4 = _S228;
+            i_4 = _S232;
             continue;
         }
         var t_7 : f32;
-        var found_8 : Found_0 = cast_0(surface_5.exact_0, sample_3.way_1, sample_3.nearest_0, sample_3.farthest_0, sample_3.is_on_emitter_0, &(t_7));
+        var found_8 : Found_0 = cast_0(surface_5.exact_0, sample_3.way_0, sample_3.nearest_0, sample_3.farthest_0, sample_3.is_on_emitter_0, &(t_7));
         var own_5 : f32;
         var other_1 : f32;
         if(sample_3.is_on_emitter_0)
@@ -3447,12 +3452,12 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 next_3 = next_2;
                 next_direction_1 = next_direction_0;
                 next_rest_1 = next_rest_0;
-                var _S228 : u32 = i_4 + u32(1);
+                var _S232 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
                 next_rest_0 = next_rest_1;
-                i_4 = _S228;
+                i_4 = _S232;
                 continue;
             }
             var own_6 : f32 = f32(emitter_samples_0) * sample_3.probability_1 * sample_3.pdf_2;
@@ -3462,17 +3467,17 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 next_3 = next_2;
                 next_direction_1 = next_direction_0;
                 next_rest_1 = next_rest_0;
-                var _S228 : u32 = i_4 + u32(1);
+                var _S232 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
                 next_rest_0 = next_rest_1;
-                i_4 = _S228;
+                i_4 = _S232;
                 continue;
             }
-            var _S229 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
+            var _S233 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
             own_5 = own_6;
-            other_1 = _S229;
+            other_1 = _S233;
             goes_on_1 = goes_on_0;
             next_3 = next_2;
             next_direction_1 = next_direction_0;
@@ -3482,14 +3487,14 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         {
             if(i_4 == on_emitters_0)
             {
-                var _S230 : bool = (found_8.face_7) != u32(4294967295);
-                var _S231 : Place_0 = place_of_0(found_8);
+                var _S234 : bool = (found_8.face_7) != u32(4294967295);
+                var _S235 : Place_0 = place_of_0(found_8);
                 (*reflected_1).onward_0 = scattered_4.value_8 * vec3<f32>((1.0f / scattered_4.pdf_6));
-                var _S232 : vec3<f32> = vec3<f32>(sample_3.way_1 - vec3<f64>(sample_3.direction_9));
-                goes_on_1 = _S230;
-                next_3 = _S231;
+                var _S236 : vec3<f32> = vec3<f32>(sample_3.way_0 - vec3<f64>(sample_3.direction_9));
+                goes_on_1 = _S234;
+                next_3 = _S235;
                 next_direction_1 = moving_1;
-                next_rest_1 = _S232;
+                next_rest_1 = _S236;
             }
             else
             {
@@ -3498,64 +3503,64 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 next_direction_1 = next_direction_0;
                 next_rest_1 = next_rest_0;
             }
-            var _S233 : u32 = emitter_seen_0(found_8, sample_3.direction_9);
-            sample_3.emitter_5 = _S233;
-            if(_S233 == u32(4294967295))
+            var _S237 : u32 = emitter_seen_0(found_8, sample_3.direction_9);
+            sample_3.emitter_5 = _S237;
+            if(_S237 == u32(4294967295))
             {
-                var _S228 : u32 = i_4 + u32(1);
+                var _S232 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
                 next_rest_0 = next_rest_1;
-                i_4 = _S228;
+                i_4 = _S232;
                 continue;
             }
-            sample_3.place_13 = place_of_0(found_8);
+            sample_3.place_12 = place_of_0(found_8);
             sample_3.distance_4 = t_7;
-            var _S234 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
-            var _S235 : bool;
+            var _S238 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
+            var _S239 : bool;
             if(!sample_3.is_specular_0)
             {
-                _S235 = emitter_samples_0 != u32(0);
+                _S239 = emitter_samples_0 != u32(0);
             }
             else
             {
-                _S235 = false;
+                _S239 = false;
             }
-            if(_S235)
+            if(_S239)
             {
                 var pdf_7 : f32 = emitter_pdf_0(sample_3.emitter_5, found_8, vertex_11, sample_3.direction_9, t_7);
-                own_5 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S224) * pdf_7;
+                own_5 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S228) * pdf_7;
             }
             else
             {
                 own_5 = 0.0f;
             }
-            var _S236 : f32 = own_5;
-            own_5 = _S234;
-            other_1 = _S236;
+            var _S240 : f32 = own_5;
+            own_5 = _S238;
+            other_1 = _S240;
         }
-        var place_19 : Place_0 = sample_3.place_13;
-        var place_20 : Place_0;
+        var place_17 : Place_0 = sample_3.place_12;
+        var place_18 : Place_0;
         if(is_area_0(emitter_record_0(sample_3.emitter_5)))
         {
-            place_20 = met_0(vertex_11, moving_1, sample_3.distance_4, place_19);
+            place_18 = met_0(vertex_11, moving_1, sample_3.distance_4, place_17);
         }
         else
         {
-            place_20 = place_19;
+            place_18 = place_17;
         }
         var weight_0 : f32 = weight_over_0(own_5, other_1);
-        var _S237 : vec3<f32> = emitted_0(sample_3.emitter_5, place_20, moving_1);
-        (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_4.value_8 * (_S237 * vec3<f32>(weight_0));
-        var _S228 : u32 = i_4 + u32(1);
+        var _S241 : vec3<f32> = emitted_0(sample_3.emitter_5, place_18, moving_1);
+        (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_4.value_8 * (_S241 * vec3<f32>(weight_0));
+        var _S232 : u32 = i_4 + u32(1);
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
         next_rest_0 = next_rest_1;
-        i_4 = _S228;
+        i_4 = _S232;
     }
-    if(_S223)
+    if(_S227)
     {
         goes_on_0 = true;
     }
@@ -3568,16 +3573,16 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         return false;
     }
     var throughput_1 : vec3<f32> = value_of_0((*path_7).throughput_0) * value_of_0((*reflected_1).onward_0);
-    var _S238 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    if(!(_S238 > 0.0f))
+    var _S242 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    if(!(_S242 > 0.0f))
     {
         return false;
     }
-    var _S239 : u32 = depth_3 + u32(1);
-    if(_S239 >= (word_0(u32(1))))
+    var _S243 : u32 = depth_3 + u32(1);
+    if(_S243 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S238, 0.0f, 0.94999998807907104f);
-        if((random_0((*path_7).key_0, vertex_numbers_0(_S239) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S242, 0.0f, 0.94999998807907104f);
+        if((random_0((*path_7).key_0, vertex_numbers_0(_S243) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -3639,41 +3644,41 @@ fn set_changing_0( path_11 : u32,  which_9 : ptr<function, u32>,  vector_1 : vec
     return;
 }
 
-fn set_place_0( path_12 : u32,  which_10 : ptr<function, u32>,  place_21 : Place_0)
+fn set_place_0( path_12 : u32,  which_10 : ptr<function, u32>,  place_19 : Place_0)
 {
-    set_word_0(path_12, (*which_10), place_21.triangle_0);
-    set_word_0(path_12, (*which_10) + u32(1), (bitcast<u32>((place_21.v_0))));
-    set_word_0(path_12, (*which_10) + u32(2), (bitcast<u32>((place_21.w_0))));
-    set_word_0(path_12, (*which_10) + u32(3), (bitcast<u32>((place_21.v_rest_0))));
-    set_word_0(path_12, (*which_10) + u32(4), (bitcast<u32>((place_21.w_rest_0))));
+    set_word_0(path_12, (*which_10), place_19.triangle_0);
+    set_word_0(path_12, (*which_10) + u32(1), (bitcast<u32>((place_19.v_0))));
+    set_word_0(path_12, (*which_10) + u32(2), (bitcast<u32>((place_19.w_0))));
+    set_word_0(path_12, (*which_10) + u32(3), (bitcast<u32>((place_19.v_rest_0))));
+    set_word_0(path_12, (*which_10) + u32(4), (bitcast<u32>((place_19.w_rest_0))));
     (*which_10) = (*which_10) + u32(5);
     return;
 }
 
 fn store_0( number_of_path_1 : u32,  path_13 : Path_0)
 {
-    var at_18 : u32 = u32(1);
-    set_changing_0(number_of_path_1, &(at_18), path_13.light_0);
-    set_changing_0(number_of_path_1, &(at_18), path_13.throughput_0);
-    set_changing_0(number_of_path_1, &(at_18), path_13.direction_0);
-    set_place_0(number_of_path_1, &(at_18), path_13.place_1);
-    var _S240 : u32 = at_18 + u32(1);
-    set_word_0(number_of_path_1, at_18, path_13.key_0.x);
-    at_18 = _S240 + u32(1);
-    set_word_0(number_of_path_1, _S240, path_13.key_0.y);
-    set_vector_0(number_of_path_1, &(at_18), path_13.direction_rest_0);
+    var at_19 : u32 = u32(1);
+    set_changing_0(number_of_path_1, &(at_19), path_13.light_0);
+    set_changing_0(number_of_path_1, &(at_19), path_13.throughput_0);
+    set_changing_0(number_of_path_1, &(at_19), path_13.direction_0);
+    set_place_0(number_of_path_1, &(at_19), path_13.place_1);
+    var _S244 : u32 = at_19 + u32(1);
+    set_word_0(number_of_path_1, at_19, path_13.key_0.x);
+    at_19 = _S244 + u32(1);
+    set_word_0(number_of_path_1, _S244, path_13.key_0.y);
+    set_vector_0(number_of_path_1, &(at_19), path_13.direction_rest_0);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S241 : u32;
+    var _S245 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S242 : u32 = u32(2) + zero_0;
-        _S241 = _S242;
-        if(rounds_0 < _S242)
+        var _S246 : u32 = u32(2) + zero_0;
+        _S245 = _S246;
+        if(rounds_0 < _S246)
         {
         }
         else
@@ -3682,42 +3687,42 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S241;
+    return rounds_0 == _S245;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S243 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S247 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
 
 fn take_thread_further_0( thread_0 : u32)
 {
-    var at_19 : u32 = launch_0.first_0 + thread_0;
-    if(at_19 >= (launch_0.end_0))
+    var at_20 : u32 = launch_0.first_0 + thread_0;
+    if(at_20 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_2 : u32 = input_0[at_19];
+    var number_of_path_2 : u32 = input_0[at_20];
     var path_14 : Path_0 = load_0(number_of_path_2);
     var reflected_2 : Reflected_0 = nothing_reflected_0();
     var goes_on_2 : bool = take_further_0(&(path_14), &(reflected_2), vec3<f32>(0.0f));
     path_14.light_0 = path_14.light_0 + path_14.throughput_0 * reflected_2.direct_0;
     path_14.throughput_0 = path_14.throughput_0 * reflected_2.onward_0;
     store_0(number_of_path_2, path_14);
-    var _S244 : u32;
+    var _S248 : u32;
     if(goes_on_2)
     {
-        _S244 = number_of_path_2;
+        _S248 = number_of_path_2;
     }
     else
     {
-        _S244 = u32(4294967295);
+        _S248 = u32(4294967295);
     }
-    set_word_0(at_19, u32(0), _S244);
+    set_word_0(at_20, u32(0), _S248);
     check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 2e5817b098334c42
-// result: 177007afbbda6e7a
+// source: 684ba1b74b9288b2
+// result: 1cdd04d7e1fba755
 
 struct Launch_std140_0
 {
@@ -613,24 +613,34 @@ fn Corners2_x24init_0( a_10 : vec2<f32>,  b_4 : vec2<f32>,  c_3 : vec2<f32>) -> 
     return _S70;
 }
 
+fn precise_0( at_13 : u32) -> f32
+{
+    return number_0(at_13) + number_0(at_13 + u32(1));
+}
+
 fn uvs_of_0( triangle_6 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f, 0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_6) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_13 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_6) + u32(1));
-    uvs_0.a_9 = vec2<f32>(number_0(at_13), number_0(at_13 + u32(1)));
-    uvs_0.b_3 = vec2<f32>(number_0(at_13 + u32(2)), number_0(at_13 + u32(3)));
-    uvs_0.c_2 = vec2<f32>(number_0(at_13 + u32(4)), number_0(at_13 + u32(5)));
+    var at_14 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_6) + u32(1));
+    uvs_0.a_9 = vec2<f32>(precise_0(at_14), precise_0(at_14 + u32(2)));
+    uvs_0.b_3 = vec2<f32>(precise_0(at_14 + u32(4)), precise_0(at_14 + u32(6)));
+    uvs_0.c_2 = vec2<f32>(precise_0(at_14 + u32(8)), precise_0(at_14 + u32(10)));
     return uvs_0;
+}
+
+fn row_at_0( at_15 : u32) -> vec3<f32>
+{
+    return vec3<f32>(precise_0(at_15), precise_0(at_15 + u32(2)), precise_0(at_15 + u32(4)));
 }
 
 fn floor_of_0( x_0 : f32) -> i32
 {
-    return i32(floor(clamp(x_0, -1.0e+09f, 1.0e+09f)));
+    return i32(clamp(floor(x_0), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -749,43 +759,43 @@ fn lookup_at_0( texture_1 : u32,  place_11 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_11.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
-    var uv_1 : Point_0;
-    var _S81 : vec3<f32> = vec3<f32>(uvs_1.a_9 * vec2<f32>((1.0f - place_11.v_0 - place_11.w_0)) + uvs_1.b_3 * vec2<f32>(place_11.v_0) + uvs_1.c_2 * vec2<f32>(place_11.w_0), 1.0f);
-    uv_1.value_4 = vec2<f32>(dot(_S81, to_u_0), dot(_S81, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_3 - uvs_1.a_9;
     var by_w_0 : vec2<f32> = uvs_1.c_2 - uvs_1.a_9;
-    var _S82 : vec2<f32> = to_u_0.xy;
-    var _S83 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S82), dot(by_v_0, _S83));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S82), dot(by_w_0, _S83));
+    var _S81 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f32> = row_at_0(_S81);
+    var to_v_0 : vec3<f32> = row_at_0(_S81 + u32(6));
+    var uv_1 : Point_0;
+    var _S82 : vec3<f32> = vec3<f32>(uvs_1.a_9 + by_v_0 * vec2<f32>((place_11.v_0 + place_11.v_rest_0)) + by_w_0 * vec2<f32>((place_11.w_0 + place_11.w_rest_0)), 1.0f);
+    uv_1.value_4 = vec2<f32>(dot(_S82, to_u_0), dot(_S82, to_v_0));
+    var _S83 : vec2<f32> = to_u_0.xy;
+    var _S84 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S83), dot(by_v_0, _S84));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S83), dot(by_w_0, _S84));
     if(kind_0 == u32(1))
     {
-        var _S84 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S84;
+        var _S85 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S85;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_4 - floor(uv_1.value_4);
-    var _S85 : i32;
+    var _S86 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S85 = i32(1);
+        _S86 = i32(1);
     }
     else
     {
-        _S85 = i32(0);
+        _S86 = i32(0);
     }
-    return one_texel_0(u32(_S85));
+    return one_texel_0(u32(_S86));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S86 : u32 = word_0(texture_2 + u32(1));
-    var _S87 : u32 = texture_2 + u32(13);
-    var _S88 : vec3<f32> = vec3<f32>(0.0f);
+    var _S87 : u32 = word_0(texture_2 + u32(1));
+    var _S88 : u32 = texture_2 + u32(19);
+    var _S89 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_5 : vec3<f32> = _S88;
+    var value_5 : vec3<f32> = _S89;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -795,17 +805,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_14 : u32 = _S87 + _S86 * lookup_3.texels_0[k_1];
-        var _S89 : vec3<f32>;
-        if(_S86 == u32(1))
+        var at_16 : u32 = _S88 + _S87 * lookup_3.texels_0[k_1];
+        var _S90 : vec3<f32>;
+        if(_S87 == u32(1))
         {
-            _S89 = vec3<f32>(number_0(at_14));
+            _S90 = vec3<f32>(number_0(at_16));
         }
         else
         {
-            _S89 = vector_at_0(at_14);
+            _S90 = vector_at_0(at_16);
         }
-        var value_6 : vec3<f32> = value_5 + _S89 * vec3<f32>(weights_1[k_1]);
+        var value_6 : vec3<f32> = value_5 + _S90 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_5 = value_6;
     }
@@ -814,7 +824,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_3 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_3 + u32(18)));
 }
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
@@ -826,7 +836,7 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
     {
         return changing_0(value_7, change_4);
     }
-    var _S90 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var _S91 : bool = (word_0(texture_4 + u32(1))) == u32(1);
     var k_2 : u32 = u32(0);
     var change_5 : vec3<f32> = change_4;
     for(;;)
@@ -838,24 +848,24 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
         {
             break;
         }
-        var _S91 : i32;
-        if(_S90)
+        var _S92 : i32;
+        if(_S91)
         {
-            _S91 = i32(1);
+            _S92 = i32(1);
         }
         else
         {
-            _S91 = i32(3);
+            _S92 = i32(3);
         }
-        var at_15 : u32 = first_2 + u32(_S91) * lookup_4.texels_0[k_2];
+        var at_17 : u32 = first_2 + u32(_S92) * lookup_4.texels_0[k_2];
         var of_texel_0 : vec3<f32>;
-        if(_S90)
+        if(_S91)
         {
-            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_15)))));
+            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_17)))));
         }
         else
         {
-            of_texel_0 = change_vector_0(at_15);
+            of_texel_0 = change_vector_0(at_17);
         }
         var change_6 : vec3<f32> = change_5 + of_texel_0 * vec3<f32>(lookup_4.weights_0[k_2]);
         k_2 = k_2 + u32(1);
@@ -866,8 +876,8 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_5 : u32,  place_12 : Place_0) -> Vector_0
 {
-    var _S92 : Lookup_0 = lookup_at_0(texture_5, place_12);
-    return looked_up_0(texture_5, _S92, place_12.change_2);
+    var _S93 : Lookup_0 = lookup_at_0(texture_5, place_12);
+    return looked_up_0(texture_5, _S93, place_12.change_2);
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -877,13 +887,13 @@ fn luminance_0( colour_0 : vec3<f32>) -> f32
 
 fn s_fwd_luminance_0( dpcolour_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
 {
-    var _S93 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpcolour_0.primal_0, dpcolour_0.differential_0 );
-    var _S94 : vec3<f32> = vec3<f32>(0.0f);
-    var _S95 : vec3<f32> = vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f);
-    var _S96 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S95, _S94 );
-    var _S97 : DiffPair_float_0 = _d_dot_1(_S93, _S96);
-    var _S98 : DiffPair_float_0 = DiffPair_float_0( _S97.primal_0, _S97.differential_0 );
-    return _S98;
+    var _S94 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpcolour_0.primal_0, dpcolour_0.differential_0 );
+    var _S95 : vec3<f32> = vec3<f32>(0.0f);
+    var _S96 : vec3<f32> = vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f);
+    var _S97 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S96, _S95 );
+    var _S98 : DiffPair_float_0 = _d_dot_1(_S94, _S97);
+    var _S99 : DiffPair_float_0 = DiffPair_float_0( _S98.primal_0, _S98.differential_0 );
+    return _S99;
 }
 
 fn set_slot_0( numbers_1 : ptr<function, Numbers_0>,  slot_0 : u32,  value_8 : vec3<f32>)
@@ -943,40 +953,40 @@ fn lobe_at_0( record_4 : u32,  place_13 : Place_0) -> Lobe_0
     var lobe_0 : Lobe_0;
     lobe_0.record_3 = record_4;
     var is_black_0 : bool = record_4 == u32(4294967295);
-    var _S99 : u32;
+    var _S100 : u32;
     if(is_black_0)
     {
-        _S99 = u32(0);
+        _S100 = u32(0);
     }
     else
     {
-        _S99 = word_0(record_4);
+        _S100 = word_0(record_4);
     }
-    lobe_0.kind_1 = _S99;
+    lobe_0.kind_1 = _S100;
     if(is_black_0)
     {
-        _S99 = u32(1);
+        _S100 = u32(1);
     }
     else
     {
-        _S99 = word_0(record_4 + u32(1));
+        _S100 = word_0(record_4 + u32(1));
     }
-    lobe_0.distribution_0 = _S99;
-    var _S100 : Numbers_0 = no_numbers_0();
-    lobe_0.numbers_2 = _S100;
-    lobe_0.changes_0 = _S100;
+    lobe_0.distribution_0 = _S100;
+    var _S101 : Numbers_0 = no_numbers_0();
+    lobe_0.numbers_2 = _S101;
+    lobe_0.changes_0 = _S101;
     if(is_black_0)
     {
-        _S99 = u32(0);
+        _S100 = u32(0);
     }
     else
     {
-        _S99 = word_0(record_4 + u32(4));
+        _S100 = word_0(record_4 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S99)
+        if(slot_1 < _S100)
         {
         }
         else
@@ -990,14 +1000,14 @@ fn lobe_at_0( record_4 : u32,  place_13 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : Vector_0 = shown_0(texture_6, place_13);
-        var _S101 : vec3<f32> = value_of_0(colour_1);
-        var _S102 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S102), slot_1, _S101);
-        lobe_0.numbers_2 = _S102;
-        var _S103 : vec3<f32> = change_of_0(colour_1);
-        var _S104 : Numbers_0 = lobe_0.changes_0;
-        set_slot_0(&(_S104), slot_1, _S103);
-        lobe_0.changes_0 = _S104;
+        var _S102 : vec3<f32> = value_of_0(colour_1);
+        var _S103 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S103), slot_1, _S102);
+        lobe_0.numbers_2 = _S103;
+        var _S104 : vec3<f32> = change_of_0(colour_1);
+        var _S105 : Numbers_0 = lobe_0.changes_0;
+        set_slot_0(&(_S105), slot_1, _S104);
+        lobe_0.changes_0 = _S105;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -1012,16 +1022,16 @@ fn tangent_at_0( surface_3 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_3.place_3.triangle_0) + u32(1)));
     var across_2 : vec3<f32> = cross(tangent_0, surface_3.outward_0);
-    var _S105 : vec3<f32>;
+    var _S106 : vec3<f32>;
     if((dot(across_2, across_2)) > 0.0f)
     {
-        _S105 = tangent_0;
+        _S106 = tangent_0;
     }
     else
     {
-        _S105 = vec3<f32>(0.0f);
+        _S106 = vec3<f32>(0.0f);
     }
-    return _S105;
+    return _S106;
 }
 
 struct Axes_0
@@ -1039,52 +1049,52 @@ struct DiffPair_Axes_0
 
 fn s_fwd_axes_along_0( dpn_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dptangent_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_1 : bool) -> DiffPair_Axes_0
 {
-    var _S106 : vec3<f32>;
     var _S107 : vec3<f32>;
+    var _S108 : vec3<f32>;
     if(is_front_1)
     {
-        _S106 = dpn_0.primal_0;
-        _S107 = dpn_0.differential_0;
+        _S107 = dpn_0.primal_0;
+        _S108 = dpn_0.differential_0;
     }
     else
     {
-        var _S108 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
-        _S106 = (vec3<f32>(0) - dpn_0.primal_0);
-        _S107 = _S108;
+        var _S109 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
+        _S107 = (vec3<f32>(0) - dpn_0.primal_0);
+        _S108 = _S109;
     }
-    var _S109 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
-    var _S110 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
-    var _S111 : DiffPair_float_0 = _d_dot_1(_S109, _S110);
-    var _S112 : vec3<f32> = vec3<f32>(_S111.primal_0);
-    var _S113 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S112, dptangent_0.differential_0 - (dpn_0.differential_0 * _S112 + vec3<f32>(_S111.differential_0) * dpn_0.primal_0) );
-    var _S114 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S113);
-    var _S115 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S114.primal_0, _S114.differential_0 );
-    var _S116 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S109, _S115);
-    var _S117 : Axes_0 = Axes_0( _S114.primal_0, _S116.primal_0, _S106 );
-    var _S118 : Axes_0 = Axes_0( _S114.differential_0, _S116.differential_0, _S107 );
-    var _S119 : DiffPair_Axes_0 = DiffPair_Axes_0( _S117, _S118 );
-    return _S119;
+    var _S110 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
+    var _S111 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
+    var _S112 : DiffPair_float_0 = _d_dot_1(_S110, _S111);
+    var _S113 : vec3<f32> = vec3<f32>(_S112.primal_0);
+    var _S114 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S113, dptangent_0.differential_0 - (dpn_0.differential_0 * _S113 + vec3<f32>(_S112.differential_0) * dpn_0.primal_0) );
+    var _S115 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S114);
+    var _S116 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S115.primal_0, _S115.differential_0 );
+    var _S117 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S110, _S116);
+    var _S118 : Axes_0 = Axes_0( _S115.primal_0, _S117.primal_0, _S107 );
+    var _S119 : Axes_0 = Axes_0( _S115.differential_0, _S117.differential_0, _S108 );
+    var _S120 : DiffPair_Axes_0 = DiffPair_Axes_0( _S118, _S119 );
+    return _S120;
 }
 
 fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_2 : bool) -> DiffPair_Axes_0
 {
-    var _S120 : vec3<f32>;
     var _S121 : vec3<f32>;
+    var _S122 : vec3<f32>;
     if(is_front_2)
     {
-        _S120 = dpn_1.primal_0;
-        _S121 = dpn_1.differential_0;
+        _S121 = dpn_1.primal_0;
+        _S122 = dpn_1.differential_0;
     }
     else
     {
-        var _S122 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
-        _S120 = (vec3<f32>(0) - dpn_1.primal_0);
-        _S121 = _S122;
+        var _S123 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
+        _S121 = (vec3<f32>(0) - dpn_1.primal_0);
+        _S122 = _S123;
     }
-    var _S123 : f32 = dpn_1.primal_0.z;
-    var _S124 : f32 = dpn_1.differential_0.z;
+    var _S124 : f32 = dpn_1.primal_0.z;
+    var _S125 : f32 = dpn_1.differential_0.z;
     var sign_0 : f32;
-    if(_S123 < 0.0f)
+    if(_S124 < -0.30000001192092896f)
     {
         sign_0 = -1.0f;
     }
@@ -1092,25 +1102,25 @@ fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_2 : 
     {
         sign_0 = 1.0f;
     }
-    var _S125 : f32 = sign_0 + _S123;
-    var a_11 : f32 = -1.0f / _S125;
-    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S124) / (_S125 * _S125);
-    var _S126 : f32 = dpn_1.primal_0.x;
-    var _S127 : f32 = dpn_1.differential_0.x;
-    var _S128 : f32 = dpn_1.primal_0.y;
-    var _S129 : f32 = dpn_1.differential_0.y;
-    var _S130 : f32 = _S126 * _S128;
-    var b_5 : f32 = _S130 * a_11;
-    var s_diff_b_0 : f32 = (_S127 * _S128 + _S129 * _S126) * a_11 + s_diff_a_0 * _S130;
-    var _S131 : f32 = sign_0 * _S126;
-    var _S132 : f32 = _S131 * _S126;
-    var _S133 : f32 = - sign_0;
-    var _S134 : f32 = _S128 * _S128;
-    var _S135 : f32 = _S129 * _S128;
-    var _S136 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S132 * a_11, sign_0 * b_5, _S133 * _S126), vec3<f32>(b_5, sign_0 + _S134 * a_11, - _S128), _S120 );
-    var _S137 : Axes_0 = Axes_0( vec3<f32>((_S127 * sign_0 * _S126 + _S127 * _S131) * a_11 + s_diff_a_0 * _S132, s_diff_b_0 * sign_0, _S127 * _S133), vec3<f32>(s_diff_b_0, (_S135 + _S135) * a_11 + s_diff_a_0 * _S134, - _S129), _S121 );
-    var _S138 : DiffPair_Axes_0 = DiffPair_Axes_0( _S136, _S137 );
-    return _S138;
+    var _S126 : f32 = sign_0 + _S124;
+    var a_11 : f32 = -1.0f / _S126;
+    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S125) / (_S126 * _S126);
+    var _S127 : f32 = dpn_1.primal_0.x;
+    var _S128 : f32 = dpn_1.differential_0.x;
+    var _S129 : f32 = dpn_1.primal_0.y;
+    var _S130 : f32 = dpn_1.differential_0.y;
+    var _S131 : f32 = _S127 * _S129;
+    var b_5 : f32 = _S131 * a_11;
+    var s_diff_b_0 : f32 = (_S128 * _S129 + _S130 * _S127) * a_11 + s_diff_a_0 * _S131;
+    var _S132 : f32 = sign_0 * _S127;
+    var _S133 : f32 = _S132 * _S127;
+    var _S134 : f32 = - sign_0;
+    var _S135 : f32 = _S129 * _S129;
+    var _S136 : f32 = _S130 * _S129;
+    var _S137 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S133 * a_11, sign_0 * b_5, _S134 * _S127), vec3<f32>(b_5, sign_0 + _S135 * a_11, - _S129), _S121 );
+    var _S138 : Axes_0 = Axes_0( vec3<f32>((_S128 * sign_0 * _S127 + _S128 * _S132) * a_11 + s_diff_a_0 * _S133, s_diff_b_0 * sign_0, _S128 * _S134), vec3<f32>(s_diff_b_0, (_S136 + _S136) * a_11 + s_diff_a_0 * _S135, - _S130), _S122 );
+    var _S139 : DiffPair_Axes_0 = DiffPair_Axes_0( _S137, _S138 );
+    return _S139;
 }
 
 fn to_local_0( axes_0 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
@@ -1120,31 +1130,31 @@ fn to_local_0( axes_0 : Axes_0,  v_3 : vec3<f32>) -> vec3<f32>
 
 fn s_fwd_to_local_0( dpaxes_0 : DiffPair_Axes_0,  dpv_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S139 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
-    var _S140 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
-    var _S141 : DiffPair_float_0 = _d_dot_1(_S139, _S140);
-    var _S142 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
-    var _S143 : DiffPair_float_0 = _d_dot_1(_S142, _S140);
-    var _S144 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
-    var _S145 : DiffPair_float_0 = _d_dot_1(_S144, _S140);
-    var _S146 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S141.primal_0, _S143.primal_0, _S145.primal_0), vec3<f32>(_S141.differential_0, _S143.differential_0, _S145.differential_0) );
-    return _S146;
+    var _S140 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
+    var _S141 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
+    var _S142 : DiffPair_float_0 = _d_dot_1(_S140, _S141);
+    var _S143 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
+    var _S144 : DiffPair_float_0 = _d_dot_1(_S143, _S141);
+    var _S145 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
+    var _S146 : DiffPair_float_0 = _d_dot_1(_S145, _S141);
+    var _S147 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S142.primal_0, _S144.primal_0, _S146.primal_0), vec3<f32>(_S142.differential_0, _S144.differential_0, _S146.differential_0) );
+    return _S147;
 }
 
 fn s_fwd_towards_viewer_0( dpaxes_1 : DiffPair_Axes_0,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S147 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
-    var _S148 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
-    var _S149 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S147, _S148);
-    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S149.primal_0);
-    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S149.differential_0);
-    var _S150 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
-    var _S151 : DiffPair_float_0 = _d_abs_0(_S150);
-    var _S152 : DiffPair_float_0 = DiffPair_float_0( _S151.primal_0, _S151.differential_0 );
-    var _S153 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
-    var _S154 : DiffPair_float_0 = _d_max_0(_S152, _S153);
-    var _S155 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S154.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S154.differential_0) );
-    return _S155;
+    var _S148 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
+    var _S149 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
+    var _S150 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S148, _S149);
+    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S150.primal_0);
+    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S150.differential_0);
+    var _S151 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
+    var _S152 : DiffPair_float_0 = _d_abs_0(_S151);
+    var _S153 : DiffPair_float_0 = DiffPair_float_0( _S152.primal_0, _S152.differential_0 );
+    var _S154 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
+    var _S155 : DiffPair_float_0 = _d_max_0(_S153, _S154);
+    var _S156 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S155.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S155.differential_0) );
+    return _S156;
 }
 
 struct Vertex_0
@@ -1160,10 +1170,10 @@ fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_5 : Vector_
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_4 = surface_5;
-    var _S156 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
-    vertex_0.lobe_1 = _S156;
+    var _S157 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
+    vertex_0.lobe_1 = _S157;
     var tangent_1 : vec3<f32> = tangent_at_0(surface_5);
-    var _S157 : vec3<f32> = vec3<f32>(0.0f);
+    var _S158 : vec3<f32> = vec3<f32>(0.0f);
     var tangent_change_0 : vec3<f32>;
     if(is_moving_0())
     {
@@ -1171,24 +1181,24 @@ fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_5 : Vector_
     }
     else
     {
-        tangent_change_0 = _S157;
+        tangent_change_0 = _S158;
     }
-    var _S158 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
+    var _S159 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
     var axes_2 : DiffPair_Axes_0;
-    if((any((tangent_1 != _S157))))
+    if((any((tangent_1 != _S158))))
     {
-        var _S159 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
-        axes_2 = s_fwd_axes_along_0(_S158, _S159, surface_5.is_front_0);
+        var _S160 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
+        axes_2 = s_fwd_axes_along_0(_S159, _S160, surface_5.is_front_0);
     }
     else
     {
-        axes_2 = s_fwd_axes_around_0(_S158, surface_5.is_front_0);
+        axes_2 = s_fwd_axes_around_0(_S159, surface_5.is_front_0);
     }
     vertex_0.axes_1 = axes_2.primal_0;
     vertex_0.axes_change_0 = axes_2.differential_0;
-    var _S160 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_5), change_of_0(direction_5) );
-    var _S161 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S160);
-    vertex_0.wi_1 = changing_0(_S161.primal_0, _S161.differential_0);
+    var _S161 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_5), change_of_0(direction_5) );
+    var _S162 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S161);
+    vertex_0.wi_1 = changing_0(_S162.primal_0, _S162.differential_0);
     return vertex_0;
 }
 
@@ -1250,35 +1260,35 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_0, 0.0f) / squared_0;
     }
-    var _S162 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S162 * _S162 / (2.0f * (_S162 - max(lowest_0, -1.0f)) * squared_0);
+    var _S163 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S163 * _S163 / (2.0f * (_S163 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S163 : bool;
+    var _S164 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S163 = true;
+        _S164 = true;
     }
     else
     {
-        _S163 = (word_0(u32(2))) == u32(0);
+        _S164 = (word_0(u32(2))) == u32(0);
     }
-    if(_S163)
+    if(_S164)
     {
         return false;
     }
     var record_6 : u32 = emitter_record_0(u32(0));
     if(is_area_0(record_6))
     {
-        _S163 = (node_seen_0(word_0(record_6 + u32(5)), position_1)) < 1.0f;
+        _S164 = (node_seen_0(word_0(record_6 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S163 = false;
+        _S164 = false;
     }
-    return _S163;
+    return _S164;
 }
 
 fn has_smooth_0( lobe_2 : Lobe_0) -> bool
@@ -1325,24 +1335,8 @@ struct Choice_0
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_4, choice_0.normal_4);
-    var _S164 : f32;
-    if(view_0 > 0.0f)
-    {
-        _S164 = 1.0f;
-    }
-    else
-    {
-        _S164 = 0.0f;
-    }
-    (*can_light_0) = _S164;
-    return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
-}
-
-fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
-{
-    var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_4);
     var _S165 : f32;
-    if(view_1 > 0.0f)
+    if(view_0 > 0.0f)
     {
         _S165 = 1.0f;
     }
@@ -1350,7 +1344,23 @@ fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<functio
     {
         _S165 = 0.0f;
     }
-    (*can_light_1) = _S165;
+    (*can_light_0) = _S165;
+    return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
+}
+
+fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
+{
+    var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_4);
+    var _S166 : f32;
+    if(view_1 > 0.0f)
+    {
+        _S166 = 1.0f;
+    }
+    else
+    {
+        _S166 = 0.0f;
+    }
+    (*can_light_1) = _S166;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -1362,32 +1372,32 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_5 : vec3<f32>,  alike_0 : bool) 
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
     var count_1 : u32 = word_0(u32(6));
-    var _S166 : bool;
+    var _S167 : bool;
     if(alike_0)
     {
-        _S166 = true;
+        _S167 = true;
     }
     else
     {
-        _S166 = (word_0(u32(5))) != u32(0);
+        _S167 = (word_0(u32(5))) != u32(0);
     }
-    if(_S166)
+    if(_S167)
     {
-        _S166 = true;
+        _S167 = true;
     }
     else
     {
-        _S166 = count_1 < u32(2);
+        _S167 = count_1 < u32(2);
     }
-    if(_S166)
+    if(_S167)
     {
-        _S166 = true;
+        _S167 = true;
     }
     else
     {
-        _S166 = count_1 > u32(32);
+        _S167 = count_1 > u32(32);
     }
-    if(_S166)
+    if(_S167)
     {
         return choice_2;
     }
@@ -1402,20 +1412,20 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_5 : vec3<f32>,  alike_0 : bool) 
             break;
         }
         var can_light_2 : f32;
-        var _S167 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S167;
+        var _S168 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S168;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S166 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S167 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S166 = false;
+        _S167 = false;
     }
-    if(!_S166)
+    if(!_S167)
     {
         choice_2.all_0 = 0.0f;
     }
@@ -1441,33 +1451,33 @@ fn product_0( a_12 : u32,  b_6 : u32) -> vec2<u32>
 
 fn times_0( a_13 : vec2<u32>,  b_7 : vec2<u32>) -> vec2<u32>
 {
-    var _S168 : u32 = a_13.x;
-    var _S169 : u32 = b_7.x;
-    var low_1 : vec2<u32> = product_0(_S168, _S169);
-    return vec2<u32>(low_1.x, low_1.y + _S168 * b_7.y + a_13.y * _S169);
+    var _S169 : u32 = a_13.x;
+    var _S170 : u32 = b_7.x;
+    var low_1 : vec2<u32> = product_0(_S169, _S170);
+    return vec2<u32>(low_1.x, low_1.y + _S169 * b_7.y + a_13.y * _S170);
 }
 
 fn plus_0( a_14 : vec2<u32>,  b_8 : vec2<u32>) -> vec2<u32>
 {
-    var _S170 : u32 = a_14.x;
-    var low_2 : u32 = _S170 + b_8.x;
-    var _S171 : u32 = a_14.y + b_8.y;
-    var _S172 : i32;
-    if(low_2 < _S170)
+    var _S171 : u32 = a_14.x;
+    var low_2 : u32 = _S171 + b_8.x;
+    var _S172 : u32 = a_14.y + b_8.y;
+    var _S173 : i32;
+    if(low_2 < _S171)
     {
-        _S172 = i32(1);
+        _S173 = i32(1);
     }
     else
     {
-        _S172 = i32(0);
+        _S173 = i32(0);
     }
-    return vec2<u32>(low_2, _S171 + u32(_S172));
+    return vec2<u32>(low_2, _S172 + u32(_S173));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S173 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S173 << ((u32(32) - by_0)))))), (_S173 >> (by_0)))));
+    var _S174 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S174 << ((u32(32) - by_0)))))), (_S174 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -1506,9 +1516,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S174 : f32 = f32(count_2);
-        (*probability_0) = 1.0f / _S174;
-        return min(u32(u_0 * _S174), count_2 - u32(1));
+        var _S175 : f32 = f32(count_2);
+        (*probability_0) = 1.0f / _S175;
+        return min(u32(u_0 * _S175), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
@@ -1539,9 +1549,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S175 : u32 = i_2 + u32(1);
+        var _S176 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S175;
+        i_2 = _S176;
         rest_1 = rest_2;
     }
     return found_0;
@@ -1554,28 +1564,28 @@ fn place_at_0( triangle_7 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
 
 fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 {
-    var _S176 : f32 = abs(x_4);
-    var _S177 : f32 = abs(y_1);
-    var _S178 : f32 = min(_S176, _S177);
-    var _S179 : f32 = max(_S176, _S177);
-    var is_steep_0 : bool = _S178 > (0.41421356797218323f * _S179);
+    var _S177 : f32 = abs(x_4);
+    var _S178 : f32 = abs(y_1);
+    var _S179 : f32 = min(_S177, _S178);
+    var _S180 : f32 = max(_S177, _S178);
+    var is_steep_0 : bool = _S179 > (0.41421356797218323f * _S180);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S178 - _S179;
+        above_0 = _S179 - _S180;
     }
     else
     {
-        above_0 = _S178;
+        above_0 = _S179;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S178 + _S179;
+        below_0 = _S179 + _S180;
     }
     else
     {
-        below_0 = _S179;
+        below_0 = _S180;
     }
     if(below_0 > 0.0f)
     {
@@ -1596,7 +1606,7 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S177 > _S176)
+    if(_S178 > _S177)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -1617,40 +1627,40 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 
 fn s_fwd_angle_of_0( dpx_10 : DiffPair_float_0,  dpy_5 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S180 : DiffPair_float_0 = DiffPair_float_0( dpx_10.primal_0, dpx_10.differential_0 );
-    var _S181 : DiffPair_float_0 = _d_abs_0(_S180);
-    var _S182 : DiffPair_float_0 = DiffPair_float_0( dpy_5.primal_0, dpy_5.differential_0 );
-    var _S183 : DiffPair_float_0 = _d_abs_0(_S182);
-    var _S184 : DiffPair_float_0 = DiffPair_float_0( _S181.primal_0, _S181.differential_0 );
-    var _S185 : DiffPair_float_0 = DiffPair_float_0( _S183.primal_0, _S183.differential_0 );
-    var _S186 : DiffPair_float_0 = _d_min_0(_S184, _S185);
-    var _S187 : DiffPair_float_0 = _d_max_0(_S184, _S185);
-    var is_steep_1 : bool = (_S186.primal_0) > (0.41421356797218323f * _S187.primal_0);
+    var _S181 : DiffPair_float_0 = DiffPair_float_0( dpx_10.primal_0, dpx_10.differential_0 );
+    var _S182 : DiffPair_float_0 = _d_abs_0(_S181);
+    var _S183 : DiffPair_float_0 = DiffPair_float_0( dpy_5.primal_0, dpy_5.differential_0 );
+    var _S184 : DiffPair_float_0 = _d_abs_0(_S183);
+    var _S185 : DiffPair_float_0 = DiffPair_float_0( _S182.primal_0, _S182.differential_0 );
+    var _S186 : DiffPair_float_0 = DiffPair_float_0( _S184.primal_0, _S184.differential_0 );
+    var _S187 : DiffPair_float_0 = _d_min_0(_S185, _S186);
+    var _S188 : DiffPair_float_0 = _d_max_0(_S185, _S186);
+    var is_steep_1 : bool = (_S187.primal_0) > (0.41421356797218323f * _S188.primal_0);
     var above_1 : f32;
     var s_diff_above_0 : f32;
     if(is_steep_1)
     {
-        var _S188 : f32 = _S186.differential_0 - _S187.differential_0;
-        above_1 = _S186.primal_0 - _S187.primal_0;
-        s_diff_above_0 = _S188;
+        var _S189 : f32 = _S187.differential_0 - _S188.differential_0;
+        above_1 = _S187.primal_0 - _S188.primal_0;
+        s_diff_above_0 = _S189;
     }
     else
     {
-        above_1 = _S186.primal_0;
-        s_diff_above_0 = _S186.differential_0;
+        above_1 = _S187.primal_0;
+        s_diff_above_0 = _S187.differential_0;
     }
     var below_1 : f32;
     var s_diff_below_0 : f32;
     if(is_steep_1)
     {
-        var _S189 : f32 = _S186.differential_0 + _S187.differential_0;
-        below_1 = _S186.primal_0 + _S187.primal_0;
-        s_diff_below_0 = _S189;
+        var _S190 : f32 = _S187.differential_0 + _S188.differential_0;
+        below_1 = _S187.primal_0 + _S188.primal_0;
+        s_diff_below_0 = _S190;
     }
     else
     {
-        below_1 = _S187.primal_0;
-        s_diff_below_0 = _S187.differential_0;
+        below_1 = _S188.primal_0;
+        s_diff_below_0 = _S188.differential_0;
     }
     if(below_1 > 0.0f)
     {
@@ -1663,14 +1673,14 @@ fn s_fwd_angle_of_0( dpx_10 : DiffPair_float_0,  dpy_5 : DiffPair_float_0) -> Di
     var t_2 : f32 = above_1 / below_1;
     var s_diff_t_0 : f32 = (s_diff_above_0 * below_1 - above_1 * s_diff_below_0) / (below_1 * below_1);
     var z_1 : f32 = t_2 * t_2;
-    var _S190 : f32 = s_diff_t_0 * t_2;
-    var s_diff_z_0 : f32 = _S190 + _S190;
-    var _S191 : f32 = 0.08053744584321976f * z_1 - 0.13877685368061066f;
-    var _S192 : f32 = _S191 * z_1 + 0.19977711141109467f;
-    var tail_0 : f32 = _S192 * z_1 - 0.33332949876785278f;
-    var _S193 : f32 = tail_0 * z_1;
-    var angle_2 : f32 = _S193 * t_2 + t_2;
-    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_1 + s_diff_z_0 * _S191) * z_1 + s_diff_z_0 * _S192) * z_1 + s_diff_z_0 * tail_0) * t_2 + s_diff_t_0 * _S193 + s_diff_t_0;
+    var _S191 : f32 = s_diff_t_0 * t_2;
+    var s_diff_z_0 : f32 = _S191 + _S191;
+    var _S192 : f32 = 0.08053744584321976f * z_1 - 0.13877685368061066f;
+    var _S193 : f32 = _S192 * z_1 + 0.19977711141109467f;
+    var tail_0 : f32 = _S193 * z_1 - 0.33332949876785278f;
+    var _S194 : f32 = tail_0 * z_1;
+    var angle_2 : f32 = _S194 * t_2 + t_2;
+    var s_diff_angle_0 : f32 = (((s_diff_z_0 * 0.08053744584321976f * z_1 + s_diff_z_0 * _S192) * z_1 + s_diff_z_0 * _S193) * z_1 + s_diff_z_0 * tail_0) * t_2 + s_diff_t_0 * _S194 + s_diff_t_0;
     var angle_3 : f32;
     if(is_steep_1)
     {
@@ -1681,11 +1691,11 @@ fn s_fwd_angle_of_0( dpx_10 : DiffPair_float_0,  dpy_5 : DiffPair_float_0) -> Di
         angle_3 = angle_2;
     }
     var s_diff_angle_1 : f32;
-    if((_S183.primal_0) > (_S181.primal_0))
+    if((_S184.primal_0) > (_S182.primal_0))
     {
-        var _S194 : f32 = 0.0f - s_diff_angle_0;
+        var _S195 : f32 = 0.0f - s_diff_angle_0;
         angle_3 = 1.57079637050628662f - angle_3;
-        s_diff_angle_1 = _S194;
+        s_diff_angle_1 = _S195;
     }
     else
     {
@@ -1693,23 +1703,23 @@ fn s_fwd_angle_of_0( dpx_10 : DiffPair_float_0,  dpy_5 : DiffPair_float_0) -> Di
     }
     if((dpx_10.primal_0) < 0.0f)
     {
-        var _S195 : f32 = 0.0f - s_diff_angle_1;
+        var _S196 : f32 = 0.0f - s_diff_angle_1;
         angle_3 = 3.14159274101257324f - angle_3;
-        s_diff_angle_1 = _S195;
+        s_diff_angle_1 = _S196;
     }
     if((dpy_5.primal_0) < 0.0f)
     {
-        var _S196 : f32 = - s_diff_angle_1;
+        var _S197 : f32 = - s_diff_angle_1;
         above_1 = - angle_3;
-        s_diff_above_0 = _S196;
+        s_diff_above_0 = _S197;
     }
     else
     {
         above_1 = angle_3;
         s_diff_above_0 = s_diff_angle_1;
     }
-    var _S197 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
-    return _S197;
+    var _S198 : DiffPair_float_0 = DiffPair_float_0( above_1, s_diff_above_0 );
+    return _S198;
 }
 
 fn solid_angle_of_0( a_15 : vec3<f32>,  b_9 : vec3<f32>,  c_4 : vec3<f32>) -> f32
@@ -1728,11 +1738,11 @@ fn solid_angle_of_0( a_15 : vec3<f32>,  b_9 : vec3<f32>,  c_4 : vec3<f32>) -> f3
 
 fn complex_product_0( a_16 : vec2<f32>,  b_10 : vec2<f32>) -> vec2<f32>
 {
-    var _S198 : f32 = a_16.x;
-    var _S199 : f32 = b_10.x;
-    var _S200 : f32 = a_16.y;
-    var _S201 : f32 = b_10.y;
-    return vec2<f32>(_S198 * _S199 - _S200 * _S201, _S198 * _S201 + _S200 * _S199);
+    var _S199 : f32 = a_16.x;
+    var _S200 : f32 = b_10.x;
+    var _S201 : f32 = a_16.y;
+    var _S202 : f32 = b_10.y;
+    return vec2<f32>(_S199 * _S200 - _S201 * _S202, _S199 * _S202 + _S201 * _S200);
 }
 
 struct SeenRectangle_0
@@ -1745,36 +1755,36 @@ struct SeenRectangle_0
      inverse_to_line_0 : vec2<f32>,
 };
 
-fn seen_rectangle_0( at_16 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
+fn seen_rectangle_0( at_18 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
 {
-    var offset_2 : vec3<f32> = vector_at_0(at_16) - viewpoint_1;
-    var x0_0 : f32 = dot(vector_at_0(at_16 + u32(3)), offset_2);
-    var y0_0 : f32 = dot(vector_at_0(at_16 + u32(6)), offset_2);
-    var x1_0 : f32 = x0_0 + number_0(at_16 + u32(12));
-    var y1_0 : f32 = y0_0 + number_0(at_16 + u32(13));
+    var offset_2 : vec3<f32> = vector_at_0(at_18) - viewpoint_1;
+    var x0_0 : f32 = dot(vector_at_0(at_18 + u32(3)), offset_2);
+    var y0_0 : f32 = dot(vector_at_0(at_18 + u32(6)), offset_2);
+    var x1_0 : f32 = x0_0 + number_0(at_18 + u32(12));
+    var y1_0 : f32 = y0_0 + number_0(at_18 + u32(13));
     var seen_1 : SeenRectangle_0;
     seen_1.x_5 = vec2<f32>(x0_0, x1_0);
     seen_1.y_2 = vec2<f32>(y0_0, y1_0);
-    var _S202 : f32 = - dot(vector_at_0(at_16 + u32(9)), offset_2);
-    seen_1.z_2 = _S202;
-    var a_17 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S202);
-    var b_11 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S202);
-    var c_5 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S202);
-    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S202);
-    var _S203 : f32 = length(a_17);
-    var _S204 : f32 = length(c_5);
-    var _S205 : f32;
-    if(_S202 > (9.99999997475242708e-07f * max(max(_S203, length(b_11)), max(_S204, length(d_0)))))
+    var _S203 : f32 = - dot(vector_at_0(at_18 + u32(9)), offset_2);
+    seen_1.z_2 = _S203;
+    var a_17 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S203);
+    var b_11 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S203);
+    var c_5 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S203);
+    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S203);
+    var _S204 : f32 = length(a_17);
+    var _S205 : f32 = length(c_5);
+    var _S206 : f32;
+    if(_S203 > (9.99999997475242708e-07f * max(max(_S204, length(b_11)), max(_S205, length(d_0)))))
     {
-        _S205 = solid_angle_of_0(a_17, c_5, b_11) + solid_angle_of_0(d_0, b_11, c_5);
+        _S206 = solid_angle_of_0(a_17, c_5, b_11) + solid_angle_of_0(d_0, b_11, c_5);
     }
     else
     {
-        _S205 = 0.0f;
+        _S206 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S205;
+    seen_1.solid_angle_0 = _S206;
     var z2_0 : f32 = seen_1.z_2 * seen_1.z_2;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_2 * _S204), vec2<f32>(- x0_0 * y0_0, seen_1.z_2 * _S203));
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_2 * _S205), vec2<f32>(- x0_0 * y0_0, seen_1.z_2 * _S204));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_2 * seen_1.y_2 + vec2<f32>(z2_0));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_0) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
@@ -1811,32 +1821,32 @@ fn sine_cosine_0( angle_4 : f32) -> vec2<f32>
 fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
-    var at_17 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S206 : f32 = seen_2.y_2.x;
-    var _S207 : f32 = seen_2.inverse_to_line_0.x;
-    var _S208 : f32 = seen_2.y_2.y;
-    var n_2 : f32 = - at_17.x * _S206 * _S207 - _S208 * seen_2.inverse_to_line_0.y;
-    var _S209 : f32 = at_17.y;
-    var flat_0 : f32 = _S209 * seen_2.z_2 * _S207;
-    var size_2 : f32 = seen_2.z_2 * abs(_S209) / sqrt(max(n_2 * n_2 - flat_0 * flat_0, 0.0f));
-    var _S210 : f32;
-    if((n_2 * _S209) < 0.0f)
+    var at_19 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
+    var _S207 : f32 = seen_2.y_2.x;
+    var _S208 : f32 = seen_2.inverse_to_line_0.x;
+    var _S209 : f32 = seen_2.y_2.y;
+    var n_2 : f32 = - at_19.x * _S207 * _S208 - _S209 * seen_2.inverse_to_line_0.y;
+    var _S210 : f32 = at_19.y;
+    var flat_0 : f32 = _S210 * seen_2.z_2 * _S208;
+    var size_2 : f32 = seen_2.z_2 * abs(_S210) / sqrt(max(n_2 * n_2 - flat_0 * flat_0, 0.0f));
+    var _S211 : f32;
+    if((n_2 * _S210) < 0.0f)
     {
-        _S210 = - size_2;
+        _S211 = - size_2;
     }
     else
     {
-        _S210 = size_2;
+        _S211 = size_2;
     }
-    var x_7 : f32 = clamp(_S210, seen_2.x_5.x, seen_2.x_5.y);
+    var x_7 : f32 = clamp(_S211, seen_2.x_5.x, seen_2.x_5.y);
     var squared_1 : f32 = x_7 * x_7 + seen_2.z_2 * seen_2.z_2;
     var h_0 : vec2<f32> = seen_2.y_2 / sqrt(vec2<f32>(squared_1) + seen_2.y_2 * seen_2.y_2);
-    var _S211 : f32 = h_0.x;
-    var sine_2 : f32 = _S211 + u_1.y * (h_0.y - _S211);
-    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S206, _S208));
+    var _S212 : f32 = h_0.x;
+    var sine_2 : f32 = _S212 + u_1.y * (h_0.y - _S212);
+    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S207, _S209));
 }
 
-fn rectangle_face_0( at_18 : u32,  place_14 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
+fn rectangle_face_0( at_20 : u32,  place_14 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
 {
     var best_0 : f32 = -1.00000001504746622e+30f;
     var found_2 : u32 = u32(0);
@@ -1850,17 +1860,17 @@ fn rectangle_face_0( at_18 : u32,  place_14 : vec2<f32>,  weights_2 : ptr<functi
         {
             break;
         }
-        var row_1 : u32 = at_18 + u32(14) + u32(6) * face_0;
-        var _S212 : f32 = place_14.x;
-        var _S213 : f32 = place_14.y;
-        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S212 + number_0(row_1 + u32(2)) * _S213;
-        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S212 + number_0(row_1 + u32(5)) * _S213;
-        var _S214 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
-        if(_S214 > best_0)
+        var row_1 : u32 = at_20 + u32(14) + u32(6) * face_0;
+        var _S213 : f32 = place_14.x;
+        var _S214 : f32 = place_14.y;
+        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S213 + number_0(row_1 + u32(2)) * _S214;
+        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S213 + number_0(row_1 + u32(5)) * _S214;
+        var _S215 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
+        if(_S215 > best_0)
         {
             (*weights_2)[i32(0)] = clamp(v_5, 0.0f, 1.0f);
             (*weights_2)[i32(1)] = clamp(w_3, 0.0f, 1.0f - (*weights_2).x);
-            best_0 = _S214;
+            best_0 = _S215;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -1880,20 +1890,20 @@ fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f32
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S215 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S216 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S215, _S216);
-    var sum_0 : f32 = _S215 + _S216;
-    var _S217 : vec2<f32>;
+    var _S216 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S217 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S216, _S217);
+    var sum_0 : f32 = _S216 + _S217;
+    var _S218 : vec2<f32>;
     if(sum_0 > 0.0f)
     {
-        _S217 = seen_3 / vec2<f32>(sum_0);
+        _S218 = seen_3 / vec2<f32>(sum_0);
     }
     else
     {
-        _S217 = vec2<f32>(0.0f);
+        _S218 = vec2<f32>(0.0f);
     }
-    return _S217;
+    return _S218;
 }
 
 struct Corners_0
@@ -1905,11 +1915,11 @@ struct Corners_0
 
 fn corners_from_0( record_9 : u32,  face_2 : u32,  viewpoint_3 : vec3<f32>) -> Corners_0
 {
-    var at_19 : u32 = u32(9) * emitter_triangle_0(record_9, face_2);
+    var at_21 : u32 = u32(9) * emitter_triangle_0(record_9, face_2);
     var corners_0 : Corners_0;
-    corners_0.a_18 = primitive_vector_0(at_19) - viewpoint_3;
-    corners_0.b_12 = primitive_vector_0(at_19 + u32(3)) - viewpoint_3;
-    corners_0.c_6 = primitive_vector_0(at_19 + u32(6)) - viewpoint_3;
+    corners_0.a_18 = primitive_vector_0(at_21) - viewpoint_3;
+    corners_0.b_12 = primitive_vector_0(at_21 + u32(3)) - viewpoint_3;
+    corners_0.c_6 = primitive_vector_0(at_21 + u32(6)) - viewpoint_3;
     return corners_0;
 }
 
@@ -1926,28 +1936,28 @@ fn unit_across_0( v_6 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_3 : f32) -> vec3<f32>
 {
-    var _S218 : f32 = clamp(cosine_3, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S218) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S218) * (1.0f + _S218)));
+    var _S219 : f32 = clamp(cosine_3, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S219) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S219) * (1.0f + _S219)));
 }
 
 fn triangle_direction_0( a_19 : vec3<f32>,  b_13 : vec3<f32>,  c_7 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S219 : vec3<f32> = normalize(a_19);
-    var _S220 : vec3<f32> = normalize(b_13);
-    var _S221 : vec3<f32> = normalize(c_7);
-    var ab_4 : vec3<f32> = normalize(cross(_S219, _S220));
-    var ca_0 : vec3<f32> = normalize(cross(_S221, _S219));
+    var _S220 : vec3<f32> = normalize(a_19);
+    var _S221 : vec3<f32> = normalize(b_13);
+    var _S222 : vec3<f32> = normalize(c_7);
+    var ab_4 : vec3<f32> = normalize(cross(_S220, _S221));
+    var ca_0 : vec3<f32> = normalize(cross(_S222, _S220));
     var sine_alpha_0 : f32 = length(cross(ab_4, ca_0));
     var cosine_alpha_0 : f32 = - dot(ab_4, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S222 : f32 = part_0.x;
-    var _S223 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S222 * cosine_alpha_0 - _S223 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S223 * cosine_alpha_0 + _S222 * sine_alpha_0;
+    var _S223 : f32 = part_0.x;
+    var _S224 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S223 * cosine_alpha_0 - _S224 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S224 * cosine_alpha_0 + _S223 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S219, _S220);
-    var between_1 : vec3<f32> = along_0(_S219, _S221, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S220, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S220)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S220, _S221);
+    var between_1 : vec3<f32> = along_0(_S220, _S222, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S221, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S221)));
 }
 
 fn density_of_0( solid_angle_1 : f32,  normal_7 : vec3<f32>,  distance_2 : f32,  direction_6 : vec3<f32>) -> f32
@@ -1991,10 +2001,10 @@ fn area_point_0( record_11 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             return point_0;
         }
     }
-    var _S224 : f32 = precise_random_0(key_4, dimension_3);
+    var _S225 : f32 = precise_random_0(key_4, dimension_3);
     var nodes_at_1 : u32 = word_0(record_11 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f32 = _S224;
+    var u_3 : f32 = _S225;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -2006,16 +2016,16 @@ fn area_point_0( record_11 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S225 : f32 = shares_0.x;
-        var _S226 : f32 = shares_0.y;
-        if(!((_S225 + _S226) > 0.0f))
+        var _S226 : f32 = shares_0.x;
+        var _S227 : f32 = shares_0.y;
+        if(!((_S226 + _S227) > 0.0f))
         {
             return point_0;
         }
         var is_second_0 : bool;
-        if(u_3 >= _S225)
+        if(u_3 >= _S226)
         {
-            is_second_0 = _S226 > 0.0f;
+            is_second_0 = _S227 > 0.0f;
         }
         else
         {
@@ -2023,86 +2033,86 @@ fn area_point_0( record_11 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S225) / _S226;
+            u_3 = (u_3 - _S226) / _S227;
         }
         else
         {
-            u_3 = min(u_3 / _S225, 1.0f);
+            u_3 = min(u_3 / _S226, 1.0f);
         }
         if(is_second_0)
+        {
+            total_0 = _S227;
+        }
+        else
         {
             total_0 = _S226;
         }
-        else
-        {
-            total_0 = _S225;
-        }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S227 : i32;
+        var _S228 : i32;
         if(is_second_0)
         {
-            _S227 = i32(3);
+            _S228 = i32(3);
         }
         else
         {
-            _S227 = i32(2);
+            _S228 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S227));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S228));
         chosen_0 = chosen_1;
     }
     var first_3 : u32 = word_0(node_2);
-    var _S228 : u32 = word_0(node_2 + u32(1));
-    var _S229 : u32 = word_0(record_11 + u32(6));
+    var _S229 : u32 = word_0(node_2 + u32(1));
+    var _S230 : u32 = word_0(record_11 + u32(6));
     var k_3 : u32 = first_3;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_3 < _S228)
+        if(k_3 < _S229)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_11, word_0(_S229 + k_3), from_1.exact_0);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_11, word_0(_S230 + k_3), from_1.exact_0);
         k_3 = k_3 + u32(1);
         total_0 = total_1;
     }
-    var _S230 : f32 = u_3 * total_0;
+    var _S231 : f32 = u_3 * total_0;
     var face_5 : u32 = u32(4294967295);
     var angle_5 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
     k_3 = first_3;
-    var rest_3 : f32 = _S230;
+    var rest_3 : f32 = _S231;
     for(;;)
     {
-        if(k_3 < _S228)
+        if(k_3 < _S229)
         {
         }
         else
         {
             break;
         }
-        var _S231 : u32 = _S229 + k_3;
-        var own_1 : f32 = face_solid_angle_0(record_11, word_0(_S231), from_1.exact_0);
+        var _S232 : u32 = _S230 + k_3;
+        var own_1 : f32 = face_solid_angle_0(record_11, word_0(_S232), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
             k_3 = k_3 + u32(1);
             continue;
         }
-        var _S232 : u32 = word_0(_S231);
-        var _S233 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S233 : u32 = word_0(_S232);
+        var _S234 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S232;
+            face_5 = _S233;
             angle_5 = own_1;
-            inside_2 = _S233;
+            inside_2 = _S234;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S232;
+        face_5 = _S233;
         angle_5 = own_1;
-        inside_2 = _S233;
+        inside_2 = _S234;
         rest_3 = rest_4;
         k_3 = k_3 + u32(1);
     }
@@ -2126,9 +2136,9 @@ fn area_point_0( record_11 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         var direction_7 : vec3<f32> = triangle_direction_0(corners_2.a_18, corners_2.b_12, corners_2.c_6, angle_5, vec2<f32>(inside_2, second_1));
         var within_0 : vec3<f32> = direction_7 * vec3<f32>((dot(corners_2.a_18, normal_8) / dot(direction_7, normal_8))) - corners_2.a_18;
         var squared_2 : f32 = dot(normal_8, normal_8);
-        var _S234 : f32 = clamp(dot(cross(within_0, ac_4), normal_8) / squared_2, 0.0f, 1.0f);
-        point_0.place_15.v_0 = _S234;
-        point_0.place_15.w_0 = clamp(dot(cross(ab_5, within_0), normal_8) / squared_2, 0.0f, 1.0f - _S234);
+        var _S235 : f32 = clamp(dot(cross(within_0, ac_4), normal_8) / squared_2, 0.0f, 1.0f);
+        point_0.place_15.v_0 = _S235;
+        point_0.place_15.w_0 = clamp(dot(cross(ab_5, within_0), normal_8) / squared_2, 0.0f, 1.0f - _S235);
     }
     var offset_3 : vec3<f32> = corners_2.a_18 + ab_5 * vec3<f32>(point_0.place_15.v_0) + ac_4 * vec3<f32>(point_0.place_15.w_0);
     var distance_3 : f32 = length(offset_3);
@@ -2147,38 +2157,38 @@ fn is_map_0( record_12 : u32) -> bool
 
 fn uniform_direction_0( u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S235 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S235 * (1.0f - _S235))));
-    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S235);
+    var _S236 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S236 * (1.0f - _S236))));
+    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S236);
 }
 
 fn map_place_0( map_0 : u32,  direction_8 : vec3<f32>) -> vec2<f32>
 {
-    var _S236 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S236) * vec3<f32>(direction_8.x) + vector_at_0(_S236 + u32(3)) * vec3<f32>(direction_8.y) + vector_at_0(_S236 + u32(6)) * vec3<f32>(direction_8.z);
+    var _S237 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S237) * vec3<f32>(direction_8.x) + vector_at_0(_S237 + u32(3)) * vec3<f32>(direction_8.y) + vector_at_0(_S237 + u32(6)) * vec3<f32>(direction_8.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
 fn s_fwd_map_place_0( map_1 : u32,  dpdirection_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
-    var _S237 : u32 = map_1 + u32(2);
-    var _S238 : vec3<f32> = vector_at_0(_S237);
-    var _S239 : vec3<f32> = vector_at_0(_S237 + u32(3));
-    var _S240 : vec3<f32> = vector_at_0(_S237 + u32(6));
-    var d_2 : vec3<f32> = _S238 * vec3<f32>(dpdirection_1.primal_0.x) + _S239 * vec3<f32>(dpdirection_1.primal_0.y) + _S240 * vec3<f32>(dpdirection_1.primal_0.z);
-    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S238 + vec3<f32>(dpdirection_1.differential_0.y) * _S239 + vec3<f32>(dpdirection_1.differential_0.z) * _S240;
-    var _S241 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
-    var _S242 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
-    var _S243 : DiffPair_float_0 = s_fwd_angle_of_0(_S241, _S242);
-    var _S244 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
-    var _S245 : DiffPair_float_0 = s_fwd_length_impl_1(_S244);
-    var _S246 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
-    var _S247 : DiffPair_float_0 = DiffPair_float_0( _S245.primal_0, _S245.differential_0 );
-    var _S248 : DiffPair_float_0 = s_fwd_angle_of_0(_S246, _S247);
+    var _S238 : u32 = map_1 + u32(2);
+    var _S239 : vec3<f32> = vector_at_0(_S238);
+    var _S240 : vec3<f32> = vector_at_0(_S238 + u32(3));
+    var _S241 : vec3<f32> = vector_at_0(_S238 + u32(6));
+    var d_2 : vec3<f32> = _S239 * vec3<f32>(dpdirection_1.primal_0.x) + _S240 * vec3<f32>(dpdirection_1.primal_0.y) + _S241 * vec3<f32>(dpdirection_1.primal_0.z);
+    var s_diff_d_0 : vec3<f32> = vec3<f32>(dpdirection_1.differential_0.x) * _S239 + vec3<f32>(dpdirection_1.differential_0.y) * _S240 + vec3<f32>(dpdirection_1.differential_0.z) * _S241;
+    var _S242 : DiffPair_float_0 = DiffPair_float_0( - d_2.z, - s_diff_d_0.z );
+    var _S243 : DiffPair_float_0 = DiffPair_float_0( d_2.x, s_diff_d_0.x );
+    var _S244 : DiffPair_float_0 = s_fwd_angle_of_0(_S242, _S243);
+    var _S245 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( d_2.xz, s_diff_d_0.xz );
+    var _S246 : DiffPair_float_0 = s_fwd_length_impl_1(_S245);
+    var _S247 : DiffPair_float_0 = DiffPair_float_0( d_2.y, s_diff_d_0.y );
+    var _S248 : DiffPair_float_0 = DiffPair_float_0( _S246.primal_0, _S246.differential_0 );
+    var _S249 : DiffPair_float_0 = s_fwd_angle_of_0(_S247, _S248);
     var width_1 : f32 = f32(word_0(map_1));
-    var _S249 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
-    var _S250 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S243.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S248.primal_0 * 0.31830987334251404f * _S249), vec2<f32>(_S243.differential_0 * 0.15915493667125702f * width_1, _S248.differential_0 * 0.31830987334251404f * _S249) );
-    return _S250;
+    var _S250 : f32 = f32(word_0(map_1 + u32(1))) - 1.0f;
+    var _S251 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(_S244.primal_0 * 0.15915493667125702f * width_1 - 0.5f, _S249.primal_0 * 0.31830987334251404f * _S250), vec2<f32>(_S244.differential_0 * 0.15915493667125702f * width_1, _S249.differential_0 * 0.31830987334251404f * _S250) );
+    return _S251;
 }
 
 fn cell_pdf_0( map_2 : u32,  cell_0 : u32) -> f32
@@ -2198,18 +2208,13 @@ fn map_pdf_0( map_3 : u32,  direction_9 : vec3<f32>) -> f32
     return cell_pdf_0(map_3, u32(clamp(floor_of_0(place_16.y), i32(0), i32(word_0(map_3 + u32(1))) - i32(2))) * width_2 + column_0);
 }
 
-fn sum_at_0( at_20 : u32) -> f32
-{
-    return number_0(at_20) + number_0(at_20 + u32(1));
-}
-
 fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr<function, f32>) -> u32
 {
-    var _S251 : u32 = count_3 - u32(1);
-    var total_2 : f32 = sum_at_0(sums_1 + u32(2) * _S251);
+    var _S252 : u32 = count_3 - u32(1);
+    var total_2 : f32 = precise_0(sums_1 + u32(2) * _S252);
     var target_0 : f32 = u_5 * total_2;
     var low_3 : u32 = u32(0);
-    var high_0 : u32 = _S251;
+    var high_0 : u32 = _S252;
     for(;;)
     {
         if(low_3 < high_0)
@@ -2220,17 +2225,17 @@ fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr
             break;
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
-        var sum_1 : f32 = sum_at_0(sums_1 + u32(2) * middle_1);
-        var _S252 : bool;
+        var sum_1 : f32 = precise_0(sums_1 + u32(2) * middle_1);
+        var _S253 : bool;
         if(sum_1 <= target_0)
         {
-            _S252 = sum_1 < total_2;
+            _S253 = sum_1 < total_2;
         }
         else
         {
-            _S252 = false;
+            _S253 = false;
         }
-        if(_S252)
+        if(_S253)
         {
             low_3 = middle_1 + u32(1);
         }
@@ -2242,13 +2247,13 @@ fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr
     var below_2 : f32;
     if(low_3 > u32(0))
     {
-        below_2 = sum_at_0(sums_1 + u32(2) * (low_3 - u32(1)));
+        below_2 = precise_0(sums_1 + u32(2) * (low_3 - u32(1)));
     }
     else
     {
         below_2 = 0.0f;
     }
-    (*through_0) = clamp((target_0 - below_2) / (sum_at_0(sums_1 + u32(2) * low_3) - below_2), 0.0f, 1.0f);
+    (*through_0) = clamp((target_0 - below_2) / (precise_0(sums_1 + u32(2) * low_3) - below_2), 0.0f, 1.0f);
     return low_3;
 }
 
@@ -2258,52 +2263,52 @@ fn cell_direction_0( map_4 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,
     var azimuth_0 : vec2<f32> = sine_cosine_0(6.28318548202514648f * (turns_0 - floor(turns_0 + 0.5f)));
     var last_0 : u32 = word_0(map_4 + u32(1)) - u32(1);
     var is_lower_0 : bool = (u32(2) * row_2) >= last_0;
-    var rows_1 : vec2<f32>;
+    var rows_0 : vec2<f32>;
     if(is_lower_0)
     {
-        var _S253 : u32 = last_0 - row_2;
-        rows_1 = vec2<f32>(f32(_S253), f32(_S253 - u32(1)));
+        var _S254 : u32 = last_0 - row_2;
+        rows_0 = vec2<f32>(f32(_S254), f32(_S254 - u32(1)));
     }
     else
     {
-        rows_1 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
+        rows_0 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
     }
-    var _S254 : f32 = f32(last_0);
-    var _S255 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S254)).x;
-    var _S256 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S254)).x;
-    var off_0 : f32 = 2.0f * mix(_S255 * _S255, _S256 * _S256, down_0);
+    var _S255 : f32 = f32(last_0);
+    var _S256 : f32 = sine_cosine_0(rows_0.x * (1.57079637050628662f / _S255)).x;
+    var _S257 : f32 = sine_cosine_0(rows_0.y * (1.57079637050628662f / _S255)).x;
+    var off_0 : f32 = 2.0f * mix(_S256 * _S256, _S257 * _S257, down_0);
     var sine_3 : f32 = sqrt(off_0 * (2.0f - off_0));
-    var _S257 : f32 = azimuth_0.x * sine_3;
-    var _S258 : f32;
+    var _S258 : f32 = azimuth_0.x * sine_3;
+    var _S259 : f32;
     if(is_lower_0)
     {
-        _S258 = off_0 - 1.0f;
+        _S259 = off_0 - 1.0f;
     }
     else
     {
-        _S258 = 1.0f - off_0;
+        _S259 = 1.0f - off_0;
     }
-    var local_0 : vec3<f32> = vec3<f32>(_S257, _S258, - azimuth_0.y * sine_3);
-    var _S259 : u32 = map_4 + u32(2);
-    return vec3<f32>(dot(vector_at_0(_S259), local_0), dot(vector_at_0(_S259 + u32(3)), local_0), dot(vector_at_0(_S259 + u32(6)), local_0));
+    var local_0 : vec3<f32> = vec3<f32>(_S258, _S259, - azimuth_0.y * sine_3);
+    var _S260 : u32 = map_4 + u32(2);
+    return vec3<f32>(dot(vector_at_0(_S260), local_0), dot(vector_at_0(_S260 + u32(3)), local_0), dot(vector_at_0(_S260 + u32(6)), local_0));
 }
 
 fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : ptr<function, f32>) -> vec3<f32>
 {
     var u_6 : f32 = precise_random_0(key_5, dimension_4);
     var rest_5 : f32 = u_6 * 20.0f - 1.0f;
-    var _S260 : u32 = map_5 + u32(13);
-    var is_black_1 : bool = (word_0(_S260)) == u32(4294967295);
-    var _S261 : bool;
+    var _S261 : u32 = map_5 + u32(13);
+    var is_black_1 : bool = (word_0(_S261)) == u32(4294967295);
+    var _S262 : bool;
     if(is_black_1)
     {
-        _S261 = true;
+        _S262 = true;
     }
     else
     {
-        _S261 = rest_5 < 0.0f;
+        _S262 = rest_5 < 0.0f;
     }
-    if(_S261)
+    if(_S262)
     {
         var share_0 : f32;
         if(is_black_1)
@@ -2315,14 +2320,14 @@ fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
             share_0 = 0.05000000074505806f;
         }
         var direction_10 : vec3<f32> = uniform_direction_0(vec2<f32>(u_6 / share_0, random_0(key_5, dimension_4 + u32(1))));
-        var _S262 : f32 = map_pdf_0(map_5, direction_10);
-        (*pdf_1) = _S262;
+        var _S263 : f32 = map_pdf_0(map_5, direction_10);
+        (*pdf_1) = _S263;
         return direction_10;
     }
     var rest_6 : f32 = rest_5 / 19.0f;
     var width_3 : u32 = word_0(map_5);
     var down_1 : f32;
-    var row_3 : u32 = chosen_interval_0(word_0(_S260), word_0(map_5 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
+    var row_3 : u32 = chosen_interval_0(word_0(_S261), word_0(map_5 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
     var along_2 : f32;
     var column_2 : u32 = chosen_interval_0(word_0(map_5 + u32(14)) + u32(2) * width_3 * row_3, width_3, rest_6, &(along_2));
     (*pdf_1) = cell_pdf_0(map_5, row_3 * width_3 + column_2);
@@ -2336,9 +2341,9 @@ fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
 
 fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
 {
-    var _S263 : f32 = u_7.x;
-    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S263));
-    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S263));
+    var _S264 : f32 = u_7.x;
+    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S264));
+    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S264));
 }
 
 fn to_world_0( axes_3 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
@@ -2374,12 +2379,12 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
     (*sample_0).place_17 = vertex_1.surface_4.place_3;
     (*sample_0).nearest_0 = limit_at_0(u32(2));
     (*sample_0).farthest_0 = limit_at_0(u32(1));
-    var _S264 : f32 = random_0(key_7, first_4);
-    var _S265 : f32 = (*sample_0).probability_1;
-    var _S266 : u32 = chosen_emitter_0(choice_5, _S264, &(_S265));
-    (*sample_0).probability_1 = _S265;
-    (*sample_0).emitter_5 = _S266;
-    if(_S265 == 0.0f)
+    var _S265 : f32 = random_0(key_7, first_4);
+    var _S266 : f32 = (*sample_0).probability_1;
+    var _S267 : u32 = chosen_emitter_0(choice_5, _S265, &(_S266));
+    (*sample_0).probability_1 = _S266;
+    (*sample_0).emitter_5 = _S267;
+    if(_S266 == 0.0f)
     {
         return false;
     }
@@ -2393,24 +2398,24 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
         }
         (*sample_0).pdf_2 = point_1.pdf_0;
         (*sample_0).place_17 = point_1.place_15;
-        var _S267 : vec3<f32> = position_of_0(point_1.place_15) - vertex_1.surface_4.exact_0;
-        (*sample_0).way_1 = _S267;
-        var _S268 : f32 = length(_S267);
-        (*sample_0).distance_4 = _S268;
-        (*sample_0).direction_11 = _S267 / vec3<f32>(_S268);
-        (*sample_0).nearest_0 = (*sample_0).nearest_0 / _S268;
+        var _S268 : vec3<f32> = position_of_0(point_1.place_15) - vertex_1.surface_4.exact_0;
+        (*sample_0).way_1 = _S268;
+        var _S269 : f32 = length(_S268);
+        (*sample_0).distance_4 = _S269;
+        (*sample_0).direction_11 = _S268 / vec3<f32>(_S269);
+        (*sample_0).nearest_0 = (*sample_0).nearest_0 / _S269;
         (*sample_0).farthest_0 = limit_at_0(u32(3));
     }
     else
     {
         if(is_map_0(record_13))
         {
-            var _S269 : u32 = word_0(record_13 + u32(1));
-            var _S270 : u32 = first_4 + u32(1);
-            var _S271 : f32 = (*sample_0).pdf_2;
-            var _S272 : vec3<f32> = sample_map_0(_S269, key_7, _S270, &(_S271));
-            (*sample_0).pdf_2 = _S271;
-            (*sample_0).direction_11 = _S272;
+            var _S270 : u32 = word_0(record_13 + u32(1));
+            var _S271 : u32 = first_4 + u32(1);
+            var _S272 : f32 = (*sample_0).pdf_2;
+            var _S273 : vec3<f32> = sample_map_0(_S270, key_7, _S271, &(_S272));
+            (*sample_0).pdf_2 = _S272;
+            (*sample_0).direction_11 = _S273;
         }
         else
         {
@@ -2420,9 +2425,9 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
         }
         (*sample_0).way_1 = (*sample_0).direction_11;
     }
-    var _S273 : vec3<f32> = to_local_0(vertex_1.axes_1, (*sample_0).direction_11);
-    (*sample_0).wo_0 = _S273;
-    return (_S273.z) > 0.0f;
+    var _S274 : vec3<f32> = to_local_0(vertex_1.axes_1, (*sample_0).direction_11);
+    (*sample_0).wo_0 = _S274;
+    return (_S274.z) > 0.0f;
 }
 
 fn first_material_number_0( depth_2 : u32) -> u32
@@ -2443,12 +2448,12 @@ struct DiffPair_Numbers_0
 
 fn s_fwd_coat_eta_0( dpnumbers_0 : DiffPair_Numbers_0) -> DiffPair_float_0
 {
-    var _S274 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_0.primal_0.eta_0, dpnumbers_0.differential_0.eta_0 );
-    var _S275 : DiffPair_float_0 = s_fwd_luminance_0(_S274);
-    var _S276 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_0.primal_0.k_0, dpnumbers_0.differential_0.k_0 );
-    var _S277 : DiffPair_float_0 = s_fwd_luminance_0(_S276);
-    var _S278 : DiffPair_float_0 = DiffPair_float_0( _S275.primal_0 / _S277.primal_0, (_S275.differential_0 * _S277.primal_0 - _S275.primal_0 * _S277.differential_0) / (_S277.primal_0 * _S277.primal_0) );
-    return _S278;
+    var _S275 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_0.primal_0.eta_0, dpnumbers_0.differential_0.eta_0 );
+    var _S276 : DiffPair_float_0 = s_fwd_luminance_0(_S275);
+    var _S277 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_0.primal_0.k_0, dpnumbers_0.differential_0.k_0 );
+    var _S278 : DiffPair_float_0 = s_fwd_luminance_0(_S277);
+    var _S279 : DiffPair_float_0 = DiffPair_float_0( _S276.primal_0 / _S278.primal_0, (_S276.differential_0 * _S278.primal_0 - _S276.primal_0 * _S278.differential_0) / (_S278.primal_0 * _S278.primal_0) );
+    return _S279;
 }
 
 fn fresnel_dielectric_0( cosine_4 : f32,  eta_1 : f32) -> f32
@@ -2471,41 +2476,41 @@ fn fresnel_dielectric_0( cosine_4 : f32,  eta_1 : f32) -> f32
 
 fn s_fwd_fresnel_dielectric_0( dpcosine_0 : DiffPair_float_0,  dpeta_0 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S279 : f32 = dpeta_0.primal_0;
-    var eta2_1 : f32 = _S279 * _S279;
-    var _S280 : f32 = dpeta_0.differential_0 * dpeta_0.primal_0;
-    var s_diff_eta2_0 : f32 = _S280 + _S280;
+    var _S280 : f32 = dpeta_0.primal_0;
+    var eta2_1 : f32 = _S280 * _S280;
+    var _S281 : f32 = dpeta_0.differential_0 * dpeta_0.primal_0;
+    var s_diff_eta2_0 : f32 = _S281 + _S281;
     var cos2_1 : f32 = dpcosine_0.primal_0 * dpcosine_0.primal_0;
-    var _S281 : f32 = dpcosine_0.differential_0 * dpcosine_0.primal_0;
-    var s_diff_cos2_0 : f32 = _S281 + _S281;
-    var _S282 : f32 = dpeta_0.primal_0 - 1.0f;
-    var _S283 : f32 = dpeta_0.primal_0 + 1.0f;
-    var denser_1 : f32 = _S282 * _S283;
-    var s_diff_denser_0 : f32 = dpeta_0.differential_0 * _S283 + dpeta_0.differential_0 * _S282;
+    var _S282 : f32 = dpcosine_0.differential_0 * dpcosine_0.primal_0;
+    var s_diff_cos2_0 : f32 = _S282 + _S282;
+    var _S283 : f32 = dpeta_0.primal_0 - 1.0f;
+    var _S284 : f32 = dpeta_0.primal_0 + 1.0f;
+    var denser_1 : f32 = _S283 * _S284;
+    var s_diff_denser_0 : f32 = dpeta_0.differential_0 * _S284 + dpeta_0.differential_0 * _S283;
     var squared_4 : f32 = denser_1 + cos2_1;
     var s_diff_squared_0 : f32 = s_diff_denser_0 + s_diff_cos2_0;
     if(squared_4 <= 0.0f)
     {
-        var _S284 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
-        return _S284;
+        var _S285 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
+        return _S285;
     }
-    var _S285 : DiffPair_float_0 = DiffPair_float_0( squared_4, s_diff_squared_0 );
-    var _S286 : DiffPair_float_0 = _d_sqrt_0(_S285);
-    var s_sum_1 : f32 = dpcosine_0.primal_0 + _S286.primal_0;
-    var p_sum_1 : f32 = eta2_1 * dpcosine_0.primal_0 + _S286.primal_0;
-    var _S287 : f32 = s_sum_1 * s_sum_1;
-    var _S288 : f32 = (dpcosine_0.differential_0 + _S286.differential_0) * s_sum_1;
-    var senkrecht_1 : f32 = denser_1 / _S287;
-    var _S289 : f32 = eta2_1 + 1.0f;
-    var _S290 : f32 = _S289 * cos2_1 - 1.0f;
-    var _S291 : f32 = denser_1 * _S290;
-    var _S292 : f32 = p_sum_1 * p_sum_1;
-    var _S293 : f32 = (s_diff_eta2_0 * dpcosine_0.primal_0 + dpcosine_0.differential_0 * eta2_1 + _S286.differential_0) * p_sum_1;
-    var parallel_1 : f32 = _S291 / _S292;
-    var _S294 : f32 = (s_diff_denser_0 * _S287 - denser_1 * (_S288 + _S288)) / (_S287 * _S287) * senkrecht_1;
-    var _S295 : f32 = ((s_diff_denser_0 * _S290 + (s_diff_eta2_0 * cos2_1 + s_diff_cos2_0 * _S289) * denser_1) * _S292 - _S291 * (_S293 + _S293)) / (_S292 * _S292) * parallel_1;
-    var _S296 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (senkrecht_1 * senkrecht_1 + parallel_1 * parallel_1), (_S294 + _S294 + (_S295 + _S295)) * 0.5f );
-    return _S296;
+    var _S286 : DiffPair_float_0 = DiffPair_float_0( squared_4, s_diff_squared_0 );
+    var _S287 : DiffPair_float_0 = _d_sqrt_0(_S286);
+    var s_sum_1 : f32 = dpcosine_0.primal_0 + _S287.primal_0;
+    var p_sum_1 : f32 = eta2_1 * dpcosine_0.primal_0 + _S287.primal_0;
+    var _S288 : f32 = s_sum_1 * s_sum_1;
+    var _S289 : f32 = (dpcosine_0.differential_0 + _S287.differential_0) * s_sum_1;
+    var senkrecht_1 : f32 = denser_1 / _S288;
+    var _S290 : f32 = eta2_1 + 1.0f;
+    var _S291 : f32 = _S290 * cos2_1 - 1.0f;
+    var _S292 : f32 = denser_1 * _S291;
+    var _S293 : f32 = p_sum_1 * p_sum_1;
+    var _S294 : f32 = (s_diff_eta2_0 * dpcosine_0.primal_0 + dpcosine_0.differential_0 * eta2_1 + _S287.differential_0) * p_sum_1;
+    var parallel_1 : f32 = _S292 / _S293;
+    var _S295 : f32 = (s_diff_denser_0 * _S288 - denser_1 * (_S289 + _S289)) / (_S288 * _S288) * senkrecht_1;
+    var _S296 : f32 = ((s_diff_denser_0 * _S291 + (s_diff_eta2_0 * cos2_1 + s_diff_cos2_0 * _S290) * denser_1) * _S293 - _S292 * (_S294 + _S294)) / (_S293 * _S293) * parallel_1;
+    var _S297 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (senkrecht_1 * senkrecht_1 + parallel_1 * parallel_1), (_S295 + _S295 + (_S296 + _S296)) * 0.5f );
+    return _S297;
 }
 
 fn transmittance_0( lobe_3 : Lobe_0,  eta_2 : f32,  cosine_5 : f32) -> f32
@@ -2515,29 +2520,29 @@ fn transmittance_0( lobe_3 : Lobe_0,  eta_2 : f32,  cosine_5 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_5, eta_2);
     }
     var place_18 : f32 = cosine_5 * 63.0f;
-    var _S297 : u32 = min(u32(place_18), u32(62));
-    var at_21 : u32 = word_0(lobe_3.record_3 + u32(3)) + _S297;
-    var here_0 : f32 = number_0(at_21);
-    return here_0 + (number_0(at_21 + u32(1)) - here_0) * (place_18 - f32(_S297));
+    var _S298 : u32 = min(u32(place_18), u32(62));
+    var at_22 : u32 = word_0(lobe_3.record_3 + u32(3)) + _S298;
+    var here_0 : f32 = number_0(at_22);
+    return here_0 + (number_0(at_22 + u32(1)) - here_0) * (place_18 - f32(_S298));
 }
 
 fn s_fwd_transmittance_0( lobe_4 : Lobe_0,  dpeta_1 : DiffPair_float_0,  dpcosine_1 : DiffPair_float_0) -> DiffPair_float_0
 {
     if((lobe_4.kind_1) == u32(3))
     {
-        var _S298 : DiffPair_float_0 = DiffPair_float_0( dpcosine_1.primal_0, dpcosine_1.differential_0 );
-        var _S299 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0, dpeta_1.differential_0 );
-        var _S300 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S298, _S299);
-        var _S301 : DiffPair_float_0 = DiffPair_float_0( 1.0f - _S300.primal_0, 0.0f - _S300.differential_0 );
-        return _S301;
+        var _S299 : DiffPair_float_0 = DiffPair_float_0( dpcosine_1.primal_0, dpcosine_1.differential_0 );
+        var _S300 : DiffPair_float_0 = DiffPair_float_0( dpeta_1.primal_0, dpeta_1.differential_0 );
+        var _S301 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S299, _S300);
+        var _S302 : DiffPair_float_0 = DiffPair_float_0( 1.0f - _S301.primal_0, 0.0f - _S301.differential_0 );
+        return _S302;
     }
     var place_19 : f32 = dpcosine_1.primal_0 * 63.0f;
-    var _S302 : u32 = min(u32(place_19), u32(62));
-    var at_22 : u32 = word_0(lobe_4.record_3 + u32(3)) + _S302;
-    var here_1 : f32 = number_0(at_22);
-    var _S303 : f32 = number_0(at_22 + u32(1)) - here_1;
-    var _S304 : DiffPair_float_0 = DiffPair_float_0( here_1 + _S303 * (place_19 - f32(_S302)), dpcosine_1.differential_0 * 63.0f * _S303 );
-    return _S304;
+    var _S303 : u32 = min(u32(place_19), u32(62));
+    var at_23 : u32 = word_0(lobe_4.record_3 + u32(3)) + _S303;
+    var here_1 : f32 = number_0(at_23);
+    var _S304 : f32 = number_0(at_23 + u32(1)) - here_1;
+    var _S305 : DiffPair_float_0 = DiffPair_float_0( here_1 + _S304 * (place_19 - f32(_S303)), dpcosine_1.differential_0 * 63.0f * _S304 );
+    return _S305;
 }
 
 fn choice_weight_0( colour_2 : vec3<f32>) -> f32
@@ -2553,16 +2558,16 @@ fn base_probability_0( numbers_4 : Numbers_0,  enters_0 : f32) -> f32
 
 fn is_rough_0( lobe_5 : Lobe_0) -> bool
 {
-    var _S305 : bool;
+    var _S306 : bool;
     if((lobe_5.kind_1) == u32(2))
     {
-        _S305 = true;
+        _S306 = true;
     }
     else
     {
-        _S305 = (lobe_5.kind_1) == u32(4);
+        _S306 = (lobe_5.kind_1) == u32(4);
     }
-    return _S305;
+    return _S306;
 }
 
 struct Microfacets_0
@@ -2592,13 +2597,13 @@ struct DiffPair_Microfacets_0
 
 fn s_fwd_facets_of_0( lobe_7 : Lobe_0,  dpnumbers_1 : DiffPair_Numbers_0) -> DiffPair_Microfacets_0
 {
-    var _S306 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( dpnumbers_1.primal_0.alpha_0, dpnumbers_1.differential_0.alpha_0 );
-    var _S307 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(0.00009999999747379f), vec2<f32>(0.0f) );
-    var _S308 : DiffPair_vectorx3Cfloatx2C2x3E_0 = _d_max_vector_0(_S306, _S307);
-    var _S309 : Microfacets_0 = Microfacets_0( lobe_7.distribution_0, _S308.primal_0 );
-    var _S310 : Microfacets_Differential_0 = Microfacets_Differential_0( _S308.differential_0 );
-    var _S311 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S309, _S310 );
-    return _S311;
+    var _S307 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( dpnumbers_1.primal_0.alpha_0, dpnumbers_1.differential_0.alpha_0 );
+    var _S308 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( vec2<f32>(0.00009999999747379f), vec2<f32>(0.0f) );
+    var _S309 : DiffPair_vectorx3Cfloatx2C2x3E_0 = _d_max_vector_0(_S307, _S308);
+    var _S310 : Microfacets_0 = Microfacets_0( lobe_7.distribution_0, _S309.primal_0 );
+    var _S311 : Microfacets_Differential_0 = Microfacets_Differential_0( _S309.differential_0 );
+    var _S312 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S310, _S311 );
+    return _S312;
 }
 
 struct Stretched_0
@@ -2613,37 +2618,37 @@ fn stretched_0( facets_1 : Microfacets_0,  wi_2 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_2.xy * facets_1.alpha_1, wi_2.z);
     var view_2 : Stretched_0;
-    var _S312 : f32 = length(longer_0);
-    view_2.length_0 = _S312;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S312);
-    var _S313 : vec2<f32> = longer_1.xy;
-    var _S314 : f32 = length(_S313);
-    view_2.sine_4 = _S314;
+    var _S313 : f32 = length(longer_0);
+    view_2.length_0 = _S313;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S313);
+    var _S314 : vec2<f32> = longer_1.xy;
+    var _S315 : f32 = length(_S314);
+    view_2.sine_4 = _S315;
     view_2.cosine_6 = longer_1.z;
-    var _S315 : vec2<f32>;
-    if(_S314 > 0.0f)
+    var _S316 : vec2<f32>;
+    if(_S315 > 0.0f)
     {
-        _S315 = _S313 / vec2<f32>(view_2.sine_4);
+        _S316 = _S314 / vec2<f32>(view_2.sine_4);
     }
     else
     {
-        _S315 = vec2<f32>(1.0f, 0.0f);
+        _S316 = vec2<f32>(1.0f, 0.0f);
     }
-    view_2.around_0 = _S315;
+    view_2.around_0 = _S316;
     return view_2;
 }
 
 fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
 {
-    var _S316 : f32 = u_8.x;
-    var radius_2 : f32 = sqrt(_S316);
+    var _S317 : f32 = u_8.x;
+    var radius_2 : f32 = sqrt(_S317);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_8.y);
     var across_3 : f32 = radius_2 * turn_3.y;
     var along_3 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_3.cosine_6);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S317 : f32 = 1.0f - _S316;
-    var edge_0 : f32 = sqrt(_S317 + along_3 * along_3);
+    var _S318 : f32 = 1.0f - _S317;
+    var edge_0 : f32 = sqrt(_S318 + along_3 * along_3);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_3;
     var from_top_0 : f32 = edge_0 - along_3;
     var from_bottom_0 : f32 = edge_0 + along_3;
@@ -2651,14 +2656,14 @@ fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_3 > 0.0f)
     {
-        from_top_1 = _S317 / from_bottom_0;
+        from_top_1 = _S318 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S318 : f32 = _S317 / from_top_0;
+        var _S319 : f32 = _S318 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S318;
+        from_bottom_1 = _S319;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_3.sine_4 - up_0 * view_3.cosine_6, across_3, max(towards_0 * view_3.cosine_6 + up_0 * view_3.sine_4, 0.0f));
@@ -2679,100 +2684,100 @@ fn s_fwd_exponential_0( dpx_11 : DiffPair_float_0) -> DiffPair_float_0
 {
     if((dpx_11.primal_0) < -87.0f)
     {
-        var _S319 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
-        return _S319;
+        var _S320 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+        return _S320;
     }
     var power_1 : f32 = floor(dpx_11.primal_0 * 1.4426950216293335f + 0.5f);
     var r_1 : f32 = dpx_11.primal_0 - power_1 * 0.693359375f + power_1 * 0.00021219444170129f;
-    var _S320 : f32 = 0.00019875691214111f * r_1 + 0.00139819993637502f;
-    var _S321 : f32 = _S320 * r_1 + 0.00833345204591751f;
-    var tail_1 : f32 = _S321 * r_1 + 0.04166579619050026f;
-    var _S322 : f32 = tail_1 * r_1 + 0.1666666567325592f;
-    var tail_2 : f32 = _S322 * r_1 + 0.5f;
-    var _S323 : f32 = tail_2 * r_1;
-    var _S324 : f32 = (bitcast<f32>(((u32(i32(power_1) + i32(127)) << (u32(23))))));
-    var _S325 : DiffPair_float_0 = DiffPair_float_0( (_S323 * r_1 + r_1 + 1.0f) * _S324, ((((((dpx_11.differential_0 * 0.00019875691214111f * r_1 + dpx_11.differential_0 * _S320) * r_1 + dpx_11.differential_0 * _S321) * r_1 + dpx_11.differential_0 * tail_1) * r_1 + dpx_11.differential_0 * _S322) * r_1 + dpx_11.differential_0 * tail_2) * r_1 + dpx_11.differential_0 * _S323 + dpx_11.differential_0) * _S324 );
-    return _S325;
+    var _S321 : f32 = 0.00019875691214111f * r_1 + 0.00139819993637502f;
+    var _S322 : f32 = _S321 * r_1 + 0.00833345204591751f;
+    var tail_1 : f32 = _S322 * r_1 + 0.04166579619050026f;
+    var _S323 : f32 = tail_1 * r_1 + 0.1666666567325592f;
+    var tail_2 : f32 = _S323 * r_1 + 0.5f;
+    var _S324 : f32 = tail_2 * r_1;
+    var _S325 : f32 = (bitcast<f32>(((u32(i32(power_1) + i32(127)) << (u32(23))))));
+    var _S326 : DiffPair_float_0 = DiffPair_float_0( (_S324 * r_1 + r_1 + 1.0f) * _S325, ((((((dpx_11.differential_0 * 0.00019875691214111f * r_1 + dpx_11.differential_0 * _S321) * r_1 + dpx_11.differential_0 * _S322) * r_1 + dpx_11.differential_0 * tail_1) * r_1 + dpx_11.differential_0 * _S323) * r_1 + dpx_11.differential_0 * tail_2) * r_1 + dpx_11.differential_0 * _S324 + dpx_11.differential_0) * _S325 );
+    return _S326;
 }
 
 fn error_function_plus_one_0( x_9 : f32) -> vec2<f32>
 {
-    var _S326 : f32 = min(abs(x_9), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S326 * _S326);
-    var place_20 : f32 = (_S326 - 2.0f) / (_S326 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_20 - 0.00127731403335929f) * place_20 + 0.00131371302995831f) * place_20 + 0.008666617795825f) * place_20 - 0.00805134233087301f) * place_20 - 0.05421232059597969f) * place_20 + 0.1640533059835434f) * place_20 - 0.16603080928325653f) * place_20 - 0.09276388585567474f) * place_20 + 1.27697837352752686f) / (1.0f + 2.0f * _S326);
-    var _S327 : f32;
+    var _S327 : f32 = min(abs(x_9), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S327 * _S327);
+    var place_20 : f32 = (_S327 - 2.0f) / (_S327 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_20 - 0.00127731403335929f) * place_20 + 0.00131371302995831f) * place_20 + 0.008666617795825f) * place_20 - 0.00805134233087301f) * place_20 - 0.05421232059597969f) * place_20 + 0.1640533059835434f) * place_20 - 0.16603080928325653f) * place_20 - 0.09276388585567474f) * place_20 + 1.27697837352752686f) / (1.0f + 2.0f * _S327);
+    var _S328 : f32;
     if(x_9 < 0.0f)
     {
-        _S327 = complement_0;
+        _S328 = complement_0;
     }
     else
     {
-        _S327 = 2.0f - complement_0;
+        _S328 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S327, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S328, 1.128379225730896f * gaussian_0);
 }
 
 fn error_function_changed_0( x_10 : DiffPair_float_0) -> DiffPair_vectorx3Cfloatx2C2x3E_0
 {
     var both_0 : vec2<f32> = error_function_plus_one_0(x_10.primal_0);
-    var _S328 : f32 = both_0.y;
-    var _S329 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( both_0, vec2<f32>(_S328, -2.0f * x_10.primal_0 * _S328) * vec2<f32>(x_10.differential_0) );
-    return _S329;
+    var _S329 : f32 = both_0.y;
+    var _S330 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( both_0, vec2<f32>(_S329, -2.0f * x_10.primal_0 * _S329) * vec2<f32>(x_10.differential_0) );
+    return _S330;
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_4 : vec3<f32>) -> f32
 {
     var stretched_1 : vec2<f32> = w_4.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_1, stretched_1);
-    var _S330 : f32 = w_4.z;
-    var z2_1 : f32 = _S330 * _S330;
+    var _S331 : f32 = w_4.z;
+    var z2_1 : f32 = _S331 * _S331;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S330 + sqrt(z2_1 + spread2_0));
+        return 2.0f / (_S331 + sqrt(z2_1 + spread2_0));
     }
     if(z2_1 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S330;
+        return 1.0f / _S331;
     }
     var spread_0 : f32 = sqrt(spread2_0);
-    var both_1 : vec2<f32> = error_function_plus_one_0(_S330 / spread_0);
-    return 2.0f / (_S330 * both_1.x + 0.5f * spread_0 * both_1.y);
+    var both_1 : vec2<f32> = error_function_plus_one_0(_S331 / spread_0);
+    return 2.0f / (_S331 * both_1.x + 0.5f * spread_0 * both_1.y);
 }
 
 fn s_fwd_visible_over_cos_0( dpfacets_0 : DiffPair_Microfacets_0,  dpw_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
 {
-    var _S331 : vec2<f32> = dpw_0.primal_0.xy;
-    var _S332 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S331 * dpfacets_0.primal_0.alpha_1, dpw_0.differential_0.xy * dpfacets_0.primal_0.alpha_1 + dpfacets_0.differential_0.alpha_2 * _S331 );
-    var _S333 : DiffPair_float_0 = _d_dot_0(_S332, _S332);
-    var _S334 : f32 = dpw_0.primal_0.z;
-    var _S335 : f32 = dpw_0.differential_0.z;
-    var z2_2 : f32 = _S334 * _S334;
-    var _S336 : f32 = _S335 * _S334;
-    var s_diff_z2_0 : f32 = _S336 + _S336;
+    var _S332 : vec2<f32> = dpw_0.primal_0.xy;
+    var _S333 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S332 * dpfacets_0.primal_0.alpha_1, dpw_0.differential_0.xy * dpfacets_0.primal_0.alpha_1 + dpfacets_0.differential_0.alpha_2 * _S332 );
+    var _S334 : DiffPair_float_0 = _d_dot_0(_S333, _S333);
+    var _S335 : f32 = dpw_0.primal_0.z;
+    var _S336 : f32 = dpw_0.differential_0.z;
+    var z2_2 : f32 = _S335 * _S335;
+    var _S337 : f32 = _S336 * _S335;
+    var s_diff_z2_0 : f32 = _S337 + _S337;
     if((dpfacets_0.primal_0.distribution_1) == u32(1))
     {
-        var _S337 : DiffPair_float_0 = DiffPair_float_0( z2_2 + _S333.primal_0, s_diff_z2_0 + _S333.differential_0 );
-        var _S338 : DiffPair_float_0 = _d_sqrt_0(_S337);
-        var _S339 : f32 = _S334 + _S338.primal_0;
-        var _S340 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S339, (0.0f - 2.0f * (_S335 + _S338.differential_0)) / (_S339 * _S339) );
-        return _S340;
-    }
-    if(z2_2 >= (36.0f * _S333.primal_0))
-    {
-        var _S341 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S334, (0.0f - _S335) / z2_2 );
+        var _S338 : DiffPair_float_0 = DiffPair_float_0( z2_2 + _S334.primal_0, s_diff_z2_0 + _S334.differential_0 );
+        var _S339 : DiffPair_float_0 = _d_sqrt_0(_S338);
+        var _S340 : f32 = _S335 + _S339.primal_0;
+        var _S341 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S340, (0.0f - 2.0f * (_S336 + _S339.differential_0)) / (_S340 * _S340) );
         return _S341;
     }
-    var _S342 : DiffPair_float_0 = DiffPair_float_0( _S333.primal_0, _S333.differential_0 );
-    var _S343 : DiffPair_float_0 = _d_sqrt_0(_S342);
-    var _S344 : DiffPair_float_0 = DiffPair_float_0( _S334 / _S343.primal_0, (_S335 * _S343.primal_0 - _S334 * _S343.differential_0) / (_S343.primal_0 * _S343.primal_0) );
-    var _S345 : DiffPair_vectorx3Cfloatx2C2x3E_0 = error_function_changed_0(_S344);
-    var _S346 : f32 = _S345.primal_0.x;
-    var _S347 : f32 = 0.5f * _S343.primal_0;
-    var _S348 : f32 = _S345.primal_0.y;
-    var _S349 : f32 = _S334 * _S346 + _S347 * _S348;
-    var _S350 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S349, (0.0f - 2.0f * (_S335 * _S346 + _S345.differential_0.x * _S334 + (_S343.differential_0 * 0.5f * _S348 + _S345.differential_0.y * _S347))) / (_S349 * _S349) );
-    return _S350;
+    if(z2_2 >= (36.0f * _S334.primal_0))
+    {
+        var _S342 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S335, (0.0f - _S336) / z2_2 );
+        return _S342;
+    }
+    var _S343 : DiffPair_float_0 = DiffPair_float_0( _S334.primal_0, _S334.differential_0 );
+    var _S344 : DiffPair_float_0 = _d_sqrt_0(_S343);
+    var _S345 : DiffPair_float_0 = DiffPair_float_0( _S335 / _S344.primal_0, (_S336 * _S344.primal_0 - _S335 * _S344.differential_0) / (_S344.primal_0 * _S344.primal_0) );
+    var _S346 : DiffPair_vectorx3Cfloatx2C2x3E_0 = error_function_changed_0(_S345);
+    var _S347 : f32 = _S346.primal_0.x;
+    var _S348 : f32 = 0.5f * _S344.primal_0;
+    var _S349 : f32 = _S346.primal_0.y;
+    var _S350 : f32 = _S335 * _S347 + _S348 * _S349;
+    var _S351 : DiffPair_float_0 = DiffPair_float_0( 2.0f / _S350, (0.0f - 2.0f * (_S336 * _S347 + _S346.differential_0.x * _S335 + (_S344.differential_0 * 0.5f * _S349 + _S346.differential_0.y * _S348))) / (_S350 * _S350) );
+    return _S351;
 }
 
 fn logarithm_0( x_11 : f32) -> f32
@@ -2822,8 +2827,8 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_9.x * (2.0f / (visible_1 * view_4.length_0));
-    var _S351 : f32 = max(view_4.cosine_6, view_4.sine_4);
-    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S351 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S351, -6.0f, 0.5f * steepest_0);
+    var _S352 : f32 = max(view_4.cosine_6, view_4.sine_4);
+    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S352 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S352, -6.0f, 0.5f * steepest_0);
     var low_4 : f32 = -6.0f;
     var high_1 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -2837,10 +2842,10 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             break;
         }
         var both_2 : vec2<f32> = error_function_plus_one_0(slope_0);
-        var _S352 : f32 = both_2.y;
-        var error_0 : f32 = view_4.cosine_6 * both_2.x + 0.5f * view_4.sine_4 * _S352 - target_1;
-        var own_2 : f32 = _S352 * (view_4.cosine_6 - slope_0 * view_4.sine_4);
-        var bend_0 : f32 = -2.0f * slope_0 * own_2 - _S352 * view_4.sine_4;
+        var _S353 : f32 = both_2.y;
+        var error_0 : f32 = view_4.cosine_6 * both_2.x + 0.5f * view_4.sine_4 * _S353 - target_1;
+        var own_2 : f32 = _S353 * (view_4.cosine_6 - slope_0 * view_4.sine_4);
+        var bend_0 : f32 = -2.0f * slope_0 * own_2 - _S353 * view_4.sine_4;
         if(error_0 > 0.0f)
         {
             high_1 = slope_0;
@@ -2850,17 +2855,17 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             low_4 = slope_0;
         }
         var next_0 : f32 = slope_0 - error_0 * own_2 / (own_2 * own_2 - 0.5f * error_0 * bend_0);
-        var _S353 : bool;
+        var _S354 : bool;
         if(next_0 >= low_4)
         {
-            _S353 = next_0 <= high_1;
+            _S354 = next_0 <= high_1;
         }
         else
         {
-            _S353 = false;
+            _S354 = false;
         }
         var next_1 : f32;
-        if(!_S353)
+        if(!_S354)
         {
             next_1 = 0.5f * (low_4 + high_1);
         }
@@ -2873,9 +2878,9 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             slope_0 = next_1;
             break;
         }
-        var _S354 : u32 = step_0 + u32(1);
+        var _S355 : u32 = step_0 + u32(1);
         slope_0 = next_1;
-        step_0 = _S354;
+        step_0 = _S355;
     }
     return vec3<f32>(- slope_0, error_function_inverse_0(max(2.0f * u_9.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -2892,11 +2897,11 @@ fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  u_10 : vec
     {
         normal_9 = beckmann_normal_0(view_5, visible_over_cos_0(facets_3, wi_3), u_10);
     }
-    var _S355 : f32 = view_5.around_0.x;
-    var _S356 : f32 = normal_9.x;
-    var _S357 : f32 = view_5.around_0.y;
-    var _S358 : f32 = normal_9.y;
-    var normal_10 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S355 * _S356 - _S357 * _S358, _S357 * _S356 + _S355 * _S358) * facets_3.alpha_1, normal_9.z));
+    var _S356 : f32 = view_5.around_0.x;
+    var _S357 : f32 = normal_9.x;
+    var _S358 : f32 = view_5.around_0.y;
+    var _S359 : f32 = normal_9.y;
+    var normal_10 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S356 * _S357 - _S358 * _S359, _S358 * _S357 + _S356 * _S359) * facets_3.alpha_1, normal_9.z));
     return normalize(normal_10 * vec3<f32>((2.0f * dot(wi_3, normal_10))) - wi_3);
 }
 
@@ -2909,9 +2914,9 @@ struct Drawn_0
 
 fn draw_0( lobe_8 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32>) -> Drawn_0
 {
-    var _S359 : bool = (lobe_8.kind_1) == u32(0);
+    var _S360 : bool = (lobe_8.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S359)
+    if(_S360)
     {
         has_base_0 = true;
     }
@@ -2928,7 +2933,7 @@ fn draw_0( lobe_8 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32
         has_base_0 = (lobe_8.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S359)
+    if(_S360)
     {
         of_base_1 = 1.0f;
     }
@@ -2936,16 +2941,16 @@ fn draw_0( lobe_8 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32
     {
         of_base_1 = 0.0f;
     }
-    var _S360 : bool;
+    var _S361 : bool;
     if((lobe_8.kind_1) == u32(3))
     {
-        _S360 = true;
+        _S361 = true;
     }
     else
     {
-        _S360 = (lobe_8.kind_1) == u32(4);
+        _S361 = (lobe_8.kind_1) == u32(4);
     }
-    if(_S360)
+    if(_S361)
     {
         of_base_1 = base_probability_0(lobe_8.numbers_2, transmittance_0(lobe_8, coat_eta_0(lobe_8.numbers_2), wi_4.z));
     }
@@ -2988,9 +2993,9 @@ fn sample_material_0( vertex_2 : Vertex_0,  key_8 : vec2<u32>,  first_5 : u32) -
     sample_1.is_specular_0 = drawn_1.is_specular_1;
     sample_1.probability_1 = drawn_1.probability_2;
     sample_1.wo_0 = drawn_1.wo_1;
-    var _S361 : vec3<f32> = normalize(to_world_0(vertex_2.axes_1, drawn_1.wo_1));
-    sample_1.direction_11 = _S361;
-    sample_1.way_1 = _S361;
+    var _S362 : vec3<f32> = normalize(to_world_0(vertex_2.axes_1, drawn_1.wo_1));
+    sample_1.direction_11 = _S362;
+    sample_1.way_1 = _S362;
     sample_1.nearest_0 = limit_at_0(u32(2));
     sample_1.farthest_0 = limit_at_0(u32(1));
     sample_1.emitter_5 = u32(4294967295);
@@ -3013,52 +3018,52 @@ fn specular_direction_0( vertex_3 : Vertex_0,  direction_12 : vec3<f32>,  wo_2 :
 
 fn s_fwd_fresnel_conductor_channel_0( dpcosine_2 : DiffPair_float_0,  dpeta_2 : DiffPair_float_0,  dpk_0 : DiffPair_float_0) -> DiffPair_float_0
 {
-    var _S362 : f32 = dpcosine_2.primal_0;
-    var cos2_2 : f32 = _S362 * _S362;
-    var _S363 : f32 = dpcosine_2.differential_0 * dpcosine_2.primal_0;
-    var s_diff_cos2_1 : f32 = _S363 + _S363;
+    var _S363 : f32 = dpcosine_2.primal_0;
+    var cos2_2 : f32 = _S363 * _S363;
+    var _S364 : f32 = dpcosine_2.differential_0 * dpcosine_2.primal_0;
+    var s_diff_cos2_1 : f32 = _S364 + _S364;
     var sin2_0 : f32 = 1.0f - cos2_2;
     var s_diff_sin2_0 : f32 = 0.0f - s_diff_cos2_1;
-    var _S364 : f32 = dpeta_2.differential_0 * dpeta_2.primal_0;
-    var _S365 : f32 = dpk_0.differential_0 * dpk_0.primal_0;
+    var _S365 : f32 = dpeta_2.differential_0 * dpeta_2.primal_0;
+    var _S366 : f32 = dpk_0.differential_0 * dpk_0.primal_0;
     var real_0 : f32 = dpeta_2.primal_0 * dpeta_2.primal_0 - dpk_0.primal_0 * dpk_0.primal_0 - sin2_0;
-    var s_diff_real_0 : f32 = _S364 + _S364 - (_S365 + _S365) - s_diff_sin2_0;
+    var s_diff_real_0 : f32 = _S365 + _S365 - (_S366 + _S366) - s_diff_sin2_0;
     var product_1 : f32 = dpeta_2.primal_0 * dpk_0.primal_0;
     var s_diff_product_0 : f32 = dpeta_2.differential_0 * dpk_0.primal_0 + dpk_0.differential_0 * dpeta_2.primal_0;
-    var _S366 : f32 = s_diff_real_0 * real_0;
-    var _S367 : f32 = s_diff_product_0 * product_1;
-    var _S368 : DiffPair_float_0 = DiffPair_float_0( real_0 * real_0 + 4.0f * (product_1 * product_1), _S366 + _S366 + (_S367 + _S367) * 4.0f );
-    var _S369 : DiffPair_float_0 = _d_sqrt_0(_S368);
-    if((_S369.primal_0) == 0.0f)
+    var _S367 : f32 = s_diff_real_0 * real_0;
+    var _S368 : f32 = s_diff_product_0 * product_1;
+    var _S369 : DiffPair_float_0 = DiffPair_float_0( real_0 * real_0 + 4.0f * (product_1 * product_1), _S367 + _S367 + (_S368 + _S368) * 4.0f );
+    var _S370 : DiffPair_float_0 = _d_sqrt_0(_S369);
+    if((_S370.primal_0) == 0.0f)
     {
-        var _S370 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
-        return _S370;
+        var _S371 : DiffPair_float_0 = DiffPair_float_0( 1.0f, 0.0f );
+        return _S371;
     }
-    var _S371 : DiffPair_float_0 = DiffPair_float_0( real_0, s_diff_real_0 );
-    var _S372 : DiffPair_float_0 = _d_abs_0(_S371);
-    var _S373 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (_S369.primal_0 + _S372.primal_0), (_S369.differential_0 + _S372.differential_0) * 0.5f );
-    var _S374 : DiffPair_float_0 = _d_sqrt_0(_S373);
-    var smaller_0 : f32 = product_1 / _S374.primal_0;
-    var s_diff_smaller_0 : f32 = (s_diff_product_0 * _S374.primal_0 - product_1 * _S374.differential_0) / (_S374.primal_0 * _S374.primal_0);
-    var _S375 : bool = real_0 < 0.0f;
+    var _S372 : DiffPair_float_0 = DiffPair_float_0( real_0, s_diff_real_0 );
+    var _S373 : DiffPair_float_0 = _d_abs_0(_S372);
+    var _S374 : DiffPair_float_0 = DiffPair_float_0( 0.5f * (_S370.primal_0 + _S373.primal_0), (_S370.differential_0 + _S373.differential_0) * 0.5f );
+    var _S375 : DiffPair_float_0 = _d_sqrt_0(_S374);
+    var smaller_0 : f32 = product_1 / _S375.primal_0;
+    var s_diff_smaller_0 : f32 = (s_diff_product_0 * _S375.primal_0 - product_1 * _S375.differential_0) / (_S375.primal_0 * _S375.primal_0);
+    var _S376 : bool = real_0 < 0.0f;
     var a_20 : f32;
     var s_diff_a_1 : f32;
-    if(_S375)
+    if(_S376)
     {
         a_20 = smaller_0;
         s_diff_a_1 = s_diff_smaller_0;
     }
     else
     {
-        a_20 = _S374.primal_0;
-        s_diff_a_1 = _S374.differential_0;
+        a_20 = _S375.primal_0;
+        s_diff_a_1 = _S375.differential_0;
     }
     var b_14 : f32;
     var s_diff_b_1 : f32;
-    if(_S375)
+    if(_S376)
     {
-        b_14 = _S374.primal_0;
-        s_diff_b_1 = _S374.differential_0;
+        b_14 = _S375.primal_0;
+        s_diff_b_1 = _S375.differential_0;
     }
     else
     {
@@ -3067,68 +3072,68 @@ fn s_fwd_fresnel_conductor_channel_0( dpcosine_2 : DiffPair_float_0,  dpeta_2 : 
     }
     var less_0 : f32 = a_20 - dpcosine_2.primal_0;
     var more_0 : f32 = a_20 + dpcosine_2.primal_0;
-    var _S376 : f32 = (s_diff_a_1 - dpcosine_2.differential_0) * less_0;
-    var _S377 : f32 = b_14 * b_14;
-    var _S378 : f32 = s_diff_b_1 * b_14;
-    var _S379 : f32 = _S378 + _S378;
-    var _S380 : f32 = less_0 * less_0 + _S377;
-    var _S381 : f32 = (s_diff_a_1 + dpcosine_2.differential_0) * more_0;
-    var _S382 : f32 = more_0 * more_0 + _S377;
-    var senkrecht_2 : f32 = _S380 / _S382;
-    var _S383 : f32 = s_diff_sin2_0 * sin2_0;
-    var p_sum_2 : f32 = _S369.primal_0 * cos2_2 + sin2_0 * sin2_0;
-    var s_diff_p_sum_0 : f32 = _S369.differential_0 * cos2_2 + s_diff_cos2_1 * _S369.primal_0 + (_S383 + _S383);
-    var _S384 : f32 = senkrecht_2 * p_sum_2;
-    var _S385 : f32 = 2.0f * a_20;
-    var _S386 : f32 = _S385 * dpcosine_2.primal_0;
-    var _S387 : f32 = p_sum_2 + _S386 * sin2_0;
-    var _S388 : DiffPair_float_0 = DiffPair_float_0( _S384 / _S387, ((((_S376 + _S376 + _S379) * _S382 - _S380 * (_S381 + _S381 + _S379)) / (_S382 * _S382) * p_sum_2 + s_diff_p_sum_0 * senkrecht_2) * _S387 - _S384 * (s_diff_p_sum_0 + ((s_diff_a_1 * 2.0f * dpcosine_2.primal_0 + dpcosine_2.differential_0 * _S385) * sin2_0 + s_diff_sin2_0 * _S386))) / (_S387 * _S387) );
-    return _S388;
+    var _S377 : f32 = (s_diff_a_1 - dpcosine_2.differential_0) * less_0;
+    var _S378 : f32 = b_14 * b_14;
+    var _S379 : f32 = s_diff_b_1 * b_14;
+    var _S380 : f32 = _S379 + _S379;
+    var _S381 : f32 = less_0 * less_0 + _S378;
+    var _S382 : f32 = (s_diff_a_1 + dpcosine_2.differential_0) * more_0;
+    var _S383 : f32 = more_0 * more_0 + _S378;
+    var senkrecht_2 : f32 = _S381 / _S383;
+    var _S384 : f32 = s_diff_sin2_0 * sin2_0;
+    var p_sum_2 : f32 = _S370.primal_0 * cos2_2 + sin2_0 * sin2_0;
+    var s_diff_p_sum_0 : f32 = _S370.differential_0 * cos2_2 + s_diff_cos2_1 * _S370.primal_0 + (_S384 + _S384);
+    var _S385 : f32 = senkrecht_2 * p_sum_2;
+    var _S386 : f32 = 2.0f * a_20;
+    var _S387 : f32 = _S386 * dpcosine_2.primal_0;
+    var _S388 : f32 = p_sum_2 + _S387 * sin2_0;
+    var _S389 : DiffPair_float_0 = DiffPair_float_0( _S385 / _S388, ((((_S377 + _S377 + _S380) * _S383 - _S381 * (_S382 + _S382 + _S380)) / (_S383 * _S383) * p_sum_2 + s_diff_p_sum_0 * senkrecht_2) * _S388 - _S385 * (s_diff_p_sum_0 + ((s_diff_a_1 * 2.0f * dpcosine_2.primal_0 + dpcosine_2.differential_0 * _S386) * sin2_0 + s_diff_sin2_0 * _S387))) / (_S388 * _S388) );
+    return _S389;
 }
 
 fn s_fwd_fresnel_conductor_0( dpcosine_3 : DiffPair_float_0,  dpeta_3 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpk_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S389 : DiffPair_float_0 = DiffPair_float_0( dpcosine_3.primal_0, dpcosine_3.differential_0 );
-    var _S390 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0.x, dpeta_3.differential_0.x );
-    var _S391 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.x, dpk_1.differential_0.x );
-    var _S392 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S389, _S390, _S391);
-    var _S393 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0.y, dpeta_3.differential_0.y );
-    var _S394 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.y, dpk_1.differential_0.y );
-    var _S395 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S389, _S393, _S394);
-    var _S396 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0.z, dpeta_3.differential_0.z );
-    var _S397 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.z, dpk_1.differential_0.z );
-    var _S398 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S389, _S396, _S397);
-    var _S399 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S392.primal_0, _S395.primal_0, _S398.primal_0), vec3<f32>(_S392.differential_0, _S395.differential_0, _S398.differential_0) );
-    return _S399;
+    var _S390 : DiffPair_float_0 = DiffPair_float_0( dpcosine_3.primal_0, dpcosine_3.differential_0 );
+    var _S391 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0.x, dpeta_3.differential_0.x );
+    var _S392 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.x, dpk_1.differential_0.x );
+    var _S393 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S390, _S391, _S392);
+    var _S394 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0.y, dpeta_3.differential_0.y );
+    var _S395 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.y, dpk_1.differential_0.y );
+    var _S396 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S390, _S394, _S395);
+    var _S397 : DiffPair_float_0 = DiffPair_float_0( dpeta_3.primal_0.z, dpeta_3.differential_0.z );
+    var _S398 : DiffPair_float_0 = DiffPair_float_0( dpk_1.primal_0.z, dpk_1.differential_0.z );
+    var _S399 : DiffPair_float_0 = s_fwd_fresnel_conductor_channel_0(_S390, _S397, _S398);
+    var _S400 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S393.primal_0, _S396.primal_0, _S399.primal_0), vec3<f32>(_S393.differential_0, _S396.differential_0, _S399.differential_0) );
+    return _S400;
 }
 
 fn s_fwd_specular_fraction_0( lobe_9 : Lobe_0,  dpnumbers_2 : DiffPair_Numbers_0,  dpwi_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
     if((lobe_9.kind_1) == u32(1))
     {
-        var _S400 : DiffPair_float_0 = DiffPair_float_0( dpwi_0.primal_0.z, dpwi_0.differential_0.z );
-        var _S401 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.eta_0, dpnumbers_2.differential_0.eta_0 );
-        var _S402 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.k_0, dpnumbers_2.differential_0.k_0 );
-        var _S403 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S400, _S401, _S402);
-        var _S404 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.specular_reflectance_0 * _S403.primal_0, dpnumbers_2.differential_0.specular_reflectance_0 * _S403.primal_0 + _S403.differential_0 * dpnumbers_2.primal_0.specular_reflectance_0 );
-        return _S404;
+        var _S401 : DiffPair_float_0 = DiffPair_float_0( dpwi_0.primal_0.z, dpwi_0.differential_0.z );
+        var _S402 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.eta_0, dpnumbers_2.differential_0.eta_0 );
+        var _S403 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.k_0, dpnumbers_2.differential_0.k_0 );
+        var _S404 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S401, _S402, _S403);
+        var _S405 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.specular_reflectance_0 * _S404.primal_0, dpnumbers_2.differential_0.specular_reflectance_0 * _S404.primal_0 + _S404.differential_0 * dpnumbers_2.primal_0.specular_reflectance_0 );
+        return _S405;
     }
-    var _S405 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
-    var _S406 : DiffPair_float_0 = s_fwd_coat_eta_0(_S405);
-    var _S407 : DiffPair_float_0 = DiffPair_float_0( dpwi_0.primal_0.z, dpwi_0.differential_0.z );
-    var _S408 : DiffPair_float_0 = DiffPair_float_0( _S406.primal_0, _S406.differential_0 );
-    var _S409 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S407, _S408);
-    var _S410 : vec3<f32> = vec3<f32>(_S409.primal_0);
-    var _S411 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.specular_reflectance_0 * _S410, dpnumbers_2.differential_0.specular_reflectance_0 * _S410 + vec3<f32>(_S409.differential_0) * dpnumbers_2.primal_0.specular_reflectance_0 );
-    return _S411;
+    var _S406 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_2.primal_0, dpnumbers_2.differential_0 );
+    var _S407 : DiffPair_float_0 = s_fwd_coat_eta_0(_S406);
+    var _S408 : DiffPair_float_0 = DiffPair_float_0( dpwi_0.primal_0.z, dpwi_0.differential_0.z );
+    var _S409 : DiffPair_float_0 = DiffPair_float_0( _S407.primal_0, _S407.differential_0 );
+    var _S410 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S408, _S409);
+    var _S411 : vec3<f32> = vec3<f32>(_S410.primal_0);
+    var _S412 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_2.primal_0.specular_reflectance_0 * _S411, dpnumbers_2.differential_0.specular_reflectance_0 * _S411 + vec3<f32>(_S410.differential_0) * dpnumbers_2.primal_0.specular_reflectance_0 );
+    return _S412;
 }
 
 fn specular_0( lobe_10 : Lobe_0,  wi_5 : Vector_0) -> Vector_0
 {
-    var _S412 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_10.numbers_2, lobe_10.changes_0 );
-    var _S413 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_5.value_0, wi_5.change_0 );
-    var _S414 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_specular_fraction_0(lobe_10, _S412, _S413);
-    return changing_0(_S414.primal_0, _S414.differential_0);
+    var _S413 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_10.numbers_2, lobe_10.changes_0 );
+    var _S414 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_5.value_0, wi_5.change_0 );
+    var _S415 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_specular_fraction_0(lobe_10, _S413, _S414);
+    return changing_0(_S415.primal_0, _S415.differential_0);
 }
 
 fn turns_1( vertex_4 : Vertex_0) -> bool
@@ -3142,30 +3147,30 @@ fn turns_1( vertex_4 : Vertex_0) -> bool
 
 fn turning_0( vertex_5 : Vertex_0,  direction_13 : vec3<f32>) -> vec3<f32>
 {
-    var _S415 : vec3<f32>;
+    var _S416 : vec3<f32>;
     if(turns_1(vertex_5))
     {
-        _S415 = vertex_5.axes_change_0.n_1 * vec3<f32>(dot(vertex_5.axes_1.n_1, direction_13)) - vertex_5.axes_1.n_1 * vec3<f32>(dot(vertex_5.axes_change_0.n_1, direction_13));
+        _S416 = vertex_5.axes_change_0.n_1 * vec3<f32>(dot(vertex_5.axes_1.n_1, direction_13)) - vertex_5.axes_1.n_1 * vec3<f32>(dot(vertex_5.axes_change_0.n_1, direction_13));
     }
     else
     {
-        _S415 = vec3<f32>(0.0f);
+        _S416 = vec3<f32>(0.0f);
     }
-    return _S415;
+    return _S416;
 }
 
 fn towards_emitter_0( vertex_6 : Vertex_0,  direction_14 : vec3<f32>,  record_14 : u32) -> Vector_0
 {
-    var _S416 : Vector_0;
+    var _S417 : Vector_0;
     if((word_0(record_14)) == u32(1))
     {
-        _S416 = changing_0(direction_14, turning_0(vertex_6, direction_14));
+        _S417 = changing_0(direction_14, turning_0(vertex_6, direction_14));
     }
     else
     {
-        _S416 = still_0(direction_14);
+        _S417 = still_0(direction_14);
     }
-    return _S416;
+    return _S417;
 }
 
 fn turns_onward_0() -> bool
@@ -3193,84 +3198,84 @@ struct DiffPair_Mirrored_0
 
 fn s_fwd_Mirrored_x24init_0( dpcosine_4 : DiffPair_float_0,  dppdf_0 : DiffPair_float_0,  dpscattered_0 : DiffPair_float_0) -> DiffPair_Mirrored_0
 {
-    var _S417 : Mirrored_0 = Mirrored_0( dpcosine_4.primal_0, dppdf_0.primal_0, dpscattered_0.primal_0 );
-    var _S418 : Mirrored_0 = Mirrored_0( dpcosine_4.differential_0, dppdf_0.differential_0, dpscattered_0.differential_0 );
-    var _S419 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S417, _S418 );
-    return _S419;
+    var _S418 : Mirrored_0 = Mirrored_0( dpcosine_4.primal_0, dppdf_0.primal_0, dpscattered_0.primal_0 );
+    var _S419 : Mirrored_0 = Mirrored_0( dpcosine_4.differential_0, dppdf_0.differential_0, dpscattered_0.differential_0 );
+    var _S420 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S418, _S419 );
+    return _S420;
 }
 
 fn s_fwd_density_0( dpfacets_1 : DiffPair_Microfacets_0,  dpm_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_float_0
 {
-    var _S420 : f32 = dpm_0.primal_0.z;
-    var _S421 : f32 = dpm_0.differential_0.z;
-    if(_S420 <= 0.0f)
+    var _S421 : f32 = dpm_0.primal_0.z;
+    var _S422 : f32 = dpm_0.differential_0.z;
+    if(_S421 <= 0.0f)
     {
-        var _S422 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
-        return _S422;
+        var _S423 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+        return _S423;
     }
-    var _S423 : f32 = 3.14159274101257324f * dpfacets_1.primal_0.alpha_1.x;
-    var _S424 : f32 = dpfacets_1.primal_0.alpha_1.y;
-    var scale_0 : f32 = _S423 * _S424;
-    var s_diff_scale_0 : f32 = dpfacets_1.differential_0.alpha_2.x * 3.14159274101257324f * _S424 + dpfacets_1.differential_0.alpha_2.y * _S423;
-    var _S425 : vec2<f32> = dpm_0.primal_0.xy;
-    var _S426 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S425 / dpfacets_1.primal_0.alpha_1, (dpm_0.differential_0.xy * dpfacets_1.primal_0.alpha_1 - _S425 * dpfacets_1.differential_0.alpha_2) / (dpfacets_1.primal_0.alpha_1 * dpfacets_1.primal_0.alpha_1) );
-    var _S427 : DiffPair_float_0 = _d_dot_0(_S426, _S426);
-    var cos2_3 : f32 = _S420 * _S420;
-    var _S428 : f32 = _S421 * _S420;
-    var s_diff_cos2_2 : f32 = _S428 + _S428;
+    var _S424 : f32 = 3.14159274101257324f * dpfacets_1.primal_0.alpha_1.x;
+    var _S425 : f32 = dpfacets_1.primal_0.alpha_1.y;
+    var scale_0 : f32 = _S424 * _S425;
+    var s_diff_scale_0 : f32 = dpfacets_1.differential_0.alpha_2.x * 3.14159274101257324f * _S425 + dpfacets_1.differential_0.alpha_2.y * _S424;
+    var _S426 : vec2<f32> = dpm_0.primal_0.xy;
+    var _S427 : DiffPair_vectorx3Cfloatx2C2x3E_0 = DiffPair_vectorx3Cfloatx2C2x3E_0( _S426 / dpfacets_1.primal_0.alpha_1, (dpm_0.differential_0.xy * dpfacets_1.primal_0.alpha_1 - _S426 * dpfacets_1.differential_0.alpha_2) / (dpfacets_1.primal_0.alpha_1 * dpfacets_1.primal_0.alpha_1) );
+    var _S428 : DiffPair_float_0 = _d_dot_0(_S427, _S427);
+    var cos2_3 : f32 = _S421 * _S421;
+    var _S429 : f32 = _S422 * _S421;
+    var s_diff_cos2_2 : f32 = _S429 + _S429;
     if((dpfacets_1.primal_0.distribution_1) == u32(1))
     {
-        var sum_2 : f32 = _S427.primal_0 + cos2_3;
-        var s_diff_sum_0 : f32 = _S427.differential_0 + s_diff_cos2_2;
-        var _S429 : f32 = scale_0 * sum_2;
-        var _S430 : f32 = _S429 * sum_2;
-        var _S431 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S430, (0.0f - ((s_diff_scale_0 * sum_2 + s_diff_sum_0 * scale_0) * sum_2 + s_diff_sum_0 * _S429)) / (_S430 * _S430) );
-        return _S431;
+        var sum_2 : f32 = _S428.primal_0 + cos2_3;
+        var s_diff_sum_0 : f32 = _S428.differential_0 + s_diff_cos2_2;
+        var _S430 : f32 = scale_0 * sum_2;
+        var _S431 : f32 = _S430 * sum_2;
+        var _S432 : DiffPair_float_0 = DiffPair_float_0( 1.0f / _S431, (0.0f - ((s_diff_scale_0 * sum_2 + s_diff_sum_0 * scale_0) * sum_2 + s_diff_sum_0 * _S430)) / (_S431 * _S431) );
+        return _S432;
     }
-    var exponent_0 : f32 = _S427.primal_0 / cos2_3;
-    var s_diff_exponent_0 : f32 = (_S427.differential_0 * cos2_3 - _S427.primal_0 * s_diff_cos2_2) / (cos2_3 * cos2_3);
-    var _S432 : f32;
+    var exponent_0 : f32 = _S428.primal_0 / cos2_3;
+    var s_diff_exponent_0 : f32 = (_S428.differential_0 * cos2_3 - _S428.primal_0 * s_diff_cos2_2) / (cos2_3 * cos2_3);
     var _S433 : f32;
+    var _S434 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S432 = 0.0f;
         _S433 = 0.0f;
+        _S434 = 0.0f;
     }
     else
     {
-        var _S434 : DiffPair_float_0 = DiffPair_float_0( - exponent_0, - s_diff_exponent_0 );
-        var _S435 : DiffPair_float_0 = s_fwd_exponential_0(_S434);
-        var _S436 : f32 = scale_0 * cos2_3;
-        var _S437 : f32 = _S436 * cos2_3;
-        var _S438 : f32 = (_S435.differential_0 * _S437 - _S435.primal_0 * ((s_diff_scale_0 * cos2_3 + s_diff_cos2_2 * scale_0) * cos2_3 + s_diff_cos2_2 * _S436)) / (_S437 * _S437);
-        _S432 = _S435.primal_0 / _S437;
-        _S433 = _S438;
+        var _S435 : DiffPair_float_0 = DiffPair_float_0( - exponent_0, - s_diff_exponent_0 );
+        var _S436 : DiffPair_float_0 = s_fwd_exponential_0(_S435);
+        var _S437 : f32 = scale_0 * cos2_3;
+        var _S438 : f32 = _S437 * cos2_3;
+        var _S439 : f32 = (_S436.differential_0 * _S438 - _S436.primal_0 * ((s_diff_scale_0 * cos2_3 + s_diff_cos2_2 * scale_0) * cos2_3 + s_diff_cos2_2 * _S437)) / (_S438 * _S438);
+        _S433 = _S436.primal_0 / _S438;
+        _S434 = _S439;
     }
-    var _S439 : DiffPair_float_0 = DiffPair_float_0( _S432, _S433 );
-    return _S439;
+    var _S440 : DiffPair_float_0 = DiffPair_float_0( _S433, _S434 );
+    return _S440;
 }
 
 fn s_fwd_mirrored_0( dpfacets_2 : DiffPair_Microfacets_0,  dpwi_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Mirrored_0
 {
-    var _S440 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_1.primal_0 + dpwo_0.primal_0, dpwi_1.differential_0 + dpwo_0.differential_0 );
-    var _S441 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S440);
-    var _S442 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_1.primal_0, dpwi_1.differential_0 );
-    var _S443 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S441.primal_0, _S441.differential_0 );
-    var _S444 : DiffPair_float_0 = _d_dot_1(_S442, _S443);
-    var _S445 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( dpfacets_2.primal_0, dpfacets_2.differential_0 );
-    var _S446 : DiffPair_float_0 = s_fwd_density_0(_S445, _S443);
-    var _S447 : f32 = 0.25f * _S446.primal_0;
-    var _S448 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S445, _S442);
-    var _S449 : f32 = _S447 * _S448.primal_0;
-    var _S450 : f32 = _S446.differential_0 * 0.25f * _S448.primal_0 + _S448.differential_0 * _S447;
-    var _S451 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_0.primal_0, dpwo_0.differential_0 );
-    var _S452 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S445, _S451);
-    var _S453 : f32 = _S449 * _S452.primal_0;
-    var _S454 : f32 = dpwo_0.primal_0.z;
-    var _S455 : Mirrored_0 = Mirrored_0( _S444.primal_0, _S449, _S453 * _S454 );
-    var _S456 : Mirrored_0 = Mirrored_0( _S444.differential_0, _S450, (_S450 * _S452.primal_0 + _S452.differential_0 * _S449) * _S454 + dpwo_0.differential_0.z * _S453 );
-    var _S457 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S455, _S456 );
-    return _S457;
+    var _S441 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_1.primal_0 + dpwo_0.primal_0, dpwi_1.differential_0 + dpwo_0.differential_0 );
+    var _S442 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S441);
+    var _S443 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_1.primal_0, dpwi_1.differential_0 );
+    var _S444 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S442.primal_0, _S442.differential_0 );
+    var _S445 : DiffPair_float_0 = _d_dot_1(_S443, _S444);
+    var _S446 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( dpfacets_2.primal_0, dpfacets_2.differential_0 );
+    var _S447 : DiffPair_float_0 = s_fwd_density_0(_S446, _S444);
+    var _S448 : f32 = 0.25f * _S447.primal_0;
+    var _S449 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S446, _S443);
+    var _S450 : f32 = _S448 * _S449.primal_0;
+    var _S451 : f32 = _S447.differential_0 * 0.25f * _S449.primal_0 + _S449.differential_0 * _S448;
+    var _S452 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_0.primal_0, dpwo_0.differential_0 );
+    var _S453 : DiffPair_float_0 = s_fwd_visible_over_cos_0(_S446, _S452);
+    var _S454 : f32 = _S450 * _S453.primal_0;
+    var _S455 : f32 = dpwo_0.primal_0.z;
+    var _S456 : Mirrored_0 = Mirrored_0( _S445.primal_0, _S450, _S454 * _S455 );
+    var _S457 : Mirrored_0 = Mirrored_0( _S445.differential_0, _S451, (_S451 * _S453.primal_0 + _S453.differential_0 * _S450) * _S455 + dpwo_0.differential_0.z * _S454 );
+    var _S458 : DiffPair_Mirrored_0 = DiffPair_Mirrored_0( _S456, _S457 );
+    return _S458;
 }
 
 fn s_fwd_fresnel_diffuse_0( dpeta_4 : DiffPair_float_0) -> DiffPair_float_0
@@ -3279,16 +3284,16 @@ fn s_fwd_fresnel_diffuse_0( dpeta_4 : DiffPair_float_0) -> DiffPair_float_0
     var s_diff_inverse_0 : f32 = (0.0f - dpeta_4.differential_0) / (dpeta_4.primal_0 * dpeta_4.primal_0);
     if((dpeta_4.primal_0) < 1.0f)
     {
-        var _S458 : f32 = -1.43990004062652588f * dpeta_4.primal_0 + 0.70990002155303955f;
-        var _S459 : DiffPair_float_0 = DiffPair_float_0( _S458 * dpeta_4.primal_0 + 0.66809999942779541f + 0.06360000371932983f * inverse_0, dpeta_4.differential_0 * -1.43990004062652588f * dpeta_4.primal_0 + dpeta_4.differential_0 * _S458 + s_diff_inverse_0 * 0.06360000371932983f );
-        return _S459;
+        var _S459 : f32 = -1.43990004062652588f * dpeta_4.primal_0 + 0.70990002155303955f;
+        var _S460 : DiffPair_float_0 = DiffPair_float_0( _S459 * dpeta_4.primal_0 + 0.66809999942779541f + 0.06360000371932983f * inverse_0, dpeta_4.differential_0 * -1.43990004062652588f * dpeta_4.primal_0 + dpeta_4.differential_0 * _S459 + s_diff_inverse_0 * 0.06360000371932983f );
+        return _S460;
     }
-    var _S460 : f32 = -1.36881005764007568f * inverse_0 + 4.98553991317749023f;
-    var _S461 : f32 = _S460 * inverse_0 - 7.80988979339599609f;
-    var sum_3 : f32 = _S461 * inverse_0 + 6.75334978103637695f;
-    var _S462 : f32 = sum_3 * inverse_0 - 3.47930002212524414f;
-    var _S463 : DiffPair_float_0 = DiffPair_float_0( _S462 * inverse_0 + 0.91931700706481934f, (((s_diff_inverse_0 * -1.36881005764007568f * inverse_0 + s_diff_inverse_0 * _S460) * inverse_0 + s_diff_inverse_0 * _S461) * inverse_0 + s_diff_inverse_0 * sum_3) * inverse_0 + s_diff_inverse_0 * _S462 );
-    return _S463;
+    var _S461 : f32 = -1.36881005764007568f * inverse_0 + 4.98553991317749023f;
+    var _S462 : f32 = _S461 * inverse_0 - 7.80988979339599609f;
+    var sum_3 : f32 = _S462 * inverse_0 + 6.75334978103637695f;
+    var _S463 : f32 = sum_3 * inverse_0 - 3.47930002212524414f;
+    var _S464 : DiffPair_float_0 = DiffPair_float_0( _S463 * inverse_0 + 0.91931700706481934f, (((s_diff_inverse_0 * -1.36881005764007568f * inverse_0 + s_diff_inverse_0 * _S461) * inverse_0 + s_diff_inverse_0 * _S462) * inverse_0 + s_diff_inverse_0 * sum_3) * inverse_0 + s_diff_inverse_0 * _S463 );
+    return _S464;
 }
 
 fn s_fwd_base_0( lobe_11 : Lobe_0,  dpeta_5 : DiffPair_float_0,  dpdiffuse_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
@@ -3297,10 +3302,10 @@ fn s_fwd_base_0( lobe_11 : Lobe_0,  dpeta_5 : DiffPair_float_0,  dpdiffuse_0 : D
     var s_diff_internal_reflectance_0 : f32;
     if((lobe_11.kind_1) == u32(3))
     {
-        var _S464 : DiffPair_float_0 = DiffPair_float_0( 1.0f / dpeta_5.primal_0, (0.0f - dpeta_5.differential_0) / (dpeta_5.primal_0 * dpeta_5.primal_0) );
-        var _S465 : DiffPair_float_0 = s_fwd_fresnel_diffuse_0(_S464);
-        internal_reflectance_0 = _S465.primal_0;
-        s_diff_internal_reflectance_0 = _S465.differential_0;
+        var _S465 : DiffPair_float_0 = DiffPair_float_0( 1.0f / dpeta_5.primal_0, (0.0f - dpeta_5.differential_0) / (dpeta_5.primal_0 * dpeta_5.primal_0) );
+        var _S466 : DiffPair_float_0 = s_fwd_fresnel_diffuse_0(_S465);
+        internal_reflectance_0 = _S466.primal_0;
+        s_diff_internal_reflectance_0 = _S466.differential_0;
     }
     else
     {
@@ -3309,14 +3314,14 @@ fn s_fwd_base_0( lobe_11 : Lobe_0,  dpeta_5 : DiffPair_float_0,  dpdiffuse_0 : D
     }
     if((word_0(lobe_11.record_3 + u32(2))) == u32(0))
     {
-        var _S466 : f32 = 1.0f - internal_reflectance_0;
-        var _S467 : vec3<f32> = vec3<f32>((1.0f / _S466));
-        var _S468 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 * _S467, dpdiffuse_0.differential_0 * _S467 + vec3<f32>(((0.0f - (0.0f - s_diff_internal_reflectance_0)) / (_S466 * _S466))) * dpdiffuse_0.primal_0 );
-        return _S468;
+        var _S467 : f32 = 1.0f - internal_reflectance_0;
+        var _S468 : vec3<f32> = vec3<f32>((1.0f / _S467));
+        var _S469 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 * _S468, dpdiffuse_0.differential_0 * _S468 + vec3<f32>(((0.0f - (0.0f - s_diff_internal_reflectance_0)) / (_S467 * _S467))) * dpdiffuse_0.primal_0 );
+        return _S469;
     }
-    var _S469 : vec3<f32> = vec3<f32>(1.0f) - dpdiffuse_0.primal_0 * vec3<f32>(internal_reflectance_0);
-    var _S470 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 / _S469, (dpdiffuse_0.differential_0 * _S469 - dpdiffuse_0.primal_0 * (vec3<f32>(0.0f) - (dpdiffuse_0.differential_0 * vec3<f32>(internal_reflectance_0) + vec3<f32>(s_diff_internal_reflectance_0) * dpdiffuse_0.primal_0))) / (_S469 * _S469) );
-    return _S470;
+    var _S470 : vec3<f32> = vec3<f32>(1.0f) - dpdiffuse_0.primal_0 * vec3<f32>(internal_reflectance_0);
+    var _S471 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdiffuse_0.primal_0 / _S470, (dpdiffuse_0.differential_0 * _S470 - dpdiffuse_0.primal_0 * (vec3<f32>(0.0f) - (dpdiffuse_0.differential_0 * vec3<f32>(internal_reflectance_0) + vec3<f32>(s_diff_internal_reflectance_0) * dpdiffuse_0.primal_0))) / (_S470 * _S470) );
+    return _S471;
 }
 
 struct Scattering_0
@@ -3338,90 +3343,90 @@ struct DiffPair_Scattering_0
 
 fn s_fwd_scattering_0( lobe_12 : Lobe_0,  dpnumbers_3 : DiffPair_Numbers_0,  dpwi_2 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dpwo_1 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_Scattering_0
 {
-    var _S471 : f32 = dpwo_1.primal_0.z;
-    var _S472 : f32 = dpwo_1.differential_0.z;
-    var by_cosine_0 : f32 = _S471 * 0.31830987334251404f;
-    var _S473 : f32 = _S472 * 0.31830987334251404f;
+    var _S472 : f32 = dpwo_1.primal_0.z;
+    var _S473 : f32 = dpwo_1.differential_0.z;
+    var by_cosine_0 : f32 = _S472 * 0.31830987334251404f;
+    var _S474 : f32 = _S473 * 0.31830987334251404f;
     if((lobe_12.kind_1) == u32(0))
     {
-        var _S474 : vec3<f32> = vec3<f32>(by_cosine_0);
-        var _S475 : Scattering_0 = Scattering_0( dpnumbers_3.primal_0.diffuse_reflectance_0 * _S474, by_cosine_0 );
-        var _S476 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_3.differential_0.diffuse_reflectance_0 * _S474 + vec3<f32>(_S473) * dpnumbers_3.primal_0.diffuse_reflectance_0 );
-        var _S477 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S475, _S476 );
-        return _S477;
+        var _S475 : vec3<f32> = vec3<f32>(by_cosine_0);
+        var _S476 : Scattering_0 = Scattering_0( dpnumbers_3.primal_0.diffuse_reflectance_0 * _S475, by_cosine_0 );
+        var _S477 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_3.differential_0.diffuse_reflectance_0 * _S475 + vec3<f32>(_S474) * dpnumbers_3.primal_0.diffuse_reflectance_0 );
+        var _S478 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S476, _S477 );
+        return _S478;
     }
-    var _S478 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
-    var _S479 : DiffPair_Mirrored_0 = s_fwd_Mirrored_x24init_0(_S478, _S478, _S478);
+    var _S479 : DiffPair_float_0 = DiffPair_float_0( 0.0f, 0.0f );
+    var _S480 : DiffPair_Mirrored_0 = s_fwd_Mirrored_x24init_0(_S479, _S479, _S479);
     var by_facets_0 : Mirrored_0;
     var s_diff_by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_12))
     {
-        var _S480 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_3.primal_0, dpnumbers_3.differential_0 );
-        var _S481 : DiffPair_Microfacets_0 = s_fwd_facets_of_0(lobe_12, _S480);
-        var _S482 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S481.primal_0, _S481.differential_0 );
-        var _S483 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_2.primal_0, dpwi_2.differential_0 );
-        var _S484 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_1.primal_0, dpwo_1.differential_0 );
-        var _S485 : DiffPair_Mirrored_0 = s_fwd_mirrored_0(_S482, _S483, _S484);
-        by_facets_0 = _S485.primal_0;
-        s_diff_by_facets_0 = _S485.differential_0;
+        var _S481 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_3.primal_0, dpnumbers_3.differential_0 );
+        var _S482 : DiffPair_Microfacets_0 = s_fwd_facets_of_0(lobe_12, _S481);
+        var _S483 : DiffPair_Microfacets_0 = DiffPair_Microfacets_0( _S482.primal_0, _S482.differential_0 );
+        var _S484 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwi_2.primal_0, dpwi_2.differential_0 );
+        var _S485 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpwo_1.primal_0, dpwo_1.differential_0 );
+        var _S486 : DiffPair_Mirrored_0 = s_fwd_mirrored_0(_S483, _S484, _S485);
+        by_facets_0 = _S486.primal_0;
+        s_diff_by_facets_0 = _S486.differential_0;
     }
     else
     {
-        by_facets_0 = _S479.primal_0;
-        s_diff_by_facets_0 = _S479.differential_0;
+        by_facets_0 = _S480.primal_0;
+        s_diff_by_facets_0 = _S480.differential_0;
     }
     if((lobe_12.kind_1) == u32(2))
     {
-        var _S486 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_7, s_diff_by_facets_0.cosine_7 );
-        var _S487 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.eta_0, dpnumbers_3.differential_0.eta_0 );
-        var _S488 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.k_0, dpnumbers_3.differential_0.k_0 );
-        var _S489 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S486, _S487, _S488);
-        var _S490 : vec3<f32> = vec3<f32>(by_facets_0.scattered_0);
-        var _S491 : vec3<f32> = _S489.primal_0 * _S490;
-        var _S492 : Scattering_0 = Scattering_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S491, by_facets_0.pdf_3 );
-        var _S493 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_3.differential_0.specular_reflectance_0 * _S491 + (_S489.differential_0 * _S490 + vec3<f32>(s_diff_by_facets_0.scattered_0) * _S489.primal_0) * dpnumbers_3.primal_0.specular_reflectance_0 );
-        var _S494 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S492, _S493 );
-        return _S494;
+        var _S487 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_7, s_diff_by_facets_0.cosine_7 );
+        var _S488 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.eta_0, dpnumbers_3.differential_0.eta_0 );
+        var _S489 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.k_0, dpnumbers_3.differential_0.k_0 );
+        var _S490 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_fresnel_conductor_0(_S487, _S488, _S489);
+        var _S491 : vec3<f32> = vec3<f32>(by_facets_0.scattered_0);
+        var _S492 : vec3<f32> = _S490.primal_0 * _S491;
+        var _S493 : Scattering_0 = Scattering_0( dpnumbers_3.primal_0.specular_reflectance_0 * _S492, by_facets_0.pdf_3 );
+        var _S494 : Scattering_Differential_0 = Scattering_Differential_0( dpnumbers_3.differential_0.specular_reflectance_0 * _S492 + (_S490.differential_0 * _S491 + vec3<f32>(s_diff_by_facets_0.scattered_0) * _S490.primal_0) * dpnumbers_3.primal_0.specular_reflectance_0 );
+        var _S495 : DiffPair_Scattering_0 = DiffPair_Scattering_0( _S493, _S494 );
+        return _S495;
     }
-    var _S495 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_3.primal_0, dpnumbers_3.differential_0 );
-    var _S496 : DiffPair_float_0 = s_fwd_coat_eta_0(_S495);
-    var _S497 : DiffPair_float_0 = DiffPair_float_0( _S496.primal_0, _S496.differential_0 );
-    var _S498 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
-    var _S499 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_12, _S497, _S498);
-    var _S500 : DiffPair_float_0 = DiffPair_float_0( _S471, _S472 );
-    var _S501 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_12, _S497, _S500);
-    var _S502 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.diffuse_reflectance_0, dpnumbers_3.differential_0.diffuse_reflectance_0 );
-    var _S503 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_base_0(lobe_12, _S497, _S502);
-    var _S504 : f32 = _S499.primal_0 * _S501.primal_0;
-    var _S505 : f32 = _S504 * by_cosine_0;
-    var _S506 : f32 = _S496.primal_0 * _S496.primal_0;
-    var _S507 : f32 = _S496.differential_0 * _S496.primal_0;
-    var _S508 : vec3<f32> = vec3<f32>((_S505 / _S506));
-    var _S509 : vec3<f32> = _S503.primal_0 * _S508;
-    var _S510 : vec3<f32> = _S503.differential_0 * _S508 + vec3<f32>(((((_S499.differential_0 * _S501.primal_0 + _S501.differential_0 * _S499.primal_0) * by_cosine_0 + _S473 * _S504) * _S506 - _S505 * (_S507 + _S507)) / (_S506 * _S506))) * _S503.primal_0;
-    var probability_3 : f32 = base_probability_0(dpnumbers_3.primal_0, _S499.primal_0);
-    var _S511 : f32 = probability_3 * by_cosine_0;
+    var _S496 : DiffPair_Numbers_0 = DiffPair_Numbers_0( dpnumbers_3.primal_0, dpnumbers_3.differential_0 );
+    var _S497 : DiffPair_float_0 = s_fwd_coat_eta_0(_S496);
+    var _S498 : DiffPair_float_0 = DiffPair_float_0( _S497.primal_0, _S497.differential_0 );
+    var _S499 : DiffPair_float_0 = DiffPair_float_0( dpwi_2.primal_0.z, dpwi_2.differential_0.z );
+    var _S500 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_12, _S498, _S499);
+    var _S501 : DiffPair_float_0 = DiffPair_float_0( _S472, _S473 );
+    var _S502 : DiffPair_float_0 = s_fwd_transmittance_0(lobe_12, _S498, _S501);
+    var _S503 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpnumbers_3.primal_0.diffuse_reflectance_0, dpnumbers_3.differential_0.diffuse_reflectance_0 );
+    var _S504 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_base_0(lobe_12, _S498, _S503);
+    var _S505 : f32 = _S500.primal_0 * _S502.primal_0;
+    var _S506 : f32 = _S505 * by_cosine_0;
+    var _S507 : f32 = _S497.primal_0 * _S497.primal_0;
+    var _S508 : f32 = _S497.differential_0 * _S497.primal_0;
+    var _S509 : vec3<f32> = vec3<f32>((_S506 / _S507));
+    var _S510 : vec3<f32> = _S504.primal_0 * _S509;
+    var _S511 : vec3<f32> = _S504.differential_0 * _S509 + vec3<f32>(((((_S500.differential_0 * _S502.primal_0 + _S502.differential_0 * _S500.primal_0) * by_cosine_0 + _S474 * _S505) * _S507 - _S506 * (_S508 + _S508)) / (_S507 * _S507))) * _S504.primal_0;
+    var probability_3 : f32 = base_probability_0(dpnumbers_3.primal_0, _S500.primal_0);
+    var _S512 : f32 = probability_3 * by_cosine_0;
     var scattering_0 : Scattering_0;
     var s_diff_scattering_0 : Scattering_Differential_0;
     if((lobe_12.kind_1) == u32(4))
     {
-        var _S512 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_7, s_diff_by_facets_0.cosine_7 );
-        var _S513 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S512, _S497);
-        var _S514 : vec3<f32> = vec3<f32>((_S513.primal_0 * by_facets_0.scattered_0));
-        var _S515 : vec3<f32> = _S510 + (dpnumbers_3.differential_0.specular_reflectance_0 * _S514 + vec3<f32>((_S513.differential_0 * by_facets_0.scattered_0 + s_diff_by_facets_0.scattered_0 * _S513.primal_0)) * dpnumbers_3.primal_0.specular_reflectance_0);
-        var _S516 : f32 = _S511 + (1.0f - probability_3) * by_facets_0.pdf_3;
-        scattering_0.value_9 = _S509 + dpnumbers_3.primal_0.specular_reflectance_0 * _S514;
-        scattering_0.pdf_4 = _S516;
-        s_diff_scattering_0.value_10 = _S515;
+        var _S513 : DiffPair_float_0 = DiffPair_float_0( by_facets_0.cosine_7, s_diff_by_facets_0.cosine_7 );
+        var _S514 : DiffPair_float_0 = s_fwd_fresnel_dielectric_0(_S513, _S498);
+        var _S515 : vec3<f32> = vec3<f32>((_S514.primal_0 * by_facets_0.scattered_0));
+        var _S516 : vec3<f32> = _S511 + (dpnumbers_3.differential_0.specular_reflectance_0 * _S515 + vec3<f32>((_S514.differential_0 * by_facets_0.scattered_0 + s_diff_by_facets_0.scattered_0 * _S514.primal_0)) * dpnumbers_3.primal_0.specular_reflectance_0);
+        var _S517 : f32 = _S512 + (1.0f - probability_3) * by_facets_0.pdf_3;
+        scattering_0.value_9 = _S510 + dpnumbers_3.primal_0.specular_reflectance_0 * _S515;
+        scattering_0.pdf_4 = _S517;
+        s_diff_scattering_0.value_10 = _S516;
     }
     else
     {
-        scattering_0.value_9 = _S509;
-        scattering_0.pdf_4 = _S511;
-        s_diff_scattering_0.value_10 = _S510;
+        scattering_0.value_9 = _S510;
+        scattering_0.pdf_4 = _S512;
+        s_diff_scattering_0.value_10 = _S511;
     }
-    var _S517 : DiffPair_Scattering_0 = DiffPair_Scattering_0( scattering_0, s_diff_scattering_0 );
-    return _S517;
+    var _S518 : DiffPair_Scattering_0 = DiffPair_Scattering_0( scattering_0, s_diff_scattering_0 );
+    return _S518;
 }
 
 struct Scattered_0
@@ -3435,25 +3440,25 @@ fn eval_and_pdf_0( lobe_13 : Lobe_0,  wi_6 : Vector_0,  wo_3 : Vector_0) -> Scat
     var scattered_1 : Scattered_0;
     scattered_1.value_11 = still_0(vec3<f32>(0.0f));
     scattered_1.pdf_5 = 0.0f;
-    var _S518 : bool;
+    var _S519 : bool;
     if((value_of_0(wo_3).z) <= 0.0f)
     {
-        _S518 = true;
+        _S519 = true;
     }
     else
     {
-        _S518 = !has_smooth_0(lobe_13);
+        _S519 = !has_smooth_0(lobe_13);
     }
-    if(_S518)
+    if(_S519)
     {
         return scattered_1;
     }
-    var _S519 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_13.numbers_2, lobe_13.changes_0 );
-    var _S520 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_6.value_0, wi_6.change_0 );
-    var _S521 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wo_3.value_0, wo_3.change_0 );
-    var _S522 : DiffPair_Scattering_0 = s_fwd_scattering_0(lobe_13, _S519, _S520, _S521);
-    scattered_1.value_11 = changing_0(_S522.primal_0.value_9, _S522.differential_0.value_10);
-    scattered_1.pdf_5 = _S522.primal_0.pdf_4;
+    var _S520 : DiffPair_Numbers_0 = DiffPair_Numbers_0( lobe_13.numbers_2, lobe_13.changes_0 );
+    var _S521 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wi_6.value_0, wi_6.change_0 );
+    var _S522 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( wo_3.value_0, wo_3.change_0 );
+    var _S523 : DiffPair_Scattering_0 = s_fwd_scattering_0(lobe_13, _S520, _S521, _S522);
+    scattered_1.value_11 = changing_0(_S523.primal_0.value_9, _S523.differential_0.value_10);
+    scattered_1.pdf_5 = _S523.primal_0.pdf_4;
     return scattered_1;
 }
 
@@ -3478,39 +3483,39 @@ fn scattered_along_0( vertex_9 : Vertex_0,  sample_2 : LightSample_0,  walked_1 
     }
     else
     {
-        var _S523 : vec3<f32>;
+        var _S524 : vec3<f32>;
         if(turns_onward_0())
         {
-            _S523 = turning_0(vertex_9, sample_2.direction_11);
+            _S524 = turning_0(vertex_9, sample_2.direction_11);
         }
         else
         {
-            _S523 = walked_1;
+            _S524 = walked_1;
         }
-        (*moving_0) = changing_0(sample_2.direction_11, _S523);
+        (*moving_0) = changing_0(sample_2.direction_11, _S524);
     }
     return scattered_to_0(vertex_9, sample_2.wo_0, (*moving_0));
 }
 
 fn component_0( v_8 : vec3<f32>,  axis_2 : u32) -> f32
 {
-    var _S524 : f32;
+    var _S525 : f32;
     if(axis_2 == u32(0))
     {
-        _S524 = v_8.x;
+        _S525 = v_8.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S524 = v_8.y;
+            _S525 = v_8.y;
         }
         else
         {
-            _S524 = v_8.z;
+            _S525 = v_8.z;
         }
     }
-    return _S524;
+    return _S525;
 }
 
 struct Ray_0
@@ -3530,34 +3535,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f32>,  direction_17 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  axes_4 : ptr<function, u32>) -> Ray_0
 {
     var size_3 : vec3<f32> = abs(direction_17);
-    var _S525 : f32 = size_3.x;
-    var _S526 : f32 = size_3.y;
-    var _S527 : bool;
-    if(_S525 >= _S526)
+    var _S526 : f32 = size_3.x;
+    var _S527 : f32 = size_3.y;
+    var _S528 : bool;
+    if(_S526 >= _S527)
     {
-        _S527 = _S525 >= (size_3.z);
+        _S528 = _S526 >= (size_3.z);
     }
     else
     {
-        _S527 = false;
+        _S528 = false;
     }
-    var _S528 : i32;
-    if(_S527)
+    var _S529 : i32;
+    if(_S528)
     {
-        _S528 = i32(0);
+        _S529 = i32(0);
     }
     else
     {
-        if(_S526 >= (size_3.z))
+        if(_S527 >= (size_3.z))
         {
-            _S528 = i32(1);
+            _S529 = i32(1);
         }
         else
         {
-            _S528 = i32(2);
+            _S529 = i32(2);
         }
     }
-    var z_5 : u32 = u32(_S528);
+    var z_5 : u32 = u32(_S529);
     var x_12 : u32 = (z_5 + u32(1)) % u32(3);
     var y_3 : u32 = (z_5 + u32(2)) % u32(3);
     (*axes_4) = (((x_12 | (((y_3 << (u32(2))))))) | (((z_5 << (u32(4))))));
@@ -3593,7 +3598,7 @@ struct RayView_0
 
 fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S529 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S530 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -3606,36 +3611,36 @@ fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S530 : u32 = axis_3;
-        var _S531 : u32 = _S529 + u32(2) * axis_3;
-        var _S532 : u32 = slot_3 % u32(4);
-        var low_5 : f32 = (bitcast<f32>((nodes_0[_S531][_S532])));
-        var high_2 : f32 = (bitcast<f32>((nodes_0[_S531 + u32(6)][_S532])));
-        var _S533 : bool = (view_6.inverse_1[axis_3]) < 0.0f;
-        var _S534 : f32;
-        if(_S533)
+        var _S531 : u32 = axis_3;
+        var _S532 : u32 = _S530 + u32(2) * axis_3;
+        var _S533 : u32 = slot_3 % u32(4);
+        var low_5 : f32 = (bitcast<f32>((nodes_0[_S532][_S533])));
+        var high_2 : f32 = (bitcast<f32>((nodes_0[_S532 + u32(6)][_S533])));
+        var _S534 : bool = (view_6.inverse_1[axis_3]) < 0.0f;
+        var _S535 : f32;
+        if(_S534)
         {
-            _S534 = high_2;
+            _S535 = high_2;
         }
         else
         {
-            _S534 = low_5;
+            _S535 = low_5;
         }
-        var _S535 : f32 = max(near_0, _S534 * view_6.inverse_1[_S530] - view_6.offset_near_0[axis_3]);
-        var _S536 : f32;
-        if(_S533)
+        var _S536 : f32 = max(near_0, _S535 * view_6.inverse_1[_S531] - view_6.offset_near_0[axis_3]);
+        var _S537 : f32;
+        if(_S534)
         {
-            _S536 = low_5;
+            _S537 = low_5;
         }
         else
         {
-            _S536 = high_2;
+            _S537 = high_2;
         }
-        var _S537 : f32 = min(far_0, _S536 * view_6.inverse_1[_S530] - view_6.offset_far_0[axis_3]);
-        var _S538 : u32 = axis_3 + u32(1);
-        near_0 = _S535;
-        far_0 = _S537;
-        axis_3 = _S538;
+        var _S538 : f32 = min(far_0, _S537 * view_6.inverse_1[_S531] - view_6.offset_far_0[axis_3]);
+        var _S539 : u32 = axis_3 + u32(1);
+        near_0 = _S536;
+        far_0 = _S538;
+        axis_3 = _S539;
     }
     if(near_0 <= far_0)
     {
@@ -3660,7 +3665,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S539 : u32 = k_4;
+        var _S540 : u32 = k_4;
         if((bounds_0[k_4]) > limit_2)
         {
             k_4 = k_4 + u32(1);
@@ -3677,24 +3682,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S540 : u32 = j_0;
-            var _S541 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S539]))
+            var _S541 : u32 = j_0;
+            var _S542 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S540]))
             {
-                _S541 = true;
+                _S542 = true;
             }
             else
             {
-                if((bounds_0[_S540]) == (bounds_0[_S539]))
+                if((bounds_0[_S541]) == (bounds_0[_S540]))
                 {
-                    _S541 = j_0 < k_4;
+                    _S542 = j_0 < k_4;
                 }
                 else
                 {
-                    _S541 = false;
+                    _S542 = false;
                 }
             }
-            if(_S541)
+            if(_S542)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -3719,16 +3724,16 @@ fn crossed_0( view_7 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S542 : f32;
+        var _S543 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S542 = 3.00000000549775576e+38f;
+            _S543 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S542 = ray_bound_0(view_7, limit_3, node_5, slot_4);
+            _S543 = ray_bound_0(view_7, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S542;
+        bounds_1[slot_4] = _S543;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -3739,9 +3744,9 @@ fn rounded_0( product_2 : f32,  largest_1 : f32) -> f32
     return min(product_2, largest_1);
 }
 
-fn corner_3( ray_1 : Ray_0,  axes_6 : u32,  at_23 : u32) -> vec3<f32>
+fn corner_3( ray_1 : Ray_0,  axes_6 : u32,  at_24 : u32) -> vec3<f32>
 {
-    var relative_0 : vec3<f32> = primitive_vector_0(at_23) - ray_1.origin_0;
+    var relative_0 : vec3<f32> = primitive_vector_0(at_24) - ray_1.origin_0;
     var z_6 : f32 = component_0(relative_0, (axes_6 >> (u32(4))));
     return vec3<f32>(component_0(relative_0, (axes_6 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_6, ray_1.largest_0), component_0(relative_0, (((axes_6 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_6, ray_1.largest_0), z_6);
 }
@@ -3754,56 +3759,56 @@ struct Crossing_0
      w_8 : f32,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_7 : u32,  at_24 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_7 : u32,  at_25 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_3 = 0.0f;
     crossing_0.v_9 = 0.0f;
     crossing_0.w_8 = 0.0f;
-    var a_21 : vec3<f32> = corner_3(ray_2, axes_7, at_24);
-    var b_15 : vec3<f32> = corner_3(ray_2, axes_7, at_24 + u32(3));
-    var c_8 : vec3<f32> = corner_3(ray_2, axes_7, at_24 + u32(6));
-    var _S543 : f32 = c_8.x;
-    var _S544 : f32 = b_15.y;
-    var cx_by_0 : f32 = rounded_0(_S543 * _S544, ray_2.largest_0);
-    var _S545 : f32 = c_8.y;
-    var _S546 : f32 = b_15.x;
-    var cy_bx_0 : f32 = rounded_0(_S545 * _S546, ray_2.largest_0);
-    var _S547 : f32 = a_21.x;
-    var ax_cy_0 : f32 = rounded_0(_S547 * _S545, ray_2.largest_0);
-    var _S548 : f32 = a_21.y;
-    var ay_cx_0 : f32 = rounded_0(_S548 * _S543, ray_2.largest_0);
-    var bx_ay_0 : f32 = rounded_0(_S546 * _S548, ray_2.largest_0);
-    var by_ax_0 : f32 = rounded_0(_S544 * _S547, ray_2.largest_0);
+    var a_21 : vec3<f32> = corner_3(ray_2, axes_7, at_25);
+    var b_15 : vec3<f32> = corner_3(ray_2, axes_7, at_25 + u32(3));
+    var c_8 : vec3<f32> = corner_3(ray_2, axes_7, at_25 + u32(6));
+    var _S544 : f32 = c_8.x;
+    var _S545 : f32 = b_15.y;
+    var cx_by_0 : f32 = rounded_0(_S544 * _S545, ray_2.largest_0);
+    var _S546 : f32 = c_8.y;
+    var _S547 : f32 = b_15.x;
+    var cy_bx_0 : f32 = rounded_0(_S546 * _S547, ray_2.largest_0);
+    var _S548 : f32 = a_21.x;
+    var ax_cy_0 : f32 = rounded_0(_S548 * _S546, ray_2.largest_0);
+    var _S549 : f32 = a_21.y;
+    var ay_cx_0 : f32 = rounded_0(_S549 * _S544, ray_2.largest_0);
+    var bx_ay_0 : f32 = rounded_0(_S547 * _S549, ray_2.largest_0);
+    var by_ax_0 : f32 = rounded_0(_S545 * _S548, ray_2.largest_0);
     var u_12 : f32 = cx_by_0 - cy_bx_0;
     var v_10 : f32 = ax_cy_0 - ay_cx_0;
     var w_9 : f32 = bx_ay_0 - by_ax_0;
-    var _S549 : f32 = min(min(u_12, v_10), w_9);
-    var _S550 : f32 = max(max(u_12, v_10), w_9);
-    var _S551 : bool;
-    if(_S549 < 0.0f)
+    var _S550 : f32 = min(min(u_12, v_10), w_9);
+    var _S551 : f32 = max(max(u_12, v_10), w_9);
+    var _S552 : bool;
+    if(_S550 < 0.0f)
     {
-        _S551 = _S550 > 0.0f;
+        _S552 = _S551 > 0.0f;
     }
     else
     {
-        _S551 = false;
+        _S552 = false;
     }
-    if(_S551)
+    if(_S552)
     {
         return crossing_0;
     }
     var determinant_0 : f32 = u_12 + v_10 + w_9;
-    if(_S549 <= 0.0f)
+    if(_S550 <= 0.0f)
     {
-        _S551 = _S550 >= 0.0f;
+        _S552 = _S551 >= 0.0f;
     }
     else
     {
-        _S551 = false;
+        _S552 = false;
     }
-    if(_S551)
+    if(_S552)
     {
         if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -3817,13 +3822,13 @@ fn intersect_0( ray_2 : Ray_0,  axes_7 : u32,  at_24 : u32) -> Crossing_0
     var t_4 : f32 = (rounded_0(u_12 * a_21.z, ray_2.largest_0) + rounded_0(v_10 * b_15.z, ray_2.largest_0) + rounded_0(w_9 * c_8.z, ray_2.largest_0)) / determinant_0 * ray_2.inverse_z_0;
     if((ray_2.t_min_0) <= t_4)
     {
-        _S551 = t_4 <= (ray_2.t_max_0);
+        _S552 = t_4 <= (ray_2.t_max_0);
     }
     else
     {
-        _S551 = false;
+        _S552 = false;
     }
-    crossing_0.is_hit_0 = _S551;
+    crossing_0.is_hit_0 = _S552;
     crossing_0.t_3 = t_4;
     crossing_0.v_9 = v_10 / determinant_0;
     crossing_0.w_8 = w_9 / determinant_0;
@@ -3845,7 +3850,7 @@ struct Found_0
 
 fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S552 : bool;
+    var _S553 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
     found_3.triangle_9 = u32(4294967295);
@@ -3877,31 +3882,31 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_2 : vec2<u32> = way_2[level_0];
-        var _S553 : u32 = way_2[level_0].y;
-        if(_S553 == u32(0))
+        var _S554 : u32 = way_2[level_0].y;
+        if(_S554 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S554 : u32 = level_0 - u32(1);
+            var _S555 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S554;
+            level_0 = _S555;
             continue;
         }
-        var slot_5 : u32 = ((_S553 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S553 >> (u32(4)));
-        var _S555 : bool;
+        var slot_5 : u32 = ((_S554 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S554 >> (u32(4)));
+        var _S556 : bool;
         if(!is_new_1)
         {
-            _S555 = (ray_bound_0(view_8, limit_4, here_2.x, slot_5)) > limit_4;
+            _S556 = (ray_bound_0(view_8, limit_4, here_2.x, slot_5)) > limit_4;
         }
         else
         {
-            _S555 = false;
+            _S556 = false;
         }
-        if(_S555)
+        if(_S556)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -3910,20 +3915,20 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_2.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S556 : u32 = level_0 + u32(1);
+            var _S557 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S556;
+            level_0 = _S557;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S557 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S558 : u32 = leaf_starts_0[leaf_0];
+        var _S558 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S559 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S558;
+        var i_3 : u32 = _S559;
         for(;;)
         {
-            if(i_3 < _S557)
+            if(i_3 < _S558)
             {
             }
             else
@@ -3938,23 +3943,23 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S552 = true;
+                _S553 = true;
             }
             else
             {
-                _S552 = (crossing_1.t_3) < ((*ray_3).t_max_0);
+                _S553 = (crossing_1.t_3) < ((*ray_3).t_max_0);
             }
-            var _S559 : bool;
-            if(_S552)
+            var _S560 : bool;
+            if(_S553)
             {
-                _S559 = true;
+                _S560 = true;
             }
             else
             {
-                _S559 = (face_6(i_3)) < (found_3.face_7);
+                _S560 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S559)
+            if(_S560)
             {
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_9 = i_3;
@@ -3972,13 +3977,13 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S552 = (found_3.face_7) != u32(4294967295);
+            _S553 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S552 = false;
+            _S553 = false;
         }
-        if(_S552)
+        if(_S553)
         {
             break;
         }
@@ -3992,11 +3997,11 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_2 : vec3<f32>,  direction_18 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_1 : bool,  t_5 : ptr<function, f32>) -> Found_0
 {
     var view_9 : RayView_0;
-    var _S560 : u32 = view_9.axes_5;
-    var _S561 : Ray_0 = ray_along_0(origin_2, direction_18, t_min_2, t_max_2, &(_S560));
-    view_9.axes_5 = _S560;
-    var ray_4 : Ray_0 = _S561;
-    var _S562 : vec3<f32> = direction_18 / vec3<f32>(ray_4.local_per_t_0);
+    var _S561 : u32 = view_9.axes_5;
+    var _S562 : Ray_0 = ray_along_0(origin_2, direction_18, t_min_2, t_max_2, &(_S561));
+    view_9.axes_5 = _S561;
+    var ray_4 : Ray_0 = _S562;
+    var _S563 : vec3<f32> = direction_18 / vec3<f32>(ray_4.local_per_t_0);
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -4007,17 +4012,17 @@ fn cast_0( origin_2 : vec3<f32>,  direction_18 : vec3<f32>,  t_min_2 : f32,  t_m
         {
             break;
         }
-        var _S563 : f32 = max(abs(_S562[axis_4]), 8.67361737988403547e-19f);
-        var _S564 : f32;
-        if((_S562[axis_4]) < 0.0f)
+        var _S564 : f32 = max(abs(_S563[axis_4]), 8.67361737988403547e-19f);
+        var _S565 : f32;
+        if((_S563[axis_4]) < 0.0f)
         {
-            _S564 = -1.0f / _S563;
+            _S565 = -1.0f / _S564;
         }
         else
         {
-            _S564 = 1.0f / _S563;
+            _S565 = 1.0f / _S564;
         }
-        view_9.inverse_1[axis_4] = _S564;
+        view_9.inverse_1[axis_4] = _S565;
         axis_4 = axis_4 + u32(1);
     }
     var offset_4 : vec3<f32> = origin_2 * view_9.inverse_1;
@@ -4038,8 +4043,8 @@ fn place_of_0( found_5 : Found_0) -> Place_0
 
 fn x2A_0( a_22 : Vector_0,  b_16 : f32) -> Vector_0
 {
-    var _S565 : vec3<f32> = vec3<f32>(b_16);
-    return changing_0(a_22.value_0 * _S565, a_22.change_0 * _S565);
+    var _S566 : vec3<f32> = vec3<f32>(b_16);
+    return changing_0(a_22.value_0 * _S566, a_22.change_0 * _S566);
 }
 
 fn emitter_seen_0( found_6 : Found_0,  direction_19 : vec3<f32>) -> u32
@@ -4049,25 +4054,25 @@ fn emitter_seen_0( found_6 : Found_0,  direction_19 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_6 : u32 = word_0(shape_of_0(found_6.triangle_9) + u32(4));
-    var _S566 : bool;
+    var _S567 : bool;
     if(emitter_6 != u32(4294967295))
     {
-        _S566 = (dot(cross_of_0(found_6.triangle_9), direction_19)) < 0.0f;
+        _S567 = (dot(cross_of_0(found_6.triangle_9), direction_19)) < 0.0f;
     }
     else
     {
-        _S566 = false;
+        _S567 = false;
     }
-    var _S567 : u32;
-    if(_S566)
+    var _S568 : u32;
+    if(_S567)
     {
-        _S567 = emitter_6;
+        _S568 = emitter_6;
     }
     else
     {
-        _S567 = u32(4294967295);
+        _S568 = u32(4294967295);
     }
-    return _S567;
+    return _S568;
 }
 
 fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_20 : vec3<f32>,  distance_5 : f32) -> f32
@@ -4076,17 +4081,17 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
     var rectangle_1 : u32 = word_0(record_15 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S568 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S568.solid_angle_0) > 0.0f))
+        var _S569 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S569.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S568.solid_angle_0) >= 0.00100000004749745f)
+        if((_S569.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S568.solid_angle_0;
+            return 1.0f / _S569.solid_angle_0;
         }
     }
-    var _S569 : u32 = word_0(word_0(record_15 + u32(7)) + face_8);
+    var _S570 : u32 = word_0(word_0(record_15 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_15 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -4100,7 +4105,7 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S569 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S570 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_3 = shares_1.y;
@@ -4110,22 +4115,22 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
             own_3 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_3;
-        var _S570 : i32;
+        var _S571 : i32;
         if(is_second_1)
         {
-            _S570 = i32(3);
+            _S571 = i32(3);
         }
         else
         {
-            _S570 = i32(2);
+            _S571 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S570));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S571));
         chosen_2 = chosen_3;
     }
-    var _S571 : u32 = word_0(record_15 + u32(6));
-    var _S572 : u32 = word_0(node_6);
+    var _S572 : u32 = word_0(record_15 + u32(6));
+    var _S573 : u32 = word_0(node_6);
     own_3 = 0.0f;
-    var k_5 : u32 = _S572;
+    var k_5 : u32 = _S573;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -4136,9 +4141,9 @@ fn area_pdf_0( record_15 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_2
         {
             break;
         }
-        var angle_6 : f32 = face_solid_angle_0(record_15, word_0(_S571 + k_5), from_2.exact_0);
+        var angle_6 : f32 = face_solid_angle_0(record_15, word_0(_S572 + k_5), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_6;
-        if(k_5 == _S569)
+        if(k_5 == _S570)
         {
             own_3 = angle_6;
         }
@@ -4157,8 +4162,8 @@ fn emitter_pdf_0( emitter_7 : u32,  found_7 : Found_0,  vertex_10 : Vertex_0,  d
     var record_16 : u32 = emitter_record_0(emitter_7);
     if(is_map_0(record_16))
     {
-        var _S573 : f32 = map_pdf_0(word_0(record_16 + u32(1)), direction_21);
-        return _S573;
+        var _S574 : f32 = map_pdf_0(word_0(record_16 + u32(1)), direction_21);
+        return _S574;
     }
     if(!is_area_0(record_16))
     {
@@ -4174,10 +4179,10 @@ fn drift_at_0( vertex_11 : Vertex_0,  direction_22 : Vector_0,  t_7 : f32) -> ve
 
 fn met_0( vertex_12 : Vertex_0,  direction_23 : Vector_0,  t_8 : f32,  place_21 : Place_0) -> Place_0
 {
-    var _S574 : Place_0 = place_21;
+    var _S575 : Place_0 = place_21;
     var unused_0 : vec3<f32>;
-    move_place_0(&(_S574), &(unused_0), value_of_0(direction_23), drift_at_0(vertex_12, direction_23, t_8));
-    return _S574;
+    move_place_0(&(_S575), &(unused_0), value_of_0(direction_23), drift_at_0(vertex_12, direction_23, t_8));
+    return _S575;
 }
 
 fn weight_over_0( own_4 : f32,  other_0 : f32) -> f32
@@ -4203,11 +4208,11 @@ fn in_map_0( map_6 : u32,  direction_24 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_6 + u32(1)));
     var left_1 : u32 = wrapped_0(x_13, width_4, u32(0));
     var right_1 : u32 = wrapped_0(x_13 + i32(1), width_4, u32(0));
-    var _S575 : u32 = wrapped_0(y_4, height_1, u32(2));
-    var _S576 : u32 = u32(width_4);
-    var first_6 : u32 = _S575 * _S576;
-    var _S577 : u32 = wrapped_0(y_4 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S577 * _S576;
+    var _S576 : u32 = wrapped_0(y_4, height_1, u32(2));
+    var _S577 : u32 = u32(width_4);
+    var first_6 : u32 = _S576 * _S577;
+    var _S578 : u32 = wrapped_0(y_4 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S578 * _S577;
     return between_0(vec4<u32>(first_6 + left_1, first_6 + right_1, second_2 + left_1, second_2 + right_1), point_2);
 }
 
@@ -4222,15 +4227,15 @@ fn emitted_0( emitter_8 : u32,  place_23 : Place_0,  direction_25 : Vector_0) ->
     var texture_7 : u32 = word_0(record_17 + u32(1));
     if(!is_map_0(record_17))
     {
-        var _S578 : Vector_0 = shown_0(texture_7, place_23);
-        return _S578;
+        var _S579 : Vector_0 = shown_0(texture_7, place_23);
+        return _S579;
     }
-    var _S579 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_25.value_0, direction_25.change_0 );
-    var _S580 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S579);
+    var _S580 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_25.value_0, direction_25.change_0 );
+    var _S581 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S580);
     var factor_0 : Vector_0 = looked_up_0(word_0(texture_7 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
-    var _S581 : u32 = word_0(texture_7 + u32(11));
-    var _S582 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_25));
-    return x2A_1(looked_up_0(_S581, _S582, _S580.differential_0), factor_0);
+    var _S582 : u32 = word_0(texture_7 + u32(11));
+    var _S583 : Lookup_0 = in_map_0(texture_7, value_of_0(direction_25));
+    return x2A_1(looked_up_0(_S582, _S583, _S581.differential_0), factor_0);
 }
 
 fn x2B_0( a_24 : Vector_0,  b_18 : Vector_0) -> Vector_0
@@ -4241,7 +4246,7 @@ fn x2B_0( a_24 : Vector_0,  b_18 : Vector_0) -> Vector_0
 fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_0 : vec3<f32>) -> bool
 {
     var depth_3 : u32 = launch_0.depth_0;
-    var _S583 : u32 = vertex_numbers_0(launch_0.depth_0);
+    var _S584 : u32 = vertex_numbers_0(launch_0.depth_0);
     var incoming_0 : vec3<f32> = value_of_0((*path_7).direction_0);
     var surface_6 : Surface_0 = surface_at_0((*path_7).place_1, incoming_0);
     move_surface_0(&(surface_6), incoming_0, (*path_7).drift_0);
@@ -4252,10 +4257,10 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     var vertex_13 : Vertex_0 = vertex_at_0(surface_6, material_1, (*path_7).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S584 : u32 = word_0(u32(3));
-    var _S585 : bool = !reaches_0(depth_3 + u32(3));
+    var _S585 : u32 = word_0(u32(3));
+    var _S586 : bool = !reaches_0(depth_3 + u32(3));
     var goes_on_0 : bool;
-    if(_S585)
+    if(_S586)
     {
         goes_on_0 = (vertex_13.lobe_1.kind_1) == u32(0);
     }
@@ -4278,7 +4283,7 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     else
     {
-        bsdf_samples_0 = _S584;
+        bsdf_samples_0 = _S585;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_13.lobe_1))
@@ -4289,7 +4294,7 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S586 : Choice_0 = choice_at_0(surface_6.position_0, vertex_13.axes_1.n_1, on_emitters_0 == u32(0));
+    var _S587 : Choice_0 = choice_at_0(surface_6.position_0, vertex_13.axes_1.n_1, on_emitters_0 == u32(0));
     goes_on_0 = false;
     var next_2 : Place_0 = (*path_7).place_1;
     var next_direction_0 : Vector_0 = (*path_7).direction_0;
@@ -4310,17 +4315,17 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         var next_direction_1 : Vector_0;
         if(i_4 < on_emitters_0)
         {
-            var _S587 : bool = sample_emitter_0(vertex_13, _S586, (*path_7).key_0, _S583 + u32(3) * i_4, &(sample_3));
-            if(!_S587)
+            var _S588 : bool = sample_emitter_0(vertex_13, _S587, (*path_7).key_0, _S584 + u32(3) * i_4, &(sample_3));
+            if(!_S588)
             {
                 goes_on_1 = goes_on_0;
                 next_3 = next_2;
                 next_direction_1 = next_direction_0;
-                var _S588 : u32 = i_4 + u32(1);
+                var _S589 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
-                i_4 = _S588;
+                i_4 = _S589;
                 continue;
             }
         }
@@ -4330,25 +4335,25 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         }
         var moving_1 : Vector_0;
         var scattered_3 : Scattered_0 = scattered_along_0(vertex_13, sample_3, walked_of_0((*path_7)), &(moving_1));
-        var _S589 : bool;
+        var _S590 : bool;
         if(!sample_3.is_on_emitter_0)
         {
-            _S589 = !((scattered_3.pdf_5) > 0.0f);
+            _S590 = !((scattered_3.pdf_5) > 0.0f);
         }
         else
         {
-            _S589 = false;
+            _S590 = false;
         }
-        if(_S589)
+        if(_S590)
         {
             goes_on_1 = goes_on_0;
             next_3 = next_2;
             next_direction_1 = next_direction_0;
-            var _S588 : u32 = i_4 + u32(1);
+            var _S589 : u32 = i_4 + u32(1);
             goes_on_0 = goes_on_1;
             next_2 = next_3;
             next_direction_0 = next_direction_1;
-            i_4 = _S588;
+            i_4 = _S589;
             continue;
         }
         var t_9 : f32;
@@ -4364,11 +4369,11 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 goes_on_1 = goes_on_0;
                 next_3 = next_2;
                 next_direction_1 = next_direction_0;
-                var _S588 : u32 = i_4 + u32(1);
+                var _S589 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
-                i_4 = _S588;
+                i_4 = _S589;
                 continue;
             }
             var own_6 : f32 = f32(emitter_samples_0) * sample_3.probability_1 * sample_3.pdf_2;
@@ -4377,16 +4382,16 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 goes_on_1 = goes_on_0;
                 next_3 = next_2;
                 next_direction_1 = next_direction_0;
-                var _S588 : u32 = i_4 + u32(1);
+                var _S589 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
-                i_4 = _S588;
+                i_4 = _S589;
                 continue;
             }
-            var _S590 : f32 = f32(bsdf_samples_0) * scattered_3.pdf_5;
+            var _S591 : f32 = f32(bsdf_samples_0) * scattered_3.pdf_5;
             own_5 = own_6;
-            other_1 = _S590;
+            other_1 = _S591;
             scattered_4 = scattered_3;
             goes_on_1 = goes_on_0;
             next_3 = next_2;
@@ -4397,19 +4402,19 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         {
             if(i_4 == on_emitters_0)
             {
-                var _S591 : bool = (found_8.face_7) != u32(4294967295);
-                var _S592 : Place_0 = place_of_0(found_8);
-                var _S593 : Vector_0 = moving_1;
-                var _S594 : f32 = t_9;
+                var _S592 : bool = (found_8.face_7) != u32(4294967295);
+                var _S593 : Place_0 = place_of_0(found_8);
+                var _S594 : Vector_0 = moving_1;
+                var _S595 : f32 = t_9;
                 (*reflected_1).onward_0 = x2A_0(scattered_3.value_11, 1.0f / scattered_3.pdf_5);
                 if(!sample_3.is_specular_0)
                 {
                     (*reflected_1).onward_0.change_0 = (*reflected_1).onward_0.change_0 + (*reflected_1).onward_0.value_0 * vec3<f32>((*path_7).divergence_0);
                 }
-                goes_on_1 = _S591;
-                next_3 = _S592;
-                next_direction_1 = _S593;
-                own_5 = _S594;
+                goes_on_1 = _S592;
+                next_3 = _S593;
+                next_direction_1 = _S594;
+                own_5 = _S595;
             }
             else
             {
@@ -4418,44 +4423,44 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 next_direction_1 = next_direction_0;
                 own_5 = next_distance_0;
             }
-            var _S595 : u32 = emitter_seen_0(found_8, sample_3.direction_11);
-            sample_3.emitter_5 = _S595;
-            if(_S595 == u32(4294967295))
+            var _S596 : u32 = emitter_seen_0(found_8, sample_3.direction_11);
+            sample_3.emitter_5 = _S596;
+            if(_S596 == u32(4294967295))
             {
                 next_distance_0 = own_5;
-                var _S588 : u32 = i_4 + u32(1);
+                var _S589 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
-                i_4 = _S588;
+                i_4 = _S589;
                 continue;
             }
             sample_3.place_17 = place_of_0(found_8);
             sample_3.distance_4 = t_9;
-            var _S596 : f32 = f32(bsdf_samples_0) * scattered_3.pdf_5;
-            var _S597 : bool;
+            var _S597 : f32 = f32(bsdf_samples_0) * scattered_3.pdf_5;
+            var _S598 : bool;
             if(!sample_3.is_specular_0)
             {
-                _S597 = emitter_samples_0 != u32(0);
+                _S598 = emitter_samples_0 != u32(0);
             }
             else
             {
-                _S597 = false;
+                _S598 = false;
             }
-            if(_S597)
+            if(_S598)
             {
                 var pdf_6 : f32 = emitter_pdf_0(sample_3.emitter_5, found_8, vertex_13, sample_3.direction_11, t_9);
-                other_1 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S586) * pdf_6;
+                other_1 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S587) * pdf_6;
             }
             else
             {
                 other_1 = 0.0f;
             }
-            var _S598 : Scattered_0 = scattered_along_0(vertex_13, sample_3, (*path_7).walked_0, &(moving_1));
-            var _S599 : f32 = own_5;
-            own_5 = _S596;
-            scattered_4 = _S598;
-            next_distance_1 = _S599;
+            var _S599 : Scattered_0 = scattered_along_0(vertex_13, sample_3, (*path_7).walked_0, &(moving_1));
+            var _S600 : f32 = own_5;
+            own_5 = _S597;
+            scattered_4 = _S599;
+            next_distance_1 = _S600;
         }
         var place_24 : Place_0 = sample_3.place_17;
         var place_25 : Place_0;
@@ -4468,16 +4473,16 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
             place_25 = place_24;
         }
         var weight_0 : f32 = weight_over_0(own_5, other_1);
-        var _S600 : Vector_0 = emitted_0(sample_3.emitter_5, place_25, moving_1);
-        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, x2A_1(scattered_4.value_11, x2A_0(_S600, weight_0)));
+        var _S601 : Vector_0 = emitted_0(sample_3.emitter_5, place_25, moving_1);
+        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, x2A_1(scattered_4.value_11, x2A_0(_S601, weight_0)));
         next_distance_0 = next_distance_1;
-        var _S588 : u32 = i_4 + u32(1);
+        var _S589 : u32 = i_4 + u32(1);
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
-        i_4 = _S588;
+        i_4 = _S589;
     }
-    if(_S585)
+    if(_S586)
     {
         goes_on_0 = true;
     }
@@ -4490,12 +4495,12 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         return false;
     }
     var throughput_1 : vec3<f32> = value_of_0((*path_7).throughput_0) * value_of_0((*reflected_1).onward_0);
-    var _S601 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    var _S602 : u32 = depth_3 + u32(1);
-    if(_S602 >= (word_0(u32(1))))
+    var _S602 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    var _S603 : u32 = depth_3 + u32(1);
+    if(_S603 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S601, 0.05000000074505806f, 0.94999998807907104f);
-        if((random_0((*path_7).key_0, vertex_numbers_0(_S602) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S602, 0.05000000074505806f, 0.94999998807907104f);
+        if((random_0((*path_7).key_0, vertex_numbers_0(_S603) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -4571,28 +4576,28 @@ fn set_place_0( path_12 : u32,  which_10 : ptr<function, u32>,  place_26 : Place
 
 fn store_0( number_of_path_1 : u32,  path_13 : Path_0)
 {
-    var at_25 : u32 = u32(1);
-    set_changing_0(number_of_path_1, &(at_25), path_13.light_0);
-    set_changing_0(number_of_path_1, &(at_25), path_13.throughput_0);
-    set_changing_0(number_of_path_1, &(at_25), path_13.direction_0);
-    set_vector_0(number_of_path_1, &(at_25), path_13.drift_0);
-    set_place_0(number_of_path_1, &(at_25), path_13.place_1);
-    var _S603 : u32 = at_25 + u32(1);
-    set_word_0(number_of_path_1, at_25, path_13.key_0.x);
-    at_25 = _S603 + u32(1);
-    set_word_0(number_of_path_1, _S603, path_13.key_0.y);
+    var at_26 : u32 = u32(1);
+    set_changing_0(number_of_path_1, &(at_26), path_13.light_0);
+    set_changing_0(number_of_path_1, &(at_26), path_13.throughput_0);
+    set_changing_0(number_of_path_1, &(at_26), path_13.direction_0);
+    set_vector_0(number_of_path_1, &(at_26), path_13.drift_0);
+    set_place_0(number_of_path_1, &(at_26), path_13.place_1);
+    var _S604 : u32 = at_26 + u32(1);
+    set_word_0(number_of_path_1, at_26, path_13.key_0.x);
+    at_26 = _S604 + u32(1);
+    set_word_0(number_of_path_1, _S604, path_13.key_0.y);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S604 : u32;
+    var _S605 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S605 : u32 = u32(2) + zero_0;
-        _S604 = _S605;
-        if(rounds_0 < _S605)
+        var _S606 : u32 = u32(2) + zero_0;
+        _S605 = _S606;
+        if(rounds_0 < _S606)
         {
         }
         else
@@ -4601,42 +4606,42 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S604;
+    return rounds_0 == _S605;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S606 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S607 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
 
 fn take_thread_further_0( thread_0 : u32)
 {
-    var at_26 : u32 = launch_0.first_0 + thread_0;
-    if(at_26 >= (launch_0.end_0))
+    var at_27 : u32 = launch_0.first_0 + thread_0;
+    if(at_27 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_2 : u32 = input_0[at_26];
+    var number_of_path_2 : u32 = input_0[at_27];
     var path_14 : Path_0 = load_0(number_of_path_2);
     var reflected_2 : Reflected_0 = nothing_reflected_0();
     var goes_on_2 : bool = take_further_0(&(path_14), &(reflected_2), vec3<f32>(0.0f));
     path_14.light_0 = x2B_0(path_14.light_0, x2A_1(path_14.throughput_0, reflected_2.direct_0));
     path_14.throughput_0 = x2A_1(path_14.throughput_0, reflected_2.onward_0);
     store_0(number_of_path_2, path_14);
-    var _S607 : u32;
+    var _S608 : u32;
     if(goes_on_2)
     {
-        _S607 = number_of_path_2;
+        _S608 = number_of_path_2;
     }
     else
     {
-        _S607 = u32(4294967295);
+        _S608 = u32(4294967295);
     }
-    set_word_0(at_26, u32(0), _S607);
+    set_word_0(at_27, u32(0), _S608);
     check_loops_0();
     return;
 }

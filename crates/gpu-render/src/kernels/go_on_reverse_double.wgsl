@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: cbd5b3ac6fc36d98
-// result: deb30019d840aeff
+// source: 7c3aafa6eedce5f6
+// result: bb08ac1782c68557
 
 struct Launch_std140_0
 {
@@ -716,7 +716,7 @@ fn s_bwdProp_axes_around_0( _S121 : s_bwdCallableCtx_axes_around_0,  _S122 : ptr
 {
     var _S124 : f32 = _S121.value0_18.value0_17.z;
     var sign_0 : f32;
-    if(_S124 < 0.0f)
+    if(_S124 < -0.30000001192092896f)
     {
         sign_0 = -1.0f;
     }
@@ -4121,12 +4121,12 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
 
 struct Corners2_0
 {
-     a_7 : vec2<f32>,
-     b_4 : vec2<f32>,
-     c_1 : vec2<f32>,
+     a_7 : vec2<f64>,
+     b_4 : vec2<f64>,
+     c_1 : vec2<f64>,
 };
 
-fn Corners2_x24init_0( a_8 : vec2<f32>,  b_5 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
+fn Corners2_x24init_0( a_8 : vec2<f64>,  b_5 : vec2<f64>,  c_2 : vec2<f64>) -> Corners2_0
 {
     var _S1130 : Corners2_0;
     _S1130.a_7 = a_8;
@@ -4135,24 +4135,34 @@ fn Corners2_x24init_0( a_8 : vec2<f32>,  b_5 : vec2<f32>,  c_2 : vec2<f32>) -> C
     return _S1130;
 }
 
+fn precise_0( at_8 : u32) -> f64
+{
+    return f64(number_0(at_8)) + f64(number_0(at_8 + u32(1)));
+}
+
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f64>(0.0lf, 0.0lf), vec2<f64>(1.0lf, 0.0lf), vec2<f64>(0.0lf, 1.0lf));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_5) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_8 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_5) + u32(1));
-    uvs_0.a_7 = vec2<f32>(number_0(at_8), number_0(at_8 + u32(1)));
-    uvs_0.b_4 = vec2<f32>(number_0(at_8 + u32(2)), number_0(at_8 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_8 + u32(4)), number_0(at_8 + u32(5)));
+    var at_9 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_5) + u32(1));
+    uvs_0.a_7 = vec2<f64>(precise_0(at_9), precise_0(at_9 + u32(2)));
+    uvs_0.b_4 = vec2<f64>(precise_0(at_9 + u32(4)), precise_0(at_9 + u32(6)));
+    uvs_0.c_1 = vec2<f64>(precise_0(at_9 + u32(8)), precise_0(at_9 + u32(10)));
     return uvs_0;
 }
 
-fn floor_of_0( x_14 : f32) -> i32
+fn row_at_0( at_10 : u32) -> vec3<f64>
 {
-    return i32(floor(clamp(x_14, -1.0e+09f, 1.0e+09f)));
+    return vec3<f64>(precise_0(at_10), precise_0(at_10 + u32(2)), precise_0(at_10 + u32(4)));
+}
+
+fn floor_of_0( x_14 : f64) -> i32
+{
+    return i32(clamp(f32(floor(x_14)), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
@@ -4193,25 +4203,25 @@ fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
 
 struct Point_0
 {
-     value_5 : vec2<f32>,
+     value_5 : vec2<f64>,
      by_first_1 : vec2<f32>,
      by_second_1 : vec2<f32>,
 };
 
 fn between_0( texels_1 : vec4<u32>,  place_7 : Point_0) -> Lookup_0
 {
-    var way_0 : vec2<f32> = place_7.value_5 - floor(place_7.value_5);
-    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
+    var _S1131 : vec2<f32> = vec2<f32>(place_7.value_5 - floor(place_7.value_5));
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - _S1131;
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S1131 : f32 = back_0.x;
-    var _S1132 : f32 = back_0.y;
-    var _S1133 : f32 = way_0.x;
-    var _S1134 : f32 = way_0.y;
-    lookup_1.weights_1 = vec4<f32>(_S1131 * _S1132, _S1133 * _S1132, _S1131 * _S1134, _S1133 * _S1134);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S1132, _S1132, - _S1134, _S1134);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S1131, - _S1133, _S1131, _S1133);
+    var _S1132 : f32 = back_0.x;
+    var _S1133 : f32 = back_0.y;
+    var _S1134 : f32 = _S1131.x;
+    var _S1135 : f32 = _S1131.y;
+    lookup_1.weights_1 = vec4<f32>(_S1132 * _S1133, _S1134 * _S1133, _S1132 * _S1135, _S1134 * _S1135);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S1133, _S1133, - _S1135, _S1135);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S1132, - _S1134, _S1132, _S1134);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_7.by_first_1.x) + by_y_0 * vec4<f32>(place_7.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_7.by_second_1.x) + by_y_0 * vec4<f32>(place_7.by_second_1.y);
     return lookup_1;
@@ -4223,26 +4233,26 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
     var size_0 : vec2<f32> = vec2<f32>(f32(width_1), f32(height_0));
-    var place_8 : vec2<f32> = uv_0.value_5 * size_0;
+    var place_8 : vec2<f64> = uv_0.value_5 * vec2<f64>(size_0);
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_8.y), height_0, wrap_1);
-        var _S1135 : u32 = row_0 * u32(width_1);
-        var _S1136 : u32 = wrapped_0(floor_of_0(place_8.x), width_1, wrap_1);
-        return one_texel_0(_S1135 + _S1136);
+        var _S1136 : u32 = row_0 * u32(width_1);
+        var _S1137 : u32 = wrapped_0(floor_of_0(place_8.x), width_1, wrap_1);
+        return one_texel_0(_S1136 + _S1137);
     }
     var centred_0 : Point_0;
-    var _S1137 : vec2<f32> = place_8 - vec2<f32>(0.5f);
-    centred_0.value_5 = _S1137;
+    var _S1138 : vec2<f64> = place_8 - vec2<f64>(0.5lf);
+    centred_0.value_5 = _S1138;
     centred_0.by_first_1 = uv_0.by_first_1 * size_0;
     centred_0.by_second_1 = uv_0.by_second_1 * size_0;
-    var x_15 : i32 = floor_of_0(_S1137.x);
-    var y_5 : i32 = floor_of_0(_S1137.y);
-    var _S1138 : u32 = wrapped_0(y_5, height_0, wrap_1);
-    var _S1139 : u32 = u32(width_1);
-    var first_1 : u32 = _S1138 * _S1139;
-    var _S1140 : u32 = wrapped_0(y_5 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S1140 * _S1139;
+    var x_15 : i32 = floor_of_0(_S1138.x);
+    var y_5 : i32 = floor_of_0(_S1138.y);
+    var _S1139 : u32 = wrapped_0(y_5, height_0, wrap_1);
+    var _S1140 : u32 = u32(width_1);
+    var first_1 : u32 = _S1139 * _S1140;
+    var _S1141 : u32 = wrapped_0(y_5 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S1141 * _S1140;
     var left_0 : u32 = wrapped_0(x_15, width_1, wrap_1);
     var right_0 : u32 = wrapped_0(x_15 + i32(1), width_1, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -4271,43 +4281,43 @@ fn lookup_at_0( texture_1 : u32,  place_9 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_9.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
+    var by_v_0 : vec2<f64> = uvs_1.b_4 - uvs_1.a_7;
+    var by_w_0 : vec2<f64> = uvs_1.c_1 - uvs_1.a_7;
+    var _S1142 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f64> = row_at_0(_S1142);
+    var to_v_0 : vec3<f64> = row_at_0(_S1142 + u32(6));
     var uv_1 : Point_0;
-    var _S1141 : vec3<f32> = vec3<f32>(uvs_1.a_7 * vec2<f32>((1.0f - place_9.v_0 - place_9.w_0)) + uvs_1.b_4 * vec2<f32>(place_9.v_0) + uvs_1.c_1 * vec2<f32>(place_9.w_0), 1.0f);
-    uv_1.value_5 = vec2<f32>(dot(_S1141, to_u_0), dot(_S1141, to_v_0));
-    var by_v_0 : vec2<f32> = uvs_1.b_4 - uvs_1.a_7;
-    var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_7;
-    var _S1142 : vec2<f32> = to_u_0.xy;
-    var _S1143 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S1142), dot(by_v_0, _S1143));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S1142), dot(by_w_0, _S1143));
+    var _S1143 : vec3<f64> = vec3<f64>(uvs_1.a_7 + by_v_0 * vec2<f64>((f64(place_9.v_0) + f64(place_9.v_rest_0))) + by_w_0 * vec2<f64>((f64(place_9.w_0) + f64(place_9.w_rest_0))), 1.0lf);
+    uv_1.value_5 = vec2<f64>(dot(_S1143, to_u_0), dot(_S1143, to_v_0));
+    var _S1144 : vec2<f64> = to_u_0.xy;
+    var _S1145 : vec2<f64> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(vec2<f64>(dot(by_v_0, _S1144), dot(by_v_0, _S1145)));
+    uv_1.by_second_1 = vec2<f32>(vec2<f64>(dot(by_w_0, _S1144), dot(by_w_0, _S1145)));
     if(kind_1 == u32(1))
     {
-        var _S1144 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S1144;
+        var _S1146 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S1146;
     }
-    var half_of_period_0 : vec2<f32> = uv_1.value_5 - floor(uv_1.value_5);
-    var _S1145 : i32;
-    if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
+    var half_of_period_0 : vec2<f64> = uv_1.value_5 - floor(uv_1.value_5);
+    var _S1147 : i32;
+    if(((half_of_period_0.x) > 0.5lf) != ((half_of_period_0.y) > 0.5lf))
     {
-        _S1145 = i32(1);
+        _S1147 = i32(1);
     }
     else
     {
-        _S1145 = i32(0);
+        _S1147 = i32(0);
     }
-    return one_texel_0(u32(_S1145));
+    return one_texel_0(u32(_S1147));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f32>) -> vec3<f32>
 {
-    var _S1146 : u32 = word_0(texture_2 + u32(1));
-    var _S1147 : u32 = texture_2 + u32(13);
-    var _S1148 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1148 : u32 = word_0(texture_2 + u32(1));
+    var _S1149 : u32 = texture_2 + u32(19);
+    var _S1150 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_6 : vec3<f32> = _S1148;
+    var value_6 : vec3<f32> = _S1150;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -4317,17 +4327,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f
         {
             break;
         }
-        var at_9 : u32 = _S1147 + _S1146 * lookup_3.texels_0[k_1];
-        var _S1149 : vec3<f32>;
-        if(_S1146 == u32(1))
+        var at_11 : u32 = _S1149 + _S1148 * lookup_3.texels_0[k_1];
+        var _S1151 : vec3<f32>;
+        if(_S1148 == u32(1))
         {
-            _S1149 = vec3<f32>(number_0(at_9));
+            _S1151 = vec3<f32>(number_0(at_11));
         }
         else
         {
-            _S1149 = vector_at_0(at_9);
+            _S1151 = vector_at_0(at_11);
         }
-        var value_7 : vec3<f32> = value_6 + _S1149 * vec3<f32>(weights_2[k_1]);
+        var value_7 : vec3<f32> = value_6 + _S1151 * vec3<f32>(weights_2[k_1]);
         k_1 = k_1 + u32(1);
         value_6 = value_7;
     }
@@ -4341,8 +4351,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_10 : Place_0) -> vec3<f32>
 {
-    var _S1150 : Lookup_0 = lookup_at_0(texture_4, place_10);
-    return looked_up_0(texture_4, _S1150, vec2<f32>(0.0f));
+    var _S1152 : Lookup_0 = lookup_at_0(texture_4, place_10);
+    return looked_up_0(texture_4, _S1152, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_1 : vec3<f32>) -> f32
@@ -4393,38 +4403,38 @@ fn lobe_at_0( record_3 : u32,  place_11 : Place_0) -> Lobe_0
     var lobe_5 : Lobe_0;
     lobe_5.record_0 = record_3;
     var is_black_0 : bool = record_3 == u32(4294967295);
-    var _S1151 : u32;
+    var _S1153 : u32;
     if(is_black_0)
     {
-        _S1151 = u32(0);
+        _S1153 = u32(0);
     }
     else
     {
-        _S1151 = word_0(record_3);
+        _S1153 = word_0(record_3);
     }
-    lobe_5.kind_0 = _S1151;
+    lobe_5.kind_0 = _S1153;
     if(is_black_0)
     {
-        _S1151 = u32(1);
+        _S1153 = u32(1);
     }
     else
     {
-        _S1151 = word_0(record_3 + u32(1));
+        _S1153 = word_0(record_3 + u32(1));
     }
-    lobe_5.distribution_0 = _S1151;
+    lobe_5.distribution_0 = _S1153;
     lobe_5.numbers_0 = no_numbers_0();
     if(is_black_0)
     {
-        _S1151 = u32(0);
+        _S1153 = u32(0);
     }
     else
     {
-        _S1151 = word_0(record_3 + u32(4));
+        _S1153 = word_0(record_3 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S1151)
+        if(slot_1 < _S1153)
         {
         }
         else
@@ -4438,10 +4448,10 @@ fn lobe_at_0( record_3 : u32,  place_11 : Place_0) -> Lobe_0
             continue;
         }
         var colour_2 : vec3<f32> = shown_0(texture_5, place_11);
-        var _S1152 : vec3<f32> = value_of_0(colour_2);
-        var _S1153 : Numbers_0 = lobe_5.numbers_0;
-        set_slot_0(&(_S1153), slot_1, _S1152);
-        lobe_5.numbers_0 = _S1153;
+        var _S1154 : vec3<f32> = value_of_0(colour_2);
+        var _S1155 : Numbers_0 = lobe_5.numbers_0;
+        set_slot_0(&(_S1155), slot_1, _S1154);
+        lobe_5.numbers_0 = _S1155;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_5;
@@ -4456,53 +4466,53 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_5.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S1154 : vec3<f32>;
+    var _S1156 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S1154 = tangent_0;
+        _S1156 = tangent_0;
     }
     else
     {
-        _S1154 = vec3<f32>(0.0f);
+        _S1156 = vec3<f32>(0.0f);
     }
-    return _S1154;
+    return _S1156;
 }
 
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S1155 : vec3<f32>;
+    var _S1157 : vec3<f32>;
     if(is_front_1)
     {
-        _S1155 = n_2;
+        _S1157 = n_2;
     }
     else
     {
-        _S1155 = (vec3<f32>(0) - n_2);
+        _S1157 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_0 = _S1155;
-    var _S1156 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S1156;
-    axes_0.t_0 = cross(n_2, _S1156);
+    axes_0.n_0 = _S1157;
+    var _S1158 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S1158;
+    axes_0.t_0 = cross(n_2, _S1158);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S1157 : vec3<f32>;
+    var _S1159 : vec3<f32>;
     if(is_front_2)
     {
-        _S1157 = n_3;
+        _S1159 = n_3;
     }
     else
     {
-        _S1157 = (vec3<f32>(0) - n_3);
+        _S1159 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_0 = _S1157;
-    var _S1158 : f32 = n_3.z;
+    axes_1.n_0 = _S1159;
+    var _S1160 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S1158 < 0.0f)
+    if(_S1160 < -0.30000001192092896f)
     {
         sign_1 = -1.0f;
     }
@@ -4510,12 +4520,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_1 = 1.0f;
     }
-    var a_9 : f32 = -1.0f / (sign_1 + _S1158);
-    var _S1159 : f32 = n_3.x;
-    var _S1160 : f32 = n_3.y;
-    var b_6 : f32 = _S1159 * _S1160 * a_9;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S1159 * _S1159 * a_9, sign_1 * b_6, - sign_1 * _S1159);
-    axes_1.t_0 = vec3<f32>(b_6, sign_1 + _S1160 * _S1160 * a_9, - _S1160);
+    var a_9 : f32 = -1.0f / (sign_1 + _S1160);
+    var _S1161 : f32 = n_3.x;
+    var _S1162 : f32 = n_3.y;
+    var b_6 : f32 = _S1161 * _S1162 * a_9;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S1161 * _S1161 * a_9, sign_1 * b_6, - sign_1 * _S1161);
+    axes_1.t_0 = vec3<f32>(b_6, sign_1 + _S1162 * _S1162 * a_9, - _S1162);
     return axes_1;
 }
 
@@ -4542,8 +4552,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_4 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S1161 : Lobe_0 = lobe_at_0(material_0, surface_4.place_5);
-    vertex_0.lobe_6 = _S1161;
+    var _S1163 : Lobe_0 = lobe_at_0(material_0, surface_4.place_5);
+    vertex_0.lobe_6 = _S1163;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -4615,35 +4625,35 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_2, 0.0f) / squared_2;
     }
-    var _S1162 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S1162 * _S1162 / (2.0f * (_S1162 - max(lowest_0, -1.0f)) * squared_2);
+    var _S1164 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S1164 * _S1164 / (2.0f * (_S1164 - max(lowest_0, -1.0f)) * squared_2);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S1163 : bool;
+    var _S1165 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S1163 = true;
+        _S1165 = true;
     }
     else
     {
-        _S1163 = (word_0(u32(2))) == u32(0);
+        _S1165 = (word_0(u32(2))) == u32(0);
     }
-    if(_S1163)
+    if(_S1165)
     {
         return false;
     }
     var record_5 : u32 = emitter_record_0(u32(0));
     if(is_area_0(record_5))
     {
-        _S1163 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
+        _S1165 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S1163 = false;
+        _S1165 = false;
     }
-    return _S1163;
+    return _S1165;
 }
 
 fn has_smooth_0( lobe_7 : Lobe_0) -> bool
@@ -4663,12 +4673,12 @@ fn nothing_pulled_0() -> Pulled_0
 {
     var pulled_0 : Pulled_0;
     pulled_0.numbers_4 = no_numbers_0();
-    var _S1164 : vec3<f32> = vec3<f32>(0.0f);
-    pulled_0.position_2 = _S1164;
-    pulled_0.wi_2 = _S1164;
-    pulled_0.axes_5.n_0 = _S1164;
-    pulled_0.axes_5.t_0 = _S1164;
-    pulled_0.axes_5.s_0 = _S1164;
+    var _S1166 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_2 = _S1166;
+    pulled_0.wi_2 = _S1166;
+    pulled_0.axes_5.n_0 = _S1166;
+    pulled_0.axes_5.t_0 = _S1166;
+    pulled_0.axes_5.s_0 = _S1166;
     return pulled_0;
 }
 
@@ -4711,32 +4721,32 @@ struct Choice_0
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_5, choice_0.normal_2);
-    var _S1165 : f32;
+    var _S1167 : f32;
     if(view_0 > 0.0f)
     {
-        _S1165 = 1.0f;
+        _S1167 = 1.0f;
     }
     else
     {
-        _S1165 = 0.0f;
+        _S1167 = 0.0f;
     }
-    (*can_light_0) = _S1165;
+    (*can_light_0) = _S1167;
     return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
 }
 
 fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
 {
     var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_5, choice_1.normal_2);
-    var _S1166 : f32;
+    var _S1168 : f32;
     if(view_1 > 0.0f)
     {
-        _S1166 = 1.0f;
+        _S1168 = 1.0f;
     }
     else
     {
-        _S1166 = 0.0f;
+        _S1168 = 0.0f;
     }
-    (*can_light_1) = _S1166;
+    (*can_light_1) = _S1168;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -4748,32 +4758,32 @@ fn choice_at_0( position_6 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
     var count_1 : u32 = word_0(u32(6));
-    var _S1167 : bool;
+    var _S1169 : bool;
     if(alike_0)
     {
-        _S1167 = true;
+        _S1169 = true;
     }
     else
     {
-        _S1167 = (word_0(u32(5))) != u32(0);
+        _S1169 = (word_0(u32(5))) != u32(0);
     }
-    if(_S1167)
+    if(_S1169)
     {
-        _S1167 = true;
+        _S1169 = true;
     }
     else
     {
-        _S1167 = count_1 < u32(2);
+        _S1169 = count_1 < u32(2);
     }
-    if(_S1167)
+    if(_S1169)
     {
-        _S1167 = true;
+        _S1169 = true;
     }
     else
     {
-        _S1167 = count_1 > u32(32);
+        _S1169 = count_1 > u32(32);
     }
-    if(_S1167)
+    if(_S1169)
     {
         return choice_2;
     }
@@ -4788,20 +4798,20 @@ fn choice_at_0( position_6 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
             break;
         }
         var can_light_2 : f32;
-        var _S1168 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S1168;
+        var _S1170 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S1170;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S1167 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S1169 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S1167 = false;
+        _S1169 = false;
     }
-    if(!_S1167)
+    if(!_S1169)
     {
         choice_2.all_0 = 0.0f;
     }
@@ -4827,33 +4837,33 @@ fn product_2( a_10 : u32,  b_7 : u32) -> vec2<u32>
 
 fn times_0( a_11 : vec2<u32>,  b_8 : vec2<u32>) -> vec2<u32>
 {
-    var _S1169 : u32 = a_11.x;
-    var _S1170 : u32 = b_8.x;
-    var low_1 : vec2<u32> = product_2(_S1169, _S1170);
-    return vec2<u32>(low_1.x, low_1.y + _S1169 * b_8.y + a_11.y * _S1170);
+    var _S1171 : u32 = a_11.x;
+    var _S1172 : u32 = b_8.x;
+    var low_1 : vec2<u32> = product_2(_S1171, _S1172);
+    return vec2<u32>(low_1.x, low_1.y + _S1171 * b_8.y + a_11.y * _S1172);
 }
 
 fn plus_0( a_12 : vec2<u32>,  b_9 : vec2<u32>) -> vec2<u32>
 {
-    var _S1171 : u32 = a_12.x;
-    var low_2 : u32 = _S1171 + b_9.x;
-    var _S1172 : u32 = a_12.y + b_9.y;
-    var _S1173 : i32;
-    if(low_2 < _S1171)
+    var _S1173 : u32 = a_12.x;
+    var low_2 : u32 = _S1173 + b_9.x;
+    var _S1174 : u32 = a_12.y + b_9.y;
+    var _S1175 : i32;
+    if(low_2 < _S1173)
     {
-        _S1173 = i32(1);
+        _S1175 = i32(1);
     }
     else
     {
-        _S1173 = i32(0);
+        _S1175 = i32(0);
     }
-    return vec2<u32>(low_2, _S1172 + u32(_S1173));
+    return vec2<u32>(low_2, _S1174 + u32(_S1175));
 }
 
 fn shifted_xor_0( x_16 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S1174 : u32 = x_16.y;
-    return (x_16 ^ (vec2<u32>(((((x_16.x) >> (by_0))) | (((_S1174 << ((u32(32) - by_0)))))), (_S1174 >> (by_0)))));
+    var _S1176 : u32 = x_16.y;
+    return (x_16 ^ (vec2<u32>(((((x_16.x) >> (by_0))) | (((_S1176 << ((u32(32) - by_0)))))), (_S1176 >> (by_0)))));
 }
 
 fn mix_0( x_17 : vec2<u32>) -> vec2<u32>
@@ -4892,9 +4902,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_2 : ptr<funct
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S1175 : f32 = f32(count_2);
-        (*probability_2) = 1.0f / _S1175;
-        return min(u32(u_0 * _S1175), count_2 - u32(1));
+        var _S1177 : f32 = f32(count_2);
+        (*probability_2) = 1.0f / _S1177;
+        return min(u32(u_0 * _S1177), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
@@ -4925,9 +4935,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_2 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S1176 : u32 = i_2 + u32(1);
+        var _S1178 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S1176;
+        i_2 = _S1178;
         rest_1 = rest_2;
     }
     return found_0;
@@ -4940,28 +4950,28 @@ fn place_at_0( triangle_6 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
 
 fn angle_of_0( x_18 : f32,  y_6 : f32) -> f32
 {
-    var _S1177 : f32 = abs(x_18);
-    var _S1178 : f32 = abs(y_6);
-    var _S1179 : f32 = min(_S1177, _S1178);
-    var _S1180 : f32 = max(_S1177, _S1178);
-    var is_steep_2 : bool = _S1179 > (0.41421356797218323f * _S1180);
+    var _S1179 : f32 = abs(x_18);
+    var _S1180 : f32 = abs(y_6);
+    var _S1181 : f32 = min(_S1179, _S1180);
+    var _S1182 : f32 = max(_S1179, _S1180);
+    var is_steep_2 : bool = _S1181 > (0.41421356797218323f * _S1182);
     var above_2 : f32;
     if(is_steep_2)
     {
-        above_2 = _S1179 - _S1180;
+        above_2 = _S1181 - _S1182;
     }
     else
     {
-        above_2 = _S1179;
+        above_2 = _S1181;
     }
     var below_2 : f32;
     if(is_steep_2)
     {
-        below_2 = _S1179 + _S1180;
+        below_2 = _S1181 + _S1182;
     }
     else
     {
-        below_2 = _S1180;
+        below_2 = _S1182;
     }
     if(below_2 > 0.0f)
     {
@@ -4982,7 +4992,7 @@ fn angle_of_0( x_18 : f32,  y_6 : f32) -> f32
     {
         angle_3 = angle_2;
     }
-    if(_S1178 > _S1177)
+    if(_S1180 > _S1179)
     {
         angle_3 = 1.57079637050628662f - angle_3;
     }
@@ -5017,11 +5027,11 @@ fn solid_angle_of_0( a_13 : vec3<f32>,  b_10 : vec3<f32>,  c_3 : vec3<f32>) -> f
 
 fn complex_product_0( a_14 : vec2<f32>,  b_11 : vec2<f32>) -> vec2<f32>
 {
-    var _S1181 : f32 = a_14.x;
-    var _S1182 : f32 = b_11.x;
-    var _S1183 : f32 = a_14.y;
-    var _S1184 : f32 = b_11.y;
-    return vec2<f32>(_S1181 * _S1182 - _S1183 * _S1184, _S1181 * _S1184 + _S1183 * _S1182);
+    var _S1183 : f32 = a_14.x;
+    var _S1184 : f32 = b_11.x;
+    var _S1185 : f32 = a_14.y;
+    var _S1186 : f32 = b_11.y;
+    return vec2<f32>(_S1183 * _S1184 - _S1185 * _S1186, _S1183 * _S1186 + _S1185 * _S1184);
 }
 
 struct SeenRectangle_0
@@ -5034,36 +5044,36 @@ struct SeenRectangle_0
      inverse_to_line_0 : vec2<f32>,
 };
 
-fn seen_rectangle_0( at_10 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
+fn seen_rectangle_0( at_12 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
 {
-    var offset_2 : vec3<f32> = vector_at_0(at_10) - viewpoint_1;
-    var x0_0 : f32 = dot(vector_at_0(at_10 + u32(3)), offset_2);
-    var y0_0 : f32 = dot(vector_at_0(at_10 + u32(6)), offset_2);
-    var x1_0 : f32 = x0_0 + number_0(at_10 + u32(12));
-    var y1_0 : f32 = y0_0 + number_0(at_10 + u32(13));
+    var offset_2 : vec3<f32> = vector_at_0(at_12) - viewpoint_1;
+    var x0_0 : f32 = dot(vector_at_0(at_12 + u32(3)), offset_2);
+    var y0_0 : f32 = dot(vector_at_0(at_12 + u32(6)), offset_2);
+    var x1_0 : f32 = x0_0 + number_0(at_12 + u32(12));
+    var y1_0 : f32 = y0_0 + number_0(at_12 + u32(13));
     var seen_1 : SeenRectangle_0;
     seen_1.x_19 = vec2<f32>(x0_0, x1_0);
     seen_1.y_7 = vec2<f32>(y0_0, y1_0);
-    var _S1185 : f32 = - dot(vector_at_0(at_10 + u32(9)), offset_2);
-    seen_1.z_3 = _S1185;
-    var a_15 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S1185);
-    var b_12 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S1185);
-    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S1185);
-    var d_2 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S1185);
-    var _S1186 : f32 = length(a_15);
-    var _S1187 : f32 = length(c_4);
-    var _S1188 : f32;
-    if(_S1185 > (9.99999997475242708e-07f * max(max(_S1186, length(b_12)), max(_S1187, length(d_2)))))
+    var _S1187 : f32 = - dot(vector_at_0(at_12 + u32(9)), offset_2);
+    seen_1.z_3 = _S1187;
+    var a_15 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S1187);
+    var b_12 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S1187);
+    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S1187);
+    var d_2 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S1187);
+    var _S1188 : f32 = length(a_15);
+    var _S1189 : f32 = length(c_4);
+    var _S1190 : f32;
+    if(_S1187 > (9.99999997475242708e-07f * max(max(_S1188, length(b_12)), max(_S1189, length(d_2)))))
     {
-        _S1188 = solid_angle_of_0(a_15, c_4, b_12) + solid_angle_of_0(d_2, b_12, c_4);
+        _S1190 = solid_angle_of_0(a_15, c_4, b_12) + solid_angle_of_0(d_2, b_12, c_4);
     }
     else
     {
-        _S1188 = 0.0f;
+        _S1190 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S1188;
+    seen_1.solid_angle_0 = _S1190;
     var z2_2 : f32 = seen_1.z_3 * seen_1.z_3;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_3 * _S1187), vec2<f32>(- x0_0 * y0_0, seen_1.z_3 * _S1186));
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_3 * _S1189), vec2<f32>(- x0_0 * y0_0, seen_1.z_3 * _S1188));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_7 * seen_1.y_7 + vec2<f32>(z2_2));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_2) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
@@ -5100,32 +5110,32 @@ fn sine_cosine_0( angle_4 : f32) -> vec2<f32>
 fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
-    var at_11 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S1189 : f32 = seen_2.y_7.x;
-    var _S1190 : f32 = seen_2.inverse_to_line_0.x;
-    var _S1191 : f32 = seen_2.y_7.y;
-    var n_4 : f32 = - at_11.x * _S1189 * _S1190 - _S1191 * seen_2.inverse_to_line_0.y;
-    var _S1192 : f32 = at_11.y;
-    var flat_0 : f32 = _S1192 * seen_2.z_3 * _S1190;
-    var size_1 : f32 = seen_2.z_3 * abs(_S1192) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
-    var _S1193 : f32;
-    if((n_4 * _S1192) < 0.0f)
+    var at_13 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
+    var _S1191 : f32 = seen_2.y_7.x;
+    var _S1192 : f32 = seen_2.inverse_to_line_0.x;
+    var _S1193 : f32 = seen_2.y_7.y;
+    var n_4 : f32 = - at_13.x * _S1191 * _S1192 - _S1193 * seen_2.inverse_to_line_0.y;
+    var _S1194 : f32 = at_13.y;
+    var flat_0 : f32 = _S1194 * seen_2.z_3 * _S1192;
+    var size_1 : f32 = seen_2.z_3 * abs(_S1194) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
+    var _S1195 : f32;
+    if((n_4 * _S1194) < 0.0f)
     {
-        _S1193 = - size_1;
+        _S1195 = - size_1;
     }
     else
     {
-        _S1193 = size_1;
+        _S1195 = size_1;
     }
-    var x_21 : f32 = clamp(_S1193, seen_2.x_19.x, seen_2.x_19.y);
+    var x_21 : f32 = clamp(_S1195, seen_2.x_19.x, seen_2.x_19.y);
     var squared_3 : f32 = x_21 * x_21 + seen_2.z_3 * seen_2.z_3;
     var h_0 : vec2<f32> = seen_2.y_7 / sqrt(vec2<f32>(squared_3) + seen_2.y_7 * seen_2.y_7);
-    var _S1194 : f32 = h_0.x;
-    var sine_2 : f32 = _S1194 + u_1.y * (h_0.y - _S1194);
-    return vec2<f32>(x_21, clamp(sine_2 * sqrt(squared_3 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S1189, _S1191));
+    var _S1196 : f32 = h_0.x;
+    var sine_2 : f32 = _S1196 + u_1.y * (h_0.y - _S1196);
+    return vec2<f32>(x_21, clamp(sine_2 * sqrt(squared_3 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S1191, _S1193));
 }
 
-fn rectangle_face_0( at_12 : u32,  place_12 : vec2<f32>,  weights_3 : ptr<function, vec2<f32>>) -> u32
+fn rectangle_face_0( at_14 : u32,  place_12 : vec2<f32>,  weights_3 : ptr<function, vec2<f32>>) -> u32
 {
     var best_0 : f32 = -1.00000001504746622e+30f;
     var found_2 : u32 = u32(0);
@@ -5139,17 +5149,17 @@ fn rectangle_face_0( at_12 : u32,  place_12 : vec2<f32>,  weights_3 : ptr<functi
         {
             break;
         }
-        var row_1 : u32 = at_12 + u32(14) + u32(6) * face_0;
-        var _S1195 : f32 = place_12.x;
-        var _S1196 : f32 = place_12.y;
-        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S1195 + number_0(row_1 + u32(2)) * _S1196;
-        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S1195 + number_0(row_1 + u32(5)) * _S1196;
-        var _S1197 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
-        if(_S1197 > best_0)
+        var row_1 : u32 = at_14 + u32(14) + u32(6) * face_0;
+        var _S1197 : f32 = place_12.x;
+        var _S1198 : f32 = place_12.y;
+        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S1197 + number_0(row_1 + u32(2)) * _S1198;
+        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S1197 + number_0(row_1 + u32(5)) * _S1198;
+        var _S1199 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
+        if(_S1199 > best_0)
         {
             (*weights_3)[i32(0)] = clamp(v_5, 0.0f, 1.0f);
             (*weights_3)[i32(1)] = clamp(w_3, 0.0f, 1.0f - (*weights_3).x);
-            best_0 = _S1197;
+            best_0 = _S1199;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -5165,26 +5175,26 @@ fn emitter_triangle_0( record_7 : u32,  face_1 : u32) -> u32
 fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f64
 {
     var bits_0 : vec2<u32> = random_bits_0(key_3, dimension_2);
-    var _S1198 : u32 = bits_0.y;
-    return (f64((_S1198 >> (u32(11)))) + f64((((_S1198 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
+    var _S1200 : u32 = bits_0.y;
+    return (f64((_S1200 >> (u32(11)))) + f64((((_S1200 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S1199 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S1200 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S1199, _S1200);
-    var sum_3 : f32 = _S1199 + _S1200;
-    var _S1201 : vec2<f32>;
+    var _S1201 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S1202 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S1201, _S1202);
+    var sum_3 : f32 = _S1201 + _S1202;
+    var _S1203 : vec2<f32>;
     if(sum_3 > 0.0f)
     {
-        _S1201 = seen_3 / vec2<f32>(sum_3);
+        _S1203 = seen_3 / vec2<f32>(sum_3);
     }
     else
     {
-        _S1201 = vec2<f32>(0.0f);
+        _S1203 = vec2<f32>(0.0f);
     }
-    return _S1201;
+    return _S1203;
 }
 
 struct Corners_0
@@ -5196,11 +5206,11 @@ struct Corners_0
 
 fn corners_from_0( record_8 : u32,  face_2 : u32,  viewpoint_3 : vec3<f64>) -> Corners_0
 {
-    var at_13 : u32 = u32(9) * emitter_triangle_0(record_8, face_2);
+    var at_15 : u32 = u32(9) * emitter_triangle_0(record_8, face_2);
     var corners_0 : Corners_0;
-    corners_0.a_16 = vec3<f32>(primitive_vector_0(at_13) - viewpoint_3);
-    corners_0.b_13 = vec3<f32>(primitive_vector_0(at_13 + u32(3)) - viewpoint_3);
-    corners_0.c_5 = vec3<f32>(primitive_vector_0(at_13 + u32(6)) - viewpoint_3);
+    corners_0.a_16 = vec3<f32>(primitive_vector_0(at_15) - viewpoint_3);
+    corners_0.b_13 = vec3<f32>(primitive_vector_0(at_15 + u32(3)) - viewpoint_3);
+    corners_0.c_5 = vec3<f32>(primitive_vector_0(at_15 + u32(6)) - viewpoint_3);
     return corners_0;
 }
 
@@ -5217,28 +5227,28 @@ fn unit_across_0( v_6 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_4 : f32) -> vec3<f32>
 {
-    var _S1202 : f32 = clamp(cosine_4, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S1202) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S1202) * (1.0f + _S1202)));
+    var _S1204 : f32 = clamp(cosine_4, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S1204) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S1204) * (1.0f + _S1204)));
 }
 
 fn triangle_direction_0( a_17 : vec3<f32>,  b_14 : vec3<f32>,  c_6 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S1203 : vec3<f32> = normalize(a_17);
-    var _S1204 : vec3<f32> = normalize(b_14);
-    var _S1205 : vec3<f32> = normalize(c_6);
-    var ab_0 : vec3<f32> = normalize(cross(_S1203, _S1204));
-    var ca_0 : vec3<f32> = normalize(cross(_S1205, _S1203));
+    var _S1205 : vec3<f32> = normalize(a_17);
+    var _S1206 : vec3<f32> = normalize(b_14);
+    var _S1207 : vec3<f32> = normalize(c_6);
+    var ab_0 : vec3<f32> = normalize(cross(_S1205, _S1206));
+    var ca_0 : vec3<f32> = normalize(cross(_S1207, _S1205));
     var sine_alpha_0 : f32 = length(cross(ab_0, ca_0));
     var cosine_alpha_0 : f32 = - dot(ab_0, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S1206 : f32 = part_0.x;
-    var _S1207 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S1206 * cosine_alpha_0 - _S1207 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S1207 * cosine_alpha_0 + _S1206 * sine_alpha_0;
+    var _S1208 : f32 = part_0.x;
+    var _S1209 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S1208 * cosine_alpha_0 - _S1209 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S1209 * cosine_alpha_0 + _S1208 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S1203, _S1204);
-    var between_1 : vec3<f32> = along_0(_S1203, _S1205, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S1204, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S1204)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S1205, _S1206);
+    var between_1 : vec3<f32> = along_0(_S1205, _S1207, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S1206, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S1206)));
 }
 
 fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_4 : f32,  direction_5 : vec3<f32>) -> f32
@@ -5282,10 +5292,10 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             return point_0;
         }
     }
-    var _S1208 : f64 = precise_random_0(key_4, dimension_3);
+    var _S1210 : f64 = precise_random_0(key_4, dimension_3);
     var nodes_at_1 : u32 = word_0(record_10 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f64 = _S1208;
+    var u_3 : f64 = _S1210;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -5297,17 +5307,17 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S1209 : f32 = shares_0.x;
-        var _S1210 : f32 = shares_0.y;
-        if(!((_S1209 + _S1210) > 0.0f))
+        var _S1211 : f32 = shares_0.x;
+        var _S1212 : f32 = shares_0.y;
+        if(!((_S1211 + _S1212) > 0.0f))
         {
             return point_0;
         }
-        var _S1211 : f64 = f64(_S1209);
+        var _S1213 : f64 = f64(_S1211);
         var is_second_0 : bool;
-        if(u_3 >= _S1211)
+        if(u_3 >= _S1213)
         {
-            is_second_0 = _S1210 > 0.0f;
+            is_second_0 = _S1212 > 0.0f;
         }
         else
         {
@@ -5315,86 +5325,86 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S1211) / f64(_S1210);
+            u_3 = (u_3 - _S1213) / f64(_S1212);
         }
         else
         {
-            u_3 = min(u_3 / _S1211, 1.0lf);
+            u_3 = min(u_3 / _S1213, 1.0lf);
         }
         if(is_second_0)
         {
-            total_0 = _S1210;
+            total_0 = _S1212;
         }
         else
         {
-            total_0 = _S1209;
+            total_0 = _S1211;
         }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S1212 : i32;
+        var _S1214 : i32;
         if(is_second_0)
         {
-            _S1212 = i32(3);
+            _S1214 = i32(3);
         }
         else
         {
-            _S1212 = i32(2);
+            _S1214 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S1212));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S1214));
         chosen_0 = chosen_1;
     }
     var first_2 : u32 = word_0(node_2);
-    var _S1213 : u32 = word_0(node_2 + u32(1));
-    var _S1214 : u32 = word_0(record_10 + u32(6));
+    var _S1215 : u32 = word_0(node_2 + u32(1));
+    var _S1216 : u32 = word_0(record_10 + u32(6));
     var k_2 : u32 = first_2;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_2 < _S1213)
+        if(k_2 < _S1215)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S1214 + k_2), from_1.exact_0);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S1216 + k_2), from_1.exact_0);
         k_2 = k_2 + u32(1);
         total_0 = total_1;
     }
-    var _S1215 : f32 = f32(u_3) * total_0;
+    var _S1217 : f32 = f32(u_3) * total_0;
     var face_5 : u32 = u32(4294967295);
     var angle_5 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
     k_2 = first_2;
-    var rest_3 : f32 = _S1215;
+    var rest_3 : f32 = _S1217;
     for(;;)
     {
-        if(k_2 < _S1213)
+        if(k_2 < _S1215)
         {
         }
         else
         {
             break;
         }
-        var _S1216 : u32 = _S1214 + k_2;
-        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S1216), from_1.exact_0);
+        var _S1218 : u32 = _S1216 + k_2;
+        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S1218), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
             k_2 = k_2 + u32(1);
             continue;
         }
-        var _S1217 : u32 = word_0(_S1216);
-        var _S1218 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S1219 : u32 = word_0(_S1218);
+        var _S1220 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S1217;
+            face_5 = _S1219;
             angle_5 = own_1;
-            inside_2 = _S1218;
+            inside_2 = _S1220;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S1217;
+        face_5 = _S1219;
         angle_5 = own_1;
-        inside_2 = _S1218;
+        inside_2 = _S1220;
         rest_3 = rest_4;
         k_2 = k_2 + u32(1);
     }
@@ -5418,9 +5428,9 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         var direction_6 : vec3<f32> = triangle_direction_0(corners_2.a_16, corners_2.b_13, corners_2.c_5, angle_5, vec2<f32>(inside_2, second_1));
         var within_0 : vec3<f32> = direction_6 * vec3<f32>((dot(corners_2.a_16, normal_6) / dot(direction_6, normal_6))) - corners_2.a_16;
         var squared_4 : f32 = dot(normal_6, normal_6);
-        var _S1219 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_4, 0.0f, 1.0f);
-        point_0.place_13.v_0 = _S1219;
-        point_0.place_13.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_4, 0.0f, 1.0f - _S1219);
+        var _S1221 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_4, 0.0f, 1.0f);
+        point_0.place_13.v_0 = _S1221;
+        point_0.place_13.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_4, 0.0f, 1.0f - _S1221);
     }
     var offset_3 : vec3<f32> = corners_2.a_16 + ab_1 * vec3<f32>(point_0.place_13.v_0) + ac_0 * vec3<f32>(point_0.place_13.w_0);
     var distance_5 : f32 = length(offset_3);
@@ -5439,15 +5449,15 @@ fn is_map_0( record_11 : u32) -> bool
 
 fn uniform_direction_0( u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S1220 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S1220 * (1.0f - _S1220))));
-    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S1220);
+    var _S1222 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S1222 * (1.0f - _S1222))));
+    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S1222);
 }
 
 fn map_place_0( map_1 : u32,  direction_7 : vec3<f32>) -> vec2<f32>
 {
-    var _S1221 : u32 = map_1 + u32(2);
-    var d_3 : vec3<f32> = vector_at_0(_S1221) * vec3<f32>(direction_7.x) + vector_at_0(_S1221 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S1221 + u32(6)) * vec3<f32>(direction_7.z);
+    var _S1223 : u32 = map_1 + u32(2);
+    var d_3 : vec3<f32> = vector_at_0(_S1223) * vec3<f32>(direction_7.x) + vector_at_0(_S1223 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S1223 + u32(6)) * vec3<f32>(direction_7.z);
     return vec2<f32>(angle_of_0(- d_3.z, d_3.x) * 0.15915493667125702f * f32(word_0(map_1)) - 0.5f, angle_of_0(d_3.y, length(d_3.xz)) * 0.31830987334251404f * (f32(word_0(map_1 + u32(1))) - 1.0f));
 }
 
@@ -5462,24 +5472,19 @@ fn map_pdf_0( map_3 : u32,  direction_8 : vec3<f32>) -> f32
     {
         return 0.07957746833562851f;
     }
-    var place_14 : vec2<f32> = map_place_0(map_3, direction_8);
+    var _S1224 : vec2<f64> = vec2<f64>(map_place_0(map_3, direction_8));
     var width_2 : u32 = word_0(map_3);
-    var column_0 : u32 = wrapped_0(floor_of_0(place_14.x), i32(width_2), u32(0));
-    return cell_pdf_0(map_3, u32(clamp(floor_of_0(place_14.y), i32(0), i32(word_0(map_3 + u32(1))) - i32(2))) * width_2 + column_0);
-}
-
-fn sum_at_0( at_14 : u32) -> f64
-{
-    return f64(number_0(at_14)) + f64(number_0(at_14 + u32(1)));
+    var column_0 : u32 = wrapped_0(floor_of_0(_S1224.x), i32(width_2), u32(0));
+    return cell_pdf_0(map_3, u32(clamp(floor_of_0(_S1224.y), i32(0), i32(word_0(map_3 + u32(1))) - i32(2))) * width_2 + column_0);
 }
 
 fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr<function, f32>) -> u32
 {
-    var _S1222 : u32 = count_3 - u32(1);
-    var total_2 : f64 = sum_at_0(sums_1 + u32(2) * _S1222);
+    var _S1225 : u32 = count_3 - u32(1);
+    var total_2 : f64 = precise_0(sums_1 + u32(2) * _S1225);
     var target_0 : f64 = u_5 * total_2;
     var low_3 : u32 = u32(0);
-    var high_0 : u32 = _S1222;
+    var high_0 : u32 = _S1225;
     for(;;)
     {
         if(low_3 < high_0)
@@ -5490,17 +5495,17 @@ fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr
             break;
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
-        var sum_4 : f64 = sum_at_0(sums_1 + u32(2) * middle_1);
-        var _S1223 : bool;
+        var sum_4 : f64 = precise_0(sums_1 + u32(2) * middle_1);
+        var _S1226 : bool;
         if(sum_4 <= target_0)
         {
-            _S1223 = sum_4 < total_2;
+            _S1226 = sum_4 < total_2;
         }
         else
         {
-            _S1223 = false;
+            _S1226 = false;
         }
-        if(_S1223)
+        if(_S1226)
         {
             low_3 = middle_1 + u32(1);
         }
@@ -5512,13 +5517,13 @@ fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr
     var below_3 : f64;
     if(low_3 > u32(0))
     {
-        below_3 = sum_at_0(sums_1 + u32(2) * (low_3 - u32(1)));
+        below_3 = precise_0(sums_1 + u32(2) * (low_3 - u32(1)));
     }
     else
     {
         below_3 = 0.0lf;
     }
-    (*through_0) = clamp(f32((target_0 - below_3) / (sum_at_0(sums_1 + u32(2) * low_3) - below_3)), 0.0f, 1.0f);
+    (*through_0) = clamp(f32((target_0 - below_3) / (precise_0(sums_1 + u32(2) * low_3) - below_3)), 0.0f, 1.0f);
     return low_3;
 }
 
@@ -5528,52 +5533,52 @@ fn cell_direction_0( map_4 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,
     var azimuth_0 : vec2<f32> = sine_cosine_0(6.28318548202514648f * (turns_0 - floor(turns_0 + 0.5f)));
     var last_0 : u32 = word_0(map_4 + u32(1)) - u32(1);
     var is_lower_0 : bool = (u32(2) * row_2) >= last_0;
-    var rows_1 : vec2<f32>;
+    var rows_0 : vec2<f32>;
     if(is_lower_0)
     {
-        var _S1224 : u32 = last_0 - row_2;
-        rows_1 = vec2<f32>(f32(_S1224), f32(_S1224 - u32(1)));
+        var _S1227 : u32 = last_0 - row_2;
+        rows_0 = vec2<f32>(f32(_S1227), f32(_S1227 - u32(1)));
     }
     else
     {
-        rows_1 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
+        rows_0 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
     }
-    var _S1225 : f32 = f32(last_0);
-    var _S1226 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S1225)).x;
-    var _S1227 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S1225)).x;
-    var off_0 : f32 = 2.0f * mix(_S1226 * _S1226, _S1227 * _S1227, down_0);
+    var _S1228 : f32 = f32(last_0);
+    var _S1229 : f32 = sine_cosine_0(rows_0.x * (1.57079637050628662f / _S1228)).x;
+    var _S1230 : f32 = sine_cosine_0(rows_0.y * (1.57079637050628662f / _S1228)).x;
+    var off_0 : f32 = 2.0f * mix(_S1229 * _S1229, _S1230 * _S1230, down_0);
     var sine_3 : f32 = sqrt(off_0 * (2.0f - off_0));
-    var _S1228 : f32 = azimuth_0.x * sine_3;
-    var _S1229 : f32;
+    var _S1231 : f32 = azimuth_0.x * sine_3;
+    var _S1232 : f32;
     if(is_lower_0)
     {
-        _S1229 = off_0 - 1.0f;
+        _S1232 = off_0 - 1.0f;
     }
     else
     {
-        _S1229 = 1.0f - off_0;
+        _S1232 = 1.0f - off_0;
     }
-    var local_0 : vec3<f32> = vec3<f32>(_S1228, _S1229, - azimuth_0.y * sine_3);
-    var _S1230 : u32 = map_4 + u32(2);
-    return vec3<f32>(dot(vector_at_0(_S1230), local_0), dot(vector_at_0(_S1230 + u32(3)), local_0), dot(vector_at_0(_S1230 + u32(6)), local_0));
+    var local_0 : vec3<f32> = vec3<f32>(_S1231, _S1232, - azimuth_0.y * sine_3);
+    var _S1233 : u32 = map_4 + u32(2);
+    return vec3<f32>(dot(vector_at_0(_S1233), local_0), dot(vector_at_0(_S1233 + u32(3)), local_0), dot(vector_at_0(_S1233 + u32(6)), local_0));
 }
 
 fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_3 : ptr<function, f32>) -> vec3<f32>
 {
     var u_6 : f64 = precise_random_0(key_5, dimension_4);
     var rest_5 : f64 = u_6 * 20.0lf - 1.0lf;
-    var _S1231 : u32 = map_5 + u32(13);
-    var is_black_1 : bool = (word_0(_S1231)) == u32(4294967295);
-    var _S1232 : bool;
+    var _S1234 : u32 = map_5 + u32(13);
+    var is_black_1 : bool = (word_0(_S1234)) == u32(4294967295);
+    var _S1235 : bool;
     if(is_black_1)
     {
-        _S1232 = true;
+        _S1235 = true;
     }
     else
     {
-        _S1232 = rest_5 < 0.0lf;
+        _S1235 = rest_5 < 0.0lf;
     }
-    if(_S1232)
+    if(_S1235)
     {
         var share_0 : f32;
         if(is_black_1)
@@ -5585,14 +5590,14 @@ fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_3 : p
             share_0 = 0.05000000074505806f;
         }
         var direction_9 : vec3<f32> = uniform_direction_0(vec2<f32>(f32(u_6) / share_0, random_0(key_5, dimension_4 + u32(1))));
-        var _S1233 : f32 = map_pdf_0(map_5, direction_9);
-        (*pdf_3) = _S1233;
+        var _S1236 : f32 = map_pdf_0(map_5, direction_9);
+        (*pdf_3) = _S1236;
         return direction_9;
     }
     var rest_6 : f64 = rest_5 / 19.0lf;
     var width_3 : u32 = word_0(map_5);
     var down_1 : f32;
-    var row_3 : u32 = chosen_interval_0(word_0(_S1231), word_0(map_5 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
+    var row_3 : u32 = chosen_interval_0(word_0(_S1234), word_0(map_5 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
     var along_2 : f32;
     var column_2 : u32 = chosen_interval_0(word_0(map_5 + u32(14)) + u32(2) * width_3 * row_3, width_3, rest_6, &(along_2));
     (*pdf_3) = cell_pdf_0(map_5, row_3 * width_3 + column_2);
@@ -5606,9 +5611,9 @@ fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
 
 fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
 {
-    var _S1234 : f32 = u_7.x;
-    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S1234));
-    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S1234));
+    var _S1237 : f32 = u_7.x;
+    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S1237));
+    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S1237));
 }
 
 fn to_world_0( axes_6 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
@@ -5620,7 +5625,7 @@ struct LightSample_0
 {
      direction_10 : vec3<f32>,
      wo_1 : vec3<f32>,
-     way_1 : vec3<f64>,
+     way_0 : vec3<f64>,
      nearest_0 : f64,
      farthest_0 : f64,
      is_on_emitter_0 : bool,
@@ -5628,7 +5633,7 @@ struct LightSample_0
      probability_3 : f32,
      pdf_4 : f32,
      distance_6 : f32,
-     place_15 : Place_0,
+     place_14 : Place_0,
      is_specular_1 : bool,
 };
 
@@ -5638,18 +5643,18 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
     (*sample_0).is_specular_1 = false;
     (*sample_0).direction_10 = vertex_1.axes_4.n_0;
     (*sample_0).wo_1 = vec3<f32>(0.0f);
-    (*sample_0).way_1 = vertex_1.surface_3.exact_0;
+    (*sample_0).way_0 = vertex_1.surface_3.exact_0;
     (*sample_0).distance_6 = 0.0f;
     (*sample_0).pdf_4 = 0.0f;
-    (*sample_0).place_15 = vertex_1.surface_3.place_5;
+    (*sample_0).place_14 = vertex_1.surface_3.place_5;
     (*sample_0).nearest_0 = limit_at_0(u32(2));
     (*sample_0).farthest_0 = limit_at_0(u32(1));
-    var _S1235 : f32 = random_0(key_7, first_3);
-    var _S1236 : f32 = (*sample_0).probability_3;
-    var _S1237 : u32 = chosen_emitter_0(choice_5, _S1235, &(_S1236));
-    (*sample_0).probability_3 = _S1236;
-    (*sample_0).emitter_5 = _S1237;
-    if(_S1236 == 0.0f)
+    var _S1238 : f32 = random_0(key_7, first_3);
+    var _S1239 : f32 = (*sample_0).probability_3;
+    var _S1240 : u32 = chosen_emitter_0(choice_5, _S1238, &(_S1239));
+    (*sample_0).probability_3 = _S1239;
+    (*sample_0).emitter_5 = _S1240;
+    if(_S1239 == 0.0f)
     {
         return false;
     }
@@ -5662,26 +5667,26 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
             return false;
         }
         (*sample_0).pdf_4 = point_1.pdf_2;
-        (*sample_0).place_15 = point_1.place_13;
-        var _S1238 : vec3<f64> = position_of_0(point_1.place_13) - vertex_1.surface_3.exact_0;
-        (*sample_0).way_1 = _S1238;
-        var _S1239 : vec3<f32> = vec3<f32>(_S1238);
-        var _S1240 : f32 = length(_S1239);
-        (*sample_0).distance_6 = _S1240;
-        (*sample_0).direction_10 = _S1239 / vec3<f32>(_S1240);
-        (*sample_0).nearest_0 = (*sample_0).nearest_0 / f64(_S1240);
+        (*sample_0).place_14 = point_1.place_13;
+        var _S1241 : vec3<f64> = position_of_0(point_1.place_13) - vertex_1.surface_3.exact_0;
+        (*sample_0).way_0 = _S1241;
+        var _S1242 : vec3<f32> = vec3<f32>(_S1241);
+        var _S1243 : f32 = length(_S1242);
+        (*sample_0).distance_6 = _S1243;
+        (*sample_0).direction_10 = _S1242 / vec3<f32>(_S1243);
+        (*sample_0).nearest_0 = (*sample_0).nearest_0 / f64(_S1243);
         (*sample_0).farthest_0 = limit_at_0(u32(3));
     }
     else
     {
         if(is_map_0(record_12))
         {
-            var _S1241 : u32 = word_0(record_12 + u32(1));
-            var _S1242 : u32 = first_3 + u32(1);
-            var _S1243 : f32 = (*sample_0).pdf_4;
-            var _S1244 : vec3<f32> = sample_map_0(_S1241, key_7, _S1242, &(_S1243));
-            (*sample_0).pdf_4 = _S1243;
-            (*sample_0).direction_10 = _S1244;
+            var _S1244 : u32 = word_0(record_12 + u32(1));
+            var _S1245 : u32 = first_3 + u32(1);
+            var _S1246 : f32 = (*sample_0).pdf_4;
+            var _S1247 : vec3<f32> = sample_map_0(_S1244, key_7, _S1245, &(_S1246));
+            (*sample_0).pdf_4 = _S1246;
+            (*sample_0).direction_10 = _S1247;
         }
         else
         {
@@ -5689,11 +5694,11 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
             (*sample_0).direction_10 = normalize(to_world_0(vertex_1.axes_4, local_1));
             (*sample_0).pdf_4 = local_1.z * 0.31830987334251404f;
         }
-        (*sample_0).way_1 = vec3<f64>((*sample_0).direction_10);
+        (*sample_0).way_0 = vec3<f64>((*sample_0).direction_10);
     }
-    var _S1245 : vec3<f32> = to_local_0(vertex_1.axes_4, (*sample_0).direction_10);
-    (*sample_0).wo_1 = _S1245;
-    return (_S1245.z) > 0.0f;
+    var _S1248 : vec3<f32> = to_local_0(vertex_1.axes_4, (*sample_0).direction_10);
+    (*sample_0).wo_1 = _S1248;
+    return (_S1248.z) > 0.0f;
 }
 
 fn first_material_number_0( depth_2 : u32) -> u32
@@ -5730,11 +5735,11 @@ fn transmittance_0( lobe_8 : Lobe_0,  eta_2 : f32,  cosine_6 : f32) -> f32
     {
         return 1.0f - fresnel_dielectric_0(cosine_6, eta_2);
     }
-    var place_16 : f32 = cosine_6 * 63.0f;
-    var _S1246 : u32 = min(u32(place_16), u32(62));
-    var at_15 : u32 = word_0(lobe_8.record_0 + u32(3)) + _S1246;
-    var here_1 : f32 = number_0(at_15);
-    return here_1 + (number_0(at_15 + u32(1)) - here_1) * (place_16 - f32(_S1246));
+    var place_15 : f32 = cosine_6 * 63.0f;
+    var _S1249 : u32 = min(u32(place_15), u32(62));
+    var at_16 : u32 = word_0(lobe_8.record_0 + u32(3)) + _S1249;
+    var here_1 : f32 = number_0(at_16);
+    return here_1 + (number_0(at_16 + u32(1)) - here_1) * (place_15 - f32(_S1249));
 }
 
 fn facets_of_0( lobe_9 : Lobe_0,  numbers_6 : Numbers_0) -> Microfacets_0
@@ -5757,37 +5762,37 @@ fn stretched_2( facets_1 : Microfacets_0,  wi_3 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_3.xy * facets_1.alpha_1, wi_3.z);
     var view_2 : Stretched_0;
-    var _S1247 : f32 = length(longer_0);
-    view_2.length_0 = _S1247;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S1247);
-    var _S1248 : vec2<f32> = longer_1.xy;
-    var _S1249 : f32 = length(_S1248);
-    view_2.sine_4 = _S1249;
+    var _S1250 : f32 = length(longer_0);
+    view_2.length_0 = _S1250;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S1250);
+    var _S1251 : vec2<f32> = longer_1.xy;
+    var _S1252 : f32 = length(_S1251);
+    view_2.sine_4 = _S1252;
     view_2.cosine_7 = longer_1.z;
-    var _S1250 : vec2<f32>;
-    if(_S1249 > 0.0f)
+    var _S1253 : vec2<f32>;
+    if(_S1252 > 0.0f)
     {
-        _S1250 = _S1248 / vec2<f32>(view_2.sine_4);
+        _S1253 = _S1251 / vec2<f32>(view_2.sine_4);
     }
     else
     {
-        _S1250 = vec2<f32>(1.0f, 0.0f);
+        _S1253 = vec2<f32>(1.0f, 0.0f);
     }
-    view_2.around_0 = _S1250;
+    view_2.around_0 = _S1253;
     return view_2;
 }
 
 fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
 {
-    var _S1251 : f32 = u_8.x;
-    var radius_2 : f32 = sqrt(_S1251);
+    var _S1254 : f32 = u_8.x;
+    var radius_2 : f32 = sqrt(_S1254);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_8.y);
     var across_1 : f32 = radius_2 * turn_3.y;
     var along_3 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_3.cosine_7);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S1252 : f32 = 1.0f - _S1251;
-    var edge_0 : f32 = sqrt(_S1252 + along_3 * along_3);
+    var _S1255 : f32 = 1.0f - _S1254;
+    var edge_0 : f32 = sqrt(_S1255 + along_3 * along_3);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_3;
     var from_top_0 : f32 = edge_0 - along_3;
     var from_bottom_0 : f32 = edge_0 + along_3;
@@ -5795,14 +5800,14 @@ fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_3 > 0.0f)
     {
-        from_top_1 = _S1252 / from_bottom_0;
+        from_top_1 = _S1255 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S1253 : f32 = _S1252 / from_top_0;
+        var _S1256 : f32 = _S1255 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S1253;
+        from_bottom_1 = _S1256;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_3.sine_4 - up_0 * view_3.cosine_7, across_1, max(towards_0 * view_3.cosine_7 + up_0 * view_3.sine_4, 0.0f));
@@ -5812,19 +5817,19 @@ fn visible_over_cos_0( facets_2 : Microfacets_0,  w_4 : vec3<f32>) -> f32
 {
     var stretched_3 : vec2<f32> = w_4.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_3, stretched_3);
-    var _S1254 : f32 = w_4.z;
-    var z2_3 : f32 = _S1254 * _S1254;
+    var _S1257 : f32 = w_4.z;
+    var z2_3 : f32 = _S1257 * _S1257;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S1254 + sqrt(z2_3 + spread2_0));
+        return 2.0f / (_S1257 + sqrt(z2_3 + spread2_0));
     }
     if(z2_3 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S1254;
+        return 1.0f / _S1257;
     }
     var spread_0 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S1254 / spread_0);
-    return 2.0f / (_S1254 * both_0.x + 0.5f * spread_0 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S1257 / spread_0);
+    return 2.0f / (_S1257 * both_0.x + 0.5f * spread_0 * both_0.y);
 }
 
 fn logarithm_0( x_22 : f32) -> f32
@@ -5874,8 +5879,8 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_9.x * (2.0f / (visible_1 * view_4.length_0));
-    var _S1255 : f32 = max(view_4.cosine_7, view_4.sine_4);
-    var slope_3 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S1255 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S1255, -6.0f, 0.5f * steepest_0);
+    var _S1258 : f32 = max(view_4.cosine_7, view_4.sine_4);
+    var slope_3 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S1258 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S1258, -6.0f, 0.5f * steepest_0);
     var low_4 : f32 = -6.0f;
     var high_1 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -5889,10 +5894,10 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             break;
         }
         var both_1 : vec2<f32> = error_function_plus_one_0(slope_3);
-        var _S1256 : f32 = both_1.y;
-        var error_0 : f32 = view_4.cosine_7 * both_1.x + 0.5f * view_4.sine_4 * _S1256 - target_1;
-        var own_2 : f32 = _S1256 * (view_4.cosine_7 - slope_3 * view_4.sine_4);
-        var bend_0 : f32 = -2.0f * slope_3 * own_2 - _S1256 * view_4.sine_4;
+        var _S1259 : f32 = both_1.y;
+        var error_0 : f32 = view_4.cosine_7 * both_1.x + 0.5f * view_4.sine_4 * _S1259 - target_1;
+        var own_2 : f32 = _S1259 * (view_4.cosine_7 - slope_3 * view_4.sine_4);
+        var bend_0 : f32 = -2.0f * slope_3 * own_2 - _S1259 * view_4.sine_4;
         if(error_0 > 0.0f)
         {
             high_1 = slope_3;
@@ -5902,17 +5907,17 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             low_4 = slope_3;
         }
         var next_1 : f32 = slope_3 - error_0 * own_2 / (own_2 * own_2 - 0.5f * error_0 * bend_0);
-        var _S1257 : bool;
+        var _S1260 : bool;
         if(next_1 >= low_4)
         {
-            _S1257 = next_1 <= high_1;
+            _S1260 = next_1 <= high_1;
         }
         else
         {
-            _S1257 = false;
+            _S1260 = false;
         }
         var next_2 : f32;
-        if(!_S1257)
+        if(!_S1260)
         {
             next_2 = 0.5f * (low_4 + high_1);
         }
@@ -5925,9 +5930,9 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             slope_3 = next_2;
             break;
         }
-        var _S1258 : u32 = step_0 + u32(1);
+        var _S1261 : u32 = step_0 + u32(1);
         slope_3 = next_2;
-        step_0 = _S1258;
+        step_0 = _S1261;
     }
     return vec3<f32>(- slope_3, error_function_inverse_0(max(2.0f * u_9.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -5944,11 +5949,11 @@ fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_4 : vec3<f32>,  u_10 : vec
     {
         normal_7 = beckmann_normal_0(view_5, visible_over_cos_0(facets_3, wi_4), u_10);
     }
-    var _S1259 : f32 = view_5.around_0.x;
-    var _S1260 : f32 = normal_7.x;
-    var _S1261 : f32 = view_5.around_0.y;
-    var _S1262 : f32 = normal_7.y;
-    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S1259 * _S1260 - _S1261 * _S1262, _S1261 * _S1260 + _S1259 * _S1262) * facets_3.alpha_1, normal_7.z));
+    var _S1262 : f32 = view_5.around_0.x;
+    var _S1263 : f32 = normal_7.x;
+    var _S1264 : f32 = view_5.around_0.y;
+    var _S1265 : f32 = normal_7.y;
+    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S1262 * _S1263 - _S1264 * _S1265, _S1264 * _S1263 + _S1262 * _S1265) * facets_3.alpha_1, normal_7.z));
     return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_4, normal_8))) - wi_4);
 }
 
@@ -5961,9 +5966,9 @@ struct Drawn_0
 
 fn draw_0( lobe_10 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32>) -> Drawn_0
 {
-    var _S1263 : bool = (lobe_10.kind_0) == u32(0);
+    var _S1266 : bool = (lobe_10.kind_0) == u32(0);
     var has_base_0 : bool;
-    if(_S1263)
+    if(_S1266)
     {
         has_base_0 = true;
     }
@@ -5980,7 +5985,7 @@ fn draw_0( lobe_10 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f3
         has_base_0 = (lobe_10.kind_0) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S1263)
+    if(_S1266)
     {
         of_base_1 = 1.0f;
     }
@@ -5988,16 +5993,16 @@ fn draw_0( lobe_10 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f3
     {
         of_base_1 = 0.0f;
     }
-    var _S1264 : bool;
+    var _S1267 : bool;
     if((lobe_10.kind_0) == u32(3))
     {
-        _S1264 = true;
+        _S1267 = true;
     }
     else
     {
-        _S1264 = (lobe_10.kind_0) == u32(4);
+        _S1267 = (lobe_10.kind_0) == u32(4);
     }
-    if(_S1264)
+    if(_S1267)
     {
         of_base_1 = base_probability_0(lobe_10.numbers_0, transmittance_0(lobe_10, coat_eta_0(lobe_10.numbers_0), wi_5.z));
     }
@@ -6040,15 +6045,15 @@ fn sample_material_0( vertex_2 : Vertex_0,  key_8 : vec2<u32>,  first_4 : u32) -
     sample_1.is_specular_1 = drawn_1.is_specular_2;
     sample_1.probability_3 = drawn_1.probability_4;
     sample_1.wo_1 = drawn_1.wo_2;
-    var _S1265 : vec3<f32> = normalize(to_world_0(vertex_2.axes_4, drawn_1.wo_2));
-    sample_1.direction_10 = _S1265;
-    sample_1.way_1 = vec3<f64>(_S1265);
+    var _S1268 : vec3<f32> = normalize(to_world_0(vertex_2.axes_4, drawn_1.wo_2));
+    sample_1.direction_10 = _S1268;
+    sample_1.way_0 = vec3<f64>(_S1268);
     sample_1.nearest_0 = limit_at_0(u32(2));
     sample_1.farthest_0 = limit_at_0(u32(1));
     sample_1.emitter_5 = u32(4294967295);
     sample_1.distance_6 = 0.0f;
     sample_1.pdf_4 = 0.0f;
-    sample_1.place_15 = vertex_2.surface_3.place_5;
+    sample_1.place_14 = vertex_2.surface_3.place_5;
     return sample_1;
 }
 
@@ -6075,9 +6080,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_3 : f32,  k_3 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_2)));
     var smaller_2 : f32 = product_3 / larger_0;
-    var _S1266 : bool = real_2 < 0.0f;
+    var _S1269 : bool = real_2 < 0.0f;
     var a_18 : f32;
-    if(_S1266)
+    if(_S1269)
     {
         a_18 = smaller_2;
     }
@@ -6086,7 +6091,7 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_3 : f32,  k_3 : f32) -> f32
         a_18 = larger_0;
     }
     var b_15 : f32;
-    if(_S1266)
+    if(_S1269)
     {
         b_15 = larger_0;
     }
@@ -6096,9 +6101,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_3 : f32,  k_3 : f32) -> f32
     }
     var less_2 : f32 = a_18 - cosine_8;
     var more_2 : f32 = a_18 + cosine_8;
-    var _S1267 : f32 = b_15 * b_15;
+    var _S1270 : f32 = b_15 * b_15;
     var p_sum_5 : f32 = modulus_0 * cos2_7 + sin2_2 * sin2_2;
-    return (less_2 * less_2 + _S1267) / (more_2 * more_2 + _S1267) * p_sum_5 / (p_sum_5 + 2.0f * a_18 * cosine_8 * sin2_2);
+    return (less_2 * less_2 + _S1270) / (more_2 * more_2 + _S1270) * p_sum_5 / (p_sum_5 + 2.0f * a_18 * cosine_8 * sin2_2);
 }
 
 fn fresnel_conductor_0( cosine_9 : f32,  eta_4 : vec3<f32>,  k_4 : vec3<f32>) -> vec3<f32>
@@ -6127,21 +6132,21 @@ fn turning_0( vertex_4 : Vertex_0,  direction_12 : vec3<f32>) -> vec3<f32>
 
 fn towards_emitter_0( vertex_5 : Vertex_0,  direction_13 : vec3<f32>,  record_13 : u32) -> vec3<f32>
 {
-    var _S1268 : vec3<f32>;
+    var _S1271 : vec3<f32>;
     if((word_0(record_13)) == u32(1))
     {
-        _S1268 = changing_0(direction_13, turning_0(vertex_5, direction_13));
+        _S1271 = changing_0(direction_13, turning_0(vertex_5, direction_13));
     }
     else
     {
-        _S1268 = still_0(direction_13);
+        _S1271 = still_0(direction_13);
     }
-    return _S1268;
+    return _S1271;
 }
 
-fn change_word_0( at_16 : u32) -> u32
+fn change_word_0( at_17 : u32) -> u32
 {
-    return input_0[launch_0.room_0 + at_16];
+    return input_0[launch_0.room_0 + at_17];
 }
 
 fn walks_0() -> bool
@@ -6161,40 +6166,40 @@ fn local_change_0( vertex_6 : Vertex_0,  direction_14 : vec3<f32>) -> vec3<f32>
 
 fn Mirrored_x24init_0( cosine_10 : f32,  pdf_5 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S1269 : Mirrored_0;
-    _S1269.cosine_0 = cosine_10;
-    _S1269.pdf_1 = pdf_5;
-    _S1269.scattered_0 = scattered_1;
-    return _S1269;
+    var _S1272 : Mirrored_0;
+    _S1272.cosine_0 = cosine_10;
+    _S1272.pdf_1 = pdf_5;
+    _S1272.scattered_0 = scattered_1;
+    return _S1272;
 }
 
 fn density_0( facets_4 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S1270 : f32 = m_3.z;
-    if(_S1270 <= 0.0f)
+    var _S1273 : f32 = m_3.z;
+    if(_S1273 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_2 : f32 = 3.14159274101257324f * facets_4.alpha_1.x * facets_4.alpha_1.y;
     var slope_4 : vec2<f32> = m_3.xy / facets_4.alpha_1;
     var spread_1 : f32 = dot(slope_4, slope_4);
-    var cos2_8 : f32 = _S1270 * _S1270;
+    var cos2_8 : f32 = _S1273 * _S1273;
     if((facets_4.distribution_1) == u32(1))
     {
         var sum_5 : f32 = spread_1 + cos2_8;
         return 1.0f / (scale_2 * sum_5 * sum_5);
     }
     var exponent_2 : f32 = spread_1 / cos2_8;
-    var _S1271 : f32;
+    var _S1274 : f32;
     if(exponent_2 > 80.0f)
     {
-        _S1271 = 0.0f;
+        _S1274 = 0.0f;
     }
     else
     {
-        _S1271 = exponential_0(- exponent_2) / (scale_2 * cos2_8 * cos2_8);
+        _S1274 = exponential_0(- exponent_2) / (scale_2 * cos2_8 * cos2_8);
     }
-    return _S1271;
+    return _S1274;
 }
 
 fn mirrored_0( facets_5 : Microfacets_0,  wi_8 : vec3<f32>,  wo_4 : vec3<f32>) -> Mirrored_0
@@ -6202,9 +6207,9 @@ fn mirrored_0( facets_5 : Microfacets_0,  wi_8 : vec3<f32>,  wo_4 : vec3<f32>) -
     var h_1 : vec3<f32> = normalize(wi_8 + wo_4);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_0 = dot(wi_8, h_1);
-    var _S1272 : f32 = 0.25f * density_0(facets_5, h_1) * visible_over_cos_0(facets_5, wi_8);
-    mirrored_1.pdf_1 = _S1272;
-    mirrored_1.scattered_0 = _S1272 * visible_over_cos_0(facets_5, wo_4) * wo_4.z;
+    var _S1275 : f32 = 0.25f * density_0(facets_5, h_1) * visible_over_cos_0(facets_5, wi_8);
+    mirrored_1.pdf_1 = _S1275;
+    mirrored_1.scattered_0 = _S1275 * visible_over_cos_0(facets_5, wo_4) * wo_4.z;
     return mirrored_1;
 }
 
@@ -6239,15 +6244,15 @@ fn base_0( lobe_13 : Lobe_0,  eta_6 : f32,  diffuse_0 : vec3<f32>) -> vec3<f32>
 fn scattering_1( lobe_14 : Lobe_0,  numbers_8 : Numbers_0,  wi_9 : vec3<f32>,  wo_5 : vec3<f32>) -> Scattering_0
 {
     var scattering_2 : Scattering_0;
-    var _S1273 : f32 = wo_5.z;
-    var by_cosine_2 : f32 = _S1273 * 0.31830987334251404f;
+    var _S1276 : f32 = wo_5.z;
+    var by_cosine_2 : f32 = _S1276 * 0.31830987334251404f;
     if((lobe_14.kind_0) == u32(0))
     {
         scattering_2.value_1 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_2);
         scattering_2.pdf_0 = by_cosine_2;
         return scattering_2;
     }
-    var _S1274 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S1277 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_2 : Mirrored_0;
     if(is_rough_0(lobe_14))
     {
@@ -6255,7 +6260,7 @@ fn scattering_1( lobe_14 : Lobe_0,  numbers_8 : Numbers_0,  wi_9 : vec3<f32>,  w
     }
     else
     {
-        by_facets_2 = _S1274;
+        by_facets_2 = _S1277;
     }
     if((lobe_14.kind_0) == u32(2))
     {
@@ -6265,7 +6270,7 @@ fn scattering_1( lobe_14 : Lobe_0,  numbers_8 : Numbers_0,  wi_9 : vec3<f32>,  w
     }
     var eta_7 : f32 = coat_eta_0(numbers_8);
     var enters_1 : f32 = transmittance_0(lobe_14, eta_7, wi_9.z);
-    scattering_2.value_1 = base_0(lobe_14, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_14, eta_7, _S1273) * by_cosine_2 / (eta_7 * eta_7)));
+    scattering_2.value_1 = base_0(lobe_14, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_14, eta_7, _S1276) * by_cosine_2 / (eta_7 * eta_7)));
     var probability_5 : f32 = base_probability_0(numbers_8, enters_1);
     scattering_2.pdf_0 = probability_5 * by_cosine_2;
     if((lobe_14.kind_0) == u32(4))
@@ -6287,16 +6292,16 @@ fn eval_and_pdf_0( lobe_15 : Lobe_0,  wi_10 : vec3<f32>,  wo_6 : vec3<f32>) -> S
     var scattered_2 : Scattered_0;
     scattered_2.value_9 = still_0(vec3<f32>(0.0f));
     scattered_2.pdf_6 = 0.0f;
-    var _S1275 : bool;
+    var _S1278 : bool;
     if((value_of_0(wo_6).z) <= 0.0f)
     {
-        _S1275 = true;
+        _S1278 = true;
     }
     else
     {
-        _S1275 = !has_smooth_0(lobe_15);
+        _S1278 = !has_smooth_0(lobe_15);
     }
-    if(_S1275)
+    if(_S1278)
     {
         return scattered_2;
     }
@@ -6327,39 +6332,39 @@ fn scattered_along_0( vertex_8 : Vertex_0,  sample_2 : LightSample_0,  walked_0 
     }
     else
     {
-        var _S1276 : vec3<f32>;
+        var _S1279 : vec3<f32>;
         if(turns_onward_0())
         {
-            _S1276 = turning_0(vertex_8, sample_2.direction_10);
+            _S1279 = turning_0(vertex_8, sample_2.direction_10);
         }
         else
         {
-            _S1276 = walked_0;
+            _S1279 = walked_0;
         }
-        (*moving_0) = changing_0(sample_2.direction_10, _S1276);
+        (*moving_0) = changing_0(sample_2.direction_10, _S1279);
     }
     return scattered_to_0(vertex_8, sample_2.wo_1, (*moving_0));
 }
 
 fn component_0( v_8 : vec3<f64>,  axis_2 : u32) -> f64
 {
-    var _S1277 : f64;
+    var _S1280 : f64;
     if(axis_2 == u32(0))
     {
-        _S1277 = v_8.x;
+        _S1280 = v_8.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S1277 = v_8.y;
+            _S1280 = v_8.y;
         }
         else
         {
-            _S1277 = v_8.z;
+            _S1280 = v_8.z;
         }
     }
-    return _S1277;
+    return _S1280;
 }
 
 struct Ray_0
@@ -6379,34 +6384,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f64>,  direction_16 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  axes_7 : ptr<function, u32>) -> Ray_0
 {
     var size_2 : vec3<f32> = abs(vec3<f32>(direction_16));
-    var _S1278 : f32 = size_2.x;
-    var _S1279 : f32 = size_2.y;
-    var _S1280 : bool;
-    if(_S1278 >= _S1279)
+    var _S1281 : f32 = size_2.x;
+    var _S1282 : f32 = size_2.y;
+    var _S1283 : bool;
+    if(_S1281 >= _S1282)
     {
-        _S1280 = _S1278 >= (size_2.z);
+        _S1283 = _S1281 >= (size_2.z);
     }
     else
     {
-        _S1280 = false;
+        _S1283 = false;
     }
-    var _S1281 : i32;
-    if(_S1280)
+    var _S1284 : i32;
+    if(_S1283)
     {
-        _S1281 = i32(0);
+        _S1284 = i32(0);
     }
     else
     {
-        if(_S1279 >= (size_2.z))
+        if(_S1282 >= (size_2.z))
         {
-            _S1281 = i32(1);
+            _S1284 = i32(1);
         }
         else
         {
-            _S1281 = i32(2);
+            _S1284 = i32(2);
         }
     }
-    var z_6 : u32 = u32(_S1281);
+    var z_6 : u32 = u32(_S1284);
     var x_23 : u32 = (z_6 + u32(1)) % u32(3);
     var y_8 : u32 = (z_6 + u32(2)) % u32(3);
     (*axes_7) = (((x_23 | (((y_8 << (u32(2))))))) | (((z_6 << (u32(4))))));
@@ -6442,7 +6447,7 @@ struct RayView_0
 
 fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S1282 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S1285 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -6455,36 +6460,36 @@ fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S1283 : u32 = axis_3;
-        var _S1284 : u32 = _S1282 + u32(2) * axis_3;
-        var _S1285 : u32 = slot_3 % u32(4);
-        var low_5 : f32 = (bitcast<f32>((nodes_0[_S1284][_S1285])));
-        var high_2 : f32 = (bitcast<f32>((nodes_0[_S1284 + u32(6)][_S1285])));
-        var _S1286 : bool = (view_6.inverse_3[axis_3]) < 0.0f;
-        var _S1287 : f32;
-        if(_S1286)
+        var _S1286 : u32 = axis_3;
+        var _S1287 : u32 = _S1285 + u32(2) * axis_3;
+        var _S1288 : u32 = slot_3 % u32(4);
+        var low_5 : f32 = (bitcast<f32>((nodes_0[_S1287][_S1288])));
+        var high_2 : f32 = (bitcast<f32>((nodes_0[_S1287 + u32(6)][_S1288])));
+        var _S1289 : bool = (view_6.inverse_3[axis_3]) < 0.0f;
+        var _S1290 : f32;
+        if(_S1289)
         {
-            _S1287 = high_2;
+            _S1290 = high_2;
         }
         else
         {
-            _S1287 = low_5;
+            _S1290 = low_5;
         }
-        var _S1288 : f32 = max(near_0, _S1287 * view_6.inverse_3[_S1283] - view_6.offset_near_0[axis_3]);
-        var _S1289 : f32;
-        if(_S1286)
+        var _S1291 : f32 = max(near_0, _S1290 * view_6.inverse_3[_S1286] - view_6.offset_near_0[axis_3]);
+        var _S1292 : f32;
+        if(_S1289)
         {
-            _S1289 = low_5;
+            _S1292 = low_5;
         }
         else
         {
-            _S1289 = high_2;
+            _S1292 = high_2;
         }
-        var _S1290 : f32 = min(far_0, _S1289 * view_6.inverse_3[_S1283] - view_6.offset_far_0[axis_3]);
-        var _S1291 : u32 = axis_3 + u32(1);
-        near_0 = _S1288;
-        far_0 = _S1290;
-        axis_3 = _S1291;
+        var _S1293 : f32 = min(far_0, _S1292 * view_6.inverse_3[_S1286] - view_6.offset_far_0[axis_3]);
+        var _S1294 : u32 = axis_3 + u32(1);
+        near_0 = _S1291;
+        far_0 = _S1293;
+        axis_3 = _S1294;
     }
     if(near_0 <= far_0)
     {
@@ -6509,7 +6514,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S1292 : u32 = k_5;
+        var _S1295 : u32 = k_5;
         if((bounds_0[k_5]) > limit_2)
         {
             k_5 = k_5 + u32(1);
@@ -6526,24 +6531,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S1293 : u32 = j_0;
-            var _S1294 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S1292]))
+            var _S1296 : u32 = j_0;
+            var _S1297 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S1295]))
             {
-                _S1294 = true;
+                _S1297 = true;
             }
             else
             {
-                if((bounds_0[_S1293]) == (bounds_0[_S1292]))
+                if((bounds_0[_S1296]) == (bounds_0[_S1295]))
                 {
-                    _S1294 = j_0 < k_5;
+                    _S1297 = j_0 < k_5;
                 }
                 else
                 {
-                    _S1294 = false;
+                    _S1297 = false;
                 }
             }
-            if(_S1294)
+            if(_S1297)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -6568,16 +6573,16 @@ fn crossed_0( view_7 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S1295 : f32;
+        var _S1298 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S1295 = 3.00000000549775576e+38f;
+            _S1298 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S1295 = ray_bound_0(view_7, limit_3, node_5, slot_4);
+            _S1298 = ray_bound_0(view_7, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S1295;
+        bounds_1[slot_4] = _S1298;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -6588,9 +6593,9 @@ fn rounded_0( product_4 : f64,  largest_1 : f64) -> f64
     return min(product_4, largest_1);
 }
 
-fn corner_0( ray_1 : Ray_0,  axes_9 : u32,  at_17 : u32) -> vec3<f64>
+fn corner_0( ray_1 : Ray_0,  axes_9 : u32,  at_18 : u32) -> vec3<f64>
 {
-    var relative_0 : vec3<f64> = primitive_vector_0(at_17) - ray_1.origin_0;
+    var relative_0 : vec3<f64> = primitive_vector_0(at_18) - ray_1.origin_0;
     var z_7 : f64 = component_0(relative_0, (axes_9 >> (u32(4))));
     return vec3<f64>(component_0(relative_0, (axes_9 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_7, ray_1.largest_0), component_0(relative_0, (((axes_9 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_7, ray_1.largest_0), z_7);
 }
@@ -6603,56 +6608,56 @@ struct Crossing_0
      w_8 : f64,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_10 : u32,  at_18 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_10 : u32,  at_19 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_4 = 0.0lf;
     crossing_0.v_9 = 0.0lf;
     crossing_0.w_8 = 0.0lf;
-    var a_19 : vec3<f64> = corner_0(ray_2, axes_10, at_18);
-    var b_16 : vec3<f64> = corner_0(ray_2, axes_10, at_18 + u32(3));
-    var c_7 : vec3<f64> = corner_0(ray_2, axes_10, at_18 + u32(6));
-    var _S1296 : f64 = c_7.x;
-    var _S1297 : f64 = b_16.y;
-    var cx_by_0 : f64 = rounded_0(_S1296 * _S1297, ray_2.largest_0);
-    var _S1298 : f64 = c_7.y;
-    var _S1299 : f64 = b_16.x;
-    var cy_bx_0 : f64 = rounded_0(_S1298 * _S1299, ray_2.largest_0);
-    var _S1300 : f64 = a_19.x;
-    var ax_cy_0 : f64 = rounded_0(_S1300 * _S1298, ray_2.largest_0);
-    var _S1301 : f64 = a_19.y;
-    var ay_cx_0 : f64 = rounded_0(_S1301 * _S1296, ray_2.largest_0);
-    var bx_ay_0 : f64 = rounded_0(_S1299 * _S1301, ray_2.largest_0);
-    var by_ax_0 : f64 = rounded_0(_S1297 * _S1300, ray_2.largest_0);
+    var a_19 : vec3<f64> = corner_0(ray_2, axes_10, at_19);
+    var b_16 : vec3<f64> = corner_0(ray_2, axes_10, at_19 + u32(3));
+    var c_7 : vec3<f64> = corner_0(ray_2, axes_10, at_19 + u32(6));
+    var _S1299 : f64 = c_7.x;
+    var _S1300 : f64 = b_16.y;
+    var cx_by_0 : f64 = rounded_0(_S1299 * _S1300, ray_2.largest_0);
+    var _S1301 : f64 = c_7.y;
+    var _S1302 : f64 = b_16.x;
+    var cy_bx_0 : f64 = rounded_0(_S1301 * _S1302, ray_2.largest_0);
+    var _S1303 : f64 = a_19.x;
+    var ax_cy_0 : f64 = rounded_0(_S1303 * _S1301, ray_2.largest_0);
+    var _S1304 : f64 = a_19.y;
+    var ay_cx_0 : f64 = rounded_0(_S1304 * _S1299, ray_2.largest_0);
+    var bx_ay_0 : f64 = rounded_0(_S1302 * _S1304, ray_2.largest_0);
+    var by_ax_0 : f64 = rounded_0(_S1300 * _S1303, ray_2.largest_0);
     var u_12 : f64 = cx_by_0 - cy_bx_0;
     var v_10 : f64 = ax_cy_0 - ay_cx_0;
     var w_9 : f64 = bx_ay_0 - by_ax_0;
-    var _S1302 : f64 = min(min(u_12, v_10), w_9);
-    var _S1303 : f64 = max(max(u_12, v_10), w_9);
-    var _S1304 : bool;
-    if(_S1302 < 0.0lf)
+    var _S1305 : f64 = min(min(u_12, v_10), w_9);
+    var _S1306 : f64 = max(max(u_12, v_10), w_9);
+    var _S1307 : bool;
+    if(_S1305 < 0.0lf)
     {
-        _S1304 = _S1303 > 0.0lf;
+        _S1307 = _S1306 > 0.0lf;
     }
     else
     {
-        _S1304 = false;
+        _S1307 = false;
     }
-    if(_S1304)
+    if(_S1307)
     {
         return crossing_0;
     }
     var determinant_0 : f64 = u_12 + v_10 + w_9;
-    if(_S1302 <= 0.0lf)
+    if(_S1305 <= 0.0lf)
     {
-        _S1304 = _S1303 >= 0.0lf;
+        _S1307 = _S1306 >= 0.0lf;
     }
     else
     {
-        _S1304 = false;
+        _S1307 = false;
     }
-    if(_S1304)
+    if(_S1307)
     {
         if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -6666,13 +6671,13 @@ fn intersect_0( ray_2 : Ray_0,  axes_10 : u32,  at_18 : u32) -> Crossing_0
     var t_5 : f64 = (rounded_0(u_12 * a_19.z, ray_2.largest_0) + rounded_0(v_10 * b_16.z, ray_2.largest_0) + rounded_0(w_9 * c_7.z, ray_2.largest_0)) / determinant_0 * ray_2.inverse_z_0;
     if((ray_2.t_min_0) <= t_5)
     {
-        _S1304 = t_5 <= (ray_2.t_max_0);
+        _S1307 = t_5 <= (ray_2.t_max_0);
     }
     else
     {
-        _S1304 = false;
+        _S1307 = false;
     }
-    crossing_0.is_hit_0 = _S1304;
+    crossing_0.is_hit_0 = _S1307;
     crossing_0.t_4 = t_5;
     crossing_0.v_9 = v_10 / determinant_0;
     crossing_0.w_8 = w_9 / determinant_0;
@@ -6694,7 +6699,7 @@ struct Found_0
 
 fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S1305 : bool;
+    var _S1308 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
     found_3.triangle_8 = u32(4294967295);
@@ -6704,8 +6709,8 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
     {
         return found_3;
     }
-    var way_2 : array<vec2<u32>, i32(40)>;
-    way_2[i32(0)] = vec2<u32>(u32(0), u32(0));
+    var way_1 : array<vec2<u32>, i32(40)>;
+    way_1[i32(0)] = vec2<u32>(u32(0), u32(0));
     var entered_0 : u32 = u32(0);
     var limit_4 : f32 = view_8.limit_0;
     var is_new_0 : bool = true;
@@ -6716,7 +6721,7 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var is_new_1 : bool;
         if(entered_0 != u32(4294967295))
         {
-            way_2[level_0] = vec2<u32>(entered_0, crossed_0(view_8, limit_4, entered_0));
+            way_1[level_0] = vec2<u32>(entered_0, crossed_0(view_8, limit_4, entered_0));
             is_new_1 = true;
             entered_1 = u32(4294967295);
         }
@@ -6725,32 +6730,32 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             is_new_1 = is_new_0;
             entered_1 = entered_0;
         }
-        var here_2 : vec2<u32> = way_2[level_0];
-        var _S1306 : u32 = way_2[level_0].y;
-        if(_S1306 == u32(0))
+        var here_2 : vec2<u32> = way_1[level_0];
+        var _S1309 : u32 = way_1[level_0].y;
+        if(_S1309 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S1307 : u32 = level_0 - u32(1);
+            var _S1310 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S1307;
+            level_0 = _S1310;
             continue;
         }
-        var slot_5 : u32 = ((_S1306 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S1306 >> (u32(4)));
-        var _S1308 : bool;
+        var slot_5 : u32 = ((_S1309 & (u32(15)))) - u32(1);
+        way_1[level_0][i32(1)] = (_S1309 >> (u32(4)));
+        var _S1311 : bool;
         if(!is_new_1)
         {
-            _S1308 = (ray_bound_0(view_8, limit_4, here_2.x, slot_5)) > limit_4;
+            _S1311 = (ray_bound_0(view_8, limit_4, here_2.x, slot_5)) > limit_4;
         }
         else
         {
-            _S1308 = false;
+            _S1311 = false;
         }
-        if(_S1308)
+        if(_S1311)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -6759,20 +6764,20 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_2.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S1309 : u32 = level_0 + u32(1);
+            var _S1312 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S1309;
+            level_0 = _S1312;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S1310 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S1311 : u32 = leaf_starts_0[leaf_0];
+        var _S1313 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S1314 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S1311;
+        var i_3 : u32 = _S1314;
         for(;;)
         {
-            if(i_3 < _S1310)
+            if(i_3 < _S1313)
             {
             }
             else
@@ -6787,23 +6792,23 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S1305 = true;
+                _S1308 = true;
             }
             else
             {
-                _S1305 = (crossing_1.t_4) < ((*ray_3).t_max_0);
+                _S1308 = (crossing_1.t_4) < ((*ray_3).t_max_0);
             }
-            var _S1312 : bool;
-            if(_S1305)
+            var _S1315 : bool;
+            if(_S1308)
             {
-                _S1312 = true;
+                _S1315 = true;
             }
             else
             {
-                _S1312 = (face_6(i_3)) < (found_3.face_7);
+                _S1315 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S1312)
+            if(_S1315)
             {
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_8 = i_3;
@@ -6821,13 +6826,13 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S1305 = (found_3.face_7) != u32(4294967295);
+            _S1308 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S1305 = false;
+            _S1308 = false;
         }
-        if(_S1305)
+        if(_S1308)
         {
             break;
         }
@@ -6841,11 +6846,11 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_2 : vec3<f64>,  direction_17 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_1 : bool,  t_6 : ptr<function, f32>) -> Found_0
 {
     var view_9 : RayView_0;
-    var _S1313 : u32 = view_9.axes_8;
-    var _S1314 : Ray_0 = ray_along_0(origin_2, direction_17, t_min_2, t_max_2, &(_S1313));
-    view_9.axes_8 = _S1313;
-    var ray_4 : Ray_0 = _S1314;
-    var _S1315 : vec3<f32> = vec3<f32>(direction_17 / vec3<f64>(ray_4.local_per_t_0));
+    var _S1316 : u32 = view_9.axes_8;
+    var _S1317 : Ray_0 = ray_along_0(origin_2, direction_17, t_min_2, t_max_2, &(_S1316));
+    view_9.axes_8 = _S1316;
+    var ray_4 : Ray_0 = _S1317;
+    var _S1318 : vec3<f32> = vec3<f32>(direction_17 / vec3<f64>(ray_4.local_per_t_0));
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -6856,17 +6861,17 @@ fn cast_0( origin_2 : vec3<f64>,  direction_17 : vec3<f64>,  t_min_2 : f64,  t_m
         {
             break;
         }
-        var _S1316 : f32 = max(abs(_S1315[axis_4]), 8.67361737988403547e-19f);
-        var _S1317 : f32;
-        if((_S1315[axis_4]) < 0.0f)
+        var _S1319 : f32 = max(abs(_S1318[axis_4]), 8.67361737988403547e-19f);
+        var _S1320 : f32;
+        if((_S1318[axis_4]) < 0.0f)
         {
-            _S1317 = -1.0f / _S1316;
+            _S1320 = -1.0f / _S1319;
         }
         else
         {
-            _S1317 = 1.0f / _S1316;
+            _S1320 = 1.0f / _S1319;
         }
-        view_9.inverse_3[axis_4] = _S1317;
+        view_9.inverse_3[axis_4] = _S1320;
         axis_4 = axis_4 + u32(1);
     }
     var offset_4 : vec3<f32> = vec3<f32>(origin_2) * view_9.inverse_3;
@@ -6892,25 +6897,25 @@ fn emitter_seen_0( found_6 : Found_0,  direction_18 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_6 : u32 = word_0(shape_of_0(found_6.triangle_8) + u32(4));
-    var _S1318 : bool;
+    var _S1321 : bool;
     if(emitter_6 != u32(4294967295))
     {
-        _S1318 = (dot(cross_of_0(found_6.triangle_8), direction_18)) < 0.0f;
+        _S1321 = (dot(cross_of_0(found_6.triangle_8), direction_18)) < 0.0f;
     }
     else
     {
-        _S1318 = false;
+        _S1321 = false;
     }
-    var _S1319 : u32;
-    if(_S1318)
+    var _S1322 : u32;
+    if(_S1321)
     {
-        _S1319 = emitter_6;
+        _S1322 = emitter_6;
     }
     else
     {
-        _S1319 = u32(4294967295);
+        _S1322 = u32(4294967295);
     }
-    return _S1319;
+    return _S1322;
 }
 
 fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_19 : vec3<f32>,  distance_7 : f32) -> f32
@@ -6919,17 +6924,17 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
     var rectangle_1 : u32 = word_0(record_14 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S1320 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S1320.solid_angle_0) > 0.0f))
+        var _S1323 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S1323.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S1320.solid_angle_0) >= 0.00100000004749745f)
+        if((_S1323.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S1320.solid_angle_0;
+            return 1.0f / _S1323.solid_angle_0;
         }
     }
-    var _S1321 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
+    var _S1324 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_14 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -6943,7 +6948,7 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S1321 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S1324 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_3 = shares_1.y;
@@ -6953,22 +6958,22 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             own_3 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_3;
-        var _S1322 : i32;
+        var _S1325 : i32;
         if(is_second_1)
         {
-            _S1322 = i32(3);
+            _S1325 = i32(3);
         }
         else
         {
-            _S1322 = i32(2);
+            _S1325 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S1322));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S1325));
         chosen_2 = chosen_3;
     }
-    var _S1323 : u32 = word_0(record_14 + u32(6));
-    var _S1324 : u32 = word_0(node_6);
+    var _S1326 : u32 = word_0(record_14 + u32(6));
+    var _S1327 : u32 = word_0(node_6);
     own_3 = 0.0f;
-    var k_6 : u32 = _S1324;
+    var k_6 : u32 = _S1327;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -6979,9 +6984,9 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
         {
             break;
         }
-        var angle_6 : f32 = face_solid_angle_0(record_14, word_0(_S1323 + k_6), from_2.exact_0);
+        var angle_6 : f32 = face_solid_angle_0(record_14, word_0(_S1326 + k_6), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_6;
-        if(k_6 == _S1321)
+        if(k_6 == _S1324)
         {
             own_3 = angle_6;
         }
@@ -7000,8 +7005,8 @@ fn emitter_pdf_0( emitter_7 : u32,  found_7 : Found_0,  vertex_9 : Vertex_0,  di
     var record_15 : u32 = emitter_record_0(emitter_7);
     if(is_map_0(record_15))
     {
-        var _S1325 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_20);
-        return _S1325;
+        var _S1328 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_20);
+        return _S1328;
     }
     if(!is_area_0(record_15))
     {
@@ -7010,9 +7015,9 @@ fn emitter_pdf_0( emitter_7 : u32,  found_7 : Found_0,  vertex_9 : Vertex_0,  di
     return area_pdf_0(record_15, found_7.face_7 - word_0(record_15 + u32(3)), vertex_9.surface_3, direction_20, t_7);
 }
 
-fn met_0( vertex_10 : Vertex_0,  direction_21 : vec3<f32>,  t_8 : f32,  place_17 : Place_0) -> Place_0
+fn met_0( vertex_10 : Vertex_0,  direction_21 : vec3<f32>,  t_8 : f32,  place_16 : Place_0) -> Place_0
 {
-    return place_17;
+    return place_16;
 }
 
 fn weight_over_0( own_4 : f32,  other_0 : f32) -> f32
@@ -7027,71 +7032,71 @@ fn weight_over_0( own_4 : f32,  other_0 : f32) -> f32
 
 fn in_map_0( map_6 : u32,  direction_22 : vec3<f32>) -> Lookup_0
 {
-    var place_18 : vec2<f32> = map_place_0(map_6, direction_22);
+    var _S1329 : vec2<f64> = vec2<f64>(map_place_0(map_6, direction_22));
     var point_2 : Point_0;
-    point_2.value_5 = place_18;
+    point_2.value_5 = _S1329;
     point_2.by_first_1 = vec2<f32>(1.0f, 0.0f);
     point_2.by_second_1 = vec2<f32>(0.0f, 1.0f);
-    var x_24 : i32 = floor_of_0(place_18.x);
-    var y_9 : i32 = floor_of_0(place_18.y);
+    var x_24 : i32 = floor_of_0(_S1329.x);
+    var y_9 : i32 = floor_of_0(_S1329.y);
     var width_4 : i32 = i32(word_0(map_6));
     var height_1 : i32 = i32(word_0(map_6 + u32(1)));
     var left_1 : u32 = wrapped_0(x_24, width_4, u32(0));
     var right_1 : u32 = wrapped_0(x_24 + i32(1), width_4, u32(0));
-    var _S1326 : u32 = wrapped_0(y_9, height_1, u32(2));
-    var _S1327 : u32 = u32(width_4);
-    var first_5 : u32 = _S1326 * _S1327;
-    var _S1328 : u32 = wrapped_0(y_9 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S1328 * _S1327;
+    var _S1330 : u32 = wrapped_0(y_9, height_1, u32(2));
+    var _S1331 : u32 = u32(width_4);
+    var first_5 : u32 = _S1330 * _S1331;
+    var _S1332 : u32 = wrapped_0(y_9 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S1332 * _S1331;
     return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_2 + left_1, second_2 + right_1), point_2);
 }
 
-fn emitted_0( emitter_8 : u32,  place_19 : Place_0,  direction_23 : vec3<f32>) -> vec3<f32>
+fn emitted_0( emitter_8 : u32,  place_17 : Place_0,  direction_23 : vec3<f32>) -> vec3<f32>
 {
     var record_16 : u32 = emitter_record_0(emitter_8);
     var texture_6 : u32 = word_0(record_16 + u32(1));
     if(!is_map_0(record_16))
     {
-        var _S1329 : vec3<f32> = shown_0(texture_6, place_19);
-        return _S1329;
+        var _S1333 : vec3<f32> = shown_0(texture_6, place_17);
+        return _S1333;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_1 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S1330 : u32 = word_0(texture_6 + u32(11));
-    var _S1331 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_23));
-    return looked_up_0(_S1330, _S1331, change_1) * factor_1;
+    var _S1334 : u32 = word_0(texture_6 + u32(11));
+    var _S1335 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_23));
+    return looked_up_0(_S1334, _S1335, change_1) * factor_1;
 }
 
 fn numbers_of_0( texture_7 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_7 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_7 + u32(18)));
 }
 
 fn add_to_sum_0( sum_6 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S1332 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S1336 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_3 : f32 = abs(scaled_0);
     if(size_3 > 7.73712524553362672e+25f)
     {
-        var _S1333 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S1337 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S1334 : bool = scaled_0 < 0.0f;
-    var _S1335 : i32;
+    var _S1338 : bool = scaled_0 < 0.0f;
+    var _S1339 : i32;
     if(size_3 >= 1.84467440737095516e+19f)
     {
-        _S1335 = i32(1);
+        _S1339 = i32(1);
     }
     else
     {
-        _S1335 = i32(0);
+        _S1339 = i32(0);
     }
-    var first_6 : u32 = u32(_S1335);
+    var first_6 : u32 = u32(_S1339);
     var size_4 : f32;
     if(first_6 == u32(1))
     {
@@ -7111,39 +7116,39 @@ fn add_to_sum_0( sum_6 : u32,  derivative_0 : f32)
     {
         size_4 = lower_0;
     }
-    var _S1336 : u32 = u32(3) + u32(4) * sum_6;
+    var _S1340 : u32 = u32(4) + u32(4) * sum_6;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_4), u32(higher_0));
     var k_7 : u32 = first_6;
     for(;;)
     {
-        var _S1337 : bool;
+        var _S1341 : bool;
         if(k_7 < u32(4))
         {
-            _S1337 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S1341 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S1337 = false;
+            _S1341 = false;
         }
-        if(_S1337)
+        if(_S1341)
         {
         }
         else
         {
             break;
         }
-        var _S1338 : u32;
-        if(_S1334)
+        var _S1342 : u32;
+        if(_S1338)
         {
-            _S1338 = u32(0) - digits_0.x;
+            _S1342 = u32(0) - digits_0.x;
         }
         else
         {
-            _S1338 = digits_0.x;
+            _S1342 = digits_0.x;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S1336 + k_7]), _S1338);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S1340 + k_7]), _S1342);
         var overflows_0 : bool;
-        if(_S1334)
+        if(_S1338)
         {
             overflows_0 = before_0 < (digits_0.x);
         }
@@ -7151,19 +7156,19 @@ fn add_to_sum_0( sum_6 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_0 + digits_0.x) < before_0;
         }
-        var _S1339 : u32 = digits_0.y;
+        var _S1343 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S1335 = i32(1);
+            _S1339 = i32(1);
         }
         else
         {
-            _S1335 = i32(0);
+            _S1339 = i32(0);
         }
-        var _S1340 : vec2<u32> = vec2<u32>(_S1339 + u32(_S1335), u32(0));
-        var _S1341 : u32 = k_7 + u32(1);
-        digits_0 = _S1340;
-        k_7 = _S1341;
+        var _S1344 : vec2<u32> = vec2<u32>(_S1343 + u32(_S1339), u32(0));
+        var _S1345 : u32 = k_7 + u32(1);
+        digits_0 = _S1344;
+        k_7 = _S1345;
     }
     return;
 }
@@ -7171,20 +7176,20 @@ fn add_to_sum_0( sum_6 : u32,  derivative_0 : f32)
 fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
 {
     var first_7 : u32 = numbers_of_0(texture_8);
-    var _S1342 : u32 = word_0(texture_8 + u32(1));
-    var _S1343 : u32;
+    var _S1346 : u32 = word_0(texture_8 + u32(1));
+    var _S1347 : u32;
     if(first_7 == u32(4294967295))
     {
-        _S1343 = u32(0);
+        _S1347 = u32(0);
     }
     else
     {
-        _S1343 = lookup_5.count_0;
+        _S1347 = lookup_5.count_0;
     }
     var k_8 : u32 = u32(0);
     for(;;)
     {
-        if(k_8 < _S1343)
+        if(k_8 < _S1347)
         {
         }
         else
@@ -7193,7 +7198,7 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         }
         var own_5 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_1[k_8]);
         var own_6 : vec3<f32>;
-        if(_S1342 == u32(1))
+        if(_S1346 == u32(1))
         {
             own_6 = vec3<f32>((own_5.x + own_5.y + own_5.z));
         }
@@ -7204,14 +7209,14 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         var c_8 : u32 = u32(0);
         for(;;)
         {
-            if(c_8 < _S1342)
+            if(c_8 < _S1346)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_7 + _S1342 * lookup_5.texels_0[k_8] + c_8, own_6[c_8]);
+            add_to_sum_0(first_7 + _S1346 * lookup_5.texels_0[k_8] + c_8, own_6[c_8]);
             c_8 = c_8 + u32(1);
         }
         k_8 = k_8 + u32(1);
@@ -7240,41 +7245,41 @@ struct AtCorners_0
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_3 : AtCorners_0;
-    var _S1344 : vec3<f32> = vec3<f32>(0.0f);
-    corners_3.c_9 = _S1344;
-    corners_3.b_17 = _S1344;
-    corners_3.a_20 = _S1344;
+    var _S1348 : vec3<f32> = vec3<f32>(0.0f);
+    corners_3.c_9 = _S1348;
+    corners_3.b_17 = _S1348;
+    corners_3.a_20 = _S1348;
     return corners_3;
 }
 
-fn add_at_place_0( corners_4 : ptr<function, AtCorners_0>,  place_20 : Place_0,  derivative_3 : vec3<f32>)
+fn add_at_place_0( corners_4 : ptr<function, AtCorners_0>,  place_18 : Place_0,  derivative_3 : vec3<f32>)
 {
-    (*corners_4).a_20 = (*corners_4).a_20 + derivative_3 * vec3<f32>((1.0f - place_20.v_0 - place_20.w_0));
-    (*corners_4).b_17 = (*corners_4).b_17 + derivative_3 * vec3<f32>(place_20.v_0);
-    (*corners_4).c_9 = (*corners_4).c_9 + derivative_3 * vec3<f32>(place_20.w_0);
+    (*corners_4).a_20 = (*corners_4).a_20 + derivative_3 * vec3<f32>((1.0f - place_18.v_0 - place_18.w_0));
+    (*corners_4).b_17 = (*corners_4).b_17 + derivative_3 * vec3<f32>(place_18.v_0);
+    (*corners_4).c_9 = (*corners_4).c_9 + derivative_3 * vec3<f32>(place_18.w_0);
     return;
 }
 
-fn add_at_place_1( corners_5 : ptr<function, AtCorners_0>,  place_21 : Place_0,  derivative_4 : vec3<f32>)
+fn add_at_place_1( corners_5 : ptr<function, AtCorners_0>,  place_19 : Place_0,  derivative_4 : vec3<f32>)
 {
-    (*corners_5).a_20 = (*corners_5).a_20 + derivative_4 * vec3<f32>((1.0f - place_21.v_0 - place_21.w_0));
-    (*corners_5).b_17 = (*corners_5).b_17 + derivative_4 * vec3<f32>(place_21.v_0);
-    (*corners_5).c_9 = (*corners_5).c_9 + derivative_4 * vec3<f32>(place_21.w_0);
+    (*corners_5).a_20 = (*corners_5).a_20 + derivative_4 * vec3<f32>((1.0f - place_19.v_0 - place_19.w_0));
+    (*corners_5).b_17 = (*corners_5).b_17 + derivative_4 * vec3<f32>(place_19.v_0);
+    (*corners_5).c_9 = (*corners_5).c_9 + derivative_4 * vec3<f32>(place_19.w_0);
     return;
 }
 
-fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_22 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_24 : vec3<f32>) -> vec3<f32>
+fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_20 : Place_0,  by_place_0 : vec2<f32>,  by_position_0 : vec3<f32>,  direction_24 : vec3<f32>) -> vec3<f32>
 {
-    var corner_1 : u32 = u32(9) * place_22.triangle_0;
+    var corner_1 : u32 = u32(9) * place_20.triangle_0;
     var a_21 : vec3<f64> = primitive_vector_0(corner_1);
-    var _S1345 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_21);
-    var _S1346 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_21);
-    var across_2 : vec3<f32> = cross(_S1345, _S1346);
-    var _S1347 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
-    var normal_9 : vec3<f32> = across_2 / vec3<f32>(_S1347);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S1346, normal_9) * vec3<f32>(by_place_0.x) + cross(normal_9, _S1345) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_9, normal_9) * _S1347)));
+    var _S1349 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(3)) - a_21);
+    var _S1350 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_1 + u32(6)) - a_21);
+    var across_2 : vec3<f32> = cross(_S1349, _S1350);
+    var _S1351 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
+    var normal_9 : vec3<f32> = across_2 / vec3<f32>(_S1351);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S1350, normal_9) * vec3<f32>(by_place_0.x) + cross(normal_9, _S1349) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_9, normal_9) * _S1351)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_9 * vec3<f32>((dot(direction_24, by_slip_0) / dot(normal_9, direction_24)));
-    add_at_place_1(&((*points_0)), place_22, by_position_0 - by_drift_0);
+    add_at_place_1(&((*points_0)), place_20, by_position_0 - by_drift_0);
     return by_drift_0;
 }
 
@@ -7285,20 +7290,20 @@ fn points_of_0( triangle_9 : u32) -> u32
 
 fn add_to_sums_0( first_8 : u32,  derivative_5 : vec3<f32>)
 {
-    var _S1348 : i32;
+    var _S1352 : i32;
     if(first_8 == u32(4294967295))
     {
-        _S1348 = i32(0);
+        _S1352 = i32(0);
     }
     else
     {
-        _S1348 = i32(3);
+        _S1352 = i32(3);
     }
-    var _S1349 : u32 = u32(_S1348);
+    var _S1353 : u32 = u32(_S1352);
     var axis_5 : u32 = u32(0);
     for(;;)
     {
-        if(axis_5 < _S1349)
+        if(axis_5 < _S1353)
         {
         }
         else
@@ -7313,51 +7318,51 @@ fn add_to_sums_0( first_8 : u32,  derivative_5 : vec3<f32>)
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_10 : u32,  corners_6 : AtCorners_0)
 {
-    var _S1350 : u32 = triangle_record_0(triangle_10) + u32(2);
-    var _S1351 : i32;
+    var _S1354 : u32 = triangle_record_0(triangle_10) + u32(2);
+    var _S1355 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S1351 = i32(0);
+        _S1355 = i32(0);
     }
     else
     {
-        _S1351 = i32(3);
+        _S1355 = i32(3);
     }
-    var _S1352 : u32 = u32(_S1351);
+    var _S1356 : u32 = u32(_S1355);
     var k_9 : u32 = u32(0);
     for(;;)
     {
-        if(k_9 < _S1352)
+        if(k_9 < _S1356)
         {
         }
         else
         {
             break;
         }
-        var _S1353 : u32 = sums_at_0 + u32(3) * word_0(_S1350 + k_9);
-        var _S1354 : vec3<f32>;
+        var _S1357 : u32 = sums_at_0 + u32(3) * word_0(_S1354 + k_9);
+        var _S1358 : vec3<f32>;
         if(k_9 == u32(0))
         {
-            _S1354 = corners_6.a_20;
+            _S1358 = corners_6.a_20;
         }
         else
         {
             if(k_9 == u32(1))
             {
-                _S1354 = corners_6.b_17;
+                _S1358 = corners_6.b_17;
             }
             else
             {
-                _S1354 = corners_6.c_9;
+                _S1358 = corners_6.c_9;
             }
         }
-        add_to_sums_0(_S1353, _S1354);
+        add_to_sums_0(_S1357, _S1358);
         k_9 = k_9 + u32(1);
     }
     return;
 }
 
-fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_9 : u32,  place_23 : Place_0,  direction_25 : vec3<f32>,  t_9 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
+fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_9 : u32,  place_21 : Place_0,  direction_25 : vec3<f32>,  t_9 : f32,  importance_0 : vec3<f32>) -> vec3<f32>
 {
     var record_17 : u32 = emitter_record_0(emitter_9);
     var texture_10 : u32 = word_0(record_17 + u32(1));
@@ -7367,61 +7372,61 @@ fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_9 : u32,  pla
     {
         var scale_3 : u32 = word_0(texture_10 + u32(12));
         var lookup_8 : Lookup_0 = in_map_0(texture_10, direction_25);
-        var _S1355 : Lookup_0 = one_texel_0(u32(0));
-        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_3, _S1355, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
-        add_to_texels_0(scale_3, _S1355, importance_0 * weighted_texels_0(word_0(texture_10 + u32(11)), lookup_8, lookup_8.weights_1));
+        var _S1359 : Lookup_0 = one_texel_0(u32(0));
+        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_3, _S1359, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
+        add_to_texels_0(scale_3, _S1359, importance_0 * weighted_texels_0(word_0(texture_10 + u32(11)), lookup_8, lookup_8.weights_1));
         lookup_7 = lookup_8;
         by_texels_0 = by_texels_1;
     }
     else
     {
-        var _S1356 : Lookup_0 = lookup_at_0(texture_10, place_23);
-        lookup_7 = _S1356;
+        var _S1360 : Lookup_0 = lookup_at_0(texture_10, place_21);
+        lookup_7 = _S1360;
         by_texels_0 = importance_0;
     }
-    var _S1357 : u32;
+    var _S1361 : u32;
     if(is_map_0(record_17))
     {
-        _S1357 = word_0(texture_10 + u32(11));
+        _S1361 = word_0(texture_10 + u32(11));
     }
     else
     {
-        _S1357 = texture_10;
+        _S1361 = texture_10;
     }
-    var by_place_1 : vec2<f32> = lookup_back_0(_S1357, lookup_7, by_texels_0);
+    var by_place_1 : vec2<f32> = lookup_back_0(_S1361, lookup_7, by_texels_0);
     if(is_map_0(record_17))
     {
-        var _S1358 : vec3<f32> = vec3<f32>(0.0f);
+        var _S1362 : vec3<f32> = vec3<f32>(0.0f);
         var moving_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
         moving_1.primal_0 = direction_25;
-        moving_1.differential_0 = _S1358;
+        moving_1.differential_0 = _S1362;
         _S1105(texture_10, &(moving_1), by_place_1);
         return moving_1.differential_0;
     }
-    var _S1359 : bool;
+    var _S1363 : bool;
     if(!is_area_0(record_17))
     {
-        _S1359 = true;
+        _S1363 = true;
     }
     else
     {
-        _S1359 = !is_moving_0();
+        _S1363 = !is_moving_0();
     }
-    if(_S1359)
+    if(_S1363)
     {
-        _S1359 = true;
+        _S1363 = true;
     }
     else
     {
-        _S1359 = (all((by_place_1 == vec2<f32>(0.0f))));
+        _S1363 = (all((by_place_1 == vec2<f32>(0.0f))));
     }
-    if(_S1359)
+    if(_S1363)
     {
         return vec3<f32>(0.0f);
     }
     var points_1 : AtCorners_0 = at_no_corner_0();
-    var by_drift_1 : vec3<f32> = place_back_0(&(points_1), place_23, by_place_1, vec3<f32>(0.0f), direction_25);
-    add_to_corners_0(points_of_0(place_23.triangle_0), place_23.triangle_0, points_1);
+    var by_drift_1 : vec3<f32> = place_back_0(&(points_1), place_21, by_place_1, vec3<f32>(0.0f), direction_25);
+    add_to_corners_0(points_of_0(place_21.triangle_0), place_21.triangle_0, points_1);
     (*by_start_0) = (*by_start_0) + by_drift_1;
     return by_drift_1 * vec3<f32>(t_9);
 }
@@ -7436,17 +7441,17 @@ fn axes_back_0( axes_11 : ptr<function, Axes_0>,  local_2 : vec3<f32>,  world_0 
 
 fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_11 : Vertex_0,  wo_8 : vec3<f32>,  direction_26 : vec3<f32>,  is_specular_3 : bool,  by_value_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S1360 : Numbers_0 = no_numbers_0();
+    var _S1364 : Numbers_0 = no_numbers_0();
     var numbers_9 : DiffPair_Numbers_0;
     numbers_9.primal_0 = vertex_11.lobe_6.numbers_0;
-    numbers_9.differential_0 = _S1360;
-    var _S1361 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_9.differential_0 = _S1364;
+    var _S1365 : vec3<f32> = vec3<f32>(0.0f);
     var wi_11 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     wi_11.primal_0 = vertex_11.wi_1;
-    wi_11.differential_0 = _S1361;
+    wi_11.differential_0 = _S1365;
     var onward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     onward_1.primal_0 = wo_8;
-    onward_1.differential_0 = _S1361;
+    onward_1.differential_0 = _S1365;
     if(is_specular_3)
     {
         _S1014(vertex_11.lobe_6, &(numbers_9), &(wi_11), by_value_0);
@@ -7456,30 +7461,30 @@ fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_11 : Vertex_0, 
         var by_scattering_0 : Scattering_Differential_0;
         by_scattering_0.value_0 = by_value_0;
         _S956(vertex_11.lobe_6, &(numbers_9), &(wi_11), &(onward_1), by_scattering_0);
-        var _S1362 : Axes_0 = (*pulled_1).axes_5;
-        axes_back_0(&(_S1362), onward_1.differential_0, direction_26);
-        (*pulled_1).axes_5 = _S1362;
+        var _S1366 : Axes_0 = (*pulled_1).axes_5;
+        axes_back_0(&(_S1366), onward_1.differential_0, direction_26);
+        (*pulled_1).axes_5 = _S1366;
     }
     (*pulled_1).numbers_4 = Numbers_x24_syn_dadd_0((*pulled_1).numbers_4, numbers_9.differential_0);
     (*pulled_1).wi_2 = (*pulled_1).wi_2 + wi_11.differential_0;
-    var _S1363 : vec3<f32>;
+    var _S1367 : vec3<f32>;
     if(is_specular_3)
     {
-        _S1363 = _S1361;
+        _S1367 = _S1365;
     }
     else
     {
-        _S1363 = to_world_0(vertex_11.axes_4, onward_1.differential_0);
+        _S1367 = to_world_0(vertex_11.axes_4, onward_1.differential_0);
     }
-    return _S1363;
+    return _S1367;
 }
 
 fn specular_direction_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_12 : Vertex_0,  wo_9 : vec3<f32>,  by_direction_0 : vec3<f32>)
 {
     var local_3 : vec3<f32> = to_local_0(vertex_12.axes_4, by_direction_0);
-    var _S1364 : Axes_0 = (*pulled_2).axes_5;
-    axes_back_0(&(_S1364), wo_9, by_direction_0);
-    (*pulled_2).axes_5 = _S1364;
+    var _S1368 : Axes_0 = (*pulled_2).axes_5;
+    axes_back_0(&(_S1368), wo_9, by_direction_0);
+    (*pulled_2).axes_5 = _S1368;
     (*pulled_2).wi_2 = (*pulled_2).wi_2 + vec3<f32>((vec2<f32>(0) - local_3.xy), local_3.z);
     return;
 }
@@ -7498,14 +7503,14 @@ fn turning_back_0( pulled_3 : ptr<function, Pulled_0>,  vertex_14 : Vertex_0,  d
     return;
 }
 
-fn direct_back_0( pulled_4 : ptr<function, Pulled_0>,  vertex_15 : Vertex_0,  emitter_10 : u32,  place_24 : Place_0,  wo_10 : vec3<f32>,  direction_28 : vec3<f32>,  is_specular_4 : bool,  t_10 : f32,  scattered_4 : Scattered_0,  weight_0 : f32,  light_1 : vec3<f32>,  importance_1 : vec3<f32>)
+fn direct_back_0( pulled_4 : ptr<function, Pulled_0>,  vertex_15 : Vertex_0,  emitter_10 : u32,  place_22 : Place_0,  wo_10 : vec3<f32>,  direction_28 : vec3<f32>,  is_specular_4 : bool,  t_10 : f32,  scattered_4 : Scattered_0,  weight_0 : f32,  light_1 : vec3<f32>,  importance_1 : vec3<f32>)
 {
-    var _S1365 : vec3<f32> = importance_1 * scattered_4.value_9 * vec3<f32>(weight_0);
-    var _S1366 : vec3<f32> = (*pulled_4).position_2;
-    var by_direction_2 : vec3<f32> = emitted_back_0(&(_S1366), emitter_10, place_24, direction_28, t_10, _S1365);
-    (*pulled_4).position_2 = _S1366;
-    var _S1367 : vec3<f32> = scattered_back_0(&((*pulled_4)), vertex_15, wo_10, direction_28, is_specular_4, importance_1 * light_1);
-    var by_direction_3 : vec3<f32> = by_direction_2 + _S1367;
+    var _S1369 : vec3<f32> = importance_1 * scattered_4.value_9 * vec3<f32>(weight_0);
+    var _S1370 : vec3<f32> = (*pulled_4).position_2;
+    var by_direction_2 : vec3<f32> = emitted_back_0(&(_S1370), emitter_10, place_22, direction_28, t_10, _S1369);
+    (*pulled_4).position_2 = _S1370;
+    var _S1371 : vec3<f32> = scattered_back_0(&((*pulled_4)), vertex_15, wo_10, direction_28, is_specular_4, importance_1 * light_1);
+    var by_direction_3 : vec3<f32> = by_direction_2 + _S1371;
     if(is_specular_4)
     {
         specular_direction_back_0(&((*pulled_4)), vertex_15, wo_10, by_direction_3);
@@ -7551,15 +7556,15 @@ fn slot_derivative_0( numbers_10 : Numbers_0,  slot_6 : u32) -> vec3<f32>
     }
 }
 
-fn numbers_back_0( material_1 : u32,  place_25 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
+fn numbers_back_0( material_1 : u32,  place_23 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
 {
-    var _S1368 : vec2<f32> = vec2<f32>(0.0f);
-    var _S1369 : u32 = word_0(material_1 + u32(4));
+    var _S1372 : vec2<f32> = vec2<f32>(0.0f);
+    var _S1373 : u32 = word_0(material_1 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_2 : vec2<f32> = _S1368;
+    var by_place_2 : vec2<f32> = _S1372;
     for(;;)
     {
-        if(slot_7 < _S1369)
+        if(slot_7 < _S1373)
         {
         }
         else
@@ -7572,9 +7577,9 @@ fn numbers_back_0( material_1 : u32,  place_25 : Place_0,  numbers_11 : Numbers_
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S1370 : Lookup_0 = lookup_at_0(texture_11, place_25);
-        var _S1371 : vec2<f32> = lookup_back_0(texture_11, _S1370, slot_derivative_0(numbers_11, slot_7));
-        by_place_2 = by_place_2 + _S1371;
+        var _S1374 : Lookup_0 = lookup_at_0(texture_11, place_23);
+        var _S1375 : vec2<f32> = lookup_back_0(texture_11, _S1374, slot_derivative_0(numbers_11, slot_7));
+        by_place_2 = by_place_2 + _S1375;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_2;
@@ -7589,20 +7594,20 @@ fn tangent_back_0( points_2 : ptr<function, AtCorners_0>,  triangle_11 : u32,  t
 {
     var corner_2 : u32 = u32(9) * triangle_11;
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_11);
-    var first_9 : vec2<f32> = uvs_2.b_4 - uvs_2.a_7;
-    var second_3 : vec2<f32> = uvs_2.c_1 - uvs_2.a_7;
-    var _S1372 : f32 = second_3.y;
-    var _S1373 : f32 = first_9.y;
-    var scale_4 : f32 = 1.0f / (first_9.x * _S1372 - second_3.x * _S1373);
-    var of_ab_0 : f32 = _S1372 * scale_4;
-    var of_ac_0 : f32 = - _S1373 * scale_4;
+    var _S1376 : vec2<f32> = vec2<f32>(uvs_2.b_4 - uvs_2.a_7);
+    var _S1377 : vec2<f32> = vec2<f32>(uvs_2.c_1 - uvs_2.a_7);
+    var _S1378 : f32 = _S1377.y;
+    var _S1379 : f32 = _S1376.y;
+    var scale_4 : f32 = 1.0f / (_S1376.x * _S1378 - _S1377.x * _S1379);
+    var of_ab_0 : f32 = _S1378 * scale_4;
+    var of_ac_0 : f32 = - _S1379 * scale_4;
     var a_22 : vec3<f64> = primitive_vector_0(corner_2);
-    var _S1374 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S1375 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_7 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_22) * _S1374 + vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_22) * _S1375));
+    var _S1380 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S1381 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_7 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_22) * _S1380 + vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_22) * _S1381));
     (*points_2).a_20 = (*points_2).a_20 - derivative_7 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_2).b_17 = (*points_2).b_17 + derivative_7 * _S1374;
-    (*points_2).c_9 = (*points_2).c_9 + derivative_7 * _S1375;
+    (*points_2).b_17 = (*points_2).b_17 + derivative_7 * _S1380;
+    (*points_2).c_9 = (*points_2).c_9 + derivative_7 * _S1381;
     return;
 }
 
@@ -7614,20 +7619,20 @@ fn normals_of_0( triangle_12 : u32) -> u32
 fn surface_back_0( points_3 : ptr<function, AtCorners_0>,  surface_5 : Surface_0,  by_place_3 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_29 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_5.shape_0);
-    var _S1376 : vec2<f32>;
+    var _S1382 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_3 : u32 = u32(9) * surface_5.place_5.triangle_0;
         var a_23 : vec3<f64> = primitive_vector_0(corner_3);
-        var _S1377 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_23);
-        var _S1378 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_23);
-        var derivative_8 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(_S1377, _S1378)));
-        var by_ab_0 : vec3<f32> = cross(_S1378, derivative_8);
-        var by_ac_0 : vec3<f32> = cross(derivative_8, _S1377);
+        var _S1383 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_23);
+        var _S1384 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_23);
+        var derivative_8 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(_S1383, _S1384)));
+        var by_ab_0 : vec3<f32> = cross(_S1384, derivative_8);
+        var by_ac_0 : vec3<f32> = cross(derivative_8, _S1383);
         (*points_3).a_20 = (*points_3).a_20 - (by_ab_0 + by_ac_0);
         (*points_3).b_17 = (*points_3).b_17 + by_ab_0;
         (*points_3).c_9 = (*points_3).c_9 + by_ac_0;
-        _S1376 = by_place_3;
+        _S1382 = by_place_3;
     }
     else
     {
@@ -7639,42 +7644,42 @@ fn surface_back_0( points_3 : ptr<function, AtCorners_0>,  surface_5 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_5.place_5, derivative_9);
         add_to_corners_0(normals_of_0(surface_5.place_5.triangle_0), surface_5.place_5.triangle_0, of_normals_0);
-        _S1376 = by_place_3 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_1, derivative_9));
+        _S1382 = by_place_3 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_1, derivative_9));
     }
-    var _S1379 : vec3<f32> = place_back_0(&((*points_3)), surface_5.place_5, _S1376, by_position_1, direction_29);
-    return _S1379;
+    var _S1385 : vec3<f32> = place_back_0(&((*points_3)), surface_5.place_5, _S1382, by_position_1, direction_29);
+    return _S1385;
 }
 
 fn vertex_back_0( pulled_5 : Pulled_0,  vertex_16 : Vertex_0,  material_2 : u32,  direction_30 : vec3<f32>) -> ByRay_0
 {
     var by_ray_2 : ByRay_0;
-    var _S1380 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_2.direction_0 = _S1380;
-    by_ray_2.drift_0 = _S1380;
+    var _S1386 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_2.direction_0 = _S1386;
+    by_ray_2.drift_0 = _S1386;
     var by_place_4 : vec2<f32> = numbers_back_0(material_2, vertex_16.surface_3.place_5, pulled_5.numbers_4);
     if(!is_moving_0())
     {
         return by_ray_2;
     }
-    var _S1381 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S1387 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_1 : DiffPair_Axes_0;
     towards_1.primal_0 = vertex_16.axes_4;
-    towards_1.differential_0 = _S1381;
+    towards_1.differential_0 = _S1387;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_30;
-    incoming_0.differential_0 = _S1380;
+    incoming_0.differential_0 = _S1386;
     _S220(&(towards_1), &(incoming_0), pulled_5.wi_2);
     by_ray_2.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_16.surface_3.outward_0;
-    outward_1.differential_0 = _S1380;
-    var _S1382 : vec3<f32> = tangent_at_0(vertex_16.surface_3);
+    outward_1.differential_0 = _S1386;
+    var _S1388 : vec3<f32> = tangent_at_0(vertex_16.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S1382;
-    tangent_4.differential_0 = _S1380;
+    tangent_4.primal_0 = _S1388;
+    tangent_4.differential_0 = _S1386;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_5.axes_5, towards_1.differential_0);
     var points_4 : AtCorners_0 = at_no_corner_0();
-    if((any((_S1382 != _S1380))))
+    if((any((_S1388 != _S1386))))
     {
         _S171(&(outward_1), &(tangent_4), vertex_16.surface_3.is_front_0, by_axes_0);
         tangent_back_0(&(points_4), vertex_16.surface_3.place_5.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -7683,8 +7688,8 @@ fn vertex_back_0( pulled_5 : Pulled_0,  vertex_16 : Vertex_0,  material_2 : u32,
     {
         _S140(&(outward_1), vertex_16.surface_3.is_front_0, by_axes_0);
     }
-    var _S1383 : vec3<f32> = surface_back_0(&(points_4), vertex_16.surface_3, by_place_4, pulled_5.position_2, outward_1.differential_0, direction_30);
-    by_ray_2.drift_0 = _S1383;
+    var _S1389 : vec3<f32> = surface_back_0(&(points_4), vertex_16.surface_3, by_place_4, pulled_5.position_2, outward_1.differential_0, direction_30);
+    by_ray_2.drift_0 = _S1389;
     add_to_corners_0(points_of_0(vertex_16.surface_3.place_5.triangle_0), vertex_16.surface_3.place_5.triangle_0, points_4);
     return by_ray_2;
 }
@@ -7692,7 +7697,7 @@ fn vertex_back_0( pulled_5 : Pulled_0,  vertex_16 : Vertex_0,  material_2 : u32,
 fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_2 : vec3<f32>) -> bool
 {
     var depth_3 : u32 = launch_0.depth_0;
-    var _S1384 : u32 = vertex_numbers_0(launch_0.depth_0);
+    var _S1390 : u32 = vertex_numbers_0(launch_0.depth_0);
     var incoming_1 : vec3<f32> = value_of_0((*path_7).direction_1);
     var surface_6 : Surface_0 = surface_at_0((*path_7).place_3, incoming_1);
     var material_3 : u32 = material_of_0(surface_6);
@@ -7702,10 +7707,10 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     var vertex_17 : Vertex_0 = vertex_at_0(surface_6, material_3, (*path_7).direction_1);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S1385 : u32 = word_0(u32(3));
-    var _S1386 : bool = !reaches_0(depth_3 + u32(3));
+    var _S1391 : u32 = word_0(u32(3));
+    var _S1392 : bool = !reaches_0(depth_3 + u32(3));
     var goes_on_0 : bool;
-    if(_S1386)
+    if(_S1392)
     {
         goes_on_0 = (vertex_17.lobe_6.kind_0) == u32(0);
     }
@@ -7728,7 +7733,7 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     else
     {
-        bsdf_samples_0 = _S1385;
+        bsdf_samples_0 = _S1391;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_17.lobe_6))
@@ -7740,7 +7745,7 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         on_emitters_0 = u32(0);
     }
     var pulled_6 : Pulled_0 = nothing_pulled_0();
-    var _S1387 : Choice_0 = choice_at_0(surface_6.position_0, vertex_17.axes_4.n_0, on_emitters_0 == u32(0));
+    var _S1393 : Choice_0 = choice_at_0(surface_6.position_0, vertex_17.axes_4.n_0, on_emitters_0 == u32(0));
     goes_on_0 = false;
     var next_3 : Place_0 = (*path_7).place_3;
     var next_direction_0 : vec3<f32> = (*path_7).direction_1;
@@ -7760,17 +7765,17 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         var next_direction_1 : vec3<f32>;
         if(i_4 < on_emitters_0)
         {
-            var _S1388 : bool = sample_emitter_0(vertex_17, _S1387, (*path_7).key_0, _S1384 + u32(3) * i_4, &(sample_3));
-            if(!_S1388)
+            var _S1394 : bool = sample_emitter_0(vertex_17, _S1393, (*path_7).key_0, _S1390 + u32(3) * i_4, &(sample_3));
+            if(!_S1394)
             {
                 goes_on_1 = goes_on_0;
                 next_4 = next_3;
                 next_direction_1 = next_direction_0;
-                var _S1389 : u32 = i_4 + u32(1);
+                var _S1395 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_3 = next_4;
                 next_direction_0 = next_direction_1;
-                i_4 = _S1389;
+                i_4 = _S1395;
                 continue;
             }
         }
@@ -7780,29 +7785,29 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         }
         var moving_2 : vec3<f32>;
         var scattered_5 : Scattered_0 = scattered_along_0(vertex_17, sample_3, walked_of_0((*path_7)), &(moving_2));
-        var _S1390 : bool;
+        var _S1396 : bool;
         if(!sample_3.is_on_emitter_0)
         {
-            _S1390 = !((scattered_5.pdf_6) > 0.0f);
+            _S1396 = !((scattered_5.pdf_6) > 0.0f);
         }
         else
         {
-            _S1390 = false;
+            _S1396 = false;
         }
-        if(_S1390)
+        if(_S1396)
         {
             goes_on_1 = goes_on_0;
             next_4 = next_3;
             next_direction_1 = next_direction_0;
-            var _S1389 : u32 = i_4 + u32(1);
+            var _S1395 : u32 = i_4 + u32(1);
             goes_on_0 = goes_on_1;
             next_3 = next_4;
             next_direction_0 = next_direction_1;
-            i_4 = _S1389;
+            i_4 = _S1395;
             continue;
         }
         var t_11 : f32;
-        var found_8 : Found_0 = cast_0(surface_6.exact_0, sample_3.way_1, sample_3.nearest_0, sample_3.farthest_0, sample_3.is_on_emitter_0, &(t_11));
+        var found_8 : Found_0 = cast_0(surface_6.exact_0, sample_3.way_0, sample_3.nearest_0, sample_3.farthest_0, sample_3.is_on_emitter_0, &(t_11));
         var own_7 : f32;
         var other_1 : f32;
         if(sample_3.is_on_emitter_0)
@@ -7812,11 +7817,11 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 goes_on_1 = goes_on_0;
                 next_4 = next_3;
                 next_direction_1 = next_direction_0;
-                var _S1389 : u32 = i_4 + u32(1);
+                var _S1395 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_3 = next_4;
                 next_direction_0 = next_direction_1;
-                i_4 = _S1389;
+                i_4 = _S1395;
                 continue;
             }
             var own_8 : f32 = f32(emitter_samples_0) * sample_3.probability_3 * sample_3.pdf_4;
@@ -7825,16 +7830,16 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 goes_on_1 = goes_on_0;
                 next_4 = next_3;
                 next_direction_1 = next_direction_0;
-                var _S1389 : u32 = i_4 + u32(1);
+                var _S1395 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_3 = next_4;
                 next_direction_0 = next_direction_1;
-                i_4 = _S1389;
+                i_4 = _S1395;
                 continue;
             }
-            var _S1391 : f32 = f32(bsdf_samples_0) * scattered_5.pdf_6;
+            var _S1397 : f32 = f32(bsdf_samples_0) * scattered_5.pdf_6;
             own_7 = own_8;
-            other_1 = _S1391;
+            other_1 = _S1397;
             goes_on_1 = goes_on_0;
             next_4 = next_3;
             next_direction_1 = next_direction_0;
@@ -7843,15 +7848,15 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         {
             if(i_4 == on_emitters_0)
             {
-                var _S1392 : bool = (found_8.face_7) != u32(4294967295);
-                var _S1393 : Place_0 = place_of_0(found_8);
+                var _S1398 : bool = (found_8.face_7) != u32(4294967295);
+                var _S1399 : Place_0 = place_of_0(found_8);
                 (*reflected_1).onward_0 = scattered_5.value_9 * vec3<f32>((1.0f / scattered_5.pdf_6));
                 (*reflected_1).wo_0 = sample_3.wo_1;
                 (*reflected_1).is_specular_0 = sample_3.is_specular_1;
                 (*reflected_1).factor_0 = 1.0f / scattered_5.pdf_6;
                 (*reflected_1).distance_1 = t_11;
-                goes_on_1 = _S1392;
-                next_4 = _S1393;
+                goes_on_1 = _S1398;
+                next_4 = _S1399;
                 next_direction_1 = moving_2;
             }
             else
@@ -7860,66 +7865,66 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 next_4 = next_3;
                 next_direction_1 = next_direction_0;
             }
-            var _S1394 : u32 = emitter_seen_0(found_8, sample_3.direction_10);
-            sample_3.emitter_5 = _S1394;
-            if(_S1394 == u32(4294967295))
+            var _S1400 : u32 = emitter_seen_0(found_8, sample_3.direction_10);
+            sample_3.emitter_5 = _S1400;
+            if(_S1400 == u32(4294967295))
             {
-                var _S1389 : u32 = i_4 + u32(1);
+                var _S1395 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_3 = next_4;
                 next_direction_0 = next_direction_1;
-                i_4 = _S1389;
+                i_4 = _S1395;
                 continue;
             }
-            sample_3.place_15 = place_of_0(found_8);
+            sample_3.place_14 = place_of_0(found_8);
             sample_3.distance_6 = t_11;
-            var _S1395 : f32 = f32(bsdf_samples_0) * scattered_5.pdf_6;
-            var _S1396 : bool;
+            var _S1401 : f32 = f32(bsdf_samples_0) * scattered_5.pdf_6;
+            var _S1402 : bool;
             if(!sample_3.is_specular_1)
             {
-                _S1396 = emitter_samples_0 != u32(0);
+                _S1402 = emitter_samples_0 != u32(0);
             }
             else
             {
-                _S1396 = false;
+                _S1402 = false;
             }
-            if(_S1396)
+            if(_S1402)
             {
                 var pdf_7 : f32 = emitter_pdf_0(sample_3.emitter_5, found_8, vertex_17, sample_3.direction_10, t_11);
-                own_7 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S1387) * pdf_7;
+                own_7 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S1393) * pdf_7;
             }
             else
             {
                 own_7 = 0.0f;
             }
-            var _S1397 : f32 = own_7;
-            own_7 = _S1395;
-            other_1 = _S1397;
+            var _S1403 : f32 = own_7;
+            own_7 = _S1401;
+            other_1 = _S1403;
         }
-        var place_26 : Place_0 = sample_3.place_15;
-        var place_27 : Place_0;
+        var place_24 : Place_0 = sample_3.place_14;
+        var place_25 : Place_0;
         if(is_area_0(emitter_record_0(sample_3.emitter_5)))
         {
-            place_27 = met_0(vertex_17, moving_2, sample_3.distance_6, place_26);
+            place_25 = met_0(vertex_17, moving_2, sample_3.distance_6, place_24);
         }
         else
         {
-            place_27 = place_26;
+            place_25 = place_24;
         }
         var weight_1 : f32 = weight_over_0(own_7, other_1);
-        var _S1398 : vec3<f32> = emitted_0(sample_3.emitter_5, place_27, moving_2);
-        var light_2 : vec3<f32> = _S1398 * vec3<f32>(weight_1);
+        var _S1404 : vec3<f32> = emitted_0(sample_3.emitter_5, place_25, moving_2);
+        var light_2 : vec3<f32> = _S1404 * vec3<f32>(weight_1);
         (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_5.value_9 * light_2;
-        direct_back_0(&(pulled_6), vertex_17, sample_3.emitter_5, place_27, sample_3.wo_1, sample_3.direction_10, sample_3.is_specular_1, sample_3.distance_6, scattered_5, weight_1, light_2, importance_2);
-        var _S1389 : u32 = i_4 + u32(1);
+        direct_back_0(&(pulled_6), vertex_17, sample_3.emitter_5, place_25, sample_3.wo_1, sample_3.direction_10, sample_3.is_specular_1, sample_3.distance_6, scattered_5, weight_1, light_2, importance_2);
+        var _S1395 : u32 = i_4 + u32(1);
         goes_on_0 = goes_on_1;
         next_3 = next_4;
         next_direction_0 = next_direction_1;
-        i_4 = _S1389;
+        i_4 = _S1395;
     }
-    var _S1399 : ByRay_0 = vertex_back_0(pulled_6, vertex_17, material_3, incoming_1);
-    (*reflected_1).by_ray_1 = _S1399;
-    if(_S1386)
+    var _S1405 : ByRay_0 = vertex_back_0(pulled_6, vertex_17, material_3, incoming_1);
+    (*reflected_1).by_ray_1 = _S1405;
+    if(_S1392)
     {
         goes_on_0 = true;
     }
@@ -7932,12 +7937,12 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         return false;
     }
     var throughput_1 : vec3<f32> = value_of_0((*path_7).throughput_0) * value_of_0((*reflected_1).onward_0);
-    var _S1400 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    var _S1401 : u32 = depth_3 + u32(1);
-    if(_S1401 >= (word_0(u32(1))))
+    var _S1406 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    var _S1407 : u32 = depth_3 + u32(1);
+    if(_S1407 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S1400, 0.05000000074505806f, 0.94999998807907104f);
-        if((random_0((*path_7).key_0, vertex_numbers_0(_S1401) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S1406, 0.05000000074505806f, 0.94999998807907104f);
+        if((random_0((*path_7).key_0, vertex_numbers_0(_S1407) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -8017,24 +8022,24 @@ fn set_vector_2( path_11 : u32,  which_9 : ptr<function, u32>,  value_13 : vec3<
     return;
 }
 
-fn set_place_0( path_12 : u32,  which_10 : ptr<function, u32>,  place_28 : Place_0)
+fn set_place_0( path_12 : u32,  which_10 : ptr<function, u32>,  place_26 : Place_0)
 {
-    set_word_0(path_12, (*which_10), place_28.triangle_0);
-    set_word_0(path_12, (*which_10) + u32(1), (bitcast<u32>((place_28.v_0))));
-    set_word_0(path_12, (*which_10) + u32(2), (bitcast<u32>((place_28.w_0))));
-    set_word_0(path_12, (*which_10) + u32(3), (bitcast<u32>((place_28.v_rest_0))));
-    set_word_0(path_12, (*which_10) + u32(4), (bitcast<u32>((place_28.w_rest_0))));
+    set_word_0(path_12, (*which_10), place_26.triangle_0);
+    set_word_0(path_12, (*which_10) + u32(1), (bitcast<u32>((place_26.v_0))));
+    set_word_0(path_12, (*which_10) + u32(2), (bitcast<u32>((place_26.w_0))));
+    set_word_0(path_12, (*which_10) + u32(3), (bitcast<u32>((place_26.v_rest_0))));
+    set_word_0(path_12, (*which_10) + u32(4), (bitcast<u32>((place_26.w_rest_0))));
     (*which_10) = (*which_10) + u32(5);
     return;
 }
 
-fn set_place_1( path_13 : u32,  which_11 : ptr<function, u32>,  place_29 : Place_0)
+fn set_place_1( path_13 : u32,  which_11 : ptr<function, u32>,  place_27 : Place_0)
 {
-    set_word_0(path_13, (*which_11), place_29.triangle_0);
-    set_word_0(path_13, (*which_11) + u32(1), (bitcast<u32>((place_29.v_0))));
-    set_word_0(path_13, (*which_11) + u32(2), (bitcast<u32>((place_29.w_0))));
-    set_word_0(path_13, (*which_11) + u32(3), (bitcast<u32>((place_29.v_rest_0))));
-    set_word_0(path_13, (*which_11) + u32(4), (bitcast<u32>((place_29.w_rest_0))));
+    set_word_0(path_13, (*which_11), place_27.triangle_0);
+    set_word_0(path_13, (*which_11) + u32(1), (bitcast<u32>((place_27.v_0))));
+    set_word_0(path_13, (*which_11) + u32(2), (bitcast<u32>((place_27.w_0))));
+    set_word_0(path_13, (*which_11) + u32(3), (bitcast<u32>((place_27.v_rest_0))));
+    set_word_0(path_13, (*which_11) + u32(4), (bitcast<u32>((place_27.w_rest_0))));
     (*which_11) = (*which_11) + u32(5);
     return;
 }
@@ -8047,27 +8052,27 @@ fn set_changing_0( path_14 : u32,  which_12 : ptr<function, u32>,  vector_2 : ve
 
 fn store_0( number_of_path_1 : u32,  path_15 : Path_0)
 {
-    var at_19 : u32 = u32(1);
-    set_vector_0(number_of_path_1, &(at_19), path_15.adjoint_0);
-    set_changing_0(number_of_path_1, &(at_19), path_15.throughput_0);
-    set_changing_0(number_of_path_1, &(at_19), path_15.direction_1);
-    set_place_0(number_of_path_1, &(at_19), path_15.place_3);
-    var _S1402 : u32 = at_19 + u32(1);
-    set_word_0(number_of_path_1, at_19, path_15.key_0.x);
-    at_19 = _S1402 + u32(1);
-    set_word_0(number_of_path_1, _S1402, path_15.key_0.y);
+    var at_20 : u32 = u32(1);
+    set_vector_0(number_of_path_1, &(at_20), path_15.adjoint_0);
+    set_changing_0(number_of_path_1, &(at_20), path_15.throughput_0);
+    set_changing_0(number_of_path_1, &(at_20), path_15.direction_1);
+    set_place_0(number_of_path_1, &(at_20), path_15.place_3);
+    var _S1408 : u32 = at_20 + u32(1);
+    set_word_0(number_of_path_1, at_20, path_15.key_0.x);
+    at_20 = _S1408 + u32(1);
+    set_word_0(number_of_path_1, _S1408, path_15.key_0.y);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S1403 : u32;
+    var _S1409 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S1404 : u32 = u32(2) + zero_0;
-        _S1403 = _S1404;
-        if(rounds_0 < _S1404)
+        var _S1410 : u32 = u32(2) + zero_0;
+        _S1409 = _S1410;
+        if(rounds_0 < _S1410)
         {
         }
         else
@@ -8076,14 +8081,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S1403;
+    return rounds_0 == _S1409;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S1405 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S1411 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -8092,63 +8097,63 @@ fn check_loops_0()
 @workgroup_size(64, 1, 1)
 fn go_on_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
 {
-    var at_20 : u32 = launch_0.first_0 + thread_0.x;
-    if(at_20 >= (launch_0.end_0))
+    var at_21 : u32 = launch_0.first_0 + thread_0.x;
+    if(at_21 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_2 : u32 = input_0[at_20];
+    var number_of_path_2 : u32 = input_0[at_21];
     var path_16 : Path_0 = load_0(number_of_path_2);
     var importance_3 : vec3<f32> = path_16.adjoint_0 * path_16.throughput_0;
     var direction_31 : vec3<f32> = path_16.direction_1;
-    var place_30 : Place_0 = path_16.place_3;
+    var place_28 : Place_0 = path_16.place_3;
     var reflected_2 : Reflected_0 = nothing_reflected_0();
     var goes_on_2 : bool = take_further_0(&(path_16), &(reflected_2), importance_3);
     var kept_0 : u32 = kept_at_0(launch_0.depth_0);
     set_vector_1(number_of_path_2, &(kept_0), importance_3);
-    set_place_1(number_of_path_2, &(kept_0), place_30);
+    set_place_1(number_of_path_2, &(kept_0), place_28);
     set_vector_1(number_of_path_2, &(kept_0), direction_31);
     set_vector_1(number_of_path_2, &(kept_0), reflected_2.direct_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_2.onward_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_2.wo_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_2.by_ray_1.drift_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_2.by_ray_1.direction_0);
-    var _S1406 : u32 = kept_0;
+    var _S1412 : u32 = kept_0;
     kept_0 = kept_0 + u32(1);
-    var _S1407 : i32;
+    var _S1413 : i32;
     if(reflected_2.is_specular_0)
     {
-        _S1407 = i32(1);
+        _S1413 = i32(1);
     }
     else
     {
-        _S1407 = i32(0);
+        _S1413 = i32(0);
     }
-    set_word_0(number_of_path_2, _S1406, u32(_S1407));
-    var _S1408 : u32 = kept_0;
+    set_word_0(number_of_path_2, _S1412, u32(_S1413));
+    var _S1414 : u32 = kept_0;
     kept_0 = kept_0 + u32(1);
-    var _S1409 : u32;
+    var _S1415 : u32;
     if(goes_on_2)
     {
-        _S1409 = (bitcast<u32>((reflected_2.factor_0)));
+        _S1415 = (bitcast<u32>((reflected_2.factor_0)));
     }
     else
     {
-        _S1409 = u32(0);
+        _S1415 = u32(0);
     }
-    set_word_0(number_of_path_2, _S1408, _S1409);
+    set_word_0(number_of_path_2, _S1414, _S1415);
     set_word_0(number_of_path_2, kept_0, (bitcast<u32>((reflected_2.distance_1))));
     path_16.throughput_0 = path_16.throughput_0 * reflected_2.onward_0;
     store_0(number_of_path_2, path_16);
     if(goes_on_2)
     {
-        _S1409 = number_of_path_2;
+        _S1415 = number_of_path_2;
     }
     else
     {
-        _S1409 = u32(4294967295);
+        _S1415 = u32(4294967295);
     }
-    set_word_0(at_20, u32(0), _S1409);
+    set_word_0(at_21, u32(0), _S1415);
     check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: cbd5b3ac6fc36d98
-// result: 392b0f813dfc3274
+// source: 7c3aafa6eedce5f6
+// result: 027e7ce212cac492
 
 struct Launch_std140_0
 {
@@ -716,7 +716,7 @@ fn s_bwdProp_axes_around_0( _S121 : s_bwdCallableCtx_axes_around_0,  _S122 : ptr
 {
     var _S124 : f32 = _S121.value0_18.value0_17.z;
     var sign_0 : f32;
-    if(_S124 < 0.0f)
+    if(_S124 < -0.30000001192092896f)
     {
         sign_0 = -1.0f;
     }
@@ -4133,24 +4133,34 @@ fn Corners2_x24init_0( a_8 : vec2<f32>,  b_5 : vec2<f32>,  c_2 : vec2<f32>) -> C
     return _S1128;
 }
 
+fn precise_0( at_8 : u32) -> f32
+{
+    return number_0(at_8) + number_0(at_8 + u32(1));
+}
+
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f, 0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_5) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_8 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_5) + u32(1));
-    uvs_0.a_7 = vec2<f32>(number_0(at_8), number_0(at_8 + u32(1)));
-    uvs_0.b_4 = vec2<f32>(number_0(at_8 + u32(2)), number_0(at_8 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_8 + u32(4)), number_0(at_8 + u32(5)));
+    var at_9 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_5) + u32(1));
+    uvs_0.a_7 = vec2<f32>(precise_0(at_9), precise_0(at_9 + u32(2)));
+    uvs_0.b_4 = vec2<f32>(precise_0(at_9 + u32(4)), precise_0(at_9 + u32(6)));
+    uvs_0.c_1 = vec2<f32>(precise_0(at_9 + u32(8)), precise_0(at_9 + u32(10)));
     return uvs_0;
+}
+
+fn row_at_0( at_10 : u32) -> vec3<f32>
+{
+    return vec3<f32>(precise_0(at_10), precise_0(at_10 + u32(2)), precise_0(at_10 + u32(4)));
 }
 
 fn floor_of_0( x_14 : f32) -> i32
 {
-    return i32(floor(clamp(x_14, -1.0e+09f, 1.0e+09f)));
+    return i32(clamp(floor(x_14), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
@@ -4269,43 +4279,43 @@ fn lookup_at_0( texture_1 : u32,  place_9 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_9.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
-    var uv_1 : Point_0;
-    var _S1139 : vec3<f32> = vec3<f32>(uvs_1.a_7 * vec2<f32>((1.0f - place_9.v_0 - place_9.w_0)) + uvs_1.b_4 * vec2<f32>(place_9.v_0) + uvs_1.c_1 * vec2<f32>(place_9.w_0), 1.0f);
-    uv_1.value_5 = vec2<f32>(dot(_S1139, to_u_0), dot(_S1139, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_4 - uvs_1.a_7;
     var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_7;
-    var _S1140 : vec2<f32> = to_u_0.xy;
-    var _S1141 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S1140), dot(by_v_0, _S1141));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S1140), dot(by_w_0, _S1141));
+    var _S1139 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f32> = row_at_0(_S1139);
+    var to_v_0 : vec3<f32> = row_at_0(_S1139 + u32(6));
+    var uv_1 : Point_0;
+    var _S1140 : vec3<f32> = vec3<f32>(uvs_1.a_7 + by_v_0 * vec2<f32>((place_9.v_0 + place_9.v_rest_0)) + by_w_0 * vec2<f32>((place_9.w_0 + place_9.w_rest_0)), 1.0f);
+    uv_1.value_5 = vec2<f32>(dot(_S1140, to_u_0), dot(_S1140, to_v_0));
+    var _S1141 : vec2<f32> = to_u_0.xy;
+    var _S1142 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S1141), dot(by_v_0, _S1142));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S1141), dot(by_w_0, _S1142));
     if(kind_1 == u32(1))
     {
-        var _S1142 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S1142;
+        var _S1143 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S1143;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_5 - floor(uv_1.value_5);
-    var _S1143 : i32;
+    var _S1144 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S1143 = i32(1);
+        _S1144 = i32(1);
     }
     else
     {
-        _S1143 = i32(0);
+        _S1144 = i32(0);
     }
-    return one_texel_0(u32(_S1143));
+    return one_texel_0(u32(_S1144));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f32>) -> vec3<f32>
 {
-    var _S1144 : u32 = word_0(texture_2 + u32(1));
-    var _S1145 : u32 = texture_2 + u32(13);
-    var _S1146 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1145 : u32 = word_0(texture_2 + u32(1));
+    var _S1146 : u32 = texture_2 + u32(19);
+    var _S1147 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_6 : vec3<f32> = _S1146;
+    var value_6 : vec3<f32> = _S1147;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -4315,17 +4325,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_2 : vec4<f
         {
             break;
         }
-        var at_9 : u32 = _S1145 + _S1144 * lookup_3.texels_0[k_1];
-        var _S1147 : vec3<f32>;
-        if(_S1144 == u32(1))
+        var at_11 : u32 = _S1146 + _S1145 * lookup_3.texels_0[k_1];
+        var _S1148 : vec3<f32>;
+        if(_S1145 == u32(1))
         {
-            _S1147 = vec3<f32>(number_0(at_9));
+            _S1148 = vec3<f32>(number_0(at_11));
         }
         else
         {
-            _S1147 = vector_at_0(at_9);
+            _S1148 = vector_at_0(at_11);
         }
-        var value_7 : vec3<f32> = value_6 + _S1147 * vec3<f32>(weights_2[k_1]);
+        var value_7 : vec3<f32> = value_6 + _S1148 * vec3<f32>(weights_2[k_1]);
         k_1 = k_1 + u32(1);
         value_6 = value_7;
     }
@@ -4339,8 +4349,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_10 : Place_0) -> vec3<f32>
 {
-    var _S1148 : Lookup_0 = lookup_at_0(texture_4, place_10);
-    return looked_up_0(texture_4, _S1148, vec2<f32>(0.0f));
+    var _S1149 : Lookup_0 = lookup_at_0(texture_4, place_10);
+    return looked_up_0(texture_4, _S1149, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_1 : vec3<f32>) -> f32
@@ -4391,38 +4401,38 @@ fn lobe_at_0( record_3 : u32,  place_11 : Place_0) -> Lobe_0
     var lobe_5 : Lobe_0;
     lobe_5.record_0 = record_3;
     var is_black_0 : bool = record_3 == u32(4294967295);
-    var _S1149 : u32;
+    var _S1150 : u32;
     if(is_black_0)
     {
-        _S1149 = u32(0);
+        _S1150 = u32(0);
     }
     else
     {
-        _S1149 = word_0(record_3);
+        _S1150 = word_0(record_3);
     }
-    lobe_5.kind_0 = _S1149;
+    lobe_5.kind_0 = _S1150;
     if(is_black_0)
     {
-        _S1149 = u32(1);
+        _S1150 = u32(1);
     }
     else
     {
-        _S1149 = word_0(record_3 + u32(1));
+        _S1150 = word_0(record_3 + u32(1));
     }
-    lobe_5.distribution_0 = _S1149;
+    lobe_5.distribution_0 = _S1150;
     lobe_5.numbers_0 = no_numbers_0();
     if(is_black_0)
     {
-        _S1149 = u32(0);
+        _S1150 = u32(0);
     }
     else
     {
-        _S1149 = word_0(record_3 + u32(4));
+        _S1150 = word_0(record_3 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S1149)
+        if(slot_1 < _S1150)
         {
         }
         else
@@ -4436,10 +4446,10 @@ fn lobe_at_0( record_3 : u32,  place_11 : Place_0) -> Lobe_0
             continue;
         }
         var colour_2 : vec3<f32> = shown_0(texture_5, place_11);
-        var _S1150 : vec3<f32> = value_of_0(colour_2);
-        var _S1151 : Numbers_0 = lobe_5.numbers_0;
-        set_slot_0(&(_S1151), slot_1, _S1150);
-        lobe_5.numbers_0 = _S1151;
+        var _S1151 : vec3<f32> = value_of_0(colour_2);
+        var _S1152 : Numbers_0 = lobe_5.numbers_0;
+        set_slot_0(&(_S1152), slot_1, _S1151);
+        lobe_5.numbers_0 = _S1152;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_5;
@@ -4454,53 +4464,53 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_5.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S1152 : vec3<f32>;
+    var _S1153 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S1152 = tangent_0;
+        _S1153 = tangent_0;
     }
     else
     {
-        _S1152 = vec3<f32>(0.0f);
+        _S1153 = vec3<f32>(0.0f);
     }
-    return _S1152;
+    return _S1153;
 }
 
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S1153 : vec3<f32>;
+    var _S1154 : vec3<f32>;
     if(is_front_1)
     {
-        _S1153 = n_2;
+        _S1154 = n_2;
     }
     else
     {
-        _S1153 = (vec3<f32>(0) - n_2);
+        _S1154 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_0 = _S1153;
-    var _S1154 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S1154;
-    axes_0.t_0 = cross(n_2, _S1154);
+    axes_0.n_0 = _S1154;
+    var _S1155 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S1155;
+    axes_0.t_0 = cross(n_2, _S1155);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S1155 : vec3<f32>;
+    var _S1156 : vec3<f32>;
     if(is_front_2)
     {
-        _S1155 = n_3;
+        _S1156 = n_3;
     }
     else
     {
-        _S1155 = (vec3<f32>(0) - n_3);
+        _S1156 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_0 = _S1155;
-    var _S1156 : f32 = n_3.z;
+    axes_1.n_0 = _S1156;
+    var _S1157 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S1156 < 0.0f)
+    if(_S1157 < -0.30000001192092896f)
     {
         sign_1 = -1.0f;
     }
@@ -4508,12 +4518,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_1 = 1.0f;
     }
-    var a_9 : f32 = -1.0f / (sign_1 + _S1156);
-    var _S1157 : f32 = n_3.x;
-    var _S1158 : f32 = n_3.y;
-    var b_6 : f32 = _S1157 * _S1158 * a_9;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S1157 * _S1157 * a_9, sign_1 * b_6, - sign_1 * _S1157);
-    axes_1.t_0 = vec3<f32>(b_6, sign_1 + _S1158 * _S1158 * a_9, - _S1158);
+    var a_9 : f32 = -1.0f / (sign_1 + _S1157);
+    var _S1158 : f32 = n_3.x;
+    var _S1159 : f32 = n_3.y;
+    var b_6 : f32 = _S1158 * _S1159 * a_9;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S1158 * _S1158 * a_9, sign_1 * b_6, - sign_1 * _S1158);
+    axes_1.t_0 = vec3<f32>(b_6, sign_1 + _S1159 * _S1159 * a_9, - _S1159);
     return axes_1;
 }
 
@@ -4540,8 +4550,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_4 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S1159 : Lobe_0 = lobe_at_0(material_0, surface_4.place_5);
-    vertex_0.lobe_6 = _S1159;
+    var _S1160 : Lobe_0 = lobe_at_0(material_0, surface_4.place_5);
+    vertex_0.lobe_6 = _S1160;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -4613,35 +4623,35 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_2, 0.0f) / squared_2;
     }
-    var _S1160 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S1160 * _S1160 / (2.0f * (_S1160 - max(lowest_0, -1.0f)) * squared_2);
+    var _S1161 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S1161 * _S1161 / (2.0f * (_S1161 - max(lowest_0, -1.0f)) * squared_2);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S1161 : bool;
+    var _S1162 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S1161 = true;
+        _S1162 = true;
     }
     else
     {
-        _S1161 = (word_0(u32(2))) == u32(0);
+        _S1162 = (word_0(u32(2))) == u32(0);
     }
-    if(_S1161)
+    if(_S1162)
     {
         return false;
     }
     var record_5 : u32 = emitter_record_0(u32(0));
     if(is_area_0(record_5))
     {
-        _S1161 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
+        _S1162 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S1161 = false;
+        _S1162 = false;
     }
-    return _S1161;
+    return _S1162;
 }
 
 fn has_smooth_0( lobe_7 : Lobe_0) -> bool
@@ -4661,12 +4671,12 @@ fn nothing_pulled_0() -> Pulled_0
 {
     var pulled_0 : Pulled_0;
     pulled_0.numbers_4 = no_numbers_0();
-    var _S1162 : vec3<f32> = vec3<f32>(0.0f);
-    pulled_0.position_2 = _S1162;
-    pulled_0.wi_2 = _S1162;
-    pulled_0.axes_5.n_0 = _S1162;
-    pulled_0.axes_5.t_0 = _S1162;
-    pulled_0.axes_5.s_0 = _S1162;
+    var _S1163 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_2 = _S1163;
+    pulled_0.wi_2 = _S1163;
+    pulled_0.axes_5.n_0 = _S1163;
+    pulled_0.axes_5.t_0 = _S1163;
+    pulled_0.axes_5.s_0 = _S1163;
     return pulled_0;
 }
 
@@ -4709,24 +4719,8 @@ struct Choice_0
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_5, choice_0.normal_2);
-    var _S1163 : f32;
-    if(view_0 > 0.0f)
-    {
-        _S1163 = 1.0f;
-    }
-    else
-    {
-        _S1163 = 0.0f;
-    }
-    (*can_light_0) = _S1163;
-    return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
-}
-
-fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
-{
-    var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_5, choice_1.normal_2);
     var _S1164 : f32;
-    if(view_1 > 0.0f)
+    if(view_0 > 0.0f)
     {
         _S1164 = 1.0f;
     }
@@ -4734,7 +4728,23 @@ fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<functio
     {
         _S1164 = 0.0f;
     }
-    (*can_light_1) = _S1164;
+    (*can_light_0) = _S1164;
+    return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
+}
+
+fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
+{
+    var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_5, choice_1.normal_2);
+    var _S1165 : f32;
+    if(view_1 > 0.0f)
+    {
+        _S1165 = 1.0f;
+    }
+    else
+    {
+        _S1165 = 0.0f;
+    }
+    (*can_light_1) = _S1165;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -4746,32 +4756,32 @@ fn choice_at_0( position_6 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
     var count_1 : u32 = word_0(u32(6));
-    var _S1165 : bool;
+    var _S1166 : bool;
     if(alike_0)
     {
-        _S1165 = true;
+        _S1166 = true;
     }
     else
     {
-        _S1165 = (word_0(u32(5))) != u32(0);
+        _S1166 = (word_0(u32(5))) != u32(0);
     }
-    if(_S1165)
+    if(_S1166)
     {
-        _S1165 = true;
+        _S1166 = true;
     }
     else
     {
-        _S1165 = count_1 < u32(2);
+        _S1166 = count_1 < u32(2);
     }
-    if(_S1165)
+    if(_S1166)
     {
-        _S1165 = true;
+        _S1166 = true;
     }
     else
     {
-        _S1165 = count_1 > u32(32);
+        _S1166 = count_1 > u32(32);
     }
-    if(_S1165)
+    if(_S1166)
     {
         return choice_2;
     }
@@ -4786,20 +4796,20 @@ fn choice_at_0( position_6 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
             break;
         }
         var can_light_2 : f32;
-        var _S1166 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S1166;
+        var _S1167 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S1167;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S1165 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S1166 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S1165 = false;
+        _S1166 = false;
     }
-    if(!_S1165)
+    if(!_S1166)
     {
         choice_2.all_0 = 0.0f;
     }
@@ -4825,33 +4835,33 @@ fn product_2( a_10 : u32,  b_7 : u32) -> vec2<u32>
 
 fn times_0( a_11 : vec2<u32>,  b_8 : vec2<u32>) -> vec2<u32>
 {
-    var _S1167 : u32 = a_11.x;
-    var _S1168 : u32 = b_8.x;
-    var low_1 : vec2<u32> = product_2(_S1167, _S1168);
-    return vec2<u32>(low_1.x, low_1.y + _S1167 * b_8.y + a_11.y * _S1168);
+    var _S1168 : u32 = a_11.x;
+    var _S1169 : u32 = b_8.x;
+    var low_1 : vec2<u32> = product_2(_S1168, _S1169);
+    return vec2<u32>(low_1.x, low_1.y + _S1168 * b_8.y + a_11.y * _S1169);
 }
 
 fn plus_0( a_12 : vec2<u32>,  b_9 : vec2<u32>) -> vec2<u32>
 {
-    var _S1169 : u32 = a_12.x;
-    var low_2 : u32 = _S1169 + b_9.x;
-    var _S1170 : u32 = a_12.y + b_9.y;
-    var _S1171 : i32;
-    if(low_2 < _S1169)
+    var _S1170 : u32 = a_12.x;
+    var low_2 : u32 = _S1170 + b_9.x;
+    var _S1171 : u32 = a_12.y + b_9.y;
+    var _S1172 : i32;
+    if(low_2 < _S1170)
     {
-        _S1171 = i32(1);
+        _S1172 = i32(1);
     }
     else
     {
-        _S1171 = i32(0);
+        _S1172 = i32(0);
     }
-    return vec2<u32>(low_2, _S1170 + u32(_S1171));
+    return vec2<u32>(low_2, _S1171 + u32(_S1172));
 }
 
 fn shifted_xor_0( x_16 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S1172 : u32 = x_16.y;
-    return (x_16 ^ (vec2<u32>(((((x_16.x) >> (by_0))) | (((_S1172 << ((u32(32) - by_0)))))), (_S1172 >> (by_0)))));
+    var _S1173 : u32 = x_16.y;
+    return (x_16 ^ (vec2<u32>(((((x_16.x) >> (by_0))) | (((_S1173 << ((u32(32) - by_0)))))), (_S1173 >> (by_0)))));
 }
 
 fn mix_0( x_17 : vec2<u32>) -> vec2<u32>
@@ -4890,9 +4900,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_2 : ptr<funct
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S1173 : f32 = f32(count_2);
-        (*probability_2) = 1.0f / _S1173;
-        return min(u32(u_0 * _S1173), count_2 - u32(1));
+        var _S1174 : f32 = f32(count_2);
+        (*probability_2) = 1.0f / _S1174;
+        return min(u32(u_0 * _S1174), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
@@ -4923,9 +4933,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_2 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S1174 : u32 = i_2 + u32(1);
+        var _S1175 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S1174;
+        i_2 = _S1175;
         rest_1 = rest_2;
     }
     return found_0;
@@ -4938,28 +4948,28 @@ fn place_at_0( triangle_6 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
 
 fn angle_of_0( x_18 : f32,  y_6 : f32) -> f32
 {
-    var _S1175 : f32 = abs(x_18);
-    var _S1176 : f32 = abs(y_6);
-    var _S1177 : f32 = min(_S1175, _S1176);
-    var _S1178 : f32 = max(_S1175, _S1176);
-    var is_steep_2 : bool = _S1177 > (0.41421356797218323f * _S1178);
+    var _S1176 : f32 = abs(x_18);
+    var _S1177 : f32 = abs(y_6);
+    var _S1178 : f32 = min(_S1176, _S1177);
+    var _S1179 : f32 = max(_S1176, _S1177);
+    var is_steep_2 : bool = _S1178 > (0.41421356797218323f * _S1179);
     var above_2 : f32;
     if(is_steep_2)
     {
-        above_2 = _S1177 - _S1178;
+        above_2 = _S1178 - _S1179;
     }
     else
     {
-        above_2 = _S1177;
+        above_2 = _S1178;
     }
     var below_2 : f32;
     if(is_steep_2)
     {
-        below_2 = _S1177 + _S1178;
+        below_2 = _S1178 + _S1179;
     }
     else
     {
-        below_2 = _S1178;
+        below_2 = _S1179;
     }
     if(below_2 > 0.0f)
     {
@@ -4980,7 +4990,7 @@ fn angle_of_0( x_18 : f32,  y_6 : f32) -> f32
     {
         angle_3 = angle_2;
     }
-    if(_S1176 > _S1175)
+    if(_S1177 > _S1176)
     {
         angle_3 = 1.57079637050628662f - angle_3;
     }
@@ -5015,11 +5025,11 @@ fn solid_angle_of_0( a_13 : vec3<f32>,  b_10 : vec3<f32>,  c_3 : vec3<f32>) -> f
 
 fn complex_product_0( a_14 : vec2<f32>,  b_11 : vec2<f32>) -> vec2<f32>
 {
-    var _S1179 : f32 = a_14.x;
-    var _S1180 : f32 = b_11.x;
-    var _S1181 : f32 = a_14.y;
-    var _S1182 : f32 = b_11.y;
-    return vec2<f32>(_S1179 * _S1180 - _S1181 * _S1182, _S1179 * _S1182 + _S1181 * _S1180);
+    var _S1180 : f32 = a_14.x;
+    var _S1181 : f32 = b_11.x;
+    var _S1182 : f32 = a_14.y;
+    var _S1183 : f32 = b_11.y;
+    return vec2<f32>(_S1180 * _S1181 - _S1182 * _S1183, _S1180 * _S1183 + _S1182 * _S1181);
 }
 
 struct SeenRectangle_0
@@ -5032,36 +5042,36 @@ struct SeenRectangle_0
      inverse_to_line_0 : vec2<f32>,
 };
 
-fn seen_rectangle_0( at_10 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
+fn seen_rectangle_0( at_12 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
 {
-    var offset_2 : vec3<f32> = vector_at_0(at_10) - viewpoint_1;
-    var x0_0 : f32 = dot(vector_at_0(at_10 + u32(3)), offset_2);
-    var y0_0 : f32 = dot(vector_at_0(at_10 + u32(6)), offset_2);
-    var x1_0 : f32 = x0_0 + number_0(at_10 + u32(12));
-    var y1_0 : f32 = y0_0 + number_0(at_10 + u32(13));
+    var offset_2 : vec3<f32> = vector_at_0(at_12) - viewpoint_1;
+    var x0_0 : f32 = dot(vector_at_0(at_12 + u32(3)), offset_2);
+    var y0_0 : f32 = dot(vector_at_0(at_12 + u32(6)), offset_2);
+    var x1_0 : f32 = x0_0 + number_0(at_12 + u32(12));
+    var y1_0 : f32 = y0_0 + number_0(at_12 + u32(13));
     var seen_1 : SeenRectangle_0;
     seen_1.x_19 = vec2<f32>(x0_0, x1_0);
     seen_1.y_7 = vec2<f32>(y0_0, y1_0);
-    var _S1183 : f32 = - dot(vector_at_0(at_10 + u32(9)), offset_2);
-    seen_1.z_3 = _S1183;
-    var a_15 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S1183);
-    var b_12 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S1183);
-    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S1183);
-    var d_2 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S1183);
-    var _S1184 : f32 = length(a_15);
-    var _S1185 : f32 = length(c_4);
-    var _S1186 : f32;
-    if(_S1183 > (9.99999997475242708e-07f * max(max(_S1184, length(b_12)), max(_S1185, length(d_2)))))
+    var _S1184 : f32 = - dot(vector_at_0(at_12 + u32(9)), offset_2);
+    seen_1.z_3 = _S1184;
+    var a_15 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S1184);
+    var b_12 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S1184);
+    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S1184);
+    var d_2 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S1184);
+    var _S1185 : f32 = length(a_15);
+    var _S1186 : f32 = length(c_4);
+    var _S1187 : f32;
+    if(_S1184 > (9.99999997475242708e-07f * max(max(_S1185, length(b_12)), max(_S1186, length(d_2)))))
     {
-        _S1186 = solid_angle_of_0(a_15, c_4, b_12) + solid_angle_of_0(d_2, b_12, c_4);
+        _S1187 = solid_angle_of_0(a_15, c_4, b_12) + solid_angle_of_0(d_2, b_12, c_4);
     }
     else
     {
-        _S1186 = 0.0f;
+        _S1187 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S1186;
+    seen_1.solid_angle_0 = _S1187;
     var z2_2 : f32 = seen_1.z_3 * seen_1.z_3;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_3 * _S1185), vec2<f32>(- x0_0 * y0_0, seen_1.z_3 * _S1184));
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_3 * _S1186), vec2<f32>(- x0_0 * y0_0, seen_1.z_3 * _S1185));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_7 * seen_1.y_7 + vec2<f32>(z2_2));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_2) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
@@ -5098,32 +5108,32 @@ fn sine_cosine_0( angle_4 : f32) -> vec2<f32>
 fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
-    var at_11 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S1187 : f32 = seen_2.y_7.x;
-    var _S1188 : f32 = seen_2.inverse_to_line_0.x;
-    var _S1189 : f32 = seen_2.y_7.y;
-    var n_4 : f32 = - at_11.x * _S1187 * _S1188 - _S1189 * seen_2.inverse_to_line_0.y;
-    var _S1190 : f32 = at_11.y;
-    var flat_0 : f32 = _S1190 * seen_2.z_3 * _S1188;
-    var size_1 : f32 = seen_2.z_3 * abs(_S1190) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
-    var _S1191 : f32;
-    if((n_4 * _S1190) < 0.0f)
+    var at_13 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
+    var _S1188 : f32 = seen_2.y_7.x;
+    var _S1189 : f32 = seen_2.inverse_to_line_0.x;
+    var _S1190 : f32 = seen_2.y_7.y;
+    var n_4 : f32 = - at_13.x * _S1188 * _S1189 - _S1190 * seen_2.inverse_to_line_0.y;
+    var _S1191 : f32 = at_13.y;
+    var flat_0 : f32 = _S1191 * seen_2.z_3 * _S1189;
+    var size_1 : f32 = seen_2.z_3 * abs(_S1191) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
+    var _S1192 : f32;
+    if((n_4 * _S1191) < 0.0f)
     {
-        _S1191 = - size_1;
+        _S1192 = - size_1;
     }
     else
     {
-        _S1191 = size_1;
+        _S1192 = size_1;
     }
-    var x_21 : f32 = clamp(_S1191, seen_2.x_19.x, seen_2.x_19.y);
+    var x_21 : f32 = clamp(_S1192, seen_2.x_19.x, seen_2.x_19.y);
     var squared_3 : f32 = x_21 * x_21 + seen_2.z_3 * seen_2.z_3;
     var h_0 : vec2<f32> = seen_2.y_7 / sqrt(vec2<f32>(squared_3) + seen_2.y_7 * seen_2.y_7);
-    var _S1192 : f32 = h_0.x;
-    var sine_2 : f32 = _S1192 + u_1.y * (h_0.y - _S1192);
-    return vec2<f32>(x_21, clamp(sine_2 * sqrt(squared_3 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S1187, _S1189));
+    var _S1193 : f32 = h_0.x;
+    var sine_2 : f32 = _S1193 + u_1.y * (h_0.y - _S1193);
+    return vec2<f32>(x_21, clamp(sine_2 * sqrt(squared_3 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S1188, _S1190));
 }
 
-fn rectangle_face_0( at_12 : u32,  place_12 : vec2<f32>,  weights_3 : ptr<function, vec2<f32>>) -> u32
+fn rectangle_face_0( at_14 : u32,  place_12 : vec2<f32>,  weights_3 : ptr<function, vec2<f32>>) -> u32
 {
     var best_0 : f32 = -1.00000001504746622e+30f;
     var found_2 : u32 = u32(0);
@@ -5137,17 +5147,17 @@ fn rectangle_face_0( at_12 : u32,  place_12 : vec2<f32>,  weights_3 : ptr<functi
         {
             break;
         }
-        var row_1 : u32 = at_12 + u32(14) + u32(6) * face_0;
-        var _S1193 : f32 = place_12.x;
-        var _S1194 : f32 = place_12.y;
-        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S1193 + number_0(row_1 + u32(2)) * _S1194;
-        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S1193 + number_0(row_1 + u32(5)) * _S1194;
-        var _S1195 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
-        if(_S1195 > best_0)
+        var row_1 : u32 = at_14 + u32(14) + u32(6) * face_0;
+        var _S1194 : f32 = place_12.x;
+        var _S1195 : f32 = place_12.y;
+        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S1194 + number_0(row_1 + u32(2)) * _S1195;
+        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S1194 + number_0(row_1 + u32(5)) * _S1195;
+        var _S1196 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
+        if(_S1196 > best_0)
         {
             (*weights_3)[i32(0)] = clamp(v_5, 0.0f, 1.0f);
             (*weights_3)[i32(1)] = clamp(w_3, 0.0f, 1.0f - (*weights_3).x);
-            best_0 = _S1195;
+            best_0 = _S1196;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -5167,20 +5177,20 @@ fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f32
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S1196 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S1197 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S1196, _S1197);
-    var sum_3 : f32 = _S1196 + _S1197;
-    var _S1198 : vec2<f32>;
+    var _S1197 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S1198 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S1197, _S1198);
+    var sum_3 : f32 = _S1197 + _S1198;
+    var _S1199 : vec2<f32>;
     if(sum_3 > 0.0f)
     {
-        _S1198 = seen_3 / vec2<f32>(sum_3);
+        _S1199 = seen_3 / vec2<f32>(sum_3);
     }
     else
     {
-        _S1198 = vec2<f32>(0.0f);
+        _S1199 = vec2<f32>(0.0f);
     }
-    return _S1198;
+    return _S1199;
 }
 
 struct Corners_0
@@ -5192,11 +5202,11 @@ struct Corners_0
 
 fn corners_from_0( record_8 : u32,  face_2 : u32,  viewpoint_3 : vec3<f32>) -> Corners_0
 {
-    var at_13 : u32 = u32(9) * emitter_triangle_0(record_8, face_2);
+    var at_15 : u32 = u32(9) * emitter_triangle_0(record_8, face_2);
     var corners_0 : Corners_0;
-    corners_0.a_16 = primitive_vector_0(at_13) - viewpoint_3;
-    corners_0.b_13 = primitive_vector_0(at_13 + u32(3)) - viewpoint_3;
-    corners_0.c_5 = primitive_vector_0(at_13 + u32(6)) - viewpoint_3;
+    corners_0.a_16 = primitive_vector_0(at_15) - viewpoint_3;
+    corners_0.b_13 = primitive_vector_0(at_15 + u32(3)) - viewpoint_3;
+    corners_0.c_5 = primitive_vector_0(at_15 + u32(6)) - viewpoint_3;
     return corners_0;
 }
 
@@ -5213,28 +5223,28 @@ fn unit_across_0( v_6 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_4 : f32) -> vec3<f32>
 {
-    var _S1199 : f32 = clamp(cosine_4, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S1199) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S1199) * (1.0f + _S1199)));
+    var _S1200 : f32 = clamp(cosine_4, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S1200) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S1200) * (1.0f + _S1200)));
 }
 
 fn triangle_direction_0( a_17 : vec3<f32>,  b_14 : vec3<f32>,  c_6 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S1200 : vec3<f32> = normalize(a_17);
-    var _S1201 : vec3<f32> = normalize(b_14);
-    var _S1202 : vec3<f32> = normalize(c_6);
-    var ab_0 : vec3<f32> = normalize(cross(_S1200, _S1201));
-    var ca_0 : vec3<f32> = normalize(cross(_S1202, _S1200));
+    var _S1201 : vec3<f32> = normalize(a_17);
+    var _S1202 : vec3<f32> = normalize(b_14);
+    var _S1203 : vec3<f32> = normalize(c_6);
+    var ab_0 : vec3<f32> = normalize(cross(_S1201, _S1202));
+    var ca_0 : vec3<f32> = normalize(cross(_S1203, _S1201));
     var sine_alpha_0 : f32 = length(cross(ab_0, ca_0));
     var cosine_alpha_0 : f32 = - dot(ab_0, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S1203 : f32 = part_0.x;
-    var _S1204 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S1203 * cosine_alpha_0 - _S1204 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S1204 * cosine_alpha_0 + _S1203 * sine_alpha_0;
+    var _S1204 : f32 = part_0.x;
+    var _S1205 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S1204 * cosine_alpha_0 - _S1205 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S1205 * cosine_alpha_0 + _S1204 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S1200, _S1201);
-    var between_1 : vec3<f32> = along_0(_S1200, _S1202, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S1201, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S1201)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S1201, _S1202);
+    var between_1 : vec3<f32> = along_0(_S1201, _S1203, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S1202, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S1202)));
 }
 
 fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_4 : f32,  direction_5 : vec3<f32>) -> f32
@@ -5278,10 +5288,10 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             return point_0;
         }
     }
-    var _S1205 : f32 = precise_random_0(key_4, dimension_3);
+    var _S1206 : f32 = precise_random_0(key_4, dimension_3);
     var nodes_at_1 : u32 = word_0(record_10 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f32 = _S1205;
+    var u_3 : f32 = _S1206;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -5293,16 +5303,16 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S1206 : f32 = shares_0.x;
-        var _S1207 : f32 = shares_0.y;
-        if(!((_S1206 + _S1207) > 0.0f))
+        var _S1207 : f32 = shares_0.x;
+        var _S1208 : f32 = shares_0.y;
+        if(!((_S1207 + _S1208) > 0.0f))
         {
             return point_0;
         }
         var is_second_0 : bool;
-        if(u_3 >= _S1206)
+        if(u_3 >= _S1207)
         {
-            is_second_0 = _S1207 > 0.0f;
+            is_second_0 = _S1208 > 0.0f;
         }
         else
         {
@@ -5310,86 +5320,86 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S1206) / _S1207;
+            u_3 = (u_3 - _S1207) / _S1208;
         }
         else
         {
-            u_3 = min(u_3 / _S1206, 1.0f);
+            u_3 = min(u_3 / _S1207, 1.0f);
         }
         if(is_second_0)
+        {
+            total_0 = _S1208;
+        }
+        else
         {
             total_0 = _S1207;
         }
-        else
-        {
-            total_0 = _S1206;
-        }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S1208 : i32;
+        var _S1209 : i32;
         if(is_second_0)
         {
-            _S1208 = i32(3);
+            _S1209 = i32(3);
         }
         else
         {
-            _S1208 = i32(2);
+            _S1209 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S1208));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S1209));
         chosen_0 = chosen_1;
     }
     var first_2 : u32 = word_0(node_2);
-    var _S1209 : u32 = word_0(node_2 + u32(1));
-    var _S1210 : u32 = word_0(record_10 + u32(6));
+    var _S1210 : u32 = word_0(node_2 + u32(1));
+    var _S1211 : u32 = word_0(record_10 + u32(6));
     var k_2 : u32 = first_2;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_2 < _S1209)
+        if(k_2 < _S1210)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S1210 + k_2), from_1.exact_0);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S1211 + k_2), from_1.exact_0);
         k_2 = k_2 + u32(1);
         total_0 = total_1;
     }
-    var _S1211 : f32 = u_3 * total_0;
+    var _S1212 : f32 = u_3 * total_0;
     var face_5 : u32 = u32(4294967295);
     var angle_5 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
     k_2 = first_2;
-    var rest_3 : f32 = _S1211;
+    var rest_3 : f32 = _S1212;
     for(;;)
     {
-        if(k_2 < _S1209)
+        if(k_2 < _S1210)
         {
         }
         else
         {
             break;
         }
-        var _S1212 : u32 = _S1210 + k_2;
-        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S1212), from_1.exact_0);
+        var _S1213 : u32 = _S1211 + k_2;
+        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S1213), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
             k_2 = k_2 + u32(1);
             continue;
         }
-        var _S1213 : u32 = word_0(_S1212);
-        var _S1214 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S1214 : u32 = word_0(_S1213);
+        var _S1215 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S1213;
+            face_5 = _S1214;
             angle_5 = own_1;
-            inside_2 = _S1214;
+            inside_2 = _S1215;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S1213;
+        face_5 = _S1214;
         angle_5 = own_1;
-        inside_2 = _S1214;
+        inside_2 = _S1215;
         rest_3 = rest_4;
         k_2 = k_2 + u32(1);
     }
@@ -5413,9 +5423,9 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         var direction_6 : vec3<f32> = triangle_direction_0(corners_2.a_16, corners_2.b_13, corners_2.c_5, angle_5, vec2<f32>(inside_2, second_1));
         var within_0 : vec3<f32> = direction_6 * vec3<f32>((dot(corners_2.a_16, normal_6) / dot(direction_6, normal_6))) - corners_2.a_16;
         var squared_4 : f32 = dot(normal_6, normal_6);
-        var _S1215 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_4, 0.0f, 1.0f);
-        point_0.place_13.v_0 = _S1215;
-        point_0.place_13.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_4, 0.0f, 1.0f - _S1215);
+        var _S1216 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_4, 0.0f, 1.0f);
+        point_0.place_13.v_0 = _S1216;
+        point_0.place_13.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_4, 0.0f, 1.0f - _S1216);
     }
     var offset_3 : vec3<f32> = corners_2.a_16 + ab_1 * vec3<f32>(point_0.place_13.v_0) + ac_0 * vec3<f32>(point_0.place_13.w_0);
     var distance_5 : f32 = length(offset_3);
@@ -5434,15 +5444,15 @@ fn is_map_0( record_11 : u32) -> bool
 
 fn uniform_direction_0( u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S1216 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S1216 * (1.0f - _S1216))));
-    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S1216);
+    var _S1217 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S1217 * (1.0f - _S1217))));
+    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S1217);
 }
 
 fn map_place_0( map_1 : u32,  direction_7 : vec3<f32>) -> vec2<f32>
 {
-    var _S1217 : u32 = map_1 + u32(2);
-    var d_3 : vec3<f32> = vector_at_0(_S1217) * vec3<f32>(direction_7.x) + vector_at_0(_S1217 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S1217 + u32(6)) * vec3<f32>(direction_7.z);
+    var _S1218 : u32 = map_1 + u32(2);
+    var d_3 : vec3<f32> = vector_at_0(_S1218) * vec3<f32>(direction_7.x) + vector_at_0(_S1218 + u32(3)) * vec3<f32>(direction_7.y) + vector_at_0(_S1218 + u32(6)) * vec3<f32>(direction_7.z);
     return vec2<f32>(angle_of_0(- d_3.z, d_3.x) * 0.15915493667125702f * f32(word_0(map_1)) - 0.5f, angle_of_0(d_3.y, length(d_3.xz)) * 0.31830987334251404f * (f32(word_0(map_1 + u32(1))) - 1.0f));
 }
 
@@ -5463,18 +5473,13 @@ fn map_pdf_0( map_3 : u32,  direction_8 : vec3<f32>) -> f32
     return cell_pdf_0(map_3, u32(clamp(floor_of_0(place_14.y), i32(0), i32(word_0(map_3 + u32(1))) - i32(2))) * width_2 + column_0);
 }
 
-fn sum_at_0( at_14 : u32) -> f32
-{
-    return number_0(at_14) + number_0(at_14 + u32(1));
-}
-
 fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr<function, f32>) -> u32
 {
-    var _S1218 : u32 = count_3 - u32(1);
-    var total_2 : f32 = sum_at_0(sums_1 + u32(2) * _S1218);
+    var _S1219 : u32 = count_3 - u32(1);
+    var total_2 : f32 = precise_0(sums_1 + u32(2) * _S1219);
     var target_0 : f32 = u_5 * total_2;
     var low_3 : u32 = u32(0);
-    var high_0 : u32 = _S1218;
+    var high_0 : u32 = _S1219;
     for(;;)
     {
         if(low_3 < high_0)
@@ -5485,17 +5490,17 @@ fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr
             break;
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
-        var sum_4 : f32 = sum_at_0(sums_1 + u32(2) * middle_1);
-        var _S1219 : bool;
+        var sum_4 : f32 = precise_0(sums_1 + u32(2) * middle_1);
+        var _S1220 : bool;
         if(sum_4 <= target_0)
         {
-            _S1219 = sum_4 < total_2;
+            _S1220 = sum_4 < total_2;
         }
         else
         {
-            _S1219 = false;
+            _S1220 = false;
         }
-        if(_S1219)
+        if(_S1220)
         {
             low_3 = middle_1 + u32(1);
         }
@@ -5507,13 +5512,13 @@ fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr
     var below_3 : f32;
     if(low_3 > u32(0))
     {
-        below_3 = sum_at_0(sums_1 + u32(2) * (low_3 - u32(1)));
+        below_3 = precise_0(sums_1 + u32(2) * (low_3 - u32(1)));
     }
     else
     {
         below_3 = 0.0f;
     }
-    (*through_0) = clamp((target_0 - below_3) / (sum_at_0(sums_1 + u32(2) * low_3) - below_3), 0.0f, 1.0f);
+    (*through_0) = clamp((target_0 - below_3) / (precise_0(sums_1 + u32(2) * low_3) - below_3), 0.0f, 1.0f);
     return low_3;
 }
 
@@ -5523,52 +5528,52 @@ fn cell_direction_0( map_4 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,
     var azimuth_0 : vec2<f32> = sine_cosine_0(6.28318548202514648f * (turns_0 - floor(turns_0 + 0.5f)));
     var last_0 : u32 = word_0(map_4 + u32(1)) - u32(1);
     var is_lower_0 : bool = (u32(2) * row_2) >= last_0;
-    var rows_1 : vec2<f32>;
+    var rows_0 : vec2<f32>;
     if(is_lower_0)
     {
-        var _S1220 : u32 = last_0 - row_2;
-        rows_1 = vec2<f32>(f32(_S1220), f32(_S1220 - u32(1)));
+        var _S1221 : u32 = last_0 - row_2;
+        rows_0 = vec2<f32>(f32(_S1221), f32(_S1221 - u32(1)));
     }
     else
     {
-        rows_1 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
+        rows_0 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
     }
-    var _S1221 : f32 = f32(last_0);
-    var _S1222 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S1221)).x;
-    var _S1223 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S1221)).x;
-    var off_0 : f32 = 2.0f * mix(_S1222 * _S1222, _S1223 * _S1223, down_0);
+    var _S1222 : f32 = f32(last_0);
+    var _S1223 : f32 = sine_cosine_0(rows_0.x * (1.57079637050628662f / _S1222)).x;
+    var _S1224 : f32 = sine_cosine_0(rows_0.y * (1.57079637050628662f / _S1222)).x;
+    var off_0 : f32 = 2.0f * mix(_S1223 * _S1223, _S1224 * _S1224, down_0);
     var sine_3 : f32 = sqrt(off_0 * (2.0f - off_0));
-    var _S1224 : f32 = azimuth_0.x * sine_3;
-    var _S1225 : f32;
+    var _S1225 : f32 = azimuth_0.x * sine_3;
+    var _S1226 : f32;
     if(is_lower_0)
     {
-        _S1225 = off_0 - 1.0f;
+        _S1226 = off_0 - 1.0f;
     }
     else
     {
-        _S1225 = 1.0f - off_0;
+        _S1226 = 1.0f - off_0;
     }
-    var local_0 : vec3<f32> = vec3<f32>(_S1224, _S1225, - azimuth_0.y * sine_3);
-    var _S1226 : u32 = map_4 + u32(2);
-    return vec3<f32>(dot(vector_at_0(_S1226), local_0), dot(vector_at_0(_S1226 + u32(3)), local_0), dot(vector_at_0(_S1226 + u32(6)), local_0));
+    var local_0 : vec3<f32> = vec3<f32>(_S1225, _S1226, - azimuth_0.y * sine_3);
+    var _S1227 : u32 = map_4 + u32(2);
+    return vec3<f32>(dot(vector_at_0(_S1227), local_0), dot(vector_at_0(_S1227 + u32(3)), local_0), dot(vector_at_0(_S1227 + u32(6)), local_0));
 }
 
 fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_3 : ptr<function, f32>) -> vec3<f32>
 {
     var u_6 : f32 = precise_random_0(key_5, dimension_4);
     var rest_5 : f32 = u_6 * 20.0f - 1.0f;
-    var _S1227 : u32 = map_5 + u32(13);
-    var is_black_1 : bool = (word_0(_S1227)) == u32(4294967295);
-    var _S1228 : bool;
+    var _S1228 : u32 = map_5 + u32(13);
+    var is_black_1 : bool = (word_0(_S1228)) == u32(4294967295);
+    var _S1229 : bool;
     if(is_black_1)
     {
-        _S1228 = true;
+        _S1229 = true;
     }
     else
     {
-        _S1228 = rest_5 < 0.0f;
+        _S1229 = rest_5 < 0.0f;
     }
-    if(_S1228)
+    if(_S1229)
     {
         var share_0 : f32;
         if(is_black_1)
@@ -5580,14 +5585,14 @@ fn sample_map_0( map_5 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_3 : p
             share_0 = 0.05000000074505806f;
         }
         var direction_9 : vec3<f32> = uniform_direction_0(vec2<f32>(u_6 / share_0, random_0(key_5, dimension_4 + u32(1))));
-        var _S1229 : f32 = map_pdf_0(map_5, direction_9);
-        (*pdf_3) = _S1229;
+        var _S1230 : f32 = map_pdf_0(map_5, direction_9);
+        (*pdf_3) = _S1230;
         return direction_9;
     }
     var rest_6 : f32 = rest_5 / 19.0f;
     var width_3 : u32 = word_0(map_5);
     var down_1 : f32;
-    var row_3 : u32 = chosen_interval_0(word_0(_S1227), word_0(map_5 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
+    var row_3 : u32 = chosen_interval_0(word_0(_S1228), word_0(map_5 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
     var along_2 : f32;
     var column_2 : u32 = chosen_interval_0(word_0(map_5 + u32(14)) + u32(2) * width_3 * row_3, width_3, rest_6, &(along_2));
     (*pdf_3) = cell_pdf_0(map_5, row_3 * width_3 + column_2);
@@ -5601,9 +5606,9 @@ fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
 
 fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
 {
-    var _S1230 : f32 = u_7.x;
-    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S1230));
-    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S1230));
+    var _S1231 : f32 = u_7.x;
+    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S1231));
+    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S1231));
 }
 
 fn to_world_0( axes_6 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
@@ -5639,12 +5644,12 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
     (*sample_0).place_15 = vertex_1.surface_3.place_5;
     (*sample_0).nearest_0 = limit_at_0(u32(2));
     (*sample_0).farthest_0 = limit_at_0(u32(1));
-    var _S1231 : f32 = random_0(key_7, first_3);
-    var _S1232 : f32 = (*sample_0).probability_3;
-    var _S1233 : u32 = chosen_emitter_0(choice_5, _S1231, &(_S1232));
-    (*sample_0).probability_3 = _S1232;
-    (*sample_0).emitter_5 = _S1233;
-    if(_S1232 == 0.0f)
+    var _S1232 : f32 = random_0(key_7, first_3);
+    var _S1233 : f32 = (*sample_0).probability_3;
+    var _S1234 : u32 = chosen_emitter_0(choice_5, _S1232, &(_S1233));
+    (*sample_0).probability_3 = _S1233;
+    (*sample_0).emitter_5 = _S1234;
+    if(_S1233 == 0.0f)
     {
         return false;
     }
@@ -5658,24 +5663,24 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
         }
         (*sample_0).pdf_4 = point_1.pdf_2;
         (*sample_0).place_15 = point_1.place_13;
-        var _S1234 : vec3<f32> = position_of_0(point_1.place_13) - vertex_1.surface_3.exact_0;
-        (*sample_0).way_1 = _S1234;
-        var _S1235 : f32 = length(_S1234);
-        (*sample_0).distance_6 = _S1235;
-        (*sample_0).direction_10 = _S1234 / vec3<f32>(_S1235);
-        (*sample_0).nearest_0 = (*sample_0).nearest_0 / _S1235;
+        var _S1235 : vec3<f32> = position_of_0(point_1.place_13) - vertex_1.surface_3.exact_0;
+        (*sample_0).way_1 = _S1235;
+        var _S1236 : f32 = length(_S1235);
+        (*sample_0).distance_6 = _S1236;
+        (*sample_0).direction_10 = _S1235 / vec3<f32>(_S1236);
+        (*sample_0).nearest_0 = (*sample_0).nearest_0 / _S1236;
         (*sample_0).farthest_0 = limit_at_0(u32(3));
     }
     else
     {
         if(is_map_0(record_12))
         {
-            var _S1236 : u32 = word_0(record_12 + u32(1));
-            var _S1237 : u32 = first_3 + u32(1);
-            var _S1238 : f32 = (*sample_0).pdf_4;
-            var _S1239 : vec3<f32> = sample_map_0(_S1236, key_7, _S1237, &(_S1238));
-            (*sample_0).pdf_4 = _S1238;
-            (*sample_0).direction_10 = _S1239;
+            var _S1237 : u32 = word_0(record_12 + u32(1));
+            var _S1238 : u32 = first_3 + u32(1);
+            var _S1239 : f32 = (*sample_0).pdf_4;
+            var _S1240 : vec3<f32> = sample_map_0(_S1237, key_7, _S1238, &(_S1239));
+            (*sample_0).pdf_4 = _S1239;
+            (*sample_0).direction_10 = _S1240;
         }
         else
         {
@@ -5685,9 +5690,9 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
         }
         (*sample_0).way_1 = (*sample_0).direction_10;
     }
-    var _S1240 : vec3<f32> = to_local_0(vertex_1.axes_4, (*sample_0).direction_10);
-    (*sample_0).wo_1 = _S1240;
-    return (_S1240.z) > 0.0f;
+    var _S1241 : vec3<f32> = to_local_0(vertex_1.axes_4, (*sample_0).direction_10);
+    (*sample_0).wo_1 = _S1241;
+    return (_S1241.z) > 0.0f;
 }
 
 fn first_material_number_0( depth_2 : u32) -> u32
@@ -5725,10 +5730,10 @@ fn transmittance_0( lobe_8 : Lobe_0,  eta_2 : f32,  cosine_6 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_6, eta_2);
     }
     var place_16 : f32 = cosine_6 * 63.0f;
-    var _S1241 : u32 = min(u32(place_16), u32(62));
-    var at_15 : u32 = word_0(lobe_8.record_0 + u32(3)) + _S1241;
-    var here_1 : f32 = number_0(at_15);
-    return here_1 + (number_0(at_15 + u32(1)) - here_1) * (place_16 - f32(_S1241));
+    var _S1242 : u32 = min(u32(place_16), u32(62));
+    var at_16 : u32 = word_0(lobe_8.record_0 + u32(3)) + _S1242;
+    var here_1 : f32 = number_0(at_16);
+    return here_1 + (number_0(at_16 + u32(1)) - here_1) * (place_16 - f32(_S1242));
 }
 
 fn facets_of_0( lobe_9 : Lobe_0,  numbers_6 : Numbers_0) -> Microfacets_0
@@ -5751,37 +5756,37 @@ fn stretched_2( facets_1 : Microfacets_0,  wi_3 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_3.xy * facets_1.alpha_1, wi_3.z);
     var view_2 : Stretched_0;
-    var _S1242 : f32 = length(longer_0);
-    view_2.length_0 = _S1242;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S1242);
-    var _S1243 : vec2<f32> = longer_1.xy;
-    var _S1244 : f32 = length(_S1243);
-    view_2.sine_4 = _S1244;
+    var _S1243 : f32 = length(longer_0);
+    view_2.length_0 = _S1243;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S1243);
+    var _S1244 : vec2<f32> = longer_1.xy;
+    var _S1245 : f32 = length(_S1244);
+    view_2.sine_4 = _S1245;
     view_2.cosine_7 = longer_1.z;
-    var _S1245 : vec2<f32>;
-    if(_S1244 > 0.0f)
+    var _S1246 : vec2<f32>;
+    if(_S1245 > 0.0f)
     {
-        _S1245 = _S1243 / vec2<f32>(view_2.sine_4);
+        _S1246 = _S1244 / vec2<f32>(view_2.sine_4);
     }
     else
     {
-        _S1245 = vec2<f32>(1.0f, 0.0f);
+        _S1246 = vec2<f32>(1.0f, 0.0f);
     }
-    view_2.around_0 = _S1245;
+    view_2.around_0 = _S1246;
     return view_2;
 }
 
 fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
 {
-    var _S1246 : f32 = u_8.x;
-    var radius_2 : f32 = sqrt(_S1246);
+    var _S1247 : f32 = u_8.x;
+    var radius_2 : f32 = sqrt(_S1247);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_8.y);
     var across_1 : f32 = radius_2 * turn_3.y;
     var along_3 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_3.cosine_7);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S1247 : f32 = 1.0f - _S1246;
-    var edge_0 : f32 = sqrt(_S1247 + along_3 * along_3);
+    var _S1248 : f32 = 1.0f - _S1247;
+    var edge_0 : f32 = sqrt(_S1248 + along_3 * along_3);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_3;
     var from_top_0 : f32 = edge_0 - along_3;
     var from_bottom_0 : f32 = edge_0 + along_3;
@@ -5789,14 +5794,14 @@ fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_3 > 0.0f)
     {
-        from_top_1 = _S1247 / from_bottom_0;
+        from_top_1 = _S1248 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S1248 : f32 = _S1247 / from_top_0;
+        var _S1249 : f32 = _S1248 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S1248;
+        from_bottom_1 = _S1249;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_3.sine_4 - up_0 * view_3.cosine_7, across_1, max(towards_0 * view_3.cosine_7 + up_0 * view_3.sine_4, 0.0f));
@@ -5806,19 +5811,19 @@ fn visible_over_cos_0( facets_2 : Microfacets_0,  w_4 : vec3<f32>) -> f32
 {
     var stretched_3 : vec2<f32> = w_4.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_3, stretched_3);
-    var _S1249 : f32 = w_4.z;
-    var z2_3 : f32 = _S1249 * _S1249;
+    var _S1250 : f32 = w_4.z;
+    var z2_3 : f32 = _S1250 * _S1250;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S1249 + sqrt(z2_3 + spread2_0));
+        return 2.0f / (_S1250 + sqrt(z2_3 + spread2_0));
     }
     if(z2_3 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S1249;
+        return 1.0f / _S1250;
     }
     var spread_0 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S1249 / spread_0);
-    return 2.0f / (_S1249 * both_0.x + 0.5f * spread_0 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S1250 / spread_0);
+    return 2.0f / (_S1250 * both_0.x + 0.5f * spread_0 * both_0.y);
 }
 
 fn logarithm_0( x_22 : f32) -> f32
@@ -5868,8 +5873,8 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_9.x * (2.0f / (visible_1 * view_4.length_0));
-    var _S1250 : f32 = max(view_4.cosine_7, view_4.sine_4);
-    var slope_3 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S1250 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S1250, -6.0f, 0.5f * steepest_0);
+    var _S1251 : f32 = max(view_4.cosine_7, view_4.sine_4);
+    var slope_3 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S1251 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S1251, -6.0f, 0.5f * steepest_0);
     var low_4 : f32 = -6.0f;
     var high_1 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -5883,10 +5888,10 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             break;
         }
         var both_1 : vec2<f32> = error_function_plus_one_0(slope_3);
-        var _S1251 : f32 = both_1.y;
-        var error_0 : f32 = view_4.cosine_7 * both_1.x + 0.5f * view_4.sine_4 * _S1251 - target_1;
-        var own_2 : f32 = _S1251 * (view_4.cosine_7 - slope_3 * view_4.sine_4);
-        var bend_0 : f32 = -2.0f * slope_3 * own_2 - _S1251 * view_4.sine_4;
+        var _S1252 : f32 = both_1.y;
+        var error_0 : f32 = view_4.cosine_7 * both_1.x + 0.5f * view_4.sine_4 * _S1252 - target_1;
+        var own_2 : f32 = _S1252 * (view_4.cosine_7 - slope_3 * view_4.sine_4);
+        var bend_0 : f32 = -2.0f * slope_3 * own_2 - _S1252 * view_4.sine_4;
         if(error_0 > 0.0f)
         {
             high_1 = slope_3;
@@ -5896,17 +5901,17 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             low_4 = slope_3;
         }
         var next_1 : f32 = slope_3 - error_0 * own_2 / (own_2 * own_2 - 0.5f * error_0 * bend_0);
-        var _S1252 : bool;
+        var _S1253 : bool;
         if(next_1 >= low_4)
         {
-            _S1252 = next_1 <= high_1;
+            _S1253 = next_1 <= high_1;
         }
         else
         {
-            _S1252 = false;
+            _S1253 = false;
         }
         var next_2 : f32;
-        if(!_S1252)
+        if(!_S1253)
         {
             next_2 = 0.5f * (low_4 + high_1);
         }
@@ -5919,9 +5924,9 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             slope_3 = next_2;
             break;
         }
-        var _S1253 : u32 = step_0 + u32(1);
+        var _S1254 : u32 = step_0 + u32(1);
         slope_3 = next_2;
-        step_0 = _S1253;
+        step_0 = _S1254;
     }
     return vec3<f32>(- slope_3, error_function_inverse_0(max(2.0f * u_9.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -5938,11 +5943,11 @@ fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_4 : vec3<f32>,  u_10 : vec
     {
         normal_7 = beckmann_normal_0(view_5, visible_over_cos_0(facets_3, wi_4), u_10);
     }
-    var _S1254 : f32 = view_5.around_0.x;
-    var _S1255 : f32 = normal_7.x;
-    var _S1256 : f32 = view_5.around_0.y;
-    var _S1257 : f32 = normal_7.y;
-    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S1254 * _S1255 - _S1256 * _S1257, _S1256 * _S1255 + _S1254 * _S1257) * facets_3.alpha_1, normal_7.z));
+    var _S1255 : f32 = view_5.around_0.x;
+    var _S1256 : f32 = normal_7.x;
+    var _S1257 : f32 = view_5.around_0.y;
+    var _S1258 : f32 = normal_7.y;
+    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S1255 * _S1256 - _S1257 * _S1258, _S1257 * _S1256 + _S1255 * _S1258) * facets_3.alpha_1, normal_7.z));
     return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_4, normal_8))) - wi_4);
 }
 
@@ -5955,9 +5960,9 @@ struct Drawn_0
 
 fn draw_0( lobe_10 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32>) -> Drawn_0
 {
-    var _S1258 : bool = (lobe_10.kind_0) == u32(0);
+    var _S1259 : bool = (lobe_10.kind_0) == u32(0);
     var has_base_0 : bool;
-    if(_S1258)
+    if(_S1259)
     {
         has_base_0 = true;
     }
@@ -5974,7 +5979,7 @@ fn draw_0( lobe_10 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f3
         has_base_0 = (lobe_10.kind_0) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S1258)
+    if(_S1259)
     {
         of_base_1 = 1.0f;
     }
@@ -5982,16 +5987,16 @@ fn draw_0( lobe_10 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f3
     {
         of_base_1 = 0.0f;
     }
-    var _S1259 : bool;
+    var _S1260 : bool;
     if((lobe_10.kind_0) == u32(3))
     {
-        _S1259 = true;
+        _S1260 = true;
     }
     else
     {
-        _S1259 = (lobe_10.kind_0) == u32(4);
+        _S1260 = (lobe_10.kind_0) == u32(4);
     }
-    if(_S1259)
+    if(_S1260)
     {
         of_base_1 = base_probability_0(lobe_10.numbers_0, transmittance_0(lobe_10, coat_eta_0(lobe_10.numbers_0), wi_5.z));
     }
@@ -6034,9 +6039,9 @@ fn sample_material_0( vertex_2 : Vertex_0,  key_8 : vec2<u32>,  first_4 : u32) -
     sample_1.is_specular_1 = drawn_1.is_specular_2;
     sample_1.probability_3 = drawn_1.probability_4;
     sample_1.wo_1 = drawn_1.wo_2;
-    var _S1260 : vec3<f32> = normalize(to_world_0(vertex_2.axes_4, drawn_1.wo_2));
-    sample_1.direction_10 = _S1260;
-    sample_1.way_1 = _S1260;
+    var _S1261 : vec3<f32> = normalize(to_world_0(vertex_2.axes_4, drawn_1.wo_2));
+    sample_1.direction_10 = _S1261;
+    sample_1.way_1 = _S1261;
     sample_1.nearest_0 = limit_at_0(u32(2));
     sample_1.farthest_0 = limit_at_0(u32(1));
     sample_1.emitter_5 = u32(4294967295);
@@ -6069,9 +6074,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_3 : f32,  k_3 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_2)));
     var smaller_2 : f32 = product_3 / larger_0;
-    var _S1261 : bool = real_2 < 0.0f;
+    var _S1262 : bool = real_2 < 0.0f;
     var a_18 : f32;
-    if(_S1261)
+    if(_S1262)
     {
         a_18 = smaller_2;
     }
@@ -6080,7 +6085,7 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_3 : f32,  k_3 : f32) -> f32
         a_18 = larger_0;
     }
     var b_15 : f32;
-    if(_S1261)
+    if(_S1262)
     {
         b_15 = larger_0;
     }
@@ -6090,9 +6095,9 @@ fn fresnel_conductor_channel_0( cosine_8 : f32,  eta_3 : f32,  k_3 : f32) -> f32
     }
     var less_2 : f32 = a_18 - cosine_8;
     var more_2 : f32 = a_18 + cosine_8;
-    var _S1262 : f32 = b_15 * b_15;
+    var _S1263 : f32 = b_15 * b_15;
     var p_sum_5 : f32 = modulus_0 * cos2_7 + sin2_2 * sin2_2;
-    return (less_2 * less_2 + _S1262) / (more_2 * more_2 + _S1262) * p_sum_5 / (p_sum_5 + 2.0f * a_18 * cosine_8 * sin2_2);
+    return (less_2 * less_2 + _S1263) / (more_2 * more_2 + _S1263) * p_sum_5 / (p_sum_5 + 2.0f * a_18 * cosine_8 * sin2_2);
 }
 
 fn fresnel_conductor_0( cosine_9 : f32,  eta_4 : vec3<f32>,  k_4 : vec3<f32>) -> vec3<f32>
@@ -6121,21 +6126,21 @@ fn turning_0( vertex_4 : Vertex_0,  direction_12 : vec3<f32>) -> vec3<f32>
 
 fn towards_emitter_0( vertex_5 : Vertex_0,  direction_13 : vec3<f32>,  record_13 : u32) -> vec3<f32>
 {
-    var _S1263 : vec3<f32>;
+    var _S1264 : vec3<f32>;
     if((word_0(record_13)) == u32(1))
     {
-        _S1263 = changing_0(direction_13, turning_0(vertex_5, direction_13));
+        _S1264 = changing_0(direction_13, turning_0(vertex_5, direction_13));
     }
     else
     {
-        _S1263 = still_0(direction_13);
+        _S1264 = still_0(direction_13);
     }
-    return _S1263;
+    return _S1264;
 }
 
-fn change_word_0( at_16 : u32) -> u32
+fn change_word_0( at_17 : u32) -> u32
 {
-    return input_0[launch_0.room_0 + at_16];
+    return input_0[launch_0.room_0 + at_17];
 }
 
 fn walks_0() -> bool
@@ -6155,40 +6160,40 @@ fn local_change_0( vertex_6 : Vertex_0,  direction_14 : vec3<f32>) -> vec3<f32>
 
 fn Mirrored_x24init_0( cosine_10 : f32,  pdf_5 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S1264 : Mirrored_0;
-    _S1264.cosine_0 = cosine_10;
-    _S1264.pdf_1 = pdf_5;
-    _S1264.scattered_0 = scattered_1;
-    return _S1264;
+    var _S1265 : Mirrored_0;
+    _S1265.cosine_0 = cosine_10;
+    _S1265.pdf_1 = pdf_5;
+    _S1265.scattered_0 = scattered_1;
+    return _S1265;
 }
 
 fn density_0( facets_4 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S1265 : f32 = m_3.z;
-    if(_S1265 <= 0.0f)
+    var _S1266 : f32 = m_3.z;
+    if(_S1266 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_2 : f32 = 3.14159274101257324f * facets_4.alpha_1.x * facets_4.alpha_1.y;
     var slope_4 : vec2<f32> = m_3.xy / facets_4.alpha_1;
     var spread_1 : f32 = dot(slope_4, slope_4);
-    var cos2_8 : f32 = _S1265 * _S1265;
+    var cos2_8 : f32 = _S1266 * _S1266;
     if((facets_4.distribution_1) == u32(1))
     {
         var sum_5 : f32 = spread_1 + cos2_8;
         return 1.0f / (scale_2 * sum_5 * sum_5);
     }
     var exponent_2 : f32 = spread_1 / cos2_8;
-    var _S1266 : f32;
+    var _S1267 : f32;
     if(exponent_2 > 80.0f)
     {
-        _S1266 = 0.0f;
+        _S1267 = 0.0f;
     }
     else
     {
-        _S1266 = exponential_0(- exponent_2) / (scale_2 * cos2_8 * cos2_8);
+        _S1267 = exponential_0(- exponent_2) / (scale_2 * cos2_8 * cos2_8);
     }
-    return _S1266;
+    return _S1267;
 }
 
 fn mirrored_0( facets_5 : Microfacets_0,  wi_8 : vec3<f32>,  wo_4 : vec3<f32>) -> Mirrored_0
@@ -6196,9 +6201,9 @@ fn mirrored_0( facets_5 : Microfacets_0,  wi_8 : vec3<f32>,  wo_4 : vec3<f32>) -
     var h_1 : vec3<f32> = normalize(wi_8 + wo_4);
     var mirrored_1 : Mirrored_0;
     mirrored_1.cosine_0 = dot(wi_8, h_1);
-    var _S1267 : f32 = 0.25f * density_0(facets_5, h_1) * visible_over_cos_0(facets_5, wi_8);
-    mirrored_1.pdf_1 = _S1267;
-    mirrored_1.scattered_0 = _S1267 * visible_over_cos_0(facets_5, wo_4) * wo_4.z;
+    var _S1268 : f32 = 0.25f * density_0(facets_5, h_1) * visible_over_cos_0(facets_5, wi_8);
+    mirrored_1.pdf_1 = _S1268;
+    mirrored_1.scattered_0 = _S1268 * visible_over_cos_0(facets_5, wo_4) * wo_4.z;
     return mirrored_1;
 }
 
@@ -6233,15 +6238,15 @@ fn base_0( lobe_13 : Lobe_0,  eta_6 : f32,  diffuse_0 : vec3<f32>) -> vec3<f32>
 fn scattering_1( lobe_14 : Lobe_0,  numbers_8 : Numbers_0,  wi_9 : vec3<f32>,  wo_5 : vec3<f32>) -> Scattering_0
 {
     var scattering_2 : Scattering_0;
-    var _S1268 : f32 = wo_5.z;
-    var by_cosine_2 : f32 = _S1268 * 0.31830987334251404f;
+    var _S1269 : f32 = wo_5.z;
+    var by_cosine_2 : f32 = _S1269 * 0.31830987334251404f;
     if((lobe_14.kind_0) == u32(0))
     {
         scattering_2.value_1 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_2);
         scattering_2.pdf_0 = by_cosine_2;
         return scattering_2;
     }
-    var _S1269 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S1270 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_2 : Mirrored_0;
     if(is_rough_0(lobe_14))
     {
@@ -6249,7 +6254,7 @@ fn scattering_1( lobe_14 : Lobe_0,  numbers_8 : Numbers_0,  wi_9 : vec3<f32>,  w
     }
     else
     {
-        by_facets_2 = _S1269;
+        by_facets_2 = _S1270;
     }
     if((lobe_14.kind_0) == u32(2))
     {
@@ -6259,7 +6264,7 @@ fn scattering_1( lobe_14 : Lobe_0,  numbers_8 : Numbers_0,  wi_9 : vec3<f32>,  w
     }
     var eta_7 : f32 = coat_eta_0(numbers_8);
     var enters_1 : f32 = transmittance_0(lobe_14, eta_7, wi_9.z);
-    scattering_2.value_1 = base_0(lobe_14, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_14, eta_7, _S1268) * by_cosine_2 / (eta_7 * eta_7)));
+    scattering_2.value_1 = base_0(lobe_14, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_14, eta_7, _S1269) * by_cosine_2 / (eta_7 * eta_7)));
     var probability_5 : f32 = base_probability_0(numbers_8, enters_1);
     scattering_2.pdf_0 = probability_5 * by_cosine_2;
     if((lobe_14.kind_0) == u32(4))
@@ -6281,16 +6286,16 @@ fn eval_and_pdf_0( lobe_15 : Lobe_0,  wi_10 : vec3<f32>,  wo_6 : vec3<f32>) -> S
     var scattered_2 : Scattered_0;
     scattered_2.value_9 = still_0(vec3<f32>(0.0f));
     scattered_2.pdf_6 = 0.0f;
-    var _S1270 : bool;
+    var _S1271 : bool;
     if((value_of_0(wo_6).z) <= 0.0f)
     {
-        _S1270 = true;
+        _S1271 = true;
     }
     else
     {
-        _S1270 = !has_smooth_0(lobe_15);
+        _S1271 = !has_smooth_0(lobe_15);
     }
-    if(_S1270)
+    if(_S1271)
     {
         return scattered_2;
     }
@@ -6321,39 +6326,39 @@ fn scattered_along_0( vertex_8 : Vertex_0,  sample_2 : LightSample_0,  walked_0 
     }
     else
     {
-        var _S1271 : vec3<f32>;
+        var _S1272 : vec3<f32>;
         if(turns_onward_0())
         {
-            _S1271 = turning_0(vertex_8, sample_2.direction_10);
+            _S1272 = turning_0(vertex_8, sample_2.direction_10);
         }
         else
         {
-            _S1271 = walked_0;
+            _S1272 = walked_0;
         }
-        (*moving_0) = changing_0(sample_2.direction_10, _S1271);
+        (*moving_0) = changing_0(sample_2.direction_10, _S1272);
     }
     return scattered_to_0(vertex_8, sample_2.wo_1, (*moving_0));
 }
 
 fn component_0( v_8 : vec3<f32>,  axis_2 : u32) -> f32
 {
-    var _S1272 : f32;
+    var _S1273 : f32;
     if(axis_2 == u32(0))
     {
-        _S1272 = v_8.x;
+        _S1273 = v_8.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S1272 = v_8.y;
+            _S1273 = v_8.y;
         }
         else
         {
-            _S1272 = v_8.z;
+            _S1273 = v_8.z;
         }
     }
-    return _S1272;
+    return _S1273;
 }
 
 struct Ray_0
@@ -6373,34 +6378,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f32>,  direction_16 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  axes_7 : ptr<function, u32>) -> Ray_0
 {
     var size_2 : vec3<f32> = abs(direction_16);
-    var _S1273 : f32 = size_2.x;
-    var _S1274 : f32 = size_2.y;
-    var _S1275 : bool;
-    if(_S1273 >= _S1274)
+    var _S1274 : f32 = size_2.x;
+    var _S1275 : f32 = size_2.y;
+    var _S1276 : bool;
+    if(_S1274 >= _S1275)
     {
-        _S1275 = _S1273 >= (size_2.z);
+        _S1276 = _S1274 >= (size_2.z);
     }
     else
     {
-        _S1275 = false;
+        _S1276 = false;
     }
-    var _S1276 : i32;
-    if(_S1275)
+    var _S1277 : i32;
+    if(_S1276)
     {
-        _S1276 = i32(0);
+        _S1277 = i32(0);
     }
     else
     {
-        if(_S1274 >= (size_2.z))
+        if(_S1275 >= (size_2.z))
         {
-            _S1276 = i32(1);
+            _S1277 = i32(1);
         }
         else
         {
-            _S1276 = i32(2);
+            _S1277 = i32(2);
         }
     }
-    var z_6 : u32 = u32(_S1276);
+    var z_6 : u32 = u32(_S1277);
     var x_23 : u32 = (z_6 + u32(1)) % u32(3);
     var y_8 : u32 = (z_6 + u32(2)) % u32(3);
     (*axes_7) = (((x_23 | (((y_8 << (u32(2))))))) | (((z_6 << (u32(4))))));
@@ -6436,7 +6441,7 @@ struct RayView_0
 
 fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S1277 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S1278 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -6449,36 +6454,36 @@ fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S1278 : u32 = axis_3;
-        var _S1279 : u32 = _S1277 + u32(2) * axis_3;
-        var _S1280 : u32 = slot_3 % u32(4);
-        var low_5 : f32 = (bitcast<f32>((nodes_0[_S1279][_S1280])));
-        var high_2 : f32 = (bitcast<f32>((nodes_0[_S1279 + u32(6)][_S1280])));
-        var _S1281 : bool = (view_6.inverse_3[axis_3]) < 0.0f;
-        var _S1282 : f32;
-        if(_S1281)
+        var _S1279 : u32 = axis_3;
+        var _S1280 : u32 = _S1278 + u32(2) * axis_3;
+        var _S1281 : u32 = slot_3 % u32(4);
+        var low_5 : f32 = (bitcast<f32>((nodes_0[_S1280][_S1281])));
+        var high_2 : f32 = (bitcast<f32>((nodes_0[_S1280 + u32(6)][_S1281])));
+        var _S1282 : bool = (view_6.inverse_3[axis_3]) < 0.0f;
+        var _S1283 : f32;
+        if(_S1282)
         {
-            _S1282 = high_2;
+            _S1283 = high_2;
         }
         else
         {
-            _S1282 = low_5;
+            _S1283 = low_5;
         }
-        var _S1283 : f32 = max(near_0, _S1282 * view_6.inverse_3[_S1278] - view_6.offset_near_0[axis_3]);
-        var _S1284 : f32;
-        if(_S1281)
+        var _S1284 : f32 = max(near_0, _S1283 * view_6.inverse_3[_S1279] - view_6.offset_near_0[axis_3]);
+        var _S1285 : f32;
+        if(_S1282)
         {
-            _S1284 = low_5;
+            _S1285 = low_5;
         }
         else
         {
-            _S1284 = high_2;
+            _S1285 = high_2;
         }
-        var _S1285 : f32 = min(far_0, _S1284 * view_6.inverse_3[_S1278] - view_6.offset_far_0[axis_3]);
-        var _S1286 : u32 = axis_3 + u32(1);
-        near_0 = _S1283;
-        far_0 = _S1285;
-        axis_3 = _S1286;
+        var _S1286 : f32 = min(far_0, _S1285 * view_6.inverse_3[_S1279] - view_6.offset_far_0[axis_3]);
+        var _S1287 : u32 = axis_3 + u32(1);
+        near_0 = _S1284;
+        far_0 = _S1286;
+        axis_3 = _S1287;
     }
     if(near_0 <= far_0)
     {
@@ -6503,7 +6508,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S1287 : u32 = k_5;
+        var _S1288 : u32 = k_5;
         if((bounds_0[k_5]) > limit_2)
         {
             k_5 = k_5 + u32(1);
@@ -6520,24 +6525,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S1288 : u32 = j_0;
-            var _S1289 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S1287]))
+            var _S1289 : u32 = j_0;
+            var _S1290 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S1288]))
             {
-                _S1289 = true;
+                _S1290 = true;
             }
             else
             {
-                if((bounds_0[_S1288]) == (bounds_0[_S1287]))
+                if((bounds_0[_S1289]) == (bounds_0[_S1288]))
                 {
-                    _S1289 = j_0 < k_5;
+                    _S1290 = j_0 < k_5;
                 }
                 else
                 {
-                    _S1289 = false;
+                    _S1290 = false;
                 }
             }
-            if(_S1289)
+            if(_S1290)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -6562,16 +6567,16 @@ fn crossed_0( view_7 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S1290 : f32;
+        var _S1291 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S1290 = 3.00000000549775576e+38f;
+            _S1291 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S1290 = ray_bound_0(view_7, limit_3, node_5, slot_4);
+            _S1291 = ray_bound_0(view_7, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S1290;
+        bounds_1[slot_4] = _S1291;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -6582,9 +6587,9 @@ fn rounded_0( product_4 : f32,  largest_1 : f32) -> f32
     return min(product_4, largest_1);
 }
 
-fn corner_0( ray_1 : Ray_0,  axes_9 : u32,  at_17 : u32) -> vec3<f32>
+fn corner_0( ray_1 : Ray_0,  axes_9 : u32,  at_18 : u32) -> vec3<f32>
 {
-    var relative_0 : vec3<f32> = primitive_vector_0(at_17) - ray_1.origin_0;
+    var relative_0 : vec3<f32> = primitive_vector_0(at_18) - ray_1.origin_0;
     var z_7 : f32 = component_0(relative_0, (axes_9 >> (u32(4))));
     return vec3<f32>(component_0(relative_0, (axes_9 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_7, ray_1.largest_0), component_0(relative_0, (((axes_9 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_7, ray_1.largest_0), z_7);
 }
@@ -6597,56 +6602,56 @@ struct Crossing_0
      w_8 : f32,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_10 : u32,  at_18 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_10 : u32,  at_19 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_4 = 0.0f;
     crossing_0.v_9 = 0.0f;
     crossing_0.w_8 = 0.0f;
-    var a_19 : vec3<f32> = corner_0(ray_2, axes_10, at_18);
-    var b_16 : vec3<f32> = corner_0(ray_2, axes_10, at_18 + u32(3));
-    var c_7 : vec3<f32> = corner_0(ray_2, axes_10, at_18 + u32(6));
-    var _S1291 : f32 = c_7.x;
-    var _S1292 : f32 = b_16.y;
-    var cx_by_0 : f32 = rounded_0(_S1291 * _S1292, ray_2.largest_0);
-    var _S1293 : f32 = c_7.y;
-    var _S1294 : f32 = b_16.x;
-    var cy_bx_0 : f32 = rounded_0(_S1293 * _S1294, ray_2.largest_0);
-    var _S1295 : f32 = a_19.x;
-    var ax_cy_0 : f32 = rounded_0(_S1295 * _S1293, ray_2.largest_0);
-    var _S1296 : f32 = a_19.y;
-    var ay_cx_0 : f32 = rounded_0(_S1296 * _S1291, ray_2.largest_0);
-    var bx_ay_0 : f32 = rounded_0(_S1294 * _S1296, ray_2.largest_0);
-    var by_ax_0 : f32 = rounded_0(_S1292 * _S1295, ray_2.largest_0);
+    var a_19 : vec3<f32> = corner_0(ray_2, axes_10, at_19);
+    var b_16 : vec3<f32> = corner_0(ray_2, axes_10, at_19 + u32(3));
+    var c_7 : vec3<f32> = corner_0(ray_2, axes_10, at_19 + u32(6));
+    var _S1292 : f32 = c_7.x;
+    var _S1293 : f32 = b_16.y;
+    var cx_by_0 : f32 = rounded_0(_S1292 * _S1293, ray_2.largest_0);
+    var _S1294 : f32 = c_7.y;
+    var _S1295 : f32 = b_16.x;
+    var cy_bx_0 : f32 = rounded_0(_S1294 * _S1295, ray_2.largest_0);
+    var _S1296 : f32 = a_19.x;
+    var ax_cy_0 : f32 = rounded_0(_S1296 * _S1294, ray_2.largest_0);
+    var _S1297 : f32 = a_19.y;
+    var ay_cx_0 : f32 = rounded_0(_S1297 * _S1292, ray_2.largest_0);
+    var bx_ay_0 : f32 = rounded_0(_S1295 * _S1297, ray_2.largest_0);
+    var by_ax_0 : f32 = rounded_0(_S1293 * _S1296, ray_2.largest_0);
     var u_12 : f32 = cx_by_0 - cy_bx_0;
     var v_10 : f32 = ax_cy_0 - ay_cx_0;
     var w_9 : f32 = bx_ay_0 - by_ax_0;
-    var _S1297 : f32 = min(min(u_12, v_10), w_9);
-    var _S1298 : f32 = max(max(u_12, v_10), w_9);
-    var _S1299 : bool;
-    if(_S1297 < 0.0f)
+    var _S1298 : f32 = min(min(u_12, v_10), w_9);
+    var _S1299 : f32 = max(max(u_12, v_10), w_9);
+    var _S1300 : bool;
+    if(_S1298 < 0.0f)
     {
-        _S1299 = _S1298 > 0.0f;
+        _S1300 = _S1299 > 0.0f;
     }
     else
     {
-        _S1299 = false;
+        _S1300 = false;
     }
-    if(_S1299)
+    if(_S1300)
     {
         return crossing_0;
     }
     var determinant_0 : f32 = u_12 + v_10 + w_9;
-    if(_S1297 <= 0.0f)
+    if(_S1298 <= 0.0f)
     {
-        _S1299 = _S1298 >= 0.0f;
+        _S1300 = _S1299 >= 0.0f;
     }
     else
     {
-        _S1299 = false;
+        _S1300 = false;
     }
-    if(_S1299)
+    if(_S1300)
     {
         if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -6660,13 +6665,13 @@ fn intersect_0( ray_2 : Ray_0,  axes_10 : u32,  at_18 : u32) -> Crossing_0
     var t_5 : f32 = (rounded_0(u_12 * a_19.z, ray_2.largest_0) + rounded_0(v_10 * b_16.z, ray_2.largest_0) + rounded_0(w_9 * c_7.z, ray_2.largest_0)) / determinant_0 * ray_2.inverse_z_0;
     if((ray_2.t_min_0) <= t_5)
     {
-        _S1299 = t_5 <= (ray_2.t_max_0);
+        _S1300 = t_5 <= (ray_2.t_max_0);
     }
     else
     {
-        _S1299 = false;
+        _S1300 = false;
     }
-    crossing_0.is_hit_0 = _S1299;
+    crossing_0.is_hit_0 = _S1300;
     crossing_0.t_4 = t_5;
     crossing_0.v_9 = v_10 / determinant_0;
     crossing_0.w_8 = w_9 / determinant_0;
@@ -6688,7 +6693,7 @@ struct Found_0
 
 fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S1300 : bool;
+    var _S1301 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
     found_3.triangle_8 = u32(4294967295);
@@ -6720,31 +6725,31 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_2 : vec2<u32> = way_2[level_0];
-        var _S1301 : u32 = way_2[level_0].y;
-        if(_S1301 == u32(0))
+        var _S1302 : u32 = way_2[level_0].y;
+        if(_S1302 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S1302 : u32 = level_0 - u32(1);
+            var _S1303 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S1302;
+            level_0 = _S1303;
             continue;
         }
-        var slot_5 : u32 = ((_S1301 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S1301 >> (u32(4)));
-        var _S1303 : bool;
+        var slot_5 : u32 = ((_S1302 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S1302 >> (u32(4)));
+        var _S1304 : bool;
         if(!is_new_1)
         {
-            _S1303 = (ray_bound_0(view_8, limit_4, here_2.x, slot_5)) > limit_4;
+            _S1304 = (ray_bound_0(view_8, limit_4, here_2.x, slot_5)) > limit_4;
         }
         else
         {
-            _S1303 = false;
+            _S1304 = false;
         }
-        if(_S1303)
+        if(_S1304)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -6753,20 +6758,20 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_2.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S1304 : u32 = level_0 + u32(1);
+            var _S1305 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S1304;
+            level_0 = _S1305;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S1305 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S1306 : u32 = leaf_starts_0[leaf_0];
+        var _S1306 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S1307 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S1306;
+        var i_3 : u32 = _S1307;
         for(;;)
         {
-            if(i_3 < _S1305)
+            if(i_3 < _S1306)
             {
             }
             else
@@ -6781,23 +6786,23 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S1300 = true;
+                _S1301 = true;
             }
             else
             {
-                _S1300 = (crossing_1.t_4) < ((*ray_3).t_max_0);
+                _S1301 = (crossing_1.t_4) < ((*ray_3).t_max_0);
             }
-            var _S1307 : bool;
-            if(_S1300)
+            var _S1308 : bool;
+            if(_S1301)
             {
-                _S1307 = true;
+                _S1308 = true;
             }
             else
             {
-                _S1307 = (face_6(i_3)) < (found_3.face_7);
+                _S1308 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S1307)
+            if(_S1308)
             {
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_8 = i_3;
@@ -6815,13 +6820,13 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S1300 = (found_3.face_7) != u32(4294967295);
+            _S1301 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S1300 = false;
+            _S1301 = false;
         }
-        if(_S1300)
+        if(_S1301)
         {
             break;
         }
@@ -6835,11 +6840,11 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_2 : vec3<f32>,  direction_17 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_1 : bool,  t_6 : ptr<function, f32>) -> Found_0
 {
     var view_9 : RayView_0;
-    var _S1308 : u32 = view_9.axes_8;
-    var _S1309 : Ray_0 = ray_along_0(origin_2, direction_17, t_min_2, t_max_2, &(_S1308));
-    view_9.axes_8 = _S1308;
-    var ray_4 : Ray_0 = _S1309;
-    var _S1310 : vec3<f32> = direction_17 / vec3<f32>(ray_4.local_per_t_0);
+    var _S1309 : u32 = view_9.axes_8;
+    var _S1310 : Ray_0 = ray_along_0(origin_2, direction_17, t_min_2, t_max_2, &(_S1309));
+    view_9.axes_8 = _S1309;
+    var ray_4 : Ray_0 = _S1310;
+    var _S1311 : vec3<f32> = direction_17 / vec3<f32>(ray_4.local_per_t_0);
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -6850,17 +6855,17 @@ fn cast_0( origin_2 : vec3<f32>,  direction_17 : vec3<f32>,  t_min_2 : f32,  t_m
         {
             break;
         }
-        var _S1311 : f32 = max(abs(_S1310[axis_4]), 8.67361737988403547e-19f);
-        var _S1312 : f32;
-        if((_S1310[axis_4]) < 0.0f)
+        var _S1312 : f32 = max(abs(_S1311[axis_4]), 8.67361737988403547e-19f);
+        var _S1313 : f32;
+        if((_S1311[axis_4]) < 0.0f)
         {
-            _S1312 = -1.0f / _S1311;
+            _S1313 = -1.0f / _S1312;
         }
         else
         {
-            _S1312 = 1.0f / _S1311;
+            _S1313 = 1.0f / _S1312;
         }
-        view_9.inverse_3[axis_4] = _S1312;
+        view_9.inverse_3[axis_4] = _S1313;
         axis_4 = axis_4 + u32(1);
     }
     var offset_4 : vec3<f32> = origin_2 * view_9.inverse_3;
@@ -6886,25 +6891,25 @@ fn emitter_seen_0( found_6 : Found_0,  direction_18 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_6 : u32 = word_0(shape_of_0(found_6.triangle_8) + u32(4));
-    var _S1313 : bool;
+    var _S1314 : bool;
     if(emitter_6 != u32(4294967295))
     {
-        _S1313 = (dot(cross_of_0(found_6.triangle_8), direction_18)) < 0.0f;
+        _S1314 = (dot(cross_of_0(found_6.triangle_8), direction_18)) < 0.0f;
     }
     else
     {
-        _S1313 = false;
+        _S1314 = false;
     }
-    var _S1314 : u32;
-    if(_S1313)
+    var _S1315 : u32;
+    if(_S1314)
     {
-        _S1314 = emitter_6;
+        _S1315 = emitter_6;
     }
     else
     {
-        _S1314 = u32(4294967295);
+        _S1315 = u32(4294967295);
     }
-    return _S1314;
+    return _S1315;
 }
 
 fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_19 : vec3<f32>,  distance_7 : f32) -> f32
@@ -6913,17 +6918,17 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
     var rectangle_1 : u32 = word_0(record_14 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S1315 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S1315.solid_angle_0) > 0.0f))
+        var _S1316 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S1316.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S1315.solid_angle_0) >= 0.00100000004749745f)
+        if((_S1316.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S1315.solid_angle_0;
+            return 1.0f / _S1316.solid_angle_0;
         }
     }
-    var _S1316 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
+    var _S1317 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_14 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -6937,7 +6942,7 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S1316 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S1317 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_3 = shares_1.y;
@@ -6947,22 +6952,22 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             own_3 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_3;
-        var _S1317 : i32;
+        var _S1318 : i32;
         if(is_second_1)
         {
-            _S1317 = i32(3);
+            _S1318 = i32(3);
         }
         else
         {
-            _S1317 = i32(2);
+            _S1318 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S1317));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S1318));
         chosen_2 = chosen_3;
     }
-    var _S1318 : u32 = word_0(record_14 + u32(6));
-    var _S1319 : u32 = word_0(node_6);
+    var _S1319 : u32 = word_0(record_14 + u32(6));
+    var _S1320 : u32 = word_0(node_6);
     own_3 = 0.0f;
-    var k_6 : u32 = _S1319;
+    var k_6 : u32 = _S1320;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -6973,9 +6978,9 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
         {
             break;
         }
-        var angle_6 : f32 = face_solid_angle_0(record_14, word_0(_S1318 + k_6), from_2.exact_0);
+        var angle_6 : f32 = face_solid_angle_0(record_14, word_0(_S1319 + k_6), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_6;
-        if(k_6 == _S1316)
+        if(k_6 == _S1317)
         {
             own_3 = angle_6;
         }
@@ -6994,8 +6999,8 @@ fn emitter_pdf_0( emitter_7 : u32,  found_7 : Found_0,  vertex_9 : Vertex_0,  di
     var record_15 : u32 = emitter_record_0(emitter_7);
     if(is_map_0(record_15))
     {
-        var _S1320 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_20);
-        return _S1320;
+        var _S1321 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_20);
+        return _S1321;
     }
     if(!is_area_0(record_15))
     {
@@ -7032,11 +7037,11 @@ fn in_map_0( map_6 : u32,  direction_22 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_6 + u32(1)));
     var left_1 : u32 = wrapped_0(x_24, width_4, u32(0));
     var right_1 : u32 = wrapped_0(x_24 + i32(1), width_4, u32(0));
-    var _S1321 : u32 = wrapped_0(y_9, height_1, u32(2));
-    var _S1322 : u32 = u32(width_4);
-    var first_5 : u32 = _S1321 * _S1322;
-    var _S1323 : u32 = wrapped_0(y_9 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S1323 * _S1322;
+    var _S1322 : u32 = wrapped_0(y_9, height_1, u32(2));
+    var _S1323 : u32 = u32(width_4);
+    var first_5 : u32 = _S1322 * _S1323;
+    var _S1324 : u32 = wrapped_0(y_9 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S1324 * _S1323;
     return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_2 + left_1, second_2 + right_1), point_2);
 }
 
@@ -7046,46 +7051,46 @@ fn emitted_0( emitter_8 : u32,  place_19 : Place_0,  direction_23 : vec3<f32>) -
     var texture_6 : u32 = word_0(record_16 + u32(1));
     if(!is_map_0(record_16))
     {
-        var _S1324 : vec3<f32> = shown_0(texture_6, place_19);
-        return _S1324;
+        var _S1325 : vec3<f32> = shown_0(texture_6, place_19);
+        return _S1325;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_1 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S1325 : u32 = word_0(texture_6 + u32(11));
-    var _S1326 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_23));
-    return looked_up_0(_S1325, _S1326, change_1) * factor_1;
+    var _S1326 : u32 = word_0(texture_6 + u32(11));
+    var _S1327 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_23));
+    return looked_up_0(_S1326, _S1327, change_1) * factor_1;
 }
 
 fn numbers_of_0( texture_7 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_7 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_7 + u32(18)));
 }
 
 fn add_to_sum_0( sum_6 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S1327 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S1328 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_3 : f32 = abs(scaled_0);
     if(size_3 > 7.73712524553362672e+25f)
     {
-        var _S1328 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S1329 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S1329 : bool = scaled_0 < 0.0f;
-    var _S1330 : i32;
+    var _S1330 : bool = scaled_0 < 0.0f;
+    var _S1331 : i32;
     if(size_3 >= 1.84467440737095516e+19f)
     {
-        _S1330 = i32(1);
+        _S1331 = i32(1);
     }
     else
     {
-        _S1330 = i32(0);
+        _S1331 = i32(0);
     }
-    var first_6 : u32 = u32(_S1330);
+    var first_6 : u32 = u32(_S1331);
     var size_4 : f32;
     if(first_6 == u32(1))
     {
@@ -7105,39 +7110,39 @@ fn add_to_sum_0( sum_6 : u32,  derivative_0 : f32)
     {
         size_4 = lower_0;
     }
-    var _S1331 : u32 = u32(3) + u32(4) * sum_6;
+    var _S1332 : u32 = u32(4) + u32(4) * sum_6;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_4), u32(higher_0));
     var k_7 : u32 = first_6;
     for(;;)
     {
-        var _S1332 : bool;
+        var _S1333 : bool;
         if(k_7 < u32(4))
         {
-            _S1332 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S1333 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S1332 = false;
+            _S1333 = false;
         }
-        if(_S1332)
+        if(_S1333)
         {
         }
         else
         {
             break;
         }
-        var _S1333 : u32;
-        if(_S1329)
+        var _S1334 : u32;
+        if(_S1330)
         {
-            _S1333 = u32(0) - digits_0.x;
+            _S1334 = u32(0) - digits_0.x;
         }
         else
         {
-            _S1333 = digits_0.x;
+            _S1334 = digits_0.x;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S1331 + k_7]), _S1333);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S1332 + k_7]), _S1334);
         var overflows_0 : bool;
-        if(_S1329)
+        if(_S1330)
         {
             overflows_0 = before_0 < (digits_0.x);
         }
@@ -7145,19 +7150,19 @@ fn add_to_sum_0( sum_6 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_0 + digits_0.x) < before_0;
         }
-        var _S1334 : u32 = digits_0.y;
+        var _S1335 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S1330 = i32(1);
+            _S1331 = i32(1);
         }
         else
         {
-            _S1330 = i32(0);
+            _S1331 = i32(0);
         }
-        var _S1335 : vec2<u32> = vec2<u32>(_S1334 + u32(_S1330), u32(0));
-        var _S1336 : u32 = k_7 + u32(1);
-        digits_0 = _S1335;
-        k_7 = _S1336;
+        var _S1336 : vec2<u32> = vec2<u32>(_S1335 + u32(_S1331), u32(0));
+        var _S1337 : u32 = k_7 + u32(1);
+        digits_0 = _S1336;
+        k_7 = _S1337;
     }
     return;
 }
@@ -7165,20 +7170,20 @@ fn add_to_sum_0( sum_6 : u32,  derivative_0 : f32)
 fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
 {
     var first_7 : u32 = numbers_of_0(texture_8);
-    var _S1337 : u32 = word_0(texture_8 + u32(1));
-    var _S1338 : u32;
+    var _S1338 : u32 = word_0(texture_8 + u32(1));
+    var _S1339 : u32;
     if(first_7 == u32(4294967295))
     {
-        _S1338 = u32(0);
+        _S1339 = u32(0);
     }
     else
     {
-        _S1338 = lookup_5.count_0;
+        _S1339 = lookup_5.count_0;
     }
     var k_8 : u32 = u32(0);
     for(;;)
     {
-        if(k_8 < _S1338)
+        if(k_8 < _S1339)
         {
         }
         else
@@ -7187,7 +7192,7 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         }
         var own_5 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_1[k_8]);
         var own_6 : vec3<f32>;
-        if(_S1337 == u32(1))
+        if(_S1338 == u32(1))
         {
             own_6 = vec3<f32>((own_5.x + own_5.y + own_5.z));
         }
@@ -7198,14 +7203,14 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
         var c_8 : u32 = u32(0);
         for(;;)
         {
-            if(c_8 < _S1337)
+            if(c_8 < _S1338)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_7 + _S1337 * lookup_5.texels_0[k_8] + c_8, own_6[c_8]);
+            add_to_sum_0(first_7 + _S1338 * lookup_5.texels_0[k_8] + c_8, own_6[c_8]);
             c_8 = c_8 + u32(1);
         }
         k_8 = k_8 + u32(1);
@@ -7234,10 +7239,10 @@ struct AtCorners_0
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_3 : AtCorners_0;
-    var _S1339 : vec3<f32> = vec3<f32>(0.0f);
-    corners_3.c_9 = _S1339;
-    corners_3.b_17 = _S1339;
-    corners_3.a_20 = _S1339;
+    var _S1340 : vec3<f32> = vec3<f32>(0.0f);
+    corners_3.c_9 = _S1340;
+    corners_3.b_17 = _S1340;
+    corners_3.a_20 = _S1340;
     return corners_3;
 }
 
@@ -7264,9 +7269,9 @@ fn place_back_0( points_0 : ptr<function, AtCorners_0>,  place_22 : Place_0,  by
     var ab_2 : vec3<f32> = primitive_vector_0(corner_1 + u32(3)) - a_21;
     var ac_1 : vec3<f32> = primitive_vector_0(corner_1 + u32(6)) - a_21;
     var across_2 : vec3<f32> = cross(ab_2, ac_1);
-    var _S1340 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
-    var normal_9 : vec3<f32> = across_2 / vec3<f32>(_S1340);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_1, normal_9) * vec3<f32>(by_place_0.x) + cross(normal_9, ab_2) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_9, normal_9) * _S1340)));
+    var _S1341 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
+    var normal_9 : vec3<f32> = across_2 / vec3<f32>(_S1341);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_1, normal_9) * vec3<f32>(by_place_0.x) + cross(normal_9, ab_2) * vec3<f32>(by_place_0.y)) * vec3<f32>((1.0f / (dot(normal_9, normal_9) * _S1341)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_9 * vec3<f32>((dot(direction_24, by_slip_0) / dot(normal_9, direction_24)));
     add_at_place_1(&((*points_0)), place_22, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -7279,20 +7284,20 @@ fn points_of_0( triangle_9 : u32) -> u32
 
 fn add_to_sums_0( first_8 : u32,  derivative_5 : vec3<f32>)
 {
-    var _S1341 : i32;
+    var _S1342 : i32;
     if(first_8 == u32(4294967295))
     {
-        _S1341 = i32(0);
+        _S1342 = i32(0);
     }
     else
     {
-        _S1341 = i32(3);
+        _S1342 = i32(3);
     }
-    var _S1342 : u32 = u32(_S1341);
+    var _S1343 : u32 = u32(_S1342);
     var axis_5 : u32 = u32(0);
     for(;;)
     {
-        if(axis_5 < _S1342)
+        if(axis_5 < _S1343)
         {
         }
         else
@@ -7307,45 +7312,45 @@ fn add_to_sums_0( first_8 : u32,  derivative_5 : vec3<f32>)
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_10 : u32,  corners_6 : AtCorners_0)
 {
-    var _S1343 : u32 = triangle_record_0(triangle_10) + u32(2);
-    var _S1344 : i32;
+    var _S1344 : u32 = triangle_record_0(triangle_10) + u32(2);
+    var _S1345 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S1344 = i32(0);
+        _S1345 = i32(0);
     }
     else
     {
-        _S1344 = i32(3);
+        _S1345 = i32(3);
     }
-    var _S1345 : u32 = u32(_S1344);
+    var _S1346 : u32 = u32(_S1345);
     var k_9 : u32 = u32(0);
     for(;;)
     {
-        if(k_9 < _S1345)
+        if(k_9 < _S1346)
         {
         }
         else
         {
             break;
         }
-        var _S1346 : u32 = sums_at_0 + u32(3) * word_0(_S1343 + k_9);
-        var _S1347 : vec3<f32>;
+        var _S1347 : u32 = sums_at_0 + u32(3) * word_0(_S1344 + k_9);
+        var _S1348 : vec3<f32>;
         if(k_9 == u32(0))
         {
-            _S1347 = corners_6.a_20;
+            _S1348 = corners_6.a_20;
         }
         else
         {
             if(k_9 == u32(1))
             {
-                _S1347 = corners_6.b_17;
+                _S1348 = corners_6.b_17;
             }
             else
             {
-                _S1347 = corners_6.c_9;
+                _S1348 = corners_6.c_9;
             }
         }
-        add_to_sums_0(_S1346, _S1347);
+        add_to_sums_0(_S1347, _S1348);
         k_9 = k_9 + u32(1);
     }
     return;
@@ -7361,55 +7366,55 @@ fn emitted_back_0( by_start_0 : ptr<function, vec3<f32>>,  emitter_9 : u32,  pla
     {
         var scale_3 : u32 = word_0(texture_10 + u32(12));
         var lookup_8 : Lookup_0 = in_map_0(texture_10, direction_25);
-        var _S1348 : Lookup_0 = one_texel_0(u32(0));
-        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_3, _S1348, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
-        add_to_texels_0(scale_3, _S1348, importance_0 * weighted_texels_0(word_0(texture_10 + u32(11)), lookup_8, lookup_8.weights_1));
+        var _S1349 : Lookup_0 = one_texel_0(u32(0));
+        var by_texels_1 : vec3<f32> = importance_0 * weighted_texels_0(scale_3, _S1349, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f));
+        add_to_texels_0(scale_3, _S1349, importance_0 * weighted_texels_0(word_0(texture_10 + u32(11)), lookup_8, lookup_8.weights_1));
         lookup_7 = lookup_8;
         by_texels_0 = by_texels_1;
     }
     else
     {
-        var _S1349 : Lookup_0 = lookup_at_0(texture_10, place_23);
-        lookup_7 = _S1349;
+        var _S1350 : Lookup_0 = lookup_at_0(texture_10, place_23);
+        lookup_7 = _S1350;
         by_texels_0 = importance_0;
     }
-    var _S1350 : u32;
+    var _S1351 : u32;
     if(is_map_0(record_17))
     {
-        _S1350 = word_0(texture_10 + u32(11));
+        _S1351 = word_0(texture_10 + u32(11));
     }
     else
     {
-        _S1350 = texture_10;
+        _S1351 = texture_10;
     }
-    var by_place_1 : vec2<f32> = lookup_back_0(_S1350, lookup_7, by_texels_0);
+    var by_place_1 : vec2<f32> = lookup_back_0(_S1351, lookup_7, by_texels_0);
     if(is_map_0(record_17))
     {
-        var _S1351 : vec3<f32> = vec3<f32>(0.0f);
+        var _S1352 : vec3<f32> = vec3<f32>(0.0f);
         var moving_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
         moving_1.primal_0 = direction_25;
-        moving_1.differential_0 = _S1351;
+        moving_1.differential_0 = _S1352;
         _S1105(texture_10, &(moving_1), by_place_1);
         return moving_1.differential_0;
     }
-    var _S1352 : bool;
+    var _S1353 : bool;
     if(!is_area_0(record_17))
     {
-        _S1352 = true;
+        _S1353 = true;
     }
     else
     {
-        _S1352 = !is_moving_0();
+        _S1353 = !is_moving_0();
     }
-    if(_S1352)
+    if(_S1353)
     {
-        _S1352 = true;
+        _S1353 = true;
     }
     else
     {
-        _S1352 = (all((by_place_1 == vec2<f32>(0.0f))));
+        _S1353 = (all((by_place_1 == vec2<f32>(0.0f))));
     }
-    if(_S1352)
+    if(_S1353)
     {
         return vec3<f32>(0.0f);
     }
@@ -7430,17 +7435,17 @@ fn axes_back_0( axes_11 : ptr<function, Axes_0>,  local_2 : vec3<f32>,  world_0 
 
 fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_11 : Vertex_0,  wo_8 : vec3<f32>,  direction_26 : vec3<f32>,  is_specular_3 : bool,  by_value_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S1353 : Numbers_0 = no_numbers_0();
+    var _S1354 : Numbers_0 = no_numbers_0();
     var numbers_9 : DiffPair_Numbers_0;
     numbers_9.primal_0 = vertex_11.lobe_6.numbers_0;
-    numbers_9.differential_0 = _S1353;
-    var _S1354 : vec3<f32> = vec3<f32>(0.0f);
+    numbers_9.differential_0 = _S1354;
+    var _S1355 : vec3<f32> = vec3<f32>(0.0f);
     var wi_11 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     wi_11.primal_0 = vertex_11.wi_1;
-    wi_11.differential_0 = _S1354;
+    wi_11.differential_0 = _S1355;
     var onward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     onward_1.primal_0 = wo_8;
-    onward_1.differential_0 = _S1354;
+    onward_1.differential_0 = _S1355;
     if(is_specular_3)
     {
         _S1014(vertex_11.lobe_6, &(numbers_9), &(wi_11), by_value_0);
@@ -7450,30 +7455,30 @@ fn scattered_back_0( pulled_1 : ptr<function, Pulled_0>,  vertex_11 : Vertex_0, 
         var by_scattering_0 : Scattering_Differential_0;
         by_scattering_0.value_0 = by_value_0;
         _S956(vertex_11.lobe_6, &(numbers_9), &(wi_11), &(onward_1), by_scattering_0);
-        var _S1355 : Axes_0 = (*pulled_1).axes_5;
-        axes_back_0(&(_S1355), onward_1.differential_0, direction_26);
-        (*pulled_1).axes_5 = _S1355;
+        var _S1356 : Axes_0 = (*pulled_1).axes_5;
+        axes_back_0(&(_S1356), onward_1.differential_0, direction_26);
+        (*pulled_1).axes_5 = _S1356;
     }
     (*pulled_1).numbers_4 = Numbers_x24_syn_dadd_0((*pulled_1).numbers_4, numbers_9.differential_0);
     (*pulled_1).wi_2 = (*pulled_1).wi_2 + wi_11.differential_0;
-    var _S1356 : vec3<f32>;
+    var _S1357 : vec3<f32>;
     if(is_specular_3)
     {
-        _S1356 = _S1354;
+        _S1357 = _S1355;
     }
     else
     {
-        _S1356 = to_world_0(vertex_11.axes_4, onward_1.differential_0);
+        _S1357 = to_world_0(vertex_11.axes_4, onward_1.differential_0);
     }
-    return _S1356;
+    return _S1357;
 }
 
 fn specular_direction_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_12 : Vertex_0,  wo_9 : vec3<f32>,  by_direction_0 : vec3<f32>)
 {
     var local_3 : vec3<f32> = to_local_0(vertex_12.axes_4, by_direction_0);
-    var _S1357 : Axes_0 = (*pulled_2).axes_5;
-    axes_back_0(&(_S1357), wo_9, by_direction_0);
-    (*pulled_2).axes_5 = _S1357;
+    var _S1358 : Axes_0 = (*pulled_2).axes_5;
+    axes_back_0(&(_S1358), wo_9, by_direction_0);
+    (*pulled_2).axes_5 = _S1358;
     (*pulled_2).wi_2 = (*pulled_2).wi_2 + vec3<f32>((vec2<f32>(0) - local_3.xy), local_3.z);
     return;
 }
@@ -7494,12 +7499,12 @@ fn turning_back_0( pulled_3 : ptr<function, Pulled_0>,  vertex_14 : Vertex_0,  d
 
 fn direct_back_0( pulled_4 : ptr<function, Pulled_0>,  vertex_15 : Vertex_0,  emitter_10 : u32,  place_24 : Place_0,  wo_10 : vec3<f32>,  direction_28 : vec3<f32>,  is_specular_4 : bool,  t_10 : f32,  scattered_4 : Scattered_0,  weight_0 : f32,  light_1 : vec3<f32>,  importance_1 : vec3<f32>)
 {
-    var _S1358 : vec3<f32> = importance_1 * scattered_4.value_9 * vec3<f32>(weight_0);
-    var _S1359 : vec3<f32> = (*pulled_4).position_2;
-    var by_direction_2 : vec3<f32> = emitted_back_0(&(_S1359), emitter_10, place_24, direction_28, t_10, _S1358);
-    (*pulled_4).position_2 = _S1359;
-    var _S1360 : vec3<f32> = scattered_back_0(&((*pulled_4)), vertex_15, wo_10, direction_28, is_specular_4, importance_1 * light_1);
-    var by_direction_3 : vec3<f32> = by_direction_2 + _S1360;
+    var _S1359 : vec3<f32> = importance_1 * scattered_4.value_9 * vec3<f32>(weight_0);
+    var _S1360 : vec3<f32> = (*pulled_4).position_2;
+    var by_direction_2 : vec3<f32> = emitted_back_0(&(_S1360), emitter_10, place_24, direction_28, t_10, _S1359);
+    (*pulled_4).position_2 = _S1360;
+    var _S1361 : vec3<f32> = scattered_back_0(&((*pulled_4)), vertex_15, wo_10, direction_28, is_specular_4, importance_1 * light_1);
+    var by_direction_3 : vec3<f32> = by_direction_2 + _S1361;
     if(is_specular_4)
     {
         specular_direction_back_0(&((*pulled_4)), vertex_15, wo_10, by_direction_3);
@@ -7547,13 +7552,13 @@ fn slot_derivative_0( numbers_10 : Numbers_0,  slot_6 : u32) -> vec3<f32>
 
 fn numbers_back_0( material_1 : u32,  place_25 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
 {
-    var _S1361 : vec2<f32> = vec2<f32>(0.0f);
-    var _S1362 : u32 = word_0(material_1 + u32(4));
+    var _S1362 : vec2<f32> = vec2<f32>(0.0f);
+    var _S1363 : u32 = word_0(material_1 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_2 : vec2<f32> = _S1361;
+    var by_place_2 : vec2<f32> = _S1362;
     for(;;)
     {
-        if(slot_7 < _S1362)
+        if(slot_7 < _S1363)
         {
         }
         else
@@ -7566,9 +7571,9 @@ fn numbers_back_0( material_1 : u32,  place_25 : Place_0,  numbers_11 : Numbers_
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S1363 : Lookup_0 = lookup_at_0(texture_11, place_25);
-        var _S1364 : vec2<f32> = lookup_back_0(texture_11, _S1363, slot_derivative_0(numbers_11, slot_7));
-        by_place_2 = by_place_2 + _S1364;
+        var _S1364 : Lookup_0 = lookup_at_0(texture_11, place_25);
+        var _S1365 : vec2<f32> = lookup_back_0(texture_11, _S1364, slot_derivative_0(numbers_11, slot_7));
+        by_place_2 = by_place_2 + _S1365;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_2;
@@ -7585,18 +7590,18 @@ fn tangent_back_0( points_2 : ptr<function, AtCorners_0>,  triangle_11 : u32,  t
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_11);
     var first_9 : vec2<f32> = uvs_2.b_4 - uvs_2.a_7;
     var second_3 : vec2<f32> = uvs_2.c_1 - uvs_2.a_7;
-    var _S1365 : f32 = second_3.y;
-    var _S1366 : f32 = first_9.y;
-    var scale_4 : f32 = 1.0f / (first_9.x * _S1365 - second_3.x * _S1366);
-    var of_ab_0 : f32 = _S1365 * scale_4;
-    var of_ac_0 : f32 = - _S1366 * scale_4;
+    var _S1366 : f32 = second_3.y;
+    var _S1367 : f32 = first_9.y;
+    var scale_4 : f32 = 1.0f / (first_9.x * _S1366 - second_3.x * _S1367);
+    var of_ab_0 : f32 = _S1366 * scale_4;
+    var of_ac_0 : f32 = - _S1367 * scale_4;
     var a_22 : vec3<f32> = primitive_vector_0(corner_2);
-    var _S1367 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S1368 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_7 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_2 + u32(3)) - a_22) * _S1367 + (primitive_vector_0(corner_2 + u32(6)) - a_22) * _S1368));
+    var _S1368 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S1369 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_7 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_2 + u32(3)) - a_22) * _S1368 + (primitive_vector_0(corner_2 + u32(6)) - a_22) * _S1369));
     (*points_2).a_20 = (*points_2).a_20 - derivative_7 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_2).b_17 = (*points_2).b_17 + derivative_7 * _S1367;
-    (*points_2).c_9 = (*points_2).c_9 + derivative_7 * _S1368;
+    (*points_2).b_17 = (*points_2).b_17 + derivative_7 * _S1368;
+    (*points_2).c_9 = (*points_2).c_9 + derivative_7 * _S1369;
     return;
 }
 
@@ -7608,7 +7613,7 @@ fn normals_of_0( triangle_12 : u32) -> u32
 fn surface_back_0( points_3 : ptr<function, AtCorners_0>,  surface_5 : Surface_0,  by_place_3 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_29 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_5.shape_0);
-    var _S1369 : vec2<f32>;
+    var _S1370 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_3 : u32 = u32(9) * surface_5.place_5.triangle_0;
@@ -7621,7 +7626,7 @@ fn surface_back_0( points_3 : ptr<function, AtCorners_0>,  surface_5 : Surface_0
         (*points_3).a_20 = (*points_3).a_20 - (by_ab_0 + by_ac_0);
         (*points_3).b_17 = (*points_3).b_17 + by_ab_0;
         (*points_3).c_9 = (*points_3).c_9 + by_ac_0;
-        _S1369 = by_place_3;
+        _S1370 = by_place_3;
     }
     else
     {
@@ -7633,42 +7638,42 @@ fn surface_back_0( points_3 : ptr<function, AtCorners_0>,  surface_5 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_5.place_5, derivative_9);
         add_to_corners_0(normals_of_0(surface_5.place_5.triangle_0), surface_5.place_5.triangle_0, of_normals_0);
-        _S1369 = by_place_3 + vec2<f32>(dot(ab_4, derivative_9), dot(ac_3, derivative_9));
+        _S1370 = by_place_3 + vec2<f32>(dot(ab_4, derivative_9), dot(ac_3, derivative_9));
     }
-    var _S1370 : vec3<f32> = place_back_0(&((*points_3)), surface_5.place_5, _S1369, by_position_1, direction_29);
-    return _S1370;
+    var _S1371 : vec3<f32> = place_back_0(&((*points_3)), surface_5.place_5, _S1370, by_position_1, direction_29);
+    return _S1371;
 }
 
 fn vertex_back_0( pulled_5 : Pulled_0,  vertex_16 : Vertex_0,  material_2 : u32,  direction_30 : vec3<f32>) -> ByRay_0
 {
     var by_ray_2 : ByRay_0;
-    var _S1371 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_2.direction_0 = _S1371;
-    by_ray_2.drift_0 = _S1371;
+    var _S1372 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_2.direction_0 = _S1372;
+    by_ray_2.drift_0 = _S1372;
     var by_place_4 : vec2<f32> = numbers_back_0(material_2, vertex_16.surface_3.place_5, pulled_5.numbers_4);
     if(!is_moving_0())
     {
         return by_ray_2;
     }
-    var _S1372 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S1373 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_1 : DiffPair_Axes_0;
     towards_1.primal_0 = vertex_16.axes_4;
-    towards_1.differential_0 = _S1372;
+    towards_1.differential_0 = _S1373;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_30;
-    incoming_0.differential_0 = _S1371;
+    incoming_0.differential_0 = _S1372;
     _S220(&(towards_1), &(incoming_0), pulled_5.wi_2);
     by_ray_2.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_16.surface_3.outward_0;
-    outward_1.differential_0 = _S1371;
-    var _S1373 : vec3<f32> = tangent_at_0(vertex_16.surface_3);
+    outward_1.differential_0 = _S1372;
+    var _S1374 : vec3<f32> = tangent_at_0(vertex_16.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S1373;
-    tangent_4.differential_0 = _S1371;
+    tangent_4.primal_0 = _S1374;
+    tangent_4.differential_0 = _S1372;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_5.axes_5, towards_1.differential_0);
     var points_4 : AtCorners_0 = at_no_corner_0();
-    if((any((_S1373 != _S1371))))
+    if((any((_S1374 != _S1372))))
     {
         _S171(&(outward_1), &(tangent_4), vertex_16.surface_3.is_front_0, by_axes_0);
         tangent_back_0(&(points_4), vertex_16.surface_3.place_5.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -7677,8 +7682,8 @@ fn vertex_back_0( pulled_5 : Pulled_0,  vertex_16 : Vertex_0,  material_2 : u32,
     {
         _S140(&(outward_1), vertex_16.surface_3.is_front_0, by_axes_0);
     }
-    var _S1374 : vec3<f32> = surface_back_0(&(points_4), vertex_16.surface_3, by_place_4, pulled_5.position_2, outward_1.differential_0, direction_30);
-    by_ray_2.drift_0 = _S1374;
+    var _S1375 : vec3<f32> = surface_back_0(&(points_4), vertex_16.surface_3, by_place_4, pulled_5.position_2, outward_1.differential_0, direction_30);
+    by_ray_2.drift_0 = _S1375;
     add_to_corners_0(points_of_0(vertex_16.surface_3.place_5.triangle_0), vertex_16.surface_3.place_5.triangle_0, points_4);
     return by_ray_2;
 }
@@ -7686,7 +7691,7 @@ fn vertex_back_0( pulled_5 : Pulled_0,  vertex_16 : Vertex_0,  material_2 : u32,
 fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_2 : vec3<f32>) -> bool
 {
     var depth_3 : u32 = launch_0.depth_0;
-    var _S1375 : u32 = vertex_numbers_0(launch_0.depth_0);
+    var _S1376 : u32 = vertex_numbers_0(launch_0.depth_0);
     var incoming_1 : vec3<f32> = value_of_0((*path_7).direction_1);
     var surface_6 : Surface_0 = surface_at_0((*path_7).place_3, incoming_1);
     var material_3 : u32 = material_of_0(surface_6);
@@ -7696,10 +7701,10 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     var vertex_17 : Vertex_0 = vertex_at_0(surface_6, material_3, (*path_7).direction_1);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S1376 : u32 = word_0(u32(3));
-    var _S1377 : bool = !reaches_0(depth_3 + u32(3));
+    var _S1377 : u32 = word_0(u32(3));
+    var _S1378 : bool = !reaches_0(depth_3 + u32(3));
     var goes_on_0 : bool;
-    if(_S1377)
+    if(_S1378)
     {
         goes_on_0 = (vertex_17.lobe_6.kind_0) == u32(0);
     }
@@ -7722,7 +7727,7 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     else
     {
-        bsdf_samples_0 = _S1376;
+        bsdf_samples_0 = _S1377;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_17.lobe_6))
@@ -7734,7 +7739,7 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         on_emitters_0 = u32(0);
     }
     var pulled_6 : Pulled_0 = nothing_pulled_0();
-    var _S1378 : Choice_0 = choice_at_0(surface_6.position_0, vertex_17.axes_4.n_0, on_emitters_0 == u32(0));
+    var _S1379 : Choice_0 = choice_at_0(surface_6.position_0, vertex_17.axes_4.n_0, on_emitters_0 == u32(0));
     goes_on_0 = false;
     var next_3 : Place_0 = (*path_7).place_3;
     var next_direction_0 : vec3<f32> = (*path_7).direction_1;
@@ -7754,17 +7759,17 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         var next_direction_1 : vec3<f32>;
         if(i_4 < on_emitters_0)
         {
-            var _S1379 : bool = sample_emitter_0(vertex_17, _S1378, (*path_7).key_0, _S1375 + u32(3) * i_4, &(sample_3));
-            if(!_S1379)
+            var _S1380 : bool = sample_emitter_0(vertex_17, _S1379, (*path_7).key_0, _S1376 + u32(3) * i_4, &(sample_3));
+            if(!_S1380)
             {
                 goes_on_1 = goes_on_0;
                 next_4 = next_3;
                 next_direction_1 = next_direction_0;
-                var _S1380 : u32 = i_4 + u32(1);
+                var _S1381 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_3 = next_4;
                 next_direction_0 = next_direction_1;
-                i_4 = _S1380;
+                i_4 = _S1381;
                 continue;
             }
         }
@@ -7774,25 +7779,25 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         }
         var moving_2 : vec3<f32>;
         var scattered_5 : Scattered_0 = scattered_along_0(vertex_17, sample_3, walked_of_0((*path_7)), &(moving_2));
-        var _S1381 : bool;
+        var _S1382 : bool;
         if(!sample_3.is_on_emitter_0)
         {
-            _S1381 = !((scattered_5.pdf_6) > 0.0f);
+            _S1382 = !((scattered_5.pdf_6) > 0.0f);
         }
         else
         {
-            _S1381 = false;
+            _S1382 = false;
         }
-        if(_S1381)
+        if(_S1382)
         {
             goes_on_1 = goes_on_0;
             next_4 = next_3;
             next_direction_1 = next_direction_0;
-            var _S1380 : u32 = i_4 + u32(1);
+            var _S1381 : u32 = i_4 + u32(1);
             goes_on_0 = goes_on_1;
             next_3 = next_4;
             next_direction_0 = next_direction_1;
-            i_4 = _S1380;
+            i_4 = _S1381;
             continue;
         }
         var t_11 : f32;
@@ -7806,11 +7811,11 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 goes_on_1 = goes_on_0;
                 next_4 = next_3;
                 next_direction_1 = next_direction_0;
-                var _S1380 : u32 = i_4 + u32(1);
+                var _S1381 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_3 = next_4;
                 next_direction_0 = next_direction_1;
-                i_4 = _S1380;
+                i_4 = _S1381;
                 continue;
             }
             var own_8 : f32 = f32(emitter_samples_0) * sample_3.probability_3 * sample_3.pdf_4;
@@ -7819,16 +7824,16 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 goes_on_1 = goes_on_0;
                 next_4 = next_3;
                 next_direction_1 = next_direction_0;
-                var _S1380 : u32 = i_4 + u32(1);
+                var _S1381 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_3 = next_4;
                 next_direction_0 = next_direction_1;
-                i_4 = _S1380;
+                i_4 = _S1381;
                 continue;
             }
-            var _S1382 : f32 = f32(bsdf_samples_0) * scattered_5.pdf_6;
+            var _S1383 : f32 = f32(bsdf_samples_0) * scattered_5.pdf_6;
             own_7 = own_8;
-            other_1 = _S1382;
+            other_1 = _S1383;
             goes_on_1 = goes_on_0;
             next_4 = next_3;
             next_direction_1 = next_direction_0;
@@ -7837,15 +7842,15 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         {
             if(i_4 == on_emitters_0)
             {
-                var _S1383 : bool = (found_8.face_7) != u32(4294967295);
-                var _S1384 : Place_0 = place_of_0(found_8);
+                var _S1384 : bool = (found_8.face_7) != u32(4294967295);
+                var _S1385 : Place_0 = place_of_0(found_8);
                 (*reflected_1).onward_0 = scattered_5.value_9 * vec3<f32>((1.0f / scattered_5.pdf_6));
                 (*reflected_1).wo_0 = sample_3.wo_1;
                 (*reflected_1).is_specular_0 = sample_3.is_specular_1;
                 (*reflected_1).factor_0 = 1.0f / scattered_5.pdf_6;
                 (*reflected_1).distance_1 = t_11;
-                goes_on_1 = _S1383;
-                next_4 = _S1384;
+                goes_on_1 = _S1384;
+                next_4 = _S1385;
                 next_direction_1 = moving_2;
             }
             else
@@ -7854,41 +7859,41 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 next_4 = next_3;
                 next_direction_1 = next_direction_0;
             }
-            var _S1385 : u32 = emitter_seen_0(found_8, sample_3.direction_10);
-            sample_3.emitter_5 = _S1385;
-            if(_S1385 == u32(4294967295))
+            var _S1386 : u32 = emitter_seen_0(found_8, sample_3.direction_10);
+            sample_3.emitter_5 = _S1386;
+            if(_S1386 == u32(4294967295))
             {
-                var _S1380 : u32 = i_4 + u32(1);
+                var _S1381 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_3 = next_4;
                 next_direction_0 = next_direction_1;
-                i_4 = _S1380;
+                i_4 = _S1381;
                 continue;
             }
             sample_3.place_15 = place_of_0(found_8);
             sample_3.distance_6 = t_11;
-            var _S1386 : f32 = f32(bsdf_samples_0) * scattered_5.pdf_6;
-            var _S1387 : bool;
+            var _S1387 : f32 = f32(bsdf_samples_0) * scattered_5.pdf_6;
+            var _S1388 : bool;
             if(!sample_3.is_specular_1)
             {
-                _S1387 = emitter_samples_0 != u32(0);
+                _S1388 = emitter_samples_0 != u32(0);
             }
             else
             {
-                _S1387 = false;
+                _S1388 = false;
             }
-            if(_S1387)
+            if(_S1388)
             {
                 var pdf_7 : f32 = emitter_pdf_0(sample_3.emitter_5, found_8, vertex_17, sample_3.direction_10, t_11);
-                own_7 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S1378) * pdf_7;
+                own_7 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S1379) * pdf_7;
             }
             else
             {
                 own_7 = 0.0f;
             }
-            var _S1388 : f32 = own_7;
-            own_7 = _S1386;
-            other_1 = _S1388;
+            var _S1389 : f32 = own_7;
+            own_7 = _S1387;
+            other_1 = _S1389;
         }
         var place_26 : Place_0 = sample_3.place_15;
         var place_27 : Place_0;
@@ -7901,19 +7906,19 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
             place_27 = place_26;
         }
         var weight_1 : f32 = weight_over_0(own_7, other_1);
-        var _S1389 : vec3<f32> = emitted_0(sample_3.emitter_5, place_27, moving_2);
-        var light_2 : vec3<f32> = _S1389 * vec3<f32>(weight_1);
+        var _S1390 : vec3<f32> = emitted_0(sample_3.emitter_5, place_27, moving_2);
+        var light_2 : vec3<f32> = _S1390 * vec3<f32>(weight_1);
         (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_5.value_9 * light_2;
         direct_back_0(&(pulled_6), vertex_17, sample_3.emitter_5, place_27, sample_3.wo_1, sample_3.direction_10, sample_3.is_specular_1, sample_3.distance_6, scattered_5, weight_1, light_2, importance_2);
-        var _S1380 : u32 = i_4 + u32(1);
+        var _S1381 : u32 = i_4 + u32(1);
         goes_on_0 = goes_on_1;
         next_3 = next_4;
         next_direction_0 = next_direction_1;
-        i_4 = _S1380;
+        i_4 = _S1381;
     }
-    var _S1390 : ByRay_0 = vertex_back_0(pulled_6, vertex_17, material_3, incoming_1);
-    (*reflected_1).by_ray_1 = _S1390;
-    if(_S1377)
+    var _S1391 : ByRay_0 = vertex_back_0(pulled_6, vertex_17, material_3, incoming_1);
+    (*reflected_1).by_ray_1 = _S1391;
+    if(_S1378)
     {
         goes_on_0 = true;
     }
@@ -7926,12 +7931,12 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         return false;
     }
     var throughput_1 : vec3<f32> = value_of_0((*path_7).throughput_0) * value_of_0((*reflected_1).onward_0);
-    var _S1391 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    var _S1392 : u32 = depth_3 + u32(1);
-    if(_S1392 >= (word_0(u32(1))))
+    var _S1392 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    var _S1393 : u32 = depth_3 + u32(1);
+    if(_S1393 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S1391, 0.05000000074505806f, 0.94999998807907104f);
-        if((random_0((*path_7).key_0, vertex_numbers_0(_S1392) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S1392, 0.05000000074505806f, 0.94999998807907104f);
+        if((random_0((*path_7).key_0, vertex_numbers_0(_S1393) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -8041,27 +8046,27 @@ fn set_changing_0( path_14 : u32,  which_12 : ptr<function, u32>,  vector_2 : ve
 
 fn store_0( number_of_path_1 : u32,  path_15 : Path_0)
 {
-    var at_19 : u32 = u32(1);
-    set_vector_0(number_of_path_1, &(at_19), path_15.adjoint_0);
-    set_changing_0(number_of_path_1, &(at_19), path_15.throughput_0);
-    set_changing_0(number_of_path_1, &(at_19), path_15.direction_1);
-    set_place_0(number_of_path_1, &(at_19), path_15.place_3);
-    var _S1393 : u32 = at_19 + u32(1);
-    set_word_0(number_of_path_1, at_19, path_15.key_0.x);
-    at_19 = _S1393 + u32(1);
-    set_word_0(number_of_path_1, _S1393, path_15.key_0.y);
+    var at_20 : u32 = u32(1);
+    set_vector_0(number_of_path_1, &(at_20), path_15.adjoint_0);
+    set_changing_0(number_of_path_1, &(at_20), path_15.throughput_0);
+    set_changing_0(number_of_path_1, &(at_20), path_15.direction_1);
+    set_place_0(number_of_path_1, &(at_20), path_15.place_3);
+    var _S1394 : u32 = at_20 + u32(1);
+    set_word_0(number_of_path_1, at_20, path_15.key_0.x);
+    at_20 = _S1394 + u32(1);
+    set_word_0(number_of_path_1, _S1394, path_15.key_0.y);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S1394 : u32;
+    var _S1395 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S1395 : u32 = u32(2) + zero_0;
-        _S1394 = _S1395;
-        if(rounds_0 < _S1395)
+        var _S1396 : u32 = u32(2) + zero_0;
+        _S1395 = _S1396;
+        if(rounds_0 < _S1396)
         {
         }
         else
@@ -8070,14 +8075,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S1394;
+    return rounds_0 == _S1395;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S1396 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S1397 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -8086,12 +8091,12 @@ fn check_loops_0()
 @workgroup_size(64, 1, 1)
 fn go_on_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
 {
-    var at_20 : u32 = launch_0.first_0 + thread_0.x;
-    if(at_20 >= (launch_0.end_0))
+    var at_21 : u32 = launch_0.first_0 + thread_0.x;
+    if(at_21 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_2 : u32 = input_0[at_20];
+    var number_of_path_2 : u32 = input_0[at_21];
     var path_16 : Path_0 = load_0(number_of_path_2);
     var importance_3 : vec3<f32> = path_16.adjoint_0 * path_16.throughput_0;
     var direction_31 : vec3<f32> = path_16.direction_1;
@@ -8107,42 +8112,42 @@ fn go_on_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     set_vector_1(number_of_path_2, &(kept_0), reflected_2.wo_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_2.by_ray_1.drift_0);
     set_vector_1(number_of_path_2, &(kept_0), reflected_2.by_ray_1.direction_0);
-    var _S1397 : u32 = kept_0;
+    var _S1398 : u32 = kept_0;
     kept_0 = kept_0 + u32(1);
-    var _S1398 : i32;
+    var _S1399 : i32;
     if(reflected_2.is_specular_0)
     {
-        _S1398 = i32(1);
+        _S1399 = i32(1);
     }
     else
     {
-        _S1398 = i32(0);
+        _S1399 = i32(0);
     }
-    set_word_0(number_of_path_2, _S1397, u32(_S1398));
-    var _S1399 : u32 = kept_0;
+    set_word_0(number_of_path_2, _S1398, u32(_S1399));
+    var _S1400 : u32 = kept_0;
     kept_0 = kept_0 + u32(1);
-    var _S1400 : u32;
+    var _S1401 : u32;
     if(goes_on_2)
     {
-        _S1400 = (bitcast<u32>((reflected_2.factor_0)));
+        _S1401 = (bitcast<u32>((reflected_2.factor_0)));
     }
     else
     {
-        _S1400 = u32(0);
+        _S1401 = u32(0);
     }
-    set_word_0(number_of_path_2, _S1399, _S1400);
+    set_word_0(number_of_path_2, _S1400, _S1401);
     set_word_0(number_of_path_2, kept_0, (bitcast<u32>((reflected_2.distance_1))));
     path_16.throughput_0 = path_16.throughput_0 * reflected_2.onward_0;
     store_0(number_of_path_2, path_16);
     if(goes_on_2)
     {
-        _S1400 = number_of_path_2;
+        _S1401 = number_of_path_2;
     }
     else
     {
-        _S1400 = u32(4294967295);
+        _S1401 = u32(4294967295);
     }
-    set_word_0(at_20, u32(0), _S1400);
+    set_word_0(at_21, u32(0), _S1401);
     check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 0b6ff8749d84514c
-// result: 946ee248178f9ffe
+// source: a294b5d90f914c0c
+// result: 8547b23609c82687
 
 struct Launch_std140_0
 {
@@ -308,24 +308,34 @@ fn Corners2_x24init_0( a_4 : vec2<f32>,  b_2 : vec2<f32>,  c_2 : vec2<f32>) -> C
     return _S14;
 }
 
+fn precise_0( at_7 : u32) -> f32
+{
+    return number_0(at_7) + number_0(at_7 + u32(1));
+}
+
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f, 0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_5) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_7 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_5) + u32(1));
-    uvs_0.a_3 = vec2<f32>(number_0(at_7), number_0(at_7 + u32(1)));
-    uvs_0.b_1 = vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5)));
+    var at_8 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_5) + u32(1));
+    uvs_0.a_3 = vec2<f32>(precise_0(at_8), precise_0(at_8 + u32(2)));
+    uvs_0.b_1 = vec2<f32>(precise_0(at_8 + u32(4)), precise_0(at_8 + u32(6)));
+    uvs_0.c_1 = vec2<f32>(precise_0(at_8 + u32(8)), precise_0(at_8 + u32(10)));
     return uvs_0;
+}
+
+fn row_at_0( at_9 : u32) -> vec3<f32>
+{
+    return vec3<f32>(precise_0(at_9), precise_0(at_9 + u32(2)), precise_0(at_9 + u32(4)));
 }
 
 fn floor_of_0( x_0 : f32) -> i32
 {
-    return i32(floor(clamp(x_0, -1.0e+09f, 1.0e+09f)));
+    return i32(clamp(floor(x_0), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -433,35 +443,35 @@ fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_7.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
+    var _S25 : u32 = texture_1 + u32(6);
     var uv_1 : Point_0;
-    var _S25 : vec3<f32> = vec3<f32>(uvs_1.a_3 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_1 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
-    uv_1.value_3 = vec2<f32>(dot(_S25, vector_at_0(rows_0)), dot(_S25, vector_at_0(rows_0 + u32(3))));
+    var _S26 : vec3<f32> = vec3<f32>(uvs_1.a_3 + (uvs_1.b_1 - uvs_1.a_3) * vec2<f32>((place_7.v_0 + place_7.v_rest_0)) + (uvs_1.c_1 - uvs_1.a_3) * vec2<f32>((place_7.w_0 + place_7.w_rest_0)), 1.0f);
+    uv_1.value_3 = vec2<f32>(dot(_S26, row_at_0(_S25)), dot(_S26, row_at_0(_S25 + u32(6))));
     if(kind_0 == u32(1))
     {
-        var _S26 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S26;
+        var _S27 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S27;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
-    var _S27 : i32;
+    var _S28 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S27 = i32(1);
+        _S28 = i32(1);
     }
     else
     {
-        _S27 = i32(0);
+        _S28 = i32(0);
     }
-    return one_texel_0(u32(_S27));
+    return one_texel_0(u32(_S28));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S28 : u32 = word_0(texture_2 + u32(1));
-    var _S29 : u32 = texture_2 + u32(13);
-    var _S30 : vec3<f32> = vec3<f32>(0.0f);
+    var _S29 : u32 = word_0(texture_2 + u32(1));
+    var _S30 : u32 = texture_2 + u32(19);
+    var _S31 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S30;
+    var value_4 : vec3<f32> = _S31;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -471,17 +481,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_8 : u32 = _S29 + _S28 * lookup_3.texels_0[k_1];
-        var _S31 : vec3<f32>;
-        if(_S28 == u32(1))
+        var at_10 : u32 = _S30 + _S29 * lookup_3.texels_0[k_1];
+        var _S32 : vec3<f32>;
+        if(_S29 == u32(1))
         {
-            _S31 = vec3<f32>(number_0(at_8));
+            _S32 = vec3<f32>(number_0(at_10));
         }
         else
         {
-            _S31 = vector_at_0(at_8);
+            _S32 = vector_at_0(at_10);
         }
-        var value_5 : vec3<f32> = value_4 + _S31 * vec3<f32>(weights_1[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S32 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -495,8 +505,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
 {
-    var _S32 : Lookup_0 = lookup_at_0(texture_4, place_8);
-    return looked_up_0(texture_4, _S32, vec2<f32>(0.0f));
+    var _S33 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S33, vec2<f32>(0.0f));
 }
 
 fn luminance_0( colour_0 : vec3<f32>) -> f32
@@ -555,38 +565,38 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
     var lobe_0 : Lobe_0;
     lobe_0.record_2 = record_3;
     var is_black_0 : bool = record_3 == u32(4294967295);
-    var _S33 : u32;
+    var _S34 : u32;
     if(is_black_0)
     {
-        _S33 = u32(0);
+        _S34 = u32(0);
     }
     else
     {
-        _S33 = word_0(record_3);
+        _S34 = word_0(record_3);
     }
-    lobe_0.kind_1 = _S33;
+    lobe_0.kind_1 = _S34;
     if(is_black_0)
     {
-        _S33 = u32(1);
+        _S34 = u32(1);
     }
     else
     {
-        _S33 = word_0(record_3 + u32(1));
+        _S34 = word_0(record_3 + u32(1));
     }
-    lobe_0.distribution_0 = _S33;
+    lobe_0.distribution_0 = _S34;
     lobe_0.numbers_2 = no_numbers_0();
     if(is_black_0)
     {
-        _S33 = u32(0);
+        _S34 = u32(0);
     }
     else
     {
-        _S33 = word_0(record_3 + u32(4));
+        _S34 = word_0(record_3 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S33)
+        if(slot_1 < _S34)
         {
         }
         else
@@ -600,10 +610,10 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
-        var _S34 : vec3<f32> = value_of_0(colour_1);
-        var _S35 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S35), slot_1, _S34);
-        lobe_0.numbers_2 = _S35;
+        var _S35 : vec3<f32> = value_of_0(colour_1);
+        var _S36 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S36), slot_1, _S35);
+        lobe_0.numbers_2 = _S36;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -618,16 +628,16 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S36 : vec3<f32>;
+    var _S37 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S36 = tangent_0;
+        _S37 = tangent_0;
     }
     else
     {
-        _S36 = vec3<f32>(0.0f);
+        _S37 = vec3<f32>(0.0f);
     }
-    return _S36;
+    return _S37;
 }
 
 struct Axes_0
@@ -640,38 +650,38 @@ struct Axes_0
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S37 : vec3<f32>;
+    var _S38 : vec3<f32>;
     if(is_front_1)
     {
-        _S37 = n_2;
+        _S38 = n_2;
     }
     else
     {
-        _S37 = (vec3<f32>(0) - n_2);
+        _S38 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_1 = _S37;
-    var _S38 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S38;
-    axes_0.t_0 = cross(n_2, _S38);
+    axes_0.n_1 = _S38;
+    var _S39 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S39;
+    axes_0.t_0 = cross(n_2, _S39);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S39 : vec3<f32>;
+    var _S40 : vec3<f32>;
     if(is_front_2)
     {
-        _S39 = n_3;
+        _S40 = n_3;
     }
     else
     {
-        _S39 = (vec3<f32>(0) - n_3);
+        _S40 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_1 = _S39;
-    var _S40 : f32 = n_3.z;
+    axes_1.n_1 = _S40;
+    var _S41 : f32 = n_3.z;
     var sign_0 : f32;
-    if(_S40 < 0.0f)
+    if(_S41 < -0.30000001192092896f)
     {
         sign_0 = -1.0f;
     }
@@ -679,12 +689,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_0 = 1.0f;
     }
-    var a_5 : f32 = -1.0f / (sign_0 + _S40);
-    var _S41 : f32 = n_3.x;
-    var _S42 : f32 = n_3.y;
-    var b_3 : f32 = _S41 * _S42 * a_5;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_0 * _S41 * _S41 * a_5, sign_0 * b_3, - sign_0 * _S41);
-    axes_1.t_0 = vec3<f32>(b_3, sign_0 + _S42 * _S42 * a_5, - _S42);
+    var a_5 : f32 = -1.0f / (sign_0 + _S41);
+    var _S42 : f32 = n_3.x;
+    var _S43 : f32 = n_3.y;
+    var b_3 : f32 = _S42 * _S43 * a_5;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_0 * _S42 * _S42 * a_5, sign_0 * b_3, - sign_0 * _S42);
+    axes_1.t_0 = vec3<f32>(b_3, sign_0 + _S43 * _S43 * a_5, - _S43);
     return axes_1;
 }
 
@@ -711,8 +721,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_3 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S43 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S43;
+    var _S44 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S44;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -784,35 +794,35 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_0, 0.0f) / squared_0;
     }
-    var _S44 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S44 * _S44 / (2.0f * (_S44 - max(lowest_0, -1.0f)) * squared_0);
+    var _S45 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S45 * _S45 / (2.0f * (_S45 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S45 : bool;
+    var _S46 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S45 = true;
+        _S46 = true;
     }
     else
     {
-        _S45 = (word_0(u32(2))) == u32(0);
+        _S46 = (word_0(u32(2))) == u32(0);
     }
-    if(_S45)
+    if(_S46)
     {
         return false;
     }
     var record_5 : u32 = emitter_record_0(u32(0));
     if(is_area_0(record_5))
     {
-        _S45 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
+        _S46 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S45 = false;
+        _S46 = false;
     }
-    return _S45;
+    return _S46;
 }
 
 fn has_smooth_0( lobe_2 : Lobe_0) -> bool
@@ -859,24 +869,8 @@ struct Choice_0
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_4, choice_0.normal_2);
-    var _S46 : f32;
-    if(view_0 > 0.0f)
-    {
-        _S46 = 1.0f;
-    }
-    else
-    {
-        _S46 = 0.0f;
-    }
-    (*can_light_0) = _S46;
-    return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
-}
-
-fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
-{
-    var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_2);
     var _S47 : f32;
-    if(view_1 > 0.0f)
+    if(view_0 > 0.0f)
     {
         _S47 = 1.0f;
     }
@@ -884,7 +878,23 @@ fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<functio
     {
         _S47 = 0.0f;
     }
-    (*can_light_1) = _S47;
+    (*can_light_0) = _S47;
+    return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
+}
+
+fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
+{
+    var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_2);
+    var _S48 : f32;
+    if(view_1 > 0.0f)
+    {
+        _S48 = 1.0f;
+    }
+    else
+    {
+        _S48 = 0.0f;
+    }
+    (*can_light_1) = _S48;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -896,32 +906,32 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
     var count_1 : u32 = word_0(u32(6));
-    var _S48 : bool;
+    var _S49 : bool;
     if(alike_0)
     {
-        _S48 = true;
+        _S49 = true;
     }
     else
     {
-        _S48 = (word_0(u32(5))) != u32(0);
+        _S49 = (word_0(u32(5))) != u32(0);
     }
-    if(_S48)
+    if(_S49)
     {
-        _S48 = true;
+        _S49 = true;
     }
     else
     {
-        _S48 = count_1 < u32(2);
+        _S49 = count_1 < u32(2);
     }
-    if(_S48)
+    if(_S49)
     {
-        _S48 = true;
+        _S49 = true;
     }
     else
     {
-        _S48 = count_1 > u32(32);
+        _S49 = count_1 > u32(32);
     }
-    if(_S48)
+    if(_S49)
     {
         return choice_2;
     }
@@ -936,20 +946,20 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) 
             break;
         }
         var can_light_2 : f32;
-        var _S49 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S49;
+        var _S50 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S50;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S48 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S49 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S48 = false;
+        _S49 = false;
     }
-    if(!_S48)
+    if(!_S49)
     {
         choice_2.all_0 = 0.0f;
     }
@@ -975,33 +985,33 @@ fn product_0( a_6 : u32,  b_4 : u32) -> vec2<u32>
 
 fn times_0( a_7 : vec2<u32>,  b_5 : vec2<u32>) -> vec2<u32>
 {
-    var _S50 : u32 = a_7.x;
-    var _S51 : u32 = b_5.x;
-    var low_1 : vec2<u32> = product_0(_S50, _S51);
-    return vec2<u32>(low_1.x, low_1.y + _S50 * b_5.y + a_7.y * _S51);
+    var _S51 : u32 = a_7.x;
+    var _S52 : u32 = b_5.x;
+    var low_1 : vec2<u32> = product_0(_S51, _S52);
+    return vec2<u32>(low_1.x, low_1.y + _S51 * b_5.y + a_7.y * _S52);
 }
 
 fn plus_0( a_8 : vec2<u32>,  b_6 : vec2<u32>) -> vec2<u32>
 {
-    var _S52 : u32 = a_8.x;
-    var low_2 : u32 = _S52 + b_6.x;
-    var _S53 : u32 = a_8.y + b_6.y;
-    var _S54 : i32;
-    if(low_2 < _S52)
+    var _S53 : u32 = a_8.x;
+    var low_2 : u32 = _S53 + b_6.x;
+    var _S54 : u32 = a_8.y + b_6.y;
+    var _S55 : i32;
+    if(low_2 < _S53)
     {
-        _S54 = i32(1);
+        _S55 = i32(1);
     }
     else
     {
-        _S54 = i32(0);
+        _S55 = i32(0);
     }
-    return vec2<u32>(low_2, _S53 + u32(_S54));
+    return vec2<u32>(low_2, _S54 + u32(_S55));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S55 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S55 << ((u32(32) - by_0)))))), (_S55 >> (by_0)))));
+    var _S56 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S56 << ((u32(32) - by_0)))))), (_S56 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -1040,9 +1050,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S56 : f32 = f32(count_2);
-        (*probability_0) = 1.0f / _S56;
-        return min(u32(u_0 * _S56), count_2 - u32(1));
+        var _S57 : f32 = f32(count_2);
+        (*probability_0) = 1.0f / _S57;
+        return min(u32(u_0 * _S57), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
@@ -1073,9 +1083,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S57 : u32 = i_2 + u32(1);
+        var _S58 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S57;
+        i_2 = _S58;
         rest_1 = rest_2;
     }
     return found_0;
@@ -1088,28 +1098,28 @@ fn place_at_0( triangle_6 : u32,  v_4 : f32,  w_2 : f32) -> Place_0
 
 fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 {
-    var _S58 : f32 = abs(x_4);
-    var _S59 : f32 = abs(y_1);
-    var _S60 : f32 = min(_S58, _S59);
-    var _S61 : f32 = max(_S58, _S59);
-    var is_steep_0 : bool = _S60 > (0.41421356797218323f * _S61);
+    var _S59 : f32 = abs(x_4);
+    var _S60 : f32 = abs(y_1);
+    var _S61 : f32 = min(_S59, _S60);
+    var _S62 : f32 = max(_S59, _S60);
+    var is_steep_0 : bool = _S61 > (0.41421356797218323f * _S62);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S60 - _S61;
+        above_0 = _S61 - _S62;
     }
     else
     {
-        above_0 = _S60;
+        above_0 = _S61;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S60 + _S61;
+        below_0 = _S61 + _S62;
     }
     else
     {
-        below_0 = _S61;
+        below_0 = _S62;
     }
     if(below_0 > 0.0f)
     {
@@ -1130,7 +1140,7 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S59 > _S58)
+    if(_S60 > _S59)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -1165,11 +1175,11 @@ fn solid_angle_of_0( a_9 : vec3<f32>,  b_7 : vec3<f32>,  c_3 : vec3<f32>) -> f32
 
 fn complex_product_0( a_10 : vec2<f32>,  b_8 : vec2<f32>) -> vec2<f32>
 {
-    var _S62 : f32 = a_10.x;
-    var _S63 : f32 = b_8.x;
-    var _S64 : f32 = a_10.y;
-    var _S65 : f32 = b_8.y;
-    return vec2<f32>(_S62 * _S63 - _S64 * _S65, _S62 * _S65 + _S64 * _S63);
+    var _S63 : f32 = a_10.x;
+    var _S64 : f32 = b_8.x;
+    var _S65 : f32 = a_10.y;
+    var _S66 : f32 = b_8.y;
+    return vec2<f32>(_S63 * _S64 - _S65 * _S66, _S63 * _S66 + _S65 * _S64);
 }
 
 struct SeenRectangle_0
@@ -1182,36 +1192,36 @@ struct SeenRectangle_0
      inverse_to_line_0 : vec2<f32>,
 };
 
-fn seen_rectangle_0( at_9 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
+fn seen_rectangle_0( at_11 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
 {
-    var offset_2 : vec3<f32> = vector_at_0(at_9) - viewpoint_1;
-    var x0_0 : f32 = dot(vector_at_0(at_9 + u32(3)), offset_2);
-    var y0_0 : f32 = dot(vector_at_0(at_9 + u32(6)), offset_2);
-    var x1_0 : f32 = x0_0 + number_0(at_9 + u32(12));
-    var y1_0 : f32 = y0_0 + number_0(at_9 + u32(13));
+    var offset_2 : vec3<f32> = vector_at_0(at_11) - viewpoint_1;
+    var x0_0 : f32 = dot(vector_at_0(at_11 + u32(3)), offset_2);
+    var y0_0 : f32 = dot(vector_at_0(at_11 + u32(6)), offset_2);
+    var x1_0 : f32 = x0_0 + number_0(at_11 + u32(12));
+    var y1_0 : f32 = y0_0 + number_0(at_11 + u32(13));
     var seen_1 : SeenRectangle_0;
     seen_1.x_5 = vec2<f32>(x0_0, x1_0);
     seen_1.y_2 = vec2<f32>(y0_0, y1_0);
-    var _S66 : f32 = - dot(vector_at_0(at_9 + u32(9)), offset_2);
-    seen_1.z_1 = _S66;
-    var a_11 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S66);
-    var b_9 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S66);
-    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S66);
-    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S66);
-    var _S67 : f32 = length(a_11);
-    var _S68 : f32 = length(c_4);
-    var _S69 : f32;
-    if(_S66 > (9.99999997475242708e-07f * max(max(_S67, length(b_9)), max(_S68, length(d_0)))))
+    var _S67 : f32 = - dot(vector_at_0(at_11 + u32(9)), offset_2);
+    seen_1.z_1 = _S67;
+    var a_11 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S67);
+    var b_9 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S67);
+    var c_4 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S67);
+    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S67);
+    var _S68 : f32 = length(a_11);
+    var _S69 : f32 = length(c_4);
+    var _S70 : f32;
+    if(_S67 > (9.99999997475242708e-07f * max(max(_S68, length(b_9)), max(_S69, length(d_0)))))
     {
-        _S69 = solid_angle_of_0(a_11, c_4, b_9) + solid_angle_of_0(d_0, b_9, c_4);
+        _S70 = solid_angle_of_0(a_11, c_4, b_9) + solid_angle_of_0(d_0, b_9, c_4);
     }
     else
     {
-        _S69 = 0.0f;
+        _S70 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S69;
+    seen_1.solid_angle_0 = _S70;
     var z2_0 : f32 = seen_1.z_1 * seen_1.z_1;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S68), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S67));
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S69), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S68));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_2 * seen_1.y_2 + vec2<f32>(z2_0));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_0) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
@@ -1248,32 +1258,32 @@ fn sine_cosine_0( angle_2 : f32) -> vec2<f32>
 fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
-    var at_10 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S70 : f32 = seen_2.y_2.x;
-    var _S71 : f32 = seen_2.inverse_to_line_0.x;
-    var _S72 : f32 = seen_2.y_2.y;
-    var n_4 : f32 = - at_10.x * _S70 * _S71 - _S72 * seen_2.inverse_to_line_0.y;
-    var _S73 : f32 = at_10.y;
-    var flat_0 : f32 = _S73 * seen_2.z_1 * _S71;
-    var size_0 : f32 = seen_2.z_1 * abs(_S73) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
-    var _S74 : f32;
-    if((n_4 * _S73) < 0.0f)
+    var at_12 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
+    var _S71 : f32 = seen_2.y_2.x;
+    var _S72 : f32 = seen_2.inverse_to_line_0.x;
+    var _S73 : f32 = seen_2.y_2.y;
+    var n_4 : f32 = - at_12.x * _S71 * _S72 - _S73 * seen_2.inverse_to_line_0.y;
+    var _S74 : f32 = at_12.y;
+    var flat_0 : f32 = _S74 * seen_2.z_1 * _S72;
+    var size_0 : f32 = seen_2.z_1 * abs(_S74) / sqrt(max(n_4 * n_4 - flat_0 * flat_0, 0.0f));
+    var _S75 : f32;
+    if((n_4 * _S74) < 0.0f)
     {
-        _S74 = - size_0;
+        _S75 = - size_0;
     }
     else
     {
-        _S74 = size_0;
+        _S75 = size_0;
     }
-    var x_7 : f32 = clamp(_S74, seen_2.x_5.x, seen_2.x_5.y);
+    var x_7 : f32 = clamp(_S75, seen_2.x_5.x, seen_2.x_5.y);
     var squared_1 : f32 = x_7 * x_7 + seen_2.z_1 * seen_2.z_1;
     var h_0 : vec2<f32> = seen_2.y_2 / sqrt(vec2<f32>(squared_1) + seen_2.y_2 * seen_2.y_2);
-    var _S75 : f32 = h_0.x;
-    var sine_2 : f32 = _S75 + u_1.y * (h_0.y - _S75);
-    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S70, _S72));
+    var _S76 : f32 = h_0.x;
+    var sine_2 : f32 = _S76 + u_1.y * (h_0.y - _S76);
+    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S71, _S73));
 }
 
-fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
+fn rectangle_face_0( at_13 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<function, vec2<f32>>) -> u32
 {
     var best_0 : f32 = -1.00000001504746622e+30f;
     var found_2 : u32 = u32(0);
@@ -1287,17 +1297,17 @@ fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_2 : ptr<functi
         {
             break;
         }
-        var row_1 : u32 = at_11 + u32(14) + u32(6) * face_0;
-        var _S76 : f32 = place_10.x;
-        var _S77 : f32 = place_10.y;
-        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S76 + number_0(row_1 + u32(2)) * _S77;
-        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S76 + number_0(row_1 + u32(5)) * _S77;
-        var _S78 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
-        if(_S78 > best_0)
+        var row_1 : u32 = at_13 + u32(14) + u32(6) * face_0;
+        var _S77 : f32 = place_10.x;
+        var _S78 : f32 = place_10.y;
+        var v_5 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S77 + number_0(row_1 + u32(2)) * _S78;
+        var w_3 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S77 + number_0(row_1 + u32(5)) * _S78;
+        var _S79 : f32 = min(min(v_5, w_3), 1.0f - v_5 - w_3);
+        if(_S79 > best_0)
         {
             (*weights_2)[i32(0)] = clamp(v_5, 0.0f, 1.0f);
             (*weights_2)[i32(1)] = clamp(w_3, 0.0f, 1.0f - (*weights_2).x);
-            best_0 = _S78;
+            best_0 = _S79;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -1317,20 +1327,20 @@ fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f32
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S79 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S80 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S79, _S80);
-    var sum_0 : f32 = _S79 + _S80;
-    var _S81 : vec2<f32>;
+    var _S80 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S81 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S80, _S81);
+    var sum_0 : f32 = _S80 + _S81;
+    var _S82 : vec2<f32>;
     if(sum_0 > 0.0f)
     {
-        _S81 = seen_3 / vec2<f32>(sum_0);
+        _S82 = seen_3 / vec2<f32>(sum_0);
     }
     else
     {
-        _S81 = vec2<f32>(0.0f);
+        _S82 = vec2<f32>(0.0f);
     }
-    return _S81;
+    return _S82;
 }
 
 struct Corners_0
@@ -1342,11 +1352,11 @@ struct Corners_0
 
 fn corners_from_0( record_8 : u32,  face_2 : u32,  viewpoint_3 : vec3<f32>) -> Corners_0
 {
-    var at_12 : u32 = u32(9) * emitter_triangle_0(record_8, face_2);
+    var at_14 : u32 = u32(9) * emitter_triangle_0(record_8, face_2);
     var corners_0 : Corners_0;
-    corners_0.a_12 = primitive_vector_0(at_12) - viewpoint_3;
-    corners_0.b_10 = primitive_vector_0(at_12 + u32(3)) - viewpoint_3;
-    corners_0.c_5 = primitive_vector_0(at_12 + u32(6)) - viewpoint_3;
+    corners_0.a_12 = primitive_vector_0(at_14) - viewpoint_3;
+    corners_0.b_10 = primitive_vector_0(at_14 + u32(3)) - viewpoint_3;
+    corners_0.c_5 = primitive_vector_0(at_14 + u32(6)) - viewpoint_3;
     return corners_0;
 }
 
@@ -1363,28 +1373,28 @@ fn unit_across_0( v_6 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_3 : f32) -> vec3<f32>
 {
-    var _S82 : f32 = clamp(cosine_3, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S82) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S82) * (1.0f + _S82)));
+    var _S83 : f32 = clamp(cosine_3, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S83) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S83) * (1.0f + _S83)));
 }
 
 fn triangle_direction_0( a_13 : vec3<f32>,  b_11 : vec3<f32>,  c_6 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S83 : vec3<f32> = normalize(a_13);
-    var _S84 : vec3<f32> = normalize(b_11);
-    var _S85 : vec3<f32> = normalize(c_6);
-    var ab_0 : vec3<f32> = normalize(cross(_S83, _S84));
-    var ca_0 : vec3<f32> = normalize(cross(_S85, _S83));
+    var _S84 : vec3<f32> = normalize(a_13);
+    var _S85 : vec3<f32> = normalize(b_11);
+    var _S86 : vec3<f32> = normalize(c_6);
+    var ab_0 : vec3<f32> = normalize(cross(_S84, _S85));
+    var ca_0 : vec3<f32> = normalize(cross(_S86, _S84));
     var sine_alpha_0 : f32 = length(cross(ab_0, ca_0));
     var cosine_alpha_0 : f32 = - dot(ab_0, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S86 : f32 = part_0.x;
-    var _S87 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S86 * cosine_alpha_0 - _S87 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S87 * cosine_alpha_0 + _S86 * sine_alpha_0;
+    var _S87 : f32 = part_0.x;
+    var _S88 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S87 * cosine_alpha_0 - _S88 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S88 * cosine_alpha_0 + _S87 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S83, _S84);
-    var between_1 : vec3<f32> = along_0(_S83, _S85, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S84, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S84)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S84, _S85);
+    var between_1 : vec3<f32> = along_0(_S84, _S86, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S85, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S85)));
 }
 
 fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_2 : f32,  direction_4 : vec3<f32>) -> f32
@@ -1428,10 +1438,10 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             return point_0;
         }
     }
-    var _S88 : f32 = precise_random_0(key_4, dimension_3);
+    var _S89 : f32 = precise_random_0(key_4, dimension_3);
     var nodes_at_1 : u32 = word_0(record_10 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f32 = _S88;
+    var u_3 : f32 = _S89;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -1443,16 +1453,16 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S89 : f32 = shares_0.x;
-        var _S90 : f32 = shares_0.y;
-        if(!((_S89 + _S90) > 0.0f))
+        var _S90 : f32 = shares_0.x;
+        var _S91 : f32 = shares_0.y;
+        if(!((_S90 + _S91) > 0.0f))
         {
             return point_0;
         }
         var is_second_0 : bool;
-        if(u_3 >= _S89)
+        if(u_3 >= _S90)
         {
-            is_second_0 = _S90 > 0.0f;
+            is_second_0 = _S91 > 0.0f;
         }
         else
         {
@@ -1460,86 +1470,86 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S89) / _S90;
+            u_3 = (u_3 - _S90) / _S91;
         }
         else
         {
-            u_3 = min(u_3 / _S89, 1.0f);
+            u_3 = min(u_3 / _S90, 1.0f);
         }
         if(is_second_0)
+        {
+            total_0 = _S91;
+        }
+        else
         {
             total_0 = _S90;
         }
-        else
-        {
-            total_0 = _S89;
-        }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S91 : i32;
+        var _S92 : i32;
         if(is_second_0)
         {
-            _S91 = i32(3);
+            _S92 = i32(3);
         }
         else
         {
-            _S91 = i32(2);
+            _S92 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S91));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S92));
         chosen_0 = chosen_1;
     }
     var first_2 : u32 = word_0(node_2);
-    var _S92 : u32 = word_0(node_2 + u32(1));
-    var _S93 : u32 = word_0(record_10 + u32(6));
+    var _S93 : u32 = word_0(node_2 + u32(1));
+    var _S94 : u32 = word_0(record_10 + u32(6));
     var k_2 : u32 = first_2;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_2 < _S92)
+        if(k_2 < _S93)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S93 + k_2), from_1.exact_0);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S94 + k_2), from_1.exact_0);
         k_2 = k_2 + u32(1);
         total_0 = total_1;
     }
-    var _S94 : f32 = u_3 * total_0;
+    var _S95 : f32 = u_3 * total_0;
     var face_5 : u32 = u32(4294967295);
     var angle_3 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
     k_2 = first_2;
-    var rest_3 : f32 = _S94;
+    var rest_3 : f32 = _S95;
     for(;;)
     {
-        if(k_2 < _S92)
+        if(k_2 < _S93)
         {
         }
         else
         {
             break;
         }
-        var _S95 : u32 = _S93 + k_2;
-        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S95), from_1.exact_0);
+        var _S96 : u32 = _S94 + k_2;
+        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S96), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
             k_2 = k_2 + u32(1);
             continue;
         }
-        var _S96 : u32 = word_0(_S95);
-        var _S97 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S97 : u32 = word_0(_S96);
+        var _S98 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S96;
+            face_5 = _S97;
             angle_3 = own_1;
-            inside_2 = _S97;
+            inside_2 = _S98;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S96;
+        face_5 = _S97;
         angle_3 = own_1;
-        inside_2 = _S97;
+        inside_2 = _S98;
         rest_3 = rest_4;
         k_2 = k_2 + u32(1);
     }
@@ -1563,9 +1573,9 @@ fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dime
         var direction_5 : vec3<f32> = triangle_direction_0(corners_2.a_12, corners_2.b_10, corners_2.c_5, angle_3, vec2<f32>(inside_2, second_1));
         var within_0 : vec3<f32> = direction_5 * vec3<f32>((dot(corners_2.a_12, normal_6) / dot(direction_5, normal_6))) - corners_2.a_12;
         var squared_2 : f32 = dot(normal_6, normal_6);
-        var _S98 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
-        point_0.place_11.v_0 = _S98;
-        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S98);
+        var _S99 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
+        point_0.place_11.v_0 = _S99;
+        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S99);
     }
     var offset_3 : vec3<f32> = corners_2.a_12 + ab_1 * vec3<f32>(point_0.place_11.v_0) + ac_0 * vec3<f32>(point_0.place_11.w_0);
     var distance_3 : f32 = length(offset_3);
@@ -1584,15 +1594,15 @@ fn is_map_0( record_11 : u32) -> bool
 
 fn uniform_direction_0( u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S99 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S99 * (1.0f - _S99))));
-    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S99);
+    var _S100 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S100 * (1.0f - _S100))));
+    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S100);
 }
 
 fn map_place_0( map_0 : u32,  direction_6 : vec3<f32>) -> vec2<f32>
 {
-    var _S100 : u32 = map_0 + u32(2);
-    var d_1 : vec3<f32> = vector_at_0(_S100) * vec3<f32>(direction_6.x) + vector_at_0(_S100 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S100 + u32(6)) * vec3<f32>(direction_6.z);
+    var _S101 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S101) * vec3<f32>(direction_6.x) + vector_at_0(_S101 + u32(3)) * vec3<f32>(direction_6.y) + vector_at_0(_S101 + u32(6)) * vec3<f32>(direction_6.z);
     return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
@@ -1613,18 +1623,13 @@ fn map_pdf_0( map_2 : u32,  direction_7 : vec3<f32>) -> f32
     return cell_pdf_0(map_2, u32(clamp(floor_of_0(place_12.y), i32(0), i32(word_0(map_2 + u32(1))) - i32(2))) * width_1 + column_0);
 }
 
-fn sum_at_0( at_13 : u32) -> f32
-{
-    return number_0(at_13) + number_0(at_13 + u32(1));
-}
-
 fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr<function, f32>) -> u32
 {
-    var _S101 : u32 = count_3 - u32(1);
-    var total_2 : f32 = sum_at_0(sums_1 + u32(2) * _S101);
+    var _S102 : u32 = count_3 - u32(1);
+    var total_2 : f32 = precise_0(sums_1 + u32(2) * _S102);
     var target_0 : f32 = u_5 * total_2;
     var low_3 : u32 = u32(0);
-    var high_0 : u32 = _S101;
+    var high_0 : u32 = _S102;
     for(;;)
     {
         if(low_3 < high_0)
@@ -1635,17 +1640,17 @@ fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr
             break;
         }
         var middle_1 : u32 = (low_3 + high_0) / u32(2);
-        var sum_1 : f32 = sum_at_0(sums_1 + u32(2) * middle_1);
-        var _S102 : bool;
+        var sum_1 : f32 = precise_0(sums_1 + u32(2) * middle_1);
+        var _S103 : bool;
         if(sum_1 <= target_0)
         {
-            _S102 = sum_1 < total_2;
+            _S103 = sum_1 < total_2;
         }
         else
         {
-            _S102 = false;
+            _S103 = false;
         }
-        if(_S102)
+        if(_S103)
         {
             low_3 = middle_1 + u32(1);
         }
@@ -1657,13 +1662,13 @@ fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f32,  through_0 : ptr
     var below_1 : f32;
     if(low_3 > u32(0))
     {
-        below_1 = sum_at_0(sums_1 + u32(2) * (low_3 - u32(1)));
+        below_1 = precise_0(sums_1 + u32(2) * (low_3 - u32(1)));
     }
     else
     {
         below_1 = 0.0f;
     }
-    (*through_0) = clamp((target_0 - below_1) / (sum_at_0(sums_1 + u32(2) * low_3) - below_1), 0.0f, 1.0f);
+    (*through_0) = clamp((target_0 - below_1) / (precise_0(sums_1 + u32(2) * low_3) - below_1), 0.0f, 1.0f);
     return low_3;
 }
 
@@ -1673,52 +1678,52 @@ fn cell_direction_0( map_3 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,
     var azimuth_0 : vec2<f32> = sine_cosine_0(6.28318548202514648f * (turns_0 - floor(turns_0 + 0.5f)));
     var last_0 : u32 = word_0(map_3 + u32(1)) - u32(1);
     var is_lower_0 : bool = (u32(2) * row_2) >= last_0;
-    var rows_1 : vec2<f32>;
+    var rows_0 : vec2<f32>;
     if(is_lower_0)
     {
-        var _S103 : u32 = last_0 - row_2;
-        rows_1 = vec2<f32>(f32(_S103), f32(_S103 - u32(1)));
+        var _S104 : u32 = last_0 - row_2;
+        rows_0 = vec2<f32>(f32(_S104), f32(_S104 - u32(1)));
     }
     else
     {
-        rows_1 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
+        rows_0 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
     }
-    var _S104 : f32 = f32(last_0);
-    var _S105 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S104)).x;
-    var _S106 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S104)).x;
-    var off_0 : f32 = 2.0f * mix(_S105 * _S105, _S106 * _S106, down_0);
+    var _S105 : f32 = f32(last_0);
+    var _S106 : f32 = sine_cosine_0(rows_0.x * (1.57079637050628662f / _S105)).x;
+    var _S107 : f32 = sine_cosine_0(rows_0.y * (1.57079637050628662f / _S105)).x;
+    var off_0 : f32 = 2.0f * mix(_S106 * _S106, _S107 * _S107, down_0);
     var sine_3 : f32 = sqrt(off_0 * (2.0f - off_0));
-    var _S107 : f32 = azimuth_0.x * sine_3;
-    var _S108 : f32;
+    var _S108 : f32 = azimuth_0.x * sine_3;
+    var _S109 : f32;
     if(is_lower_0)
     {
-        _S108 = off_0 - 1.0f;
+        _S109 = off_0 - 1.0f;
     }
     else
     {
-        _S108 = 1.0f - off_0;
+        _S109 = 1.0f - off_0;
     }
-    var local_0 : vec3<f32> = vec3<f32>(_S107, _S108, - azimuth_0.y * sine_3);
-    var _S109 : u32 = map_3 + u32(2);
-    return vec3<f32>(dot(vector_at_0(_S109), local_0), dot(vector_at_0(_S109 + u32(3)), local_0), dot(vector_at_0(_S109 + u32(6)), local_0));
+    var local_0 : vec3<f32> = vec3<f32>(_S108, _S109, - azimuth_0.y * sine_3);
+    var _S110 : u32 = map_3 + u32(2);
+    return vec3<f32>(dot(vector_at_0(_S110), local_0), dot(vector_at_0(_S110 + u32(3)), local_0), dot(vector_at_0(_S110 + u32(6)), local_0));
 }
 
 fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : ptr<function, f32>) -> vec3<f32>
 {
     var u_6 : f32 = precise_random_0(key_5, dimension_4);
     var rest_5 : f32 = u_6 * 20.0f - 1.0f;
-    var _S110 : u32 = map_4 + u32(13);
-    var is_black_1 : bool = (word_0(_S110)) == u32(4294967295);
-    var _S111 : bool;
+    var _S111 : u32 = map_4 + u32(13);
+    var is_black_1 : bool = (word_0(_S111)) == u32(4294967295);
+    var _S112 : bool;
     if(is_black_1)
     {
-        _S111 = true;
+        _S112 = true;
     }
     else
     {
-        _S111 = rest_5 < 0.0f;
+        _S112 = rest_5 < 0.0f;
     }
-    if(_S111)
+    if(_S112)
     {
         var share_0 : f32;
         if(is_black_1)
@@ -1730,14 +1735,14 @@ fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : p
             share_0 = 0.05000000074505806f;
         }
         var direction_8 : vec3<f32> = uniform_direction_0(vec2<f32>(u_6 / share_0, random_0(key_5, dimension_4 + u32(1))));
-        var _S112 : f32 = map_pdf_0(map_4, direction_8);
-        (*pdf_1) = _S112;
+        var _S113 : f32 = map_pdf_0(map_4, direction_8);
+        (*pdf_1) = _S113;
         return direction_8;
     }
     var rest_6 : f32 = rest_5 / 19.0f;
     var width_2 : u32 = word_0(map_4);
     var down_1 : f32;
-    var row_3 : u32 = chosen_interval_0(word_0(_S110), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
+    var row_3 : u32 = chosen_interval_0(word_0(_S111), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
     var along_2 : f32;
     var column_2 : u32 = chosen_interval_0(word_0(map_4 + u32(14)) + u32(2) * width_2 * row_3, width_2, rest_6, &(along_2));
     (*pdf_1) = cell_pdf_0(map_4, row_3 * width_2 + column_2);
@@ -1751,9 +1756,9 @@ fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
 
 fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
 {
-    var _S113 : f32 = u_7.x;
-    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S113));
-    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S113));
+    var _S114 : f32 = u_7.x;
+    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S114));
+    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S114));
 }
 
 fn to_world_0( axes_5 : Axes_0,  v_7 : vec3<f32>) -> vec3<f32>
@@ -1789,12 +1794,12 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
     (*sample_0).place_13 = vertex_1.surface_3.place_3;
     (*sample_0).nearest_0 = limit_at_0(u32(2));
     (*sample_0).farthest_0 = limit_at_0(u32(1));
-    var _S114 : f32 = random_0(key_7, first_3);
-    var _S115 : f32 = (*sample_0).probability_1;
-    var _S116 : u32 = chosen_emitter_0(choice_5, _S114, &(_S115));
-    (*sample_0).probability_1 = _S115;
-    (*sample_0).emitter_5 = _S116;
-    if(_S115 == 0.0f)
+    var _S115 : f32 = random_0(key_7, first_3);
+    var _S116 : f32 = (*sample_0).probability_1;
+    var _S117 : u32 = chosen_emitter_0(choice_5, _S115, &(_S116));
+    (*sample_0).probability_1 = _S116;
+    (*sample_0).emitter_5 = _S117;
+    if(_S116 == 0.0f)
     {
         return false;
     }
@@ -1808,24 +1813,24 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
         }
         (*sample_0).pdf_2 = point_1.pdf_0;
         (*sample_0).place_13 = point_1.place_11;
-        var _S117 : vec3<f32> = position_of_0(point_1.place_11) - vertex_1.surface_3.exact_0;
-        (*sample_0).way_1 = _S117;
-        var _S118 : f32 = length(_S117);
-        (*sample_0).distance_4 = _S118;
-        (*sample_0).direction_9 = _S117 / vec3<f32>(_S118);
-        (*sample_0).nearest_0 = (*sample_0).nearest_0 / _S118;
+        var _S118 : vec3<f32> = position_of_0(point_1.place_11) - vertex_1.surface_3.exact_0;
+        (*sample_0).way_1 = _S118;
+        var _S119 : f32 = length(_S118);
+        (*sample_0).distance_4 = _S119;
+        (*sample_0).direction_9 = _S118 / vec3<f32>(_S119);
+        (*sample_0).nearest_0 = (*sample_0).nearest_0 / _S119;
         (*sample_0).farthest_0 = limit_at_0(u32(3));
     }
     else
     {
         if(is_map_0(record_12))
         {
-            var _S119 : u32 = word_0(record_12 + u32(1));
-            var _S120 : u32 = first_3 + u32(1);
-            var _S121 : f32 = (*sample_0).pdf_2;
-            var _S122 : vec3<f32> = sample_map_0(_S119, key_7, _S120, &(_S121));
-            (*sample_0).pdf_2 = _S121;
-            (*sample_0).direction_9 = _S122;
+            var _S120 : u32 = word_0(record_12 + u32(1));
+            var _S121 : u32 = first_3 + u32(1);
+            var _S122 : f32 = (*sample_0).pdf_2;
+            var _S123 : vec3<f32> = sample_map_0(_S120, key_7, _S121, &(_S122));
+            (*sample_0).pdf_2 = _S122;
+            (*sample_0).direction_9 = _S123;
         }
         else
         {
@@ -1835,9 +1840,9 @@ fn sample_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u3
         }
         (*sample_0).way_1 = (*sample_0).direction_9;
     }
-    var _S123 : vec3<f32> = to_local_0(vertex_1.axes_4, (*sample_0).direction_9);
-    (*sample_0).wo_0 = _S123;
-    return (_S123.z) > 0.0f;
+    var _S124 : vec3<f32> = to_local_0(vertex_1.axes_4, (*sample_0).direction_9);
+    (*sample_0).wo_0 = _S124;
+    return (_S124.z) > 0.0f;
 }
 
 fn first_material_number_0( depth_2 : u32) -> u32
@@ -1875,10 +1880,10 @@ fn transmittance_0( lobe_3 : Lobe_0,  eta_2 : f32,  cosine_5 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_5, eta_2);
     }
     var place_14 : f32 = cosine_5 * 63.0f;
-    var _S124 : u32 = min(u32(place_14), u32(62));
-    var at_14 : u32 = word_0(lobe_3.record_2 + u32(3)) + _S124;
-    var here_0 : f32 = number_0(at_14);
-    return here_0 + (number_0(at_14 + u32(1)) - here_0) * (place_14 - f32(_S124));
+    var _S125 : u32 = min(u32(place_14), u32(62));
+    var at_15 : u32 = word_0(lobe_3.record_2 + u32(3)) + _S125;
+    var here_0 : f32 = number_0(at_15);
+    return here_0 + (number_0(at_15 + u32(1)) - here_0) * (place_14 - f32(_S125));
 }
 
 fn choice_weight_0( colour_2 : vec3<f32>) -> f32
@@ -1894,16 +1899,16 @@ fn base_probability_0( numbers_4 : Numbers_0,  enters_0 : f32) -> f32
 
 fn is_rough_0( lobe_4 : Lobe_0) -> bool
 {
-    var _S125 : bool;
+    var _S126 : bool;
     if((lobe_4.kind_1) == u32(2))
     {
-        _S125 = true;
+        _S126 = true;
     }
     else
     {
-        _S125 = (lobe_4.kind_1) == u32(4);
+        _S126 = (lobe_4.kind_1) == u32(4);
     }
-    return _S125;
+    return _S126;
 }
 
 struct Microfacets_0
@@ -1932,37 +1937,37 @@ fn stretched_0( facets_1 : Microfacets_0,  wi_2 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_2.xy * facets_1.alpha_1, wi_2.z);
     var view_2 : Stretched_0;
-    var _S126 : f32 = length(longer_0);
-    view_2.length_0 = _S126;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S126);
-    var _S127 : vec2<f32> = longer_1.xy;
-    var _S128 : f32 = length(_S127);
-    view_2.sine_4 = _S128;
+    var _S127 : f32 = length(longer_0);
+    view_2.length_0 = _S127;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S127);
+    var _S128 : vec2<f32> = longer_1.xy;
+    var _S129 : f32 = length(_S128);
+    view_2.sine_4 = _S129;
     view_2.cosine_6 = longer_1.z;
-    var _S129 : vec2<f32>;
-    if(_S128 > 0.0f)
+    var _S130 : vec2<f32>;
+    if(_S129 > 0.0f)
     {
-        _S129 = _S127 / vec2<f32>(view_2.sine_4);
+        _S130 = _S128 / vec2<f32>(view_2.sine_4);
     }
     else
     {
-        _S129 = vec2<f32>(1.0f, 0.0f);
+        _S130 = vec2<f32>(1.0f, 0.0f);
     }
-    view_2.around_0 = _S129;
+    view_2.around_0 = _S130;
     return view_2;
 }
 
 fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
 {
-    var _S130 : f32 = u_8.x;
-    var radius_2 : f32 = sqrt(_S130);
+    var _S131 : f32 = u_8.x;
+    var radius_2 : f32 = sqrt(_S131);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_8.y);
     var across_1 : f32 = radius_2 * turn_3.y;
     var along_3 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_3.cosine_6);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S131 : f32 = 1.0f - _S130;
-    var edge_0 : f32 = sqrt(_S131 + along_3 * along_3);
+    var _S132 : f32 = 1.0f - _S131;
+    var edge_0 : f32 = sqrt(_S132 + along_3 * along_3);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_3;
     var from_top_0 : f32 = edge_0 - along_3;
     var from_bottom_0 : f32 = edge_0 + along_3;
@@ -1970,14 +1975,14 @@ fn ggx_normal_0( view_3 : Stretched_0,  u_8 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_3 > 0.0f)
     {
-        from_top_1 = _S131 / from_bottom_0;
+        from_top_1 = _S132 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S132 : f32 = _S131 / from_top_0;
+        var _S133 : f32 = _S132 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S132;
+        from_bottom_1 = _S133;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_3.sine_4 - up_0 * view_3.cosine_6, across_1, max(towards_0 * view_3.cosine_6 + up_0 * view_3.sine_4, 0.0f));
@@ -1996,39 +2001,39 @@ fn exponential_0( x_8 : f32) -> f32
 
 fn error_function_plus_one_0( x_9 : f32) -> vec2<f32>
 {
-    var _S133 : f32 = min(abs(x_9), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S133 * _S133);
-    var place_15 : f32 = (_S133 - 2.0f) / (_S133 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S133);
-    var _S134 : f32;
+    var _S134 : f32 = min(abs(x_9), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S134 * _S134);
+    var place_15 : f32 = (_S134 - 2.0f) / (_S134 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_15 - 0.00127731403335929f) * place_15 + 0.00131371302995831f) * place_15 + 0.008666617795825f) * place_15 - 0.00805134233087301f) * place_15 - 0.05421232059597969f) * place_15 + 0.1640533059835434f) * place_15 - 0.16603080928325653f) * place_15 - 0.09276388585567474f) * place_15 + 1.27697837352752686f) / (1.0f + 2.0f * _S134);
+    var _S135 : f32;
     if(x_9 < 0.0f)
     {
-        _S134 = complement_0;
+        _S135 = complement_0;
     }
     else
     {
-        _S134 = 2.0f - complement_0;
+        _S135 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S134, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S135, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_4 : vec3<f32>) -> f32
 {
     var stretched_1 : vec2<f32> = w_4.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_1, stretched_1);
-    var _S135 : f32 = w_4.z;
-    var z2_1 : f32 = _S135 * _S135;
+    var _S136 : f32 = w_4.z;
+    var z2_1 : f32 = _S136 * _S136;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S135 + sqrt(z2_1 + spread2_0));
+        return 2.0f / (_S136 + sqrt(z2_1 + spread2_0));
     }
     if(z2_1 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S135;
+        return 1.0f / _S136;
     }
     var spread_0 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S135 / spread_0);
-    return 2.0f / (_S135 * both_0.x + 0.5f * spread_0 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S136 / spread_0);
+    return 2.0f / (_S136 * both_0.x + 0.5f * spread_0 * both_0.y);
 }
 
 fn logarithm_0( x_10 : f32) -> f32
@@ -2078,8 +2083,8 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_9.x * (2.0f / (visible_1 * view_4.length_0));
-    var _S136 : f32 = max(view_4.cosine_6, view_4.sine_4);
-    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S136 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S136, -6.0f, 0.5f * steepest_0);
+    var _S137 : f32 = max(view_4.cosine_6, view_4.sine_4);
+    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S137 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_4.sine_4 / _S137, -6.0f, 0.5f * steepest_0);
     var low_4 : f32 = -6.0f;
     var high_1 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -2093,10 +2098,10 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             break;
         }
         var both_1 : vec2<f32> = error_function_plus_one_0(slope_0);
-        var _S137 : f32 = both_1.y;
-        var error_0 : f32 = view_4.cosine_6 * both_1.x + 0.5f * view_4.sine_4 * _S137 - target_1;
-        var own_2 : f32 = _S137 * (view_4.cosine_6 - slope_0 * view_4.sine_4);
-        var bend_0 : f32 = -2.0f * slope_0 * own_2 - _S137 * view_4.sine_4;
+        var _S138 : f32 = both_1.y;
+        var error_0 : f32 = view_4.cosine_6 * both_1.x + 0.5f * view_4.sine_4 * _S138 - target_1;
+        var own_2 : f32 = _S138 * (view_4.cosine_6 - slope_0 * view_4.sine_4);
+        var bend_0 : f32 = -2.0f * slope_0 * own_2 - _S138 * view_4.sine_4;
         if(error_0 > 0.0f)
         {
             high_1 = slope_0;
@@ -2106,17 +2111,17 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             low_4 = slope_0;
         }
         var next_0 : f32 = slope_0 - error_0 * own_2 / (own_2 * own_2 - 0.5f * error_0 * bend_0);
-        var _S138 : bool;
+        var _S139 : bool;
         if(next_0 >= low_4)
         {
-            _S138 = next_0 <= high_1;
+            _S139 = next_0 <= high_1;
         }
         else
         {
-            _S138 = false;
+            _S139 = false;
         }
         var next_1 : f32;
-        if(!_S138)
+        if(!_S139)
         {
             next_1 = 0.5f * (low_4 + high_1);
         }
@@ -2129,9 +2134,9 @@ fn beckmann_normal_0( view_4 : Stretched_0,  visible_1 : f32,  u_9 : vec2<f32>) 
             slope_0 = next_1;
             break;
         }
-        var _S139 : u32 = step_0 + u32(1);
+        var _S140 : u32 = step_0 + u32(1);
         slope_0 = next_1;
-        step_0 = _S139;
+        step_0 = _S140;
     }
     return vec3<f32>(- slope_0, error_function_inverse_0(max(2.0f * u_9.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -2148,11 +2153,11 @@ fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  u_10 : vec
     {
         normal_7 = beckmann_normal_0(view_5, visible_over_cos_0(facets_3, wi_3), u_10);
     }
-    var _S140 : f32 = view_5.around_0.x;
-    var _S141 : f32 = normal_7.x;
-    var _S142 : f32 = view_5.around_0.y;
-    var _S143 : f32 = normal_7.y;
-    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S140 * _S141 - _S142 * _S143, _S142 * _S141 + _S140 * _S143) * facets_3.alpha_1, normal_7.z));
+    var _S141 : f32 = view_5.around_0.x;
+    var _S142 : f32 = normal_7.x;
+    var _S143 : f32 = view_5.around_0.y;
+    var _S144 : f32 = normal_7.y;
+    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S141 * _S142 - _S143 * _S144, _S143 * _S142 + _S141 * _S144) * facets_3.alpha_1, normal_7.z));
     return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_3, normal_8))) - wi_3);
 }
 
@@ -2165,9 +2170,9 @@ struct Drawn_0
 
 fn draw_0( lobe_6 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32>) -> Drawn_0
 {
-    var _S144 : bool = (lobe_6.kind_1) == u32(0);
+    var _S145 : bool = (lobe_6.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S144)
+    if(_S145)
     {
         has_base_0 = true;
     }
@@ -2184,7 +2189,7 @@ fn draw_0( lobe_6 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32
         has_base_0 = (lobe_6.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S144)
+    if(_S145)
     {
         of_base_1 = 1.0f;
     }
@@ -2192,16 +2197,16 @@ fn draw_0( lobe_6 : Lobe_0,  wi_4 : vec3<f32>,  choice_6 : f32,  u_11 : vec2<f32
     {
         of_base_1 = 0.0f;
     }
-    var _S145 : bool;
+    var _S146 : bool;
     if((lobe_6.kind_1) == u32(3))
     {
-        _S145 = true;
+        _S146 = true;
     }
     else
     {
-        _S145 = (lobe_6.kind_1) == u32(4);
+        _S146 = (lobe_6.kind_1) == u32(4);
     }
-    if(_S145)
+    if(_S146)
     {
         of_base_1 = base_probability_0(lobe_6.numbers_2, transmittance_0(lobe_6, coat_eta_0(lobe_6.numbers_2), wi_4.z));
     }
@@ -2244,9 +2249,9 @@ fn sample_material_0( vertex_2 : Vertex_0,  key_8 : vec2<u32>,  first_4 : u32) -
     sample_1.is_specular_0 = drawn_1.is_specular_1;
     sample_1.probability_1 = drawn_1.probability_2;
     sample_1.wo_0 = drawn_1.wo_1;
-    var _S146 : vec3<f32> = normalize(to_world_0(vertex_2.axes_4, drawn_1.wo_1));
-    sample_1.direction_9 = _S146;
-    sample_1.way_1 = _S146;
+    var _S147 : vec3<f32> = normalize(to_world_0(vertex_2.axes_4, drawn_1.wo_1));
+    sample_1.direction_9 = _S147;
+    sample_1.way_1 = _S147;
     sample_1.nearest_0 = limit_at_0(u32(2));
     sample_1.farthest_0 = limit_at_0(u32(1));
     sample_1.emitter_5 = u32(4294967295);
@@ -2271,15 +2276,15 @@ struct Mirror_0
 
 fn mirror_at_0( triangle_7 : u32) -> Mirror_0
 {
-    var at_15 : u32 = u32(9) * triangle_7;
+    var at_16 : u32 = u32(9) * triangle_7;
     var mirror_0 : Mirror_0;
-    var _S147 : vec3<f32> = primitive_vector_0(at_15);
-    mirror_0.corner_0 = _S147;
-    var _S148 : vec3<f32> = primitive_vector_0(at_15 + u32(3)) - _S147;
-    mirror_0.ab_2 = _S148;
-    var _S149 : vec3<f32> = primitive_vector_0(at_15 + u32(6)) - _S147;
-    mirror_0.ac_1 = _S149;
-    mirror_0.normal_9 = exact_unit_0(cross(_S148, _S149));
+    var _S148 : vec3<f32> = primitive_vector_0(at_16);
+    mirror_0.corner_0 = _S148;
+    var _S149 : vec3<f32> = primitive_vector_0(at_16 + u32(3)) - _S148;
+    mirror_0.ab_2 = _S149;
+    var _S150 : vec3<f32> = primitive_vector_0(at_16 + u32(6)) - _S148;
+    mirror_0.ac_1 = _S150;
+    mirror_0.normal_9 = exact_unit_0(cross(_S149, _S150));
     return mirror_0;
 }
 
@@ -2311,9 +2316,9 @@ fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_3 : f32,  k_3 : f32) -> f32
     }
     var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
     var smaller_0 : f32 = product_1 / larger_0;
-    var _S150 : bool = real_0 < 0.0f;
+    var _S151 : bool = real_0 < 0.0f;
     var a_14 : f32;
-    if(_S150)
+    if(_S151)
     {
         a_14 = smaller_0;
     }
@@ -2322,7 +2327,7 @@ fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_3 : f32,  k_3 : f32) -> f32
         a_14 = larger_0;
     }
     var b_12 : f32;
-    if(_S150)
+    if(_S151)
     {
         b_12 = larger_0;
     }
@@ -2332,9 +2337,9 @@ fn fresnel_conductor_channel_0( cosine_7 : f32,  eta_3 : f32,  k_3 : f32) -> f32
     }
     var less_0 : f32 = a_14 - cosine_7;
     var more_0 : f32 = a_14 + cosine_7;
-    var _S151 : f32 = b_12 * b_12;
+    var _S152 : f32 = b_12 * b_12;
     var p_sum_1 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
-    return (less_0 * less_0 + _S151) / (more_0 * more_0 + _S151) * p_sum_1 / (p_sum_1 + 2.0f * a_14 * cosine_7 * sin2_0);
+    return (less_0 * less_0 + _S152) / (more_0 * more_0 + _S152) * p_sum_1 / (p_sum_1 + 2.0f * a_14 * cosine_7 * sin2_0);
 }
 
 fn fresnel_conductor_0( cosine_8 : f32,  eta_4 : vec3<f32>,  k_4 : vec3<f32>) -> vec3<f32>
@@ -2363,16 +2368,16 @@ fn turning_0( vertex_4 : Vertex_0,  direction_12 : vec3<f32>) -> vec3<f32>
 
 fn towards_emitter_0( vertex_5 : Vertex_0,  direction_13 : vec3<f32>,  record_13 : u32) -> vec3<f32>
 {
-    var _S152 : vec3<f32>;
+    var _S153 : vec3<f32>;
     if((word_0(record_13)) == u32(1))
     {
-        _S152 = changing_0(direction_13, turning_0(vertex_5, direction_13));
+        _S153 = changing_0(direction_13, turning_0(vertex_5, direction_13));
     }
     else
     {
-        _S152 = still_0(direction_13);
+        _S153 = still_0(direction_13);
     }
-    return _S152;
+    return _S153;
 }
 
 fn turns_onward_0() -> bool
@@ -2394,40 +2399,40 @@ struct Mirrored_0
 
 fn Mirrored_x24init_0( cosine_10 : f32,  pdf_4 : f32,  scattered_1 : f32) -> Mirrored_0
 {
-    var _S153 : Mirrored_0;
-    _S153.cosine_9 = cosine_10;
-    _S153.pdf_3 = pdf_4;
-    _S153.scattered_0 = scattered_1;
-    return _S153;
+    var _S154 : Mirrored_0;
+    _S154.cosine_9 = cosine_10;
+    _S154.pdf_3 = pdf_4;
+    _S154.scattered_0 = scattered_1;
+    return _S154;
 }
 
 fn density_0( facets_4 : Microfacets_0,  m_3 : vec3<f32>) -> f32
 {
-    var _S154 : f32 = m_3.z;
-    if(_S154 <= 0.0f)
+    var _S155 : f32 = m_3.z;
+    if(_S155 <= 0.0f)
     {
         return 0.0f;
     }
     var scale_0 : f32 = 3.14159274101257324f * facets_4.alpha_1.x * facets_4.alpha_1.y;
     var slope_1 : vec2<f32> = m_3.xy / facets_4.alpha_1;
     var spread_1 : f32 = dot(slope_1, slope_1);
-    var cos2_2 : f32 = _S154 * _S154;
+    var cos2_2 : f32 = _S155 * _S155;
     if((facets_4.distribution_1) == u32(1))
     {
         var sum_2 : f32 = spread_1 + cos2_2;
         return 1.0f / (scale_0 * sum_2 * sum_2);
     }
     var exponent_0 : f32 = spread_1 / cos2_2;
-    var _S155 : f32;
+    var _S156 : f32;
     if(exponent_0 > 80.0f)
     {
-        _S155 = 0.0f;
+        _S156 = 0.0f;
     }
     else
     {
-        _S155 = exponential_0(- exponent_0) / (scale_0 * cos2_2 * cos2_2);
+        _S156 = exponential_0(- exponent_0) / (scale_0 * cos2_2 * cos2_2);
     }
-    return _S155;
+    return _S156;
 }
 
 fn mirrored_1( facets_5 : Microfacets_0,  wi_7 : vec3<f32>,  wo_3 : vec3<f32>) -> Mirrored_0
@@ -2435,9 +2440,9 @@ fn mirrored_1( facets_5 : Microfacets_0,  wi_7 : vec3<f32>,  wo_3 : vec3<f32>) -
     var h_1 : vec3<f32> = normalize(wi_7 + wo_3);
     var mirrored_2 : Mirrored_0;
     mirrored_2.cosine_9 = dot(wi_7, h_1);
-    var _S156 : f32 = 0.25f * density_0(facets_5, h_1) * visible_over_cos_0(facets_5, wi_7);
-    mirrored_2.pdf_3 = _S156;
-    mirrored_2.scattered_0 = _S156 * visible_over_cos_0(facets_5, wo_3) * wo_3.z;
+    var _S157 : f32 = 0.25f * density_0(facets_5, h_1) * visible_over_cos_0(facets_5, wi_7);
+    mirrored_2.pdf_3 = _S157;
+    mirrored_2.scattered_0 = _S157 * visible_over_cos_0(facets_5, wo_3) * wo_3.z;
     return mirrored_2;
 }
 
@@ -2478,15 +2483,15 @@ struct Scattering_0
 fn scattering_0( lobe_10 : Lobe_0,  numbers_7 : Numbers_0,  wi_8 : vec3<f32>,  wo_4 : vec3<f32>) -> Scattering_0
 {
     var scattering_1 : Scattering_0;
-    var _S157 : f32 = wo_4.z;
-    var by_cosine_0 : f32 = _S157 * 0.31830987334251404f;
+    var _S158 : f32 = wo_4.z;
+    var by_cosine_0 : f32 = _S158 * 0.31830987334251404f;
     if((lobe_10.kind_1) == u32(0))
     {
         scattering_1.value_7 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_5 = by_cosine_0;
         return scattering_1;
     }
-    var _S158 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
+    var _S159 : Mirrored_0 = Mirrored_x24init_0(0.0f, 0.0f, 0.0f);
     var by_facets_0 : Mirrored_0;
     if(is_rough_0(lobe_10))
     {
@@ -2494,7 +2499,7 @@ fn scattering_0( lobe_10 : Lobe_0,  numbers_7 : Numbers_0,  wi_8 : vec3<f32>,  w
     }
     else
     {
-        by_facets_0 = _S158;
+        by_facets_0 = _S159;
     }
     if((lobe_10.kind_1) == u32(2))
     {
@@ -2504,7 +2509,7 @@ fn scattering_0( lobe_10 : Lobe_0,  numbers_7 : Numbers_0,  wi_8 : vec3<f32>,  w
     }
     var eta_7 : f32 = coat_eta_0(numbers_7);
     var enters_1 : f32 = transmittance_0(lobe_10, eta_7, wi_8.z);
-    scattering_1.value_7 = base_0(lobe_10, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_10, eta_7, _S157) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_7 = base_0(lobe_10, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_10, eta_7, _S158) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_7, enters_1);
     scattering_1.pdf_5 = probability_3 * by_cosine_0;
     if((lobe_10.kind_1) == u32(4))
@@ -2526,16 +2531,16 @@ fn eval_and_pdf_0( lobe_11 : Lobe_0,  wi_9 : vec3<f32>,  wo_5 : vec3<f32>) -> Sc
     var scattered_2 : Scattered_0;
     scattered_2.value_8 = still_0(vec3<f32>(0.0f));
     scattered_2.pdf_6 = 0.0f;
-    var _S159 : bool;
+    var _S160 : bool;
     if((value_of_0(wo_5).z) <= 0.0f)
     {
-        _S159 = true;
+        _S160 = true;
     }
     else
     {
-        _S159 = !has_smooth_0(lobe_11);
+        _S160 = !has_smooth_0(lobe_11);
     }
-    if(_S159)
+    if(_S160)
     {
         return scattered_2;
     }
@@ -2566,39 +2571,39 @@ fn scattered_along_0( vertex_8 : Vertex_0,  sample_2 : LightSample_0,  walked_0 
     }
     else
     {
-        var _S160 : vec3<f32>;
+        var _S161 : vec3<f32>;
         if(turns_onward_0())
         {
-            _S160 = turning_0(vertex_8, sample_2.direction_9);
+            _S161 = turning_0(vertex_8, sample_2.direction_9);
         }
         else
         {
-            _S160 = walked_0;
+            _S161 = walked_0;
         }
-        (*moving_0) = changing_0(sample_2.direction_9, _S160);
+        (*moving_0) = changing_0(sample_2.direction_9, _S161);
     }
     return scattered_to_0(vertex_8, sample_2.wo_0, (*moving_0));
 }
 
 fn component_0( v_9 : vec3<f32>,  axis_2 : u32) -> f32
 {
-    var _S161 : f32;
+    var _S162 : f32;
     if(axis_2 == u32(0))
     {
-        _S161 = v_9.x;
+        _S162 = v_9.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S161 = v_9.y;
+            _S162 = v_9.y;
         }
         else
         {
-            _S161 = v_9.z;
+            _S162 = v_9.z;
         }
     }
-    return _S161;
+    return _S162;
 }
 
 struct Ray_0
@@ -2618,34 +2623,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f32>,  direction_16 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  axes_6 : ptr<function, u32>) -> Ray_0
 {
     var size_1 : vec3<f32> = abs(direction_16);
-    var _S162 : f32 = size_1.x;
-    var _S163 : f32 = size_1.y;
-    var _S164 : bool;
-    if(_S162 >= _S163)
+    var _S163 : f32 = size_1.x;
+    var _S164 : f32 = size_1.y;
+    var _S165 : bool;
+    if(_S163 >= _S164)
     {
-        _S164 = _S162 >= (size_1.z);
+        _S165 = _S163 >= (size_1.z);
     }
     else
     {
-        _S164 = false;
+        _S165 = false;
     }
-    var _S165 : i32;
-    if(_S164)
+    var _S166 : i32;
+    if(_S165)
     {
-        _S165 = i32(0);
+        _S166 = i32(0);
     }
     else
     {
-        if(_S163 >= (size_1.z))
+        if(_S164 >= (size_1.z))
         {
-            _S165 = i32(1);
+            _S166 = i32(1);
         }
         else
         {
-            _S165 = i32(2);
+            _S166 = i32(2);
         }
     }
-    var z_4 : u32 = u32(_S165);
+    var z_4 : u32 = u32(_S166);
     var x_11 : u32 = (z_4 + u32(1)) % u32(3);
     var y_3 : u32 = (z_4 + u32(2)) % u32(3);
     (*axes_6) = (((x_11 | (((y_3 << (u32(2))))))) | (((z_4 << (u32(4))))));
@@ -2681,7 +2686,7 @@ struct RayView_0
 
 fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S166 : u32 = u32(14) * node_4 + slot_3 / u32(4);
+    var _S167 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -2694,36 +2699,36 @@ fn ray_bound_0( view_6 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S167 : u32 = axis_3;
-        var _S168 : u32 = _S166 + u32(2) * axis_3;
-        var _S169 : u32 = slot_3 % u32(4);
-        var low_5 : f32 = (bitcast<f32>((nodes_0[_S168][_S169])));
-        var high_2 : f32 = (bitcast<f32>((nodes_0[_S168 + u32(6)][_S169])));
-        var _S170 : bool = (view_6.inverse_1[axis_3]) < 0.0f;
-        var _S171 : f32;
-        if(_S170)
+        var _S168 : u32 = axis_3;
+        var _S169 : u32 = _S167 + u32(2) * axis_3;
+        var _S170 : u32 = slot_3 % u32(4);
+        var low_5 : f32 = (bitcast<f32>((nodes_0[_S169][_S170])));
+        var high_2 : f32 = (bitcast<f32>((nodes_0[_S169 + u32(6)][_S170])));
+        var _S171 : bool = (view_6.inverse_1[axis_3]) < 0.0f;
+        var _S172 : f32;
+        if(_S171)
         {
-            _S171 = high_2;
+            _S172 = high_2;
         }
         else
         {
-            _S171 = low_5;
+            _S172 = low_5;
         }
-        var _S172 : f32 = max(near_0, _S171 * view_6.inverse_1[_S167] - view_6.offset_near_0[axis_3]);
-        var _S173 : f32;
-        if(_S170)
+        var _S173 : f32 = max(near_0, _S172 * view_6.inverse_1[_S168] - view_6.offset_near_0[axis_3]);
+        var _S174 : f32;
+        if(_S171)
         {
-            _S173 = low_5;
+            _S174 = low_5;
         }
         else
         {
-            _S173 = high_2;
+            _S174 = high_2;
         }
-        var _S174 : f32 = min(far_0, _S173 * view_6.inverse_1[_S167] - view_6.offset_far_0[axis_3]);
-        var _S175 : u32 = axis_3 + u32(1);
-        near_0 = _S172;
-        far_0 = _S174;
-        axis_3 = _S175;
+        var _S175 : f32 = min(far_0, _S174 * view_6.inverse_1[_S168] - view_6.offset_far_0[axis_3]);
+        var _S176 : u32 = axis_3 + u32(1);
+        near_0 = _S173;
+        far_0 = _S175;
+        axis_3 = _S176;
     }
     if(near_0 <= far_0)
     {
@@ -2748,7 +2753,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S176 : u32 = k_5;
+        var _S177 : u32 = k_5;
         if((bounds_0[k_5]) > limit_2)
         {
             k_5 = k_5 + u32(1);
@@ -2765,24 +2770,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S177 : u32 = j_0;
-            var _S178 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S176]))
+            var _S178 : u32 = j_0;
+            var _S179 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S177]))
             {
-                _S178 = true;
+                _S179 = true;
             }
             else
             {
-                if((bounds_0[_S177]) == (bounds_0[_S176]))
+                if((bounds_0[_S178]) == (bounds_0[_S177]))
                 {
-                    _S178 = j_0 < k_5;
+                    _S179 = j_0 < k_5;
                 }
                 else
                 {
-                    _S178 = false;
+                    _S179 = false;
                 }
             }
-            if(_S178)
+            if(_S179)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -2807,16 +2812,16 @@ fn crossed_0( view_7 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
         {
             break;
         }
-        var _S179 : f32;
+        var _S180 : f32;
         if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S179 = 3.00000000549775576e+38f;
+            _S180 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S179 = ray_bound_0(view_7, limit_3, node_5, slot_4);
+            _S180 = ray_bound_0(view_7, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_4] = _S179;
+        bounds_1[slot_4] = _S180;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -2827,9 +2832,9 @@ fn rounded_0( product_2 : f32,  largest_1 : f32) -> f32
     return min(product_2, largest_1);
 }
 
-fn corner_1( ray_1 : Ray_0,  axes_8 : u32,  at_16 : u32) -> vec3<f32>
+fn corner_1( ray_1 : Ray_0,  axes_8 : u32,  at_17 : u32) -> vec3<f32>
 {
-    var relative_0 : vec3<f32> = primitive_vector_0(at_16) - ray_1.origin_0;
+    var relative_0 : vec3<f32> = primitive_vector_0(at_17) - ray_1.origin_0;
     var z_5 : f32 = component_0(relative_0, (axes_8 >> (u32(4))));
     return vec3<f32>(component_0(relative_0, (axes_8 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_5, ray_1.largest_0), component_0(relative_0, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_5, ray_1.largest_0), z_5);
 }
@@ -2842,56 +2847,56 @@ struct Crossing_0
      w_8 : f32,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_17 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_18 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_2 = 0.0f;
     crossing_0.v_10 = 0.0f;
     crossing_0.w_8 = 0.0f;
-    var a_15 : vec3<f32> = corner_1(ray_2, axes_9, at_17);
-    var b_13 : vec3<f32> = corner_1(ray_2, axes_9, at_17 + u32(3));
-    var c_7 : vec3<f32> = corner_1(ray_2, axes_9, at_17 + u32(6));
-    var _S180 : f32 = c_7.x;
-    var _S181 : f32 = b_13.y;
-    var cx_by_0 : f32 = rounded_0(_S180 * _S181, ray_2.largest_0);
-    var _S182 : f32 = c_7.y;
-    var _S183 : f32 = b_13.x;
-    var cy_bx_0 : f32 = rounded_0(_S182 * _S183, ray_2.largest_0);
-    var _S184 : f32 = a_15.x;
-    var ax_cy_0 : f32 = rounded_0(_S184 * _S182, ray_2.largest_0);
-    var _S185 : f32 = a_15.y;
-    var ay_cx_0 : f32 = rounded_0(_S185 * _S180, ray_2.largest_0);
-    var bx_ay_0 : f32 = rounded_0(_S183 * _S185, ray_2.largest_0);
-    var by_ax_0 : f32 = rounded_0(_S181 * _S184, ray_2.largest_0);
+    var a_15 : vec3<f32> = corner_1(ray_2, axes_9, at_18);
+    var b_13 : vec3<f32> = corner_1(ray_2, axes_9, at_18 + u32(3));
+    var c_7 : vec3<f32> = corner_1(ray_2, axes_9, at_18 + u32(6));
+    var _S181 : f32 = c_7.x;
+    var _S182 : f32 = b_13.y;
+    var cx_by_0 : f32 = rounded_0(_S181 * _S182, ray_2.largest_0);
+    var _S183 : f32 = c_7.y;
+    var _S184 : f32 = b_13.x;
+    var cy_bx_0 : f32 = rounded_0(_S183 * _S184, ray_2.largest_0);
+    var _S185 : f32 = a_15.x;
+    var ax_cy_0 : f32 = rounded_0(_S185 * _S183, ray_2.largest_0);
+    var _S186 : f32 = a_15.y;
+    var ay_cx_0 : f32 = rounded_0(_S186 * _S181, ray_2.largest_0);
+    var bx_ay_0 : f32 = rounded_0(_S184 * _S186, ray_2.largest_0);
+    var by_ax_0 : f32 = rounded_0(_S182 * _S185, ray_2.largest_0);
     var u_12 : f32 = cx_by_0 - cy_bx_0;
     var v_11 : f32 = ax_cy_0 - ay_cx_0;
     var w_9 : f32 = bx_ay_0 - by_ax_0;
-    var _S186 : f32 = min(min(u_12, v_11), w_9);
-    var _S187 : f32 = max(max(u_12, v_11), w_9);
-    var _S188 : bool;
-    if(_S186 < 0.0f)
+    var _S187 : f32 = min(min(u_12, v_11), w_9);
+    var _S188 : f32 = max(max(u_12, v_11), w_9);
+    var _S189 : bool;
+    if(_S187 < 0.0f)
     {
-        _S188 = _S187 > 0.0f;
+        _S189 = _S188 > 0.0f;
     }
     else
     {
-        _S188 = false;
+        _S189 = false;
     }
-    if(_S188)
+    if(_S189)
     {
         return crossing_0;
     }
     var determinant_0 : f32 = u_12 + v_11 + w_9;
-    if(_S186 <= 0.0f)
+    if(_S187 <= 0.0f)
     {
-        _S188 = _S187 >= 0.0f;
+        _S189 = _S188 >= 0.0f;
     }
     else
     {
-        _S188 = false;
+        _S189 = false;
     }
-    if(_S188)
+    if(_S189)
     {
         if((abs(determinant_0)) <= (ray_2.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -2905,13 +2910,13 @@ fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_17 : u32) -> Crossing_0
     var t_3 : f32 = (rounded_0(u_12 * a_15.z, ray_2.largest_0) + rounded_0(v_11 * b_13.z, ray_2.largest_0) + rounded_0(w_9 * c_7.z, ray_2.largest_0)) / determinant_0 * ray_2.inverse_z_0;
     if((ray_2.t_min_0) <= t_3)
     {
-        _S188 = t_3 <= (ray_2.t_max_0);
+        _S189 = t_3 <= (ray_2.t_max_0);
     }
     else
     {
-        _S188 = false;
+        _S189 = false;
     }
-    crossing_0.is_hit_0 = _S188;
+    crossing_0.is_hit_0 = _S189;
     crossing_0.t_2 = t_3;
     crossing_0.v_10 = v_11 / determinant_0;
     crossing_0.w_8 = w_9 / determinant_0;
@@ -2933,7 +2938,7 @@ struct Found_0
 
 fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S189 : bool;
+    var _S190 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
     found_3.triangle_9 = u32(4294967295);
@@ -2965,31 +2970,31 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S190 : u32 = way_2[level_0].y;
-        if(_S190 == u32(0))
+        var _S191 : u32 = way_2[level_0].y;
+        if(_S191 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S191 : u32 = level_0 - u32(1);
+            var _S192 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S191;
+            level_0 = _S192;
             continue;
         }
-        var slot_5 : u32 = ((_S190 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S190 >> (u32(4)));
-        var _S192 : bool;
+        var slot_5 : u32 = ((_S191 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S191 >> (u32(4)));
+        var _S193 : bool;
         if(!is_new_1)
         {
-            _S192 = (ray_bound_0(view_8, limit_4, here_1.x, slot_5)) > limit_4;
+            _S193 = (ray_bound_0(view_8, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S192 = false;
+            _S193 = false;
         }
-        if(_S192)
+        if(_S193)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -2998,20 +3003,20 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S193 : u32 = level_0 + u32(1);
+            var _S194 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S193;
+            level_0 = _S194;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S194 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S195 : u32 = leaf_starts_0[leaf_0];
+        var _S195 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S196 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S195;
+        var i_3 : u32 = _S196;
         for(;;)
         {
-            if(i_3 < _S194)
+            if(i_3 < _S195)
             {
             }
             else
@@ -3026,23 +3031,23 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S189 = true;
+                _S190 = true;
             }
             else
             {
-                _S189 = (crossing_1.t_2) < ((*ray_3).t_max_0);
+                _S190 = (crossing_1.t_2) < ((*ray_3).t_max_0);
             }
-            var _S196 : bool;
-            if(_S189)
+            var _S197 : bool;
+            if(_S190)
             {
-                _S196 = true;
+                _S197 = true;
             }
             else
             {
-                _S196 = (face_6(i_3)) < (found_3.face_7);
+                _S197 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S196)
+            if(_S197)
             {
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_9 = i_3;
@@ -3060,13 +3065,13 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S189 = (found_3.face_7) != u32(4294967295);
+            _S190 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S189 = false;
+            _S190 = false;
         }
-        if(_S189)
+        if(_S190)
         {
             break;
         }
@@ -3080,11 +3085,11 @@ fn first_found_0( view_8 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_2 : vec3<f32>,  direction_17 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
 {
     var view_9 : RayView_0;
-    var _S197 : u32 = view_9.axes_7;
-    var _S198 : Ray_0 = ray_along_0(origin_2, direction_17, t_min_2, t_max_2, &(_S197));
-    view_9.axes_7 = _S197;
-    var ray_4 : Ray_0 = _S198;
-    var _S199 : vec3<f32> = direction_17 / vec3<f32>(ray_4.local_per_t_0);
+    var _S198 : u32 = view_9.axes_7;
+    var _S199 : Ray_0 = ray_along_0(origin_2, direction_17, t_min_2, t_max_2, &(_S198));
+    view_9.axes_7 = _S198;
+    var ray_4 : Ray_0 = _S199;
+    var _S200 : vec3<f32> = direction_17 / vec3<f32>(ray_4.local_per_t_0);
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -3095,17 +3100,17 @@ fn cast_0( origin_2 : vec3<f32>,  direction_17 : vec3<f32>,  t_min_2 : f32,  t_m
         {
             break;
         }
-        var _S200 : f32 = max(abs(_S199[axis_4]), 8.67361737988403547e-19f);
-        var _S201 : f32;
-        if((_S199[axis_4]) < 0.0f)
+        var _S201 : f32 = max(abs(_S200[axis_4]), 8.67361737988403547e-19f);
+        var _S202 : f32;
+        if((_S200[axis_4]) < 0.0f)
         {
-            _S201 = -1.0f / _S200;
+            _S202 = -1.0f / _S201;
         }
         else
         {
-            _S201 = 1.0f / _S200;
+            _S202 = 1.0f / _S201;
         }
-        view_9.inverse_1[axis_4] = _S201;
+        view_9.inverse_1[axis_4] = _S202;
         axis_4 = axis_4 + u32(1);
     }
     var offset_4 : vec3<f32> = origin_2 * view_9.inverse_1;
@@ -3131,25 +3136,25 @@ fn emitter_seen_0( found_6 : Found_0,  direction_18 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_6 : u32 = word_0(shape_of_0(found_6.triangle_9) + u32(4));
-    var _S202 : bool;
+    var _S203 : bool;
     if(emitter_6 != u32(4294967295))
     {
-        _S202 = (dot(cross_of_0(found_6.triangle_9), direction_18)) < 0.0f;
+        _S203 = (dot(cross_of_0(found_6.triangle_9), direction_18)) < 0.0f;
     }
     else
     {
-        _S202 = false;
+        _S203 = false;
     }
-    var _S203 : u32;
-    if(_S202)
+    var _S204 : u32;
+    if(_S203)
     {
-        _S203 = emitter_6;
+        _S204 = emitter_6;
     }
     else
     {
-        _S203 = u32(4294967295);
+        _S204 = u32(4294967295);
     }
-    return _S203;
+    return _S204;
 }
 
 fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_19 : vec3<f32>,  distance_5 : f32) -> f32
@@ -3158,17 +3163,17 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
     var rectangle_1 : u32 = word_0(record_14 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S204 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S204.solid_angle_0) > 0.0f))
+        var _S205 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S205.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S204.solid_angle_0) >= 0.00100000004749745f)
+        if((_S205.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S204.solid_angle_0;
+            return 1.0f / _S205.solid_angle_0;
         }
     }
-    var _S205 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
+    var _S206 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_14 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -3182,7 +3187,7 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S205 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S206 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_3 = shares_1.y;
@@ -3192,22 +3197,22 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             own_3 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_3;
-        var _S206 : i32;
+        var _S207 : i32;
         if(is_second_1)
         {
-            _S206 = i32(3);
+            _S207 = i32(3);
         }
         else
         {
-            _S206 = i32(2);
+            _S207 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S206));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S207));
         chosen_2 = chosen_3;
     }
-    var _S207 : u32 = word_0(record_14 + u32(6));
-    var _S208 : u32 = word_0(node_6);
+    var _S208 : u32 = word_0(record_14 + u32(6));
+    var _S209 : u32 = word_0(node_6);
     own_3 = 0.0f;
-    var k_6 : u32 = _S208;
+    var k_6 : u32 = _S209;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
@@ -3218,9 +3223,9 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_14, word_0(_S207 + k_6), from_2.exact_0);
+        var angle_4 : f32 = face_solid_angle_0(record_14, word_0(_S208 + k_6), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_4;
-        if(k_6 == _S205)
+        if(k_6 == _S206)
         {
             own_3 = angle_4;
         }
@@ -3239,8 +3244,8 @@ fn emitter_pdf_0( emitter_7 : u32,  found_7 : Found_0,  vertex_9 : Vertex_0,  di
     var record_15 : u32 = emitter_record_0(emitter_7);
     if(is_map_0(record_15))
     {
-        var _S209 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_20);
-        return _S209;
+        var _S210 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_20);
+        return _S210;
     }
     if(!is_area_0(record_15))
     {
@@ -3275,11 +3280,11 @@ fn in_map_0( map_5 : u32,  direction_22 : vec3<f32>) -> Lookup_0
     var height_1 : i32 = i32(word_0(map_5 + u32(1)));
     var left_1 : u32 = wrapped_0(x_12, width_3, u32(0));
     var right_1 : u32 = wrapped_0(x_12 + i32(1), width_3, u32(0));
-    var _S210 : u32 = wrapped_0(y_4, height_1, u32(2));
-    var _S211 : u32 = u32(width_3);
-    var first_5 : u32 = _S210 * _S211;
-    var _S212 : u32 = wrapped_0(y_4 + i32(1), height_1, u32(2));
-    var second_2 : u32 = _S212 * _S211;
+    var _S211 : u32 = wrapped_0(y_4, height_1, u32(2));
+    var _S212 : u32 = u32(width_3);
+    var first_5 : u32 = _S211 * _S212;
+    var _S213 : u32 = wrapped_0(y_4 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S213 * _S212;
     return between_0(vec4<u32>(first_5 + left_1, first_5 + right_1, second_2 + left_1, second_2 + right_1), point_2);
 }
 
@@ -3289,20 +3294,20 @@ fn emitted_0( emitter_8 : u32,  place_18 : Place_0,  direction_23 : vec3<f32>) -
     var texture_6 : u32 = word_0(record_16 + u32(1));
     if(!is_map_0(record_16))
     {
-        var _S213 : vec3<f32> = shown_0(texture_6, place_18);
-        return _S213;
+        var _S214 : vec3<f32> = shown_0(texture_6, place_18);
+        return _S214;
     }
     var change_1 : vec2<f32> = vec2<f32>(0.0f);
     var factor_0 : vec3<f32> = looked_up_0(word_0(texture_6 + u32(12)), one_texel_0(u32(0)), change_1);
-    var _S214 : u32 = word_0(texture_6 + u32(11));
-    var _S215 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_23));
-    return looked_up_0(_S214, _S215, change_1) * factor_0;
+    var _S215 : u32 = word_0(texture_6 + u32(11));
+    var _S216 : Lookup_0 = in_map_0(texture_6, value_of_0(direction_23));
+    return looked_up_0(_S215, _S216, change_1) * factor_0;
 }
 
 fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_0 : vec3<f32>) -> bool
 {
     var depth_3 : u32 = launch_0.depth_0;
-    var _S216 : u32 = vertex_numbers_0(launch_0.depth_0);
+    var _S217 : u32 = vertex_numbers_0(launch_0.depth_0);
     var incoming_0 : vec3<f32> = value_of_0((*path_7).direction_0);
     var surface_5 : Surface_0 = surface_at_0((*path_7).place_1, incoming_0);
     var material_1 : u32 = material_of_0(surface_5);
@@ -3312,10 +3317,10 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     var vertex_11 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_7).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S217 : u32 = word_0(u32(3));
-    var _S218 : bool = !reaches_0(depth_3 + u32(3));
+    var _S218 : u32 = word_0(u32(3));
+    var _S219 : bool = !reaches_0(depth_3 + u32(3));
     var goes_on_0 : bool;
-    if(_S218)
+    if(_S219)
     {
         goes_on_0 = (vertex_11.lobe_1.kind_1) == u32(0);
     }
@@ -3338,7 +3343,7 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     else
     {
-        bsdf_samples_0 = _S217;
+        bsdf_samples_0 = _S218;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_11.lobe_1))
@@ -3349,12 +3354,12 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S219 : Choice_0 = choice_at_0(surface_5.position_0, vertex_11.axes_4.n_1, on_emitters_0 == u32(0));
-    var _S220 : vec3<f32> = vec3<f32>(0.0f);
+    var _S220 : Choice_0 = choice_at_0(surface_5.position_0, vertex_11.axes_4.n_1, on_emitters_0 == u32(0));
+    var _S221 : vec3<f32> = vec3<f32>(0.0f);
     goes_on_0 = false;
     var next_2 : Place_0 = (*path_7).place_1;
     var next_direction_0 : vec3<f32> = (*path_7).direction_0;
-    var next_rest_0 : vec3<f32> = _S220;
+    var next_rest_0 : vec3<f32> = _S221;
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -3366,26 +3371,26 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
             break;
         }
         var sample_3 : LightSample_0;
-        var _S221 : bool;
+        var _S222 : bool;
         var goes_on_1 : bool;
         var next_3 : Place_0;
         var next_direction_1 : vec3<f32>;
         var next_rest_1 : vec3<f32>;
         if(i_4 < on_emitters_0)
         {
-            var _S222 : bool = sample_emitter_0(vertex_11, _S219, (*path_7).key_0, _S216 + u32(3) * i_4, &(sample_3));
-            if(!_S222)
+            var _S223 : bool = sample_emitter_0(vertex_11, _S220, (*path_7).key_0, _S217 + u32(3) * i_4, &(sample_3));
+            if(!_S223)
             {
                 goes_on_1 = goes_on_0;
                 next_3 = next_2;
                 next_direction_1 = next_direction_0;
                 next_rest_1 = next_rest_0;
-                var _S223 : u32 = i_4 + u32(1);
+                var _S224 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
                 next_rest_0 = next_rest_1;
-                i_4 = _S223;
+                i_4 = _S224;
                 continue;
             }
         }
@@ -3394,13 +3399,13 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
             sample_3 = sample_material_0(vertex_11, (*path_7).key_0, first_material_number_0(depth_3) + u32(3) * (i_4 - on_emitters_0));
             if(sample_3.is_specular_0)
             {
-                _S221 = (word_0(surface_5.shape_0 + u32(6))) != u32(0);
+                _S222 = (word_0(surface_5.shape_0 + u32(6))) != u32(0);
             }
             else
             {
-                _S221 = false;
+                _S222 = false;
             }
-            if(_S221)
+            if(_S222)
             {
                 sample_3.way_1 = mirrored_0(mirror_at_0(surface_5.place_3.triangle_0), incoming_0 + (*path_7).direction_rest_0);
             }
@@ -3409,24 +3414,24 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         var scattered_4 : Scattered_0 = scattered_along_0(vertex_11, sample_3, walked_of_0((*path_7)), &(moving_1));
         if(!sample_3.is_on_emitter_0)
         {
-            _S221 = !((scattered_4.pdf_6) > 0.0f);
+            _S222 = !((scattered_4.pdf_6) > 0.0f);
         }
         else
         {
-            _S221 = false;
+            _S222 = false;
         }
-        if(_S221)
+        if(_S222)
         {
             goes_on_1 = goes_on_0;
             next_3 = next_2;
             next_direction_1 = next_direction_0;
             next_rest_1 = next_rest_0;
-            var _S223 : u32 = i_4 + u32(1);
+            var _S224 : u32 = i_4 + u32(1);
             goes_on_0 = goes_on_1;
             next_2 = next_3;
             next_direction_0 = next_direction_1;
             next_rest_0 = next_rest_1;
-            i_4 = _S223;
+            i_4 = _S224;
             continue;
         }
         var t_7 : f32;
@@ -3441,12 +3446,12 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 next_3 = next_2;
                 next_direction_1 = next_direction_0;
                 next_rest_1 = next_rest_0;
-                var _S223 : u32 = i_4 + u32(1);
+                var _S224 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
                 next_rest_0 = next_rest_1;
-                i_4 = _S223;
+                i_4 = _S224;
                 continue;
             }
             var own_6 : f32 = f32(emitter_samples_0) * sample_3.probability_1 * sample_3.pdf_2;
@@ -3456,17 +3461,17 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 next_3 = next_2;
                 next_direction_1 = next_direction_0;
                 next_rest_1 = next_rest_0;
-                var _S223 : u32 = i_4 + u32(1);
+                var _S224 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
                 next_rest_0 = next_rest_1;
-                i_4 = _S223;
+                i_4 = _S224;
                 continue;
             }
-            var _S224 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
+            var _S225 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
             own_5 = own_6;
-            other_1 = _S224;
+            other_1 = _S225;
             goes_on_1 = goes_on_0;
             next_3 = next_2;
             next_direction_1 = next_direction_0;
@@ -3476,14 +3481,14 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         {
             if(i_4 == on_emitters_0)
             {
-                var _S225 : bool = (found_8.face_7) != u32(4294967295);
-                var _S226 : Place_0 = place_of_0(found_8);
+                var _S226 : bool = (found_8.face_7) != u32(4294967295);
+                var _S227 : Place_0 = place_of_0(found_8);
                 (*reflected_1).onward_0 = scattered_4.value_8 * vec3<f32>((1.0f / scattered_4.pdf_6));
-                var _S227 : vec3<f32> = sample_3.way_1 - sample_3.direction_9;
-                goes_on_1 = _S225;
-                next_3 = _S226;
+                var _S228 : vec3<f32> = sample_3.way_1 - sample_3.direction_9;
+                goes_on_1 = _S226;
+                next_3 = _S227;
                 next_direction_1 = moving_1;
-                next_rest_1 = _S227;
+                next_rest_1 = _S228;
             }
             else
             {
@@ -3492,42 +3497,42 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
                 next_direction_1 = next_direction_0;
                 next_rest_1 = next_rest_0;
             }
-            var _S228 : u32 = emitter_seen_0(found_8, sample_3.direction_9);
-            sample_3.emitter_5 = _S228;
-            if(_S228 == u32(4294967295))
+            var _S229 : u32 = emitter_seen_0(found_8, sample_3.direction_9);
+            sample_3.emitter_5 = _S229;
+            if(_S229 == u32(4294967295))
             {
-                var _S223 : u32 = i_4 + u32(1);
+                var _S224 : u32 = i_4 + u32(1);
                 goes_on_0 = goes_on_1;
                 next_2 = next_3;
                 next_direction_0 = next_direction_1;
                 next_rest_0 = next_rest_1;
-                i_4 = _S223;
+                i_4 = _S224;
                 continue;
             }
             sample_3.place_13 = place_of_0(found_8);
             sample_3.distance_4 = t_7;
-            var _S229 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
-            var _S230 : bool;
+            var _S230 : f32 = f32(bsdf_samples_0) * scattered_4.pdf_6;
+            var _S231 : bool;
             if(!sample_3.is_specular_0)
             {
-                _S230 = emitter_samples_0 != u32(0);
+                _S231 = emitter_samples_0 != u32(0);
             }
             else
             {
-                _S230 = false;
+                _S231 = false;
             }
-            if(_S230)
+            if(_S231)
             {
                 var pdf_7 : f32 = emitter_pdf_0(sample_3.emitter_5, found_8, vertex_11, sample_3.direction_9, t_7);
-                own_5 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S219) * pdf_7;
+                own_5 = f32(emitter_samples_0) * chance_of_0(sample_3.emitter_5, _S220) * pdf_7;
             }
             else
             {
                 own_5 = 0.0f;
             }
-            var _S231 : f32 = own_5;
-            own_5 = _S229;
-            other_1 = _S231;
+            var _S232 : f32 = own_5;
+            own_5 = _S230;
+            other_1 = _S232;
         }
         var place_19 : Place_0 = sample_3.place_13;
         var place_20 : Place_0;
@@ -3540,16 +3545,16 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
             place_20 = place_19;
         }
         var weight_0 : f32 = weight_over_0(own_5, other_1);
-        var _S232 : vec3<f32> = emitted_0(sample_3.emitter_5, place_20, moving_1);
-        (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_4.value_8 * (_S232 * vec3<f32>(weight_0));
-        var _S223 : u32 = i_4 + u32(1);
+        var _S233 : vec3<f32> = emitted_0(sample_3.emitter_5, place_20, moving_1);
+        (*reflected_1).direct_0 = (*reflected_1).direct_0 + scattered_4.value_8 * (_S233 * vec3<f32>(weight_0));
+        var _S224 : u32 = i_4 + u32(1);
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
         next_rest_0 = next_rest_1;
-        i_4 = _S223;
+        i_4 = _S224;
     }
-    if(_S218)
+    if(_S219)
     {
         goes_on_0 = true;
     }
@@ -3562,16 +3567,16 @@ fn take_further_0( path_7 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         return false;
     }
     var throughput_1 : vec3<f32> = value_of_0((*path_7).throughput_0) * value_of_0((*reflected_1).onward_0);
-    var _S233 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    if(!(_S233 > 0.0f))
+    var _S234 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    if(!(_S234 > 0.0f))
     {
         return false;
     }
-    var _S234 : u32 = depth_3 + u32(1);
-    if(_S234 >= (word_0(u32(1))))
+    var _S235 : u32 = depth_3 + u32(1);
+    if(_S235 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S233, 0.0f, 0.94999998807907104f);
-        if((random_0((*path_7).key_0, vertex_numbers_0(_S234) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S234, 0.0f, 0.94999998807907104f);
+        if((random_0((*path_7).key_0, vertex_numbers_0(_S235) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -3646,28 +3651,28 @@ fn set_place_0( path_12 : u32,  which_10 : ptr<function, u32>,  place_21 : Place
 
 fn store_0( number_of_path_1 : u32,  path_13 : Path_0)
 {
-    var at_18 : u32 = u32(1);
-    set_changing_0(number_of_path_1, &(at_18), path_13.light_0);
-    set_changing_0(number_of_path_1, &(at_18), path_13.throughput_0);
-    set_changing_0(number_of_path_1, &(at_18), path_13.direction_0);
-    set_place_0(number_of_path_1, &(at_18), path_13.place_1);
-    var _S235 : u32 = at_18 + u32(1);
-    set_word_0(number_of_path_1, at_18, path_13.key_0.x);
-    at_18 = _S235 + u32(1);
-    set_word_0(number_of_path_1, _S235, path_13.key_0.y);
-    set_vector_0(number_of_path_1, &(at_18), path_13.direction_rest_0);
+    var at_19 : u32 = u32(1);
+    set_changing_0(number_of_path_1, &(at_19), path_13.light_0);
+    set_changing_0(number_of_path_1, &(at_19), path_13.throughput_0);
+    set_changing_0(number_of_path_1, &(at_19), path_13.direction_0);
+    set_place_0(number_of_path_1, &(at_19), path_13.place_1);
+    var _S236 : u32 = at_19 + u32(1);
+    set_word_0(number_of_path_1, at_19, path_13.key_0.x);
+    at_19 = _S236 + u32(1);
+    set_word_0(number_of_path_1, _S236, path_13.key_0.y);
+    set_vector_0(number_of_path_1, &(at_19), path_13.direction_rest_0);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S236 : u32;
+    var _S237 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S237 : u32 = u32(2) + zero_0;
-        _S236 = _S237;
-        if(rounds_0 < _S237)
+        var _S238 : u32 = u32(2) + zero_0;
+        _S237 = _S238;
+        if(rounds_0 < _S238)
         {
         }
         else
@@ -3676,42 +3681,42 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S236;
+    return rounds_0 == _S237;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S238 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S239 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
 
 fn take_thread_further_0( thread_0 : u32)
 {
-    var at_19 : u32 = launch_0.first_0 + thread_0;
-    if(at_19 >= (launch_0.end_0))
+    var at_20 : u32 = launch_0.first_0 + thread_0;
+    if(at_20 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_2 : u32 = input_0[at_19];
+    var number_of_path_2 : u32 = input_0[at_20];
     var path_14 : Path_0 = load_0(number_of_path_2);
     var reflected_2 : Reflected_0 = nothing_reflected_0();
     var goes_on_2 : bool = take_further_0(&(path_14), &(reflected_2), vec3<f32>(0.0f));
     path_14.light_0 = path_14.light_0 + path_14.throughput_0 * reflected_2.direct_0;
     path_14.throughput_0 = path_14.throughput_0 * reflected_2.onward_0;
     store_0(number_of_path_2, path_14);
-    var _S239 : u32;
+    var _S240 : u32;
     if(goes_on_2)
     {
-        _S239 = number_of_path_2;
+        _S240 = number_of_path_2;
     }
     else
     {
-        _S239 = u32(4294967295);
+        _S240 = u32(4294967295);
     }
-    set_word_0(at_19, u32(0), _S239);
+    set_word_0(at_20, u32(0), _S240);
     check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from walk_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 18e6794201e10953
-// result: 3e57ef29ed87124a
+// source: e62b27ab8fe2c1f2
+// result: 90c598db20687a39
 
 struct Launch_std140_0
 {
@@ -387,7 +387,7 @@ fn s_bwdProp_axes_around_0( _S74 : s_bwdCallableCtx_axes_around_0,  _S75 : ptr<f
 {
     var _S77 : f32 = _S74.value0_9.value0_8.z;
     var sign_0 : f32;
-    if(_S77 < 0.0f)
+    if(_S77 < -0.30000001192092896f)
     {
         sign_0 = -1.0f;
     }
@@ -904,12 +904,12 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
 
 struct Corners2_0
 {
-     a_5 : vec2<f32>,
-     b_2 : vec2<f32>,
-     c_1 : vec2<f32>,
+     a_5 : vec2<f64>,
+     b_2 : vec2<f64>,
+     c_1 : vec2<f64>,
 };
 
-fn Corners2_x24init_0( a_6 : vec2<f32>,  b_3 : vec2<f32>,  c_2 : vec2<f32>) -> Corners2_0
+fn Corners2_x24init_0( a_6 : vec2<f64>,  b_3 : vec2<f64>,  c_2 : vec2<f64>) -> Corners2_0
 {
     var _S196 : Corners2_0;
     _S196.a_5 = a_6;
@@ -918,24 +918,34 @@ fn Corners2_x24init_0( a_6 : vec2<f32>,  b_3 : vec2<f32>,  c_2 : vec2<f32>) -> C
     return _S196;
 }
 
+fn precise_0( at_9 : u32) -> f64
+{
+    return f64(number_0(at_9)) + f64(number_0(at_9 + u32(1)));
+}
+
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f64>(0.0lf, 0.0lf), vec2<f64>(1.0lf, 0.0lf), vec2<f64>(0.0lf, 1.0lf));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_5) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_9 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_5) + u32(1));
-    uvs_0.a_5 = vec2<f32>(number_0(at_9), number_0(at_9 + u32(1)));
-    uvs_0.b_2 = vec2<f32>(number_0(at_9 + u32(2)), number_0(at_9 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_9 + u32(4)), number_0(at_9 + u32(5)));
+    var at_10 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_5) + u32(1));
+    uvs_0.a_5 = vec2<f64>(precise_0(at_10), precise_0(at_10 + u32(2)));
+    uvs_0.b_2 = vec2<f64>(precise_0(at_10 + u32(4)), precise_0(at_10 + u32(6)));
+    uvs_0.c_1 = vec2<f64>(precise_0(at_10 + u32(8)), precise_0(at_10 + u32(10)));
     return uvs_0;
 }
 
-fn floor_of_0( x_4 : f32) -> i32
+fn row_at_0( at_11 : u32) -> vec3<f64>
 {
-    return i32(floor(clamp(x_4, -1.0e+09f, 1.0e+09f)));
+    return vec3<f64>(precise_0(at_11), precise_0(at_11 + u32(2)), precise_0(at_11 + u32(4)));
+}
+
+fn floor_of_0( x_4 : f64) -> i32
+{
+    return i32(clamp(f32(floor(x_4)), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
@@ -976,25 +986,25 @@ fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
 
 struct Point_0
 {
-     value_1 : vec2<f32>,
+     value_1 : vec2<f64>,
      by_first_1 : vec2<f32>,
      by_second_1 : vec2<f32>,
 };
 
 fn between_0( texels_1 : vec4<u32>,  place_5 : Point_0) -> Lookup_0
 {
-    var way_0 : vec2<f32> = place_5.value_1 - floor(place_5.value_1);
-    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
+    var _S197 : vec2<f32> = vec2<f32>(place_5.value_1 - floor(place_5.value_1));
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - _S197;
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S197 : f32 = back_0.x;
-    var _S198 : f32 = back_0.y;
-    var _S199 : f32 = way_0.x;
-    var _S200 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S197 * _S198, _S199 * _S198, _S197 * _S200, _S199 * _S200);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S198, _S198, - _S200, _S200);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S197, - _S199, _S197, _S199);
+    var _S198 : f32 = back_0.x;
+    var _S199 : f32 = back_0.y;
+    var _S200 : f32 = _S197.x;
+    var _S201 : f32 = _S197.y;
+    lookup_1.weights_0 = vec4<f32>(_S198 * _S199, _S200 * _S199, _S198 * _S201, _S200 * _S201);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S199, _S199, - _S201, _S201);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S198, - _S200, _S198, _S200);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_5.by_first_1.x) + by_y_0 * vec4<f32>(place_5.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_5.by_second_1.x) + by_y_0 * vec4<f32>(place_5.by_second_1.y);
     return lookup_1;
@@ -1006,26 +1016,26 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
     var size_0 : vec2<f32> = vec2<f32>(f32(width_0), f32(height_0));
-    var place_6 : vec2<f32> = uv_0.value_1 * size_0;
+    var place_6 : vec2<f64> = uv_0.value_1 * vec2<f64>(size_0);
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_6.y), height_0, wrap_1);
-        var _S201 : u32 = row_0 * u32(width_0);
-        var _S202 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
-        return one_texel_0(_S201 + _S202);
+        var _S202 : u32 = row_0 * u32(width_0);
+        var _S203 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
+        return one_texel_0(_S202 + _S203);
     }
     var centred_0 : Point_0;
-    var _S203 : vec2<f32> = place_6 - vec2<f32>(0.5f);
-    centred_0.value_1 = _S203;
+    var _S204 : vec2<f64> = place_6 - vec2<f64>(0.5lf);
+    centred_0.value_1 = _S204;
     centred_0.by_first_1 = uv_0.by_first_1 * size_0;
     centred_0.by_second_1 = uv_0.by_second_1 * size_0;
-    var x_5 : i32 = floor_of_0(_S203.x);
-    var y_1 : i32 = floor_of_0(_S203.y);
-    var _S204 : u32 = wrapped_0(y_1, height_0, wrap_1);
-    var _S205 : u32 = u32(width_0);
-    var first_1 : u32 = _S204 * _S205;
-    var _S206 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S206 * _S205;
+    var x_5 : i32 = floor_of_0(_S204.x);
+    var y_1 : i32 = floor_of_0(_S204.y);
+    var _S205 : u32 = wrapped_0(y_1, height_0, wrap_1);
+    var _S206 : u32 = u32(width_0);
+    var first_1 : u32 = _S205 * _S206;
+    var _S207 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S207 * _S206;
     var left_0 : u32 = wrapped_0(x_5, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_5 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -1054,43 +1064,43 @@ fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_7.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
+    var by_v_0 : vec2<f64> = uvs_1.b_2 - uvs_1.a_5;
+    var by_w_0 : vec2<f64> = uvs_1.c_1 - uvs_1.a_5;
+    var _S208 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f64> = row_at_0(_S208);
+    var to_v_0 : vec3<f64> = row_at_0(_S208 + u32(6));
     var uv_1 : Point_0;
-    var _S207 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_2 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
-    uv_1.value_1 = vec2<f32>(dot(_S207, to_u_0), dot(_S207, to_v_0));
-    var by_v_0 : vec2<f32> = uvs_1.b_2 - uvs_1.a_5;
-    var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_5;
-    var _S208 : vec2<f32> = to_u_0.xy;
-    var _S209 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S208), dot(by_v_0, _S209));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S208), dot(by_w_0, _S209));
+    var _S209 : vec3<f64> = vec3<f64>(uvs_1.a_5 + by_v_0 * vec2<f64>((f64(place_7.v_0) + f64(place_7.v_rest_0))) + by_w_0 * vec2<f64>((f64(place_7.w_0) + f64(place_7.w_rest_0))), 1.0lf);
+    uv_1.value_1 = vec2<f64>(dot(_S209, to_u_0), dot(_S209, to_v_0));
+    var _S210 : vec2<f64> = to_u_0.xy;
+    var _S211 : vec2<f64> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(vec2<f64>(dot(by_v_0, _S210), dot(by_v_0, _S211)));
+    uv_1.by_second_1 = vec2<f32>(vec2<f64>(dot(by_w_0, _S210), dot(by_w_0, _S211)));
     if(kind_0 == u32(1))
     {
-        var _S210 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S210;
+        var _S212 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S212;
     }
-    var half_of_period_0 : vec2<f32> = uv_1.value_1 - floor(uv_1.value_1);
-    var _S211 : i32;
-    if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
+    var half_of_period_0 : vec2<f64> = uv_1.value_1 - floor(uv_1.value_1);
+    var _S213 : i32;
+    if(((half_of_period_0.x) > 0.5lf) != ((half_of_period_0.y) > 0.5lf))
     {
-        _S211 = i32(1);
+        _S213 = i32(1);
     }
     else
     {
-        _S211 = i32(0);
+        _S213 = i32(0);
     }
-    return one_texel_0(u32(_S211));
+    return one_texel_0(u32(_S213));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S212 : u32 = word_0(texture_2 + u32(1));
-    var _S213 : u32 = texture_2 + u32(13);
-    var _S214 : vec3<f32> = vec3<f32>(0.0f);
+    var _S214 : u32 = word_0(texture_2 + u32(1));
+    var _S215 : u32 = texture_2 + u32(19);
+    var _S216 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S214;
+    var value_2 : vec3<f32> = _S216;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1100,17 +1110,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_10 : u32 = _S213 + _S212 * lookup_3.texels_0[k_1];
-        var _S215 : vec3<f32>;
-        if(_S212 == u32(1))
+        var at_12 : u32 = _S215 + _S214 * lookup_3.texels_0[k_1];
+        var _S217 : vec3<f32>;
+        if(_S214 == u32(1))
         {
-            _S215 = vec3<f32>(number_0(at_10));
+            _S217 = vec3<f32>(number_0(at_12));
         }
         else
         {
-            _S215 = vector_at_0(at_10);
+            _S217 = vector_at_0(at_12);
         }
-        var value_3 : vec3<f32> = value_2 + _S215 * vec3<f32>(weights_1[k_1]);
+        var value_3 : vec3<f32> = value_2 + _S217 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_2 = value_3;
     }
@@ -1124,8 +1134,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
 {
-    var _S216 : Lookup_0 = lookup_at_0(texture_4, place_8);
-    return looked_up_0(texture_4, _S216, vec2<f32>(0.0f));
+    var _S218 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S218, vec2<f32>(0.0f));
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -1189,38 +1199,38 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
     var lobe_0 : Lobe_0;
     lobe_0.record_2 = record_3;
     var is_black_0 : bool = record_3 == u32(4294967295);
-    var _S217 : u32;
+    var _S219 : u32;
     if(is_black_0)
     {
-        _S217 = u32(0);
+        _S219 = u32(0);
     }
     else
     {
-        _S217 = word_0(record_3);
+        _S219 = word_0(record_3);
     }
-    lobe_0.kind_1 = _S217;
+    lobe_0.kind_1 = _S219;
     if(is_black_0)
     {
-        _S217 = u32(1);
+        _S219 = u32(1);
     }
     else
     {
-        _S217 = word_0(record_3 + u32(1));
+        _S219 = word_0(record_3 + u32(1));
     }
-    lobe_0.distribution_0 = _S217;
+    lobe_0.distribution_0 = _S219;
     lobe_0.numbers_2 = no_numbers_0();
     if(is_black_0)
     {
-        _S217 = u32(0);
+        _S219 = u32(0);
     }
     else
     {
-        _S217 = word_0(record_3 + u32(4));
+        _S219 = word_0(record_3 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S217)
+        if(slot_1 < _S219)
         {
         }
         else
@@ -1234,10 +1244,10 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
-        var _S218 : vec3<f32> = value_of_0(colour_1);
-        var _S219 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S219), slot_1, _S218);
-        lobe_0.numbers_2 = _S219;
+        var _S220 : vec3<f32> = value_of_0(colour_1);
+        var _S221 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S221), slot_1, _S220);
+        lobe_0.numbers_2 = _S221;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -1252,53 +1262,53 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S220 : vec3<f32>;
+    var _S222 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S220 = tangent_0;
+        _S222 = tangent_0;
     }
     else
     {
-        _S220 = vec3<f32>(0.0f);
+        _S222 = vec3<f32>(0.0f);
     }
-    return _S220;
+    return _S222;
 }
 
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S221 : vec3<f32>;
+    var _S223 : vec3<f32>;
     if(is_front_1)
     {
-        _S221 = n_2;
+        _S223 = n_2;
     }
     else
     {
-        _S221 = (vec3<f32>(0) - n_2);
+        _S223 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_0 = _S221;
-    var _S222 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S222;
-    axes_0.t_0 = cross(n_2, _S222);
+    axes_0.n_0 = _S223;
+    var _S224 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S224;
+    axes_0.t_0 = cross(n_2, _S224);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S223 : vec3<f32>;
+    var _S225 : vec3<f32>;
     if(is_front_2)
     {
-        _S223 = n_3;
+        _S225 = n_3;
     }
     else
     {
-        _S223 = (vec3<f32>(0) - n_3);
+        _S225 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_0 = _S223;
-    var _S224 : f32 = n_3.z;
+    axes_1.n_0 = _S225;
+    var _S226 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S224 < 0.0f)
+    if(_S226 < -0.30000001192092896f)
     {
         sign_1 = -1.0f;
     }
@@ -1306,12 +1316,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_1 = 1.0f;
     }
-    var a_7 : f32 = -1.0f / (sign_1 + _S224);
-    var _S225 : f32 = n_3.x;
-    var _S226 : f32 = n_3.y;
-    var b_4 : f32 = _S225 * _S226 * a_7;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S225 * _S225 * a_7, sign_1 * b_4, - sign_1 * _S225);
-    axes_1.t_0 = vec3<f32>(b_4, sign_1 + _S226 * _S226 * a_7, - _S226);
+    var a_7 : f32 = -1.0f / (sign_1 + _S226);
+    var _S227 : f32 = n_3.x;
+    var _S228 : f32 = n_3.y;
+    var b_4 : f32 = _S227 * _S228 * a_7;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S227 * _S227 * a_7, sign_1 * b_4, - sign_1 * _S227);
+    axes_1.t_0 = vec3<f32>(b_4, sign_1 + _S228 * _S228 * a_7, - _S228);
     return axes_1;
 }
 
@@ -1338,8 +1348,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_4 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S227 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S227;
+    var _S229 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S229;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -1368,15 +1378,15 @@ struct Mirror_0
 
 fn mirror_at_0( triangle_6 : u32) -> Mirror_0
 {
-    var at_11 : u32 = u32(9) * triangle_6;
+    var at_13 : u32 = u32(9) * triangle_6;
     var mirror_0 : Mirror_0;
-    var _S228 : vec3<f64> = primitive_vector_0(at_11);
-    mirror_0.corner_0 = _S228;
-    var _S229 : vec3<f64> = primitive_vector_0(at_11 + u32(3)) - _S228;
-    mirror_0.ab_0 = _S229;
-    var _S230 : vec3<f64> = primitive_vector_0(at_11 + u32(6)) - _S228;
-    mirror_0.ac_0 = _S230;
-    mirror_0.normal_0 = exact_unit_0(cross(_S229, _S230));
+    var _S230 : vec3<f64> = primitive_vector_0(at_13);
+    mirror_0.corner_0 = _S230;
+    var _S231 : vec3<f64> = primitive_vector_0(at_13 + u32(3)) - _S230;
+    mirror_0.ab_0 = _S231;
+    var _S232 : vec3<f64> = primitive_vector_0(at_13 + u32(6)) - _S230;
+    mirror_0.ac_0 = _S232;
+    mirror_0.normal_0 = exact_unit_0(cross(_S231, _S232));
     return mirror_0;
 }
 
@@ -1411,14 +1421,14 @@ fn first_number_0( depth_3 : u32) -> u32
     return edge_word_0(u32(6)) + depth_3 * edge_word_0(u32(7));
 }
 
-fn real_place_0( at_12 : u32) -> u32
+fn real_place_0( at_14 : u32) -> u32
 {
-    return word_0(u32(15)) + u32(4) + at_12;
+    return word_0(u32(15)) + u32(4) + at_14;
 }
 
-fn edge_real_0( at_13 : u32) -> f64
+fn edge_real_0( at_15 : u32) -> f64
 {
-    return primitives_0[real_place_0(at_13)];
+    return primitives_0[real_place_0(at_15)];
 }
 
 fn product_0( a_8 : u32,  b_5 : u32) -> vec2<u32>
@@ -1435,33 +1445,33 @@ fn product_0( a_8 : u32,  b_5 : u32) -> vec2<u32>
 
 fn times_0( a_9 : vec2<u32>,  b_6 : vec2<u32>) -> vec2<u32>
 {
-    var _S231 : u32 = a_9.x;
-    var _S232 : u32 = b_6.x;
-    var low_1 : vec2<u32> = product_0(_S231, _S232);
-    return vec2<u32>(low_1.x, low_1.y + _S231 * b_6.y + a_9.y * _S232);
+    var _S233 : u32 = a_9.x;
+    var _S234 : u32 = b_6.x;
+    var low_1 : vec2<u32> = product_0(_S233, _S234);
+    return vec2<u32>(low_1.x, low_1.y + _S233 * b_6.y + a_9.y * _S234);
 }
 
 fn plus_0( a_10 : vec2<u32>,  b_7 : vec2<u32>) -> vec2<u32>
 {
-    var _S233 : u32 = a_10.x;
-    var low_2 : u32 = _S233 + b_7.x;
-    var _S234 : u32 = a_10.y + b_7.y;
-    var _S235 : i32;
-    if(low_2 < _S233)
+    var _S235 : u32 = a_10.x;
+    var low_2 : u32 = _S235 + b_7.x;
+    var _S236 : u32 = a_10.y + b_7.y;
+    var _S237 : i32;
+    if(low_2 < _S235)
     {
-        _S235 = i32(1);
+        _S237 = i32(1);
     }
     else
     {
-        _S235 = i32(0);
+        _S237 = i32(0);
     }
-    return vec2<u32>(low_2, _S234 + u32(_S235));
+    return vec2<u32>(low_2, _S236 + u32(_S237));
 }
 
 fn shifted_xor_0( x_6 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S236 : u32 = x_6.y;
-    return (x_6 ^ (vec2<u32>(((((x_6.x) >> (by_0))) | (((_S236 << ((u32(32) - by_0)))))), (_S236 >> (by_0)))));
+    var _S238 : u32 = x_6.y;
+    return (x_6 ^ (vec2<u32>(((((x_6.x) >> (by_0))) | (((_S238 << ((u32(32) - by_0)))))), (_S238 >> (by_0)))));
 }
 
 fn mix_0( x_7 : vec2<u32>) -> vec2<u32>
@@ -1498,37 +1508,37 @@ fn limit_at_0( which_5 : u32) -> f64
 fn half_tangent_between_0( a_11 : vec3<f64>,  b_8 : vec3<f64>) -> f64
 {
     var beside_0 : f64 = 1.0lf + dot(a_11, b_8);
-    var _S237 : f64;
+    var _S239 : f64;
     if(beside_0 > 0.0lf)
     {
-        _S237 = length_of_0(cross(a_11, b_8)) / beside_0;
+        _S239 = length_of_0(cross(a_11, b_8)) / beside_0;
     }
     else
     {
-        _S237 = limit_at_0(u32(1));
+        _S239 = limit_at_0(u32(1));
     }
-    return _S237;
+    return _S239;
 }
 
 fn component_0( v_7 : vec3<f64>,  axis_0 : u32) -> f64
 {
-    var _S238 : f64;
+    var _S240 : f64;
     if(axis_0 == u32(0))
     {
-        _S238 = v_7.x;
+        _S240 = v_7.x;
     }
     else
     {
         if(axis_0 == u32(1))
         {
-            _S238 = v_7.y;
+            _S240 = v_7.y;
         }
         else
         {
-            _S238 = v_7.z;
+            _S240 = v_7.z;
         }
     }
-    return _S238;
+    return _S240;
 }
 
 struct Ray_0
@@ -1548,34 +1558,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f64>,  direction_6 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  axes_6 : ptr<function, u32>) -> Ray_0
 {
     var size_1 : vec3<f32> = abs(vec3<f32>(direction_6));
-    var _S239 : f32 = size_1.x;
-    var _S240 : f32 = size_1.y;
-    var _S241 : bool;
-    if(_S239 >= _S240)
+    var _S241 : f32 = size_1.x;
+    var _S242 : f32 = size_1.y;
+    var _S243 : bool;
+    if(_S241 >= _S242)
     {
-        _S241 = _S239 >= (size_1.z);
+        _S243 = _S241 >= (size_1.z);
     }
     else
     {
-        _S241 = false;
+        _S243 = false;
     }
-    var _S242 : i32;
-    if(_S241)
+    var _S244 : i32;
+    if(_S243)
     {
-        _S242 = i32(0);
+        _S244 = i32(0);
     }
     else
     {
-        if(_S240 >= (size_1.z))
+        if(_S242 >= (size_1.z))
         {
-            _S242 = i32(1);
+            _S244 = i32(1);
         }
         else
         {
-            _S242 = i32(2);
+            _S244 = i32(2);
         }
     }
-    var z_0 : u32 = u32(_S242);
+    var z_0 : u32 = u32(_S244);
     var x_8 : u32 = (z_0 + u32(1)) % u32(3);
     var y_2 : u32 = (z_0 + u32(2)) % u32(3);
     (*axes_6) = (((x_8 | (((y_2 << (u32(2))))))) | (((z_0 << (u32(4))))));
@@ -1597,34 +1607,34 @@ fn ray_along_0( origin_1 : vec3<f64>,  direction_6 : vec3<f64>,  t_min_1 : f64, 
 fn ray_along_1( origin_2 : vec3<f64>,  direction_7 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  axes_7 : ptr<function, u32>) -> Ray_0
 {
     var size_2 : vec3<f32> = abs(vec3<f32>(direction_7));
-    var _S243 : f32 = size_2.x;
-    var _S244 : f32 = size_2.y;
-    var _S245 : bool;
-    if(_S243 >= _S244)
+    var _S245 : f32 = size_2.x;
+    var _S246 : f32 = size_2.y;
+    var _S247 : bool;
+    if(_S245 >= _S246)
     {
-        _S245 = _S243 >= (size_2.z);
+        _S247 = _S245 >= (size_2.z);
     }
     else
     {
-        _S245 = false;
+        _S247 = false;
     }
-    var _S246 : i32;
-    if(_S245)
+    var _S248 : i32;
+    if(_S247)
     {
-        _S246 = i32(0);
+        _S248 = i32(0);
     }
     else
     {
-        if(_S244 >= (size_2.z))
+        if(_S246 >= (size_2.z))
         {
-            _S246 = i32(1);
+            _S248 = i32(1);
         }
         else
         {
-            _S246 = i32(2);
+            _S248 = i32(2);
         }
     }
-    var z_1 : u32 = u32(_S246);
+    var z_1 : u32 = u32(_S248);
     var x_9 : u32 = (z_1 + u32(1)) % u32(3);
     var y_3 : u32 = (z_1 + u32(2)) % u32(3);
     (*axes_7) = (((x_9 | (((y_3 << (u32(2))))))) | (((z_1 << (u32(4))))));
@@ -1660,7 +1670,7 @@ struct RayView_0
 
 fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_3 : u32) -> f32
 {
-    var _S247 : u32 = u32(14) * node_1 + slot_3 / u32(4);
+    var _S249 : u32 = u32(14) * node_1 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_1 : u32 = u32(0);
@@ -1673,36 +1683,36 @@ fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S248 : u32 = axis_1;
-        var _S249 : u32 = _S247 + u32(2) * axis_1;
-        var _S250 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S249][_S250])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S249 + u32(6)][_S250])));
-        var _S251 : bool = (view_0.inverse_0[axis_1]) < 0.0f;
-        var _S252 : f32;
-        if(_S251)
-        {
-            _S252 = high_0;
-        }
-        else
-        {
-            _S252 = low_3;
-        }
-        var _S253 : f32 = max(near_0, _S252 * view_0.inverse_0[_S248] - view_0.offset_near_0[axis_1]);
+        var _S250 : u32 = axis_1;
+        var _S251 : u32 = _S249 + u32(2) * axis_1;
+        var _S252 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S251][_S252])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S251 + u32(6)][_S252])));
+        var _S253 : bool = (view_0.inverse_0[axis_1]) < 0.0f;
         var _S254 : f32;
-        if(_S251)
-        {
-            _S254 = low_3;
-        }
-        else
+        if(_S253)
         {
             _S254 = high_0;
         }
-        var _S255 : f32 = min(far_0, _S254 * view_0.inverse_0[_S248] - view_0.offset_far_0[axis_1]);
-        var _S256 : u32 = axis_1 + u32(1);
-        near_0 = _S253;
-        far_0 = _S255;
-        axis_1 = _S256;
+        else
+        {
+            _S254 = low_3;
+        }
+        var _S255 : f32 = max(near_0, _S254 * view_0.inverse_0[_S250] - view_0.offset_near_0[axis_1]);
+        var _S256 : f32;
+        if(_S253)
+        {
+            _S256 = low_3;
+        }
+        else
+        {
+            _S256 = high_0;
+        }
+        var _S257 : f32 = min(far_0, _S256 * view_0.inverse_0[_S250] - view_0.offset_far_0[axis_1]);
+        var _S258 : u32 = axis_1 + u32(1);
+        near_0 = _S255;
+        far_0 = _S257;
+        axis_1 = _S258;
     }
     if(near_0 <= far_0)
     {
@@ -1727,7 +1737,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S257 : u32 = k_2;
+        var _S259 : u32 = k_2;
         if((bounds_0[k_2]) > limit_2)
         {
             k_2 = k_2 + u32(1);
@@ -1744,24 +1754,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S258 : u32 = j_0;
-            var _S259 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S257]))
+            var _S260 : u32 = j_0;
+            var _S261 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S259]))
             {
-                _S259 = true;
+                _S261 = true;
             }
             else
             {
-                if((bounds_0[_S258]) == (bounds_0[_S257]))
+                if((bounds_0[_S260]) == (bounds_0[_S259]))
                 {
-                    _S259 = j_0 < k_2;
+                    _S261 = j_0 < k_2;
                 }
                 else
                 {
-                    _S259 = false;
+                    _S261 = false;
                 }
             }
-            if(_S259)
+            if(_S261)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -1786,16 +1796,16 @@ fn crossed_0( view_1 : RayView_0,  limit_3 : f32,  node_2 : u32) -> u32
         {
             break;
         }
-        var _S260 : f32;
+        var _S262 : f32;
         if((ray_child_0(node_2, slot_4)) == u32(4294967295))
         {
-            _S260 = 3.00000000549775576e+38f;
+            _S262 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S260 = ray_bound_0(view_1, limit_3, node_2, slot_4);
+            _S262 = ray_bound_0(view_1, limit_3, node_2, slot_4);
         }
-        bounds_1[slot_4] = _S260;
+        bounds_1[slot_4] = _S262;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -1806,9 +1816,9 @@ fn rounded_0( product_1 : f64,  largest_1 : f64) -> f64
     return min(product_1, largest_1);
 }
 
-fn corner_1( ray_2 : Ray_0,  axes_9 : u32,  at_14 : u32) -> vec3<f64>
+fn corner_1( ray_2 : Ray_0,  axes_9 : u32,  at_16 : u32) -> vec3<f64>
 {
-    var relative_0 : vec3<f64> = primitive_vector_0(at_14) - ray_2.origin_0;
+    var relative_0 : vec3<f64> = primitive_vector_0(at_16) - ray_2.origin_0;
     var z_2 : f64 = component_0(relative_0, (axes_9 >> (u32(4))));
     return vec3<f64>(component_0(relative_0, (axes_9 & (u32(3)))) - rounded_0(ray_2.shear_x_0 * z_2, ray_2.largest_0), component_0(relative_0, (((axes_9 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_2.shear_y_0 * z_2, ray_2.largest_0), z_2);
 }
@@ -1821,56 +1831,56 @@ struct Crossing_0
      w_2 : f64,
 };
 
-fn intersect_0( ray_3 : Ray_0,  axes_10 : u32,  at_15 : u32) -> Crossing_0
+fn intersect_0( ray_3 : Ray_0,  axes_10 : u32,  at_17 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_1 = 0.0lf;
     crossing_0.v_8 = 0.0lf;
     crossing_0.w_2 = 0.0lf;
-    var a_12 : vec3<f64> = corner_1(ray_3, axes_10, at_15);
-    var b_9 : vec3<f64> = corner_1(ray_3, axes_10, at_15 + u32(3));
-    var c_3 : vec3<f64> = corner_1(ray_3, axes_10, at_15 + u32(6));
-    var _S261 : f64 = c_3.x;
-    var _S262 : f64 = b_9.y;
-    var cx_by_0 : f64 = rounded_0(_S261 * _S262, ray_3.largest_0);
-    var _S263 : f64 = c_3.y;
-    var _S264 : f64 = b_9.x;
-    var cy_bx_0 : f64 = rounded_0(_S263 * _S264, ray_3.largest_0);
-    var _S265 : f64 = a_12.x;
-    var ax_cy_0 : f64 = rounded_0(_S265 * _S263, ray_3.largest_0);
-    var _S266 : f64 = a_12.y;
-    var ay_cx_0 : f64 = rounded_0(_S266 * _S261, ray_3.largest_0);
-    var bx_ay_0 : f64 = rounded_0(_S264 * _S266, ray_3.largest_0);
-    var by_ax_0 : f64 = rounded_0(_S262 * _S265, ray_3.largest_0);
+    var a_12 : vec3<f64> = corner_1(ray_3, axes_10, at_17);
+    var b_9 : vec3<f64> = corner_1(ray_3, axes_10, at_17 + u32(3));
+    var c_3 : vec3<f64> = corner_1(ray_3, axes_10, at_17 + u32(6));
+    var _S263 : f64 = c_3.x;
+    var _S264 : f64 = b_9.y;
+    var cx_by_0 : f64 = rounded_0(_S263 * _S264, ray_3.largest_0);
+    var _S265 : f64 = c_3.y;
+    var _S266 : f64 = b_9.x;
+    var cy_bx_0 : f64 = rounded_0(_S265 * _S266, ray_3.largest_0);
+    var _S267 : f64 = a_12.x;
+    var ax_cy_0 : f64 = rounded_0(_S267 * _S265, ray_3.largest_0);
+    var _S268 : f64 = a_12.y;
+    var ay_cx_0 : f64 = rounded_0(_S268 * _S263, ray_3.largest_0);
+    var bx_ay_0 : f64 = rounded_0(_S266 * _S268, ray_3.largest_0);
+    var by_ax_0 : f64 = rounded_0(_S264 * _S267, ray_3.largest_0);
     var u_0 : f64 = cx_by_0 - cy_bx_0;
     var v_9 : f64 = ax_cy_0 - ay_cx_0;
     var w_3 : f64 = bx_ay_0 - by_ax_0;
-    var _S267 : f64 = min(min(u_0, v_9), w_3);
-    var _S268 : f64 = max(max(u_0, v_9), w_3);
-    var _S269 : bool;
-    if(_S267 < 0.0lf)
+    var _S269 : f64 = min(min(u_0, v_9), w_3);
+    var _S270 : f64 = max(max(u_0, v_9), w_3);
+    var _S271 : bool;
+    if(_S269 < 0.0lf)
     {
-        _S269 = _S268 > 0.0lf;
+        _S271 = _S270 > 0.0lf;
     }
     else
     {
-        _S269 = false;
+        _S271 = false;
     }
-    if(_S269)
+    if(_S271)
     {
         return crossing_0;
     }
     var determinant_0 : f64 = u_0 + v_9 + w_3;
-    if(_S267 <= 0.0lf)
+    if(_S269 <= 0.0lf)
     {
-        _S269 = _S268 >= 0.0lf;
+        _S271 = _S270 >= 0.0lf;
     }
     else
     {
-        _S269 = false;
+        _S271 = false;
     }
-    if(_S269)
+    if(_S271)
     {
         if((abs(determinant_0)) <= (ray_3.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -1884,13 +1894,13 @@ fn intersect_0( ray_3 : Ray_0,  axes_10 : u32,  at_15 : u32) -> Crossing_0
     var t_2 : f64 = (rounded_0(u_0 * a_12.z, ray_3.largest_0) + rounded_0(v_9 * b_9.z, ray_3.largest_0) + rounded_0(w_3 * c_3.z, ray_3.largest_0)) / determinant_0 * ray_3.inverse_z_0;
     if((ray_3.t_min_0) <= t_2)
     {
-        _S269 = t_2 <= (ray_3.t_max_0);
+        _S271 = t_2 <= (ray_3.t_max_0);
     }
     else
     {
-        _S269 = false;
+        _S271 = false;
     }
-    crossing_0.is_hit_0 = _S269;
+    crossing_0.is_hit_0 = _S271;
     crossing_0.t_1 = t_2;
     crossing_0.v_8 = v_9 / determinant_0;
     crossing_0.w_2 = w_3 / determinant_0;
@@ -1912,7 +1922,7 @@ struct Found_0
 
 fn first_found_0( view_2 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S270 : bool;
+    var _S272 : bool;
     var found_0 : Found_0;
     found_0.face_3 = u32(4294967295);
     found_0.triangle_8 = u32(4294967295);
@@ -1922,8 +1932,8 @@ fn first_found_0( view_2 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
     {
         return found_0;
     }
-    var way_1 : array<vec2<u32>, i32(40)>;
-    way_1[i32(0)] = vec2<u32>(u32(0), u32(0));
+    var way_0 : array<vec2<u32>, i32(40)>;
+    way_0[i32(0)] = vec2<u32>(u32(0), u32(0));
     var entered_0 : u32 = u32(0);
     var limit_4 : f32 = view_2.limit_0;
     var is_new_0 : bool = true;
@@ -1934,7 +1944,7 @@ fn first_found_0( view_2 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
         var is_new_1 : bool;
         if(entered_0 != u32(4294967295))
         {
-            way_1[level_0] = vec2<u32>(entered_0, crossed_0(view_2, limit_4, entered_0));
+            way_0[level_0] = vec2<u32>(entered_0, crossed_0(view_2, limit_4, entered_0));
             is_new_1 = true;
             entered_1 = u32(4294967295);
         }
@@ -1943,32 +1953,32 @@ fn first_found_0( view_2 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
             is_new_1 = is_new_0;
             entered_1 = entered_0;
         }
-        var here_0 : vec2<u32> = way_1[level_0];
-        var _S271 : u32 = way_1[level_0].y;
-        if(_S271 == u32(0))
+        var here_0 : vec2<u32> = way_0[level_0];
+        var _S273 : u32 = way_0[level_0].y;
+        if(_S273 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S272 : u32 = level_0 - u32(1);
+            var _S274 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S272;
+            level_0 = _S274;
             continue;
         }
-        var slot_5 : u32 = ((_S271 & (u32(15)))) - u32(1);
-        way_1[level_0][i32(1)] = (_S271 >> (u32(4)));
-        var _S273 : bool;
+        var slot_5 : u32 = ((_S273 & (u32(15)))) - u32(1);
+        way_0[level_0][i32(1)] = (_S273 >> (u32(4)));
+        var _S275 : bool;
         if(!is_new_1)
         {
-            _S273 = (ray_bound_0(view_2, limit_4, here_0.x, slot_5)) > limit_4;
+            _S275 = (ray_bound_0(view_2, limit_4, here_0.x, slot_5)) > limit_4;
         }
         else
         {
-            _S273 = false;
+            _S275 = false;
         }
-        if(_S273)
+        if(_S275)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -1977,20 +1987,20 @@ fn first_found_0( view_2 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_0.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S274 : u32 = level_0 + u32(1);
+            var _S276 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S274;
+            level_0 = _S276;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S275 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S276 : u32 = leaf_starts_0[leaf_0];
+        var _S277 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S278 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_1 : u32 = _S276;
+        var i_1 : u32 = _S278;
         for(;;)
         {
-            if(i_1 < _S275)
+            if(i_1 < _S277)
             {
             }
             else
@@ -2005,23 +2015,23 @@ fn first_found_0( view_2 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_3) == u32(4294967295))
             {
-                _S270 = true;
+                _S272 = true;
             }
             else
             {
-                _S270 = (crossing_1.t_1) < ((*ray_4).t_max_0);
+                _S272 = (crossing_1.t_1) < ((*ray_4).t_max_0);
             }
-            var _S277 : bool;
-            if(_S270)
+            var _S279 : bool;
+            if(_S272)
             {
-                _S277 = true;
+                _S279 = true;
             }
             else
             {
-                _S277 = (face_2(i_1)) < (found_0.face_3);
+                _S279 = (face_2(i_1)) < (found_0.face_3);
             }
             var limit_6 : f32;
-            if(_S277)
+            if(_S279)
             {
                 found_0.face_3 = face_2(i_1);
                 found_0.triangle_8 = i_1;
@@ -2039,13 +2049,13 @@ fn first_found_0( view_2 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S270 = (found_0.face_3) != u32(4294967295);
+            _S272 = (found_0.face_3) != u32(4294967295);
         }
         else
         {
-            _S270 = false;
+            _S272 = false;
         }
-        if(_S270)
+        if(_S272)
         {
             break;
         }
@@ -2059,11 +2069,11 @@ fn first_found_0( view_2 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_3 : vec3<f64>,  direction_8 : vec3<f64>,  t_min_3 : f64,  t_max_3 : f64,  any_1 : bool,  t_3 : ptr<function, f32>) -> Found_0
 {
     var view_3 : RayView_0;
-    var _S278 : u32 = view_3.axes_8;
-    var _S279 : Ray_0 = ray_along_1(origin_3, direction_8, t_min_3, t_max_3, &(_S278));
-    view_3.axes_8 = _S278;
-    var ray_5 : Ray_0 = _S279;
-    var _S280 : vec3<f32> = vec3<f32>(direction_8 / vec3<f64>(ray_5.local_per_t_0));
+    var _S280 : u32 = view_3.axes_8;
+    var _S281 : Ray_0 = ray_along_1(origin_3, direction_8, t_min_3, t_max_3, &(_S280));
+    view_3.axes_8 = _S280;
+    var ray_5 : Ray_0 = _S281;
+    var _S282 : vec3<f32> = vec3<f32>(direction_8 / vec3<f64>(ray_5.local_per_t_0));
     var axis_2 : u32 = u32(0);
     for(;;)
     {
@@ -2074,17 +2084,17 @@ fn cast_0( origin_3 : vec3<f64>,  direction_8 : vec3<f64>,  t_min_3 : f64,  t_ma
         {
             break;
         }
-        var _S281 : f32 = max(abs(_S280[axis_2]), 8.67361737988403547e-19f);
-        var _S282 : f32;
-        if((_S280[axis_2]) < 0.0f)
+        var _S283 : f32 = max(abs(_S282[axis_2]), 8.67361737988403547e-19f);
+        var _S284 : f32;
+        if((_S282[axis_2]) < 0.0f)
         {
-            _S282 = -1.0f / _S281;
+            _S284 = -1.0f / _S283;
         }
         else
         {
-            _S282 = 1.0f / _S281;
+            _S284 = 1.0f / _S283;
         }
-        view_3.inverse_0[axis_2] = _S282;
+        view_3.inverse_0[axis_2] = _S284;
         axis_2 = axis_2 + u32(1);
     }
     var offset_0 : vec3<f32> = vec3<f32>(origin_3) * view_3.inverse_0;
@@ -2137,34 +2147,34 @@ fn reflect_0( chain_0 : ptr<function, Chain_0>) -> bool
 {
     var unused_0 : f32;
     var found_3 : Found_0 = cast_0((*chain_0).start_0, (*chain_0).direction_10, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &(unused_0));
-    var _S283 : bool;
+    var _S285 : bool;
     if((found_3.face_3) == u32(4294967295))
     {
-        _S283 = true;
+        _S285 = true;
     }
     else
     {
-        _S283 = !is_mirror_0(found_3.triangle_8);
+        _S285 = !is_mirror_0(found_3.triangle_8);
     }
-    if(_S283)
+    if(_S285)
     {
         return false;
     }
     var mirror_4 : Mirror_0 = mirror_at_0(found_3.triangle_8);
     (*chain_0).start_0 = position_of_0(place_of_0(found_3));
-    var _S284 : vec3<f64> = mirrored_0(mirror_4, (*chain_0).direction_10);
-    (*chain_0).direction_10 = _S284;
+    var _S286 : vec3<f64> = mirrored_0(mirror_4, (*chain_0).direction_10);
+    (*chain_0).direction_10 = _S286;
     (*chain_0).image_0 = image_of_0(mirror_4, (*chain_0).image_0);
-    var _S285 : vec3<f64>;
-    if((dot(mirror_4.normal_0, _S284)) < 0.0lf)
+    var _S287 : vec3<f64>;
+    if((dot(mirror_4.normal_0, _S286)) < 0.0lf)
     {
-        _S285 = (vec3<f64>(0) - mirror_4.normal_0);
+        _S287 = (vec3<f64>(0) - mirror_4.normal_0);
     }
     else
     {
-        _S285 = mirror_4.normal_0;
+        _S287 = mirror_4.normal_0;
     }
-    (*chain_0).facing_0 = _S285;
+    (*chain_0).facing_0 = _S287;
     (*chain_0).triangles_0[(*chain_0).count_1] = found_3.triangle_8;
     (*chain_0).count_1 = (*chain_0).count_1 + u32(1);
     return true;
@@ -2172,19 +2182,19 @@ fn reflect_0( chain_0 : ptr<function, Chain_0>) -> bool
 
 fn limit_by_0( half_tangent_0 : f64) -> vec2<f32>
 {
-    var _S286 : f32 = min(f32(half_tangent_0), 1.0e+09f);
-    var squared_1 : f32 = _S286 * _S286;
-    return vec2<f32>(1.0f - squared_1, 2.0f * _S286) / vec2<f32>((1.0f + squared_1));
+    var _S288 : f32 = min(f32(half_tangent_0), 1.0e+09f);
+    var squared_1 : f32 = _S288 * _S288;
+    return vec2<f32>(1.0f - squared_1, 2.0f * _S288) / vec2<f32>((1.0f + squared_1));
 }
 
-fn edge_number_0( at_16 : u32) -> f32
+fn edge_number_0( at_18 : u32) -> f32
 {
-    return (bitcast<f32>((edge_word_0(at_16))));
+    return (bitcast<f32>((edge_word_0(at_18))));
 }
 
-fn edge_vector_0( at_17 : u32) -> vec3<f32>
+fn edge_vector_0( at_19 : u32) -> vec3<f32>
 {
-    return vec3<f32>(edge_number_0(at_17), edge_number_0(at_17 + u32(1)), edge_number_0(at_17 + u32(2)));
+    return vec3<f32>(edge_number_0(at_19), edge_number_0(at_19 + u32(1)), edge_number_0(at_19 + u32(2)));
 }
 
 struct Ball_0
@@ -2211,18 +2221,18 @@ fn is_beyond_0( ball_1 : Ball_0,  limit_7 : vec2<f32>) -> bool
 
 fn comes_first_0( ball_2 : Ball_0,  other_0 : Ball_0) -> bool
 {
-    var _S287 : f32 = max(ball_2.from_axis_0 - ball_2.radius_0, 0.0f);
-    var _S288 : f32 = max(other_0.from_axis_0 - other_0.radius_0, 0.0f);
-    var _S289 : bool;
-    if(_S287 == _S288)
+    var _S289 : f32 = max(ball_2.from_axis_0 - ball_2.radius_0, 0.0f);
+    var _S290 : f32 = max(other_0.from_axis_0 - other_0.radius_0, 0.0f);
+    var _S291 : bool;
+    if(_S289 == _S290)
     {
-        _S289 = (ball_2.along_2) < (other_0.along_2);
+        _S291 = (ball_2.along_2) < (other_0.along_2);
     }
     else
     {
-        _S289 = _S287 < _S288;
+        _S291 = _S289 < _S290;
     }
-    return _S289;
+    return _S291;
 }
 
 fn record_of_0( around_1 : Around_0,  edge_0 : u32) -> u32
@@ -2230,9 +2240,9 @@ fn record_of_0( around_1 : Around_0,  edge_0 : u32) -> u32
     return edge_word_0(around_1.tree_0 + u32(1)) + u32(12) * edge_0;
 }
 
-fn edge_position_0( at_18 : u32) -> vec3<f64>
+fn edge_position_0( at_20 : u32) -> vec3<f64>
 {
-    return primitive_vector_0(real_place_0(at_18));
+    return primitive_vector_0(real_place_0(at_20));
 }
 
 struct OnEdge_0
@@ -2277,29 +2287,29 @@ fn closest_on_edge_0( around_2 : Around_0,  chain_1 : Chain_0,  axis_5 : vec3<f6
     var b_10 : vec3<f64> = edge_position_0(numbers_3 + u32(3)) - chain_1.image_0;
     var along_3 : vec3<f64> = b_10 - a_13;
     var from_mirror_0 : vec3<f64> = chain_1.image_0 - chain_1.start_0;
-    var _S290 : bool;
+    var _S292 : bool;
     if((dot(a_13 + from_mirror_0, chain_1.facing_0)) < 0.0lf)
     {
-        _S290 = (dot(b_10 + from_mirror_0, chain_1.facing_0)) < 0.0lf;
+        _S292 = (dot(b_10 + from_mirror_0, chain_1.facing_0)) < 0.0lf;
     }
     else
     {
-        _S290 = false;
+        _S292 = false;
     }
-    if(_S290)
+    if(_S292)
     {
         return false;
     }
     var across_1 : vec3<f64> = cross(a_13, along_3);
     if((dot(across_1, across_1)) == 0.0lf)
     {
-        _S290 = (dot(a_13, b_10)) <= 0.0lf;
+        _S292 = (dot(a_13, b_10)) <= 0.0lf;
     }
     else
     {
-        _S290 = false;
+        _S292 = false;
     }
-    if(_S290)
+    if(_S292)
     {
         return false;
     }
@@ -2327,13 +2337,13 @@ fn closest_on_edge_0( around_2 : Around_0,  chain_1 : Chain_0,  axis_5 : vec3<f6
     }
     if(t_7 > 0.0lf)
     {
-        _S290 = t_7 < 1.0lf;
+        _S292 = t_7 < 1.0lf;
     }
     else
     {
-        _S290 = false;
+        _S292 = false;
     }
-    if(_S290)
+    if(_S292)
     {
         var other_2 : OnEdge_0 = on_edge_0(axis_5, t_7, a_13 + along_3 * vec3<f64>(t_7));
         if(is_nearer_0(other_2, place_14))
@@ -2349,23 +2359,23 @@ fn closest_on_edge_0( around_2 : Around_0,  chain_1 : Chain_0,  axis_5 : vec3<f6
 
 fn is_before_0( a_14 : Candidate_0,  b_11 : Candidate_0) -> bool
 {
-    var _S291 : bool;
+    var _S293 : bool;
     if((a_14.half_tangent_1) < (b_11.half_tangent_1))
     {
-        _S291 = true;
+        _S293 = true;
     }
     else
     {
         if((a_14.half_tangent_1) == (b_11.half_tangent_1))
         {
-            _S291 = (a_14.number_1) < (b_11.number_1);
+            _S293 = (a_14.number_1) < (b_11.number_1);
         }
         else
         {
-            _S291 = false;
+            _S293 = false;
         }
     }
-    return _S291;
+    return _S293;
 }
 
 struct Candidates_0
@@ -2376,16 +2386,16 @@ struct Candidates_0
 
 fn has_room_0( candidates_0 : Candidates_0,  candidate_1 : Candidate_0) -> bool
 {
-    var _S292 : bool;
+    var _S294 : bool;
     if((candidates_0.count_2) < u32(4))
     {
-        _S292 = true;
+        _S294 = true;
     }
     else
     {
-        _S292 = is_before_0(candidate_1, candidates_0.listed_0[u32(3)]);
+        _S294 = is_before_0(candidate_1, candidates_0.listed_0[u32(3)]);
     }
-    return _S292;
+    return _S294;
 }
 
 fn place_of_1( around_3 : Around_0,  candidate_2 : Candidate_0) -> vec3<f64>
@@ -2408,37 +2418,37 @@ fn is_hidden_0( around_4 : Around_0,  candidate_3 : Candidate_0) -> bool
     {
         return false;
     }
-    var way_2 : vec3<f64> = place_of_1(around_4, candidate_3) - around_4.position_1;
-    var distance_1 : f64 = length_of_0(way_2);
-    return meets_0(around_4.occluder_0, around_4.position_1, way_2 / vec3<f64>(distance_1), limit_at_0(u32(2)), distance_1 * limit_at_0(u32(3)));
+    var way_1 : vec3<f64> = place_of_1(around_4, candidate_3) - around_4.position_1;
+    var distance_1 : f64 = length_of_0(way_1);
+    return meets_0(around_4.occluder_0, around_4.position_1, way_1 / vec3<f64>(distance_1), limit_at_0(u32(2)), distance_1 * limit_at_0(u32(3)));
 }
 
 fn list_0( candidates_1 : ptr<function, Candidates_0>,  candidate_4 : Candidate_0)
 {
-    var _S293 : u32 = min((*candidates_1).count_2, u32(3));
-    (*candidates_1).count_2 = _S293 + u32(1);
-    var place_15 : u32 = _S293;
+    var _S295 : u32 = min((*candidates_1).count_2, u32(3));
+    (*candidates_1).count_2 = _S295 + u32(1);
+    var place_15 : u32 = _S295;
     for(;;)
     {
-        var _S294 : bool;
+        var _S296 : bool;
         if(place_15 > u32(0))
         {
-            _S294 = is_before_0(candidate_4, (*candidates_1).listed_0[place_15 - u32(1)]);
+            _S296 = is_before_0(candidate_4, (*candidates_1).listed_0[place_15 - u32(1)]);
         }
         else
         {
-            _S294 = false;
+            _S296 = false;
         }
-        if(_S294)
+        if(_S296)
         {
         }
         else
         {
             break;
         }
-        var _S295 : u32 = place_15 - u32(1);
-        (*candidates_1).listed_0[place_15] = (*candidates_1).listed_0[_S295];
-        place_15 = _S295;
+        var _S297 : u32 = place_15 - u32(1);
+        (*candidates_1).listed_0[place_15] = (*candidates_1).listed_0[_S297];
+        place_15 = _S297;
     }
     (*candidates_1).listed_0[place_15] = candidate_4;
     return;
@@ -2464,11 +2474,11 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
     var nodes_at_0 : u32 = edge_word_0(around_5.tree_0);
     var waiting_0 : array<u32, i32(92)>;
     waiting_0[i32(0)] = u32(4294967295);
-    var _S296 : vec3<f32> = vec3<f32>(chain_2.image_0);
-    var _S297 : vec3<f32> = vec3<f32>(chain_2.direction_10);
-    var _S298 : vec2<f32> = limit_by_0(limit_8);
+    var _S298 : vec3<f32> = vec3<f32>(chain_2.image_0);
+    var _S299 : vec3<f32> = vec3<f32>(chain_2.direction_10);
+    var _S300 : vec2<f32> = limit_by_0(limit_8);
     var node_4 : u32 = nodes_at_0;
-    var rough_limit_0 : vec2<f32> = _S298;
+    var rough_limit_0 : vec2<f32> = _S300;
     var count_3 : u32 = u32(0);
     for(;;)
     {
@@ -2482,33 +2492,33 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
         var next_0 : u32;
         var next_1 : u32;
         var count_4 : u32;
-        var _S299 : bool;
+        var _S301 : bool;
         var skips_far_0 : bool;
-        var _S300 : bool;
+        var _S302 : bool;
         if((edge_word_0(node_4)) != u32(4294967295))
         {
             var near_1 : u32 = nodes_at_0 + u32(45) * edge_word_0(node_4);
             var far_1 : u32 = nodes_at_0 + u32(45) * edge_word_0(node_4 + u32(1));
-            var of_near_0 : Ball_0 = ball_of_0(near_1, _S296, _S297);
-            var of_far_0 : Ball_0 = ball_of_0(far_1, _S296, _S297);
+            var of_near_0 : Ball_0 = ball_of_0(near_1, _S298, _S299);
+            var of_far_0 : Ball_0 = ball_of_0(far_1, _S298, _S299);
             var skips_near_0 : bool = is_beyond_0(of_near_0, rough_limit_0);
             var skips_far_1 : bool = is_beyond_0(of_far_0, rough_limit_0);
             if(!skips_far_1)
             {
                 if(skips_near_0)
                 {
-                    _S299 = true;
+                    _S301 = true;
                 }
                 else
                 {
-                    _S299 = comes_first_0(of_far_0, of_near_0);
+                    _S301 = comes_first_0(of_far_0, of_near_0);
                 }
             }
             else
             {
-                _S299 = false;
+                _S301 = false;
             }
-            if(_S299)
+            if(_S301)
             {
                 next_0 = far_1;
                 skips_far_0 = skips_near_0;
@@ -2529,13 +2539,13 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
             }
             if(next_0 != u32(4294967295))
             {
-                _S300 = !skips_far_0;
+                _S302 = !skips_far_0;
             }
             else
             {
-                _S300 = false;
+                _S302 = false;
             }
-            if(_S300)
+            if(_S302)
             {
                 waiting_0[count_3] = next_1;
                 count_4 = count_3 + u32(1);
@@ -2558,21 +2568,21 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
                     break;
                 }
                 var candidate_5 : Candidate_0;
-                var _S301 : bool = closest_on_edge_0(around_5, chain_2, chain_2.direction_10, k_3, &(candidate_5));
-                if(!_S301)
+                var _S303 : bool = closest_on_edge_0(around_5, chain_2, chain_2.direction_10, k_3, &(candidate_5));
+                if(!_S303)
                 {
                     k_3 = k_3 + u32(1);
                     continue;
                 }
                 if(!((candidate_5.half_tangent_1) < limit_8))
                 {
-                    _S299 = true;
+                    _S301 = true;
                 }
                 else
                 {
-                    _S299 = !is_before_0(last_0, candidate_5);
+                    _S301 = !is_before_0(last_0, candidate_5);
                 }
-                if(_S299)
+                if(_S301)
                 {
                     skips_far_0 = true;
                 }
@@ -2587,13 +2597,13 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
                 }
                 if((chain_2.count_1) > u32(0))
                 {
-                    _S300 = true;
+                    _S302 = true;
                 }
                 else
                 {
-                    _S300 = !is_hidden_0(around_5, candidate_5);
+                    _S302 = !is_hidden_0(around_5, candidate_5);
                 }
-                if(_S300)
+                if(_S302)
                 {
                     list_0(&(found_4), candidate_5);
                 }
@@ -2618,13 +2628,13 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
         {
             if(next_1 == u32(4294967295))
             {
-                _S299 = count_3 > u32(0);
+                _S301 = count_3 > u32(0);
             }
             else
             {
-                _S299 = false;
+                _S301 = false;
             }
-            if(_S299)
+            if(_S301)
             {
             }
             else
@@ -2632,7 +2642,7 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
                 break;
             }
             var count_5 : u32 = count_3 - u32(1);
-            if(!is_beyond_0(ball_of_0(waiting_0[count_5], _S296, _S297), rough_limit_0))
+            if(!is_beyond_0(ball_of_0(waiting_0[count_5], _S298, _S299), rough_limit_0))
             {
                 next_1 = waiting_0[count_5];
             }
@@ -2656,9 +2666,9 @@ struct Nearest_0
 
 fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 : vec3<f64>,  point_0 : ptr<function, Nearest_0>) -> bool
 {
-    var _S302 : f64 = length_of_0(offset_4);
-    (*point_0).distance_2 = _S302;
-    (*point_0).direction_12 = offset_4 / vec3<f64>(_S302);
+    var _S304 : f64 = length_of_0(offset_4);
+    (*point_0).distance_2 = _S304;
+    (*point_0).direction_12 = offset_4 / vec3<f64>(_S304);
     (*point_0).count_6 = chain_3.count_1;
     var k_4 : u32 = chain_3.count_1;
     for(;;)
@@ -2670,21 +2680,21 @@ fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         {
             break;
         }
-        var _S303 : u32 = k_4 - u32(1);
-        (*point_0).direction_12 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S303]), (*point_0).direction_12);
-        k_4 = _S303;
+        var _S305 : u32 = k_4 - u32(1);
+        (*point_0).direction_12 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S305]), (*point_0).direction_12);
+        k_4 = _S305;
     }
     var height_1 : f64 = abs(dot((*point_0).direction_12, (*around_6).face_0)) * (*point_0).distance_2;
-    var _S304 : bool;
+    var _S306 : bool;
     if((chain_3.count_1) > u32(0))
     {
-        _S304 = height_1 <= (limit_at_0(u32(2)));
+        _S306 = height_1 <= (limit_at_0(u32(2)));
     }
     else
     {
-        _S304 = false;
+        _S306 = false;
     }
-    if(_S304)
+    if(_S306)
     {
         return false;
     }
@@ -2728,13 +2738,13 @@ fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         }
         if((found_5.face_3) == u32(4294967295))
         {
-            _S304 = true;
+            _S306 = true;
         }
         else
         {
-            _S304 = !is_mirror_0(found_5.triangle_8);
+            _S306 = !is_mirror_0(found_5.triangle_8);
         }
-        if(_S304)
+        if(_S306)
         {
             return false;
         }
@@ -2744,10 +2754,10 @@ fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         {
             return false;
         }
-        var _S305 : vec3<f64> = mirrored_0(mirror_at_0(found_5.triangle_8), direction_13);
+        var _S307 : vec3<f64> = mirrored_0(mirror_at_0(found_5.triangle_8), direction_13);
         (*point_0).triangles_1[k_4] = found_5.triangle_8;
         start_2 = place_16;
-        direction_13 = _S305;
+        direction_13 = _S307;
         left_1 = left_2;
         k_4 = k_4 + u32(1);
     }
@@ -2772,7 +2782,7 @@ fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             break;
         }
         var found_6 : Candidates_0 = search_0((*around_7), chain_4, (*best_0).half_tangent_2, last_1);
-        var _S306 : bool = (found_6.count_2) < u32(4);
+        var _S308 : bool = (found_6.count_2) < u32(4);
         var k_5 : u32 = u32(0);
         for(;;)
         {
@@ -2785,8 +2795,8 @@ fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             }
             last_1 = found_6.listed_0[k_5];
             var point_1 : Nearest_0 = (*best_0);
-            var _S307 : bool = is_seen_0(&((*around_7)), chain_4, place_of_1((*around_7), found_6.listed_0[k_5]) - chain_4.image_0, &(point_1));
-            if(!_S307)
+            var _S309 : bool = is_seen_0(&((*around_7)), chain_4, place_of_1((*around_7), found_6.listed_0[k_5]) - chain_4.image_0, &(point_1));
+            if(!_S309)
             {
                 k_5 = k_5 + u32(1);
                 continue;
@@ -2797,7 +2807,7 @@ fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             (*best_0).t_8 = last_1.t_6;
             return;
         }
-        is_complete_0 = _S306;
+        is_complete_0 = _S308;
     }
     return;
 }
@@ -2841,17 +2851,17 @@ fn nearest_edge_0( around_8 : ptr<function, Around_0>,  direction_14 : vec3<f64>
         {
             break;
         }
-        var _S308 : bool;
+        var _S310 : bool;
         if(mirrors_1 > u32(0))
         {
-            var _S309 : bool = reflect_0(&(chain_5));
-            _S308 = !_S309;
+            var _S311 : bool = reflect_0(&(chain_5));
+            _S310 = !_S311;
         }
         else
         {
-            _S308 = false;
+            _S310 = false;
         }
-        if(_S308)
+        if(_S310)
         {
             break;
         }
@@ -2892,8 +2902,8 @@ fn tangent_by_0( direction_15 : vec3<f64>,  azimuth_0 : f32) -> vec3<f64>
 {
     var axes_12 : Axes_0 = axes_around_0(vec3<f32>(direction_15), true);
     var turn_0 : vec2<f32> = sine_cosine_0(6.28318548202514648f * azimuth_0);
-    var _S310 : vec3<f64> = vec3<f64>(axes_12.s_0 * vec3<f32>(turn_0.y) + axes_12.t_0 * vec3<f32>(turn_0.x));
-    return exact_unit_0(_S310 - direction_15 * vec3<f64>(dot(direction_15, _S310)));
+    var _S312 : vec3<f64> = vec3<f64>(axes_12.s_0 * vec3<f32>(turn_0.y) + axes_12.t_0 * vec3<f32>(turn_0.x));
+    return exact_unit_0(_S312 - direction_15 * vec3<f64>(dot(direction_15, _S312)));
 }
 
 struct Term_0
@@ -2913,7 +2923,7 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  k
 {
     var field_0 : Field_0;
     field_0.direction_16 = direction_17;
-    var _S311 : f64 = edge_real_0(u32(4));
+    var _S313 : f64 = edge_real_0(u32(4));
     const g_0 : vec3<f64> = vec3<f64>(0.0lf, 0.0lf, 0.0lf);
     var e_0 : vec3<f64> = g_0;
     var half_sine_1 : f64 = 0.0lf;
@@ -2937,11 +2947,11 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  k
         }
         else
         {
-            far_2 = _S311;
+            far_2 = _S313;
         }
-        var _S312 : bool = k_7 == u32(1);
+        var _S314 : bool = k_7 == u32(1);
         var x_11 : vec3<f64>;
-        if(_S312)
+        if(_S314)
         {
             x_11 = walked_0(direction_17, e_0, sqrt(f64(random_0(key_3, first_2 + u32(1)))) * half_sine_1);
         }
@@ -2958,9 +2968,9 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  k
         {
             x_12 = x_11;
         }
-        var _S313 : bool = k_7 > u32(0);
+        var _S315 : bool = k_7 > u32(0);
         var bound_0 : f64;
-        if(_S313)
+        if(_S315)
         {
             bound_0 = min(far_2, half_tangent_between_0(x_12, field_0.terms_0[i32(0)].site_0.direction_12));
         }
@@ -2969,26 +2979,26 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  k
             bound_0 = far_2;
         }
         var found_7 : Nearest_0 = nearest_edge_0(&((*around_9)), x_12, bound_0);
-        var _S314 : bool;
-        if(_S313)
+        var _S316 : bool;
+        if(_S315)
         {
-            _S314 = (found_7.edge_3) == u32(4294967295);
+            _S316 = (found_7.edge_3) == u32(4294967295);
         }
         else
         {
-            _S314 = false;
+            _S316 = false;
         }
-        var _S315 : bool;
-        if(_S314)
+        var _S317 : bool;
+        if(_S316)
         {
-            _S315 = bound_0 < far_2;
+            _S317 = bound_0 < far_2;
         }
         else
         {
-            _S315 = false;
+            _S317 = false;
         }
         var found_8 : Nearest_0;
-        if(_S315)
+        if(_S317)
         {
             found_8 = field_0.terms_0[i32(0)].site_0;
         }
@@ -2997,18 +3007,18 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  k
             found_8 = found_7;
         }
         field_0.terms_0[k_7].site_0 = found_8;
-        var _S316 : i32;
-        if(_S312)
+        var _S318 : i32;
+        if(_S314)
         {
-            _S316 = i32(1);
+            _S318 = i32(1);
         }
         else
         {
-            _S316 = i32(0);
+            _S318 = i32(0);
         }
-        field_0.terms_0[k_7].weight_0 = f64(_S316);
+        field_0.terms_0[k_7].weight_0 = f64(_S318);
         field_0.terms_0[k_7].gradient_0 = g_1;
-        if(_S313)
+        if(_S315)
         {
             k_7 = k_7 + u32(1);
             continue;
@@ -3019,11 +3029,11 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  k
             field_0.terms_0[i32(1)] = field_0.terms_0[i32(0)];
             break;
         }
-        var is_within_1 : bool = (found_8.half_tangent_2) < _S311;
-        var _S317 : f64 = min(found_8.half_tangent_2, _S311);
-        var _S318 : f64 = 1.0lf / _S317;
-        var _S319 : f64 = _S317 / sqrt(1.0lf + _S317 * _S317);
-        var _S320 : vec3<f64> = tangent_by_0(direction_17, random_0(key_3, first_2));
+        var is_within_1 : bool = (found_8.half_tangent_2) < _S313;
+        var _S319 : f64 = min(found_8.half_tangent_2, _S313);
+        var _S320 : f64 = 1.0lf / _S319;
+        var _S321 : f64 = _S319 / sqrt(1.0lf + _S319 * _S319);
+        var _S322 : vec3<f64> = tangent_by_0(direction_17, random_0(key_3, first_2));
         var towards_0 : vec3<f64> = found_8.direction_12 - direction_17 * vec3<f64>(dot(direction_17, found_8.direction_12));
         var g_2 : vec3<f64>;
         if(is_within_1)
@@ -3034,16 +3044,16 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  k
         {
             g_2 = g_1;
         }
-        e_0 = _S320;
-        half_sine_1 = _S319;
+        e_0 = _S322;
+        half_sine_1 = _S321;
         g_1 = g_2;
-        kappa_0 = _S318;
+        kappa_0 = _S320;
         is_within_0 = is_within_1;
         k_7 = k_7 + u32(1);
     }
-    var _S321 : vec3<f64> = vec3<f64>(- kappa_0);
-    field_0.terms_0[i32(0)].gradient_0 = e_0 * _S321;
-    field_0.terms_0[i32(1)].gradient_0 = g_1 * _S321;
+    var _S323 : vec3<f64> = vec3<f64>(- kappa_0);
+    field_0.terms_0[i32(0)].gradient_0 = e_0 * _S323;
+    field_0.terms_0[i32(1)].gradient_0 = g_1 * _S323;
     field_0.terms_0[i32(2)].gradient_0 = (e_0 + g_1) * vec3<f64>(kappa_0);
     if(!is_within_0)
     {
@@ -3064,12 +3074,12 @@ fn nothing_pulled_0() -> Pulled_0
 {
     var pulled_0 : Pulled_0;
     pulled_0.numbers_5 = no_numbers_0();
-    var _S322 : vec3<f32> = vec3<f32>(0.0f);
-    pulled_0.position_2 = _S322;
-    pulled_0.wi_2 = _S322;
-    pulled_0.axes_13.n_0 = _S322;
-    pulled_0.axes_13.t_0 = _S322;
-    pulled_0.axes_13.s_0 = _S322;
+    var _S324 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_2 = _S324;
+    pulled_0.wi_2 = _S324;
+    pulled_0.axes_13.n_0 = _S324;
+    pulled_0.axes_13.t_0 = _S324;
+    pulled_0.axes_13.s_0 = _S324;
     return pulled_0;
 }
 
@@ -3130,17 +3140,17 @@ struct ByCorners_0
 fn image_by_corners_0( mirror_5 : Mirror_0,  place_17 : vec3<f64>) -> ByCorners_0
 {
     var across_2 : vec3<f64> = cross(mirror_5.ab_0, mirror_5.ac_0);
-    var _S323 : vec3<f64> = vec3<f64>((1.0lf / dot(across_2, across_2)));
-    var gradient_b_0 : vec3<f64> = cross(mirror_5.ac_0, across_2) * _S323;
-    var gradient_c_0 : vec3<f64> = cross(across_2, mirror_5.ab_0) * _S323;
+    var _S325 : vec3<f64> = vec3<f64>((1.0lf / dot(across_2, across_2)));
+    var gradient_b_0 : vec3<f64> = cross(mirror_5.ac_0, across_2) * _S325;
+    var gradient_c_0 : vec3<f64> = cross(across_2, mirror_5.ab_0) * _S325;
     var offset_5 : vec3<f64> = place_17 - mirror_5.corner_0;
     var b_13 : f64 = dot(gradient_b_0, offset_5);
     var c_5 : f64 = dot(gradient_c_0, offset_5);
     var by_1 : ByCorners_0;
-    var _S324 : vec3<f64> = vec3<f64>((2.0lf * height_of_0(mirror_5, place_17)));
-    by_1.a_15 = mirror_5.normal_0 * vec3<f64>((2.0lf * (1.0lf - b_13 - c_5))) + ((vec3<f64>(0) - gradient_b_0) - gradient_c_0) * _S324;
-    by_1.b_12 = mirror_5.normal_0 * vec3<f64>((2.0lf * b_13)) + gradient_b_0 * _S324;
-    by_1.c_4 = mirror_5.normal_0 * vec3<f64>((2.0lf * c_5)) + gradient_c_0 * _S324;
+    var _S326 : vec3<f64> = vec3<f64>((2.0lf * height_of_0(mirror_5, place_17)));
+    by_1.a_15 = mirror_5.normal_0 * vec3<f64>((2.0lf * (1.0lf - b_13 - c_5))) + ((vec3<f64>(0) - gradient_b_0) - gradient_c_0) * _S326;
+    by_1.b_12 = mirror_5.normal_0 * vec3<f64>((2.0lf * b_13)) + gradient_b_0 * _S326;
+    by_1.c_4 = mirror_5.normal_0 * vec3<f64>((2.0lf * c_5)) + gradient_c_0 * _S326;
     return by_1;
 }
 
@@ -3153,27 +3163,27 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S325 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S327 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_3 : f32 = abs(scaled_0);
     if(size_3 > 7.73712524553362672e+25f)
     {
-        var _S326 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S328 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S327 : bool = scaled_0 < 0.0f;
-    var _S328 : i32;
+    var _S329 : bool = scaled_0 < 0.0f;
+    var _S330 : i32;
     if(size_3 >= 1.84467440737095516e+19f)
     {
-        _S328 = i32(1);
+        _S330 = i32(1);
     }
     else
     {
-        _S328 = i32(0);
+        _S330 = i32(0);
     }
-    var first_4 : u32 = u32(_S328);
+    var first_4 : u32 = u32(_S330);
     var size_4 : f32;
     if(first_4 == u32(1))
     {
@@ -3193,39 +3203,39 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
     {
         size_4 = lower_0;
     }
-    var _S329 : u32 = u32(3) + u32(4) * sum_0;
+    var _S331 : u32 = u32(4) + u32(4) * sum_0;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_4), u32(higher_0));
     var k_8 : u32 = first_4;
     for(;;)
     {
-        var _S330 : bool;
+        var _S332 : bool;
         if(k_8 < u32(4))
         {
-            _S330 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S332 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S330 = false;
+            _S332 = false;
         }
-        if(_S330)
+        if(_S332)
         {
         }
         else
         {
             break;
         }
-        var _S331 : u32;
-        if(_S327)
+        var _S333 : u32;
+        if(_S329)
         {
-            _S331 = u32(0) - digits_0.x;
+            _S333 = u32(0) - digits_0.x;
         }
         else
         {
-            _S331 = digits_0.x;
+            _S333 = digits_0.x;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S329 + k_8]), _S331);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S331 + k_8]), _S333);
         var overflows_0 : bool;
-        if(_S327)
+        if(_S329)
         {
             overflows_0 = before_0 < (digits_0.x);
         }
@@ -3233,39 +3243,39 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_0 + digits_0.x) < before_0;
         }
-        var _S332 : u32 = digits_0.y;
+        var _S334 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S328 = i32(1);
+            _S330 = i32(1);
         }
         else
         {
-            _S328 = i32(0);
+            _S330 = i32(0);
         }
-        var _S333 : vec2<u32> = vec2<u32>(_S332 + u32(_S328), u32(0));
-        var _S334 : u32 = k_8 + u32(1);
-        digits_0 = _S333;
-        k_8 = _S334;
+        var _S335 : vec2<u32> = vec2<u32>(_S334 + u32(_S330), u32(0));
+        var _S336 : u32 = k_8 + u32(1);
+        digits_0 = _S335;
+        k_8 = _S336;
     }
     return;
 }
 
 fn add_to_sums_0( first_5 : u32,  derivative_1 : vec3<f32>)
 {
-    var _S335 : i32;
+    var _S337 : i32;
     if(first_5 == u32(4294967295))
     {
-        _S335 = i32(0);
+        _S337 = i32(0);
     }
     else
     {
-        _S335 = i32(3);
+        _S337 = i32(3);
     }
-    var _S336 : u32 = u32(_S335);
+    var _S338 : u32 = u32(_S337);
     var axis_6 : u32 = u32(0);
     for(;;)
     {
-        if(axis_6 < _S336)
+        if(axis_6 < _S338)
         {
         }
         else
@@ -3287,45 +3297,45 @@ struct AtCorners_0
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_12 : u32,  corners_0 : AtCorners_0)
 {
-    var _S337 : u32 = triangle_record_0(triangle_12) + u32(2);
-    var _S338 : i32;
+    var _S339 : u32 = triangle_record_0(triangle_12) + u32(2);
+    var _S340 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S338 = i32(0);
+        _S340 = i32(0);
     }
     else
     {
-        _S338 = i32(3);
+        _S340 = i32(3);
     }
-    var _S339 : u32 = u32(_S338);
+    var _S341 : u32 = u32(_S340);
     var k_9 : u32 = u32(0);
     for(;;)
     {
-        if(k_9 < _S339)
+        if(k_9 < _S341)
         {
         }
         else
         {
             break;
         }
-        var _S340 : u32 = sums_at_0 + u32(3) * word_0(_S337 + k_9);
-        var _S341 : vec3<f32>;
+        var _S342 : u32 = sums_at_0 + u32(3) * word_0(_S339 + k_9);
+        var _S343 : vec3<f32>;
         if(k_9 == u32(0))
         {
-            _S341 = corners_0.a_16;
+            _S343 = corners_0.a_16;
         }
         else
         {
             if(k_9 == u32(1))
             {
-                _S341 = corners_0.b_14;
+                _S343 = corners_0.b_14;
             }
             else
             {
-                _S341 = corners_0.c_6;
+                _S343 = corners_0.c_6;
             }
         }
-        add_to_sums_0(_S340, _S341);
+        add_to_sums_0(_S342, _S343);
         k_9 = k_9 + u32(1);
     }
     return;
@@ -3345,11 +3355,11 @@ fn image_back_0( around_12 : Around_0,  site_3 : Nearest_0,  by_velocity_0 : vec
         {
             break;
         }
-        var _S342 : u32 = k_10 - u32(1);
-        places_0[_S342] = place_18;
-        var _S343 : vec3<f64> = image_of_0(mirror_at_0(site_3.triangles_1[_S342]), place_18);
-        place_18 = _S343;
-        k_10 = _S342;
+        var _S344 : u32 = k_10 - u32(1);
+        places_0[_S344] = place_18;
+        var _S345 : vec3<f64> = image_of_0(mirror_at_0(site_3.triangles_1[_S344]), place_18);
+        place_18 = _S345;
+        k_10 = _S344;
     }
     place_18 = by_velocity_0;
     k_10 = u32(0);
@@ -3369,10 +3379,10 @@ fn image_back_0( around_12 : Around_0,  site_3 : Nearest_0,  by_velocity_0 : vec
         corners_1.b_14 = vec3<f32>(mirror_6.normal_0 * vec3<f64>(dot(by_2.b_12, place_18)));
         corners_1.c_6 = vec3<f32>(mirror_6.normal_0 * vec3<f64>(dot(by_2.c_4, place_18)));
         add_to_corners_0(points_of_0(site_3.triangles_1[k_10]), site_3.triangles_1[k_10], corners_1);
-        var _S344 : vec3<f64> = mirrored_0(mirror_6, place_18);
-        var _S345 : u32 = k_10 + u32(1);
-        place_18 = _S344;
-        k_10 = _S345;
+        var _S346 : vec3<f64> = mirrored_0(mirror_6, place_18);
+        var _S347 : u32 = k_10 + u32(1);
+        place_18 = _S346;
+        k_10 = _S347;
     }
     return place_18;
 }
@@ -3380,13 +3390,13 @@ fn image_back_0( around_12 : Around_0,  site_3 : Nearest_0,  by_velocity_0 : vec
 fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f32>,  by_divergence_0 : f32) -> vec3<f32>
 {
     var place_19 : u32;
-    const _S346 : vec3<f64> = vec3<f64>(0.0lf, 0.0lf, 0.0lf);
+    const _S348 : vec3<f64> = vec3<f64>(0.0lf, 0.0lf, 0.0lf);
     var by_direction_0 : vec3<f64> = vec3<f64>(by_change_0);
     var by_direction_1 : vec3<f64> = by_direction_0 - field_2.direction_16 * vec3<f64>(dot(field_2.direction_16, by_direction_0));
     var by_start_0 : array<vec3<f64>, i32(3)>;
     var by_end_0 : array<vec3<f64>, i32(3)>;
     var k_11 : u32 = u32(0);
-    var by_viewpoint_0 : vec3<f64> = _S346;
+    var by_viewpoint_0 : vec3<f64> = _S348;
     for(;;)
     {
         if(k_11 < u32(3))
@@ -3396,17 +3406,17 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
         {
             break;
         }
-        var _S347 : u32 = k_11;
-        by_end_0[k_11] = _S346;
-        by_start_0[k_11] = _S346;
+        var _S349 : u32 = k_11;
+        by_end_0[k_11] = _S348;
+        by_start_0[k_11] = _S348;
         if((field_2.terms_0[k_11].site_0.edge_3) == u32(4294967295))
         {
             k_11 = k_11 + u32(1);
             continue;
         }
-        var by_velocity_1 : vec3<f64> = angular_0(around_13, field_2.terms_0[_S347].site_0, by_direction_1 * vec3<f64>(field_2.terms_0[_S347].weight_0) + divergence_covector_0(field_2, field_2.terms_0[_S347]) * vec3<f64>(f64(by_divergence_0)));
+        var by_velocity_1 : vec3<f64> = angular_0(around_13, field_2.terms_0[_S349].site_0, by_direction_1 * vec3<f64>(field_2.terms_0[_S349].weight_0) + divergence_covector_0(field_2, field_2.terms_0[_S349]) * vec3<f64>(f64(by_divergence_0)));
         var by_viewpoint_1 : vec3<f64> = by_viewpoint_0 - by_velocity_1;
-        var by_velocity_2 : vec3<f64> = image_back_0(around_13, field_2.terms_0[_S347].site_0, by_velocity_1);
+        var by_velocity_2 : vec3<f64> = image_back_0(around_13, field_2.terms_0[_S349].site_0, by_velocity_1);
         place_19 = k_11;
         var before_1 : u32 = k_11;
         for(;;)
@@ -3418,15 +3428,15 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
             {
                 break;
             }
-            var _S348 : u32 = before_1 - u32(1);
-            if((field_2.terms_0[_S348].site_0.edge_3) == (field_2.terms_0[_S347].site_0.edge_3))
+            var _S350 : u32 = before_1 - u32(1);
+            if((field_2.terms_0[_S350].site_0.edge_3) == (field_2.terms_0[_S349].site_0.edge_3))
             {
-                place_19 = _S348;
+                place_19 = _S350;
             }
-            before_1 = _S348;
+            before_1 = _S350;
         }
-        by_start_0[place_19] = by_start_0[place_19] + by_velocity_2 * vec3<f64>((1.0lf - field_2.terms_0[_S347].site_0.t_8));
-        by_end_0[place_19] = by_end_0[place_19] + by_velocity_2 * vec3<f64>(field_2.terms_0[_S347].site_0.t_8);
+        by_start_0[place_19] = by_start_0[place_19] + by_velocity_2 * vec3<f64>((1.0lf - field_2.terms_0[_S349].site_0.t_8));
+        by_end_0[place_19] = by_end_0[place_19] + by_velocity_2 * vec3<f64>(field_2.terms_0[_S349].site_0.t_8);
         by_viewpoint_0 = by_viewpoint_1;
         k_11 = k_11 + u32(1);
     }
@@ -3440,13 +3450,13 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
         {
             break;
         }
-        var _S349 : u32 = k_11;
+        var _S351 : u32 = k_11;
         if((field_2.terms_0[k_11].site_0.edge_3) == u32(4294967295))
         {
             k_11 = k_11 + u32(1);
             continue;
         }
-        var _S350 : u32 = record_of_0(around_13, field_2.terms_0[_S349].site_0.edge_3) + u32(2);
+        var _S352 : u32 = record_of_0(around_13, field_2.terms_0[_S351].site_0.edge_3) + u32(2);
         place_19 = u32(0);
         for(;;)
         {
@@ -3457,17 +3467,17 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
             {
                 break;
             }
-            var _S351 : u32 = edge_word_0(_S350 + place_19);
-            var _S352 : vec3<f64>;
+            var _S353 : u32 = edge_word_0(_S352 + place_19);
+            var _S354 : vec3<f64>;
             if(place_19 == u32(0))
             {
-                _S352 = by_start_0[k_11];
+                _S354 = by_start_0[k_11];
             }
             else
             {
-                _S352 = by_end_0[k_11];
+                _S354 = by_end_0[k_11];
             }
-            add_to_sums_0(_S351, vec3<f32>(_S352));
+            add_to_sums_0(_S353, vec3<f32>(_S354));
             place_19 = place_19 + u32(1);
         }
         k_11 = k_11 + u32(1);
@@ -3508,26 +3518,26 @@ fn slot_derivative_0( numbers_8 : Numbers_0,  slot_6 : u32) -> vec3<f32>
 
 fn numbers_of_0( texture_6 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_6 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_6 + u32(18)));
 }
 
 fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
 {
     var first_6 : u32 = numbers_of_0(texture_7);
-    var _S353 : u32 = word_0(texture_7 + u32(1));
-    var _S354 : u32;
+    var _S355 : u32 = word_0(texture_7 + u32(1));
+    var _S356 : u32;
     if(first_6 == u32(4294967295))
     {
-        _S354 = u32(0);
+        _S356 = u32(0);
     }
     else
     {
-        _S354 = lookup_5.count_0;
+        _S356 = lookup_5.count_0;
     }
     var k_12 : u32 = u32(0);
     for(;;)
     {
-        if(k_12 < _S354)
+        if(k_12 < _S356)
         {
         }
         else
@@ -3536,7 +3546,7 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         }
         var own_0 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_12]);
         var own_1 : vec3<f32>;
-        if(_S353 == u32(1))
+        if(_S355 == u32(1))
         {
             own_1 = vec3<f32>((own_0.x + own_0.y + own_0.z));
         }
@@ -3547,14 +3557,14 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         var c_7 : u32 = u32(0);
         for(;;)
         {
-            if(c_7 < _S353)
+            if(c_7 < _S355)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_6 + _S353 * lookup_5.texels_0[k_12] + c_7, own_1[c_7]);
+            add_to_sum_0(first_6 + _S355 * lookup_5.texels_0[k_12] + c_7, own_1[c_7]);
             c_7 = c_7 + u32(1);
         }
         k_12 = k_12 + u32(1);
@@ -3570,13 +3580,13 @@ fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
 
 fn numbers_back_0( material_1 : u32,  place_20 : Place_0,  numbers_9 : Numbers_0) -> vec2<f32>
 {
-    var _S355 : vec2<f32> = vec2<f32>(0.0f);
-    var _S356 : u32 = word_0(material_1 + u32(4));
+    var _S357 : vec2<f32> = vec2<f32>(0.0f);
+    var _S358 : u32 = word_0(material_1 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S355;
+    var by_place_0 : vec2<f32> = _S357;
     for(;;)
     {
-        if(slot_7 < _S356)
+        if(slot_7 < _S358)
         {
         }
         else
@@ -3589,9 +3599,9 @@ fn numbers_back_0( material_1 : u32,  place_20 : Place_0,  numbers_9 : Numbers_0
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S357 : Lookup_0 = lookup_at_0(texture_9, place_20);
-        var _S358 : vec2<f32> = lookup_back_0(texture_9, _S357, slot_derivative_0(numbers_9, slot_7));
-        by_place_0 = by_place_0 + _S358;
+        var _S359 : Lookup_0 = lookup_at_0(texture_9, place_20);
+        var _S360 : vec2<f32> = lookup_back_0(texture_9, _S359, slot_derivative_0(numbers_9, slot_7));
+        by_place_0 = by_place_0 + _S360;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_0;
@@ -3605,10 +3615,10 @@ fn is_moving_0() -> bool
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_2 : AtCorners_0;
-    var _S359 : vec3<f32> = vec3<f32>(0.0f);
-    corners_2.c_6 = _S359;
-    corners_2.b_14 = _S359;
-    corners_2.a_16 = _S359;
+    var _S361 : vec3<f32> = vec3<f32>(0.0f);
+    corners_2.c_6 = _S361;
+    corners_2.b_14 = _S361;
+    corners_2.a_16 = _S361;
     return corners_2;
 }
 
@@ -3621,20 +3631,20 @@ fn tangent_back_0( points_0 : ptr<function, AtCorners_0>,  triangle_13 : u32,  t
 {
     var corner_2 : u32 = u32(9) * triangle_13;
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_13);
-    var first_7 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
-    var second_2 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
-    var _S360 : f32 = second_2.y;
-    var _S361 : f32 = first_7.y;
-    var scale_0 : f32 = 1.0f / (first_7.x * _S360 - second_2.x * _S361);
-    var of_ab_0 : f32 = _S360 * scale_0;
-    var of_ac_0 : f32 = - _S361 * scale_0;
+    var _S362 : vec2<f32> = vec2<f32>(uvs_2.b_2 - uvs_2.a_5);
+    var _S363 : vec2<f32> = vec2<f32>(uvs_2.c_1 - uvs_2.a_5);
+    var _S364 : f32 = _S363.y;
+    var _S365 : f32 = _S362.y;
+    var scale_0 : f32 = 1.0f / (_S362.x * _S364 - _S363.x * _S365);
+    var of_ab_0 : f32 = _S364 * scale_0;
+    var of_ac_0 : f32 = - _S365 * scale_0;
     var a_17 : vec3<f64> = primitive_vector_0(corner_2);
-    var _S362 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S363 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_4, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_17) * _S362 + vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_17) * _S363));
+    var _S366 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S367 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_4, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_17) * _S366 + vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_17) * _S367));
     (*points_0).a_16 = (*points_0).a_16 - derivative_5 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_0).b_14 = (*points_0).b_14 + derivative_5 * _S362;
-    (*points_0).c_6 = (*points_0).c_6 + derivative_5 * _S363;
+    (*points_0).b_14 = (*points_0).b_14 + derivative_5 * _S366;
+    (*points_0).c_6 = (*points_0).c_6 + derivative_5 * _S367;
     return;
 }
 
@@ -3663,12 +3673,12 @@ fn place_back_0( points_1 : ptr<function, AtCorners_0>,  place_23 : Place_0,  by
 {
     var corner_3 : u32 = u32(9) * place_23.triangle_0;
     var a_18 : vec3<f64> = primitive_vector_0(corner_3);
-    var _S364 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_18);
-    var _S365 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_18);
-    var across_3 : vec3<f32> = cross(_S364, _S365);
-    var _S366 : f32 = max(max(abs(across_3.x), abs(across_3.y)), abs(across_3.z));
-    var normal_2 : vec3<f32> = across_3 / vec3<f32>(_S366);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S365, normal_2) * vec3<f32>(by_place_1.x) + cross(normal_2, _S364) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_2, normal_2) * _S366)));
+    var _S368 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_18);
+    var _S369 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_18);
+    var across_3 : vec3<f32> = cross(_S368, _S369);
+    var _S370 : f32 = max(max(abs(across_3.x), abs(across_3.y)), abs(across_3.z));
+    var normal_2 : vec3<f32> = across_3 / vec3<f32>(_S370);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S369, normal_2) * vec3<f32>(by_place_1.x) + cross(normal_2, _S368) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_2, normal_2) * _S370)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_2 * vec3<f32>((dot(direction_18, by_slip_0) / dot(normal_2, direction_18)));
     add_at_place_1(&((*points_1)), place_23, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -3677,20 +3687,20 @@ fn place_back_0( points_1 : ptr<function, AtCorners_0>,  place_23 : Place_0,  by
 fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_5 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_19 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_5.shape_0);
-    var _S367 : vec2<f32>;
+    var _S371 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_4 : u32 = u32(9) * surface_5.place_3.triangle_0;
         var a_19 : vec3<f64> = primitive_vector_0(corner_4);
-        var _S368 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_4 + u32(3)) - a_19);
-        var _S369 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_4 + u32(6)) - a_19);
-        var derivative_8 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(_S368, _S369)));
-        var by_ab_0 : vec3<f32> = cross(_S369, derivative_8);
-        var by_ac_0 : vec3<f32> = cross(derivative_8, _S368);
+        var _S372 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_4 + u32(3)) - a_19);
+        var _S373 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_4 + u32(6)) - a_19);
+        var derivative_8 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(_S372, _S373)));
+        var by_ab_0 : vec3<f32> = cross(_S373, derivative_8);
+        var by_ac_0 : vec3<f32> = cross(derivative_8, _S372);
         (*points_2).a_16 = (*points_2).a_16 - (by_ab_0 + by_ac_0);
         (*points_2).b_14 = (*points_2).b_14 + by_ab_0;
         (*points_2).c_6 = (*points_2).c_6 + by_ac_0;
-        _S367 = by_place_2;
+        _S371 = by_place_2;
     }
     else
     {
@@ -3702,42 +3712,42 @@ fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_5 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_5.place_3, derivative_9);
         add_to_corners_0(normals_of_0(surface_5.place_3.triangle_0), surface_5.place_3.triangle_0, of_normals_0);
-        _S367 = by_place_2 + vec2<f32>(dot(ab_1, derivative_9), dot(ac_1, derivative_9));
+        _S371 = by_place_2 + vec2<f32>(dot(ab_1, derivative_9), dot(ac_1, derivative_9));
     }
-    var _S370 : vec3<f32> = place_back_0(&((*points_2)), surface_5.place_3, _S367, by_position_1, direction_19);
-    return _S370;
+    var _S374 : vec3<f32> = place_back_0(&((*points_2)), surface_5.place_3, _S371, by_position_1, direction_19);
+    return _S374;
 }
 
 fn vertex_back_0( pulled_1 : Pulled_0,  vertex_2 : Vertex_0,  material_2 : u32,  direction_20 : vec3<f32>) -> ByRay_0
 {
     var by_ray_1 : ByRay_0;
-    var _S371 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_0 = _S371;
-    by_ray_1.drift_0 = _S371;
+    var _S375 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S375;
+    by_ray_1.drift_0 = _S375;
     var by_place_3 : vec2<f32> = numbers_back_0(material_2, vertex_2.surface_3.place_3, pulled_1.numbers_5);
     if(!is_moving_0())
     {
         return by_ray_1;
     }
-    var _S372 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S376 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_1 : DiffPair_Axes_0;
     towards_1.primal_0 = vertex_2.axes_4;
-    towards_1.differential_0 = _S372;
+    towards_1.differential_0 = _S376;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_20;
-    incoming_0.differential_0 = _S371;
+    incoming_0.differential_0 = _S375;
     _S173(&(towards_1), &(incoming_0), pulled_1.wi_2);
     by_ray_1.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_2.surface_3.outward_0;
-    outward_1.differential_0 = _S371;
-    var _S373 : vec3<f32> = tangent_at_0(vertex_2.surface_3);
+    outward_1.differential_0 = _S375;
+    var _S377 : vec3<f32> = tangent_at_0(vertex_2.surface_3);
     var tangent_5 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_5.primal_0 = _S373;
-    tangent_5.differential_0 = _S371;
+    tangent_5.primal_0 = _S377;
+    tangent_5.differential_0 = _S375;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_1.axes_13, towards_1.differential_0);
     var points_3 : AtCorners_0 = at_no_corner_0();
-    if((any((_S373 != _S371))))
+    if((any((_S377 != _S375))))
     {
         _S124(&(outward_1), &(tangent_5), vertex_2.surface_3.is_front_0, by_axes_0);
         tangent_back_0(&(points_3), vertex_2.surface_3.place_3.triangle_0, tangent_5.primal_0, tangent_5.differential_0);
@@ -3746,8 +3756,8 @@ fn vertex_back_0( pulled_1 : Pulled_0,  vertex_2 : Vertex_0,  material_2 : u32, 
     {
         _S93(&(outward_1), vertex_2.surface_3.is_front_0, by_axes_0);
     }
-    var _S374 : vec3<f32> = surface_back_0(&(points_3), vertex_2.surface_3, by_place_3, pulled_1.position_2, outward_1.differential_0, direction_20);
-    by_ray_1.drift_0 = _S374;
+    var _S378 : vec3<f32> = surface_back_0(&(points_3), vertex_2.surface_3, by_place_3, pulled_1.position_2, outward_1.differential_0, direction_20);
+    by_ray_1.drift_0 = _S378;
     add_to_corners_0(points_of_0(vertex_2.surface_3.place_3.triangle_0), vertex_2.surface_3.place_3.triangle_0, points_3);
     return by_ray_1;
 }
@@ -3785,24 +3795,24 @@ fn walk_vertex_back_0( number_of_path_1 : u32,  key_4 : vec2<u32>,  depth_4 : u3
     var direction_21 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
     var by_direction_2 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
     var by_divergence_1 : f32 = (bitcast<f32>((path_word_0(number_of_path_1, which_8))));
-    var _S375 : bool;
+    var _S379 : bool;
     if((all((by_direction_2 == vec3<f32>(0.0f)))))
     {
-        _S375 = by_divergence_1 == 0.0f;
+        _S379 = by_divergence_1 == 0.0f;
     }
     else
     {
-        _S375 = false;
+        _S379 = false;
     }
-    if(_S375)
+    if(_S379)
     {
-        _S375 = true;
+        _S379 = true;
     }
     else
     {
-        _S375 = (edge_word_0(u32(1))) == u32(4294967295);
+        _S379 = (edge_word_0(u32(1))) == u32(4294967295);
     }
-    if(_S375)
+    if(_S379)
     {
         return;
     }
@@ -3814,32 +3824,32 @@ fn walk_vertex_back_0( number_of_path_1 : u32,  key_4 : vec2<u32>,  depth_4 : u3
     var around_14 : Around_0 = around_vertex_0(vertex_3, depth_4);
     var field_3 : Field_0 = field_at_0(&(around_14), exact_unit_0(vec3<f64>(normalize(to_world_0(vertex_3.axes_4, wo_0)))), key_4, first_number_0(depth_4));
     var pulled_2 : Pulled_0 = nothing_pulled_0();
-    var _S376 : vec3<f32> = field_back_0(field_3, around_14, by_direction_2, by_divergence_1);
-    pulled_2.position_2 = _S376;
-    var _S377 : ByRay_0 = vertex_back_0(pulled_2, vertex_3, material_3, direction_21);
-    var by_ray_2 : ByRay_0 = _S377;
+    var _S380 : vec3<f32> = field_back_0(field_3, around_14, by_direction_2, by_divergence_1);
+    pulled_2.position_2 = _S380;
+    var _S381 : ByRay_0 = vertex_back_0(pulled_2, vertex_3, material_3, direction_21);
+    var by_ray_2 : ByRay_0 = _S381;
     which_8 = u32(20);
-    var _S378 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
-    var _S379 : vec3<f32> = by_ray_2.drift_0 + _S378;
-    by_ray_2.drift_0 = _S379;
-    var _S380 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
-    var _S381 : vec3<f32> = by_ray_2.direction_0 + _S380;
-    by_ray_2.direction_0 = _S381;
+    var _S382 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
+    var _S383 : vec3<f32> = by_ray_2.drift_0 + _S382;
+    by_ray_2.drift_0 = _S383;
+    var _S384 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
+    var _S385 : vec3<f32> = by_ray_2.direction_0 + _S384;
+    by_ray_2.direction_0 = _S385;
     which_8 = u32(20);
-    set_vector_0(number_of_path_1, &(which_8), _S379);
-    set_vector_0(number_of_path_1, &(which_8), _S381);
+    set_vector_0(number_of_path_1, &(which_8), _S383);
+    set_vector_0(number_of_path_1, &(which_8), _S385);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S382 : u32;
+    var _S386 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S383 : u32 = u32(2) + zero_0;
-        _S382 = _S383;
-        if(rounds_0 < _S383)
+        var _S387 : u32 = u32(2) + zero_0;
+        _S386 = _S387;
+        if(rounds_0 < _S387)
         {
         }
         else
@@ -3848,14 +3858,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S382;
+    return rounds_0 == _S386;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S384 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S388 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from walk_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 18e6794201e10953
-// result: 147416ffbec61141
+// source: e62b27ab8fe2c1f2
+// result: 3483cfc270321710
 
 struct Launch_std140_0
 {
@@ -387,7 +387,7 @@ fn s_bwdProp_axes_around_0( _S74 : s_bwdCallableCtx_axes_around_0,  _S75 : ptr<f
 {
     var _S77 : f32 = _S74.value0_9.value0_8.z;
     var sign_0 : f32;
-    if(_S77 < 0.0f)
+    if(_S77 < -0.30000001192092896f)
     {
         sign_0 = -1.0f;
     }
@@ -916,24 +916,34 @@ fn Corners2_x24init_0( a_6 : vec2<f32>,  b_3 : vec2<f32>,  c_2 : vec2<f32>) -> C
     return _S194;
 }
 
+fn precise_0( at_9 : u32) -> f32
+{
+    return number_0(at_9) + number_0(at_9 + u32(1));
+}
+
 fn uvs_of_0( triangle_5 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f, 0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_5) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_9 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_5) + u32(1));
-    uvs_0.a_5 = vec2<f32>(number_0(at_9), number_0(at_9 + u32(1)));
-    uvs_0.b_2 = vec2<f32>(number_0(at_9 + u32(2)), number_0(at_9 + u32(3)));
-    uvs_0.c_1 = vec2<f32>(number_0(at_9 + u32(4)), number_0(at_9 + u32(5)));
+    var at_10 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_5) + u32(1));
+    uvs_0.a_5 = vec2<f32>(precise_0(at_10), precise_0(at_10 + u32(2)));
+    uvs_0.b_2 = vec2<f32>(precise_0(at_10 + u32(4)), precise_0(at_10 + u32(6)));
+    uvs_0.c_1 = vec2<f32>(precise_0(at_10 + u32(8)), precise_0(at_10 + u32(10)));
     return uvs_0;
+}
+
+fn row_at_0( at_11 : u32) -> vec3<f32>
+{
+    return vec3<f32>(precise_0(at_11), precise_0(at_11 + u32(2)), precise_0(at_11 + u32(4)));
 }
 
 fn floor_of_0( x_4 : f32) -> i32
 {
-    return i32(floor(clamp(x_4, -1.0e+09f, 1.0e+09f)));
+    return i32(clamp(floor(x_4), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
@@ -1052,43 +1062,43 @@ fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_7.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
-    var uv_1 : Point_0;
-    var _S205 : vec3<f32> = vec3<f32>(uvs_1.a_5 * vec2<f32>((1.0f - place_7.v_0 - place_7.w_0)) + uvs_1.b_2 * vec2<f32>(place_7.v_0) + uvs_1.c_1 * vec2<f32>(place_7.w_0), 1.0f);
-    uv_1.value_1 = vec2<f32>(dot(_S205, to_u_0), dot(_S205, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_2 - uvs_1.a_5;
     var by_w_0 : vec2<f32> = uvs_1.c_1 - uvs_1.a_5;
-    var _S206 : vec2<f32> = to_u_0.xy;
-    var _S207 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S206), dot(by_v_0, _S207));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S206), dot(by_w_0, _S207));
+    var _S205 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f32> = row_at_0(_S205);
+    var to_v_0 : vec3<f32> = row_at_0(_S205 + u32(6));
+    var uv_1 : Point_0;
+    var _S206 : vec3<f32> = vec3<f32>(uvs_1.a_5 + by_v_0 * vec2<f32>((place_7.v_0 + place_7.v_rest_0)) + by_w_0 * vec2<f32>((place_7.w_0 + place_7.w_rest_0)), 1.0f);
+    uv_1.value_1 = vec2<f32>(dot(_S206, to_u_0), dot(_S206, to_v_0));
+    var _S207 : vec2<f32> = to_u_0.xy;
+    var _S208 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S207), dot(by_v_0, _S208));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S207), dot(by_w_0, _S208));
     if(kind_0 == u32(1))
     {
-        var _S208 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S208;
+        var _S209 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S209;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_1 - floor(uv_1.value_1);
-    var _S209 : i32;
+    var _S210 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S209 = i32(1);
+        _S210 = i32(1);
     }
     else
     {
-        _S209 = i32(0);
+        _S210 = i32(0);
     }
-    return one_texel_0(u32(_S209));
+    return one_texel_0(u32(_S210));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S210 : u32 = word_0(texture_2 + u32(1));
-    var _S211 : u32 = texture_2 + u32(13);
-    var _S212 : vec3<f32> = vec3<f32>(0.0f);
+    var _S211 : u32 = word_0(texture_2 + u32(1));
+    var _S212 : u32 = texture_2 + u32(19);
+    var _S213 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S212;
+    var value_2 : vec3<f32> = _S213;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1098,17 +1108,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_10 : u32 = _S211 + _S210 * lookup_3.texels_0[k_1];
-        var _S213 : vec3<f32>;
-        if(_S210 == u32(1))
+        var at_12 : u32 = _S212 + _S211 * lookup_3.texels_0[k_1];
+        var _S214 : vec3<f32>;
+        if(_S211 == u32(1))
         {
-            _S213 = vec3<f32>(number_0(at_10));
+            _S214 = vec3<f32>(number_0(at_12));
         }
         else
         {
-            _S213 = vector_at_0(at_10);
+            _S214 = vector_at_0(at_12);
         }
-        var value_3 : vec3<f32> = value_2 + _S213 * vec3<f32>(weights_1[k_1]);
+        var value_3 : vec3<f32> = value_2 + _S214 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_2 = value_3;
     }
@@ -1122,8 +1132,8 @@ fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_4 : u32,  place_8 : Place_0) -> vec3<f32>
 {
-    var _S214 : Lookup_0 = lookup_at_0(texture_4, place_8);
-    return looked_up_0(texture_4, _S214, vec2<f32>(0.0f));
+    var _S215 : Lookup_0 = lookup_at_0(texture_4, place_8);
+    return looked_up_0(texture_4, _S215, vec2<f32>(0.0f));
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -1187,38 +1197,38 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
     var lobe_0 : Lobe_0;
     lobe_0.record_2 = record_3;
     var is_black_0 : bool = record_3 == u32(4294967295);
-    var _S215 : u32;
+    var _S216 : u32;
     if(is_black_0)
     {
-        _S215 = u32(0);
+        _S216 = u32(0);
     }
     else
     {
-        _S215 = word_0(record_3);
+        _S216 = word_0(record_3);
     }
-    lobe_0.kind_1 = _S215;
+    lobe_0.kind_1 = _S216;
     if(is_black_0)
     {
-        _S215 = u32(1);
+        _S216 = u32(1);
     }
     else
     {
-        _S215 = word_0(record_3 + u32(1));
+        _S216 = word_0(record_3 + u32(1));
     }
-    lobe_0.distribution_0 = _S215;
+    lobe_0.distribution_0 = _S216;
     lobe_0.numbers_2 = no_numbers_0();
     if(is_black_0)
     {
-        _S215 = u32(0);
+        _S216 = u32(0);
     }
     else
     {
-        _S215 = word_0(record_3 + u32(4));
+        _S216 = word_0(record_3 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S215)
+        if(slot_1 < _S216)
         {
         }
         else
@@ -1232,10 +1242,10 @@ fn lobe_at_0( record_3 : u32,  place_9 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : vec3<f32> = shown_0(texture_5, place_9);
-        var _S216 : vec3<f32> = value_of_0(colour_1);
-        var _S217 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S217), slot_1, _S216);
-        lobe_0.numbers_2 = _S217;
+        var _S217 : vec3<f32> = value_of_0(colour_1);
+        var _S218 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S218), slot_1, _S217);
+        lobe_0.numbers_2 = _S218;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -1250,53 +1260,53 @@ fn tangent_at_0( surface_2 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
     var across_0 : vec3<f32> = cross(tangent_0, surface_2.outward_0);
-    var _S218 : vec3<f32>;
+    var _S219 : vec3<f32>;
     if((dot(across_0, across_0)) > 0.0f)
     {
-        _S218 = tangent_0;
+        _S219 = tangent_0;
     }
     else
     {
-        _S218 = vec3<f32>(0.0f);
+        _S219 = vec3<f32>(0.0f);
     }
-    return _S218;
+    return _S219;
 }
 
 fn axes_along_0( n_2 : vec3<f32>,  tangent_1 : vec3<f32>,  is_front_1 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S219 : vec3<f32>;
+    var _S220 : vec3<f32>;
     if(is_front_1)
     {
-        _S219 = n_2;
+        _S220 = n_2;
     }
     else
     {
-        _S219 = (vec3<f32>(0) - n_2);
+        _S220 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_0 = _S219;
-    var _S220 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
-    axes_0.s_0 = _S220;
-    axes_0.t_0 = cross(n_2, _S220);
+    axes_0.n_0 = _S220;
+    var _S221 : vec3<f32> = normalize(tangent_1 - n_2 * vec3<f32>(dot(n_2, tangent_1)));
+    axes_0.s_0 = _S221;
+    axes_0.t_0 = cross(n_2, _S221);
     return axes_0;
 }
 
 fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_1 : Axes_0;
-    var _S221 : vec3<f32>;
+    var _S222 : vec3<f32>;
     if(is_front_2)
     {
-        _S221 = n_3;
+        _S222 = n_3;
     }
     else
     {
-        _S221 = (vec3<f32>(0) - n_3);
+        _S222 = (vec3<f32>(0) - n_3);
     }
-    axes_1.n_0 = _S221;
-    var _S222 : f32 = n_3.z;
+    axes_1.n_0 = _S222;
+    var _S223 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S222 < 0.0f)
+    if(_S223 < -0.30000001192092896f)
     {
         sign_1 = -1.0f;
     }
@@ -1304,12 +1314,12 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_1 = 1.0f;
     }
-    var a_7 : f32 = -1.0f / (sign_1 + _S222);
-    var _S223 : f32 = n_3.x;
-    var _S224 : f32 = n_3.y;
-    var b_4 : f32 = _S223 * _S224 * a_7;
-    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S223 * _S223 * a_7, sign_1 * b_4, - sign_1 * _S223);
-    axes_1.t_0 = vec3<f32>(b_4, sign_1 + _S224 * _S224 * a_7, - _S224);
+    var a_7 : f32 = -1.0f / (sign_1 + _S223);
+    var _S224 : f32 = n_3.x;
+    var _S225 : f32 = n_3.y;
+    var b_4 : f32 = _S224 * _S225 * a_7;
+    axes_1.s_0 = vec3<f32>(1.0f + sign_1 * _S224 * _S224 * a_7, sign_1 * b_4, - sign_1 * _S224);
+    axes_1.t_0 = vec3<f32>(b_4, sign_1 + _S225 * _S225 * a_7, - _S225);
     return axes_1;
 }
 
@@ -1336,8 +1346,8 @@ fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_4 : vec3<f3
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_3 = surface_4;
-    var _S225 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
-    vertex_0.lobe_1 = _S225;
+    var _S226 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S226;
     var tangent_2 : vec3<f32> = tangent_at_0(surface_4);
     if((any((tangent_2 != vec3<f32>(0.0f)))))
     {
@@ -1366,15 +1376,15 @@ struct Mirror_0
 
 fn mirror_at_0( triangle_6 : u32) -> Mirror_0
 {
-    var at_11 : u32 = u32(9) * triangle_6;
+    var at_13 : u32 = u32(9) * triangle_6;
     var mirror_0 : Mirror_0;
-    var _S226 : vec3<f32> = primitive_vector_0(at_11);
-    mirror_0.corner_0 = _S226;
-    var _S227 : vec3<f32> = primitive_vector_0(at_11 + u32(3)) - _S226;
-    mirror_0.ab_0 = _S227;
-    var _S228 : vec3<f32> = primitive_vector_0(at_11 + u32(6)) - _S226;
-    mirror_0.ac_0 = _S228;
-    mirror_0.normal_0 = exact_unit_0(cross(_S227, _S228));
+    var _S227 : vec3<f32> = primitive_vector_0(at_13);
+    mirror_0.corner_0 = _S227;
+    var _S228 : vec3<f32> = primitive_vector_0(at_13 + u32(3)) - _S227;
+    mirror_0.ab_0 = _S228;
+    var _S229 : vec3<f32> = primitive_vector_0(at_13 + u32(6)) - _S227;
+    mirror_0.ac_0 = _S229;
+    mirror_0.normal_0 = exact_unit_0(cross(_S228, _S229));
     return mirror_0;
 }
 
@@ -1409,14 +1419,14 @@ fn first_number_0( depth_3 : u32) -> u32
     return edge_word_0(u32(6)) + depth_3 * edge_word_0(u32(7));
 }
 
-fn real_place_0( at_12 : u32) -> u32
+fn real_place_0( at_14 : u32) -> u32
 {
-    return word_0(u32(15)) + u32(4) + at_12;
+    return word_0(u32(15)) + u32(4) + at_14;
 }
 
-fn edge_real_0( at_13 : u32) -> f32
+fn edge_real_0( at_15 : u32) -> f32
 {
-    return primitives_0[real_place_0(at_13)];
+    return primitives_0[real_place_0(at_15)];
 }
 
 fn product_0( a_8 : u32,  b_5 : u32) -> vec2<u32>
@@ -1433,33 +1443,33 @@ fn product_0( a_8 : u32,  b_5 : u32) -> vec2<u32>
 
 fn times_0( a_9 : vec2<u32>,  b_6 : vec2<u32>) -> vec2<u32>
 {
-    var _S229 : u32 = a_9.x;
-    var _S230 : u32 = b_6.x;
-    var low_1 : vec2<u32> = product_0(_S229, _S230);
-    return vec2<u32>(low_1.x, low_1.y + _S229 * b_6.y + a_9.y * _S230);
+    var _S230 : u32 = a_9.x;
+    var _S231 : u32 = b_6.x;
+    var low_1 : vec2<u32> = product_0(_S230, _S231);
+    return vec2<u32>(low_1.x, low_1.y + _S230 * b_6.y + a_9.y * _S231);
 }
 
 fn plus_0( a_10 : vec2<u32>,  b_7 : vec2<u32>) -> vec2<u32>
 {
-    var _S231 : u32 = a_10.x;
-    var low_2 : u32 = _S231 + b_7.x;
-    var _S232 : u32 = a_10.y + b_7.y;
-    var _S233 : i32;
-    if(low_2 < _S231)
+    var _S232 : u32 = a_10.x;
+    var low_2 : u32 = _S232 + b_7.x;
+    var _S233 : u32 = a_10.y + b_7.y;
+    var _S234 : i32;
+    if(low_2 < _S232)
     {
-        _S233 = i32(1);
+        _S234 = i32(1);
     }
     else
     {
-        _S233 = i32(0);
+        _S234 = i32(0);
     }
-    return vec2<u32>(low_2, _S232 + u32(_S233));
+    return vec2<u32>(low_2, _S233 + u32(_S234));
 }
 
 fn shifted_xor_0( x_6 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S234 : u32 = x_6.y;
-    return (x_6 ^ (vec2<u32>(((((x_6.x) >> (by_0))) | (((_S234 << ((u32(32) - by_0)))))), (_S234 >> (by_0)))));
+    var _S235 : u32 = x_6.y;
+    return (x_6 ^ (vec2<u32>(((((x_6.x) >> (by_0))) | (((_S235 << ((u32(32) - by_0)))))), (_S235 >> (by_0)))));
 }
 
 fn mix_0( x_7 : vec2<u32>) -> vec2<u32>
@@ -1496,37 +1506,37 @@ fn limit_at_0( which_5 : u32) -> f32
 fn half_tangent_between_0( a_11 : vec3<f32>,  b_8 : vec3<f32>) -> f32
 {
     var beside_0 : f32 = 1.0f + dot(a_11, b_8);
-    var _S235 : f32;
+    var _S236 : f32;
     if(beside_0 > 0.0f)
     {
-        _S235 = length_of_0(cross(a_11, b_8)) / beside_0;
+        _S236 = length_of_0(cross(a_11, b_8)) / beside_0;
     }
     else
     {
-        _S235 = limit_at_0(u32(1));
+        _S236 = limit_at_0(u32(1));
     }
-    return _S235;
+    return _S236;
 }
 
 fn component_0( v_7 : vec3<f32>,  axis_0 : u32) -> f32
 {
-    var _S236 : f32;
+    var _S237 : f32;
     if(axis_0 == u32(0))
     {
-        _S236 = v_7.x;
+        _S237 = v_7.x;
     }
     else
     {
         if(axis_0 == u32(1))
         {
-            _S236 = v_7.y;
+            _S237 = v_7.y;
         }
         else
         {
-            _S236 = v_7.z;
+            _S237 = v_7.z;
         }
     }
-    return _S236;
+    return _S237;
 }
 
 struct Ray_0
@@ -1546,34 +1556,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f32>,  direction_6 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  axes_6 : ptr<function, u32>) -> Ray_0
 {
     var size_1 : vec3<f32> = abs(direction_6);
-    var _S237 : f32 = size_1.x;
-    var _S238 : f32 = size_1.y;
-    var _S239 : bool;
-    if(_S237 >= _S238)
+    var _S238 : f32 = size_1.x;
+    var _S239 : f32 = size_1.y;
+    var _S240 : bool;
+    if(_S238 >= _S239)
     {
-        _S239 = _S237 >= (size_1.z);
+        _S240 = _S238 >= (size_1.z);
     }
     else
     {
-        _S239 = false;
+        _S240 = false;
     }
-    var _S240 : i32;
-    if(_S239)
+    var _S241 : i32;
+    if(_S240)
     {
-        _S240 = i32(0);
+        _S241 = i32(0);
     }
     else
     {
-        if(_S238 >= (size_1.z))
+        if(_S239 >= (size_1.z))
         {
-            _S240 = i32(1);
+            _S241 = i32(1);
         }
         else
         {
-            _S240 = i32(2);
+            _S241 = i32(2);
         }
     }
-    var z_0 : u32 = u32(_S240);
+    var z_0 : u32 = u32(_S241);
     var x_8 : u32 = (z_0 + u32(1)) % u32(3);
     var y_2 : u32 = (z_0 + u32(2)) % u32(3);
     (*axes_6) = (((x_8 | (((y_2 << (u32(2))))))) | (((z_0 << (u32(4))))));
@@ -1595,34 +1605,34 @@ fn ray_along_0( origin_1 : vec3<f32>,  direction_6 : vec3<f32>,  t_min_1 : f32, 
 fn ray_along_1( origin_2 : vec3<f32>,  direction_7 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  axes_7 : ptr<function, u32>) -> Ray_0
 {
     var size_2 : vec3<f32> = abs(direction_7);
-    var _S241 : f32 = size_2.x;
-    var _S242 : f32 = size_2.y;
-    var _S243 : bool;
-    if(_S241 >= _S242)
+    var _S242 : f32 = size_2.x;
+    var _S243 : f32 = size_2.y;
+    var _S244 : bool;
+    if(_S242 >= _S243)
     {
-        _S243 = _S241 >= (size_2.z);
+        _S244 = _S242 >= (size_2.z);
     }
     else
     {
-        _S243 = false;
+        _S244 = false;
     }
-    var _S244 : i32;
-    if(_S243)
+    var _S245 : i32;
+    if(_S244)
     {
-        _S244 = i32(0);
+        _S245 = i32(0);
     }
     else
     {
-        if(_S242 >= (size_2.z))
+        if(_S243 >= (size_2.z))
         {
-            _S244 = i32(1);
+            _S245 = i32(1);
         }
         else
         {
-            _S244 = i32(2);
+            _S245 = i32(2);
         }
     }
-    var z_1 : u32 = u32(_S244);
+    var z_1 : u32 = u32(_S245);
     var x_9 : u32 = (z_1 + u32(1)) % u32(3);
     var y_3 : u32 = (z_1 + u32(2)) % u32(3);
     (*axes_7) = (((x_9 | (((y_3 << (u32(2))))))) | (((z_1 << (u32(4))))));
@@ -1658,7 +1668,7 @@ struct RayView_0
 
 fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_3 : u32) -> f32
 {
-    var _S245 : u32 = u32(14) * node_1 + slot_3 / u32(4);
+    var _S246 : u32 = u32(14) * node_1 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_1 : u32 = u32(0);
@@ -1671,36 +1681,36 @@ fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S246 : u32 = axis_1;
-        var _S247 : u32 = _S245 + u32(2) * axis_1;
-        var _S248 : u32 = slot_3 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S247][_S248])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S247 + u32(6)][_S248])));
-        var _S249 : bool = (view_0.inverse_0[axis_1]) < 0.0f;
-        var _S250 : f32;
-        if(_S249)
+        var _S247 : u32 = axis_1;
+        var _S248 : u32 = _S246 + u32(2) * axis_1;
+        var _S249 : u32 = slot_3 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S248][_S249])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S248 + u32(6)][_S249])));
+        var _S250 : bool = (view_0.inverse_0[axis_1]) < 0.0f;
+        var _S251 : f32;
+        if(_S250)
         {
-            _S250 = high_0;
+            _S251 = high_0;
         }
         else
         {
-            _S250 = low_3;
+            _S251 = low_3;
         }
-        var _S251 : f32 = max(near_0, _S250 * view_0.inverse_0[_S246] - view_0.offset_near_0[axis_1]);
-        var _S252 : f32;
-        if(_S249)
+        var _S252 : f32 = max(near_0, _S251 * view_0.inverse_0[_S247] - view_0.offset_near_0[axis_1]);
+        var _S253 : f32;
+        if(_S250)
         {
-            _S252 = low_3;
+            _S253 = low_3;
         }
         else
         {
-            _S252 = high_0;
+            _S253 = high_0;
         }
-        var _S253 : f32 = min(far_0, _S252 * view_0.inverse_0[_S246] - view_0.offset_far_0[axis_1]);
-        var _S254 : u32 = axis_1 + u32(1);
-        near_0 = _S251;
-        far_0 = _S253;
-        axis_1 = _S254;
+        var _S254 : f32 = min(far_0, _S253 * view_0.inverse_0[_S247] - view_0.offset_far_0[axis_1]);
+        var _S255 : u32 = axis_1 + u32(1);
+        near_0 = _S252;
+        far_0 = _S254;
+        axis_1 = _S255;
     }
     if(near_0 <= far_0)
     {
@@ -1725,7 +1735,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S255 : u32 = k_2;
+        var _S256 : u32 = k_2;
         if((bounds_0[k_2]) > limit_2)
         {
             k_2 = k_2 + u32(1);
@@ -1742,24 +1752,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S256 : u32 = j_0;
-            var _S257 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S255]))
+            var _S257 : u32 = j_0;
+            var _S258 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S256]))
             {
-                _S257 = true;
+                _S258 = true;
             }
             else
             {
-                if((bounds_0[_S256]) == (bounds_0[_S255]))
+                if((bounds_0[_S257]) == (bounds_0[_S256]))
                 {
-                    _S257 = j_0 < k_2;
+                    _S258 = j_0 < k_2;
                 }
                 else
                 {
-                    _S257 = false;
+                    _S258 = false;
                 }
             }
-            if(_S257)
+            if(_S258)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -1784,16 +1794,16 @@ fn crossed_0( view_1 : RayView_0,  limit_3 : f32,  node_2 : u32) -> u32
         {
             break;
         }
-        var _S258 : f32;
+        var _S259 : f32;
         if((ray_child_0(node_2, slot_4)) == u32(4294967295))
         {
-            _S258 = 3.00000000549775576e+38f;
+            _S259 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S258 = ray_bound_0(view_1, limit_3, node_2, slot_4);
+            _S259 = ray_bound_0(view_1, limit_3, node_2, slot_4);
         }
-        bounds_1[slot_4] = _S258;
+        bounds_1[slot_4] = _S259;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -1804,9 +1814,9 @@ fn rounded_0( product_1 : f32,  largest_1 : f32) -> f32
     return min(product_1, largest_1);
 }
 
-fn corner_1( ray_2 : Ray_0,  axes_9 : u32,  at_14 : u32) -> vec3<f32>
+fn corner_1( ray_2 : Ray_0,  axes_9 : u32,  at_16 : u32) -> vec3<f32>
 {
-    var relative_0 : vec3<f32> = primitive_vector_0(at_14) - ray_2.origin_0;
+    var relative_0 : vec3<f32> = primitive_vector_0(at_16) - ray_2.origin_0;
     var z_2 : f32 = component_0(relative_0, (axes_9 >> (u32(4))));
     return vec3<f32>(component_0(relative_0, (axes_9 & (u32(3)))) - rounded_0(ray_2.shear_x_0 * z_2, ray_2.largest_0), component_0(relative_0, (((axes_9 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_2.shear_y_0 * z_2, ray_2.largest_0), z_2);
 }
@@ -1819,56 +1829,56 @@ struct Crossing_0
      w_2 : f32,
 };
 
-fn intersect_0( ray_3 : Ray_0,  axes_10 : u32,  at_15 : u32) -> Crossing_0
+fn intersect_0( ray_3 : Ray_0,  axes_10 : u32,  at_17 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_1 = 0.0f;
     crossing_0.v_8 = 0.0f;
     crossing_0.w_2 = 0.0f;
-    var a_12 : vec3<f32> = corner_1(ray_3, axes_10, at_15);
-    var b_9 : vec3<f32> = corner_1(ray_3, axes_10, at_15 + u32(3));
-    var c_3 : vec3<f32> = corner_1(ray_3, axes_10, at_15 + u32(6));
-    var _S259 : f32 = c_3.x;
-    var _S260 : f32 = b_9.y;
-    var cx_by_0 : f32 = rounded_0(_S259 * _S260, ray_3.largest_0);
-    var _S261 : f32 = c_3.y;
-    var _S262 : f32 = b_9.x;
-    var cy_bx_0 : f32 = rounded_0(_S261 * _S262, ray_3.largest_0);
-    var _S263 : f32 = a_12.x;
-    var ax_cy_0 : f32 = rounded_0(_S263 * _S261, ray_3.largest_0);
-    var _S264 : f32 = a_12.y;
-    var ay_cx_0 : f32 = rounded_0(_S264 * _S259, ray_3.largest_0);
-    var bx_ay_0 : f32 = rounded_0(_S262 * _S264, ray_3.largest_0);
-    var by_ax_0 : f32 = rounded_0(_S260 * _S263, ray_3.largest_0);
+    var a_12 : vec3<f32> = corner_1(ray_3, axes_10, at_17);
+    var b_9 : vec3<f32> = corner_1(ray_3, axes_10, at_17 + u32(3));
+    var c_3 : vec3<f32> = corner_1(ray_3, axes_10, at_17 + u32(6));
+    var _S260 : f32 = c_3.x;
+    var _S261 : f32 = b_9.y;
+    var cx_by_0 : f32 = rounded_0(_S260 * _S261, ray_3.largest_0);
+    var _S262 : f32 = c_3.y;
+    var _S263 : f32 = b_9.x;
+    var cy_bx_0 : f32 = rounded_0(_S262 * _S263, ray_3.largest_0);
+    var _S264 : f32 = a_12.x;
+    var ax_cy_0 : f32 = rounded_0(_S264 * _S262, ray_3.largest_0);
+    var _S265 : f32 = a_12.y;
+    var ay_cx_0 : f32 = rounded_0(_S265 * _S260, ray_3.largest_0);
+    var bx_ay_0 : f32 = rounded_0(_S263 * _S265, ray_3.largest_0);
+    var by_ax_0 : f32 = rounded_0(_S261 * _S264, ray_3.largest_0);
     var u_0 : f32 = cx_by_0 - cy_bx_0;
     var v_9 : f32 = ax_cy_0 - ay_cx_0;
     var w_3 : f32 = bx_ay_0 - by_ax_0;
-    var _S265 : f32 = min(min(u_0, v_9), w_3);
-    var _S266 : f32 = max(max(u_0, v_9), w_3);
-    var _S267 : bool;
-    if(_S265 < 0.0f)
+    var _S266 : f32 = min(min(u_0, v_9), w_3);
+    var _S267 : f32 = max(max(u_0, v_9), w_3);
+    var _S268 : bool;
+    if(_S266 < 0.0f)
     {
-        _S267 = _S266 > 0.0f;
+        _S268 = _S267 > 0.0f;
     }
     else
     {
-        _S267 = false;
+        _S268 = false;
     }
-    if(_S267)
+    if(_S268)
     {
         return crossing_0;
     }
     var determinant_0 : f32 = u_0 + v_9 + w_3;
-    if(_S265 <= 0.0f)
+    if(_S266 <= 0.0f)
     {
-        _S267 = _S266 >= 0.0f;
+        _S268 = _S267 >= 0.0f;
     }
     else
     {
-        _S267 = false;
+        _S268 = false;
     }
-    if(_S267)
+    if(_S268)
     {
         if((abs(determinant_0)) <= (ray_3.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -1882,13 +1892,13 @@ fn intersect_0( ray_3 : Ray_0,  axes_10 : u32,  at_15 : u32) -> Crossing_0
     var t_2 : f32 = (rounded_0(u_0 * a_12.z, ray_3.largest_0) + rounded_0(v_9 * b_9.z, ray_3.largest_0) + rounded_0(w_3 * c_3.z, ray_3.largest_0)) / determinant_0 * ray_3.inverse_z_0;
     if((ray_3.t_min_0) <= t_2)
     {
-        _S267 = t_2 <= (ray_3.t_max_0);
+        _S268 = t_2 <= (ray_3.t_max_0);
     }
     else
     {
-        _S267 = false;
+        _S268 = false;
     }
-    crossing_0.is_hit_0 = _S267;
+    crossing_0.is_hit_0 = _S268;
     crossing_0.t_1 = t_2;
     crossing_0.v_8 = v_9 / determinant_0;
     crossing_0.w_2 = w_3 / determinant_0;
@@ -1910,7 +1920,7 @@ struct Found_0
 
 fn first_found_0( view_2 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S268 : bool;
+    var _S269 : bool;
     var found_0 : Found_0;
     found_0.face_3 = u32(4294967295);
     found_0.triangle_8 = u32(4294967295);
@@ -1942,31 +1952,31 @@ fn first_found_0( view_2 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_1[level_0];
-        var _S269 : u32 = way_1[level_0].y;
-        if(_S269 == u32(0))
+        var _S270 : u32 = way_1[level_0].y;
+        if(_S270 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S270 : u32 = level_0 - u32(1);
+            var _S271 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S270;
+            level_0 = _S271;
             continue;
         }
-        var slot_5 : u32 = ((_S269 & (u32(15)))) - u32(1);
-        way_1[level_0][i32(1)] = (_S269 >> (u32(4)));
-        var _S271 : bool;
+        var slot_5 : u32 = ((_S270 & (u32(15)))) - u32(1);
+        way_1[level_0][i32(1)] = (_S270 >> (u32(4)));
+        var _S272 : bool;
         if(!is_new_1)
         {
-            _S271 = (ray_bound_0(view_2, limit_4, here_0.x, slot_5)) > limit_4;
+            _S272 = (ray_bound_0(view_2, limit_4, here_0.x, slot_5)) > limit_4;
         }
         else
         {
-            _S271 = false;
+            _S272 = false;
         }
-        if(_S271)
+        if(_S272)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -1975,20 +1985,20 @@ fn first_found_0( view_2 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_0.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S272 : u32 = level_0 + u32(1);
+            var _S273 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S272;
+            level_0 = _S273;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S273 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S274 : u32 = leaf_starts_0[leaf_0];
+        var _S274 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S275 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_1 : u32 = _S274;
+        var i_1 : u32 = _S275;
         for(;;)
         {
-            if(i_1 < _S273)
+            if(i_1 < _S274)
             {
             }
             else
@@ -2003,23 +2013,23 @@ fn first_found_0( view_2 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_3) == u32(4294967295))
             {
-                _S268 = true;
+                _S269 = true;
             }
             else
             {
-                _S268 = (crossing_1.t_1) < ((*ray_4).t_max_0);
+                _S269 = (crossing_1.t_1) < ((*ray_4).t_max_0);
             }
-            var _S275 : bool;
-            if(_S268)
+            var _S276 : bool;
+            if(_S269)
             {
-                _S275 = true;
+                _S276 = true;
             }
             else
             {
-                _S275 = (face_2(i_1)) < (found_0.face_3);
+                _S276 = (face_2(i_1)) < (found_0.face_3);
             }
             var limit_6 : f32;
-            if(_S275)
+            if(_S276)
             {
                 found_0.face_3 = face_2(i_1);
                 found_0.triangle_8 = i_1;
@@ -2037,13 +2047,13 @@ fn first_found_0( view_2 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S268 = (found_0.face_3) != u32(4294967295);
+            _S269 = (found_0.face_3) != u32(4294967295);
         }
         else
         {
-            _S268 = false;
+            _S269 = false;
         }
-        if(_S268)
+        if(_S269)
         {
             break;
         }
@@ -2057,11 +2067,11 @@ fn first_found_0( view_2 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_3 : vec3<f32>,  direction_8 : vec3<f32>,  t_min_3 : f32,  t_max_3 : f32,  any_1 : bool,  t_3 : ptr<function, f32>) -> Found_0
 {
     var view_3 : RayView_0;
-    var _S276 : u32 = view_3.axes_8;
-    var _S277 : Ray_0 = ray_along_1(origin_3, direction_8, t_min_3, t_max_3, &(_S276));
-    view_3.axes_8 = _S276;
-    var ray_5 : Ray_0 = _S277;
-    var _S278 : vec3<f32> = direction_8 / vec3<f32>(ray_5.local_per_t_0);
+    var _S277 : u32 = view_3.axes_8;
+    var _S278 : Ray_0 = ray_along_1(origin_3, direction_8, t_min_3, t_max_3, &(_S277));
+    view_3.axes_8 = _S277;
+    var ray_5 : Ray_0 = _S278;
+    var _S279 : vec3<f32> = direction_8 / vec3<f32>(ray_5.local_per_t_0);
     var axis_2 : u32 = u32(0);
     for(;;)
     {
@@ -2072,17 +2082,17 @@ fn cast_0( origin_3 : vec3<f32>,  direction_8 : vec3<f32>,  t_min_3 : f32,  t_ma
         {
             break;
         }
-        var _S279 : f32 = max(abs(_S278[axis_2]), 8.67361737988403547e-19f);
-        var _S280 : f32;
-        if((_S278[axis_2]) < 0.0f)
+        var _S280 : f32 = max(abs(_S279[axis_2]), 8.67361737988403547e-19f);
+        var _S281 : f32;
+        if((_S279[axis_2]) < 0.0f)
         {
-            _S280 = -1.0f / _S279;
+            _S281 = -1.0f / _S280;
         }
         else
         {
-            _S280 = 1.0f / _S279;
+            _S281 = 1.0f / _S280;
         }
-        view_3.inverse_0[axis_2] = _S280;
+        view_3.inverse_0[axis_2] = _S281;
         axis_2 = axis_2 + u32(1);
     }
     var offset_0 : vec3<f32> = origin_3 * view_3.inverse_0;
@@ -2135,34 +2145,34 @@ fn reflect_0( chain_0 : ptr<function, Chain_0>) -> bool
 {
     var unused_0 : f32;
     var found_3 : Found_0 = cast_0((*chain_0).start_0, (*chain_0).direction_10, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &(unused_0));
-    var _S281 : bool;
+    var _S282 : bool;
     if((found_3.face_3) == u32(4294967295))
     {
-        _S281 = true;
+        _S282 = true;
     }
     else
     {
-        _S281 = !is_mirror_0(found_3.triangle_8);
+        _S282 = !is_mirror_0(found_3.triangle_8);
     }
-    if(_S281)
+    if(_S282)
     {
         return false;
     }
     var mirror_4 : Mirror_0 = mirror_at_0(found_3.triangle_8);
     (*chain_0).start_0 = position_of_0(place_of_0(found_3));
-    var _S282 : vec3<f32> = mirrored_0(mirror_4, (*chain_0).direction_10);
-    (*chain_0).direction_10 = _S282;
+    var _S283 : vec3<f32> = mirrored_0(mirror_4, (*chain_0).direction_10);
+    (*chain_0).direction_10 = _S283;
     (*chain_0).image_0 = image_of_0(mirror_4, (*chain_0).image_0);
-    var _S283 : vec3<f32>;
-    if((dot(mirror_4.normal_0, _S282)) < 0.0f)
+    var _S284 : vec3<f32>;
+    if((dot(mirror_4.normal_0, _S283)) < 0.0f)
     {
-        _S283 = (vec3<f32>(0) - mirror_4.normal_0);
+        _S284 = (vec3<f32>(0) - mirror_4.normal_0);
     }
     else
     {
-        _S283 = mirror_4.normal_0;
+        _S284 = mirror_4.normal_0;
     }
-    (*chain_0).facing_0 = _S283;
+    (*chain_0).facing_0 = _S284;
     (*chain_0).triangles_0[(*chain_0).count_1] = found_3.triangle_8;
     (*chain_0).count_1 = (*chain_0).count_1 + u32(1);
     return true;
@@ -2170,19 +2180,19 @@ fn reflect_0( chain_0 : ptr<function, Chain_0>) -> bool
 
 fn limit_by_0( half_tangent_0 : f32) -> vec2<f32>
 {
-    var _S284 : f32 = min(half_tangent_0, 1.0e+09f);
-    var squared_1 : f32 = _S284 * _S284;
-    return vec2<f32>(1.0f - squared_1, 2.0f * _S284) / vec2<f32>((1.0f + squared_1));
+    var _S285 : f32 = min(half_tangent_0, 1.0e+09f);
+    var squared_1 : f32 = _S285 * _S285;
+    return vec2<f32>(1.0f - squared_1, 2.0f * _S285) / vec2<f32>((1.0f + squared_1));
 }
 
-fn edge_number_0( at_16 : u32) -> f32
+fn edge_number_0( at_18 : u32) -> f32
 {
-    return (bitcast<f32>((edge_word_0(at_16))));
+    return (bitcast<f32>((edge_word_0(at_18))));
 }
 
-fn edge_vector_0( at_17 : u32) -> vec3<f32>
+fn edge_vector_0( at_19 : u32) -> vec3<f32>
 {
-    return vec3<f32>(edge_number_0(at_17), edge_number_0(at_17 + u32(1)), edge_number_0(at_17 + u32(2)));
+    return vec3<f32>(edge_number_0(at_19), edge_number_0(at_19 + u32(1)), edge_number_0(at_19 + u32(2)));
 }
 
 struct Ball_0
@@ -2209,18 +2219,18 @@ fn is_beyond_0( ball_1 : Ball_0,  limit_7 : vec2<f32>) -> bool
 
 fn comes_first_0( ball_2 : Ball_0,  other_0 : Ball_0) -> bool
 {
-    var _S285 : f32 = max(ball_2.from_axis_0 - ball_2.radius_0, 0.0f);
-    var _S286 : f32 = max(other_0.from_axis_0 - other_0.radius_0, 0.0f);
-    var _S287 : bool;
-    if(_S285 == _S286)
+    var _S286 : f32 = max(ball_2.from_axis_0 - ball_2.radius_0, 0.0f);
+    var _S287 : f32 = max(other_0.from_axis_0 - other_0.radius_0, 0.0f);
+    var _S288 : bool;
+    if(_S286 == _S287)
     {
-        _S287 = (ball_2.along_2) < (other_0.along_2);
+        _S288 = (ball_2.along_2) < (other_0.along_2);
     }
     else
     {
-        _S287 = _S285 < _S286;
+        _S288 = _S286 < _S287;
     }
-    return _S287;
+    return _S288;
 }
 
 fn record_of_0( around_1 : Around_0,  edge_0 : u32) -> u32
@@ -2228,9 +2238,9 @@ fn record_of_0( around_1 : Around_0,  edge_0 : u32) -> u32
     return edge_word_0(around_1.tree_0 + u32(1)) + u32(12) * edge_0;
 }
 
-fn edge_position_0( at_18 : u32) -> vec3<f32>
+fn edge_position_0( at_20 : u32) -> vec3<f32>
 {
-    return primitive_vector_0(real_place_0(at_18));
+    return primitive_vector_0(real_place_0(at_20));
 }
 
 struct OnEdge_0
@@ -2275,29 +2285,29 @@ fn closest_on_edge_0( around_2 : Around_0,  chain_1 : Chain_0,  axis_5 : vec3<f3
     var b_10 : vec3<f32> = edge_position_0(numbers_3 + u32(3)) - chain_1.image_0;
     var along_3 : vec3<f32> = b_10 - a_13;
     var from_mirror_0 : vec3<f32> = chain_1.image_0 - chain_1.start_0;
-    var _S288 : bool;
+    var _S289 : bool;
     if((dot(a_13 + from_mirror_0, chain_1.facing_0)) < 0.0f)
     {
-        _S288 = (dot(b_10 + from_mirror_0, chain_1.facing_0)) < 0.0f;
+        _S289 = (dot(b_10 + from_mirror_0, chain_1.facing_0)) < 0.0f;
     }
     else
     {
-        _S288 = false;
+        _S289 = false;
     }
-    if(_S288)
+    if(_S289)
     {
         return false;
     }
     var across_1 : vec3<f32> = cross(a_13, along_3);
     if((dot(across_1, across_1)) == 0.0f)
     {
-        _S288 = (dot(a_13, b_10)) <= 0.0f;
+        _S289 = (dot(a_13, b_10)) <= 0.0f;
     }
     else
     {
-        _S288 = false;
+        _S289 = false;
     }
-    if(_S288)
+    if(_S289)
     {
         return false;
     }
@@ -2325,13 +2335,13 @@ fn closest_on_edge_0( around_2 : Around_0,  chain_1 : Chain_0,  axis_5 : vec3<f3
     }
     if(t_7 > 0.0f)
     {
-        _S288 = t_7 < 1.0f;
+        _S289 = t_7 < 1.0f;
     }
     else
     {
-        _S288 = false;
+        _S289 = false;
     }
-    if(_S288)
+    if(_S289)
     {
         var other_2 : OnEdge_0 = on_edge_0(axis_5, t_7, a_13 + along_3 * vec3<f32>(t_7));
         if(is_nearer_0(other_2, place_14))
@@ -2347,23 +2357,23 @@ fn closest_on_edge_0( around_2 : Around_0,  chain_1 : Chain_0,  axis_5 : vec3<f3
 
 fn is_before_0( a_14 : Candidate_0,  b_11 : Candidate_0) -> bool
 {
-    var _S289 : bool;
+    var _S290 : bool;
     if((a_14.half_tangent_1) < (b_11.half_tangent_1))
     {
-        _S289 = true;
+        _S290 = true;
     }
     else
     {
         if((a_14.half_tangent_1) == (b_11.half_tangent_1))
         {
-            _S289 = (a_14.number_1) < (b_11.number_1);
+            _S290 = (a_14.number_1) < (b_11.number_1);
         }
         else
         {
-            _S289 = false;
+            _S290 = false;
         }
     }
-    return _S289;
+    return _S290;
 }
 
 struct Candidates_0
@@ -2374,16 +2384,16 @@ struct Candidates_0
 
 fn has_room_0( candidates_0 : Candidates_0,  candidate_1 : Candidate_0) -> bool
 {
-    var _S290 : bool;
+    var _S291 : bool;
     if((candidates_0.count_2) < u32(4))
     {
-        _S290 = true;
+        _S291 = true;
     }
     else
     {
-        _S290 = is_before_0(candidate_1, candidates_0.listed_0[u32(3)]);
+        _S291 = is_before_0(candidate_1, candidates_0.listed_0[u32(3)]);
     }
-    return _S290;
+    return _S291;
 }
 
 fn place_of_1( around_3 : Around_0,  candidate_2 : Candidate_0) -> vec3<f32>
@@ -2413,30 +2423,30 @@ fn is_hidden_0( around_4 : Around_0,  candidate_3 : Candidate_0) -> bool
 
 fn list_0( candidates_1 : ptr<function, Candidates_0>,  candidate_4 : Candidate_0)
 {
-    var _S291 : u32 = min((*candidates_1).count_2, u32(3));
-    (*candidates_1).count_2 = _S291 + u32(1);
-    var place_15 : u32 = _S291;
+    var _S292 : u32 = min((*candidates_1).count_2, u32(3));
+    (*candidates_1).count_2 = _S292 + u32(1);
+    var place_15 : u32 = _S292;
     for(;;)
     {
-        var _S292 : bool;
+        var _S293 : bool;
         if(place_15 > u32(0))
         {
-            _S292 = is_before_0(candidate_4, (*candidates_1).listed_0[place_15 - u32(1)]);
+            _S293 = is_before_0(candidate_4, (*candidates_1).listed_0[place_15 - u32(1)]);
         }
         else
         {
-            _S292 = false;
+            _S293 = false;
         }
-        if(_S292)
+        if(_S293)
         {
         }
         else
         {
             break;
         }
-        var _S293 : u32 = place_15 - u32(1);
-        (*candidates_1).listed_0[place_15] = (*candidates_1).listed_0[_S293];
-        place_15 = _S293;
+        var _S294 : u32 = place_15 - u32(1);
+        (*candidates_1).listed_0[place_15] = (*candidates_1).listed_0[_S294];
+        place_15 = _S294;
     }
     (*candidates_1).listed_0[place_15] = candidate_4;
     return;
@@ -2462,9 +2472,9 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
     var nodes_at_0 : u32 = edge_word_0(around_5.tree_0);
     var waiting_0 : array<u32, i32(92)>;
     waiting_0[i32(0)] = u32(4294967295);
-    var _S294 : vec2<f32> = limit_by_0(limit_8);
+    var _S295 : vec2<f32> = limit_by_0(limit_8);
     var node_4 : u32 = nodes_at_0;
-    var rough_limit_0 : vec2<f32> = _S294;
+    var rough_limit_0 : vec2<f32> = _S295;
     var count_3 : u32 = u32(0);
     for(;;)
     {
@@ -2478,9 +2488,9 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
         var next_0 : u32;
         var next_1 : u32;
         var count_4 : u32;
-        var _S295 : bool;
-        var skips_far_0 : bool;
         var _S296 : bool;
+        var skips_far_0 : bool;
+        var _S297 : bool;
         if((edge_word_0(node_4)) != u32(4294967295))
         {
             var near_1 : u32 = nodes_at_0 + u32(45) * edge_word_0(node_4);
@@ -2493,18 +2503,18 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
             {
                 if(skips_near_0)
                 {
-                    _S295 = true;
+                    _S296 = true;
                 }
                 else
                 {
-                    _S295 = comes_first_0(of_far_0, of_near_0);
+                    _S296 = comes_first_0(of_far_0, of_near_0);
                 }
             }
             else
             {
-                _S295 = false;
+                _S296 = false;
             }
-            if(_S295)
+            if(_S296)
             {
                 next_0 = far_1;
                 skips_far_0 = skips_near_0;
@@ -2525,13 +2535,13 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
             }
             if(next_0 != u32(4294967295))
             {
-                _S296 = !skips_far_0;
+                _S297 = !skips_far_0;
             }
             else
             {
-                _S296 = false;
+                _S297 = false;
             }
-            if(_S296)
+            if(_S297)
             {
                 waiting_0[count_3] = next_1;
                 count_4 = count_3 + u32(1);
@@ -2554,21 +2564,21 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
                     break;
                 }
                 var candidate_5 : Candidate_0;
-                var _S297 : bool = closest_on_edge_0(around_5, chain_2, chain_2.direction_10, k_3, &(candidate_5));
-                if(!_S297)
+                var _S298 : bool = closest_on_edge_0(around_5, chain_2, chain_2.direction_10, k_3, &(candidate_5));
+                if(!_S298)
                 {
                     k_3 = k_3 + u32(1);
                     continue;
                 }
                 if(!((candidate_5.half_tangent_1) < limit_8))
                 {
-                    _S295 = true;
+                    _S296 = true;
                 }
                 else
                 {
-                    _S295 = !is_before_0(last_0, candidate_5);
+                    _S296 = !is_before_0(last_0, candidate_5);
                 }
-                if(_S295)
+                if(_S296)
                 {
                     skips_far_0 = true;
                 }
@@ -2583,13 +2593,13 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
                 }
                 if((chain_2.count_1) > u32(0))
                 {
-                    _S296 = true;
+                    _S297 = true;
                 }
                 else
                 {
-                    _S296 = !is_hidden_0(around_5, candidate_5);
+                    _S297 = !is_hidden_0(around_5, candidate_5);
                 }
-                if(_S296)
+                if(_S297)
                 {
                     list_0(&(found_4), candidate_5);
                 }
@@ -2614,13 +2624,13 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
         {
             if(next_1 == u32(4294967295))
             {
-                _S295 = count_3 > u32(0);
+                _S296 = count_3 > u32(0);
             }
             else
             {
-                _S295 = false;
+                _S296 = false;
             }
-            if(_S295)
+            if(_S296)
             {
             }
             else
@@ -2652,9 +2662,9 @@ struct Nearest_0
 
 fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 : vec3<f32>,  point_0 : ptr<function, Nearest_0>) -> bool
 {
-    var _S298 : f32 = length_of_0(offset_4);
-    (*point_0).distance_2 = _S298;
-    (*point_0).direction_12 = offset_4 / vec3<f32>(_S298);
+    var _S299 : f32 = length_of_0(offset_4);
+    (*point_0).distance_2 = _S299;
+    (*point_0).direction_12 = offset_4 / vec3<f32>(_S299);
     (*point_0).count_6 = chain_3.count_1;
     var k_4 : u32 = chain_3.count_1;
     for(;;)
@@ -2666,21 +2676,21 @@ fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         {
             break;
         }
-        var _S299 : u32 = k_4 - u32(1);
-        (*point_0).direction_12 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S299]), (*point_0).direction_12);
-        k_4 = _S299;
+        var _S300 : u32 = k_4 - u32(1);
+        (*point_0).direction_12 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S300]), (*point_0).direction_12);
+        k_4 = _S300;
     }
     var height_1 : f32 = abs(dot((*point_0).direction_12, (*around_6).face_0)) * (*point_0).distance_2;
-    var _S300 : bool;
+    var _S301 : bool;
     if((chain_3.count_1) > u32(0))
     {
-        _S300 = height_1 <= (limit_at_0(u32(2)));
+        _S301 = height_1 <= (limit_at_0(u32(2)));
     }
     else
     {
-        _S300 = false;
+        _S301 = false;
     }
-    if(_S300)
+    if(_S301)
     {
         return false;
     }
@@ -2724,13 +2734,13 @@ fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         }
         if((found_5.face_3) == u32(4294967295))
         {
-            _S300 = true;
+            _S301 = true;
         }
         else
         {
-            _S300 = !is_mirror_0(found_5.triangle_8);
+            _S301 = !is_mirror_0(found_5.triangle_8);
         }
-        if(_S300)
+        if(_S301)
         {
             return false;
         }
@@ -2740,10 +2750,10 @@ fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         {
             return false;
         }
-        var _S301 : vec3<f32> = mirrored_0(mirror_at_0(found_5.triangle_8), direction_13);
+        var _S302 : vec3<f32> = mirrored_0(mirror_at_0(found_5.triangle_8), direction_13);
         (*point_0).triangles_1[k_4] = found_5.triangle_8;
         start_2 = place_16;
-        direction_13 = _S301;
+        direction_13 = _S302;
         left_1 = left_2;
         k_4 = k_4 + u32(1);
     }
@@ -2768,7 +2778,7 @@ fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             break;
         }
         var found_6 : Candidates_0 = search_0((*around_7), chain_4, (*best_0).half_tangent_2, last_1);
-        var _S302 : bool = (found_6.count_2) < u32(4);
+        var _S303 : bool = (found_6.count_2) < u32(4);
         var k_5 : u32 = u32(0);
         for(;;)
         {
@@ -2781,8 +2791,8 @@ fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             }
             last_1 = found_6.listed_0[k_5];
             var point_1 : Nearest_0 = (*best_0);
-            var _S303 : bool = is_seen_0(&((*around_7)), chain_4, place_of_1((*around_7), found_6.listed_0[k_5]) - chain_4.image_0, &(point_1));
-            if(!_S303)
+            var _S304 : bool = is_seen_0(&((*around_7)), chain_4, place_of_1((*around_7), found_6.listed_0[k_5]) - chain_4.image_0, &(point_1));
+            if(!_S304)
             {
                 k_5 = k_5 + u32(1);
                 continue;
@@ -2793,7 +2803,7 @@ fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             (*best_0).t_8 = last_1.t_6;
             return;
         }
-        is_complete_0 = _S302;
+        is_complete_0 = _S303;
     }
     return;
 }
@@ -2837,17 +2847,17 @@ fn nearest_edge_0( around_8 : ptr<function, Around_0>,  direction_14 : vec3<f32>
         {
             break;
         }
-        var _S304 : bool;
+        var _S305 : bool;
         if(mirrors_1 > u32(0))
         {
-            var _S305 : bool = reflect_0(&(chain_5));
-            _S304 = !_S305;
+            var _S306 : bool = reflect_0(&(chain_5));
+            _S305 = !_S306;
         }
         else
         {
-            _S304 = false;
+            _S305 = false;
         }
-        if(_S304)
+        if(_S305)
         {
             break;
         }
@@ -2909,7 +2919,7 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f32>,  k
 {
     var field_0 : Field_0;
     field_0.direction_16 = direction_17;
-    var _S306 : f32 = edge_real_0(u32(4));
+    var _S307 : f32 = edge_real_0(u32(4));
     const g_0 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 0.0f);
     var e_0 : vec3<f32> = g_0;
     var half_sine_1 : f32 = 0.0f;
@@ -2933,11 +2943,11 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f32>,  k
         }
         else
         {
-            far_2 = _S306;
+            far_2 = _S307;
         }
-        var _S307 : bool = k_7 == u32(1);
+        var _S308 : bool = k_7 == u32(1);
         var x_11 : vec3<f32>;
-        if(_S307)
+        if(_S308)
         {
             x_11 = walked_0(direction_17, e_0, sqrt(random_0(key_3, first_2 + u32(1))) * half_sine_1);
         }
@@ -2954,9 +2964,9 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f32>,  k
         {
             x_12 = x_11;
         }
-        var _S308 : bool = k_7 > u32(0);
+        var _S309 : bool = k_7 > u32(0);
         var bound_0 : f32;
-        if(_S308)
+        if(_S309)
         {
             bound_0 = min(far_2, half_tangent_between_0(x_12, field_0.terms_0[i32(0)].site_0.direction_12));
         }
@@ -2965,26 +2975,26 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f32>,  k
             bound_0 = far_2;
         }
         var found_7 : Nearest_0 = nearest_edge_0(&((*around_9)), x_12, bound_0);
-        var _S309 : bool;
-        if(_S308)
-        {
-            _S309 = (found_7.edge_3) == u32(4294967295);
-        }
-        else
-        {
-            _S309 = false;
-        }
         var _S310 : bool;
         if(_S309)
         {
-            _S310 = bound_0 < far_2;
+            _S310 = (found_7.edge_3) == u32(4294967295);
         }
         else
         {
             _S310 = false;
         }
-        var found_8 : Nearest_0;
+        var _S311 : bool;
         if(_S310)
+        {
+            _S311 = bound_0 < far_2;
+        }
+        else
+        {
+            _S311 = false;
+        }
+        var found_8 : Nearest_0;
+        if(_S311)
         {
             found_8 = field_0.terms_0[i32(0)].site_0;
         }
@@ -2993,18 +3003,18 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f32>,  k
             found_8 = found_7;
         }
         field_0.terms_0[k_7].site_0 = found_8;
-        var _S311 : i32;
-        if(_S307)
+        var _S312 : i32;
+        if(_S308)
         {
-            _S311 = i32(1);
+            _S312 = i32(1);
         }
         else
         {
-            _S311 = i32(0);
+            _S312 = i32(0);
         }
-        field_0.terms_0[k_7].weight_0 = f32(_S311);
+        field_0.terms_0[k_7].weight_0 = f32(_S312);
         field_0.terms_0[k_7].gradient_0 = g_1;
-        if(_S308)
+        if(_S309)
         {
             k_7 = k_7 + u32(1);
             continue;
@@ -3015,11 +3025,11 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f32>,  k
             field_0.terms_0[i32(1)] = field_0.terms_0[i32(0)];
             break;
         }
-        var is_within_1 : bool = (found_8.half_tangent_2) < _S306;
-        var _S312 : f32 = min(found_8.half_tangent_2, _S306);
-        var _S313 : f32 = 1.0f / _S312;
-        var _S314 : f32 = _S312 / sqrt(1.0f + _S312 * _S312);
-        var _S315 : vec3<f32> = tangent_by_0(direction_17, random_0(key_3, first_2));
+        var is_within_1 : bool = (found_8.half_tangent_2) < _S307;
+        var _S313 : f32 = min(found_8.half_tangent_2, _S307);
+        var _S314 : f32 = 1.0f / _S313;
+        var _S315 : f32 = _S313 / sqrt(1.0f + _S313 * _S313);
+        var _S316 : vec3<f32> = tangent_by_0(direction_17, random_0(key_3, first_2));
         var towards_0 : vec3<f32> = found_8.direction_12 - direction_17 * vec3<f32>(dot(direction_17, found_8.direction_12));
         var g_2 : vec3<f32>;
         if(is_within_1)
@@ -3030,16 +3040,16 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f32>,  k
         {
             g_2 = g_1;
         }
-        e_0 = _S315;
-        half_sine_1 = _S314;
+        e_0 = _S316;
+        half_sine_1 = _S315;
         g_1 = g_2;
-        kappa_0 = _S313;
+        kappa_0 = _S314;
         is_within_0 = is_within_1;
         k_7 = k_7 + u32(1);
     }
-    var _S316 : vec3<f32> = vec3<f32>(- kappa_0);
-    field_0.terms_0[i32(0)].gradient_0 = e_0 * _S316;
-    field_0.terms_0[i32(1)].gradient_0 = g_1 * _S316;
+    var _S317 : vec3<f32> = vec3<f32>(- kappa_0);
+    field_0.terms_0[i32(0)].gradient_0 = e_0 * _S317;
+    field_0.terms_0[i32(1)].gradient_0 = g_1 * _S317;
     field_0.terms_0[i32(2)].gradient_0 = (e_0 + g_1) * vec3<f32>(kappa_0);
     if(!is_within_0)
     {
@@ -3060,12 +3070,12 @@ fn nothing_pulled_0() -> Pulled_0
 {
     var pulled_0 : Pulled_0;
     pulled_0.numbers_5 = no_numbers_0();
-    var _S317 : vec3<f32> = vec3<f32>(0.0f);
-    pulled_0.position_2 = _S317;
-    pulled_0.wi_2 = _S317;
-    pulled_0.axes_13.n_0 = _S317;
-    pulled_0.axes_13.t_0 = _S317;
-    pulled_0.axes_13.s_0 = _S317;
+    var _S318 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_2 = _S318;
+    pulled_0.wi_2 = _S318;
+    pulled_0.axes_13.n_0 = _S318;
+    pulled_0.axes_13.t_0 = _S318;
+    pulled_0.axes_13.s_0 = _S318;
     return pulled_0;
 }
 
@@ -3126,17 +3136,17 @@ struct ByCorners_0
 fn image_by_corners_0( mirror_5 : Mirror_0,  place_17 : vec3<f32>) -> ByCorners_0
 {
     var across_2 : vec3<f32> = cross(mirror_5.ab_0, mirror_5.ac_0);
-    var _S318 : vec3<f32> = vec3<f32>((1.0f / dot(across_2, across_2)));
-    var gradient_b_0 : vec3<f32> = cross(mirror_5.ac_0, across_2) * _S318;
-    var gradient_c_0 : vec3<f32> = cross(across_2, mirror_5.ab_0) * _S318;
+    var _S319 : vec3<f32> = vec3<f32>((1.0f / dot(across_2, across_2)));
+    var gradient_b_0 : vec3<f32> = cross(mirror_5.ac_0, across_2) * _S319;
+    var gradient_c_0 : vec3<f32> = cross(across_2, mirror_5.ab_0) * _S319;
     var offset_5 : vec3<f32> = place_17 - mirror_5.corner_0;
     var b_13 : f32 = dot(gradient_b_0, offset_5);
     var c_5 : f32 = dot(gradient_c_0, offset_5);
     var by_1 : ByCorners_0;
-    var _S319 : vec3<f32> = vec3<f32>((2.0f * height_of_0(mirror_5, place_17)));
-    by_1.a_15 = mirror_5.normal_0 * vec3<f32>((2.0f * (1.0f - b_13 - c_5))) + ((vec3<f32>(0) - gradient_b_0) - gradient_c_0) * _S319;
-    by_1.b_12 = mirror_5.normal_0 * vec3<f32>((2.0f * b_13)) + gradient_b_0 * _S319;
-    by_1.c_4 = mirror_5.normal_0 * vec3<f32>((2.0f * c_5)) + gradient_c_0 * _S319;
+    var _S320 : vec3<f32> = vec3<f32>((2.0f * height_of_0(mirror_5, place_17)));
+    by_1.a_15 = mirror_5.normal_0 * vec3<f32>((2.0f * (1.0f - b_13 - c_5))) + ((vec3<f32>(0) - gradient_b_0) - gradient_c_0) * _S320;
+    by_1.b_12 = mirror_5.normal_0 * vec3<f32>((2.0f * b_13)) + gradient_b_0 * _S320;
+    by_1.c_4 = mirror_5.normal_0 * vec3<f32>((2.0f * c_5)) + gradient_c_0 * _S320;
     return by_1;
 }
 
@@ -3149,27 +3159,27 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S320 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S321 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_3 : f32 = abs(scaled_0);
     if(size_3 > 7.73712524553362672e+25f)
     {
-        var _S321 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S322 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S322 : bool = scaled_0 < 0.0f;
-    var _S323 : i32;
+    var _S323 : bool = scaled_0 < 0.0f;
+    var _S324 : i32;
     if(size_3 >= 1.84467440737095516e+19f)
     {
-        _S323 = i32(1);
+        _S324 = i32(1);
     }
     else
     {
-        _S323 = i32(0);
+        _S324 = i32(0);
     }
-    var first_4 : u32 = u32(_S323);
+    var first_4 : u32 = u32(_S324);
     var size_4 : f32;
     if(first_4 == u32(1))
     {
@@ -3189,39 +3199,39 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
     {
         size_4 = lower_0;
     }
-    var _S324 : u32 = u32(3) + u32(4) * sum_0;
+    var _S325 : u32 = u32(4) + u32(4) * sum_0;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_4), u32(higher_0));
     var k_8 : u32 = first_4;
     for(;;)
     {
-        var _S325 : bool;
+        var _S326 : bool;
         if(k_8 < u32(4))
         {
-            _S325 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S326 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S325 = false;
+            _S326 = false;
         }
-        if(_S325)
+        if(_S326)
         {
         }
         else
         {
             break;
         }
-        var _S326 : u32;
-        if(_S322)
+        var _S327 : u32;
+        if(_S323)
         {
-            _S326 = u32(0) - digits_0.x;
+            _S327 = u32(0) - digits_0.x;
         }
         else
         {
-            _S326 = digits_0.x;
+            _S327 = digits_0.x;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S324 + k_8]), _S326);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S325 + k_8]), _S327);
         var overflows_0 : bool;
-        if(_S322)
+        if(_S323)
         {
             overflows_0 = before_0 < (digits_0.x);
         }
@@ -3229,39 +3239,39 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_0 + digits_0.x) < before_0;
         }
-        var _S327 : u32 = digits_0.y;
+        var _S328 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S323 = i32(1);
+            _S324 = i32(1);
         }
         else
         {
-            _S323 = i32(0);
+            _S324 = i32(0);
         }
-        var _S328 : vec2<u32> = vec2<u32>(_S327 + u32(_S323), u32(0));
-        var _S329 : u32 = k_8 + u32(1);
-        digits_0 = _S328;
-        k_8 = _S329;
+        var _S329 : vec2<u32> = vec2<u32>(_S328 + u32(_S324), u32(0));
+        var _S330 : u32 = k_8 + u32(1);
+        digits_0 = _S329;
+        k_8 = _S330;
     }
     return;
 }
 
 fn add_to_sums_0( first_5 : u32,  derivative_1 : vec3<f32>)
 {
-    var _S330 : i32;
+    var _S331 : i32;
     if(first_5 == u32(4294967295))
     {
-        _S330 = i32(0);
+        _S331 = i32(0);
     }
     else
     {
-        _S330 = i32(3);
+        _S331 = i32(3);
     }
-    var _S331 : u32 = u32(_S330);
+    var _S332 : u32 = u32(_S331);
     var axis_6 : u32 = u32(0);
     for(;;)
     {
-        if(axis_6 < _S331)
+        if(axis_6 < _S332)
         {
         }
         else
@@ -3283,45 +3293,45 @@ struct AtCorners_0
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_12 : u32,  corners_0 : AtCorners_0)
 {
-    var _S332 : u32 = triangle_record_0(triangle_12) + u32(2);
-    var _S333 : i32;
+    var _S333 : u32 = triangle_record_0(triangle_12) + u32(2);
+    var _S334 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S333 = i32(0);
+        _S334 = i32(0);
     }
     else
     {
-        _S333 = i32(3);
+        _S334 = i32(3);
     }
-    var _S334 : u32 = u32(_S333);
+    var _S335 : u32 = u32(_S334);
     var k_9 : u32 = u32(0);
     for(;;)
     {
-        if(k_9 < _S334)
+        if(k_9 < _S335)
         {
         }
         else
         {
             break;
         }
-        var _S335 : u32 = sums_at_0 + u32(3) * word_0(_S332 + k_9);
-        var _S336 : vec3<f32>;
+        var _S336 : u32 = sums_at_0 + u32(3) * word_0(_S333 + k_9);
+        var _S337 : vec3<f32>;
         if(k_9 == u32(0))
         {
-            _S336 = corners_0.a_16;
+            _S337 = corners_0.a_16;
         }
         else
         {
             if(k_9 == u32(1))
             {
-                _S336 = corners_0.b_14;
+                _S337 = corners_0.b_14;
             }
             else
             {
-                _S336 = corners_0.c_6;
+                _S337 = corners_0.c_6;
             }
         }
-        add_to_sums_0(_S335, _S336);
+        add_to_sums_0(_S336, _S337);
         k_9 = k_9 + u32(1);
     }
     return;
@@ -3341,11 +3351,11 @@ fn image_back_0( around_12 : Around_0,  site_3 : Nearest_0,  by_velocity_0 : vec
         {
             break;
         }
-        var _S337 : u32 = k_10 - u32(1);
-        places_0[_S337] = place_18;
-        var _S338 : vec3<f32> = image_of_0(mirror_at_0(site_3.triangles_1[_S337]), place_18);
-        place_18 = _S338;
-        k_10 = _S337;
+        var _S338 : u32 = k_10 - u32(1);
+        places_0[_S338] = place_18;
+        var _S339 : vec3<f32> = image_of_0(mirror_at_0(site_3.triangles_1[_S338]), place_18);
+        place_18 = _S339;
+        k_10 = _S338;
     }
     place_18 = by_velocity_0;
     k_10 = u32(0);
@@ -3365,10 +3375,10 @@ fn image_back_0( around_12 : Around_0,  site_3 : Nearest_0,  by_velocity_0 : vec
         corners_1.b_14 = mirror_6.normal_0 * vec3<f32>(dot(by_2.b_12, place_18));
         corners_1.c_6 = mirror_6.normal_0 * vec3<f32>(dot(by_2.c_4, place_18));
         add_to_corners_0(points_of_0(site_3.triangles_1[k_10]), site_3.triangles_1[k_10], corners_1);
-        var _S339 : vec3<f32> = mirrored_0(mirror_6, place_18);
-        var _S340 : u32 = k_10 + u32(1);
-        place_18 = _S339;
-        k_10 = _S340;
+        var _S340 : vec3<f32> = mirrored_0(mirror_6, place_18);
+        var _S341 : u32 = k_10 + u32(1);
+        place_18 = _S340;
+        k_10 = _S341;
     }
     return place_18;
 }
@@ -3376,12 +3386,12 @@ fn image_back_0( around_12 : Around_0,  site_3 : Nearest_0,  by_velocity_0 : vec
 fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f32>,  by_divergence_0 : f32) -> vec3<f32>
 {
     var place_19 : u32;
-    const _S341 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 0.0f);
+    const _S342 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 0.0f);
     var by_direction_0 : vec3<f32> = by_change_0 - field_2.direction_16 * vec3<f32>(dot(field_2.direction_16, by_change_0));
     var by_start_0 : array<vec3<f32>, i32(3)>;
     var by_end_0 : array<vec3<f32>, i32(3)>;
     var k_11 : u32 = u32(0);
-    var by_viewpoint_0 : vec3<f32> = _S341;
+    var by_viewpoint_0 : vec3<f32> = _S342;
     for(;;)
     {
         if(k_11 < u32(3))
@@ -3391,17 +3401,17 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
         {
             break;
         }
-        var _S342 : u32 = k_11;
-        by_end_0[k_11] = _S341;
-        by_start_0[k_11] = _S341;
+        var _S343 : u32 = k_11;
+        by_end_0[k_11] = _S342;
+        by_start_0[k_11] = _S342;
         if((field_2.terms_0[k_11].site_0.edge_3) == u32(4294967295))
         {
             k_11 = k_11 + u32(1);
             continue;
         }
-        var by_velocity_1 : vec3<f32> = angular_0(around_13, field_2.terms_0[_S342].site_0, by_direction_0 * vec3<f32>(field_2.terms_0[_S342].weight_0) + divergence_covector_0(field_2, field_2.terms_0[_S342]) * vec3<f32>(by_divergence_0));
+        var by_velocity_1 : vec3<f32> = angular_0(around_13, field_2.terms_0[_S343].site_0, by_direction_0 * vec3<f32>(field_2.terms_0[_S343].weight_0) + divergence_covector_0(field_2, field_2.terms_0[_S343]) * vec3<f32>(by_divergence_0));
         var by_viewpoint_1 : vec3<f32> = by_viewpoint_0 - by_velocity_1;
-        var by_velocity_2 : vec3<f32> = image_back_0(around_13, field_2.terms_0[_S342].site_0, by_velocity_1);
+        var by_velocity_2 : vec3<f32> = image_back_0(around_13, field_2.terms_0[_S343].site_0, by_velocity_1);
         place_19 = k_11;
         var before_1 : u32 = k_11;
         for(;;)
@@ -3413,15 +3423,15 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
             {
                 break;
             }
-            var _S343 : u32 = before_1 - u32(1);
-            if((field_2.terms_0[_S343].site_0.edge_3) == (field_2.terms_0[_S342].site_0.edge_3))
+            var _S344 : u32 = before_1 - u32(1);
+            if((field_2.terms_0[_S344].site_0.edge_3) == (field_2.terms_0[_S343].site_0.edge_3))
             {
-                place_19 = _S343;
+                place_19 = _S344;
             }
-            before_1 = _S343;
+            before_1 = _S344;
         }
-        by_start_0[place_19] = by_start_0[place_19] + by_velocity_2 * vec3<f32>((1.0f - field_2.terms_0[_S342].site_0.t_8));
-        by_end_0[place_19] = by_end_0[place_19] + by_velocity_2 * vec3<f32>(field_2.terms_0[_S342].site_0.t_8);
+        by_start_0[place_19] = by_start_0[place_19] + by_velocity_2 * vec3<f32>((1.0f - field_2.terms_0[_S343].site_0.t_8));
+        by_end_0[place_19] = by_end_0[place_19] + by_velocity_2 * vec3<f32>(field_2.terms_0[_S343].site_0.t_8);
         by_viewpoint_0 = by_viewpoint_1;
         k_11 = k_11 + u32(1);
     }
@@ -3435,13 +3445,13 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
         {
             break;
         }
-        var _S344 : u32 = k_11;
+        var _S345 : u32 = k_11;
         if((field_2.terms_0[k_11].site_0.edge_3) == u32(4294967295))
         {
             k_11 = k_11 + u32(1);
             continue;
         }
-        var _S345 : u32 = record_of_0(around_13, field_2.terms_0[_S344].site_0.edge_3) + u32(2);
+        var _S346 : u32 = record_of_0(around_13, field_2.terms_0[_S345].site_0.edge_3) + u32(2);
         place_19 = u32(0);
         for(;;)
         {
@@ -3452,17 +3462,17 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
             {
                 break;
             }
-            var _S346 : u32 = edge_word_0(_S345 + place_19);
-            var _S347 : vec3<f32>;
+            var _S347 : u32 = edge_word_0(_S346 + place_19);
+            var _S348 : vec3<f32>;
             if(place_19 == u32(0))
             {
-                _S347 = by_start_0[k_11];
+                _S348 = by_start_0[k_11];
             }
             else
             {
-                _S347 = by_end_0[k_11];
+                _S348 = by_end_0[k_11];
             }
-            add_to_sums_0(_S346, _S347);
+            add_to_sums_0(_S347, _S348);
             place_19 = place_19 + u32(1);
         }
         k_11 = k_11 + u32(1);
@@ -3503,26 +3513,26 @@ fn slot_derivative_0( numbers_8 : Numbers_0,  slot_6 : u32) -> vec3<f32>
 
 fn numbers_of_0( texture_6 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_6 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_6 + u32(18)));
 }
 
 fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
 {
     var first_6 : u32 = numbers_of_0(texture_7);
-    var _S348 : u32 = word_0(texture_7 + u32(1));
-    var _S349 : u32;
+    var _S349 : u32 = word_0(texture_7 + u32(1));
+    var _S350 : u32;
     if(first_6 == u32(4294967295))
     {
-        _S349 = u32(0);
+        _S350 = u32(0);
     }
     else
     {
-        _S349 = lookup_5.count_0;
+        _S350 = lookup_5.count_0;
     }
     var k_12 : u32 = u32(0);
     for(;;)
     {
-        if(k_12 < _S349)
+        if(k_12 < _S350)
         {
         }
         else
@@ -3531,7 +3541,7 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         }
         var own_0 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_12]);
         var own_1 : vec3<f32>;
-        if(_S348 == u32(1))
+        if(_S349 == u32(1))
         {
             own_1 = vec3<f32>((own_0.x + own_0.y + own_0.z));
         }
@@ -3542,14 +3552,14 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         var c_7 : u32 = u32(0);
         for(;;)
         {
-            if(c_7 < _S348)
+            if(c_7 < _S349)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_6 + _S348 * lookup_5.texels_0[k_12] + c_7, own_1[c_7]);
+            add_to_sum_0(first_6 + _S349 * lookup_5.texels_0[k_12] + c_7, own_1[c_7]);
             c_7 = c_7 + u32(1);
         }
         k_12 = k_12 + u32(1);
@@ -3565,13 +3575,13 @@ fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
 
 fn numbers_back_0( material_1 : u32,  place_20 : Place_0,  numbers_9 : Numbers_0) -> vec2<f32>
 {
-    var _S350 : vec2<f32> = vec2<f32>(0.0f);
-    var _S351 : u32 = word_0(material_1 + u32(4));
+    var _S351 : vec2<f32> = vec2<f32>(0.0f);
+    var _S352 : u32 = word_0(material_1 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S350;
+    var by_place_0 : vec2<f32> = _S351;
     for(;;)
     {
-        if(slot_7 < _S351)
+        if(slot_7 < _S352)
         {
         }
         else
@@ -3584,9 +3594,9 @@ fn numbers_back_0( material_1 : u32,  place_20 : Place_0,  numbers_9 : Numbers_0
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S352 : Lookup_0 = lookup_at_0(texture_9, place_20);
-        var _S353 : vec2<f32> = lookup_back_0(texture_9, _S352, slot_derivative_0(numbers_9, slot_7));
-        by_place_0 = by_place_0 + _S353;
+        var _S353 : Lookup_0 = lookup_at_0(texture_9, place_20);
+        var _S354 : vec2<f32> = lookup_back_0(texture_9, _S353, slot_derivative_0(numbers_9, slot_7));
+        by_place_0 = by_place_0 + _S354;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_0;
@@ -3600,10 +3610,10 @@ fn is_moving_0() -> bool
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_2 : AtCorners_0;
-    var _S354 : vec3<f32> = vec3<f32>(0.0f);
-    corners_2.c_6 = _S354;
-    corners_2.b_14 = _S354;
-    corners_2.a_16 = _S354;
+    var _S355 : vec3<f32> = vec3<f32>(0.0f);
+    corners_2.c_6 = _S355;
+    corners_2.b_14 = _S355;
+    corners_2.a_16 = _S355;
     return corners_2;
 }
 
@@ -3618,18 +3628,18 @@ fn tangent_back_0( points_0 : ptr<function, AtCorners_0>,  triangle_13 : u32,  t
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_13);
     var first_7 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
     var second_2 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
-    var _S355 : f32 = second_2.y;
-    var _S356 : f32 = first_7.y;
-    var scale_0 : f32 = 1.0f / (first_7.x * _S355 - second_2.x * _S356);
-    var of_ab_0 : f32 = _S355 * scale_0;
-    var of_ac_0 : f32 = - _S356 * scale_0;
+    var _S356 : f32 = second_2.y;
+    var _S357 : f32 = first_7.y;
+    var scale_0 : f32 = 1.0f / (first_7.x * _S356 - second_2.x * _S357);
+    var of_ab_0 : f32 = _S356 * scale_0;
+    var of_ac_0 : f32 = - _S357 * scale_0;
     var a_17 : vec3<f32> = primitive_vector_0(corner_2);
-    var _S357 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S358 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_5, by_tangent_0, length((primitive_vector_0(corner_2 + u32(3)) - a_17) * _S357 + (primitive_vector_0(corner_2 + u32(6)) - a_17) * _S358));
+    var _S358 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S359 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_5, by_tangent_0, length((primitive_vector_0(corner_2 + u32(3)) - a_17) * _S358 + (primitive_vector_0(corner_2 + u32(6)) - a_17) * _S359));
     (*points_0).a_16 = (*points_0).a_16 - derivative_5 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_0).b_14 = (*points_0).b_14 + derivative_5 * _S357;
-    (*points_0).c_6 = (*points_0).c_6 + derivative_5 * _S358;
+    (*points_0).b_14 = (*points_0).b_14 + derivative_5 * _S358;
+    (*points_0).c_6 = (*points_0).c_6 + derivative_5 * _S359;
     return;
 }
 
@@ -3661,9 +3671,9 @@ fn place_back_0( points_1 : ptr<function, AtCorners_0>,  place_23 : Place_0,  by
     var ab_1 : vec3<f32> = primitive_vector_0(corner_3 + u32(3)) - a_18;
     var ac_1 : vec3<f32> = primitive_vector_0(corner_3 + u32(6)) - a_18;
     var across_3 : vec3<f32> = cross(ab_1, ac_1);
-    var _S359 : f32 = max(max(abs(across_3.x), abs(across_3.y)), abs(across_3.z));
-    var normal_2 : vec3<f32> = across_3 / vec3<f32>(_S359);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_1, normal_2) * vec3<f32>(by_place_1.x) + cross(normal_2, ab_1) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_2, normal_2) * _S359)));
+    var _S360 : f32 = max(max(abs(across_3.x), abs(across_3.y)), abs(across_3.z));
+    var normal_2 : vec3<f32> = across_3 / vec3<f32>(_S360);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_1, normal_2) * vec3<f32>(by_place_1.x) + cross(normal_2, ab_1) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_2, normal_2) * _S360)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_2 * vec3<f32>((dot(direction_18, by_slip_0) / dot(normal_2, direction_18)));
     add_at_place_1(&((*points_1)), place_23, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -3672,7 +3682,7 @@ fn place_back_0( points_1 : ptr<function, AtCorners_0>,  place_23 : Place_0,  by
 fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_5 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_19 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_5.shape_0);
-    var _S360 : vec2<f32>;
+    var _S361 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_4 : u32 = u32(9) * surface_5.place_3.triangle_0;
@@ -3685,7 +3695,7 @@ fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_5 : Surface_0
         (*points_2).a_16 = (*points_2).a_16 - (by_ab_0 + by_ac_0);
         (*points_2).b_14 = (*points_2).b_14 + by_ab_0;
         (*points_2).c_6 = (*points_2).c_6 + by_ac_0;
-        _S360 = by_place_2;
+        _S361 = by_place_2;
     }
     else
     {
@@ -3697,42 +3707,42 @@ fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_5 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_5.place_3, derivative_9);
         add_to_corners_0(normals_of_0(surface_5.place_3.triangle_0), surface_5.place_3.triangle_0, of_normals_0);
-        _S360 = by_place_2 + vec2<f32>(dot(ab_3, derivative_9), dot(ac_3, derivative_9));
+        _S361 = by_place_2 + vec2<f32>(dot(ab_3, derivative_9), dot(ac_3, derivative_9));
     }
-    var _S361 : vec3<f32> = place_back_0(&((*points_2)), surface_5.place_3, _S360, by_position_1, direction_19);
-    return _S361;
+    var _S362 : vec3<f32> = place_back_0(&((*points_2)), surface_5.place_3, _S361, by_position_1, direction_19);
+    return _S362;
 }
 
 fn vertex_back_0( pulled_1 : Pulled_0,  vertex_2 : Vertex_0,  material_2 : u32,  direction_20 : vec3<f32>) -> ByRay_0
 {
     var by_ray_1 : ByRay_0;
-    var _S362 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_0 = _S362;
-    by_ray_1.drift_0 = _S362;
+    var _S363 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S363;
+    by_ray_1.drift_0 = _S363;
     var by_place_3 : vec2<f32> = numbers_back_0(material_2, vertex_2.surface_3.place_3, pulled_1.numbers_5);
     if(!is_moving_0())
     {
         return by_ray_1;
     }
-    var _S363 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S364 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_1 : DiffPair_Axes_0;
     towards_1.primal_0 = vertex_2.axes_4;
-    towards_1.differential_0 = _S363;
+    towards_1.differential_0 = _S364;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_20;
-    incoming_0.differential_0 = _S362;
+    incoming_0.differential_0 = _S363;
     _S173(&(towards_1), &(incoming_0), pulled_1.wi_2);
     by_ray_1.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_2.surface_3.outward_0;
-    outward_1.differential_0 = _S362;
-    var _S364 : vec3<f32> = tangent_at_0(vertex_2.surface_3);
+    outward_1.differential_0 = _S363;
+    var _S365 : vec3<f32> = tangent_at_0(vertex_2.surface_3);
     var tangent_6 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_6.primal_0 = _S364;
-    tangent_6.differential_0 = _S362;
+    tangent_6.primal_0 = _S365;
+    tangent_6.differential_0 = _S363;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_1.axes_13, towards_1.differential_0);
     var points_3 : AtCorners_0 = at_no_corner_0();
-    if((any((_S364 != _S362))))
+    if((any((_S365 != _S363))))
     {
         _S124(&(outward_1), &(tangent_6), vertex_2.surface_3.is_front_0, by_axes_0);
         tangent_back_0(&(points_3), vertex_2.surface_3.place_3.triangle_0, tangent_6.primal_0, tangent_6.differential_0);
@@ -3741,8 +3751,8 @@ fn vertex_back_0( pulled_1 : Pulled_0,  vertex_2 : Vertex_0,  material_2 : u32, 
     {
         _S93(&(outward_1), vertex_2.surface_3.is_front_0, by_axes_0);
     }
-    var _S365 : vec3<f32> = surface_back_0(&(points_3), vertex_2.surface_3, by_place_3, pulled_1.position_2, outward_1.differential_0, direction_20);
-    by_ray_1.drift_0 = _S365;
+    var _S366 : vec3<f32> = surface_back_0(&(points_3), vertex_2.surface_3, by_place_3, pulled_1.position_2, outward_1.differential_0, direction_20);
+    by_ray_1.drift_0 = _S366;
     add_to_corners_0(points_of_0(vertex_2.surface_3.place_3.triangle_0), vertex_2.surface_3.place_3.triangle_0, points_3);
     return by_ray_1;
 }
@@ -3780,24 +3790,24 @@ fn walk_vertex_back_0( number_of_path_1 : u32,  key_4 : vec2<u32>,  depth_4 : u3
     var direction_21 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
     var by_direction_1 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
     var by_divergence_1 : f32 = (bitcast<f32>((path_word_0(number_of_path_1, which_8))));
-    var _S366 : bool;
+    var _S367 : bool;
     if((all((by_direction_1 == vec3<f32>(0.0f)))))
     {
-        _S366 = by_divergence_1 == 0.0f;
+        _S367 = by_divergence_1 == 0.0f;
     }
     else
     {
-        _S366 = false;
+        _S367 = false;
     }
-    if(_S366)
+    if(_S367)
     {
-        _S366 = true;
+        _S367 = true;
     }
     else
     {
-        _S366 = (edge_word_0(u32(1))) == u32(4294967295);
+        _S367 = (edge_word_0(u32(1))) == u32(4294967295);
     }
-    if(_S366)
+    if(_S367)
     {
         return;
     }
@@ -3809,32 +3819,32 @@ fn walk_vertex_back_0( number_of_path_1 : u32,  key_4 : vec2<u32>,  depth_4 : u3
     var around_14 : Around_0 = around_vertex_0(vertex_3, depth_4);
     var field_3 : Field_0 = field_at_0(&(around_14), exact_unit_0(normalize(to_world_0(vertex_3.axes_4, wo_0))), key_4, first_number_0(depth_4));
     var pulled_2 : Pulled_0 = nothing_pulled_0();
-    var _S367 : vec3<f32> = field_back_0(field_3, around_14, by_direction_1, by_divergence_1);
-    pulled_2.position_2 = _S367;
-    var _S368 : ByRay_0 = vertex_back_0(pulled_2, vertex_3, material_3, direction_21);
-    var by_ray_2 : ByRay_0 = _S368;
+    var _S368 : vec3<f32> = field_back_0(field_3, around_14, by_direction_1, by_divergence_1);
+    pulled_2.position_2 = _S368;
+    var _S369 : ByRay_0 = vertex_back_0(pulled_2, vertex_3, material_3, direction_21);
+    var by_ray_2 : ByRay_0 = _S369;
     which_8 = u32(20);
-    var _S369 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
-    var _S370 : vec3<f32> = by_ray_2.drift_0 + _S369;
-    by_ray_2.drift_0 = _S370;
-    var _S371 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
-    var _S372 : vec3<f32> = by_ray_2.direction_0 + _S371;
-    by_ray_2.direction_0 = _S372;
+    var _S370 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
+    var _S371 : vec3<f32> = by_ray_2.drift_0 + _S370;
+    by_ray_2.drift_0 = _S371;
+    var _S372 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
+    var _S373 : vec3<f32> = by_ray_2.direction_0 + _S372;
+    by_ray_2.direction_0 = _S373;
     which_8 = u32(20);
-    set_vector_0(number_of_path_1, &(which_8), _S370);
-    set_vector_0(number_of_path_1, &(which_8), _S372);
+    set_vector_0(number_of_path_1, &(which_8), _S371);
+    set_vector_0(number_of_path_1, &(which_8), _S373);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S373 : u32;
+    var _S374 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S374 : u32 = u32(2) + zero_0;
-        _S373 = _S374;
-        if(rounds_0 < _S374)
+        var _S375 : u32 = u32(2) + zero_0;
+        _S374 = _S375;
+        if(rounds_0 < _S375)
         {
         }
         else
@@ -3843,14 +3853,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S373;
+    return rounds_0 == _S374;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S375 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S376 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from walk.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: dcd42f6d5f5bfc78
-// result: b1544dc6866ee62d
+// source: 0337d4c0d9b76f1f
+// result: 8236d1ce4e77e83f
 
 struct Launch_std140_0
 {
@@ -488,12 +488,12 @@ fn one_texel_0( texel_0 : u32) -> Lookup_0
 
 struct Corners2_0
 {
-     a_8 : vec2<f32>,
-     b_3 : vec2<f32>,
-     c_2 : vec2<f32>,
+     a_8 : vec2<f64>,
+     b_3 : vec2<f64>,
+     c_2 : vec2<f64>,
 };
 
-fn Corners2_x24init_0( a_9 : vec2<f32>,  b_4 : vec2<f32>,  c_3 : vec2<f32>) -> Corners2_0
+fn Corners2_x24init_0( a_9 : vec2<f64>,  b_4 : vec2<f64>,  c_3 : vec2<f64>) -> Corners2_0
 {
     var _S58 : Corners2_0;
     _S58.a_8 = a_9;
@@ -502,24 +502,34 @@ fn Corners2_x24init_0( a_9 : vec2<f32>,  b_4 : vec2<f32>,  c_3 : vec2<f32>) -> C
     return _S58;
 }
 
+fn precise_0( at_13 : u32) -> f64
+{
+    return f64(number_0(at_13)) + f64(number_0(at_13 + u32(1)));
+}
+
 fn uvs_of_0( triangle_6 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f64>(0.0lf, 0.0lf), vec2<f64>(1.0lf, 0.0lf), vec2<f64>(0.0lf, 1.0lf));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_6) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_13 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_6) + u32(1));
-    uvs_0.a_8 = vec2<f32>(number_0(at_13), number_0(at_13 + u32(1)));
-    uvs_0.b_3 = vec2<f32>(number_0(at_13 + u32(2)), number_0(at_13 + u32(3)));
-    uvs_0.c_2 = vec2<f32>(number_0(at_13 + u32(4)), number_0(at_13 + u32(5)));
+    var at_14 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_6) + u32(1));
+    uvs_0.a_8 = vec2<f64>(precise_0(at_14), precise_0(at_14 + u32(2)));
+    uvs_0.b_3 = vec2<f64>(precise_0(at_14 + u32(4)), precise_0(at_14 + u32(6)));
+    uvs_0.c_2 = vec2<f64>(precise_0(at_14 + u32(8)), precise_0(at_14 + u32(10)));
     return uvs_0;
 }
 
-fn floor_of_0( x_0 : f32) -> i32
+fn row_at_0( at_15 : u32) -> vec3<f64>
 {
-    return i32(floor(clamp(x_0, -1.0e+09f, 1.0e+09f)));
+    return vec3<f64>(precise_0(at_15), precise_0(at_15 + u32(2)), precise_0(at_15 + u32(4)));
+}
+
+fn floor_of_0( x_0 : f64) -> i32
+{
+    return i32(clamp(f32(floor(x_0)), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -560,25 +570,25 @@ fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
 
 struct Point_0
 {
-     value_3 : vec2<f32>,
+     value_3 : vec2<f64>,
      by_first_1 : vec2<f32>,
      by_second_1 : vec2<f32>,
 };
 
 fn between_0( texels_1 : vec4<u32>,  place_8 : Point_0) -> Lookup_0
 {
-    var way_0 : vec2<f32> = place_8.value_3 - floor(place_8.value_3);
-    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
+    var _S59 : vec2<f32> = vec2<f32>(place_8.value_3 - floor(place_8.value_3));
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - _S59;
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
     lookup_1.texels_0 = texels_1;
-    var _S59 : f32 = back_0.x;
-    var _S60 : f32 = back_0.y;
-    var _S61 : f32 = way_0.x;
-    var _S62 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S59 * _S60, _S61 * _S60, _S59 * _S62, _S61 * _S62);
-    var by_x_0 : vec4<f32> = vec4<f32>(- _S60, _S60, - _S62, _S62);
-    var by_y_0 : vec4<f32> = vec4<f32>(- _S59, - _S61, _S59, _S61);
+    var _S60 : f32 = back_0.x;
+    var _S61 : f32 = back_0.y;
+    var _S62 : f32 = _S59.x;
+    var _S63 : f32 = _S59.y;
+    lookup_1.weights_0 = vec4<f32>(_S60 * _S61, _S62 * _S61, _S60 * _S63, _S62 * _S63);
+    var by_x_0 : vec4<f32> = vec4<f32>(- _S61, _S61, - _S63, _S63);
+    var by_y_0 : vec4<f32> = vec4<f32>(- _S60, - _S62, _S60, _S62);
     lookup_1.by_first_0 = by_x_0 * vec4<f32>(place_8.by_first_1.x) + by_y_0 * vec4<f32>(place_8.by_first_1.y);
     lookup_1.by_second_0 = by_x_0 * vec4<f32>(place_8.by_second_1.x) + by_y_0 * vec4<f32>(place_8.by_second_1.y);
     return lookup_1;
@@ -590,26 +600,26 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
     var size_1 : vec2<f32> = vec2<f32>(f32(width_0), f32(height_0));
-    var place_9 : vec2<f32> = uv_0.value_3 * size_1;
+    var place_9 : vec2<f64> = uv_0.value_3 * vec2<f64>(size_1);
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_9.y), height_0, wrap_1);
-        var _S63 : u32 = row_0 * u32(width_0);
-        var _S64 : u32 = wrapped_0(floor_of_0(place_9.x), width_0, wrap_1);
-        return one_texel_0(_S63 + _S64);
+        var _S64 : u32 = row_0 * u32(width_0);
+        var _S65 : u32 = wrapped_0(floor_of_0(place_9.x), width_0, wrap_1);
+        return one_texel_0(_S64 + _S65);
     }
     var centred_0 : Point_0;
-    var _S65 : vec2<f32> = place_9 - vec2<f32>(0.5f);
-    centred_0.value_3 = _S65;
+    var _S66 : vec2<f64> = place_9 - vec2<f64>(0.5lf);
+    centred_0.value_3 = _S66;
     centred_0.by_first_1 = uv_0.by_first_1 * size_1;
     centred_0.by_second_1 = uv_0.by_second_1 * size_1;
-    var x_1 : i32 = floor_of_0(_S65.x);
-    var y_0 : i32 = floor_of_0(_S65.y);
-    var _S66 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S67 : u32 = u32(width_0);
-    var first_1 : u32 = _S66 * _S67;
-    var _S68 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S68 * _S67;
+    var x_1 : i32 = floor_of_0(_S66.x);
+    var y_0 : i32 = floor_of_0(_S66.y);
+    var _S67 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S68 : u32 = u32(width_0);
+    var first_1 : u32 = _S67 * _S68;
+    var _S69 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S69 * _S68;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
     return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), centred_0);
@@ -638,43 +648,43 @@ fn lookup_at_0( texture_1 : u32,  place_10 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_10.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
+    var by_v_0 : vec2<f64> = uvs_1.b_3 - uvs_1.a_8;
+    var by_w_0 : vec2<f64> = uvs_1.c_2 - uvs_1.a_8;
+    var _S70 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f64> = row_at_0(_S70);
+    var to_v_0 : vec3<f64> = row_at_0(_S70 + u32(6));
     var uv_1 : Point_0;
-    var _S69 : vec3<f32> = vec3<f32>(uvs_1.a_8 * vec2<f32>((1.0f - place_10.v_0 - place_10.w_0)) + uvs_1.b_3 * vec2<f32>(place_10.v_0) + uvs_1.c_2 * vec2<f32>(place_10.w_0), 1.0f);
-    uv_1.value_3 = vec2<f32>(dot(_S69, to_u_0), dot(_S69, to_v_0));
-    var by_v_0 : vec2<f32> = uvs_1.b_3 - uvs_1.a_8;
-    var by_w_0 : vec2<f32> = uvs_1.c_2 - uvs_1.a_8;
-    var _S70 : vec2<f32> = to_u_0.xy;
-    var _S71 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S70), dot(by_v_0, _S71));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S70), dot(by_w_0, _S71));
+    var _S71 : vec3<f64> = vec3<f64>(uvs_1.a_8 + by_v_0 * vec2<f64>((f64(place_10.v_0) + f64(place_10.v_rest_0))) + by_w_0 * vec2<f64>((f64(place_10.w_0) + f64(place_10.w_rest_0))), 1.0lf);
+    uv_1.value_3 = vec2<f64>(dot(_S71, to_u_0), dot(_S71, to_v_0));
+    var _S72 : vec2<f64> = to_u_0.xy;
+    var _S73 : vec2<f64> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(vec2<f64>(dot(by_v_0, _S72), dot(by_v_0, _S73)));
+    uv_1.by_second_1 = vec2<f32>(vec2<f64>(dot(by_w_0, _S72), dot(by_w_0, _S73)));
     if(kind_0 == u32(1))
     {
-        var _S72 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S72;
+        var _S74 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S74;
     }
-    var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
-    var _S73 : i32;
-    if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
+    var half_of_period_0 : vec2<f64> = uv_1.value_3 - floor(uv_1.value_3);
+    var _S75 : i32;
+    if(((half_of_period_0.x) > 0.5lf) != ((half_of_period_0.y) > 0.5lf))
     {
-        _S73 = i32(1);
+        _S75 = i32(1);
     }
     else
     {
-        _S73 = i32(0);
+        _S75 = i32(0);
     }
-    return one_texel_0(u32(_S73));
+    return one_texel_0(u32(_S75));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S74 : u32 = word_0(texture_2 + u32(1));
-    var _S75 : u32 = texture_2 + u32(13);
-    var _S76 : vec3<f32> = vec3<f32>(0.0f);
+    var _S76 : u32 = word_0(texture_2 + u32(1));
+    var _S77 : u32 = texture_2 + u32(19);
+    var _S78 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S76;
+    var value_4 : vec3<f32> = _S78;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -684,17 +694,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_14 : u32 = _S75 + _S74 * lookup_3.texels_0[k_1];
-        var _S77 : vec3<f32>;
-        if(_S74 == u32(1))
+        var at_16 : u32 = _S77 + _S76 * lookup_3.texels_0[k_1];
+        var _S79 : vec3<f32>;
+        if(_S76 == u32(1))
         {
-            _S77 = vec3<f32>(number_0(at_14));
+            _S79 = vec3<f32>(number_0(at_16));
         }
         else
         {
-            _S77 = vector_at_0(at_14);
+            _S79 = vector_at_0(at_16);
         }
-        var value_5 : vec3<f32> = value_4 + _S77 * vec3<f32>(weights_1[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S79 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -703,7 +713,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_3 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_3 + u32(18)));
 }
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
@@ -715,7 +725,7 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
     {
         return changing_0(value_6, change_4);
     }
-    var _S78 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var _S80 : bool = (word_0(texture_4 + u32(1))) == u32(1);
     var k_2 : u32 = u32(0);
     var change_5 : vec3<f32> = change_4;
     for(;;)
@@ -727,24 +737,24 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
         {
             break;
         }
-        var _S79 : i32;
-        if(_S78)
+        var _S81 : i32;
+        if(_S80)
         {
-            _S79 = i32(1);
+            _S81 = i32(1);
         }
         else
         {
-            _S79 = i32(3);
+            _S81 = i32(3);
         }
-        var at_15 : u32 = first_2 + u32(_S79) * lookup_4.texels_0[k_2];
+        var at_17 : u32 = first_2 + u32(_S81) * lookup_4.texels_0[k_2];
         var of_texel_0 : vec3<f32>;
-        if(_S78)
+        if(_S80)
         {
-            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_15)))));
+            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_17)))));
         }
         else
         {
-            of_texel_0 = change_vector_0(at_15);
+            of_texel_0 = change_vector_0(at_17);
         }
         var change_6 : vec3<f32> = change_5 + of_texel_0 * vec3<f32>(lookup_4.weights_0[k_2]);
         k_2 = k_2 + u32(1);
@@ -755,8 +765,8 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_5 : u32,  place_11 : Place_0) -> Vector_0
 {
-    var _S80 : Lookup_0 = lookup_at_0(texture_5, place_11);
-    return looked_up_0(texture_5, _S80, place_11.change_2);
+    var _S82 : Lookup_0 = lookup_at_0(texture_5, place_11);
+    return looked_up_0(texture_5, _S82, place_11.change_2);
 }
 
 fn value_of_0( vector_2 : Vector_0) -> vec3<f32>
@@ -826,40 +836,40 @@ fn lobe_at_0( record_4 : u32,  place_12 : Place_0) -> Lobe_0
     var lobe_0 : Lobe_0;
     lobe_0.record_3 = record_4;
     var is_black_0 : bool = record_4 == u32(4294967295);
-    var _S81 : u32;
+    var _S83 : u32;
     if(is_black_0)
     {
-        _S81 = u32(0);
+        _S83 = u32(0);
     }
     else
     {
-        _S81 = word_0(record_4);
+        _S83 = word_0(record_4);
     }
-    lobe_0.kind_1 = _S81;
+    lobe_0.kind_1 = _S83;
     if(is_black_0)
     {
-        _S81 = u32(1);
+        _S83 = u32(1);
     }
     else
     {
-        _S81 = word_0(record_4 + u32(1));
+        _S83 = word_0(record_4 + u32(1));
     }
-    lobe_0.distribution_0 = _S81;
-    var _S82 : Numbers_0 = no_numbers_0();
-    lobe_0.numbers_2 = _S82;
-    lobe_0.changes_0 = _S82;
+    lobe_0.distribution_0 = _S83;
+    var _S84 : Numbers_0 = no_numbers_0();
+    lobe_0.numbers_2 = _S84;
+    lobe_0.changes_0 = _S84;
     if(is_black_0)
     {
-        _S81 = u32(0);
+        _S83 = u32(0);
     }
     else
     {
-        _S81 = word_0(record_4 + u32(4));
+        _S83 = word_0(record_4 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S81)
+        if(slot_1 < _S83)
         {
         }
         else
@@ -873,14 +883,14 @@ fn lobe_at_0( record_4 : u32,  place_12 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : Vector_0 = shown_0(texture_6, place_12);
-        var _S83 : vec3<f32> = value_of_0(colour_1);
-        var _S84 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S84), slot_1, _S83);
-        lobe_0.numbers_2 = _S84;
-        var _S85 : vec3<f32> = change_of_0(colour_1);
-        var _S86 : Numbers_0 = lobe_0.changes_0;
+        var _S85 : vec3<f32> = value_of_0(colour_1);
+        var _S86 : Numbers_0 = lobe_0.numbers_2;
         set_slot_0(&(_S86), slot_1, _S85);
-        lobe_0.changes_0 = _S86;
+        lobe_0.numbers_2 = _S86;
+        var _S87 : vec3<f32> = change_of_0(colour_1);
+        var _S88 : Numbers_0 = lobe_0.changes_0;
+        set_slot_0(&(_S88), slot_1, _S87);
+        lobe_0.changes_0 = _S88;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -895,16 +905,16 @@ fn tangent_at_0( surface_3 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_3.place_3.triangle_0) + u32(1)));
     var across_1 : vec3<f32> = cross(tangent_0, surface_3.outward_0);
-    var _S87 : vec3<f32>;
+    var _S89 : vec3<f32>;
     if((dot(across_1, across_1)) > 0.0f)
     {
-        _S87 = tangent_0;
+        _S89 = tangent_0;
     }
     else
     {
-        _S87 = vec3<f32>(0.0f);
+        _S89 = vec3<f32>(0.0f);
     }
-    return _S87;
+    return _S89;
 }
 
 struct Axes_0
@@ -922,49 +932,49 @@ struct DiffPair_Axes_0
 
 fn s_fwd_axes_along_0( dpn_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dptangent_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_1 : bool) -> DiffPair_Axes_0
 {
-    var _S88 : vec3<f32>;
-    var _S89 : vec3<f32>;
+    var _S90 : vec3<f32>;
+    var _S91 : vec3<f32>;
     if(is_front_1)
     {
-        _S88 = dpn_0.primal_0;
-        _S89 = dpn_0.differential_0;
+        _S90 = dpn_0.primal_0;
+        _S91 = dpn_0.differential_0;
     }
     else
     {
-        var _S90 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
-        _S88 = (vec3<f32>(0) - dpn_0.primal_0);
-        _S89 = _S90;
+        var _S92 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
+        _S90 = (vec3<f32>(0) - dpn_0.primal_0);
+        _S91 = _S92;
     }
-    var _S91 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
-    var _S92 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
-    var _S93 : DiffPair_float_0 = _d_dot_0(_S91, _S92);
-    var _S94 : vec3<f32> = vec3<f32>(_S93.primal_0);
-    var _S95 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S94, dptangent_0.differential_0 - (dpn_0.differential_0 * _S94 + vec3<f32>(_S93.differential_0) * dpn_0.primal_0) );
-    var _S96 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S95);
-    var _S97 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S96.primal_0, _S96.differential_0 );
-    var _S98 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S91, _S97);
-    var _S99 : Axes_0 = Axes_0( _S96.primal_0, _S98.primal_0, _S88 );
-    var _S100 : Axes_0 = Axes_0( _S96.differential_0, _S98.differential_0, _S89 );
-    var _S101 : DiffPair_Axes_0 = DiffPair_Axes_0( _S99, _S100 );
-    return _S101;
+    var _S93 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
+    var _S94 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
+    var _S95 : DiffPair_float_0 = _d_dot_0(_S93, _S94);
+    var _S96 : vec3<f32> = vec3<f32>(_S95.primal_0);
+    var _S97 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S96, dptangent_0.differential_0 - (dpn_0.differential_0 * _S96 + vec3<f32>(_S95.differential_0) * dpn_0.primal_0) );
+    var _S98 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S97);
+    var _S99 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S98.primal_0, _S98.differential_0 );
+    var _S100 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S93, _S99);
+    var _S101 : Axes_0 = Axes_0( _S98.primal_0, _S100.primal_0, _S90 );
+    var _S102 : Axes_0 = Axes_0( _S98.differential_0, _S100.differential_0, _S91 );
+    var _S103 : DiffPair_Axes_0 = DiffPair_Axes_0( _S101, _S102 );
+    return _S103;
 }
 
 fn axes_around_0( n_2 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S102 : vec3<f32>;
+    var _S104 : vec3<f32>;
     if(is_front_2)
     {
-        _S102 = n_2;
+        _S104 = n_2;
     }
     else
     {
-        _S102 = (vec3<f32>(0) - n_2);
+        _S104 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_1 = _S102;
-    var _S103 : f32 = n_2.z;
+    axes_0.n_1 = _S104;
+    var _S105 : f32 = n_2.z;
     var sign_0 : f32;
-    if(_S103 < 0.0f)
+    if(_S105 < -0.30000001192092896f)
     {
         sign_0 = -1.0f;
     }
@@ -972,34 +982,34 @@ fn axes_around_0( n_2 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_0 = 1.0f;
     }
-    var a_10 : f32 = -1.0f / (sign_0 + _S103);
-    var _S104 : f32 = n_2.x;
-    var _S105 : f32 = n_2.y;
-    var b_5 : f32 = _S104 * _S105 * a_10;
-    axes_0.s_0 = vec3<f32>(1.0f + sign_0 * _S104 * _S104 * a_10, sign_0 * b_5, - sign_0 * _S104);
-    axes_0.t_0 = vec3<f32>(b_5, sign_0 + _S105 * _S105 * a_10, - _S105);
+    var a_10 : f32 = -1.0f / (sign_0 + _S105);
+    var _S106 : f32 = n_2.x;
+    var _S107 : f32 = n_2.y;
+    var b_5 : f32 = _S106 * _S107 * a_10;
+    axes_0.s_0 = vec3<f32>(1.0f + sign_0 * _S106 * _S106 * a_10, sign_0 * b_5, - sign_0 * _S106);
+    axes_0.t_0 = vec3<f32>(b_5, sign_0 + _S107 * _S107 * a_10, - _S107);
     return axes_0;
 }
 
 fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_3 : bool) -> DiffPair_Axes_0
 {
-    var _S106 : vec3<f32>;
-    var _S107 : vec3<f32>;
+    var _S108 : vec3<f32>;
+    var _S109 : vec3<f32>;
     if(is_front_3)
     {
-        _S106 = dpn_1.primal_0;
-        _S107 = dpn_1.differential_0;
+        _S108 = dpn_1.primal_0;
+        _S109 = dpn_1.differential_0;
     }
     else
     {
-        var _S108 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
-        _S106 = (vec3<f32>(0) - dpn_1.primal_0);
-        _S107 = _S108;
+        var _S110 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
+        _S108 = (vec3<f32>(0) - dpn_1.primal_0);
+        _S109 = _S110;
     }
-    var _S109 : f32 = dpn_1.primal_0.z;
-    var _S110 : f32 = dpn_1.differential_0.z;
+    var _S111 : f32 = dpn_1.primal_0.z;
+    var _S112 : f32 = dpn_1.differential_0.z;
     var sign_1 : f32;
-    if(_S109 < 0.0f)
+    if(_S111 < -0.30000001192092896f)
     {
         sign_1 = -1.0f;
     }
@@ -1007,54 +1017,54 @@ fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_3 : 
     {
         sign_1 = 1.0f;
     }
-    var _S111 : f32 = sign_1 + _S109;
-    var a_11 : f32 = -1.0f / _S111;
-    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S110) / (_S111 * _S111);
-    var _S112 : f32 = dpn_1.primal_0.x;
-    var _S113 : f32 = dpn_1.differential_0.x;
-    var _S114 : f32 = dpn_1.primal_0.y;
-    var _S115 : f32 = dpn_1.differential_0.y;
-    var _S116 : f32 = _S112 * _S114;
-    var b_6 : f32 = _S116 * a_11;
-    var s_diff_b_0 : f32 = (_S113 * _S114 + _S115 * _S112) * a_11 + s_diff_a_0 * _S116;
-    var _S117 : f32 = sign_1 * _S112;
-    var _S118 : f32 = _S117 * _S112;
-    var _S119 : f32 = - sign_1;
-    var _S120 : f32 = _S114 * _S114;
-    var _S121 : f32 = _S115 * _S114;
-    var _S122 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S118 * a_11, sign_1 * b_6, _S119 * _S112), vec3<f32>(b_6, sign_1 + _S120 * a_11, - _S114), _S106 );
-    var _S123 : Axes_0 = Axes_0( vec3<f32>((_S113 * sign_1 * _S112 + _S113 * _S117) * a_11 + s_diff_a_0 * _S118, s_diff_b_0 * sign_1, _S113 * _S119), vec3<f32>(s_diff_b_0, (_S121 + _S121) * a_11 + s_diff_a_0 * _S120, - _S115), _S107 );
-    var _S124 : DiffPair_Axes_0 = DiffPair_Axes_0( _S122, _S123 );
-    return _S124;
+    var _S113 : f32 = sign_1 + _S111;
+    var a_11 : f32 = -1.0f / _S113;
+    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S112) / (_S113 * _S113);
+    var _S114 : f32 = dpn_1.primal_0.x;
+    var _S115 : f32 = dpn_1.differential_0.x;
+    var _S116 : f32 = dpn_1.primal_0.y;
+    var _S117 : f32 = dpn_1.differential_0.y;
+    var _S118 : f32 = _S114 * _S116;
+    var b_6 : f32 = _S118 * a_11;
+    var s_diff_b_0 : f32 = (_S115 * _S116 + _S117 * _S114) * a_11 + s_diff_a_0 * _S118;
+    var _S119 : f32 = sign_1 * _S114;
+    var _S120 : f32 = _S119 * _S114;
+    var _S121 : f32 = - sign_1;
+    var _S122 : f32 = _S116 * _S116;
+    var _S123 : f32 = _S117 * _S116;
+    var _S124 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S120 * a_11, sign_1 * b_6, _S121 * _S114), vec3<f32>(b_6, sign_1 + _S122 * a_11, - _S116), _S108 );
+    var _S125 : Axes_0 = Axes_0( vec3<f32>((_S115 * sign_1 * _S114 + _S115 * _S119) * a_11 + s_diff_a_0 * _S120, s_diff_b_0 * sign_1, _S115 * _S121), vec3<f32>(s_diff_b_0, (_S123 + _S123) * a_11 + s_diff_a_0 * _S122, - _S117), _S109 );
+    var _S126 : DiffPair_Axes_0 = DiffPair_Axes_0( _S124, _S125 );
+    return _S126;
 }
 
 fn s_fwd_to_local_0( dpaxes_0 : DiffPair_Axes_0,  dpv_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S125 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
-    var _S126 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
-    var _S127 : DiffPair_float_0 = _d_dot_0(_S125, _S126);
-    var _S128 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
-    var _S129 : DiffPair_float_0 = _d_dot_0(_S128, _S126);
-    var _S130 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
-    var _S131 : DiffPair_float_0 = _d_dot_0(_S130, _S126);
-    var _S132 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S127.primal_0, _S129.primal_0, _S131.primal_0), vec3<f32>(_S127.differential_0, _S129.differential_0, _S131.differential_0) );
-    return _S132;
+    var _S127 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
+    var _S128 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
+    var _S129 : DiffPair_float_0 = _d_dot_0(_S127, _S128);
+    var _S130 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
+    var _S131 : DiffPair_float_0 = _d_dot_0(_S130, _S128);
+    var _S132 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
+    var _S133 : DiffPair_float_0 = _d_dot_0(_S132, _S128);
+    var _S134 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S129.primal_0, _S131.primal_0, _S133.primal_0), vec3<f32>(_S129.differential_0, _S131.differential_0, _S133.differential_0) );
+    return _S134;
 }
 
 fn s_fwd_towards_viewer_0( dpaxes_1 : DiffPair_Axes_0,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S133 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
-    var _S134 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
-    var _S135 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S133, _S134);
-    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S135.primal_0);
-    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S135.differential_0);
-    var _S136 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
-    var _S137 : DiffPair_float_0 = _d_abs_0(_S136);
-    var _S138 : DiffPair_float_0 = DiffPair_float_0( _S137.primal_0, _S137.differential_0 );
-    var _S139 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
-    var _S140 : DiffPair_float_0 = _d_max_0(_S138, _S139);
-    var _S141 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S140.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S140.differential_0) );
-    return _S141;
+    var _S135 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
+    var _S136 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
+    var _S137 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S135, _S136);
+    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S137.primal_0);
+    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S137.differential_0);
+    var _S138 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
+    var _S139 : DiffPair_float_0 = _d_abs_0(_S138);
+    var _S140 : DiffPair_float_0 = DiffPair_float_0( _S139.primal_0, _S139.differential_0 );
+    var _S141 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
+    var _S142 : DiffPair_float_0 = _d_max_0(_S140, _S141);
+    var _S143 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S142.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S142.differential_0) );
+    return _S143;
 }
 
 struct Vertex_0
@@ -1070,10 +1080,10 @@ fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_4 : Vector_
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_4 = surface_5;
-    var _S142 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
-    vertex_0.lobe_1 = _S142;
+    var _S144 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
+    vertex_0.lobe_1 = _S144;
     var tangent_1 : vec3<f32> = tangent_at_0(surface_5);
-    var _S143 : vec3<f32> = vec3<f32>(0.0f);
+    var _S145 : vec3<f32> = vec3<f32>(0.0f);
     var tangent_change_0 : vec3<f32>;
     if(is_moving_0())
     {
@@ -1081,24 +1091,24 @@ fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_4 : Vector_
     }
     else
     {
-        tangent_change_0 = _S143;
+        tangent_change_0 = _S145;
     }
-    var _S144 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
+    var _S146 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
     var axes_2 : DiffPair_Axes_0;
-    if((any((tangent_1 != _S143))))
+    if((any((tangent_1 != _S145))))
     {
-        var _S145 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
-        axes_2 = s_fwd_axes_along_0(_S144, _S145, surface_5.is_front_0);
+        var _S147 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
+        axes_2 = s_fwd_axes_along_0(_S146, _S147, surface_5.is_front_0);
     }
     else
     {
-        axes_2 = s_fwd_axes_around_0(_S144, surface_5.is_front_0);
+        axes_2 = s_fwd_axes_around_0(_S146, surface_5.is_front_0);
     }
     vertex_0.axes_1 = axes_2.primal_0;
     vertex_0.axes_change_0 = axes_2.differential_0;
-    var _S146 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_4), change_of_0(direction_4) );
-    var _S147 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S146);
-    vertex_0.wi_1 = changing_0(_S147.primal_0, _S147.differential_0);
+    var _S148 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_4), change_of_0(direction_4) );
+    var _S149 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S148);
+    vertex_0.wi_1 = changing_0(_S149.primal_0, _S149.differential_0);
     return vertex_0;
 }
 
@@ -1126,33 +1136,33 @@ fn product_0( a_12 : u32,  b_7 : u32) -> vec2<u32>
 
 fn times_0( a_13 : vec2<u32>,  b_8 : vec2<u32>) -> vec2<u32>
 {
-    var _S148 : u32 = a_13.x;
-    var _S149 : u32 = b_8.x;
-    var low_1 : vec2<u32> = product_0(_S148, _S149);
-    return vec2<u32>(low_1.x, low_1.y + _S148 * b_8.y + a_13.y * _S149);
+    var _S150 : u32 = a_13.x;
+    var _S151 : u32 = b_8.x;
+    var low_1 : vec2<u32> = product_0(_S150, _S151);
+    return vec2<u32>(low_1.x, low_1.y + _S150 * b_8.y + a_13.y * _S151);
 }
 
 fn plus_0( a_14 : vec2<u32>,  b_9 : vec2<u32>) -> vec2<u32>
 {
-    var _S150 : u32 = a_14.x;
-    var low_2 : u32 = _S150 + b_9.x;
-    var _S151 : u32 = a_14.y + b_9.y;
-    var _S152 : i32;
-    if(low_2 < _S150)
+    var _S152 : u32 = a_14.x;
+    var low_2 : u32 = _S152 + b_9.x;
+    var _S153 : u32 = a_14.y + b_9.y;
+    var _S154 : i32;
+    if(low_2 < _S152)
     {
-        _S152 = i32(1);
+        _S154 = i32(1);
     }
     else
     {
-        _S152 = i32(0);
+        _S154 = i32(0);
     }
-    return vec2<u32>(low_2, _S151 + u32(_S152));
+    return vec2<u32>(low_2, _S153 + u32(_S154));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S153 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S153 << ((u32(32) - by_0)))))), (_S153 >> (by_0)))));
+    var _S155 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S155 << ((u32(32) - by_0)))))), (_S155 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -1205,10 +1215,10 @@ fn transmittance_0( lobe_2 : Lobe_0,  eta_2 : f32,  cosine_1 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_1, eta_2);
     }
     var place_13 : f32 = cosine_1 * 63.0f;
-    var _S154 : u32 = min(u32(place_13), u32(62));
-    var at_16 : u32 = word_0(lobe_2.record_3 + u32(3)) + _S154;
-    var here_0 : f32 = number_0(at_16);
-    return here_0 + (number_0(at_16 + u32(1)) - here_0) * (place_13 - f32(_S154));
+    var _S156 : u32 = min(u32(place_13), u32(62));
+    var at_18 : u32 = word_0(lobe_2.record_3 + u32(3)) + _S156;
+    var here_0 : f32 = number_0(at_18);
+    return here_0 + (number_0(at_18 + u32(1)) - here_0) * (place_13 - f32(_S156));
 }
 
 fn choice_weight_0( colour_2 : vec3<f32>) -> f32
@@ -1251,23 +1261,23 @@ fn sine_cosine_0( angle_0 : f32) -> vec2<f32>
 
 fn sample_cosine_0( u_0 : vec2<f32>) -> vec3<f32>
 {
-    var _S155 : f32 = u_0.x;
-    var turn_0 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_0.y) * vec2<f32>(sqrt(_S155));
-    return vec3<f32>(turn_0.y, turn_0.x, sqrt(1.0f - _S155));
+    var _S157 : f32 = u_0.x;
+    var turn_0 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_0.y) * vec2<f32>(sqrt(_S157));
+    return vec3<f32>(turn_0.y, turn_0.x, sqrt(1.0f - _S157));
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S156 : bool;
+    var _S158 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S156 = true;
+        _S158 = true;
     }
     else
     {
-        _S156 = (lobe_3.kind_1) == u32(4);
+        _S158 = (lobe_3.kind_1) == u32(4);
     }
-    return _S156;
+    return _S158;
 }
 
 struct Microfacets_0
@@ -1296,37 +1306,37 @@ fn stretched_0( facets_1 : Microfacets_0,  wi_2 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_2.xy * facets_1.alpha_1, wi_2.z);
     var view_0 : Stretched_0;
-    var _S157 : f32 = length(longer_0);
-    view_0.length_0 = _S157;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S157);
-    var _S158 : vec2<f32> = longer_1.xy;
-    var _S159 : f32 = length(_S158);
-    view_0.sine_1 = _S159;
+    var _S159 : f32 = length(longer_0);
+    view_0.length_0 = _S159;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S159);
+    var _S160 : vec2<f32> = longer_1.xy;
+    var _S161 : f32 = length(_S160);
+    view_0.sine_1 = _S161;
     view_0.cosine_3 = longer_1.z;
-    var _S160 : vec2<f32>;
-    if(_S159 > 0.0f)
+    var _S162 : vec2<f32>;
+    if(_S161 > 0.0f)
     {
-        _S160 = _S158 / vec2<f32>(view_0.sine_1);
+        _S162 = _S160 / vec2<f32>(view_0.sine_1);
     }
     else
     {
-        _S160 = vec2<f32>(1.0f, 0.0f);
+        _S162 = vec2<f32>(1.0f, 0.0f);
     }
-    view_0.around_0 = _S160;
+    view_0.around_0 = _S162;
     return view_0;
 }
 
 fn ggx_normal_0( view_1 : Stretched_0,  u_1 : vec2<f32>) -> vec3<f32>
 {
-    var _S161 : f32 = u_1.x;
-    var radius_0 : f32 = sqrt(_S161);
+    var _S163 : f32 = u_1.x;
+    var radius_0 : f32 = sqrt(_S163);
     var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_1.y);
     var across_2 : f32 = radius_0 * turn_1.y;
     var along_0 : f32 = radius_0 * turn_1.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_1.cosine_3);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S162 : f32 = 1.0f - _S161;
-    var edge_0 : f32 = sqrt(_S162 + along_0 * along_0);
+    var _S164 : f32 = 1.0f - _S163;
+    var edge_0 : f32 = sqrt(_S164 + along_0 * along_0);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_0;
     var from_top_0 : f32 = edge_0 - along_0;
     var from_bottom_0 : f32 = edge_0 + along_0;
@@ -1334,14 +1344,14 @@ fn ggx_normal_0( view_1 : Stretched_0,  u_1 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_0 > 0.0f)
     {
-        from_top_1 = _S162 / from_bottom_0;
+        from_top_1 = _S164 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S163 : f32 = _S162 / from_top_0;
+        var _S165 : f32 = _S164 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S163;
+        from_bottom_1 = _S165;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_1.sine_1 - up_0 * view_1.cosine_3, across_2, max(towards_0 * view_1.cosine_3 + up_0 * view_1.sine_1, 0.0f));
@@ -1360,39 +1370,39 @@ fn exponential_0( x_5 : f32) -> f32
 
 fn error_function_plus_one_0( x_6 : f32) -> vec2<f32>
 {
-    var _S164 : f32 = min(abs(x_6), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S164 * _S164);
-    var place_14 : f32 = (_S164 - 2.0f) / (_S164 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_14 - 0.00127731403335929f) * place_14 + 0.00131371302995831f) * place_14 + 0.008666617795825f) * place_14 - 0.00805134233087301f) * place_14 - 0.05421232059597969f) * place_14 + 0.1640533059835434f) * place_14 - 0.16603080928325653f) * place_14 - 0.09276388585567474f) * place_14 + 1.27697837352752686f) / (1.0f + 2.0f * _S164);
-    var _S165 : f32;
+    var _S166 : f32 = min(abs(x_6), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S166 * _S166);
+    var place_14 : f32 = (_S166 - 2.0f) / (_S166 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_14 - 0.00127731403335929f) * place_14 + 0.00131371302995831f) * place_14 + 0.008666617795825f) * place_14 - 0.00805134233087301f) * place_14 - 0.05421232059597969f) * place_14 + 0.1640533059835434f) * place_14 - 0.16603080928325653f) * place_14 - 0.09276388585567474f) * place_14 + 1.27697837352752686f) / (1.0f + 2.0f * _S166);
+    var _S167 : f32;
     if(x_6 < 0.0f)
     {
-        _S165 = complement_0;
+        _S167 = complement_0;
     }
     else
     {
-        _S165 = 2.0f - complement_0;
+        _S167 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S165, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S167, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
 {
     var stretched_1 : vec2<f32> = w_2.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_1, stretched_1);
-    var _S166 : f32 = w_2.z;
-    var z2_0 : f32 = _S166 * _S166;
+    var _S168 : f32 = w_2.z;
+    var z2_0 : f32 = _S168 * _S168;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S166 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S168 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S166;
+        return 1.0f / _S168;
     }
     var spread_0 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S166 / spread_0);
-    return 2.0f / (_S166 * both_0.x + 0.5f * spread_0 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S168 / spread_0);
+    return 2.0f / (_S168 * both_0.x + 0.5f * spread_0 * both_0.y);
 }
 
 fn logarithm_0( x_7 : f32) -> f32
@@ -1442,8 +1452,8 @@ fn beckmann_normal_0( view_2 : Stretched_0,  visible_1 : f32,  u_2 : vec2<f32>) 
         steepest_0 = 6.0f;
     }
     var target_0 : f32 = u_2.x * (2.0f / (visible_1 * view_2.length_0));
-    var _S167 : f32 = max(view_2.cosine_3, view_2.sine_1);
-    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_0 / _S167 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_2.sine_1 / _S167, -6.0f, 0.5f * steepest_0);
+    var _S169 : f32 = max(view_2.cosine_3, view_2.sine_1);
+    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_0 / _S169 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_2.sine_1 / _S169, -6.0f, 0.5f * steepest_0);
     var low_3 : f32 = -6.0f;
     var high_0 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -1457,10 +1467,10 @@ fn beckmann_normal_0( view_2 : Stretched_0,  visible_1 : f32,  u_2 : vec2<f32>) 
             break;
         }
         var both_1 : vec2<f32> = error_function_plus_one_0(slope_0);
-        var _S168 : f32 = both_1.y;
-        var error_0 : f32 = view_2.cosine_3 * both_1.x + 0.5f * view_2.sine_1 * _S168 - target_0;
-        var own_0 : f32 = _S168 * (view_2.cosine_3 - slope_0 * view_2.sine_1);
-        var bend_0 : f32 = -2.0f * slope_0 * own_0 - _S168 * view_2.sine_1;
+        var _S170 : f32 = both_1.y;
+        var error_0 : f32 = view_2.cosine_3 * both_1.x + 0.5f * view_2.sine_1 * _S170 - target_0;
+        var own_0 : f32 = _S170 * (view_2.cosine_3 - slope_0 * view_2.sine_1);
+        var bend_0 : f32 = -2.0f * slope_0 * own_0 - _S170 * view_2.sine_1;
         if(error_0 > 0.0f)
         {
             high_0 = slope_0;
@@ -1470,17 +1480,17 @@ fn beckmann_normal_0( view_2 : Stretched_0,  visible_1 : f32,  u_2 : vec2<f32>) 
             low_3 = slope_0;
         }
         var next_0 : f32 = slope_0 - error_0 * own_0 / (own_0 * own_0 - 0.5f * error_0 * bend_0);
-        var _S169 : bool;
+        var _S171 : bool;
         if(next_0 >= low_3)
         {
-            _S169 = next_0 <= high_0;
+            _S171 = next_0 <= high_0;
         }
         else
         {
-            _S169 = false;
+            _S171 = false;
         }
         var next_1 : f32;
-        if(!_S169)
+        if(!_S171)
         {
             next_1 = 0.5f * (low_3 + high_0);
         }
@@ -1493,9 +1503,9 @@ fn beckmann_normal_0( view_2 : Stretched_0,  visible_1 : f32,  u_2 : vec2<f32>) 
             slope_0 = next_1;
             break;
         }
-        var _S170 : u32 = step_0 + u32(1);
+        var _S172 : u32 = step_0 + u32(1);
         slope_0 = next_1;
-        step_0 = _S170;
+        step_0 = _S172;
     }
     return vec3<f32>(- slope_0, error_function_inverse_0(max(2.0f * u_2.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -1512,11 +1522,11 @@ fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  u_3 : vec2
     {
         normal_1 = beckmann_normal_0(view_3, visible_over_cos_0(facets_3, wi_3), u_3);
     }
-    var _S171 : f32 = view_3.around_0.x;
-    var _S172 : f32 = normal_1.x;
-    var _S173 : f32 = view_3.around_0.y;
-    var _S174 : f32 = normal_1.y;
-    var normal_2 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S171 * _S172 - _S173 * _S174, _S173 * _S172 + _S171 * _S174) * facets_3.alpha_1, normal_1.z));
+    var _S173 : f32 = view_3.around_0.x;
+    var _S174 : f32 = normal_1.x;
+    var _S175 : f32 = view_3.around_0.y;
+    var _S176 : f32 = normal_1.y;
+    var normal_2 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S173 * _S174 - _S175 * _S176, _S175 * _S174 + _S173 * _S176) * facets_3.alpha_1, normal_1.z));
     return normalize(normal_2 * vec3<f32>((2.0f * dot(wi_3, normal_2))) - wi_3);
 }
 
@@ -1529,9 +1539,9 @@ struct Drawn_0
 
 fn draw_0( lobe_5 : Lobe_0,  wi_4 : vec3<f32>,  choice_0 : f32,  u_4 : vec2<f32>) -> Drawn_0
 {
-    var _S175 : bool = (lobe_5.kind_1) == u32(0);
+    var _S177 : bool = (lobe_5.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S175)
+    if(_S177)
     {
         has_base_0 = true;
     }
@@ -1548,7 +1558,7 @@ fn draw_0( lobe_5 : Lobe_0,  wi_4 : vec3<f32>,  choice_0 : f32,  u_4 : vec2<f32>
         has_base_0 = (lobe_5.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S175)
+    if(_S177)
     {
         of_base_1 = 1.0f;
     }
@@ -1556,16 +1566,16 @@ fn draw_0( lobe_5 : Lobe_0,  wi_4 : vec3<f32>,  choice_0 : f32,  u_4 : vec2<f32>
     {
         of_base_1 = 0.0f;
     }
-    var _S176 : bool;
+    var _S178 : bool;
     if((lobe_5.kind_1) == u32(3))
     {
-        _S176 = true;
+        _S178 = true;
     }
     else
     {
-        _S176 = (lobe_5.kind_1) == u32(4);
+        _S178 = (lobe_5.kind_1) == u32(4);
     }
-    if(_S176)
+    if(_S178)
     {
         of_base_1 = base_probability_0(lobe_5.numbers_2, transmittance_0(lobe_5, coat_eta_0(lobe_5.numbers_2), wi_4.z));
     }
@@ -1614,7 +1624,7 @@ struct LightSample_0
 {
      direction_5 : vec3<f32>,
      wo_1 : vec3<f32>,
-     way_1 : vec3<f64>,
+     way_0 : vec3<f64>,
      nearest_0 : f64,
      farthest_0 : f64,
      is_on_emitter_0 : bool,
@@ -1634,9 +1644,9 @@ fn sample_material_0( vertex_1 : Vertex_0,  key_4 : vec2<u32>,  first_3 : u32) -
     sample_0.is_specular_1 = drawn_1.is_specular_0;
     sample_0.probability_1 = drawn_1.probability_0;
     sample_0.wo_1 = drawn_1.wo_0;
-    var _S177 : vec3<f32> = normalize(to_world_0(vertex_1.axes_1, drawn_1.wo_0));
-    sample_0.direction_5 = _S177;
-    sample_0.way_1 = vec3<f64>(_S177);
+    var _S179 : vec3<f32> = normalize(to_world_0(vertex_1.axes_1, drawn_1.wo_0));
+    sample_0.direction_5 = _S179;
+    sample_0.way_0 = vec3<f64>(_S179);
     sample_0.nearest_0 = limit_at_0(u32(2));
     sample_0.farthest_0 = limit_at_0(u32(1));
     sample_0.emitter_0 = u32(4294967295);
@@ -1661,15 +1671,15 @@ struct Mirror_0
 
 fn mirror_at_0( triangle_7 : u32) -> Mirror_0
 {
-    var at_17 : u32 = u32(9) * triangle_7;
+    var at_19 : u32 = u32(9) * triangle_7;
     var mirror_0 : Mirror_0;
-    var _S178 : vec3<f64> = primitive_vector_0(at_17);
-    mirror_0.corner_2 = _S178;
-    var _S179 : vec3<f64> = primitive_vector_0(at_17 + u32(3)) - _S178;
-    mirror_0.ab_1 = _S179;
-    var _S180 : vec3<f64> = primitive_vector_0(at_17 + u32(6)) - _S178;
-    mirror_0.ac_1 = _S180;
-    mirror_0.normal_3 = exact_unit_0(cross(_S179, _S180));
+    var _S180 : vec3<f64> = primitive_vector_0(at_19);
+    mirror_0.corner_2 = _S180;
+    var _S181 : vec3<f64> = primitive_vector_0(at_19 + u32(3)) - _S180;
+    mirror_0.ab_1 = _S181;
+    var _S182 : vec3<f64> = primitive_vector_0(at_19 + u32(6)) - _S180;
+    mirror_0.ac_1 = _S182;
+    mirror_0.normal_3 = exact_unit_0(cross(_S181, _S182));
     return mirror_0;
 }
 
@@ -1699,14 +1709,14 @@ fn first_number_0( depth_4 : u32) -> u32
     return edge_word_0(u32(6)) + depth_4 * edge_word_0(u32(7));
 }
 
-fn real_place_0( at_18 : u32) -> u32
+fn real_place_0( at_20 : u32) -> u32
 {
-    return word_0(u32(15)) + u32(4) + at_18;
+    return word_0(u32(15)) + u32(4) + at_20;
 }
 
-fn edge_real_0( at_19 : u32) -> f64
+fn edge_real_0( at_21 : u32) -> f64
 {
-    return primitives_0[real_place_0(at_19)];
+    return primitives_0[real_place_0(at_21)];
 }
 
 fn walked_1( direction_6 : vec3<f64>,  tangent_2 : vec3<f64>,  half_sine_0 : f64) -> vec3<f64>
@@ -1723,37 +1733,37 @@ fn length_of_0( v_5 : vec3<f64>) -> f64
 fn half_tangent_between_0( a_15 : vec3<f64>,  b_10 : vec3<f64>) -> f64
 {
     var beside_0 : f64 = 1.0lf + dot(a_15, b_10);
-    var _S181 : f64;
+    var _S183 : f64;
     if(beside_0 > 0.0lf)
     {
-        _S181 = length_of_0(cross(a_15, b_10)) / beside_0;
+        _S183 = length_of_0(cross(a_15, b_10)) / beside_0;
     }
     else
     {
-        _S181 = limit_at_0(u32(1));
+        _S183 = limit_at_0(u32(1));
     }
-    return _S181;
+    return _S183;
 }
 
 fn component_0( v_6 : vec3<f64>,  axis_0 : u32) -> f64
 {
-    var _S182 : f64;
+    var _S184 : f64;
     if(axis_0 == u32(0))
     {
-        _S182 = v_6.x;
+        _S184 = v_6.x;
     }
     else
     {
         if(axis_0 == u32(1))
         {
-            _S182 = v_6.y;
+            _S184 = v_6.y;
         }
         else
         {
-            _S182 = v_6.z;
+            _S184 = v_6.z;
         }
     }
-    return _S182;
+    return _S184;
 }
 
 struct Ray_0
@@ -1773,34 +1783,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f64>,  direction_7 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  axes_4 : ptr<function, u32>) -> Ray_0
 {
     var size_2 : vec3<f32> = abs(vec3<f32>(direction_7));
-    var _S183 : f32 = size_2.x;
-    var _S184 : f32 = size_2.y;
-    var _S185 : bool;
-    if(_S183 >= _S184)
+    var _S185 : f32 = size_2.x;
+    var _S186 : f32 = size_2.y;
+    var _S187 : bool;
+    if(_S185 >= _S186)
     {
-        _S185 = _S183 >= (size_2.z);
+        _S187 = _S185 >= (size_2.z);
     }
     else
     {
-        _S185 = false;
+        _S187 = false;
     }
-    var _S186 : i32;
-    if(_S185)
+    var _S188 : i32;
+    if(_S187)
     {
-        _S186 = i32(0);
+        _S188 = i32(0);
     }
     else
     {
-        if(_S184 >= (size_2.z))
+        if(_S186 >= (size_2.z))
         {
-            _S186 = i32(1);
+            _S188 = i32(1);
         }
         else
         {
-            _S186 = i32(2);
+            _S188 = i32(2);
         }
     }
-    var z_2 : u32 = u32(_S186);
+    var z_2 : u32 = u32(_S188);
     var x_8 : u32 = (z_2 + u32(1)) % u32(3);
     var y_1 : u32 = (z_2 + u32(2)) % u32(3);
     (*axes_4) = (((x_8 | (((y_1 << (u32(2))))))) | (((z_2 << (u32(4))))));
@@ -1822,34 +1832,34 @@ fn ray_along_0( origin_1 : vec3<f64>,  direction_7 : vec3<f64>,  t_min_1 : f64, 
 fn ray_along_1( origin_2 : vec3<f64>,  direction_8 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  axes_5 : ptr<function, u32>) -> Ray_0
 {
     var size_3 : vec3<f32> = abs(vec3<f32>(direction_8));
-    var _S187 : f32 = size_3.x;
-    var _S188 : f32 = size_3.y;
-    var _S189 : bool;
-    if(_S187 >= _S188)
+    var _S189 : f32 = size_3.x;
+    var _S190 : f32 = size_3.y;
+    var _S191 : bool;
+    if(_S189 >= _S190)
     {
-        _S189 = _S187 >= (size_3.z);
+        _S191 = _S189 >= (size_3.z);
     }
     else
     {
-        _S189 = false;
+        _S191 = false;
     }
-    var _S190 : i32;
-    if(_S189)
+    var _S192 : i32;
+    if(_S191)
     {
-        _S190 = i32(0);
+        _S192 = i32(0);
     }
     else
     {
-        if(_S188 >= (size_3.z))
+        if(_S190 >= (size_3.z))
         {
-            _S190 = i32(1);
+            _S192 = i32(1);
         }
         else
         {
-            _S190 = i32(2);
+            _S192 = i32(2);
         }
     }
-    var z_3 : u32 = u32(_S190);
+    var z_3 : u32 = u32(_S192);
     var x_9 : u32 = (z_3 + u32(1)) % u32(3);
     var y_2 : u32 = (z_3 + u32(2)) % u32(3);
     (*axes_5) = (((x_9 | (((y_2 << (u32(2))))))) | (((z_3 << (u32(4))))));
@@ -1885,7 +1895,7 @@ struct RayView_0
 
 fn ray_bound_0( view_4 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_3 : u32) -> f32
 {
-    var _S191 : u32 = u32(14) * node_1 + slot_3 / u32(4);
+    var _S193 : u32 = u32(14) * node_1 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_1 : u32 = u32(0);
@@ -1898,36 +1908,36 @@ fn ray_bound_0( view_4 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S192 : u32 = axis_1;
-        var _S193 : u32 = _S191 + u32(2) * axis_1;
-        var _S194 : u32 = slot_3 % u32(4);
-        var low_4 : f32 = (bitcast<f32>((nodes_0[_S193][_S194])));
-        var high_1 : f32 = (bitcast<f32>((nodes_0[_S193 + u32(6)][_S194])));
-        var _S195 : bool = (view_4.inverse_0[axis_1]) < 0.0f;
-        var _S196 : f32;
-        if(_S195)
-        {
-            _S196 = high_1;
-        }
-        else
-        {
-            _S196 = low_4;
-        }
-        var _S197 : f32 = max(near_0, _S196 * view_4.inverse_0[_S192] - view_4.offset_near_0[axis_1]);
+        var _S194 : u32 = axis_1;
+        var _S195 : u32 = _S193 + u32(2) * axis_1;
+        var _S196 : u32 = slot_3 % u32(4);
+        var low_4 : f32 = (bitcast<f32>((nodes_0[_S195][_S196])));
+        var high_1 : f32 = (bitcast<f32>((nodes_0[_S195 + u32(6)][_S196])));
+        var _S197 : bool = (view_4.inverse_0[axis_1]) < 0.0f;
         var _S198 : f32;
-        if(_S195)
-        {
-            _S198 = low_4;
-        }
-        else
+        if(_S197)
         {
             _S198 = high_1;
         }
-        var _S199 : f32 = min(far_0, _S198 * view_4.inverse_0[_S192] - view_4.offset_far_0[axis_1]);
-        var _S200 : u32 = axis_1 + u32(1);
-        near_0 = _S197;
-        far_0 = _S199;
-        axis_1 = _S200;
+        else
+        {
+            _S198 = low_4;
+        }
+        var _S199 : f32 = max(near_0, _S198 * view_4.inverse_0[_S194] - view_4.offset_near_0[axis_1]);
+        var _S200 : f32;
+        if(_S197)
+        {
+            _S200 = low_4;
+        }
+        else
+        {
+            _S200 = high_1;
+        }
+        var _S201 : f32 = min(far_0, _S200 * view_4.inverse_0[_S194] - view_4.offset_far_0[axis_1]);
+        var _S202 : u32 = axis_1 + u32(1);
+        near_0 = _S199;
+        far_0 = _S201;
+        axis_1 = _S202;
     }
     if(near_0 <= far_0)
     {
@@ -1952,7 +1962,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S201 : u32 = k_3;
+        var _S203 : u32 = k_3;
         if((bounds_0[k_3]) > limit_2)
         {
             k_3 = k_3 + u32(1);
@@ -1969,24 +1979,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S202 : u32 = j_0;
-            var _S203 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S201]))
+            var _S204 : u32 = j_0;
+            var _S205 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S203]))
             {
-                _S203 = true;
+                _S205 = true;
             }
             else
             {
-                if((bounds_0[_S202]) == (bounds_0[_S201]))
+                if((bounds_0[_S204]) == (bounds_0[_S203]))
                 {
-                    _S203 = j_0 < k_3;
+                    _S205 = j_0 < k_3;
                 }
                 else
                 {
-                    _S203 = false;
+                    _S205 = false;
                 }
             }
-            if(_S203)
+            if(_S205)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -2011,16 +2021,16 @@ fn crossed_0( view_5 : RayView_0,  limit_3 : f32,  node_2 : u32) -> u32
         {
             break;
         }
-        var _S204 : f32;
+        var _S206 : f32;
         if((ray_child_0(node_2, slot_4)) == u32(4294967295))
         {
-            _S204 = 3.00000000549775576e+38f;
+            _S206 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S204 = ray_bound_0(view_5, limit_3, node_2, slot_4);
+            _S206 = ray_bound_0(view_5, limit_3, node_2, slot_4);
         }
-        bounds_1[slot_4] = _S204;
+        bounds_1[slot_4] = _S206;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -2031,9 +2041,9 @@ fn rounded_0( product_1 : f64,  largest_1 : f64) -> f64
     return min(product_1, largest_1);
 }
 
-fn corner_3( ray_2 : Ray_0,  axes_7 : u32,  at_20 : u32) -> vec3<f64>
+fn corner_3( ray_2 : Ray_0,  axes_7 : u32,  at_22 : u32) -> vec3<f64>
 {
-    var relative_0 : vec3<f64> = primitive_vector_0(at_20) - ray_2.origin_0;
+    var relative_0 : vec3<f64> = primitive_vector_0(at_22) - ray_2.origin_0;
     var z_4 : f64 = component_0(relative_0, (axes_7 >> (u32(4))));
     return vec3<f64>(component_0(relative_0, (axes_7 & (u32(3)))) - rounded_0(ray_2.shear_x_0 * z_4, ray_2.largest_0), component_0(relative_0, (((axes_7 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_2.shear_y_0 * z_4, ray_2.largest_0), z_4);
 }
@@ -2046,56 +2056,56 @@ struct Crossing_0
      w_6 : f64,
 };
 
-fn intersect_0( ray_3 : Ray_0,  axes_8 : u32,  at_21 : u32) -> Crossing_0
+fn intersect_0( ray_3 : Ray_0,  axes_8 : u32,  at_23 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_1 = 0.0lf;
     crossing_0.v_7 = 0.0lf;
     crossing_0.w_6 = 0.0lf;
-    var a_16 : vec3<f64> = corner_3(ray_3, axes_8, at_21);
-    var b_11 : vec3<f64> = corner_3(ray_3, axes_8, at_21 + u32(3));
-    var c_4 : vec3<f64> = corner_3(ray_3, axes_8, at_21 + u32(6));
-    var _S205 : f64 = c_4.x;
-    var _S206 : f64 = b_11.y;
-    var cx_by_0 : f64 = rounded_0(_S205 * _S206, ray_3.largest_0);
-    var _S207 : f64 = c_4.y;
-    var _S208 : f64 = b_11.x;
-    var cy_bx_0 : f64 = rounded_0(_S207 * _S208, ray_3.largest_0);
-    var _S209 : f64 = a_16.x;
-    var ax_cy_0 : f64 = rounded_0(_S209 * _S207, ray_3.largest_0);
-    var _S210 : f64 = a_16.y;
-    var ay_cx_0 : f64 = rounded_0(_S210 * _S205, ray_3.largest_0);
-    var bx_ay_0 : f64 = rounded_0(_S208 * _S210, ray_3.largest_0);
-    var by_ax_0 : f64 = rounded_0(_S206 * _S209, ray_3.largest_0);
+    var a_16 : vec3<f64> = corner_3(ray_3, axes_8, at_23);
+    var b_11 : vec3<f64> = corner_3(ray_3, axes_8, at_23 + u32(3));
+    var c_4 : vec3<f64> = corner_3(ray_3, axes_8, at_23 + u32(6));
+    var _S207 : f64 = c_4.x;
+    var _S208 : f64 = b_11.y;
+    var cx_by_0 : f64 = rounded_0(_S207 * _S208, ray_3.largest_0);
+    var _S209 : f64 = c_4.y;
+    var _S210 : f64 = b_11.x;
+    var cy_bx_0 : f64 = rounded_0(_S209 * _S210, ray_3.largest_0);
+    var _S211 : f64 = a_16.x;
+    var ax_cy_0 : f64 = rounded_0(_S211 * _S209, ray_3.largest_0);
+    var _S212 : f64 = a_16.y;
+    var ay_cx_0 : f64 = rounded_0(_S212 * _S207, ray_3.largest_0);
+    var bx_ay_0 : f64 = rounded_0(_S210 * _S212, ray_3.largest_0);
+    var by_ax_0 : f64 = rounded_0(_S208 * _S211, ray_3.largest_0);
     var u_5 : f64 = cx_by_0 - cy_bx_0;
     var v_8 : f64 = ax_cy_0 - ay_cx_0;
     var w_7 : f64 = bx_ay_0 - by_ax_0;
-    var _S211 : f64 = min(min(u_5, v_8), w_7);
-    var _S212 : f64 = max(max(u_5, v_8), w_7);
-    var _S213 : bool;
-    if(_S211 < 0.0lf)
+    var _S213 : f64 = min(min(u_5, v_8), w_7);
+    var _S214 : f64 = max(max(u_5, v_8), w_7);
+    var _S215 : bool;
+    if(_S213 < 0.0lf)
     {
-        _S213 = _S212 > 0.0lf;
+        _S215 = _S214 > 0.0lf;
     }
     else
     {
-        _S213 = false;
+        _S215 = false;
     }
-    if(_S213)
+    if(_S215)
     {
         return crossing_0;
     }
     var determinant_0 : f64 = u_5 + v_8 + w_7;
-    if(_S211 <= 0.0lf)
+    if(_S213 <= 0.0lf)
     {
-        _S213 = _S212 >= 0.0lf;
+        _S215 = _S214 >= 0.0lf;
     }
     else
     {
-        _S213 = false;
+        _S215 = false;
     }
-    if(_S213)
+    if(_S215)
     {
         if((abs(determinant_0)) <= (ray_3.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -2109,13 +2119,13 @@ fn intersect_0( ray_3 : Ray_0,  axes_8 : u32,  at_21 : u32) -> Crossing_0
     var t_2 : f64 = (rounded_0(u_5 * a_16.z, ray_3.largest_0) + rounded_0(v_8 * b_11.z, ray_3.largest_0) + rounded_0(w_7 * c_4.z, ray_3.largest_0)) / determinant_0 * ray_3.inverse_z_0;
     if((ray_3.t_min_0) <= t_2)
     {
-        _S213 = t_2 <= (ray_3.t_max_0);
+        _S215 = t_2 <= (ray_3.t_max_0);
     }
     else
     {
-        _S213 = false;
+        _S215 = false;
     }
-    crossing_0.is_hit_0 = _S213;
+    crossing_0.is_hit_0 = _S215;
     crossing_0.t_1 = t_2;
     crossing_0.v_7 = v_8 / determinant_0;
     crossing_0.w_6 = w_7 / determinant_0;
@@ -2137,7 +2147,7 @@ struct Found_0
 
 fn first_found_0( view_6 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S214 : bool;
+    var _S216 : bool;
     var found_0 : Found_0;
     found_0.face_3 = u32(4294967295);
     found_0.triangle_9 = u32(4294967295);
@@ -2147,8 +2157,8 @@ fn first_found_0( view_6 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
     {
         return found_0;
     }
-    var way_2 : array<vec2<u32>, i32(40)>;
-    way_2[i32(0)] = vec2<u32>(u32(0), u32(0));
+    var way_1 : array<vec2<u32>, i32(40)>;
+    way_1[i32(0)] = vec2<u32>(u32(0), u32(0));
     var entered_0 : u32 = u32(0);
     var limit_4 : f32 = view_6.limit_0;
     var is_new_0 : bool = true;
@@ -2159,7 +2169,7 @@ fn first_found_0( view_6 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
         var is_new_1 : bool;
         if(entered_0 != u32(4294967295))
         {
-            way_2[level_0] = vec2<u32>(entered_0, crossed_0(view_6, limit_4, entered_0));
+            way_1[level_0] = vec2<u32>(entered_0, crossed_0(view_6, limit_4, entered_0));
             is_new_1 = true;
             entered_1 = u32(4294967295);
         }
@@ -2168,32 +2178,32 @@ fn first_found_0( view_6 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
             is_new_1 = is_new_0;
             entered_1 = entered_0;
         }
-        var here_1 : vec2<u32> = way_2[level_0];
-        var _S215 : u32 = way_2[level_0].y;
-        if(_S215 == u32(0))
+        var here_1 : vec2<u32> = way_1[level_0];
+        var _S217 : u32 = way_1[level_0].y;
+        if(_S217 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S216 : u32 = level_0 - u32(1);
+            var _S218 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S216;
+            level_0 = _S218;
             continue;
         }
-        var slot_5 : u32 = ((_S215 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S215 >> (u32(4)));
-        var _S217 : bool;
+        var slot_5 : u32 = ((_S217 & (u32(15)))) - u32(1);
+        way_1[level_0][i32(1)] = (_S217 >> (u32(4)));
+        var _S219 : bool;
         if(!is_new_1)
         {
-            _S217 = (ray_bound_0(view_6, limit_4, here_1.x, slot_5)) > limit_4;
+            _S219 = (ray_bound_0(view_6, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S217 = false;
+            _S219 = false;
         }
-        if(_S217)
+        if(_S219)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -2202,20 +2212,20 @@ fn first_found_0( view_6 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S218 : u32 = level_0 + u32(1);
+            var _S220 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S218;
+            level_0 = _S220;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S219 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S220 : u32 = leaf_starts_0[leaf_0];
+        var _S221 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S222 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_1 : u32 = _S220;
+        var i_1 : u32 = _S222;
         for(;;)
         {
-            if(i_1 < _S219)
+            if(i_1 < _S221)
             {
             }
             else
@@ -2230,23 +2240,23 @@ fn first_found_0( view_6 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_3) == u32(4294967295))
             {
-                _S214 = true;
+                _S216 = true;
             }
             else
             {
-                _S214 = (crossing_1.t_1) < ((*ray_4).t_max_0);
+                _S216 = (crossing_1.t_1) < ((*ray_4).t_max_0);
             }
-            var _S221 : bool;
-            if(_S214)
+            var _S223 : bool;
+            if(_S216)
             {
-                _S221 = true;
+                _S223 = true;
             }
             else
             {
-                _S221 = (face_2(i_1)) < (found_0.face_3);
+                _S223 = (face_2(i_1)) < (found_0.face_3);
             }
             var limit_6 : f32;
-            if(_S221)
+            if(_S223)
             {
                 found_0.face_3 = face_2(i_1);
                 found_0.triangle_9 = i_1;
@@ -2264,13 +2274,13 @@ fn first_found_0( view_6 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S214 = (found_0.face_3) != u32(4294967295);
+            _S216 = (found_0.face_3) != u32(4294967295);
         }
         else
         {
-            _S214 = false;
+            _S216 = false;
         }
-        if(_S214)
+        if(_S216)
         {
             break;
         }
@@ -2284,11 +2294,11 @@ fn first_found_0( view_6 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_3 : vec3<f64>,  direction_9 : vec3<f64>,  t_min_3 : f64,  t_max_3 : f64,  any_1 : bool,  t_3 : ptr<function, f32>) -> Found_0
 {
     var view_7 : RayView_0;
-    var _S222 : u32 = view_7.axes_6;
-    var _S223 : Ray_0 = ray_along_1(origin_3, direction_9, t_min_3, t_max_3, &(_S222));
-    view_7.axes_6 = _S222;
-    var ray_5 : Ray_0 = _S223;
-    var _S224 : vec3<f32> = vec3<f32>(direction_9 / vec3<f64>(ray_5.local_per_t_0));
+    var _S224 : u32 = view_7.axes_6;
+    var _S225 : Ray_0 = ray_along_1(origin_3, direction_9, t_min_3, t_max_3, &(_S224));
+    view_7.axes_6 = _S224;
+    var ray_5 : Ray_0 = _S225;
+    var _S226 : vec3<f32> = vec3<f32>(direction_9 / vec3<f64>(ray_5.local_per_t_0));
     var axis_2 : u32 = u32(0);
     for(;;)
     {
@@ -2299,17 +2309,17 @@ fn cast_0( origin_3 : vec3<f64>,  direction_9 : vec3<f64>,  t_min_3 : f64,  t_ma
         {
             break;
         }
-        var _S225 : f32 = max(abs(_S224[axis_2]), 8.67361737988403547e-19f);
-        var _S226 : f32;
-        if((_S224[axis_2]) < 0.0f)
+        var _S227 : f32 = max(abs(_S226[axis_2]), 8.67361737988403547e-19f);
+        var _S228 : f32;
+        if((_S226[axis_2]) < 0.0f)
         {
-            _S226 = -1.0f / _S225;
+            _S228 = -1.0f / _S227;
         }
         else
         {
-            _S226 = 1.0f / _S225;
+            _S228 = 1.0f / _S227;
         }
-        view_7.inverse_0[axis_2] = _S226;
+        view_7.inverse_0[axis_2] = _S228;
         axis_2 = axis_2 + u32(1);
     }
     var offset_0 : vec3<f32> = vec3<f32>(origin_3) * view_7.inverse_0;
@@ -2362,34 +2372,34 @@ fn reflect_0( chain_0 : ptr<function, Chain_0>) -> bool
 {
     var unused_0 : f32;
     var found_3 : Found_0 = cast_0((*chain_0).start_0, (*chain_0).direction_11, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &(unused_0));
-    var _S227 : bool;
+    var _S229 : bool;
     if((found_3.face_3) == u32(4294967295))
     {
-        _S227 = true;
+        _S229 = true;
     }
     else
     {
-        _S227 = !is_mirror_0(found_3.triangle_9);
+        _S229 = !is_mirror_0(found_3.triangle_9);
     }
-    if(_S227)
+    if(_S229)
     {
         return false;
     }
     var mirror_4 : Mirror_0 = mirror_at_0(found_3.triangle_9);
     (*chain_0).start_0 = position_of_0(place_of_0(found_3));
-    var _S228 : vec3<f64> = mirrored_0(mirror_4, (*chain_0).direction_11);
-    (*chain_0).direction_11 = _S228;
+    var _S230 : vec3<f64> = mirrored_0(mirror_4, (*chain_0).direction_11);
+    (*chain_0).direction_11 = _S230;
     (*chain_0).image_0 = image_of_0(mirror_4, (*chain_0).image_0);
-    var _S229 : vec3<f64>;
-    if((dot(mirror_4.normal_3, _S228)) < 0.0lf)
+    var _S231 : vec3<f64>;
+    if((dot(mirror_4.normal_3, _S230)) < 0.0lf)
     {
-        _S229 = (vec3<f64>(0) - mirror_4.normal_3);
+        _S231 = (vec3<f64>(0) - mirror_4.normal_3);
     }
     else
     {
-        _S229 = mirror_4.normal_3;
+        _S231 = mirror_4.normal_3;
     }
-    (*chain_0).facing_0 = _S229;
+    (*chain_0).facing_0 = _S231;
     (*chain_0).triangles_0[(*chain_0).count_1] = found_3.triangle_9;
     (*chain_0).count_1 = (*chain_0).count_1 + u32(1);
     return true;
@@ -2397,19 +2407,19 @@ fn reflect_0( chain_0 : ptr<function, Chain_0>) -> bool
 
 fn limit_by_0( half_tangent_0 : f64) -> vec2<f32>
 {
-    var _S230 : f32 = min(f32(half_tangent_0), 1.0e+09f);
-    var squared_2 : f32 = _S230 * _S230;
-    return vec2<f32>(1.0f - squared_2, 2.0f * _S230) / vec2<f32>((1.0f + squared_2));
+    var _S232 : f32 = min(f32(half_tangent_0), 1.0e+09f);
+    var squared_2 : f32 = _S232 * _S232;
+    return vec2<f32>(1.0f - squared_2, 2.0f * _S232) / vec2<f32>((1.0f + squared_2));
 }
 
-fn edge_number_0( at_22 : u32) -> f32
+fn edge_number_0( at_24 : u32) -> f32
 {
-    return (bitcast<f32>((edge_word_0(at_22))));
+    return (bitcast<f32>((edge_word_0(at_24))));
 }
 
-fn edge_vector_0( at_23 : u32) -> vec3<f32>
+fn edge_vector_0( at_25 : u32) -> vec3<f32>
 {
-    return vec3<f32>(edge_number_0(at_23), edge_number_0(at_23 + u32(1)), edge_number_0(at_23 + u32(2)));
+    return vec3<f32>(edge_number_0(at_25), edge_number_0(at_25 + u32(1)), edge_number_0(at_25 + u32(2)));
 }
 
 struct Ball_0
@@ -2436,18 +2446,18 @@ fn is_beyond_0( ball_1 : Ball_0,  limit_7 : vec2<f32>) -> bool
 
 fn comes_first_0( ball_2 : Ball_0,  other_0 : Ball_0) -> bool
 {
-    var _S231 : f32 = max(ball_2.from_axis_0 - ball_2.radius_1, 0.0f);
-    var _S232 : f32 = max(other_0.from_axis_0 - other_0.radius_1, 0.0f);
-    var _S233 : bool;
-    if(_S231 == _S232)
+    var _S233 : f32 = max(ball_2.from_axis_0 - ball_2.radius_1, 0.0f);
+    var _S234 : f32 = max(other_0.from_axis_0 - other_0.radius_1, 0.0f);
+    var _S235 : bool;
+    if(_S233 == _S234)
     {
-        _S233 = (ball_2.along_3) < (other_0.along_3);
+        _S235 = (ball_2.along_3) < (other_0.along_3);
     }
     else
     {
-        _S233 = _S231 < _S232;
+        _S235 = _S233 < _S234;
     }
-    return _S233;
+    return _S235;
 }
 
 fn record_of_0( around_2 : Around_0,  edge_1 : u32) -> u32
@@ -2455,9 +2465,9 @@ fn record_of_0( around_2 : Around_0,  edge_1 : u32) -> u32
     return edge_word_0(around_2.tree_0 + u32(1)) + u32(12) * edge_1;
 }
 
-fn edge_position_0( at_24 : u32) -> vec3<f64>
+fn edge_position_0( at_26 : u32) -> vec3<f64>
 {
-    return primitive_vector_0(real_place_0(at_24));
+    return primitive_vector_0(real_place_0(at_26));
 }
 
 struct OnEdge_0
@@ -2502,29 +2512,29 @@ fn closest_on_edge_0( around_3 : Around_0,  chain_1 : Chain_0,  axis_5 : vec3<f6
     var b_12 : vec3<f64> = edge_position_0(numbers_6 + u32(3)) - chain_1.image_0;
     var along_4 : vec3<f64> = b_12 - a_17;
     var from_mirror_0 : vec3<f64> = chain_1.image_0 - chain_1.start_0;
-    var _S234 : bool;
+    var _S236 : bool;
     if((dot(a_17 + from_mirror_0, chain_1.facing_0)) < 0.0lf)
     {
-        _S234 = (dot(b_12 + from_mirror_0, chain_1.facing_0)) < 0.0lf;
+        _S236 = (dot(b_12 + from_mirror_0, chain_1.facing_0)) < 0.0lf;
     }
     else
     {
-        _S234 = false;
+        _S236 = false;
     }
-    if(_S234)
+    if(_S236)
     {
         return false;
     }
     var across_3 : vec3<f64> = cross(a_17, along_4);
     if((dot(across_3, across_3)) == 0.0lf)
     {
-        _S234 = (dot(a_17, b_12)) <= 0.0lf;
+        _S236 = (dot(a_17, b_12)) <= 0.0lf;
     }
     else
     {
-        _S234 = false;
+        _S236 = false;
     }
-    if(_S234)
+    if(_S236)
     {
         return false;
     }
@@ -2552,13 +2562,13 @@ fn closest_on_edge_0( around_3 : Around_0,  chain_1 : Chain_0,  axis_5 : vec3<f6
     }
     if(t_7 > 0.0lf)
     {
-        _S234 = t_7 < 1.0lf;
+        _S236 = t_7 < 1.0lf;
     }
     else
     {
-        _S234 = false;
+        _S236 = false;
     }
-    if(_S234)
+    if(_S236)
     {
         var other_2 : OnEdge_0 = on_edge_0(axis_5, t_7, a_17 + along_4 * vec3<f64>(t_7));
         if(is_nearer_0(other_2, place_20))
@@ -2574,23 +2584,23 @@ fn closest_on_edge_0( around_3 : Around_0,  chain_1 : Chain_0,  axis_5 : vec3<f6
 
 fn is_before_0( a_18 : Candidate_0,  b_13 : Candidate_0) -> bool
 {
-    var _S235 : bool;
+    var _S237 : bool;
     if((a_18.half_tangent_1) < (b_13.half_tangent_1))
     {
-        _S235 = true;
+        _S237 = true;
     }
     else
     {
         if((a_18.half_tangent_1) == (b_13.half_tangent_1))
         {
-            _S235 = (a_18.number_1) < (b_13.number_1);
+            _S237 = (a_18.number_1) < (b_13.number_1);
         }
         else
         {
-            _S235 = false;
+            _S237 = false;
         }
     }
-    return _S235;
+    return _S237;
 }
 
 struct Candidates_0
@@ -2601,16 +2611,16 @@ struct Candidates_0
 
 fn has_room_0( candidates_0 : Candidates_0,  candidate_1 : Candidate_0) -> bool
 {
-    var _S236 : bool;
+    var _S238 : bool;
     if((candidates_0.count_2) < u32(4))
     {
-        _S236 = true;
+        _S238 = true;
     }
     else
     {
-        _S236 = is_before_0(candidate_1, candidates_0.listed_0[u32(3)]);
+        _S238 = is_before_0(candidate_1, candidates_0.listed_0[u32(3)]);
     }
-    return _S236;
+    return _S238;
 }
 
 fn place_of_1( around_4 : Around_0,  candidate_2 : Candidate_0) -> vec3<f64>
@@ -2633,37 +2643,37 @@ fn is_hidden_0( around_5 : Around_0,  candidate_3 : Candidate_0) -> bool
     {
         return false;
     }
-    var way_3 : vec3<f64> = place_of_1(around_5, candidate_3) - around_5.position_1;
-    var distance_1 : f64 = length_of_0(way_3);
-    return meets_0(around_5.occluder_0, around_5.position_1, way_3 / vec3<f64>(distance_1), limit_at_0(u32(2)), distance_1 * limit_at_0(u32(3)));
+    var way_2 : vec3<f64> = place_of_1(around_5, candidate_3) - around_5.position_1;
+    var distance_1 : f64 = length_of_0(way_2);
+    return meets_0(around_5.occluder_0, around_5.position_1, way_2 / vec3<f64>(distance_1), limit_at_0(u32(2)), distance_1 * limit_at_0(u32(3)));
 }
 
 fn list_0( candidates_1 : ptr<function, Candidates_0>,  candidate_4 : Candidate_0)
 {
-    var _S237 : u32 = min((*candidates_1).count_2, u32(3));
-    (*candidates_1).count_2 = _S237 + u32(1);
-    var place_21 : u32 = _S237;
+    var _S239 : u32 = min((*candidates_1).count_2, u32(3));
+    (*candidates_1).count_2 = _S239 + u32(1);
+    var place_21 : u32 = _S239;
     for(;;)
     {
-        var _S238 : bool;
+        var _S240 : bool;
         if(place_21 > u32(0))
         {
-            _S238 = is_before_0(candidate_4, (*candidates_1).listed_0[place_21 - u32(1)]);
+            _S240 = is_before_0(candidate_4, (*candidates_1).listed_0[place_21 - u32(1)]);
         }
         else
         {
-            _S238 = false;
+            _S240 = false;
         }
-        if(_S238)
+        if(_S240)
         {
         }
         else
         {
             break;
         }
-        var _S239 : u32 = place_21 - u32(1);
-        (*candidates_1).listed_0[place_21] = (*candidates_1).listed_0[_S239];
-        place_21 = _S239;
+        var _S241 : u32 = place_21 - u32(1);
+        (*candidates_1).listed_0[place_21] = (*candidates_1).listed_0[_S241];
+        place_21 = _S241;
     }
     (*candidates_1).listed_0[place_21] = candidate_4;
     return;
@@ -2689,11 +2699,11 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
     var nodes_at_0 : u32 = edge_word_0(around_6.tree_0);
     var waiting_0 : array<u32, i32(92)>;
     waiting_0[i32(0)] = u32(4294967295);
-    var _S240 : vec3<f32> = vec3<f32>(chain_2.image_0);
-    var _S241 : vec3<f32> = vec3<f32>(chain_2.direction_11);
-    var _S242 : vec2<f32> = limit_by_0(limit_8);
+    var _S242 : vec3<f32> = vec3<f32>(chain_2.image_0);
+    var _S243 : vec3<f32> = vec3<f32>(chain_2.direction_11);
+    var _S244 : vec2<f32> = limit_by_0(limit_8);
     var node_4 : u32 = nodes_at_0;
-    var rough_limit_0 : vec2<f32> = _S242;
+    var rough_limit_0 : vec2<f32> = _S244;
     var count_3 : u32 = u32(0);
     for(;;)
     {
@@ -2707,33 +2717,33 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
         var next_2 : u32;
         var next_3 : u32;
         var count_4 : u32;
-        var _S243 : bool;
+        var _S245 : bool;
         var skips_far_0 : bool;
-        var _S244 : bool;
+        var _S246 : bool;
         if((edge_word_0(node_4)) != u32(4294967295))
         {
             var near_1 : u32 = nodes_at_0 + u32(45) * edge_word_0(node_4);
             var far_1 : u32 = nodes_at_0 + u32(45) * edge_word_0(node_4 + u32(1));
-            var of_near_0 : Ball_0 = ball_of_0(near_1, _S240, _S241);
-            var of_far_0 : Ball_0 = ball_of_0(far_1, _S240, _S241);
+            var of_near_0 : Ball_0 = ball_of_0(near_1, _S242, _S243);
+            var of_far_0 : Ball_0 = ball_of_0(far_1, _S242, _S243);
             var skips_near_0 : bool = is_beyond_0(of_near_0, rough_limit_0);
             var skips_far_1 : bool = is_beyond_0(of_far_0, rough_limit_0);
             if(!skips_far_1)
             {
                 if(skips_near_0)
                 {
-                    _S243 = true;
+                    _S245 = true;
                 }
                 else
                 {
-                    _S243 = comes_first_0(of_far_0, of_near_0);
+                    _S245 = comes_first_0(of_far_0, of_near_0);
                 }
             }
             else
             {
-                _S243 = false;
+                _S245 = false;
             }
-            if(_S243)
+            if(_S245)
             {
                 next_2 = far_1;
                 skips_far_0 = skips_near_0;
@@ -2754,13 +2764,13 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
             }
             if(next_2 != u32(4294967295))
             {
-                _S244 = !skips_far_0;
+                _S246 = !skips_far_0;
             }
             else
             {
-                _S244 = false;
+                _S246 = false;
             }
-            if(_S244)
+            if(_S246)
             {
                 waiting_0[count_3] = next_3;
                 count_4 = count_3 + u32(1);
@@ -2783,21 +2793,21 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
                     break;
                 }
                 var candidate_5 : Candidate_0;
-                var _S245 : bool = closest_on_edge_0(around_6, chain_2, chain_2.direction_11, k_4, &(candidate_5));
-                if(!_S245)
+                var _S247 : bool = closest_on_edge_0(around_6, chain_2, chain_2.direction_11, k_4, &(candidate_5));
+                if(!_S247)
                 {
                     k_4 = k_4 + u32(1);
                     continue;
                 }
                 if(!((candidate_5.half_tangent_1) < limit_8))
                 {
-                    _S243 = true;
+                    _S245 = true;
                 }
                 else
                 {
-                    _S243 = !is_before_0(last_0, candidate_5);
+                    _S245 = !is_before_0(last_0, candidate_5);
                 }
-                if(_S243)
+                if(_S245)
                 {
                     skips_far_0 = true;
                 }
@@ -2812,13 +2822,13 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
                 }
                 if((chain_2.count_1) > u32(0))
                 {
-                    _S244 = true;
+                    _S246 = true;
                 }
                 else
                 {
-                    _S244 = !is_hidden_0(around_6, candidate_5);
+                    _S246 = !is_hidden_0(around_6, candidate_5);
                 }
-                if(_S244)
+                if(_S246)
                 {
                     list_0(&(found_4), candidate_5);
                 }
@@ -2843,13 +2853,13 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
         {
             if(next_3 == u32(4294967295))
             {
-                _S243 = count_3 > u32(0);
+                _S245 = count_3 > u32(0);
             }
             else
             {
-                _S243 = false;
+                _S245 = false;
             }
-            if(_S243)
+            if(_S245)
             {
             }
             else
@@ -2857,7 +2867,7 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
                 break;
             }
             var count_5 : u32 = count_3 - u32(1);
-            if(!is_beyond_0(ball_of_0(waiting_0[count_5], _S240, _S241), rough_limit_0))
+            if(!is_beyond_0(ball_of_0(waiting_0[count_5], _S242, _S243), rough_limit_0))
             {
                 next_3 = waiting_0[count_5];
             }
@@ -2881,9 +2891,9 @@ struct Nearest_0
 
 fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 : vec3<f64>,  point_0 : ptr<function, Nearest_0>) -> bool
 {
-    var _S246 : f64 = length_of_0(offset_4);
-    (*point_0).distance_2 = _S246;
-    (*point_0).direction_13 = offset_4 / vec3<f64>(_S246);
+    var _S248 : f64 = length_of_0(offset_4);
+    (*point_0).distance_2 = _S248;
+    (*point_0).direction_13 = offset_4 / vec3<f64>(_S248);
     (*point_0).count_6 = chain_3.count_1;
     var k_5 : u32 = chain_3.count_1;
     for(;;)
@@ -2895,21 +2905,21 @@ fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         {
             break;
         }
-        var _S247 : u32 = k_5 - u32(1);
-        (*point_0).direction_13 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S247]), (*point_0).direction_13);
-        k_5 = _S247;
+        var _S249 : u32 = k_5 - u32(1);
+        (*point_0).direction_13 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S249]), (*point_0).direction_13);
+        k_5 = _S249;
     }
     var height_1 : f64 = abs(dot((*point_0).direction_13, (*around_7).face_0)) * (*point_0).distance_2;
-    var _S248 : bool;
+    var _S250 : bool;
     if((chain_3.count_1) > u32(0))
     {
-        _S248 = height_1 <= (limit_at_0(u32(2)));
+        _S250 = height_1 <= (limit_at_0(u32(2)));
     }
     else
     {
-        _S248 = false;
+        _S250 = false;
     }
-    if(_S248)
+    if(_S250)
     {
         return false;
     }
@@ -2953,13 +2963,13 @@ fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         }
         if((found_5.face_3) == u32(4294967295))
         {
-            _S248 = true;
+            _S250 = true;
         }
         else
         {
-            _S248 = !is_mirror_0(found_5.triangle_9);
+            _S250 = !is_mirror_0(found_5.triangle_9);
         }
-        if(_S248)
+        if(_S250)
         {
             return false;
         }
@@ -2969,10 +2979,10 @@ fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         {
             return false;
         }
-        var _S249 : vec3<f64> = mirrored_0(mirror_at_0(found_5.triangle_9), direction_14);
+        var _S251 : vec3<f64> = mirrored_0(mirror_at_0(found_5.triangle_9), direction_14);
         (*point_0).triangles_1[k_5] = found_5.triangle_9;
         start_2 = place_22;
-        direction_14 = _S249;
+        direction_14 = _S251;
         left_1 = left_2;
         k_5 = k_5 + u32(1);
     }
@@ -2997,7 +3007,7 @@ fn take_nearest_0( around_8 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             break;
         }
         var found_6 : Candidates_0 = search_0((*around_8), chain_4, (*best_0).half_tangent_2, last_1);
-        var _S250 : bool = (found_6.count_2) < u32(4);
+        var _S252 : bool = (found_6.count_2) < u32(4);
         var k_6 : u32 = u32(0);
         for(;;)
         {
@@ -3010,8 +3020,8 @@ fn take_nearest_0( around_8 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             }
             last_1 = found_6.listed_0[k_6];
             var point_1 : Nearest_0 = (*best_0);
-            var _S251 : bool = is_seen_0(&((*around_8)), chain_4, place_of_1((*around_8), found_6.listed_0[k_6]) - chain_4.image_0, &(point_1));
-            if(!_S251)
+            var _S253 : bool = is_seen_0(&((*around_8)), chain_4, place_of_1((*around_8), found_6.listed_0[k_6]) - chain_4.image_0, &(point_1));
+            if(!_S253)
             {
                 k_6 = k_6 + u32(1);
                 continue;
@@ -3022,7 +3032,7 @@ fn take_nearest_0( around_8 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             (*best_0).t_8 = last_1.t_6;
             return;
         }
-        is_complete_0 = _S250;
+        is_complete_0 = _S252;
     }
     return;
 }
@@ -3066,17 +3076,17 @@ fn nearest_edge_0( around_9 : ptr<function, Around_0>,  direction_15 : vec3<f64>
         {
             break;
         }
-        var _S252 : bool;
+        var _S254 : bool;
         if(mirrors_1 > u32(0))
         {
-            var _S253 : bool = reflect_0(&(chain_5));
-            _S252 = !_S253;
+            var _S255 : bool = reflect_0(&(chain_5));
+            _S254 = !_S255;
         }
         else
         {
-            _S252 = false;
+            _S254 = false;
         }
-        if(_S252)
+        if(_S254)
         {
             break;
         }
@@ -3090,8 +3100,8 @@ fn tangent_by_0( direction_16 : vec3<f64>,  azimuth_0 : f32) -> vec3<f64>
 {
     var axes_10 : Axes_0 = axes_around_0(vec3<f32>(direction_16), true);
     var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * azimuth_0);
-    var _S254 : vec3<f64> = vec3<f64>(axes_10.s_0 * vec3<f32>(turn_2.y) + axes_10.t_0 * vec3<f32>(turn_2.x));
-    return exact_unit_0(_S254 - direction_16 * vec3<f64>(dot(direction_16, _S254)));
+    var _S256 : vec3<f64> = vec3<f64>(axes_10.s_0 * vec3<f32>(turn_2.y) + axes_10.t_0 * vec3<f32>(turn_2.x));
+    return exact_unit_0(_S256 - direction_16 * vec3<f64>(dot(direction_16, _S256)));
 }
 
 struct Term_0
@@ -3111,7 +3121,7 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f64>,  
 {
     var field_0 : Field_0;
     field_0.direction_17 = direction_18;
-    var _S255 : f64 = edge_real_0(u32(4));
+    var _S257 : f64 = edge_real_0(u32(4));
     const g_0 : vec3<f64> = vec3<f64>(0.0lf, 0.0lf, 0.0lf);
     var e_0 : vec3<f64> = g_0;
     var half_sine_1 : f64 = 0.0lf;
@@ -3135,11 +3145,11 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f64>,  
         }
         else
         {
-            far_2 = _S255;
+            far_2 = _S257;
         }
-        var _S256 : bool = k_8 == u32(1);
+        var _S258 : bool = k_8 == u32(1);
         var x_10 : vec3<f64>;
-        if(_S256)
+        if(_S258)
         {
             x_10 = walked_1(direction_18, e_0, sqrt(f64(random_0(key_5, first_4 + u32(1)))) * half_sine_1);
         }
@@ -3156,9 +3166,9 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f64>,  
         {
             x_11 = x_10;
         }
-        var _S257 : bool = k_8 > u32(0);
+        var _S259 : bool = k_8 > u32(0);
         var bound_0 : f64;
-        if(_S257)
+        if(_S259)
         {
             bound_0 = min(far_2, half_tangent_between_0(x_11, field_0.terms_0[i32(0)].site_0.direction_13));
         }
@@ -3167,26 +3177,26 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f64>,  
             bound_0 = far_2;
         }
         var found_7 : Nearest_0 = nearest_edge_0(&((*around_10)), x_11, bound_0);
-        var _S258 : bool;
-        if(_S257)
+        var _S260 : bool;
+        if(_S259)
         {
-            _S258 = (found_7.edge_4) == u32(4294967295);
+            _S260 = (found_7.edge_4) == u32(4294967295);
         }
         else
         {
-            _S258 = false;
+            _S260 = false;
         }
-        var _S259 : bool;
-        if(_S258)
+        var _S261 : bool;
+        if(_S260)
         {
-            _S259 = bound_0 < far_2;
+            _S261 = bound_0 < far_2;
         }
         else
         {
-            _S259 = false;
+            _S261 = false;
         }
         var found_8 : Nearest_0;
-        if(_S259)
+        if(_S261)
         {
             found_8 = field_0.terms_0[i32(0)].site_0;
         }
@@ -3195,18 +3205,18 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f64>,  
             found_8 = found_7;
         }
         field_0.terms_0[k_8].site_0 = found_8;
-        var _S260 : i32;
-        if(_S256)
+        var _S262 : i32;
+        if(_S258)
         {
-            _S260 = i32(1);
+            _S262 = i32(1);
         }
         else
         {
-            _S260 = i32(0);
+            _S262 = i32(0);
         }
-        field_0.terms_0[k_8].weight_0 = f64(_S260);
+        field_0.terms_0[k_8].weight_0 = f64(_S262);
         field_0.terms_0[k_8].gradient_0 = g_1;
-        if(_S257)
+        if(_S259)
         {
             k_8 = k_8 + u32(1);
             continue;
@@ -3217,11 +3227,11 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f64>,  
             field_0.terms_0[i32(1)] = field_0.terms_0[i32(0)];
             break;
         }
-        var is_within_1 : bool = (found_8.half_tangent_2) < _S255;
-        var _S261 : f64 = min(found_8.half_tangent_2, _S255);
-        var _S262 : f64 = 1.0lf / _S261;
-        var _S263 : f64 = _S261 / sqrt(1.0lf + _S261 * _S261);
-        var _S264 : vec3<f64> = tangent_by_0(direction_18, random_0(key_5, first_4));
+        var is_within_1 : bool = (found_8.half_tangent_2) < _S257;
+        var _S263 : f64 = min(found_8.half_tangent_2, _S257);
+        var _S264 : f64 = 1.0lf / _S263;
+        var _S265 : f64 = _S263 / sqrt(1.0lf + _S263 * _S263);
+        var _S266 : vec3<f64> = tangent_by_0(direction_18, random_0(key_5, first_4));
         var towards_1 : vec3<f64> = found_8.direction_13 - direction_18 * vec3<f64>(dot(direction_18, found_8.direction_13));
         var g_2 : vec3<f64>;
         if(is_within_1)
@@ -3232,16 +3242,16 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f64>,  
         {
             g_2 = g_1;
         }
-        e_0 = _S264;
-        half_sine_1 = _S263;
+        e_0 = _S266;
+        half_sine_1 = _S265;
         g_1 = g_2;
-        kappa_0 = _S262;
+        kappa_0 = _S264;
         is_within_0 = is_within_1;
         k_8 = k_8 + u32(1);
     }
-    var _S265 : vec3<f64> = vec3<f64>(- kappa_0);
-    field_0.terms_0[i32(0)].gradient_0 = e_0 * _S265;
-    field_0.terms_0[i32(1)].gradient_0 = g_1 * _S265;
+    var _S267 : vec3<f64> = vec3<f64>(- kappa_0);
+    field_0.terms_0[i32(0)].gradient_0 = e_0 * _S267;
+    field_0.terms_0[i32(1)].gradient_0 = g_1 * _S267;
     field_0.terms_0[i32(2)].gradient_0 = (e_0 + g_1) * vec3<f64>(kappa_0);
     if(!is_within_0)
     {
@@ -3267,17 +3277,17 @@ struct ByCorners_0
 fn image_by_corners_0( mirror_5 : Mirror_0,  place_23 : vec3<f64>) -> ByCorners_0
 {
     var across_4 : vec3<f64> = cross(mirror_5.ab_1, mirror_5.ac_1);
-    var _S266 : vec3<f64> = vec3<f64>((1.0lf / dot(across_4, across_4)));
-    var gradient_b_0 : vec3<f64> = cross(mirror_5.ac_1, across_4) * _S266;
-    var gradient_c_0 : vec3<f64> = cross(across_4, mirror_5.ab_1) * _S266;
+    var _S268 : vec3<f64> = vec3<f64>((1.0lf / dot(across_4, across_4)));
+    var gradient_b_0 : vec3<f64> = cross(mirror_5.ac_1, across_4) * _S268;
+    var gradient_c_0 : vec3<f64> = cross(across_4, mirror_5.ab_1) * _S268;
     var offset_5 : vec3<f64> = place_23 - mirror_5.corner_2;
     var b_15 : f64 = dot(gradient_b_0, offset_5);
     var c_6 : f64 = dot(gradient_c_0, offset_5);
     var by_1 : ByCorners_0;
-    var _S267 : vec3<f64> = vec3<f64>((2.0lf * height_of_0(mirror_5, place_23)));
-    by_1.a_19 = mirror_5.normal_3 * vec3<f64>((2.0lf * (1.0lf - b_15 - c_6))) + ((vec3<f64>(0) - gradient_b_0) - gradient_c_0) * _S267;
-    by_1.b_14 = mirror_5.normal_3 * vec3<f64>((2.0lf * b_15)) + gradient_b_0 * _S267;
-    by_1.c_5 = mirror_5.normal_3 * vec3<f64>((2.0lf * c_6)) + gradient_c_0 * _S267;
+    var _S269 : vec3<f64> = vec3<f64>((2.0lf * height_of_0(mirror_5, place_23)));
+    by_1.a_19 = mirror_5.normal_3 * vec3<f64>((2.0lf * (1.0lf - b_15 - c_6))) + ((vec3<f64>(0) - gradient_b_0) - gradient_c_0) * _S269;
+    by_1.b_14 = mirror_5.normal_3 * vec3<f64>((2.0lf * b_15)) + gradient_b_0 * _S269;
+    by_1.c_5 = mirror_5.normal_3 * vec3<f64>((2.0lf * c_6)) + gradient_c_0 * _S269;
     return by_1;
 }
 
@@ -3319,11 +3329,11 @@ fn angular_0( around_12 : Around_0,  site_2 : Nearest_0,  velocity_0 : vec3<f64>
 fn velocity_of_0( around_13 : Around_0,  site_3 : Nearest_0,  velocity_of_viewpoint_0 : vec3<f32>) -> vec3<f64>
 {
     var record_5 : u32 = record_of_0(around_13, site_3.edge_4) + u32(2);
-    var _S268 : vec3<f64> = vec3<f64>(edge_vector_0(record_5));
-    var _S269 : vec3<f64> = _S268 + (vec3<f64>(edge_vector_0(record_5 + u32(3))) - _S268) * vec3<f64>(site_3.t_8);
+    var _S270 : vec3<f64> = vec3<f64>(edge_vector_0(record_5));
+    var _S271 : vec3<f64> = _S270 + (vec3<f64>(edge_vector_0(record_5 + u32(3))) - _S270) * vec3<f64>(site_3.t_8);
     var place_24 : vec3<f64> = place_on_edge_0(around_13, site_3);
     var k_9 : u32 = site_3.count_6;
-    var velocity_1 : vec3<f64> = _S269;
+    var velocity_1 : vec3<f64> = _S271;
     for(;;)
     {
         if(k_9 > u32(0))
@@ -3333,14 +3343,14 @@ fn velocity_of_0( around_13 : Around_0,  site_3 : Nearest_0,  velocity_of_viewpo
         {
             break;
         }
-        var _S270 : u32 = k_9 - u32(1);
-        var corners_0 : u32 = motion_of_0(site_3.triangles_1[_S270]);
-        var mirror_6 : Mirror_0 = mirror_at_0(site_3.triangles_1[_S270]);
+        var _S272 : u32 = k_9 - u32(1);
+        var corners_0 : u32 = motion_of_0(site_3.triangles_1[_S272]);
+        var mirror_6 : Mirror_0 = mirror_at_0(site_3.triangles_1[_S272]);
         var by_2 : ByCorners_0 = image_by_corners_0(mirror_6, place_24);
         var velocity_2 : vec3<f64> = mirrored_0(mirror_6, velocity_1) + by_2.a_19 * vec3<f64>(dot(mirror_6.normal_3, vec3<f64>(change_vector_0(corners_0)))) + by_2.b_14 * vec3<f64>(dot(mirror_6.normal_3, vec3<f64>(change_vector_0(corners_0 + u32(3))))) + by_2.c_5 * vec3<f64>(dot(mirror_6.normal_3, vec3<f64>(change_vector_0(corners_0 + u32(6)))));
-        var _S271 : vec3<f64> = image_of_0(mirror_6, place_24);
-        place_24 = _S271;
-        k_9 = _S270;
+        var _S273 : vec3<f64> = image_of_0(mirror_6, place_24);
+        place_24 = _S273;
+        k_9 = _S272;
         velocity_1 = velocity_2;
     }
     return angular_0(around_13, site_3, velocity_1 - vec3<f64>(velocity_of_viewpoint_0));
@@ -3359,9 +3369,9 @@ struct Walked_0
 
 fn evaluate_0( field_2 : Field_0,  around_14 : Around_0,  velocity_of_viewpoint_1 : vec3<f32>) -> Walked_0
 {
-    const _S272 : vec3<f64> = vec3<f64>(0.0lf, 0.0lf, 0.0lf);
+    const _S274 : vec3<f64> = vec3<f64>(0.0lf, 0.0lf, 0.0lf);
     var k_10 : u32 = u32(0);
-    var change_8 : vec3<f64> = _S272;
+    var change_8 : vec3<f64> = _S274;
     var divergence_2 : f64 = 0.0lf;
     for(;;)
     {
@@ -3372,15 +3382,15 @@ fn evaluate_0( field_2 : Field_0,  around_14 : Around_0,  velocity_of_viewpoint_
         {
             break;
         }
-        var _S273 : u32 = k_10;
+        var _S275 : u32 = k_10;
         if((field_2.terms_0[k_10].site_0.edge_4) == u32(4294967295))
         {
             k_10 = k_10 + u32(1);
             continue;
         }
-        var velocity_3 : vec3<f64> = velocity_of_0(around_14, field_2.terms_0[_S273].site_0, velocity_of_viewpoint_1);
-        var divergence_3 : f64 = divergence_2 + dot(divergence_covector_0(field_2, field_2.terms_0[_S273]), velocity_3);
-        change_8 = change_8 + velocity_3 * vec3<f64>(field_2.terms_0[_S273].weight_0);
+        var velocity_3 : vec3<f64> = velocity_of_0(around_14, field_2.terms_0[_S275].site_0, velocity_of_viewpoint_1);
+        var divergence_3 : f64 = divergence_2 + dot(divergence_covector_0(field_2, field_2.terms_0[_S275]), velocity_3);
+        change_8 = change_8 + velocity_3 * vec3<f64>(field_2.terms_0[_S275].weight_0);
         divergence_2 = divergence_3;
         k_10 = k_10 + u32(1);
     }
@@ -3395,16 +3405,16 @@ fn walk_onward_0( path_6 : ptr<function, Path_0>,  depth_5 : u32)
     var surface_6 : Surface_0 = surface_at_0((*path_6).place_1, (*path_6).direction_0.value_0);
     move_surface_0(&(surface_6), (*path_6).direction_0.value_0, (*path_6).drift_0);
     var material_1 : u32 = material_of_0(surface_6);
-    var _S274 : bool;
+    var _S276 : bool;
     if(material_1 == u32(4294967295))
     {
-        _S274 = true;
+        _S276 = true;
     }
     else
     {
-        _S274 = (edge_word_0(u32(1))) == u32(4294967295);
+        _S276 = (edge_word_0(u32(1))) == u32(4294967295);
     }
-    if(_S274)
+    if(_S276)
     {
         return;
     }
@@ -3412,18 +3422,18 @@ fn walk_onward_0( path_6 : ptr<function, Path_0>,  depth_5 : u32)
     var sample_1 : LightSample_0 = sample_material_0(vertex_3, (*path_6).key_0, first_material_number_0(depth_5));
     if(sample_1.is_specular_1)
     {
-        _S274 = true;
+        _S276 = true;
     }
     else
     {
-        _S274 = !((sample_1.wo_1.z) > 0.0f);
+        _S276 = !((sample_1.wo_1.z) > 0.0f);
     }
-    if(_S274)
+    if(_S276)
     {
         return;
     }
     var around_15 : Around_0 = around_vertex_0(vertex_3, depth_5);
-    var field_3 : Field_0 = field_at_0(&(around_15), exact_unit_0(sample_1.way_1), (*path_6).key_0, first_number_0(depth_5));
+    var field_3 : Field_0 = field_at_0(&(around_15), exact_unit_0(sample_1.way_0), (*path_6).key_0, first_number_0(depth_5));
     var walked_3 : Walked_0 = evaluate_0(field_3, around_15, surface_6.position_change_0);
     (*path_6).walked_0 = walked_3.change_7;
     (*path_6).divergence_0 = walked_3.divergence_1;
@@ -3457,13 +3467,13 @@ fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_9 : vec3<f3
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S275 : u32;
+    var _S277 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S276 : u32 = u32(2) + zero_0;
-        _S275 = _S276;
-        if(rounds_0 < _S276)
+        var _S278 : u32 = u32(2) + zero_0;
+        _S277 = _S278;
+        if(rounds_0 < _S278)
         {
         }
         else
@@ -3472,14 +3482,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S275;
+    return rounds_0 == _S277;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S277 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S279 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -3498,9 +3508,9 @@ fn walk(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     path_9.walked_0 = vec3<f32>(0.0f);
     path_9.divergence_0 = 0.0f;
     walk_onward_0(&(path_9), launch_0.depth_0);
-    var at_25 : u32 = u32(29);
-    set_vector_0(number_of_path_1, &(at_25), path_9.walked_0);
-    set_word_0(number_of_path_1, at_25, (bitcast<u32>((path_9.divergence_0))));
+    var at_27 : u32 = u32(29);
+    set_vector_0(number_of_path_1, &(at_27), path_9.walked_0);
+    set_word_0(number_of_path_1, at_27, (bitcast<u32>((path_9.divergence_0))));
     check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from walk.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: dcd42f6d5f5bfc78
-// result: f67a310df67432e9
+// source: 0337d4c0d9b76f1f
+// result: cab092ec877db6ac
 
 struct Launch_std140_0
 {
@@ -500,24 +500,34 @@ fn Corners2_x24init_0( a_9 : vec2<f32>,  b_4 : vec2<f32>,  c_3 : vec2<f32>) -> C
     return _S52;
 }
 
+fn precise_0( at_13 : u32) -> f32
+{
+    return number_0(at_13) + number_0(at_13 + u32(1));
+}
+
 fn uvs_of_0( triangle_6 : u32) -> Corners2_0
 {
-    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
+    var uvs_0 : Corners2_0 = Corners2_x24init_0(vec2<f32>(0.0f, 0.0f), vec2<f32>(1.0f, 0.0f), vec2<f32>(0.0f, 1.0f));
     var uvs_at_0 : u32 = word_0(shape_of_0(triangle_6) + u32(1));
     if(uvs_at_0 == u32(4294967295))
     {
         return uvs_0;
     }
-    var at_13 : u32 = uvs_at_0 + u32(6) * word_0(triangle_record_0(triangle_6) + u32(1));
-    uvs_0.a_8 = vec2<f32>(number_0(at_13), number_0(at_13 + u32(1)));
-    uvs_0.b_3 = vec2<f32>(number_0(at_13 + u32(2)), number_0(at_13 + u32(3)));
-    uvs_0.c_2 = vec2<f32>(number_0(at_13 + u32(4)), number_0(at_13 + u32(5)));
+    var at_14 : u32 = uvs_at_0 + u32(12) * word_0(triangle_record_0(triangle_6) + u32(1));
+    uvs_0.a_8 = vec2<f32>(precise_0(at_14), precise_0(at_14 + u32(2)));
+    uvs_0.b_3 = vec2<f32>(precise_0(at_14 + u32(4)), precise_0(at_14 + u32(6)));
+    uvs_0.c_2 = vec2<f32>(precise_0(at_14 + u32(8)), precise_0(at_14 + u32(10)));
     return uvs_0;
+}
+
+fn row_at_0( at_15 : u32) -> vec3<f32>
+{
+    return vec3<f32>(precise_0(at_15), precise_0(at_15 + u32(2)), precise_0(at_15 + u32(4)));
 }
 
 fn floor_of_0( x_0 : f32) -> i32
 {
-    return i32(floor(clamp(x_0, -1.0e+09f, 1.0e+09f)));
+    return i32(clamp(floor(x_0), -1.0e+09f, 1.0e+09f));
 }
 
 fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -636,43 +646,43 @@ fn lookup_at_0( texture_1 : u32,  place_10 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var uvs_1 : Corners2_0 = uvs_of_0(place_10.triangle_0);
-    var rows_0 : u32 = texture_1 + u32(6);
-    var to_u_0 : vec3<f32> = vector_at_0(rows_0);
-    var to_v_0 : vec3<f32> = vector_at_0(rows_0 + u32(3));
-    var uv_1 : Point_0;
-    var _S63 : vec3<f32> = vec3<f32>(uvs_1.a_8 * vec2<f32>((1.0f - place_10.v_0 - place_10.w_0)) + uvs_1.b_3 * vec2<f32>(place_10.v_0) + uvs_1.c_2 * vec2<f32>(place_10.w_0), 1.0f);
-    uv_1.value_3 = vec2<f32>(dot(_S63, to_u_0), dot(_S63, to_v_0));
     var by_v_0 : vec2<f32> = uvs_1.b_3 - uvs_1.a_8;
     var by_w_0 : vec2<f32> = uvs_1.c_2 - uvs_1.a_8;
-    var _S64 : vec2<f32> = to_u_0.xy;
-    var _S65 : vec2<f32> = to_v_0.xy;
-    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S64), dot(by_v_0, _S65));
-    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S64), dot(by_w_0, _S65));
+    var _S63 : u32 = texture_1 + u32(6);
+    var to_u_0 : vec3<f32> = row_at_0(_S63);
+    var to_v_0 : vec3<f32> = row_at_0(_S63 + u32(6));
+    var uv_1 : Point_0;
+    var _S64 : vec3<f32> = vec3<f32>(uvs_1.a_8 + by_v_0 * vec2<f32>((place_10.v_0 + place_10.v_rest_0)) + by_w_0 * vec2<f32>((place_10.w_0 + place_10.w_rest_0)), 1.0f);
+    uv_1.value_3 = vec2<f32>(dot(_S64, to_u_0), dot(_S64, to_v_0));
+    var _S65 : vec2<f32> = to_u_0.xy;
+    var _S66 : vec2<f32> = to_v_0.xy;
+    uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S65), dot(by_v_0, _S66));
+    uv_1.by_second_1 = vec2<f32>(dot(by_w_0, _S65), dot(by_w_0, _S66));
     if(kind_0 == u32(1))
     {
-        var _S66 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S66;
+        var _S67 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S67;
     }
     var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
-    var _S67 : i32;
+    var _S68 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S67 = i32(1);
+        _S68 = i32(1);
     }
     else
     {
-        _S67 = i32(0);
+        _S68 = i32(0);
     }
-    return one_texel_0(u32(_S67));
+    return one_texel_0(u32(_S68));
 }
 
 fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f32>) -> vec3<f32>
 {
-    var _S68 : u32 = word_0(texture_2 + u32(1));
-    var _S69 : u32 = texture_2 + u32(13);
-    var _S70 : vec3<f32> = vec3<f32>(0.0f);
+    var _S69 : u32 = word_0(texture_2 + u32(1));
+    var _S70 : u32 = texture_2 + u32(19);
+    var _S71 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S70;
+    var value_4 : vec3<f32> = _S71;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -682,17 +692,17 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             break;
         }
-        var at_14 : u32 = _S69 + _S68 * lookup_3.texels_0[k_1];
-        var _S71 : vec3<f32>;
-        if(_S68 == u32(1))
+        var at_16 : u32 = _S70 + _S69 * lookup_3.texels_0[k_1];
+        var _S72 : vec3<f32>;
+        if(_S69 == u32(1))
         {
-            _S71 = vec3<f32>(number_0(at_14));
+            _S72 = vec3<f32>(number_0(at_16));
         }
         else
         {
-            _S71 = vector_at_0(at_14);
+            _S72 = vector_at_0(at_16);
         }
-        var value_5 : vec3<f32> = value_4 + _S71 * vec3<f32>(weights_1[k_1]);
+        var value_5 : vec3<f32> = value_4 + _S72 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
         value_4 = value_5;
     }
@@ -701,7 +711,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
 
 fn numbers_of_0( texture_3 : u32) -> u32
 {
-    return change_word_0(u32(7) + word_0(texture_3 + u32(12)));
+    return change_word_0(u32(7) + word_0(texture_3 + u32(18)));
 }
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
@@ -713,7 +723,7 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
     {
         return changing_0(value_6, change_4);
     }
-    var _S72 : bool = (word_0(texture_4 + u32(1))) == u32(1);
+    var _S73 : bool = (word_0(texture_4 + u32(1))) == u32(1);
     var k_2 : u32 = u32(0);
     var change_5 : vec3<f32> = change_4;
     for(;;)
@@ -725,24 +735,24 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
         {
             break;
         }
-        var _S73 : i32;
-        if(_S72)
+        var _S74 : i32;
+        if(_S73)
         {
-            _S73 = i32(1);
+            _S74 = i32(1);
         }
         else
         {
-            _S73 = i32(3);
+            _S74 = i32(3);
         }
-        var at_15 : u32 = first_2 + u32(_S73) * lookup_4.texels_0[k_2];
+        var at_17 : u32 = first_2 + u32(_S74) * lookup_4.texels_0[k_2];
         var of_texel_0 : vec3<f32>;
-        if(_S72)
+        if(_S73)
         {
-            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_15)))));
+            of_texel_0 = (bitcast<vec3<f32>>((vec3<u32>(change_word_0(at_17)))));
         }
         else
         {
-            of_texel_0 = change_vector_0(at_15);
+            of_texel_0 = change_vector_0(at_17);
         }
         var change_6 : vec3<f32> = change_5 + of_texel_0 * vec3<f32>(lookup_4.weights_0[k_2]);
         k_2 = k_2 + u32(1);
@@ -753,8 +763,8 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
 
 fn shown_0( texture_5 : u32,  place_11 : Place_0) -> Vector_0
 {
-    var _S74 : Lookup_0 = lookup_at_0(texture_5, place_11);
-    return looked_up_0(texture_5, _S74, place_11.change_2);
+    var _S75 : Lookup_0 = lookup_at_0(texture_5, place_11);
+    return looked_up_0(texture_5, _S75, place_11.change_2);
 }
 
 fn value_of_0( vector_2 : Vector_0) -> vec3<f32>
@@ -824,40 +834,40 @@ fn lobe_at_0( record_4 : u32,  place_12 : Place_0) -> Lobe_0
     var lobe_0 : Lobe_0;
     lobe_0.record_3 = record_4;
     var is_black_0 : bool = record_4 == u32(4294967295);
-    var _S75 : u32;
+    var _S76 : u32;
     if(is_black_0)
     {
-        _S75 = u32(0);
+        _S76 = u32(0);
     }
     else
     {
-        _S75 = word_0(record_4);
+        _S76 = word_0(record_4);
     }
-    lobe_0.kind_1 = _S75;
+    lobe_0.kind_1 = _S76;
     if(is_black_0)
     {
-        _S75 = u32(1);
+        _S76 = u32(1);
     }
     else
     {
-        _S75 = word_0(record_4 + u32(1));
+        _S76 = word_0(record_4 + u32(1));
     }
-    lobe_0.distribution_0 = _S75;
-    var _S76 : Numbers_0 = no_numbers_0();
-    lobe_0.numbers_2 = _S76;
-    lobe_0.changes_0 = _S76;
+    lobe_0.distribution_0 = _S76;
+    var _S77 : Numbers_0 = no_numbers_0();
+    lobe_0.numbers_2 = _S77;
+    lobe_0.changes_0 = _S77;
     if(is_black_0)
     {
-        _S75 = u32(0);
+        _S76 = u32(0);
     }
     else
     {
-        _S75 = word_0(record_4 + u32(4));
+        _S76 = word_0(record_4 + u32(4));
     }
     var slot_1 : u32 = u32(0);
     for(;;)
     {
-        if(slot_1 < _S75)
+        if(slot_1 < _S76)
         {
         }
         else
@@ -871,14 +881,14 @@ fn lobe_at_0( record_4 : u32,  place_12 : Place_0) -> Lobe_0
             continue;
         }
         var colour_1 : Vector_0 = shown_0(texture_6, place_12);
-        var _S77 : vec3<f32> = value_of_0(colour_1);
-        var _S78 : Numbers_0 = lobe_0.numbers_2;
-        set_slot_0(&(_S78), slot_1, _S77);
-        lobe_0.numbers_2 = _S78;
-        var _S79 : vec3<f32> = change_of_0(colour_1);
-        var _S80 : Numbers_0 = lobe_0.changes_0;
-        set_slot_0(&(_S80), slot_1, _S79);
-        lobe_0.changes_0 = _S80;
+        var _S78 : vec3<f32> = value_of_0(colour_1);
+        var _S79 : Numbers_0 = lobe_0.numbers_2;
+        set_slot_0(&(_S79), slot_1, _S78);
+        lobe_0.numbers_2 = _S79;
+        var _S80 : vec3<f32> = change_of_0(colour_1);
+        var _S81 : Numbers_0 = lobe_0.changes_0;
+        set_slot_0(&(_S81), slot_1, _S80);
+        lobe_0.changes_0 = _S81;
         slot_1 = slot_1 + u32(1);
     }
     return lobe_0;
@@ -893,16 +903,16 @@ fn tangent_at_0( surface_3 : Surface_0) -> vec3<f32>
     }
     var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_3.place_3.triangle_0) + u32(1)));
     var across_1 : vec3<f32> = cross(tangent_0, surface_3.outward_0);
-    var _S81 : vec3<f32>;
+    var _S82 : vec3<f32>;
     if((dot(across_1, across_1)) > 0.0f)
     {
-        _S81 = tangent_0;
+        _S82 = tangent_0;
     }
     else
     {
-        _S81 = vec3<f32>(0.0f);
+        _S82 = vec3<f32>(0.0f);
     }
-    return _S81;
+    return _S82;
 }
 
 struct Axes_0
@@ -920,49 +930,49 @@ struct DiffPair_Axes_0
 
 fn s_fwd_axes_along_0( dpn_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  dptangent_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_1 : bool) -> DiffPair_Axes_0
 {
-    var _S82 : vec3<f32>;
     var _S83 : vec3<f32>;
+    var _S84 : vec3<f32>;
     if(is_front_1)
     {
-        _S82 = dpn_0.primal_0;
-        _S83 = dpn_0.differential_0;
+        _S83 = dpn_0.primal_0;
+        _S84 = dpn_0.differential_0;
     }
     else
     {
-        var _S84 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
-        _S82 = (vec3<f32>(0) - dpn_0.primal_0);
-        _S83 = _S84;
+        var _S85 : vec3<f32> = (vec3<f32>(0) - dpn_0.differential_0);
+        _S83 = (vec3<f32>(0) - dpn_0.primal_0);
+        _S84 = _S85;
     }
-    var _S85 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
-    var _S86 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
-    var _S87 : DiffPair_float_0 = _d_dot_0(_S85, _S86);
-    var _S88 : vec3<f32> = vec3<f32>(_S87.primal_0);
-    var _S89 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S88, dptangent_0.differential_0 - (dpn_0.differential_0 * _S88 + vec3<f32>(_S87.differential_0) * dpn_0.primal_0) );
-    var _S90 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S89);
-    var _S91 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S90.primal_0, _S90.differential_0 );
-    var _S92 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S85, _S91);
-    var _S93 : Axes_0 = Axes_0( _S90.primal_0, _S92.primal_0, _S82 );
-    var _S94 : Axes_0 = Axes_0( _S90.differential_0, _S92.differential_0, _S83 );
-    var _S95 : DiffPair_Axes_0 = DiffPair_Axes_0( _S93, _S94 );
-    return _S95;
+    var _S86 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpn_0.primal_0, dpn_0.differential_0 );
+    var _S87 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0, dptangent_0.differential_0 );
+    var _S88 : DiffPair_float_0 = _d_dot_0(_S86, _S87);
+    var _S89 : vec3<f32> = vec3<f32>(_S88.primal_0);
+    var _S90 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dptangent_0.primal_0 - dpn_0.primal_0 * _S89, dptangent_0.differential_0 - (dpn_0.differential_0 * _S89 + vec3<f32>(_S88.differential_0) * dpn_0.primal_0) );
+    var _S91 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_normalize_impl_0(_S90);
+    var _S92 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( _S91.primal_0, _S91.differential_0 );
+    var _S93 : DiffPair_vectorx3Cfloatx2C3x3E_0 = _d_cross_0(_S86, _S92);
+    var _S94 : Axes_0 = Axes_0( _S91.primal_0, _S93.primal_0, _S83 );
+    var _S95 : Axes_0 = Axes_0( _S91.differential_0, _S93.differential_0, _S84 );
+    var _S96 : DiffPair_Axes_0 = DiffPair_Axes_0( _S94, _S95 );
+    return _S96;
 }
 
 fn axes_around_0( n_2 : vec3<f32>,  is_front_2 : bool) -> Axes_0
 {
     var axes_0 : Axes_0;
-    var _S96 : vec3<f32>;
+    var _S97 : vec3<f32>;
     if(is_front_2)
     {
-        _S96 = n_2;
+        _S97 = n_2;
     }
     else
     {
-        _S96 = (vec3<f32>(0) - n_2);
+        _S97 = (vec3<f32>(0) - n_2);
     }
-    axes_0.n_1 = _S96;
-    var _S97 : f32 = n_2.z;
+    axes_0.n_1 = _S97;
+    var _S98 : f32 = n_2.z;
     var sign_0 : f32;
-    if(_S97 < 0.0f)
+    if(_S98 < -0.30000001192092896f)
     {
         sign_0 = -1.0f;
     }
@@ -970,34 +980,34 @@ fn axes_around_0( n_2 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     {
         sign_0 = 1.0f;
     }
-    var a_10 : f32 = -1.0f / (sign_0 + _S97);
-    var _S98 : f32 = n_2.x;
-    var _S99 : f32 = n_2.y;
-    var b_5 : f32 = _S98 * _S99 * a_10;
-    axes_0.s_0 = vec3<f32>(1.0f + sign_0 * _S98 * _S98 * a_10, sign_0 * b_5, - sign_0 * _S98);
-    axes_0.t_0 = vec3<f32>(b_5, sign_0 + _S99 * _S99 * a_10, - _S99);
+    var a_10 : f32 = -1.0f / (sign_0 + _S98);
+    var _S99 : f32 = n_2.x;
+    var _S100 : f32 = n_2.y;
+    var b_5 : f32 = _S99 * _S100 * a_10;
+    axes_0.s_0 = vec3<f32>(1.0f + sign_0 * _S99 * _S99 * a_10, sign_0 * b_5, - sign_0 * _S99);
+    axes_0.t_0 = vec3<f32>(b_5, sign_0 + _S100 * _S100 * a_10, - _S100);
     return axes_0;
 }
 
 fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_3 : bool) -> DiffPair_Axes_0
 {
-    var _S100 : vec3<f32>;
     var _S101 : vec3<f32>;
+    var _S102 : vec3<f32>;
     if(is_front_3)
     {
-        _S100 = dpn_1.primal_0;
-        _S101 = dpn_1.differential_0;
+        _S101 = dpn_1.primal_0;
+        _S102 = dpn_1.differential_0;
     }
     else
     {
-        var _S102 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
-        _S100 = (vec3<f32>(0) - dpn_1.primal_0);
-        _S101 = _S102;
+        var _S103 : vec3<f32> = (vec3<f32>(0) - dpn_1.differential_0);
+        _S101 = (vec3<f32>(0) - dpn_1.primal_0);
+        _S102 = _S103;
     }
-    var _S103 : f32 = dpn_1.primal_0.z;
-    var _S104 : f32 = dpn_1.differential_0.z;
+    var _S104 : f32 = dpn_1.primal_0.z;
+    var _S105 : f32 = dpn_1.differential_0.z;
     var sign_1 : f32;
-    if(_S103 < 0.0f)
+    if(_S104 < -0.30000001192092896f)
     {
         sign_1 = -1.0f;
     }
@@ -1005,54 +1015,54 @@ fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_3 : 
     {
         sign_1 = 1.0f;
     }
-    var _S105 : f32 = sign_1 + _S103;
-    var a_11 : f32 = -1.0f / _S105;
-    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S104) / (_S105 * _S105);
-    var _S106 : f32 = dpn_1.primal_0.x;
-    var _S107 : f32 = dpn_1.differential_0.x;
-    var _S108 : f32 = dpn_1.primal_0.y;
-    var _S109 : f32 = dpn_1.differential_0.y;
-    var _S110 : f32 = _S106 * _S108;
-    var b_6 : f32 = _S110 * a_11;
-    var s_diff_b_0 : f32 = (_S107 * _S108 + _S109 * _S106) * a_11 + s_diff_a_0 * _S110;
-    var _S111 : f32 = sign_1 * _S106;
-    var _S112 : f32 = _S111 * _S106;
-    var _S113 : f32 = - sign_1;
-    var _S114 : f32 = _S108 * _S108;
-    var _S115 : f32 = _S109 * _S108;
-    var _S116 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S112 * a_11, sign_1 * b_6, _S113 * _S106), vec3<f32>(b_6, sign_1 + _S114 * a_11, - _S108), _S100 );
-    var _S117 : Axes_0 = Axes_0( vec3<f32>((_S107 * sign_1 * _S106 + _S107 * _S111) * a_11 + s_diff_a_0 * _S112, s_diff_b_0 * sign_1, _S107 * _S113), vec3<f32>(s_diff_b_0, (_S115 + _S115) * a_11 + s_diff_a_0 * _S114, - _S109), _S101 );
-    var _S118 : DiffPair_Axes_0 = DiffPair_Axes_0( _S116, _S117 );
-    return _S118;
+    var _S106 : f32 = sign_1 + _S104;
+    var a_11 : f32 = -1.0f / _S106;
+    var s_diff_a_0 : f32 = (0.0f - -1.0f * _S105) / (_S106 * _S106);
+    var _S107 : f32 = dpn_1.primal_0.x;
+    var _S108 : f32 = dpn_1.differential_0.x;
+    var _S109 : f32 = dpn_1.primal_0.y;
+    var _S110 : f32 = dpn_1.differential_0.y;
+    var _S111 : f32 = _S107 * _S109;
+    var b_6 : f32 = _S111 * a_11;
+    var s_diff_b_0 : f32 = (_S108 * _S109 + _S110 * _S107) * a_11 + s_diff_a_0 * _S111;
+    var _S112 : f32 = sign_1 * _S107;
+    var _S113 : f32 = _S112 * _S107;
+    var _S114 : f32 = - sign_1;
+    var _S115 : f32 = _S109 * _S109;
+    var _S116 : f32 = _S110 * _S109;
+    var _S117 : Axes_0 = Axes_0( vec3<f32>(1.0f + _S113 * a_11, sign_1 * b_6, _S114 * _S107), vec3<f32>(b_6, sign_1 + _S115 * a_11, - _S109), _S101 );
+    var _S118 : Axes_0 = Axes_0( vec3<f32>((_S108 * sign_1 * _S107 + _S108 * _S112) * a_11 + s_diff_a_0 * _S113, s_diff_b_0 * sign_1, _S108 * _S114), vec3<f32>(s_diff_b_0, (_S116 + _S116) * a_11 + s_diff_a_0 * _S115, - _S110), _S102 );
+    var _S119 : DiffPair_Axes_0 = DiffPair_Axes_0( _S117, _S118 );
+    return _S119;
 }
 
 fn s_fwd_to_local_0( dpaxes_0 : DiffPair_Axes_0,  dpv_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S119 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
-    var _S120 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
-    var _S121 : DiffPair_float_0 = _d_dot_0(_S119, _S120);
-    var _S122 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
-    var _S123 : DiffPair_float_0 = _d_dot_0(_S122, _S120);
-    var _S124 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
-    var _S125 : DiffPair_float_0 = _d_dot_0(_S124, _S120);
-    var _S126 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S121.primal_0, _S123.primal_0, _S125.primal_0), vec3<f32>(_S121.differential_0, _S123.differential_0, _S125.differential_0) );
-    return _S126;
+    var _S120 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.s_0, dpaxes_0.differential_0.s_0 );
+    var _S121 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpv_0.primal_0, dpv_0.differential_0 );
+    var _S122 : DiffPair_float_0 = _d_dot_0(_S120, _S121);
+    var _S123 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.t_0, dpaxes_0.differential_0.t_0 );
+    var _S124 : DiffPair_float_0 = _d_dot_0(_S123, _S121);
+    var _S125 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpaxes_0.primal_0.n_1, dpaxes_0.differential_0.n_1 );
+    var _S126 : DiffPair_float_0 = _d_dot_0(_S125, _S121);
+    var _S127 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(_S122.primal_0, _S124.primal_0, _S126.primal_0), vec3<f32>(_S122.differential_0, _S124.differential_0, _S126.differential_0) );
+    return _S127;
 }
 
 fn s_fwd_towards_viewer_0( dpaxes_1 : DiffPair_Axes_0,  dpdirection_0 : DiffPair_vectorx3Cfloatx2C3x3E_0) -> DiffPair_vectorx3Cfloatx2C3x3E_0
 {
-    var _S127 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
-    var _S128 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
-    var _S129 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S127, _S128);
-    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S129.primal_0);
-    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S129.differential_0);
-    var _S130 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
-    var _S131 : DiffPair_float_0 = _d_abs_0(_S130);
-    var _S132 : DiffPair_float_0 = DiffPair_float_0( _S131.primal_0, _S131.differential_0 );
-    var _S133 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
-    var _S134 : DiffPair_float_0 = _d_max_0(_S132, _S133);
-    var _S135 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S134.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S134.differential_0) );
-    return _S135;
+    var _S128 : DiffPair_Axes_0 = DiffPair_Axes_0( dpaxes_1.primal_0, dpaxes_1.differential_0 );
+    var _S129 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( dpdirection_0.primal_0, dpdirection_0.differential_0 );
+    var _S130 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_to_local_0(_S128, _S129);
+    var wi_0 : vec3<f32> = (vec3<f32>(0) - _S130.primal_0);
+    var s_diff_wi_0 : vec3<f32> = (vec3<f32>(0) - _S130.differential_0);
+    var _S131 : DiffPair_float_0 = DiffPair_float_0( wi_0.z, s_diff_wi_0.z );
+    var _S132 : DiffPair_float_0 = _d_abs_0(_S131);
+    var _S133 : DiffPair_float_0 = DiffPair_float_0( _S132.primal_0, _S132.differential_0 );
+    var _S134 : DiffPair_float_0 = DiffPair_float_0( 9.999999960041972e-13f, 0.0f );
+    var _S135 : DiffPair_float_0 = _d_max_0(_S133, _S134);
+    var _S136 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( vec3<f32>(wi_0.x, wi_0.y, _S135.primal_0), vec3<f32>(s_diff_wi_0.x, s_diff_wi_0.y, _S135.differential_0) );
+    return _S136;
 }
 
 struct Vertex_0
@@ -1068,10 +1078,10 @@ fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_4 : Vector_
 {
     var vertex_0 : Vertex_0;
     vertex_0.surface_4 = surface_5;
-    var _S136 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
-    vertex_0.lobe_1 = _S136;
+    var _S137 : Lobe_0 = lobe_at_0(material_0, surface_5.place_3);
+    vertex_0.lobe_1 = _S137;
     var tangent_1 : vec3<f32> = tangent_at_0(surface_5);
-    var _S137 : vec3<f32> = vec3<f32>(0.0f);
+    var _S138 : vec3<f32> = vec3<f32>(0.0f);
     var tangent_change_0 : vec3<f32>;
     if(is_moving_0())
     {
@@ -1079,24 +1089,24 @@ fn vertex_at_0( surface_5 : Surface_0,  material_0 : u32,  direction_4 : Vector_
     }
     else
     {
-        tangent_change_0 = _S137;
+        tangent_change_0 = _S138;
     }
-    var _S138 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
+    var _S139 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( surface_5.outward_0, surface_5.outward_change_0 );
     var axes_2 : DiffPair_Axes_0;
-    if((any((tangent_1 != _S137))))
+    if((any((tangent_1 != _S138))))
     {
-        var _S139 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
-        axes_2 = s_fwd_axes_along_0(_S138, _S139, surface_5.is_front_0);
+        var _S140 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( tangent_1, tangent_change_0 );
+        axes_2 = s_fwd_axes_along_0(_S139, _S140, surface_5.is_front_0);
     }
     else
     {
-        axes_2 = s_fwd_axes_around_0(_S138, surface_5.is_front_0);
+        axes_2 = s_fwd_axes_around_0(_S139, surface_5.is_front_0);
     }
     vertex_0.axes_1 = axes_2.primal_0;
     vertex_0.axes_change_0 = axes_2.differential_0;
-    var _S140 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_4), change_of_0(direction_4) );
-    var _S141 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S140);
-    vertex_0.wi_1 = changing_0(_S141.primal_0, _S141.differential_0);
+    var _S141 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( value_of_0(direction_4), change_of_0(direction_4) );
+    var _S142 : DiffPair_vectorx3Cfloatx2C3x3E_0 = s_fwd_towards_viewer_0(axes_2, _S141);
+    vertex_0.wi_1 = changing_0(_S142.primal_0, _S142.differential_0);
     return vertex_0;
 }
 
@@ -1124,33 +1134,33 @@ fn product_0( a_12 : u32,  b_7 : u32) -> vec2<u32>
 
 fn times_0( a_13 : vec2<u32>,  b_8 : vec2<u32>) -> vec2<u32>
 {
-    var _S142 : u32 = a_13.x;
-    var _S143 : u32 = b_8.x;
-    var low_1 : vec2<u32> = product_0(_S142, _S143);
-    return vec2<u32>(low_1.x, low_1.y + _S142 * b_8.y + a_13.y * _S143);
+    var _S143 : u32 = a_13.x;
+    var _S144 : u32 = b_8.x;
+    var low_1 : vec2<u32> = product_0(_S143, _S144);
+    return vec2<u32>(low_1.x, low_1.y + _S143 * b_8.y + a_13.y * _S144);
 }
 
 fn plus_0( a_14 : vec2<u32>,  b_9 : vec2<u32>) -> vec2<u32>
 {
-    var _S144 : u32 = a_14.x;
-    var low_2 : u32 = _S144 + b_9.x;
-    var _S145 : u32 = a_14.y + b_9.y;
-    var _S146 : i32;
-    if(low_2 < _S144)
+    var _S145 : u32 = a_14.x;
+    var low_2 : u32 = _S145 + b_9.x;
+    var _S146 : u32 = a_14.y + b_9.y;
+    var _S147 : i32;
+    if(low_2 < _S145)
     {
-        _S146 = i32(1);
+        _S147 = i32(1);
     }
     else
     {
-        _S146 = i32(0);
+        _S147 = i32(0);
     }
-    return vec2<u32>(low_2, _S145 + u32(_S146));
+    return vec2<u32>(low_2, _S146 + u32(_S147));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S147 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S147 << ((u32(32) - by_0)))))), (_S147 >> (by_0)))));
+    var _S148 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S148 << ((u32(32) - by_0)))))), (_S148 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -1203,10 +1213,10 @@ fn transmittance_0( lobe_2 : Lobe_0,  eta_2 : f32,  cosine_1 : f32) -> f32
         return 1.0f - fresnel_dielectric_0(cosine_1, eta_2);
     }
     var place_13 : f32 = cosine_1 * 63.0f;
-    var _S148 : u32 = min(u32(place_13), u32(62));
-    var at_16 : u32 = word_0(lobe_2.record_3 + u32(3)) + _S148;
-    var here_0 : f32 = number_0(at_16);
-    return here_0 + (number_0(at_16 + u32(1)) - here_0) * (place_13 - f32(_S148));
+    var _S149 : u32 = min(u32(place_13), u32(62));
+    var at_18 : u32 = word_0(lobe_2.record_3 + u32(3)) + _S149;
+    var here_0 : f32 = number_0(at_18);
+    return here_0 + (number_0(at_18 + u32(1)) - here_0) * (place_13 - f32(_S149));
 }
 
 fn choice_weight_0( colour_2 : vec3<f32>) -> f32
@@ -1249,23 +1259,23 @@ fn sine_cosine_0( angle_0 : f32) -> vec2<f32>
 
 fn sample_cosine_0( u_0 : vec2<f32>) -> vec3<f32>
 {
-    var _S149 : f32 = u_0.x;
-    var turn_0 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_0.y) * vec2<f32>(sqrt(_S149));
-    return vec3<f32>(turn_0.y, turn_0.x, sqrt(1.0f - _S149));
+    var _S150 : f32 = u_0.x;
+    var turn_0 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_0.y) * vec2<f32>(sqrt(_S150));
+    return vec3<f32>(turn_0.y, turn_0.x, sqrt(1.0f - _S150));
 }
 
 fn is_rough_0( lobe_3 : Lobe_0) -> bool
 {
-    var _S150 : bool;
+    var _S151 : bool;
     if((lobe_3.kind_1) == u32(2))
     {
-        _S150 = true;
+        _S151 = true;
     }
     else
     {
-        _S150 = (lobe_3.kind_1) == u32(4);
+        _S151 = (lobe_3.kind_1) == u32(4);
     }
-    return _S150;
+    return _S151;
 }
 
 struct Microfacets_0
@@ -1294,37 +1304,37 @@ fn stretched_0( facets_1 : Microfacets_0,  wi_2 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_2.xy * facets_1.alpha_1, wi_2.z);
     var view_0 : Stretched_0;
-    var _S151 : f32 = length(longer_0);
-    view_0.length_0 = _S151;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S151);
-    var _S152 : vec2<f32> = longer_1.xy;
-    var _S153 : f32 = length(_S152);
-    view_0.sine_1 = _S153;
+    var _S152 : f32 = length(longer_0);
+    view_0.length_0 = _S152;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S152);
+    var _S153 : vec2<f32> = longer_1.xy;
+    var _S154 : f32 = length(_S153);
+    view_0.sine_1 = _S154;
     view_0.cosine_3 = longer_1.z;
-    var _S154 : vec2<f32>;
-    if(_S153 > 0.0f)
+    var _S155 : vec2<f32>;
+    if(_S154 > 0.0f)
     {
-        _S154 = _S152 / vec2<f32>(view_0.sine_1);
+        _S155 = _S153 / vec2<f32>(view_0.sine_1);
     }
     else
     {
-        _S154 = vec2<f32>(1.0f, 0.0f);
+        _S155 = vec2<f32>(1.0f, 0.0f);
     }
-    view_0.around_0 = _S154;
+    view_0.around_0 = _S155;
     return view_0;
 }
 
 fn ggx_normal_0( view_1 : Stretched_0,  u_1 : vec2<f32>) -> vec3<f32>
 {
-    var _S155 : f32 = u_1.x;
-    var radius_0 : f32 = sqrt(_S155);
+    var _S156 : f32 = u_1.x;
+    var radius_0 : f32 = sqrt(_S156);
     var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_1.y);
     var across_2 : f32 = radius_0 * turn_1.y;
     var along_0 : f32 = radius_0 * turn_1.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_1.cosine_3);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S156 : f32 = 1.0f - _S155;
-    var edge_0 : f32 = sqrt(_S156 + along_0 * along_0);
+    var _S157 : f32 = 1.0f - _S156;
+    var edge_0 : f32 = sqrt(_S157 + along_0 * along_0);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_0;
     var from_top_0 : f32 = edge_0 - along_0;
     var from_bottom_0 : f32 = edge_0 + along_0;
@@ -1332,14 +1342,14 @@ fn ggx_normal_0( view_1 : Stretched_0,  u_1 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_0 > 0.0f)
     {
-        from_top_1 = _S156 / from_bottom_0;
+        from_top_1 = _S157 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S157 : f32 = _S156 / from_top_0;
+        var _S158 : f32 = _S157 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S157;
+        from_bottom_1 = _S158;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_1.sine_1 - up_0 * view_1.cosine_3, across_2, max(towards_0 * view_1.cosine_3 + up_0 * view_1.sine_1, 0.0f));
@@ -1358,39 +1368,39 @@ fn exponential_0( x_5 : f32) -> f32
 
 fn error_function_plus_one_0( x_6 : f32) -> vec2<f32>
 {
-    var _S158 : f32 = min(abs(x_6), 6.0f);
-    var gaussian_0 : f32 = exponential_0(- _S158 * _S158);
-    var place_14 : f32 = (_S158 - 2.0f) / (_S158 + 2.0f);
-    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_14 - 0.00127731403335929f) * place_14 + 0.00131371302995831f) * place_14 + 0.008666617795825f) * place_14 - 0.00805134233087301f) * place_14 - 0.05421232059597969f) * place_14 + 0.1640533059835434f) * place_14 - 0.16603080928325653f) * place_14 - 0.09276388585567474f) * place_14 + 1.27697837352752686f) / (1.0f + 2.0f * _S158);
-    var _S159 : f32;
+    var _S159 : f32 = min(abs(x_6), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S159 * _S159);
+    var place_14 : f32 = (_S159 - 2.0f) / (_S159 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_14 - 0.00127731403335929f) * place_14 + 0.00131371302995831f) * place_14 + 0.008666617795825f) * place_14 - 0.00805134233087301f) * place_14 - 0.05421232059597969f) * place_14 + 0.1640533059835434f) * place_14 - 0.16603080928325653f) * place_14 - 0.09276388585567474f) * place_14 + 1.27697837352752686f) / (1.0f + 2.0f * _S159);
+    var _S160 : f32;
     if(x_6 < 0.0f)
     {
-        _S159 = complement_0;
+        _S160 = complement_0;
     }
     else
     {
-        _S159 = 2.0f - complement_0;
+        _S160 = 2.0f - complement_0;
     }
-    return vec2<f32>(_S159, 1.128379225730896f * gaussian_0);
+    return vec2<f32>(_S160, 1.128379225730896f * gaussian_0);
 }
 
 fn visible_over_cos_0( facets_2 : Microfacets_0,  w_2 : vec3<f32>) -> f32
 {
     var stretched_1 : vec2<f32> = w_2.xy * facets_2.alpha_1;
     var spread2_0 : f32 = dot(stretched_1, stretched_1);
-    var _S160 : f32 = w_2.z;
-    var z2_0 : f32 = _S160 * _S160;
+    var _S161 : f32 = w_2.z;
+    var z2_0 : f32 = _S161 * _S161;
     if((facets_2.distribution_1) == u32(1))
     {
-        return 2.0f / (_S160 + sqrt(z2_0 + spread2_0));
+        return 2.0f / (_S161 + sqrt(z2_0 + spread2_0));
     }
     if(z2_0 >= (36.0f * spread2_0))
     {
-        return 1.0f / _S160;
+        return 1.0f / _S161;
     }
     var spread_0 : f32 = sqrt(spread2_0);
-    var both_0 : vec2<f32> = error_function_plus_one_0(_S160 / spread_0);
-    return 2.0f / (_S160 * both_0.x + 0.5f * spread_0 * both_0.y);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S161 / spread_0);
+    return 2.0f / (_S161 * both_0.x + 0.5f * spread_0 * both_0.y);
 }
 
 fn logarithm_0( x_7 : f32) -> f32
@@ -1440,8 +1450,8 @@ fn beckmann_normal_0( view_2 : Stretched_0,  visible_1 : f32,  u_2 : vec2<f32>) 
         steepest_0 = 6.0f;
     }
     var target_0 : f32 = u_2.x * (2.0f / (visible_1 * view_2.length_0));
-    var _S161 : f32 = max(view_2.cosine_3, view_2.sine_1);
-    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_0 / _S161 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_2.sine_1 / _S161, -6.0f, 0.5f * steepest_0);
+    var _S162 : f32 = max(view_2.cosine_3, view_2.sine_1);
+    var slope_0 : f32 = clamp(error_function_inverse_0(clamp(target_0 / _S162 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_2.sine_1 / _S162, -6.0f, 0.5f * steepest_0);
     var low_3 : f32 = -6.0f;
     var high_0 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -1455,10 +1465,10 @@ fn beckmann_normal_0( view_2 : Stretched_0,  visible_1 : f32,  u_2 : vec2<f32>) 
             break;
         }
         var both_1 : vec2<f32> = error_function_plus_one_0(slope_0);
-        var _S162 : f32 = both_1.y;
-        var error_0 : f32 = view_2.cosine_3 * both_1.x + 0.5f * view_2.sine_1 * _S162 - target_0;
-        var own_0 : f32 = _S162 * (view_2.cosine_3 - slope_0 * view_2.sine_1);
-        var bend_0 : f32 = -2.0f * slope_0 * own_0 - _S162 * view_2.sine_1;
+        var _S163 : f32 = both_1.y;
+        var error_0 : f32 = view_2.cosine_3 * both_1.x + 0.5f * view_2.sine_1 * _S163 - target_0;
+        var own_0 : f32 = _S163 * (view_2.cosine_3 - slope_0 * view_2.sine_1);
+        var bend_0 : f32 = -2.0f * slope_0 * own_0 - _S163 * view_2.sine_1;
         if(error_0 > 0.0f)
         {
             high_0 = slope_0;
@@ -1468,17 +1478,17 @@ fn beckmann_normal_0( view_2 : Stretched_0,  visible_1 : f32,  u_2 : vec2<f32>) 
             low_3 = slope_0;
         }
         var next_0 : f32 = slope_0 - error_0 * own_0 / (own_0 * own_0 - 0.5f * error_0 * bend_0);
-        var _S163 : bool;
+        var _S164 : bool;
         if(next_0 >= low_3)
         {
-            _S163 = next_0 <= high_0;
+            _S164 = next_0 <= high_0;
         }
         else
         {
-            _S163 = false;
+            _S164 = false;
         }
         var next_1 : f32;
-        if(!_S163)
+        if(!_S164)
         {
             next_1 = 0.5f * (low_3 + high_0);
         }
@@ -1491,9 +1501,9 @@ fn beckmann_normal_0( view_2 : Stretched_0,  visible_1 : f32,  u_2 : vec2<f32>) 
             slope_0 = next_1;
             break;
         }
-        var _S164 : u32 = step_0 + u32(1);
+        var _S165 : u32 = step_0 + u32(1);
         slope_0 = next_1;
-        step_0 = _S164;
+        step_0 = _S165;
     }
     return vec3<f32>(- slope_0, error_function_inverse_0(max(2.0f * u_2.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
@@ -1510,11 +1520,11 @@ fn mirrored_at_facet_0( facets_3 : Microfacets_0,  wi_3 : vec3<f32>,  u_3 : vec2
     {
         normal_1 = beckmann_normal_0(view_3, visible_over_cos_0(facets_3, wi_3), u_3);
     }
-    var _S165 : f32 = view_3.around_0.x;
-    var _S166 : f32 = normal_1.x;
-    var _S167 : f32 = view_3.around_0.y;
-    var _S168 : f32 = normal_1.y;
-    var normal_2 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S165 * _S166 - _S167 * _S168, _S167 * _S166 + _S165 * _S168) * facets_3.alpha_1, normal_1.z));
+    var _S166 : f32 = view_3.around_0.x;
+    var _S167 : f32 = normal_1.x;
+    var _S168 : f32 = view_3.around_0.y;
+    var _S169 : f32 = normal_1.y;
+    var normal_2 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S166 * _S167 - _S168 * _S169, _S168 * _S167 + _S166 * _S169) * facets_3.alpha_1, normal_1.z));
     return normalize(normal_2 * vec3<f32>((2.0f * dot(wi_3, normal_2))) - wi_3);
 }
 
@@ -1527,9 +1537,9 @@ struct Drawn_0
 
 fn draw_0( lobe_5 : Lobe_0,  wi_4 : vec3<f32>,  choice_0 : f32,  u_4 : vec2<f32>) -> Drawn_0
 {
-    var _S169 : bool = (lobe_5.kind_1) == u32(0);
+    var _S170 : bool = (lobe_5.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S169)
+    if(_S170)
     {
         has_base_0 = true;
     }
@@ -1546,7 +1556,7 @@ fn draw_0( lobe_5 : Lobe_0,  wi_4 : vec3<f32>,  choice_0 : f32,  u_4 : vec2<f32>
         has_base_0 = (lobe_5.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S169)
+    if(_S170)
     {
         of_base_1 = 1.0f;
     }
@@ -1554,16 +1564,16 @@ fn draw_0( lobe_5 : Lobe_0,  wi_4 : vec3<f32>,  choice_0 : f32,  u_4 : vec2<f32>
     {
         of_base_1 = 0.0f;
     }
-    var _S170 : bool;
+    var _S171 : bool;
     if((lobe_5.kind_1) == u32(3))
     {
-        _S170 = true;
+        _S171 = true;
     }
     else
     {
-        _S170 = (lobe_5.kind_1) == u32(4);
+        _S171 = (lobe_5.kind_1) == u32(4);
     }
-    if(_S170)
+    if(_S171)
     {
         of_base_1 = base_probability_0(lobe_5.numbers_2, transmittance_0(lobe_5, coat_eta_0(lobe_5.numbers_2), wi_4.z));
     }
@@ -1632,9 +1642,9 @@ fn sample_material_0( vertex_1 : Vertex_0,  key_4 : vec2<u32>,  first_3 : u32) -
     sample_0.is_specular_1 = drawn_1.is_specular_0;
     sample_0.probability_1 = drawn_1.probability_0;
     sample_0.wo_1 = drawn_1.wo_0;
-    var _S171 : vec3<f32> = normalize(to_world_0(vertex_1.axes_1, drawn_1.wo_0));
-    sample_0.direction_5 = _S171;
-    sample_0.way_1 = _S171;
+    var _S172 : vec3<f32> = normalize(to_world_0(vertex_1.axes_1, drawn_1.wo_0));
+    sample_0.direction_5 = _S172;
+    sample_0.way_1 = _S172;
     sample_0.nearest_0 = limit_at_0(u32(2));
     sample_0.farthest_0 = limit_at_0(u32(1));
     sample_0.emitter_0 = u32(4294967295);
@@ -1659,15 +1669,15 @@ struct Mirror_0
 
 fn mirror_at_0( triangle_7 : u32) -> Mirror_0
 {
-    var at_17 : u32 = u32(9) * triangle_7;
+    var at_19 : u32 = u32(9) * triangle_7;
     var mirror_0 : Mirror_0;
-    var _S172 : vec3<f32> = primitive_vector_0(at_17);
-    mirror_0.corner_2 = _S172;
-    var _S173 : vec3<f32> = primitive_vector_0(at_17 + u32(3)) - _S172;
-    mirror_0.ab_3 = _S173;
-    var _S174 : vec3<f32> = primitive_vector_0(at_17 + u32(6)) - _S172;
-    mirror_0.ac_3 = _S174;
-    mirror_0.normal_3 = exact_unit_0(cross(_S173, _S174));
+    var _S173 : vec3<f32> = primitive_vector_0(at_19);
+    mirror_0.corner_2 = _S173;
+    var _S174 : vec3<f32> = primitive_vector_0(at_19 + u32(3)) - _S173;
+    mirror_0.ab_3 = _S174;
+    var _S175 : vec3<f32> = primitive_vector_0(at_19 + u32(6)) - _S173;
+    mirror_0.ac_3 = _S175;
+    mirror_0.normal_3 = exact_unit_0(cross(_S174, _S175));
     return mirror_0;
 }
 
@@ -1697,14 +1707,14 @@ fn first_number_0( depth_4 : u32) -> u32
     return edge_word_0(u32(6)) + depth_4 * edge_word_0(u32(7));
 }
 
-fn real_place_0( at_18 : u32) -> u32
+fn real_place_0( at_20 : u32) -> u32
 {
-    return word_0(u32(15)) + u32(4) + at_18;
+    return word_0(u32(15)) + u32(4) + at_20;
 }
 
-fn edge_real_0( at_19 : u32) -> f32
+fn edge_real_0( at_21 : u32) -> f32
 {
-    return primitives_0[real_place_0(at_19)];
+    return primitives_0[real_place_0(at_21)];
 }
 
 fn walked_1( direction_6 : vec3<f32>,  tangent_2 : vec3<f32>,  half_sine_0 : f32) -> vec3<f32>
@@ -1721,37 +1731,37 @@ fn length_of_0( v_5 : vec3<f32>) -> f32
 fn half_tangent_between_0( a_15 : vec3<f32>,  b_10 : vec3<f32>) -> f32
 {
     var beside_0 : f32 = 1.0f + dot(a_15, b_10);
-    var _S175 : f32;
+    var _S176 : f32;
     if(beside_0 > 0.0f)
     {
-        _S175 = length_of_0(cross(a_15, b_10)) / beside_0;
+        _S176 = length_of_0(cross(a_15, b_10)) / beside_0;
     }
     else
     {
-        _S175 = limit_at_0(u32(1));
+        _S176 = limit_at_0(u32(1));
     }
-    return _S175;
+    return _S176;
 }
 
 fn component_0( v_6 : vec3<f32>,  axis_0 : u32) -> f32
 {
-    var _S176 : f32;
+    var _S177 : f32;
     if(axis_0 == u32(0))
     {
-        _S176 = v_6.x;
+        _S177 = v_6.x;
     }
     else
     {
         if(axis_0 == u32(1))
         {
-            _S176 = v_6.y;
+            _S177 = v_6.y;
         }
         else
         {
-            _S176 = v_6.z;
+            _S177 = v_6.z;
         }
     }
-    return _S176;
+    return _S177;
 }
 
 struct Ray_0
@@ -1771,34 +1781,34 @@ struct Ray_0
 fn ray_along_0( origin_1 : vec3<f32>,  direction_7 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  axes_4 : ptr<function, u32>) -> Ray_0
 {
     var size_2 : vec3<f32> = abs(direction_7);
-    var _S177 : f32 = size_2.x;
-    var _S178 : f32 = size_2.y;
-    var _S179 : bool;
-    if(_S177 >= _S178)
+    var _S178 : f32 = size_2.x;
+    var _S179 : f32 = size_2.y;
+    var _S180 : bool;
+    if(_S178 >= _S179)
     {
-        _S179 = _S177 >= (size_2.z);
+        _S180 = _S178 >= (size_2.z);
     }
     else
     {
-        _S179 = false;
+        _S180 = false;
     }
-    var _S180 : i32;
-    if(_S179)
+    var _S181 : i32;
+    if(_S180)
     {
-        _S180 = i32(0);
+        _S181 = i32(0);
     }
     else
     {
-        if(_S178 >= (size_2.z))
+        if(_S179 >= (size_2.z))
         {
-            _S180 = i32(1);
+            _S181 = i32(1);
         }
         else
         {
-            _S180 = i32(2);
+            _S181 = i32(2);
         }
     }
-    var z_2 : u32 = u32(_S180);
+    var z_2 : u32 = u32(_S181);
     var x_8 : u32 = (z_2 + u32(1)) % u32(3);
     var y_1 : u32 = (z_2 + u32(2)) % u32(3);
     (*axes_4) = (((x_8 | (((y_1 << (u32(2))))))) | (((z_2 << (u32(4))))));
@@ -1820,34 +1830,34 @@ fn ray_along_0( origin_1 : vec3<f32>,  direction_7 : vec3<f32>,  t_min_1 : f32, 
 fn ray_along_1( origin_2 : vec3<f32>,  direction_8 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  axes_5 : ptr<function, u32>) -> Ray_0
 {
     var size_3 : vec3<f32> = abs(direction_8);
-    var _S181 : f32 = size_3.x;
-    var _S182 : f32 = size_3.y;
-    var _S183 : bool;
-    if(_S181 >= _S182)
+    var _S182 : f32 = size_3.x;
+    var _S183 : f32 = size_3.y;
+    var _S184 : bool;
+    if(_S182 >= _S183)
     {
-        _S183 = _S181 >= (size_3.z);
+        _S184 = _S182 >= (size_3.z);
     }
     else
     {
-        _S183 = false;
+        _S184 = false;
     }
-    var _S184 : i32;
-    if(_S183)
+    var _S185 : i32;
+    if(_S184)
     {
-        _S184 = i32(0);
+        _S185 = i32(0);
     }
     else
     {
-        if(_S182 >= (size_3.z))
+        if(_S183 >= (size_3.z))
         {
-            _S184 = i32(1);
+            _S185 = i32(1);
         }
         else
         {
-            _S184 = i32(2);
+            _S185 = i32(2);
         }
     }
-    var z_3 : u32 = u32(_S184);
+    var z_3 : u32 = u32(_S185);
     var x_9 : u32 = (z_3 + u32(1)) % u32(3);
     var y_2 : u32 = (z_3 + u32(2)) % u32(3);
     (*axes_5) = (((x_9 | (((y_2 << (u32(2))))))) | (((z_3 << (u32(4))))));
@@ -1883,7 +1893,7 @@ struct RayView_0
 
 fn ray_bound_0( view_4 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_3 : u32) -> f32
 {
-    var _S185 : u32 = u32(14) * node_1 + slot_3 / u32(4);
+    var _S186 : u32 = u32(14) * node_1 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_1 : u32 = u32(0);
@@ -1896,36 +1906,36 @@ fn ray_bound_0( view_4 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_3 : u32
         {
             break;
         }
-        var _S186 : u32 = axis_1;
-        var _S187 : u32 = _S185 + u32(2) * axis_1;
-        var _S188 : u32 = slot_3 % u32(4);
-        var low_4 : f32 = (bitcast<f32>((nodes_0[_S187][_S188])));
-        var high_1 : f32 = (bitcast<f32>((nodes_0[_S187 + u32(6)][_S188])));
-        var _S189 : bool = (view_4.inverse_0[axis_1]) < 0.0f;
-        var _S190 : f32;
-        if(_S189)
+        var _S187 : u32 = axis_1;
+        var _S188 : u32 = _S186 + u32(2) * axis_1;
+        var _S189 : u32 = slot_3 % u32(4);
+        var low_4 : f32 = (bitcast<f32>((nodes_0[_S188][_S189])));
+        var high_1 : f32 = (bitcast<f32>((nodes_0[_S188 + u32(6)][_S189])));
+        var _S190 : bool = (view_4.inverse_0[axis_1]) < 0.0f;
+        var _S191 : f32;
+        if(_S190)
         {
-            _S190 = high_1;
+            _S191 = high_1;
         }
         else
         {
-            _S190 = low_4;
+            _S191 = low_4;
         }
-        var _S191 : f32 = max(near_0, _S190 * view_4.inverse_0[_S186] - view_4.offset_near_0[axis_1]);
-        var _S192 : f32;
-        if(_S189)
+        var _S192 : f32 = max(near_0, _S191 * view_4.inverse_0[_S187] - view_4.offset_near_0[axis_1]);
+        var _S193 : f32;
+        if(_S190)
         {
-            _S192 = low_4;
+            _S193 = low_4;
         }
         else
         {
-            _S192 = high_1;
+            _S193 = high_1;
         }
-        var _S193 : f32 = min(far_0, _S192 * view_4.inverse_0[_S186] - view_4.offset_far_0[axis_1]);
-        var _S194 : u32 = axis_1 + u32(1);
-        near_0 = _S191;
-        far_0 = _S193;
-        axis_1 = _S194;
+        var _S194 : f32 = min(far_0, _S193 * view_4.inverse_0[_S187] - view_4.offset_far_0[axis_1]);
+        var _S195 : u32 = axis_1 + u32(1);
+        near_0 = _S192;
+        far_0 = _S194;
+        axis_1 = _S195;
     }
     if(near_0 <= far_0)
     {
@@ -1950,7 +1960,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
         {
             break;
         }
-        var _S195 : u32 = k_3;
+        var _S196 : u32 = k_3;
         if((bounds_0[k_3]) > limit_2)
         {
             k_3 = k_3 + u32(1);
@@ -1967,24 +1977,24 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S196 : u32 = j_0;
-            var _S197 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S195]))
+            var _S197 : u32 = j_0;
+            var _S198 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S196]))
             {
-                _S197 = true;
+                _S198 = true;
             }
             else
             {
-                if((bounds_0[_S196]) == (bounds_0[_S195]))
+                if((bounds_0[_S197]) == (bounds_0[_S196]))
                 {
-                    _S197 = j_0 < k_3;
+                    _S198 = j_0 < k_3;
                 }
                 else
                 {
-                    _S197 = false;
+                    _S198 = false;
                 }
             }
-            if(_S197)
+            if(_S198)
             {
                 rank_0 = rank_0 + u32(1);
             }
@@ -2009,16 +2019,16 @@ fn crossed_0( view_5 : RayView_0,  limit_3 : f32,  node_2 : u32) -> u32
         {
             break;
         }
-        var _S198 : f32;
+        var _S199 : f32;
         if((ray_child_0(node_2, slot_4)) == u32(4294967295))
         {
-            _S198 = 3.00000000549775576e+38f;
+            _S199 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S198 = ray_bound_0(view_5, limit_3, node_2, slot_4);
+            _S199 = ray_bound_0(view_5, limit_3, node_2, slot_4);
         }
-        bounds_1[slot_4] = _S198;
+        bounds_1[slot_4] = _S199;
         slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
@@ -2029,9 +2039,9 @@ fn rounded_0( product_1 : f32,  largest_1 : f32) -> f32
     return min(product_1, largest_1);
 }
 
-fn corner_3( ray_2 : Ray_0,  axes_7 : u32,  at_20 : u32) -> vec3<f32>
+fn corner_3( ray_2 : Ray_0,  axes_7 : u32,  at_22 : u32) -> vec3<f32>
 {
-    var relative_0 : vec3<f32> = primitive_vector_0(at_20) - ray_2.origin_0;
+    var relative_0 : vec3<f32> = primitive_vector_0(at_22) - ray_2.origin_0;
     var z_4 : f32 = component_0(relative_0, (axes_7 >> (u32(4))));
     return vec3<f32>(component_0(relative_0, (axes_7 & (u32(3)))) - rounded_0(ray_2.shear_x_0 * z_4, ray_2.largest_0), component_0(relative_0, (((axes_7 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_2.shear_y_0 * z_4, ray_2.largest_0), z_4);
 }
@@ -2044,56 +2054,56 @@ struct Crossing_0
      w_6 : f32,
 };
 
-fn intersect_0( ray_3 : Ray_0,  axes_8 : u32,  at_21 : u32) -> Crossing_0
+fn intersect_0( ray_3 : Ray_0,  axes_8 : u32,  at_23 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_1 = 0.0f;
     crossing_0.v_7 = 0.0f;
     crossing_0.w_6 = 0.0f;
-    var a_16 : vec3<f32> = corner_3(ray_3, axes_8, at_21);
-    var b_11 : vec3<f32> = corner_3(ray_3, axes_8, at_21 + u32(3));
-    var c_4 : vec3<f32> = corner_3(ray_3, axes_8, at_21 + u32(6));
-    var _S199 : f32 = c_4.x;
-    var _S200 : f32 = b_11.y;
-    var cx_by_0 : f32 = rounded_0(_S199 * _S200, ray_3.largest_0);
-    var _S201 : f32 = c_4.y;
-    var _S202 : f32 = b_11.x;
-    var cy_bx_0 : f32 = rounded_0(_S201 * _S202, ray_3.largest_0);
-    var _S203 : f32 = a_16.x;
-    var ax_cy_0 : f32 = rounded_0(_S203 * _S201, ray_3.largest_0);
-    var _S204 : f32 = a_16.y;
-    var ay_cx_0 : f32 = rounded_0(_S204 * _S199, ray_3.largest_0);
-    var bx_ay_0 : f32 = rounded_0(_S202 * _S204, ray_3.largest_0);
-    var by_ax_0 : f32 = rounded_0(_S200 * _S203, ray_3.largest_0);
+    var a_16 : vec3<f32> = corner_3(ray_3, axes_8, at_23);
+    var b_11 : vec3<f32> = corner_3(ray_3, axes_8, at_23 + u32(3));
+    var c_4 : vec3<f32> = corner_3(ray_3, axes_8, at_23 + u32(6));
+    var _S200 : f32 = c_4.x;
+    var _S201 : f32 = b_11.y;
+    var cx_by_0 : f32 = rounded_0(_S200 * _S201, ray_3.largest_0);
+    var _S202 : f32 = c_4.y;
+    var _S203 : f32 = b_11.x;
+    var cy_bx_0 : f32 = rounded_0(_S202 * _S203, ray_3.largest_0);
+    var _S204 : f32 = a_16.x;
+    var ax_cy_0 : f32 = rounded_0(_S204 * _S202, ray_3.largest_0);
+    var _S205 : f32 = a_16.y;
+    var ay_cx_0 : f32 = rounded_0(_S205 * _S200, ray_3.largest_0);
+    var bx_ay_0 : f32 = rounded_0(_S203 * _S205, ray_3.largest_0);
+    var by_ax_0 : f32 = rounded_0(_S201 * _S204, ray_3.largest_0);
     var u_5 : f32 = cx_by_0 - cy_bx_0;
     var v_8 : f32 = ax_cy_0 - ay_cx_0;
     var w_7 : f32 = bx_ay_0 - by_ax_0;
-    var _S205 : f32 = min(min(u_5, v_8), w_7);
-    var _S206 : f32 = max(max(u_5, v_8), w_7);
-    var _S207 : bool;
-    if(_S205 < 0.0f)
+    var _S206 : f32 = min(min(u_5, v_8), w_7);
+    var _S207 : f32 = max(max(u_5, v_8), w_7);
+    var _S208 : bool;
+    if(_S206 < 0.0f)
     {
-        _S207 = _S206 > 0.0f;
+        _S208 = _S207 > 0.0f;
     }
     else
     {
-        _S207 = false;
+        _S208 = false;
     }
-    if(_S207)
+    if(_S208)
     {
         return crossing_0;
     }
     var determinant_0 : f32 = u_5 + v_8 + w_7;
-    if(_S205 <= 0.0f)
+    if(_S206 <= 0.0f)
     {
-        _S207 = _S206 >= 0.0f;
+        _S208 = _S207 >= 0.0f;
     }
     else
     {
-        _S207 = false;
+        _S208 = false;
     }
-    if(_S207)
+    if(_S208)
     {
         if((abs(determinant_0)) <= (ray_3.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -2107,13 +2117,13 @@ fn intersect_0( ray_3 : Ray_0,  axes_8 : u32,  at_21 : u32) -> Crossing_0
     var t_2 : f32 = (rounded_0(u_5 * a_16.z, ray_3.largest_0) + rounded_0(v_8 * b_11.z, ray_3.largest_0) + rounded_0(w_7 * c_4.z, ray_3.largest_0)) / determinant_0 * ray_3.inverse_z_0;
     if((ray_3.t_min_0) <= t_2)
     {
-        _S207 = t_2 <= (ray_3.t_max_0);
+        _S208 = t_2 <= (ray_3.t_max_0);
     }
     else
     {
-        _S207 = false;
+        _S208 = false;
     }
-    crossing_0.is_hit_0 = _S207;
+    crossing_0.is_hit_0 = _S208;
     crossing_0.t_1 = t_2;
     crossing_0.v_7 = v_8 / determinant_0;
     crossing_0.w_6 = w_7 / determinant_0;
@@ -2135,7 +2145,7 @@ struct Found_0
 
 fn first_found_0( view_6 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S208 : bool;
+    var _S209 : bool;
     var found_0 : Found_0;
     found_0.face_3 = u32(4294967295);
     found_0.triangle_9 = u32(4294967295);
@@ -2167,31 +2177,31 @@ fn first_found_0( view_6 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_1 : vec2<u32> = way_2[level_0];
-        var _S209 : u32 = way_2[level_0].y;
-        if(_S209 == u32(0))
+        var _S210 : u32 = way_2[level_0].y;
+        if(_S210 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S210 : u32 = level_0 - u32(1);
+            var _S211 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S210;
+            level_0 = _S211;
             continue;
         }
-        var slot_5 : u32 = ((_S209 & (u32(15)))) - u32(1);
-        way_2[level_0][i32(1)] = (_S209 >> (u32(4)));
-        var _S211 : bool;
+        var slot_5 : u32 = ((_S210 & (u32(15)))) - u32(1);
+        way_2[level_0][i32(1)] = (_S210 >> (u32(4)));
+        var _S212 : bool;
         if(!is_new_1)
         {
-            _S211 = (ray_bound_0(view_6, limit_4, here_1.x, slot_5)) > limit_4;
+            _S212 = (ray_bound_0(view_6, limit_4, here_1.x, slot_5)) > limit_4;
         }
         else
         {
-            _S211 = false;
+            _S212 = false;
         }
-        if(_S211)
+        if(_S212)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
@@ -2200,20 +2210,20 @@ fn first_found_0( view_6 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
         var child_0 : u32 = ray_child_0(here_1.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S212 : u32 = level_0 + u32(1);
+            var _S213 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S212;
+            level_0 = _S213;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S213 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S214 : u32 = leaf_starts_0[leaf_0];
+        var _S214 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S215 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_1 : u32 = _S214;
+        var i_1 : u32 = _S215;
         for(;;)
         {
-            if(i_1 < _S213)
+            if(i_1 < _S214)
             {
             }
             else
@@ -2228,23 +2238,23 @@ fn first_found_0( view_6 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_0.face_3) == u32(4294967295))
             {
-                _S208 = true;
+                _S209 = true;
             }
             else
             {
-                _S208 = (crossing_1.t_1) < ((*ray_4).t_max_0);
+                _S209 = (crossing_1.t_1) < ((*ray_4).t_max_0);
             }
-            var _S215 : bool;
-            if(_S208)
+            var _S216 : bool;
+            if(_S209)
             {
-                _S215 = true;
+                _S216 = true;
             }
             else
             {
-                _S215 = (face_2(i_1)) < (found_0.face_3);
+                _S216 = (face_2(i_1)) < (found_0.face_3);
             }
             var limit_6 : f32;
-            if(_S215)
+            if(_S216)
             {
                 found_0.face_3 = face_2(i_1);
                 found_0.triangle_9 = i_1;
@@ -2262,13 +2272,13 @@ fn first_found_0( view_6 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S208 = (found_0.face_3) != u32(4294967295);
+            _S209 = (found_0.face_3) != u32(4294967295);
         }
         else
         {
-            _S208 = false;
+            _S209 = false;
         }
-        if(_S208)
+        if(_S209)
         {
             break;
         }
@@ -2282,11 +2292,11 @@ fn first_found_0( view_6 : RayView_0,  ray_4 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_3 : vec3<f32>,  direction_9 : vec3<f32>,  t_min_3 : f32,  t_max_3 : f32,  any_1 : bool,  t_3 : ptr<function, f32>) -> Found_0
 {
     var view_7 : RayView_0;
-    var _S216 : u32 = view_7.axes_6;
-    var _S217 : Ray_0 = ray_along_1(origin_3, direction_9, t_min_3, t_max_3, &(_S216));
-    view_7.axes_6 = _S216;
-    var ray_5 : Ray_0 = _S217;
-    var _S218 : vec3<f32> = direction_9 / vec3<f32>(ray_5.local_per_t_0);
+    var _S217 : u32 = view_7.axes_6;
+    var _S218 : Ray_0 = ray_along_1(origin_3, direction_9, t_min_3, t_max_3, &(_S217));
+    view_7.axes_6 = _S217;
+    var ray_5 : Ray_0 = _S218;
+    var _S219 : vec3<f32> = direction_9 / vec3<f32>(ray_5.local_per_t_0);
     var axis_2 : u32 = u32(0);
     for(;;)
     {
@@ -2297,17 +2307,17 @@ fn cast_0( origin_3 : vec3<f32>,  direction_9 : vec3<f32>,  t_min_3 : f32,  t_ma
         {
             break;
         }
-        var _S219 : f32 = max(abs(_S218[axis_2]), 8.67361737988403547e-19f);
-        var _S220 : f32;
-        if((_S218[axis_2]) < 0.0f)
+        var _S220 : f32 = max(abs(_S219[axis_2]), 8.67361737988403547e-19f);
+        var _S221 : f32;
+        if((_S219[axis_2]) < 0.0f)
         {
-            _S220 = -1.0f / _S219;
+            _S221 = -1.0f / _S220;
         }
         else
         {
-            _S220 = 1.0f / _S219;
+            _S221 = 1.0f / _S220;
         }
-        view_7.inverse_0[axis_2] = _S220;
+        view_7.inverse_0[axis_2] = _S221;
         axis_2 = axis_2 + u32(1);
     }
     var offset_0 : vec3<f32> = origin_3 * view_7.inverse_0;
@@ -2360,34 +2370,34 @@ fn reflect_0( chain_0 : ptr<function, Chain_0>) -> bool
 {
     var unused_0 : f32;
     var found_3 : Found_0 = cast_0((*chain_0).start_0, (*chain_0).direction_11, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &(unused_0));
-    var _S221 : bool;
+    var _S222 : bool;
     if((found_3.face_3) == u32(4294967295))
     {
-        _S221 = true;
+        _S222 = true;
     }
     else
     {
-        _S221 = !is_mirror_0(found_3.triangle_9);
+        _S222 = !is_mirror_0(found_3.triangle_9);
     }
-    if(_S221)
+    if(_S222)
     {
         return false;
     }
     var mirror_4 : Mirror_0 = mirror_at_0(found_3.triangle_9);
     (*chain_0).start_0 = position_of_0(place_of_0(found_3));
-    var _S222 : vec3<f32> = mirrored_0(mirror_4, (*chain_0).direction_11);
-    (*chain_0).direction_11 = _S222;
+    var _S223 : vec3<f32> = mirrored_0(mirror_4, (*chain_0).direction_11);
+    (*chain_0).direction_11 = _S223;
     (*chain_0).image_0 = image_of_0(mirror_4, (*chain_0).image_0);
-    var _S223 : vec3<f32>;
-    if((dot(mirror_4.normal_3, _S222)) < 0.0f)
+    var _S224 : vec3<f32>;
+    if((dot(mirror_4.normal_3, _S223)) < 0.0f)
     {
-        _S223 = (vec3<f32>(0) - mirror_4.normal_3);
+        _S224 = (vec3<f32>(0) - mirror_4.normal_3);
     }
     else
     {
-        _S223 = mirror_4.normal_3;
+        _S224 = mirror_4.normal_3;
     }
-    (*chain_0).facing_0 = _S223;
+    (*chain_0).facing_0 = _S224;
     (*chain_0).triangles_0[(*chain_0).count_1] = found_3.triangle_9;
     (*chain_0).count_1 = (*chain_0).count_1 + u32(1);
     return true;
@@ -2395,19 +2405,19 @@ fn reflect_0( chain_0 : ptr<function, Chain_0>) -> bool
 
 fn limit_by_0( half_tangent_0 : f32) -> vec2<f32>
 {
-    var _S224 : f32 = min(half_tangent_0, 1.0e+09f);
-    var squared_2 : f32 = _S224 * _S224;
-    return vec2<f32>(1.0f - squared_2, 2.0f * _S224) / vec2<f32>((1.0f + squared_2));
+    var _S225 : f32 = min(half_tangent_0, 1.0e+09f);
+    var squared_2 : f32 = _S225 * _S225;
+    return vec2<f32>(1.0f - squared_2, 2.0f * _S225) / vec2<f32>((1.0f + squared_2));
 }
 
-fn edge_number_0( at_22 : u32) -> f32
+fn edge_number_0( at_24 : u32) -> f32
 {
-    return (bitcast<f32>((edge_word_0(at_22))));
+    return (bitcast<f32>((edge_word_0(at_24))));
 }
 
-fn edge_vector_0( at_23 : u32) -> vec3<f32>
+fn edge_vector_0( at_25 : u32) -> vec3<f32>
 {
-    return vec3<f32>(edge_number_0(at_23), edge_number_0(at_23 + u32(1)), edge_number_0(at_23 + u32(2)));
+    return vec3<f32>(edge_number_0(at_25), edge_number_0(at_25 + u32(1)), edge_number_0(at_25 + u32(2)));
 }
 
 struct Ball_0
@@ -2434,18 +2444,18 @@ fn is_beyond_0( ball_1 : Ball_0,  limit_7 : vec2<f32>) -> bool
 
 fn comes_first_0( ball_2 : Ball_0,  other_0 : Ball_0) -> bool
 {
-    var _S225 : f32 = max(ball_2.from_axis_0 - ball_2.radius_1, 0.0f);
-    var _S226 : f32 = max(other_0.from_axis_0 - other_0.radius_1, 0.0f);
-    var _S227 : bool;
-    if(_S225 == _S226)
+    var _S226 : f32 = max(ball_2.from_axis_0 - ball_2.radius_1, 0.0f);
+    var _S227 : f32 = max(other_0.from_axis_0 - other_0.radius_1, 0.0f);
+    var _S228 : bool;
+    if(_S226 == _S227)
     {
-        _S227 = (ball_2.along_3) < (other_0.along_3);
+        _S228 = (ball_2.along_3) < (other_0.along_3);
     }
     else
     {
-        _S227 = _S225 < _S226;
+        _S228 = _S226 < _S227;
     }
-    return _S227;
+    return _S228;
 }
 
 fn record_of_0( around_2 : Around_0,  edge_1 : u32) -> u32
@@ -2453,9 +2463,9 @@ fn record_of_0( around_2 : Around_0,  edge_1 : u32) -> u32
     return edge_word_0(around_2.tree_0 + u32(1)) + u32(12) * edge_1;
 }
 
-fn edge_position_0( at_24 : u32) -> vec3<f32>
+fn edge_position_0( at_26 : u32) -> vec3<f32>
 {
-    return primitive_vector_0(real_place_0(at_24));
+    return primitive_vector_0(real_place_0(at_26));
 }
 
 struct OnEdge_0
@@ -2500,29 +2510,29 @@ fn closest_on_edge_0( around_3 : Around_0,  chain_1 : Chain_0,  axis_5 : vec3<f3
     var b_12 : vec3<f32> = edge_position_0(numbers_6 + u32(3)) - chain_1.image_0;
     var along_4 : vec3<f32> = b_12 - a_17;
     var from_mirror_0 : vec3<f32> = chain_1.image_0 - chain_1.start_0;
-    var _S228 : bool;
+    var _S229 : bool;
     if((dot(a_17 + from_mirror_0, chain_1.facing_0)) < 0.0f)
     {
-        _S228 = (dot(b_12 + from_mirror_0, chain_1.facing_0)) < 0.0f;
+        _S229 = (dot(b_12 + from_mirror_0, chain_1.facing_0)) < 0.0f;
     }
     else
     {
-        _S228 = false;
+        _S229 = false;
     }
-    if(_S228)
+    if(_S229)
     {
         return false;
     }
     var across_3 : vec3<f32> = cross(a_17, along_4);
     if((dot(across_3, across_3)) == 0.0f)
     {
-        _S228 = (dot(a_17, b_12)) <= 0.0f;
+        _S229 = (dot(a_17, b_12)) <= 0.0f;
     }
     else
     {
-        _S228 = false;
+        _S229 = false;
     }
-    if(_S228)
+    if(_S229)
     {
         return false;
     }
@@ -2550,13 +2560,13 @@ fn closest_on_edge_0( around_3 : Around_0,  chain_1 : Chain_0,  axis_5 : vec3<f3
     }
     if(t_7 > 0.0f)
     {
-        _S228 = t_7 < 1.0f;
+        _S229 = t_7 < 1.0f;
     }
     else
     {
-        _S228 = false;
+        _S229 = false;
     }
-    if(_S228)
+    if(_S229)
     {
         var other_2 : OnEdge_0 = on_edge_0(axis_5, t_7, a_17 + along_4 * vec3<f32>(t_7));
         if(is_nearer_0(other_2, place_20))
@@ -2572,23 +2582,23 @@ fn closest_on_edge_0( around_3 : Around_0,  chain_1 : Chain_0,  axis_5 : vec3<f3
 
 fn is_before_0( a_18 : Candidate_0,  b_13 : Candidate_0) -> bool
 {
-    var _S229 : bool;
+    var _S230 : bool;
     if((a_18.half_tangent_1) < (b_13.half_tangent_1))
     {
-        _S229 = true;
+        _S230 = true;
     }
     else
     {
         if((a_18.half_tangent_1) == (b_13.half_tangent_1))
         {
-            _S229 = (a_18.number_1) < (b_13.number_1);
+            _S230 = (a_18.number_1) < (b_13.number_1);
         }
         else
         {
-            _S229 = false;
+            _S230 = false;
         }
     }
-    return _S229;
+    return _S230;
 }
 
 struct Candidates_0
@@ -2599,16 +2609,16 @@ struct Candidates_0
 
 fn has_room_0( candidates_0 : Candidates_0,  candidate_1 : Candidate_0) -> bool
 {
-    var _S230 : bool;
+    var _S231 : bool;
     if((candidates_0.count_2) < u32(4))
     {
-        _S230 = true;
+        _S231 = true;
     }
     else
     {
-        _S230 = is_before_0(candidate_1, candidates_0.listed_0[u32(3)]);
+        _S231 = is_before_0(candidate_1, candidates_0.listed_0[u32(3)]);
     }
-    return _S230;
+    return _S231;
 }
 
 fn place_of_1( around_4 : Around_0,  candidate_2 : Candidate_0) -> vec3<f32>
@@ -2638,30 +2648,30 @@ fn is_hidden_0( around_5 : Around_0,  candidate_3 : Candidate_0) -> bool
 
 fn list_0( candidates_1 : ptr<function, Candidates_0>,  candidate_4 : Candidate_0)
 {
-    var _S231 : u32 = min((*candidates_1).count_2, u32(3));
-    (*candidates_1).count_2 = _S231 + u32(1);
-    var place_21 : u32 = _S231;
+    var _S232 : u32 = min((*candidates_1).count_2, u32(3));
+    (*candidates_1).count_2 = _S232 + u32(1);
+    var place_21 : u32 = _S232;
     for(;;)
     {
-        var _S232 : bool;
+        var _S233 : bool;
         if(place_21 > u32(0))
         {
-            _S232 = is_before_0(candidate_4, (*candidates_1).listed_0[place_21 - u32(1)]);
+            _S233 = is_before_0(candidate_4, (*candidates_1).listed_0[place_21 - u32(1)]);
         }
         else
         {
-            _S232 = false;
+            _S233 = false;
         }
-        if(_S232)
+        if(_S233)
         {
         }
         else
         {
             break;
         }
-        var _S233 : u32 = place_21 - u32(1);
-        (*candidates_1).listed_0[place_21] = (*candidates_1).listed_0[_S233];
-        place_21 = _S233;
+        var _S234 : u32 = place_21 - u32(1);
+        (*candidates_1).listed_0[place_21] = (*candidates_1).listed_0[_S234];
+        place_21 = _S234;
     }
     (*candidates_1).listed_0[place_21] = candidate_4;
     return;
@@ -2687,9 +2697,9 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
     var nodes_at_0 : u32 = edge_word_0(around_6.tree_0);
     var waiting_0 : array<u32, i32(92)>;
     waiting_0[i32(0)] = u32(4294967295);
-    var _S234 : vec2<f32> = limit_by_0(limit_8);
+    var _S235 : vec2<f32> = limit_by_0(limit_8);
     var node_4 : u32 = nodes_at_0;
-    var rough_limit_0 : vec2<f32> = _S234;
+    var rough_limit_0 : vec2<f32> = _S235;
     var count_3 : u32 = u32(0);
     for(;;)
     {
@@ -2703,9 +2713,9 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
         var next_2 : u32;
         var next_3 : u32;
         var count_4 : u32;
-        var _S235 : bool;
-        var skips_far_0 : bool;
         var _S236 : bool;
+        var skips_far_0 : bool;
+        var _S237 : bool;
         if((edge_word_0(node_4)) != u32(4294967295))
         {
             var near_1 : u32 = nodes_at_0 + u32(45) * edge_word_0(node_4);
@@ -2718,18 +2728,18 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
             {
                 if(skips_near_0)
                 {
-                    _S235 = true;
+                    _S236 = true;
                 }
                 else
                 {
-                    _S235 = comes_first_0(of_far_0, of_near_0);
+                    _S236 = comes_first_0(of_far_0, of_near_0);
                 }
             }
             else
             {
-                _S235 = false;
+                _S236 = false;
             }
-            if(_S235)
+            if(_S236)
             {
                 next_2 = far_1;
                 skips_far_0 = skips_near_0;
@@ -2750,13 +2760,13 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
             }
             if(next_2 != u32(4294967295))
             {
-                _S236 = !skips_far_0;
+                _S237 = !skips_far_0;
             }
             else
             {
-                _S236 = false;
+                _S237 = false;
             }
-            if(_S236)
+            if(_S237)
             {
                 waiting_0[count_3] = next_3;
                 count_4 = count_3 + u32(1);
@@ -2779,21 +2789,21 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
                     break;
                 }
                 var candidate_5 : Candidate_0;
-                var _S237 : bool = closest_on_edge_0(around_6, chain_2, chain_2.direction_11, k_4, &(candidate_5));
-                if(!_S237)
+                var _S238 : bool = closest_on_edge_0(around_6, chain_2, chain_2.direction_11, k_4, &(candidate_5));
+                if(!_S238)
                 {
                     k_4 = k_4 + u32(1);
                     continue;
                 }
                 if(!((candidate_5.half_tangent_1) < limit_8))
                 {
-                    _S235 = true;
+                    _S236 = true;
                 }
                 else
                 {
-                    _S235 = !is_before_0(last_0, candidate_5);
+                    _S236 = !is_before_0(last_0, candidate_5);
                 }
-                if(_S235)
+                if(_S236)
                 {
                     skips_far_0 = true;
                 }
@@ -2808,13 +2818,13 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
                 }
                 if((chain_2.count_1) > u32(0))
                 {
-                    _S236 = true;
+                    _S237 = true;
                 }
                 else
                 {
-                    _S236 = !is_hidden_0(around_6, candidate_5);
+                    _S237 = !is_hidden_0(around_6, candidate_5);
                 }
-                if(_S236)
+                if(_S237)
                 {
                     list_0(&(found_4), candidate_5);
                 }
@@ -2839,13 +2849,13 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
         {
             if(next_3 == u32(4294967295))
             {
-                _S235 = count_3 > u32(0);
+                _S236 = count_3 > u32(0);
             }
             else
             {
-                _S235 = false;
+                _S236 = false;
             }
-            if(_S235)
+            if(_S236)
             {
             }
             else
@@ -2877,9 +2887,9 @@ struct Nearest_0
 
 fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 : vec3<f32>,  point_0 : ptr<function, Nearest_0>) -> bool
 {
-    var _S238 : f32 = length_of_0(offset_4);
-    (*point_0).distance_2 = _S238;
-    (*point_0).direction_13 = offset_4 / vec3<f32>(_S238);
+    var _S239 : f32 = length_of_0(offset_4);
+    (*point_0).distance_2 = _S239;
+    (*point_0).direction_13 = offset_4 / vec3<f32>(_S239);
     (*point_0).count_6 = chain_3.count_1;
     var k_5 : u32 = chain_3.count_1;
     for(;;)
@@ -2891,21 +2901,21 @@ fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         {
             break;
         }
-        var _S239 : u32 = k_5 - u32(1);
-        (*point_0).direction_13 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S239]), (*point_0).direction_13);
-        k_5 = _S239;
+        var _S240 : u32 = k_5 - u32(1);
+        (*point_0).direction_13 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S240]), (*point_0).direction_13);
+        k_5 = _S240;
     }
     var height_1 : f32 = abs(dot((*point_0).direction_13, (*around_7).face_0)) * (*point_0).distance_2;
-    var _S240 : bool;
+    var _S241 : bool;
     if((chain_3.count_1) > u32(0))
     {
-        _S240 = height_1 <= (limit_at_0(u32(2)));
+        _S241 = height_1 <= (limit_at_0(u32(2)));
     }
     else
     {
-        _S240 = false;
+        _S241 = false;
     }
-    if(_S240)
+    if(_S241)
     {
         return false;
     }
@@ -2949,13 +2959,13 @@ fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         }
         if((found_5.face_3) == u32(4294967295))
         {
-            _S240 = true;
+            _S241 = true;
         }
         else
         {
-            _S240 = !is_mirror_0(found_5.triangle_9);
+            _S241 = !is_mirror_0(found_5.triangle_9);
         }
-        if(_S240)
+        if(_S241)
         {
             return false;
         }
@@ -2965,10 +2975,10 @@ fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         {
             return false;
         }
-        var _S241 : vec3<f32> = mirrored_0(mirror_at_0(found_5.triangle_9), direction_14);
+        var _S242 : vec3<f32> = mirrored_0(mirror_at_0(found_5.triangle_9), direction_14);
         (*point_0).triangles_1[k_5] = found_5.triangle_9;
         start_2 = place_22;
-        direction_14 = _S241;
+        direction_14 = _S242;
         left_1 = left_2;
         k_5 = k_5 + u32(1);
     }
@@ -2993,7 +3003,7 @@ fn take_nearest_0( around_8 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             break;
         }
         var found_6 : Candidates_0 = search_0((*around_8), chain_4, (*best_0).half_tangent_2, last_1);
-        var _S242 : bool = (found_6.count_2) < u32(4);
+        var _S243 : bool = (found_6.count_2) < u32(4);
         var k_6 : u32 = u32(0);
         for(;;)
         {
@@ -3006,8 +3016,8 @@ fn take_nearest_0( around_8 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             }
             last_1 = found_6.listed_0[k_6];
             var point_1 : Nearest_0 = (*best_0);
-            var _S243 : bool = is_seen_0(&((*around_8)), chain_4, place_of_1((*around_8), found_6.listed_0[k_6]) - chain_4.image_0, &(point_1));
-            if(!_S243)
+            var _S244 : bool = is_seen_0(&((*around_8)), chain_4, place_of_1((*around_8), found_6.listed_0[k_6]) - chain_4.image_0, &(point_1));
+            if(!_S244)
             {
                 k_6 = k_6 + u32(1);
                 continue;
@@ -3018,7 +3028,7 @@ fn take_nearest_0( around_8 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             (*best_0).t_8 = last_1.t_6;
             return;
         }
-        is_complete_0 = _S242;
+        is_complete_0 = _S243;
     }
     return;
 }
@@ -3062,17 +3072,17 @@ fn nearest_edge_0( around_9 : ptr<function, Around_0>,  direction_15 : vec3<f32>
         {
             break;
         }
-        var _S244 : bool;
+        var _S245 : bool;
         if(mirrors_1 > u32(0))
         {
-            var _S245 : bool = reflect_0(&(chain_5));
-            _S244 = !_S245;
+            var _S246 : bool = reflect_0(&(chain_5));
+            _S245 = !_S246;
         }
         else
         {
-            _S244 = false;
+            _S245 = false;
         }
-        if(_S244)
+        if(_S245)
         {
             break;
         }
@@ -3107,7 +3117,7 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  
 {
     var field_0 : Field_0;
     field_0.direction_17 = direction_18;
-    var _S246 : f32 = edge_real_0(u32(4));
+    var _S247 : f32 = edge_real_0(u32(4));
     const g_0 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 0.0f);
     var e_0 : vec3<f32> = g_0;
     var half_sine_1 : f32 = 0.0f;
@@ -3131,11 +3141,11 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  
         }
         else
         {
-            far_2 = _S246;
+            far_2 = _S247;
         }
-        var _S247 : bool = k_8 == u32(1);
+        var _S248 : bool = k_8 == u32(1);
         var x_10 : vec3<f32>;
-        if(_S247)
+        if(_S248)
         {
             x_10 = walked_1(direction_18, e_0, sqrt(random_0(key_5, first_4 + u32(1))) * half_sine_1);
         }
@@ -3152,9 +3162,9 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  
         {
             x_11 = x_10;
         }
-        var _S248 : bool = k_8 > u32(0);
+        var _S249 : bool = k_8 > u32(0);
         var bound_0 : f32;
-        if(_S248)
+        if(_S249)
         {
             bound_0 = min(far_2, half_tangent_between_0(x_11, field_0.terms_0[i32(0)].site_0.direction_13));
         }
@@ -3163,26 +3173,26 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  
             bound_0 = far_2;
         }
         var found_7 : Nearest_0 = nearest_edge_0(&((*around_10)), x_11, bound_0);
-        var _S249 : bool;
-        if(_S248)
-        {
-            _S249 = (found_7.edge_4) == u32(4294967295);
-        }
-        else
-        {
-            _S249 = false;
-        }
         var _S250 : bool;
         if(_S249)
         {
-            _S250 = bound_0 < far_2;
+            _S250 = (found_7.edge_4) == u32(4294967295);
         }
         else
         {
             _S250 = false;
         }
-        var found_8 : Nearest_0;
+        var _S251 : bool;
         if(_S250)
+        {
+            _S251 = bound_0 < far_2;
+        }
+        else
+        {
+            _S251 = false;
+        }
+        var found_8 : Nearest_0;
+        if(_S251)
         {
             found_8 = field_0.terms_0[i32(0)].site_0;
         }
@@ -3191,18 +3201,18 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  
             found_8 = found_7;
         }
         field_0.terms_0[k_8].site_0 = found_8;
-        var _S251 : i32;
-        if(_S247)
+        var _S252 : i32;
+        if(_S248)
         {
-            _S251 = i32(1);
+            _S252 = i32(1);
         }
         else
         {
-            _S251 = i32(0);
+            _S252 = i32(0);
         }
-        field_0.terms_0[k_8].weight_0 = f32(_S251);
+        field_0.terms_0[k_8].weight_0 = f32(_S252);
         field_0.terms_0[k_8].gradient_0 = g_1;
-        if(_S248)
+        if(_S249)
         {
             k_8 = k_8 + u32(1);
             continue;
@@ -3213,11 +3223,11 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  
             field_0.terms_0[i32(1)] = field_0.terms_0[i32(0)];
             break;
         }
-        var is_within_1 : bool = (found_8.half_tangent_2) < _S246;
-        var _S252 : f32 = min(found_8.half_tangent_2, _S246);
-        var _S253 : f32 = 1.0f / _S252;
-        var _S254 : f32 = _S252 / sqrt(1.0f + _S252 * _S252);
-        var _S255 : vec3<f32> = tangent_by_0(direction_18, random_0(key_5, first_4));
+        var is_within_1 : bool = (found_8.half_tangent_2) < _S247;
+        var _S253 : f32 = min(found_8.half_tangent_2, _S247);
+        var _S254 : f32 = 1.0f / _S253;
+        var _S255 : f32 = _S253 / sqrt(1.0f + _S253 * _S253);
+        var _S256 : vec3<f32> = tangent_by_0(direction_18, random_0(key_5, first_4));
         var towards_1 : vec3<f32> = found_8.direction_13 - direction_18 * vec3<f32>(dot(direction_18, found_8.direction_13));
         var g_2 : vec3<f32>;
         if(is_within_1)
@@ -3228,16 +3238,16 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  
         {
             g_2 = g_1;
         }
-        e_0 = _S255;
-        half_sine_1 = _S254;
+        e_0 = _S256;
+        half_sine_1 = _S255;
         g_1 = g_2;
-        kappa_0 = _S253;
+        kappa_0 = _S254;
         is_within_0 = is_within_1;
         k_8 = k_8 + u32(1);
     }
-    var _S256 : vec3<f32> = vec3<f32>(- kappa_0);
-    field_0.terms_0[i32(0)].gradient_0 = e_0 * _S256;
-    field_0.terms_0[i32(1)].gradient_0 = g_1 * _S256;
+    var _S257 : vec3<f32> = vec3<f32>(- kappa_0);
+    field_0.terms_0[i32(0)].gradient_0 = e_0 * _S257;
+    field_0.terms_0[i32(1)].gradient_0 = g_1 * _S257;
     field_0.terms_0[i32(2)].gradient_0 = (e_0 + g_1) * vec3<f32>(kappa_0);
     if(!is_within_0)
     {
@@ -3263,17 +3273,17 @@ struct ByCorners_0
 fn image_by_corners_0( mirror_5 : Mirror_0,  place_23 : vec3<f32>) -> ByCorners_0
 {
     var across_4 : vec3<f32> = cross(mirror_5.ab_3, mirror_5.ac_3);
-    var _S257 : vec3<f32> = vec3<f32>((1.0f / dot(across_4, across_4)));
-    var gradient_b_0 : vec3<f32> = cross(mirror_5.ac_3, across_4) * _S257;
-    var gradient_c_0 : vec3<f32> = cross(across_4, mirror_5.ab_3) * _S257;
+    var _S258 : vec3<f32> = vec3<f32>((1.0f / dot(across_4, across_4)));
+    var gradient_b_0 : vec3<f32> = cross(mirror_5.ac_3, across_4) * _S258;
+    var gradient_c_0 : vec3<f32> = cross(across_4, mirror_5.ab_3) * _S258;
     var offset_5 : vec3<f32> = place_23 - mirror_5.corner_2;
     var b_15 : f32 = dot(gradient_b_0, offset_5);
     var c_6 : f32 = dot(gradient_c_0, offset_5);
     var by_1 : ByCorners_0;
-    var _S258 : vec3<f32> = vec3<f32>((2.0f * height_of_0(mirror_5, place_23)));
-    by_1.a_19 = mirror_5.normal_3 * vec3<f32>((2.0f * (1.0f - b_15 - c_6))) + ((vec3<f32>(0) - gradient_b_0) - gradient_c_0) * _S258;
-    by_1.b_14 = mirror_5.normal_3 * vec3<f32>((2.0f * b_15)) + gradient_b_0 * _S258;
-    by_1.c_5 = mirror_5.normal_3 * vec3<f32>((2.0f * c_6)) + gradient_c_0 * _S258;
+    var _S259 : vec3<f32> = vec3<f32>((2.0f * height_of_0(mirror_5, place_23)));
+    by_1.a_19 = mirror_5.normal_3 * vec3<f32>((2.0f * (1.0f - b_15 - c_6))) + ((vec3<f32>(0) - gradient_b_0) - gradient_c_0) * _S259;
+    by_1.b_14 = mirror_5.normal_3 * vec3<f32>((2.0f * b_15)) + gradient_b_0 * _S259;
+    by_1.c_5 = mirror_5.normal_3 * vec3<f32>((2.0f * c_6)) + gradient_c_0 * _S259;
     return by_1;
 }
 
@@ -3316,10 +3326,10 @@ fn velocity_of_0( around_13 : Around_0,  site_3 : Nearest_0,  velocity_of_viewpo
 {
     var record_5 : u32 = record_of_0(around_13, site_3.edge_4) + u32(2);
     var start_4 : vec3<f32> = edge_vector_0(record_5);
-    var _S259 : vec3<f32> = start_4 + (edge_vector_0(record_5 + u32(3)) - start_4) * vec3<f32>(site_3.t_8);
+    var _S260 : vec3<f32> = start_4 + (edge_vector_0(record_5 + u32(3)) - start_4) * vec3<f32>(site_3.t_8);
     var place_24 : vec3<f32> = place_on_edge_0(around_13, site_3);
     var k_9 : u32 = site_3.count_6;
-    var velocity_1 : vec3<f32> = _S259;
+    var velocity_1 : vec3<f32> = _S260;
     for(;;)
     {
         if(k_9 > u32(0))
@@ -3329,14 +3339,14 @@ fn velocity_of_0( around_13 : Around_0,  site_3 : Nearest_0,  velocity_of_viewpo
         {
             break;
         }
-        var _S260 : u32 = k_9 - u32(1);
-        var corners_0 : u32 = motion_of_0(site_3.triangles_1[_S260]);
-        var mirror_6 : Mirror_0 = mirror_at_0(site_3.triangles_1[_S260]);
+        var _S261 : u32 = k_9 - u32(1);
+        var corners_0 : u32 = motion_of_0(site_3.triangles_1[_S261]);
+        var mirror_6 : Mirror_0 = mirror_at_0(site_3.triangles_1[_S261]);
         var by_2 : ByCorners_0 = image_by_corners_0(mirror_6, place_24);
         var velocity_2 : vec3<f32> = mirrored_0(mirror_6, velocity_1) + by_2.a_19 * vec3<f32>(dot(mirror_6.normal_3, change_vector_0(corners_0))) + by_2.b_14 * vec3<f32>(dot(mirror_6.normal_3, change_vector_0(corners_0 + u32(3)))) + by_2.c_5 * vec3<f32>(dot(mirror_6.normal_3, change_vector_0(corners_0 + u32(6))));
-        var _S261 : vec3<f32> = image_of_0(mirror_6, place_24);
-        place_24 = _S261;
-        k_9 = _S260;
+        var _S262 : vec3<f32> = image_of_0(mirror_6, place_24);
+        place_24 = _S262;
+        k_9 = _S261;
         velocity_1 = velocity_2;
     }
     return angular_0(around_13, site_3, velocity_1 - velocity_of_viewpoint_0);
@@ -3355,9 +3365,9 @@ struct Walked_0
 
 fn evaluate_0( field_2 : Field_0,  around_14 : Around_0,  velocity_of_viewpoint_1 : vec3<f32>) -> Walked_0
 {
-    const _S262 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 0.0f);
+    const _S263 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 0.0f);
     var k_10 : u32 = u32(0);
-    var change_8 : vec3<f32> = _S262;
+    var change_8 : vec3<f32> = _S263;
     var divergence_2 : f32 = 0.0f;
     for(;;)
     {
@@ -3368,15 +3378,15 @@ fn evaluate_0( field_2 : Field_0,  around_14 : Around_0,  velocity_of_viewpoint_
         {
             break;
         }
-        var _S263 : u32 = k_10;
+        var _S264 : u32 = k_10;
         if((field_2.terms_0[k_10].site_0.edge_4) == u32(4294967295))
         {
             k_10 = k_10 + u32(1);
             continue;
         }
-        var velocity_3 : vec3<f32> = velocity_of_0(around_14, field_2.terms_0[_S263].site_0, velocity_of_viewpoint_1);
-        var divergence_3 : f32 = divergence_2 + dot(divergence_covector_0(field_2, field_2.terms_0[_S263]), velocity_3);
-        change_8 = change_8 + velocity_3 * vec3<f32>(field_2.terms_0[_S263].weight_0);
+        var velocity_3 : vec3<f32> = velocity_of_0(around_14, field_2.terms_0[_S264].site_0, velocity_of_viewpoint_1);
+        var divergence_3 : f32 = divergence_2 + dot(divergence_covector_0(field_2, field_2.terms_0[_S264]), velocity_3);
+        change_8 = change_8 + velocity_3 * vec3<f32>(field_2.terms_0[_S264].weight_0);
         divergence_2 = divergence_3;
         k_10 = k_10 + u32(1);
     }
@@ -3391,16 +3401,16 @@ fn walk_onward_0( path_6 : ptr<function, Path_0>,  depth_5 : u32)
     var surface_6 : Surface_0 = surface_at_0((*path_6).place_1, (*path_6).direction_0.value_0);
     move_surface_0(&(surface_6), (*path_6).direction_0.value_0, (*path_6).drift_0);
     var material_1 : u32 = material_of_0(surface_6);
-    var _S264 : bool;
+    var _S265 : bool;
     if(material_1 == u32(4294967295))
     {
-        _S264 = true;
+        _S265 = true;
     }
     else
     {
-        _S264 = (edge_word_0(u32(1))) == u32(4294967295);
+        _S265 = (edge_word_0(u32(1))) == u32(4294967295);
     }
-    if(_S264)
+    if(_S265)
     {
         return;
     }
@@ -3408,13 +3418,13 @@ fn walk_onward_0( path_6 : ptr<function, Path_0>,  depth_5 : u32)
     var sample_1 : LightSample_0 = sample_material_0(vertex_3, (*path_6).key_0, first_material_number_0(depth_5));
     if(sample_1.is_specular_1)
     {
-        _S264 = true;
+        _S265 = true;
     }
     else
     {
-        _S264 = !((sample_1.wo_1.z) > 0.0f);
+        _S265 = !((sample_1.wo_1.z) > 0.0f);
     }
-    if(_S264)
+    if(_S265)
     {
         return;
     }
@@ -3453,13 +3463,13 @@ fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_9 : vec3<f3
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S265 : u32;
+    var _S266 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S266 : u32 = u32(2) + zero_0;
-        _S265 = _S266;
-        if(rounds_0 < _S266)
+        var _S267 : u32 = u32(2) + zero_0;
+        _S266 = _S267;
+        if(rounds_0 < _S267)
         {
         }
         else
@@ -3468,14 +3478,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S265;
+    return rounds_0 == _S266;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S267 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S268 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -3494,9 +3504,9 @@ fn walk(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     path_9.walked_0 = vec3<f32>(0.0f);
     path_9.divergence_0 = 0.0f;
     walk_onward_0(&(path_9), launch_0.depth_0);
-    var at_25 : u32 = u32(29);
-    set_vector_0(number_of_path_1, &(at_25), path_9.walked_0);
-    set_word_0(number_of_path_1, at_25, (bitcast<u32>((path_9.divergence_0))));
+    var at_27 : u32 = u32(29);
+    set_vector_0(number_of_path_1, &(at_27), path_9.walked_0);
+    set_word_0(number_of_path_1, at_27, (bitcast<u32>((path_9.divergence_0))));
     check_loops_0();
     return;
 }

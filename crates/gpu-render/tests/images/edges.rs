@@ -42,7 +42,13 @@ fn scene(depth: u32, floor: &str, things: &str) -> Scene {
   </sensor>
   <bsdf type="diffuse" id="black"><rgb name="reflectance" value="0"/></bsdf>
   <bsdf type="diffuse" id="grey"><rgb name="reflectance" value="0.6, 0.5, 0.4"/></bsdf>
-  <bsdf type="diffuse" id="bright"><rgb name="reflectance" value="0.8, 0.6, 0.7"/></bsdf>
+  <bsdf type="diffuse" id="checks">
+    <texture type="checkerboard" name="reflectance">
+      <rgb name="color0" value="0.1, 0.2, 0.3"/>
+      <rgb name="color1" value="0.8, 0.6, 0.7"/>
+      <transform name="to_uv"><scale x="3" y="2"/></transform>
+    </texture>
+  </bsdf>
   <bsdf type="roughconductor" id="metal"><float name="alpha" value="0.3"/></bsdf>
   <bsdf type="roughconductor" id="polished">
     <float name="alpha" value="0.1"/><rgb name="specular_reflectance" value="0.3, 0.2, 0.4"/>
@@ -120,6 +126,14 @@ const PLASTIC: &str = r#"<ref id="plastic"/>"#;
 pub const SKY: &str =
     r#"<emitter type="constant"><rgb name="radiance" value="0.5, 0.7, 1"/></emitter>"#;
 const MAP: &str = r#"<emitter type="envmap"><string name="filename" value="sky.exr"/></emitter>"#;
+
+/// What a large lamp emits, and something else.
+const EMITS: &str = r#"<rgb name="radiance" value="2, 3, 2.5"/>"#;
+const CHECKS: &str = r#"<texture type="checkerboard" name="radiance">
+      <rgb name="color0" value="1, 2, 3"/>
+      <rgb name="color1" value="8, 6, 7"/>
+      <transform name="to_uv"><scale x="2" y="1.5"/></transform>
+    </texture>"#;
 
 /// Where the block and the lamp are, unless a scene says otherwise.
 pub const BLOCK: [f64; 3] = [0.0, 1.2, -0.6];
@@ -207,7 +221,17 @@ pub fn cases() -> Vec<Case> {
             velocity: level,
             ..case("a lamp moves", [black(), large()])
         },
-        // What emits has edges inside where a block passes through it.
+        // What emits has edges inside: lines of its texture, and where a block passes through it.
+        Case {
+            moving: vec!["lamp"],
+            velocity: level,
+            ..case(
+                "a lamp of checks moves",
+                [large()
+                    .replace(EMITS, CHECKS)
+                    .replace(r#"value="1""#, r#"value="0.7""#)],
+            )
+        },
         case(
             "a lamp is cut",
             [block("block", "black", 0.4, [0.3, 3.4, -1.3]), large()],
@@ -292,14 +316,14 @@ pub fn cases() -> Vec<Case> {
             floor: POLISHED,
             ..case("not by way of a wall", behind_the_camera())
         },
-        // Curves in which surfaces cross, too.
+        // Curves in which surfaces cross, and lines of textures, too.
         Case {
             depth: 3,
             ..case(
                 "in a wall",
                 [
                     block("block", "black", 0.4, [0.0, 1.2, -1.8]),
-                    wall("bright"),
+                    wall("checks"),
                     large(),
                 ],
             )
@@ -307,8 +331,8 @@ pub fn cases() -> Vec<Case> {
         Case {
             depth: 3,
             moving: vec!["wall"],
-            velocity: Vec3::new(0.5, 0.3, 0.4),
-            ..case("a wall moves", [wall("metal"), large()])
+            velocity: Vec3::new(0.5, 0.3, 0.0),
+            ..case("a wall slides", [wall("checks"), large()])
         },
         Case {
             depth: 4,
@@ -318,7 +342,7 @@ pub fn cases() -> Vec<Case> {
         Case {
             depth: 5,
             rotation: spin,
-            ..case("long paths", [black(), wall("bright"), large(), sky()])
+            ..case("long paths", [black(), wall("checks"), large(), sky()])
         },
     ]
 }

@@ -16,7 +16,7 @@ const SAMPLES: u32 = 16;
 const MORE_SAMPLES: u32 = 16;
 
 /// Derivatives that can be compared.
-const FEWEST: usize = 60;
+const FEWEST: usize = 67;
 
 /// The parameters in a folder's `check.json` whose derivatives are compared with differences there.
 fn parameters(folder: &str) -> Vec<String> {

@@ -179,13 +179,14 @@ const MORE_SAMPLES: u32 = 16;
 const MOST_OFF: f64 = 4.0;
 
 /// Scenes whose whole derivative can be compared.
-const FEWEST_WHOLE: usize = 65;
+const FEWEST_WHOLE: usize = 69;
 
-/// Scenes of `tests/parity` beside all of `tests/scenes`: emitters of many edges, maps, glossy surfaces,
-/// cameras with a lens and filters that overlap.
-const MORE_SCENES: [&str; 13] = [
+/// Scenes of `tests/parity` beside all of `tests/scenes`: discontinuous textures, emitters of many edges,
+/// maps, glossy surfaces, cameras with a lens and filters that overlap.
+const MORE_SCENES: [&str; 14] = [
     "parity/anisotropic.xml",
     "parity/bitmap_ball.xml",
+    "parity/checkerboard.xml",
     "parity/coarse_normals.xml",
     "parity/colour_bleeding.xml",
     "parity/cube_sky.xml",

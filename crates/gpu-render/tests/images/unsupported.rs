@@ -1,10 +1,9 @@
 //! What the device does not have is refused by name.
 
-use capwalk_diff::{GradientOptions, Wanted};
 use capwalk_gpu::Precision;
-use capwalk_gpu_render::{DeviceError, DeviceScene, unsupported, unsupported_derivative};
+use capwalk_gpu_render::{DeviceError, DeviceScene, unsupported};
 use capwalk_render::{PreparedScene, RenderOptions, Unwatched};
-use capwalk_scene::{Integrator, SamplerKind, Scene, Tangent};
+use capwalk_scene::{Integrator, SamplerKind, Scene};
 
 use crate::{device, scenes};
 
@@ -48,32 +47,6 @@ fn what_is_missing_is_named() {
     assert!(
         refusal(scene).is_some_and(|found| found.starts_with("the sampler takes Sobol points"))
     );
-}
-
-/// Where anything moves that is, with the texture's name; colours may change.
-#[test]
-fn textures_that_jump_are_refused_in_motion() {
-    for (name, texture) in [
-        (
-            "scenes/checkerboard_under_a_moving_cube/scene.xml",
-            "floor.bsdf.reflectance",
-        ),
-        (
-            "scenes/emitter_of_texels_moves/scene.xml",
-            "screen.emitter.radiance",
-        ),
-    ] {
-        let prepared = PreparedScene::new(scenes::scene(name));
-        let scene = prepared.scene();
-        let options = GradientOptions::new(RenderOptions::new(4, 1));
-        let of = |wanted: &Wanted| unsupported_derivative(&prepared, wanted, &options);
-        let found = of(&Wanted::all(scene)).expect("it moves").to_string();
-        let expected = format!("the texture \"{texture}\" is discontinuous");
-        assert!(found.starts_with(&expected), "{name}: {found}");
-        let mut colours = Wanted::by(&Tangent::zero(scene));
-        colours.textures.fill(true);
-        assert_eq!(of(&colours), None, "{name}");
-    }
 }
 
 /// Before anything is done, also where only options ask for it.

@@ -18,9 +18,10 @@ use crate::motion::{assert_same, everything, samples_among, with_sensor};
 const DIFFERENT: f64 = 5e-4;
 
 /// The share of those with a derivative that may, and how many more: which of two edges is nearer, and whether
-/// one in the plane of a face is seen, is decided by rounding.
-const MOST_DIFFERENT: f64 = 0.017;
-const FEW: f64 = 3.0;
+/// one in the plane of a face is seen, is decided by rounding: on a ball that turns, of 952 samples 15 differ on
+/// software Vulkan, and 21 on an H100.
+const MOST_DIFFERENT: f64 = 0.025;
+const FEW: f64 = 2.0;
 
 /// Pixels of the images, of which there are so many, of one sample; and how many pixels must have a
 /// derivative, in all scenes.
