@@ -13,7 +13,7 @@ use crate::render_kernels::{BOUNDARY, BOUNDARY_BACK};
 const SUBTREES: [usize; 2] = [2, 1];
 /// The bits of a launch's depth that are the depth; those above are the number of a part of the edges or
 /// of a subtree.
-const DEPTH_BITS: usize = 20;
+const DEPTH_BITS: usize = 16;
 const MOST_PARTS: usize = 1 << (32 - DEPTH_BITS);
 
 impl Paths<'_> {
@@ -48,6 +48,8 @@ impl Paths<'_> {
             self.launch(&kernels.cross_edges, list.len(), of_part(part))?;
             if part == 0 && before_areas {
                 parts = parts.max(self.sums(COUNTS)?[PARTS] as usize);
+                // Software ends its loops before; no memory has so many leaves of hardware's parts.
+                self.check_loops()?;
                 assert!(parts <= MOST_PARTS, "there is no room for so many edges");
             }
             part += 1;

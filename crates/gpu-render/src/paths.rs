@@ -184,7 +184,7 @@ impl<'a> Paths<'a> {
     }
 
     /// An error if any thread of the launches so far did not run its loops to their ends.
-    fn check_loops(&self) -> Result<(), GpuError> {
+    pub(crate) fn check_loops(&self) -> Result<(), GpuError> {
         let counts = self.sums(COUNTS)?;
         match counts[CUT_SHORT] {
             0 => Ok(()),

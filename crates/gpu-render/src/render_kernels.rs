@@ -180,7 +180,7 @@ mod tests {
         // What `edge_paths.rs` takes for granted.
         let windows = include_str!("kernels/edge_windows.slang");
         assert!(windows.contains("FIRST_SUBTREES = 2, LATER_SUBTREES = 1;"));
-        assert!(windows.contains("launch.depth & 0xfffff;") && windows.contains("depth >> 20;"));
+        assert!(windows.contains("launch.depth & 0xffff;") && windows.contains("depth >> 16;"));
         // What the kernels of walks take for granted of the processor's code, and of each other.
         let mirrors = include_str!("kernels/mirrors.slang");
         assert!(mirrors.contains(&format!("MOST_MIRRORS = {MAX_EVENTS};")));

@@ -3,8 +3,9 @@
 use crate::real::Real;
 use crate::vec3::Vec3;
 
-/// Normals whose `z` is less have the frames of those that point down.
-const BELOW: f64 = -0.3;
+/// Normals whose `z` is less have the frames of those that point down. Not zero: there rounding would
+/// decide at upright walls, on each device in another way.
+const BELOW: f64 = -1e-5;
 
 /// Three orthonormal directions, right-handed: `s × t = n`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,8 +20,8 @@ pub struct Frame<R = f64> {
 
 impl<R: Real> Frame<R> {
     /// A frame whose third axis is the unit vector `n`; continuous except
-    /// across `n.z = -0.3`. Duff et al. 2017, "Building an Orthonormal Basis,
-    /// Revisited", which has it at zero: there rounding decides at upright walls.
+    /// across `n.z = -1e-5`. Duff et al. 2017, "Building an Orthonormal Basis,
+    /// Revisited", where it is zero.
     #[inline]
     pub fn from_normal(n: Vec3<R>) -> Self {
         let one = R::constant(1.0);
@@ -85,6 +86,8 @@ mod tests {
             Vec3::new(0.0, 0.0, -1.0),
             Vec3::new(0.6, -0.48, 0.64),
             Vec3::new(1.0, 0.0, -0.0),
+            Vec3::new(0.6, 0.8, -1e-6),
+            Vec3::new(0.8, -0.6, -2e-5),
         ] {
             let frame = Frame::from_normal(n);
             assert!((frame.s.cross(frame.t) - n).length() < 1e-15);

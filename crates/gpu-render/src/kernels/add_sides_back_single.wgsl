@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 9151c6c34a765e54
-// result: f2ceb8ba30c0d98c
+// source: 68244d489add2dee
+// result: 752de939f90528d4
 
 struct Launch_std140_0
 {
@@ -381,7 +381,7 @@ fn s_bwdProp_axes_around_0( _S74 : s_bwdCallableCtx_axes_around_0,  _S75 : ptr<f
 {
     var _S77 : f32 = _S74.value0_9.value0_8.z;
     var sign_0 : f32;
-    if(_S77 < -0.30000001192092896f)
+    if(_S77 < -0.00000999999974738f)
     {
         sign_0 = -1.0f;
     }
@@ -812,7 +812,7 @@ fn load_0( number_of_path_1 : u32) -> Path_0
 
 fn depth_of_launch_0() -> u32
 {
-    return ((launch_0.depth_0) & (u32(1048575)));
+    return ((launch_0.depth_0) & (u32(65535)));
 }
 
 fn kept_at_0( depth_1 : u32) -> u32
@@ -1371,7 +1371,7 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     axes_2.n_0 = _S229;
     var _S230 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S230 < -0.30000001192092896f)
+    if(_S230 < -0.00000999999974738f)
     {
         sign_1 = -1.0f;
     }

@@ -1,6 +1,6 @@
 // Compiled from hits.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 04a36d22ed41bc57
+// source: 6d203acca3fb11be
 // result: d994fa4161e21621
 
 struct Launch_std140_0

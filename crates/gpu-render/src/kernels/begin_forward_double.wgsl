@@ -1,6 +1,6 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 684ba1b74b9288b2
+// source: abe3870cd5efa04f
 // result: d2163b03fba2e756
 
 struct Launch_std140_0

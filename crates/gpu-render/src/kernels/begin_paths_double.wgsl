@@ -1,6 +1,6 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: a294b5d90f914c0c
+// source: eaa2832f82c845bd
 // result: f5273d5251226b70
 
 struct Launch_std140_0

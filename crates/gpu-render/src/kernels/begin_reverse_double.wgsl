@@ -1,6 +1,6 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 7c3aafa6eedce5f6
+// source: 56d966057bf54911
 // result: e3253f9a151ead07
 
 struct Launch_std140_0

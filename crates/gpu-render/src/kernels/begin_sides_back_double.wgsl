@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 9151c6c34a765e54
-// result: 6b78f005c7646c50
+// source: 68244d489add2dee
+// result: 23c135c3d397825b
 
 struct Launch_std140_0
 {
@@ -135,7 +135,7 @@ fn load_0( number_of_path_0 : u32) -> Path_0
 
 fn depth_of_launch_0() -> u32
 {
-    return ((launch_0.depth_0) & (u32(1048575)));
+    return ((launch_0.depth_0) & (u32(65535)));
 }
 
 fn kept_at_0( depth_1 : u32) -> u32
@@ -759,7 +759,7 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     axes_2.n_0 = _S51;
     var _S52 : f32 = n_3.z;
     var sign_0 : f32;
-    if(_S52 < -0.30000001192092896f)
+    if(_S52 < -0.00000999999974738f)
     {
         sign_0 = -1.0f;
     }
@@ -1388,7 +1388,7 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_18 : ptr<function, Shadin
 
 fn part_of_launch_0() -> u32
 {
-    return ((launch_0.depth_0) >> (u32(20)));
+    return ((launch_0.depth_0) >> (u32(16)));
 }
 
 fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f64

@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: cd3543edc17042d7
-// result: 5103acab60d5d477
+// source: c3c68c0603ff5dad
+// result: 7a2812cdaf49a240
 
 struct Launch_std140_0
 {
@@ -1034,7 +1034,7 @@ fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_2 : 
     var _S110 : f32 = dpn_1.primal_0.z;
     var _S111 : f32 = dpn_1.differential_0.z;
     var sign_0 : f32;
-    if(_S110 < -0.30000001192092896f)
+    if(_S110 < -0.00000999999974738f)
     {
         sign_0 = -1.0f;
     }
@@ -1247,7 +1247,7 @@ fn edge_word_0( at_18 : u32) -> u32
 
 fn depth_of_launch_0() -> u32
 {
-    return ((launch_0.depth_0) & (u32(1048575)));
+    return ((launch_0.depth_0) & (u32(65535)));
 }
 
 fn numbers_for_0( purpose_1 : u32) -> u32
@@ -1730,7 +1730,7 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_23 : ptr<function, Shadin
 
 fn part_of_launch_0() -> u32
 {
-    return ((launch_0.depth_0) >> (u32(20)));
+    return ((launch_0.depth_0) >> (u32(16)));
 }
 
 fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f32

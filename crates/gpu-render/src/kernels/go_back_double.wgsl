@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 7c3aafa6eedce5f6
-// result: aa9d339b197b5d84
+// source: 56d966057bf54911
+// result: b7a195f17628b804
 
 struct Launch_std140_0
 {
@@ -563,7 +563,7 @@ fn s_bwdProp_axes_around_0( _S91 : s_bwdCallableCtx_axes_around_0,  _S92 : ptr<f
 {
     var _S94 : f32 = _S91.value0_13.value0_12.z;
     var sign_0 : f32;
-    if(_S94 < -0.30000001192092896f)
+    if(_S94 < -0.00000999999974738f)
     {
         sign_0 = -1.0f;
     }
@@ -3963,7 +3963,7 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     axes_1.n_0 = _S1031;
     var _S1032 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S1032 < -0.30000001192092896f)
+    if(_S1032 < -0.00000999999974738f)
     {
         sign_1 = -1.0f;
     }

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: a294b5d90f914c0c
-// result: c70f642167c86359
+// source: eaa2832f82c845bd
+// result: 3c41a97740256023
 
 struct Launch_std140_0
 {
@@ -675,7 +675,7 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     axes_1.n_1 = _S43;
     var _S44 : f32 = n_3.z;
     var sign_0 : f32;
-    if(_S44 < -0.30000001192092896f)
+    if(_S44 < -0.00000999999974738f)
     {
         sign_0 = -1.0f;
     }

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: a294b5d90f914c0c
-// result: 045cf372ce4b90ec
+// source: eaa2832f82c845bd
+// result: 90394118a5392dfa
 
 struct Launch_std140_0
 {
@@ -673,7 +673,7 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     axes_1.n_1 = _S40;
     var _S41 : f32 = n_3.z;
     var sign_0 : f32;
-    if(_S41 < -0.30000001192092896f)
+    if(_S41 < -0.00000999999974738f)
     {
         sign_0 = -1.0f;
     }

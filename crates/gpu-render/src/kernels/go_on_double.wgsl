@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: a294b5d90f914c0c
-// result: 253e1d1cbfc181fb
+// source: eaa2832f82c845bd
+// result: fd10102257b1be4d
 
 struct Launch_std140_0
 {
@@ -683,7 +683,7 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     axes_1.n_1 = _S43;
     var _S44 : f32 = n_3.z;
     var sign_0 : f32;
-    if(_S44 < -0.30000001192092896f)
+    if(_S44 < -0.00000999999974738f)
     {
         sign_0 = -1.0f;
     }

@@ -1,7 +1,7 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 684ba1b74b9288b2
-// result: 1cdd04d7e1fba755
+// source: abe3870cd5efa04f
+// result: ba43e3520390634f
 
 struct Launch_std140_0
 {
@@ -1094,7 +1094,7 @@ fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_2 : 
     var _S124 : f32 = dpn_1.primal_0.z;
     var _S125 : f32 = dpn_1.differential_0.z;
     var sign_0 : f32;
-    if(_S124 < -0.30000001192092896f)
+    if(_S124 < -0.00000999999974738f)
     {
         sign_0 = -1.0f;
     }

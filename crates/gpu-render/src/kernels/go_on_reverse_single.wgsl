@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 7c3aafa6eedce5f6
-// result: 027e7ce212cac492
+// source: 56d966057bf54911
+// result: d5cb3422a4ccabae
 
 struct Launch_std140_0
 {
@@ -716,7 +716,7 @@ fn s_bwdProp_axes_around_0( _S121 : s_bwdCallableCtx_axes_around_0,  _S122 : ptr
 {
     var _S124 : f32 = _S121.value0_18.value0_17.z;
     var sign_0 : f32;
-    if(_S124 < -0.30000001192092896f)
+    if(_S124 < -0.00000999999974738f)
     {
         sign_0 = -1.0f;
     }
@@ -4510,7 +4510,7 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     axes_1.n_0 = _S1156;
     var _S1157 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S1157 < -0.30000001192092896f)
+    if(_S1157 < -0.00000999999974738f)
     {
         sign_1 = -1.0f;
     }

@@ -1,7 +1,7 @@
 // Compiled from walk_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: e62b27ab8fe2c1f2
-// result: 3483cfc270321710
+// source: c6c789e2f6004357
+// result: e0def414efd1de34
 
 struct Launch_std140_0
 {
@@ -387,7 +387,7 @@ fn s_bwdProp_axes_around_0( _S74 : s_bwdCallableCtx_axes_around_0,  _S75 : ptr<f
 {
     var _S77 : f32 = _S74.value0_9.value0_8.z;
     var sign_0 : f32;
-    if(_S77 < -0.30000001192092896f)
+    if(_S77 < -0.00000999999974738f)
     {
         sign_0 = -1.0f;
     }
@@ -1306,7 +1306,7 @@ fn axes_around_0( n_3 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     axes_1.n_0 = _S222;
     var _S223 : f32 = n_3.z;
     var sign_1 : f32;
-    if(_S223 < -0.30000001192092896f)
+    if(_S223 < -0.00000999999974738f)
     {
         sign_1 = -1.0f;
     }

@@ -1,7 +1,7 @@
 // Compiled from walk.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 0337d4c0d9b76f1f
-// result: 8236d1ce4e77e83f
+// source: 22442b3707733218
+// result: 8f93ead40f05911f
 
 struct Launch_std140_0
 {
@@ -974,7 +974,7 @@ fn axes_around_0( n_2 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     axes_0.n_1 = _S104;
     var _S105 : f32 = n_2.z;
     var sign_0 : f32;
-    if(_S105 < -0.30000001192092896f)
+    if(_S105 < -0.00000999999974738f)
     {
         sign_0 = -1.0f;
     }
@@ -1009,7 +1009,7 @@ fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_3 : 
     var _S111 : f32 = dpn_1.primal_0.z;
     var _S112 : f32 = dpn_1.differential_0.z;
     var sign_1 : f32;
-    if(_S111 < -0.30000001192092896f)
+    if(_S111 < -0.00000999999974738f)
     {
         sign_1 = -1.0f;
     }

@@ -1,7 +1,7 @@
 // Compiled from walk.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 0337d4c0d9b76f1f
-// result: cab092ec877db6ac
+// source: 22442b3707733218
+// result: 7c2abe5c795f4ce4
 
 struct Launch_std140_0
 {
@@ -972,7 +972,7 @@ fn axes_around_0( n_2 : vec3<f32>,  is_front_2 : bool) -> Axes_0
     axes_0.n_1 = _S97;
     var _S98 : f32 = n_2.z;
     var sign_0 : f32;
-    if(_S98 < -0.30000001192092896f)
+    if(_S98 < -0.00000999999974738f)
     {
         sign_0 = -1.0f;
     }
@@ -1007,7 +1007,7 @@ fn s_fwd_axes_around_0( dpn_1 : DiffPair_vectorx3Cfloatx2C3x3E_0,  is_front_3 : 
     var _S104 : f32 = dpn_1.primal_0.z;
     var _S105 : f32 = dpn_1.differential_0.z;
     var sign_1 : f32;
-    if(_S104 < -0.30000001192092896f)
+    if(_S104 < -0.00000999999974738f)
     {
         sign_1 = -1.0f;
     }

@@ -423,7 +423,17 @@ fn boundary_terms_are_the_processors() {
         return;
     };
     let mut wrong = Vec::new();
-    for case in cases() {
+    // By more than its plane.
+    let wall_moves = Case {
+        depth: 3,
+        moving: vec!["wall"],
+        velocity: Vec3::new(0.5, 0.3, 0.4),
+        ..case(
+            "a wall moves",
+            [wall("metal"), lamp("lamp", 1.0, LAMP, "2, 3, 2.5")],
+        )
+    };
+    for case in cases().into_iter().chain([wall_moves]) {
         let prepared = case.prepared();
         let tangent = case.tangent(prepared.scene());
         let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
