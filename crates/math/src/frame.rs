@@ -86,8 +86,8 @@ mod tests {
             Vec3::new(0.0, 0.0, -1.0),
             Vec3::new(0.6, -0.48, 0.64),
             Vec3::new(1.0, 0.0, -0.0),
-            Vec3::new(0.6, 0.8, -1e-6),
-            Vec3::new(0.8, -0.6, -2e-5),
+            Vec3::new(0.6, 0.8, -1e-6).normalized(),
+            Vec3::new(0.8, -0.6, -2e-5).normalized(),
         ] {
             let frame = Frame::from_normal(n);
             assert!((frame.s.cross(frame.t) - n).length() < 1e-15);
