@@ -99,7 +99,7 @@ impl<'a> Paths<'a> {
         let mut list = self.listed(count)?;
         loop {
             if list.is_empty() {
-                self.check_loops()?;
+                self.counts()?;
                 return Ok(Followed::ToTheEnd(lists));
             }
             if watch.should_stop() {
@@ -167,7 +167,7 @@ impl<'a> Paths<'a> {
             self.launch(&GO_BACK, list.len(), depth)?;
             self.walk(&WALK_BACK, list.len(), depth)?;
         }
-        self.check_loops()?;
+        self.counts()?;
         Ok(true)
     }
 
@@ -183,11 +183,12 @@ impl<'a> Paths<'a> {
         self.gpu.write(&self.results, &vec![0; 4 * sums])
     }
 
-    /// An error if any thread of the launches so far did not run its loops to their ends.
-    pub(crate) fn check_loops(&self) -> Result<(), GpuError> {
+    /// What the launches so far say (`faults.slang`); an error if any thread of theirs did not run its loops
+    /// to their ends.
+    pub(crate) fn counts(&self) -> Result<Vec<u32>, GpuError> {
         let counts = self.sums(COUNTS)?;
         match counts[CUT_SHORT] {
-            0 => Ok(()),
+            0 => Ok(counts),
             threads => Err(self.gpu.loops_cut_short(threads)),
         }
     }

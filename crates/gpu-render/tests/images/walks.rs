@@ -18,9 +18,10 @@ use crate::motion::{assert_same, everything, samples_among, with_sensor};
 const DIFFERENT: f64 = 5e-4;
 
 /// The share of those with a derivative that may, and how many more: which of two edges is nearer, and whether
-/// one in the plane of a face is seen, is decided by rounding: on a ball that turns, of 952 samples 15 differ on
-/// software Vulkan, and 21 on an H100.
-const MOST_DIFFERENT: f64 = 0.025;
+/// one in the plane of a face is seen, is decided by rounding. On a ball that turns, of 952 samples 15 differ on
+/// software Vulkan, and 21 on an H100, for which more may.
+const MOST_DIFFERENT: f64 = 0.017;
+const MOST_ON_HARDWARE: f64 = 0.025;
 const FEW: f64 = 2.0;
 
 /// Pixels of the images, of which there are so many, of one sample; and how many pixels must have a
@@ -140,6 +141,10 @@ fn walks_are_the_processors() {
     let Some(gpu) = device::open(Precision::Double) else {
         return;
     };
+    let most = match gpu.is_software() {
+        true => MOST_DIFFERENT,
+        false => MOST_ON_HARDWARE,
+    };
     let mut all = 0;
     for (case, options) in scenes() {
         if case.things.iter().any(|thing| thing == SKY) {
@@ -162,7 +167,7 @@ fn walks_are_the_processors() {
             moving += theirs.pixels.iter().filter(moves).count();
         }
         assert!(
-            wrong as f64 <= MOST_DIFFERENT * moving as f64 + FEW,
+            wrong as f64 <= most * moving as f64 + FEW,
             "{}: {wrong} of {moving} samples differ",
             case.name
         );
