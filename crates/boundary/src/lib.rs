@@ -58,7 +58,6 @@ pub use emitter_edge::EmitterEdge;
 pub use field::Field;
 pub use material::{
     FlatEvents, flat_events, may_be_specular, needs_place, needs_tangent, tangents_of_face,
-    textures_of,
 };
 pub use method::{Gathers, Method, MethodTraits};
 #[cfg(feature = "paper")]

@@ -1,11 +1,12 @@
 //! What was done, for people: aligned columns, times, warnings.
 
+use anyhow::{Result, bail};
 pub use capwalk::text::{count, list, number, plus_minus, significant};
 use capwalk::{Estimate, Image, Missing, Rgb, Statistics, missing_text};
 use serde_json::{Value, json};
 
 use crate::diagnostics::Outcome;
-use crate::progress;
+use crate::{console, progress};
 
 /// How many of something there are: "1 emitter", "2 emitters".
 pub fn counted(n: usize, noun: &str) -> String {
@@ -110,6 +111,15 @@ pub fn warnings(what: &str, statistics: &Statistics) -> String {
         );
     }
     text
+}
+
+/// How it ends if it was stopped too early to write anything.
+pub fn nothing(before: &str) -> Result<Outcome> {
+    if !progress::interrupted() {
+        bail!("the time limit ended before {before}; nothing was written. Give more time");
+    }
+    console::remark(&format!("stopped before {before}; nothing was written\n"));
+    Ok(Outcome::Interrupted)
 }
 
 /// How a command ends whose images were made with these statistics.

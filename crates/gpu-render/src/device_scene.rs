@@ -12,6 +12,7 @@ use capwalk_render::{PreparedScene, SceneEval, Tracer};
 use crate::camera_records::CameraRecords;
 use crate::device_edges::DeviceEdges;
 use crate::device_error::DeviceError;
+use crate::edge_paths::MOST_PARTS;
 use crate::edge_records::{EdgeMotion, EdgeRecords};
 use crate::lobe_records::only_diffuse;
 use crate::paths::Paths;
@@ -124,14 +125,15 @@ impl<'a> DeviceScene<'a> {
         )
     }
 
-    /// Uploads the edges that paths cross where the scene moves, given what is known of its motion.
+    /// Uploads the edges that paths cross where the scene moves, given what is known of its motion; an error
+    /// if there are too many.
     pub(crate) fn edges<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
         tracer: &Tracer,
         boundaries: &Boundaries,
         motion: &EdgeMotion,
-    ) -> Result<DeviceEdges, GpuError> {
+    ) -> Result<DeviceEdges, DeviceError> {
         let accel = self.prepared.accel();
         let camera = CameraRecords::new(accel, &self.frame);
         let numbers = exact_numbers(accel, &camera, self.gpu.precision());
@@ -140,10 +142,18 @@ impl<'a> DeviceScene<'a> {
             false => AT_ONCE_ON_HARDWARE,
         };
         let records = EdgeRecords::new(tracer, boundaries, eval, motion, &self.frame, at_once);
+        if records.leaves.div_ceil(at_once[0] as usize) > MOST_PARTS {
+            let what = format!(
+                "the scene has {} groups of edges, more than {} looks at, and it moves",
+                records.leaves,
+                self.gpu.name()
+            );
+            return Err(Unsupported { what }.into());
+        }
         let image = match only_diffuse(self.prepared.scene()) {
             true => &DIFFUSE_IMAGE,
             false => &IMAGE,
         };
-        DeviceEdges::new(&self.gpu, numbers, records, image)
+        Ok(DeviceEdges::new(&self.gpu, numbers, records, image)?)
     }
 }

@@ -14,7 +14,10 @@ const SUBTREES: [usize; 2] = [2, 1];
 /// The bits of a launch's depth that are the depth; those above are the number of a part of the edges or
 /// of a subtree.
 const DEPTH_BITS: usize = 16;
-const MOST_PARTS: usize = 1 << (32 - DEPTH_BITS);
+/// No launch is at a later vertex of a path.
+pub const LAST_VERTEX: u32 = (1 << DEPTH_BITS) - 1;
+/// No more parts are counted.
+pub const MOST_PARTS: usize = 1 << (32 - DEPTH_BITS);
 
 impl Paths<'_> {
     /// Adds the boundary terms at the vertices, of this number, that the paths of a list are at; false
@@ -32,6 +35,7 @@ impl Paths<'_> {
         };
         // Each launch looks at so many leaves or samples one subtree, so that no thread works for long.
         let subtrees = SUBTREES[usize::from(depth > 0)];
+        assert!(depth <= LAST_VERTEX as usize, "so long paths were refused");
         let of_part = |part: usize| depth | part << DEPTH_BITS;
         let before = |has_any, parts| if has_any { parts } else { 0 };
         let before_areas = edges.crosses.before_areas(depth);
@@ -47,9 +51,8 @@ impl Paths<'_> {
             }
             self.launch(&kernels.cross_edges, list.len(), of_part(part))?;
             if part == 0 && before_areas {
-                parts = parts.max(self.counts()?[PARTS] as usize);
-                // Software ends its loops before; no memory has so many leaves of hardware's parts.
-                assert!(parts <= MOST_PARTS, "there is no room for so many edges");
+                parts = parts.max(self.take_parts()?);
+                assert!(parts <= MOST_PARTS, "so many leaves were refused");
             }
             part += 1;
         }
@@ -81,6 +84,18 @@ impl Paths<'_> {
             }
         }
         Ok(true)
+    }
+
+    /// In how many parts the last launch wants the edges before emitters to be taken; the next one counts
+    /// anew.
+    fn take_parts(&self) -> Result<usize, GpuError> {
+        let mut counts = self.counts()?;
+        let parts = std::mem::take(&mut counts[PARTS]);
+        if parts > 0 {
+            self.gpu
+                .write(&self.results, bytemuck::cast_slice(&counts))?;
+        }
+        Ok(parts as usize)
     }
 
     /// The paths among the first so many of the device's list that go on, in order, whichever thread

@@ -40,6 +40,8 @@ pub struct EdgeRecords {
     pub words: Vec<u32>,
     /// Where paths can cross edges.
     pub crosses: Crosses,
+    /// How many leaves the largest tree has.
+    pub leaves: usize,
 }
 
 /// What the kernels read of how edges move.
@@ -125,6 +127,7 @@ impl EdgeRecords {
             numbers: vec![ON_PLANE, away, IN_PLANE, BESIDE, half, whole],
             words: vec![0; HEADER],
             crosses,
+            leaves: 0,
         };
         let mut tree = |selection, is_needed| match is_needed {
             true => {
@@ -266,17 +269,17 @@ impl EdgeRecords {
             self.numbers.extend(normals.map(Vec3::length));
         }
 
+        let leaves = tree.nodes.iter().filter(|node| node.second.is_none());
+        self.leaves = self.leaves.max(leaves.count());
         let nodes_at = self.words.len() as u32;
         let bounds = buffers.bounds.as_chunks::<BOUNDS>().0;
         for node in &tree.nodes {
             let bounds = bounds[node.source];
             let Motion { velocity, spread } = motions[node.source];
             let local = |length: f64| float(length * frame.inverse_scale);
-            let halves = node
-                .halves
-                .map_or([NONE; 2], |halves| halves.map(|i| i as u32));
+            let second = node.second.map_or(NONE, |second| second as u32);
             let (radius, count) = (bounds[3], node.edges.len().max(LEAF));
-            self.words.extend(halves);
+            self.words.extend([second, node.end as u32]);
             self.words
                 .extend([node.edges.start, node.edges.end].map(|i| i as u32));
             let centre = frame.local_from_world(Vec3::new(bounds[0], bounds[1], bounds[2]));

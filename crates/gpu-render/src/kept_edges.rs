@@ -8,6 +8,10 @@ use capwalk_geometry::sampler_buffers::{NODE, NONE, SamplerBuffers};
 /// is sampled better than what is in several.
 pub const LEAF: usize = 32;
 
+/// Walks have room for so many levels (`LONGEST_WAY` of `nearest_edge.slang`): the sampler's trees have 60,
+/// and then halves of at most 2³² edges.
+const DEEPEST: usize = 92;
+
 /// A tree of some edges.
 pub struct KeptEdges {
     /// Their places in the sampler, in its order.
@@ -20,8 +24,10 @@ pub struct KeptEdges {
 pub struct KeptNode {
     /// The node of the sampler whose bounds are around it.
     pub source: usize,
-    /// Both halves; none in a leaf.
-    pub halves: Option<[usize; 2]>,
+    /// The second half; none in a leaf. The first one is the next node.
+    pub second: Option<usize>,
+    /// The node after all that are below it.
+    pub end: usize,
     /// Its edges.
     pub edges: Range<usize>,
 }
@@ -37,12 +43,13 @@ impl KeptEdges {
         if tree.edges.is_empty() {
             return None;
         }
-        tree.add(buffers.nodes.as_chunks::<NODE>().0, 0);
+        tree.add(buffers.nodes.as_chunks::<NODE>().0, 0, 1);
         Some(tree)
     }
 
-    /// Adds what is kept of a node, which is something, and returns its number.
-    fn add(&mut self, nodes: &[[u32; NODE]], source: usize) -> usize {
+    /// Adds what is kept of a node, which is something, at this level, and returns its number.
+    fn add(&mut self, nodes: &[[u32; NODE]], source: usize, level: usize) -> usize {
+        assert!(level <= DEEPEST, "walks have no room for so many levels");
         let [first, second, ..] = nodes[source];
         let edges = self.kept(&nodes[source]);
         let is_leaf = first == NONE || edges.len() <= LEAF;
@@ -51,20 +58,22 @@ impl KeptEdges {
             // Where all that is kept is in one half, that stands for the node.
             for [empty, other] in [halves, [halves[1], halves[0]]] {
                 if self.kept(&nodes[empty]).is_empty() {
-                    return self.add(nodes, other);
+                    return self.add(nodes, other, level);
                 }
             }
         }
         let number = self.nodes.len();
         self.nodes.push(KeptNode {
             source,
-            halves: None,
+            second: None,
+            end: 0,
             edges,
         });
         if !is_leaf {
-            let halves = halves.map(|half| self.add(nodes, half));
-            self.nodes[number].halves = Some(halves);
+            let [_, second] = halves.map(|half| self.add(nodes, half, level + 1));
+            self.nodes[number].second = Some(second);
         }
+        self.nodes[number].end = self.nodes.len();
         number
     }
 
@@ -106,7 +115,7 @@ mod tests {
                 let kept: Vec<bool> = (0..count).map(|i| i % step == 0).collect();
                 let tree = KeptEdges::new(&buffers, &kept).expect("some are kept");
                 let mut listed: Vec<usize> = Vec::new();
-                for node in tree.nodes.iter().filter(|node| node.halves.is_none()) {
+                for node in tree.nodes.iter().filter(|node| node.second.is_none()) {
                     let [_, _, start, end] = nodes[node.source];
                     let edges = &tree.edges[node.edges.clone()];
                     assert!(edges.len() <= LEAF && !edges.is_empty());

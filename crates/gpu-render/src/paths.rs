@@ -26,7 +26,7 @@ pub struct Paths<'a> {
     pub(crate) state: DeviceArray,
     /// Counts of faults, and behind them sums over all paths, or the weights of the camera's rays in
     /// their pixels.
-    results: DeviceArray,
+    pub(crate) results: DeviceArray,
 }
 
 /// How far paths were followed.

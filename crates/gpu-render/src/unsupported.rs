@@ -10,6 +10,8 @@ use capwalk_scene::{
 };
 use capwalk_walk::Estimator;
 
+use crate::edge_paths::LAST_VERTEX;
+
 /// Something of a scene or of options that the device's renderer does not have.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{what}: not on the GPU yet; use the CPU (`--device cpu`)")]
@@ -36,8 +38,9 @@ pub fn unsupported_options(options: &RenderOptions) -> Option<Unsupported> {
 
 /// The first thing of a derivative that the device's renderer does not have, by a method. It has those
 /// with respect to the numbers of materials, but for rough coats, to what emitters send, and by edges to
-/// what moves, unless rays are parallel, a mirror is curved or may show another one many times, a texture
-/// is discontinuous inside faces, or the film alone changes. Directions towards surfaces walk where edges there cannot be gathered or are not to be.
+/// what moves, unless rays are parallel, a mirror is curved or may show another one many times, or the
+/// film alone changes. Directions towards surfaces walk where edges there cannot be gathered or are not to
+/// be.
 pub fn unsupported_derivative(
     prepared: &PreparedScene,
     wanted: &Wanted,
@@ -98,6 +101,12 @@ fn in_motion(
         let what = format!("mirrors may show each other more than {MAX_EVENTS} times");
         (planes.count() > 1 && is_long).then_some(what)
     };
+    let long = || {
+        let plan = Plan::new(scene);
+        let longest = plan.max_depth.unwrap_or(u32::MAX);
+        (longest.min(plan.rr_depth) > LAST_VERTEX)
+            .then(|| format!("paths may have more than {LAST_VERTEX} segments"))
+    };
     // There the film moves under rays that stay, and its points with it.
     let film = || {
         let is_alone = wanted.film && !wanted.geometry();
@@ -136,7 +145,7 @@ fn in_motion(
         (!is_usual || walk.antithetic).then(|| what.to_owned())
     };
     let what = parallel.or_else(curved).or_else(repeated);
-    let what = what.or_else(walks).or_else(steps);
+    let what = what.or_else(walks).or_else(steps).or_else(long);
     match what {
         Some(what) => Some(format!("{what}, {}", what_moves(scene, wanted))),
         None => film(),

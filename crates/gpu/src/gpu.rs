@@ -18,6 +18,9 @@ use crate::wgpu_driver::WgpuDriver;
 /// Queries of the first launch of a kernel, when it is not known yet how long they take.
 const FIRST: usize = 1 << 12;
 
+/// A GPU runs so many groups of threads at once: launches of fewer take as long.
+const GROUPS_AT_ONCE: usize = 64;
+
 /// How many times as long as others a launch may take that a software device compiles a kernel for.
 const COMPILING: u32 = 10;
 
@@ -75,6 +78,8 @@ pub struct Gpu {
     pace: Mutex<BTreeMap<(&'static str, usize), usize>>,
     /// Nanoseconds that launches took.
     busy: AtomicU64,
+    /// Larger pieces of memory are refused.
+    memory: AtomicU64,
     copies: Mutex<Copies>,
     /// Whether the eight threads of a cone are neighbours.
     eights: OnceLock<bool>,
@@ -91,6 +96,7 @@ impl Gpu {
             options: options.clone(),
             pace: Mutex::default(),
             busy: AtomicU64::new(0),
+            memory: AtomicU64::new(u64::MAX),
             copies: Mutex::default(),
             eights: OnceLock::new(),
         })
@@ -141,6 +147,12 @@ impl Gpu {
         self.driver.largest().min(wanted)
     }
 
+    /// From now on there is no memory for pieces of more bytes, as on a device that is nearly full. For tests.
+    #[doc(hidden)]
+    pub fn pretend_memory(&self, bytes: u64) {
+        self.memory.store(bytes, Ordering::Relaxed);
+    }
+
     /// An error if the device is lost.
     pub fn check(&self) -> Result<(), GpuError> {
         self.driver.check().map_err(|fault| self.error(fault, 0))
@@ -184,7 +196,10 @@ impl Gpu {
 
     /// A new piece of memory; nobody knows what is in it.
     pub(crate) fn allocate(&self, bytes: u64) -> Result<Memory, GpuError> {
-        let memory = self.driver.allocate(bytes);
+        let memory = match bytes > self.memory.load(Ordering::Relaxed) {
+            true => Err(Fault::OutOfMemory),
+            false => self.driver.allocate(bytes),
+        };
         memory.map_err(|fault| self.error(fault, bytes))
     }
 
@@ -229,6 +244,12 @@ impl Gpu {
         arrays: [&Memory; ARRAYS],
         whole: Launch,
     ) -> Result<(), GpuError> {
+        let groups = if self.is_software() {
+            1
+        } else {
+            GROUPS_AT_ONCE
+        };
+        let least = groups * kernel.group;
         let mut rest = whole;
         while rest.first < whole.end {
             let known = locked(&self.pace).get(&kernel.key()).copied();
@@ -254,7 +275,7 @@ impl Gpu {
             self.busy
                 .fetch_add(took.as_nanos() as u64, Ordering::Relaxed);
             let next = if took > self.options.launch {
-                (size / 2).max(kernel.group)
+                (size / 2).max(least)
             } else if 3 * took < self.options.launch && launch.queries() == size {
                 (2 * size).min(kernel.most())
             } else {

@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 use crate::args::{Backward, LossName};
 use crate::diagnostics::Outcome;
 use crate::memory::{self, Need};
-use crate::progress::{self, Progress};
+use crate::progress::Progress;
 use crate::{console, method, output, report, source};
 
 /// One of so many parts of a time limit is for the image that a loss is of: samples of
@@ -40,7 +40,7 @@ pub fn run(args: &Backward) -> Result<Outcome> {
     let loss = match args.objective.loss {
         None => None,
         Some(name) => match measured(&prepared, name, &given, &sampling, args)? {
-            None => return nothing("every pixel of the image had a sample"),
+            None => return report::nothing("every pixel of the image had a sample"),
             loss => loss,
         },
     };
@@ -89,7 +89,7 @@ pub fn run(args: &Backward) -> Result<Outcome> {
     let options = chosen.options;
     let statistics = &gradients.statistics;
     if statistics.samples == 0 {
-        return nothing("a sample of the gradient was taken");
+        return report::nothing("a sample of the gradient was taken");
     }
 
     arrays::write(&file, &contents(args, &options, &gradients, loss.as_ref()))?;
@@ -130,15 +130,6 @@ pub fn run(args: &Backward) -> Result<Outcome> {
         ))?;
     }
     Ok(report::outcome(&pieces))
-}
-
-/// How it ends if it was stopped too early to write anything.
-fn nothing(before: &str) -> Result<Outcome> {
-    if !progress::interrupted() {
-        bail!("the time limit ended before {before}; nothing was written. Give more time");
-    }
-    console::remark(&format!("stopped before {before}; nothing was written\n"));
-    Ok(Outcome::Interrupted)
 }
 
 /// All arrays with respect to which the gradient is not refused; warns of the others.

@@ -67,6 +67,9 @@ pub fn run(
     }
 
     let (value, gradient, statistics) = (&result.value, &result.gradient, &result.statistics);
+    if statistics.samples == 0 {
+        return report::nothing("a sample of the gradient was taken");
+    }
     let parameter = direction::describe(&args.tangent);
     let mut layered = layered(&args.scene, &parameter, way.name(), &options, &result);
     if let Some(step) = way.step() {

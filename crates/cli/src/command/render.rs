@@ -31,6 +31,9 @@ pub fn run(args: &Render) -> Result<Outcome> {
     let (rendering, adapter) = (found.result, found.adapter);
 
     let (value, statistics) = (&rendering.value, &rendering.statistics);
+    if statistics.samples == 0 {
+        return report::nothing("a sample of the image was taken");
+    }
     let mut layered = output::layered("render", &args.scene, None, &options);
     if let Some(adapter) = &adapter {
         output::note(&mut layered, "device", adapter);

@@ -1,6 +1,6 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 68244d489add2dee
+// source: 7745810d8c6fd150
 // result: aa8aefa02230e192
 
 struct Launch_std140_0

@@ -1,6 +1,6 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: c3c68c0603ff5dad
+// source: e17d2c6c7dee079f
 // result: 5a7023c39d37c749
 
 struct Launch_std140_0

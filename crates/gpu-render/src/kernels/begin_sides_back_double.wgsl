@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 68244d489add2dee
-// result: 23c135c3d397825b
+// source: 7745810d8c6fd150
+// result: 53ae2ff46cfcd1ab
 
 struct Launch_std140_0
 {
@@ -1391,6 +1391,11 @@ fn part_of_launch_0() -> u32
     return ((launch_0.depth_0) >> (u32(16)));
 }
 
+fn node_at_0( at_19 : ShadingPoint_0,  number_1 : u32) -> u32
+{
+    return edge_word_0(at_19.tree_0) + u32(45) * number_1;
+}
+
 fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f64
 {
     var bits_0 : vec2<u32> = random_bits_0(key_4, dimension_2);
@@ -1398,14 +1403,14 @@ fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f64
     return (f64((_S92 >> (u32(11)))) + f64((((_S92 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
-fn edge_number_0( at_19 : u32) -> f32
+fn edge_number_0( at_20 : u32) -> f32
 {
-    return (bitcast<f32>((edge_word_0(at_19))));
+    return (bitcast<f32>((edge_word_0(at_20))));
 }
 
-fn edge_vector_0( at_20 : u32) -> vec3<f32>
+fn edge_vector_0( at_21 : u32) -> vec3<f32>
 {
-    return vec3<f32>(edge_number_0(at_20), edge_number_0(at_20 + u32(1)), edge_number_0(at_20 + u32(2)));
+    return vec3<f32>(edge_number_0(at_21), edge_number_0(at_21 + u32(1)), edge_number_0(at_21 + u32(2)));
 }
 
 fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
@@ -1429,12 +1434,12 @@ fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_4 : f32
     return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
 }
 
-fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
+fn is_outside_0( at_22 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
 {
     var _S93 : bool;
-    if(u32(0) < (at_21.planes_0))
+    if(u32(0) < (at_22.planes_0))
     {
-        _S93 = (dot(vec3<f32>(at_21.inside_2[u32(0)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S93 = (dot(vec3<f32>(at_22.inside_2[u32(0)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1444,9 +1449,9 @@ fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(1) < (at_21.planes_0))
+    if(u32(1) < (at_22.planes_0))
     {
-        _S93 = (dot(vec3<f32>(at_21.inside_2[u32(1)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S93 = (dot(vec3<f32>(at_22.inside_2[u32(1)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1456,9 +1461,9 @@ fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(2) < (at_21.planes_0))
+    if(u32(2) < (at_22.planes_0))
     {
-        _S93 = (dot(vec3<f32>(at_21.inside_2[u32(2)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S93 = (dot(vec3<f32>(at_22.inside_2[u32(2)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1468,9 +1473,9 @@ fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(3) < (at_21.planes_0))
+    if(u32(3) < (at_22.planes_0))
     {
-        _S93 = (dot(vec3<f32>(at_21.inside_2[u32(3)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S93 = (dot(vec3<f32>(at_22.inside_2[u32(3)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1480,9 +1485,9 @@ fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(4) < (at_21.planes_0))
+    if(u32(4) < (at_22.planes_0))
     {
-        _S93 = (dot(vec3<f32>(at_21.inside_2[u32(4)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S93 = (dot(vec3<f32>(at_22.inside_2[u32(4)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1492,9 +1497,9 @@ fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(5) < (at_21.planes_0))
+    if(u32(5) < (at_22.planes_0))
     {
-        _S93 = (dot(vec3<f32>(at_21.inside_2[u32(5)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S93 = (dot(vec3<f32>(at_22.inside_2[u32(5)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1504,9 +1509,9 @@ fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(6) < (at_21.planes_0))
+    if(u32(6) < (at_22.planes_0))
     {
-        _S93 = (dot(vec3<f32>(at_21.inside_2[u32(6)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S93 = (dot(vec3<f32>(at_22.inside_2[u32(6)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1516,9 +1521,9 @@ fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(7) < (at_21.planes_0))
+    if(u32(7) < (at_22.planes_0))
     {
-        _S93 = (dot(vec3<f32>(at_21.inside_2[u32(7)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S93 = (dot(vec3<f32>(at_22.inside_2[u32(7)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1528,7 +1533,7 @@ fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    return (dot(at_21.front_0, offset_5 - at_21.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
+    return (dot(at_22.front_0, offset_5 - at_22.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
 }
 
 fn logarithm_0( x_4 : f32) -> f32
@@ -1610,13 +1615,13 @@ fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
     return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
 }
 
-fn speed_of_0( at_22 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+fn speed_of_0( at_23 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
 {
     if(is_blind_0())
     {
         return edge_number_0(node_2 + u32(20)) + 0.10000000149011612f;
     }
-    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_22.motion_1, offset_7);
+    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_23.motion_1, offset_7);
     var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
     var sine_3 : f32 = edge_number_0(node_2 + u32(11));
     var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
@@ -1631,17 +1636,17 @@ fn speed_of_0( at_22 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  ra
     {
         speed_0 = length(relative_0);
     }
-    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_22.motion_1.rotation_0) * radius_3;
+    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_23.motion_1.rotation_0) * radius_3;
 }
 
-fn importance_of_0( at_23 : ShadingPoint_0,  node_3 : u32) -> f32
+fn importance_of_0( at_24 : ShadingPoint_0,  node_3 : u32) -> f32
 {
     var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
-    var offset_8 : vec3<f32> = centre_1 - at_23.vertex_2.surface_3.position_1;
+    var offset_8 : vec3<f32> = centre_1 - at_24.vertex_2.surface_3.position_1;
     var radius_4 : f32 = edge_number_0(node_3 + u32(7));
     var distance_5 : f32 = length(offset_8);
     var _S98 : bool;
-    if(!at_23.has_creases_0)
+    if(!at_24.has_creases_0)
     {
         _S98 = !may_have_silhouette_0(node_3, offset_8, distance_5);
     }
@@ -1653,11 +1658,11 @@ fn importance_of_0( at_23 : ShadingPoint_0,  node_3 : u32) -> f32
     {
         return 0.0f;
     }
-    if(is_outside_0(at_23, offset_8, radius_4))
+    if(is_outside_0(at_24, offset_8, radius_4))
     {
         return 0.0f;
     }
-    var cosine_5 : f32 = largest_cosine_0(at_23.vertex_2.surface_3.position_1, at_23.vertex_2.axes_5.n_0, centre_1, radius_4);
+    var cosine_5 : f32 = largest_cosine_0(at_24.vertex_2.surface_3.position_1, at_24.vertex_2.axes_5.n_0, centre_1, radius_4);
     var _S99 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
     var least_0 : f32 = edge_number_0(node_3 + u32(16));
     var ratio_0 : f32 = _S99 / max(max(distance_5 * distance_5 - _S99, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
@@ -1680,13 +1685,12 @@ fn importance_of_0( at_23 : ShadingPoint_0,  node_3 : u32) -> f32
     {
         visible_0 = visible_1;
     }
-    return visible_0 * speed_of_0(at_23, node_3, offset_8, radius_4) * cosine_5 * near_0;
+    return visible_0 * speed_of_0(at_24, node_3, offset_8, radius_4) * cosine_5 * near_0;
 }
 
-fn descend_0( at_24 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+fn descend_0( at_25 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
 {
-    var nodes_at_0 : u32 = edge_word_0(at_24.tree_0);
-    (*leaf_0) = nodes_at_0;
+    (*leaf_0) = node_at_0(at_25, u32(0));
     (*probability_2) = 1.0f;
     var _S100 : f64 = u_1;
     for(;;)
@@ -1698,10 +1702,10 @@ fn descend_0( at_24 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>, 
         {
             break;
         }
-        var first_2 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
-        var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
-        var of_first_0 : f32 = importance_of_0(at_24, first_2);
-        var of_second_0 : f32 = importance_of_0(at_24, second_1);
+        var first_2 : u32 = (*leaf_0) + u32(45);
+        var second_1 : u32 = node_at_0(at_25, edge_word_0((*leaf_0)));
+        var of_first_0 : f32 = importance_of_0(at_25, first_2);
+        var of_second_0 : f32 = importance_of_0(at_25, second_1);
         var sum_0 : f32 = of_first_0 + of_second_0;
         var _S101 : bool;
         if(sum_0 > 0.0f)
@@ -1760,53 +1764,81 @@ fn descend_0( at_24 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>, 
     return true;
 }
 
+fn side_path_0( number_of_path_2 : u32,  side_0 : u32) -> u32
+{
+    return launch_0.room_0 / u32(3) + u32(2) * number_of_path_2 + side_0;
+}
+
 struct Leaves_0
 {
-     count_2 : u32,
-     nodes_1 : array<u32, i32(96)>,
+     node_4 : u32,
+     end_1 : u32,
 };
 
-fn below_0( node_4 : u32) -> Leaves_0
+fn below_0( at_26 : ShadingPoint_0,  node_5 : u32) -> Leaves_0
 {
     var leaves_0 : Leaves_0;
-    leaves_0.count_2 = u32(1);
-    leaves_0.nodes_1[i32(0)] = node_4;
+    leaves_0.node_4 = node_5;
+    leaves_0.end_1 = node_at_0(at_26, edge_word_0(node_5 + u32(1)));
     return leaves_0;
 }
 
-fn next_leaf_0( at_25 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
+fn next_leaf_0( at_27 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
 {
-    var nodes_at_1 : u32 = edge_word_0(at_25.tree_0);
-    (*leaf_1) = nodes_at_1;
+    (*leaf_1) = (*leaves_1).node_4;
     for(;;)
     {
-        if(((*leaves_1).count_2) > u32(0))
+        if(((*leaves_1).node_4) < ((*leaves_1).end_1))
         {
         }
         else
         {
             break;
         }
-        var _S105 : u32 = (*leaves_1).count_2 - u32(1);
-        (*leaves_1).count_2 = _S105;
-        var _S106 : u32 = (*leaves_1).nodes_1[_S105];
-        (*leaf_1) = (*leaves_1).nodes_1[_S105];
-        if(!((importance_of_0(at_25, _S106)) > 0.0f))
+        var _S105 : u32 = (*leaves_1).node_4;
+        (*leaf_1) = (*leaves_1).node_4;
+        var contributes_0 : bool = (importance_of_0(at_27, _S105)) > 0.0f;
+        var is_leaf_0 : bool = (edge_word_0(_S105)) == u32(4294967295);
+        var _S106 : bool;
+        if(contributes_0)
         {
-            continue;
+            _S106 = !is_leaf_0;
         }
-        if((edge_word_0((*leaf_1))) == u32(4294967295))
+        else
+        {
+            _S106 = false;
+        }
+        var _S107 : u32;
+        if(_S106)
+        {
+            _S107 = (*leaf_1) + u32(45);
+        }
+        else
+        {
+            _S107 = node_at_0(at_27, edge_word_0((*leaf_1) + u32(1)));
+        }
+        (*leaves_1).node_4 = _S107;
+        var _S108 : bool;
+        if(contributes_0)
+        {
+            _S108 = is_leaf_0;
+        }
+        else
+        {
+            _S108 = false;
+        }
+        if(_S108)
         {
             return true;
         }
-        var _S107 : u32 = (*leaves_1).count_2;
-        var _S108 : u32 = (*leaves_1).count_2 + u32(1);
-        (*leaves_1).count_2 = _S108;
-        (*leaves_1).nodes_1[_S107] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1));
-        (*leaves_1).count_2 = _S108 + u32(1);
-        (*leaves_1).nodes_1[_S108] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + u32(1));
     }
     return false;
+}
+
+fn set_word_0( path_10 : u32,  which_7 : u32,  value_5 : u32)
+{
+    paths_0[which_7 * launch_0.room_0 + path_10] = value_5;
+    return;
 }
 
 struct Edge_0
@@ -1815,11 +1847,11 @@ struct Edge_0
      numbers_4 : u32,
 };
 
-fn edge_at_0( at_26 : ShadingPoint_0,  place_10 : u32) -> Edge_0
+fn edge_at_0( at_28 : ShadingPoint_0,  place_10 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_7 = edge_word_0(at_26.tree_0 + u32(1)) + u32(12) * place_10;
-    edge_0.numbers_4 = edge_word_0(at_26.tree_0 + u32(2)) + u32(14) * place_10;
+    edge_0.record_7 = edge_word_0(at_28.tree_0 + u32(1)) + u32(12) * place_10;
+    edge_0.numbers_4 = edge_word_0(at_28.tree_0 + u32(2)) + u32(14) * place_10;
     return edge_0;
 }
 
@@ -1853,15 +1885,15 @@ fn side_seen_0( from_0 : vec3<f64>,  tolerance_0 : f64,  normal_4 : u32,  length
     return _S109 - _S110;
 }
 
-fn is_silhouette_0( at_27 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+fn is_silhouette_0( at_29 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f64> = edge_position_0(edge_1.numbers_4);
-    var tolerance_1 : f64 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_27.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S111 : vec3<f64> = at_27.vertex_2.surface_3.exact_0 - start_0;
+    var tolerance_1 : f64 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_29.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S111 : vec3<f64> = at_29.vertex_2.surface_3.exact_0 - start_0;
     return (side_seen_0(_S111, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S111, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
 }
 
-fn factor_of_0( at_28 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+fn factor_of_0( at_30 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
     var _S112 : u32 = edge_2.record_7 + u32(2);
     var a_9 : vec3<f32> = edge_vector_0(_S112);
@@ -1869,7 +1901,7 @@ fn factor_of_0( at_28 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
     var _S113 : bool;
     if(!is_blind_0())
     {
-        _S113 = rests_0(at_28.motion_1);
+        _S113 = rests_0(at_30.motion_1);
     }
     else
     {
@@ -1895,12 +1927,12 @@ fn factor_of_0( at_28 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
     {
         return 0.0f;
     }
-    if(is_silhouette_0(at_28, edge_2))
+    if(is_silhouette_0(at_30, edge_2))
     {
         return edge_number_0(edge_2.record_7);
     }
     var _S114 : f32;
-    if(at_28.has_creases_0)
+    if(at_30.has_creases_0)
     {
         _S114 = edge_number_0(edge_2.record_7 + u32(1));
     }
@@ -1911,13 +1943,13 @@ fn factor_of_0( at_28 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
     return _S114;
 }
 
-fn is_clipped_0( at_29 : ShadingPoint_0,  a_10 : vec3<f64>,  b_8 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
+fn is_clipped_0( at_31 : ShadingPoint_0,  a_10 : vec3<f64>,  b_8 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
 {
     (*range_0) = vec2<f64>(0.0lf, 1.0lf);
     var _S115 : bool;
-    if((dot(at_29.front_0, vec3<f32>(a_10) - at_29.front_offset_0)) < -3.99999998990097083e-06f)
+    if((dot(at_31.front_0, vec3<f32>(a_10) - at_31.front_offset_0)) < -3.99999998990097083e-06f)
     {
-        _S115 = (dot(at_29.front_0, vec3<f32>(b_8) - at_29.front_offset_0)) < -3.99999998990097083e-06f;
+        _S115 = (dot(at_31.front_0, vec3<f32>(b_8) - at_31.front_offset_0)) < -3.99999998990097083e-06f;
     }
     else
     {
@@ -1930,10 +1962,10 @@ fn is_clipped_0( at_29 : ShadingPoint_0,  a_10 : vec3<f64>,  b_8 : vec3<f64>,  r
     var _S116 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_10, a_10), dot(b_8, b_8)));
     var first_3 : f64;
     var second_2 : f64;
-    if(u32(0) < (at_29.planes_0))
+    if(u32(0) < (at_31.planes_0))
     {
-        var _S117 : f64 = dot(at_29.inside_2[u32(0)], b_8) + _S116;
-        first_3 = dot(at_29.inside_2[u32(0)], a_10) + _S116;
+        var _S117 : f64 = dot(at_31.inside_2[u32(0)], b_8) + _S116;
+        first_3 = dot(at_31.inside_2[u32(0)], a_10) + _S116;
         second_2 = _S117;
     }
     else
@@ -1961,10 +1993,10 @@ fn is_clipped_0( at_29 : ShadingPoint_0,  a_10 : vec3<f64>,  b_8 : vec3<f64>,  r
             (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
         }
     }
-    if(u32(1) < (at_29.planes_0))
+    if(u32(1) < (at_31.planes_0))
     {
-        var _S119 : f64 = dot(at_29.inside_2[u32(1)], b_8) + _S116;
-        first_3 = dot(at_29.inside_2[u32(1)], a_10) + _S116;
+        var _S119 : f64 = dot(at_31.inside_2[u32(1)], b_8) + _S116;
+        first_3 = dot(at_31.inside_2[u32(1)], a_10) + _S116;
         second_2 = _S119;
     }
     else
@@ -1992,10 +2024,10 @@ fn is_clipped_0( at_29 : ShadingPoint_0,  a_10 : vec3<f64>,  b_8 : vec3<f64>,  r
             (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
         }
     }
-    if(u32(2) < (at_29.planes_0))
+    if(u32(2) < (at_31.planes_0))
     {
-        var _S121 : f64 = dot(at_29.inside_2[u32(2)], b_8) + _S116;
-        first_3 = dot(at_29.inside_2[u32(2)], a_10) + _S116;
+        var _S121 : f64 = dot(at_31.inside_2[u32(2)], b_8) + _S116;
+        first_3 = dot(at_31.inside_2[u32(2)], a_10) + _S116;
         second_2 = _S121;
     }
     else
@@ -2023,10 +2055,10 @@ fn is_clipped_0( at_29 : ShadingPoint_0,  a_10 : vec3<f64>,  b_8 : vec3<f64>,  r
             (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
         }
     }
-    if(u32(3) < (at_29.planes_0))
+    if(u32(3) < (at_31.planes_0))
     {
-        var _S123 : f64 = dot(at_29.inside_2[u32(3)], b_8) + _S116;
-        first_3 = dot(at_29.inside_2[u32(3)], a_10) + _S116;
+        var _S123 : f64 = dot(at_31.inside_2[u32(3)], b_8) + _S116;
+        first_3 = dot(at_31.inside_2[u32(3)], a_10) + _S116;
         second_2 = _S123;
     }
     else
@@ -2054,10 +2086,10 @@ fn is_clipped_0( at_29 : ShadingPoint_0,  a_10 : vec3<f64>,  b_8 : vec3<f64>,  r
             (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
         }
     }
-    if(u32(4) < (at_29.planes_0))
+    if(u32(4) < (at_31.planes_0))
     {
-        var _S125 : f64 = dot(at_29.inside_2[u32(4)], b_8) + _S116;
-        first_3 = dot(at_29.inside_2[u32(4)], a_10) + _S116;
+        var _S125 : f64 = dot(at_31.inside_2[u32(4)], b_8) + _S116;
+        first_3 = dot(at_31.inside_2[u32(4)], a_10) + _S116;
         second_2 = _S125;
     }
     else
@@ -2085,10 +2117,10 @@ fn is_clipped_0( at_29 : ShadingPoint_0,  a_10 : vec3<f64>,  b_8 : vec3<f64>,  r
             (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
         }
     }
-    if(u32(5) < (at_29.planes_0))
+    if(u32(5) < (at_31.planes_0))
     {
-        var _S127 : f64 = dot(at_29.inside_2[u32(5)], b_8) + _S116;
-        first_3 = dot(at_29.inside_2[u32(5)], a_10) + _S116;
+        var _S127 : f64 = dot(at_31.inside_2[u32(5)], b_8) + _S116;
+        first_3 = dot(at_31.inside_2[u32(5)], a_10) + _S116;
         second_2 = _S127;
     }
     else
@@ -2116,10 +2148,10 @@ fn is_clipped_0( at_29 : ShadingPoint_0,  a_10 : vec3<f64>,  b_8 : vec3<f64>,  r
             (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
         }
     }
-    if(u32(6) < (at_29.planes_0))
+    if(u32(6) < (at_31.planes_0))
     {
-        var _S129 : f64 = dot(at_29.inside_2[u32(6)], b_8) + _S116;
-        first_3 = dot(at_29.inside_2[u32(6)], a_10) + _S116;
+        var _S129 : f64 = dot(at_31.inside_2[u32(6)], b_8) + _S116;
+        first_3 = dot(at_31.inside_2[u32(6)], a_10) + _S116;
         second_2 = _S129;
     }
     else
@@ -2147,10 +2179,10 @@ fn is_clipped_0( at_29 : ShadingPoint_0,  a_10 : vec3<f64>,  b_8 : vec3<f64>,  r
             (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
         }
     }
-    if(u32(7) < (at_29.planes_0))
+    if(u32(7) < (at_31.planes_0))
     {
-        var _S131 : f64 = dot(at_29.inside_2[u32(7)], b_8) + _S116;
-        first_3 = dot(at_29.inside_2[u32(7)], a_10) + _S116;
+        var _S131 : f64 = dot(at_31.inside_2[u32(7)], b_8) + _S116;
+        first_3 = dot(at_31.inside_2[u32(7)], a_10) + _S116;
         second_2 = _S131;
     }
     else
@@ -2196,14 +2228,14 @@ struct SeenEdge_0
      to_0 : vec3<f32>,
 };
 
-fn see_edge_0( at_30 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+fn see_edge_0( at_32 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S133 : Edge_0 = edge_at_0(at_30, place_11);
+    var _S133 : Edge_0 = edge_at_0(at_32, place_11);
     (*seen_1).edge_3 = _S133;
-    var _S134 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4) - at_30.vertex_2.surface_3.exact_0;
+    var _S134 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4) - at_32.vertex_2.surface_3.exact_0;
     (*seen_1).start_1 = _S134;
-    var end_1 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_30.vertex_2.surface_3.exact_0;
-    (*seen_1).along_1 = end_1 - _S134;
+    var end_2 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_32.vertex_2.surface_3.exact_0;
+    (*seen_1).along_1 = end_2 - _S134;
     (*seen_1).far_0 = 1.0lf;
     (*seen_1).near_1 = 1.0lf;
     (*seen_1).chord_0 = 0.0f;
@@ -2212,7 +2244,7 @@ fn see_edge_0( at_30 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = _S135;
     (*seen_1).from_1 = _S135;
     (*seen_1).range_1 = vec2<f64>(0.0lf, 1.0lf);
-    var _S136 : f32 = factor_of_0(at_30, _S133);
+    var _S136 : f32 = factor_of_0(at_32, _S133);
     (*seen_1).factor_3 = _S136;
     var _S137 : bool;
     if(!(_S136 > 0.0f))
@@ -2222,7 +2254,7 @@ fn see_edge_0( at_30 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, 
     else
     {
         var _S138 : vec2<f64> = (*seen_1).range_1;
-        var _S139 : bool = is_clipped_0(at_30, (*seen_1).start_1, end_1, &(_S138));
+        var _S139 : bool = is_clipped_0(at_32, (*seen_1).start_1, end_2, &(_S138));
         (*seen_1).range_1 = _S138;
         _S137 = _S139;
     }
@@ -2251,7 +2283,7 @@ fn see_edge_0( at_30 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = vec3<f32>(last_0 / vec3<f64>((*seen_1).far_0));
     (*seen_1).chord_0 = f32(length_of_0(last_0 / vec3<f64>((*seen_1).far_0) - first_4 / vec3<f64>((*seen_1).near_1)));
     var longest_0 : f32;
-    if((at_30.vertex_2.lobe_1.kind_1) == u32(0))
+    if((at_32.vertex_2.lobe_1.kind_1) == u32(0))
     {
         longest_0 = 0.20000000298023224f;
     }
@@ -2268,10 +2300,10 @@ fn place_between_0( from_2 : f64,  to_1 : f64,  near_2 : f64,  far_1 : f64,  par
     return from_2 + (to_1 - from_2) * part_0 * near_2 / (part_0 * near_2 + (1.0lf - part_0) * far_1);
 }
 
-fn velocity_on_0( at_31 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
+fn velocity_on_0( at_33 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
     var _S141 : u32 = edge_4.record_7 + u32(2);
-    return mix(edge_vector_0(_S141), edge_vector_0(_S141 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_31.motion_1, offset_9);
+    return mix(edge_vector_0(_S141), edge_vector_0(_S141 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_33.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -2481,9 +2513,9 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
     }
     var place_13 : f32 = cosine_11 * 63.0f;
     var _S152 : u32 = min(u32(place_13), u32(62));
-    var at_32 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S152;
-    var here_0 : f32 = number_0(at_32);
-    return here_0 + (number_0(at_32 + u32(1)) - here_0) * (place_13 - f32(_S152));
+    var at_34 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S152;
+    var here_0 : f32 = number_0(at_34);
+    return here_0 + (number_0(at_34 + u32(1)) - here_0) * (place_13 - f32(_S152));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2527,7 +2559,7 @@ fn base_probability_0( numbers_7 : Numbers_0,  enters_0 : f32) -> f32
 
 struct Scattering_0
 {
-     value_5 : vec3<f32>,
+     value_6 : vec3<f32>,
      pdf_2 : f32,
 };
 
@@ -2538,7 +2570,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     var by_cosine_0 : f32 = _S153 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
-        scattering_1.value_5 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
+        scattering_1.value_6 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
@@ -2554,18 +2586,18 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     if((lobe_7.kind_1) == u32(2))
     {
-        scattering_1.value_5 = numbers_8.specular_reflectance_0 * (fresnel_conductor_0(by_facets_0.cosine_6, numbers_8.eta_0, numbers_8.k_0) * vec3<f32>(by_facets_0.scattered_0));
+        scattering_1.value_6 = numbers_8.specular_reflectance_0 * (fresnel_conductor_0(by_facets_0.cosine_6, numbers_8.eta_0, numbers_8.k_0) * vec3<f32>(by_facets_0.scattered_0));
         scattering_1.pdf_2 = by_facets_0.pdf_0;
         return scattering_1;
     }
     var eta_7 : f32 = coat_eta_0(numbers_8);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_4.z);
-    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S153) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_6 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S153) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_8, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
     {
-        scattering_1.value_5 = scattering_1.value_5 + numbers_8.specular_reflectance_0 * vec3<f32>((fresnel_dielectric_0(by_facets_0.cosine_6, eta_7) * by_facets_0.scattered_0));
+        scattering_1.value_6 = scattering_1.value_6 + numbers_8.specular_reflectance_0 * vec3<f32>((fresnel_dielectric_0(by_facets_0.cosine_6, eta_7) * by_facets_0.scattered_0));
         scattering_1.pdf_2 = scattering_1.pdf_2 + (1.0f - probability_3) * by_facets_0.pdf_0;
     }
     return scattering_1;
@@ -2586,7 +2618,7 @@ fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
     {
         return vec3<f32>(0.0f);
     }
-    return scattering_0(vertex_5.lobe_1, vertex_5.lobe_1.numbers_3, value_of_0(vertex_5.wi_2), wo_2).value_5;
+    return scattering_0(vertex_5.lobe_1, vertex_5.lobe_1.numbers_3, value_of_0(vertex_5.wi_2), wo_2).value_6;
 }
 
 fn scattered_from_0( vertex_6 : Vertex_0,  direction_5 : vec3<f32>) -> vec3<f32>
@@ -2599,14 +2631,14 @@ fn largest_0( v_7 : vec3<f32>) -> f32
     return max(max(v_7.x, v_7.y), v_7.z);
 }
 
-fn changing_0( value_6 : vec3<f32>,  change_0 : vec3<f32>) -> vec3<f32>
+fn changing_0( value_7 : vec3<f32>,  change_0 : vec3<f32>) -> vec3<f32>
 {
-    return value_6;
+    return value_7;
 }
 
-fn still_0( value_7 : vec3<f32>) -> vec3<f32>
+fn still_0( value_8 : vec3<f32>) -> vec3<f32>
 {
-    return changing_0(value_7, vec3<f32>(0.0f));
+    return changing_0(value_8, vec3<f32>(0.0f));
 }
 
 fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
@@ -2716,11 +2748,11 @@ fn emitted_0( emitter_4 : u32,  place_14 : Place_0,  direction_8 : vec3<f32>) ->
     return looked_up_0(_S166, _S167, change_1) * factor_4;
 }
 
-fn light_from_0( at_33 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
+fn light_from_0( at_35 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
 {
-    var light_1 : f32 = largest_0(scattered_from_0(at_33.vertex_2, direction_9));
+    var light_1 : f32 = largest_0(scattered_from_0(at_35.vertex_2, direction_9));
     var _S168 : bool;
-    if((at_33.purpose_0) != u32(1))
+    if((at_35.purpose_0) != u32(1))
     {
         _S168 = true;
     }
@@ -2732,11 +2764,11 @@ fn light_from_0( at_33 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
     {
         return light_1;
     }
-    var _S169 : vec3<f32> = emitted_0(at_33.emitter_0, at_33.vertex_2.surface_3.place_3, still_0(direction_9));
+    var _S169 : vec3<f32> = emitted_0(at_35.emitter_0, at_35.vertex_2.surface_3.place_3, still_0(direction_9));
     return light_1 * largest_0(value_of_0(_S169));
 }
 
-fn weigh_0( at_34 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+fn weigh_0( at_36 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
 {
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
@@ -2747,7 +2779,7 @@ fn weigh_0( at_34 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec
     var speed_1 : f32;
     if(!is_blind_0())
     {
-        speed_1 = abs(dot(velocity_on_0(at_34, seen_2.edge_3, t_4, _S170), _S171));
+        speed_1 = abs(dot(velocity_on_0(at_36, seen_2.edge_3, t_4, _S170), _S171));
     }
     else
     {
@@ -2755,7 +2787,7 @@ fn weigh_0( at_34 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec
     }
     var speed_2 : f32 = speed_1 / length(_S170);
     var angle_2 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S173 : f32 = light_from_0(at_34, middle_1);
+    var _S173 : f32 = light_from_0(at_36, middle_1);
     var contribution_0 : f32 = angle_2 * _S173 * speed_2;
     var _S174 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
@@ -2769,12 +2801,12 @@ fn weigh_0( at_34 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec
     return _S174;
 }
 
-fn multiplicity_0( at_35 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f64>,  normal_5 : vec3<f64>) -> f32
+fn multiplicity_0( at_37 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f64>,  normal_5 : vec3<f64>) -> f32
 {
     var _S175 : vec3<f64> = cross(normal_5, direction_10);
     var _S176 : u32 = edge_5.record_7 + u32(8);
     var k_6 : u32 = edge_word_0(_S176);
-    var count_3 : f32 = 1.0f;
+    var count_2 : f32 = 1.0f;
     for(;;)
     {
         if(k_6 < (edge_word_0(_S176 + u32(1))))
@@ -2784,14 +2816,14 @@ fn multiplicity_0( at_35 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec
         {
             break;
         }
-        var other_0 : Edge_0 = edge_at_0(at_35, edge_word_0(k_6));
-        if(!((factor_of_0(at_35, other_0)) > 0.0f))
+        var other_0 : Edge_0 = edge_at_0(at_37, edge_word_0(k_6));
+        if(!((factor_of_0(at_37, other_0)) > 0.0f))
         {
             k_6 = k_6 + u32(1);
             continue;
         }
-        var a_12 : vec3<f64> = edge_position_0(other_0.numbers_4) - at_35.vertex_2.surface_3.exact_0;
-        var way_0 : vec3<f64> = edge_position_0(other_0.numbers_4 + u32(3)) - at_35.vertex_2.surface_3.exact_0 - a_12;
+        var a_12 : vec3<f64> = edge_position_0(other_0.numbers_4) - at_37.vertex_2.surface_3.exact_0;
+        var way_0 : vec3<f64> = edge_position_0(other_0.numbers_4 + u32(3)) - at_37.vertex_2.surface_3.exact_0 - a_12;
         var place_15 : f64 = - dot(a_12, _S175) / dot(way_0, _S175);
         var there_0 : vec3<f64> = a_12 + way_0 * vec3<f64>(place_15);
         var _S177 : bool;
@@ -2822,31 +2854,31 @@ fn multiplicity_0( at_35 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec
             k_6 = k_6 + u32(1);
             continue;
         }
-        var count_4 : f32;
+        var count_3 : f32;
         if(f32(abs(dot(normal_5, exact_unit_0(cross(a_12, way_0))))) > 0.99999898672103882f)
         {
-            count_4 = count_3 + 1.0f;
+            count_3 = count_2 + 1.0f;
         }
         else
         {
-            count_4 = count_3;
+            count_3 = count_2;
         }
-        count_3 = count_4;
+        count_2 = count_3;
         k_6 = k_6 + u32(1);
     }
-    return count_3;
+    return count_2;
 }
 
-fn face_normal_1( at_36 : ShadingPoint_0) -> vec3<f64>
+fn face_normal_1( at_38 : ShadingPoint_0) -> vec3<f64>
 {
-    var corners_1 : u32 = u32(9) * at_36.vertex_2.surface_3.place_3.triangle_0;
+    var corners_1 : u32 = u32(9) * at_38.vertex_2.surface_3.place_3.triangle_0;
     var a_13 : vec3<f64> = primitive_vector_0(corners_1);
     return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_13, primitive_vector_0(corners_1 + u32(6)) - a_13));
 }
 
-fn limit_at_0( which_7 : u32) -> f64
+fn limit_at_0( which_8 : u32) -> f64
 {
-    return primitives_0[word_0(u32(15)) + which_7];
+    return primitives_0[word_0(u32(15)) + which_8];
 }
 
 struct EdgePoint_0
@@ -2860,7 +2892,7 @@ struct EdgePoint_0
      is_in_horizon_0 : bool,
 };
 
-fn point_on_0( at_37 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f64,  part_of_all_0 : f32) -> EdgePoint_0
+fn point_on_0( at_39 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f64,  part_of_all_0 : f32) -> EdgePoint_0
 {
     var _S179 : f64 = seen_3.range_1.x;
     var _S180 : f64 = seen_3.range_1.y;
@@ -2886,8 +2918,8 @@ fn point_on_0( at_37 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     point_1.normal_6 = _S184;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_5 = f32(t_6);
-    point_1.measure_0 = f32(angle_3 / _S182) / (part_of_all_0 * multiplicity_0(at_37, seen_3.edge_3, _S183, _S184));
-    var face_0 : vec3<f64> = face_normal_1(at_37);
+    point_1.measure_0 = f32(angle_3 / _S182) / (part_of_all_0 * multiplicity_0(at_39, seen_3.edge_3, _S183, _S184));
+    var face_0 : vec3<f64> = face_normal_1(at_39);
     var least_2 : f64 = limit_at_0(u32(2));
     var _S185 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
@@ -2986,9 +3018,9 @@ fn ray_along_0( origin_1 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_1 : f64,
     return ray_0;
 }
 
-fn ray_child_0( node_5 : u32,  slot_2 : u32) -> u32
+fn ray_child_0( node_6 : u32,  slot_2 : u32) -> u32
 {
-    return nodes_0[u32(14) * node_5 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
+    return nodes_0[u32(14) * node_6 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
 }
 
 struct RayView_0
@@ -3001,9 +3033,9 @@ struct RayView_0
      axes_7 : u32,
 };
 
-fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32) -> f32
+fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_7 : u32,  slot_3 : u32) -> f32
 {
-    var _S191 : u32 = u32(14) * node_6 + slot_3 / u32(4);
+    var _S191 : u32 = u32(14) * node_7 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -3116,7 +3148,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
     return order_0;
 }
 
-fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
+fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_8 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
     var slot_4 : u32 = u32(0);
@@ -3130,13 +3162,13 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
             break;
         }
         var _S204 : f32;
-        if((ray_child_0(node_7, slot_4)) == u32(4294967295))
+        if((ray_child_0(node_8, slot_4)) == u32(4294967295))
         {
             _S204 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S204 = ray_bound_0(view_2, limit_3, node_7, slot_4);
+            _S204 = ray_bound_0(view_2, limit_3, node_8, slot_4);
         }
         bounds_1[slot_4] = _S204;
         slot_4 = slot_4 + u32(1);
@@ -3149,9 +3181,9 @@ fn rounded_0( product_2 : f64,  largest_2 : f64) -> f64
     return min(product_2, largest_2);
 }
 
-fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_38 : u32) -> vec3<f64>
+fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_40 : u32) -> vec3<f64>
 {
-    var relative_1 : vec3<f64> = primitive_vector_0(at_38) - ray_1.origin_0;
+    var relative_1 : vec3<f64> = primitive_vector_0(at_40) - ray_1.origin_0;
     var z_3 : f64 = component_0(relative_1, (axes_8 >> (u32(4))));
     return vec3<f64>(component_0(relative_1, (axes_8 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_3, ray_1.largest_1), component_0(relative_1, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_3, ray_1.largest_1), z_3);
 }
@@ -3164,16 +3196,16 @@ struct Crossing_0
      w_3 : f64,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_39 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_41 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_7 = 0.0lf;
     crossing_0.v_9 = 0.0lf;
     crossing_0.w_3 = 0.0lf;
-    var a_15 : vec3<f64> = corner_0(ray_2, axes_9, at_39);
-    var b_11 : vec3<f64> = corner_0(ray_2, axes_9, at_39 + u32(3));
-    var c_3 : vec3<f64> = corner_0(ray_2, axes_9, at_39 + u32(6));
+    var a_15 : vec3<f64> = corner_0(ray_2, axes_9, at_41);
+    var b_11 : vec3<f64> = corner_0(ray_2, axes_9, at_41 + u32(3));
+    var c_3 : vec3<f64> = corner_0(ray_2, axes_9, at_41 + u32(6));
     var _S205 : f64 = c_3.x;
     var _S206 : f64 = b_11.y;
     var cx_by_0 : f64 = rounded_0(_S205 * _S206, ray_2.largest_1);
@@ -3450,11 +3482,11 @@ struct Side_0
      t_10 : f32,
 };
 
-fn look_0( at_40 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
+fn look_0( at_42 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_1 : u32) -> Side_0
 {
     var step_0 : vec3<f64> = point_2.normal_6 * vec3<f64>(edge_real_0(u32(3)));
     var origin_3 : vec3<f64>;
-    if(side_0 == u32(0))
+    if(side_1 == u32(0))
     {
         origin_3 = point_2.direction_11 - step_0;
     }
@@ -3465,7 +3497,7 @@ fn look_0( at_40 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Sid
     var direction_15 : vec3<f64> = exact_unit_0(origin_3);
     if(point_2.is_in_horizon_0)
     {
-        var face_3 : vec3<f64> = face_normal_1(at_40);
+        var face_3 : vec3<f64> = face_normal_1(at_42);
         var height_3 : f64 = limit_at_0(u32(2));
         var _S227 : f64;
         if((dot(direction_15, face_3)) < 0.0lf)
@@ -3476,17 +3508,17 @@ fn look_0( at_40 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Sid
         {
             _S227 = height_3;
         }
-        origin_3 = at_40.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S227);
+        origin_3 = at_42.vertex_2.surface_3.exact_0 + face_3 * vec3<f64>(_S227);
     }
     else
     {
-        origin_3 = at_40.vertex_2.surface_3.exact_0;
+        origin_3 = at_42.vertex_2.surface_3.exact_0;
     }
     var seen_4 : Side_0;
     var _S228 : vec3<f32> = vec3<f32>(direction_15);
     seen_4.direction_14 = _S228;
     seen_4.rest_3 = vec3<f32>(direction_15 - vec3<f64>(_S228));
-    seen_4.scattered_2 = scattered_from_0(at_40.vertex_2, _S228);
+    seen_4.scattered_2 = scattered_from_0(at_42.vertex_2, _S228);
     var _S229 : f64 = limit_at_0(u32(2));
     var _S230 : f64 = limit_at_0(u32(1));
     var _S231 : f32 = seen_4.t_10;
@@ -3494,17 +3526,6 @@ fn look_0( at_40 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Sid
     seen_4.t_10 = _S231;
     seen_4.found_2 = _S232;
     return seen_4;
-}
-
-fn side_path_0( number_of_path_2 : u32,  side_1 : u32) -> u32
-{
-    return launch_0.room_0 / u32(3) + u32(2) * number_of_path_2 + side_1;
-}
-
-fn set_word_0( path_10 : u32,  which_8 : u32,  value_8 : u32)
-{
-    paths_0[which_8 * launch_0.room_0 + path_10] = value_8;
-    return;
 }
 
 fn set_vector_0( path_11 : u32,  which_9 : ptr<function, u32>,  value_9 : vec3<f32>)
@@ -3580,19 +3601,19 @@ fn set_place_0( path_14 : u32,  which_12 : ptr<function, u32>,  place_16 : Place
     return;
 }
 
-fn begin_side_0( number_1 : u32,  path_15 : Path_0,  side_2 : Side_0,  weight_0 : vec3<f32>)
+fn begin_side_0( number_2 : u32,  path_15 : Path_0,  side_2 : Side_0,  weight_0 : vec3<f32>)
 {
-    var at_41 : u32 = u32(1);
-    set_vector_0(number_1, &(at_41), vec3<f32>(0.0f));
-    set_vector_0(number_1, &(at_41), vec3<f32>(1.0f));
-    set_vector_0(number_1, &(at_41), side_2.direction_14);
-    set_place_0(number_1, &(at_41), place_of_0(side_2.found_2));
-    var _S233 : u32 = at_41 + u32(1);
-    set_word_0(number_1, at_41, path_15.key_0.x);
-    at_41 = _S233 + u32(1);
-    set_word_0(number_1, _S233, path_15.key_0.y);
-    set_vector_0(number_1, &(at_41), side_2.rest_3);
-    set_vector_0(number_1, &(at_41), weight_0);
+    var at_43 : u32 = u32(1);
+    set_vector_0(number_2, &(at_43), vec3<f32>(0.0f));
+    set_vector_0(number_2, &(at_43), vec3<f32>(1.0f));
+    set_vector_0(number_2, &(at_43), side_2.direction_14);
+    set_place_0(number_2, &(at_43), place_of_0(side_2.found_2));
+    var _S233 : u32 = at_43 + u32(1);
+    set_word_0(number_2, at_43, path_15.key_0.x);
+    at_43 = _S233 + u32(1);
+    set_word_0(number_2, _S233, path_15.key_0.y);
+    set_vector_0(number_2, &(at_43), side_2.rest_3);
+    set_vector_0(number_2, &(at_43), weight_0);
     return;
 }
 
@@ -3601,7 +3622,7 @@ fn offset_of_0( point_3 : EdgePoint_0) -> vec3<f32>
     return vec3<f32>(point_3.direction_11 * vec3<f64>(point_3.distance_6));
 }
 
-fn begin_sides_of_0( at_42 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_path_3 : u32,  path_16 : Path_0,  factor_5 : vec3<f32>) -> vec2<bool>
+fn begin_sides_of_0( at_44 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_path_3 : u32,  path_16 : Path_0,  factor_5 : vec3<f32>) -> vec2<bool>
 {
     var sides_0 : array<Side_0, i32(2)>;
     var side_3 : u32 = u32(0);
@@ -3614,7 +3635,7 @@ fn begin_sides_of_0( at_42 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
         {
             break;
         }
-        sides_0[side_3] = look_0(at_42, point_4, side_3);
+        sides_0[side_3] = look_0(at_44, point_4, side_3);
         side_3 = side_3 + u32(1);
     }
     var nearest_0 : f32 = f32(point_4.distance_6) * 0.99999898672103882f;
@@ -3687,28 +3708,53 @@ fn begin_sides_of_0( at_42 : ShadingPoint_0,  point_4 : EdgePoint_0,  number_of_
     return goes_on_1;
 }
 
-fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_43 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_4 : u32,  path_17 : Path_0)
+fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_45 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_4 : u32,  path_17 : Path_0)
 {
-    var _S241 : vec2<bool> = begin_sides_of_0(at_43, point_5, number_of_path_4, path_17, (*crossed_2).factor_1);
+    var _S241 : vec2<bool> = begin_sides_of_0(at_45, point_5, number_of_path_4, path_17, (*crossed_2).factor_1);
     (*crossed_2).goes_on_0 = _S241;
     return;
 }
 
-fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  place_17 : f64,  number_of_path_5 : u32,  path_18 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
+fn draw_points_0( at_46 : ShadingPoint_0,  node_9 : u32,  probability_4 : f32,  place_17 : f64,  number_of_path_5 : u32,  path_18 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
 {
     var _S242 : bool;
+    var in_parts_0 : bool = (at_46.purpose_0) == u32(0);
     var most_0 : u32 = edge_word_0(u32(9));
-    var _S243 : bool = (at_44.purpose_0) == u32(0);
-    var _S244 : u32;
-    if(_S243)
+    var part_2 : u32 = part_of_launch_0();
+    var left_2 : u32 = side_path_0(number_of_path_5, u32(0));
+    var leaves_2 : Leaves_0 = below_0(at_46, node_9);
+    var _S243 : bool;
+    if(in_parts_0)
     {
-        _S244 = most_0 * part_of_launch_0();
+        _S243 = part_2 > u32(0);
     }
     else
     {
-        _S244 = u32(0);
+        _S243 = false;
     }
-    var count_5 : u32 = u32(0);
+    var count_4 : u32;
+    if(_S243)
+    {
+        var count_5 : u32 = path_word_0(left_2, u32(20));
+        if(count_5 <= (most_0 * part_2))
+        {
+            return;
+        }
+        leaves_2.node_4 = path_word_0(left_2, u32(21));
+        count_4 = count_5;
+    }
+    else
+    {
+        count_4 = u32(0);
+    }
+    if(in_parts_0)
+    {
+        _S243 = part_2 == u32(0);
+    }
+    else
+    {
+        _S243 = false;
+    }
     var points_0 : u32 = u32(1);
     var least_3 : f32 = 0.0f;
     var over_all_0 : f32 = 0.0f;
@@ -3740,9 +3786,9 @@ fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
             }
             var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
             var total_1 : f32 = contributions_0 + least_4 * angles_0;
-            if(_S243)
+            if(in_parts_0)
             {
-                var parts_0 : f32 = ceil(f32(count_5) / f32(most_0));
+                var parts_0 : f32 = ceil(f32(count_4) / f32(most_0));
                 contributions_1 = min(4.0f * max(sqrt(pieces_1 / parts_0), 2.0f / parts_0), f32(edge_word_0(u32(10))));
             }
             else
@@ -3750,21 +3796,21 @@ fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                 contributions_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(contributions_1 - 0.00100000004749745f));
-            var _S245 : f32 = probability_4 * f32(points_1);
+            var _S244 : f32 = probability_4 * f32(points_1);
             var step_2 : f64 = f64(total_1) / f64(points_1);
-            var _S246 : f64 = step_2 * place_17;
+            var _S245 : f64 = step_2 * place_17;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_0 = _S245;
+            over_all_0 = _S244;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S246;
+            target_1 = _S245;
         }
         else
         {
             target_1 = target_0;
         }
-        var leaves_2 : Leaves_0 = below_0(node_8);
+        var rest_4 : Leaves_0 = leaves_2;
         var leaf_3 : u32;
         var drawn_1 : u32 = drawn_0;
         var passed_0 : u32 = u32(0);
@@ -3775,33 +3821,40 @@ fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
         var target_2 : f64 = target_1;
         for(;;)
         {
-            var _S247 : bool;
+            var _S246 : bool;
             if(drawn_1 < points_0)
             {
-                if(pass_0 == u32(0))
+                if(passed_0 < most_0)
                 {
-                    _S247 = true;
+                    _S246 = true;
                 }
                 else
                 {
-                    _S247 = passed_0 < (_S244 + most_0);
+                    if(_S243)
+                    {
+                        _S246 = pass_0 == u32(0);
+                    }
+                    else
+                    {
+                        _S246 = false;
+                    }
                 }
+            }
+            else
+            {
+                _S246 = false;
+            }
+            var _S247 : bool;
+            if(_S246)
+            {
+                var _S248 : bool = next_leaf_0(at_46, &(rest_4), &(leaf_3));
+                _S247 = _S248;
             }
             else
             {
                 _S247 = false;
             }
-            var _S248 : bool;
             if(_S247)
-            {
-                var _S249 : bool = next_leaf_0(at_44, &(leaves_2), &(leaf_3));
-                _S248 = _S249;
-            }
-            else
-            {
-                _S248 = false;
-            }
-            if(_S248)
             {
             }
             else
@@ -3809,18 +3862,22 @@ fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                 break;
             }
             var passed_1 : u32 = passed_0 + u32(1);
-            if(passed_1 <= _S244)
-            {
-                _S242 = true;
-            }
-            else
-            {
-                _S242 = passed_1 > (_S244 + most_0);
-            }
-            if(_S242)
+            if(passed_1 > most_0)
             {
                 passed_0 = passed_1;
                 continue;
+            }
+            if(in_parts_0)
+            {
+                _S242 = passed_1 == most_0;
+            }
+            else
+            {
+                _S242 = false;
+            }
+            if(_S242)
+            {
+                set_word_0(left_2, u32(21), rest_4.node_4);
             }
             var k_8 : u32 = edge_word_0(leaf_3 + u32(2));
             var drawn_2 : u32 = drawn_1;
@@ -3831,16 +3888,16 @@ fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
             var target_3 : f64 = target_2;
             for(;;)
             {
-                var _S250 : bool;
+                var _S249 : bool;
                 if(k_8 < (edge_word_0(leaf_3 + u32(3))))
                 {
-                    _S250 = drawn_2 < points_0;
+                    _S249 = drawn_2 < points_0;
                 }
                 else
                 {
-                    _S250 = false;
+                    _S249 = false;
                 }
-                if(_S250)
+                if(_S249)
                 {
                 }
                 else
@@ -3848,14 +3905,14 @@ fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                     break;
                 }
                 var seen_5 : SeenEdge_0;
-                var _S251 : bool = see_edge_0(at_44, k_8, &(seen_5));
+                var _S250 : bool = see_edge_0(at_46, k_8, &(seen_5));
                 var drawn_3 : u32;
                 var contributions_3 : f32;
                 var angles_3 : f32;
                 var pieces_4 : f32;
                 var cumulative_3 : f32;
                 var target_4 : f64;
-                if(!_S251)
+                if(!_S250)
                 {
                     drawn_3 = drawn_2;
                     contributions_3 = contributions_2;
@@ -3888,7 +3945,7 @@ fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                     {
                         break;
                     }
-                    var weight_1 : vec2<f32> = weigh_0(at_44, seen_5, piece_2);
+                    var weight_1 : vec2<f32> = weigh_0(at_46, seen_5, piece_2);
                     if(pass_0 == u32(0))
                     {
                         var angles_4 : f32 = angles_3 + weight_1.y;
@@ -3905,26 +3962,26 @@ fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                     var target_5 : f64 = target_4;
                     for(;;)
                     {
-                        var _S252 : bool;
+                        var _S251 : bool;
                         if(drawn_4 < points_0)
                         {
-                            _S252 = target_5 < f64(cumulative_4);
+                            _S251 = target_5 < f64(cumulative_4);
                         }
                         else
                         {
-                            _S252 = false;
+                            _S251 = false;
                         }
-                        if(_S252)
+                        if(_S251)
                         {
                         }
                         else
                         {
                             break;
                         }
-                        var _S253 : u32 = drawn_4 + u32(1);
+                        var _S252 : u32 = drawn_4 + u32(1);
                         var target_6 : f64 = target_5 + step_1;
-                        cross_at_0(&((*crossed_3)), at_44, point_on_0(at_44, seen_5, piece_2, clamp((target_5 - f64(cumulative_3)) / f64(own_1), 0.0lf, 1.0lf), over_all_0 * own_1 / total_0), number_of_path_5, path_18);
-                        drawn_4 = _S253;
+                        cross_at_0(&((*crossed_3)), at_46, point_on_0(at_46, seen_5, piece_2, clamp((target_5 - f64(cumulative_3)) / f64(own_1), 0.0lf, 1.0lf), over_all_0 * own_1 / total_0), number_of_path_5, path_18);
+                        drawn_4 = _S252;
                         target_5 = target_6;
                     }
                     cumulative_3 = cumulative_4;
@@ -3948,7 +4005,15 @@ fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
             cumulative_1 = cumulative_2;
             target_2 = target_3;
         }
-        if(pass_0 > u32(0))
+        if(!_S243)
+        {
+            _S242 = true;
+        }
+        else
+        {
+            _S242 = pass_0 > u32(0);
+        }
+        if(_S242)
         {
             pass_0 = pass_0 + u32(1);
             angles_0 = angles_1;
@@ -3959,20 +4024,22 @@ fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
             target_0 = target_2;
             continue;
         }
-        if(_S244 == u32(0))
+        if(passed_0 <= most_0)
         {
-            _S242 = passed_0 > most_0;
+            count_4 = passed_0;
+            pass_0 = pass_0 + u32(1);
+            angles_0 = angles_1;
+            contributions_0 = contributions_1;
+            pieces_1 = pieces_2;
+            drawn_0 = drawn_1;
+            cumulative_0 = cumulative_1;
+            target_0 = target_2;
+            continue;
         }
-        else
-        {
-            _S242 = false;
-        }
-        if(_S242)
-        {
-            var _S254 : u32 = (passed_0 + most_0 - u32(1)) / most_0;
-            var _S255 : u32 = atomicMax(&(sums_0[u32(3)]), _S254);
-        }
-        count_5 = passed_0;
+        set_word_0(left_2, u32(20), passed_0);
+        var _S253 : u32 = (passed_0 + most_0 - u32(1)) / most_0;
+        var _S254 : u32 = atomicMax(&(sums_0[u32(3)]), _S253);
+        count_4 = passed_0;
         pass_0 = pass_0 + u32(1);
         angles_0 = angles_1;
         contributions_0 = contributions_1;
@@ -3984,13 +4051,13 @@ fn draw_points_0( at_44 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
     return;
 }
 
-fn sample_points_0( at_45 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : Path_0,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_47 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : Path_0,  crossed_4 : ptr<function, Crossed_0>)
 {
-    var numbers_9 : u32 = numbers_for_0(at_45.purpose_0) + u32(1);
-    var part_2 : u32 = part_of_launch_0();
-    var node_9 : u32 = edge_word_0(at_45.tree_0);
+    var numbers_9 : u32 = numbers_for_0(at_47.purpose_0) + u32(1);
+    var part_3 : u32 = part_of_launch_0();
+    var node_10 : u32 = node_at_0(at_47, u32(0));
     var probability_5 : f32 = 1.0f;
-    if((at_45.purpose_0) != u32(0))
+    if((at_47.purpose_0) != u32(0))
     {
         var subtrees_0 : u32;
         if((depth_of_launch_0()) == u32(0))
@@ -4001,37 +4068,37 @@ fn sample_points_0( at_45 : ShadingPoint_0,  number_of_path_6 : u32,  path_19 : 
         {
             subtrees_0 = u32(1);
         }
-        var u_3 : f64 = (f64(part_2) + precise_random_0(path_19.key_0, numbers_9)) / f64(subtrees_0);
-        var _S256 : bool;
-        if(part_2 >= subtrees_0)
+        var u_3 : f64 = (f64(part_3) + precise_random_0(path_19.key_0, numbers_9)) / f64(subtrees_0);
+        var _S255 : bool;
+        if(part_3 >= subtrees_0)
         {
-            _S256 = true;
+            _S255 = true;
         }
         else
         {
-            var _S257 : bool = descend_0(at_45, u_3, &(node_9), &(probability_5));
-            _S256 = !_S257;
+            var _S256 : bool = descend_0(at_47, u_3, &(node_10), &(probability_5));
+            _S255 = !_S256;
         }
-        if(_S256)
+        if(_S255)
         {
             return;
         }
         probability_5 = probability_5 * f32(subtrees_0);
     }
-    var place_18 : f64 = precise_random_0(path_19.key_0, numbers_9 + u32(1)) + f64(0.6180340051651001f * f32(part_2));
-    draw_points_0(at_45, node_9, probability_5, place_18 - floor(place_18), number_of_path_6, path_19, &((*crossed_4)));
+    var place_18 : f64 = precise_random_0(path_19.key_0, numbers_9 + u32(1)) + f64(0.6180340051651001f * f32(part_3));
+    draw_points_0(at_47, node_10, probability_5, place_18 - floor(place_18), number_of_path_6, path_19, &((*crossed_4)));
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S258 : u32;
+    var _S257 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S259 : u32 = u32(2) + zero_0;
-        _S258 = _S259;
-        if(rounds_0 < _S259)
+        var _S258 : u32 = u32(2) + zero_0;
+        _S257 = _S258;
+        if(rounds_0 < _S258)
         {
         }
         else
@@ -4040,14 +4107,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S258;
+    return rounds_0 == _S257;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S260 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S259 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4065,21 +4132,21 @@ fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var factor_6 : vec3<f32>;
     var path_20 : Path_0 = path_at_vertex_0(number_of_path_7, &(factor_6));
     var crossed_5 : Crossed_0 = nothing_crossed_0(factor_6);
-    var at_46 : ShadingPoint_0;
-    var _S261 : bool = shading_point_0(path_20, &(at_46));
-    var _S262 : bool;
-    if(_S261)
+    var at_48 : ShadingPoint_0;
+    var _S260 : bool = shading_point_0(path_20, &(at_48));
+    var _S261 : bool;
+    if(_S260)
     {
-        var _S263 : f32 = turn_to_0(u32(2), path_20.key_0, &(at_46));
-        _S262 = _S263 > 0.0f;
+        var _S262 : f32 = turn_to_0(u32(2), path_20.key_0, &(at_48));
+        _S261 = _S262 > 0.0f;
     }
     else
     {
-        _S262 = false;
+        _S261 = false;
     }
-    if(_S262)
+    if(_S261)
     {
-        sample_points_0(at_46, number_of_path_7, path_20, &(crossed_5));
+        sample_points_0(at_48, number_of_path_7, path_20, &(crossed_5));
     }
     var side_4 : u32 = u32(0);
     for(;;)
@@ -4092,22 +4159,22 @@ fn begin_sides_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
             break;
         }
         var goes_on_2 : bool = crossed_5.goes_on_0[side_4];
-        var number_2 : u32 = side_path_0(number_of_path_7, side_4);
+        var number_3 : u32 = side_path_0(number_of_path_7, side_4);
         var which_13 : u32 = u32(20);
-        var _S264 : u32 = u32(2) * listed_0 + side_4;
-        var _S265 : u32;
+        var _S263 : u32 = u32(2) * listed_0 + side_4;
+        var _S264 : u32;
         if(crossed_5.goes_on_0[side_4])
         {
-            _S265 = number_2;
+            _S264 = number_3;
         }
         else
         {
-            _S265 = u32(4294967295);
+            _S264 = u32(4294967295);
         }
-        set_word_0(_S264, u32(0), _S265);
+        set_word_0(_S263, u32(0), _S264);
         if(!goes_on_2)
         {
-            set_vector_2(number_2, &(which_13), vec3<f32>(0.0f));
+            set_vector_2(number_3, &(which_13), vec3<f32>(0.0f));
         }
         side_4 = side_4 + u32(1);
     }

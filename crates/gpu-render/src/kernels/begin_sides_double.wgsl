@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: c3c68c0603ff5dad
-// result: b1d135eac579265d
+// source: e17d2c6c7dee079f
+// result: e5a3651a12f1a1bd
 
 struct Launch_std140_0
 {
@@ -1735,6 +1735,11 @@ fn part_of_launch_0() -> u32
     return ((launch_0.depth_0) >> (u32(16)));
 }
 
+fn node_at_0( at_24 : ShadingPoint_0,  number_1 : u32) -> u32
+{
+    return edge_word_0(at_24.tree_0) + u32(45) * number_1;
+}
+
 fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f64
 {
     var bits_0 : vec2<u32> = random_bits_0(key_4, dimension_2);
@@ -1742,14 +1747,14 @@ fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f64
     return (f64((_S192 >> (u32(11)))) + f64((((_S192 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
-fn edge_number_0( at_24 : u32) -> f32
+fn edge_number_0( at_25 : u32) -> f32
 {
-    return (bitcast<f32>((edge_word_0(at_24))));
+    return (bitcast<f32>((edge_word_0(at_25))));
 }
 
-fn edge_vector_0( at_25 : u32) -> vec3<f32>
+fn edge_vector_0( at_26 : u32) -> vec3<f32>
 {
-    return vec3<f32>(edge_number_0(at_25), edge_number_0(at_25 + u32(1)), edge_number_0(at_25 + u32(2)));
+    return vec3<f32>(edge_number_0(at_26), edge_number_0(at_26 + u32(1)), edge_number_0(at_26 + u32(2)));
 }
 
 fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_3 : f32) -> bool
@@ -1773,12 +1778,12 @@ fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_3 : f32
     return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_3 + margin_1 + 3.99999998990097083e-06f));
 }
 
-fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
+fn is_outside_0( at_27 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
 {
     var _S193 : bool;
-    if(u32(0) < (at_26.planes_0))
+    if(u32(0) < (at_27.planes_0))
     {
-        _S193 = (dot(vec3<f32>(at_26.inside_2[u32(0)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S193 = (dot(vec3<f32>(at_27.inside_2[u32(0)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1788,9 +1793,9 @@ fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(1) < (at_26.planes_0))
+    if(u32(1) < (at_27.planes_0))
     {
-        _S193 = (dot(vec3<f32>(at_26.inside_2[u32(1)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S193 = (dot(vec3<f32>(at_27.inside_2[u32(1)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1800,9 +1805,9 @@ fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(2) < (at_26.planes_0))
+    if(u32(2) < (at_27.planes_0))
     {
-        _S193 = (dot(vec3<f32>(at_26.inside_2[u32(2)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S193 = (dot(vec3<f32>(at_27.inside_2[u32(2)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1812,9 +1817,9 @@ fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(3) < (at_26.planes_0))
+    if(u32(3) < (at_27.planes_0))
     {
-        _S193 = (dot(vec3<f32>(at_26.inside_2[u32(3)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S193 = (dot(vec3<f32>(at_27.inside_2[u32(3)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1824,9 +1829,9 @@ fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(4) < (at_26.planes_0))
+    if(u32(4) < (at_27.planes_0))
     {
-        _S193 = (dot(vec3<f32>(at_26.inside_2[u32(4)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S193 = (dot(vec3<f32>(at_27.inside_2[u32(4)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1836,9 +1841,9 @@ fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(5) < (at_26.planes_0))
+    if(u32(5) < (at_27.planes_0))
     {
-        _S193 = (dot(vec3<f32>(at_26.inside_2[u32(5)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S193 = (dot(vec3<f32>(at_27.inside_2[u32(5)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1848,9 +1853,9 @@ fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(6) < (at_26.planes_0))
+    if(u32(6) < (at_27.planes_0))
     {
-        _S193 = (dot(vec3<f32>(at_26.inside_2[u32(6)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S193 = (dot(vec3<f32>(at_27.inside_2[u32(6)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1860,9 +1865,9 @@ fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(7) < (at_26.planes_0))
+    if(u32(7) < (at_27.planes_0))
     {
-        _S193 = (dot(vec3<f32>(at_26.inside_2[u32(7)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S193 = (dot(vec3<f32>(at_27.inside_2[u32(7)]), offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1872,7 +1877,7 @@ fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    return (dot(at_26.front_0, offset_5 - at_26.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
+    return (dot(at_27.front_0, offset_5 - at_27.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
 }
 
 fn logarithm_0( x_4 : f32) -> f32
@@ -1954,13 +1959,13 @@ fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
     return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
 }
 
-fn speed_of_0( at_27 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+fn speed_of_0( at_28 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
 {
     if(is_blind_0())
     {
         return edge_number_0(node_2 + u32(20)) + 0.10000000149011612f;
     }
-    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_27.motion_1, offset_7);
+    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_28.motion_1, offset_7);
     var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
     var sine_3 : f32 = edge_number_0(node_2 + u32(11));
     var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
@@ -1975,17 +1980,17 @@ fn speed_of_0( at_27 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  ra
     {
         speed_0 = length(relative_0);
     }
-    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_27.motion_1.rotation_0) * radius_3;
+    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_28.motion_1.rotation_0) * radius_3;
 }
 
-fn importance_of_0( at_28 : ShadingPoint_0,  node_3 : u32) -> f32
+fn importance_of_0( at_29 : ShadingPoint_0,  node_3 : u32) -> f32
 {
     var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
-    var offset_8 : vec3<f32> = centre_1 - at_28.vertex_3.surface_4.position_0;
+    var offset_8 : vec3<f32> = centre_1 - at_29.vertex_3.surface_4.position_0;
     var radius_4 : f32 = edge_number_0(node_3 + u32(7));
     var distance_4 : f32 = length(offset_8);
     var _S198 : bool;
-    if(!at_28.has_creases_0)
+    if(!at_29.has_creases_0)
     {
         _S198 = !may_have_silhouette_0(node_3, offset_8, distance_4);
     }
@@ -1997,11 +2002,11 @@ fn importance_of_0( at_28 : ShadingPoint_0,  node_3 : u32) -> f32
     {
         return 0.0f;
     }
-    if(is_outside_0(at_28, offset_8, radius_4))
+    if(is_outside_0(at_29, offset_8, radius_4))
     {
         return 0.0f;
     }
-    var cosine_5 : f32 = largest_cosine_0(at_28.vertex_3.surface_4.position_0, at_28.vertex_3.axes_1.n_1, centre_1, radius_4);
+    var cosine_5 : f32 = largest_cosine_0(at_29.vertex_3.surface_4.position_0, at_29.vertex_3.axes_1.n_1, centre_1, radius_4);
     var _S199 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
     var least_0 : f32 = edge_number_0(node_3 + u32(16));
     var ratio_0 : f32 = _S199 / max(max(distance_4 * distance_4 - _S199, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
@@ -2024,13 +2029,12 @@ fn importance_of_0( at_28 : ShadingPoint_0,  node_3 : u32) -> f32
     {
         visible_0 = visible_1;
     }
-    return visible_0 * speed_of_0(at_28, node_3, offset_8, radius_4) * cosine_5 * near_0;
+    return visible_0 * speed_of_0(at_29, node_3, offset_8, radius_4) * cosine_5 * near_0;
 }
 
-fn descend_0( at_29 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+fn descend_0( at_30 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
 {
-    var nodes_at_0 : u32 = edge_word_0(at_29.tree_0);
-    (*leaf_0) = nodes_at_0;
+    (*leaf_0) = node_at_0(at_30, u32(0));
     (*probability_2) = 1.0f;
     var _S200 : f64 = u_1;
     for(;;)
@@ -2042,10 +2046,10 @@ fn descend_0( at_29 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>, 
         {
             break;
         }
-        var first_3 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
-        var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
-        var of_first_0 : f32 = importance_of_0(at_29, first_3);
-        var of_second_0 : f32 = importance_of_0(at_29, second_1);
+        var first_3 : u32 = (*leaf_0) + u32(45);
+        var second_1 : u32 = node_at_0(at_30, edge_word_0((*leaf_0)));
+        var of_first_0 : f32 = importance_of_0(at_30, first_3);
+        var of_second_0 : f32 = importance_of_0(at_30, second_1);
         var sum_0 : f32 = of_first_0 + of_second_0;
         var _S201 : bool;
         if(sum_0 > 0.0f)
@@ -2104,53 +2108,81 @@ fn descend_0( at_29 : ShadingPoint_0,  u_1 : f64,  leaf_0 : ptr<function, u32>, 
     return true;
 }
 
+fn side_path_0( number_of_path_2 : u32,  side_0 : u32) -> u32
+{
+    return launch_0.room_0 / u32(3) + u32(2) * number_of_path_2 + side_0;
+}
+
 struct Leaves_0
 {
-     count_2 : u32,
-     nodes_1 : array<u32, i32(96)>,
+     node_4 : u32,
+     end_1 : u32,
 };
 
-fn below_0( node_4 : u32) -> Leaves_0
+fn below_0( at_31 : ShadingPoint_0,  node_5 : u32) -> Leaves_0
 {
     var leaves_0 : Leaves_0;
-    leaves_0.count_2 = u32(1);
-    leaves_0.nodes_1[i32(0)] = node_4;
+    leaves_0.node_4 = node_5;
+    leaves_0.end_1 = node_at_0(at_31, edge_word_0(node_5 + u32(1)));
     return leaves_0;
 }
 
-fn next_leaf_0( at_30 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
+fn next_leaf_0( at_32 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
 {
-    var nodes_at_1 : u32 = edge_word_0(at_30.tree_0);
-    (*leaf_1) = nodes_at_1;
+    (*leaf_1) = (*leaves_1).node_4;
     for(;;)
     {
-        if(((*leaves_1).count_2) > u32(0))
+        if(((*leaves_1).node_4) < ((*leaves_1).end_1))
         {
         }
         else
         {
             break;
         }
-        var _S205 : u32 = (*leaves_1).count_2 - u32(1);
-        (*leaves_1).count_2 = _S205;
-        var _S206 : u32 = (*leaves_1).nodes_1[_S205];
-        (*leaf_1) = (*leaves_1).nodes_1[_S205];
-        if(!((importance_of_0(at_30, _S206)) > 0.0f))
+        var _S205 : u32 = (*leaves_1).node_4;
+        (*leaf_1) = (*leaves_1).node_4;
+        var contributes_0 : bool = (importance_of_0(at_32, _S205)) > 0.0f;
+        var is_leaf_0 : bool = (edge_word_0(_S205)) == u32(4294967295);
+        var _S206 : bool;
+        if(contributes_0)
         {
-            continue;
+            _S206 = !is_leaf_0;
         }
-        if((edge_word_0((*leaf_1))) == u32(4294967295))
+        else
+        {
+            _S206 = false;
+        }
+        var _S207 : u32;
+        if(_S206)
+        {
+            _S207 = (*leaf_1) + u32(45);
+        }
+        else
+        {
+            _S207 = node_at_0(at_32, edge_word_0((*leaf_1) + u32(1)));
+        }
+        (*leaves_1).node_4 = _S207;
+        var _S208 : bool;
+        if(contributes_0)
+        {
+            _S208 = is_leaf_0;
+        }
+        else
+        {
+            _S208 = false;
+        }
+        if(_S208)
         {
             return true;
         }
-        var _S207 : u32 = (*leaves_1).count_2;
-        var _S208 : u32 = (*leaves_1).count_2 + u32(1);
-        (*leaves_1).count_2 = _S208;
-        (*leaves_1).nodes_1[_S207] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1));
-        (*leaves_1).count_2 = _S208 + u32(1);
-        (*leaves_1).nodes_1[_S208] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + u32(1));
     }
     return false;
+}
+
+fn set_word_0( path_8 : u32,  which_5 : u32,  value_8 : u32)
+{
+    paths_0[which_5 * launch_0.room_0 + path_8] = value_8;
+    return;
 }
 
 struct Edge_0
@@ -2159,11 +2191,11 @@ struct Edge_0
      numbers_3 : u32,
 };
 
-fn edge_at_0( at_31 : ShadingPoint_0,  place_13 : u32) -> Edge_0
+fn edge_at_0( at_33 : ShadingPoint_0,  place_13 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_8 = edge_word_0(at_31.tree_0 + u32(1)) + u32(12) * place_13;
-    edge_0.numbers_3 = edge_word_0(at_31.tree_0 + u32(2)) + u32(14) * place_13;
+    edge_0.record_8 = edge_word_0(at_33.tree_0 + u32(1)) + u32(12) * place_13;
+    edge_0.numbers_3 = edge_word_0(at_33.tree_0 + u32(2)) + u32(14) * place_13;
     return edge_0;
 }
 
@@ -2197,15 +2229,15 @@ fn side_seen_0( from_0 : vec3<f64>,  tolerance_0 : f64,  normal_5 : u32,  length
     return _S209 - _S210;
 }
 
-fn is_silhouette_0( at_32 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+fn is_silhouette_0( at_34 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f64> = edge_position_0(edge_1.numbers_3);
-    var tolerance_1 : f64 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_32.vertex_3.surface_4.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S211 : vec3<f64> = at_32.vertex_3.surface_4.exact_0 - start_0;
+    var tolerance_1 : f64 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_34.vertex_3.surface_4.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S211 : vec3<f64> = at_34.vertex_3.surface_4.exact_0 - start_0;
     return (side_seen_0(_S211, tolerance_1, edge_1.numbers_3 + u32(6), edge_1.numbers_3 + u32(12)) * side_seen_0(_S211, tolerance_1, edge_1.numbers_3 + u32(9), edge_1.numbers_3 + u32(13))) <= i32(0);
 }
 
-fn factor_of_0( at_33 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+fn factor_of_0( at_35 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
     var _S212 : u32 = edge_2.record_8 + u32(2);
     var a_14 : vec3<f32> = edge_vector_0(_S212);
@@ -2213,7 +2245,7 @@ fn factor_of_0( at_33 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
     var _S213 : bool;
     if(!is_blind_0())
     {
-        _S213 = rests_0(at_33.motion_1);
+        _S213 = rests_0(at_35.motion_1);
     }
     else
     {
@@ -2239,12 +2271,12 @@ fn factor_of_0( at_33 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
     {
         return 0.0f;
     }
-    if(is_silhouette_0(at_33, edge_2))
+    if(is_silhouette_0(at_35, edge_2))
     {
         return edge_number_0(edge_2.record_8);
     }
     var _S214 : f32;
-    if(at_33.has_creases_0)
+    if(at_35.has_creases_0)
     {
         _S214 = edge_number_0(edge_2.record_8 + u32(1));
     }
@@ -2255,13 +2287,13 @@ fn factor_of_0( at_33 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
     return _S214;
 }
 
-fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f64>,  b_10 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
+fn is_clipped_0( at_36 : ShadingPoint_0,  a_15 : vec3<f64>,  b_10 : vec3<f64>,  range_0 : ptr<function, vec2<f64>>) -> bool
 {
     (*range_0) = vec2<f64>(0.0lf, 1.0lf);
     var _S215 : bool;
-    if((dot(at_34.front_0, vec3<f32>(a_15) - at_34.front_offset_0)) < -3.99999998990097083e-06f)
+    if((dot(at_36.front_0, vec3<f32>(a_15) - at_36.front_offset_0)) < -3.99999998990097083e-06f)
     {
-        _S215 = (dot(at_34.front_0, vec3<f32>(b_10) - at_34.front_offset_0)) < -3.99999998990097083e-06f;
+        _S215 = (dot(at_36.front_0, vec3<f32>(b_10) - at_36.front_offset_0)) < -3.99999998990097083e-06f;
     }
     else
     {
@@ -2274,10 +2306,10 @@ fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f64>,  b_10 : vec3<f64>,  
     var _S216 : f64 = edge_real_0(u32(2)) * sqrt(max(dot(a_15, a_15), dot(b_10, b_10)));
     var first_4 : f64;
     var second_2 : f64;
-    if(u32(0) < (at_34.planes_0))
+    if(u32(0) < (at_36.planes_0))
     {
-        var _S217 : f64 = dot(at_34.inside_2[u32(0)], b_10) + _S216;
-        first_4 = dot(at_34.inside_2[u32(0)], a_15) + _S216;
+        var _S217 : f64 = dot(at_36.inside_2[u32(0)], b_10) + _S216;
+        first_4 = dot(at_36.inside_2[u32(0)], a_15) + _S216;
         second_2 = _S217;
     }
     else
@@ -2305,10 +2337,10 @@ fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f64>,  b_10 : vec3<f64>,  
             (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
         }
     }
-    if(u32(1) < (at_34.planes_0))
+    if(u32(1) < (at_36.planes_0))
     {
-        var _S219 : f64 = dot(at_34.inside_2[u32(1)], b_10) + _S216;
-        first_4 = dot(at_34.inside_2[u32(1)], a_15) + _S216;
+        var _S219 : f64 = dot(at_36.inside_2[u32(1)], b_10) + _S216;
+        first_4 = dot(at_36.inside_2[u32(1)], a_15) + _S216;
         second_2 = _S219;
     }
     else
@@ -2336,10 +2368,10 @@ fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f64>,  b_10 : vec3<f64>,  
             (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
         }
     }
-    if(u32(2) < (at_34.planes_0))
+    if(u32(2) < (at_36.planes_0))
     {
-        var _S221 : f64 = dot(at_34.inside_2[u32(2)], b_10) + _S216;
-        first_4 = dot(at_34.inside_2[u32(2)], a_15) + _S216;
+        var _S221 : f64 = dot(at_36.inside_2[u32(2)], b_10) + _S216;
+        first_4 = dot(at_36.inside_2[u32(2)], a_15) + _S216;
         second_2 = _S221;
     }
     else
@@ -2367,10 +2399,10 @@ fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f64>,  b_10 : vec3<f64>,  
             (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
         }
     }
-    if(u32(3) < (at_34.planes_0))
+    if(u32(3) < (at_36.planes_0))
     {
-        var _S223 : f64 = dot(at_34.inside_2[u32(3)], b_10) + _S216;
-        first_4 = dot(at_34.inside_2[u32(3)], a_15) + _S216;
+        var _S223 : f64 = dot(at_36.inside_2[u32(3)], b_10) + _S216;
+        first_4 = dot(at_36.inside_2[u32(3)], a_15) + _S216;
         second_2 = _S223;
     }
     else
@@ -2398,10 +2430,10 @@ fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f64>,  b_10 : vec3<f64>,  
             (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
         }
     }
-    if(u32(4) < (at_34.planes_0))
+    if(u32(4) < (at_36.planes_0))
     {
-        var _S225 : f64 = dot(at_34.inside_2[u32(4)], b_10) + _S216;
-        first_4 = dot(at_34.inside_2[u32(4)], a_15) + _S216;
+        var _S225 : f64 = dot(at_36.inside_2[u32(4)], b_10) + _S216;
+        first_4 = dot(at_36.inside_2[u32(4)], a_15) + _S216;
         second_2 = _S225;
     }
     else
@@ -2429,10 +2461,10 @@ fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f64>,  b_10 : vec3<f64>,  
             (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
         }
     }
-    if(u32(5) < (at_34.planes_0))
+    if(u32(5) < (at_36.planes_0))
     {
-        var _S227 : f64 = dot(at_34.inside_2[u32(5)], b_10) + _S216;
-        first_4 = dot(at_34.inside_2[u32(5)], a_15) + _S216;
+        var _S227 : f64 = dot(at_36.inside_2[u32(5)], b_10) + _S216;
+        first_4 = dot(at_36.inside_2[u32(5)], a_15) + _S216;
         second_2 = _S227;
     }
     else
@@ -2460,10 +2492,10 @@ fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f64>,  b_10 : vec3<f64>,  
             (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
         }
     }
-    if(u32(6) < (at_34.planes_0))
+    if(u32(6) < (at_36.planes_0))
     {
-        var _S229 : f64 = dot(at_34.inside_2[u32(6)], b_10) + _S216;
-        first_4 = dot(at_34.inside_2[u32(6)], a_15) + _S216;
+        var _S229 : f64 = dot(at_36.inside_2[u32(6)], b_10) + _S216;
+        first_4 = dot(at_36.inside_2[u32(6)], a_15) + _S216;
         second_2 = _S229;
     }
     else
@@ -2491,10 +2523,10 @@ fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f64>,  b_10 : vec3<f64>,  
             (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
         }
     }
-    if(u32(7) < (at_34.planes_0))
+    if(u32(7) < (at_36.planes_0))
     {
-        var _S231 : f64 = dot(at_34.inside_2[u32(7)], b_10) + _S216;
-        first_4 = dot(at_34.inside_2[u32(7)], a_15) + _S216;
+        var _S231 : f64 = dot(at_36.inside_2[u32(7)], b_10) + _S216;
+        first_4 = dot(at_36.inside_2[u32(7)], a_15) + _S216;
         second_2 = _S231;
     }
     else
@@ -2540,14 +2572,14 @@ struct SeenEdge_0
      to_0 : vec3<f32>,
 };
 
-fn see_edge_0( at_35 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+fn see_edge_0( at_37 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S233 : Edge_0 = edge_at_0(at_35, place_14);
+    var _S233 : Edge_0 = edge_at_0(at_37, place_14);
     (*seen_1).edge_3 = _S233;
-    var _S234 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_3) - at_35.vertex_3.surface_4.exact_0;
+    var _S234 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_3) - at_37.vertex_3.surface_4.exact_0;
     (*seen_1).start_1 = _S234;
-    var end_1 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_3 + u32(3)) - at_35.vertex_3.surface_4.exact_0;
-    (*seen_1).along_1 = end_1 - _S234;
+    var end_2 : vec3<f64> = edge_position_0((*seen_1).edge_3.numbers_3 + u32(3)) - at_37.vertex_3.surface_4.exact_0;
+    (*seen_1).along_1 = end_2 - _S234;
     (*seen_1).far_0 = 1.0lf;
     (*seen_1).near_1 = 1.0lf;
     (*seen_1).chord_0 = 0.0f;
@@ -2556,7 +2588,7 @@ fn see_edge_0( at_35 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = _S235;
     (*seen_1).from_1 = _S235;
     (*seen_1).range_1 = vec2<f64>(0.0lf, 1.0lf);
-    var _S236 : f32 = factor_of_0(at_35, _S233);
+    var _S236 : f32 = factor_of_0(at_37, _S233);
     (*seen_1).factor_3 = _S236;
     var _S237 : bool;
     if(!(_S236 > 0.0f))
@@ -2566,7 +2598,7 @@ fn see_edge_0( at_35 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, 
     else
     {
         var _S238 : vec2<f64> = (*seen_1).range_1;
-        var _S239 : bool = is_clipped_0(at_35, (*seen_1).start_1, end_1, &(_S238));
+        var _S239 : bool = is_clipped_0(at_37, (*seen_1).start_1, end_2, &(_S238));
         (*seen_1).range_1 = _S238;
         _S237 = _S239;
     }
@@ -2595,7 +2627,7 @@ fn see_edge_0( at_35 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = vec3<f32>(last_0 / vec3<f64>((*seen_1).far_0));
     (*seen_1).chord_0 = f32(length_of_0(last_0 / vec3<f64>((*seen_1).far_0) - first_5 / vec3<f64>((*seen_1).near_1)));
     var longest_0 : f32;
-    if((at_35.vertex_3.lobe_1.kind_1) == u32(0))
+    if((at_37.vertex_3.lobe_1.kind_1) == u32(0))
     {
         longest_0 = 0.20000000298023224f;
     }
@@ -2612,10 +2644,10 @@ fn place_between_0( from_2 : f64,  to_1 : f64,  near_2 : f64,  far_1 : f64,  par
     return from_2 + (to_1 - from_2) * part_0 * near_2 / (part_0 * near_2 + (1.0lf - part_0) * far_1);
 }
 
-fn velocity_on_0( at_36 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
+fn velocity_on_0( at_38 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
     var _S241 : u32 = edge_4.record_8 + u32(2);
-    return mix(edge_vector_0(_S241), edge_vector_0(_S241 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_36.motion_1, offset_9);
+    return mix(edge_vector_0(_S241), edge_vector_0(_S241 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_38.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -2825,9 +2857,9 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
     }
     var place_16 : f32 = cosine_11 * 63.0f;
     var _S252 : u32 = min(u32(place_16), u32(62));
-    var at_37 : u32 = word_0(lobe_5.record_3 + u32(3)) + _S252;
-    var here_0 : f32 = number_0(at_37);
-    return here_0 + (number_0(at_37 + u32(1)) - here_0) * (place_16 - f32(_S252));
+    var at_39 : u32 = word_0(lobe_5.record_3 + u32(3)) + _S252;
+    var here_0 : f32 = number_0(at_39);
+    return here_0 + (number_0(at_39 + u32(1)) - here_0) * (place_16 - f32(_S252));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2871,7 +2903,7 @@ fn base_probability_0( numbers_6 : Numbers_0,  enters_0 : f32) -> f32
 
 struct Scattering_0
 {
-     value_8 : vec3<f32>,
+     value_9 : vec3<f32>,
      pdf_2 : f32,
 };
 
@@ -2882,7 +2914,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
     var by_cosine_0 : f32 = _S253 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
-        scattering_1.value_8 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
+        scattering_1.value_9 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
@@ -2898,18 +2930,18 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     if((lobe_7.kind_1) == u32(2))
     {
-        scattering_1.value_8 = numbers_7.specular_reflectance_0 * (fresnel_conductor_0(by_facets_0.cosine_6, numbers_7.eta_0, numbers_7.k_0) * vec3<f32>(by_facets_0.scattered_0));
+        scattering_1.value_9 = numbers_7.specular_reflectance_0 * (fresnel_conductor_0(by_facets_0.cosine_6, numbers_7.eta_0, numbers_7.k_0) * vec3<f32>(by_facets_0.scattered_0));
         scattering_1.pdf_2 = by_facets_0.pdf_0;
         return scattering_1;
     }
     var eta_7 : f32 = coat_eta_0(numbers_7);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_3.z);
-    scattering_1.value_8 = base_0(lobe_7, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S253) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_9 = base_0(lobe_7, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S253) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_7, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
     {
-        scattering_1.value_8 = scattering_1.value_8 + numbers_7.specular_reflectance_0 * vec3<f32>((fresnel_dielectric_0(by_facets_0.cosine_6, eta_7) * by_facets_0.scattered_0));
+        scattering_1.value_9 = scattering_1.value_9 + numbers_7.specular_reflectance_0 * vec3<f32>((fresnel_dielectric_0(by_facets_0.cosine_6, eta_7) * by_facets_0.scattered_0));
         scattering_1.pdf_2 = scattering_1.pdf_2 + (1.0f - probability_3) * by_facets_0.pdf_0;
     }
     return scattering_1;
@@ -2930,7 +2962,7 @@ fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
     {
         return vec3<f32>(0.0f);
     }
-    return scattering_0(vertex_5.lobe_1, vertex_5.lobe_1.numbers_2, value_of_0(vertex_5.wi_1), wo_2).value_8;
+    return scattering_0(vertex_5.lobe_1, vertex_5.lobe_1.numbers_2, value_of_0(vertex_5.wi_1), wo_2).value_9;
 }
 
 fn scattered_from_0( vertex_6 : Vertex_0,  direction_6 : vec3<f32>) -> vec3<f32>
@@ -2943,9 +2975,9 @@ fn largest_0( v_7 : vec3<f32>) -> f32
     return max(max(v_7.x, v_7.y), v_7.z);
 }
 
-fn still_0( value_9 : vec3<f32>) -> Vector_0
+fn still_0( value_10 : vec3<f32>) -> Vector_0
 {
-    return changing_0(value_9, vec3<f32>(0.0f));
+    return changing_0(value_10, vec3<f32>(0.0f));
 }
 
 fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
@@ -3180,11 +3212,11 @@ fn emitted_0( emitter_4 : u32,  place_17 : Place_0,  direction_9 : Vector_0) -> 
     return x2A_0(looked_up_0(_S300, _S301, _S299.differential_0), factor_4);
 }
 
-fn light_from_0( at_38 : ShadingPoint_0,  direction_10 : vec3<f32>) -> f32
+fn light_from_0( at_40 : ShadingPoint_0,  direction_10 : vec3<f32>) -> f32
 {
-    var light_2 : f32 = largest_0(scattered_from_0(at_38.vertex_3, direction_10));
+    var light_2 : f32 = largest_0(scattered_from_0(at_40.vertex_3, direction_10));
     var _S302 : bool;
-    if((at_38.purpose_0) != u32(1))
+    if((at_40.purpose_0) != u32(1))
     {
         _S302 = true;
     }
@@ -3196,11 +3228,11 @@ fn light_from_0( at_38 : ShadingPoint_0,  direction_10 : vec3<f32>) -> f32
     {
         return light_2;
     }
-    var _S303 : Vector_0 = emitted_0(at_38.emitter_0, at_38.vertex_3.surface_4.place_3, still_0(direction_10));
+    var _S303 : Vector_0 = emitted_0(at_40.emitter_0, at_40.vertex_3.surface_4.place_3, still_0(direction_10));
     return light_2 * largest_0(value_of_0(_S303));
 }
 
-fn weigh_0( at_39 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+fn weigh_0( at_41 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
 {
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
@@ -3211,7 +3243,7 @@ fn weigh_0( at_39 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec
     var speed_1 : f32;
     if(!is_blind_0())
     {
-        speed_1 = abs(dot(velocity_on_0(at_39, seen_2.edge_3, t_5, _S304), _S305));
+        speed_1 = abs(dot(velocity_on_0(at_41, seen_2.edge_3, t_5, _S304), _S305));
     }
     else
     {
@@ -3219,7 +3251,7 @@ fn weigh_0( at_39 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec
     }
     var speed_2 : f32 = speed_1 / length(_S304);
     var angle_4 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S307 : f32 = light_from_0(at_39, middle_1);
+    var _S307 : f32 = light_from_0(at_41, middle_1);
     var contribution_0 : f32 = angle_4 * _S307 * speed_2;
     var _S308 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
@@ -3233,12 +3265,12 @@ fn weigh_0( at_39 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec
     return _S308;
 }
 
-fn multiplicity_0( at_40 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec3<f64>,  normal_6 : vec3<f64>) -> f32
+fn multiplicity_0( at_42 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec3<f64>,  normal_6 : vec3<f64>) -> f32
 {
     var _S309 : vec3<f64> = cross(normal_6, direction_11);
     var _S310 : u32 = edge_5.record_8 + u32(8);
     var k_7 : u32 = edge_word_0(_S310);
-    var count_3 : f32 = 1.0f;
+    var count_2 : f32 = 1.0f;
     for(;;)
     {
         if(k_7 < (edge_word_0(_S310 + u32(1))))
@@ -3248,14 +3280,14 @@ fn multiplicity_0( at_40 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec
         {
             break;
         }
-        var other_0 : Edge_0 = edge_at_0(at_40, edge_word_0(k_7));
-        if(!((factor_of_0(at_40, other_0)) > 0.0f))
+        var other_0 : Edge_0 = edge_at_0(at_42, edge_word_0(k_7));
+        if(!((factor_of_0(at_42, other_0)) > 0.0f))
         {
             k_7 = k_7 + u32(1);
             continue;
         }
-        var a_18 : vec3<f64> = edge_position_0(other_0.numbers_3) - at_40.vertex_3.surface_4.exact_0;
-        var way_0 : vec3<f64> = edge_position_0(other_0.numbers_3 + u32(3)) - at_40.vertex_3.surface_4.exact_0 - a_18;
+        var a_18 : vec3<f64> = edge_position_0(other_0.numbers_3) - at_42.vertex_3.surface_4.exact_0;
+        var way_0 : vec3<f64> = edge_position_0(other_0.numbers_3 + u32(3)) - at_42.vertex_3.surface_4.exact_0 - a_18;
         var place_18 : f64 = - dot(a_18, _S309) / dot(way_0, _S309);
         var there_0 : vec3<f64> = a_18 + way_0 * vec3<f64>(place_18);
         var _S311 : bool;
@@ -3286,31 +3318,31 @@ fn multiplicity_0( at_40 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec
             k_7 = k_7 + u32(1);
             continue;
         }
-        var count_4 : f32;
+        var count_3 : f32;
         if(f32(abs(dot(normal_6, exact_unit_0(cross(a_18, way_0))))) > 0.99999898672103882f)
         {
-            count_4 = count_3 + 1.0f;
+            count_3 = count_2 + 1.0f;
         }
         else
         {
-            count_4 = count_3;
+            count_3 = count_2;
         }
-        count_3 = count_4;
+        count_2 = count_3;
         k_7 = k_7 + u32(1);
     }
-    return count_3;
+    return count_2;
 }
 
-fn face_normal_1( at_41 : ShadingPoint_0) -> vec3<f64>
+fn face_normal_1( at_43 : ShadingPoint_0) -> vec3<f64>
 {
-    var corners_1 : u32 = u32(9) * at_41.vertex_3.surface_4.place_3.triangle_0;
+    var corners_1 : u32 = u32(9) * at_43.vertex_3.surface_4.place_3.triangle_0;
     var a_19 : vec3<f64> = primitive_vector_0(corners_1);
     return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_19, primitive_vector_0(corners_1 + u32(6)) - a_19));
 }
 
-fn limit_at_0( which_5 : u32) -> f64
+fn limit_at_0( which_6 : u32) -> f64
 {
-    return primitives_0[word_0(u32(15)) + which_5];
+    return primitives_0[word_0(u32(15)) + which_6];
 }
 
 struct EdgePoint_0
@@ -3324,7 +3356,7 @@ struct EdgePoint_0
      is_in_horizon_0 : bool,
 };
 
-fn point_on_0( at_42 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f64,  part_of_all_0 : f32) -> EdgePoint_0
+fn point_on_0( at_44 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f64,  part_of_all_0 : f32) -> EdgePoint_0
 {
     var _S313 : f64 = seen_3.range_1.x;
     var _S314 : f64 = seen_3.range_1.y;
@@ -3350,8 +3382,8 @@ fn point_on_0( at_42 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     point_1.normal_7 = _S318;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_6 = f32(t_7);
-    point_1.measure_0 = f32(angle_5 / _S316) / (part_of_all_0 * multiplicity_0(at_42, seen_3.edge_3, _S317, _S318));
-    var face_0 : vec3<f64> = face_normal_1(at_42);
+    point_1.measure_0 = f32(angle_5 / _S316) / (part_of_all_0 * multiplicity_0(at_44, seen_3.edge_3, _S317, _S318));
+    var face_0 : vec3<f64> = face_normal_1(at_44);
     var least_2 : f64 = limit_at_0(u32(2));
     var _S319 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
@@ -3371,9 +3403,9 @@ fn offset_of_0( point_2 : EdgePoint_0) -> vec3<f32>
     return vec3<f32>(point_2.direction_12 * vec3<f64>(point_2.distance_5));
 }
 
-fn flow_at_0( at_43 : ShadingPoint_0,  point_3 : EdgePoint_0) -> f32
+fn flow_at_0( at_45 : ShadingPoint_0,  point_3 : EdgePoint_0) -> f32
 {
-    return f32(dot(vec3<f64>(velocity_on_0(at_43, point_3.edge_6, point_3.t_6, offset_of_0(point_3))), point_3.normal_7)) * point_3.measure_0;
+    return f32(dot(vec3<f64>(velocity_on_0(at_45, point_3.edge_6, point_3.t_6, offset_of_0(point_3))), point_3.normal_7)) * point_3.measure_0;
 }
 
 fn component_0( v_8 : vec3<f64>,  axis_5 : u32) -> f64
@@ -3460,9 +3492,9 @@ fn ray_along_0( origin_1 : vec3<f64>,  direction_13 : vec3<f64>,  t_min_1 : f64,
     return ray_0;
 }
 
-fn ray_child_0( node_5 : u32,  slot_2 : u32) -> u32
+fn ray_child_0( node_6 : u32,  slot_2 : u32) -> u32
 {
-    return nodes_0[u32(14) * node_5 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
+    return nodes_0[u32(14) * node_6 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
 }
 
 struct RayView_0
@@ -3475,9 +3507,9 @@ struct RayView_0
      axes_4 : u32,
 };
 
-fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32) -> f32
+fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_7 : u32,  slot_3 : u32) -> f32
 {
-    var _S325 : u32 = u32(14) * node_6 + slot_3 / u32(4);
+    var _S325 : u32 = u32(14) * node_7 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -3590,7 +3622,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
     return order_0;
 }
 
-fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
+fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_8 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
     var slot_4 : u32 = u32(0);
@@ -3604,13 +3636,13 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
             break;
         }
         var _S338 : f32;
-        if((ray_child_0(node_7, slot_4)) == u32(4294967295))
+        if((ray_child_0(node_8, slot_4)) == u32(4294967295))
         {
             _S338 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S338 = ray_bound_0(view_2, limit_3, node_7, slot_4);
+            _S338 = ray_bound_0(view_2, limit_3, node_8, slot_4);
         }
         bounds_1[slot_4] = _S338;
         slot_4 = slot_4 + u32(1);
@@ -3623,9 +3655,9 @@ fn rounded_0( product_2 : f64,  largest_2 : f64) -> f64
     return min(product_2, largest_2);
 }
 
-fn corner_2( ray_1 : Ray_0,  axes_5 : u32,  at_44 : u32) -> vec3<f64>
+fn corner_2( ray_1 : Ray_0,  axes_5 : u32,  at_46 : u32) -> vec3<f64>
 {
-    var relative_1 : vec3<f64> = primitive_vector_0(at_44) - ray_1.origin_0;
+    var relative_1 : vec3<f64> = primitive_vector_0(at_46) - ray_1.origin_0;
     var z_4 : f64 = component_0(relative_1, (axes_5 >> (u32(4))));
     return vec3<f64>(component_0(relative_1, (axes_5 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_4, ray_1.largest_1), component_0(relative_1, (((axes_5 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_4, ray_1.largest_1), z_4);
 }
@@ -3638,16 +3670,16 @@ struct Crossing_0
      w_3 : f64,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_6 : u32,  at_45 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_6 : u32,  at_47 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_8 = 0.0lf;
     crossing_0.v_9 = 0.0lf;
     crossing_0.w_3 = 0.0lf;
-    var a_21 : vec3<f64> = corner_2(ray_2, axes_6, at_45);
-    var b_14 : vec3<f64> = corner_2(ray_2, axes_6, at_45 + u32(3));
-    var c_4 : vec3<f64> = corner_2(ray_2, axes_6, at_45 + u32(6));
+    var a_21 : vec3<f64> = corner_2(ray_2, axes_6, at_47);
+    var b_14 : vec3<f64> = corner_2(ray_2, axes_6, at_47 + u32(3));
+    var c_4 : vec3<f64> = corner_2(ray_2, axes_6, at_47 + u32(6));
     var _S339 : f64 = c_4.x;
     var _S340 : f64 = b_14.y;
     var cx_by_0 : f64 = rounded_0(_S339 * _S340, ray_2.largest_1);
@@ -3924,11 +3956,11 @@ struct Side_0
      t_11 : f32,
 };
 
-fn look_0( at_46 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Side_0
+fn look_0( at_48 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_1 : u32) -> Side_0
 {
     var step_0 : vec3<f64> = point_4.normal_7 * vec3<f64>(edge_real_0(u32(3)));
     var origin_3 : vec3<f64>;
-    if(side_0 == u32(0))
+    if(side_1 == u32(0))
     {
         origin_3 = point_4.direction_12 - step_0;
     }
@@ -3939,7 +3971,7 @@ fn look_0( at_46 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Sid
     var direction_16 : vec3<f64> = exact_unit_0(origin_3);
     if(point_4.is_in_horizon_0)
     {
-        var face_3 : vec3<f64> = face_normal_1(at_46);
+        var face_3 : vec3<f64> = face_normal_1(at_48);
         var height_3 : f64 = limit_at_0(u32(2));
         var _S361 : f64;
         if((dot(direction_16, face_3)) < 0.0lf)
@@ -3950,17 +3982,17 @@ fn look_0( at_46 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Sid
         {
             _S361 = height_3;
         }
-        origin_3 = at_46.vertex_3.surface_4.exact_0 + face_3 * vec3<f64>(_S361);
+        origin_3 = at_48.vertex_3.surface_4.exact_0 + face_3 * vec3<f64>(_S361);
     }
     else
     {
-        origin_3 = at_46.vertex_3.surface_4.exact_0;
+        origin_3 = at_48.vertex_3.surface_4.exact_0;
     }
     var seen_4 : Side_0;
     var _S362 : vec3<f32> = vec3<f32>(direction_16);
     seen_4.direction_15 = _S362;
     seen_4.rest_3 = vec3<f32>(direction_16 - vec3<f64>(_S362));
-    seen_4.scattered_2 = scattered_from_0(at_46.vertex_3, _S362);
+    seen_4.scattered_2 = scattered_from_0(at_48.vertex_3, _S362);
     var _S363 : f64 = limit_at_0(u32(2));
     var _S364 : f64 = limit_at_0(u32(1));
     var _S365 : f32 = seen_4.t_11;
@@ -3968,17 +4000,6 @@ fn look_0( at_46 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Sid
     seen_4.t_11 = _S365;
     seen_4.found_2 = _S366;
     return seen_4;
-}
-
-fn side_path_0( number_of_path_2 : u32,  side_1 : u32) -> u32
-{
-    return launch_0.room_0 / u32(3) + u32(2) * number_of_path_2 + side_1;
-}
-
-fn set_word_0( path_8 : u32,  which_6 : u32,  value_10 : u32)
-{
-    paths_0[which_6 * launch_0.room_0 + path_8] = value_10;
-    return;
 }
 
 fn set_vector_0( path_9 : u32,  which_7 : ptr<function, u32>,  value_11 : vec3<f32>)
@@ -4035,23 +4056,23 @@ fn set_place_0( path_11 : u32,  which_9 : ptr<function, u32>,  place_19 : Place_
     return;
 }
 
-fn begin_side_0( number_1 : u32,  path_12 : Path_0,  side_2 : Side_0,  weight_0 : vec3<f32>)
+fn begin_side_0( number_2 : u32,  path_12 : Path_0,  side_2 : Side_0,  weight_0 : vec3<f32>)
 {
-    var at_47 : u32 = u32(1);
-    set_vector_0(number_1, &(at_47), vec3<f32>(0.0f));
-    set_vector_0(number_1, &(at_47), vec3<f32>(1.0f));
-    set_vector_0(number_1, &(at_47), side_2.direction_15);
-    set_place_0(number_1, &(at_47), place_of_0(side_2.found_2));
-    var _S367 : u32 = at_47 + u32(1);
-    set_word_0(number_1, at_47, path_12.key_0.x);
-    at_47 = _S367 + u32(1);
-    set_word_0(number_1, _S367, path_12.key_0.y);
-    set_vector_0(number_1, &(at_47), side_2.rest_3);
-    set_vector_0(number_1, &(at_47), weight_0);
+    var at_49 : u32 = u32(1);
+    set_vector_0(number_2, &(at_49), vec3<f32>(0.0f));
+    set_vector_0(number_2, &(at_49), vec3<f32>(1.0f));
+    set_vector_0(number_2, &(at_49), side_2.direction_15);
+    set_place_0(number_2, &(at_49), place_of_0(side_2.found_2));
+    var _S367 : u32 = at_49 + u32(1);
+    set_word_0(number_2, at_49, path_12.key_0.x);
+    at_49 = _S367 + u32(1);
+    set_word_0(number_2, _S367, path_12.key_0.y);
+    set_vector_0(number_2, &(at_49), side_2.rest_3);
+    set_vector_0(number_2, &(at_49), weight_0);
     return;
 }
 
-fn begin_sides_of_0( at_48 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_3 : u32,  path_13 : Path_0,  factor_5 : vec3<f32>) -> vec2<bool>
+fn begin_sides_of_0( at_50 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_3 : u32,  path_13 : Path_0,  factor_5 : vec3<f32>) -> vec2<bool>
 {
     var sides_0 : array<Side_0, i32(2)>;
     var side_3 : u32 = u32(0);
@@ -4064,7 +4085,7 @@ fn begin_sides_of_0( at_48 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_
         {
             break;
         }
-        sides_0[side_3] = look_0(at_48, point_5, side_3);
+        sides_0[side_3] = look_0(at_50, point_5, side_3);
         side_3 = side_3 + u32(1);
     }
     var nearest_0 : f32 = f32(point_5.distance_5) * 0.99999898672103882f;
@@ -4128,33 +4149,58 @@ fn begin_sides_of_0( at_48 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_
     return goes_on_1;
 }
 
-fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_49 : ShadingPoint_0,  point_6 : EdgePoint_0,  number_of_path_4 : u32,  path_14 : Path_0)
+fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_51 : ShadingPoint_0,  point_6 : EdgePoint_0,  number_of_path_4 : u32,  path_14 : Path_0)
 {
-    var flow_0 : f32 = flow_at_0(at_49, point_6);
+    var flow_0 : f32 = flow_at_0(at_51, point_6);
     if(flow_0 == 0.0f)
     {
         return;
     }
-    var _S373 : vec2<bool> = begin_sides_of_0(at_49, point_6, number_of_path_4, path_14, (*crossed_2).factor_1 * vec3<f32>(flow_0));
+    var _S373 : vec2<bool> = begin_sides_of_0(at_51, point_6, number_of_path_4, path_14, (*crossed_2).factor_1 * vec3<f32>(flow_0));
     (*crossed_2).goes_on_0 = _S373;
     return;
 }
 
-fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  place_20 : f64,  number_of_path_5 : u32,  path_15 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
+fn draw_points_0( at_52 : ShadingPoint_0,  node_9 : u32,  probability_4 : f32,  place_20 : f64,  number_of_path_5 : u32,  path_15 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
 {
     var _S374 : bool;
+    var in_parts_0 : bool = (at_52.purpose_0) == u32(0);
     var most_0 : u32 = edge_word_0(u32(9));
-    var _S375 : bool = (at_50.purpose_0) == u32(0);
-    var _S376 : u32;
-    if(_S375)
+    var part_2 : u32 = part_of_launch_0();
+    var left_2 : u32 = side_path_0(number_of_path_5, u32(0));
+    var leaves_2 : Leaves_0 = below_0(at_52, node_9);
+    var _S375 : bool;
+    if(in_parts_0)
     {
-        _S376 = most_0 * part_of_launch_0();
+        _S375 = part_2 > u32(0);
     }
     else
     {
-        _S376 = u32(0);
+        _S375 = false;
     }
-    var count_5 : u32 = u32(0);
+    var count_4 : u32;
+    if(_S375)
+    {
+        var count_5 : u32 = path_word_0(left_2, u32(20));
+        if(count_5 <= (most_0 * part_2))
+        {
+            return;
+        }
+        leaves_2.node_4 = path_word_0(left_2, u32(21));
+        count_4 = count_5;
+    }
+    else
+    {
+        count_4 = u32(0);
+    }
+    if(in_parts_0)
+    {
+        _S375 = part_2 == u32(0);
+    }
+    else
+    {
+        _S375 = false;
+    }
     var points_0 : u32 = u32(1);
     var least_3 : f32 = 0.0f;
     var over_all_0 : f32 = 0.0f;
@@ -4186,9 +4232,9 @@ fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
             }
             var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
             var total_1 : f32 = contributions_0 + least_4 * angles_0;
-            if(_S375)
+            if(in_parts_0)
             {
-                var parts_0 : f32 = ceil(f32(count_5) / f32(most_0));
+                var parts_0 : f32 = ceil(f32(count_4) / f32(most_0));
                 contributions_1 = min(4.0f * max(sqrt(pieces_1 / parts_0), 2.0f / parts_0), f32(edge_word_0(u32(10))));
             }
             else
@@ -4196,21 +4242,21 @@ fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                 contributions_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(contributions_1 - 0.00100000004749745f));
-            var _S377 : f32 = probability_4 * f32(points_1);
+            var _S376 : f32 = probability_4 * f32(points_1);
             var step_2 : f64 = f64(total_1) / f64(points_1);
-            var _S378 : f64 = step_2 * place_20;
+            var _S377 : f64 = step_2 * place_20;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_0 = _S377;
+            over_all_0 = _S376;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S378;
+            target_1 = _S377;
         }
         else
         {
             target_1 = target_0;
         }
-        var leaves_2 : Leaves_0 = below_0(node_8);
+        var rest_4 : Leaves_0 = leaves_2;
         var leaf_3 : u32;
         var drawn_1 : u32 = drawn_0;
         var passed_0 : u32 = u32(0);
@@ -4221,33 +4267,40 @@ fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
         var target_2 : f64 = target_1;
         for(;;)
         {
-            var _S379 : bool;
+            var _S378 : bool;
             if(drawn_1 < points_0)
             {
-                if(pass_0 == u32(0))
+                if(passed_0 < most_0)
                 {
-                    _S379 = true;
+                    _S378 = true;
                 }
                 else
                 {
-                    _S379 = passed_0 < (_S376 + most_0);
+                    if(_S375)
+                    {
+                        _S378 = pass_0 == u32(0);
+                    }
+                    else
+                    {
+                        _S378 = false;
+                    }
                 }
+            }
+            else
+            {
+                _S378 = false;
+            }
+            var _S379 : bool;
+            if(_S378)
+            {
+                var _S380 : bool = next_leaf_0(at_52, &(rest_4), &(leaf_3));
+                _S379 = _S380;
             }
             else
             {
                 _S379 = false;
             }
-            var _S380 : bool;
             if(_S379)
-            {
-                var _S381 : bool = next_leaf_0(at_50, &(leaves_2), &(leaf_3));
-                _S380 = _S381;
-            }
-            else
-            {
-                _S380 = false;
-            }
-            if(_S380)
             {
             }
             else
@@ -4255,18 +4308,22 @@ fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                 break;
             }
             var passed_1 : u32 = passed_0 + u32(1);
-            if(passed_1 <= _S376)
-            {
-                _S374 = true;
-            }
-            else
-            {
-                _S374 = passed_1 > (_S376 + most_0);
-            }
-            if(_S374)
+            if(passed_1 > most_0)
             {
                 passed_0 = passed_1;
                 continue;
+            }
+            if(in_parts_0)
+            {
+                _S374 = passed_1 == most_0;
+            }
+            else
+            {
+                _S374 = false;
+            }
+            if(_S374)
+            {
+                set_word_0(left_2, u32(21), rest_4.node_4);
             }
             var k_9 : u32 = edge_word_0(leaf_3 + u32(2));
             var drawn_2 : u32 = drawn_1;
@@ -4277,16 +4334,16 @@ fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
             var target_3 : f64 = target_2;
             for(;;)
             {
-                var _S382 : bool;
+                var _S381 : bool;
                 if(k_9 < (edge_word_0(leaf_3 + u32(3))))
                 {
-                    _S382 = drawn_2 < points_0;
+                    _S381 = drawn_2 < points_0;
                 }
                 else
                 {
-                    _S382 = false;
+                    _S381 = false;
                 }
-                if(_S382)
+                if(_S381)
                 {
                 }
                 else
@@ -4294,14 +4351,14 @@ fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                     break;
                 }
                 var seen_5 : SeenEdge_0;
-                var _S383 : bool = see_edge_0(at_50, k_9, &(seen_5));
+                var _S382 : bool = see_edge_0(at_52, k_9, &(seen_5));
                 var drawn_3 : u32;
                 var contributions_3 : f32;
                 var angles_3 : f32;
                 var pieces_4 : f32;
                 var cumulative_3 : f32;
                 var target_4 : f64;
-                if(!_S383)
+                if(!_S382)
                 {
                     drawn_3 = drawn_2;
                     contributions_3 = contributions_2;
@@ -4334,7 +4391,7 @@ fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                     {
                         break;
                     }
-                    var weight_1 : vec2<f32> = weigh_0(at_50, seen_5, piece_2);
+                    var weight_1 : vec2<f32> = weigh_0(at_52, seen_5, piece_2);
                     if(pass_0 == u32(0))
                     {
                         var angles_4 : f32 = angles_3 + weight_1.y;
@@ -4351,26 +4408,26 @@ fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                     var target_5 : f64 = target_4;
                     for(;;)
                     {
-                        var _S384 : bool;
+                        var _S383 : bool;
                         if(drawn_4 < points_0)
                         {
-                            _S384 = target_5 < f64(cumulative_4);
+                            _S383 = target_5 < f64(cumulative_4);
                         }
                         else
                         {
-                            _S384 = false;
+                            _S383 = false;
                         }
-                        if(_S384)
+                        if(_S383)
                         {
                         }
                         else
                         {
                             break;
                         }
-                        var _S385 : u32 = drawn_4 + u32(1);
+                        var _S384 : u32 = drawn_4 + u32(1);
                         var target_6 : f64 = target_5 + step_1;
-                        cross_at_0(&((*crossed_3)), at_50, point_on_0(at_50, seen_5, piece_2, clamp((target_5 - f64(cumulative_3)) / f64(own_1), 0.0lf, 1.0lf), over_all_0 * own_1 / total_0), number_of_path_5, path_15);
-                        drawn_4 = _S385;
+                        cross_at_0(&((*crossed_3)), at_52, point_on_0(at_52, seen_5, piece_2, clamp((target_5 - f64(cumulative_3)) / f64(own_1), 0.0lf, 1.0lf), over_all_0 * own_1 / total_0), number_of_path_5, path_15);
+                        drawn_4 = _S384;
                         target_5 = target_6;
                     }
                     cumulative_3 = cumulative_4;
@@ -4394,7 +4451,15 @@ fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
             cumulative_1 = cumulative_2;
             target_2 = target_3;
         }
-        if(pass_0 > u32(0))
+        if(!_S375)
+        {
+            _S374 = true;
+        }
+        else
+        {
+            _S374 = pass_0 > u32(0);
+        }
+        if(_S374)
         {
             pass_0 = pass_0 + u32(1);
             angles_0 = angles_1;
@@ -4405,20 +4470,22 @@ fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
             target_0 = target_2;
             continue;
         }
-        if(_S376 == u32(0))
+        if(passed_0 <= most_0)
         {
-            _S374 = passed_0 > most_0;
+            count_4 = passed_0;
+            pass_0 = pass_0 + u32(1);
+            angles_0 = angles_1;
+            contributions_0 = contributions_1;
+            pieces_1 = pieces_2;
+            drawn_0 = drawn_1;
+            cumulative_0 = cumulative_1;
+            target_0 = target_2;
+            continue;
         }
-        else
-        {
-            _S374 = false;
-        }
-        if(_S374)
-        {
-            var _S386 : u32 = (passed_0 + most_0 - u32(1)) / most_0;
-            var _S387 : u32 = atomicMax(&(sums_0[u32(3)]), _S386);
-        }
-        count_5 = passed_0;
+        set_word_0(left_2, u32(20), passed_0);
+        var _S385 : u32 = (passed_0 + most_0 - u32(1)) / most_0;
+        var _S386 : u32 = atomicMax(&(sums_0[u32(3)]), _S385);
+        count_4 = passed_0;
         pass_0 = pass_0 + u32(1);
         angles_0 = angles_1;
         contributions_0 = contributions_1;
@@ -4430,13 +4497,13 @@ fn draw_points_0( at_50 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
     return;
 }
 
-fn sample_points_0( at_51 : ShadingPoint_0,  number_of_path_6 : u32,  path_16 : Path_0,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_53 : ShadingPoint_0,  number_of_path_6 : u32,  path_16 : Path_0,  crossed_4 : ptr<function, Crossed_0>)
 {
-    var numbers_8 : u32 = numbers_for_0(at_51.purpose_0) + u32(1);
-    var part_2 : u32 = part_of_launch_0();
-    var node_9 : u32 = edge_word_0(at_51.tree_0);
+    var numbers_8 : u32 = numbers_for_0(at_53.purpose_0) + u32(1);
+    var part_3 : u32 = part_of_launch_0();
+    var node_10 : u32 = node_at_0(at_53, u32(0));
     var probability_5 : f32 = 1.0f;
-    if((at_51.purpose_0) != u32(0))
+    if((at_53.purpose_0) != u32(0))
     {
         var subtrees_0 : u32;
         if((depth_of_launch_0()) == u32(0))
@@ -4447,37 +4514,37 @@ fn sample_points_0( at_51 : ShadingPoint_0,  number_of_path_6 : u32,  path_16 : 
         {
             subtrees_0 = u32(1);
         }
-        var u_3 : f64 = (f64(part_2) + precise_random_0(path_16.key_0, numbers_8)) / f64(subtrees_0);
-        var _S388 : bool;
-        if(part_2 >= subtrees_0)
+        var u_3 : f64 = (f64(part_3) + precise_random_0(path_16.key_0, numbers_8)) / f64(subtrees_0);
+        var _S387 : bool;
+        if(part_3 >= subtrees_0)
         {
-            _S388 = true;
+            _S387 = true;
         }
         else
         {
-            var _S389 : bool = descend_0(at_51, u_3, &(node_9), &(probability_5));
-            _S388 = !_S389;
+            var _S388 : bool = descend_0(at_53, u_3, &(node_10), &(probability_5));
+            _S387 = !_S388;
         }
-        if(_S388)
+        if(_S387)
         {
             return;
         }
         probability_5 = probability_5 * f32(subtrees_0);
     }
-    var place_21 : f64 = precise_random_0(path_16.key_0, numbers_8 + u32(1)) + f64(0.6180340051651001f * f32(part_2));
-    draw_points_0(at_51, node_9, probability_5, place_21 - floor(place_21), number_of_path_6, path_16, &((*crossed_4)));
+    var place_21 : f64 = precise_random_0(path_16.key_0, numbers_8 + u32(1)) + f64(0.6180340051651001f * f32(part_3));
+    draw_points_0(at_53, node_10, probability_5, place_21 - floor(place_21), number_of_path_6, path_16, &((*crossed_4)));
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S390 : u32;
+    var _S389 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S391 : u32 = u32(2) + zero_0;
-        _S390 = _S391;
-        if(rounds_0 < _S391)
+        var _S390 : u32 = u32(2) + zero_0;
+        _S389 = _S390;
+        if(rounds_0 < _S390)
         {
         }
         else
@@ -4486,14 +4553,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S390;
+    return rounds_0 == _S389;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S392 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S391 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4511,21 +4578,21 @@ fn begin_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var factor_6 : vec3<f32>;
     var path_17 : Path_0 = path_at_vertex_0(number_of_path_7, &(factor_6));
     var crossed_5 : Crossed_0 = nothing_crossed_0(factor_6);
-    var at_52 : ShadingPoint_0;
-    var _S393 : bool = shading_point_0(path_17, &(at_52));
-    var _S394 : bool;
-    if(_S393)
+    var at_54 : ShadingPoint_0;
+    var _S392 : bool = shading_point_0(path_17, &(at_54));
+    var _S393 : bool;
+    if(_S392)
     {
-        var _S395 : f32 = turn_to_0(u32(2), path_17.key_0, &(at_52));
-        _S394 = _S395 > 0.0f;
+        var _S394 : f32 = turn_to_0(u32(2), path_17.key_0, &(at_54));
+        _S393 = _S394 > 0.0f;
     }
     else
     {
-        _S394 = false;
+        _S393 = false;
     }
-    if(_S394)
+    if(_S393)
     {
-        sample_points_0(at_52, number_of_path_7, path_17, &(crossed_5));
+        sample_points_0(at_54, number_of_path_7, path_17, &(crossed_5));
     }
     var side_4 : u32 = u32(0);
     for(;;)
@@ -4538,22 +4605,22 @@ fn begin_sides(@builtin(global_invocation_id) thread_0 : vec3<u32>)
             break;
         }
         var goes_on_2 : bool = crossed_5.goes_on_0[side_4];
-        var number_2 : u32 = side_path_0(number_of_path_7, side_4);
+        var number_3 : u32 = side_path_0(number_of_path_7, side_4);
         var which_10 : u32 = u32(20);
-        var _S396 : u32 = u32(2) * listed_0 + side_4;
-        var _S397 : u32;
+        var _S395 : u32 = u32(2) * listed_0 + side_4;
+        var _S396 : u32;
         if(crossed_5.goes_on_0[side_4])
         {
-            _S397 = number_2;
+            _S396 = number_3;
         }
         else
         {
-            _S397 = u32(4294967295);
+            _S396 = u32(4294967295);
         }
-        set_word_0(_S396, u32(0), _S397);
+        set_word_0(_S395, u32(0), _S396);
         if(!goes_on_2)
         {
-            set_vector_1(number_2, &(which_10), vec3<f32>(0.0f));
+            set_vector_1(number_3, &(which_10), vec3<f32>(0.0f));
         }
         side_4 = side_4 + u32(1);
     }

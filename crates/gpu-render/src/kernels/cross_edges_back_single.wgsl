@@ -1,7 +1,7 @@
 // Compiled from boundary_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 68244d489add2dee
-// result: b0ccb99de757f298
+// source: 7745810d8c6fd150
+// result: dd2850f8ddf986e9
 
 struct Launch_std140_0
 {
@@ -643,43 +643,59 @@ fn _S173( _S174 : ptr<function, DiffPair_Axes_0>,  _S175 : ptr<function, DiffPai
     return;
 }
 
-fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
+fn part_of_launch_0() -> u32
 {
-    return paths_0[which_0 * launch_0.room_0 + path_0];
+    return ((launch_0.depth_0) >> (u32(16)));
 }
 
-fn path_vector_0( path_1 : u32,  which_1 : ptr<function, u32>) -> vec3<f32>
+fn side_path_0( number_of_path_0 : u32,  side_0 : u32) -> u32
 {
-    var _S181 : u32 = (*which_1) + u32(3);
-    (*which_1) = _S181;
-    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_1, _S181 - u32(3)), path_word_0(path_1, _S181 - u32(2)), path_word_0(path_1, _S181 - u32(1))))));
+    return launch_0.room_0 / u32(3) + u32(2) * number_of_path_0 + side_0;
 }
 
-fn path_vector_1( path_2 : u32,  which_2 : ptr<function, u32>) -> vec3<f32>
+fn set_word_0( path_0 : u32,  which_0 : u32,  value_0 : u32)
 {
-    var _S182 : u32 = (*which_2) + u32(3);
-    (*which_2) = _S182;
-    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_2, _S182 - u32(3)), path_word_0(path_2, _S182 - u32(2)), path_word_0(path_2, _S182 - u32(1))))));
+    paths_0[which_0 * launch_0.room_0 + path_0] = value_0;
+    return;
 }
 
-fn path_vector_2( path_3 : u32,  which_3 : ptr<function, u32>) -> vec3<f32>
+fn path_word_0( path_1 : u32,  which_1 : u32) -> u32
 {
-    var _S183 : u32 = (*which_3) + u32(3);
-    (*which_3) = _S183;
-    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_3, _S183 - u32(3)), path_word_0(path_3, _S183 - u32(2)), path_word_0(path_3, _S183 - u32(1))))));
+    return paths_0[which_1 * launch_0.room_0 + path_1];
 }
 
-fn path_vector_3( path_4 : u32,  which_4 : ptr<function, u32>) -> vec3<f32>
+fn path_vector_0( path_2 : u32,  which_2 : ptr<function, u32>) -> vec3<f32>
 {
-    var _S184 : u32 = (*which_4) + u32(3);
-    (*which_4) = _S184;
-    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_4, _S184 - u32(3)), path_word_0(path_4, _S184 - u32(2)), path_word_0(path_4, _S184 - u32(1))))));
+    var _S181 : u32 = (*which_2) + u32(3);
+    (*which_2) = _S181;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_2, _S181 - u32(3)), path_word_0(path_2, _S181 - u32(2)), path_word_0(path_2, _S181 - u32(1))))));
 }
 
-fn path_changing_0( path_5 : u32,  which_5 : ptr<function, u32>) -> vec3<f32>
+fn path_vector_1( path_3 : u32,  which_3 : ptr<function, u32>) -> vec3<f32>
 {
-    var value_0 : vec3<f32> = path_vector_3(path_5, &((*which_5)));
-    return value_0;
+    var _S182 : u32 = (*which_3) + u32(3);
+    (*which_3) = _S182;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_3, _S182 - u32(3)), path_word_0(path_3, _S182 - u32(2)), path_word_0(path_3, _S182 - u32(1))))));
+}
+
+fn path_vector_2( path_4 : u32,  which_4 : ptr<function, u32>) -> vec3<f32>
+{
+    var _S183 : u32 = (*which_4) + u32(3);
+    (*which_4) = _S183;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_4, _S183 - u32(3)), path_word_0(path_4, _S183 - u32(2)), path_word_0(path_4, _S183 - u32(1))))));
+}
+
+fn path_vector_3( path_5 : u32,  which_5 : ptr<function, u32>) -> vec3<f32>
+{
+    var _S184 : u32 = (*which_5) + u32(3);
+    (*which_5) = _S184;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_5, _S184 - u32(3)), path_word_0(path_5, _S184 - u32(2)), path_word_0(path_5, _S184 - u32(1))))));
+}
+
+fn path_changing_0( path_6 : u32,  which_6 : ptr<function, u32>) -> vec3<f32>
+{
+    var value_1 : vec3<f32> = path_vector_3(path_6, &((*which_6)));
+    return value_1;
 }
 
 struct Place_0
@@ -702,18 +718,18 @@ fn exact_place_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
     return place_0;
 }
 
-fn path_place_0( path_6 : u32,  which_6 : ptr<function, u32>) -> Place_0
+fn path_place_0( path_7 : u32,  which_7 : ptr<function, u32>) -> Place_0
 {
-    var _S185 : u32 = (*which_6) + u32(5);
-    (*which_6) = _S185;
-    return exact_place_0(path_word_0(path_6, _S185 - u32(5)), (bitcast<f32>((path_word_0(path_6, _S185 - u32(4))))) + (bitcast<f32>((path_word_0(path_6, _S185 - u32(2))))), (bitcast<f32>((path_word_0(path_6, _S185 - u32(3))))) + (bitcast<f32>((path_word_0(path_6, _S185 - u32(1))))));
+    var _S185 : u32 = (*which_7) + u32(5);
+    (*which_7) = _S185;
+    return exact_place_0(path_word_0(path_7, _S185 - u32(5)), (bitcast<f32>((path_word_0(path_7, _S185 - u32(4))))) + (bitcast<f32>((path_word_0(path_7, _S185 - u32(2))))), (bitcast<f32>((path_word_0(path_7, _S185 - u32(3))))) + (bitcast<f32>((path_word_0(path_7, _S185 - u32(1))))));
 }
 
-fn path_place_1( path_7 : u32,  which_7 : ptr<function, u32>) -> Place_0
+fn path_place_1( path_8 : u32,  which_8 : ptr<function, u32>) -> Place_0
 {
-    var _S186 : u32 = (*which_7) + u32(5);
-    (*which_7) = _S186;
-    return exact_place_0(path_word_0(path_7, _S186 - u32(5)), (bitcast<f32>((path_word_0(path_7, _S186 - u32(4))))) + (bitcast<f32>((path_word_0(path_7, _S186 - u32(2))))), (bitcast<f32>((path_word_0(path_7, _S186 - u32(3))))) + (bitcast<f32>((path_word_0(path_7, _S186 - u32(1))))));
+    var _S186 : u32 = (*which_8) + u32(5);
+    (*which_8) = _S186;
+    return exact_place_0(path_word_0(path_8, _S186 - u32(5)), (bitcast<f32>((path_word_0(path_8, _S186 - u32(4))))) + (bitcast<f32>((path_word_0(path_8, _S186 - u32(2))))), (bitcast<f32>((path_word_0(path_8, _S186 - u32(3))))) + (bitcast<f32>((path_word_0(path_8, _S186 - u32(1))))));
 }
 
 struct ByRay_0
@@ -733,24 +749,24 @@ struct Path_0
      by_ray_0 : ByRay_0,
 };
 
-fn load_0( number_of_path_0 : u32) -> Path_0
+fn load_0( number_of_path_1 : u32) -> Path_0
 {
     var at_0 : u32 = u32(1);
-    var path_8 : Path_0;
-    var _S187 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
-    path_8.adjoint_0 = _S187;
-    path_8.distance_0 = 0.0f;
+    var path_9 : Path_0;
+    var _S187 : vec3<f32> = path_vector_0(number_of_path_1, &(at_0));
+    path_9.adjoint_0 = _S187;
+    path_9.distance_0 = 0.0f;
     var _S188 : vec3<f32> = vec3<f32>(0.0f);
-    path_8.by_ray_0.direction_0 = _S188;
-    path_8.by_ray_0.drift_0 = _S188;
-    var _S189 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
-    path_8.throughput_0 = _S189;
-    var _S190 : vec3<f32> = path_changing_0(number_of_path_0, &(at_0));
-    path_8.direction_1 = _S190;
-    var _S191 : Place_0 = path_place_0(number_of_path_0, &(at_0));
-    path_8.place_1 = _S191;
-    path_8.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_0), path_word_0(number_of_path_0, at_0 + u32(1)));
-    return path_8;
+    path_9.by_ray_0.direction_0 = _S188;
+    path_9.by_ray_0.drift_0 = _S188;
+    var _S189 : vec3<f32> = path_changing_0(number_of_path_1, &(at_0));
+    path_9.throughput_0 = _S189;
+    var _S190 : vec3<f32> = path_changing_0(number_of_path_1, &(at_0));
+    path_9.direction_1 = _S190;
+    var _S191 : Place_0 = path_place_0(number_of_path_1, &(at_0));
+    path_9.place_1 = _S191;
+    path_9.key_0 = vec2<u32>(path_word_0(number_of_path_1, at_0), path_word_0(number_of_path_1, at_0 + u32(1)));
+    return path_9;
 }
 
 fn depth_of_launch_0() -> u32
@@ -763,17 +779,17 @@ fn kept_at_0( depth_1 : u32) -> u32
     return u32(33) + u32(29) * depth_1;
 }
 
-fn path_at_vertex_0( number_of_path_1 : u32,  factor_0 : ptr<function, vec3<f32>>) -> Path_0
+fn path_at_vertex_0( number_of_path_2 : u32,  factor_0 : ptr<function, vec3<f32>>) -> Path_0
 {
-    var path_9 : Path_0 = load_0(number_of_path_1);
+    var path_10 : Path_0 = load_0(number_of_path_2);
     var kept_0 : u32 = kept_at_0(depth_of_launch_0());
-    var _S192 : vec3<f32> = path_vector_2(number_of_path_1, &(kept_0));
+    var _S192 : vec3<f32> = path_vector_2(number_of_path_2, &(kept_0));
     (*factor_0) = _S192;
-    var _S193 : Place_0 = path_place_1(number_of_path_1, &(kept_0));
-    path_9.place_1 = _S193;
-    var _S194 : vec3<f32> = path_vector_2(number_of_path_1, &(kept_0));
-    path_9.direction_1 = _S194;
-    return path_9;
+    var _S193 : Place_0 = path_place_1(number_of_path_2, &(kept_0));
+    path_10.place_1 = _S193;
+    var _S194 : vec3<f32> = path_vector_2(number_of_path_2, &(kept_0));
+    path_10.direction_1 = _S194;
+    return path_10;
 }
 
 fn value_of_0( vector_0 : vec3<f32>) -> vec3<f32>
@@ -1018,14 +1034,14 @@ fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
 
 struct Point_0
 {
-     value_1 : vec2<f32>,
+     value_2 : vec2<f32>,
      by_first_1 : vec2<f32>,
      by_second_1 : vec2<f32>,
 };
 
 fn between_0( texels_1 : vec4<u32>,  place_5 : Point_0) -> Lookup_0
 {
-    var way_0 : vec2<f32> = place_5.value_1 - floor(place_5.value_1);
+    var way_0 : vec2<f32> = place_5.value_2 - floor(place_5.value_2);
     var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
@@ -1048,7 +1064,7 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
     var size_0 : vec2<f32> = vec2<f32>(f32(width_0), f32(height_0));
-    var place_6 : vec2<f32> = uv_0.value_1 * size_0;
+    var place_6 : vec2<f32> = uv_0.value_2 * size_0;
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_6.y), height_0, wrap_1);
@@ -1058,7 +1074,7 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     }
     var centred_0 : Point_0;
     var _S207 : vec2<f32> = place_6 - vec2<f32>(0.5f);
-    centred_0.value_1 = _S207;
+    centred_0.value_2 = _S207;
     centred_0.by_first_1 = uv_0.by_first_1 * size_0;
     centred_0.by_second_1 = uv_0.by_second_1 * size_0;
     var x_5 : i32 = floor_of_0(_S207.x);
@@ -1103,7 +1119,7 @@ fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
     var to_v_0 : vec3<f32> = row_at_0(_S211 + u32(6));
     var uv_1 : Point_0;
     var _S212 : vec3<f32> = vec3<f32>(uvs_1.a_5 + by_v_0 * vec2<f32>((place_7.v_0 + place_7.v_rest_0)) + by_w_0 * vec2<f32>((place_7.w_0 + place_7.w_rest_0)), 1.0f);
-    uv_1.value_1 = vec2<f32>(dot(_S212, to_u_0), dot(_S212, to_v_0));
+    uv_1.value_2 = vec2<f32>(dot(_S212, to_u_0), dot(_S212, to_v_0));
     var _S213 : vec2<f32> = to_u_0.xy;
     var _S214 : vec2<f32> = to_v_0.xy;
     uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S213), dot(by_v_0, _S214));
@@ -1113,7 +1129,7 @@ fn lookup_at_0( texture_1 : u32,  place_7 : Place_0) -> Lookup_0
         var _S215 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
         return _S215;
     }
-    var half_of_period_0 : vec2<f32> = uv_1.value_1 - floor(uv_1.value_1);
+    var half_of_period_0 : vec2<f32> = uv_1.value_2 - floor(uv_1.value_2);
     var _S216 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
@@ -1132,7 +1148,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
     var _S218 : u32 = texture_2 + u32(19);
     var _S219 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S219;
+    var value_3 : vec3<f32> = _S219;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -1152,11 +1168,11 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             _S220 = vector_at_0(at_10);
         }
-        var value_3 : vec3<f32> = value_2 + _S220 * vec3<f32>(weights_1[k_1]);
+        var value_4 : vec3<f32> = value_3 + _S220 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
-        value_2 = value_3;
+        value_3 = value_4;
     }
-    return value_2;
+    return value_3;
 }
 
 fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> vec3<f32>
@@ -1175,38 +1191,38 @@ fn luminance_0( colour_0 : vec3<f32>) -> f32
     return dot(colour_0, vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f));
 }
 
-fn set_slot_0( numbers_1 : ptr<function, Numbers_0>,  slot_0 : u32,  value_4 : vec3<f32>)
+fn set_slot_0( numbers_1 : ptr<function, Numbers_0>,  slot_0 : u32,  value_5 : vec3<f32>)
 {
     switch(slot_0)
     {
     case u32(0):
         {
-            (*numbers_1).diffuse_reflectance_0 = value_4;
+            (*numbers_1).diffuse_reflectance_0 = value_5;
             break;
         }
     case u32(1):
         {
-            (*numbers_1).specular_reflectance_0 = value_4;
+            (*numbers_1).specular_reflectance_0 = value_5;
             break;
         }
     case u32(2):
         {
-            (*numbers_1).eta_0 = value_4;
+            (*numbers_1).eta_0 = value_5;
             break;
         }
     case u32(3):
         {
-            (*numbers_1).k_0 = value_4;
+            (*numbers_1).k_0 = value_5;
             break;
         }
     case u32(4):
         {
-            (*numbers_1).alpha_0[i32(0)] = luminance_0(value_4);
+            (*numbers_1).alpha_0[i32(0)] = luminance_0(value_5);
             break;
         }
     default :
         {
-            (*numbers_1).alpha_0[i32(1)] = luminance_0(value_4);
+            (*numbers_1).alpha_0[i32(1)] = luminance_0(value_5);
             break;
         }
     }
@@ -1426,11 +1442,11 @@ struct ShadingPoint_0
      front_offset_0 : vec3<f32>,
 };
 
-fn shading_point_0( path_10 : Path_0,  at_11 : ptr<function, ShadingPoint_0>) -> bool
+fn shading_point_0( path_11 : Path_0,  at_11 : ptr<function, ShadingPoint_0>) -> bool
 {
-    var surface_5 : Surface_0 = surface_at_0(path_10.place_1, value_of_0(path_10.direction_1));
+    var surface_5 : Surface_0 = surface_at_0(path_11.place_1, value_of_0(path_11.direction_1));
     var material_1 : u32 = material_of_0(surface_5);
-    var _S234 : Vertex_0 = vertex_at_0(surface_5, material_1, path_10.direction_1);
+    var _S234 : Vertex_0 = vertex_at_0(surface_5, material_1, path_11.direction_1);
     (*at_11).vertex_2 = _S234;
     var _S235 : VertexMotion_0 = motion_of_0(_S234);
     (*at_11).motion_1 = _S235;
@@ -1999,9 +2015,9 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_18 : ptr<function, Shadin
     return _S269;
 }
 
-fn part_of_launch_0() -> u32
+fn node_at_0( at_19 : ShadingPoint_0,  number_1 : u32) -> u32
 {
-    return ((launch_0.depth_0) >> (u32(16)));
+    return edge_word_0(at_19.tree_0) + u32(45) * number_1;
 }
 
 fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f32
@@ -2009,14 +2025,14 @@ fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f32
     return f32(((random_bits_0(key_4, dimension_2).y) >> (u32(8)))) / 4096.0f / 4096.0f;
 }
 
-fn edge_number_0( at_19 : u32) -> f32
+fn edge_number_0( at_20 : u32) -> f32
 {
-    return (bitcast<f32>((edge_word_0(at_19))));
+    return (bitcast<f32>((edge_word_0(at_20))));
 }
 
-fn edge_vector_0( at_20 : u32) -> vec3<f32>
+fn edge_vector_0( at_21 : u32) -> vec3<f32>
 {
-    return vec3<f32>(edge_number_0(at_20), edge_number_0(at_20 + u32(1)), edge_number_0(at_20 + u32(2)));
+    return vec3<f32>(edge_number_0(at_21), edge_number_0(at_21 + u32(1)), edge_number_0(at_21 + u32(2)));
 }
 
 fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_4 : f32) -> bool
@@ -2040,12 +2056,12 @@ fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_4 : f32
     return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_4 + margin_1 + 3.99999998990097083e-06f));
 }
 
-fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
+fn is_outside_0( at_22 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
 {
     var _S270 : bool;
-    if(u32(0) < (at_21.planes_0))
+    if(u32(0) < (at_22.planes_0))
     {
-        _S270 = (dot(at_21.inside_2[u32(0)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S270 = (dot(at_22.inside_2[u32(0)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -2055,9 +2071,9 @@ fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(1) < (at_21.planes_0))
+    if(u32(1) < (at_22.planes_0))
     {
-        _S270 = (dot(at_21.inside_2[u32(1)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S270 = (dot(at_22.inside_2[u32(1)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -2067,9 +2083,9 @@ fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(2) < (at_21.planes_0))
+    if(u32(2) < (at_22.planes_0))
     {
-        _S270 = (dot(at_21.inside_2[u32(2)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S270 = (dot(at_22.inside_2[u32(2)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -2079,9 +2095,9 @@ fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(3) < (at_21.planes_0))
+    if(u32(3) < (at_22.planes_0))
     {
-        _S270 = (dot(at_21.inside_2[u32(3)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S270 = (dot(at_22.inside_2[u32(3)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -2091,9 +2107,9 @@ fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(4) < (at_21.planes_0))
+    if(u32(4) < (at_22.planes_0))
     {
-        _S270 = (dot(at_21.inside_2[u32(4)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S270 = (dot(at_22.inside_2[u32(4)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -2103,9 +2119,9 @@ fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(5) < (at_21.planes_0))
+    if(u32(5) < (at_22.planes_0))
     {
-        _S270 = (dot(at_21.inside_2[u32(5)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S270 = (dot(at_22.inside_2[u32(5)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -2115,9 +2131,9 @@ fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(6) < (at_21.planes_0))
+    if(u32(6) < (at_22.planes_0))
     {
-        _S270 = (dot(at_21.inside_2[u32(6)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S270 = (dot(at_22.inside_2[u32(6)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -2127,9 +2143,9 @@ fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(7) < (at_21.planes_0))
+    if(u32(7) < (at_22.planes_0))
     {
-        _S270 = (dot(at_21.inside_2[u32(7)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S270 = (dot(at_22.inside_2[u32(7)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -2139,7 +2155,7 @@ fn is_outside_0( at_21 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    return (dot(at_21.front_0, offset_5 - at_21.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
+    return (dot(at_22.front_0, offset_5 - at_22.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
 }
 
 fn logarithm_0( x_8 : f32) -> f32
@@ -2221,13 +2237,13 @@ fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
     return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
 }
 
-fn speed_of_0( at_22 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+fn speed_of_0( at_23 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
 {
     if(is_blind_0())
     {
         return edge_number_0(node_2 + u32(20)) + 0.10000000149011612f;
     }
-    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_22.motion_1, offset_7);
+    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_23.motion_1, offset_7);
     var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
     var sine_3 : f32 = edge_number_0(node_2 + u32(11));
     var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
@@ -2242,17 +2258,17 @@ fn speed_of_0( at_22 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  ra
     {
         speed_0 = length(relative_0);
     }
-    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_22.motion_1.rotation_0) * radius_3;
+    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_23.motion_1.rotation_0) * radius_3;
 }
 
-fn importance_of_0( at_23 : ShadingPoint_0,  node_3 : u32) -> f32
+fn importance_of_0( at_24 : ShadingPoint_0,  node_3 : u32) -> f32
 {
     var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
-    var offset_8 : vec3<f32> = centre_1 - at_23.vertex_2.surface_3.position_0;
+    var offset_8 : vec3<f32> = centre_1 - at_24.vertex_2.surface_3.position_0;
     var radius_4 : f32 = edge_number_0(node_3 + u32(7));
     var distance_5 : f32 = length(offset_8);
     var _S275 : bool;
-    if(!at_23.has_creases_0)
+    if(!at_24.has_creases_0)
     {
         _S275 = !may_have_silhouette_0(node_3, offset_8, distance_5);
     }
@@ -2264,11 +2280,11 @@ fn importance_of_0( at_23 : ShadingPoint_0,  node_3 : u32) -> f32
     {
         return 0.0f;
     }
-    if(is_outside_0(at_23, offset_8, radius_4))
+    if(is_outside_0(at_24, offset_8, radius_4))
     {
         return 0.0f;
     }
-    var cosine_5 : f32 = largest_cosine_0(at_23.vertex_2.surface_3.position_0, at_23.vertex_2.axes_4.n_0, centre_1, radius_4);
+    var cosine_5 : f32 = largest_cosine_0(at_24.vertex_2.surface_3.position_0, at_24.vertex_2.axes_4.n_0, centre_1, radius_4);
     var _S276 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
     var least_0 : f32 = edge_number_0(node_3 + u32(16));
     var ratio_0 : f32 = _S276 / max(max(distance_5 * distance_5 - _S276, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
@@ -2291,13 +2307,12 @@ fn importance_of_0( at_23 : ShadingPoint_0,  node_3 : u32) -> f32
     {
         visible_0 = visible_1;
     }
-    return visible_0 * speed_of_0(at_23, node_3, offset_8, radius_4) * cosine_5 * near_0;
+    return visible_0 * speed_of_0(at_24, node_3, offset_8, radius_4) * cosine_5 * near_0;
 }
 
-fn descend_0( at_24 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+fn descend_0( at_25 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
 {
-    var nodes_at_0 : u32 = edge_word_0(at_24.tree_0);
-    (*leaf_0) = nodes_at_0;
+    (*leaf_0) = node_at_0(at_25, u32(0));
     (*probability_2) = 1.0f;
     var _S277 : f32 = u_1;
     for(;;)
@@ -2309,10 +2324,10 @@ fn descend_0( at_24 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>, 
         {
             break;
         }
-        var first_2 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
-        var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
-        var of_first_0 : f32 = importance_of_0(at_24, first_2);
-        var of_second_0 : f32 = importance_of_0(at_24, second_1);
+        var first_2 : u32 = (*leaf_0) + u32(45);
+        var second_1 : u32 = node_at_0(at_25, edge_word_0((*leaf_0)));
+        var of_first_0 : f32 = importance_of_0(at_25, first_2);
+        var of_second_0 : f32 = importance_of_0(at_25, second_1);
         var sum_0 : f32 = of_first_0 + of_second_0;
         var _S278 : bool;
         if(sum_0 > 0.0f)
@@ -2372,49 +2387,66 @@ fn descend_0( at_24 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>, 
 
 struct Leaves_0
 {
-     count_2 : u32,
-     nodes_1 : array<u32, i32(96)>,
+     node_4 : u32,
+     end_1 : u32,
 };
 
-fn below_0( node_4 : u32) -> Leaves_0
+fn below_0( at_26 : ShadingPoint_0,  node_5 : u32) -> Leaves_0
 {
     var leaves_0 : Leaves_0;
-    leaves_0.count_2 = u32(1);
-    leaves_0.nodes_1[i32(0)] = node_4;
+    leaves_0.node_4 = node_5;
+    leaves_0.end_1 = node_at_0(at_26, edge_word_0(node_5 + u32(1)));
     return leaves_0;
 }
 
-fn next_leaf_0( at_25 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
+fn next_leaf_0( at_27 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
 {
-    var nodes_at_1 : u32 = edge_word_0(at_25.tree_0);
-    (*leaf_1) = nodes_at_1;
+    (*leaf_1) = (*leaves_1).node_4;
     for(;;)
     {
-        if(((*leaves_1).count_2) > u32(0))
+        if(((*leaves_1).node_4) < ((*leaves_1).end_1))
         {
         }
         else
         {
             break;
         }
-        var _S281 : u32 = (*leaves_1).count_2 - u32(1);
-        (*leaves_1).count_2 = _S281;
-        var _S282 : u32 = (*leaves_1).nodes_1[_S281];
-        (*leaf_1) = (*leaves_1).nodes_1[_S281];
-        if(!((importance_of_0(at_25, _S282)) > 0.0f))
+        var _S281 : u32 = (*leaves_1).node_4;
+        (*leaf_1) = (*leaves_1).node_4;
+        var contributes_0 : bool = (importance_of_0(at_27, _S281)) > 0.0f;
+        var is_leaf_0 : bool = (edge_word_0(_S281)) == u32(4294967295);
+        var _S282 : bool;
+        if(contributes_0)
         {
-            continue;
+            _S282 = !is_leaf_0;
         }
-        if((edge_word_0((*leaf_1))) == u32(4294967295))
+        else
+        {
+            _S282 = false;
+        }
+        var _S283 : u32;
+        if(_S282)
+        {
+            _S283 = (*leaf_1) + u32(45);
+        }
+        else
+        {
+            _S283 = node_at_0(at_27, edge_word_0((*leaf_1) + u32(1)));
+        }
+        (*leaves_1).node_4 = _S283;
+        var _S284 : bool;
+        if(contributes_0)
+        {
+            _S284 = is_leaf_0;
+        }
+        else
+        {
+            _S284 = false;
+        }
+        if(_S284)
         {
             return true;
         }
-        var _S283 : u32 = (*leaves_1).count_2;
-        var _S284 : u32 = (*leaves_1).count_2 + u32(1);
-        (*leaves_1).count_2 = _S284;
-        (*leaves_1).nodes_1[_S283] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1));
-        (*leaves_1).count_2 = _S284 + u32(1);
-        (*leaves_1).nodes_1[_S284] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + u32(1));
     }
     return false;
 }
@@ -2425,11 +2457,11 @@ struct Edge_0
      numbers_4 : u32,
 };
 
-fn edge_at_0( at_26 : ShadingPoint_0,  place_10 : u32) -> Edge_0
+fn edge_at_0( at_28 : ShadingPoint_0,  place_10 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_7 = edge_word_0(at_26.tree_0 + u32(1)) + u32(12) * place_10;
-    edge_0.numbers_4 = edge_word_0(at_26.tree_0 + u32(2)) + u32(14) * place_10;
+    edge_0.record_7 = edge_word_0(at_28.tree_0 + u32(1)) + u32(12) * place_10;
+    edge_0.numbers_4 = edge_word_0(at_28.tree_0 + u32(2)) + u32(14) * place_10;
     return edge_0;
 }
 
@@ -2463,15 +2495,15 @@ fn side_seen_0( from_0 : vec3<f32>,  tolerance_0 : f32,  normal_4 : u32,  length
     return _S285 - _S286;
 }
 
-fn is_silhouette_0( at_27 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+fn is_silhouette_0( at_29 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f32> = edge_position_0(edge_1.numbers_4);
-    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_27.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S287 : vec3<f32> = at_27.vertex_2.surface_3.exact_0 - start_0;
+    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_29.vertex_2.surface_3.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S287 : vec3<f32> = at_29.vertex_2.surface_3.exact_0 - start_0;
     return (side_seen_0(_S287, tolerance_1, edge_1.numbers_4 + u32(6), edge_1.numbers_4 + u32(12)) * side_seen_0(_S287, tolerance_1, edge_1.numbers_4 + u32(9), edge_1.numbers_4 + u32(13))) <= i32(0);
 }
 
-fn factor_of_0( at_28 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+fn factor_of_0( at_30 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
     var _S288 : u32 = edge_2.record_7 + u32(2);
     var a_11 : vec3<f32> = edge_vector_0(_S288);
@@ -2479,7 +2511,7 @@ fn factor_of_0( at_28 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
     var _S289 : bool;
     if(!is_blind_0())
     {
-        _S289 = rests_0(at_28.motion_1);
+        _S289 = rests_0(at_30.motion_1);
     }
     else
     {
@@ -2505,12 +2537,12 @@ fn factor_of_0( at_28 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
     {
         return 0.0f;
     }
-    if(is_silhouette_0(at_28, edge_2))
+    if(is_silhouette_0(at_30, edge_2))
     {
         return edge_number_0(edge_2.record_7);
     }
     var _S290 : f32;
-    if(at_28.has_creases_0)
+    if(at_30.has_creases_0)
     {
         _S290 = edge_number_0(edge_2.record_7 + u32(1));
     }
@@ -2521,13 +2553,13 @@ fn factor_of_0( at_28 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
     return _S290;
 }
 
-fn is_clipped_0( at_29 : ShadingPoint_0,  a_12 : vec3<f32>,  b_9 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
+fn is_clipped_0( at_31 : ShadingPoint_0,  a_12 : vec3<f32>,  b_9 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
 {
     (*range_0) = vec2<f32>(0.0f, 1.0f);
     var _S291 : bool;
-    if((dot(at_29.front_0, a_12 - at_29.front_offset_0)) < -3.99999998990097083e-06f)
+    if((dot(at_31.front_0, a_12 - at_31.front_offset_0)) < -3.99999998990097083e-06f)
     {
-        _S291 = (dot(at_29.front_0, b_9 - at_29.front_offset_0)) < -3.99999998990097083e-06f;
+        _S291 = (dot(at_31.front_0, b_9 - at_31.front_offset_0)) < -3.99999998990097083e-06f;
     }
     else
     {
@@ -2540,10 +2572,10 @@ fn is_clipped_0( at_29 : ShadingPoint_0,  a_12 : vec3<f32>,  b_9 : vec3<f32>,  r
     var _S292 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_12, a_12), dot(b_9, b_9)));
     var first_3 : f32;
     var second_2 : f32;
-    if(u32(0) < (at_29.planes_0))
+    if(u32(0) < (at_31.planes_0))
     {
-        var _S293 : f32 = dot(at_29.inside_2[u32(0)], b_9) + _S292;
-        first_3 = dot(at_29.inside_2[u32(0)], a_12) + _S292;
+        var _S293 : f32 = dot(at_31.inside_2[u32(0)], b_9) + _S292;
+        first_3 = dot(at_31.inside_2[u32(0)], a_12) + _S292;
         second_2 = _S293;
     }
     else
@@ -2571,10 +2603,10 @@ fn is_clipped_0( at_29 : ShadingPoint_0,  a_12 : vec3<f32>,  b_9 : vec3<f32>,  r
             (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
         }
     }
-    if(u32(1) < (at_29.planes_0))
+    if(u32(1) < (at_31.planes_0))
     {
-        var _S295 : f32 = dot(at_29.inside_2[u32(1)], b_9) + _S292;
-        first_3 = dot(at_29.inside_2[u32(1)], a_12) + _S292;
+        var _S295 : f32 = dot(at_31.inside_2[u32(1)], b_9) + _S292;
+        first_3 = dot(at_31.inside_2[u32(1)], a_12) + _S292;
         second_2 = _S295;
     }
     else
@@ -2602,10 +2634,10 @@ fn is_clipped_0( at_29 : ShadingPoint_0,  a_12 : vec3<f32>,  b_9 : vec3<f32>,  r
             (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
         }
     }
-    if(u32(2) < (at_29.planes_0))
+    if(u32(2) < (at_31.planes_0))
     {
-        var _S297 : f32 = dot(at_29.inside_2[u32(2)], b_9) + _S292;
-        first_3 = dot(at_29.inside_2[u32(2)], a_12) + _S292;
+        var _S297 : f32 = dot(at_31.inside_2[u32(2)], b_9) + _S292;
+        first_3 = dot(at_31.inside_2[u32(2)], a_12) + _S292;
         second_2 = _S297;
     }
     else
@@ -2633,10 +2665,10 @@ fn is_clipped_0( at_29 : ShadingPoint_0,  a_12 : vec3<f32>,  b_9 : vec3<f32>,  r
             (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
         }
     }
-    if(u32(3) < (at_29.planes_0))
+    if(u32(3) < (at_31.planes_0))
     {
-        var _S299 : f32 = dot(at_29.inside_2[u32(3)], b_9) + _S292;
-        first_3 = dot(at_29.inside_2[u32(3)], a_12) + _S292;
+        var _S299 : f32 = dot(at_31.inside_2[u32(3)], b_9) + _S292;
+        first_3 = dot(at_31.inside_2[u32(3)], a_12) + _S292;
         second_2 = _S299;
     }
     else
@@ -2664,10 +2696,10 @@ fn is_clipped_0( at_29 : ShadingPoint_0,  a_12 : vec3<f32>,  b_9 : vec3<f32>,  r
             (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
         }
     }
-    if(u32(4) < (at_29.planes_0))
+    if(u32(4) < (at_31.planes_0))
     {
-        var _S301 : f32 = dot(at_29.inside_2[u32(4)], b_9) + _S292;
-        first_3 = dot(at_29.inside_2[u32(4)], a_12) + _S292;
+        var _S301 : f32 = dot(at_31.inside_2[u32(4)], b_9) + _S292;
+        first_3 = dot(at_31.inside_2[u32(4)], a_12) + _S292;
         second_2 = _S301;
     }
     else
@@ -2695,10 +2727,10 @@ fn is_clipped_0( at_29 : ShadingPoint_0,  a_12 : vec3<f32>,  b_9 : vec3<f32>,  r
             (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
         }
     }
-    if(u32(5) < (at_29.planes_0))
+    if(u32(5) < (at_31.planes_0))
     {
-        var _S303 : f32 = dot(at_29.inside_2[u32(5)], b_9) + _S292;
-        first_3 = dot(at_29.inside_2[u32(5)], a_12) + _S292;
+        var _S303 : f32 = dot(at_31.inside_2[u32(5)], b_9) + _S292;
+        first_3 = dot(at_31.inside_2[u32(5)], a_12) + _S292;
         second_2 = _S303;
     }
     else
@@ -2726,10 +2758,10 @@ fn is_clipped_0( at_29 : ShadingPoint_0,  a_12 : vec3<f32>,  b_9 : vec3<f32>,  r
             (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
         }
     }
-    if(u32(6) < (at_29.planes_0))
+    if(u32(6) < (at_31.planes_0))
     {
-        var _S305 : f32 = dot(at_29.inside_2[u32(6)], b_9) + _S292;
-        first_3 = dot(at_29.inside_2[u32(6)], a_12) + _S292;
+        var _S305 : f32 = dot(at_31.inside_2[u32(6)], b_9) + _S292;
+        first_3 = dot(at_31.inside_2[u32(6)], a_12) + _S292;
         second_2 = _S305;
     }
     else
@@ -2757,10 +2789,10 @@ fn is_clipped_0( at_29 : ShadingPoint_0,  a_12 : vec3<f32>,  b_9 : vec3<f32>,  r
             (*range_0)[i32(1)] = min((*range_0).y, first_3 / (first_3 - second_2));
         }
     }
-    if(u32(7) < (at_29.planes_0))
+    if(u32(7) < (at_31.planes_0))
     {
-        var _S307 : f32 = dot(at_29.inside_2[u32(7)], b_9) + _S292;
-        first_3 = dot(at_29.inside_2[u32(7)], a_12) + _S292;
+        var _S307 : f32 = dot(at_31.inside_2[u32(7)], b_9) + _S292;
+        first_3 = dot(at_31.inside_2[u32(7)], a_12) + _S292;
         second_2 = _S307;
     }
     else
@@ -2806,14 +2838,14 @@ struct SeenEdge_0
      to_0 : vec3<f32>,
 };
 
-fn see_edge_0( at_30 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+fn see_edge_0( at_32 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S309 : Edge_0 = edge_at_0(at_30, place_11);
+    var _S309 : Edge_0 = edge_at_0(at_32, place_11);
     (*seen_1).edge_3 = _S309;
-    var _S310 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4) - at_30.vertex_2.surface_3.exact_0;
+    var _S310 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4) - at_32.vertex_2.surface_3.exact_0;
     (*seen_1).start_1 = _S310;
-    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_30.vertex_2.surface_3.exact_0;
-    (*seen_1).along_1 = end_1 - _S310;
+    var end_2 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_4 + u32(3)) - at_32.vertex_2.surface_3.exact_0;
+    (*seen_1).along_1 = end_2 - _S310;
     (*seen_1).far_0 = 1.0f;
     (*seen_1).near_1 = 1.0f;
     (*seen_1).chord_0 = 0.0f;
@@ -2822,7 +2854,7 @@ fn see_edge_0( at_30 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = _S311;
     (*seen_1).from_1 = _S311;
     (*seen_1).range_1 = vec2<f32>(0.0f, 1.0f);
-    var _S312 : f32 = factor_of_0(at_30, _S309);
+    var _S312 : f32 = factor_of_0(at_32, _S309);
     (*seen_1).factor_3 = _S312;
     var _S313 : bool;
     if(!(_S312 > 0.0f))
@@ -2832,7 +2864,7 @@ fn see_edge_0( at_30 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, 
     else
     {
         var _S314 : vec2<f32> = (*seen_1).range_1;
-        var _S315 : bool = is_clipped_0(at_30, (*seen_1).start_1, end_1, &(_S314));
+        var _S315 : bool = is_clipped_0(at_32, (*seen_1).start_1, end_2, &(_S314));
         (*seen_1).range_1 = _S314;
         _S313 = _S315;
     }
@@ -2861,7 +2893,7 @@ fn see_edge_0( at_30 : ShadingPoint_0,  place_11 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = last_0 / vec3<f32>((*seen_1).far_0);
     (*seen_1).chord_0 = length_of_0(last_0 / vec3<f32>((*seen_1).far_0) - first_4 / vec3<f32>((*seen_1).near_1));
     var longest_0 : f32;
-    if((at_30.vertex_2.lobe_1.kind_1) == u32(0))
+    if((at_32.vertex_2.lobe_1.kind_1) == u32(0))
     {
         longest_0 = 0.20000000298023224f;
     }
@@ -2878,10 +2910,10 @@ fn place_between_0( from_2 : f32,  to_1 : f32,  near_2 : f32,  far_1 : f32,  par
     return from_2 + (to_1 - from_2) * part_0 * near_2 / (part_0 * near_2 + (1.0f - part_0) * far_1);
 }
 
-fn velocity_on_0( at_31 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
+fn velocity_on_0( at_33 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
     var _S317 : u32 = edge_4.record_7 + u32(2);
-    return mix(edge_vector_0(_S317), edge_vector_0(_S317 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_31.motion_1, offset_9);
+    return mix(edge_vector_0(_S317), edge_vector_0(_S317 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_33.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -3091,9 +3123,9 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
     }
     var place_13 : f32 = cosine_11 * 63.0f;
     var _S328 : u32 = min(u32(place_13), u32(62));
-    var at_32 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S328;
-    var here_0 : f32 = number_0(at_32);
-    return here_0 + (number_0(at_32 + u32(1)) - here_0) * (place_13 - f32(_S328));
+    var at_34 : u32 = word_0(lobe_5.record_2 + u32(3)) + _S328;
+    var here_0 : f32 = number_0(at_34);
+    return here_0 + (number_0(at_34 + u32(1)) - here_0) * (place_13 - f32(_S328));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -3137,7 +3169,7 @@ fn base_probability_0( numbers_7 : Numbers_0,  enters_0 : f32) -> f32
 
 struct Scattering_0
 {
-     value_5 : vec3<f32>,
+     value_6 : vec3<f32>,
      pdf_2 : f32,
 };
 
@@ -3148,7 +3180,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     var by_cosine_0 : f32 = _S329 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
-        scattering_1.value_5 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
+        scattering_1.value_6 = numbers_8.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
@@ -3164,18 +3196,18 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_8 : Numbers_0,  wi_4 : vec3<f32>,  wo
     }
     if((lobe_7.kind_1) == u32(2))
     {
-        scattering_1.value_5 = numbers_8.specular_reflectance_0 * (fresnel_conductor_0(by_facets_0.cosine_6, numbers_8.eta_0, numbers_8.k_0) * vec3<f32>(by_facets_0.scattered_0));
+        scattering_1.value_6 = numbers_8.specular_reflectance_0 * (fresnel_conductor_0(by_facets_0.cosine_6, numbers_8.eta_0, numbers_8.k_0) * vec3<f32>(by_facets_0.scattered_0));
         scattering_1.pdf_2 = by_facets_0.pdf_0;
         return scattering_1;
     }
     var eta_7 : f32 = coat_eta_0(numbers_8);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_4.z);
-    scattering_1.value_5 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S329) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_6 = base_0(lobe_7, eta_7, numbers_8.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S329) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_8, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
     {
-        scattering_1.value_5 = scattering_1.value_5 + numbers_8.specular_reflectance_0 * vec3<f32>((fresnel_dielectric_0(by_facets_0.cosine_6, eta_7) * by_facets_0.scattered_0));
+        scattering_1.value_6 = scattering_1.value_6 + numbers_8.specular_reflectance_0 * vec3<f32>((fresnel_dielectric_0(by_facets_0.cosine_6, eta_7) * by_facets_0.scattered_0));
         scattering_1.pdf_2 = scattering_1.pdf_2 + (1.0f - probability_3) * by_facets_0.pdf_0;
     }
     return scattering_1;
@@ -3196,7 +3228,7 @@ fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
     {
         return vec3<f32>(0.0f);
     }
-    return scattering_0(vertex_5.lobe_1, vertex_5.lobe_1.numbers_2, value_of_0(vertex_5.wi_1), wo_2).value_5;
+    return scattering_0(vertex_5.lobe_1, vertex_5.lobe_1.numbers_2, value_of_0(vertex_5.wi_1), wo_2).value_6;
 }
 
 fn scattered_from_0( vertex_6 : Vertex_0,  direction_5 : vec3<f32>) -> vec3<f32>
@@ -3209,14 +3241,14 @@ fn largest_0( v_7 : vec3<f32>) -> f32
     return max(max(v_7.x, v_7.y), v_7.z);
 }
 
-fn changing_0( value_6 : vec3<f32>,  change_0 : vec3<f32>) -> vec3<f32>
+fn changing_0( value_7 : vec3<f32>,  change_0 : vec3<f32>) -> vec3<f32>
 {
-    return value_6;
+    return value_7;
 }
 
-fn still_0( value_7 : vec3<f32>) -> vec3<f32>
+fn still_0( value_8 : vec3<f32>) -> vec3<f32>
 {
-    return changing_0(value_7, vec3<f32>(0.0f));
+    return changing_0(value_8, vec3<f32>(0.0f));
 }
 
 fn angle_of_0( x_11 : f32,  y_2 : f32) -> f32
@@ -3293,7 +3325,7 @@ fn in_map_0( map_1 : u32,  direction_7 : vec3<f32>) -> Lookup_0
 {
     var place_14 : vec2<f32> = map_place_0(map_1, direction_7);
     var point_0 : Point_0;
-    point_0.value_1 = place_14;
+    point_0.value_2 = place_14;
     point_0.by_first_1 = vec2<f32>(1.0f, 0.0f);
     point_0.by_second_1 = vec2<f32>(0.0f, 1.0f);
     var x_12 : i32 = floor_of_0(place_14.x);
@@ -3326,11 +3358,11 @@ fn emitted_0( emitter_4 : u32,  place_15 : Place_0,  direction_8 : vec3<f32>) ->
     return looked_up_0(_S341, _S342, change_1) * factor_4;
 }
 
-fn light_from_0( at_33 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
+fn light_from_0( at_35 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
 {
-    var light_1 : f32 = largest_0(scattered_from_0(at_33.vertex_2, direction_9));
+    var light_1 : f32 = largest_0(scattered_from_0(at_35.vertex_2, direction_9));
     var _S343 : bool;
-    if((at_33.purpose_0) != u32(1))
+    if((at_35.purpose_0) != u32(1))
     {
         _S343 = true;
     }
@@ -3342,11 +3374,11 @@ fn light_from_0( at_33 : ShadingPoint_0,  direction_9 : vec3<f32>) -> f32
     {
         return light_1;
     }
-    var _S344 : vec3<f32> = emitted_0(at_33.emitter_0, at_33.vertex_2.surface_3.place_3, still_0(direction_9));
+    var _S344 : vec3<f32> = emitted_0(at_35.emitter_0, at_35.vertex_2.surface_3.place_3, still_0(direction_9));
     return light_1 * largest_0(value_of_0(_S344));
 }
 
-fn weigh_0( at_34 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+fn weigh_0( at_36 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
 {
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
@@ -3357,7 +3389,7 @@ fn weigh_0( at_34 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec
     var speed_1 : f32;
     if(!is_blind_0())
     {
-        speed_1 = abs(dot(velocity_on_0(at_34, seen_2.edge_3, t_4, offset_10), normal_5));
+        speed_1 = abs(dot(velocity_on_0(at_36, seen_2.edge_3, t_4, offset_10), normal_5));
     }
     else
     {
@@ -3365,7 +3397,7 @@ fn weigh_0( at_34 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec
     }
     var speed_2 : f32 = speed_1 / length(offset_10);
     var angle_2 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S346 : f32 = light_from_0(at_34, middle_1);
+    var _S346 : f32 = light_from_0(at_36, middle_1);
     var contribution_0 : f32 = angle_2 * _S346 * speed_2;
     var _S347 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
@@ -3379,12 +3411,12 @@ fn weigh_0( at_34 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec
     return _S347;
 }
 
-fn multiplicity_0( at_35 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f32>,  normal_6 : vec3<f32>) -> f32
+fn multiplicity_0( at_37 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec3<f32>,  normal_6 : vec3<f32>) -> f32
 {
     var _S348 : vec3<f32> = cross(normal_6, direction_10);
     var _S349 : u32 = edge_5.record_7 + u32(8);
     var k_6 : u32 = edge_word_0(_S349);
-    var count_3 : f32 = 1.0f;
+    var count_2 : f32 = 1.0f;
     for(;;)
     {
         if(k_6 < (edge_word_0(_S349 + u32(1))))
@@ -3394,14 +3426,14 @@ fn multiplicity_0( at_35 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec
         {
             break;
         }
-        var other_0 : Edge_0 = edge_at_0(at_35, edge_word_0(k_6));
-        if(!((factor_of_0(at_35, other_0)) > 0.0f))
+        var other_0 : Edge_0 = edge_at_0(at_37, edge_word_0(k_6));
+        if(!((factor_of_0(at_37, other_0)) > 0.0f))
         {
             k_6 = k_6 + u32(1);
             continue;
         }
-        var a_14 : vec3<f32> = edge_position_0(other_0.numbers_4) - at_35.vertex_2.surface_3.exact_0;
-        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_4 + u32(3)) - at_35.vertex_2.surface_3.exact_0 - a_14;
+        var a_14 : vec3<f32> = edge_position_0(other_0.numbers_4) - at_37.vertex_2.surface_3.exact_0;
+        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_4 + u32(3)) - at_37.vertex_2.surface_3.exact_0 - a_14;
         var place_16 : f32 = - dot(a_14, _S348) / dot(way_1, _S348);
         var there_0 : vec3<f32> = a_14 + way_1 * vec3<f32>(place_16);
         var _S350 : bool;
@@ -3432,31 +3464,31 @@ fn multiplicity_0( at_35 : ShadingPoint_0,  edge_5 : Edge_0,  direction_10 : vec
             k_6 = k_6 + u32(1);
             continue;
         }
-        var count_4 : f32;
+        var count_3 : f32;
         if((abs(dot(normal_6, exact_unit_0(cross(a_14, way_1))))) > 0.99999898672103882f)
         {
-            count_4 = count_3 + 1.0f;
+            count_3 = count_2 + 1.0f;
         }
         else
         {
-            count_4 = count_3;
+            count_3 = count_2;
         }
-        count_3 = count_4;
+        count_2 = count_3;
         k_6 = k_6 + u32(1);
     }
-    return count_3;
+    return count_2;
 }
 
-fn face_normal_1( at_36 : ShadingPoint_0) -> vec3<f32>
+fn face_normal_1( at_38 : ShadingPoint_0) -> vec3<f32>
 {
-    var corners_1 : u32 = u32(9) * at_36.vertex_2.surface_3.place_3.triangle_0;
+    var corners_1 : u32 = u32(9) * at_38.vertex_2.surface_3.place_3.triangle_0;
     var a_15 : vec3<f32> = primitive_vector_0(corners_1);
     return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_15, primitive_vector_0(corners_1 + u32(6)) - a_15));
 }
 
-fn limit_at_0( which_8 : u32) -> f32
+fn limit_at_0( which_9 : u32) -> f32
 {
-    return primitives_0[word_0(u32(15)) + which_8];
+    return primitives_0[word_0(u32(15)) + which_9];
 }
 
 struct EdgePoint_0
@@ -3470,7 +3502,7 @@ struct EdgePoint_0
      is_in_horizon_0 : bool,
 };
 
-fn point_on_0( at_37 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
+fn point_on_0( at_39 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
 {
     var _S352 : f32 = seen_3.range_1.x;
     var _S353 : f32 = seen_3.range_1.y;
@@ -3495,8 +3527,8 @@ fn point_on_0( at_37 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     point_1.normal_7 = _S356;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_5 = t_6;
-    point_1.measure_0 = angle_3 / _S354 / (part_of_all_0 * multiplicity_0(at_37, seen_3.edge_3, _S355, _S356));
-    var face_0 : vec3<f32> = face_normal_1(at_37);
+    point_1.measure_0 = angle_3 / _S354 / (part_of_all_0 * multiplicity_0(at_39, seen_3.edge_3, _S355, _S356));
+    var face_0 : vec3<f32> = face_normal_1(at_39);
     var least_2 : f32 = limit_at_0(u32(2));
     var _S357 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
@@ -3595,9 +3627,9 @@ fn ray_along_0( origin_1 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_1 : f32,
     return ray_0;
 }
 
-fn ray_child_0( node_5 : u32,  slot_2 : u32) -> u32
+fn ray_child_0( node_6 : u32,  slot_2 : u32) -> u32
 {
-    return nodes_0[u32(14) * node_5 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
+    return nodes_0[u32(14) * node_6 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
 }
 
 struct RayView_0
@@ -3610,9 +3642,9 @@ struct RayView_0
      axes_7 : u32,
 };
 
-fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32) -> f32
+fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_7 : u32,  slot_3 : u32) -> f32
 {
-    var _S363 : u32 = u32(14) * node_6 + slot_3 / u32(4);
+    var _S363 : u32 = u32(14) * node_7 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -3725,7 +3757,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
     return order_0;
 }
 
-fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
+fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_8 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
     var slot_4 : u32 = u32(0);
@@ -3739,13 +3771,13 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
             break;
         }
         var _S376 : f32;
-        if((ray_child_0(node_7, slot_4)) == u32(4294967295))
+        if((ray_child_0(node_8, slot_4)) == u32(4294967295))
         {
             _S376 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S376 = ray_bound_0(view_2, limit_3, node_7, slot_4);
+            _S376 = ray_bound_0(view_2, limit_3, node_8, slot_4);
         }
         bounds_1[slot_4] = _S376;
         slot_4 = slot_4 + u32(1);
@@ -3758,9 +3790,9 @@ fn rounded_0( product_2 : f32,  largest_2 : f32) -> f32
     return min(product_2, largest_2);
 }
 
-fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_38 : u32) -> vec3<f32>
+fn corner_0( ray_1 : Ray_0,  axes_8 : u32,  at_40 : u32) -> vec3<f32>
 {
-    var relative_1 : vec3<f32> = primitive_vector_0(at_38) - ray_1.origin_0;
+    var relative_1 : vec3<f32> = primitive_vector_0(at_40) - ray_1.origin_0;
     var z_3 : f32 = component_0(relative_1, (axes_8 >> (u32(4))));
     return vec3<f32>(component_0(relative_1, (axes_8 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_3, ray_1.largest_1), component_0(relative_1, (((axes_8 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_3, ray_1.largest_1), z_3);
 }
@@ -3773,16 +3805,16 @@ struct Crossing_0
      w_3 : f32,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_39 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_9 : u32,  at_41 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_7 = 0.0f;
     crossing_0.v_9 = 0.0f;
     crossing_0.w_3 = 0.0f;
-    var a_17 : vec3<f32> = corner_0(ray_2, axes_9, at_39);
-    var b_12 : vec3<f32> = corner_0(ray_2, axes_9, at_39 + u32(3));
-    var c_3 : vec3<f32> = corner_0(ray_2, axes_9, at_39 + u32(6));
+    var a_17 : vec3<f32> = corner_0(ray_2, axes_9, at_41);
+    var b_12 : vec3<f32> = corner_0(ray_2, axes_9, at_41 + u32(3));
+    var c_3 : vec3<f32> = corner_0(ray_2, axes_9, at_41 + u32(6));
     var _S377 : f32 = c_3.x;
     var _S378 : f32 = b_12.y;
     var cx_by_0 : f32 = rounded_0(_S377 * _S378, ray_2.largest_1);
@@ -4059,11 +4091,11 @@ struct Side_0
      t_10 : f32,
 };
 
-fn look_0( at_40 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Side_0
+fn look_0( at_42 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_1 : u32) -> Side_0
 {
     var step_0 : vec3<f32> = point_2.normal_7 * vec3<f32>(edge_real_0(u32(3)));
     var origin_3 : vec3<f32>;
-    if(side_0 == u32(0))
+    if(side_1 == u32(0))
     {
         origin_3 = point_2.direction_11 - step_0;
     }
@@ -4074,7 +4106,7 @@ fn look_0( at_40 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Sid
     var direction_15 : vec3<f32> = exact_unit_0(origin_3);
     if(point_2.is_in_horizon_0)
     {
-        var face_3 : vec3<f32> = face_normal_1(at_40);
+        var face_3 : vec3<f32> = face_normal_1(at_42);
         var height_3 : f32 = limit_at_0(u32(2));
         var _S399 : f32;
         if((dot(direction_15, face_3)) < 0.0f)
@@ -4085,16 +4117,16 @@ fn look_0( at_40 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Sid
         {
             _S399 = height_3;
         }
-        origin_3 = at_40.vertex_2.surface_3.exact_0 + face_3 * vec3<f32>(_S399);
+        origin_3 = at_42.vertex_2.surface_3.exact_0 + face_3 * vec3<f32>(_S399);
     }
     else
     {
-        origin_3 = at_40.vertex_2.surface_3.exact_0;
+        origin_3 = at_42.vertex_2.surface_3.exact_0;
     }
     var seen_4 : Side_0;
     seen_4.direction_14 = direction_15;
     seen_4.rest_3 = vec3<f32>(0.0f);
-    seen_4.scattered_2 = scattered_from_0(at_40.vertex_2, direction_15);
+    seen_4.scattered_2 = scattered_from_0(at_42.vertex_2, direction_15);
     var _S400 : f32 = limit_at_0(u32(2));
     var _S401 : f32 = limit_at_0(u32(1));
     var _S402 : f32 = seen_4.t_10;
@@ -4102,12 +4134,6 @@ fn look_0( at_40 : ShadingPoint_0,  point_2 : EdgePoint_0,  side_0 : u32) -> Sid
     seen_4.t_10 = _S402;
     seen_4.found_2 = _S403;
     return seen_4;
-}
-
-fn set_word_0( path_11 : u32,  which_9 : u32,  value_8 : u32)
-{
-    paths_0[which_9 * launch_0.room_0 + path_11] = value_8;
-    return;
 }
 
 fn set_vector_0( path_12 : u32,  which_10 : ptr<function, u32>,  value_9 : vec3<f32>)
@@ -4167,21 +4193,21 @@ fn emitter_seen_0( found_4 : Found_0,  direction_16 : vec3<f32>) -> u32
     return _S405;
 }
 
-fn jump_of_light_0( at_41 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
+fn jump_of_light_0( at_43 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
 {
     var _S406 : vec3<f32> = vec3<f32>(0.0f);
-    var side_1 : u32 = u32(0);
+    var side_2 : u32 = u32(0);
     var jump_0 : vec3<f32> = _S406;
     for(;;)
     {
-        if(side_1 < u32(2))
+        if(side_2 < u32(2))
         {
         }
         else
         {
             break;
         }
-        var seen_5 : Side_0 = look_0(at_41, point_4, side_1);
+        var seen_5 : Side_0 = look_0(at_43, point_4, side_2);
         var _S407 : bool;
         if(!((largest_0(seen_5.scattered_2)) > 0.0f))
         {
@@ -4189,17 +4215,17 @@ fn jump_of_light_0( at_41 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
         }
         else
         {
-            _S407 = (emitter_seen_0(seen_5.found_2, seen_5.direction_14)) != (at_41.emitter_0);
+            _S407 = (emitter_seen_0(seen_5.found_2, seen_5.direction_14)) != (at_43.emitter_0);
         }
         if(_S407)
         {
-            side_1 = side_1 + u32(1);
+            side_2 = side_2 + u32(1);
             continue;
         }
-        var _S408 : vec3<f32> = emitted_0(at_41.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_14));
+        var _S408 : vec3<f32> = emitted_0(at_43.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_14));
         var light_2 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S408);
         var _S409 : vec3<f32>;
-        if(side_1 == u32(0))
+        if(side_2 == u32(0))
         {
             _S409 = light_2;
         }
@@ -4208,7 +4234,7 @@ fn jump_of_light_0( at_41 : ShadingPoint_0,  point_4 : EdgePoint_0) -> vec3<f32>
             _S409 = (vec3<f32>(0) - light_2);
         }
         jump_0 = jump_0 + _S409;
-        side_1 = side_1 + u32(1);
+        side_2 = side_2 + u32(1);
     }
     return jump_0;
 }
@@ -4344,19 +4370,19 @@ fn add_to_sums_0( first_8 : u32,  derivative_1 : vec3<f32>)
 
 fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  directions_turn_0 : bool,  record_9 : u32,  t_11 : f32,  offset_13 : vec3<f32>,  by_velocity_0 : vec3<f32>)
 {
-    var end_2 : u32 = u32(0);
+    var end_3 : u32 = u32(0);
     for(;;)
     {
-        if(end_2 < u32(2))
+        if(end_3 < u32(2))
         {
         }
         else
         {
             break;
         }
-        var _S422 : u32 = edge_word_0(record_9 + u32(2) + end_2);
+        var _S422 : u32 = edge_word_0(record_9 + u32(2) + end_3);
         var _S423 : f32;
-        if(end_2 == u32(0))
+        if(end_3 == u32(0))
         {
             _S423 = 1.0f - t_11;
         }
@@ -4365,7 +4391,7 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
             _S423 = t_11;
         }
         add_to_sums_0(_S422, by_velocity_0 * vec3<f32>(_S423));
-        end_2 = end_2 + u32(1);
+        end_3 = end_3 + u32(1);
     }
     (*pulled_2).position_1 = (*pulled_2).position_1 - by_velocity_0;
     if(directions_turn_0)
@@ -4375,32 +4401,57 @@ fn edge_back_0( pulled_2 : ptr<function, Pulled_0>,  vertex_7 : Vertex_0,  direc
     return;
 }
 
-fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_42 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_2 : u32,  path_13 : Path_0)
+fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_44 : ShadingPoint_0,  point_5 : EdgePoint_0,  number_of_path_3 : u32,  path_13 : Path_0)
 {
-    var _S424 : vec3<f32> = jump_of_light_0(at_42, point_5);
+    var _S424 : vec3<f32> = jump_of_light_0(at_44, point_5);
     var by_velocity_1 : vec3<f32> = point_5.normal_7 * vec3<f32>((point_5.measure_0 * dot((*crossed_2).factor_1, _S424)));
     var _S425 : vec3<f32> = offset_of_0(point_5);
     var _S426 : Pulled_0 = (*crossed_2).pulled_1;
-    edge_back_0(&(_S426), at_42.vertex_2, at_42.turns_0, point_5.edge_6.record_7, point_5.t_5, _S425, by_velocity_1);
+    edge_back_0(&(_S426), at_44.vertex_2, at_44.turns_0, point_5.edge_6.record_7, point_5.t_5, _S425, by_velocity_1);
     (*crossed_2).pulled_1 = _S426;
     return;
 }
 
-fn draw_points_0( at_43 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  place_17 : f32,  number_of_path_3 : u32,  path_14 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
+fn draw_points_0( at_45 : ShadingPoint_0,  node_9 : u32,  probability_4 : f32,  place_17 : f32,  number_of_path_4 : u32,  path_14 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
 {
     var _S427 : bool;
+    var in_parts_0 : bool = (at_45.purpose_0) == u32(0);
     var most_0 : u32 = edge_word_0(u32(9));
-    var _S428 : bool = (at_43.purpose_0) == u32(0);
-    var _S429 : u32;
-    if(_S428)
+    var part_2 : u32 = part_of_launch_0();
+    var left_2 : u32 = side_path_0(number_of_path_4, u32(0));
+    var leaves_2 : Leaves_0 = below_0(at_45, node_9);
+    var _S428 : bool;
+    if(in_parts_0)
     {
-        _S429 = most_0 * part_of_launch_0();
+        _S428 = part_2 > u32(0);
     }
     else
     {
-        _S429 = u32(0);
+        _S428 = false;
     }
-    var count_5 : u32 = u32(0);
+    var count_4 : u32;
+    if(_S428)
+    {
+        var count_5 : u32 = path_word_0(left_2, u32(20));
+        if(count_5 <= (most_0 * part_2))
+        {
+            return;
+        }
+        leaves_2.node_4 = path_word_0(left_2, u32(21));
+        count_4 = count_5;
+    }
+    else
+    {
+        count_4 = u32(0);
+    }
+    if(in_parts_0)
+    {
+        _S428 = part_2 == u32(0);
+    }
+    else
+    {
+        _S428 = false;
+    }
     var points_0 : u32 = u32(1);
     var least_3 : f32 = 0.0f;
     var over_all_0 : f32 = 0.0f;
@@ -4431,9 +4482,9 @@ fn draw_points_0( at_43 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
             }
             var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
             var total_1 : f32 = contributions_0 + least_4 * angles_0;
-            if(_S428)
+            if(in_parts_0)
             {
-                var parts_0 : f32 = ceil(f32(count_5) / f32(most_0));
+                var parts_0 : f32 = ceil(f32(count_4) / f32(most_0));
                 target_1 = min(4.0f * max(sqrt(pieces_1 / parts_0), 2.0f / parts_0), f32(edge_word_0(u32(10))));
             }
             else
@@ -4441,22 +4492,22 @@ fn draw_points_0( at_43 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                 target_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(target_1 - 0.00100000004749745f));
-            var _S430 : f32 = f32(points_1);
-            var _S431 : f32 = probability_4 * _S430;
-            var step_2 : f32 = total_1 / _S430;
-            var _S432 : f32 = step_2 * place_17;
+            var _S429 : f32 = f32(points_1);
+            var _S430 : f32 = probability_4 * _S429;
+            var step_2 : f32 = total_1 / _S429;
+            var _S431 : f32 = step_2 * place_17;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_0 = _S431;
+            over_all_0 = _S430;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S432;
+            target_1 = _S431;
         }
         else
         {
             target_1 = target_0;
         }
-        var leaves_2 : Leaves_0 = below_0(node_8);
+        var rest_4 : Leaves_0 = leaves_2;
         var leaf_3 : u32;
         var drawn_1 : u32 = drawn_0;
         var passed_0 : u32 = u32(0);
@@ -4467,33 +4518,40 @@ fn draw_points_0( at_43 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
         var target_2 : f32 = target_1;
         for(;;)
         {
-            var _S433 : bool;
+            var _S432 : bool;
             if(drawn_1 < points_0)
             {
-                if(pass_0 == u32(0))
+                if(passed_0 < most_0)
                 {
-                    _S433 = true;
+                    _S432 = true;
                 }
                 else
                 {
-                    _S433 = passed_0 < (_S429 + most_0);
+                    if(_S428)
+                    {
+                        _S432 = pass_0 == u32(0);
+                    }
+                    else
+                    {
+                        _S432 = false;
+                    }
                 }
+            }
+            else
+            {
+                _S432 = false;
+            }
+            var _S433 : bool;
+            if(_S432)
+            {
+                var _S434 : bool = next_leaf_0(at_45, &(rest_4), &(leaf_3));
+                _S433 = _S434;
             }
             else
             {
                 _S433 = false;
             }
-            var _S434 : bool;
             if(_S433)
-            {
-                var _S435 : bool = next_leaf_0(at_43, &(leaves_2), &(leaf_3));
-                _S434 = _S435;
-            }
-            else
-            {
-                _S434 = false;
-            }
-            if(_S434)
             {
             }
             else
@@ -4501,18 +4559,22 @@ fn draw_points_0( at_43 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                 break;
             }
             var passed_1 : u32 = passed_0 + u32(1);
-            if(passed_1 <= _S429)
-            {
-                _S427 = true;
-            }
-            else
-            {
-                _S427 = passed_1 > (_S429 + most_0);
-            }
-            if(_S427)
+            if(passed_1 > most_0)
             {
                 passed_0 = passed_1;
                 continue;
+            }
+            if(in_parts_0)
+            {
+                _S427 = passed_1 == most_0;
+            }
+            else
+            {
+                _S427 = false;
+            }
+            if(_S427)
+            {
+                set_word_0(left_2, u32(21), rest_4.node_4);
             }
             var k_9 : u32 = edge_word_0(leaf_3 + u32(2));
             var drawn_2 : u32 = drawn_1;
@@ -4523,16 +4585,16 @@ fn draw_points_0( at_43 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
             var target_3 : f32 = target_2;
             for(;;)
             {
-                var _S436 : bool;
+                var _S435 : bool;
                 if(k_9 < (edge_word_0(leaf_3 + u32(3))))
                 {
-                    _S436 = drawn_2 < points_0;
+                    _S435 = drawn_2 < points_0;
                 }
                 else
                 {
-                    _S436 = false;
+                    _S435 = false;
                 }
-                if(_S436)
+                if(_S435)
                 {
                 }
                 else
@@ -4540,14 +4602,14 @@ fn draw_points_0( at_43 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                     break;
                 }
                 var seen_6 : SeenEdge_0;
-                var _S437 : bool = see_edge_0(at_43, k_9, &(seen_6));
+                var _S436 : bool = see_edge_0(at_45, k_9, &(seen_6));
                 var drawn_3 : u32;
                 var contributions_3 : f32;
                 var angles_3 : f32;
                 var pieces_4 : f32;
                 var cumulative_3 : f32;
                 var target_4 : f32;
-                if(!_S437)
+                if(!_S436)
                 {
                     drawn_3 = drawn_2;
                     contributions_3 = contributions_2;
@@ -4580,7 +4642,7 @@ fn draw_points_0( at_43 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                     {
                         break;
                     }
-                    var weight_0 : vec2<f32> = weigh_0(at_43, seen_6, piece_2);
+                    var weight_0 : vec2<f32> = weigh_0(at_45, seen_6, piece_2);
                     if(pass_0 == u32(0))
                     {
                         var angles_4 : f32 = angles_3 + weight_0.y;
@@ -4597,26 +4659,26 @@ fn draw_points_0( at_43 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                     var target_5 : f32 = target_4;
                     for(;;)
                     {
-                        var _S438 : bool;
+                        var _S437 : bool;
                         if(drawn_4 < points_0)
                         {
-                            _S438 = target_5 < cumulative_4;
+                            _S437 = target_5 < cumulative_4;
                         }
                         else
                         {
-                            _S438 = false;
+                            _S437 = false;
                         }
-                        if(_S438)
+                        if(_S437)
                         {
                         }
                         else
                         {
                             break;
                         }
-                        var _S439 : u32 = drawn_4 + u32(1);
+                        var _S438 : u32 = drawn_4 + u32(1);
                         var target_6 : f32 = target_5 + step_1;
-                        cross_at_0(&((*crossed_3)), at_43, point_on_0(at_43, seen_6, piece_2, clamp((target_5 - cumulative_3) / own_1, 0.0f, 1.0f), over_all_0 * own_1 / total_0), number_of_path_3, path_14);
-                        drawn_4 = _S439;
+                        cross_at_0(&((*crossed_3)), at_45, point_on_0(at_45, seen_6, piece_2, clamp((target_5 - cumulative_3) / own_1, 0.0f, 1.0f), over_all_0 * own_1 / total_0), number_of_path_4, path_14);
+                        drawn_4 = _S438;
                         target_5 = target_6;
                     }
                     cumulative_3 = cumulative_4;
@@ -4640,7 +4702,15 @@ fn draw_points_0( at_43 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
             cumulative_1 = cumulative_2;
             target_2 = target_3;
         }
-        if(pass_0 > u32(0))
+        if(!_S428)
+        {
+            _S427 = true;
+        }
+        else
+        {
+            _S427 = pass_0 > u32(0);
+        }
+        if(_S427)
         {
             pass_0 = pass_0 + u32(1);
             angles_0 = angles_1;
@@ -4651,20 +4721,22 @@ fn draw_points_0( at_43 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
             target_0 = target_2;
             continue;
         }
-        if(_S429 == u32(0))
+        if(passed_0 <= most_0)
         {
-            _S427 = passed_0 > most_0;
+            count_4 = passed_0;
+            pass_0 = pass_0 + u32(1);
+            angles_0 = angles_1;
+            contributions_0 = contributions_1;
+            pieces_1 = pieces_2;
+            drawn_0 = drawn_1;
+            cumulative_0 = cumulative_1;
+            target_0 = target_2;
+            continue;
         }
-        else
-        {
-            _S427 = false;
-        }
-        if(_S427)
-        {
-            var _S440 : u32 = (passed_0 + most_0 - u32(1)) / most_0;
-            var _S441 : u32 = atomicMax(&(sums_0[u32(3)]), _S440);
-        }
-        count_5 = passed_0;
+        set_word_0(left_2, u32(20), passed_0);
+        var _S439 : u32 = (passed_0 + most_0 - u32(1)) / most_0;
+        var _S440 : u32 = atomicMax(&(sums_0[u32(3)]), _S439);
+        count_4 = passed_0;
         pass_0 = pass_0 + u32(1);
         angles_0 = angles_1;
         contributions_0 = contributions_1;
@@ -4676,13 +4748,13 @@ fn draw_points_0( at_43 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
     return;
 }
 
-fn sample_points_0( at_44 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : Path_0,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_46 : ShadingPoint_0,  number_of_path_5 : u32,  path_15 : Path_0,  crossed_4 : ptr<function, Crossed_0>)
 {
-    var numbers_9 : u32 = numbers_for_0(at_44.purpose_0) + u32(1);
-    var part_2 : u32 = part_of_launch_0();
-    var node_9 : u32 = edge_word_0(at_44.tree_0);
+    var numbers_9 : u32 = numbers_for_0(at_46.purpose_0) + u32(1);
+    var part_3 : u32 = part_of_launch_0();
+    var node_10 : u32 = node_at_0(at_46, u32(0));
     var probability_5 : f32 = 1.0f;
-    if((at_44.purpose_0) != u32(0))
+    if((at_46.purpose_0) != u32(0))
     {
         var subtrees_0 : u32;
         if((depth_of_launch_0()) == u32(0))
@@ -4693,26 +4765,26 @@ fn sample_points_0( at_44 : ShadingPoint_0,  number_of_path_4 : u32,  path_15 : 
         {
             subtrees_0 = u32(1);
         }
-        var _S442 : f32 = f32(subtrees_0);
-        var u_3 : f32 = (f32(part_2) + precise_random_0(path_15.key_0, numbers_9)) / _S442;
-        var _S443 : bool;
-        if(part_2 >= subtrees_0)
+        var _S441 : f32 = f32(subtrees_0);
+        var u_3 : f32 = (f32(part_3) + precise_random_0(path_15.key_0, numbers_9)) / _S441;
+        var _S442 : bool;
+        if(part_3 >= subtrees_0)
         {
-            _S443 = true;
+            _S442 = true;
         }
         else
         {
-            var _S444 : bool = descend_0(at_44, u_3, &(node_9), &(probability_5));
-            _S443 = !_S444;
+            var _S443 : bool = descend_0(at_46, u_3, &(node_10), &(probability_5));
+            _S442 = !_S443;
         }
-        if(_S443)
+        if(_S442)
         {
             return;
         }
-        probability_5 = probability_5 * _S442;
+        probability_5 = probability_5 * _S441;
     }
-    var place_18 : f32 = precise_random_0(path_15.key_0, numbers_9 + u32(1)) + 0.6180340051651001f * f32(part_2);
-    draw_points_0(at_44, node_9, probability_5, place_18 - floor(place_18), number_of_path_4, path_15, &((*crossed_4)));
+    var place_18 : f32 = precise_random_0(path_15.key_0, numbers_9 + u32(1)) + 0.6180340051651001f * f32(part_3);
+    draw_points_0(at_46, node_10, probability_5, place_18 - floor(place_18), number_of_path_5, path_15, &((*crossed_4)));
     return;
 }
 
@@ -4755,20 +4827,20 @@ fn numbers_of_0( texture_7 : u32) -> u32
 fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
 {
     var first_9 : u32 = numbers_of_0(texture_8);
-    var _S445 : u32 = word_0(texture_8 + u32(1));
-    var _S446 : u32;
+    var _S444 : u32 = word_0(texture_8 + u32(1));
+    var _S445 : u32;
     if(first_9 == u32(4294967295))
     {
-        _S446 = u32(0);
+        _S445 = u32(0);
     }
     else
     {
-        _S446 = lookup_5.count_0;
+        _S445 = lookup_5.count_0;
     }
     var k_10 : u32 = u32(0);
     for(;;)
     {
-        if(k_10 < _S446)
+        if(k_10 < _S445)
         {
         }
         else
@@ -4777,7 +4849,7 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         }
         var own_2 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_10]);
         var own_3 : vec3<f32>;
-        if(_S445 == u32(1))
+        if(_S444 == u32(1))
         {
             own_3 = vec3<f32>((own_2.x + own_2.y + own_2.z));
         }
@@ -4788,14 +4860,14 @@ fn add_to_texels_0( texture_8 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         var c_4 : u32 = u32(0);
         for(;;)
         {
-            if(c_4 < _S445)
+            if(c_4 < _S444)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_9 + _S445 * lookup_5.texels_0[k_10] + c_4, own_3[c_4]);
+            add_to_sum_0(first_9 + _S444 * lookup_5.texels_0[k_10] + c_4, own_3[c_4]);
             c_4 = c_4 + u32(1);
         }
         k_10 = k_10 + u32(1);
@@ -4811,13 +4883,13 @@ fn lookup_back_0( texture_9 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
 
 fn numbers_back_0( material_2 : u32,  place_19 : Place_0,  numbers_11 : Numbers_0) -> vec2<f32>
 {
-    var _S447 : vec2<f32> = vec2<f32>(0.0f);
-    var _S448 : u32 = word_0(material_2 + u32(4));
+    var _S446 : vec2<f32> = vec2<f32>(0.0f);
+    var _S447 : u32 = word_0(material_2 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S447;
+    var by_place_0 : vec2<f32> = _S446;
     for(;;)
     {
-        if(slot_7 < _S448)
+        if(slot_7 < _S447)
         {
         }
         else
@@ -4830,9 +4902,9 @@ fn numbers_back_0( material_2 : u32,  place_19 : Place_0,  numbers_11 : Numbers_
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S449 : Lookup_0 = lookup_at_0(texture_10, place_19);
-        var _S450 : vec2<f32> = lookup_back_0(texture_10, _S449, slot_derivative_0(numbers_11, slot_7));
-        by_place_0 = by_place_0 + _S450;
+        var _S448 : Lookup_0 = lookup_at_0(texture_10, place_19);
+        var _S449 : vec2<f32> = lookup_back_0(texture_10, _S448, slot_derivative_0(numbers_11, slot_7));
+        by_place_0 = by_place_0 + _S449;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_0;
@@ -4853,10 +4925,10 @@ struct AtCorners_0
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_2 : AtCorners_0;
-    var _S451 : vec3<f32> = vec3<f32>(0.0f);
-    corners_2.c_5 = _S451;
-    corners_2.b_13 = _S451;
-    corners_2.a_18 = _S451;
+    var _S450 : vec3<f32> = vec3<f32>(0.0f);
+    corners_2.c_5 = _S450;
+    corners_2.b_13 = _S450;
+    corners_2.a_18 = _S450;
     return corners_2;
 }
 
@@ -4871,18 +4943,18 @@ fn tangent_back_0( points_2 : ptr<function, AtCorners_0>,  triangle_8 : u32,  ta
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_8);
     var first_10 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
     var second_4 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
-    var _S452 : f32 = second_4.y;
-    var _S453 : f32 = first_10.y;
-    var scale_1 : f32 = 1.0f / (first_10.x * _S452 - second_4.x * _S453);
-    var of_ab_0 : f32 = _S452 * scale_1;
-    var of_ac_0 : f32 = - _S453 * scale_1;
+    var _S451 : f32 = second_4.y;
+    var _S452 : f32 = first_10.y;
+    var scale_1 : f32 = 1.0f / (first_10.x * _S451 - second_4.x * _S452);
+    var of_ab_0 : f32 = _S451 * scale_1;
+    var of_ac_0 : f32 = - _S452 * scale_1;
     var a_19 : vec3<f32> = primitive_vector_0(corner_1);
-    var _S454 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S455 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_1 + u32(3)) - a_19) * _S454 + (primitive_vector_0(corner_1 + u32(6)) - a_19) * _S455));
+    var _S453 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S454 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_3, by_tangent_0, length((primitive_vector_0(corner_1 + u32(3)) - a_19) * _S453 + (primitive_vector_0(corner_1 + u32(6)) - a_19) * _S454));
     (*points_2).a_18 = (*points_2).a_18 - derivative_5 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_2).b_13 = (*points_2).b_13 + derivative_5 * _S454;
-    (*points_2).c_5 = (*points_2).c_5 + derivative_5 * _S455;
+    (*points_2).b_13 = (*points_2).b_13 + derivative_5 * _S453;
+    (*points_2).c_5 = (*points_2).c_5 + derivative_5 * _S454;
     return;
 }
 
@@ -4909,45 +4981,45 @@ fn normals_of_0( triangle_9 : u32) -> u32
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_10 : u32,  corners_5 : AtCorners_0)
 {
-    var _S456 : u32 = triangle_record_0(triangle_10) + u32(2);
-    var _S457 : i32;
+    var _S455 : u32 = triangle_record_0(triangle_10) + u32(2);
+    var _S456 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S457 = i32(0);
+        _S456 = i32(0);
     }
     else
     {
-        _S457 = i32(3);
+        _S456 = i32(3);
     }
-    var _S458 : u32 = u32(_S457);
+    var _S457 : u32 = u32(_S456);
     var k_11 : u32 = u32(0);
     for(;;)
     {
-        if(k_11 < _S458)
+        if(k_11 < _S457)
         {
         }
         else
         {
             break;
         }
-        var _S459 : u32 = sums_at_0 + u32(3) * word_0(_S456 + k_11);
-        var _S460 : vec3<f32>;
+        var _S458 : u32 = sums_at_0 + u32(3) * word_0(_S455 + k_11);
+        var _S459 : vec3<f32>;
         if(k_11 == u32(0))
         {
-            _S460 = corners_5.a_18;
+            _S459 = corners_5.a_18;
         }
         else
         {
             if(k_11 == u32(1))
             {
-                _S460 = corners_5.b_13;
+                _S459 = corners_5.b_13;
             }
             else
             {
-                _S460 = corners_5.c_5;
+                _S459 = corners_5.c_5;
             }
         }
-        add_to_sums_0(_S459, _S460);
+        add_to_sums_0(_S458, _S459);
         k_11 = k_11 + u32(1);
     }
     return;
@@ -4960,9 +5032,9 @@ fn place_back_0( points_3 : ptr<function, AtCorners_0>,  place_22 : Place_0,  by
     var ab_0 : vec3<f32> = primitive_vector_0(corner_2 + u32(3)) - a_20;
     var ac_0 : vec3<f32> = primitive_vector_0(corner_2 + u32(6)) - a_20;
     var across_2 : vec3<f32> = cross(ab_0, ac_0);
-    var _S461 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
-    var normal_8 : vec3<f32> = across_2 / vec3<f32>(_S461);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_8) * vec3<f32>(by_place_1.x) + cross(normal_8, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_8, normal_8) * _S461)));
+    var _S460 : f32 = max(max(abs(across_2.x), abs(across_2.y)), abs(across_2.z));
+    var normal_8 : vec3<f32> = across_2 / vec3<f32>(_S460);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_0, normal_8) * vec3<f32>(by_place_1.x) + cross(normal_8, ab_0) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_8, normal_8) * _S460)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_8 * vec3<f32>((dot(direction_17, by_slip_0) / dot(normal_8, direction_17)));
     add_at_place_1(&((*points_3)), place_22, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -4971,7 +5043,7 @@ fn place_back_0( points_3 : ptr<function, AtCorners_0>,  place_22 : Place_0,  by
 fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_18 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_6.shape_0);
-    var _S462 : vec2<f32>;
+    var _S461 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_3 : u32 = u32(9) * surface_6.place_3.triangle_0;
@@ -4984,7 +5056,7 @@ fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0
         (*points_4).a_18 = (*points_4).a_18 - (by_ab_0 + by_ac_0);
         (*points_4).b_13 = (*points_4).b_13 + by_ab_0;
         (*points_4).c_5 = (*points_4).c_5 + by_ac_0;
-        _S462 = by_place_2;
+        _S461 = by_place_2;
     }
     else
     {
@@ -4996,10 +5068,10 @@ fn surface_back_0( points_4 : ptr<function, AtCorners_0>,  surface_6 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_6.place_3, derivative_9);
         add_to_corners_0(normals_of_0(surface_6.place_3.triangle_0), surface_6.place_3.triangle_0, of_normals_0);
-        _S462 = by_place_2 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_2, derivative_9));
+        _S461 = by_place_2 + vec2<f32>(dot(ab_2, derivative_9), dot(ac_2, derivative_9));
     }
-    var _S463 : vec3<f32> = place_back_0(&((*points_4)), surface_6.place_3, _S462, by_position_1, direction_18);
-    return _S463;
+    var _S462 : vec3<f32> = place_back_0(&((*points_4)), surface_6.place_3, _S461, by_position_1, direction_18);
+    return _S462;
 }
 
 fn points_of_0( triangle_11 : u32) -> u32
@@ -5010,33 +5082,33 @@ fn points_of_0( triangle_11 : u32) -> u32
 fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32,  direction_19 : vec3<f32>) -> ByRay_0
 {
     var by_ray_1 : ByRay_0;
-    var _S464 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_0 = _S464;
-    by_ray_1.drift_0 = _S464;
+    var _S463 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S463;
+    by_ray_1.drift_0 = _S463;
     var by_place_3 : vec2<f32> = numbers_back_0(material_3, vertex_8.surface_3.place_3, pulled_3.numbers_3);
     if(!is_moving_0())
     {
         return by_ray_1;
     }
-    var _S465 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S464 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_0 : DiffPair_Axes_0;
     towards_0.primal_0 = vertex_8.axes_4;
-    towards_0.differential_0 = _S465;
+    towards_0.differential_0 = _S464;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_19;
-    incoming_0.differential_0 = _S464;
+    incoming_0.differential_0 = _S463;
     _S173(&(towards_0), &(incoming_0), pulled_3.wi_2);
     by_ray_1.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_8.surface_3.outward_0;
-    outward_1.differential_0 = _S464;
-    var _S466 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
+    outward_1.differential_0 = _S463;
+    var _S465 : vec3<f32> = tangent_at_0(vertex_8.surface_3);
     var tangent_4 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_4.primal_0 = _S466;
-    tangent_4.differential_0 = _S464;
+    tangent_4.primal_0 = _S465;
+    tangent_4.differential_0 = _S463;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_3.axes_5, towards_0.differential_0);
     var points_5 : AtCorners_0 = at_no_corner_0();
-    if((any((_S466 != _S464))))
+    if((any((_S465 != _S463))))
     {
         _S124(&(outward_1), &(tangent_4), vertex_8.surface_3.is_front_0, by_axes_0);
         tangent_back_0(&(points_5), vertex_8.surface_3.place_3.triangle_0, tangent_4.primal_0, tangent_4.differential_0);
@@ -5045,48 +5117,48 @@ fn vertex_back_0( pulled_3 : Pulled_0,  vertex_8 : Vertex_0,  material_3 : u32, 
     {
         _S93(&(outward_1), vertex_8.surface_3.is_front_0, by_axes_0);
     }
-    var _S467 : vec3<f32> = surface_back_0(&(points_5), vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_19);
-    by_ray_1.drift_0 = _S467;
+    var _S466 : vec3<f32> = surface_back_0(&(points_5), vertex_8.surface_3, by_place_3, pulled_3.position_1, outward_1.differential_0, direction_19);
+    by_ray_1.drift_0 = _S466;
     add_to_corners_0(points_of_0(vertex_8.surface_3.place_3.triangle_0), vertex_8.surface_3.place_3.triangle_0, points_5);
     return by_ray_1;
 }
 
-fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0,  at_45 : ShadingPoint_0,  direction_20 : vec3<f32>)
+fn add_0( number_of_path_6 : u32,  crossed_5 : Crossed_0,  at_47 : ShadingPoint_0,  direction_20 : vec3<f32>)
 {
-    var _S468 : vec3<f32> = vec3<f32>(0.0f);
-    var _S469 : bool;
-    if((all(((crossed_5.pulled_1.position_1) == _S468))))
+    var _S467 : vec3<f32> = vec3<f32>(0.0f);
+    var _S468 : bool;
+    if((all(((crossed_5.pulled_1.position_1) == _S467))))
     {
-        _S469 = (all(((crossed_5.pulled_1.axes_5.n_0) == _S468)));
+        _S468 = (all(((crossed_5.pulled_1.axes_5.n_0) == _S467)));
     }
     else
     {
-        _S469 = false;
+        _S468 = false;
     }
-    if(_S469)
+    if(_S468)
     {
         return;
     }
-    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_45.vertex_2, material_of_0(at_45.vertex_2.surface_3), direction_20);
-    var _S470 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
-    var kept_1 : u32 = _S470;
-    var which_11 : u32 = _S470;
-    var drift_1 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
-    var by_direction_0 : vec3<f32> = path_vector_1(number_of_path_5, &(which_11));
-    set_vector_0(number_of_path_5, &(kept_1), drift_1 + by_ray_2.drift_0);
-    set_vector_0(number_of_path_5, &(kept_1), by_direction_0 + by_ray_2.direction_0);
+    var by_ray_2 : ByRay_0 = vertex_back_0(crossed_5.pulled_1, at_47.vertex_2, material_of_0(at_47.vertex_2.surface_3), direction_20);
+    var _S469 : u32 = kept_at_0(depth_of_launch_0()) + u32(20);
+    var kept_1 : u32 = _S469;
+    var which_11 : u32 = _S469;
+    var drift_1 : vec3<f32> = path_vector_1(number_of_path_6, &(which_11));
+    var by_direction_0 : vec3<f32> = path_vector_1(number_of_path_6, &(which_11));
+    set_vector_0(number_of_path_6, &(kept_1), drift_1 + by_ray_2.drift_0);
+    set_vector_0(number_of_path_6, &(kept_1), by_direction_0 + by_ray_2.direction_0);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S471 : u32;
+    var _S470 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S472 : u32 = u32(2) + zero_0;
-        _S471 = _S472;
-        if(rounds_0 < _S472)
+        var _S471 : u32 = u32(2) + zero_0;
+        _S470 = _S471;
+        if(rounds_0 < _S471)
         {
         }
         else
@@ -5095,14 +5167,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S471;
+    return rounds_0 == _S470;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S473 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S472 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -5116,12 +5188,16 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     {
         return;
     }
-    var number_of_path_6 : u32 = input_0[listed_0];
+    var number_of_path_7 : u32 = input_0[listed_0];
+    if((part_of_launch_0()) == u32(0))
+    {
+        set_word_0(side_path_0(number_of_path_7, u32(0)), u32(20), u32(0));
+    }
     var factor_5 : vec3<f32>;
-    var path_16 : Path_0 = path_at_vertex_0(number_of_path_6, &(factor_5));
-    var at_46 : ShadingPoint_0;
-    var _S474 : bool = shading_point_0(path_16, &(at_46));
-    if(!_S474)
+    var path_16 : Path_0 = path_at_vertex_0(number_of_path_7, &(factor_5));
+    var at_48 : ShadingPoint_0;
+    var _S473 : bool = shading_point_0(path_16, &(at_48));
+    if(!_S473)
     {
         return;
     }
@@ -5136,17 +5212,17 @@ fn cross_edges_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         {
             break;
         }
-        var probability_6 : f32 = turn_to_0(purpose_3, path_16.key_0, &(at_46));
+        var probability_6 : f32 = turn_to_0(purpose_3, path_16.key_0, &(at_48));
         if(!(probability_6 > 0.0f))
         {
             purpose_3 = purpose_3 + u32(1);
             continue;
         }
         crossed_6.factor_1 = factor_5 / vec3<f32>(probability_6);
-        sample_points_0(at_46, number_of_path_6, path_16, &(crossed_6));
+        sample_points_0(at_48, number_of_path_7, path_16, &(crossed_6));
         purpose_3 = purpose_3 + u32(1);
     }
-    add_0(number_of_path_6, crossed_6, at_46, path_16.direction_1);
+    add_0(number_of_path_7, crossed_6, at_48, path_16.direction_1);
     check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from boundary.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: c3c68c0603ff5dad
-// result: 8c1b7dc810e17b5e
+// source: e17d2c6c7dee079f
+// result: 735f3a950002d032
 
 struct Launch_std140_0
 {
@@ -163,44 +163,60 @@ fn _d_cross_0( a_0 : DiffPair_vectorx3Cfloatx2C3x3E_0,  b_0 : DiffPair_vectorx3C
     return _S42;
 }
 
-fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
+fn part_of_launch_0() -> u32
 {
-    return paths_0[which_0 * launch_0.room_0 + path_0];
+    return ((launch_0.depth_0) >> (u32(16)));
 }
 
-fn path_vector_0( path_1 : u32,  which_1 : ptr<function, u32>) -> vec3<f32>
+fn side_path_0( number_of_path_0 : u32,  side_0 : u32) -> u32
 {
-    var _S43 : u32 = (*which_1) + u32(3);
-    (*which_1) = _S43;
-    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_1, _S43 - u32(3)), path_word_0(path_1, _S43 - u32(2)), path_word_0(path_1, _S43 - u32(1))))));
+    return launch_0.room_0 / u32(3) + u32(2) * number_of_path_0 + side_0;
 }
 
-fn path_vector_1( path_2 : u32,  which_2 : ptr<function, u32>) -> vec3<f32>
+fn set_word_0( path_0 : u32,  which_0 : u32,  value_0 : u32)
 {
-    var _S44 : u32 = (*which_2) + u32(3);
-    (*which_2) = _S44;
-    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_2, _S44 - u32(3)), path_word_0(path_2, _S44 - u32(2)), path_word_0(path_2, _S44 - u32(1))))));
+    paths_0[which_0 * launch_0.room_0 + path_0] = value_0;
+    return;
+}
+
+fn path_word_0( path_1 : u32,  which_1 : u32) -> u32
+{
+    return paths_0[which_1 * launch_0.room_0 + path_1];
+}
+
+fn path_vector_0( path_2 : u32,  which_2 : ptr<function, u32>) -> vec3<f32>
+{
+    var _S43 : u32 = (*which_2) + u32(3);
+    (*which_2) = _S43;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_2, _S43 - u32(3)), path_word_0(path_2, _S43 - u32(2)), path_word_0(path_2, _S43 - u32(1))))));
+}
+
+fn path_vector_1( path_3 : u32,  which_3 : ptr<function, u32>) -> vec3<f32>
+{
+    var _S44 : u32 = (*which_3) + u32(3);
+    (*which_3) = _S44;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_3, _S44 - u32(3)), path_word_0(path_3, _S44 - u32(2)), path_word_0(path_3, _S44 - u32(1))))));
 }
 
 struct Vector_0
 {
-     value_0 : vec3<f32>,
+     value_1 : vec3<f32>,
      change_0 : vec3<f32>,
 };
 
-fn changing_0( value_1 : vec3<f32>,  change_1 : vec3<f32>) -> Vector_0
+fn changing_0( value_2 : vec3<f32>,  change_1 : vec3<f32>) -> Vector_0
 {
     var vector_0 : Vector_0;
-    vector_0.value_0 = value_1;
+    vector_0.value_1 = value_2;
     vector_0.change_0 = change_1;
     return vector_0;
 }
 
-fn path_changing_0( path_3 : u32,  which_3 : ptr<function, u32>) -> Vector_0
+fn path_changing_0( path_4 : u32,  which_4 : ptr<function, u32>) -> Vector_0
 {
-    var value_2 : vec3<f32> = path_vector_1(path_3, &((*which_3)));
-    var _S45 : vec3<f32> = path_vector_1(path_3, &((*which_3)));
-    return changing_0(value_2, _S45);
+    var value_3 : vec3<f32> = path_vector_1(path_4, &((*which_4)));
+    var _S45 : vec3<f32> = path_vector_1(path_4, &((*which_4)));
+    return changing_0(value_3, _S45);
 }
 
 struct Place_0
@@ -225,11 +241,11 @@ fn exact_place_0( triangle_1 : u32,  v_1 : f32,  w_1 : f32) -> Place_0
     return place_0;
 }
 
-fn path_place_0( path_4 : u32,  which_4 : ptr<function, u32>) -> Place_0
+fn path_place_0( path_5 : u32,  which_5 : ptr<function, u32>) -> Place_0
 {
-    var _S46 : u32 = (*which_4) + u32(5);
-    (*which_4) = _S46;
-    return exact_place_0(path_word_0(path_4, _S46 - u32(5)), (bitcast<f32>((path_word_0(path_4, _S46 - u32(4))))) + (bitcast<f32>((path_word_0(path_4, _S46 - u32(2))))), (bitcast<f32>((path_word_0(path_4, _S46 - u32(3))))) + (bitcast<f32>((path_word_0(path_4, _S46 - u32(1))))));
+    var _S46 : u32 = (*which_5) + u32(5);
+    (*which_5) = _S46;
+    return exact_place_0(path_word_0(path_5, _S46 - u32(5)), (bitcast<f32>((path_word_0(path_5, _S46 - u32(4))))) + (bitcast<f32>((path_word_0(path_5, _S46 - u32(2))))), (bitcast<f32>((path_word_0(path_5, _S46 - u32(3))))) + (bitcast<f32>((path_word_0(path_5, _S46 - u32(1))))));
 }
 
 fn change_word_0( at_0 : u32) -> u32
@@ -254,43 +270,43 @@ struct Path_0
      divergence_0 : f32,
 };
 
-fn load_0( number_of_path_0 : u32) -> Path_0
+fn load_0( number_of_path_1 : u32) -> Path_0
 {
     var at_1 : u32 = u32(1);
-    var path_5 : Path_0;
-    var _S47 : Vector_0 = path_changing_0(number_of_path_0, &(at_1));
-    path_5.light_0 = _S47;
-    var _S48 : Vector_0 = path_changing_0(number_of_path_0, &(at_1));
-    path_5.throughput_0 = _S48;
-    var _S49 : Vector_0 = path_changing_0(number_of_path_0, &(at_1));
-    path_5.direction_0 = _S49;
-    var _S50 : vec3<f32> = path_vector_0(number_of_path_0, &(at_1));
-    path_5.drift_0 = _S50;
-    var _S51 : Place_0 = path_place_0(number_of_path_0, &(at_1));
-    path_5.place_1 = _S51;
-    path_5.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_1), path_word_0(number_of_path_0, at_1 + u32(1)));
-    path_5.walked_0 = vec3<f32>(0.0f);
-    path_5.divergence_0 = 0.0f;
+    var path_6 : Path_0;
+    var _S47 : Vector_0 = path_changing_0(number_of_path_1, &(at_1));
+    path_6.light_0 = _S47;
+    var _S48 : Vector_0 = path_changing_0(number_of_path_1, &(at_1));
+    path_6.throughput_0 = _S48;
+    var _S49 : Vector_0 = path_changing_0(number_of_path_1, &(at_1));
+    path_6.direction_0 = _S49;
+    var _S50 : vec3<f32> = path_vector_0(number_of_path_1, &(at_1));
+    path_6.drift_0 = _S50;
+    var _S51 : Place_0 = path_place_0(number_of_path_1, &(at_1));
+    path_6.place_1 = _S51;
+    path_6.key_0 = vec2<u32>(path_word_0(number_of_path_1, at_1), path_word_0(number_of_path_1, at_1 + u32(1)));
+    path_6.walked_0 = vec3<f32>(0.0f);
+    path_6.divergence_0 = 0.0f;
     if(walks_0())
     {
         at_1 = u32(29);
-        var _S52 : vec3<f32> = path_vector_0(number_of_path_0, &(at_1));
-        path_5.walked_0 = _S52;
-        path_5.divergence_0 = (bitcast<f32>((path_word_0(number_of_path_0, at_1))));
+        var _S52 : vec3<f32> = path_vector_0(number_of_path_1, &(at_1));
+        path_6.walked_0 = _S52;
+        path_6.divergence_0 = (bitcast<f32>((path_word_0(number_of_path_1, at_1))));
     }
-    return path_5;
+    return path_6;
 }
 
-fn path_at_vertex_0( number_of_path_1 : u32,  factor_0 : ptr<function, vec3<f32>>) -> Path_0
+fn path_at_vertex_0( number_of_path_2 : u32,  factor_0 : ptr<function, vec3<f32>>) -> Path_0
 {
-    var path_6 : Path_0 = load_0(number_of_path_1);
-    (*factor_0) = path_6.throughput_0.value_0;
-    return path_6;
+    var path_7 : Path_0 = load_0(number_of_path_2);
+    (*factor_0) = path_7.throughput_0.value_1;
+    return path_7;
 }
 
 fn value_of_0( vector_1 : Vector_0) -> vec3<f32>
 {
-    return vector_1.value_0;
+    return vector_1.value_1;
 }
 
 fn word_0( at_2 : u32) -> u32
@@ -616,14 +632,14 @@ fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
 
 struct Point_0
 {
-     value_3 : vec2<f32>,
+     value_4 : vec2<f32>,
      by_first_1 : vec2<f32>,
      by_second_1 : vec2<f32>,
 };
 
 fn between_0( texels_1 : vec4<u32>,  place_8 : Point_0) -> Lookup_0
 {
-    var way_0 : vec2<f32> = place_8.value_3 - floor(place_8.value_3);
+    var way_0 : vec2<f32> = place_8.value_4 - floor(place_8.value_4);
     var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
     var lookup_1 : Lookup_0;
     lookup_1.count_0 = u32(4);
@@ -646,7 +662,7 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
     var wrap_1 : u32 = word_0(texture_0 + u32(5));
     var size_1 : vec2<f32> = vec2<f32>(f32(width_0), f32(height_0));
-    var place_9 : vec2<f32> = uv_0.value_3 * size_1;
+    var place_9 : vec2<f32> = uv_0.value_4 * size_1;
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_9.y), height_0, wrap_1);
@@ -656,7 +672,7 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : Point_0) -> Lookup_0
     }
     var centred_0 : Point_0;
     var _S69 : vec2<f32> = place_9 - vec2<f32>(0.5f);
-    centred_0.value_3 = _S69;
+    centred_0.value_4 = _S69;
     centred_0.by_first_1 = uv_0.by_first_1 * size_1;
     centred_0.by_second_1 = uv_0.by_second_1 * size_1;
     var x_1 : i32 = floor_of_0(_S69.x);
@@ -701,7 +717,7 @@ fn lookup_at_0( texture_1 : u32,  place_10 : Place_0) -> Lookup_0
     var to_v_0 : vec3<f32> = row_at_0(_S73 + u32(6));
     var uv_1 : Point_0;
     var _S74 : vec3<f32> = vec3<f32>(uvs_1.a_8 + by_v_0 * vec2<f32>((place_10.v_0 + place_10.v_rest_0)) + by_w_0 * vec2<f32>((place_10.w_0 + place_10.w_rest_0)), 1.0f);
-    uv_1.value_3 = vec2<f32>(dot(_S74, to_u_0), dot(_S74, to_v_0));
+    uv_1.value_4 = vec2<f32>(dot(_S74, to_u_0), dot(_S74, to_v_0));
     var _S75 : vec2<f32> = to_u_0.xy;
     var _S76 : vec2<f32> = to_v_0.xy;
     uv_1.by_first_1 = vec2<f32>(dot(by_v_0, _S75), dot(by_v_0, _S76));
@@ -711,7 +727,7 @@ fn lookup_at_0( texture_1 : u32,  place_10 : Place_0) -> Lookup_0
         var _S77 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
         return _S77;
     }
-    var half_of_period_0 : vec2<f32> = uv_1.value_3 - floor(uv_1.value_3);
+    var half_of_period_0 : vec2<f32> = uv_1.value_4 - floor(uv_1.value_4);
     var _S78 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
@@ -730,7 +746,7 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
     var _S80 : u32 = texture_2 + u32(19);
     var _S81 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_4 : vec3<f32> = _S81;
+    var value_5 : vec3<f32> = _S81;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -750,11 +766,11 @@ fn weighted_texels_0( texture_2 : u32,  lookup_3 : Lookup_0,  weights_1 : vec4<f
         {
             _S82 = vector_at_0(at_15);
         }
-        var value_5 : vec3<f32> = value_4 + _S82 * vec3<f32>(weights_1[k_1]);
+        var value_6 : vec3<f32> = value_5 + _S82 * vec3<f32>(weights_1[k_1]);
         k_1 = k_1 + u32(1);
-        value_4 = value_5;
+        value_5 = value_6;
     }
-    return value_4;
+    return value_5;
 }
 
 fn numbers_of_0( texture_3 : u32) -> u32
@@ -764,12 +780,12 @@ fn numbers_of_0( texture_3 : u32) -> u32
 
 fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f32>) -> Vector_0
 {
-    var value_6 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.weights_0);
+    var value_7 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.weights_0);
     var change_4 : vec3<f32> = weighted_texels_0(texture_4, lookup_4, lookup_4.by_first_0 * vec4<f32>(place_change_0.x) + lookup_4.by_second_0 * vec4<f32>(place_change_0.y));
     var first_2 : u32 = numbers_of_0(texture_4);
     if(first_2 == u32(4294967295))
     {
-        return changing_0(value_6, change_4);
+        return changing_0(value_7, change_4);
     }
     var _S83 : bool = (word_0(texture_4 + u32(1))) == u32(1);
     var k_2 : u32 = u32(0);
@@ -806,7 +822,7 @@ fn looked_up_0( texture_4 : u32,  lookup_4 : Lookup_0,  place_change_0 : vec2<f3
         k_2 = k_2 + u32(1);
         change_5 = change_6;
     }
-    return changing_0(value_6, change_5);
+    return changing_0(value_7, change_5);
 }
 
 fn shown_0( texture_5 : u32,  place_11 : Place_0) -> Vector_0
@@ -820,38 +836,38 @@ fn luminance_0( colour_0 : vec3<f32>) -> f32
     return dot(colour_0, vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f));
 }
 
-fn set_slot_0( numbers_1 : ptr<function, Numbers_0>,  slot_0 : u32,  value_7 : vec3<f32>)
+fn set_slot_0( numbers_1 : ptr<function, Numbers_0>,  slot_0 : u32,  value_8 : vec3<f32>)
 {
     switch(slot_0)
     {
     case u32(0):
         {
-            (*numbers_1).diffuse_reflectance_0 = value_7;
+            (*numbers_1).diffuse_reflectance_0 = value_8;
             break;
         }
     case u32(1):
         {
-            (*numbers_1).specular_reflectance_0 = value_7;
+            (*numbers_1).specular_reflectance_0 = value_8;
             break;
         }
     case u32(2):
         {
-            (*numbers_1).eta_0 = value_7;
+            (*numbers_1).eta_0 = value_8;
             break;
         }
     case u32(3):
         {
-            (*numbers_1).k_0 = value_7;
+            (*numbers_1).k_0 = value_8;
             break;
         }
     case u32(4):
         {
-            (*numbers_1).alpha_0[i32(0)] = luminance_0(value_7);
+            (*numbers_1).alpha_0[i32(0)] = luminance_0(value_8);
             break;
         }
     default :
         {
-            (*numbers_1).alpha_0[i32(1)] = luminance_0(value_7);
+            (*numbers_1).alpha_0[i32(1)] = luminance_0(value_8);
             break;
         }
     }
@@ -1179,13 +1195,13 @@ struct ShadingPoint_0
      front_offset_0 : vec3<f32>,
 };
 
-fn shading_point_0( path_7 : Path_0,  at_17 : ptr<function, ShadingPoint_0>) -> bool
+fn shading_point_0( path_8 : Path_0,  at_17 : ptr<function, ShadingPoint_0>) -> bool
 {
-    var direction_5 : vec3<f32> = value_of_0(path_7.direction_0);
-    var surface_6 : Surface_0 = surface_at_0(path_7.place_1, direction_5);
-    move_surface_0(&(surface_6), direction_5, path_7.drift_0);
+    var direction_5 : vec3<f32> = value_of_0(path_8.direction_0);
+    var surface_6 : Surface_0 = surface_at_0(path_8.place_1, direction_5);
+    move_surface_0(&(surface_6), direction_5, path_8.drift_0);
     var material_1 : u32 = material_of_0(surface_6);
-    var _S150 : Vertex_0 = vertex_at_0(surface_6, material_1, path_7.direction_0);
+    var _S150 : Vertex_0 = vertex_at_0(surface_6, material_1, path_8.direction_0);
     (*at_17).vertex_3 = _S150;
     var _S151 : VertexMotion_0 = motion_of_1(_S150);
     (*at_17).motion_1 = _S151;
@@ -1728,9 +1744,9 @@ fn turn_to_0( purpose_2 : u32,  key_3 : vec2<u32>,  at_23 : ptr<function, Shadin
     return _S184;
 }
 
-fn part_of_launch_0() -> u32
+fn node_at_0( at_24 : ShadingPoint_0,  number_1 : u32) -> u32
 {
-    return ((launch_0.depth_0) >> (u32(16)));
+    return edge_word_0(at_24.tree_0) + u32(45) * number_1;
 }
 
 fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f32
@@ -1738,14 +1754,14 @@ fn precise_random_0( key_4 : vec2<u32>,  dimension_2 : u32) -> f32
     return f32(((random_bits_0(key_4, dimension_2).y) >> (u32(8)))) / 4096.0f / 4096.0f;
 }
 
-fn edge_number_0( at_24 : u32) -> f32
+fn edge_number_0( at_25 : u32) -> f32
 {
-    return (bitcast<f32>((edge_word_0(at_24))));
+    return (bitcast<f32>((edge_word_0(at_25))));
 }
 
-fn edge_vector_0( at_25 : u32) -> vec3<f32>
+fn edge_vector_0( at_26 : u32) -> vec3<f32>
 {
-    return vec3<f32>(edge_number_0(at_25), edge_number_0(at_25 + u32(1)), edge_number_0(at_25 + u32(2)));
+    return vec3<f32>(edge_number_0(at_26), edge_number_0(at_26 + u32(1)), edge_number_0(at_26 + u32(2)));
 }
 
 fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_3 : f32) -> bool
@@ -1769,12 +1785,12 @@ fn may_have_silhouette_0( node_1 : u32,  offset_4 : vec3<f32>,  distance_3 : f32
     return !((abs(dot(edge_vector_0(node_1 + u32(8)), offset_4))) > (sine_2 * distance_3 + margin_1 + 3.99999998990097083e-06f));
 }
 
-fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
+fn is_outside_0( at_27 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32) -> bool
 {
     var _S185 : bool;
-    if(u32(0) < (at_26.planes_0))
+    if(u32(0) < (at_27.planes_0))
     {
-        _S185 = (dot(at_26.inside_2[u32(0)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S185 = (dot(at_27.inside_2[u32(0)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1784,9 +1800,9 @@ fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(1) < (at_26.planes_0))
+    if(u32(1) < (at_27.planes_0))
     {
-        _S185 = (dot(at_26.inside_2[u32(1)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S185 = (dot(at_27.inside_2[u32(1)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1796,9 +1812,9 @@ fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(2) < (at_26.planes_0))
+    if(u32(2) < (at_27.planes_0))
     {
-        _S185 = (dot(at_26.inside_2[u32(2)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S185 = (dot(at_27.inside_2[u32(2)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1808,9 +1824,9 @@ fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(3) < (at_26.planes_0))
+    if(u32(3) < (at_27.planes_0))
     {
-        _S185 = (dot(at_26.inside_2[u32(3)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S185 = (dot(at_27.inside_2[u32(3)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1820,9 +1836,9 @@ fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(4) < (at_26.planes_0))
+    if(u32(4) < (at_27.planes_0))
     {
-        _S185 = (dot(at_26.inside_2[u32(4)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S185 = (dot(at_27.inside_2[u32(4)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1832,9 +1848,9 @@ fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(5) < (at_26.planes_0))
+    if(u32(5) < (at_27.planes_0))
     {
-        _S185 = (dot(at_26.inside_2[u32(5)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S185 = (dot(at_27.inside_2[u32(5)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1844,9 +1860,9 @@ fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(6) < (at_26.planes_0))
+    if(u32(6) < (at_27.planes_0))
     {
-        _S185 = (dot(at_26.inside_2[u32(6)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S185 = (dot(at_27.inside_2[u32(6)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1856,9 +1872,9 @@ fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    if(u32(7) < (at_26.planes_0))
+    if(u32(7) < (at_27.planes_0))
     {
-        _S185 = (dot(at_26.inside_2[u32(7)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
+        _S185 = (dot(at_27.inside_2[u32(7)], offset_5)) < (- radius_2 - 3.99999998990097083e-06f);
     }
     else
     {
@@ -1868,7 +1884,7 @@ fn is_outside_0( at_26 : ShadingPoint_0,  offset_5 : vec3<f32>,  radius_2 : f32)
     {
         return true;
     }
-    return (dot(at_26.front_0, offset_5 - at_26.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
+    return (dot(at_27.front_0, offset_5 - at_27.front_offset_0)) < (- radius_2 - 3.99999998990097083e-06f);
 }
 
 fn logarithm_0( x_4 : f32) -> f32
@@ -1950,13 +1966,13 @@ fn velocity_at_0( motion_3 : VertexMotion_0,  offset_6 : vec3<f32>) -> vec3<f32>
     return motion_3.velocity_0 + cross(motion_3.rotation_0, offset_6);
 }
 
-fn speed_of_0( at_27 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
+fn speed_of_0( at_28 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  radius_3 : f32) -> f32
 {
     if(is_blind_0())
     {
         return edge_number_0(node_2 + u32(20)) + 0.10000000149011612f;
     }
-    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_27.motion_1, offset_7);
+    var relative_0 : vec3<f32> = edge_vector_0(node_2 + u32(17)) - velocity_at_0(at_28.motion_1, offset_7);
     var axis_4 : vec3<f32> = edge_vector_0(node_2 + u32(8));
     var sine_3 : f32 = edge_number_0(node_2 + u32(11));
     var cosine_4 : f32 = edge_number_0(node_2 + u32(12));
@@ -1971,17 +1987,17 @@ fn speed_of_0( at_27 : ShadingPoint_0,  node_2 : u32,  offset_7 : vec3<f32>,  ra
     {
         speed_0 = length(relative_0);
     }
-    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_27.motion_1.rotation_0) * radius_3;
+    return speed_0 + edge_number_0(node_2 + u32(20)) + length(at_28.motion_1.rotation_0) * radius_3;
 }
 
-fn importance_of_0( at_28 : ShadingPoint_0,  node_3 : u32) -> f32
+fn importance_of_0( at_29 : ShadingPoint_0,  node_3 : u32) -> f32
 {
     var centre_1 : vec3<f32> = edge_vector_0(node_3 + u32(4));
-    var offset_8 : vec3<f32> = centre_1 - at_28.vertex_3.surface_4.position_0;
+    var offset_8 : vec3<f32> = centre_1 - at_29.vertex_3.surface_4.position_0;
     var radius_4 : f32 = edge_number_0(node_3 + u32(7));
     var distance_4 : f32 = length(offset_8);
     var _S190 : bool;
-    if(!at_28.has_creases_0)
+    if(!at_29.has_creases_0)
     {
         _S190 = !may_have_silhouette_0(node_3, offset_8, distance_4);
     }
@@ -1993,11 +2009,11 @@ fn importance_of_0( at_28 : ShadingPoint_0,  node_3 : u32) -> f32
     {
         return 0.0f;
     }
-    if(is_outside_0(at_28, offset_8, radius_4))
+    if(is_outside_0(at_29, offset_8, radius_4))
     {
         return 0.0f;
     }
-    var cosine_5 : f32 = largest_cosine_0(at_28.vertex_3.surface_4.position_0, at_28.vertex_3.axes_1.n_1, centre_1, radius_4);
+    var cosine_5 : f32 = largest_cosine_0(at_29.vertex_3.surface_4.position_0, at_29.vertex_3.axes_1.n_1, centre_1, radius_4);
     var _S191 : f32 = max(radius_4 * radius_4, 1.00000000317107685e-30f);
     var least_0 : f32 = edge_number_0(node_3 + u32(16));
     var ratio_0 : f32 = _S191 / max(max(distance_4 * distance_4 - _S191, 0.0f) + least_0 * least_0, 1.00000000317107685e-30f);
@@ -2020,13 +2036,12 @@ fn importance_of_0( at_28 : ShadingPoint_0,  node_3 : u32) -> f32
     {
         visible_0 = visible_1;
     }
-    return visible_0 * speed_of_0(at_28, node_3, offset_8, radius_4) * cosine_5 * near_0;
+    return visible_0 * speed_of_0(at_29, node_3, offset_8, radius_4) * cosine_5 * near_0;
 }
 
-fn descend_0( at_29 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
+fn descend_0( at_30 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>,  probability_2 : ptr<function, f32>) -> bool
 {
-    var nodes_at_0 : u32 = edge_word_0(at_29.tree_0);
-    (*leaf_0) = nodes_at_0;
+    (*leaf_0) = node_at_0(at_30, u32(0));
     (*probability_2) = 1.0f;
     var _S192 : f32 = u_1;
     for(;;)
@@ -2038,10 +2053,10 @@ fn descend_0( at_29 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>, 
         {
             break;
         }
-        var first_3 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0));
-        var second_1 : u32 = nodes_at_0 + u32(45) * edge_word_0((*leaf_0) + u32(1));
-        var of_first_0 : f32 = importance_of_0(at_29, first_3);
-        var of_second_0 : f32 = importance_of_0(at_29, second_1);
+        var first_3 : u32 = (*leaf_0) + u32(45);
+        var second_1 : u32 = node_at_0(at_30, edge_word_0((*leaf_0)));
+        var of_first_0 : f32 = importance_of_0(at_30, first_3);
+        var of_second_0 : f32 = importance_of_0(at_30, second_1);
         var sum_0 : f32 = of_first_0 + of_second_0;
         var _S193 : bool;
         if(sum_0 > 0.0f)
@@ -2101,49 +2116,66 @@ fn descend_0( at_29 : ShadingPoint_0,  u_1 : f32,  leaf_0 : ptr<function, u32>, 
 
 struct Leaves_0
 {
-     count_2 : u32,
-     nodes_1 : array<u32, i32(96)>,
+     node_4 : u32,
+     end_1 : u32,
 };
 
-fn below_0( node_4 : u32) -> Leaves_0
+fn below_0( at_31 : ShadingPoint_0,  node_5 : u32) -> Leaves_0
 {
     var leaves_0 : Leaves_0;
-    leaves_0.count_2 = u32(1);
-    leaves_0.nodes_1[i32(0)] = node_4;
+    leaves_0.node_4 = node_5;
+    leaves_0.end_1 = node_at_0(at_31, edge_word_0(node_5 + u32(1)));
     return leaves_0;
 }
 
-fn next_leaf_0( at_30 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
+fn next_leaf_0( at_32 : ShadingPoint_0,  leaves_1 : ptr<function, Leaves_0>,  leaf_1 : ptr<function, u32>) -> bool
 {
-    var nodes_at_1 : u32 = edge_word_0(at_30.tree_0);
-    (*leaf_1) = nodes_at_1;
+    (*leaf_1) = (*leaves_1).node_4;
     for(;;)
     {
-        if(((*leaves_1).count_2) > u32(0))
+        if(((*leaves_1).node_4) < ((*leaves_1).end_1))
         {
         }
         else
         {
             break;
         }
-        var _S196 : u32 = (*leaves_1).count_2 - u32(1);
-        (*leaves_1).count_2 = _S196;
-        var _S197 : u32 = (*leaves_1).nodes_1[_S196];
-        (*leaf_1) = (*leaves_1).nodes_1[_S196];
-        if(!((importance_of_0(at_30, _S197)) > 0.0f))
+        var _S196 : u32 = (*leaves_1).node_4;
+        (*leaf_1) = (*leaves_1).node_4;
+        var contributes_0 : bool = (importance_of_0(at_32, _S196)) > 0.0f;
+        var is_leaf_0 : bool = (edge_word_0(_S196)) == u32(4294967295);
+        var _S197 : bool;
+        if(contributes_0)
         {
-            continue;
+            _S197 = !is_leaf_0;
         }
-        if((edge_word_0((*leaf_1))) == u32(4294967295))
+        else
+        {
+            _S197 = false;
+        }
+        var _S198 : u32;
+        if(_S197)
+        {
+            _S198 = (*leaf_1) + u32(45);
+        }
+        else
+        {
+            _S198 = node_at_0(at_32, edge_word_0((*leaf_1) + u32(1)));
+        }
+        (*leaves_1).node_4 = _S198;
+        var _S199 : bool;
+        if(contributes_0)
+        {
+            _S199 = is_leaf_0;
+        }
+        else
+        {
+            _S199 = false;
+        }
+        if(_S199)
         {
             return true;
         }
-        var _S198 : u32 = (*leaves_1).count_2;
-        var _S199 : u32 = (*leaves_1).count_2 + u32(1);
-        (*leaves_1).count_2 = _S199;
-        (*leaves_1).nodes_1[_S198] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1));
-        (*leaves_1).count_2 = _S199 + u32(1);
-        (*leaves_1).nodes_1[_S199] = nodes_at_1 + u32(45) * edge_word_0((*leaf_1) + u32(1));
     }
     return false;
 }
@@ -2154,11 +2186,11 @@ struct Edge_0
      numbers_3 : u32,
 };
 
-fn edge_at_0( at_31 : ShadingPoint_0,  place_13 : u32) -> Edge_0
+fn edge_at_0( at_33 : ShadingPoint_0,  place_13 : u32) -> Edge_0
 {
     var edge_0 : Edge_0;
-    edge_0.record_8 = edge_word_0(at_31.tree_0 + u32(1)) + u32(12) * place_13;
-    edge_0.numbers_3 = edge_word_0(at_31.tree_0 + u32(2)) + u32(14) * place_13;
+    edge_0.record_8 = edge_word_0(at_33.tree_0 + u32(1)) + u32(12) * place_13;
+    edge_0.numbers_3 = edge_word_0(at_33.tree_0 + u32(2)) + u32(14) * place_13;
     return edge_0;
 }
 
@@ -2192,15 +2224,15 @@ fn side_seen_0( from_0 : vec3<f32>,  tolerance_0 : f32,  normal_5 : u32,  length
     return _S200 - _S201;
 }
 
-fn is_silhouette_0( at_32 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
+fn is_silhouette_0( at_34 : ShadingPoint_0,  edge_1 : Edge_0) -> bool
 {
     var start_0 : vec3<f32> = edge_position_0(edge_1.numbers_3);
-    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_32.vertex_3.surface_4.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
-    var _S202 : vec3<f32> = at_32.vertex_3.surface_4.exact_0 - start_0;
+    var tolerance_1 : f32 = edge_real_0(u32(0)) * (sum_of_sizes_0(at_34.vertex_3.surface_4.exact_0) + sum_of_sizes_0(start_0) + edge_real_0(u32(1)));
+    var _S202 : vec3<f32> = at_34.vertex_3.surface_4.exact_0 - start_0;
     return (side_seen_0(_S202, tolerance_1, edge_1.numbers_3 + u32(6), edge_1.numbers_3 + u32(12)) * side_seen_0(_S202, tolerance_1, edge_1.numbers_3 + u32(9), edge_1.numbers_3 + u32(13))) <= i32(0);
 }
 
-fn factor_of_0( at_33 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
+fn factor_of_0( at_35 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
 {
     var _S203 : u32 = edge_2.record_8 + u32(2);
     var a_14 : vec3<f32> = edge_vector_0(_S203);
@@ -2208,7 +2240,7 @@ fn factor_of_0( at_33 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
     var _S204 : bool;
     if(!is_blind_0())
     {
-        _S204 = rests_0(at_33.motion_1);
+        _S204 = rests_0(at_35.motion_1);
     }
     else
     {
@@ -2234,12 +2266,12 @@ fn factor_of_0( at_33 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
     {
         return 0.0f;
     }
-    if(is_silhouette_0(at_33, edge_2))
+    if(is_silhouette_0(at_35, edge_2))
     {
         return edge_number_0(edge_2.record_8);
     }
     var _S205 : f32;
-    if(at_33.has_creases_0)
+    if(at_35.has_creases_0)
     {
         _S205 = edge_number_0(edge_2.record_8 + u32(1));
     }
@@ -2250,13 +2282,13 @@ fn factor_of_0( at_33 : ShadingPoint_0,  edge_2 : Edge_0) -> f32
     return _S205;
 }
 
-fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f32>,  b_10 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
+fn is_clipped_0( at_36 : ShadingPoint_0,  a_15 : vec3<f32>,  b_10 : vec3<f32>,  range_0 : ptr<function, vec2<f32>>) -> bool
 {
     (*range_0) = vec2<f32>(0.0f, 1.0f);
     var _S206 : bool;
-    if((dot(at_34.front_0, a_15 - at_34.front_offset_0)) < -3.99999998990097083e-06f)
+    if((dot(at_36.front_0, a_15 - at_36.front_offset_0)) < -3.99999998990097083e-06f)
     {
-        _S206 = (dot(at_34.front_0, b_10 - at_34.front_offset_0)) < -3.99999998990097083e-06f;
+        _S206 = (dot(at_36.front_0, b_10 - at_36.front_offset_0)) < -3.99999998990097083e-06f;
     }
     else
     {
@@ -2269,10 +2301,10 @@ fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f32>,  b_10 : vec3<f32>,  
     var _S207 : f32 = edge_real_0(u32(2)) * sqrt(max(dot(a_15, a_15), dot(b_10, b_10)));
     var first_4 : f32;
     var second_2 : f32;
-    if(u32(0) < (at_34.planes_0))
+    if(u32(0) < (at_36.planes_0))
     {
-        var _S208 : f32 = dot(at_34.inside_2[u32(0)], b_10) + _S207;
-        first_4 = dot(at_34.inside_2[u32(0)], a_15) + _S207;
+        var _S208 : f32 = dot(at_36.inside_2[u32(0)], b_10) + _S207;
+        first_4 = dot(at_36.inside_2[u32(0)], a_15) + _S207;
         second_2 = _S208;
     }
     else
@@ -2300,10 +2332,10 @@ fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f32>,  b_10 : vec3<f32>,  
             (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
         }
     }
-    if(u32(1) < (at_34.planes_0))
+    if(u32(1) < (at_36.planes_0))
     {
-        var _S210 : f32 = dot(at_34.inside_2[u32(1)], b_10) + _S207;
-        first_4 = dot(at_34.inside_2[u32(1)], a_15) + _S207;
+        var _S210 : f32 = dot(at_36.inside_2[u32(1)], b_10) + _S207;
+        first_4 = dot(at_36.inside_2[u32(1)], a_15) + _S207;
         second_2 = _S210;
     }
     else
@@ -2331,10 +2363,10 @@ fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f32>,  b_10 : vec3<f32>,  
             (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
         }
     }
-    if(u32(2) < (at_34.planes_0))
+    if(u32(2) < (at_36.planes_0))
     {
-        var _S212 : f32 = dot(at_34.inside_2[u32(2)], b_10) + _S207;
-        first_4 = dot(at_34.inside_2[u32(2)], a_15) + _S207;
+        var _S212 : f32 = dot(at_36.inside_2[u32(2)], b_10) + _S207;
+        first_4 = dot(at_36.inside_2[u32(2)], a_15) + _S207;
         second_2 = _S212;
     }
     else
@@ -2362,10 +2394,10 @@ fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f32>,  b_10 : vec3<f32>,  
             (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
         }
     }
-    if(u32(3) < (at_34.planes_0))
+    if(u32(3) < (at_36.planes_0))
     {
-        var _S214 : f32 = dot(at_34.inside_2[u32(3)], b_10) + _S207;
-        first_4 = dot(at_34.inside_2[u32(3)], a_15) + _S207;
+        var _S214 : f32 = dot(at_36.inside_2[u32(3)], b_10) + _S207;
+        first_4 = dot(at_36.inside_2[u32(3)], a_15) + _S207;
         second_2 = _S214;
     }
     else
@@ -2393,10 +2425,10 @@ fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f32>,  b_10 : vec3<f32>,  
             (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
         }
     }
-    if(u32(4) < (at_34.planes_0))
+    if(u32(4) < (at_36.planes_0))
     {
-        var _S216 : f32 = dot(at_34.inside_2[u32(4)], b_10) + _S207;
-        first_4 = dot(at_34.inside_2[u32(4)], a_15) + _S207;
+        var _S216 : f32 = dot(at_36.inside_2[u32(4)], b_10) + _S207;
+        first_4 = dot(at_36.inside_2[u32(4)], a_15) + _S207;
         second_2 = _S216;
     }
     else
@@ -2424,10 +2456,10 @@ fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f32>,  b_10 : vec3<f32>,  
             (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
         }
     }
-    if(u32(5) < (at_34.planes_0))
+    if(u32(5) < (at_36.planes_0))
     {
-        var _S218 : f32 = dot(at_34.inside_2[u32(5)], b_10) + _S207;
-        first_4 = dot(at_34.inside_2[u32(5)], a_15) + _S207;
+        var _S218 : f32 = dot(at_36.inside_2[u32(5)], b_10) + _S207;
+        first_4 = dot(at_36.inside_2[u32(5)], a_15) + _S207;
         second_2 = _S218;
     }
     else
@@ -2455,10 +2487,10 @@ fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f32>,  b_10 : vec3<f32>,  
             (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
         }
     }
-    if(u32(6) < (at_34.planes_0))
+    if(u32(6) < (at_36.planes_0))
     {
-        var _S220 : f32 = dot(at_34.inside_2[u32(6)], b_10) + _S207;
-        first_4 = dot(at_34.inside_2[u32(6)], a_15) + _S207;
+        var _S220 : f32 = dot(at_36.inside_2[u32(6)], b_10) + _S207;
+        first_4 = dot(at_36.inside_2[u32(6)], a_15) + _S207;
         second_2 = _S220;
     }
     else
@@ -2486,10 +2518,10 @@ fn is_clipped_0( at_34 : ShadingPoint_0,  a_15 : vec3<f32>,  b_10 : vec3<f32>,  
             (*range_0)[i32(1)] = min((*range_0).y, first_4 / (first_4 - second_2));
         }
     }
-    if(u32(7) < (at_34.planes_0))
+    if(u32(7) < (at_36.planes_0))
     {
-        var _S222 : f32 = dot(at_34.inside_2[u32(7)], b_10) + _S207;
-        first_4 = dot(at_34.inside_2[u32(7)], a_15) + _S207;
+        var _S222 : f32 = dot(at_36.inside_2[u32(7)], b_10) + _S207;
+        first_4 = dot(at_36.inside_2[u32(7)], a_15) + _S207;
         second_2 = _S222;
     }
     else
@@ -2535,14 +2567,14 @@ struct SeenEdge_0
      to_0 : vec3<f32>,
 };
 
-fn see_edge_0( at_35 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
+fn see_edge_0( at_37 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, SeenEdge_0>) -> bool
 {
-    var _S224 : Edge_0 = edge_at_0(at_35, place_14);
+    var _S224 : Edge_0 = edge_at_0(at_37, place_14);
     (*seen_1).edge_3 = _S224;
-    var _S225 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_3) - at_35.vertex_3.surface_4.exact_0;
+    var _S225 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_3) - at_37.vertex_3.surface_4.exact_0;
     (*seen_1).start_1 = _S225;
-    var end_1 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_3 + u32(3)) - at_35.vertex_3.surface_4.exact_0;
-    (*seen_1).along_1 = end_1 - _S225;
+    var end_2 : vec3<f32> = edge_position_0((*seen_1).edge_3.numbers_3 + u32(3)) - at_37.vertex_3.surface_4.exact_0;
+    (*seen_1).along_1 = end_2 - _S225;
     (*seen_1).far_0 = 1.0f;
     (*seen_1).near_1 = 1.0f;
     (*seen_1).chord_0 = 0.0f;
@@ -2551,7 +2583,7 @@ fn see_edge_0( at_35 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = _S226;
     (*seen_1).from_1 = _S226;
     (*seen_1).range_1 = vec2<f32>(0.0f, 1.0f);
-    var _S227 : f32 = factor_of_0(at_35, _S224);
+    var _S227 : f32 = factor_of_0(at_37, _S224);
     (*seen_1).factor_3 = _S227;
     var _S228 : bool;
     if(!(_S227 > 0.0f))
@@ -2561,7 +2593,7 @@ fn see_edge_0( at_35 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, 
     else
     {
         var _S229 : vec2<f32> = (*seen_1).range_1;
-        var _S230 : bool = is_clipped_0(at_35, (*seen_1).start_1, end_1, &(_S229));
+        var _S230 : bool = is_clipped_0(at_37, (*seen_1).start_1, end_2, &(_S229));
         (*seen_1).range_1 = _S229;
         _S228 = _S230;
     }
@@ -2590,7 +2622,7 @@ fn see_edge_0( at_35 : ShadingPoint_0,  place_14 : u32,  seen_1 : ptr<function, 
     (*seen_1).to_0 = last_0 / vec3<f32>((*seen_1).far_0);
     (*seen_1).chord_0 = length_of_0(last_0 / vec3<f32>((*seen_1).far_0) - first_5 / vec3<f32>((*seen_1).near_1));
     var longest_0 : f32;
-    if((at_35.vertex_3.lobe_1.kind_1) == u32(0))
+    if((at_37.vertex_3.lobe_1.kind_1) == u32(0))
     {
         longest_0 = 0.20000000298023224f;
     }
@@ -2607,10 +2639,10 @@ fn place_between_0( from_2 : f32,  to_1 : f32,  near_2 : f32,  far_1 : f32,  par
     return from_2 + (to_1 - from_2) * part_0 * near_2 / (part_0 * near_2 + (1.0f - part_0) * far_1);
 }
 
-fn velocity_on_0( at_36 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
+fn velocity_on_0( at_38 : ShadingPoint_0,  edge_4 : Edge_0,  t_2 : f32,  offset_9 : vec3<f32>) -> vec3<f32>
 {
     var _S232 : u32 = edge_4.record_8 + u32(2);
-    return mix(edge_vector_0(_S232), edge_vector_0(_S232 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_36.motion_1, offset_9);
+    return mix(edge_vector_0(_S232), edge_vector_0(_S232 + u32(3)), vec3<f32>(t_2)) - velocity_at_0(at_38.motion_1, offset_9);
 }
 
 struct Mirrored_0
@@ -2820,9 +2852,9 @@ fn transmittance_0( lobe_5 : Lobe_0,  eta_4 : f32,  cosine_11 : f32) -> f32
     }
     var place_16 : f32 = cosine_11 * 63.0f;
     var _S243 : u32 = min(u32(place_16), u32(62));
-    var at_37 : u32 = word_0(lobe_5.record_3 + u32(3)) + _S243;
-    var here_0 : f32 = number_0(at_37);
-    return here_0 + (number_0(at_37 + u32(1)) - here_0) * (place_16 - f32(_S243));
+    var at_39 : u32 = word_0(lobe_5.record_3 + u32(3)) + _S243;
+    var here_0 : f32 = number_0(at_39);
+    return here_0 + (number_0(at_39 + u32(1)) - here_0) * (place_16 - f32(_S243));
 }
 
 fn fresnel_diffuse_0( eta_5 : f32) -> f32
@@ -2866,7 +2898,7 @@ fn base_probability_0( numbers_6 : Numbers_0,  enters_0 : f32) -> f32
 
 struct Scattering_0
 {
-     value_8 : vec3<f32>,
+     value_9 : vec3<f32>,
      pdf_2 : f32,
 };
 
@@ -2877,7 +2909,7 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
     var by_cosine_0 : f32 = _S244 * 0.31830987334251404f;
     if((lobe_7.kind_1) == u32(0))
     {
-        scattering_1.value_8 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
+        scattering_1.value_9 = numbers_7.diffuse_reflectance_0 * vec3<f32>(by_cosine_0);
         scattering_1.pdf_2 = by_cosine_0;
         return scattering_1;
     }
@@ -2893,18 +2925,18 @@ fn scattering_0( lobe_7 : Lobe_0,  numbers_7 : Numbers_0,  wi_3 : vec3<f32>,  wo
     }
     if((lobe_7.kind_1) == u32(2))
     {
-        scattering_1.value_8 = numbers_7.specular_reflectance_0 * (fresnel_conductor_0(by_facets_0.cosine_6, numbers_7.eta_0, numbers_7.k_0) * vec3<f32>(by_facets_0.scattered_0));
+        scattering_1.value_9 = numbers_7.specular_reflectance_0 * (fresnel_conductor_0(by_facets_0.cosine_6, numbers_7.eta_0, numbers_7.k_0) * vec3<f32>(by_facets_0.scattered_0));
         scattering_1.pdf_2 = by_facets_0.pdf_0;
         return scattering_1;
     }
     var eta_7 : f32 = coat_eta_0(numbers_7);
     var enters_1 : f32 = transmittance_0(lobe_7, eta_7, wi_3.z);
-    scattering_1.value_8 = base_0(lobe_7, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S244) * by_cosine_0 / (eta_7 * eta_7)));
+    scattering_1.value_9 = base_0(lobe_7, eta_7, numbers_7.diffuse_reflectance_0) * vec3<f32>((enters_1 * transmittance_0(lobe_7, eta_7, _S244) * by_cosine_0 / (eta_7 * eta_7)));
     var probability_3 : f32 = base_probability_0(numbers_7, enters_1);
     scattering_1.pdf_2 = probability_3 * by_cosine_0;
     if((lobe_7.kind_1) == u32(4))
     {
-        scattering_1.value_8 = scattering_1.value_8 + numbers_7.specular_reflectance_0 * vec3<f32>((fresnel_dielectric_0(by_facets_0.cosine_6, eta_7) * by_facets_0.scattered_0));
+        scattering_1.value_9 = scattering_1.value_9 + numbers_7.specular_reflectance_0 * vec3<f32>((fresnel_dielectric_0(by_facets_0.cosine_6, eta_7) * by_facets_0.scattered_0));
         scattering_1.pdf_2 = scattering_1.pdf_2 + (1.0f - probability_3) * by_facets_0.pdf_0;
     }
     return scattering_1;
@@ -2925,7 +2957,7 @@ fn scattered_values_0( vertex_5 : Vertex_0,  wo_2 : vec3<f32>) -> vec3<f32>
     {
         return vec3<f32>(0.0f);
     }
-    return scattering_0(vertex_5.lobe_1, vertex_5.lobe_1.numbers_2, value_of_0(vertex_5.wi_1), wo_2).value_8;
+    return scattering_0(vertex_5.lobe_1, vertex_5.lobe_1.numbers_2, value_of_0(vertex_5.wi_1), wo_2).value_9;
 }
 
 fn scattered_from_0( vertex_6 : Vertex_0,  direction_6 : vec3<f32>) -> vec3<f32>
@@ -2938,9 +2970,9 @@ fn largest_0( v_7 : vec3<f32>) -> f32
     return max(max(v_7.x, v_7.y), v_7.z);
 }
 
-fn still_0( value_9 : vec3<f32>) -> Vector_0
+fn still_0( value_10 : vec3<f32>) -> Vector_0
 {
-    return changing_0(value_9, vec3<f32>(0.0f));
+    return changing_0(value_10, vec3<f32>(0.0f));
 }
 
 fn angle_of_0( x_7 : f32,  y_1 : f32) -> f32
@@ -3136,7 +3168,7 @@ fn in_map_0( map_2 : u32,  direction_8 : vec3<f32>) -> Lookup_0
 {
     var place_17 : vec2<f32> = map_place_0(map_2, direction_8);
     var point_0 : Point_0;
-    point_0.value_3 = place_17;
+    point_0.value_4 = place_17;
     point_0.by_first_1 = vec2<f32>(1.0f, 0.0f);
     point_0.by_second_1 = vec2<f32>(0.0f, 1.0f);
     var x_8 : i32 = floor_of_0(place_17.x);
@@ -3155,7 +3187,7 @@ fn in_map_0( map_2 : u32,  direction_8 : vec3<f32>) -> Lookup_0
 
 fn x2A_0( a_17 : Vector_0,  b_12 : Vector_0) -> Vector_0
 {
-    return changing_0(a_17.value_0 * b_12.value_0, a_17.change_0 * b_12.value_0 + a_17.value_0 * b_12.change_0);
+    return changing_0(a_17.value_1 * b_12.value_1, a_17.change_0 * b_12.value_1 + a_17.value_1 * b_12.change_0);
 }
 
 fn emitted_0( emitter_4 : u32,  place_18 : Place_0,  direction_9 : Vector_0) -> Vector_0
@@ -3167,7 +3199,7 @@ fn emitted_0( emitter_4 : u32,  place_18 : Place_0,  direction_9 : Vector_0) -> 
         var _S287 : Vector_0 = shown_0(texture_7, place_18);
         return _S287;
     }
-    var _S288 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_9.value_0, direction_9.change_0 );
+    var _S288 : DiffPair_vectorx3Cfloatx2C3x3E_0 = DiffPair_vectorx3Cfloatx2C3x3E_0( direction_9.value_1, direction_9.change_0 );
     var _S289 : DiffPair_vectorx3Cfloatx2C2x3E_0 = s_fwd_map_place_0(texture_7, _S288);
     var factor_4 : Vector_0 = looked_up_0(word_0(texture_7 + u32(12)), one_texel_0(u32(0)), vec2<f32>(0.0f));
     var _S290 : u32 = word_0(texture_7 + u32(11));
@@ -3175,11 +3207,11 @@ fn emitted_0( emitter_4 : u32,  place_18 : Place_0,  direction_9 : Vector_0) -> 
     return x2A_0(looked_up_0(_S290, _S291, _S289.differential_0), factor_4);
 }
 
-fn light_from_0( at_38 : ShadingPoint_0,  direction_10 : vec3<f32>) -> f32
+fn light_from_0( at_40 : ShadingPoint_0,  direction_10 : vec3<f32>) -> f32
 {
-    var light_2 : f32 = largest_0(scattered_from_0(at_38.vertex_3, direction_10));
+    var light_2 : f32 = largest_0(scattered_from_0(at_40.vertex_3, direction_10));
     var _S292 : bool;
-    if((at_38.purpose_0) != u32(1))
+    if((at_40.purpose_0) != u32(1))
     {
         _S292 = true;
     }
@@ -3191,11 +3223,11 @@ fn light_from_0( at_38 : ShadingPoint_0,  direction_10 : vec3<f32>) -> f32
     {
         return light_2;
     }
-    var _S293 : Vector_0 = emitted_0(at_38.emitter_0, at_38.vertex_3.surface_4.place_3, still_0(direction_10));
+    var _S293 : Vector_0 = emitted_0(at_40.emitter_0, at_40.vertex_3.surface_4.place_3, still_0(direction_10));
     return light_2 * largest_0(value_of_0(_S293));
 }
 
-fn weigh_0( at_39 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
+fn weigh_0( at_41 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec2<f32>
 {
     var part_1 : f32 = (piece_0 + 0.5f) / seen_2.pieces_0;
     var middle_1 : vec3<f32> = normalize(mix(seen_2.from_1, seen_2.to_0, vec3<f32>(part_1)));
@@ -3206,7 +3238,7 @@ fn weigh_0( at_39 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec
     var speed_1 : f32;
     if(!is_blind_0())
     {
-        speed_1 = abs(dot(velocity_on_0(at_39, seen_2.edge_3, t_5, offset_10), normal_6));
+        speed_1 = abs(dot(velocity_on_0(at_41, seen_2.edge_3, t_5, offset_10), normal_6));
     }
     else
     {
@@ -3214,7 +3246,7 @@ fn weigh_0( at_39 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec
     }
     var speed_2 : f32 = speed_1 / length(offset_10);
     var angle_4 : f32 = seen_2.factor_3 * seen_2.chord_0 / seen_2.pieces_0;
-    var _S295 : f32 = light_from_0(at_39, middle_1);
+    var _S295 : f32 = light_from_0(at_41, middle_1);
     var contribution_0 : f32 = angle_4 * _S295 * speed_2;
     var _S296 : vec2<f32>;
     if(contribution_0 < 3.00000000549775576e+38f)
@@ -3228,12 +3260,12 @@ fn weigh_0( at_39 : ShadingPoint_0,  seen_2 : SeenEdge_0,  piece_0 : f32) -> vec
     return _S296;
 }
 
-fn multiplicity_0( at_40 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec3<f32>,  normal_7 : vec3<f32>) -> f32
+fn multiplicity_0( at_42 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec3<f32>,  normal_7 : vec3<f32>) -> f32
 {
     var _S297 : vec3<f32> = cross(normal_7, direction_11);
     var _S298 : u32 = edge_5.record_8 + u32(8);
     var k_7 : u32 = edge_word_0(_S298);
-    var count_3 : f32 = 1.0f;
+    var count_2 : f32 = 1.0f;
     for(;;)
     {
         if(k_7 < (edge_word_0(_S298 + u32(1))))
@@ -3243,14 +3275,14 @@ fn multiplicity_0( at_40 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec
         {
             break;
         }
-        var other_0 : Edge_0 = edge_at_0(at_40, edge_word_0(k_7));
-        if(!((factor_of_0(at_40, other_0)) > 0.0f))
+        var other_0 : Edge_0 = edge_at_0(at_42, edge_word_0(k_7));
+        if(!((factor_of_0(at_42, other_0)) > 0.0f))
         {
             k_7 = k_7 + u32(1);
             continue;
         }
-        var a_18 : vec3<f32> = edge_position_0(other_0.numbers_3) - at_40.vertex_3.surface_4.exact_0;
-        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_3 + u32(3)) - at_40.vertex_3.surface_4.exact_0 - a_18;
+        var a_18 : vec3<f32> = edge_position_0(other_0.numbers_3) - at_42.vertex_3.surface_4.exact_0;
+        var way_1 : vec3<f32> = edge_position_0(other_0.numbers_3 + u32(3)) - at_42.vertex_3.surface_4.exact_0 - a_18;
         var place_19 : f32 = - dot(a_18, _S297) / dot(way_1, _S297);
         var there_0 : vec3<f32> = a_18 + way_1 * vec3<f32>(place_19);
         var _S299 : bool;
@@ -3281,31 +3313,31 @@ fn multiplicity_0( at_40 : ShadingPoint_0,  edge_5 : Edge_0,  direction_11 : vec
             k_7 = k_7 + u32(1);
             continue;
         }
-        var count_4 : f32;
+        var count_3 : f32;
         if((abs(dot(normal_7, exact_unit_0(cross(a_18, way_1))))) > 0.99999898672103882f)
         {
-            count_4 = count_3 + 1.0f;
+            count_3 = count_2 + 1.0f;
         }
         else
         {
-            count_4 = count_3;
+            count_3 = count_2;
         }
-        count_3 = count_4;
+        count_2 = count_3;
         k_7 = k_7 + u32(1);
     }
-    return count_3;
+    return count_2;
 }
 
-fn face_normal_1( at_41 : ShadingPoint_0) -> vec3<f32>
+fn face_normal_1( at_43 : ShadingPoint_0) -> vec3<f32>
 {
-    var corners_1 : u32 = u32(9) * at_41.vertex_3.surface_4.place_3.triangle_0;
+    var corners_1 : u32 = u32(9) * at_43.vertex_3.surface_4.place_3.triangle_0;
     var a_19 : vec3<f32> = primitive_vector_0(corners_1);
     return exact_unit_0(cross(primitive_vector_0(corners_1 + u32(3)) - a_19, primitive_vector_0(corners_1 + u32(6)) - a_19));
 }
 
-fn limit_at_0( which_5 : u32) -> f32
+fn limit_at_0( which_6 : u32) -> f32
 {
-    return primitives_0[word_0(u32(15)) + which_5];
+    return primitives_0[word_0(u32(15)) + which_6];
 }
 
 struct EdgePoint_0
@@ -3319,7 +3351,7 @@ struct EdgePoint_0
      is_in_horizon_0 : bool,
 };
 
-fn point_on_0( at_42 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
+fn point_on_0( at_44 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  inside_3 : f32,  part_of_all_0 : f32) -> EdgePoint_0
 {
     var _S301 : f32 = seen_3.range_1.x;
     var _S302 : f32 = seen_3.range_1.y;
@@ -3344,8 +3376,8 @@ fn point_on_0( at_42 : ShadingPoint_0,  seen_3 : SeenEdge_0,  piece_1 : f32,  in
     point_1.normal_8 = _S305;
     point_1.edge_6 = seen_3.edge_3;
     point_1.t_6 = t_7;
-    point_1.measure_0 = angle_5 / _S303 / (part_of_all_0 * multiplicity_0(at_42, seen_3.edge_3, _S304, _S305));
-    var face_0 : vec3<f32> = face_normal_1(at_42);
+    point_1.measure_0 = angle_5 / _S303 / (part_of_all_0 * multiplicity_0(at_44, seen_3.edge_3, _S304, _S305));
+    var face_0 : vec3<f32> = face_normal_1(at_44);
     var least_2 : f32 = limit_at_0(u32(2));
     var _S306 : bool;
     if((abs(dot(seen_3.start_1, face_0))) <= least_2)
@@ -3365,9 +3397,9 @@ fn offset_of_0( point_2 : EdgePoint_0) -> vec3<f32>
     return point_2.direction_12 * vec3<f32>(point_2.distance_5);
 }
 
-fn flow_at_0( at_43 : ShadingPoint_0,  point_3 : EdgePoint_0) -> f32
+fn flow_at_0( at_45 : ShadingPoint_0,  point_3 : EdgePoint_0) -> f32
 {
-    return dot(velocity_on_0(at_43, point_3.edge_6, point_3.t_6, offset_of_0(point_3)), point_3.normal_8) * point_3.measure_0;
+    return dot(velocity_on_0(at_45, point_3.edge_6, point_3.t_6, offset_of_0(point_3)), point_3.normal_8) * point_3.measure_0;
 }
 
 fn component_0( v_8 : vec3<f32>,  axis_5 : u32) -> f32
@@ -3454,9 +3486,9 @@ fn ray_along_0( origin_1 : vec3<f32>,  direction_13 : vec3<f32>,  t_min_1 : f32,
     return ray_0;
 }
 
-fn ray_child_0( node_5 : u32,  slot_2 : u32) -> u32
+fn ray_child_0( node_6 : u32,  slot_2 : u32) -> u32
 {
-    return nodes_0[u32(14) * node_5 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
+    return nodes_0[u32(14) * node_6 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
 }
 
 struct RayView_0
@@ -3469,9 +3501,9 @@ struct RayView_0
      axes_4 : u32,
 };
 
-fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_6 : u32,  slot_3 : u32) -> f32
+fn ray_bound_0( view_1 : RayView_0,  limit_1 : f32,  node_7 : u32,  slot_3 : u32) -> f32
 {
-    var _S312 : u32 = u32(14) * node_6 + slot_3 / u32(4);
+    var _S312 : u32 = u32(14) * node_7 + slot_3 / u32(4);
     var near_4 : f32 = 0.0f;
     var far_3 : f32 = limit_1;
     var axis_6 : u32 = u32(0);
@@ -3584,7 +3616,7 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
     return order_0;
 }
 
-fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
+fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_8 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
     var slot_4 : u32 = u32(0);
@@ -3598,13 +3630,13 @@ fn crossed_1( view_2 : RayView_0,  limit_3 : f32,  node_7 : u32) -> u32
             break;
         }
         var _S325 : f32;
-        if((ray_child_0(node_7, slot_4)) == u32(4294967295))
+        if((ray_child_0(node_8, slot_4)) == u32(4294967295))
         {
             _S325 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S325 = ray_bound_0(view_2, limit_3, node_7, slot_4);
+            _S325 = ray_bound_0(view_2, limit_3, node_8, slot_4);
         }
         bounds_1[slot_4] = _S325;
         slot_4 = slot_4 + u32(1);
@@ -3617,9 +3649,9 @@ fn rounded_0( product_2 : f32,  largest_2 : f32) -> f32
     return min(product_2, largest_2);
 }
 
-fn corner_2( ray_1 : Ray_0,  axes_5 : u32,  at_44 : u32) -> vec3<f32>
+fn corner_2( ray_1 : Ray_0,  axes_5 : u32,  at_46 : u32) -> vec3<f32>
 {
-    var relative_1 : vec3<f32> = primitive_vector_0(at_44) - ray_1.origin_0;
+    var relative_1 : vec3<f32> = primitive_vector_0(at_46) - ray_1.origin_0;
     var z_4 : f32 = component_0(relative_1, (axes_5 >> (u32(4))));
     return vec3<f32>(component_0(relative_1, (axes_5 & (u32(3)))) - rounded_0(ray_1.shear_x_0 * z_4, ray_1.largest_1), component_0(relative_1, (((axes_5 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_1.shear_y_0 * z_4, ray_1.largest_1), z_4);
 }
@@ -3632,16 +3664,16 @@ struct Crossing_0
      w_3 : f32,
 };
 
-fn intersect_0( ray_2 : Ray_0,  axes_6 : u32,  at_45 : u32) -> Crossing_0
+fn intersect_0( ray_2 : Ray_0,  axes_6 : u32,  at_47 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_8 = 0.0f;
     crossing_0.v_9 = 0.0f;
     crossing_0.w_3 = 0.0f;
-    var a_21 : vec3<f32> = corner_2(ray_2, axes_6, at_45);
-    var b_14 : vec3<f32> = corner_2(ray_2, axes_6, at_45 + u32(3));
-    var c_4 : vec3<f32> = corner_2(ray_2, axes_6, at_45 + u32(6));
+    var a_21 : vec3<f32> = corner_2(ray_2, axes_6, at_47);
+    var b_14 : vec3<f32> = corner_2(ray_2, axes_6, at_47 + u32(3));
+    var c_4 : vec3<f32> = corner_2(ray_2, axes_6, at_47 + u32(6));
     var _S326 : f32 = c_4.x;
     var _S327 : f32 = b_14.y;
     var cx_by_0 : f32 = rounded_0(_S326 * _S327, ray_2.largest_1);
@@ -3918,11 +3950,11 @@ struct Side_0
      t_11 : f32,
 };
 
-fn look_0( at_46 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Side_0
+fn look_0( at_48 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_1 : u32) -> Side_0
 {
     var step_0 : vec3<f32> = point_4.normal_8 * vec3<f32>(edge_real_0(u32(3)));
     var origin_3 : vec3<f32>;
-    if(side_0 == u32(0))
+    if(side_1 == u32(0))
     {
         origin_3 = point_4.direction_12 - step_0;
     }
@@ -3933,7 +3965,7 @@ fn look_0( at_46 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Sid
     var direction_16 : vec3<f32> = exact_unit_0(origin_3);
     if(point_4.is_in_horizon_0)
     {
-        var face_3 : vec3<f32> = face_normal_1(at_46);
+        var face_3 : vec3<f32> = face_normal_1(at_48);
         var height_3 : f32 = limit_at_0(u32(2));
         var _S348 : f32;
         if((dot(direction_16, face_3)) < 0.0f)
@@ -3944,16 +3976,16 @@ fn look_0( at_46 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Sid
         {
             _S348 = height_3;
         }
-        origin_3 = at_46.vertex_3.surface_4.exact_0 + face_3 * vec3<f32>(_S348);
+        origin_3 = at_48.vertex_3.surface_4.exact_0 + face_3 * vec3<f32>(_S348);
     }
     else
     {
-        origin_3 = at_46.vertex_3.surface_4.exact_0;
+        origin_3 = at_48.vertex_3.surface_4.exact_0;
     }
     var seen_4 : Side_0;
     seen_4.direction_15 = direction_16;
     seen_4.rest_3 = vec3<f32>(0.0f);
-    seen_4.scattered_2 = scattered_from_0(at_46.vertex_3, direction_16);
+    seen_4.scattered_2 = scattered_from_0(at_48.vertex_3, direction_16);
     var _S349 : f32 = limit_at_0(u32(2));
     var _S350 : f32 = limit_at_0(u32(1));
     var _S351 : f32 = seen_4.t_11;
@@ -3961,12 +3993,6 @@ fn look_0( at_46 : ShadingPoint_0,  point_4 : EdgePoint_0,  side_0 : u32) -> Sid
     seen_4.t_11 = _S351;
     seen_4.found_2 = _S352;
     return seen_4;
-}
-
-fn set_word_0( path_8 : u32,  which_6 : u32,  value_10 : u32)
-{
-    paths_0[which_6 * launch_0.room_0 + path_8] = value_10;
-    return;
 }
 
 fn set_vector_0( path_9 : u32,  which_7 : ptr<function, u32>,  value_11 : vec3<f32>)
@@ -4021,21 +4047,21 @@ fn emitter_seen_0( found_4 : Found_0,  direction_17 : vec3<f32>) -> u32
     return _S354;
 }
 
-fn jump_of_light_0( at_47 : ShadingPoint_0,  point_5 : EdgePoint_0) -> vec3<f32>
+fn jump_of_light_0( at_49 : ShadingPoint_0,  point_5 : EdgePoint_0) -> vec3<f32>
 {
     var _S355 : vec3<f32> = vec3<f32>(0.0f);
-    var side_1 : u32 = u32(0);
+    var side_2 : u32 = u32(0);
     var jump_0 : vec3<f32> = _S355;
     for(;;)
     {
-        if(side_1 < u32(2))
+        if(side_2 < u32(2))
         {
         }
         else
         {
             break;
         }
-        var seen_5 : Side_0 = look_0(at_47, point_5, side_1);
+        var seen_5 : Side_0 = look_0(at_49, point_5, side_2);
         var _S356 : bool;
         if(!((largest_0(seen_5.scattered_2)) > 0.0f))
         {
@@ -4043,17 +4069,17 @@ fn jump_of_light_0( at_47 : ShadingPoint_0,  point_5 : EdgePoint_0) -> vec3<f32>
         }
         else
         {
-            _S356 = (emitter_seen_0(seen_5.found_2, seen_5.direction_15)) != (at_47.emitter_0);
+            _S356 = (emitter_seen_0(seen_5.found_2, seen_5.direction_15)) != (at_49.emitter_0);
         }
         if(_S356)
         {
-            side_1 = side_1 + u32(1);
+            side_2 = side_2 + u32(1);
             continue;
         }
-        var _S357 : Vector_0 = emitted_0(at_47.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_15));
+        var _S357 : Vector_0 = emitted_0(at_49.emitter_0, place_of_0(seen_5.found_2), still_0(seen_5.direction_15));
         var light_3 : vec3<f32> = seen_5.scattered_2 * value_of_0(_S357);
         var _S358 : vec3<f32>;
-        if(side_1 == u32(0))
+        if(side_2 == u32(0))
         {
             _S358 = light_3;
         }
@@ -4062,38 +4088,63 @@ fn jump_of_light_0( at_47 : ShadingPoint_0,  point_5 : EdgePoint_0) -> vec3<f32>
             _S358 = (vec3<f32>(0) - light_3);
         }
         jump_0 = jump_0 + _S358;
-        side_1 = side_1 + u32(1);
+        side_2 = side_2 + u32(1);
     }
     return jump_0;
 }
 
-fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_48 : ShadingPoint_0,  point_6 : EdgePoint_0,  number_of_path_2 : u32,  path_10 : Path_0)
+fn cross_at_0( crossed_2 : ptr<function, Crossed_0>,  at_50 : ShadingPoint_0,  point_6 : EdgePoint_0,  number_of_path_3 : u32,  path_10 : Path_0)
 {
-    var flow_0 : f32 = flow_at_0(at_48, point_6);
+    var flow_0 : f32 = flow_at_0(at_50, point_6);
     if(flow_0 == 0.0f)
     {
         return;
     }
-    var _S359 : vec3<f32> = jump_of_light_0(at_48, point_6);
+    var _S359 : vec3<f32> = jump_of_light_0(at_50, point_6);
     (*crossed_2).term_0 = (*crossed_2).term_0 + (*crossed_2).factor_1 * _S359 * vec3<f32>(flow_0);
     return;
 }
 
-fn draw_points_0( at_49 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  place_20 : f32,  number_of_path_3 : u32,  path_11 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
+fn draw_points_0( at_51 : ShadingPoint_0,  node_9 : u32,  probability_4 : f32,  place_20 : f32,  number_of_path_4 : u32,  path_11 : Path_0,  crossed_3 : ptr<function, Crossed_0>)
 {
     var _S360 : bool;
+    var in_parts_0 : bool = (at_51.purpose_0) == u32(0);
     var most_0 : u32 = edge_word_0(u32(9));
-    var _S361 : bool = (at_49.purpose_0) == u32(0);
-    var _S362 : u32;
-    if(_S361)
+    var part_2 : u32 = part_of_launch_0();
+    var left_2 : u32 = side_path_0(number_of_path_4, u32(0));
+    var leaves_2 : Leaves_0 = below_0(at_51, node_9);
+    var _S361 : bool;
+    if(in_parts_0)
     {
-        _S362 = most_0 * part_of_launch_0();
+        _S361 = part_2 > u32(0);
     }
     else
     {
-        _S362 = u32(0);
+        _S361 = false;
     }
-    var count_5 : u32 = u32(0);
+    var count_4 : u32;
+    if(_S361)
+    {
+        var count_5 : u32 = path_word_0(left_2, u32(20));
+        if(count_5 <= (most_0 * part_2))
+        {
+            return;
+        }
+        leaves_2.node_4 = path_word_0(left_2, u32(21));
+        count_4 = count_5;
+    }
+    else
+    {
+        count_4 = u32(0);
+    }
+    if(in_parts_0)
+    {
+        _S361 = part_2 == u32(0);
+    }
+    else
+    {
+        _S361 = false;
+    }
     var points_0 : u32 = u32(1);
     var least_3 : f32 = 0.0f;
     var over_all_0 : f32 = 0.0f;
@@ -4124,9 +4175,9 @@ fn draw_points_0( at_49 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
             }
             var least_4 : f32 = 0.02999999932944775f * contributions_0 / angles_0 + 9.99999968265522539e-21f;
             var total_1 : f32 = contributions_0 + least_4 * angles_0;
-            if(_S361)
+            if(in_parts_0)
             {
-                var parts_0 : f32 = ceil(f32(count_5) / f32(most_0));
+                var parts_0 : f32 = ceil(f32(count_4) / f32(most_0));
                 target_1 = min(4.0f * max(sqrt(pieces_1 / parts_0), 2.0f / parts_0), f32(edge_word_0(u32(10))));
             }
             else
@@ -4134,22 +4185,22 @@ fn draw_points_0( at_49 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                 target_1 = 1.0f;
             }
             var points_1 : u32 = u32(ceil(target_1 - 0.00100000004749745f));
-            var _S363 : f32 = f32(points_1);
-            var _S364 : f32 = probability_4 * _S363;
-            var step_2 : f32 = total_1 / _S363;
-            var _S365 : f32 = step_2 * place_20;
+            var _S362 : f32 = f32(points_1);
+            var _S363 : f32 = probability_4 * _S362;
+            var step_2 : f32 = total_1 / _S362;
+            var _S364 : f32 = step_2 * place_20;
             points_0 = points_1;
             least_3 = least_4;
-            over_all_0 = _S364;
+            over_all_0 = _S363;
             total_0 = total_1;
             step_1 = step_2;
-            target_1 = _S365;
+            target_1 = _S364;
         }
         else
         {
             target_1 = target_0;
         }
-        var leaves_2 : Leaves_0 = below_0(node_8);
+        var rest_4 : Leaves_0 = leaves_2;
         var leaf_3 : u32;
         var drawn_1 : u32 = drawn_0;
         var passed_0 : u32 = u32(0);
@@ -4160,33 +4211,40 @@ fn draw_points_0( at_49 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
         var target_2 : f32 = target_1;
         for(;;)
         {
-            var _S366 : bool;
+            var _S365 : bool;
             if(drawn_1 < points_0)
             {
-                if(pass_0 == u32(0))
+                if(passed_0 < most_0)
                 {
-                    _S366 = true;
+                    _S365 = true;
                 }
                 else
                 {
-                    _S366 = passed_0 < (_S362 + most_0);
+                    if(_S361)
+                    {
+                        _S365 = pass_0 == u32(0);
+                    }
+                    else
+                    {
+                        _S365 = false;
+                    }
                 }
+            }
+            else
+            {
+                _S365 = false;
+            }
+            var _S366 : bool;
+            if(_S365)
+            {
+                var _S367 : bool = next_leaf_0(at_51, &(rest_4), &(leaf_3));
+                _S366 = _S367;
             }
             else
             {
                 _S366 = false;
             }
-            var _S367 : bool;
             if(_S366)
-            {
-                var _S368 : bool = next_leaf_0(at_49, &(leaves_2), &(leaf_3));
-                _S367 = _S368;
-            }
-            else
-            {
-                _S367 = false;
-            }
-            if(_S367)
             {
             }
             else
@@ -4194,18 +4252,22 @@ fn draw_points_0( at_49 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                 break;
             }
             var passed_1 : u32 = passed_0 + u32(1);
-            if(passed_1 <= _S362)
-            {
-                _S360 = true;
-            }
-            else
-            {
-                _S360 = passed_1 > (_S362 + most_0);
-            }
-            if(_S360)
+            if(passed_1 > most_0)
             {
                 passed_0 = passed_1;
                 continue;
+            }
+            if(in_parts_0)
+            {
+                _S360 = passed_1 == most_0;
+            }
+            else
+            {
+                _S360 = false;
+            }
+            if(_S360)
+            {
+                set_word_0(left_2, u32(21), rest_4.node_4);
             }
             var k_9 : u32 = edge_word_0(leaf_3 + u32(2));
             var drawn_2 : u32 = drawn_1;
@@ -4216,16 +4278,16 @@ fn draw_points_0( at_49 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
             var target_3 : f32 = target_2;
             for(;;)
             {
-                var _S369 : bool;
+                var _S368 : bool;
                 if(k_9 < (edge_word_0(leaf_3 + u32(3))))
                 {
-                    _S369 = drawn_2 < points_0;
+                    _S368 = drawn_2 < points_0;
                 }
                 else
                 {
-                    _S369 = false;
+                    _S368 = false;
                 }
-                if(_S369)
+                if(_S368)
                 {
                 }
                 else
@@ -4233,14 +4295,14 @@ fn draw_points_0( at_49 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                     break;
                 }
                 var seen_6 : SeenEdge_0;
-                var _S370 : bool = see_edge_0(at_49, k_9, &(seen_6));
+                var _S369 : bool = see_edge_0(at_51, k_9, &(seen_6));
                 var drawn_3 : u32;
                 var contributions_3 : f32;
                 var angles_3 : f32;
                 var pieces_4 : f32;
                 var cumulative_3 : f32;
                 var target_4 : f32;
-                if(!_S370)
+                if(!_S369)
                 {
                     drawn_3 = drawn_2;
                     contributions_3 = contributions_2;
@@ -4273,7 +4335,7 @@ fn draw_points_0( at_49 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                     {
                         break;
                     }
-                    var weight_0 : vec2<f32> = weigh_0(at_49, seen_6, piece_2);
+                    var weight_0 : vec2<f32> = weigh_0(at_51, seen_6, piece_2);
                     if(pass_0 == u32(0))
                     {
                         var angles_4 : f32 = angles_3 + weight_0.y;
@@ -4290,26 +4352,26 @@ fn draw_points_0( at_49 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
                     var target_5 : f32 = target_4;
                     for(;;)
                     {
-                        var _S371 : bool;
+                        var _S370 : bool;
                         if(drawn_4 < points_0)
                         {
-                            _S371 = target_5 < cumulative_4;
+                            _S370 = target_5 < cumulative_4;
                         }
                         else
                         {
-                            _S371 = false;
+                            _S370 = false;
                         }
-                        if(_S371)
+                        if(_S370)
                         {
                         }
                         else
                         {
                             break;
                         }
-                        var _S372 : u32 = drawn_4 + u32(1);
+                        var _S371 : u32 = drawn_4 + u32(1);
                         var target_6 : f32 = target_5 + step_1;
-                        cross_at_0(&((*crossed_3)), at_49, point_on_0(at_49, seen_6, piece_2, clamp((target_5 - cumulative_3) / own_1, 0.0f, 1.0f), over_all_0 * own_1 / total_0), number_of_path_3, path_11);
-                        drawn_4 = _S372;
+                        cross_at_0(&((*crossed_3)), at_51, point_on_0(at_51, seen_6, piece_2, clamp((target_5 - cumulative_3) / own_1, 0.0f, 1.0f), over_all_0 * own_1 / total_0), number_of_path_4, path_11);
+                        drawn_4 = _S371;
                         target_5 = target_6;
                     }
                     cumulative_3 = cumulative_4;
@@ -4333,7 +4395,15 @@ fn draw_points_0( at_49 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
             cumulative_1 = cumulative_2;
             target_2 = target_3;
         }
-        if(pass_0 > u32(0))
+        if(!_S361)
+        {
+            _S360 = true;
+        }
+        else
+        {
+            _S360 = pass_0 > u32(0);
+        }
+        if(_S360)
         {
             pass_0 = pass_0 + u32(1);
             angles_0 = angles_1;
@@ -4344,20 +4414,22 @@ fn draw_points_0( at_49 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
             target_0 = target_2;
             continue;
         }
-        if(_S362 == u32(0))
+        if(passed_0 <= most_0)
         {
-            _S360 = passed_0 > most_0;
+            count_4 = passed_0;
+            pass_0 = pass_0 + u32(1);
+            angles_0 = angles_1;
+            contributions_0 = contributions_1;
+            pieces_1 = pieces_2;
+            drawn_0 = drawn_1;
+            cumulative_0 = cumulative_1;
+            target_0 = target_2;
+            continue;
         }
-        else
-        {
-            _S360 = false;
-        }
-        if(_S360)
-        {
-            var _S373 : u32 = (passed_0 + most_0 - u32(1)) / most_0;
-            var _S374 : u32 = atomicMax(&(sums_0[u32(3)]), _S373);
-        }
-        count_5 = passed_0;
+        set_word_0(left_2, u32(20), passed_0);
+        var _S372 : u32 = (passed_0 + most_0 - u32(1)) / most_0;
+        var _S373 : u32 = atomicMax(&(sums_0[u32(3)]), _S372);
+        count_4 = passed_0;
         pass_0 = pass_0 + u32(1);
         angles_0 = angles_1;
         contributions_0 = contributions_1;
@@ -4369,13 +4441,13 @@ fn draw_points_0( at_49 : ShadingPoint_0,  node_8 : u32,  probability_4 : f32,  
     return;
 }
 
-fn sample_points_0( at_50 : ShadingPoint_0,  number_of_path_4 : u32,  path_12 : Path_0,  crossed_4 : ptr<function, Crossed_0>)
+fn sample_points_0( at_52 : ShadingPoint_0,  number_of_path_5 : u32,  path_12 : Path_0,  crossed_4 : ptr<function, Crossed_0>)
 {
-    var numbers_8 : u32 = numbers_for_0(at_50.purpose_0) + u32(1);
-    var part_2 : u32 = part_of_launch_0();
-    var node_9 : u32 = edge_word_0(at_50.tree_0);
+    var numbers_8 : u32 = numbers_for_0(at_52.purpose_0) + u32(1);
+    var part_3 : u32 = part_of_launch_0();
+    var node_10 : u32 = node_at_0(at_52, u32(0));
     var probability_5 : f32 = 1.0f;
-    if((at_50.purpose_0) != u32(0))
+    if((at_52.purpose_0) != u32(0))
     {
         var subtrees_0 : u32;
         if((depth_of_launch_0()) == u32(0))
@@ -4386,47 +4458,47 @@ fn sample_points_0( at_50 : ShadingPoint_0,  number_of_path_4 : u32,  path_12 : 
         {
             subtrees_0 = u32(1);
         }
-        var _S375 : f32 = f32(subtrees_0);
-        var u_3 : f32 = (f32(part_2) + precise_random_0(path_12.key_0, numbers_8)) / _S375;
-        var _S376 : bool;
-        if(part_2 >= subtrees_0)
+        var _S374 : f32 = f32(subtrees_0);
+        var u_3 : f32 = (f32(part_3) + precise_random_0(path_12.key_0, numbers_8)) / _S374;
+        var _S375 : bool;
+        if(part_3 >= subtrees_0)
         {
-            _S376 = true;
+            _S375 = true;
         }
         else
         {
-            var _S377 : bool = descend_0(at_50, u_3, &(node_9), &(probability_5));
-            _S376 = !_S377;
+            var _S376 : bool = descend_0(at_52, u_3, &(node_10), &(probability_5));
+            _S375 = !_S376;
         }
-        if(_S376)
+        if(_S375)
         {
             return;
         }
-        probability_5 = probability_5 * _S375;
+        probability_5 = probability_5 * _S374;
     }
-    var place_21 : f32 = precise_random_0(path_12.key_0, numbers_8 + u32(1)) + 0.6180340051651001f * f32(part_2);
-    draw_points_0(at_50, node_9, probability_5, place_21 - floor(place_21), number_of_path_4, path_12, &((*crossed_4)));
+    var place_21 : f32 = precise_random_0(path_12.key_0, numbers_8 + u32(1)) + 0.6180340051651001f * f32(part_3);
+    draw_points_0(at_52, node_10, probability_5, place_21 - floor(place_21), number_of_path_5, path_12, &((*crossed_4)));
     return;
 }
 
-fn add_0( number_of_path_5 : u32,  crossed_5 : Crossed_0)
+fn add_0( number_of_path_6 : u32,  crossed_5 : Crossed_0)
 {
     var change_7 : u32 = u32(4);
-    var before_2 : vec3<f32> = path_vector_0(number_of_path_5, &(change_7));
+    var before_2 : vec3<f32> = path_vector_0(number_of_path_6, &(change_7));
     change_7 = u32(4);
-    set_vector_0(number_of_path_5, &(change_7), before_2 + crossed_5.term_0);
+    set_vector_0(number_of_path_6, &(change_7), before_2 + crossed_5.term_0);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S378 : u32;
+    var _S377 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S379 : u32 = u32(2) + zero_0;
-        _S378 = _S379;
-        if(rounds_0 < _S379)
+        var _S378 : u32 = u32(2) + zero_0;
+        _S377 = _S378;
+        if(rounds_0 < _S378)
         {
         }
         else
@@ -4435,14 +4507,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S378;
+    return rounds_0 == _S377;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S380 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S379 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
@@ -4456,12 +4528,16 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     {
         return;
     }
-    var number_of_path_6 : u32 = input_0[listed_0];
+    var number_of_path_7 : u32 = input_0[listed_0];
+    if((part_of_launch_0()) == u32(0))
+    {
+        set_word_0(side_path_0(number_of_path_7, u32(0)), u32(20), u32(0));
+    }
     var factor_5 : vec3<f32>;
-    var path_13 : Path_0 = path_at_vertex_0(number_of_path_6, &(factor_5));
-    var at_51 : ShadingPoint_0;
-    var _S381 : bool = shading_point_0(path_13, &(at_51));
-    if(!_S381)
+    var path_13 : Path_0 = path_at_vertex_0(number_of_path_7, &(factor_5));
+    var at_53 : ShadingPoint_0;
+    var _S380 : bool = shading_point_0(path_13, &(at_53));
+    if(!_S380)
     {
         return;
     }
@@ -4476,17 +4552,17 @@ fn cross_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         {
             break;
         }
-        var probability_6 : f32 = turn_to_0(purpose_3, path_13.key_0, &(at_51));
+        var probability_6 : f32 = turn_to_0(purpose_3, path_13.key_0, &(at_53));
         if(!(probability_6 > 0.0f))
         {
             purpose_3 = purpose_3 + u32(1);
             continue;
         }
         crossed_6.factor_1 = factor_5 / vec3<f32>(probability_6);
-        sample_points_0(at_51, number_of_path_6, path_13, &(crossed_6));
+        sample_points_0(at_53, number_of_path_7, path_13, &(crossed_6));
         purpose_3 = purpose_3 + u32(1);
     }
-    add_0(number_of_path_6, crossed_6);
+    add_0(number_of_path_7, crossed_6);
     check_loops_0();
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from walk.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 22442b3707733218
-// result: 7c2abe5c795f4ce4
+// source: 2fd2131a7800ca45
+// result: 55cf8b80acdab303
 
 struct Launch_std140_0
 {
@@ -2718,8 +2718,8 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
         var _S237 : bool;
         if((edge_word_0(node_4)) != u32(4294967295))
         {
-            var near_1 : u32 = nodes_at_0 + u32(45) * edge_word_0(node_4);
-            var far_1 : u32 = nodes_at_0 + u32(45) * edge_word_0(node_4 + u32(1));
+            var near_1 : u32 = node_4 + u32(45);
+            var far_1 : u32 = nodes_at_0 + u32(45) * edge_word_0(node_4);
             var of_near_0 : Ball_0 = ball_of_0(near_1, chain_2.image_0, chain_2.direction_11);
             var of_far_0 : Ball_0 = ball_of_0(far_1, chain_2.image_0, chain_2.direction_11);
             var skips_near_0 : bool = is_beyond_0(of_near_0, rough_limit_0);

@@ -1,7 +1,7 @@
 //! The boundary term of the edges that the camera sees: beside the processor's, sample by sample, in
 //! scenes whose derivative has no other term.
 
-use capwalk_diff::{GradientOptions, Method};
+use capwalk_diff::{GradientOptions, Method, Wanted};
 use capwalk_gpu::Precision;
 use capwalk_gpu_render::{DeviceError, DeviceScene};
 use capwalk_math::{Rgb, Vec3};
@@ -9,6 +9,7 @@ use capwalk_render::{GradientImage, PreparedScene, RenderOptions, Unwatched, Wat
 use capwalk_scene::{Scene, ShapeVectors, Tangent};
 
 use crate::beside::different;
+use crate::derivatives::adjoint;
 use crate::faults::Impatient;
 use crate::{device, scenes};
 
@@ -340,6 +341,26 @@ fn samples_are_whole_where_work_is_stopped() {
         }
     }
     assert!(with_derivative > 0);
+    let (adjoint, wanted) = (adjoint(prepared.scene()), Wanted::by(&tangent));
+    let gradient = |watch: &dyn Watch| {
+        let found = on_device.backward_in_parts(&adjoint, &wanted, &options(1), 97, watch);
+        found.expect("supported")
+    };
+    let whole = gradient(&Unwatched);
+    for until in (0..16).map(|i| 1 << i) {
+        let some = gradient(&Impatient::new(until));
+        // Of one sample of the image, all or nothing.
+        let expected = match some.statistics.complete {
+            true => whole.gradient().clone(),
+            false => whole.gradient().scaled(0.0),
+        };
+        assert!(*some.gradient() == expected, "{until}");
+        if some.statistics.complete {
+            return;
+        }
+        assert_eq!(some.statistics.samples, 0, "{until}");
+    }
+    panic!("it never ends");
 }
 
 /// With what it is, before a sample is taken.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use capwalk_diff::{GradientOptions, Wanted};
 use capwalk_geometry::Mesh;
 use capwalk_gpu::{Gpu, GpuError, GpuOptions, Precision};
 use capwalk_gpu_render::{DeviceError, DeviceScene};
@@ -10,6 +11,7 @@ use capwalk_math::Vec3;
 use capwalk_render::{PreparedScene, RenderOptions, Unwatched, Watch};
 use capwalk_scene::{ShadingNormals, Shape};
 
+use crate::derivatives::{adjoint, all_texels};
 use crate::{device, scenes};
 
 /// Stops the work after some calls that ask for it.
@@ -82,6 +84,39 @@ fn lost_devices_are_errors() {
     let options = RenderOptions::new(1, 1);
     assert!(is_lost(on_device.render(&options, &Unwatched).err()));
     assert!(is_lost(DeviceScene::new(&gpu, &prepared).err()));
+}
+
+/// Where memory is scarce parts are smaller, with the same bits; without room for a small one there is an
+/// error.
+#[test]
+fn scarce_memory_makes_parts_smaller() {
+    if device::open(Precision::Double).is_none() {
+        return;
+    }
+    let gpu = Arc::new(Gpu::new(&GpuOptions::default()).expect("a device"));
+    let mut scene = scenes::scene("parity/bitmap_box.xml");
+    scene.film.resize([20, 15]);
+    let (wanted, adjoint) = (Wanted::by(&all_texels(&scene)), adjoint(&scene));
+    let prepared = PreparedScene::new(scene);
+    let on_device = DeviceScene::new(&gpu, &prepared).expect("supported");
+    let options = RenderOptions::new(4, 1);
+    let image = || on_device.render(&options, &Unwatched);
+    let gradient = || {
+        let options = GradientOptions::new(options);
+        on_device.backward(&adjoint, &wanted, &options, &Unwatched)
+    };
+    let both = || {
+        let gradient = gradient().expect("room");
+        (image().expect("room").value, gradient.gradient().clone())
+    };
+    let whole = both();
+    gpu.pretend_memory(1 << 17);
+    assert!(both() == whole);
+    gpu.pretend_memory(100);
+    let no_room = |error: Option<DeviceError>| {
+        matches!(error, Some(DeviceError::Gpu(GpuError::OutOfMemory { .. })))
+    };
+    assert!(no_room(image().err()) && no_room(gradient().err()));
 }
 
 /// A scene that has no room in a buffer is an error that says so.

@@ -77,6 +77,31 @@ fn small_buffers() {
     );
 }
 
+/// Where memory is scarce, batches are cut with the same answers; less than a group of queries needs is an
+/// error, and so is a tree that has no room.
+#[test]
+fn scarce_memory() {
+    let Some((gpu, _turn)) = open(&GpuOptions::default()) else {
+        return;
+    };
+    let mesh = meshes::grid(12, 10, true, &mut Random(4));
+    let tree = RayTree::build(&mesh);
+    let device = DeviceRayTree::new(&gpu, &tree).expect("room");
+    let many = rays(3001);
+    let hits = || device.first_hits(&many);
+    let whole = hits().expect("room");
+    gpu.pretend_memory(20_000);
+    assert_eq!(hits().expect("parts have room"), whole);
+    gpu.pretend_memory(100);
+    let no_room = |error| matches!(error, GpuError::OutOfMemory { .. });
+    assert!(no_room(hits().expect_err("no room for a group")));
+    assert!(no_room(
+        DeviceRayTree::new(&gpu, &tree).expect_err("no room")
+    ));
+    gpu.pretend_memory(u64::MAX);
+    assert_eq!(hits().expect("room again"), whole);
+}
+
 /// A launch that takes too long is an error, not a hang.
 #[test]
 fn timeout() {
