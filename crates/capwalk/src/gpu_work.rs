@@ -114,9 +114,6 @@ fn found<T>(
         Err(DeviceError::Unsupported(missing)) if may_fall_back => {
             on_processor(Some(remark(&missing.what)))
         }
-        Err(DeviceError::Gpu(error @ GpuError::TreeTooLarge { .. })) if may_fall_back => {
-            on_processor(Some(remark(&error)))
-        }
         Err(error) => Err(failure(error)),
     }
 }

@@ -36,10 +36,11 @@ Exit status:
   1  check: the gradient is wrong; compare: the images differ beyond their errors;
      optimize: a guard stopped it (what was found before is written)
   2  check, compare: inconclusive, the noise is too large
-  3  bad input, a derivative that is refused, or results that cannot be written
+  3  bad input, a derivative that is refused, results that cannot be written, or a
+     --time-limit that ended before the first sample
   4  more than 1 in 10^6 samples was infinite or NaN (the images are written);
      optimize: the loss or its gradient was
-  5  stopped by Ctrl-C (what was done is written, marked as partial)
+  5  stopped by Ctrl-C (what was done is written, if anything was, marked as partial)
   6  check: something is left out (--allow-missing), and the rest is not wrong";
 
 #[derive(Subcommand, Debug)]
@@ -158,7 +159,7 @@ pub struct SamplingArgs {
     /// Worker threads; changes no bit of the result [default: all cores]
     #[arg(short = 't', long, value_name = "N", value_parser = parse::threads)]
     pub threads: Option<usize>,
-    /// Stop after this time (30, 30s, 5m, 1h) and keep what is done
+    /// Stop after this time (30, 30s, 5m, 1h) and keep what is done, if anything is
     #[arg(long, value_name = "TIME", value_parser = parse_duration)]
     pub time_limit: Option<Duration>,
 }

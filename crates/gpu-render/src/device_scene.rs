@@ -126,7 +126,7 @@ impl<'a> DeviceScene<'a> {
     }
 
     /// Uploads the edges that paths cross where the scene moves, given what is known of its motion; an error
-    /// if there are too many.
+    /// if there is no room for them.
     pub(crate) fn edges<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
@@ -142,18 +142,21 @@ impl<'a> DeviceScene<'a> {
             false => AT_ONCE_ON_HARDWARE,
         };
         let records = EdgeRecords::new(tracer, boundaries, eval, motion, &self.frame, at_once);
-        if records.leaves.div_ceil(at_once[0] as usize) > MOST_PARTS {
-            let what = format!(
-                "the scene has {} groups of edges, more than {} looks at, and it moves",
-                records.leaves,
-                self.gpu.name()
-            );
-            return Err(Unsupported { what }.into());
+        let no_room = || {
+            let (count, name) = (boundaries.edges().len(), self.gpu.name());
+            let what = format!("{name} has no room for {count} edges, and something moves");
+            DeviceError::from(Unsupported { what })
+        };
+        if records.leaves_before_areas.div_ceil(at_once[0] as usize) > MOST_PARTS {
+            return Err(no_room());
         }
         let image = match only_diffuse(self.prepared.scene()) {
             true => &DIFFUSE_IMAGE,
             false => &IMAGE,
         };
-        Ok(DeviceEdges::new(&self.gpu, numbers, records, image)?)
+        DeviceEdges::new(&self.gpu, numbers, records, image).map_err(|error| match error {
+            GpuError::TreeTooLarge { .. } | GpuError::OutOfMemory { .. } => no_room(),
+            error => error.into(),
+        })
     }
 }

@@ -40,8 +40,8 @@ pub struct EdgeRecords {
     pub words: Vec<u32>,
     /// Where paths can cross edges.
     pub crosses: Crosses,
-    /// How many leaves the largest tree has.
-    pub leaves: usize,
+    /// How many leaves the edges before area emitters have.
+    pub leaves_before_areas: usize,
 }
 
 /// What the kernels read of how edges move.
@@ -127,33 +127,35 @@ impl EdgeRecords {
             numbers: vec![ON_PLANE, away, IN_PLANE, BESIDE, half, whole],
             words: vec![0; HEADER],
             crosses,
-            leaves: 0,
+            leaves_before_areas: 0,
         };
         let mut tree = |selection, is_needed| match is_needed {
             true => {
                 let sampler = boundaries.edge_sampler(accel, selection);
                 records.add_trees(sampler, boundaries, eval, motion, frame)
             }
-            false => [NONE; 2],
+            false => ([NONE; 2], 0),
         };
         let needs_silhouettes = surroundings || areas && !emits_partly;
-        let silhouettes = tree(
+        let ([silhouettes, moving_silhouettes], few) = tree(
             EdgeSelection::Silhouettes,
             (crosses.before_areas(0) || crosses.before_environment(0)) && needs_silhouettes,
         );
-        let all = tree(
+        let ([all, moving], many) = tree(
             EdgeSelection::All,
             plan.reaches(3) || crosses.before_areas(0) && emits_partly,
         );
         let before_emitters = u32::from(emits_partly);
+        if crosses.before_areas(0) {
+            records.leaves_before_areas = if emits_partly { many } else { few };
+        }
         let windows =
             records.add_windows(&boundaries.area_emitters, frame, accel.scene.emitters.len());
-        let [first, second] = [silhouettes, all];
         let header = [
-            first[0],
-            second[0],
-            first[1],
-            second[1],
+            silhouettes,
+            all,
+            moving_silhouettes,
+            moving,
             before_emitters,
             windows,
             walks.map_or(0, |walks| walks.first_number),
@@ -167,7 +169,7 @@ impl EdgeRecords {
     }
 
     /// Adds the tree of a sampler's edges, of all of them and of those alone that move; returns where
-    /// both start, [`NONE`] for one without edges.
+    /// both start, [`NONE`] for one without edges, and how many leaves the first one has.
     fn add_trees<R: Real, W: SceneEval<R>>(
         &mut self,
         sampler: &EdgeSampler,
@@ -175,7 +177,7 @@ impl EdgeRecords {
         eval: &W,
         motion: &EdgeMotion,
         frame: &LocalFrame,
-    ) -> [u32; 2] {
+    ) -> ([u32; 2], usize) {
         let buffers = sampler.buffers();
         let moves = |edge: &u32| {
             let mut points = boundaries.edge(*edge).vertices.into_iter();
@@ -185,14 +187,17 @@ impl EdgeRecords {
         let motions = sampler.motions(|point| eval.motion_of_point(point));
         let all = vec![true; moving.len()];
         let mut add = |kept: &[bool]| {
-            let tree = KeptEdges::new(&buffers, kept)?;
-            Some(self.add_tree(
+            let Some(tree) = KeptEdges::new(&buffers, kept) else {
+                return (NONE, 0);
+            };
+            let at = self.add_tree(
                 &tree, &buffers, sampler, &motions, boundaries, eval, motion, frame,
-            ))
+            );
+            (at, tree.leaves())
         };
-        let whole = add(&all);
-        let part = if moving == all { whole } else { add(&moving) };
-        [whole, part].map(|tree| tree.unwrap_or(NONE))
+        let (whole, leaves) = add(&all);
+        let part = if moving == all { whole } else { add(&moving).0 };
+        ([whole, part], leaves)
     }
 
     /// Adds a tree, and returns where it starts.
@@ -269,8 +274,6 @@ impl EdgeRecords {
             self.numbers.extend(normals.map(Vec3::length));
         }
 
-        let leaves = tree.nodes.iter().filter(|node| node.second.is_none());
-        self.leaves = self.leaves.max(leaves.count());
         let nodes_at = self.words.len() as u32;
         let bounds = buffers.bounds.as_chunks::<BOUNDS>().0;
         for node in &tree.nodes {

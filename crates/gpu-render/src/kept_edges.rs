@@ -47,6 +47,12 @@ impl KeptEdges {
         Some(tree)
     }
 
+    /// How many leaves there are.
+    pub fn leaves(&self) -> usize {
+        let leaves = self.nodes.iter().filter(|node| node.second.is_none());
+        leaves.count()
+    }
+
     /// Adds what is kept of a node, which is something, at this level, and returns its number.
     fn add(&mut self, nodes: &[[u32; NODE]], source: usize, level: usize) -> usize {
         assert!(level <= DEEPEST, "walks have no room for so many levels");
@@ -124,6 +130,18 @@ mod tests {
                 }
                 let expected: Vec<usize> = (0..count).filter(|&i| kept[i]).collect();
                 assert_eq!(listed, expected);
+                // The first half follows its node, the second one the first.
+                assert_eq!(tree.nodes[0].end, tree.nodes.len());
+                for (i, node) in tree.nodes.iter().enumerate() {
+                    let Some(second) = node.second else {
+                        assert_eq!(node.end, i + 1);
+                        continue;
+                    };
+                    let halves = [&tree.nodes[i + 1], &tree.nodes[second]];
+                    assert_eq!(halves.map(|half| half.end), [second, node.end]);
+                    let edges = halves.map(|half| half.edges.clone());
+                    assert_eq!(edges[0].start..edges[1].end, node.edges);
+                }
                 let is_whole = step == 1 && selection == EdgeSelection::Silhouettes;
                 assert!(!is_whole || tree.nodes.len() == nodes.len());
             }

@@ -12,6 +12,9 @@ use capwalk_walk::Estimator;
 
 use crate::edge_paths::LAST_VERTEX;
 
+/// So many segments after roulette began nobody sees a path.
+const AFTER_ROULETTE: u32 = 1000;
+
 /// Something of a scene or of options that the device's renderer does not have.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{what}: not on the GPU yet; use the CPU (`--device cpu`)")]
@@ -38,9 +41,9 @@ pub fn unsupported_options(options: &RenderOptions) -> Option<Unsupported> {
 
 /// The first thing of a derivative that the device's renderer does not have, by a method. It has those
 /// with respect to the numbers of materials, but for rough coats, to what emitters send, and by edges to
-/// what moves, unless rays are parallel, a mirror is curved or may show another one many times, or the
-/// film alone changes. Directions towards surfaces walk where edges there cannot be gathered or are not to
-/// be.
+/// what moves, unless rays are parallel, a mirror is curved or may show another one many times, mirrors are
+/// too many, paths too long, or the film alone changes. Directions towards surfaces walk where edges there
+/// cannot be gathered or are not to be, in the usual way.
 pub fn unsupported_derivative(
     prepared: &PreparedScene,
     wanted: &Wanted,
@@ -103,8 +106,10 @@ fn in_motion(
     };
     let long = || {
         let plan = Plan::new(scene);
+        // Roulette ends one path in twenty at each vertex, or more.
+        let by_roulette = plan.rr_depth.saturating_add(AFTER_ROULETTE);
         let longest = plan.max_depth.unwrap_or(u32::MAX);
-        (longest.min(plan.rr_depth) > LAST_VERTEX)
+        (longest.min(by_roulette) > LAST_VERTEX)
             .then(|| format!("paths may have more than {LAST_VERTEX} segments"))
     };
     // There the film moves under rays that stay, and its points with it.

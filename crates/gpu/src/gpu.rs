@@ -18,7 +18,7 @@ use crate::wgpu_driver::WgpuDriver;
 /// Queries of the first launch of a kernel, when it is not known yet how long they take.
 const FIRST: usize = 1 << 12;
 
-/// A GPU runs so many groups of threads at once: launches of fewer take as long.
+/// No launch on a GPU has fewer groups of threads than about run at once: on most, fewer take as long.
 const GROUPS_AT_ONCE: usize = 64;
 
 /// How many times as long as others a launch may take that a software device compiles a kernel for.
@@ -48,7 +48,7 @@ pub struct GpuOptions {
     /// cut to fit.
     pub largest_buffer: Option<u64>,
     /// A launch should take about this long: screens of a GPU that also shows a desktop
-    /// stand still meanwhile.
+    /// stand still meanwhile. It takes longer where 64 groups of threads do.
     pub launch: Duration,
     /// A launch that takes longer than this is an error. The first one of a kernel may take ten
     /// times as long on a software device, which compiles it then.

@@ -378,6 +378,9 @@ fn what_has_no_edges_yet_is_refused() {
     };
     let room = |material| scene(PATHS, "perspective", "box", &lit_room(material));
     let deep = PATHS.replace(r#""max_depth" value="4""#, r#""max_depth" value="8""#);
+    let long = PATHS
+        .replace(r#""max_depth" value="4""#, r#""max_depth" value="-1""#)
+        .replace(r#""rr_depth" value="2""#, r#""rr_depth" value="70000""#);
     let ball = r#"<shape type="sphere" id="ball">
     <float name="radius" value="0.3"/><ref id="material"/>
   </shape>"#;
@@ -408,6 +411,12 @@ fn what_has_no_edges_yet_is_refused() {
             Precision::Double,
             edges,
             "mirrors may show each other more than 6 times",
+        ),
+        (
+            scene(&long, "perspective", "box", &lit_room(DIFFUSE)),
+            Precision::Double,
+            edges,
+            "paths may have more than 65535 segments",
         ),
         (
             room(DIFFUSE),

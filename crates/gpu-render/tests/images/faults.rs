@@ -12,6 +12,7 @@ use capwalk_render::{PreparedScene, RenderOptions, Unwatched, Watch};
 use capwalk_scene::{ShadingNormals, Shape};
 
 use crate::derivatives::{adjoint, all_texels};
+use crate::motion::everything;
 use crate::{device, scenes};
 
 /// Stops the work after some calls that ask for it.
@@ -117,6 +118,15 @@ fn scarce_memory_makes_parts_smaller() {
         matches!(error, Some(DeviceError::Gpu(GpuError::OutOfMemory { .. })))
     };
     assert!(no_room(image().err()) && no_room(gradient().err()));
+    // Before anything is done, so that the processor can do it.
+    let moving = everything(prepared.scene());
+    let error = on_device.gradient(&moving, &GradientOptions::new(options), &Unwatched);
+    match error.err() {
+        Some(DeviceError::Unsupported(found)) => {
+            assert!(found.what.contains("has no room"), "{found}");
+        }
+        other => panic!("{other:?}"),
+    }
 }
 
 /// A scene that has no room in a buffer is an error that says so.
