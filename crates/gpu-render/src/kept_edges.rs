@@ -8,9 +8,9 @@ use capwalk_geometry::sampler_buffers::{NODE, NONE, SamplerBuffers};
 /// is sampled better than what is in several.
 pub const LEAF: usize = 32;
 
-/// Walks have room for so many levels (`LONGEST_WAY` of `nearest_edge.slang`): the sampler's trees have 60,
-/// and then halves of at most 2³² edges.
-const DEEPEST: usize = 92;
+/// The most levels of a tree: walks have no room for more. The sampler's trees have 60, and then halves of at
+/// most 2³² edges.
+pub const DEEPEST: usize = 92;
 
 /// A tree of some edges.
 pub struct KeptEdges {

@@ -132,8 +132,10 @@ pub const WALK_BACK: CompiledKernel = compiled!("walk_back");
 mod tests {
     use capwalk_boundary::MAX_EVENTS;
     use capwalk_gpu::RAYS_SOURCE;
+    use capwalk_math::frame::POINTS_DOWN;
 
     use super::*;
+    use crate::kept_edges::DEEPEST;
 
     /// Whoever changes a source must compile it again, and nobody edits the result.
     #[test]
@@ -184,7 +186,10 @@ mod tests {
         // What the kernels of walks take for granted of the processor's code, and of each other.
         let mirrors = include_str!("kernels/mirrors.slang");
         assert!(mirrors.contains(&format!("MOST_MIRRORS = {MAX_EVENTS};")));
+        let nearest = include_str!("kernels/nearest_edge.slang");
+        assert!(nearest.contains(&format!("LONGEST_WAY = {DEEPEST};")));
         let paths = include_str!("kernels/paths.slang");
+        assert!(paths.contains(&format!("DOWNWARDS = {POINTS_DOWN:e};")));
         let words = |text: String| assert!(paths.contains(&text), "{text}");
         words(format!("LIGHT_CHANGE = 4, WALKED = {};", FORWARD.path - 4));
         words(format!(

@@ -3,9 +3,9 @@
 use crate::real::Real;
 use crate::vec3::Vec3;
 
-/// Normals whose `z` is less have the frames of those that point down. Not zero: there rounding would
-/// decide at upright walls, on each device in another way.
-const BELOW: f64 = -1e-5;
+/// Normals whose `z` is less than this have the frames of those that point down. Not zero: there rounding
+/// would decide at upright walls, on each device in another way.
+pub const POINTS_DOWN: f64 = -1e-5;
 
 /// Three orthonormal directions, right-handed: `s × t = n`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +25,7 @@ impl<R: Real> Frame<R> {
     #[inline]
     pub fn from_normal(n: Vec3<R>) -> Self {
         let one = R::constant(1.0);
-        let sign = R::constant(if n.z.value() < BELOW { -1.0 } else { 1.0 });
+        let sign = R::constant(if n.z.value() < POINTS_DOWN { -1.0 } else { 1.0 });
         let a = -one / (sign + n.z);
         let b = n.x * n.y * a;
         Self {
@@ -95,6 +95,20 @@ mod tests {
             assert!(frame.s.dot(frame.t).abs() < 1e-15);
             let v = Vec3::new(0.3, 2.0, -0.7);
             assert!((frame.to_world(frame.to_local(v)) - v).length() < 1e-14);
+        }
+    }
+
+    /// Rounding moves the normal of an upright wall, and its frame by no more.
+    #[test]
+    fn is_continuous_at_upright_walls() {
+        for [x, y] in [[1.0, 0.0], [0.0, 1.0], [0.6, -0.8], [-0.8, -0.6]] {
+            let frame = |z: f64| Frame::from_normal(Vec3::new(x, y, z).normalized());
+            let upright = frame(0.0);
+            for z in [-0.0, 1e-6, -1e-6] {
+                let turned = frame(z);
+                assert!((turned.s - upright.s).length() <= 2.0 * z.abs());
+                assert!((turned.t - upright.t).length() <= 2.0 * z.abs());
+            }
         }
     }
 }
