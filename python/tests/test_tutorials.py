@@ -1,10 +1,13 @@
-"""The tutorials of the documentation, at small size.
+"""The tutorials of the documentation, at small size; where the variable CAPWALK_THOROUGH is set, at full size
+as well, and then they print what is stored.
 
 ``python python/tests/test_tutorials.py [NAME...]`` runs them at full size and stores what they show.
 """
 
 from __future__ import annotations
 
+import os
+import re
 import sys
 from pathlib import Path
 from typing import Any
@@ -33,14 +36,68 @@ def executed(path: Path) -> Any:
     return client.execute(cwd=str(path.parent))
 
 
-@pytest.mark.parametrize("name", NEEDS)
-def test_tutorial(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def skip_without_packages(name: str) -> None:
     for module in ("matplotlib", *NEEDS[name]):
         pytest.importorskip(module)
     if name == "beside_mitsuba" and not has_llvm():
         pytest.skip("Mitsuba cannot render with LLVM here")
+
+
+@pytest.mark.parametrize("name", NEEDS)
+def test_tutorial(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    skip_without_packages(name)
     monkeypatch.setenv("CAPWALK_SMALL", "1")
     executed(FOLDER / f"{name}.ipynb")
+
+
+@pytest.mark.skipif("CAPWALK_THOROUGH" not in os.environ, reason="takes minutes (CAPWALK_THOROUGH)")
+@pytest.mark.parametrize("name", NEEDS)
+def test_stored_outputs_are_those_of_a_run(name: str) -> None:
+    skip_without_packages(name)
+    path = FOLDER / f"{name}.ipynb"
+    nbformat: Any = pytest.importorskip("nbformat")
+    stored, found = printed(nbformat.read(path, as_version=4)), printed(executed(path))
+    stale = [
+        f"cell {number} stores\n{old}\nbut prints\n{new}"
+        for number, (old, new) in enumerate(zip(stored, found, strict=True))
+        if not is_same(old, new)
+    ]
+    assert not stale, "\n\n".join([*stale, f"to store them: python python/tests/test_tutorials.py {name}"])
+
+
+def printed(notebook: Any) -> list[str]:
+    """What each cell prints, pictures as what stands for them in a terminal."""
+    texts = []
+    for cell in notebook.cells:
+        outputs = _joined(cell.get("outputs", []))
+        texts.append("\n".join(output.get("text") or output.data["text/plain"] for output in outputs))
+    return texts
+
+
+def is_same(stored: str, found: str) -> bool:
+    """True if two texts have the same words, and numbers that differ by at most one in the last digit."""
+    number = r"-?\d[\d,]*(?:\.\d+)?(?:e-?\d+)?"
+    pairs = zip(re.findall(number, stored), re.findall(number, found), strict=False)
+    close = all(abs(float(a) - float(b)) <= 1.01 * max(_last(a), _last(b)) for a, b in map(_plain, pairs))
+    return close and re.split(number, stored) == re.split(number, found)
+
+
+def _plain(pair: tuple[str, str]) -> tuple[str, str]:
+    a, b = (text.replace(",", "") for text in pair)
+    return a, b
+
+
+def _last(number: str) -> float:
+    """One in the last digit of a number."""
+    digits, _, exponent = number.partition("e")
+    return 10.0 ** (int(exponent or 0) - len(digits.partition(".")[2]))
+
+
+def test_stale_numbers_are_found() -> None:
+    assert is_same("standard error 0.113 a number", "standard error 0.114 a number")
+    assert not is_same("standard error 0.113 a number", "standard error 0.115 a number")
+    assert not is_same("method edges", "method walk")
+    assert not is_same("mean 2.3e-05", "mean 2.6e-05")
 
 
 def test_all_tutorials_are_run() -> None:

@@ -2,7 +2,7 @@
 //!
 //! | task | does |
 //! |---|---|
-//! | `test` | everything a change must pass: layout, format, lints, packages, documentation, all tests, Python's too |
+//! | `test` | everything a change must pass: layout, format, lints, packages, documentation, all tests, Python's too; with `--thorough` what takes longer |
 //! | `layout` | finds circles of files, and names that mean two things |
 //! | `package` | builds every crate from its package alone |
 //! | `bench` | the benchmarks |
@@ -26,6 +26,7 @@ mod python;
 mod shell;
 mod soak;
 mod test;
+mod tier;
 mod virtual_environment;
 mod vulkan;
 
@@ -41,7 +42,8 @@ usage: cargo xtask <task>
 tasks:
   test     layout, format, lints, packages, documentation, and all tests;
            Python's need python3 and PyPI, and are left out where these are not
-           there
+           there; with --thorough also the stored outputs of tutorials and ten
+           minutes of each test of `soak`
   layout   files that import each other in a circle, and names that mean two
            things (further arguments: crates, as `geometry`)
   package  pack every crate that may be published, and build it from its package
@@ -70,7 +72,7 @@ fn main() -> ExitCode {
         None => ("help", &[][..]),
     };
     let result = match task {
-        "test" => test::run(),
+        "test" => test::run(rest),
         "bench" => bench(rest),
         "layout" => layout::run(rest),
         "package" => package::run(true),

@@ -9,6 +9,7 @@ use std::{fs, thread};
 use anyhow::{Context, Result, bail};
 
 use crate::shell::{EVERYTHING, cargo, root, start, target};
+use crate::tier::Tier;
 use crate::virtual_environment::environment;
 use crate::vulkan;
 
@@ -60,8 +61,9 @@ pub fn fetch() {
 
 /// Builds the module as the tests of Rust are built, and runs the tests of the package with
 /// it. Where there is no python3 or PyPI cannot be reached it says so. Where the variable `CI`
-/// is set it fails then, and the frameworks are installed as well.
-pub fn test() -> Result<()> {
+/// is set it fails then, and the frameworks are installed as well. The thorough tier compares the
+/// stored outputs of tutorials with a run.
+pub fn test(tier: Tier) -> Result<()> {
     let folder = target().join("python");
     let python = match &*PYTHON {
         Ok(python) => python,
@@ -88,6 +90,9 @@ pub fn test() -> Result<()> {
     start("python: types", run(&sources))?;
     let mut tests = run(&["-m", "pytest", "-q", "-rs", "python/tests"]);
     tests.envs(vulkan::for_tests());
+    if tier == Tier::Thorough {
+        tests.env("CAPWALK_THOROUGH", "1");
+    }
     start("python: tests", tests)?;
     // Examples in docstrings, but of what is not installed.
     let examples = ["--doctest-modules", "--doctest-ignore-import-errors"];

@@ -1,4 +1,5 @@
-//! `cargo xtask test`: what every change must pass.
+//! `cargo xtask test`: what every change must pass, and with `--thorough` what takes too long for
+//! that.
 
 use std::process::Stdio;
 use std::time::{Duration, Instant};
@@ -6,16 +7,18 @@ use std::time::{Duration, Instant};
 use anyhow::Result;
 
 use crate::shell::{EVERYTHING, cargo, start};
-use crate::{layout, package, python, vulkan};
+use crate::tier::Tier;
+use crate::{layout, package, python, soak, vulkan};
 
 /// Runs the quick steps first, stops at the first that fails, and ends with
 /// the time that each took.
-pub fn run() -> Result<()> {
+pub fn run(arguments: &[String]) -> Result<()> {
+    let tier = Tier::of(arguments)?;
     python::fetch();
     let mut times = Vec::new();
     let result = STEPS.iter().try_for_each(|(name, step)| {
         let started = Instant::now();
-        let result = step();
+        let result = step(tier);
         times.push((*name, started.elapsed()));
         result
     });
@@ -28,16 +31,20 @@ pub fn run() -> Result<()> {
     result
 }
 
-type Step = fn() -> Result<()>;
+type Step = fn(Tier) -> Result<()>;
 
-const STEPS: [(&str, Step); 7] = [
-    ("layout", || layout::run(&[])),
-    ("format", format),
-    ("lints", lints),
-    ("packages", || package::run(false)),
-    ("documentation", documentation),
-    ("tests", tests),
+const STEPS: [(&str, Step); 8] = [
+    ("layout", |_| layout::run(&[])),
+    ("format", |_| format()),
+    ("lints", |_| lints()),
+    ("packages", |_| package::run(false)),
+    ("documentation", |_| documentation()),
+    ("tests", |_| tests()),
     ("python", python::test),
+    ("soak", |tier| match tier {
+        Tier::Change => Ok(()),
+        Tier::Thorough => soak::run(&["600".into()]),
+    }),
 ];
 
 fn format() -> Result<()> {

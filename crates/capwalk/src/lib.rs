@@ -57,6 +57,11 @@
 //! * Everything long takes a [`Watch`], which sees its progress and can stop it.
 //!   [`Unwatched`] is nobody.
 
+/// The code of the project's front page.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct FrontPage;
+
 mod backward;
 mod check;
 mod coplanar;
