@@ -346,8 +346,10 @@ impl Tracer<'_> {
             },
             |event, hit| {
                 if W::MOVES && self.misses(chain, event) {
-                    let (ray, _) = vertex.specular(event, incoming);
-                    draw.count_uncovered(self.moves_behind(eval, &ray, hit));
+                    let (ray, fraction) = vertex.specular(event, incoming);
+                    // Events are drawn that are black, because their colours may have derivatives.
+                    let is_black = fraction.value() == Rgb::zero();
+                    draw.count_uncovered(!is_black && self.moves_behind(eval, &ray, hit));
                 }
             },
         );

@@ -405,6 +405,8 @@ struct Tally {
     refused: u32,
     /// Reverse mode alone refuses: it cannot know that two motions cancel.
     refused_in_reverse: u32,
+    /// Samples show that something moves in a curved mirror which no probe has found.
+    shown_late: u32,
     /// A sample is not finite, which counts as zero in one mode and not the other.
     inconclusive: u32,
     /// Forward and reverse mode agree.
@@ -464,6 +466,38 @@ fn run(seed: u64, tally: &mut Tally) {
         tally.refused += 1;
         return;
     };
+    if forward.statistics.uncovered > 0 {
+        println!(
+            "{seed}: {} events are shown late",
+            forward.statistics.uncovered
+        );
+        let w = Wanted::by(&tangent);
+        println!(
+            "DBG {:?} {:?} {:?} {:?}\n shapes {:?}\nmat {:?} tex {:?}",
+            w,
+            settings.method,
+            scene.settings,
+            scene.sensor,
+            scene
+                .shapes
+                .iter()
+                .map(|s| (
+                    s.id.clone(),
+                    s.bsdf,
+                    s.mesh.faces.len(),
+                    s.normals.per_vertex().is_some(),
+                    s.mesh.bounds()
+                ))
+                .collect::<Vec<_>>(),
+            scene.materials.iter().enumerate().collect::<Vec<_>>(),
+            scene
+                .textures
+                .iter()
+                .map(|t| t.id.clone())
+                .collect::<Vec<_>>()
+        );
+        tally.shown_late += 1;
+    }
     tally.samples += forward.statistics.samples;
     tally.non_finite += forward.statistics.non_finite;
     assert!(
