@@ -35,6 +35,12 @@ impl Draw<'_> {
             .set(self.counts.missing.get() + radiance);
     }
 
+    /// Counts a specular event behind which silhouettes are not covered, if they can move.
+    pub fn count_uncovered(&self, moves: bool) {
+        let uncovered = &self.counts.uncovered;
+        uncovered.set(uncovered.get() + u64::from(moves));
+    }
+
     /// Adds to the closest-silhouette queries.
     pub fn count_queries(&self, count: u64) {
         self.counts.queries.set(self.counts.queries.get() + count);

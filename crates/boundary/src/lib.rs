@@ -57,7 +57,8 @@ pub use edge_sampler::{Counted, EdgeBounds, EdgeSampler, Subtree};
 pub use emitter_edge::EmitterEdge;
 pub use field::Field;
 pub use material::{
-    FlatEvents, flat_events, may_be_specular, needs_place, needs_tangent, tangents_of_face,
+    FlatEvents, bends_images, flat_events, may_be_specular, needs_place, needs_tangent,
+    tangents_of_face,
 };
 pub use method::{Gathers, Method, MethodTraits};
 #[cfg(feature = "paper")]

@@ -3,7 +3,7 @@
 
 use capwalk_math::{Real, Vec3};
 use capwalk_scene::lobe::Event;
-use capwalk_scene::material::Anisotropy;
+use capwalk_scene::material::{Anisotropy, MaterialTraits};
 use capwalk_scene::{Bsdf, BsdfId, Integrator, Pattern, Scene, Shape, Texture, TextureId};
 
 /// True if the value or a derivative depends on how a material is rotated about the
@@ -85,6 +85,15 @@ pub fn flat_events(scene: &Scene, shape: &Shape) -> FlatEvents {
         reflects: is_flat && any_part(scene, shape.bsdf, |bsdf| bsdf.traits().is_specular),
         passes: any_part(scene, shape.bsdf, |bsdf| bsdf.traits().passes_light),
     }
+}
+
+/// True if a shape shows bent images in perfectly specular reflection or refraction: the
+/// silhouettes in them are not covered.
+pub fn bends_images(scene: &Scene, shape: &Shape) -> bool {
+    let has =
+        |of: fn(&MaterialTraits) -> bool| any_part(scene, shape.bsdf, |bsdf| of(&bsdf.traits()));
+    let is_flat = flat_events(scene, shape).contains(Event::Reflect);
+    has(|traits| traits.refracts) || (has(|traits| traits.is_specular) && !is_flat)
 }
 
 /// True if something holds for a material, or one that it is made of.

@@ -74,6 +74,14 @@ pub struct Stream {
 }
 
 impl Stream {
+    /// Independent numbers that no sample of any image has: the `number`-th stream of a seed.
+    pub fn independent(seed: u64, number: u64) -> Self {
+        Self {
+            key: mix(seed ^ mix(number.wrapping_add(GOLDEN))),
+            sobol: None,
+        }
+    }
+
     /// The number of a dimension, uniform in [0, 1).
     #[inline]
     pub fn number(&self, dimension: u32) -> f64 {

@@ -118,8 +118,6 @@ pub enum Refusal {
     /// Silhouettes move that are seen by specular reflection or refraction which the
     /// method does not cover.
     SpecularMotion {
-        /// Specular events of that kind per sample.
-        share: f64,
         /// Why they are not covered.
         cause: SpecularCause,
     },
@@ -166,6 +164,9 @@ pub enum SpecularCause {
         /// Most reflections that are covered.
         most_events: u32,
     },
+    /// The rays of walks move beside what moves in the image, and only with them what they show in
+    /// curved mirrors or through refracting glass.
+    Walks,
     /// The method has no reflected boundaries.
     Method,
 }
@@ -334,7 +335,7 @@ impl Refusal {
                 ),
                 instead("Raise such values a little, for example to 0.001"),
             ),
-            Self::SpecularMotion { share, cause } => specular_motion(*share, *cause),
+            Self::SpecularMotion { cause } => specular_motion(*cause),
             Self::AdjointSize {
                 found: [width, height],
                 expected: [right_width, right_height],
@@ -377,16 +378,25 @@ impl Refusal {
 }
 
 /// The sentences of [`Refusal::SpecularMotion`].
-fn specular_motion(share: f64, cause: SpecularCause) -> (String, Option<String>) {
-    let per_cent = 100.0 * share;
+fn specular_motion(cause: SpecularCause) -> (String, Option<String>) {
     let (mirrors, covered, most) = match cause {
+        SpecularCause::Walks => {
+            return (
+                "the rays of walks move beside what moves, and with them what they show in curved \
+                 mirrors or through refracting glass; the silhouettes seen there are not covered"
+                    .into(),
+                Some(
+                    "Use the default method or `edges`, whose rays stay; or leave it out and know \
+                     that it is missing (`allow_missing`, \"specular\")"
+                        .into(),
+                ),
+            );
+        }
         SpecularCause::Method => {
             return (
-                format!(
-                    "objects move that are seen in mirrors or through transparent surfaces (about \
-                     {per_cent:.2} specular events in 100 samples), and fields on triangles do not \
-                     cover the silhouettes seen there"
-                ),
+                "objects move that are seen in mirrors or through transparent surfaces, and fields \
+                 on triangles do not cover the silhouettes seen there"
+                    .into(),
                 Some(
                     "Use fields on the sphere, the default, which cover them in flat mirrors and \
                      through panes"
@@ -406,9 +416,8 @@ fn specular_motion(share: f64, cause: SpecularCause) -> (String, Option<String>)
     (
         format!(
             "objects or hard shadows move that are seen {mirrors}, through refracting glass, or \
-             after more than {most} reflections (about {per_cent:.2} specular events in 100 \
-             samples), and the silhouettes and edges of hard shadows seen there are not covered. \
-             Covered are those seen {covered} (without vertex normals) and through panes \
+             after more than {most} reflections, and the silhouettes and edges of hard shadows seen \
+             there are not covered. Covered are those seen {covered} (without vertex normals) and through panes \
              (`thindielectric`), and the shadows of area emitters and environments seen in any \
              mirror that does not move"
         ),

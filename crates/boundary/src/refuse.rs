@@ -1,5 +1,4 @@
-//! Which derivatives are refused, decided before they are estimated or from counts of
-//! the samples.
+//! Which derivatives are refused, decided before they are estimated.
 
 use capwalk_scene::{Emitter, Scene, SensorModel, TextureId};
 use capwalk_walk::WalkSettings;
@@ -166,33 +165,19 @@ pub fn is_specular_somewhere(scene: &Scene) -> bool {
     shapes.any(|shape| may_be_specular(scene, shape.bsdf))
 }
 
-/// A refusal if the method is unbiased, and silhouettes that it does not cover may have
-/// moved behind `uncovered` specular events in so many `samples`.
-pub fn refuse_uncovered(
-    scene: &Scene,
-    uncovered: u64,
-    samples: u64,
-    method: &Method,
-) -> Result<(), Refusal> {
-    let traits = method.traits();
-    if uncovered == 0 || !traits.is_unbiased {
-        return Ok(());
-    }
-    let cause = match (traits.is_spherical, &scene.sensor.model) {
+/// The refusal of what moves behind specular events that a method does not cover; `by_walks` says
+/// that it does so only where the rays of walks move.
+pub fn uncovered_motion(scene: &Scene, method: &Method, by_walks: bool) -> Refusal {
+    let most_events = MAX_EVENTS;
+    let cause = match (method.traits().is_spherical, &scene.sensor.model) {
         (false, _) => SpecularCause::Method,
-        (true, SensorModel::Orthographic) => SpecularCause::Orthographic {
-            most_events: MAX_EVENTS,
-        },
+        (true, _) if by_walks => SpecularCause::Walks,
+        (true, SensorModel::Orthographic) => SpecularCause::Orthographic { most_events },
         (true, SensorModel::Perspective { .. } | SensorModel::ThinLens { .. }) => {
-            SpecularCause::Bent {
-                most_events: MAX_EVENTS,
-            }
+            SpecularCause::Bent { most_events }
         }
     };
-    Err(Refusal::SpecularMotion {
-        share: uncovered as f64 / samples as f64,
-        cause,
-    })
+    Refusal::SpecularMotion { cause }
 }
 
 /// A refusal if the scene has discontinuities whose motion no method covers.

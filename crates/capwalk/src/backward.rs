@@ -151,18 +151,18 @@ impl<'a> GradientsWork<'a> {
         self.work.grid()
     }
 
-    /// The method that the work is done by, see [`Method::Auto`](crate::Method::Auto).
+    /// The method that the work is done by, see [`Method::Auto`](crate::Method::Auto). Refused like the
+    /// work.
     pub fn chosen(&self, watch: &dyn Watch) -> Result<Chosen, Error> {
         Ok(self.work.chosen(watch)?)
     }
 
-    /// Refuses what only samples show, after one of each pixel. Parts do not; [`Self::finish`]
-    /// does after all of them.
-    pub fn check_coverage(&self, watch: &dyn Watch) -> Result<(), Error> {
-        Ok(self.work.check_coverage(watch)?)
+    /// Refuses what cannot be differentiated rightly. That needs no sample.
+    pub fn check(&self) -> Result<(), Error> {
+        Ok(self.work.check()?)
     }
 
-    /// What a part of the work gives; refused like the whole, see [`Self::check_coverage`].
+    /// What a part of the work gives; refused like the whole.
     pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<BatchSums>, Error> {
         Ok(self.work.part(part, watch)?)
     }

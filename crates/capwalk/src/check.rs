@@ -340,6 +340,16 @@ impl Check {
                 )
             });
         }
+        // Only samples of this one have shown that something is missing: of both, and the reference
+        // has it.
+        if gradient.missing.is_some() && self.gradient.missing.is_none() {
+            return self.not_called_wrong(f64::INFINITY, |reason| {
+                format!(
+                    "{reason}, and a second gradient shows that something moves which is seen in \
+                     curved mirrors or through refracting glass: it is left out of both"
+                )
+            });
+        }
         let made = (self.made, self.reference.clone());
         let again = Self::new(gradient, made, Vec::new());
         if again.contradiction().is_some() {

@@ -266,7 +266,12 @@ impl Prepared {
             return Ok(check);
         };
         let work = self.gradient_work(tangent, &again)?;
-        let gradient = comparable(work.whole(watch)?, &work, watch)?;
+        let mut gradient = work.whole(watch)?;
+        // What is missing of the first is left out of both.
+        if gradient.missing.is_none() {
+            gradient.missing.clone_from(&check.gradient.missing);
+        }
+        let gradient = comparable(gradient, &work, watch)?;
         Ok(check.with_second_gradient(gradient))
     }
 

@@ -87,10 +87,13 @@ pub fn warnings(what: &str, statistics: &Statistics) -> String {
         );
     }
     if let Some(missing) = &statistics.missing {
+        let where_it_moves = match statistics.uncovered {
+            0 => "Something moves there that no sample has shown".into(),
+            events => format!("Something moves there in {} specular events", count(events)),
+        };
         text += &format!(
-            "warning: the {what} is incomplete: {}. Something moves there in {} specular events\n",
+            "warning: the {what} is incomplete: {}. {where_it_moves}\n",
             missing_text(missing),
-            count(statistics.uncovered)
         );
     }
     if statistics.non_finite > 0 {

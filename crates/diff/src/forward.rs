@@ -5,21 +5,21 @@ use std::sync::{Arc, OnceLock};
 
 use capwalk_boundary::refuse::{
     refuse_cut_normals, refuse_infinite_derivatives, refuse_many_shadows, refuse_motion,
-    refuse_settings, refuse_turned_without_uvs, refuse_uncovered,
+    refuse_settings, refuse_turned_without_uvs,
 };
 use capwalk_boundary::{Boundaries, Counts, Draw, Field, Method, Refusal, Stream};
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts};
 use capwalk_render::{
     GradientImage, Grid, LeavesOut, Missing, MotionFacts, Part, PartError, Partial, PreparedScene,
-    RenderOptions, Silent, Tracer, Watch, adaptive,
+    RenderOptions, Tracer, Watch, adaptive,
 };
 use capwalk_scene::{Tangent, TextureId, fingerprint};
 
 use crate::adjoint::Wanted;
 use crate::auto::{Chosen, Pilot};
+use crate::coverage::Coverage;
 use crate::forward_eval::Forward;
 use crate::options::GradientOptions;
-use crate::refused::refuses_uncovered;
 
 /// The derivative of the image for a unit change along `tangent`, in forward mode, with
 /// its standard error. Refuses what it cannot differentiate rightly, see [`Refusal`].
@@ -45,6 +45,8 @@ pub(crate) fn left_out(method: Method) -> LeavesOut {
 pub struct GradientWork<'a> {
     prepared: &'a PreparedScene,
     tangent: Cow<'a, Tangent>,
+    /// What it moves.
+    wanted: Wanted,
     options: GradientOptions,
     /// True if light of which the derivative is incomplete is left out of the image, too.
     is_of_rest: bool,
@@ -64,6 +66,7 @@ impl<'a> GradientWork<'a> {
     ) -> Self {
         Self {
             prepared,
+            wanted: Wanted::by(&tangent),
             tangent,
             options,
             is_of_rest: false,
@@ -81,6 +84,7 @@ impl<'a> GradientWork<'a> {
     pub fn of_rest(&self) -> Self {
         Self {
             tangent: self.tangent.clone(),
+            wanted: self.wanted.clone(),
             is_of_rest: true,
             chosen: self.chosen.clone(),
             facts: Arc::clone(&self.facts),
@@ -97,9 +101,8 @@ impl<'a> GradientWork<'a> {
 
     /// All of it at once, see [`gradient`]; or of the rest of the light, see [`Self::of_rest`].
     pub fn whole(&self, watch: &dyn Watch) -> Result<GradientImage, Refusal> {
-        self.check_coverage(watch)?;
         let partial = self.sums(None, &Part::whole(self.grid()), watch)?;
-        self.gradient_image(partial.into_sums())
+        Ok(self.gradient_image(partial.into_sums()))
     }
 
     /// The method that the work is done by, see [`Method::Auto`]; found
@@ -114,44 +117,14 @@ impl<'a> GradientWork<'a> {
                 options: &self.options,
                 watch,
             };
-            let uncovered = |options: &_| self.look_around(options, watch).statistics.uncovered;
-            pilot.choose(uncovered)
+            pilot.choose(|options| self.coverage().uncovered(options))
         };
         let refuse = || self.refuse(&self.options);
         Chosen::of(&self.options, &self.chosen, watch, refuse, choose)
     }
 
-    /// Refuses what cannot be covered, which only samples show, after a few of them.
-    pub fn check_coverage(&self, watch: &dyn Watch) -> Result<(), Refusal> {
-        let options = self.chosen(watch)?.options;
-        let scene = self.prepared.scene();
-        if !refuses_uncovered(scene, &options) {
-            return Ok(());
-        }
-        self.refuse_uncovered(&self.look_around(&options, watch))
-    }
-
-    /// A few samples of each pixel with these options.
-    fn look_around(&self, options: &GradientOptions, watch: &dyn Watch) -> Averages {
-        let pilot = RenderOptions {
-            spp: options.spp.min(PILOT_SPP),
-            ..options.sampling()
-        };
-        let whole = Part::whole(tiles::grid(self.prepared.scene(), &pilot));
-        let found = self.average(
-            options,
-            &pilot,
-            &SampleCounts::Even,
-            None,
-            &whole,
-            &Silent(watch),
-        );
-        Averages::new(found.into_sums())
-    }
-
     /// What a part of the work gives: of its cells those that are finished when `watch` stops
-    /// the work. Refused like the whole, but for what only samples show:
-    /// [`Self::check_coverage`] says that before, [`Self::finish`] after all parts.
+    /// the work. Refused like the whole.
     pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<PixelSums>, PartError> {
         part.check(self.grid())?;
         Ok(self.sums(Some(self.fingerprint()), part, watch)?)
@@ -162,7 +135,7 @@ impl<'a> GradientWork<'a> {
         let (scene, grid) = (self.prepared.scene(), self.grid());
         let right = |band: u32, sums: &PixelSums| sums.is_of(scene, grid, band, NUMBERS);
         let sums = parts.complete(self.fingerprint(), grid, right)?;
-        Ok(self.gradient_image(sums)?)
+        Ok(self.gradient_image(sums))
     }
 
     fn sums(
@@ -228,16 +201,22 @@ impl<'a> GradientWork<'a> {
     }
 
     fn boundaries(&self) -> &'a Boundaries {
-        let moves = Wanted::by(&self.tangent).moves();
-        self.prepared.boundaries_if(moves)
+        self.prepared.boundaries_if(self.wanted.moves())
     }
 
-    /// Refuses what can be seen without a sample: all that is refused, unless something moves.
+    fn coverage(&self) -> Coverage<'_> {
+        Coverage {
+            prepared: self.prepared,
+            wanted: &self.wanted,
+        }
+    }
+
+    /// Refuses what cannot be differentiated rightly. That needs no sample.
     pub fn check(&self) -> Result<(), Refusal> {
         self.refuse(&self.options)
     }
 
-    /// Refuses what can be seen without a sample.
+    /// [`Self::check`] with these options.
     fn refuse(&self, options: &GradientOptions) -> Result<(), Refusal> {
         let (prepared, tangent) = (self.prepared, &*self.tangent);
         let (scene, accel) = (prepared.scene(), prepared.accel());
@@ -246,7 +225,7 @@ impl<'a> GradientWork<'a> {
         refuse_infinite_derivatives(scene, is_asked_for)?;
         #[cfg(feature = "paper")]
         capwalk_boundary::refuse::refuse_many_edges(self.boundaries(), &options.method)?;
-        let moves = Wanted::by(tangent).geometry();
+        let moves = self.wanted.geometry();
         let turns = tangent.shapes.iter().any(Option::is_some);
         refuse_cut_normals(scene, turns || moves, is_asked_for)?;
         if moves {
@@ -255,31 +234,24 @@ impl<'a> GradientWork<'a> {
         } else if turns {
             refuse_turned_without_uvs(scene)?;
         }
-        Ok(())
+        self.coverage().check(options)
     }
 
-    fn gradient_image(&self, sums: Vec<PixelSums>) -> Result<GradientImage, Refusal> {
+    fn gradient_image(&self, sums: Vec<PixelSums>) -> GradientImage {
         let scene = self.prepared.scene();
         let averages = Averages::new(sums);
-        self.refuse_uncovered(&averages)?;
         let value = averages.estimate(scene, 0);
         let mut statistics = averages.statistics.clone();
-        let is_missing = statistics.uncovered > 0 && !self.is_of_rest;
+        // A sample may show what no probe has found: then the result says so.
+        let is_missing = !self.is_of_rest
+            && (statistics.uncovered > 0 || self.coverage().is_incomplete(&self.options));
         let missing = is_missing.then(|| averages.grey(scene, MISSING));
         statistics.missing = missing.as_ref().map(|missing| Missing::of(missing, &value));
-        Ok(GradientImage {
+        GradientImage {
             value,
             gradient: averages.estimate(scene, DERIVATIVE),
             missing,
             statistics,
-        })
-    }
-
-    fn refuse_uncovered(&self, averages: &Averages) -> Result<(), Refusal> {
-        let (scene, found) = (self.prepared.scene(), &averages.statistics);
-        match refuses_uncovered(scene, &self.options) {
-            true => refuse_uncovered(scene, found.uncovered, found.samples, &self.options.method),
-            false => Ok(()),
         }
     }
 
@@ -301,6 +273,3 @@ const NUMBERS: usize = 7;
 const DERIVATIVE: usize = 3;
 /// The last of them.
 const MISSING: usize = 6;
-
-/// Samples per pixel to find what cannot be covered.
-const PILOT_SPP: u32 = 2;

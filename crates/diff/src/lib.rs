@@ -11,6 +11,7 @@
 mod adjoint;
 mod auto;
 pub mod check;
+mod coverage;
 mod finite;
 mod forward;
 mod forward_eval;

@@ -7,7 +7,7 @@ use std::sync::{Arc, OnceLock};
 
 use capwalk_boundary::refuse::{
     refuse_cut_normals, refuse_infinite_derivatives, refuse_many_shadows, refuse_motion,
-    refuse_settings, refuse_turned_without_uvs, refuse_uncovered,
+    refuse_settings, refuse_turned_without_uvs,
 };
 use capwalk_boundary::{Boundaries, Counts, Draw, Field, Refusal, Sampler, pool};
 use capwalk_math::tape::Adjoints;
@@ -23,8 +23,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::adjoint::{Adjoint, Target, Wanted};
 use crate::auto::{Chosen, Pilot, motion};
+use crate::coverage::Coverage;
 use crate::options::GradientOptions;
-use crate::refused::refuses_uncovered;
 use crate::reverse_eval::Reverse;
 
 /// The gradient of `Σ adjoint · image` in all parameters, with errors.
@@ -152,9 +152,8 @@ impl<'a> BackwardWork<'a> {
 
     /// All of it at once, see [`backward`].
     pub fn whole(&self, watch: &dyn Watch) -> Result<Backward, Refusal> {
-        self.check_coverage(watch)?;
         let partial = self.sums(None, &Part::whole(self.grid()), watch)?;
-        self.backward(partial.into_sums())
+        Ok(self.backward(partial.into_sums()))
     }
 
     /// The method that the work is done by, see [`Method::Auto`](crate::Method::Auto); found
@@ -170,27 +169,14 @@ impl<'a> BackwardWork<'a> {
                 options: &self.options,
                 watch,
             };
-            let uncovered = |options: &_| self.pass(options, watch).count_uncovered()[1];
-            pilot.choose(uncovered)
+            pilot.choose(|options| self.coverage().uncovered(options))
         };
         let refuse = || self.refuse(&self.options);
         Chosen::of(&self.options, &self.chosen, watch, refuse, choose)
     }
 
-    /// Refuses what cannot be covered, which only samples show, after one of each pixel.
-    pub fn check_coverage(&self, watch: &dyn Watch) -> Result<(), Refusal> {
-        let options = self.chosen(watch)?.options;
-        let scene = self.prepared.scene();
-        if !refuses_uncovered(scene, &options) {
-            return Ok(());
-        }
-        let [samples, uncovered] = self.pass(&options, watch).count_uncovered();
-        refuse_uncovered(scene, uncovered, samples, &options.method)
-    }
-
     /// What a part of the work gives: of its cells those that are finished when `watch` stops
-    /// the work. Refused like the whole, but for what only samples show:
-    /// [`Self::check_coverage`] says that before, [`Self::finish`] after all parts.
+    /// the work. Refused like the whole.
     pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<BatchSums>, PartError> {
         part.check(self.grid())?;
         Ok(self.sums(Some(self.fingerprint()), part, watch)?)
@@ -201,7 +187,7 @@ impl<'a> BackwardWork<'a> {
         let zero = Adjoint::zero(self.prepared.scene(), self.boundaries(), &self.wanted);
         let right = |_, sums: &BatchSums| sums.mean.fits(&zero);
         let sums = parts.complete(self.fingerprint(), self.grid(), right)?;
-        Ok(self.backward(sums)?)
+        Ok(self.backward(sums))
     }
 
     fn sums(
@@ -256,12 +242,19 @@ impl<'a> BackwardWork<'a> {
         self.prepared.boundaries_if(self.wanted.moves())
     }
 
-    /// Refuses what can be seen without a sample: all that is refused, unless something moves.
+    fn coverage(&self) -> Coverage<'_> {
+        Coverage {
+            prepared: self.prepared,
+            wanted: &self.wanted,
+        }
+    }
+
+    /// Refuses what cannot be differentiated rightly. That needs no sample.
     pub fn check(&self) -> Result<(), Refusal> {
         self.refuse(&self.options)
     }
 
-    /// Refuses what can be seen without a sample.
+    /// [`Self::check`] with these options.
     fn refuse(&self, options: &GradientOptions) -> Result<(), Refusal> {
         let (prepared, wanted) = (self.prepared, &self.wanted);
         let (scene, accel) = (prepared.scene(), prepared.accel());
@@ -284,10 +277,10 @@ impl<'a> BackwardWork<'a> {
         }
         #[cfg(feature = "paper")]
         capwalk_boundary::refuse::refuse_many_edges(self.boundaries(), &options.method)?;
-        Ok(())
+        self.coverage().check(options)
     }
 
-    fn backward(&self, batches: Vec<BatchSums>) -> Result<Backward, Refusal> {
+    fn backward(&self, batches: Vec<BatchSums>) -> Backward {
         let (scene, accel) = (self.prepared.scene(), self.prepared.accel());
         let boundaries = self.boundaries();
         let mut statistics = Statistics {
@@ -308,12 +301,10 @@ impl<'a> BackwardWork<'a> {
         let taken = &statistics.samples_per_pixel;
         statistics.complete = taken.iter().all(|&taken| taken == self.options.spp);
         statistics.samples = taken.iter().map(|&taken| u64::from(taken)).sum();
-        let (uncovered, samples) = (statistics.uncovered, statistics.samples);
-        if refuses_uncovered(scene, &self.options) {
-            refuse_uncovered(scene, uncovered, samples, &self.options.method)?;
-        }
-        statistics.missing = (uncovered > 0).then(|| missing(&radiances));
-        Ok(Backward::new(gradients, statistics))
+        // A sample may show what no probe has found: then the result says so.
+        let is_missing = statistics.uncovered > 0 || self.coverage().is_incomplete(&self.options);
+        statistics.missing = is_missing.then(|| missing(&radiances));
+        Backward::new(gradients, statistics)
     }
 
     fn fingerprint(&self) -> u64 {
@@ -442,32 +433,6 @@ struct Memory {
 }
 
 impl Pass<'_> {
-    /// Takes one sample of each pixel: how many were taken, and how many of their rays could
-    /// not be covered.
-    fn count_uncovered(&self) -> [u64; 2] {
-        let width = self.adjoint.width;
-        let uncovered = |tape: &mut Tape, index: usize| {
-            if self.watch.should_stop() {
-                return [0, 0];
-            }
-            let (stream, counts) = (self.sampler.stream(index as u64, 0), Counts::default());
-            let draw = Draw {
-                stream: &stream,
-                counts: &counts,
-            };
-            let pixel = [(index % width) as u32, (index / width) as u32];
-            let eval = Reverse::new(self.field, self.wanted, &self.points, tape);
-            self.tracer.pixel(&eval, pixel, draw);
-            tape.clear();
-            [1, counts.uncovered.get()]
-        };
-        pool::install(|| {
-            let pixels = (0..self.adjoint.pixels.len()).into_par_iter();
-            let counts = pixels.map_init(Tape::default, uncovered);
-            counts.reduce(|| [0, 0], |a, b| [a[0] + b[0], a[1] + b[1]])
-        })
-    }
-
     /// The pixels of a band, which are consecutive.
     fn pixels(&self, band: u32) -> Range<usize> {
         let [width, height] = self.scene.film.crop_size;

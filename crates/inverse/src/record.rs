@@ -1,6 +1,6 @@
 //! What is written down of every iteration: a row of a table (CSV).
 
-use capwalk_diff::{AllowMissing, Missing};
+use capwalk_diff::{AllowMissing, Missing, may_be_specular};
 
 use crate::problem::Problem;
 use crate::variable::Variables;
@@ -101,10 +101,13 @@ impl Row {
     }
 }
 
-/// Whether gradients may leave something out: then the table has a column for its share of the
-/// radiance.
+/// True if gradients may leave something out: then the table has a column for its share of the
+/// radiance. Without leave they may after the first step, where something has come to be seen in a
+/// mirror.
 fn may_be_missing(problem: &Problem) -> bool {
+    let mut shapes = problem.scene.shapes.iter();
     problem.allow_missing != AllowMissing::default()
+        || shapes.any(|shape| may_be_specular(&problem.scene, shape.bsdf))
 }
 
 /// Values that have columns: their names and where they are.

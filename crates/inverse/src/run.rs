@@ -4,7 +4,7 @@ use std::fmt;
 
 use capwalk_diff::{
     BackwardWork, Chosen, GradientOptions, Missing, PreparedScene, Refusal, RenderOptions,
-    Statistics, Unwatched, Watch, backward, render,
+    Statistics, Watch, backward, render,
 };
 use capwalk_math::Rgb;
 use capwalk_scene::{Image, Scene};
@@ -334,7 +334,10 @@ impl Problem {
             // the mean of the product is the product of the means.
             let iteration = u64::from(row.iteration);
             let seed = seed(self.seed, iteration, i as u64, Purpose::Gradient);
-            let options = self.gradient_options(RenderOptions::new(self.spp_grad, seed));
+            let mut options = self.gradient_options(RenderOptions::new(self.spp_grad, seed));
+            // What is seen in curved mirrors refuses the first step or none: a scene that has changed
+            // a little stops no run, and the row says what is left out.
+            options.allow_missing.specular |= row.iteration > 0;
             let result =
                 backward(prepared, &adjoint, &wanted, &options, watch).map_err(Stop::Refused)?;
             refuse_unusable("gradient", row.iteration, &result.statistics)?;
@@ -393,7 +396,9 @@ impl Problem {
             views.iter().any(|view| {
                 let [width, height] = view.scene().film.crop_size.map(|side| side as usize);
                 let nothing = Image::new(width, height);
-                backward(view, &nothing, &wanted, &options, &Unwatched).is_err()
+                BackwardWork::new(view, &nothing, wanted.clone(), options)
+                    .check()
+                    .is_err()
             })
         };
         (0..self.variables.iter().count()).find(is_refused)

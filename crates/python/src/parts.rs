@@ -84,7 +84,7 @@ impl Task {
 }
 
 /// The method that is used for all parts, as bytes for `options.chosen`; `None` for images.
-/// Refuses what the whole refuses, also what only samples show, so that no part takes them.
+/// Refuses what the whole refuses.
 #[pyfunction]
 pub fn choose<'py>(
     py: Python<'py>,
@@ -99,12 +99,10 @@ pub fn choose<'py>(
             Task::Gradient(motion, options) => {
                 let tangent = motion.tangent(prepared)?;
                 let work = prepared.gradient_work(&tangent, options)?;
-                work.check_coverage(watch)?;
                 work.chosen(watch)?
             }
             Task::Backward(adjoint, names, options) => {
                 let work = prepared.backward_work(adjoint, names, options)?;
-                work.check_coverage(watch)?;
                 work.chosen(watch)?
             }
         };

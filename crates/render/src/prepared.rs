@@ -1,11 +1,12 @@
 //! A scene made ready: everything that is built once and answers any number of calls.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use capwalk_boundary::{Accel, Boundaries, pool, same_edges};
 use capwalk_scene::{Emitter, Scene, Texture};
 
 use crate::emitter_sampler::{EmitterSampler, brightness, textures};
+use crate::uncovered_events::UncoveredEvents;
 
 /// A scene with its trees. It owns what it needs and can be shared between threads; the
 /// scene in it does not change but by [`PreparedScene::update`].
@@ -17,7 +18,15 @@ pub struct PreparedScene {
     boundaries: OnceLock<Boundaries>,
     /// The boundaries of a derivative by what moves nothing: none.
     no_boundaries: OnceLock<Boundaries>,
+    probed: Probed,
 }
+
+/// What probes of a scene found, by a number for what moves in it and the method.
+#[derive(Debug, Default)]
+struct Probed(Mutex<Vec<(u64, UncoveredEvents)>>);
+
+/// Most answers of probes that are kept.
+const MOST_PROBED: usize = 64;
 
 impl PreparedScene {
     /// Builds the ray tree of a scene that has passed [`Scene::check`]. The boundaries
@@ -30,6 +39,7 @@ impl PreparedScene {
             accel,
             boundaries: OnceLock::new(),
             no_boundaries: OnceLock::new(),
+            probed: Probed::default(),
         }
     }
 
@@ -72,6 +82,29 @@ impl PreparedScene {
         }
     }
 
+    /// What a probe of the scene finds, [`SpecularProbe`](crate::SpecularProbe): `probe` is asked once for
+    /// each `motion`, a number for what moves and the kind of method, as long as the scene stays as it
+    /// is.
+    pub fn uncovered_events(
+        &self,
+        motion: u64,
+        probe: impl FnOnce() -> UncoveredEvents,
+    ) -> UncoveredEvents {
+        // What a thread that panicked has kept is whole.
+        let kept = || self.probed.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = kept().iter().find(|(of, _)| *of == motion).copied();
+        if let Some((_, events)) = known {
+            return events;
+        }
+        // Probed outside of the lock, like boundaries.
+        let events = probe();
+        let mut kept = kept();
+        if kept.len() < MOST_PROBED {
+            kept.push((motion, events));
+        }
+        events
+    }
+
     /// Goes over to another scene, which must have passed [`Scene::check`] and should
     /// differ in few numbers: moved vertices refit the trees, other colours touch none,
     /// and only what these motions invalidate is built anew. Every later answer is that
@@ -85,6 +118,7 @@ impl PreparedScene {
             let same_edges = same_edges(old, &scene);
             let change = self.accel.update(scene);
             self.no_boundaries = OnceLock::new();
+            self.probed = Probed::default();
             if let Some(boundaries) = self.boundaries.get_mut() {
                 boundaries.update(&self.accel, change, same_edges, same_sensor);
             }
@@ -101,6 +135,7 @@ impl PreparedScene {
             emitters: self.emitters.clone(),
             boundaries: OnceLock::new(),
             no_boundaries: OnceLock::new(),
+            probed: Probed::default(),
         };
         other.update(scene);
         other

@@ -23,7 +23,7 @@ use capwalk_boundary::{Draw, FlatEvents, MAX_EVENTS, Viewpoint};
 use capwalk_geometry::{Hit, Ray};
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::lobe::{Event, Specular};
-use capwalk_scene::sensor::view::ViewRay;
+use capwalk_scene::sensor::view::{View, ViewRay};
 use capwalk_scene::{Emitter, EmitterId};
 
 use crate::aov::aov_at;
@@ -64,6 +64,30 @@ impl Default for SpecularChain {
 }
 
 impl SpecularChain {
+    /// None, before the camera.
+    pub(crate) fn of_camera(view: &View<f64>) -> Self {
+        Self {
+            is_parallel: view.is_parallel(),
+            ..Self::default()
+        }
+    }
+
+    /// The same at a surface with these events.
+    pub(crate) fn at(self, here: FlatEvents) -> Self {
+        Self { here, ..self }
+    }
+
+    /// The same with one event more, at this place.
+    pub(crate) fn followed_by(self, event: Event) -> Self {
+        let count = self.after(event);
+        Self { count, ..self }
+    }
+
+    /// True if the field does not have the silhouettes behind them.
+    pub(crate) fn is_missed(&self) -> bool {
+        self.count.is_none()
+    }
+
     /// Their number with one more, if the field has the silhouettes behind it.
     fn after(&self, event: Event) -> Option<u32> {
         let is_missed = self.is_parallel && event == Event::Reflect;
@@ -120,10 +144,7 @@ impl Tracer<'_> {
         {
             light += emitted_at(eval, accel, emitter, hit.as_ref(), origin, direction);
         }
-        let chain = SpecularChain {
-            is_parallel: accel.view.is_parallel(),
-            ..SpecularChain::default()
-        };
+        let chain = SpecularChain::of_camera(&accel.view);
         light + self.reflected(eval, [origin, direction], hit, 0, chain, draw)
     }
 
@@ -156,7 +177,7 @@ impl Tracer<'_> {
             if !add_lobes(eval, accel, &surface, &mut vertex) {
                 break;
             }
-            chain.here = accel.flat_events(&found);
+            chain = chain.at(accel.flat_events(&found));
             // Light that comes from emitters, and a direction in which the path can go on.
             let Emitted {
                 light: emitted,
@@ -208,7 +229,7 @@ impl Tracer<'_> {
                     let (after, fraction) = vertex.specular(event, ray);
                     throughput = throughput * (fraction * over_density);
                     is_missed |= self.misses(chain, event);
-                    chain.count = chain.after(event.event);
+                    chain = chain.followed_by(event.event);
                     after
                 }
             };
@@ -232,19 +253,18 @@ impl Tracer<'_> {
     }
 
     /// True if no field has the silhouettes that are seen by a specular event.
-    fn misses(&self, chain: SpecularChain, event: Specular) -> bool {
+    pub(crate) fn misses(&self, chain: SpecularChain, event: Specular) -> bool {
         chain.after(event.event).is_none() || self.misses_mirrors()
     }
 
-    /// Counts a ray after a specular event that bends light if silhouettes or edges of hard
-    /// shadows seen there can move against it: they bound no field.
-    fn count_uncovered<R: Real, W: SceneEval<R>>(
+    /// True if silhouettes or edges of hard shadows that a ray shows after a specular event may
+    /// move against it.
+    pub(crate) fn moves_behind<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
-        ray: [Vec3<R>; 2],
+        ray: &[Vec3<R>; 2],
         hit: &Option<Hit>,
-        draw: Draw,
-    ) {
+    ) -> bool {
         let ray_moves = ray.iter().any(|v| !v.is_constant());
         let surface_moves = || {
             let corners = hit.map(|hit| self.accel.mesh.faces[hit.face as usize]);
@@ -253,10 +273,7 @@ impl Tracer<'_> {
         };
         // A shadow moves with its light and with what throws it, also on a face that rests.
         let shadow_moves = || hit.is_some_and(|hit| self.shadow_moves(eval, hit.face));
-        if ray_moves || surface_moves() || shadow_moves() {
-            let uncovered = &draw.counts.uncovered;
-            uncovered.set(uncovered.get() + 1);
-        }
+        W::MOVES && (ray_moves || surface_moves() || shadow_moves())
     }
 
     /// Light that arrives from emitters at a moving surface point, to which the ray `incoming`
@@ -329,8 +346,10 @@ impl Tracer<'_> {
             },
             |event, hit| {
                 if W::MOVES && self.misses(chain, event) {
-                    let (ray, _) = vertex.specular(event, incoming);
-                    self.count_uncovered(eval, ray, hit, draw);
+                    let (ray, fraction) = vertex.specular(event, incoming);
+                    // Events are drawn that are black, because their colours may have derivatives.
+                    let is_black = fraction.value() == Rgb::zero();
+                    draw.count_uncovered(!is_black && self.moves_behind(eval, &ray, hit));
                 }
             },
         );

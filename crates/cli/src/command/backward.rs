@@ -56,7 +56,7 @@ pub fn run(args: &Backward) -> Result<Outcome> {
         prepared.backward_on(args.device.into(), adjoint, names, &options, &progress)
     };
     let mut result = differentiate(&names);
-    // That nobody asked for what is refused shows with the first samples only.
+    // Nobody asked for what is refused because of other arrays that move.
     let mut left_out = None;
     if args.param.is_empty()
         && let Err(Error::Refused(refusal @ Refusal::SpecularMotion { .. })) = &result

@@ -9,6 +9,7 @@ mod baselines;
 #[cfg(feature = "paper")]
 mod closed_forms;
 mod common;
+mod coverage;
 mod furnaces;
 mod hard_shadow_refusals;
 mod nearly_touching;

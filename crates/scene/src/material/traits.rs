@@ -11,6 +11,8 @@ pub struct MaterialTraits {
     /// Reflects some light in one direction alone, as mirrors do. What refracts light in
     /// one direction alone reflects so, too.
     pub is_specular: bool,
+    /// Refracts some light in one direction alone: what is seen through it is bent.
+    pub refracts: bool,
     /// Lets some light pass straight on.
     pub passes_light: bool,
     /// Looks different from different sides.
@@ -64,6 +66,7 @@ impl Bsdf {
         use Anisotropy::*;
         let plain = MaterialTraits {
             is_specular: false,
+            refracts: false,
             passes_light: false,
             is_glossy: true,
             anisotropy: Isotropic,
@@ -84,7 +87,11 @@ impl Bsdf {
                 ..plain
             },
             Self::RoughPlastic { .. } => plain,
-            Self::Conductor(_) | Self::Dielectric(_) | Self::Plastic(_) => specular,
+            Self::Conductor(_) | Self::Plastic(_) => specular,
+            Self::Dielectric(_) => MaterialTraits {
+                refracts: true,
+                ..specular
+            },
             Self::RoughConductor(_, facets)
             | Self::RoughDielectric(_, facets)
             | Self::PolarizedPlastic(_, facets) => MaterialTraits {

@@ -108,6 +108,23 @@ impl<R: Real> Lobe<R> {
         }
     }
 
+    /// The perfectly specular events that it has.
+    pub fn events(&self) -> &'static [Event] {
+        match self {
+            Lobe::Conductor(_) | Lobe::Plastic(_) => &[Event::Reflect],
+            Lobe::Dielectric(_) => &[Event::Reflect, Event::Transmit],
+            Lobe::ThinDielectric(_) => &[Event::Reflect, Event::Pass],
+            Lobe::Null(_) => &[Event::Pass],
+            Lobe::Diffuse(_)
+            | Lobe::RoughConductor(_)
+            | Lobe::RoughDielectric(_)
+            | Lobe::RoughPlastic(_)
+            | Lobe::PolarizedPlastic(_)
+            | Lobe::Principled(_)
+            | Lobe::PrincipledThin(_) => &[],
+        }
+    }
+
     /// The lobe with `f` of each of its numbers, in the order of their fields.
     pub fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> Lobe<S> {
         match self {

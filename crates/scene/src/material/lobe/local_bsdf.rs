@@ -236,6 +236,19 @@ impl<R: Real> LocalBsdf<R> {
         (wo, throughput * (*weight * shown))
     }
 
+    /// The perfectly specular events that `wi` can take part in, black ones among them: each can
+    /// be given to [`LocalBsdf::specular`].
+    pub fn events(&self, wi: Vec3<R>) -> impl Iterator<Item = Specular> {
+        let lobes = self.lobes().zip(self.tilts()).enumerate();
+        let shown = lobes.filter(move |(_, ((_, lobe), tilt))| {
+            self.shows(lobe) && self.seen(wi, *tilt).is_some()
+        });
+        shown.flat_map(|(place, ((_, lobe), _))| {
+            let events = lobe.events().iter();
+            events.map(move |&event| Specular { lobe: place, event })
+        })
+    }
+
     /// The surface with `f` of each weight and number, in order.
     pub fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> LocalBsdf<S> {
         let mut mapped = LocalBsdf {
