@@ -16,7 +16,7 @@ use capwalk_render::{
 use capwalk_scene::{Tangent, TextureId, fingerprint};
 
 use crate::adjoint::Wanted;
-use crate::auto::{Chosen, Pilot};
+use crate::auto::{Chosen, KeptChoice, Pilot, PilotSize};
 use crate::forward_eval::Forward;
 use crate::options::GradientOptions;
 use crate::refused::refuses_uncovered;
@@ -49,6 +49,7 @@ pub struct GradientWork<'a> {
     /// True if light of which the derivative is incomplete is left out of the image, too.
     is_of_rest: bool,
     chosen: OnceLock<Chosen>,
+    kept: KeptChoice,
     facts: Arc<MotionFacts>,
     /// How many samples each pixel gets; found by the first call that samples.
     counts: OnceLock<SampleCounts>,
@@ -68,10 +69,17 @@ impl<'a> GradientWork<'a> {
             options,
             is_of_rest: false,
             chosen: OnceLock::new(),
+            kept: KeptChoice::default(),
             facts: Arc::new(MotionFacts::of(prepared.scene())),
             counts: OnceLock::new(),
             fingerprint: OnceLock::new(),
         }
+    }
+
+    /// The same work by the method that is kept there. If none is, what this work chooses is.
+    #[must_use]
+    pub fn keeping(self, kept: KeptChoice) -> Self {
+        Self { kept, ..self }
     }
 
     /// The same of the image without the light of which the derivative leaves something out (see
@@ -83,6 +91,7 @@ impl<'a> GradientWork<'a> {
             tangent: self.tangent.clone(),
             is_of_rest: true,
             chosen: self.chosen.clone(),
+            kept: self.kept.clone(),
             facts: Arc::clone(&self.facts),
             counts: OnceLock::new(),
             fingerprint: OnceLock::new(),
@@ -110,15 +119,23 @@ impl<'a> GradientWork<'a> {
                 prepared: self.prepared,
                 tangent: &self.tangent,
                 facts: &self.facts,
-                adjoint: None,
+                is_blind: self.options.blind,
                 options: &self.options,
+                size: PilotSize::of(self.prepared.scene(), &self.options, 1),
                 watch,
             };
             let uncovered = |options: &_| self.look_around(options, watch).statistics.uncovered;
             pilot.choose(uncovered)
         };
         let refuse = || self.refuse(&self.options);
-        Chosen::of(&self.options, &self.chosen, watch, refuse, choose)
+        Chosen::of(
+            &self.options,
+            &self.chosen,
+            &self.kept,
+            watch,
+            refuse,
+            choose,
+        )
     }
 
     /// Refuses what cannot be covered, which only samples show, after a few of them.
