@@ -40,8 +40,8 @@ const FIRST_PART: usize = 4;
 /// One over the part of these after which it is known what a trial costs.
 const PROBE: usize = 8;
 
-/// What leaves the camera's rays at rest where gloss moves must be better by this factor, with the
-/// worst pixels and without: it can have rare and large values, of which a pilot sees a few at best.
+/// What leaves the camera's rays at rest where gloss moves must be better by this factor: it can have
+/// rare and large values, of which a pilot sees a few at best.
 /// In scenes of this kind it has from a thousandth of the variance to 250 times.
 const SURELY: f64 = 0.2;
 /// The same where what moves is glossy itself. A pilot found it sixteen times better in
@@ -163,7 +163,7 @@ impl Pilot<'_> {
             let Some(walking) = with_cutoffs(cautious) else {
                 return (by_gathering(cautious), asked_radius);
             };
-            if !best.beats_with_all(&walking, surely) {
+            if !best.beats(&walking, surely) {
                 (best, everywhere) = (walking, cautious);
             }
         }
@@ -317,7 +317,7 @@ impl Pilot<'_> {
     /// True if all trials together with so much more effort cost no more than a part of the work by
     /// the best of them. The first one is free.
     fn affords(&self, effort: f64, trials: &Trials) -> bool {
-        let by_cost = |a: &&Trial, b: &&Trial| a.cost().total_cmp(&b.cost());
+        let by_cost = |a: &&Trial, b: &&Trial| a.upper_cost().total_cmp(&b.upper_cost());
         let best = trials.list.iter().min_by(by_cost);
         best.is_none_or(|best| {
             trials.spent + effort <= self.size.allowed_effort(best.effort)

@@ -119,7 +119,7 @@ fn hopeless_trials_are_short() {
         let watch = StopsAfter(0.into(), u64::MAX);
         let chosen = work.chosen(&watch).expect("covered");
         let trials = &chosen.trials;
-        let (mut samples, mut least) = (0, f64::INFINITY);
+        let mut least = f64::INFINITY;
         for (i, trial) in trials.iter().enumerate() {
             let is_new = |other: &capwalk_diff::Trial| {
                 (other.method, other.max_radius) != (trial.method, trial.max_radius)
@@ -127,9 +127,11 @@ fn hopeless_trials_are_short() {
             assert!(trials[..i].iter().all(is_new), "{trial:?}");
             let is_hopeless = trial.cost() > 10.0 * least;
             short += usize::from(is_hopeless);
-            samples += if is_hopeless { 512 } else { 2048 };
-            least = least.min(trial.cost());
+            let samples = if is_hopeless { 512 } else { 2048 };
+            assert_eq!(trial.samples, samples, "{trial:?}");
+            least = least.min(trial.upper_cost());
         }
+        let samples: u64 = trials.iter().map(|trial| trial.samples).sum();
         let asked = watch.0.into_inner();
         assert!(
             asked.abs_diff(samples) < 10,
