@@ -2,7 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use capwalk_diff::{GradientOptions, KeptChoice, Method, PilotSize, Wanted, WalkSettings};
+use capwalk_diff::{GradientOptions, KeptChoice, Method, PilotSize, WalkSettings, Wanted};
 use capwalk_scene::Scene;
 
 /// What pilots chose, by what they were asked.
@@ -32,12 +32,7 @@ struct Question {
 
 impl Choices {
     /// The place of a choice.
-    pub fn of(
-        &self,
-        scene: &Scene,
-        what: Differentiated,
-        options: &GradientOptions,
-    ) -> KeptChoice {
+    pub fn of(&self, scene: &Scene, what: Differentiated, options: &GradientOptions) -> KeptChoice {
         let question = Question {
             what,
             method: options.method,

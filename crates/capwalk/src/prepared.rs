@@ -361,7 +361,9 @@ impl Prepared {
     ) -> Result<GradientWork<'a>, Error> {
         check_spp("spp", options.spp)?;
         let tangent = direction.tangent(self.scene(), self.registry())?;
-        Ok(self.engine.gradient_work(tangent, direction.name(), options))
+        Ok(self
+            .engine
+            .gradient_work(tangent, direction.name(), options))
     }
 
     /// [`Prepared::backward`] in parts, see [`Prepared::render_work`].
@@ -621,7 +623,10 @@ mod tests {
             let reverse = prepared.choose_backward(&adjoint, &[name], &sampled(seed), &counts[1]);
             let counts = counts.map(|count| count.0.into_inner() > 100);
             let options = [forward, reverse].map(|chosen| chosen.expect("covered").options);
-            (counts, options.map(|options| (options.method, options.walk)))
+            (
+                counts,
+                options.map(|options| (options.method, options.walk)),
+            )
         };
         let mut prepared = Prepared::new(leaf()).expect("it can be rendered");
         let (asked, first) = pilots(&prepared, 1);

@@ -125,7 +125,7 @@ impl Pilot<'_> {
     /// segments, if gloss moves also with walks for the camera and indirect light, then without each
     /// kind of segment in turn, then with more and fewer points, as long as trials are worth it.
     /// Where none is, edges are gathered wherever they can be, but for the camera and indirect light
-    /// if gloss moves.
+    /// if gloss moves; walks have the cutoff that is asked for.
     fn best(&self, trials: &mut Trials) -> (Method, f64) {
         let asked_radius = self.options.walk.max_radius;
         if !Wanted::by(self.tangent).geometry() {
@@ -146,7 +146,11 @@ impl Pilot<'_> {
             false => None,
         };
         if self.size.samples_of_trial() == 0 {
-            let gathers = if surely.is_some() { cautious } else { everywhere };
+            let gathers = if surely.is_some() {
+                cautious
+            } else {
+                everywhere
+            };
             return (by_gathering(gathers), asked_radius);
         }
         let fitting = self.emitter_width().map(|width| PART_OF_EMITTER * width);
@@ -319,9 +323,7 @@ impl Pilot<'_> {
     fn affords(&self, effort: f64, trials: &Trials) -> bool {
         let by_cost = |a: &&Trial, b: &&Trial| a.upper_cost().total_cmp(&b.upper_cost());
         let best = trials.list.iter().min_by(by_cost);
-        best.is_none_or(|best| {
-            trials.spent + effort <= self.size.allowed_effort(best.effort)
-        })
+        best.is_none_or(|best| trials.spent + effort <= self.size.allowed_effort(best.effort))
     }
 
     /// Variance of the samples of each of these pixels by a method, and their effort in all.

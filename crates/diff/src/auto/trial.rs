@@ -91,15 +91,22 @@ impl Trial {
         self.cost() > HOPELESS * costs.fold(f64::INFINITY, f64::min)
     }
 
-    /// Better than another one by so much that so few samples can tell: also with the worst pixels
-    /// where a few carry it, and also without them where they carry both. Trials share their random
-    /// numbers, so that what happens to one of them alone is a matter of its method.
+    /// Better than another one by so much that so few samples can tell. Where a few of them carry one
+    /// or the other, it must be better with them, too; where they carry the other alone, that is
+    /// enough. Trials share their random numbers, so that what happens to one of them alone is a matter
+    /// of its method.
     pub fn beats(&self, other: &Self, clearly: f64) -> bool {
-        let is_trusted_more = other.is_carried_by_few() && !self.is_carried_by_few();
+        let [few, few_of_other] = [self, other].map(Self::is_carried_by_few);
+        let whole = |trial: &Self| trial.whole_variance * trial.effort;
+        let with_all = whole(self) < clearly * whole(other);
+        let without = self.cost() < clearly * other.cost();
         // A trial without variance met nothing.
         self.variance > 0.0
-            && self.upper_cost() < clearly * other.upper_cost()
-            && (is_trusted_more || self.cost() < clearly * other.cost())
+            && match (few, few_of_other) {
+                (false, false) => without,
+                (false, true) => with_all,
+                (true, _) => without && with_all,
+            }
     }
 }
 
@@ -138,9 +145,18 @@ mod tests {
         assert!(carried.cost() < 0.1 * even.cost());
         assert!(!carried.beats(&even, 0.9) && even.beats(&carried, 0.9));
         // So much worse that even the accidents are less.
+        // So much worse that even the accidents are less.
         let noisy = trial(300.0, &[]);
         assert!(carried.beats(&noisy, 0.9) && !noisy.beats(&carried, 0.9));
         assert!(!even.is_hopeless(&[carried]) && noisy.is_hopeless(&[carried, even]));
+    }
+
+    /// A few more samples of the same kind are no reason to distrust one of two.
+    #[test]
+    fn both_are_compared_with_their_worst_pixels() {
+        let (few, not_quite) = (trial(1.0, &[150.0; 3]), trial(1.5, &[190.0; 3]));
+        assert!(few.is_carried_by_few() && !not_quite.is_carried_by_few());
+        assert!(!not_quite.beats(&few, 0.9));
     }
 
     /// Where both have accidents, neither the accidents nor the rest decide alone.

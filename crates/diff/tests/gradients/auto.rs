@@ -177,9 +177,17 @@ fn pilots_cost_less_than_the_samples() {
             let ((), of_reverse) = effort_of(|| drop(reverse.whole(&Unwatched)));
             for ((chosen, pilot), samples) in pilots.into_iter().zip([of_forward, of_reverse]) {
                 let trials = chosen.trials.len();
-                println!("{name}, {spp} samples of {size:?}: {trials} trials, {pilot} of {samples}");
-                assert!(pilot < samples, "{name}, {spp} samples of {size:?}: {chosen:?}");
-                assert!(trials > 1 || spp == 1, "{name}, {size:?}: nothing was tried");
+                println!(
+                    "{name}, {spp} samples of {size:?}: {trials} trials, {pilot} of {samples}"
+                );
+                assert!(
+                    pilot < samples,
+                    "{name}, {spp} samples of {size:?}: {chosen:?}"
+                );
+                assert!(
+                    trials > 1 || spp == 1,
+                    "{name}, {size:?}: nothing was tried"
+                );
             }
         });
     }
@@ -231,7 +239,14 @@ fn kept_choices_spare_pilots() {
     assert!(asked < 2, "{asked}");
     assert_eq!(second.trials, first.trials);
     let method = first.options.method;
-    assert_eq!(second.options, GradientOptions { method, walk: first.options.walk, ..other });
+    assert_eq!(
+        second.options,
+        GradientOptions {
+            method,
+            walk: first.options.walk,
+            ..other
+        }
+    );
     let mut refused = options(16);
     refused.walk.max_radius = -1.0;
     assert!(ask(refused).0.is_err());
