@@ -5,15 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
 
 from . import _capwalk, _functions
+from ._method import Method
 from ._numbers import Array
-from ._options import LARGEST_COUNT, LARGEST_SEED, integer, options
+from ._options import LARGEST_COUNT, LARGEST_SEED, Options, integer, options
 from ._parameters import check_apart
 from ._progress import Progress
 from .errors import ArgumentError, ParameterError, Refused
@@ -62,6 +63,11 @@ class _Kept:
     """The scene at this revision; nobody changes it."""
     spare: dict[tuple[int, str | None], list[_Copy]] = field(default_factory=dict)
     """Copies that nobody is using, by the view that they are ready for."""
+    methods: dict[tuple[Options, tuple[int, ...], tuple[str, ...]], Method | None] = field(
+        default_factory=dict
+    )
+    """What was chosen, by how derivatives are asked for, the shape of the image and the names;
+    ``None`` where the derivative was refused."""
 
 
 _KEPT: WeakKeyDictionary[Scene, _Kept] = WeakKeyDictionary()
@@ -95,6 +101,7 @@ class Work:
         how = {"sensor": asked.sensor, "aov": aov, "threads": threads, "progress": progress}
         self._of_image: dict[str, Any] = {**how, "spp": asked.spp}
         self._of_derivative: dict[str, Any] = {**how, "spp": spp_grad, **method}
+        self._asked = replace(asked, spp=spp_grad, seed=0, threads=None, progress=None)
         self.seed = asked.seed
         """The scene's own."""
         kept = _kept(scene)
@@ -107,6 +114,7 @@ class Work:
         others = {name for name in sensors if name != sensors[asked.sensor]}
         self._seen = [array.first.rpartition(".")[0] not in others for array in self._arrays.values()]
         self._was, self._spare = kept.was, kept.spare.setdefault((asked.sensor, aov), [])
+        self._methods = kept.methods
         _, (width, height), _, _ = self._was._sensors()[asked.sensor]
         self.image_shape = (height, width, 3)
 
@@ -139,9 +147,9 @@ class Work:
         along = {name: velocity for name, velocity in along.items() if velocity.any()}
         if not along:
             return np.zeros(self.image_shape)
+        how = self._how(tuple(along))
         with self._at(values) as scene:
-            slope = _functions.gradient(scene, along, seed=seed, **self._of_derivative)
-            return slope.gradient
+            return _functions.gradient(scene, along, seed=seed, **how).gradient
 
     def pull(
         self, seed: int, values: Sequence[Array], wanted: Sequence[bool], adjoint: Array
@@ -152,16 +160,37 @@ class Work:
         names = [name for name, _, _, seen in chosen if seen]
         gradients: Mapping[str, Array] = {}
         if names:
+            how = self._how(tuple(names))
             with self._at(values) as scene:
-                gradients = _functions.backward(
-                    scene, adjoint, names, seed=seed, **self._of_derivative
-                )
+                gradients = _functions.backward(scene, adjoint, names, seed=seed, **how)
         return [
             _turned(array, value, gradients[name], transposed=True).reshape(value.shape)
             if seen
             else np.zeros(value.shape)
             for name, array, value, seen in chosen
         ]
+
+    def _how(self, names: tuple[str, ...]) -> dict[str, Any]:
+        """How derivatives with respect to these arrays are estimated: by the method that a pilot
+        chose for the scene itself and not for the values of the call that happens to be first.
+        So a call is a function of its arguments, and only the first one needs a pilot."""
+        if self._asked.chosen is not None:
+            return self._of_derivative
+        question = (self._asked, self.image_shape, names)
+        if question not in self._methods:
+            nothing = np.zeros(self.image_shape)
+            try:
+                with self._at(()) as scene:
+                    chosen = _capwalk.choose(scene, (nothing, list(names)), self._asked)
+            except Refused:
+                # It may be allowed with other values, each call for itself.
+                chosen = None
+            self._methods[question] = None if chosen is None else Method(*chosen)
+        method = self._methods[question]
+        if method is None:
+            return self._of_derivative
+        own = {"steps": None, "max_angle": None, "antithetic": None}
+        return {**self._of_derivative, **own, "method": method}
 
     def _chosen(
         self, values: Sequence[Array], chosen: Sequence[bool]

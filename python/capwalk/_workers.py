@@ -254,7 +254,8 @@ class Workers(ABC):
             revision = scene.revision
             # Not by each worker. It refuses what is refused, too.
             chosen = _capwalk.choose(scene, asked, replace(how, threads=None))
-            jobs.append(Job(scene, asked, replace(how, chosen=chosen), revision))
+            settings = None if chosen is None else chosen[1]
+            jobs.append(Job(scene, asked, replace(how, chosen=settings), revision))
         parts: list[list[bytes]] = [[] for _ in jobs]
         samples = [job.samples for job in jobs]
         done, total = 0, sum(samples) * self._parts

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import capwalk as cw
+from capwalk import _functional
 from capwalk.parallel import Pool
 
 BOX = "box.translate.x"
@@ -43,6 +44,49 @@ def test_settings_belong_to_it(scene: cw.Scene) -> None:
     assert not np.array_equal(again.gradient, wide.gradient)
     with pytest.raises(cw.ArgumentError, match='give its name with them: method="walk"'):
         cw.gradient(scene, BOX, method=wide.method, steps=3)
+
+
+def test_scenes_keep_them(scene: cw.Scene, adjoint: np.ndarray) -> None:
+    first = cw.backward(scene, adjoint, NAMES, spp=64, seed=1)
+    params = cw.traverse(scene)
+    params["box.positions"] = params["box.positions"] + 0.01
+    params.update()
+    kept = cw.backward(scene, -adjoint, NAMES, spp=64, seed=2)
+    assert kept.method == first.method
+    # That is all that is left of what was before.
+    anew = cw.backward(scene.copy(), -adjoint, NAMES, spp=64, seed=2, method=first.method)
+    assert np.array_equal(kept["box.positions"], anew["box.positions"])
+
+
+def test_functions_choose_for_the_scene(
+    scene: cw.Scene, adjoint: np.ndarray, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    choices = []
+    choose = _functional._capwalk.choose
+    monkeypatch.setattr(
+        _functional._capwalk, "choose", lambda *asked: choices.append(asked) or choose(*asked)
+    )
+    values = cw.traverse(scene)["box.positions"]
+
+    def pulled(scene: cw.Scene, moved: float, seed: int) -> np.ndarray:
+        work = _functional.Work(
+            scene,
+            {"box.positions": values.shape},
+            sensor=0,
+            aov=None,
+            spp=4,
+            spp_grad=64,
+            threads=None,
+            progress=None,
+        )
+        return work.pull(seed, [values + moved], [True], adjoint)[0]
+
+    pulled(scene, 0.2, 1)
+    second = pulled(scene, 0.1, 2)
+    assert len(choices) == 1
+    # Whatever was asked for before.
+    assert np.array_equal(pulled(scene.copy(), 0.1, 2), second)
+    assert len(choices) == 2
 
 
 def test_gradients_of_losses_have_one(scene: cw.Scene, adjoint: np.ndarray) -> None:

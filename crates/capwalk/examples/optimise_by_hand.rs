@@ -21,8 +21,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         distance: Distance::L2,
         levels: 1,
     };
-    // Where edges move, let the method be chosen once, by `Prepared::choose_backward`, and
-    // not in every iteration. A colour moves none.
+    // Where edges move, the first iteration chooses a method, and the others keep it. A colour moves
+    // none.
     let rate = 0.5;
     for iteration in 0..40 {
         // Every iteration has random numbers of its own, and its image others than its

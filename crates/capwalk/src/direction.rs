@@ -15,6 +15,12 @@ pub trait Direction {
     /// The velocities that are meant in this scene, whose names are in the registry; not
     /// all of them are zero.
     fn tangent(&self, scene: &Scene, registry: &Registry) -> Result<Cow<'_, Tangent>, Error>;
+
+    /// The expression, if it is one. The method that is chosen for it is kept by this name, see
+    /// [`Prepared::choose`](crate::Prepared::choose); for other directions each call chooses.
+    fn name(&self) -> Option<&str> {
+        None
+    }
 }
 
 impl Direction for str {
@@ -27,11 +33,19 @@ impl Direction for str {
             }),
         }
     }
+
+    fn name(&self) -> Option<&str> {
+        Some(self)
+    }
 }
 
 impl Direction for String {
     fn tangent(&self, scene: &Scene, registry: &Registry) -> Result<Cow<'_, Tangent>, Error> {
         self.as_str().tangent(scene, registry)
+    }
+
+    fn name(&self) -> Option<&str> {
+        Some(self)
     }
 }
 

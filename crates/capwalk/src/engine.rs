@@ -4,11 +4,13 @@ use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
 use capwalk_diff::{
-    BackwardWork, Differences, GradientImage, GradientOptions, GradientWork, PreparedScene,
-    Refusal, RenderOptions, RenderWork, Rendering, Wanted, Watch,
+    BackwardWork, Differences, GradientOptions, GradientWork, KeptChoice, PreparedScene, Refusal,
+    RenderOptions, RenderWork, Rendering, Wanted, Watch,
 };
 use capwalk_scene::params::Registry;
 use capwalk_scene::{Image, Scene, Tangent};
+
+use crate::choices::{Choices, Differentiated};
 
 /// A scene that is ready to be rendered.
 #[derive(Debug)]
@@ -16,6 +18,8 @@ pub struct Engine {
     prepared: PreparedScene,
     /// Made when the first name is asked for. Numbers that change do not change names.
     registry: OnceLock<Registry>,
+    /// The methods that were chosen for this scene, or before numbers of it changed.
+    choices: Choices,
 }
 
 impl Engine {
@@ -23,6 +27,7 @@ impl Engine {
         Self {
             prepared: PreparedScene::new(scene),
             registry: OnceLock::new(),
+            choices: Choices::default(),
         }
     }
 
@@ -38,8 +43,8 @@ impl Engine {
         self.registry.get_or_init(|| Registry::new(self.scene()))
     }
 
-    /// Goes over to a scene with the same names and other numbers.
-    pub fn update(&mut self, scene: Scene) {
+    /// Goes over to a scene with the same names and other numbers. Its methods stay chosen.
+    pub fn update(&mut self, scene: impl Into<Arc<Scene>>) {
         self.prepared.update(scene);
     }
 
@@ -47,19 +52,11 @@ impl Engine {
     pub fn replace(&mut self, scene: Arc<Scene>) {
         self.prepared.update(scene);
         self.registry = OnceLock::new();
+        self.choices = Choices::default();
     }
 
     pub fn render(&self, options: &RenderOptions, watch: &dyn Watch) -> Rendering {
         capwalk_diff::render(&self.prepared, options, watch)
-    }
-
-    pub fn gradient(
-        &self,
-        tangent: &Tangent,
-        options: &GradientOptions,
-        watch: &dyn Watch,
-    ) -> Result<GradientImage, Refusal> {
-        capwalk_diff::gradient(&self.prepared, tangent, options, watch)
     }
 
     pub fn differences(&self, tangent: &Tangent, step: f64) -> Result<Differences<'_>, Refusal> {
@@ -72,15 +69,30 @@ impl Engine {
         wanted: Wanted,
         options: &GradientOptions,
     ) -> BackwardWork<'a> {
-        BackwardWork::new(&self.prepared, adjoint, wanted, *options)
+        let kept = self.choice(Differentiated::Loss(wanted.clone()), options);
+        BackwardWork::new(&self.prepared, adjoint, wanted, *options).keeping(kept)
     }
 
+    /// The derivative along a tangent; with its name, the method is kept.
     pub fn gradient_work<'a>(
         &'a self,
         tangent: Cow<'a, Tangent>,
+        name: Option<&str>,
         options: &GradientOptions,
     ) -> GradientWork<'a> {
-        GradientWork::new(&self.prepared, tangent, *options)
+        let work = GradientWork::new(&self.prepared, tangent, *options);
+        match name {
+            Some(name) => work.keeping(self.choice(Differentiated::Along(name.into()), options)),
+            None => work,
+        }
+    }
+
+    /// The place of the method that these options leave to be chosen; one of its own if none.
+    fn choice(&self, what: Differentiated, options: &GradientOptions) -> KeptChoice {
+        match options.method.is_open() {
+            true => self.choices.of(self.scene(), what, options),
+            false => KeptChoice::default(),
+        }
     }
 
     pub fn render_work(&self, options: &RenderOptions) -> RenderWork<'_> {

@@ -51,7 +51,8 @@
 //!
 //! * Every estimate has a standard error. A derivative that could only be estimated with
 //!   a bias is refused: [`Error::Refused`].
-//! * The same scene, options and seed give the same bits, whatever the number of threads.
+//! * The same scene, options and seed give the same bits, whatever the number of threads. A
+//!   method that was chosen is kept while the numbers of a scene change, see [`Prepared::choose`].
 //!   Work runs on the caller's rayon pool, otherwise on one of the process; a forked child
 //!   has its own.
 //! * Everything long takes a [`Watch`], which sees its progress and can stop it.
@@ -64,6 +65,7 @@ struct FrontPage;
 
 mod backward;
 mod check;
+mod choices;
 mod coplanar;
 mod device;
 mod direction;

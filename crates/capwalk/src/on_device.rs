@@ -61,7 +61,7 @@ impl Prepared {
         watch: &dyn Watch,
     ) -> Result<OnDevice<GradientImage>, Error> {
         let tangent = direction.tangent(self.scene(), self.registry())?;
-        let work = self.gradient_work(&*tangent, options)?;
+        let work = self.gradient_work(direction, options)?;
         let found = gpu_work::gradient(self.prepared_scene(), device, &tangent, options, watch)?;
         let there = by_method(options, Wanted::by(&tangent).moves());
         or_else(found, Some(there), || {

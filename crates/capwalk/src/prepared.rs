@@ -130,14 +130,17 @@ impl Prepared {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<GradientImage, Error> {
-        check_spp("spp", options.spp)?;
-        let tangent = direction.tangent(self.scene(), self.registry())?;
-        Ok(self.engine.gradient(&tangent, options, watch)?)
+        Ok(self.gradient_work(direction, options)?.whole(watch)?)
     }
 
     /// The method that [`Prepared::gradient`] uses with these options, and what was tried to
     /// find it: with [`Method::Auto`] a pilot chooses, in a small part of the time of a long
-    /// gradient. A gradient with the options that come back has the same bits.
+    /// gradient, in less than half of that of a short one. A gradient with the options that come
+    /// back has the same bits.
+    ///
+    /// It is chosen once for an expression and for about as many samples, by the first call that
+    /// needs it, and kept while the numbers of the scene change ([`Prepared::update`]). It does not
+    /// depend on seeds. [`Prepared::update_scene`] and a new `Prepared` choose again.
     ///
     /// ```
     /// use capwalk::{GradientOptions, Method, Unwatched};
@@ -228,7 +231,7 @@ impl Prepared {
         // Before the gradient is estimated.
         let reference =
             options.reference(self.scene(), tangent, || self.difference_step(tangent))?;
-        let work = self.gradient_work(tangent, &options.gradient)?;
+        let work = self.gradient_work(direction, &options.gradient)?;
         let chosen = work.chosen(watch)?.options;
         let gradient = comparable(work.whole(watch)?, &work, watch)?;
         drop(work); // what it knows of the motion can be large
@@ -363,7 +366,9 @@ impl Prepared {
     ) -> Result<GradientWork<'a>, Error> {
         check_spp("spp", options.spp)?;
         let tangent = direction.tangent(self.scene(), self.registry())?;
-        Ok(self.engine.gradient_work(tangent, options))
+        Ok(self
+            .engine
+            .gradient_work(tangent, direction.name(), options))
     }
 
     /// [`Prepared::backward`] in parts, see [`Prepared::render_work`].
@@ -399,7 +404,8 @@ impl Prepared {
     }
 
     /// The method that [`Prepared::backward`] uses with these options, see
-    /// [`Prepared::choose`].
+    /// [`Prepared::choose`]. It does not depend on the adjoint, and is kept by what the names
+    /// change.
     pub fn choose_backward<N: AsRef<str>>(
         &self,
         adjoint: &Image,
@@ -470,7 +476,8 @@ impl Prepared {
 
     /// Changes the numbers of an array, such as `"ball.positions"`. Moved vertices refit
     /// the trees, other colours touch none. Nothing is changed if the scene could not be
-    /// rendered with them.
+    /// rendered with them. Later answers are those of [`Prepared::new`] for the changed scene, to
+    /// the bit, by the methods that were chosen before, see [`Prepared::choose`].
     ///
     /// ```
     /// # let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
@@ -491,6 +498,11 @@ impl Prepared {
         for (name, numbers) in changes {
             backward::array(self.registry(), self.scene(), name)?.set(&mut scene, numbers)?;
         }
+        self.renumber(scene)
+    }
+
+    /// Goes over to a scene with the same names and other numbers; its methods stay chosen.
+    pub(crate) fn renumber(&mut self, scene: Scene) -> Result<(), Error> {
         scene.check().map_err(Error::InvalidUpdate)?;
         self.engine.update(scene);
         Ok(())
@@ -523,6 +535,8 @@ impl Prepared {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::atomic::{AtomicU64, Ordering};
+
     use super::*;
     use capwalk_diff::Unwatched;
     use capwalk_scene::builtin;
@@ -588,6 +602,64 @@ mod tests {
             );
         }
         assert!(difference(2, 0.1).is_none() && check(some, 2, 0.1).is_none());
+    }
+
+    /// Counts how often it is asked: by each sample of a pilot.
+    #[derive(Default)]
+    struct Counts(AtomicU64);
+
+    impl Watch for Counts {
+        fn progress(&self, _done: u64, _total: u64) {}
+        fn should_stop(&self) -> bool {
+            self.0.fetch_add(1, Ordering::Relaxed);
+            false
+        }
+    }
+
+    /// Pilots run once for a name and for what names change, until the scene is another one. What
+    /// was asked before decides nothing but the method, and that only after changes.
+    #[test]
+    fn choices_are_kept_until_the_scene_is_another() {
+        let sampled = |seed| GradientOptions::new(RenderOptions::new(512, seed));
+        let pilots = |prepared: &Prepared, seed| {
+            let (name, adjoint) = ("leaf.translate.x", Image::new(8, 6));
+            let counts = [Counts::default(), Counts::default()];
+            let forward = prepared.choose(name, &sampled(seed), &counts[0]);
+            let reverse = prepared.choose_backward(&adjoint, &[name], &sampled(seed), &counts[1]);
+            let counts = counts.map(|count| count.0.into_inner() > 100);
+            let options = [forward, reverse].map(|chosen| chosen.expect("covered").options);
+            (
+                counts,
+                options.map(|options| (options.method, options.walk)),
+            )
+        };
+        let mut prepared = Prepared::new(leaf()).expect("it can be rendered");
+        let (asked, first) = pilots(&prepared, 1);
+        assert_eq!(asked, [true; 2]);
+        assert_eq!(pilots(&prepared, 2), ([false; 2], first));
+        // The same call gives the same bits, whatever was asked before.
+        let name = "leaf.translate.x";
+        let gradient = |prepared: &Prepared, options| {
+            let result = prepared.gradient(name, &options, &Unwatched);
+            result.expect("covered").gradient
+        };
+        let anew = Prepared::new(leaf()).expect("it can be rendered");
+        assert!(gradient(&prepared, sampled(2)) == gradient(&anew, sampled(2)));
+
+        let positions = prepared.values("leaf.positions").expect("an array").numbers;
+        let moved: Vec<f64> = positions.iter().map(|x| x + 0.1).collect();
+        let update = prepared.update("leaf.positions", &moved);
+        update.expect("it can be rendered");
+        assert_eq!(pilots(&prepared, 3), ([false; 2], first));
+        // By the method that is kept, those of a new one.
+        let chosen = prepared.choose(name, &sampled(3), &Unwatched);
+        let chosen = chosen.expect("covered").options;
+        let anew = Prepared::new(Scene::clone(prepared.scene())).expect("it can be rendered");
+        assert!(gradient(&prepared, sampled(3)) == gradient(&anew, chosen));
+
+        let scene = Scene::clone(prepared.scene());
+        prepared.update_scene(scene).expect("it can be rendered");
+        assert_eq!(pilots(&prepared, 3).0, [true; 2]);
     }
 
     /// Whatever differs, also where the meshes are the same.

@@ -106,7 +106,7 @@ impl Views {
             *self = Self::new(scene, sensors)?;
             return Ok(());
         }
-        self.replace(scene, sensors)?;
+        self.replace(scene, sensors, Prepared::update_scene)?;
         self.registries
             .iter_mut()
             .for_each(|r| *r = OnceLock::new());
@@ -218,24 +218,28 @@ impl Views {
         Ok(Vec::new())
     }
 
-    /// Changes arrays, all of them or none, see [`Prepared::update`].
+    /// Changes arrays, all of them or none, see [`Prepared::update`]. Methods stay chosen.
     pub fn update(&mut self, changes: &[(&str, &[f64])]) -> Result<(), Error> {
         let (scene, sensors) = (Scene::clone(&self.scene), self.sensors.clone());
-        self.change(scene, sensors, changes)
+        let (scene, sensors) = self.changed(scene, sensors, changes)?;
+        self.replace(scene, sensors, Prepared::renumber)
     }
 
-    /// Goes over to what another scene with the same names would be after these changes.
+    /// Goes over to what another scene with the same names would be after these changes. Later
+    /// answers do not depend on what was asked before.
     pub fn restore(&mut self, other: &Self, changes: &[(&str, &[f64])]) -> Result<(), Error> {
         let (scene, sensors) = (Scene::clone(&other.scene), other.sensors.clone());
-        self.change(scene, sensors, changes)
+        let (scene, sensors) = self.changed(scene, sensors, changes)?;
+        self.replace(scene, sensors, Prepared::update_scene)
     }
 
-    fn change(
-        &mut self,
+    /// A scene with the same names, and its sensors, after these changes.
+    fn changed(
+        &self,
         mut scene: Scene,
         mut sensors: Vec<SensorSettings>,
         changes: &[(&str, &[f64])],
-    ) -> Result<(), Error> {
+    ) -> Result<(Scene, Vec<SensorSettings>), Error> {
         for (name, numbers) in changes {
             let sensor = self.sensor_of(name)?;
             let mut seen = sensors[sensor].scene(&scene);
@@ -243,25 +247,30 @@ impl Views {
             sensors[sensor].sensor = seen.sensor.clone();
             scene = seen;
         }
-        self.replace(scene, sensors)
+        Ok((scene, sensors))
     }
 
     /// Gives all images this width and height in pixels, without crop.
     pub fn resize(&mut self, size: [u32; 2]) -> Result<(), Error> {
         let mut sensors = self.sensors.clone();
         sensors.iter_mut().for_each(|view| view.film.resize(size));
-        self.replace(Scene::clone(&self.scene), sensors)
+        self.replace(Scene::clone(&self.scene), sensors, Prepared::update_scene)
     }
 
-    /// Goes over to another scene with as many sensors.
-    fn replace(&mut self, scene: Scene, sensors: Vec<SensorSettings>) -> Result<(), Error> {
+    /// Goes over to another scene with as many sensors: every view that is ready does so.
+    fn replace(
+        &mut self,
+        scene: Scene,
+        sensors: Vec<SensorSettings>,
+        follow: fn(&mut Prepared, Scene) -> Result<(), Error>,
+    ) -> Result<(), Error> {
         let scene = Arc::new(sensors[0].scene(&scene));
         check(&scene, &sensors).map_err(Error::InvalidUpdate)?;
         (self.scene, self.sensors) = (scene, sensors);
         // A view that nobody has asked for costs nothing.
         for (view, place) in ViewId::all(self.sensors.len()).zip(&mut self.prepared) {
             if let Some(prepared) = place.get_mut() {
-                prepared.update_scene(seen(&self.scene, &self.sensors, view))?;
+                follow(prepared, seen(&self.scene, &self.sensors, view))?;
             }
         }
         Ok(())

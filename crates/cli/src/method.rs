@@ -181,8 +181,15 @@ pub fn log(chosen: &Chosen) {
         format!("{}{along}{points}, walks up to {angle}°", method.name())
     };
     for trial in &chosen.trials {
+        let few = match trial.is_carried_by_few() {
+            true => format!(
+                ", {} with the few samples that carry it",
+                report::number(trial.upper_cost())
+            ),
+            false => String::new(),
+        };
         log::info!(
-            "tried {}: variance {} x effort {} = {}",
+            "tried {}: variance {} x effort {} = {}{few}",
             describe(trial.method, trial.max_radius),
             report::number(trial.variance),
             report::number(trial.effort),

@@ -16,7 +16,7 @@ use capwalk_render::{
 use capwalk_scene::{Tangent, TextureId, fingerprint};
 
 use crate::adjoint::Wanted;
-use crate::auto::{Chosen, Pilot};
+use crate::auto::{Chosen, KeptChoice, Pilot, PilotSize};
 use crate::coverage::Coverage;
 use crate::forward_eval::Forward;
 use crate::options::GradientOptions;
@@ -51,6 +51,7 @@ pub struct GradientWork<'a> {
     /// True if light of which the derivative is incomplete is left out of the image, too.
     is_of_rest: bool,
     chosen: OnceLock<Chosen>,
+    kept: KeptChoice,
     facts: Arc<MotionFacts>,
     /// How many samples each pixel gets; found by the first call that samples.
     counts: OnceLock<SampleCounts>,
@@ -71,10 +72,17 @@ impl<'a> GradientWork<'a> {
             options,
             is_of_rest: false,
             chosen: OnceLock::new(),
+            kept: KeptChoice::default(),
             facts: Arc::new(MotionFacts::of(prepared.scene())),
             counts: OnceLock::new(),
             fingerprint: OnceLock::new(),
         }
+    }
+
+    /// The same work by the method that is kept there. If none is, what this work chooses is.
+    #[must_use]
+    pub fn keeping(self, kept: KeptChoice) -> Self {
+        Self { kept, ..self }
     }
 
     /// The same of the image without the light of which the derivative leaves something out (see
@@ -87,6 +95,7 @@ impl<'a> GradientWork<'a> {
             wanted: self.wanted.clone(),
             is_of_rest: true,
             chosen: self.chosen.clone(),
+            kept: self.kept.clone(),
             facts: Arc::clone(&self.facts),
             counts: OnceLock::new(),
             fingerprint: OnceLock::new(),
@@ -113,14 +122,22 @@ impl<'a> GradientWork<'a> {
                 prepared: self.prepared,
                 tangent: &self.tangent,
                 facts: &self.facts,
-                adjoint: None,
+                is_blind: self.options.blind,
                 options: &self.options,
+                size: PilotSize::of(self.prepared.scene(), &self.options, 1),
                 watch,
             };
             pilot.choose(|options| self.coverage().uncovered(options))
         };
         let refuse = || self.refuse(&self.options);
-        Chosen::of(&self.options, &self.chosen, watch, refuse, choose)
+        Chosen::of(
+            &self.options,
+            &self.chosen,
+            &self.kept,
+            watch,
+            refuse,
+            choose,
+        )
     }
 
     /// What a part of the work gives: of its cells those that are finished when `watch` stops

@@ -36,7 +36,7 @@ pub use capwalk_render::{
 pub use capwalk_walk::{Estimator, WalkSettings};
 
 pub use adjoint::{Adjoint, Target, Wanted};
-pub use auto::{Chosen, Trial};
+pub use auto::{Chosen, KeptChoice, PilotSize, Trial};
 pub use finite::{Differences, Stencil, finite_difference};
 pub use forward::{GradientWork, gradient};
 pub use forward_eval::Forward;

@@ -22,7 +22,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::adjoint::{Adjoint, Target, Wanted};
-use crate::auto::{Chosen, Pilot, motion};
+use crate::auto::{Chosen, KeptChoice, Pilot, PilotSize, motion};
 use crate::coverage::Coverage;
 use crate::options::GradientOptions;
 use crate::reverse_eval::Reverse;
@@ -122,6 +122,8 @@ pub struct BackwardWork<'a> {
     wanted: Wanted,
     options: GradientOptions,
     chosen: OnceLock<Chosen>,
+    kept: KeptChoice,
+    size: PilotSize,
     facts: Arc<MotionFacts>,
     fingerprint: OnceLock<u64>,
 }
@@ -140,9 +142,24 @@ impl<'a> BackwardWork<'a> {
             wanted,
             options,
             chosen: OnceLock::new(),
+            kept: KeptChoice::default(),
+            size: PilotSize::of(prepared.scene(), &options, 1),
             facts: Arc::new(MotionFacts::of(prepared.scene())),
             fingerprint: OnceLock::new(),
         }
+    }
+
+    /// The same work by the method that is kept there. If none is, what this work chooses is.
+    #[must_use]
+    pub fn keeping(self, kept: KeptChoice) -> Self {
+        Self { kept, ..self }
+    }
+
+    /// The same work with a pilot as for so many of its kind, for which its choice will be used.
+    #[must_use]
+    pub fn repeated(self, times: u64) -> Self {
+        let size = PilotSize::of(self.prepared.scene(), &self.options, times);
+        Self { size, ..self }
     }
 
     /// The cells that the work can be cut into.
@@ -165,14 +182,22 @@ impl<'a> BackwardWork<'a> {
                 tangent: &motion(self.prepared.scene(), &self.wanted),
                 // The motion of the pilot is not what the passes know.
                 facts: &Arc::new(MotionFacts::of(self.prepared.scene())),
-                adjoint: Some(self.adjoint),
+                is_blind: true,
                 options: &self.options,
+                size: self.size,
                 watch,
             };
             pilot.choose(|options| self.coverage().uncovered(options))
         };
         let refuse = || self.refuse(&self.options);
-        Chosen::of(&self.options, &self.chosen, watch, refuse, choose)
+        Chosen::of(
+            &self.options,
+            &self.chosen,
+            &self.kept,
+            watch,
+            refuse,
+            choose,
+        )
     }
 
     /// What a part of the work gives: of its cells those that are finished when `watch` stops

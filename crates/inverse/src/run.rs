@@ -365,9 +365,9 @@ impl Problem {
     }
 
     /// Settles the method of all gradients, if it is one that chooses: what is best for the sum
-    /// of all pixels of the first view before the first step, in a short pilot. Later
-    /// iterations would choose alike, and need no pilot of their own. `None` if another
-    /// method is given; what is refused stays as it is, to be refused by the first iteration.
+    /// of all pixels of the first view before the first step, in a pilot as for a hundred steps. All
+    /// iterations keep it. `None` if another method is given; what is refused stays as it is, to
+    /// be refused by the first iteration.
     pub fn choose_method(&mut self, watch: &dyn Watch) -> Option<Chosen> {
         if !self.method.is_open() {
             return None;
@@ -379,7 +379,8 @@ impl Problem {
         ones.pixels.fill(Rgb::splat(1.0));
         let wanted = self.variables.wanted(&self.scene);
         let options = self.gradient_options(RenderOptions::new(self.spp_grad, self.seed));
-        let work = BackwardWork::new(&prepared, &ones, wanted, options);
+        let gradients = STEPS_OF_PILOT * self.views.len() as u64;
+        let work = BackwardWork::new(&prepared, &ones, wanted, options).repeated(gradients);
         let chosen = work.chosen(watch).ok().filter(|_| !watch.should_stop())?;
         (self.method, self.walk) = (chosen.options.method, chosen.options.walk);
         Some(chosen)
@@ -430,6 +431,10 @@ impl Problem {
         Ok(())
     }
 }
+
+/// The pilot is as large as for so many steps, about what optimisations take. The number that is
+/// asked for must not decide: a run that goes on for more must have the same method.
+const STEPS_OF_PILOT: u64 = 100;
 
 /// An error if a piece of work was stopped, or too many of its samples are not finite.
 fn refuse_unusable(what: &str, iteration: u32, statistics: &Statistics) -> Result<(), Stop> {

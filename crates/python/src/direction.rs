@@ -1,8 +1,9 @@
 //! What the image changes along.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use capwalk::{Direction, Error, Prepared, Tangent};
+use capwalk::{Direction, Error, Prepared, Scene, Tangent, params};
 use numpy::{PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -25,6 +26,26 @@ pub struct Velocities {
     array: String,
     shape: Vec<usize>,
     numbers: Vec<f64>,
+}
+
+/// A motion of a scene, with the expression that it was asked for by.
+pub struct Named<'m> {
+    tangent: Tangent,
+    name: Option<&'m str>,
+}
+
+impl Direction for Named<'_> {
+    fn tangent(
+        &self,
+        scene: &Scene,
+        registry: &params::Registry,
+    ) -> Result<Cow<'_, Tangent>, Error> {
+        self.tangent.tangent(scene, registry)
+    }
+
+    fn name(&self) -> Option<&str> {
+        self.name
+    }
 }
 
 impl From<Along<'_>> for Motion {
@@ -52,10 +73,15 @@ impl Motion {
     }
 
     /// What moves in the scene.
-    pub fn tangent(&self, prepared: &Prepared) -> Result<Tangent, Error> {
+    pub fn direction(&self, prepared: &Prepared) -> Result<Named<'_>, Error> {
         let (scene, registry) = (prepared.scene(), prepared.registry());
         let velocities = match self {
-            Self::Expression(text) => return Ok(text.tangent(scene, registry)?.into_owned()),
+            Self::Expression(text) => {
+                return Ok(Named {
+                    tangent: text.tangent(scene, registry)?.into_owned(),
+                    name: Some(text),
+                });
+            }
             Self::Velocities(velocities) => velocities,
         };
         let mut sum = Tangent::zero(scene);
@@ -68,6 +94,9 @@ impl Motion {
             arrays::check_shape(array, &prepared.values(array)?.shape, shape)?;
             sum.add(&prepared.tangent(array, numbers)?);
         }
-        Ok(sum)
+        Ok(Named {
+            tangent: sum,
+            name: None,
+        })
     }
 }

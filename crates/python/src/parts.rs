@@ -11,7 +11,7 @@ use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
 
 use crate::direction::{Along, Motion};
-use crate::results::{of_backward, of_gradient, of_method, of_render};
+use crate::results::{OfMethod, of_backward, of_gradient, of_method, of_render};
 use crate::scene::Scene;
 use crate::watched::detached;
 use crate::work::{Options, run};
@@ -71,8 +71,8 @@ impl Task {
                 Whole::Render(work.finish(merged(parts)?)?)
             }
             Self::Gradient(motion, options) => {
-                let tangent = motion.tangent(prepared)?;
-                let work = prepared.gradient_work(&tangent, options)?;
+                let direction = motion.direction(prepared)?;
+                let work = prepared.gradient_work(&direction, options)?;
                 Whole::Gradient(Box::new(work.finish(merged(parts)?)?), *options)
             }
             Self::Backward(adjoint, names, options) => {
@@ -83,22 +83,22 @@ impl Task {
     }
 }
 
-/// The method that is used for all parts, as bytes for `options.chosen`; `None` for images.
-/// Refuses what the whole refuses.
+/// The method that is used for all parts, its name and bytes for `options.chosen`; `None` for
+/// images. Refuses what the whole refuses.
 #[pyfunction]
 pub fn choose<'py>(
     py: Python<'py>,
     scene: &Scene,
     asked: Option<Asked<'py>>,
     options: Options<'py>,
-) -> PyResult<Option<Bound<'py, PyBytes>>> {
+) -> PyResult<Option<OfMethod<'py>>> {
     let task = Task::new(py, asked, &options)?;
     let chosen = run(py, scene, &options, &task.names(), |prepared, watch| {
         let chosen = match &task {
             Task::Render(_) => return Ok(None),
             Task::Gradient(motion, options) => {
-                let tangent = motion.tangent(prepared)?;
-                let work = prepared.gradient_work(&tangent, options)?;
+                let direction = motion.direction(prepared)?;
+                let work = prepared.gradient_work(&direction, options)?;
                 work.chosen(watch)?
             }
             Task::Backward(adjoint, names, options) => {
@@ -108,8 +108,7 @@ pub fn choose<'py>(
         };
         Ok(Some(chosen.options))
     })?;
-    let settings = chosen.map(|options| Ok(of_method(py, &options)?.1));
-    settings.transpose()
+    chosen.map(|options| of_method(py, &options)).transpose()
 }
 
 /// The bytes of part `index` of `count`.
@@ -131,8 +130,8 @@ pub fn part<'py>(
                 work.part(&part(work.grid())?, watch)?.to_bytes()?
             }
             Task::Gradient(motion, options) => {
-                let tangent = motion.tangent(prepared)?;
-                let work = prepared.gradient_work(&tangent, options)?;
+                let direction = motion.direction(prepared)?;
+                let work = prepared.gradient_work(&direction, options)?;
                 work.part(&part(work.grid())?, watch)?.to_bytes()?
             }
             Task::Backward(adjoint, names, options) => {

@@ -18,16 +18,16 @@ type Arrays<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray3<f64>>);
 pub type OfRender<'py> = (Arrays<'py>, Bound<'py, PyDict>);
 
 /// The name of a method, and what a pilot found for it, as bytes.
-type Method<'py> = (&'static str, Bound<'py, PyBytes>);
+pub type OfMethod<'py> = (&'static str, Bound<'py, PyBytes>);
 
 /// An image, its derivative, the method, and what was done.
-pub type OfGradient<'py> = (Arrays<'py>, Arrays<'py>, Method<'py>, Bound<'py, PyDict>);
+pub type OfGradient<'py> = (Arrays<'py>, Arrays<'py>, OfMethod<'py>, Bound<'py, PyDict>);
 
 /// The gradient of a loss and its standard errors by names, the method, and what was done.
 pub type OfBackward<'py> = (
     Bound<'py, PyDict>,
     Bound<'py, PyDict>,
-    Method<'py>,
+    OfMethod<'py>,
     Bound<'py, PyDict>,
 );
 
@@ -71,7 +71,7 @@ pub fn of_backward<'py>(
 }
 
 /// The method of these options, for `options.chosen`.
-pub fn of_method<'py>(py: Python<'py>, options: &GradientOptions) -> PyResult<Method<'py>> {
+pub fn of_method<'py>(py: Python<'py>, options: &GradientOptions) -> PyResult<OfMethod<'py>> {
     let settings = capwalk::scene::pack(&(options.method, options.walk));
     let settings = settings.map_err(|error| errors::exception(py, Error::from(error)))?;
     Ok((options.method.name(), PyBytes::new(py, &settings)))

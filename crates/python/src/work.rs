@@ -209,8 +209,8 @@ pub fn gradient<'py>(
     let (device, asked) = (named(py, device)?, options.gradient(py)?);
     let motion = Motion::from(along);
     let image = run(py, scene, &options, &motion.names(), |prepared, watch| {
-        let tangent = motion.tangent(prepared)?;
-        prepared.gradient_on(device, &tangent, &asked, watch)
+        let direction = motion.direction(prepared)?;
+        prepared.gradient_on(device, &direction, &asked, watch)
     })?;
     let options = image.chosen.map_or(asked, |chosen| chosen.options);
     let result = of_gradient(py, &image.result, &options)?;
@@ -259,7 +259,7 @@ pub fn check<'py>(
     };
     let motion = Motion::from(along);
     let check = run(py, scene, &options, &motion.names(), |prepared, watch| {
-        prepared.check(&motion.tangent(prepared)?, &asked, watch)
+        prepared.check(&motion.direction(prepared)?, &asked, watch)
     })?;
     of_check(py, &check, &asked)
 }

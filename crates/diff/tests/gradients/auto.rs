@@ -4,13 +4,14 @@ use std::borrow::Cow;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use capwalk_diff::{
-    BackwardWork, Chosen, GradientOptions, GradientWork, Method, PreparedScene, RenderOptions,
-    Unwatched, Wanted, Watch, gradient, with_threads,
+    BackwardWork, Chosen, GradientOptions, GradientWork, KeptChoice, Method, PreparedScene,
+    RenderOptions, Unwatched, Wanted, Watch, gradient, with_threads,
 };
-use capwalk_math::Rgb;
+use capwalk_geometry::effort;
+use capwalk_math::{Rgb, Vec3};
 use capwalk_scene::bsdf::{Facets, Metal};
 use capwalk_scene::lobe::Distribution;
-use capwalk_scene::{Bsdf, Filter, Image, Scene, Tangent, Texture, builtin};
+use capwalk_scene::{Bsdf, Emitter, Filter, Image, Scene, Tangent, Texture, builtin};
 
 use crate::common::agree::*;
 use crate::common::stages::*;
@@ -112,12 +113,13 @@ fn hopeless_trials_are_short() {
     for scene in [of_metal(ball.clone(), "ball"), ball] {
         let moving = tangent(&scene, parameter);
         let prepared = PreparedScene::new(scene);
-        let work = GradientWork::new(&prepared, Cow::Borrowed(&moving), options(16));
+        // As many samples as take trials of 2048.
+        let work = GradientWork::new(&prepared, Cow::Borrowed(&moving), options(80));
         // Each sample asks whether to stop.
         let watch = StopsAfter(0.into(), u64::MAX);
         let chosen = work.chosen(&watch).expect("covered");
         let trials = &chosen.trials;
-        let (mut samples, mut least) = (0, f64::INFINITY);
+        let mut least = f64::INFINITY;
         for (i, trial) in trials.iter().enumerate() {
             let is_new = |other: &capwalk_diff::Trial| {
                 (other.method, other.max_radius) != (trial.method, trial.max_radius)
@@ -125,9 +127,11 @@ fn hopeless_trials_are_short() {
             assert!(trials[..i].iter().all(is_new), "{trial:?}");
             let is_hopeless = trial.cost() > 10.0 * least;
             short += usize::from(is_hopeless);
-            samples += if is_hopeless { 512 } else { 2048 };
-            least = least.min(trial.cost());
+            let samples = if is_hopeless { 512 } else { 2048 };
+            assert_eq!(trial.samples, samples, "{trial:?}");
+            least = least.min(trial.upper_cost());
         }
+        let samples: u64 = trials.iter().map(|trial| trial.samples).sum();
         let asked = watch.0.into_inner();
         assert!(
             asked.abs_diff(samples) < 10,
@@ -135,6 +139,136 @@ fn hopeless_trials_are_short() {
         );
     }
     assert!(short > 0);
+}
+
+/// The effort of queries on this thread.
+fn effort_of<T>(work: impl FnOnce() -> T) -> (T, u64) {
+    let before = effort();
+    let result = work();
+    (result, effort() - before)
+}
+
+/// Pilots cost less than the samples for which they choose, however few these are, in both modes.
+#[test]
+fn pilots_cost_less_than_the_samples() {
+    for (name, size, spp) in [
+        ("ball", [16, 12], 1),
+        ("ball", [48, 36], 16),
+        ("lattice-shadow", [16, 12], 1),
+        ("lattice-shadow", [48, 36], 10),
+        ("lattice-shadow", [48, 36], 80),
+    ] {
+        let (mut scene, tangent) = built_in(name);
+        (scene.film.size, scene.film.crop_size) = (size, size);
+        let mut adjoint = Image::new(size[0] as usize, size[1] as usize);
+        adjoint.pixels.fill(Rgb::splat(1.0));
+        let prepared = PreparedScene::new(scene);
+        // Listing the edges is work of both.
+        prepared.boundaries();
+        with_threads(1, || {
+            let forward = GradientWork::new(&prepared, Cow::Borrowed(&tangent), options(spp));
+            let wanted = Wanted::by(&tangent);
+            let reverse = BackwardWork::new(&prepared, &adjoint, wanted, options(spp));
+            let pilots = [
+                effort_of(|| forward.chosen(&Unwatched).expect("covered")),
+                effort_of(|| reverse.chosen(&Unwatched).expect("covered")),
+            ];
+            let ((), of_forward) = effort_of(|| drop(forward.whole(&Unwatched)));
+            let ((), of_reverse) = effort_of(|| drop(reverse.whole(&Unwatched)));
+            for ((chosen, pilot), samples) in pilots.into_iter().zip([of_forward, of_reverse]) {
+                let trials = chosen.trials.len();
+                println!(
+                    "{name}, {spp} samples of {size:?}: {trials} trials, {pilot} of {samples}"
+                );
+                assert!(
+                    pilot < samples,
+                    "{name}, {spp} samples of {size:?}: {chosen:?}"
+                );
+                assert!(
+                    trials > 1 || spp == 1,
+                    "{name}, {size:?}: nothing was tried"
+                );
+            }
+        });
+    }
+}
+
+/// Neither seeds nor the adjoint decide, and a few samples more do not: what is chosen for one call
+/// is what any other of its kind would choose.
+#[test]
+fn the_choice_is_one_for_all_seeds_and_losses() {
+    let (scene, tangent) = built_in("lattice-shadow");
+    let seeded = |seed, spp| GradientOptions::new(RenderOptions::new(spp, seed));
+    let method = |chosen: Chosen| (chosen.options.method, chosen.trials);
+    let forward = [(1, 16), (2, 16), (2, 17)].map(|(seed, spp)| {
+        let chosen = chosen(&scene, &tangent, seeded(seed, spp));
+        assert_eq!((chosen.options.seed, chosen.options.spp), (seed, spp));
+        method(chosen)
+    });
+    assert!(forward[0] == forward[1] && forward[1] == forward[2]);
+    let prepared = PreparedScene::new(scene.clone());
+    let [nothing, mut corner] = [0, 1].map(|_| Image::new(48, 36));
+    corner.pixels[0] = Rgb::splat(3.0);
+    let reverse = [(&nothing, 1), (&corner, 2)].map(|(adjoint, seed)| {
+        let wanted = Wanted::by(&tangent);
+        let work = BackwardWork::new(&prepared, adjoint, wanted, seeded(seed, 16));
+        method(work.chosen(&Unwatched).expect("covered"))
+    });
+    assert!(reverse[0] == reverse[1]);
+}
+
+/// A choice that is kept spares the pilot, and is that of the work which was first; what is refused
+/// is refused all the same.
+#[test]
+fn kept_choices_spare_pilots() {
+    let (scene, tangent) = built_in("lattice-shadow");
+    let prepared = PreparedScene::new(scene);
+    let kept = KeptChoice::default();
+    let ask = |options: GradientOptions| {
+        let work = GradientWork::new(&prepared, Cow::Borrowed(&tangent), options);
+        let watch = StopsAfter(0.into(), u64::MAX);
+        let chosen = work.keeping(kept.clone()).chosen(&watch);
+        (chosen, watch.0.into_inner())
+    };
+    let (first, asked) = ask(options(16));
+    let first = first.expect("covered");
+    assert!(asked > 2048, "{asked}");
+    let other = GradientOptions::new(RenderOptions::new(3, 7));
+    let (second, asked) = ask(other);
+    let second = second.expect("covered");
+    assert!(asked < 2, "{asked}");
+    assert_eq!(second.trials, first.trials);
+    let method = first.options.method;
+    assert_eq!(
+        second.options,
+        GradientOptions {
+            method,
+            walk: first.options.walk,
+            ..other
+        }
+    );
+    let mut refused = options(16);
+    refused.walk.max_radius = -1.0;
+    assert!(ask(refused).0.is_err());
+}
+
+/// Lights without extent have shadows whose edges are gathered, in reverse mode, too.
+#[test]
+fn lights_that_move_are_tried() {
+    let mut scene = with(triangle());
+    let intensity = scene.add_texture(Texture::number("intensity", 1.0));
+    scene.emitters.push(Emitter::Point {
+        id: "bulb".into(),
+        position: Vec3::new(0.2, 0.1, 3.0),
+        intensity,
+    });
+    let wanted = Wanted::by(&tangent(&scene, "bulb.translate.x"));
+    let [width, height] = scene.film.crop_size.map(|side| side as usize);
+    let adjoint = Image::new(width, height);
+    let prepared = PreparedScene::new(scene);
+    let work = BackwardWork::new(&prepared, &adjoint, wanted, options(64));
+    let chosen = work.chosen(&Unwatched).expect("covered");
+    assert!(chosen.options.method.traits().gathers.camera, "{chosen:?}");
 }
 
 /// Nothing is tried where no curve in the image moves.
