@@ -101,7 +101,7 @@ class Work:
         how = {"sensor": asked.sensor, "aov": aov, "threads": threads, "progress": progress}
         self._of_image: dict[str, Any] = {**how, "spp": asked.spp}
         self._of_derivative: dict[str, Any] = {**how, "spp": spp_grad, **method}
-        self._asked = replace(asked, spp=spp_grad, seed=0, threads=None, progress=None)
+        self._asked = replace(asked, spp=spp_grad, seed=0)
         self.seed = asked.seed
         """The scene's own."""
         kept = _kept(scene)

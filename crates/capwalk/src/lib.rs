@@ -92,7 +92,7 @@ mod views;
 pub use capwalk_diff::check::{Comparison, Verdict, compare};
 pub use capwalk_diff::{
     Accumulate, AllowMissing, BatchSums, Cell, Chosen, Estimate, Estimator, Gathers, GradientImage,
-    GradientOptions, GradientWork, Grid, Method, Missing, Part, PartError, Partial, PixelSums,
+    GradientOptions, GradientWork, Grid, KeptChoice, Method, Missing, Part, PartError, Partial, PixelSums,
     Refusal, RenderOptions, RenderWork, Rendering, Statistics, Stencil, Trial, Unwatched,
     WalkSettings, Watch, with_threads,
 };

@@ -135,8 +135,8 @@ impl Prepared {
 
     /// The method that [`Prepared::gradient`] uses with these options, and what was tried to
     /// find it: with [`Method::Auto`] a pilot chooses, in a small part of the time of a long
-    /// gradient, in less than half of that of a short one. A gradient with the options that come
-    /// back has the same bits.
+    /// gradient, and in at most half of that of a short one. A gradient with the options that
+    /// come back has the same bits.
     ///
     /// It is chosen once for an expression and for about as many samples, by the first call that
     /// needs it, and kept while the numbers of the scene change ([`Prepared::update`]). It does not

@@ -156,7 +156,6 @@ fn pilots_cost_less_than_the_samples() {
         ("ball", [48, 36], 16),
         ("lattice-shadow", [16, 12], 1),
         ("lattice-shadow", [48, 36], 10),
-        ("lattice-shadow", [48, 36], 80),
     ] {
         let (mut scene, tangent) = built_in(name);
         (scene.film.size, scene.film.crop_size) = (size, size);
