@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
 use capwalk_diff::{
-    BackwardWork, Differences, GradientImage, GradientOptions, GradientWork, PreparedScene,
+    BackwardWork, Differences, GradientImage, GradientOptions, GradientWork, Halted, PreparedScene,
     Refusal, RenderOptions, RenderWork, Rendering, Wanted, Watch,
 };
 use capwalk_scene::params::Registry;
@@ -24,6 +24,13 @@ impl Engine {
             prepared: PreparedScene::new(scene),
             registry: OnceLock::new(),
         }
+    }
+
+    pub fn watched(scene: Arc<Scene>, watch: &dyn Watch) -> Result<Self, Halted> {
+        Ok(Self {
+            prepared: PreparedScene::try_new(scene, watch)?,
+            registry: OnceLock::new(),
+        })
     }
 
     pub fn scene(&self) -> &Arc<Scene> {

@@ -399,6 +399,8 @@ impl Pilot<'_> {
         let is_blind = self.adjoint.is_some() || self.options.blind;
         let eval = if is_blind { eval.blind() } else { eval };
         let tracer = self.tracer(field, walk);
+        // If the watch stops this, no sample is taken either.
+        let _ = tracer.build_edge_samplers(self.watch);
         let sampler = Sampler::new(&scene.settings, self.options.seed ^ PILOT_SEED, 1);
         let width = scene.film.crop_size[0];
         let look = |&[x, y]: &[u32; 2]| {

@@ -19,7 +19,7 @@ use crate::adjoint::Wanted;
 use crate::auto::{Chosen, Pilot};
 use crate::forward_eval::Forward;
 use crate::options::GradientOptions;
-use crate::refused::refuses_uncovered;
+use crate::refused::{boundaries, refuses_uncovered};
 
 /// The derivative of the image for a unit change along `tangent`, in forward mode, with
 /// its standard error. Refuses what it cannot differentiate rightly, see [`Refusal`].
@@ -95,6 +95,12 @@ impl<'a> GradientWork<'a> {
         tiles::grid(self.prepared.scene(), &self.options.sampling())
     }
 
+    /// Builds the boundaries that the work needs, unless they are built. [`Refusal::Stopped`] if the
+    /// watch stops it.
+    pub fn prepare(&self, watch: &dyn Watch) -> Result<(), Refusal> {
+        self.boundaries(watch).map(|_| ())
+    }
+
     /// All of it at once, see [`gradient`]; or of the rest of the light, see [`Self::of_rest`].
     pub fn whole(&self, watch: &dyn Watch) -> Result<GradientImage, Refusal> {
         self.check_coverage(watch)?;
@@ -114,10 +120,13 @@ impl<'a> GradientWork<'a> {
                 options: &self.options,
                 watch,
             };
-            let uncovered = |options: &_| self.look_around(options, watch).statistics.uncovered;
+            let uncovered = |options: &_| {
+                let found = self.look_around(options, watch);
+                found.map_or(0, |found| found.statistics.uncovered)
+            };
             pilot.choose(uncovered)
         };
-        let refuse = || self.refuse(&self.options);
+        let refuse = || self.refuse(&self.options, watch);
         Chosen::of(&self.options, &self.chosen, watch, refuse, choose)
     }
 
@@ -128,17 +137,22 @@ impl<'a> GradientWork<'a> {
         if !refuses_uncovered(scene, &options) {
             return Ok(());
         }
-        self.refuse_uncovered(&self.look_around(&options, watch))
+        self.refuse_uncovered(&self.look_around(&options, watch)?)
     }
 
     /// A few samples of each pixel with these options.
-    fn look_around(&self, options: &GradientOptions, watch: &dyn Watch) -> Averages {
+    fn look_around(
+        &self,
+        options: &GradientOptions,
+        watch: &dyn Watch,
+    ) -> Result<Averages, Refusal> {
         let pilot = RenderOptions {
             spp: options.spp.min(PILOT_SPP),
             ..options.sampling()
         };
         let whole = Part::whole(tiles::grid(self.prepared.scene(), &pilot));
         let found = self.average(
+            self.boundaries(watch)?,
             options,
             &pilot,
             &SampleCounts::Even,
@@ -146,7 +160,7 @@ impl<'a> GradientWork<'a> {
             &whole,
             &Silent(watch),
         );
-        Averages::new(found.into_sums())
+        Ok(Averages::new(found.into_sums()))
     }
 
     /// What a part of the work gives: of its cells those that are finished when `watch` stops
@@ -173,18 +187,22 @@ impl<'a> GradientWork<'a> {
     ) -> Result<Partial<PixelSums>, Refusal> {
         let options = self.chosen(watch)?.options;
         let (scene, sampling) = (self.prepared.scene(), options.sampling());
+        let boundaries = self.boundaries(watch)?;
         let (known, first) = (&self.counts, DERIVATIVE);
         let counts =
             adaptive::sample_counts(known, scene, &sampling, watch, first, |pilot, watch| {
                 let part = Part::whole(tiles::grid(scene, pilot));
-                self.average(&options, pilot, &SampleCounts::Even, None, &part, watch)
+                let even = SampleCounts::Even;
+                self.average(boundaries, &options, pilot, &even, None, &part, watch)
             });
-        Ok(self.average(&options, &sampling, &counts, work, part, watch))
+        Ok(self.average(boundaries, &options, &sampling, &counts, work, part, watch))
     }
 
     /// Averages samples of this method, taken so, so many of each pixel.
+    #[expect(clippy::too_many_arguments)]
     fn average(
         &self,
+        boundaries: &Boundaries,
         options: &GradientOptions,
         sampling: &RenderOptions,
         counts: &SampleCounts,
@@ -193,7 +211,7 @@ impl<'a> GradientWork<'a> {
         watch: &dyn Watch,
     ) -> Partial<PixelSums> {
         let (prepared, scene) = (self.prepared, self.prepared.scene());
-        let field = Field::new(prepared.accel(), self.boundaries(), options.method);
+        let field = Field::new(prepared.accel(), boundaries, options.method);
         let eval = Forward::new(field, &self.tangent);
         let eval = match options.blind {
             true => eval.blind(),
@@ -206,6 +224,8 @@ impl<'a> GradientWork<'a> {
             true => tracer.leaving_out(left_out(options.method)),
             false => tracer,
         };
+        // If the watch stops this, no sample is taken either.
+        let _ = tracer.build_edge_samplers(watch);
         let sample = |pixel: [u32; 2], stream: &Stream| {
             let counts = Counts::default();
             let draw = Draw {
@@ -227,31 +247,33 @@ impl<'a> GradientWork<'a> {
         tiles::average(scene, sampling, counts, work, part, watch, take)
     }
 
-    fn boundaries(&self) -> &'a Boundaries {
+    fn boundaries(&self, watch: &dyn Watch) -> Result<&'a Boundaries, Refusal> {
         let moves = Wanted::by(&self.tangent).moves();
-        self.prepared.boundaries_if(moves)
+        boundaries(self.prepared, moves, watch)
     }
 
-    /// Refuses what can be seen without a sample: all that is refused, unless something moves.
-    pub fn check(&self) -> Result<(), Refusal> {
-        self.refuse(&self.options)
+    /// Refuses what can be seen without a sample: all that is refused, unless something moves. Then
+    /// it builds the boundaries first, if they are not built: [`Refusal::Stopped`] if the watch stops
+    /// that.
+    pub fn check(&self, watch: &dyn Watch) -> Result<(), Refusal> {
+        self.refuse(&self.options, watch)
     }
 
     /// Refuses what can be seen without a sample.
-    fn refuse(&self, options: &GradientOptions) -> Result<(), Refusal> {
+    fn refuse(&self, options: &GradientOptions, watch: &dyn Watch) -> Result<(), Refusal> {
         let (prepared, tangent) = (self.prepared, &*self.tangent);
         let (scene, accel) = (prepared.scene(), prepared.accel());
         refuse_settings(&options.method, &options.walk)?;
         let is_asked_for = |id: TextureId| tangent.textures[id.0 as usize].is_some();
         refuse_infinite_derivatives(scene, is_asked_for)?;
         #[cfg(feature = "paper")]
-        capwalk_boundary::refuse::refuse_many_edges(self.boundaries(), &options.method)?;
+        capwalk_boundary::refuse::refuse_many_edges(self.boundaries(watch)?, &options.method)?;
         let moves = Wanted::by(tangent).geometry();
         let turns = tangent.shapes.iter().any(Option::is_some);
         refuse_cut_normals(scene, turns || moves, is_asked_for)?;
         if moves {
             refuse_motion(accel, &options.method)?;
-            refuse_many_shadows(self.boundaries())?;
+            refuse_many_shadows(self.boundaries(watch)?)?;
         } else if turns {
             refuse_turned_without_uvs(scene)?;
         }

@@ -50,6 +50,7 @@ mod triangle_sampler;
 mod vertex;
 
 pub use average_elsewhere::average_elsewhere;
+pub use capwalk_geometry::Halted;
 pub use emitter_sampler::{DirectionSampler, EmitterSampler};
 pub use estimate::{Estimate, GradientImage, Missing, Rendering, Statistics};
 pub use grid::{Cell, Grid, Part};
