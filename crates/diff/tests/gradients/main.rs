@@ -35,3 +35,4 @@ mod reference_setup;
 mod refusals;
 #[cfg(feature = "paper")]
 mod reverse;
+mod wide_scenes;
