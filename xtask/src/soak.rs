@@ -10,7 +10,7 @@ use crate::shell::{cargo, root, step};
 /// makes a reader reserve beyond that is a fault of the reader.
 const ADDRESS_SPACE: u32 = 3 << 20;
 
-/// Damaged files, then random scenes, for some seconds each from some seed on.
+/// Damaged files, then random scenes, then wide ones, for some seconds each from some seed on.
 pub fn run(rest: &[String]) -> Result<()> {
     let number = |i: usize, default: u64| match rest.get(i) {
         None => Ok(default),
@@ -40,7 +40,8 @@ pub fn run(rest: &[String]) -> Result<()> {
         "capwalk-diff",
         "gradients",
         "random_scenes",
-    )
+    )?;
+    run("wide scenes", "capwalk-diff", "gradients", "wide_scenes")
 }
 
 /// The command with little memory, where a shell can say so.

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use capwalk_geometry::{HalfSpace, Hit, Mesh, Ray, RayTree, Wedge, WedgePoint};
+use capwalk_geometry::{HalfSpace, Halt, Halted, Hit, Mesh, Ray, RayTree, Wedge, WedgePoint};
 use capwalk_math::Vec3;
 use capwalk_scene::lobe::Event;
 use capwalk_scene::resolve::Resolver;
@@ -78,11 +78,15 @@ pub enum MeshChange {
 impl Accel {
     /// Builds the tree of a checked scene.
     pub fn new(scene: impl Into<Arc<Scene>>) -> Self {
-        let scene = scene.into();
+        Self::try_new(scene.into(), &Halt::never()).expect("nobody gives it up")
+    }
+
+    /// The same, unless it is given up.
+    pub fn try_new(scene: Arc<Scene>, halt: &Halt) -> Result<Self, Halted> {
         let joined = Joined::new(&scene);
-        let rays = RayTree::build(&joined.mesh);
+        let rays = RayTree::try_build(&joined.mesh, halt)?;
         let resolver = Resolver::new(&scene);
-        Self::assemble(scene, joined, rays, resolver)
+        Ok(Self::assemble(scene, joined, rays, resolver))
     }
 
     /// Goes over to another checked scene: refits the tree if its faces are the same.

@@ -3,7 +3,8 @@
 use std::sync::{Arc, OnceLock};
 
 use capwalk_geometry::{
-    ConeQuery, Edge, EdgeSelection, EdgeSubset, Mesh, Sides, SilhouetteTree, topology, uncounted,
+    ConeQuery, Edge, EdgeSelection, EdgeSubset, Halt, Halted, Mesh, Sides, SilhouetteTree,
+    topology, uncounted,
 };
 use capwalk_math::Vec3;
 use capwalk_scene::{Pattern, Scene, Shape, Texture};
@@ -58,9 +59,14 @@ impl Boundaries {
     /// The boundaries of a scene. Edges are welded within each shape: shapes
     /// may move against each other.
     pub fn new(accel: &Accel) -> Self {
-        let listed = Listed::new(accel);
-        Self {
-            tree: SilhouetteTree::build(&listed.mesh, &listed.edges),
+        Self::try_new(accel, &Halt::never()).expect("nobody gives it up")
+    }
+
+    /// The same, unless it is given up.
+    pub fn try_new(accel: &Accel, halt: &Halt) -> Result<Self, Halted> {
+        let listed = Listed::new(accel, halt)?;
+        let made = Self {
+            tree: SilhouetteTree::try_build(&listed.mesh, &listed.edges, halt)?,
             image_tree: image_tree(
                 &accel.view,
                 &listed.mesh.positions,
@@ -69,7 +75,7 @@ impl Boundaries {
             ),
             area_emitters: AreaEmitter::all(&accel.scene),
             emitter_edges: emitter_edges(&listed.on_emitters, &accel.mesh.positions),
-            coincident: may_coincide(&listed.edges, &listed.mesh.positions),
+            coincident: may_coincide(&listed.edges, &listed.mesh.positions, halt),
             edges: listed.edges,
             contrasts: listed.contrasts,
             positions: listed.mesh.positions,
@@ -77,7 +83,8 @@ impl Boundaries {
             shadowed_faces: listed.shadowed_faces,
             has_too_many_shadow_lines: listed.has_too_many_shadow_lines,
             edge_samplers: Default::default(),
-        }
+        };
+        halt.unless_halted(made)
     }
 
     /// No boundaries, but all of their points that are no ends of crossings: what a derivative
@@ -105,17 +112,19 @@ impl Boundaries {
     /// changed the list of edges, they are listed again, since any motion can bend
     /// coplanar neighbours or make faces cross elsewhere; where the list turns out the
     /// same, its tree is refitted. Answers are those of [`Boundaries::new`], to the bit.
-    /// `same_sensor` says that the sensor is where it was.
+    /// `same_sensor` says that the sensor is where it was. If the work is given up, these are the
+    /// boundaries of neither scene.
     pub fn update(
         &mut self,
         accel: &Accel,
         change: MeshChange,
         same_edges: bool,
         same_sensor: bool,
-    ) {
+        halt: &Halt,
+    ) -> Result<(), Halted> {
         let stays = same_edges && change == MeshChange::None;
         if !stays {
-            let listed = Listed::new(accel);
+            let listed = Listed::new(accel, halt)?;
             let same_list = change != MeshChange::Rebuilt
                 && listed.edges == self.edges
                 && listed.mesh.positions.len() == self.positions.len();
@@ -123,10 +132,10 @@ impl Boundaries {
                 self.tree.refit(&listed.mesh);
             }
             if !same_list || self.tree.degradation() > WORN_OUT {
-                self.tree = SilhouetteTree::build(&listed.mesh, &listed.edges);
+                self.tree = SilhouetteTree::try_build(&listed.mesh, &listed.edges, halt)?;
             }
             self.emitter_edges = emitter_edges(&listed.on_emitters, &accel.mesh.positions);
-            self.coincident = may_coincide(&listed.edges, &listed.mesh.positions);
+            self.coincident = may_coincide(&listed.edges, &listed.mesh.positions, halt);
             self.edges = listed.edges;
             self.contrasts = listed.contrasts;
             self.positions = listed.mesh.positions;
@@ -140,6 +149,7 @@ impl Boundaries {
             let faces = &accel.mesh.faces;
             self.image_tree = image_tree(&accel.view, &self.positions, faces, &self.edges);
         }
+        halt.unless_halted(())
     }
 
     /// The segments that are edges of hard shadows.
@@ -233,16 +243,41 @@ impl Boundaries {
     /// A sampler of the silhouettes of meshes, or of all edges; built by the first call.
     pub fn edge_sampler(&self, accel: &Accel, selection: EdgeSelection) -> &EdgeSampler {
         self.edge_samplers[selection as usize].get_or_init(|| {
-            // Where faces cross, or textures and hard shadows end, surfaces cover both sides:
-            // these edges, which come last, are no silhouettes.
-            let of_meshes = self.edges.len() - self.crossings.len();
-            let creases = match selection {
-                EdgeSelection::Silhouettes => None,
-                EdgeSelection::All => Some(&self.contrasts[..]),
-            };
-            let (edges, positions) = (&self.edges, &self.positions);
-            uncounted(|| EdgeSampler::new(edges, of_meshes, positions, creases, accel))
+            let made = self.make_edge_sampler(accel, selection, &Halt::never());
+            made.expect("nobody gives it up")
         })
+    }
+
+    /// Builds that sampler before it is asked for, unless the work is given up.
+    pub fn build_edge_sampler(
+        &self,
+        accel: &Accel,
+        selection: EdgeSelection,
+        halt: &Halt,
+    ) -> Result<(), Halted> {
+        let sampler = &self.edge_samplers[selection as usize];
+        if sampler.get().is_none() {
+            let made = self.make_edge_sampler(accel, selection, halt)?;
+            sampler.get_or_init(|| made);
+        }
+        Ok(())
+    }
+
+    fn make_edge_sampler(
+        &self,
+        accel: &Accel,
+        selection: EdgeSelection,
+        halt: &Halt,
+    ) -> Result<EdgeSampler, Halted> {
+        // Where faces cross, or textures and hard shadows end, surfaces cover both sides:
+        // these edges, which come last, are no silhouettes.
+        let of_meshes = self.edges.len() - self.crossings.len();
+        let creases = match selection {
+            EdgeSelection::Silhouettes => None,
+            EdgeSelection::All => Some(&self.contrasts[..]),
+        };
+        let (edges, positions) = (&self.edges, &self.positions);
+        uncounted(|| EdgeSampler::try_new(edges, of_meshes, positions, creases, accel, halt))
     }
 
     /// The edges in a tree.
@@ -301,12 +336,15 @@ struct Listed {
 }
 
 impl Listed {
-    fn new(accel: &Accel) -> Self {
+    fn new(accel: &Accel, halt: &Halt) -> Result<Self, Halted> {
         let scene = &accel.scene;
         let (mut edges, mut contrasts) = (Vec::new(), Vec::new());
         let mut on_emitters = Vec::new();
         let mut first_face = 0;
         for (shape, &first_vertex) in scene.shapes.iter().zip(&accel.first_vertex) {
+            if halt.now() {
+                return Err(Halted);
+            }
             let discontinuities = ShadingDiscontinuities::new(scene, shape);
             let mut own = topology::edges_with(&shape.mesh, |faces| discontinuities.differs(faces));
             let is_explicit = shape
@@ -338,9 +376,9 @@ impl Listed {
         }
         let mut mesh = accel.mesh.clone();
         mesh.positions.extend(&accel.anchors);
-        let mut crossings = crossings(accel);
-        crossings.extend(texture_lines(accel));
-        let shadow_lines = shadow_lines(accel, &edges);
+        let mut crossings = crossings(accel, halt);
+        crossings.extend(texture_lines(accel, halt));
+        let shadow_lines = shadow_lines(accel, &edges, halt);
         let has_too_many_shadow_lines = shadow_lines.is_none();
         let mut shadowed_faces = Vec::new();
         for ShadowLine { face, line } in shadow_lines.into_iter().flatten() {
@@ -358,7 +396,7 @@ impl Listed {
             });
             contrasts.push(1.0);
         }
-        Self {
+        halt.unless_halted(Self {
             mesh,
             edges,
             contrasts,
@@ -366,7 +404,7 @@ impl Listed {
             shadowed_faces,
             has_too_many_shadow_lines,
             on_emitters,
-        }
+        })
     }
 }
 

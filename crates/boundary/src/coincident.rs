@@ -1,18 +1,25 @@
 //! Edges that lie on each other in space.
 
-use capwalk_geometry::Edge;
+use capwalk_geometry::{Edge, Halt};
 use capwalk_math::Vec3;
 use capwalk_math::near_key::near_key;
 
 use crate::emitter_edge::SWEEP;
 
-/// Difference of lines, as a fraction of the scene's size, up to which they may be the
-/// same: more than rounding.
+/// Difference of lines, as a fraction of how far from the origin they are, up to which they may be
+/// the same: more than rounding.
 const SAME_LINE: f64 = 1e-7;
+
+/// Edges that are nearer to the origin than the farthest ones by this factor are compared among
+/// themselves with a tolerance of their own; log₂. With that of far ones, a small thing in a wide
+/// scene would have all of its edges on one line, and none of them longer than the tolerance.
+const NEARER: f64 = 12.0;
 
 /// An edge on its line.
 struct OnLine {
     edge: usize,
+    /// True if it is one of the farthest: pairs of others are visited later.
+    is_far: bool,
     /// Equal for edges on the same line, and for hardly any others.
     key: f64,
     /// Where it starts and ends along the line, world units.
@@ -21,44 +28,78 @@ struct OnLine {
 
 /// For each edge, whether it may lie on a part of another one. Never false if it does; in
 /// rare cases true if it does not.
-pub fn may_coincide(edges: &[Edge], positions: &[Vec3]) -> Vec<bool> {
+pub fn may_coincide(edges: &[Edge], positions: &[Vec3], halt: &Halt) -> Vec<bool> {
     let mut found = vec![false; edges.len()];
-    visit_overlaps(edges, positions, |pair| pair.map(|edge| found[edge] = true));
+    let visit = |pair: [usize; 2]| pair.map(|edge| found[edge] = true);
+    visit_overlaps(edges, positions, halt, visit);
     found
 }
 
-/// Calls `visit` with all pairs of edges of which one may lie on a part of the other.
+/// Calls `visit` with all pairs of edges of which one may lie on a part of the other; with some of
+/// them if the work is given up.
 pub fn visit_overlaps<T>(
     edges: &[Edge],
     positions: &[Vec3],
+    halt: &Halt,
     mut visit: impl FnMut([usize; 2]) -> T,
 ) {
-    let ends = |edge: &Edge| edge.vertices.map(|i| positions[i as usize]);
+    let ends = |edge: usize| edges[edge].vertices.map(|i| positions[i as usize]);
     let size = |p: Vec3| p.x.abs().max(p.y.abs()).max(p.z.abs());
-    let sizes = edges.iter().flat_map(ends).map(size);
-    let scale = sizes.fold(f64::MIN_POSITIVE, f64::max);
-    // Sort by lines: edges of one line are neighbours then.
-    let on_lines = edges.iter().enumerate();
-    let mut on_lines: Vec<OnLine> = on_lines
-        .filter_map(|(edge, what)| on_line(edge, ends(what), scale))
+    let distance = |edge: usize| ends(edge).map(size).into_iter().fold(0.0, f64::max);
+    let mut distances: Vec<(usize, f64)> = (0..edges.len())
+        .map(|edge| (edge, distance(edge)))
         .collect();
+    // The farthest with all others, then the farthest of these with the rest, and so on.
+    while !distances.is_empty() {
+        let scale = distances
+            .iter()
+            .fold(f64::MIN_POSITIVE, |most, &(_, distance)| most.max(distance));
+        let is_far = |distance: f64| distance >= scale * (-NEARER).exp2();
+        let on_lines = distances
+            .iter()
+            .filter_map(|&(edge, distance)| on_line(edge, ends(edge), scale, is_far(distance)));
+        visit_overlaps_of(on_lines.collect(), scale, halt, &mut visit);
+        distances.retain(|&(_, distance)| !is_far(distance));
+    }
+}
+
+/// Calls `visit` with the pairs of which one is far.
+fn visit_overlaps_of<T>(
+    mut on_lines: Vec<OnLine>,
+    scale: f64,
+    halt: &Halt,
+    visit: &mut impl FnMut([usize; 2]) -> T,
+) {
+    // Sort by lines: edges of one line are neighbours then.
     on_lines.sort_unstable_by(|a, b| a.key.total_cmp(&b.key));
     for line in on_lines.chunk_by_mut(|a, b| b.key - a.key <= SAME_LINE) {
         // Along each line, compare each edge with those that have not ended before it starts.
         line.sort_unstable_by(|a, b| a.range[0].total_cmp(&b.range[0]));
-        let mut open: Vec<&OnLine> = Vec::new();
+        let (mut far, mut near): (Vec<&OnLine>, Vec<&OnLine>) = (Vec::new(), Vec::new());
         for next in &*line {
-            open.retain(|before| before.range[1] > next.range[0] + SAME_LINE * scale);
-            for before in &open {
+            if halt.now() {
+                return;
+            }
+            let is_open = |before: &&OnLine| before.range[1] > next.range[0] + SAME_LINE * scale;
+            far.retain(is_open);
+            for before in &far {
                 visit([before.edge, next.edge]);
             }
-            open.push(next);
+            if next.is_far {
+                near.retain(is_open);
+                for before in &near {
+                    visit([before.edge, next.edge]);
+                }
+                far.push(next);
+            } else {
+                near.push(next);
+            }
         }
     }
 }
 
 /// `None` for an edge without length.
-fn on_line(edge: usize, [a, b]: [Vec3; 2], scale: f64) -> Option<OnLine> {
+fn on_line(edge: usize, [a, b]: [Vec3; 2], scale: f64, is_far: bool) -> Option<OnLine> {
     let along = b - a;
     let length = along.length();
     if length == 0.0 {
@@ -85,6 +126,7 @@ fn on_line(edge: usize, [a, b]: [Vec3; 2], scale: f64) -> Option<OnLine> {
     let [s, t] = [a, b].map(|p| p.dot(d));
     Some(OnLine {
         edge,
+        is_far,
         key,
         range: [s.min(t), s.max(t)],
     })
@@ -106,7 +148,7 @@ mod tests {
                 groups: 1,
             })
             .collect();
-        may_coincide(&edges, &positions)
+        may_coincide(&edges, &positions, &Halt::never())
     }
 
     /// Edges that overlap along a line, in either order of their ends; not those that
@@ -127,6 +169,39 @@ mod tests {
         ];
         let expected = [true, true, false, true, true, false, false, false];
         assert_eq!(found(&segments), expected);
+    }
+
+    /// A small thing in a wide scene: its edges overlap each other as they do without, and an edge
+    /// of what is wide where they lie on it.
+    #[test]
+    fn overlaps_are_found_in_wide_scenes() {
+        let segments = [
+            [[0.0, 0.3, 0.1], [1.0, 0.3, 0.1]],
+            [[0.6, 0.3, 0.1], [2.0, 0.3, 0.1]],
+            [[0.0, 0.3, 0.7], [1.0, 0.3, 0.7]],
+            [[-4e9, 2e6, 0.0], [4e9, 2e6, 0.0]],
+            [[-3e9, 2e6, 0.0], [-1e9, 2e6, 0.0]],
+            [[-2e6, 2e6, 0.0], [1e6, 2e6, 0.0]],
+        ];
+        let expected = [true, true, false, true, true, true];
+        assert_eq!(found(&segments), expected);
+    }
+
+    /// Many parallel edges of small things beside a wide one take no longer than without: a
+    /// second in all is far more than that, and comparing all pairs takes a minute.
+    #[test]
+    fn small_parallel_edges_in_wide_scenes_are_told_apart() {
+        let place = |i: usize| [0.0, 1e-3 * (i % 300) as f64, 1e-3 * (i / 300) as f64];
+        let small = (0..90_000).map(|i| {
+            let [x, y, z] = place(i);
+            [[x, y, z], [x + 1.0, y, z]]
+        });
+        let wide = [[1e9, 0.0, 0.0], [1e9, 1e9, 0.0]];
+        let segments: Vec<[[f64; 3]; 2]> = small.chain([wide]).collect();
+        let started = std::time::Instant::now();
+        assert!(!found(&segments).contains(&true));
+        let taken = started.elapsed().as_secs_f64();
+        assert!(taken < 5.0, "{taken} s");
     }
 
     /// Lines at 60° to an axis, as in things that are turned by 60°: half of the length is

@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use capwalk_geometry::{Mesh, Ray};
+use capwalk_geometry::{Halt, Mesh, Ray};
 use capwalk_math::Vec3;
 use rayon::prelude::*;
 
@@ -85,12 +85,13 @@ const TOUCHING: f64 = 1e-11;
 /// crossing.
 const COPLANAR: f64 = 1e-6;
 
-/// All crossings of faces of the joined mesh, in a fixed order.
-pub fn crossings(accel: &Accel) -> Vec<Crossing> {
+/// All crossings of faces of the joined mesh, in a fixed order; some of them if the work is given
+/// up.
+pub fn crossings(accel: &Accel, halt: &Halt) -> Vec<Crossing> {
     // Find every point where an edge of one face passes through another face.
     let pierced: Vec<_> = (0..accel.mesh.faces.len() as u32)
         .into_par_iter()
-        .flat_map_iter(|face| piercings(accel, face))
+        .flat_map_iter(|face| piercings(accel, face, halt))
         .collect();
     // Collect these points by pairs of faces. Two triangles intersect in a segment, and at
     // each of its ends an edge of one passes through the other.
@@ -117,7 +118,7 @@ pub fn crossings(accel: &Accel) -> Vec<Crossing> {
 }
 
 /// Where the edges of a face pass through other faces: this face, the other, the point.
-fn piercings(accel: &Accel, face: u32) -> Vec<(u32, u32, Vec3)> {
+fn piercings(accel: &Accel, face: u32, halt: &Halt) -> Vec<(u32, u32, Vec3)> {
     let corners = accel.mesh.corners(face as usize);
     let mut found = Vec::new();
     for i in 0..3 {
@@ -128,7 +129,9 @@ fn piercings(accel: &Accel, face: u32) -> Vec<(u32, u32, Vec3)> {
             ..Ray::new(ends[0], ends[1] - ends[0])
         };
         // Continue behind each hit up to the end of the edge.
-        while let Some(hit) = accel.first_hit_within(&ray) {
+        while !halt.now()
+            && let Some(hit) = accel.first_hit_within(&ray)
+        {
             let others = accel.mesh.corners(hit.face as usize);
             // Faces that share a vertex with the edge are its neighbours.
             if !others.iter().any(|corner| ends.contains(corner)) {
@@ -281,7 +284,7 @@ mod tests {
                 let positions = &mut std::sync::Arc::make_mut(shape).mesh.positions;
                 positions.iter_mut().for_each(|p| p.z += 100.0);
             }
-            let found = crossings(&Accel::new(scene));
+            let found = crossings(&Accel::new(scene), &Halt::never());
             let ends = found.iter().map(|c| c.ends.map(|end| end.position));
             ends.map(|[a, b]| (b - a).length()).sum::<f64>()
         };

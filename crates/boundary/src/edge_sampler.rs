@@ -7,7 +7,7 @@ mod in_cone;
 use std::ops::Range;
 
 use capwalk_geometry::sampler_buffers::CLEAR;
-use capwalk_geometry::{Edge, EdgeSelection, NormalCone, add_effort};
+use capwalk_geometry::{Edge, EdgeSelection, Halt, Halted, NormalCone, add_effort};
 use capwalk_math::Vec3;
 
 use crate::accel::Accel;
@@ -100,13 +100,14 @@ impl EdgeSampler {
     /// A sampler of the edges of a scene: of the silhouettes among the first `of_meshes`, or,
     /// given how large the discontinuity is at each where it is no silhouette, of all. It depends
     /// on where surfaces are alone, not on how the scene came about.
-    pub(crate) fn new(
+    pub(crate) fn try_new(
         edges: &[Edge],
         of_meshes: usize,
         positions: &[Vec3],
         creases: Option<&[f32]>,
         accel: &Accel,
-    ) -> Self {
+        halt: &Halt,
+    ) -> Result<Self, Halted> {
         let outward = outward(&edges[..of_meshes], accel);
         let (selection, edges) = match creases {
             None => (EdgeSelection::Silhouettes, &edges[..of_meshes]),
@@ -125,7 +126,10 @@ impl EdgeSampler {
         let normals: Vec<_> = sampled.iter().map(SampledEdge::normals).collect();
         // Creases are seen from wherever one of their faces is.
         let sights = match selection {
-            EdgeSelection::Silhouettes => Some(Sights::all(&sampled, accel)),
+            EdgeSelection::Silhouettes => {
+                let sights = Sights::all(&sampled, accel, halt);
+                Some(halt.unless_halted(sights)?)
+            }
             EdgeSelection::All => None,
         };
         let count = sampled.len();
@@ -140,24 +144,26 @@ impl EdgeSampler {
             overlaps: Vec::new(),
         };
         if count > 0 {
-            sampler.add_node(0..count, 0, &known);
+            sampler.add_node(0..count, 0, &known, halt);
         }
-        visit_overlaps(edges, positions, |[a, b]| {
+        visit_overlaps(edges, positions, halt, |[a, b]| {
             let [a, b] = [a as u32, b as u32];
             sampler.overlaps.extend([[a, b], [b, a]]);
         });
         sampler.overlaps.sort_unstable();
         sampler.overlaps.dedup();
-        sampler
+        halt.now();
+        halt.unless_halted(sampler)
     }
 
     /// Adds the node of these places and all below it, and returns its number and what is seen
-    /// of its edges.
+    /// of its edges. Not all below it if the work is given up.
     fn add_node(
         &mut self,
         places: Range<usize>,
         depth: u32,
         known: &Known,
+        halt: &Halt,
     ) -> (usize, SightsOfMany) {
         let (number, leaf) = (self.nodes.len(), leaf_size(self.selection));
         self.nodes.push(Node {
@@ -166,11 +172,11 @@ impl EdgeSampler {
             bounds: EdgeBounds::new(&self.edges[places.clone()], leaf, known),
         });
         let mut seen = SightsOfMany::default();
-        if places.len() > leaf {
+        if places.len() > leaf && !halt.now() {
             let middle = places.start + divide(&mut self.edges[places.clone()], depth);
             let halves = [places.start..middle, middle..places.end];
             let halves = halves.map(|places| {
-                let (half, seen_of_half) = self.add_node(places, depth + 1, known);
+                let (half, seen_of_half) = self.add_node(places, depth + 1, known, halt);
                 seen.add(&seen_of_half);
                 half
             });

@@ -2,11 +2,25 @@
 
 use std::fmt;
 
+use capwalk_geometry::Halted;
+use capwalk_scene::memory::mib;
+
 /// Why a derivative is refused. Its text says what was found where, and what to do
 /// instead.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Refusal {
+    /// The watch stopped the preparation of the scene, before the first sample.
+    Stopped,
+    /// There is no memory for the boundaries of the scene.
+    Memory {
+        /// Triangles of the scene.
+        triangles: u64,
+        /// Bytes that their boundaries take, about.
+        needed: u64,
+        /// Bytes that are free.
+        free: u64,
+    },
     /// A walk of no steps: its field is not continuous.
     NoSteps,
     /// The largest angle of a walk, radians, is not in (0, π].
@@ -186,6 +200,20 @@ impl Refusal {
     fn sentences(&self) -> (String, Option<String>) {
         let instead = |text: &str| Some(text.into());
         match self {
+            Self::Stopped => ("stopped before a sample was taken".into(), None),
+            Self::Memory {
+                triangles,
+                needed,
+                free,
+            } => (
+                format!(
+                    "the boundaries of {triangles} triangles need about {} MiB of memory, and {} MiB \
+                     are free",
+                    mib(*needed),
+                    mib(*free)
+                ),
+                instead("Leave shapes out, or take meshes of fewer triangles"),
+            ),
             Self::NoSteps => (
                 "a walk of 0 steps gives a discontinuous velocity field, and with it a wrong \
                  derivative"
@@ -427,6 +455,12 @@ fn specular_motion(cause: SpecularCause) -> (String, Option<String>) {
                 .into(),
         ),
     )
+}
+
+impl From<Halted> for Refusal {
+    fn from(_: Halted) -> Self {
+        Self::Stopped
+    }
 }
 
 impl fmt::Display for Refusal {

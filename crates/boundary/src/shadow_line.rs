@@ -8,7 +8,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use capwalk_geometry::{Apex, Edge, Sides, Wedge, WedgePoint, is_edge_on};
+use capwalk_geometry::{Apex, Edge, Halt, Sides, Wedge, WedgePoint, is_edge_on};
 use capwalk_math::Vec3;
 use capwalk_scene::EmitterId;
 use rayon::prelude::*;
@@ -37,14 +37,19 @@ pub struct ShadowLine {
 
 /// The segments of a scene's hard shadows, light by light and edge by edge; `None` if there are
 /// more than [`MOST_SHADOW_LINES`]. `edges` are those of the shapes, with vertices of the joined
-/// mesh.
-pub fn shadow_lines(accel: &Accel, edges: &[Edge]) -> Option<Vec<ShadowLine>> {
-    shadow_lines_up_to(accel, edges, MOST_SHADOW_LINES)
+/// mesh. Some of them if the work is given up.
+pub fn shadow_lines(accel: &Accel, edges: &[Edge], halt: &Halt) -> Option<Vec<ShadowLine>> {
+    shadow_lines_up_to(accel, edges, MOST_SHADOW_LINES, halt)
 }
 
 /// The same with another limit. Never more than that many segments are held, whatever the
 /// number of threads: each is counted before it is kept.
-fn shadow_lines_up_to(accel: &Accel, edges: &[Edge], most: usize) -> Option<Vec<ShadowLine>> {
+fn shadow_lines_up_to(
+    accel: &Accel,
+    edges: &[Edge],
+    most: usize,
+    halt: &Halt,
+) -> Option<Vec<ShadowLine>> {
     let count = AtomicUsize::new(0);
     let mut lines = Vec::new();
     for (i, emitter) in accel.scene.emitters.iter().enumerate() {
@@ -57,7 +62,10 @@ fn shadow_lines_up_to(accel: &Accel, edges: &[Edge], most: usize) -> Option<Vec<
             most,
         };
         for edges in edges.chunks(CHUNK) {
-            let of_edge = |edge: &Edge| light.lines(edge);
+            let of_edge = |edge: &Edge| match halt.now() {
+                true => Vec::new(),
+                false => light.lines(edge),
+            };
             let found: Vec<ShadowLine> = edges.par_iter().flat_map_iter(of_edge).collect();
             if light.are_too_many() {
                 return None;
@@ -460,7 +468,7 @@ mod tests {
     }
 
     fn lines_of(accel: &Accel) -> Vec<Crossing> {
-        let lines = shadow_lines(accel, &edges_of(accel)).expect("few");
+        let lines = shadow_lines(accel, &edges_of(accel), &Halt::never()).expect("few");
         lines.into_iter().map(|line| line.line).collect()
     }
 
@@ -482,7 +490,7 @@ mod tests {
         for (number, scene) in scenes.into_iter().enumerate() {
             let accel = Accel::new(scene);
             let lines = lines_of(&accel);
-            let crossings = crossings(&accel);
+            let crossings = crossings(&accel, &Halt::never());
             for face in 0..accel.mesh.faces.len() {
                 // Whether a face along the light is lit is a matter of rounding.
                 let apex = accel.scene.emitters[0].apex().expect("no extent");
@@ -562,12 +570,12 @@ mod tests {
         for scene in scenes() {
             let accel = Accel::new(scene);
             let edges = edges_of(&accel);
-            let all = shadow_lines(&accel, &edges).expect("few");
+            let all = shadow_lines(&accel, &edges, &Halt::never()).expect("few");
             // Inside of a closed mesh a light throws no shadow.
             if all.is_empty() {
                 continue;
             }
-            let up_to = |most: usize| shadow_lines_up_to(&accel, &edges, most);
+            let up_to = |most: usize| shadow_lines_up_to(&accel, &edges, most, &Halt::never());
             assert_eq!(up_to(all.len()).as_ref(), Some(&all));
             assert_eq!(up_to(all.len() - 1), None);
             let count = AtomicUsize::new(0);

@@ -2,8 +2,8 @@
 //! decides it: learned by rays (METHOD 8). How often edges are sampled depends on it, and
 //! nothing else.
 
-use capwalk_geometry::Ray;
 use capwalk_geometry::sampler_buffers::DIRECTIONS;
+use capwalk_geometry::{Halt, Ray};
 use capwalk_math::{Frame, Vec3, sphere};
 use capwalk_scene::ShapeId;
 
@@ -51,8 +51,8 @@ pub struct Sights {
 }
 
 impl Sights {
-    /// Of all edges of meshes, by their numbers.
-    pub fn all(edges: &[SampledEdge], accel: &Accel) -> Vec<Self> {
+    /// Of all edges of meshes, by their numbers; of some of them if the work is given up.
+    pub fn all(edges: &[SampledEdge], accel: &Accel, halt: &Halt) -> Vec<Self> {
         let shape_of = |edge: &SampledEdge| accel.shape_of_vertex(edge.points[0]);
         let of_shapes = edges.chunk_by(|a, b| shape_of(a) == shape_of(b));
         let sights = of_shapes.flat_map(|edges| {
@@ -67,19 +67,21 @@ impl Sights {
                     reach,
                 },
             };
-            // Of convex shapes, and of others of which some edges say so, nothing is hidden.
+            // Of convex shapes, and of others of which some edges say so, nothing is hidden. Of few
+            // edges, it takes less to ask each.
             let mut probes = (0..PROBES).map(|i| {
                 let place = (i as f64 * GOLDEN).fract() * edges.len() as f64;
                 &edges[place as usize]
             });
-            let is_hidden_somewhere = edges.iter().any(|edge| edge.exposure != 1.0)
+            let is_hidden_somewhere = edges.len() <= PROBES
+                || edges.iter().any(|edge| edge.exposure != 1.0)
                 || probes.any(|edge| look(edge).rays.contains(&None));
             edges.iter().map(move |edge| match is_hidden_somewhere {
                 true => look(edge),
                 false => Self::of(edge, reach, |_| false),
             })
         });
-        sights.collect()
+        sights.take_while(|_| !halt.now()).collect()
     }
 
     /// Looks from points on an edge in directions from which it is a silhouette, all about
@@ -221,6 +223,7 @@ impl LearnedVisibility {
 
 #[cfg(test)]
 mod tests {
+    use capwalk_geometry::effort;
     use capwalk_math::Affine;
     use capwalk_scene::primitive::{cube, icosphere};
     use capwalk_scene::{BsdfId, Scene, ShadingNormals, Shape, builtin};
@@ -279,6 +282,37 @@ mod tests {
         assert!(hidden < 0.8 * open, "{hidden}, {open}");
     }
 
+    /// Of many small shapes, each edge is asked once: so many rays, and no more.
+    #[test]
+    fn edges_of_small_shapes_are_asked_once() {
+        let mut scene: Scene = builtin::scene("leaf").expect("built in");
+        scene.shapes.clear();
+        scene.emitters.clear();
+        for i in 0..20 {
+            let (mesh, _) = cube(Affine::translate(Vec3::new(3.0 * f64::from(i), 0.0, 0.0)));
+            let name = format!("{i}");
+            scene.add_shape(Shape::new(name, mesh, ShadingNormals::Face, BsdfId(0)));
+        }
+        let accel = Accel::new(scene);
+        let boundaries = Boundaries::new(&accel);
+        let edges = boundaries.edges().iter().zip(0..);
+        let sampled = edges
+            .map(|(edge, i)| SampledEdge::new(i, edge, boundaries.ends(i), &accel.mesh, None, 0.0));
+        let sampled: Vec<SampledEdge> = sampled.collect();
+        let one = |work: &dyn Fn()| {
+            let before = effort();
+            work();
+            effort() - before
+        };
+        let ray = one(&|| {
+            accel.first_hit(Vec3::zero(), Vec3::new(0.0, 0.0, 1.0));
+        });
+        let all = one(&|| {
+            Sights::all(&sampled, &accel, &Halt::never());
+        });
+        assert_eq!(all, (sampled.len() * RAYS) as u64 * ray);
+    }
+
     /// What is known is the same as if all edges had been asked, of shapes that hide nothing of
     /// themselves and of those that do, with and without concave edges.
     #[test]
@@ -313,7 +347,10 @@ mod tests {
         });
         let sampled: Vec<SampledEdge> = sampled.collect();
         let mut hidden = [0; 4];
-        for (edge, found) in sampled.iter().zip(Sights::all(&sampled, &accel)) {
+        for (edge, found) in sampled
+            .iter()
+            .zip(Sights::all(&sampled, &accel, &Halt::never()))
+        {
             let shape = accel.shape_of_vertex(edge.points[0]);
             if edge.exposure != 1.0 {
                 continue;

@@ -5,6 +5,7 @@
 //! boundaries like the segments in which faces cross, though no mesh has an edge there
 //! (METHOD 7 leaves them out).
 
+use capwalk_geometry::Halt;
 use capwalk_math::Vec3;
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::{Pattern, Shape, Texture};
@@ -158,8 +159,9 @@ pub fn count(accel: &Accel, shape: &Shape) -> f64 {
 }
 
 /// The lines along which textures are discontinuous inside faces, in a fixed order. Shapes
-/// with more than [`MOST_LINES`] are left out: no derivative by motion is taken beside them.
-pub fn texture_lines(accel: &Accel) -> Vec<Crossing> {
+/// with more than [`MOST_LINES`] are left out: no derivative by motion is taken beside them. Some
+/// of them if the work is given up.
+pub fn texture_lines(accel: &Accel, halt: &Halt) -> Vec<Crossing> {
     let mut lines = Vec::new();
     for (shape, &first_face) in accel.scene.shapes.iter().zip(&accel.first_face) {
         if count(accel, shape) > MOST_LINES {
@@ -167,6 +169,9 @@ pub fn texture_lines(accel: &Accel) -> Vec<Crossing> {
         }
         for (grid, emits) in grids(accel, shape) {
             for face in 0..shape.mesh.faces.len() {
+                if halt.now() {
+                    return lines;
+                }
                 let pieces = grid.pieces(shape, face);
                 let line = |piece| line(accel, first_face as usize + face, piece, emits);
                 lines.extend(pieces.into_iter().filter_map(line));
@@ -264,7 +269,7 @@ mod tests {
                 .flat_map(|(grid, _)| grid.pieces(shape, 0))
                 .collect();
             assert!(pieces.len() as f64 <= count(&accel, shape));
-            assert_eq!(texture_lines(&accel).len(), pieces.len());
+            assert_eq!(texture_lines(&accel, &Halt::never()).len(), pieces.len());
             let texture = textures_of(&scene, shape)[0];
             let value = |[u, v]: [f64; 2]| {
                 let uv = shape.uv(0, [1.0 - u - v, u, v]);

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
 use capwalk_diff::{
-    BackwardWork, Differences, GradientOptions, GradientWork, KeptChoice, PreparedScene, Refusal,
-    RenderOptions, RenderWork, Rendering, Wanted, Watch,
+    BackwardWork, Differences, GradientOptions, GradientWork, Halted, KeptChoice, PreparedScene,
+    Refusal, RenderOptions, RenderWork, Rendering, Wanted, Watch,
 };
 use capwalk_scene::params::Registry;
 use capwalk_scene::{Image, Scene, Tangent};
@@ -29,6 +29,13 @@ impl Engine {
             registry: OnceLock::new(),
             choices: Choices::default(),
         }
+    }
+
+    pub fn watched(scene: Arc<Scene>, watch: &dyn Watch) -> Result<Self, Halted> {
+        Ok(Self {
+            prepared: PreparedScene::try_new(scene, watch)?,
+            registry: OnceLock::new(),
+        })
     }
 
     pub fn scene(&self) -> &Arc<Scene> {

@@ -130,7 +130,7 @@ pub enum Error {
     },
     /// The derivative cannot be estimated without bias.
     #[error(transparent)]
-    Refused(#[from] Refusal),
+    Refused(Refusal),
     /// There is no image from a GPU.
     #[error(transparent)]
     Device(#[from] DeviceFailure),
@@ -179,11 +179,23 @@ pub enum Error {
     },
 }
 
+/// A refusal is one, unless it says that the work was stopped.
+impl From<Refusal> for Error {
+    fn from(refusal: Refusal) -> Self {
+        match refusal {
+            Refusal::Stopped => Self::Stopped {
+                before: "a sample was taken",
+            },
+            refusal => Self::Refused(refusal),
+        }
+    }
+}
+
 /// A refusal is one, whether the work was done at once or in parts.
 impl From<PartError> for Error {
     fn from(error: PartError) -> Self {
         match error {
-            PartError::Refused(refusal) => Self::Refused(refusal),
+            PartError::Refused(refusal) => refusal.into(),
             error => Self::Part(error),
         }
     }

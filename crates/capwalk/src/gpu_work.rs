@@ -121,7 +121,7 @@ fn found<T>(
 /// What the processor would refuse as well is no failure of the device.
 fn failure(error: DeviceError) -> Error {
     match error {
-        DeviceError::Refused(refusal) => Error::Refused(refusal),
+        DeviceError::Refused(refusal) => refusal.into(),
         error => DeviceFailure::from(error).into(),
     }
 }

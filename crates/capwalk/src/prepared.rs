@@ -73,6 +73,15 @@ impl Prepared {
         })
     }
 
+    /// The same, unless the watch stops it: [`Error::Stopped`]. What a gradient needs besides is
+    /// prepared by the first one, and stopped by its watch.
+    pub fn watched(scene: impl Into<Arc<Scene>>, watch: &dyn Watch) -> Result<Self, Error> {
+        let scene = scene.into();
+        scene.check()?;
+        let engine = Engine::watched(scene, watch).map_err(Refusal::from)?;
+        Ok(Self { engine })
+    }
+
     /// The scene as it is now.
     pub fn scene(&self) -> &Arc<Scene> {
         self.engine.scene()
@@ -112,6 +121,9 @@ impl Prepared {
 
     /// The derivative of the image along a direction, such as `"ball.translate.x"`, per
     /// unit of that parameter, with standard errors; and the image that comes with it.
+    ///
+    /// The first one by a motion lists the boundaries of the scene: [`Error::Stopped`] if `watch`
+    /// stops that. If it stops the sampling, what was done is returned.
     ///
     /// ```
     /// use capwalk::{GradientOptions, Unwatched};
@@ -228,10 +240,11 @@ impl Prepared {
         watch: &dyn Watch,
     ) -> Result<Check, Error> {
         let tangent = &*direction.tangent(self.scene(), self.registry())?;
+        let work = self.gradient_work(direction, &options.gradient)?;
+        work.prepare(watch)?;
         // Before the gradient is estimated.
         let reference =
             options.reference(self.scene(), tangent, || self.difference_step(tangent))?;
-        let work = self.gradient_work(direction, &options.gradient)?;
         let chosen = work.chosen(watch)?.options;
         let gradient = comparable(work.whole(watch)?, &work, watch)?;
         drop(work); // what it knows of the motion can be large

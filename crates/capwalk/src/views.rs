@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 use std::sync::{Arc, OnceLock};
 
+use capwalk_diff::{Unwatched, Watch};
 use capwalk_scene::params::{ArrayParameter, ParameterError, Registry};
 use capwalk_scene::{Aov, Integrator, Scene, SceneError, pack, unpack};
 use capwalk_scene_io::SensorSettings;
@@ -125,6 +126,11 @@ impl Views {
 
     /// The scene, ready to be rendered by a sensor.
     pub fn prepared(&self, view: ViewId) -> Result<&Prepared, Error> {
+        self.prepared_watched(view, &Unwatched)
+    }
+
+    /// The same, unless it is not ready yet and the watch stops that: [`Error::Stopped`].
+    pub fn prepared_watched(&self, view: ViewId, watch: &dyn Watch) -> Result<&Prepared, Error> {
         if view.sensor >= self.sensors.len() {
             return Err(Error::NoSuchSensor {
                 sensors: self.sensors.len(),
@@ -136,7 +142,7 @@ impl Views {
             return Ok(prepared);
         }
         // Trees are built outside of the lock. Who is first is kept.
-        let prepared = Prepared::new(seen(&self.scene, &self.sensors, view))?;
+        let prepared = Prepared::watched(seen(&self.scene, &self.sensors, view), watch)?;
         Ok(place.get_or_init(|| prepared))
     }
 

@@ -40,7 +40,8 @@ Exit status:
      --time-limit that ended before the first sample
   4  more than 1 in 10^6 samples was infinite or NaN (the images are written);
      optimize: the loss or its gradient was
-  5  stopped by Ctrl-C (what was done is written, if anything was, marked as partial)
+  5  stopped by Ctrl-C or SIGTERM (what was done is written, if anything was, marked
+     as partial)
   6  check: something is left out (--allow-missing), and the rest is not wrong";
 
 #[derive(Subcommand, Debug)]
@@ -103,6 +104,23 @@ impl Command {
             Self::Info(_) | Self::Compare(_) | Self::Scenes(_) | Self::Figures { .. } => None,
         }
     }
+
+    /// How long it may take, if that was said: from its start, reading and preparation included. Not
+    /// of an optimisation, which has a result from the beginning.
+    pub fn time_limit(&self) -> Option<Duration> {
+        match self {
+            Self::Render(args) => args.sampling.time_limit,
+            Self::Gradient(args) => args.gradient.sampling.time_limit,
+            Self::Backward(args) => args.sampling.time_limit,
+            Self::Check(args) => args.gradient.sampling.time_limit,
+            Self::Demo(args) => args.sampling.time_limit,
+            Self::Optimize(_)
+            | Self::Info(_)
+            | Self::Compare(_)
+            | Self::Scenes(_)
+            | Self::Figures { .. } => None,
+        }
+    }
 }
 
 /// Which scene, and changes to it.
@@ -159,7 +177,8 @@ pub struct SamplingArgs {
     /// Worker threads; changes no bit of the result [default: all cores]
     #[arg(short = 't', long, value_name = "N", value_parser = parse::threads)]
     pub threads: Option<usize>,
-    /// Stop after this time (30, 30s, 5m, 1h) and keep what is done, if anything is
+    /// Stop this long (30, 30s, 5m, 1h) after the start of the command, which reads and
+    /// prepares the scene first, and keep what is done, if anything is
     #[arg(long, value_name = "TIME", value_parser = parse_duration)]
     pub time_limit: Option<Duration>,
 }
@@ -481,8 +500,8 @@ pub struct Optimize {
     /// Worker threads; changes no bit of the result [default: all cores]
     #[arg(short = 't', long, value_name = "N", value_parser = parse::threads)]
     pub threads: Option<usize>,
-    /// Stop after this time (30, 30s, 5m, 1h) and keep what is done [default:
-    /// the job's]
+    /// Stop this long (30, 30s, 5m, 1h) after the start of the command and keep what
+    /// is done [default: the job's]
     #[arg(long, value_name = "TIME", value_parser = parse_duration)]
     pub time_limit: Option<Duration>,
     /// Print one JSON object instead of text

@@ -21,13 +21,16 @@ pub enum Outcome {
     Partial,
     /// Too many samples were infinite or NaN.
     NonFinite,
-    /// Stopped by Ctrl-C.
+    /// Stopped by Ctrl-C or SIGTERM.
     Interrupted,
 }
 
 /// Exit status of bad input, refused derivatives, and results that cannot be
 /// written.
 pub const BAD_INPUT: u8 = 3;
+
+/// Exit status of a command that was stopped by Ctrl-C or SIGTERM.
+pub const INTERRUPTED: u8 = 5;
 
 impl From<Outcome> for ExitCode {
     fn from(outcome: Outcome) -> Self {
@@ -36,7 +39,7 @@ impl From<Outcome> for ExitCode {
             Outcome::Wrong | Outcome::Stopped => 1,
             Outcome::Inconclusive => 2,
             Outcome::NonFinite => 4,
-            Outcome::Interrupted => 5,
+            Outcome::Interrupted => INTERRUPTED,
             Outcome::Partial => 6,
         })
     }

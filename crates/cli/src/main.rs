@@ -1,5 +1,5 @@
 //! The capwalk command: what was typed ([`args`]), one file per [`command`],
-//! progress and Ctrl-C ([`progress`]), what is printed ([`console`]), and how
+//! progress and what stops it ([`progress`]), what is printed ([`console`]), and how
 //! things end ([`diagnostics`]).
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
@@ -42,9 +42,11 @@ fn main() -> ExitCode {
     start_log(cli.verbose);
     let run = || run(&cli.command);
     finish(
-        progress::catch_interrupts().and_then(|()| match cli.command.threads() {
-            None => run(),
-            Some(threads) => capwalk::with_threads(threads, run),
+        progress::watch_for_stops(cli.command.time_limit()).and_then(|()| {
+            match cli.command.threads() {
+                None => run(),
+                Some(threads) => capwalk::with_threads(threads, run),
+            }
         }),
     )
 }
@@ -75,7 +77,11 @@ fn finish(result: anyhow::Result<Outcome>) -> ExitCode {
         Ok(outcome) => outcome.into(),
         Err(error) => {
             console::remark(&format!("{}\n", diagnostics::describe(&error)));
-            ExitCode::from(diagnostics::BAD_INPUT)
+            let is_stopped = matches!(error.downcast_ref(), Some(capwalk::Error::Stopped { .. }));
+            ExitCode::from(match is_stopped && progress::interrupted() {
+                true => diagnostics::INTERRUPTED,
+                false => diagnostics::BAD_INPUT,
+            })
         }
     }
 }

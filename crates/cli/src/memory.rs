@@ -1,9 +1,8 @@
 //! Whether there is memory for an image, before work begins that cannot end.
 
-use std::fs;
-
 use anyhow::{Result, ensure};
 use capwalk::Scene;
+use capwalk::scene::memory::{available, mib};
 
 /// What commands take for each pixel, bytes: the sums of up to 16 batches, of which five wait
 /// for each other, and the results in memory and as a file. Measured with 16 samples or more
@@ -38,7 +37,6 @@ pub fn check_size(size: [u32; 2], need: Need) -> Result<()> {
 
 fn fits([width, height]: [u32; 2], need: Need, free: u64) -> Result<()> {
     let bytes = u64::from(width) * u64::from(height) * need as u64;
-    let mib = |bytes: u64| bytes.div_ceil(1 << 20);
     let instead = match need {
         Need::Comparison => "compare images of crop windows one after the other",
         Need::Loss => "choose fewer pixels (--size, or the size of the film), or crop windows",
@@ -51,26 +49,6 @@ fn fits([width, height]: [u32; 2], need: Need, free: u64) -> Result<()> {
         mib(free)
     );
     Ok(())
-}
-
-/// How many bytes can be taken, where the system says that.
-fn available() -> Option<u64> {
-    let text = |path: &str| fs::read_to_string(path).ok();
-    let of_machine = text("/proc/meminfo").and_then(|text| of_meminfo(&text));
-    let number = |path| text(path)?.trim().parse::<u64>().ok();
-    // A container may have less than its machine.
-    let group = number("/sys/fs/cgroup/memory.max")
-        .zip(number("/sys/fs/cgroup/memory.current"))
-        .map(|(most, taken)| most.saturating_sub(taken));
-    of_machine.into_iter().chain(group).min()
-}
-
-fn of_meminfo(text: &str) -> Option<u64> {
-    let line = text
-        .lines()
-        .find_map(|line| line.strip_prefix("MemAvailable:"));
-    let kib: u64 = line?.trim().strip_suffix(" kB")?.parse().ok()?;
-    kib.checked_mul(1 << 10)
 }
 
 #[cfg(test)]
@@ -90,15 +68,5 @@ mod tests {
         assert!(text.contains("40960 MiB are free"), "{text}");
         assert!(fits(size, Need::Comparison, 40 << 30).is_ok());
         assert!(fits(size, Need::Comparison, 30 << 30).is_err());
-    }
-
-    #[test]
-    fn what_linux_says() {
-        let text = "MemTotal:       24604192 kB\nMemAvailable:   23265440 kB\n";
-        assert_eq!(of_meminfo(text), Some(23_265_440 << 10));
-        assert_eq!(of_meminfo("MemTotal: 1 kB"), None);
-        if cfg!(target_os = "linux") {
-            assert!(available().is_some_and(|free| free > 1 << 20));
-        }
     }
 }

@@ -1,14 +1,16 @@
-//! A bar with the remaining time, the time limit, and Ctrl-C.
+//! A bar with the remaining time, the time limit, Ctrl-C and SIGTERM.
 
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 
 use anyhow::Context;
 use capwalk::Watch;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+#[cfg(unix)]
+use signal_hook::{consts::SIGTERM, iterator::Signals};
 
-use crate::console;
+use crate::{console, diagnostics};
 
 /// Work shorter than this shows no bar.
 const QUIET_FOR: Duration = Duration::from_secs(1);
@@ -16,24 +18,95 @@ const QUIET_FOR: Duration = Duration::from_secs(1);
 /// Exit status of a process that Ctrl-C killed, as shells have it.
 const KILLED: i32 = 130;
 
-/// True once Ctrl-C was pressed.
+/// True once Ctrl-C was pressed or SIGTERM came.
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
-/// Makes the first Ctrl-C stop the work cleanly, and the second end the
-/// process at once.
-pub fn catch_interrupts() -> anyhow::Result<()> {
-    ctrlc::set_handler(|| {
-        if INTERRUPTED.swap(true, Ordering::SeqCst) {
-            std::process::exit(KILLED);
-        }
-        console::remark("\nstopping; what is done will be written (Ctrl-C again ends at once)\n");
-    })
-    .context("cannot listen to Ctrl-C")
+/// Whether there is something to write, since a sample was taken: until then, what stops a command
+/// ends the process, whatever it is at. Locked while that is decided.
+static HAS_RESULTS: Mutex<bool> = Mutex::new(false);
+
+/// When the command started: time limits count from here.
+static STARTED: OnceLock<Instant> = OnceLock::new();
+
+/// Makes the first Ctrl-C or SIGTERM stop the work cleanly, and the second end the process at
+/// once; and a time limit that ends before the first sample end the process there. To be called
+/// once, when a command starts.
+pub fn watch_for_stops(limit: Option<Duration>) -> anyhow::Result<()> {
+    let started = *STARTED.get_or_init(Instant::now);
+    ctrlc::set_handler(interrupt).context("cannot listen to Ctrl-C")?;
+    #[cfg(unix)]
+    {
+        let signals = Signals::new([SIGTERM]).context("cannot listen to SIGTERM")?;
+        spawn("signals", move || {
+            let mut signals = signals;
+            signals.forever().for_each(|_| interrupt());
+        })?;
+    }
+    if let Some(limit) = limit {
+        spawn("time limit", move || {
+            std::thread::sleep(limit.saturating_sub(started.elapsed()));
+            let words = format!("error: {}\n", out_of_time(SAMPLE));
+            end_without_results(&words, diagnostics::BAD_INPUT);
+        })?;
+    }
+    Ok(())
 }
 
-/// True once Ctrl-C was pressed.
+/// What has not happened yet while a command prepares its work.
+const SAMPLE: &str = "a sample was taken";
+
+/// What is said if the time limit ended before something.
+pub fn out_of_time(before: &str) -> String {
+    format!("the time limit ended before {before}; nothing was written. Give more time")
+}
+
+/// What is said if the work was stopped before something.
+pub fn stopped(before: &str) -> String {
+    format!("stopped before {before}; nothing was written")
+}
+
+fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> anyhow::Result<()> {
+    let thread = std::thread::Builder::new().name(name.into());
+    thread.spawn(work).context("no thread to wait on")?;
+    Ok(())
+}
+
+/// Says that there is something to write: from now on, whoever works stops by itself.
+pub fn has_results() {
+    *HAS_RESULTS.lock().unwrap_or_else(PoisonError::into_inner) = true;
+}
+
+/// Ends the process with these words and this status if there is nothing to write.
+fn end_without_results(words: &str, status: u8) {
+    // Results that come now wait here for ever.
+    let has_results = HAS_RESULTS.lock().unwrap_or_else(PoisonError::into_inner);
+    if !*has_results {
+        console::remark(words);
+        std::process::exit(status.into());
+    }
+}
+
+/// What Ctrl-C and SIGTERM do.
+fn interrupt() {
+    if INTERRUPTED.swap(true, Ordering::SeqCst) {
+        std::process::exit(KILLED);
+    }
+    end_without_results(
+        &format!("\n{}\n", stopped(SAMPLE)),
+        diagnostics::INTERRUPTED,
+    );
+    console::remark("\nstopping; what is done will be written (Ctrl-C again ends at once)\n");
+}
+
+/// True once Ctrl-C was pressed or SIGTERM came.
 pub fn interrupted() -> bool {
     INTERRUPTED.load(Ordering::SeqCst)
+}
+
+/// What is left of a time limit, which counts from the start of the command.
+pub fn left_of(limit: Option<Duration>) -> Option<Duration> {
+    let started = STARTED.get_or_init(Instant::now);
+    limit.map(|limit| limit.saturating_sub(started.elapsed()))
 }
 
 /// Shows one piece of work, and stops it when it is time.
@@ -43,6 +116,8 @@ pub struct Progress {
     deadline: Option<Instant>,
     /// Set when the bar is first drawn.
     shown: OnceLock<()>,
+    /// Set when the first sample was taken.
+    has_samples: OnceLock<()>,
 }
 
 impl Progress {
@@ -61,6 +136,7 @@ impl Progress {
             started,
             deadline: limit.and_then(|limit| started.checked_add(limit)),
             shown: OnceLock::new(),
+            has_samples: OnceLock::new(),
         }
     }
 
@@ -73,6 +149,9 @@ impl Progress {
 
 impl Watch for Progress {
     fn progress(&self, done: u64, total: u64) {
+        if done > 0 {
+            self.has_samples.get_or_init(has_results);
+        }
         self.bar.set_length(total);
         // Workers finish in any order: the bar never goes back.
         if done > self.bar.position() {

@@ -119,9 +119,9 @@ pub fn warnings(what: &str, statistics: &Statistics) -> String {
 /// How it ends if it was stopped too early to write anything.
 pub fn nothing(before: &str) -> Result<Outcome> {
     if !progress::interrupted() {
-        bail!("the time limit ended before {before}; nothing was written. Give more time");
+        bail!(progress::out_of_time(before));
     }
-    console::remark(&format!("stopped before {before}; nothing was written\n"));
+    console::remark(&format!("{}\n", progress::stopped(before)));
     Ok(Outcome::Interrupted)
 }
 

@@ -338,6 +338,8 @@ impl Pilot<'_> {
             false => eval,
         };
         let tracer = self.tracer(field, walk);
+        // If the watch stops this, no sample is taken either.
+        let _ = tracer.build_edge_samplers(self.watch);
         let sampler = Sampler::new(&scene.settings, PILOT_SEED, 1);
         let width = scene.film.crop_size[0];
         let look = |&[x, y]: &[u32; 2]| {

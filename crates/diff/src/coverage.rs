@@ -11,7 +11,7 @@ use capwalk_boundary::refuse::uncovered_motion;
 use capwalk_boundary::{Field, Method, Refusal, bends_images, pool};
 use capwalk_math::Tape;
 use capwalk_render::{
-    MotionFacts, PreparedScene, ProbedMotion, SpecularProbe, Tracer, UncoveredEvents,
+    MotionFacts, PreparedScene, ProbedMotion, SpecularProbe, Tracer, UncoveredEvents, Watch,
 };
 use capwalk_scene::{Quantity, Scene, fingerprint};
 use capwalk_walk::WalkSettings;
@@ -19,6 +19,7 @@ use rayon::prelude::*;
 
 use crate::adjoint::Wanted;
 use crate::options::GradientOptions;
+use crate::refused::boundaries;
 use crate::reverse_eval::Reverse;
 
 /// What of a derivative with respect to what is wanted is covered, method by method.
@@ -29,8 +30,14 @@ pub(crate) struct Coverage<'a> {
 
 impl Coverage<'_> {
     /// Refuses what the method does not cover, unless that may be missing. A method that chooses
-    /// takes what covers most.
-    pub(crate) fn check(&self, options: &GradientOptions) -> Result<(), Refusal> {
+    /// takes what covers most. [`Refusal::Stopped`] if the watch stops the construction of the
+    /// boundaries, which a probe needs.
+    pub(crate) fn check(
+        &self,
+        options: &GradientOptions,
+        watch: &dyn Watch,
+    ) -> Result<(), Refusal> {
+        boundaries(self.prepared, self.wanted.moves(), watch)?;
         match !options.allow_missing.specular && self.is_incomplete(options) {
             true => Err(self.refusal(options)),
             false => Ok(()),

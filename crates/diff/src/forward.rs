@@ -20,6 +20,7 @@ use crate::auto::{Chosen, KeptChoice, Pilot, PilotSize};
 use crate::coverage::Coverage;
 use crate::forward_eval::Forward;
 use crate::options::GradientOptions;
+use crate::refused::boundaries;
 
 /// The derivative of the image for a unit change along `tangent`, in forward mode, with
 /// its standard error. Refuses what it cannot differentiate rightly, see [`Refusal`].
@@ -108,6 +109,12 @@ impl<'a> GradientWork<'a> {
         tiles::grid(self.prepared.scene(), &self.options.sampling())
     }
 
+    /// Builds the boundaries that the work needs, unless they are built. [`Refusal::Stopped`] if the
+    /// watch stops it.
+    pub fn prepare(&self, watch: &dyn Watch) -> Result<(), Refusal> {
+        self.boundaries(watch).map(|_| ())
+    }
+
     /// All of it at once, see [`gradient`]; or of the rest of the light, see [`Self::of_rest`].
     pub fn whole(&self, watch: &dyn Watch) -> Result<GradientImage, Refusal> {
         let partial = self.sums(None, &Part::whole(self.grid()), watch)?;
@@ -129,7 +136,7 @@ impl<'a> GradientWork<'a> {
             };
             pilot.choose(|options| self.coverage().uncovered(options))
         };
-        let refuse = || self.refuse(&self.options);
+        let refuse = || self.refuse(&self.options, watch);
         Chosen::of(
             &self.options,
             &self.chosen,
@@ -163,18 +170,22 @@ impl<'a> GradientWork<'a> {
     ) -> Result<Partial<PixelSums>, Refusal> {
         let options = self.chosen(watch)?.options;
         let (scene, sampling) = (self.prepared.scene(), options.sampling());
+        let boundaries = self.boundaries(watch)?;
         let (known, first) = (&self.counts, DERIVATIVE);
         let counts =
             adaptive::sample_counts(known, scene, &sampling, watch, first, |pilot, watch| {
                 let part = Part::whole(tiles::grid(scene, pilot));
-                self.average(&options, pilot, &SampleCounts::Even, None, &part, watch)
+                let even = SampleCounts::Even;
+                self.average(boundaries, &options, pilot, &even, None, &part, watch)
             });
-        Ok(self.average(&options, &sampling, &counts, work, part, watch))
+        Ok(self.average(boundaries, &options, &sampling, &counts, work, part, watch))
     }
 
     /// Averages samples of this method, taken so, so many of each pixel.
+    #[expect(clippy::too_many_arguments)]
     fn average(
         &self,
+        boundaries: &Boundaries,
         options: &GradientOptions,
         sampling: &RenderOptions,
         counts: &SampleCounts,
@@ -183,7 +194,7 @@ impl<'a> GradientWork<'a> {
         watch: &dyn Watch,
     ) -> Partial<PixelSums> {
         let (prepared, scene) = (self.prepared, self.prepared.scene());
-        let field = Field::new(prepared.accel(), self.boundaries(), options.method);
+        let field = Field::new(prepared.accel(), boundaries, options.method);
         let eval = Forward::new(field, &self.tangent);
         let eval = match options.blind {
             true => eval.blind(),
@@ -196,6 +207,8 @@ impl<'a> GradientWork<'a> {
             true => tracer.leaving_out(left_out(options.method)),
             false => tracer,
         };
+        // If the watch stops this, no sample is taken either.
+        let _ = tracer.build_edge_samplers(watch);
         let sample = |pixel: [u32; 2], stream: &Stream| {
             let counts = Counts::default();
             let draw = Draw {
@@ -217,8 +230,8 @@ impl<'a> GradientWork<'a> {
         tiles::average(scene, sampling, counts, work, part, watch, take)
     }
 
-    fn boundaries(&self) -> &'a Boundaries {
-        self.prepared.boundaries_if(self.wanted.moves())
+    fn boundaries(&self, watch: &dyn Watch) -> Result<&'a Boundaries, Refusal> {
+        boundaries(self.prepared, self.wanted.moves(), watch)
     }
 
     fn coverage(&self) -> Coverage<'_> {
@@ -228,30 +241,31 @@ impl<'a> GradientWork<'a> {
         }
     }
 
-    /// Refuses what cannot be differentiated rightly. That needs no sample.
-    pub fn check(&self) -> Result<(), Refusal> {
-        self.refuse(&self.options)
+    /// Refuses what cannot be differentiated rightly. That needs no sample, but the boundaries if
+    /// something moves: [`Refusal::Stopped`] if the watch stops their construction.
+    pub fn check(&self, watch: &dyn Watch) -> Result<(), Refusal> {
+        self.refuse(&self.options, watch)
     }
 
     /// [`Self::check`] with these options.
-    fn refuse(&self, options: &GradientOptions) -> Result<(), Refusal> {
+    fn refuse(&self, options: &GradientOptions, watch: &dyn Watch) -> Result<(), Refusal> {
         let (prepared, tangent) = (self.prepared, &*self.tangent);
         let (scene, accel) = (prepared.scene(), prepared.accel());
         refuse_settings(&options.method, &options.walk)?;
         let is_asked_for = |id: TextureId| tangent.textures[id.0 as usize].is_some();
         refuse_infinite_derivatives(scene, is_asked_for)?;
         #[cfg(feature = "paper")]
-        capwalk_boundary::refuse::refuse_many_edges(self.boundaries(), &options.method)?;
+        capwalk_boundary::refuse::refuse_many_edges(self.boundaries(watch)?, &options.method)?;
         let moves = self.wanted.geometry();
         let turns = tangent.shapes.iter().any(Option::is_some);
         refuse_cut_normals(scene, turns || moves, is_asked_for)?;
         if moves {
             refuse_motion(accel, &options.method)?;
-            refuse_many_shadows(self.boundaries())?;
+            refuse_many_shadows(self.boundaries(watch)?)?;
         } else if turns {
             refuse_turned_without_uvs(scene)?;
         }
-        self.coverage().check(options)
+        self.coverage().check(options, watch)
     }
 
     fn gradient_image(&self, sums: Vec<PixelSums>) -> GradientImage {

@@ -30,8 +30,9 @@ pub use capwalk_boundary::{
 #[cfg(feature = "paper")]
 pub use capwalk_boundary::{WasBoundary, WasSettings};
 pub use capwalk_render::{
-    Accumulate, Cell, Estimate, GradientImage, Grid, Missing, Part, PartError, Partial, PixelSums,
-    PreparedScene, RenderOptions, RenderWork, Rendering, Statistics, Unwatched, Watch, render,
+    Accumulate, Cell, Estimate, GradientImage, Grid, Halted, Missing, Part, PartError, Partial,
+    PixelSums, PreparedScene, RenderOptions, RenderWork, Rendering, Statistics, Unwatched, Watch,
+    render,
 };
 pub use capwalk_walk::{Estimator, WalkSettings};
 

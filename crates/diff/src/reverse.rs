@@ -15,7 +15,7 @@ use capwalk_math::{Moments, Rgb, Tape, Vec3};
 use capwalk_render::tiles;
 use capwalk_render::{
     Accumulate, Along, Grid, Missing, MotionFacts, OrderedSum, Part, PartError, Partial,
-    PreparedScene, Statistics, Tracer, Watch,
+    PreparedScene, Statistics, Tracer, Unwatched, Watch,
 };
 use capwalk_scene::{Gradient, Image, Scene, Tangent, TextureId, fingerprint};
 use rayon::prelude::*;
@@ -25,6 +25,7 @@ use crate::adjoint::{Adjoint, Target, Wanted};
 use crate::auto::{Chosen, KeptChoice, Pilot, PilotSize, motion};
 use crate::coverage::Coverage;
 use crate::options::GradientOptions;
+use crate::refused::boundaries;
 use crate::reverse_eval::Reverse;
 
 /// The gradient of `Σ adjoint · image` in all parameters, with errors.
@@ -170,7 +171,7 @@ impl<'a> BackwardWork<'a> {
     /// All of it at once, see [`backward`].
     pub fn whole(&self, watch: &dyn Watch) -> Result<Backward, Refusal> {
         let partial = self.sums(None, &Part::whole(self.grid()), watch)?;
-        Ok(self.backward(partial.into_sums()))
+        self.backward(partial.into_sums())
     }
 
     /// The method that the work is done by, see [`Method::Auto`](crate::Method::Auto); found
@@ -189,7 +190,7 @@ impl<'a> BackwardWork<'a> {
             };
             pilot.choose(|options| self.coverage().uncovered(options))
         };
-        let refuse = || self.refuse(&self.options);
+        let refuse = || self.refuse(&self.options, watch);
         Chosen::of(
             &self.options,
             &self.chosen,
@@ -209,10 +210,11 @@ impl<'a> BackwardWork<'a> {
 
     /// The gradient, from all of its parts. The bits are those of [`backward`].
     pub fn finish(&self, parts: Partial<BatchSums>) -> Result<Backward, PartError> {
-        let zero = Adjoint::zero(self.prepared.scene(), self.boundaries(), &self.wanted);
+        let boundaries = self.boundaries(&Unwatched)?;
+        let zero = Adjoint::zero(self.prepared.scene(), boundaries, &self.wanted);
         let right = |_, sums: &BatchSums| sums.mean.fits(&zero);
         let sums = parts.complete(self.fingerprint(), self.grid(), right)?;
-        Ok(self.backward(sums))
+        Ok(self.backward(sums)?)
     }
 
     fn sums(
@@ -222,7 +224,7 @@ impl<'a> BackwardWork<'a> {
         watch: &dyn Watch,
     ) -> Result<Partial<BatchSums>, Refusal> {
         let options = self.chosen(watch)?.options;
-        let mut pass = self.pass(&options, watch);
+        let mut pass = self.pass(&options, watch)?;
         let grid = pass.grid;
         let cells = grid.cells().filter(|&cell| part.contains(cell));
         pass.total = cells
@@ -243,16 +245,23 @@ impl<'a> BackwardWork<'a> {
     }
 
     /// What all samples of the work share; nothing is done yet.
-    fn pass<'b>(&'b self, options: &GradientOptions, watch: &'b dyn Watch) -> Pass<'b> {
+    fn pass<'b>(
+        &'b self,
+        options: &GradientOptions,
+        watch: &'b dyn Watch,
+    ) -> Result<Pass<'b>, Refusal> {
         let (prepared, wanted) = (self.prepared, &self.wanted);
         let (scene, accel) = (prepared.scene(), prepared.accel());
-        let field = Field::new(accel, self.boundaries(), options.method);
-        Pass {
+        let field = Field::new(accel, self.boundaries(watch)?, options.method);
+        let tracer = Tracer::moving(prepared, field, options.walk, &self.facts);
+        // If the watch stops this, no sample is taken either.
+        let _ = tracer.build_edge_samplers(watch);
+        Ok(Pass {
             scene,
             adjoint: self.adjoint,
             wanted,
             points: wanted.points(accel, field.boundaries),
-            tracer: Tracer::moving(prepared, field, options.walk, &self.facts),
+            tracer,
             field,
             sampler: Sampler::new(&scene.settings, options.seed, options.spp),
             spp: options.spp,
@@ -260,11 +269,11 @@ impl<'a> BackwardWork<'a> {
             watch,
             done: AtomicU64::new(0),
             total: 0,
-        }
+        })
     }
 
-    fn boundaries(&self) -> &'a Boundaries {
-        self.prepared.boundaries_if(self.wanted.moves())
+    fn boundaries(&self, watch: &dyn Watch) -> Result<&'a Boundaries, Refusal> {
+        boundaries(self.prepared, self.wanted.moves(), watch)
     }
 
     fn coverage(&self) -> Coverage<'_> {
@@ -274,13 +283,14 @@ impl<'a> BackwardWork<'a> {
         }
     }
 
-    /// Refuses what cannot be differentiated rightly. That needs no sample.
-    pub fn check(&self) -> Result<(), Refusal> {
-        self.refuse(&self.options)
+    /// Refuses what cannot be differentiated rightly. That needs no sample, but the boundaries if
+    /// something moves: [`Refusal::Stopped`] if the watch stops their construction.
+    pub fn check(&self, watch: &dyn Watch) -> Result<(), Refusal> {
+        self.refuse(&self.options, watch)
     }
 
     /// [`Self::check`] with these options.
-    fn refuse(&self, options: &GradientOptions) -> Result<(), Refusal> {
+    fn refuse(&self, options: &GradientOptions, watch: &dyn Watch) -> Result<(), Refusal> {
         let (prepared, wanted) = (self.prepared, &self.wanted);
         let (scene, accel) = (prepared.scene(), prepared.accel());
         refuse_settings(&options.method, &options.walk)?;
@@ -296,18 +306,19 @@ impl<'a> BackwardWork<'a> {
         refuse_cut_normals(scene, turns || wanted.geometry(), is_asked_for)?;
         if wanted.geometry() {
             refuse_motion(accel, &options.method)?;
-            refuse_many_shadows(self.boundaries())?;
+            refuse_many_shadows(self.boundaries(watch)?)?;
         } else if turns {
             refuse_turned_without_uvs(scene)?;
         }
         #[cfg(feature = "paper")]
-        capwalk_boundary::refuse::refuse_many_edges(self.boundaries(), &options.method)?;
-        self.coverage().check(options)
+        capwalk_boundary::refuse::refuse_many_edges(self.boundaries(watch)?, &options.method)?;
+        self.coverage().check(options, watch)
     }
 
-    fn backward(&self, batches: Vec<BatchSums>) -> Backward {
+    fn backward(&self, batches: Vec<BatchSums>) -> Result<Backward, Refusal> {
         let (scene, accel) = (self.prepared.scene(), self.prepared.accel());
-        let boundaries = self.boundaries();
+        // Built already, by what took the samples, or else in another process.
+        let boundaries = self.boundaries(&Unwatched)?;
         let mut statistics = Statistics {
             samples_per_pixel: vec![0; scene.film.pixel_count()],
             ..Statistics::default()
@@ -329,7 +340,7 @@ impl<'a> BackwardWork<'a> {
         // A sample may show what no probe has found: then the result says so.
         let is_missing = statistics.uncovered > 0 || self.coverage().is_incomplete(&self.options);
         statistics.missing = is_missing.then(|| missing(&radiances));
-        Backward::new(gradients, statistics)
+        Ok(Backward::new(gradients, statistics))
     }
 
     fn fingerprint(&self) -> u64 {
@@ -449,6 +460,12 @@ struct Pass<'a> {
     total: u64,
 }
 
+/// A sample of each of so many pixels takes a fifth of a second at most.
+const FEW_PIXELS: usize = 4096;
+
+/// One pixel of so many asks whether to stop.
+const LOOK_UP: usize = 64;
+
 /// Memory for one sample after another.
 #[derive(Default)]
 struct Memory {
@@ -497,22 +514,45 @@ impl Pass<'_> {
     fn bands(&self, samples: Range<u32>, bands: &[u32]) -> Vec<BatchSums> {
         let mut memory = Memory::default();
         let mut sums: Vec<BatchSums> = bands.iter().map(|&band| self.nothing(band)).collect();
+        let pixels: usize = bands.iter().map(|&band| self.pixels(band).len()).sum();
         for number in samples {
             if self.watch.should_stop() {
                 break;
             }
-            for (&band, sums) in bands.iter().zip(&mut sums) {
-                let pixels = self.pixels(band);
-                let work = pixels.len() as u64;
-                for pixel in pixels {
-                    self.add_sample(pixel, number, sums, &mut memory);
-                }
-                sums.bands[0].taken += 1;
-                let done = self.done.fetch_add(work, Ordering::Relaxed) + work;
-                self.watch.progress(done, self.total);
+            // One sample of each of many pixels takes long: if it is stopped, none of them has it.
+            let before = (pixels > FEW_PIXELS).then(|| sums.clone());
+            let can_stop = before.is_some();
+            let mut all = bands.iter().zip(&mut sums);
+            let is_whole = all
+                .all(|(&band, sums)| self.add_samples(band, number, sums, &mut memory, can_stop));
+            if let Some(before) = before.filter(|_| !is_whole) {
+                return before;
             }
         }
         sums
+    }
+
+    /// Adds a sample of each pixel of a band; false if it can be stopped there and was.
+    fn add_samples(
+        &self,
+        band: u32,
+        number: u32,
+        sums: &mut BatchSums,
+        memory: &mut Memory,
+        can_stop: bool,
+    ) -> bool {
+        let pixels = self.pixels(band);
+        let work = pixels.len() as u64;
+        for pixel in pixels {
+            if can_stop && pixel % LOOK_UP == 0 && self.watch.should_stop() {
+                return false;
+            }
+            self.add_sample(pixel, number, sums, memory);
+        }
+        sums.bands[0].taken += 1;
+        let done = self.done.fetch_add(work, Ordering::Relaxed) + work;
+        self.watch.progress(done, self.total);
+        true
     }
 
     /// A band before its first sample.

@@ -48,7 +48,7 @@ impl DeviceScene<'_> {
         most: usize,
         watch: &dyn Watch,
     ) -> Result<GradientImage, DeviceError> {
-        GradientWork::new(self.prepared, Cow::Borrowed(tangent), *options).check()?;
+        GradientWork::new(self.prepared, Cow::Borrowed(tangent), *options).check(watch)?;
         let wanted = Wanted::by(tangent);
         if let Some(unsupported) = unsupported_derivative(self.prepared, &wanted, options) {
             return Err(unsupported.into());

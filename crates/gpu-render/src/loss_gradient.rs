@@ -65,7 +65,7 @@ impl DeviceScene<'_> {
         most: usize,
         watch: &dyn Watch,
     ) -> Result<Backward, DeviceError> {
-        BackwardWork::new(self.prepared, adjoint, wanted.clone(), *options).check()?;
+        BackwardWork::new(self.prepared, adjoint, wanted.clone(), *options).check(watch)?;
         let sampling = options.sampling();
         let unsupported = unsupported_derivative(self.prepared, wanted, options);
         if let Some(unsupported) = unsupported.or_else(|| unsupported_options(&sampling)) {

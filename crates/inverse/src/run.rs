@@ -87,6 +87,15 @@ impl fmt::Display for Stop {
 
 impl std::error::Error for Stop {}
 
+impl From<Refusal> for Stop {
+    fn from(refusal: Refusal) -> Self {
+        match refusal {
+            Refusal::Stopped => Self::Interrupted,
+            refusal => Self::Refused(refusal),
+        }
+    }
+}
+
 /// What an iteration gave.
 #[derive(Clone, Debug)]
 pub struct Iteration {
@@ -163,7 +172,7 @@ impl Problem {
             .apply(&self.scene, &values)
             .map_err(Stop::Outside)?;
         // Render every view and compare it with its target.
-        let views = views.of(self, &scene);
+        let views = views.of(self, &scene, watch).ok_or(Stop::Interrupted)?;
         let seen = self.look(views, state.iteration, watch)?;
         let mut row = self.row(state, values, &seen.measured);
         if !row.loss.is_finite() {
@@ -339,7 +348,7 @@ impl Problem {
             // a little stops no run, and the row says what is left out.
             options.allow_missing.specular |= row.iteration > 0;
             let result =
-                backward(prepared, &adjoint, &wanted, &options, watch).map_err(Stop::Refused)?;
+                backward(prepared, &adjoint, &wanted, &options, watch).map_err(Stop::from)?;
             refuse_unusable("gradient", row.iteration, &result.statistics)?;
             let either = [missing, result.statistics.missing].into_iter().flatten();
             missing = either.max_by(|a, b| a.share.total_cmp(&b.share));
@@ -373,7 +382,8 @@ impl Problem {
             return None;
         }
         let scene = self.scene(&State::new(self)).ok()?;
-        let prepared = PreparedScene::new(self.views.first()?.scene(&scene));
+        let seen = self.views.first()?.scene(&scene);
+        let prepared = PreparedScene::try_new(seen, watch).ok()?;
         let [width, height] = prepared.scene().film.crop_size.map(|side| side as usize);
         let mut ones = Image::new(width, height);
         ones.pixels.fill(Rgb::splat(1.0));
@@ -391,7 +401,7 @@ impl Problem {
         let scene = self.scene(state).ok()?;
         let options = self.gradient_options(RenderOptions::new(1, self.seed));
         let mut views = PreparedViews::new();
-        let views = views.of(self, &scene);
+        let views = views.of(self, &scene, &Unwatched)?;
         let is_refused = |variable: &usize| {
             let wanted = self.variables.wanted_by(&self.scene, *variable);
             views.iter().any(|view| {

@@ -1,6 +1,6 @@
 //! The views of a problem, ready to be rendered again and again.
 
-use capwalk_diff::PreparedScene;
+use capwalk_diff::{PreparedScene, Watch};
 use capwalk_scene::Scene;
 
 use crate::problem::Problem;
@@ -19,16 +19,23 @@ impl PreparedViews {
         Self::default()
     }
 
-    /// A scene as each view of the problem sees it.
-    pub(crate) fn of(&mut self, problem: &Problem, scene: &Scene) -> &[PreparedScene] {
+    /// A scene as each view of the problem sees it; `None` if the watch stops the preparation.
+    pub(crate) fn of(
+        &mut self,
+        problem: &Problem,
+        scene: &Scene,
+        watch: &dyn Watch,
+    ) -> Option<&[PreparedScene]> {
         self.prepared.truncate(problem.views.len());
         for (i, view) in problem.views.iter().enumerate() {
             let seen = view.scene(scene);
             match self.prepared.get_mut(i) {
-                Some(prepared) => prepared.update(seen),
-                None => self.prepared.push(PreparedScene::new(seen)),
+                Some(prepared) => prepared.update_watched(seen, watch),
+                None => self
+                    .prepared
+                    .push(PreparedScene::try_new(seen, watch).ok()?),
             }
         }
-        &self.prepared
+        Some(&self.prepared)
     }
 }

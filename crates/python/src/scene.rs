@@ -12,7 +12,7 @@ use numpy::{
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyType};
 
-use crate::watched::detached;
+use crate::watched::{detached, interruptible};
 use crate::{arrays, errors};
 
 /// A scene that is ready to be rendered and differentiated, from `load_file` and its like. It can
@@ -50,9 +50,9 @@ impl Scene {
     fn of(
         py: Python<'_>,
         name: String,
-        load: impl FnOnce() -> Result<Loaded, capwalk::Error> + Send,
+        load: impl FnOnce() -> Result<Loaded, capwalk::Error> + Send + 'static,
     ) -> PyResult<Self> {
-        let loaded = detached(py, load)?;
+        let loaded = interruptible(py, load)?;
         let loaded = loaded.map_err(|error| errors::exception(py, error))?;
         let warnings = loaded.warnings.iter().map(ToString::to_string).collect();
         Self::new(py, name, warnings, || {
@@ -348,7 +348,7 @@ pub fn load_file(
     for (name, value) in defines {
         loader = loader.define(name, value);
     }
-    Scene::of(py, path.display().to_string(), || loader.load())
+    Scene::of(py, path.display().to_string(), move || loader.load())
 }
 
 /// The scene in a text. Files in it are relative to `folder`.
@@ -360,9 +360,9 @@ pub fn load_string(
     defines: BTreeMap<String, String>,
 ) -> PyResult<Scene> {
     let name = "string";
-    let options = all_sensors(defines);
-    Scene::of(py, name.into(), || {
-        Ok(load_scene_str_with(text, &folder, name, &options)?)
+    let (options, text) = (all_sensors(defines), text.to_owned());
+    Scene::of(py, name.into(), move || {
+        Ok(load_scene_str_with(&text, &folder, name, &options)?)
     })
 }
 
@@ -376,9 +376,9 @@ pub fn load_lines(
     lines: Vec<String>,
 ) -> PyResult<Scene> {
     let name = lines.first().cloned().unwrap_or_default();
-    let options = all_sensors(BTreeMap::new());
-    Scene::of(py, name, || {
-        Ok(load_scene_lines(text, &folder, lines, &options)?)
+    let (options, text) = (all_sensors(BTreeMap::new()), text.to_owned());
+    Scene::of(py, name, move || {
+        Ok(load_scene_lines(&text, &folder, lines, &options)?)
     })
 }
 

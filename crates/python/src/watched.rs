@@ -101,6 +101,31 @@ pub fn watched<T: Send>(
     })
 }
 
+/// Does work that nobody can stop, such as reading a scene, on a thread of its own, while this one
+/// looks for signals. An exception of theirs is raised at once; the work goes on to its end, and what
+/// it gives is dropped.
+pub fn interruptible<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> PyResult<T> {
+    let (sender, receiver) = mpsc::channel();
+    let worker = thread::Builder::new().name("capwalk".into());
+    let spawned = worker.spawn(move || {
+        // Nobody may wait any more.
+        let _ = sender.send(catch_unwind(AssertUnwindSafe(work)));
+    });
+    spawned.map_err(|error| errors::internal(py, &format!("no thread to work on: {error}")))?;
+    let mut receiver = receiver;
+    loop {
+        let (answer, back) = py.detach(move || (receiver.recv_timeout(SIGNALS), receiver));
+        receiver = back;
+        if let Ok(result) = answer {
+            return result.map_err(|panic| errors::internal(py, &text(panic.as_ref())));
+        }
+        py.check_signals()?;
+    }
+}
+
 /// Something short, without the interpreter's lock, as all that waits for workers: these may
 /// be waiting for it, to tell a progress.
 pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {

@@ -152,7 +152,7 @@ pub fn run<T: Send>(
     let views: &Views = &views;
     let result = watched(py, &options.how(), |watch| {
         views.check_names(view, names)?;
-        let result = work(views.prepared(view)?, watch);
+        let result = work(views.prepared_watched(view, watch)?, watch);
         result.map_err(|error| views.explain(view, error))
     })?;
     result.map_err(|error| errors::exception(py, error))

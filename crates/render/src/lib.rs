@@ -53,6 +53,7 @@ mod uncovered_events;
 mod vertex;
 
 pub use average_elsewhere::average_elsewhere;
+pub use capwalk_geometry::Halted;
 pub use emitter_sampler::{DirectionSampler, EmitterSampler};
 pub use estimate::{Estimate, GradientImage, Missing, Rendering, Statistics};
 pub use grid::{Cell, Grid, Part};

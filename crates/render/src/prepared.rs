@@ -3,9 +3,11 @@
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use capwalk_boundary::{Accel, Boundaries, pool, same_edges};
+use capwalk_geometry::{Halt, Halted};
 use capwalk_scene::{Emitter, Scene, Texture};
 
 use crate::emitter_sampler::{EmitterSampler, brightness, textures};
+use crate::options::{Unwatched, Watch};
 use crate::uncovered_events::UncoveredEvents;
 
 /// A scene with its trees. It owns what it needs and can be shared between threads; the
@@ -32,15 +34,20 @@ impl PreparedScene {
     /// Builds the ray tree of a scene that has passed [`Scene::check`]. The boundaries
     /// and their tree follow with the first derivative by a motion.
     pub fn new(scene: impl Into<Arc<Scene>>) -> Self {
+        Self::try_new(scene, &Unwatched).expect("nobody stops it")
+    }
+
+    /// The same, unless the watch stops it.
+    pub fn try_new(scene: impl Into<Arc<Scene>>, watch: &dyn Watch) -> Result<Self, Halted> {
         let scene = scene.into();
-        let accel = pool::install(|| Accel::new(scene));
-        Self {
+        let accel = halting(watch, |halt| Accel::try_new(scene, halt))?;
+        Ok(Self {
             emitters: emitter_samplers(&accel.scene),
             accel,
             boundaries: OnceLock::new(),
             no_boundaries: OnceLock::new(),
             probed: Probed::default(),
-        }
+        })
     }
 
     /// The scene.
@@ -60,13 +67,18 @@ impl PreparedScene {
 
     /// The boundaries of the scene; built by the first call.
     pub fn boundaries(&self) -> &Boundaries {
+        self.try_boundaries(&Unwatched).expect("nobody stops it")
+    }
+
+    /// The same, unless they are not built yet and the watch stops that.
+    pub fn try_boundaries(&self, watch: &dyn Watch) -> Result<&Boundaries, Halted> {
         if let Some(boundaries) = self.boundaries.get() {
-            return boundaries;
+            return Ok(boundaries);
         }
         // Built outside of the lock: a worker that waits for others while it builds may take
         // up other work on this scene, which asks for them, too. Who is first is kept.
-        let boundaries = pool::install(|| Boundaries::new(&self.accel));
-        self.boundaries.get_or_init(|| boundaries)
+        let boundaries = halting(watch, |halt| Boundaries::try_new(&self.accel, halt))?;
+        Ok(self.boundaries.get_or_init(|| boundaries))
     }
 
     /// True once [`Self::boundaries`] are built.
@@ -76,9 +88,15 @@ impl PreparedScene {
 
     /// The boundaries that a derivative asks for: none if nothing moves, which takes no time.
     pub fn boundaries_if(&self, moves: bool) -> &Boundaries {
+        let found = self.try_boundaries_if(moves, &Unwatched);
+        found.expect("nobody stops it")
+    }
+
+    /// The same, unless they are not built yet and the watch stops that.
+    pub fn try_boundaries_if(&self, moves: bool, watch: &dyn Watch) -> Result<&Boundaries, Halted> {
         match moves {
-            true => self.boundaries(),
-            false => (self.no_boundaries).get_or_init(|| Boundaries::none(&self.accel)),
+            true => self.try_boundaries(watch),
+            false => Ok((self.no_boundaries).get_or_init(|| Boundaries::none(&self.accel))),
         }
     }
 
@@ -110,8 +128,13 @@ impl PreparedScene {
     /// and only what these motions invalidate is built anew. Every later answer is that
     /// of [`PreparedScene::new`] for the scene, to the bit.
     pub fn update(&mut self, scene: impl Into<Arc<Scene>>) {
+        self.update_watched(scene, &Unwatched);
+    }
+
+    /// The same. If the watch stops it, the boundaries are built anew when they are next asked for.
+    pub fn update_watched(&mut self, scene: impl Into<Arc<Scene>>, watch: &dyn Watch) {
         let scene = scene.into();
-        pool::install(|| {
+        let followed = halting(watch, |halt| {
             self.update_emitters(&scene);
             let old = self.scene();
             let same_sensor = old.sensor == scene.sensor && old.film == scene.film;
@@ -119,10 +142,16 @@ impl PreparedScene {
             let change = self.accel.update(scene);
             self.no_boundaries = OnceLock::new();
             self.probed = Probed::default();
-            if let Some(boundaries) = self.boundaries.get_mut() {
-                boundaries.update(&self.accel, change, same_edges, same_sensor);
+            match self.boundaries.get_mut() {
+                Some(boundaries) => {
+                    boundaries.update(&self.accel, change, same_edges, same_sensor, halt)
+                }
+                None => Ok(()),
             }
         });
+        if followed.is_err() {
+            self.boundaries = OnceLock::new();
+        }
     }
 
     /// Another scene made ready, which must have passed [`Scene::check`]: what
@@ -171,6 +200,16 @@ impl PreparedScene {
             }
         }
     }
+}
+
+/// Does work on the threads of the renderer that may be given up when the watch says so.
+fn halting<T: Send>(
+    watch: &dyn Watch,
+    work: impl FnOnce(&Halt) -> Result<T, Halted> + Send,
+) -> Result<T, Halted> {
+    let should_stop = || watch.should_stop();
+    let halt = Halt::when(&should_stop);
+    pool::install(|| work(&halt))
 }
 
 fn emitter_samplers(scene: &Scene) -> Vec<EmitterSampler> {

@@ -3,13 +3,14 @@
 use std::sync::Arc;
 
 use capwalk_boundary::{Accel, Boundaries, Draw, EdgeSampler, Field, Gathers, Motion, Numbers};
-use capwalk_geometry::{EdgeSelection, EdgeSubset, uncounted};
+use capwalk_geometry::{EdgeSelection, EdgeSubset, Halt, Halted, uncounted};
 use capwalk_math::Real;
 use capwalk_scene::EmitterId;
 use capwalk_walk::WalkSettings;
 
 use crate::emitter_sampler::EmitterSampler;
 use crate::motion_facts::MotionFacts;
+use crate::options::Watch;
 use crate::pixel::Supports;
 use crate::plan::Plan;
 use crate::prepared::PreparedScene;
@@ -191,6 +192,31 @@ impl<'a> Tracer<'a> {
             numbers_per_vertex: first(1) - first(0),
             events: self.events_behind(1),
         })
+    }
+
+    /// Builds the edge samplers that samples will ask for, unless the watch stops it: within the
+    /// first sample nothing would.
+    pub fn build_edge_samplers(&self, watch: &dyn Watch) -> Result<(), Halted> {
+        let Some(Moving { field, .. }) = &self.moving else {
+            return Ok(());
+        };
+        let should_stop = || watch.should_stop();
+        let halt = Halt::when(&should_stop);
+        let environment = self.gathers.environment && self.has_environment();
+        let wanted = [
+            (
+                EdgeSelection::Silhouettes,
+                environment && self.plan.lights_surfaces(),
+            ),
+            (
+                EdgeSelection::All,
+                self.gathers.indirect && self.plan.reaches(3),
+            ),
+        ];
+        for (selection, _) in wanted.into_iter().filter(|(_, is_wanted)| *is_wanted) {
+            (field.boundaries).build_edge_sampler(self.accel, selection, &halt)?;
+        }
+        Ok(())
     }
 
     /// A sampler of edges, and the motions of its nodes.

@@ -20,7 +20,9 @@ mod sampler;
 mod scene;
 mod sensor;
 mod shape;
+mod size;
 mod spectrum_plugin;
+mod sphere_division;
 mod surface;
 mod texture;
 

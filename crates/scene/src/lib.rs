@@ -12,6 +12,7 @@ pub mod filter;
 pub mod ids;
 pub mod image;
 pub mod material;
+pub mod memory;
 pub mod params;
 pub mod primitive;
 pub mod quantity;

@@ -13,6 +13,11 @@ mod uv;
 
 pub use icosphere::icosphere;
 pub use rings::{ControlPoint, CurveKind};
-pub use tessellated::{OUTLINE_ERROR, cube, cylinder, disk, rectangle, sphere};
+pub use tessellated::{
+    CYLINDER_TRIANGLES, DISK_TRIANGLES, OUTLINE_ERROR, SPHERE_DIVISION, cube, cylinder, disk,
+    divided_sphere, rectangle, sphere, sphere_error, sphere_triangles,
+};
 pub use tube::{TubeError, tubes};
-pub use uv::{FaceUvs, cube_uvs, cylinder_uvs, disk_uvs, rectangle_uvs, sphere_uvs};
+pub use uv::{
+    FaceUvs, cube_uvs, cylinder_uvs, disk_uvs, divided_sphere_uvs, rectangle_uvs, sphere_uvs,
+};

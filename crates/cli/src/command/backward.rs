@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 use crate::args::{Backward, LossName};
 use crate::diagnostics::Outcome;
 use crate::memory::{self, Need};
-use crate::progress::Progress;
+use crate::progress::{self, Progress};
 use crate::{console, method, output, report, source};
 
 /// One of so many parts of a time limit is for the image that a loss is of: samples of
@@ -47,10 +47,7 @@ pub fn run(args: &Backward) -> Result<Outcome> {
     let adjoint = loss
         .as_ref()
         .map_or(&given, |loss| &loss.image.measured.adjoint);
-    let rest = args.sampling.time_limit.map(|limit| {
-        let used = loss.as_ref().map(|loss| loss.elapsed);
-        limit.saturating_sub(used.unwrap_or_default())
-    });
+    let rest = progress::left_of(args.sampling.time_limit);
     let progress = Progress::new("gradient", rest);
     let differentiate = |names: &[String]| {
         prepared.backward_on(args.device.into(), adjoint, names, &options, &progress)
@@ -241,7 +238,8 @@ fn measured(
         distance,
         levels: 1,
     };
-    let limit = args.sampling.time_limit.map(|limit| limit / IMAGE_SHARE);
+    let limit = progress::left_of(args.sampling.time_limit);
+    let limit = limit.map(|limit| limit / IMAGE_SHARE);
     let progress = Progress::new("image", limit);
     let image = prepared.loss(&loss, target, None, sampling, &progress);
     let elapsed = progress.finish();

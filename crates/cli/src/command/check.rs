@@ -14,7 +14,7 @@ use crate::args::{self, MethodName};
 use crate::diagnostics::Outcome;
 use crate::memory::{self, Need};
 use crate::output::Files;
-use crate::{console, direction, method, report, source};
+use crate::{console, direction, method, progress, report, source};
 
 pub fn run(args: &args::Check) -> Result<Outcome> {
     let typed = &args.gradient;
@@ -39,7 +39,8 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
         reference_spp: args.reference_spp,
         step: typed.step,
     };
-    let checked = timed::check(&prepared, &tangent, &options, typed.sampling.time_limit)?;
+    let limit = progress::left_of(typed.sampling.time_limit);
+    let checked = timed::check(&prepared, &tangent, &options, limit)?;
     let Check {
         gradient,
         reference,

@@ -9,7 +9,7 @@ use crate::args::{DeviceName, Gradient, GradientOn, MethodName, SceneArgs};
 use crate::diagnostics::Outcome;
 use crate::memory::{self, Need};
 use crate::output::{self, Files};
-use crate::progress::Progress;
+use crate::progress::{self, Progress};
 use crate::{console, direction, method, report, source};
 
 pub fn run(
@@ -30,7 +30,7 @@ pub fn run(
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
 
     let mut way = Way::new(args, options, || prepared.fine_difference_step(&tangent))?;
-    let progress = Progress::new("gradient", args.sampling.time_limit);
+    let progress = Progress::new("gradient", progress::left_of(args.sampling.time_limit));
     let mut place = Place::default();
     let result = match &mut way {
         Way::Samples(chosen) => {

@@ -18,7 +18,7 @@ use live::{Clock, Live};
 
 pub fn run(args: &Optimize) -> Result<Outcome> {
     let job = Job::read(&args.job)?;
-    let clock = Clock::new(args.time_limit.or(job.time_limit()));
+    let clock = Clock::new(progress::left_of(args.time_limit.or(job.time_limit())));
     let output = args.output.as_deref().unwrap_or(job.output());
     check_memory(&job)?;
     let targets = Progress::new("target", clock.remaining());
@@ -28,6 +28,8 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
         Err(Error::Stopped { .. }) => return nothing(),
         begun => begun?,
     };
+    // The state that it begins with is a result.
+    progress::has_results();
     for warning in run.warnings() {
         log::warn!("{warning}");
     }

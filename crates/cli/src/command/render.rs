@@ -8,7 +8,7 @@ use crate::args::Render;
 use crate::diagnostics::Outcome;
 use crate::memory::{self, Need};
 use crate::output::{self, Files};
-use crate::progress::Progress;
+use crate::progress::{self, Progress};
 use crate::{console, report, source};
 
 pub fn run(args: &Render) -> Result<Outcome> {
@@ -22,7 +22,7 @@ pub fn run(args: &Render) -> Result<Outcome> {
     let stem = source::stem(&args.scene);
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
 
-    let progress = Progress::new("render", args.sampling.time_limit);
+    let progress = Progress::new("render", progress::left_of(args.sampling.time_limit));
     let found = prepared.render_on(args.device.into(), &options, &progress)?;
     let elapsed = progress.finish().as_secs_f64();
     if let Some(remark) = &found.remark {

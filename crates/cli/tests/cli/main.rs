@@ -69,9 +69,15 @@ impl Capwalk {
     }
 
     /// Runs until a line with this text is on the standard error, then does something, then
-    /// presses Ctrl-C.
+    /// sends a signal: `-INT` is Ctrl-C.
     #[cfg(unix)]
-    fn interrupt(&self, arguments: &str, line: &str, meanwhile: impl FnOnce()) -> Finished {
+    fn interrupt(
+        &self,
+        signal: &str,
+        arguments: &str,
+        line: &str,
+        meanwhile: impl FnOnce(),
+    ) -> Finished {
         let mut command = self.command(arguments);
         command.stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = command.spawn().expect("it starts");
@@ -83,7 +89,7 @@ impl Capwalk {
         }
         meanwhile();
         let interrupt = Command::new("kill")
-            .args(["-INT", &child.id().to_string()])
+            .args([signal, &child.id().to_string()])
             .status();
         assert!(interrupt.expect("kill exists").success());
         errors.read_to_string(&mut said).expect("text");

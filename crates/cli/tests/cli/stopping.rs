@@ -1,7 +1,7 @@
-//! Time limits and Ctrl-C: what is done is written, with its real counts. The work would take
+//! Time limits, Ctrl-C and SIGTERM: what is done is written, with its real counts. The work would take
 //! hours; within three seconds there are some samples on any machine.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use crate::{Capwalk, assert_has};
 
@@ -35,27 +35,80 @@ fn what_has_no_samples_is_not_written() {
     }
 }
 
+/// Ctrl-C, and the signal by which clusters stop jobs.
 #[cfg(unix)]
 #[test]
-fn ctrl_c_stops_cleanly() {
-    let capwalk = Capwalk::new("ctrl_c");
-    let command =
-        format!("gradient leaf -p leaf.translate.x --method edges {LONG} --json -o partial.npz -v");
-    // Until there are samples.
-    let wait = || std::thread::sleep(Duration::from_secs(3));
-    let finished = capwalk.interrupt(&command, "3 shapes", wait);
+fn signals_stop_cleanly() {
+    for signal in ["-INT", "-TERM"] {
+        let capwalk = Capwalk::new(&format!("signal{signal}"));
+        let command = format!(
+            "gradient leaf -p leaf.translate.x --method edges {LONG} --json -o partial.npz -v"
+        );
+        // Until there are samples.
+        let wait = || std::thread::sleep(Duration::from_secs(3));
+        let finished = capwalk.interrupt(signal, &command, "3 shapes", wait);
+        assert_eq!(finished.status, 5, "{signal}: {}", finished.stderr);
+        assert_has(&finished.stderr, &["stopping", "partial"]);
+        let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
+        assert_eq!(json["statistics"]["complete"], false);
+        let image = capwalk_scene_io::image::read(&capwalk.path("partial.npz")).expect("readable");
+        let complete = image.metadata.iter().find(|(key, _)| key == "complete");
+        assert_eq!(complete.expect("it is said").1, "false");
+        let samples: u64 = image
+            .samples
+            .expect("counts")
+            .iter()
+            .map(|&n| u64::from(n))
+            .sum();
+        assert_eq!(json["statistics"]["samples"], samples);
+    }
+}
+
+/// A scene of spheres, 60,500 triangles each: seconds to read, and more to prepare.
+fn spheres(count: usize) -> String {
+    let sphere = |i: usize| {
+        let x = 3 * i;
+        format!(
+            "<shape type=\"sphere\" id=\"s{i}\"><point name=\"center\" x=\"{x}\" y=\"0\" z=\"0\"/></shape>"
+        )
+    };
+    let spheres: String = (0..count).map(sphere).collect();
+    format!(
+        "<scene version=\"3.0.0\"><integrator type=\"path\"/><emitter type=\"constant\"/>\
+         <sensor type=\"perspective\"><film type=\"hdrfilm\"/></sensor>{spheres}</scene>"
+    )
+}
+
+/// How long a process may take to end that has nothing to write: less than a second on a machine
+/// that is not busy.
+const SOON: Duration = Duration::from_secs(5);
+
+/// The time counts from the start: it ends the reading of a scene that takes half a minute.
+#[test]
+fn a_time_limit_ends_the_preparation() {
+    let capwalk = Capwalk::new("limit_while_reading");
+    capwalk.write("scene.xml", &spheres(68));
+    let started = Instant::now();
+    let finished = capwalk.run("gradient scene.xml -p s0.translate.x --time-limit 0.5s");
+    assert_eq!(finished.status, 3, "{}", finished.stderr);
+    assert_has(&finished.stderr, &["time limit", "nothing was written"]);
+    assert!(started.elapsed() < SOON, "{:?}", started.elapsed());
+}
+
+/// Ctrl-C while the boundaries of a scene are listed, which takes ten seconds.
+#[cfg(unix)]
+#[test]
+fn ctrl_c_ends_the_preparation() {
+    let capwalk = Capwalk::new("ctrl_c_while_preparing");
+    capwalk.write("scene.xml", &spheres(8));
+    let mut pressed = None;
+    let command = "gradient scene.xml -p s0.translate.x -v";
+    let finished = capwalk.interrupt("-INT", command, "8 shapes", || {
+        std::thread::sleep(Duration::from_millis(300));
+        pressed = Some(Instant::now());
+    });
     assert_eq!(finished.status, 5, "{}", finished.stderr);
-    assert_has(&finished.stderr, &["stopping", "partial"]);
-    let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
-    assert_eq!(json["statistics"]["complete"], false);
-    let image = capwalk_scene_io::image::read(&capwalk.path("partial.npz")).expect("readable");
-    let complete = image.metadata.iter().find(|(key, _)| key == "complete");
-    assert_eq!(complete.expect("it is said").1, "false");
-    let samples: u64 = image
-        .samples
-        .expect("counts")
-        .iter()
-        .map(|&n| u64::from(n))
-        .sum();
-    assert_eq!(json["statistics"]["samples"], samples);
+    assert_has(&finished.stderr, &["stopped before", "nothing was written"]);
+    let taken = pressed.expect("it was pressed").elapsed();
+    assert!(taken < SOON, "{taken:?}");
 }

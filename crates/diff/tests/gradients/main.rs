@@ -36,3 +36,4 @@ mod reference_setup;
 mod refusals;
 #[cfg(feature = "paper")]
 mod reverse;
+mod wide_scenes;

@@ -8,6 +8,7 @@ use super::binary::BinaryNode;
 use super::hierarchy::{Hierarchy, MAX_DEPTH};
 use super::widen::widen;
 use crate::aabb::Aabb;
+use crate::halt::Halt;
 
 /// Bins per axis. More find slightly better splits and cost building time.
 const BINS: usize = 16;
@@ -22,8 +23,9 @@ struct Primitive {
     id: u32,
 }
 
-/// A tree over primitives with the given boxes, at most `leaf_size` to a leaf.
-pub fn build(bounds: &[Aabb], leaf_size: usize) -> Hierarchy {
+/// A tree over primitives with the given boxes, at most `leaf_size` to a leaf; without any if the
+/// work is given up.
+pub fn build(bounds: &[Aabb], leaf_size: usize, halt: &Halt) -> Hierarchy {
     if bounds.is_empty() {
         return Hierarchy::default();
     }
@@ -39,7 +41,10 @@ pub fn build(bounds: &[Aabb], leaf_size: usize) -> Hierarchy {
         start: 0,
         depth: 0,
     };
-    split_recursively(whole, leaf_size);
+    split_recursively(whole, leaf_size, halt);
+    if halt.now() {
+        return Hierarchy::default();
+    }
 
     let mut hierarchy = Hierarchy {
         nodes: Vec::new(),
@@ -59,7 +64,7 @@ struct Range<'a> {
     depth: usize,
 }
 
-fn split_recursively(range: Range, leaf_size: usize) {
+fn split_recursively(range: Range, leaf_size: usize, halt: &Halt) {
     let Range {
         primitives,
         nodes,
@@ -67,6 +72,10 @@ fn split_recursively(range: Range, leaf_size: usize) {
         depth,
     } = range;
     let count = primitives.len();
+    // Smaller ranges take milliseconds.
+    if count >= PARALLEL_MINIMUM && halt.now() {
+        return;
+    }
     // The box around the primitives decides how often the node is visited, that around
     // their centres where it can be split.
     let mut bounds = Aabb::EMPTY;
@@ -116,12 +125,12 @@ fn split_recursively(range: Range, leaf_size: usize) {
     };
     if count >= PARALLEL_MINIMUM {
         rayon::join(
-            || split_recursively(left_range, leaf_size),
-            || split_recursively(right_range, leaf_size),
+            || split_recursively(left_range, leaf_size, halt),
+            || split_recursively(right_range, leaf_size, halt),
         );
     } else {
-        split_recursively(left_range, leaf_size);
-        split_recursively(right_range, leaf_size);
+        split_recursively(left_range, leaf_size, halt);
+        split_recursively(right_range, leaf_size, halt);
     }
 }
 

@@ -1,5 +1,6 @@
 //! The triangles that cross a wedge.
 
+use super::ray_search::TriangleTree;
 use super::ray_tree::RayTree;
 use crate::bvh::{Child, ChildKind};
 use crate::mesh::Mesh;
@@ -16,35 +17,46 @@ impl RayTree {
     /// Answers are those of [`oracle::across`](crate::oracle::across), to the bit.
     pub fn across(&self, mesh: &Mesh, wedge: &Wedge, found: &mut Vec<(u32, [WedgePoint; 2])>) {
         found.clear();
-        if self.nodes.is_empty() {
-            return;
-        }
-        let frame = &self.frame;
-        let margin = MARGIN[0] * frame.scale + MARGIN[1] * frame.reach;
-        let mut open = vec![Child::node(0)];
-        while let Some(child) = open.pop() {
-            match child.kind() {
-                Some(ChildKind::Node(node)) => {
-                    let node = &self.nodes[node];
-                    let slots = node.children.iter().enumerate();
-                    let met = slots.filter(|&(slot, child)| {
-                        child.kind().is_some() && {
-                            let [middle, half] = node.child_box(slot);
-                            let middle = frame.centre + middle * frame.scale;
-                            wedge.meets_box(middle, half * frame.scale, margin)
-                        }
-                    });
-                    open.extend(met.map(|(_, &child)| child));
-                }
-                Some(ChildKind::Leaf(leaf)) => {
-                    found.extend(self.hierarchy.leaf(leaf).iter().filter_map(|&face| {
-                        let section = wedge.section(mesh.corners(face as usize))?;
-                        Some((face, section))
-                    }));
-                }
-                None => {}
-            }
-        }
+        add_across(self.searched(), mesh, wedge, found);
         found.sort_unstable_by_key(|&(face, _)| face);
+    }
+}
+
+/// Adds the sections of the faces in a tree and in its parts.
+fn add_across(
+    tree: &TriangleTree,
+    mesh: &Mesh,
+    wedge: &Wedge,
+    found: &mut Vec<(u32, [WedgePoint; 2])>,
+) {
+    if tree.nodes.is_empty() {
+        return;
+    }
+    let frame = &tree.frame;
+    let margin = MARGIN[0] * frame.scale + MARGIN[1] * frame.reach;
+    let mut open = vec![Child::node(0)];
+    while let Some(child) = open.pop() {
+        match child.kind() {
+            Some(ChildKind::Node(node)) => {
+                let node = &tree.nodes[node];
+                let slots = node.children.iter().enumerate();
+                let met = slots.filter(|&(slot, child)| {
+                    child.kind().is_some() && {
+                        let [middle, half] = node.child_box(slot);
+                        let middle = frame.centre + middle * frame.scale;
+                        wedge.meets_box(middle, half * frame.scale, margin)
+                    }
+                });
+                open.extend(met.map(|(_, &child)| child));
+            }
+            Some(ChildKind::Leaf(leaf)) => match tree.leaves.get(leaf) {
+                Some(leaf) => found.extend(leaf.faces().filter_map(|face| {
+                    let section = wedge.section(mesh.corners(face as usize))?;
+                    Some((face, section))
+                })),
+                None => add_across(tree.part(leaf), mesh, wedge, found),
+            },
+            None => {}
+        }
     }
 }

@@ -91,17 +91,17 @@ impl RayBuffers {
 impl RayTree {
     /// The tree as flat arrays.
     pub fn buffers(&self) -> RayBuffers {
-        let nodes = self.nodes.iter().flat_map(|node| {
+        let nodes = self.flat.nodes.iter().flat_map(|node| {
             let planes = node.planes.iter().flatten().map(|plane| plane.to_bits());
             planes.chain(children(&node.children))
         });
-        let leaves = self.leaves.iter().enumerate();
+        let leaves = self.flat.leaves.iter().enumerate();
         let triangles = leaves.flat_map(|(leaf, block)| {
             let lanes = 0..self.hierarchy.leaf(leaf).len();
             lanes.flat_map(|lane| block.corners_of(lane))
         });
         RayBuffers {
-            frame: self.frame,
+            frame: self.flat.frame,
             nodes: nodes.collect(),
             leaf_starts: self.hierarchy.leaf_starts.clone(),
             below: below(&self.hierarchy),

@@ -56,10 +56,10 @@ pub struct PacketTree {
 impl PacketTree {
     /// The tree of a mesh, from that for its rays.
     pub fn new(rays: &RayTree, mesh: &Mesh) -> Self {
-        let (faces, numbers) = PacketFace::all(mesh, &rays.frame);
+        let (faces, numbers) = PacketFace::all(mesh, &rays.flat.frame);
         let is_small = faces.len() <= FEW_FACES;
         let tree = Self {
-            frame: rays.frame,
+            frame: rays.flat.frame,
             nodes: Vec::new(),
             leaf_starts: vec![0],
             faces,
@@ -84,7 +84,7 @@ impl PacketTree {
                 .extend(own.iter().map(|&number| all[number as usize]));
             self.leaf_starts.push(self.faces.len() as u32);
         }
-        self.nodes = rays.nodes.clone();
+        self.nodes = rays.flat.nodes.clone();
         self
     }
 
@@ -168,7 +168,7 @@ impl PacketTree {
     /// The same with boxes however few the faces are, and without however many they are.
     #[cfg(test)]
     pub fn deep_and_flat(&self, rays: &RayTree, mesh: &Mesh) -> [Self; 2] {
-        let (faces, numbers) = PacketFace::all(mesh, &rays.frame);
+        let (faces, numbers) = PacketFace::all(mesh, &rays.flat.frame);
         let flat = Self {
             nodes: Vec::new(),
             leaf_starts: vec![0],

@@ -54,6 +54,9 @@ impl RayNode {
     }
 }
 
+/// The number in an empty lane.
+const NO_FACE: u32 = u32::MAX;
+
 /// Up to four triangles, corner by corner and axis by axis. Empty lanes hold a
 /// triangle without area, which nothing hits.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,7 +71,7 @@ impl TriangleBlock {
     pub fn new(mesh: &Mesh, faces: &[u32]) -> Self {
         let mut block = Self {
             corners: [[[0.0; LANES]; 3]; 3],
-            faces: [u32::MAX; LANES],
+            faces: [NO_FACE; LANES],
         };
         for (lane, &face) in faces.iter().enumerate() {
             block.faces[lane] = face;
@@ -79,6 +82,12 @@ impl TriangleBlock {
             }
         }
         block
+    }
+
+    /// The numbers of the triangles.
+    pub fn faces(&self) -> impl Iterator<Item = u32> {
+        let is_used = |&face: &u32| face != NO_FACE;
+        self.faces.into_iter().take_while(is_used)
     }
 
     /// The corners of the triangle in a lane.

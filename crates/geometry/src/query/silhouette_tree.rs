@@ -10,6 +10,7 @@ use super::tree_edge::TreeEdge;
 use crate::aabb::Aabb;
 use crate::bvh::{Hierarchy, SurfaceCost, build, child_bounds, child_leaves};
 use crate::edge::Edge;
+use crate::halt::{Halt, Halted};
 use crate::local_frame::LocalFrame;
 use crate::mesh::Mesh;
 use crate::simd::Instructions;
@@ -40,6 +41,11 @@ impl SilhouetteTree {
     /// Builds the tree. `edges` may come from several meshes as long as they
     /// index `mesh`.
     pub fn build(mesh: &Mesh, edges: &[Edge]) -> Self {
+        Self::try_build(mesh, edges, &Halt::never()).expect("nobody gives it up")
+    }
+
+    /// The same, unless it is given up.
+    pub fn try_build(mesh: &Mesh, edges: &[Edge], halt: &Halt) -> Result<Self, Halted> {
         let frame = frame_of(mesh, edges);
         let bounds: Vec<Aabb> = edges
             .par_iter()
@@ -49,7 +55,7 @@ impl SilhouetteTree {
                 Aabb::around(ends.map(|p| frame.local_from_world(p)))
             })
             .collect();
-        let hierarchy = build(&bounds, LEAF_SIZE);
+        let hierarchy = halt.unless_halted(build(&bounds, LEAF_SIZE, halt))?;
         let mut tree = Self {
             sources: hierarchy
                 .order
@@ -66,7 +72,8 @@ impl SilhouetteTree {
         };
         tree.refit(mesh);
         tree.cost.now_is_new();
-        tree
+        halt.now();
+        halt.unless_halted(tree)
     }
 
     /// Follows moved vertices; faces and edges must be those it was built with.

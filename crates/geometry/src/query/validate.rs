@@ -16,16 +16,18 @@ impl RayTree {
         validate::check_hierarchy(hierarchy, mesh.faces.len(), ray_tree::LEAF_SIZE)?;
         for leaf in 0..hierarchy.leaf_count() {
             let faces = hierarchy.leaf(leaf);
-            if self.leaves[leaf] != TriangleBlock::new(mesh, faces) {
+            if self.flat.leaves[leaf] != TriangleBlock::new(mesh, faces) {
                 let primitive = faces[0] as usize;
                 return Err(TreeError::LeafContent { leaf, primitive });
             }
         }
         validate::check_bounds(
             hierarchy,
-            |node, slot| self.nodes[node].child_bounds(slot),
+            |node, slot| self.flat.nodes[node].child_bounds(slot),
             |bounds, face| {
-                let corners = mesh.corners(face).map(|p| self.frame.local_from_world(p));
+                let corners = mesh
+                    .corners(face)
+                    .map(|p| self.flat.frame.local_from_world(p));
                 corners.iter().all(|&p| bounds.contains_point(p))
             },
         )

@@ -203,3 +203,81 @@ fn validation_notices_moved_vertices() {
     tree.refit(&moved);
     assert_eq!(tree.validate(&moved), Ok(()));
 }
+
+/// Balls of very different sizes beside, inside and on each other.
+fn wide_mesh(divisions: usize) -> Mesh {
+    let mut mesh = Mesh::default();
+    let places = [
+        (Vec3::zero(), 1.0),
+        (Vec3::new(0.0, -4e9 - 1.0, 0.0), 4e9),
+        (Vec3::new(3e4, 5.0, -2e4), 2.0),
+        (Vec3::new(0.3, 0.9, 0.1), 3e-7),
+        (Vec3::new(0.2, 1.1, 0.0), 0.25),
+    ];
+    for (centre, radius) in places {
+        let mut ball = meshes::ball(divisions, |_| 1.0);
+        ball.positions
+            .iter_mut()
+            .for_each(|p| *p = centre + *p * radius);
+        mesh.append(&ball);
+    }
+    mesh
+}
+
+/// Small things in a wide scene are found as by brute force, bit for bit, from near and far; also
+/// after they moved.
+#[test]
+fn small_things_in_wide_scenes_are_found() {
+    let mesh = wide_mesh(8);
+    let mut tree = RayTree::build(&mesh);
+    let mut moved = mesh.clone();
+    for p in &mut moved.positions {
+        p.x += 0.25 * p.y.clamp(-1.0, 1.0);
+    }
+    let mut hits = 0;
+    for mesh in [&mesh, &moved] {
+        tree.refit(mesh);
+        let count = mesh.faces.len();
+        let rays = (0..3000).map(|i| {
+            let [a, b, c] = mesh.corners((i * 97) % count);
+            let target = a * 0.2 + b * 0.3 + c * 0.5;
+            let from = mesh.corners((i * 611 + 5) % count)[0];
+            let away = [1.0, 1.0 + 1e-9, 1.5, 1e3][i % 4];
+            let origin = target + (from - target) * away;
+            let t_max = [f64::INFINITY, 1.0, 1e-3][i % 3];
+            Ray {
+                t_max,
+                ..Ray::new(origin, target - origin)
+            }
+        });
+        let rays: Vec<Ray> = rays.collect();
+        hits += rays
+            .iter()
+            .filter(|ray| tree.first_hit(ray).is_some())
+            .count();
+        check(&tree, mesh, &rays).unwrap();
+    }
+    assert!(hits > 2000, "{hits}");
+}
+
+/// Rays near a small ball test few of its triangles, however wide the scene is: all of them would
+/// take a minute.
+#[test]
+fn small_things_in_wide_scenes_are_told_apart() {
+    let mesh = wide_mesh(40);
+    let tree = RayTree::build(&mesh);
+    let started = std::time::Instant::now();
+    let mut hits = 0;
+    for i in 0..300_000 {
+        let [a, b, c] = mesh.corners((i * 97) % (mesh.faces.len() / 5));
+        let target = a * 0.2 + b * 0.3 + c * 0.5;
+        let ray = Ray {
+            t_max: 1.0 + 1e-9,
+            ..Ray::new(target * 1.1, target * -0.1)
+        };
+        hits += usize::from(tree.first_hit(&ray).is_some());
+    }
+    assert_eq!(hits, 300_000);
+    let taken = started.elapsed().as_secs_f64();
+    assert!(taken < 8.0, "{taken} s");
+}

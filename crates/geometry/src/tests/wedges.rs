@@ -1,5 +1,6 @@
 //! What crosses a wedge, against brute force.
 
+use capwalk_math::Vec3;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -35,4 +36,28 @@ proptest! {
             }
         }
     }
+}
+
+/// The same where some things are millions of times smaller than others.
+#[test]
+fn small_things_in_wide_scenes_are_found() {
+    let mut mesh = meshes::ball(12, |_| 1.0);
+    for (size, x) in [(1e-7, 0.9), (3e8, 0.0)] {
+        let mut other = meshes::ball(12, |_| size);
+        other.positions.iter_mut().for_each(|p| p.x += x);
+        mesh.append(&other);
+    }
+    let tree = RayTree::build(&mesh);
+    let (mut found, mut count) = (Vec::new(), 0);
+    for i in 0..600 {
+        let [a, b, _] = mesh.corners((i * 97) % mesh.faces.len());
+        let light = Vec3::new(2.0, 3.0, 0.1 * (i % 9) as f64);
+        let Some(wedge) = Wedge::new(Apex::Point(light), [a, b]) else {
+            continue;
+        };
+        tree.across(&mesh, &wedge, &mut found);
+        assert_eq!(found, oracle::across(&mesh, &wedge), "{wedge:?}");
+        count += found.len();
+    }
+    assert!(count > 1000, "{count}");
 }

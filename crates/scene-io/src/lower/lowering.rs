@@ -8,6 +8,7 @@ use capwalk_scene::BsdfId;
 use capwalk_scene::{Emitter, Material, Quantity, Shape, Texture, TextureId};
 
 use super::places::Places;
+use super::sphere_division::SphereDivision;
 use crate::fields::Context;
 use crate::node::{Kind, NodeId};
 use crate::texts::Span;
@@ -26,6 +27,8 @@ pub(super) struct Lowering<'a> {
     pub texture_of_node: BTreeMap<NodeId, (TextureId, Quantity)>,
     /// The shapes of groups, and where they stand.
     pub groups: BTreeMap<NodeId, Rc<[(Shape, Span)]>>,
+    /// How finely spheres are divided.
+    pub spheres: SphereDivision,
     /// How many triangles the instances so far have.
     pub triangles_of_instances: usize,
     /// Area emitters that have their shape.
@@ -84,6 +87,7 @@ impl<'a> Lowering<'a> {
             material_of_node: BTreeMap::new(),
             texture_of_node: BTreeMap::new(),
             groups: BTreeMap::new(),
+            spheres: SphereDivision::FINEST,
             triangles_of_instances: 0,
             attached: BTreeSet::new(),
             bsdf_depth: 0,

@@ -3,6 +3,8 @@
 use capwalk_math::{Affine, Frame, Vec3};
 use capwalk_scene::primitive;
 
+use super::size::radius as world_radius;
+use super::sphere_division::SphereDivision;
 use super::surface::Surface;
 use crate::fields::Fields;
 use crate::problem::Problem;
@@ -16,6 +18,7 @@ const UNIFORM_SCALE: f64 = 1e-4;
 pub(super) fn primitive(
     fields: &Fields,
     to_world: Affine,
+    spheres: SphereDivision,
 ) -> Result<Option<(Surface, Affine)>, Problem> {
     Ok(Some(match fields.node.plugin.as_str() {
         "rectangle" => {
@@ -35,7 +38,7 @@ pub(super) fn primitive(
             (Surface::new(mesh, primitive::disk_uvs(to_world)), to_world)
         }
         "cylinder" => cylinder(fields, to_world)?,
-        "sphere" => sphere(fields, to_world)?,
+        "sphere" => sphere(fields, to_world, spheres)?,
         _ => return Ok(None),
     }))
 }
@@ -78,7 +81,11 @@ fn cylinder(fields: &Fields, to_world: Affine) -> Result<(Surface, Affine), Prob
 
 /// A sphere, and what puts the unit sphere there. As in Mitsuba, a mirroring transform
 /// turns a sphere inside out ([`primitive::sphere`] does it).
-fn sphere(fields: &Fields, to_world: Affine) -> Result<(Surface, Affine), Problem> {
+fn sphere(
+    fields: &Fields,
+    to_world: Affine,
+    spheres: SphereDivision,
+) -> Result<(Surface, Affine), Problem> {
     let centre = fields.point("center")?.unwrap_or(Vec3::zero());
     let radius = fields.float("radius", 1.0)?;
     if radius == 0.0 {
@@ -105,8 +112,9 @@ fn sphere(fields: &Fields, to_world: Affine) -> Result<(Surface, Affine), Proble
              as a mesh",
         ));
     }
-    let mesh = primitive::sphere(to_world, centre, radius.abs());
-    let mut surface = Surface::new(mesh, primitive::sphere_uvs());
+    let division = spheres.at(world_radius(fields));
+    let mesh = primitive::divided_sphere(to_world, centre, radius.abs(), division);
+    let mut surface = Surface::new(mesh, primitive::divided_sphere_uvs(division));
     // A negative radius mirrors, too.
     if radius < 0.0 {
         surface.flip();

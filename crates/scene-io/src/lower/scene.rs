@@ -3,10 +3,12 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use capwalk_scene::memory::{OF_TRIANGLE, OF_TRIANGLE_OF_SHAPE};
 use capwalk_scene::{Integrator, Quantity, Scene, Settings};
 
 use super::integrator;
 use super::lowering::Lowering;
+use super::size::{Triangles, sphere_division};
 use super::spectrum_plugin::depends_on_use;
 use crate::fields::{Child, Context, Fields};
 use crate::node::Kind;
@@ -105,9 +107,18 @@ impl Lowering<'_> {
         for bsdf in fields.children(Kind::Bsdf) {
             self.bsdf(bsdf.node, &format!("bsdf_{}", self.materials.len()))?;
         }
-        for shape in fields.children(Kind::Shape) {
+        let shapes = fields.children(Kind::Shape);
+        self.spheres = sphere_division(self.context);
+        let triangles = Triangles::known(self.context, &shapes, self.spheres);
+        triangles.refuse_beyond_memory(OF_TRIANGLE, root)?;
+        for shape in shapes {
             self.shape(shape)?;
         }
+        let mut triangles = Triangles::default();
+        for shape in &self.shapes {
+            triangles.add(&shape.id, shape.mesh.faces.len() as u64);
+        }
+        triangles.refuse_beyond_memory(OF_TRIANGLE - OF_TRIANGLE_OF_SHAPE, root)?;
         for emitter in fields.children(Kind::Emitter) {
             self.scene_emitter(emitter)?;
         }

@@ -130,7 +130,7 @@ impl Lowering<'_> {
         if CURVES.contains(&plugin) {
             return self.placed_curves(fields, to_world);
         }
-        match primitive(fields, to_world)? {
+        match primitive(fields, to_world, self.spheres)? {
             Some((surface, world_from_object)) => Ok(PlacedSurface {
                 surface,
                 world_from_object,

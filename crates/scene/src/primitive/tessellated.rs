@@ -17,10 +17,26 @@ pub const OUTLINE_ERROR: f64 = 1e-4;
 /// a multiple of four reaches the extreme points along the axes.
 pub(super) const ROUND_SEGMENTS: u32 = 224;
 
-/// Subdivision of each icosahedron edge for a sphere. Its faces come closest
-/// to the centre next to the middle of an icosahedron face, by about
-/// `0.29 / frequency²` (measured in the tests).
-const SPHERE_FREQUENCY: u32 = 55;
+/// Triangles of a disk.
+pub const DISK_TRIANGLES: u32 = ROUND_SEGMENTS;
+
+/// Triangles of a cylinder.
+pub const CYLINDER_TRIANGLES: u32 = 2 * ROUND_SEGMENTS;
+
+/// Subdivision of each icosahedron edge for a sphere, as fine as [`OUTLINE_ERROR`] asks for.
+pub const SPHERE_DIVISION: u32 = 55;
+
+/// The largest distance between the silhouette of a sphere of this division and the true one, in
+/// radii: its faces come closest to the centre next to the middle of an icosahedron face
+/// (measured in the tests).
+pub fn sphere_error(division: u32) -> f64 {
+    0.29 / f64::from(division).powi(2)
+}
+
+/// Triangles of a sphere of this division.
+pub fn sphere_triangles(division: u32) -> u32 {
+    20 * division * division
+}
 
 /// The square `[-1, 1]²` in the plane `z = 0`, normal `+z`, then placed.
 pub fn rectangle(world_from_object: Affine) -> (Mesh, ShadingNormals) {
@@ -107,7 +123,17 @@ fn circle() -> impl Iterator<Item = Vec3> {
 /// Where the map mirrors, the sphere turns inside out. The flat shapes do not;
 /// both as in Mitsuba 3.9.
 pub fn sphere(world_from_object: Affine, centre: Vec3, radius: f64) -> (Mesh, ShadingNormals) {
-    let mut mesh = turned_icosphere();
+    divided_sphere(world_from_object, centre, radius, SPHERE_DIVISION)
+}
+
+/// The same with another division, at least 1.
+pub fn divided_sphere(
+    world_from_object: Affine,
+    centre: Vec3,
+    radius: f64,
+    division: u32,
+) -> (Mesh, ShadingNormals) {
+    let mut mesh = turned_icosphere(division);
     let side = world_from_object.determinant().signum();
     let mut normals = Vec::with_capacity(mesh.positions.len());
     for p in &mut mesh.positions {
@@ -121,8 +147,8 @@ pub fn sphere(world_from_object: Affine, centre: Vec3, radius: f64) -> (Mesh, Sh
 /// The unit sphere. The icosahedron's edges lie in planes of symmetry. Turned at
 /// random they do not line up with axes, cameras and emitters. It stays symmetric
 /// about its centre, so the bounding box keeps its centre there.
-pub(super) fn turned_icosphere() -> Mesh {
-    let mut mesh = icosphere(SPHERE_FREQUENCY);
+pub(super) fn turned_icosphere(division: u32) -> Mesh {
+    let mut mesh = icosphere(division);
     let turned = Affine::rotate(Vec3::new(0.36, 0.48, -0.8), 0.7);
     for p in &mut mesh.positions {
         *p = turned.vector(*p);

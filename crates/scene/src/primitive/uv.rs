@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use capwalk_math::{Affine, Vec3};
 
-use super::tessellated::{ROUND_SEGMENTS, cube, rectangle, turned_icosphere};
+use super::tessellated::{ROUND_SEGMENTS, SPHERE_DIVISION, cube, rectangle, turned_icosphere};
 
 /// Texture coordinates of the three corners of each face.
 pub type FaceUvs = Vec<[[f64; 2]; 3]>;
@@ -73,7 +73,12 @@ pub fn cylinder_uvs(world_from_object: Affine) -> FaceUvs {
 /// vertices both are interpolated; the triangles at the poles are too large for
 /// that and show their azimuth distorted.
 pub fn sphere_uvs() -> FaceUvs {
-    let mesh = turned_icosphere();
+    divided_sphere_uvs(SPHERE_DIVISION)
+}
+
+/// Those of [`super::divided_sphere`].
+pub fn divided_sphere_uvs(division: u32) -> FaceUvs {
+    let mesh = turned_icosphere(division);
     let faces = (0..mesh.faces.len()).map(|face| unwrapped(mesh.corners(face).map(spherical)));
     faces.collect()
 }

@@ -127,11 +127,16 @@ fn ctrl_c_writes_what_is_done() {
         "job.toml",
         &SMALL.replace("iterations = 40", "iterations = 100000000"),
     );
-    let finished = capwalk.interrupt("optimize job.toml --json -v", "iteration 0: loss", || {
-        // Nobody else may write there meanwhile.
-        let second = capwalk.error("optimize job.toml --resume");
-        assert_has(&second, &["another run is writing"]);
-    });
+    let finished = capwalk.interrupt(
+        "-INT",
+        "optimize job.toml --json -v",
+        "iteration 0: loss",
+        || {
+            // Nobody else may write there meanwhile.
+            let second = capwalk.error("optimize job.toml --resume");
+            assert_has(&second, &["another run is writing"]);
+        },
+    );
     assert_eq!(finished.status, 5, "{}", finished.stderr);
     let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
     assert_eq!(json["stopped"], "interrupted");
