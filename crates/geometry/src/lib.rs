@@ -15,7 +15,7 @@ mod cone;
 pub mod edge;
 mod effort;
 mod local_frame;
-mod mesh;
+pub mod mesh;
 pub mod oracle;
 mod query;
 pub mod ray;
