@@ -1,3 +1,4 @@
+from os import PathLike
 from typing import Any, final
 
 from numpy import float64, uint32
@@ -26,6 +27,10 @@ class Scene:
     def warnings(self) -> list[str]:
         """What its file says in vain."""
 
+    @property
+    def _light_warnings(self) -> list[str]: ...
+    @property
+    def _files(self) -> list[PathLike[str]]: ...
     @property
     def size(self) -> tuple[int, int]:
         """Width and height of the image of its first sensor, pixels."""
@@ -98,5 +103,8 @@ def adam(
 ) -> tuple[_Array, _Array, _Array]: ...
 def png(image: _Array, signed: bool) -> bytes: ...
 def write_images(
-    path: str, layers: list[tuple[str, _Array]], notes: list[tuple[str, str]]
+    path: str,
+    layers: list[tuple[str, _Array]],
+    notes: list[tuple[str, str]],
+    read: list[PathLike[str]],
 ) -> None: ...

@@ -93,7 +93,7 @@ def render(
         ((value, stderr), statistics), adapter, remark = _capwalk.render(scene, asked, device)
     warn_of(statistics)
     warn_of_device(remark)
-    return Picture(value, stderr, statistics, adapter or "cpu")
+    return Picture(value, stderr, statistics, adapter or "cpu", _files=tuple(scene._files))
 
 
 def gradient(
@@ -160,7 +160,9 @@ def gradient(
     value, slope, chosen, statistics = found
     warn_of(statistics)
     warn_of_device(remark)
-    return Slope(*slope, *value, Method(*chosen), statistics, adapter or "cpu")
+    chosen = Method(*chosen)
+    files = tuple(scene._files)
+    return Slope(*slope, *value, chosen, statistics, adapter or "cpu", _files=files)
 
 
 def backward(

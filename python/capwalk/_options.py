@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 import operator
+import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from . import _capwalk
 from ._method import Method
-from .errors import ArgumentError
+from .errors import ArgumentError, SceneWarning
 
 LARGEST_SEED = 2**64 - 1
 LARGEST_COUNT = 2**32 - 1
@@ -94,7 +95,16 @@ def options(
     )
     # Here, not only when the first derivative is asked for.
     _capwalk.check_options(asked)
+    if aov is None:
+        # For the caller of what calls this.
+        for warning in scene._light_warnings:
+            warnings.warn(warning, SceneWarning, stacklevel=3)
     return asked
+
+
+def sensor_number(scene: _capwalk.Scene, sensor: int | str) -> int:
+    """The number of a sensor, from 0."""
+    return _sensor([name for name, _, _, _ in scene._sensors()], sensor)
 
 
 def integer(name: str, value: int, least: int, most: int) -> int:

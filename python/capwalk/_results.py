@@ -15,6 +15,10 @@ from ._method import Method
 from ._numbers import Array
 
 
+Files = tuple[os.PathLike[str], ...]
+"""Files that were read, which are never written."""
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Picture:
     """An image and its standard errors. ``numpy.asarray(picture)`` is its value."""
@@ -27,6 +31,8 @@ class Picture:
     """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``."""
     device: str = "cpu"
     """Where it was rendered: ``"cpu"``, or the name of the GPU."""
+    _files: Files = ()
+    """What the scene was read from."""
 
     def __repr__(self) -> str:
         return f"<capwalk.Picture: {_described(self.value, self.stderr)}>"
@@ -36,10 +42,14 @@ class Picture:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes an .exr or .npz file with all layers in single precision, or a .png file with
-        the image."""
+        the image.
+
+        :raises ArgumentError: the scene was read from this file.
+        :raises ImageError: the file cannot be written, or its name has another ending.
+        """
         layers = [("value", self.value), ("value_stderr", self.stderr)]
         notes = [] if self.device == "cpu" else [("device", self.device)]
-        _capwalk.write_images(os.fspath(path), layers, notes)
+        _capwalk.write_images(os.fspath(path), layers, notes, list(self._files))
 
     def _repr_png_(self) -> bytes:
         return _capwalk.png(self.value, False)
@@ -66,6 +76,8 @@ class Slope:
     paths with such events, moving or not, with its standard error, or ``None``."""
     device: str = "cpu"
     """Where it was computed: ``"cpu"``, or the name of the GPU."""
+    _files: Files = ()
+    """What the scene was read from."""
 
     def __repr__(self) -> str:
         described = _described(self.gradient, self.stderr)
@@ -79,7 +91,11 @@ class Slope:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes an .exr or .npz file with all layers in single precision, or a .png file with
-        the derivative in false colours, blue below zero and red above."""
+        the derivative in false colours, blue below zero and red above.
+
+        :raises ArgumentError: the scene was read from this file.
+        :raises ImageError: the file cannot be written, or its name has another ending.
+        """
         layers = [
             ("gradient", self.gradient),
             ("stderr", self.stderr),
@@ -94,7 +110,7 @@ class Slope:
             share, stderr = self.statistics["missing"]
             notes += [("missing", "specular"), ("missing_share", str(share))]
             notes.append(("missing_share_stderr", str(stderr)))
-        _capwalk.write_images(os.fspath(path), layers, notes)
+        _capwalk.write_images(os.fspath(path), layers, notes, list(self._files))
 
     def _repr_png_(self) -> bytes:
         return _capwalk.png(self.gradient, True)

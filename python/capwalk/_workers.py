@@ -55,7 +55,7 @@ class Workers(ABC):
         asked = options(scene, sensor, spp, seed, aov=aov, threads=self._threads)
         [((value, stderr), statistics)] = self._done("render", scene, [(None, asked)], progress)
         warn_of(statistics)
-        return Picture(value, stderr, statistics)
+        return Picture(value, stderr, statistics, _files=tuple(scene._files))
 
     def gradient(
         self,
@@ -92,7 +92,8 @@ class Workers(ABC):
         [result] = self._done("gradient", scene, work, progress)
         (value, value_stderr), (slope, stderr), chosen, statistics = result
         warn_of(statistics)
-        return Slope(slope, stderr, value, value_stderr, Method(*chosen), statistics)
+        method, files = Method(*chosen), tuple(scene._files)
+        return Slope(slope, stderr, value, value_stderr, method, statistics, _files=files)
 
     def backward(
         self,
@@ -157,7 +158,11 @@ class Workers(ABC):
             work.append((None, replace(asked, seed=view_seed(asked.seed, view))))
         results = self._done("render", scene, work, progress)
         warn_of(_together([statistics for _, statistics in results]))
-        return [Picture(value, stderr, statistics) for (value, stderr), statistics in results]
+        files = tuple(scene._files)
+        return [
+            Picture(value, stderr, statistics, _files=files)
+            for (value, stderr), statistics in results
+        ]
 
     def backward_views(
         self,
@@ -291,7 +296,7 @@ def _sensors(scene: Scene, sensors: Sequence[Sensor] | None) -> list[int]:
         return list(range(len(scene._sensors())))
     if not sensors:
         raise ArgumentError("there are no sensors in the list; expected one at least")
-    return [options(scene, sensor, None, None).sensor for sensor in sensors]
+    return [sensor_number(scene, sensor) for sensor in sensors]
 
 
 def _owner(ids: Sequence[str], name: str) -> int | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 
@@ -39,9 +40,49 @@ def test_places_of_mistakes(tmp_path: Path) -> None:
 
 
 def test_warnings_of_files() -> None:
-    text = '<scene version="3.0.0"><integrator type="path"/><sensor type="perspective"/></scene>'
-    with pytest.warns(cw.SceneWarning, match="no emitter"):
-        cw.load_string(text)
+    text = (
+        '<scene version="3.0.0"><integrator type="path"/><sensor type="perspective">'
+        '<film type="hdrfilm"><integer name="width" value="4"/><integer name="height" value="3"/>'
+        '<string name="file_format" value="pfm"/></film></sensor><shape type="cube"/></scene>'
+    )
+    with pytest.warns(cw.SceneWarning, match="file_format"):
+        scene = cw.load_string(text)
+    # Only light needs emitters.
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        cw.render(scene, aov="mask", spp=1)
+    for rendered in scene, scene.copy():
+        with pytest.warns(cw.SceneWarning, match="no emitter"):
+            cw.render(rendered, spp=1)
+
+
+def test_what_is_read_is_never_written(tmp_path: Path) -> None:
+    texture = tmp_path / "texture.exr"
+    cw.render(cw.load_file("leaf"), spp=1).save(texture)
+    before = texture.read_bytes()
+    file = tmp_path / "scene.xml"
+    file.write_text(
+        '<scene version="3.0.0"><integrator type="path"/><sensor type="perspective">'
+        '<film type="hdrfilm"><integer name="width" value="4"/><integer name="height" value="3"/>'
+        '</film></sensor><emitter type="envmap"><string name="filename" value="texture.exr"/>'
+        '</emitter><shape type="cube" id="box"/></scene>'
+    )
+    scene = cw.load_file(file)
+    results = cw.render(scene, spp=1), cw.gradient(scene.copy(), "box.translate.x", spp=1)
+    for result in results:
+        with pytest.raises(cw.ArgumentError, match="would overwrite"):
+            result.save(texture)
+        result.save(tmp_path / "new.exr")
+    assert texture.read_bytes() == before
+
+
+def test_numbers_beyond_all_reason_are_refused() -> None:
+    scene = cw.load_file("leaf")
+    with pytest.raises(cw.ParameterError, match="infinite velocity"):
+        cw.gradient(scene, "1e308*leaf.translate.x + 1e308*leaf.translate.x", spp=1)
+    params = cw.traverse(scene)
+    with pytest.raises(cw.ArgumentError, match="up to 1e30"):
+        params.update({"leaf.positions": np.full((3, 3), 1e200)})
 
 
 def test_refusals_say_what_to_do_instead() -> None:

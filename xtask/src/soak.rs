@@ -10,7 +10,8 @@ use crate::shell::{cargo, root, step};
 /// makes a reader reserve beyond that is a fault of the reader.
 const ADDRESS_SPACE: u32 = 3 << 20;
 
-/// Damaged files, then random scenes, then wide ones, for some seconds each from some seed on.
+/// Damaged files, commands that ask for too much, random scenes, then wide ones, for some seconds each from
+/// some seed on.
 pub fn run(rest: &[String]) -> Result<()> {
     let number = |i: usize, default: u64| match rest.get(i) {
         None => Ok(default),
@@ -35,6 +36,7 @@ pub fn run(rest: &[String]) -> Result<()> {
         step(name, command)
     };
     run("damaged files", "capwalk-scene-io", "reading", "damaged")?;
+    run("hostile commands", "capwalk-cli", "cli", "hostile")?;
     run(
         "random scenes",
         "capwalk-diff",

@@ -2,9 +2,8 @@
 
 use std::borrow::Cow;
 
-use capwalk_math::Vec3;
-use capwalk_scene::params::Registry;
-use capwalk_scene::{EmitterVectors, Scene, SensorVectors, Tangent};
+use capwalk_scene::params::{Registry, check_finite};
+use capwalk_scene::{Scene, Tangent};
 
 use crate::error::Error;
 
@@ -51,27 +50,18 @@ impl Direction for String {
 
 impl Direction for Tangent {
     fn tangent(&self, _: &Scene, _: &Registry) -> Result<Cow<'_, Tangent>, Error> {
-        match is_zero(self) {
-            false => Ok(Cow::Borrowed(self)),
-            true => Err(Error::NothingMoves {
-                what: "the parameters and velocities".into(),
-            }),
+        let what = || "the parameters and velocities".into();
+        if is_zero(self) {
+            return Err(Error::NothingMoves { what: what() });
         }
+        check_finite(self, what)?;
+        Ok(Cow::Borrowed(self))
     }
 }
 
 /// True if nothing moves or changes.
 pub(crate) fn is_zero(tangent: &Tangent) -> bool {
-    let mut shapes = tangent.shapes.iter().flatten();
-    let mut numbers = tangent.textures.iter().flatten().flatten();
-    let mut lights = tangent.emitters.iter();
-    tangent.sensor == SensorVectors::default()
-        && lights.all(|light| *light == EmitterVectors::default())
-        && numbers.all(|&v| v == 0.0)
-        && shapes.all(|shape| {
-            let mut velocities = shape.vertices.iter().chain(shape.normals.iter().flatten());
-            velocities.all(|&velocity| velocity == Vec3::zero())
-        })
+    tangent.numbers().all(|velocity| velocity == 0.0)
 }
 
 #[cfg(test)]
@@ -91,5 +81,17 @@ mod tests {
                 .to_string();
             assert!(error.contains("nothing changes"), "{error}");
         }
+    }
+
+    /// An infinite velocity makes no sample that could be counted as such.
+    #[test]
+    fn infinite_directions_are_refused() {
+        let scene = capwalk_scene::builtin::scene("ball").expect("built in");
+        let registry = Registry::new(&scene);
+        let fast = registry.tangent(&scene, "1e308*ball.translate.x");
+        let mut sum = fast.expect("a number");
+        sum.add(&sum.clone());
+        let error = sum.tangent(&scene, &registry).expect_err("infinite");
+        assert!(error.to_string().contains("infinite velocity"), "{error}");
     }
 }

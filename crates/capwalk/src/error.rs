@@ -7,11 +7,12 @@ use capwalk_inverse::variable::{ApplyError, VariableError};
 use capwalk_scene::params::ParameterError;
 use capwalk_scene::{BytesError, SceneError, builtin};
 use capwalk_scene_io::image::ImageError;
-use capwalk_scene_io::{LoadError, VelocityFileError};
+use capwalk_scene_io::{InputInTheWay, LoadError, VelocityFileError};
 
 use crate::device::DeviceFailure;
 use crate::folder_error::FolderError;
 use crate::method::OptionError;
+use crate::text::listed;
 
 /// Why there is no result.
 #[derive(Debug, thiserror::Error)]
@@ -162,6 +163,9 @@ pub enum Error {
         /// What would have been needed.
         before: &'static str,
     },
+    /// What is to be written is read.
+    #[error(transparent)]
+    InputInTheWay(#[from] InputInTheWay),
     /// The folder of a run cannot be used.
     #[error(transparent)]
     Folder(#[from] FolderError),
@@ -206,7 +210,7 @@ impl From<PartError> for Error {
 #[non_exhaustive]
 pub enum UnusableImage {
     /// It has no layer of any of these names.
-    #[error("there is no layer \"{}\"; there are {}", asked.join("\" or \""), known.join(", "))]
+    #[error("there is no layer \"{}\"; there are {}", asked.join("\" or \""), listed(known))]
     NoLayer {
         /// What was asked for.
         asked: Vec<String>,

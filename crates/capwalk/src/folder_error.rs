@@ -4,6 +4,7 @@ use std::io;
 use std::path::PathBuf;
 
 use capwalk_inverse::variable::ApplyError;
+use capwalk_scene_io::InputInTheWay;
 use capwalk_scene_io::export::ExportError;
 use capwalk_scene_io::image::ImageError;
 
@@ -33,13 +34,8 @@ pub enum FolderError {
         folder: PathBuf,
     },
     /// The run would overwrite a file that it reads.
-    #[error("the run reads {}, but would overwrite {}", input.display(), output.display())]
-    InputInTheWay {
-        /// The file that is read.
-        input: PathBuf,
-        /// What would be written.
-        output: PathBuf,
-    },
+    #[error(transparent)]
+    InputInTheWay(#[from] InputInTheWay),
     /// The run would overwrite something that is no run's.
     #[error(
         "{} already exists, and there is no checkpoint of a run that wrote it", file.display()

@@ -3,22 +3,22 @@
 use std::path::Path;
 
 use capwalk_scene::Image;
-use capwalk_scene_io::image::{self, LayeredImage, Preview, VALUE};
+use capwalk_scene_io::image::{self, ImageFile, LayeredImage, Preview, VALUE};
 
 use crate::error::{Error, UnusableImage};
 
 /// The first of these layers that is in the file. It must have the size of the scene's
-/// image, and its pixels finite numbers.
+/// image, and its pixels finite numbers. Nothing else of the file is unpacked.
 pub fn read_layer(path: &Path, layers: &[&str], size: [u32; 2]) -> Result<Image, Error> {
-    usable(path, &image::read(path)?, layers, size)
+    usable(path, &mut ImageFile::open(path)?, layers, size)
 }
 
 /// Weights of pixels and channels from a file: its layer `value`, or else its first. They
 /// are finite, at least 0, and not all 0.
 pub fn read_mask(path: &Path, size: [u32; 2]) -> Result<Image, Error> {
-    let layered = image::read(path)?;
-    let first = layered.layers.first().map_or(VALUE, |layer| &layer.name);
-    let mask = usable(path, &layered, &[VALUE, first], size)?;
+    let mut file = ImageFile::open(path)?;
+    let first = file.names().first().map_or(VALUE, |name| name).to_owned();
+    let mask = usable(path, &mut file, &[VALUE, &first], size)?;
     let weights = || mask.pixels.iter().flat_map(|pixel| pixel.to_array());
     let problem = match (weights().any(|w| w < 0.0), weights().all(|w| w == 0.0)) {
         (true, _) => "some pixels are below 0",
@@ -43,7 +43,7 @@ pub fn write_image(path: impl AsRef<Path>, layer: &str, image: &Image) -> Result
 
 fn usable(
     path: &Path,
-    layered: &LayeredImage,
+    file: &mut ImageFile,
     layers: &[&str],
     size: [u32; 2],
 ) -> Result<Image, Error> {
@@ -51,19 +51,25 @@ fn usable(
         path: path.into(),
         error,
     };
-    let Some(image) = layers.iter().find_map(|name| layered.layer(name)) else {
-        return Err(unusable(UnusableImage::NoLayer {
+    let no_layer = |file: &ImageFile| {
+        unusable(UnusableImage::NoLayer {
             asked: layers.iter().map(|&name| name.into()).collect(),
-            known: layered.layers.iter().map(|l| l.name.clone()).collect(),
-        }));
+            known: file.names().into_iter().map(str::to_owned).collect(),
+        })
     };
+    let known = file.names();
+    let Some(&layer) = layers.iter().find(|name| known.contains(name)) else {
+        return Err(no_layer(file));
+    };
+    // Before its pixels take time and memory.
     let expected = size.map(|n| n as usize);
-    let found = [image.width, image.height];
+    let found = file.size(layer)?.ok_or_else(|| no_layer(file))?;
     if found != expected {
         return Err(unusable(UnusableImage::Size { found, expected }));
     }
+    let image = file.image(layer)?.ok_or_else(|| no_layer(file))?;
     match image.pixels.iter().position(|pixel| !pixel.is_finite()) {
-        None => Ok(image.clone()),
+        None => Ok(image),
         Some(index) => Err(unusable(UnusableImage::NotFinite {
             column: index % image.width,
             row: index / image.width,

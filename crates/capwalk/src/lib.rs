@@ -107,8 +107,8 @@ pub use capwalk_scene::{
 pub use capwalk_scene_io::export::ExportError;
 pub use capwalk_scene_io::image::ImageError;
 pub use capwalk_scene_io::{
-    Diagnostic, LoadError, Loaded, NotVelocities, SensorChoice, SensorSettings, VelocityFileError,
-    Warning, read_velocities,
+    Diagnostic, FilesRead, InputInTheWay, LoadError, Loaded, NotVelocities, SensorChoice,
+    SensorSettings, VelocityFileError, Warning, read_velocities,
 };
 
 // What a command line or another face needs besides.

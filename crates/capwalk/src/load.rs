@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use capwalk_scene::{Filter, Scene, builtin};
-use capwalk_scene_io::{LoadOptions, Loaded, SensorChoice, SensorSettings, load_scene_with};
+use capwalk_scene_io::{
+    FilesRead, LoadOptions, Loaded, SensorChoice, SensorSettings, load_scene_with,
+};
 
 use crate::error::Error;
 use crate::setting::{Setting, set};
@@ -93,6 +95,7 @@ impl Loader {
                     sensors: vec![SensorSettings::of(&scene)],
                     scene,
                     warnings: Vec::new(),
+                    files: FilesRead::default(),
                 }
             }
             None => self.read()?,

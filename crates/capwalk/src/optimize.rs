@@ -8,6 +8,7 @@ mod duration;
 mod fingerprint;
 mod folder;
 mod job;
+mod posed;
 mod problem;
 mod run;
 
@@ -25,5 +26,5 @@ pub use capwalk_inverse::{Iteration, Limits, PreparedViews, Problem, State, Stop
 pub use crate::folder_error::FolderError;
 pub use duration::parse_duration;
 pub use job::Job;
-pub use problem::LoadedProblem;
+pub use posed::LoadedProblem;
 pub use run::Run;

@@ -1,4 +1,6 @@
-//! Numbers for people: sensible digits, standard errors.
+//! Numbers and names for people: sensible digits, standard errors, names that fit a line.
+
+use std::borrow::Cow;
 
 /// A number with three significant digits.
 pub fn number(x: f64) -> String {
@@ -45,6 +47,32 @@ pub fn count(n: u64) -> String {
     groups.join(",")
 }
 
+/// Names in a message, at most; the others are counted.
+const MOST_NAMES: usize = 20;
+
+/// The longest name in a message or a table, characters. Longer ones are cut: they are nobody's
+/// to read, and make lines that nobody can.
+const LONGEST_NAME: usize = 200;
+
+/// Names, separated by commas, the first of them if there are many.
+pub fn listed(names: &[impl AsRef<str>]) -> String {
+    let shown: Vec<_> = names.iter().take(MOST_NAMES).map(cut).collect();
+    let more = match names.len().saturating_sub(MOST_NAMES) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    shown.join(", ") + &more
+}
+
+/// A name, or its beginning with an ellipsis if it is too long.
+pub fn cut<'a>(name: &'a (impl AsRef<str> + ?Sized)) -> Cow<'a, str> {
+    let name: &'a str = name.as_ref();
+    match name.char_indices().nth(LONGEST_NAME) {
+        None => name.into(),
+        Some((end, _)) => format!("{}…", &name[..end]).into(),
+    }
+}
+
 /// Lines of a name and what belongs to it, aligned.
 pub fn list(lines: &[(&str, String)]) -> String {
     let width = lines.iter().map(|(name, _)| name.chars().count()).max();
@@ -58,6 +86,18 @@ pub fn list(lines: &[(&str, String)]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Names of any length and number fit a message and a table.
+    #[test]
+    fn long_names_are_cut() {
+        let long = "ä".repeat(70_000);
+        assert_eq!(cut(&long).chars().count(), LONGEST_NAME + 1);
+        assert_eq!(cut("leaf"), "leaf");
+        assert_eq!(listed(&["a", "b"]), "a, b");
+        let many = listed(&vec![long; 3_000]);
+        assert!(many.ends_with("… and 2980 more"), "{many}");
+        assert!(many.chars().count() < 21 * LONGEST_NAME);
+    }
 
     #[test]
     fn digits_follow_the_error() {

@@ -80,8 +80,9 @@ fn hint(error: &Error) -> Option<&'static str> {
         Error::Folder(FolderError::Taken { .. }) => {
             Some("; go on with it (--resume), or choose another folder (-o)")
         }
+        Error::InputInTheWay(_) => Some(" (-o)"),
         Error::Folder(
-            FolderError::InputInTheWay { .. }
+            FolderError::InputInTheWay(_)
             | FolderError::ResultInTheWay { .. }
             | FolderError::DamagedCheckpoint(_)
             | FolderError::OtherJob { .. },

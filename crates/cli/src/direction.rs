@@ -1,18 +1,19 @@
 //! The direction of a derivative, from parameters and files of velocities.
 
 use anyhow::{Context, Result};
-use capwalk::{Prepared, Tangent, read_velocities, vertex_tangent};
+use capwalk::{FilesRead, Prepared, Tangent, read_velocities, vertex_tangent};
 
 use crate::args::MotionArgs;
 
-/// The direction that the command line asks for.
-pub fn tangent(prepared: &Prepared, args: &MotionArgs) -> Result<Tangent> {
+/// The direction that the command line asks for. Its files are added to those that were read.
+pub fn tangent(prepared: &Prepared, args: &MotionArgs, read: &mut FilesRead) -> Result<Tangent> {
     let scene = prepared.scene();
     let mut tangent = match &args.param {
         Some(expression) => prepared.registry().tangent(scene, expression)?,
         None => Tangent::zero(scene),
     };
     for (shape, file) in &args.motion {
+        read.add(file);
         let velocities = read_velocities(file)
             .with_context(|| format!("cannot read the velocities of \"{shape}\""))?;
         let of_shape = vertex_tangent(scene, shape, velocities)

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, ensure};
 use capwalk::scene_io::image::{self, LayeredImage, Panel, Preview, Style};
 use capwalk::text::significant;
-use capwalk::{Estimate, Image, RenderOptions, Setting, Statistics};
+use capwalk::{Error, Estimate, FilesRead, Image, RenderOptions, Setting, Statistics};
 
 use crate::args::SceneArgs;
 
@@ -18,8 +18,9 @@ pub struct Files {
 
 impl Files {
     /// The files that were asked for, or `stem` with the default endings.
-    /// Folders are created; a file that cannot be written is an error now.
-    pub fn new(asked: &[PathBuf], stem: &str, endings: &[&str]) -> Result<Self> {
+    /// Folders are created; a file that cannot be written is an error now, and so is one of
+    /// those that were `read`.
+    pub fn new(asked: &[PathBuf], stem: &str, endings: &[&str], read: &FilesRead) -> Result<Self> {
         let paths = if asked.is_empty() {
             let endings = endings.iter();
             endings
@@ -29,6 +30,7 @@ impl Files {
             asked.to_vec()
         };
         for path in &paths {
+            read.refuse(path).map_err(Error::from)?;
             make_folder(path)?;
             image::check_writable(path)?;
         }
@@ -184,33 +186,4 @@ pub fn gradient_panel<'a>(title: &'a str, image: &'a Image) -> Panel<'a> {
 pub fn push_estimate(layered: &mut LayeredImage, name: &str, errors: &str, estimate: &Estimate) {
     layered.push(name, estimate.mean.clone());
     layered.push(errors, estimate.standard_error.clone());
-}
-
-/// A layer, or an error that names those that there are.
-pub fn layer<'a>(layered: &'a LayeredImage, name: &str) -> Result<&'a Image> {
-    layered.layer(name).with_context(|| {
-        let known: Vec<&str> = layered.layers.iter().map(|l| l.name.as_str()).collect();
-        format!(
-            "there is no layer \"{name}\"; there are {}",
-            known.join(", ")
-        )
-    })
-}
-
-/// An estimate from a layer and that with its standard errors, if both are
-/// there.
-pub fn read_estimate(layered: &LayeredImage, name: &str) -> Option<Estimate> {
-    let layer = |name: &str| -> Option<Image> { layered.layer(name).cloned() };
-    let about = match layered.layer("gradient") {
-        Some(_) => "gradient",
-        None => "value",
-    };
-    let errors = match name == about {
-        true => "stderr".to_owned(),
-        false => format!("{name}_stderr"),
-    };
-    Some(Estimate {
-        mean: layer(name)?,
-        standard_error: layer(&errors)?,
-    })
 }

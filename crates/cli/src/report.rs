@@ -1,6 +1,7 @@
 //! What was done, for people: aligned columns, times, warnings.
 
 use anyhow::{Result, bail};
+use capwalk::text::cut;
 pub use capwalk::text::{count, list, number, plus_minus, significant};
 use capwalk::{Estimate, Image, Missing, Rgb, Statistics, missing_text};
 use serde_json::{Value, json};
@@ -24,8 +25,11 @@ pub fn seconds(s: f64) -> String {
     }
 }
 
-/// Rows as a table: the first column to the left, the others to the right.
+/// Rows as a table: the first column to the left, the others to the right. Cells that are too long
+/// are cut.
 pub fn table(rows: &[Vec<String>]) -> String {
+    let cut_row = |row: &Vec<String>| row.iter().map(|cell| cut(cell).into_owned()).collect();
+    let rows: Vec<Vec<String>> = rows.iter().map(cut_row).collect();
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
     let width = |c: usize| {
         let cells = rows.iter().filter_map(|row| row.get(c));
@@ -33,7 +37,7 @@ pub fn table(rows: &[Vec<String>]) -> String {
     };
     let widths: Vec<usize> = (0..columns).map(width).collect();
     let mut text = String::new();
-    for row in rows {
+    for row in &rows {
         let cells = row.iter().enumerate().map(|(c, cell)| {
             let pad = " ".repeat(widths[c] - cell.chars().count());
             if c == 0 {

@@ -3,13 +3,13 @@
 use std::path::Path;
 
 use anyhow::{Result, anyhow};
-use capwalk::{Error, Filter, Loader, Prepared, RenderOptions, Scene, Setting};
+use capwalk::{Error, FilesRead, Filter, Loader, Prepared, RenderOptions, Scene, Setting};
 use serde_json::{Value, json};
 
 use crate::args::{FilterName, SamplingArgs, SceneArgs};
 
-/// The scene, from a file or built in, ready to be rendered.
-pub fn load(args: &SceneArgs) -> Result<Prepared> {
+/// The scene, from a file or built in, ready to be rendered, and the files that it was read from.
+pub fn load(args: &SceneArgs) -> Result<(Prepared, FilesRead)> {
     let mut loader = Loader::new(&args.scene);
     for (name, value) in &args.defines {
         loader = loader.define(name, value);
@@ -57,7 +57,7 @@ pub fn load(args: &SceneArgs) -> Result<Prepared> {
             prepared.registry().scalars(scene).len()
         );
     }
-    Ok(prepared)
+    Ok((prepared, loaded.files))
 }
 
 /// What was set in the scene, for JSON.

@@ -16,7 +16,7 @@ pub mod edge;
 mod effort;
 mod halt;
 mod local_frame;
-mod mesh;
+pub mod mesh;
 pub mod oracle;
 mod query;
 pub mod ray;

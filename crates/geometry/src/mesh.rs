@@ -12,17 +12,26 @@ pub struct Mesh {
     pub faces: Vec<[u32; 3]>,
 }
 
+/// The largest coordinate that a vertex, a light or a sensor has, world units: squares of areas
+/// must still be finite.
+pub const LARGEST_COORDINATE: f64 = 1e30;
+
+/// True for a point whose coordinates are finite, and no larger than [`LARGEST_COORDINATE`].
+pub fn is_within_reach(p: Vec3) -> bool {
+    p.to_array().iter().all(|x| x.abs() <= LARGEST_COORDINATE)
+}
+
 /// What makes a mesh unusable.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum MeshError {
     /// There are no triangles.
     Empty,
-    /// A vertex position is infinite or NaN.
-    NonFinitePosition {
+    /// A vertex position is infinite, NaN, or too large.
+    BadPosition {
         /// Index of the first such vertex.
         vertex: usize,
-        /// Where it is, world units; at least one coordinate is not finite.
+        /// Where it is, world units; not [within reach](is_within_reach).
         position: Vec3,
     },
     /// A face names a vertex that does not exist.
@@ -40,12 +49,13 @@ impl std::fmt::Display for MeshError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Empty => write!(f, "the mesh has no triangles; expected at least one"),
-            Self::NonFinitePosition {
+            Self::BadPosition {
                 vertex,
                 position: p,
             } => write!(
                 f,
-                "vertex {vertex} has the position ({}, {}, {}); expected finite coordinates",
+                "vertex {vertex} has the position ({}, {}, {}); expected finite coordinates up to \
+                 {LARGEST_COORDINATE:e}",
                 p.x, p.y, p.z
             ),
             Self::IndexOutOfRange {
@@ -70,9 +80,9 @@ impl Mesh {
         if self.faces.is_empty() {
             return Err(MeshError::Empty);
         }
-        if let Some(vertex) = self.positions.iter().position(|p| !p.is_finite()) {
+        if let Some(vertex) = self.positions.iter().position(|&p| !is_within_reach(p)) {
             let position = self.positions[vertex];
-            return Err(MeshError::NonFinitePosition { vertex, position });
+            return Err(MeshError::BadPosition { vertex, position });
         }
         let vertices = self.positions.len();
         for (face, corners) in self.faces.iter().enumerate() {

@@ -73,6 +73,10 @@ impl Affine {
         products.iter().all(|x| x.abs() < tolerance) // not for NaN
     }
 
+    /// The largest angle of a turn, radians, whose sine means something: rounding turns it by
+    /// 1e-10 then, and at 1e16 by more than a turn.
+    pub const LARGEST_ANGLE: f64 = 1e6;
+
     /// Rotates by `angle` radians about `axis` (any length but zero),
     /// counter-clockwise when the axis points at the viewer.
     pub fn rotate(axis: Vec3, angle: f64) -> Self {

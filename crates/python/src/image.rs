@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use capwalk::FilesRead;
 use capwalk::scene_io::image::{LayeredImage, Preview, Style, pixels_as_png, robust_limit, write};
 use numpy::PyReadonlyArrayDyn;
 use pyo3::prelude::*;
@@ -30,14 +31,19 @@ pub fn png<'py>(
     Ok(PyBytes::new(py, &bytes))
 }
 
-/// Writes images into one file, by their names there, with notes on them.
+/// Writes images into one file, by their names there, with notes on them. It is none of those that
+/// were `read`.
 #[pyfunction]
 pub fn write_images(
     py: Python<'_>,
     path: PathBuf,
     layers: Vec<(String, PyReadonlyArrayDyn<'_, f64>)>,
     notes: Vec<(String, String)>,
+    read: Vec<PathBuf>,
 ) -> PyResult<()> {
+    let read: FilesRead = read.into_iter().collect();
+    read.refuse(&path)
+        .map_err(|error| errors::exception(py, error))?;
     let mut layered = LayeredImage {
         metadata: notes,
         ..LayeredImage::default()

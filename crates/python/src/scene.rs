@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::sync::{RwLock, RwLockReadGuard, RwLockWriteGuard, TryLockError};
 
 use capwalk::scene_io::{LoadOptions, load_scene_lines, load_scene_str_with};
-use capwalk::{Loaded, Loader, ViewId, Views};
+use capwalk::{FilesRead, Loaded, Loader, ViewId, Views};
 use numpy::{
     IntoPyArray, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods,
 };
@@ -21,7 +21,17 @@ use crate::{arrays, errors};
 pub struct Scene {
     state: RwLock<State>,
     name: String,
+    source: Source,
+}
+
+/// What is known of where a scene came from.
+#[derive(Clone, Default)]
+struct Source {
+    /// What its file says in vain, but for what concerns light only.
     warnings: Vec<String>,
+    /// What concerns light only.
+    light_warnings: Vec<String>,
+    files: FilesRead,
 }
 
 /// What of a scene changes.
@@ -35,7 +45,7 @@ impl Scene {
     fn new(
         py: Python<'_>,
         name: String,
-        warnings: Vec<String>,
+        source: Source,
         views: impl FnOnce() -> Result<Views, capwalk::Error> + Send,
     ) -> PyResult<Self> {
         let views = detached(py, views)?;
@@ -43,7 +53,7 @@ impl Scene {
         Ok(Self {
             state: RwLock::new(State { views, revision: 0 }),
             name,
-            warnings,
+            source,
         })
     }
 
@@ -54,8 +64,17 @@ impl Scene {
     ) -> PyResult<Self> {
         let loaded = interruptible(py, load)?;
         let loaded = loaded.map_err(|error| errors::exception(py, error))?;
-        let warnings = loaded.warnings.iter().map(ToString::to_string).collect();
-        Self::new(py, name, warnings, || {
+        let about = |is_about_light: bool| {
+            let warnings = loaded.warnings.iter();
+            let found = warnings.filter(|warning| warning.is_about_light == is_about_light);
+            found.map(ToString::to_string).collect()
+        };
+        let source = Source {
+            warnings: about(false),
+            light_warnings: about(true),
+            files: loaded.files,
+        };
+        Self::new(py, name, source, || {
             Views::new(loaded.scene, loaded.sensors)
         })
     }
@@ -156,7 +175,19 @@ impl Scene {
     /// What its file says in vain.
     #[getter]
     fn warnings(&self) -> Vec<String> {
-        self.warnings.clone()
+        self.source.warnings.clone()
+    }
+
+    /// What its file says in vain if light is rendered.
+    #[getter(_light_warnings)]
+    fn light_warnings(&self) -> Vec<String> {
+        self.source.light_warnings.clone()
+    }
+
+    /// The files that it was read from.
+    #[getter(_files)]
+    fn files(&self) -> Vec<PathBuf> {
+        self.source.files.paths().map(PathBuf::from).collect()
     }
 
     /// Width and height of the image of its first sensor, pixels.
@@ -306,8 +337,8 @@ impl Scene {
             let views = self.read(py)?;
             (views.scene().clone(), views.sensors().to_vec())
         };
-        let (name, warnings) = (self.name.clone(), self.warnings.clone());
-        Self::new(py, name, warnings, || Views::new(scene, sensors))
+        let (name, source) = (self.name.clone(), self.source.clone());
+        Self::new(py, name, source, || Views::new(scene, sensors))
     }
 
     fn __copy__(&self, py: Python<'_>) -> PyResult<Self> {
@@ -332,7 +363,7 @@ impl Scene {
     /// What pickling made of a scene.
     #[staticmethod]
     fn from_bytes(py: Python<'_>, bytes: &[u8], name: String) -> PyResult<Self> {
-        Self::new(py, name, Vec::new(), || Views::from_bytes(bytes))
+        Self::new(py, name, Source::default(), || Views::from_bytes(bytes))
     }
 }
 

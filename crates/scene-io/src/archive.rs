@@ -1,6 +1,9 @@
 //! NPZ: a zip archive of NumPy arrays, uncompressed as `numpy.savez` writes it.
+//!
+//! Nothing is unpacked before it is known to be wanted: opening an archive reads the list of
+//! its arrays, and an array's header says what is in it before its numbers are read.
 
-use std::io::{self, Cursor, Read};
+use std::io::{self, Cursor, Read, Seek, SeekFrom};
 
 use npyz::{DType, NpyFile, WriterBuilder};
 use zip::read::ZipFile;
@@ -8,6 +11,14 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipArchive, ZipWriter};
 
 use crate::npy::{self, PackedArray};
+
+/// The longest name of an array, bytes: a bound on messages and on the list of an archive.
+/// Names are those of parameters, and sums of them.
+pub(crate) const LONGEST_NAME: usize = 8192;
+
+/// The most bytes that an array of keys and values may unpack to. Each string takes four
+/// times the length of the longest; ours have a few kilobytes.
+const LONGEST_PAIRS: u64 = 1 << 24;
 
 /// Adds an array of a type in NumPy's notation. There must be as many values as
 /// the shape says.
@@ -55,30 +66,173 @@ pub(crate) fn add_pairs(
     add_array(archive, name, &descr, &shape, strings().cloned())
 }
 
-/// An array of an archive.
-pub(crate) type Entry<'a, 'b> = PackedArray<ZipFile<'a, Cursor<&'b [u8]>>>;
+/// The arrays in an archive, still packed.
+pub(crate) struct Archive<R> {
+    zip: ZipArchive<R>,
+    /// Of its arrays, in its order.
+    names: Vec<String>,
+}
+
+/// An array in an archive whose header was read.
+pub(crate) type Member<'a, 'b, R> = PackedArray<&'a mut ZipFile<'b, R>>;
 
 /// Deflated bytes unpack to at most so many times their number.
 const DEFLATED: u64 = 1032;
 
-/// The name and the header of an array in the archive.
-pub(crate) fn open<'a, 'b>(
-    archive: &'a mut ZipArchive<Cursor<&'b [u8]>>,
-    index: usize,
-) -> Result<(String, Entry<'a, 'b>), String> {
-    let file = archive.by_index(index).map_err(|error| error.to_string())?;
-    let name = file.name().map_err(|error| error.to_string())?.into_owned();
-    let name = name.strip_suffix(".npy").unwrap_or(&name).to_owned();
-    let size = file
-        .size()
-        .min(file.compressed_size().saturating_mul(DEFLATED));
-    let array = npy::open(file, size).map_err(|why| format!("the array \"{name}\" {why}"))?;
-    Ok((name, array))
+impl<R: Read + Seek> Archive<R> {
+    /// Reads the list of arrays, which has at most so many bytes.
+    pub fn open(mut source: R, longest_list: u64) -> Result<Self, String> {
+        let length = listed_bytes(&mut source).map_err(|error| error.to_string())?;
+        if length > longest_list {
+            return Err(format!(
+                "its list of arrays has {length} bytes; expected at most {longest_list}"
+            ));
+        }
+        let zip = ZipArchive::new(source).map_err(|error| error.to_string())?;
+        let mut names = Vec::with_capacity(zip.len());
+        for name in zip.file_names() {
+            let name = name.map_err(|error| error.to_string())?;
+            let length = name.len();
+            if length > LONGEST_NAME {
+                return Err(format!(
+                    "the name of an array has {length} bytes; expected at most {LONGEST_NAME}"
+                ));
+            }
+            names.push(name.strip_suffix(".npy").unwrap_or(&name).to_owned());
+        }
+        Ok(Self { zip, names })
+    }
+
+    /// The names of its arrays, each at its index.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// Something of an array's header.
+    pub fn peek<T>(
+        &mut self,
+        index: usize,
+        of: impl FnOnce(&Member<R>) -> Result<T, String>,
+    ) -> Result<T, String> {
+        let Self { zip, names } = self;
+        let found = member(zip, index).and_then(|mut file| of(&opened(&mut file)?));
+        found.map_err(|why| format!("the array \"{}\" {why}", names[index]))
+    }
+
+    /// What is read of an array, which must be all of it: its end is where the array's is, and its
+    /// checksum is right.
+    pub fn read<T>(
+        &mut self,
+        index: usize,
+        read: impl FnOnce(Member<R>) -> Result<T, String>,
+    ) -> Result<T, String> {
+        let Self { zip, names } = self;
+        let found = member(zip, index).and_then(|mut file| {
+            let found = read(opened(&mut file)?)?;
+            // The checksum is compared when there is no more.
+            match file.read(&mut [0]) {
+                Ok(0) => Ok(found),
+                Ok(_) => Err("has bytes behind its end".into()),
+                Err(error) => Err(format!("is damaged: {error}")),
+            }
+        });
+        found.map_err(|why| format!("the array \"{}\" {why}", names[index]))
+    }
+
+    /// The keys and values in an array of strings.
+    pub fn pairs(&mut self, index: usize) -> Result<Vec<(String, String)>, String> {
+        self.check_pairs(index)?;
+        self.read(index, |array| {
+            let strings: io::Result<Vec<String>> = array.into_vec();
+            let strings = strings.map_err(|error| format!("cannot be read: {error}"))?;
+            let pairs = strings.chunks_exact(2);
+            Ok(pairs.map(|p| (p[0].clone(), p[1].clone())).collect())
+        })
+    }
+
+    /// An error if an array of keys and values is longer than such are.
+    pub fn check_pairs(&mut self, index: usize) -> Result<(), String> {
+        let file = member(&mut self.zip, index)?;
+        match file.size() {
+            bytes if bytes > LONGEST_PAIRS => Err(format!(
+                "the array \"{}\" has {bytes} bytes of text; expected at most {LONGEST_PAIRS}",
+                self.names[index]
+            )),
+            _ => Ok(()),
+        }
+    }
 }
 
-/// The keys and values in an array of strings.
-pub(crate) fn pairs(array: NpyFile<impl Read>) -> io::Result<Vec<(String, String)>> {
-    let strings: Vec<String> = array.into_vec()?;
-    let pairs = strings.chunks_exact(2);
-    Ok(pairs.map(|p| (p[0].clone(), p[1].clone())).collect())
+fn member<R: Read + Seek>(zip: &mut ZipArchive<R>, index: usize) -> Result<ZipFile<'_, R>, String> {
+    let file = zip.by_index(index);
+    file.map_err(|error| format!("cannot be read: {error}"))
+}
+
+fn opened<'a, 'b, R: Read>(file: &'a mut ZipFile<'b, R>) -> Result<Member<'a, 'b, R>, String> {
+    let (size, packed) = (file.size(), file.compressed_size());
+    if size > packed.saturating_mul(DEFLATED) {
+        return Err(format!(
+            "announces {size} bytes, which its {packed} packed bytes cannot hold"
+        ));
+    }
+    npy::open(file, size)
+}
+
+/// How many bytes the list of an archive has, by what stands at its end; 0 if nothing does,
+/// which is an error of the archive.
+fn listed_bytes(source: &mut (impl Read + Seek)) -> io::Result<u64> {
+    /// Begins the end of an archive, of 22 bytes and a comment of at most 65535.
+    const END: &[u8] = b"PK\x05\x06";
+    /// Begins the place of the longer end that large archives have, of 20 bytes, before it.
+    const PLACE: &[u8] = b"PK\x06\x07";
+    let length = source.seek(SeekFrom::End(0))?;
+    let start = length.saturating_sub(22 + 65535 + 20);
+    source.seek(SeekFrom::Start(start))?;
+    let mut tail = Vec::new();
+    source.take(length - start).read_to_end(&mut tail)?;
+    let number = |at: usize, bytes: &[u8]| {
+        let bytes = bytes.get(at..at + 8);
+        bytes.map_or(0, |b| {
+            u64::from_le_bytes(b.try_into().expect("eight bytes"))
+        })
+    };
+    let end = tail.windows(END.len()).rposition(|window| window == END);
+    let Some(end) = end.filter(|end| end + 22 <= tail.len()) else {
+        return Ok(0);
+    };
+    // Four bytes, behind the first twelve.
+    let bytes = number(end + 8, &tail) >> 32;
+    let place = end
+        .checked_sub(20)
+        .filter(|&at| tail[at..].starts_with(PLACE));
+    let Some(place) = place else {
+        return Ok(bytes);
+    };
+    source.seek(SeekFrom::Start(number(place + 8, &tail)))?;
+    let mut long_end = Vec::new();
+    source.take(56).read_to_end(&mut long_end)?;
+    Ok(bytes.max(number(40, &long_end)).min(length))
+}
+
+/// The numbers of an array of `float32` or `float64`, row by row.
+pub(crate) fn floats<'a>(
+    array: NpyFile<impl Read + 'a>,
+    types: &[&str],
+) -> Result<Box<dyn Iterator<Item = Result<f64, String>> + 'a>, String> {
+    if array.order() != npyz::Order::C {
+        return Err("is stored column by column; expected row by row (C order)".into());
+    }
+    let descr = array.dtype().descr();
+    let wrong = || format!("has the type {descr}; expected {}", types.join(" or "));
+    let damaged = |error: io::Error| format!("is damaged: {error}");
+    match array.try_data::<f64>() {
+        Ok(doubles) => Ok(Box::new(doubles.map(move |x| x.map_err(damaged)))),
+        Err(array) if types.contains(&"float32") => {
+            let singles = array.try_data::<f32>().map_err(|_| wrong())?;
+            Ok(Box::new(
+                singles.map(move |x| x.map(f64::from).map_err(damaged)),
+            ))
+        }
+        Err(_) => Err(wrong()),
+    }
 }

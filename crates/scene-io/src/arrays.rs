@@ -6,19 +6,21 @@
 //! bytes.
 
 use std::collections::HashSet;
-use std::io::{Cursor, Write};
+use std::io::{BufReader, Cursor, Read, Seek, Write};
 use std::path::Path;
 
-use npyz::{NpyFile, Order};
-use zip::{ZipArchive, ZipWriter};
+use zip::ZipWriter;
 
-use crate::archive;
+use crate::archive::{self, Archive, floats};
 use crate::atomic;
-use crate::files::read_file;
+use crate::files::open_file;
 use crate::image::ImageError;
 
 /// The array of keys and values; no other one may have this name.
 pub const METADATA: &str = "metadata";
+
+/// The most bytes that the list of arrays has: room for those of 20,000 shapes.
+const LONGEST_LIST: u64 = 1 << 26;
 
 /// The endings that [`write()`] and [`read`] know.
 const KNOWN: &str = ".npz";
@@ -101,39 +103,37 @@ fn encode(arrays: &Arrays) -> Result<Vec<u8>, String> {
 /// Reads arrays of `float64` as [`write()`] and `numpy.savez` write them.
 pub fn read(path: &Path) -> Result<Arrays, ImageError> {
     check_ending(path)?;
-    let bytes = read_file(path).map_err(|error| ImageError::read(path, error))?;
-    decode(&bytes).map_err(|reason| ImageError::read(path, reason))
+    let file = open_file(path).map_err(|error| ImageError::read(path, error))?;
+    decode(BufReader::new(file)).map_err(|reason| ImageError::read(path, reason))
 }
 
-fn decode(bytes: &[u8]) -> Result<Arrays, String> {
-    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| error.to_string())?;
+fn decode(source: impl Read + Seek) -> Result<Arrays, String> {
+    let mut archive = Archive::open(source, LONGEST_LIST)?;
     let mut arrays = Arrays::default();
-    for i in 0..archive.len() {
-        let (name, file) = archive::open(&mut archive, i)?;
-        let in_array = |error: std::io::Error| format!("the array \"{name}\": {error}");
+    for (index, name) in archive.names().to_vec().into_iter().enumerate() {
         if name == METADATA {
-            arrays.metadata = archive::pairs(file).map_err(in_array)?;
+            arrays.metadata = archive.pairs(index)?;
             continue;
         }
+        let array = archive.read(index, |array| {
+            let shape: Vec<usize> = array.shape().iter().map(|&n| n as usize).collect();
+            let count = shape.iter().product();
+            let mut numbers = Vec::new();
+            let reserved = numbers.try_reserve_exact(count);
+            reserved.map_err(|_| format!("has {count} numbers, for which there is no memory"))?;
+            for number in floats(array, &["float64"])? {
+                numbers.push(number?);
+            }
+            Ok((shape, numbers))
+        });
+        let (shape, numbers) = array?;
         arrays.arrays.push(Array {
-            shape: file.shape().iter().map(|&n| n as usize).collect(),
-            numbers: numbers(file).map_err(|why| format!("the array \"{name}\" {why}"))?,
             name,
+            shape,
+            numbers,
         });
     }
     Ok(arrays)
-}
-
-fn numbers(file: NpyFile<impl std::io::Read>) -> Result<Vec<f64>, String> {
-    if file.order() != Order::C {
-        return Err("is stored column by column; expected row by row (C order)".into());
-    }
-    let descr = file.dtype().descr();
-    let Ok(numbers) = file.try_data::<f64>() else {
-        return Err(format!("has the type {descr}; expected float64"));
-    };
-    let numbers: Result<Vec<f64>, _> = numbers.collect();
-    numbers.map_err(|error| error.to_string())
 }
 
 #[cfg(test)]
@@ -188,7 +188,7 @@ mod tests {
     fn broken_files_are_errors() {
         let bytes = encode(&example()).expect("fine");
         for end in 0..bytes.len() {
-            assert!(decode(&bytes[..end]).is_err(), "{end}");
+            assert!(decode(Cursor::new(&bytes[..end])).is_err(), "{end}");
         }
         let text = b"(2, 3, )";
         let place = bytes.windows(text.len()).position(|w| w == text);
@@ -196,7 +196,7 @@ mod tests {
         let message = |shape: &[u8; 8]| {
             let mut broken = bytes.clone();
             broken[place..place + text.len()].copy_from_slice(shape);
-            decode(&broken).expect_err("broken")
+            decode(Cursor::new(broken)).expect_err("broken")
         };
         // Before memory is taken for what is promised, and before the library reads the header.
         for (shape, expected) in [

@@ -1,9 +1,11 @@
 //! Image files as textures: PNG, JPEG, BMP, TGA, Radiance HDR and OpenEXR, as
 //! linear numbers.
 
-use image::{DynamicImage, ImageFormat};
+use std::io::Cursor;
 
-use crate::image::{VALUE, decode_exr};
+use image::{DynamicImage, ImageFormat, ImageReader};
+
+use crate::image::decode_exr_value;
 use crate::value::linear_of_srgb;
 
 /// The texels of an image file, row by row from the top.
@@ -15,6 +17,13 @@ pub(crate) struct BitmapFile {
     pub channels: usize,
     pub data: Vec<f64>,
 }
+
+/// The most pixels that are read: more than textures have. In double precision they take 6 GiB.
+const MOST_PIXELS: u64 = 1 << 28;
+
+/// Pixels for each byte of a file, at most: more than any of the compressions reaches (deflate
+/// 1032 bytes of eight pixels).
+const MOST_COMPRESSION: u64 = 1 << 14;
 
 /// Endings of the names of files, in small letters.
 pub(crate) const ENDINGS: [&str; 7] = ["png", "jpg", "jpeg", "bmp", "tga", "hdr", "exr"];
@@ -37,45 +46,71 @@ pub(crate) fn read(bytes: &[u8], ending: &str, raw: bool) -> Result<BitmapFile, 
             ));
         }
     };
-    let image = image::load_from_memory_with_format(bytes, format);
+    check_size(bytes, format)?;
+    let image = ImageReader::with_format(Cursor::new(bytes), format).decode();
     let image = image.map_err(|error| error.to_string())?;
     let (width, height) = (image.width(), image.height());
     let channels = if image.color().has_color() { 3 } else { 1 };
-    let encoded: Vec<f64> = match (&image, channels) {
+    let mut data: Vec<f64> = match (&image, channels) {
         (DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_), _) => {
             let rgb = image.into_rgb32f().into_raw();
-            let data = rgb.into_iter().map(f64::from).collect();
-            return finish(width, height, 3, data);
+            return finish(width, height, 3, doubles(&rgb, |x| x.into())?);
         }
         _ if image.color().bytes_per_pixel() / image.color().channel_count() == 1 => {
             let bytes = match channels {
                 1 => image.into_luma8().into_raw(),
                 _ => image.into_rgb8().into_raw(),
             };
-            bytes.into_iter().map(|x| f64::from(x) / 255.0).collect()
+            doubles(&bytes, |x| f64::from(x) / 255.0)?
         }
         _ => {
             let words = match channels {
                 1 => image.into_luma16().into_raw(),
                 _ => image.into_rgb16().into_raw(),
             };
-            words.into_iter().map(|x| f64::from(x) / 65535.0).collect()
+            doubles(&words, |x| f64::from(x) / 65535.0)?
         }
     };
-    let data = match raw {
-        true => encoded,
-        false => encoded.into_iter().map(linear_of_srgb).collect(),
-    };
+    if !raw {
+        data.iter_mut().for_each(|x| *x = linear_of_srgb(*x));
+    }
     finish(width, height, channels, data)
 }
 
+/// An error if the header announces more pixels than are read, or than the file can hold.
+fn check_size(bytes: &[u8], format: ImageFormat) -> Result<(), String> {
+    let size = ImageReader::with_format(Cursor::new(bytes), format).into_dimensions();
+    let (width, height) = size.map_err(|error| error.to_string())?;
+    let (pixels, length) = (u64::from(width) * u64::from(height), bytes.len() as u64);
+    if pixels > MOST_PIXELS {
+        return Err(format!(
+            "it has {width} x {height} pixels; expected at most {MOST_PIXELS} in all"
+        ));
+    }
+    match pixels / MOST_COMPRESSION > length {
+        true => Err(format!(
+            "its header announces {width} x {height} pixels, which its {length} bytes cannot hold"
+        )),
+        false => Ok(()),
+    }
+}
+
+/// Numbers in double precision, or an error if there is no memory for them.
+fn doubles<T: Copy>(numbers: &[T], convert: impl Fn(T) -> f64) -> Result<Vec<f64>, String> {
+    let mut doubles = Vec::new();
+    let count = numbers.len();
+    let reserved = doubles.try_reserve_exact(count);
+    reserved.map_err(|_| format!("there is no memory for its {count} numbers"))?;
+    doubles.extend(numbers.iter().map(|&x| convert(x)));
+    Ok(doubles)
+}
+
 fn read_exr(bytes: &[u8]) -> Result<BitmapFile, String> {
-    let layered = decode_exr(bytes)?;
-    let image = layered
-        .layer(VALUE)
-        .ok_or("it has no channels R, G, B or Y")?;
-    let pixels = image.pixels.iter();
-    let data = pixels.flat_map(|pixel| pixel.to_array()).collect();
+    let image = decode_exr_value(bytes, MOST_PIXELS)?;
+    let mut data = Vec::new();
+    let reserved = data.try_reserve_exact(3 * image.pixels.len());
+    reserved.map_err(|_| "there is no memory for its pixels")?;
+    data.extend(image.pixels.iter().flat_map(|pixel| pixel.to_array()));
     finish(image.width as u32, image.height as u32, 3, data)
 }
 

@@ -29,6 +29,7 @@ use beside::Files;
 pub use error::ExportError;
 
 use crate::atomic::write_atomically;
+use crate::files::read_file;
 use crate::image::{LayeredImage, VALUE, encode_exr};
 
 /// Writes the scene and returns the path of its XML file. A path that ends in
@@ -38,6 +39,42 @@ use crate::image::{LayeredImage, VALUE, encode_exr};
 /// Directories are made where they are missing, files of the same name
 /// replaced.
 pub fn write_scene(scene: &Scene, path: &Path) -> Result<PathBuf, ExportError> {
+    each_file(scene, path, |path, bytes| {
+        if let Some(directory) = path.parent() {
+            at(directory, fs::create_dir_all(directory))?;
+        }
+        at(path, write_atomically(path, |file| file.write_all(bytes)))
+    })
+}
+
+/// [`write_scene`] that replaces nothing: a file that is there already and has other contents is
+/// an error, and nothing is written.
+pub fn write_new_scene(scene: &Scene, path: &Path) -> Result<PathBuf, ExportError> {
+    each_file(scene, path, |path, bytes| {
+        let is_equal = match path.symlink_metadata() {
+            Err(_) => true,
+            Ok(found) => found.len() == bytes.len() as u64 && is_file_of(path, bytes),
+        };
+        match is_equal {
+            true => Ok(()),
+            false => Err(ExportError::InTheWay { path: path.into() }),
+        }
+    })?;
+    write_scene(scene, path)
+}
+
+/// True if a file has these bytes.
+fn is_file_of(path: &Path, bytes: &[u8]) -> bool {
+    read_file(path).is_ok_and(|found| found == bytes)
+}
+
+/// Shows the bytes of each file of a scene, the XML file last: where it is, the files that it
+/// names are. Returns its path.
+fn each_file(
+    scene: &Scene,
+    path: &Path,
+    mut show: impl FnMut(&Path, &[u8]) -> Result<(), ExportError>,
+) -> Result<PathBuf, ExportError> {
     let is_xml = path
         .extension()
         .is_some_and(|ending| ending.eq_ignore_ascii_case("xml"));
@@ -48,16 +85,14 @@ pub fn write_scene(scene: &Scene, path: &Path) -> Result<PathBuf, ExportError> {
     let stem = xml_path.file_stem().unwrap_or_default().to_string_lossy();
     let folder = format!("{stem}_meshes");
     let directory = xml_path.with_file_name(&folder);
-    at(&directory, fs::create_dir_all(&directory))?;
 
     let mut files = Files::default();
     let names = file_names(scene.shapes.iter().map(|s| s.id.as_str()), "ply");
     for (shape, name) in scene.shapes.iter().zip(&names) {
         let path = directory.join(name);
-        at(
-            &path,
-            write_atomically(&path, |file| ply_file::write(scene, shape, file)),
-        )?;
+        let mut bytes = Vec::new();
+        at(&path, ply_file::write(scene, shape, &mut bytes))?;
+        show(&path, &bytes)?;
         files.meshes.push(format!("{folder}/{name}"));
     }
 
@@ -77,9 +112,6 @@ pub fn write_scene(scene: &Scene, path: &Path) -> Result<PathBuf, ExportError> {
             Some((i, texture, size))
         })
         .collect();
-    if !bitmaps.is_empty() {
-        at(&directory, fs::create_dir_all(&directory))?;
-    }
     let names = file_names(bitmaps.iter().map(|(_, t, _)| t.id.as_str()), "exr");
     for ((i, texture, size), name) in bitmaps.into_iter().zip(names) {
         let path = directory.join(&name);
@@ -87,16 +119,11 @@ pub fn write_scene(scene: &Scene, path: &Path) -> Result<PathBuf, ExportError> {
             path: path.clone(),
             reason,
         })?;
-        at(
-            &path,
-            write_atomically(&path, |file| file.write_all(&bytes)),
-        )?;
+        show(&path, &bytes)?;
         files.bitmaps.insert(i, format!("{folder}/{name}"));
     }
-    // The XML comes last: where it is, the files it names are.
     let text = xml_file::text(scene, &files);
-    let written = write_atomically(&xml_path, |file| file.write_all(text.as_bytes()));
-    at(&xml_path, written)?;
+    show(&xml_path, text.as_bytes())?;
     Ok(xml_path)
 }
 
@@ -122,13 +149,17 @@ fn exr_of(texture: &Texture, size: [u32; 2]) -> Result<Vec<u8>, String> {
     encode_exr(&layered, [width, height])
 }
 
-/// A file name for each id: the id, with what file systems dislike replaced
+/// The longest part of an id in a file name, characters: file systems take 255 bytes in all.
+const LONGEST_NAME: usize = 60;
+
+/// A file name for each id: the beginning of the id, with what file systems dislike replaced
 /// by `_`, and a number where two would be the same in any case.
 fn file_names<'a>(ids: impl Iterator<Item = &'a str>, ending: &str) -> Vec<String> {
     let mut taken = HashSet::new();
     let plain = |c: char| c.is_alphanumeric() || "-_.".contains(c);
     let name_of = |id: &str| {
-        let name: String = id.chars().map(|c| if plain(c) { c } else { '_' }).collect();
+        let start = id.chars().take(LONGEST_NAME);
+        let name: String = start.map(|c| if plain(c) { c } else { '_' }).collect();
         // No hidden files.
         match name.strip_prefix('.') {
             Some(rest) => format!("_{rest}"),

@@ -2,9 +2,13 @@
 //! error that lists what could have been asked for.
 
 use std::cell::{Cell, RefCell};
+use std::io;
+use std::path::Path;
 
 use capwalk_math::{Affine, Vec3};
 
+use crate::files::read_file;
+use crate::files_read::FilesRead;
 use crate::node::{Graph, Kind, Node, NodeId, Property, PropertyValue};
 use crate::problem::Problem;
 use crate::suggest::{nearest, snake_case};
@@ -20,6 +24,8 @@ pub(crate) struct Context<'a> {
     pub warnings: RefCell<Vec<Warning>>,
     /// How many more there were than are kept.
     pub more_warnings: Cell<usize>,
+    /// The files that were read so far, besides the texts.
+    pub files: RefCell<FilesRead>,
 }
 
 /// Warnings of one scene that are kept; the others are counted. Finding the line of each
@@ -27,7 +33,23 @@ pub(crate) struct Context<'a> {
 const MOST_WARNINGS: usize = 1000;
 
 impl Context<'_> {
+    /// The bytes of a file, which is remembered.
+    pub fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+        let bytes = read_file(path)?;
+        self.files.borrow_mut().add(path);
+        Ok(bytes)
+    }
+
     pub fn warn(&self, span: Span, message: &str) {
+        self.add_warning(span, message, false);
+    }
+
+    /// Warns of what is seen only in light.
+    pub fn warn_about_light(&self, span: Span, message: &str) {
+        self.add_warning(span, message, true);
+    }
+
+    fn add_warning(&self, span: Span, message: &str, is_about_light: bool) {
         let mut warnings = self.warnings.borrow_mut();
         if warnings.len() == MOST_WARNINGS {
             self.more_warnings.set(self.more_warnings.get() + 1);
@@ -36,6 +58,7 @@ impl Context<'_> {
         warnings.push(Warning {
             location: self.texts.location(span),
             message: message.into(),
+            is_about_light,
         });
     }
 
@@ -47,7 +70,11 @@ impl Context<'_> {
             let location = last.location.clone();
             let message =
                 format!("there are {more} more warnings from here on, which are not shown");
-            warnings.push(Warning { location, message });
+            warnings.push(Warning {
+                location,
+                message,
+                is_about_light: false,
+            });
         }
         warnings
     }

@@ -27,11 +27,22 @@ pub fn read_text_file(path: &Path) -> io::Result<String> {
     })
 }
 
-fn read_at_most(path: &Path, most: u64) -> io::Result<Vec<u8>> {
-    let size = regular_size(&fs::metadata(path)?, most)?;
+/// A file to be read in parts; what [`read_file`] refuses is refused.
+pub(crate) fn open_file(path: &Path) -> io::Result<File> {
+    Ok(open_at_most(path, LARGEST_FILE)?.0)
+}
+
+/// A file and its size in bytes.
+fn open_at_most(path: &Path, most: u64) -> io::Result<(File, u64)> {
+    regular_size(&fs::metadata(path)?, most)?;
     let file = File::open(path)?;
     // The name may mean something else by now.
-    let size = size.max(regular_size(&file.metadata()?, most)?);
+    let size = regular_size(&file.metadata()?, most)?;
+    Ok((file, size))
+}
+
+fn read_at_most(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+    let (file, size) = open_at_most(path, most)?;
     let mut bytes = Vec::new();
     bytes
         .try_reserve_exact(size as usize)

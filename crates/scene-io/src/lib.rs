@@ -29,6 +29,7 @@ mod error;
 mod expand;
 mod fields;
 mod files;
+mod files_read;
 mod load;
 mod location;
 mod lower;
@@ -61,6 +62,7 @@ pub use atomic::append;
 pub use atomic::faults;
 pub use error::{Diagnostic, LoadError};
 pub use files::{read_file, read_text_file};
+pub use files_read::{FilesRead, InputInTheWay};
 pub use load::{
     LoadOptions, Loaded, load_scene, load_scene_lines, load_scene_str, load_scene_str_with,
     load_scene_with,

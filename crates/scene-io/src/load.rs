@@ -8,6 +8,7 @@ use crate::error::LoadError;
 use crate::expand::expand;
 use crate::fields::Context;
 use crate::files::read_text;
+use crate::files_read::FilesRead;
 use crate::lower::lower;
 use crate::mitsuba;
 use crate::problem::Problem;
@@ -37,6 +38,8 @@ pub struct Loaded {
     /// image other than the file seems to ask for. Everything else that is not
     /// understood is an error.
     pub warnings: Vec<Warning>,
+    /// The files that it was read from.
+    pub files: FilesRead,
 }
 
 /// Reads a Mitsuba 3 XML file. `defines` gives values to `$name` in it and wins
@@ -114,6 +117,7 @@ fn stages(texts: &mut Texts, text: Text, options: &LoadOptions) -> Result<Loaded
         graph: &graph,
         warnings: Default::default(),
         more_warnings: Default::default(),
+        files: texts.paths().collect::<FilesRead>().into(),
     };
     for upgraded in &expanded.upgraded {
         context.warn(upgraded.span, &upgraded.message);
@@ -129,9 +133,11 @@ fn stages(texts: &mut Texts, text: Text, options: &LoadOptions) -> Result<Loaded
     // As Mitsuba does, last of all in the working directory.
     directories.push(PathBuf::new());
     let (scene, sensors) = lower(&context, directories, options.sensor.as_ref())?;
+    let files = context.files.take();
     Ok(Loaded {
         scene,
         sensors,
+        files,
         warnings: context.into_warnings(),
     })
 }

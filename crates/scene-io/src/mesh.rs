@@ -14,8 +14,8 @@ mod ply_attribute;
 mod ply_header;
 mod serialized;
 
+pub(crate) use checked::direction;
 pub use checked::{FileAttribute, MeshFile};
-pub(crate) use checked::{LARGEST_COORDINATE, direction};
 pub use curves::read_curves;
 pub use error::{MeshFault, MeshFileError, MeshPlace};
 pub use gltf::read_gltf;

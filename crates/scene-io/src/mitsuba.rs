@@ -77,6 +77,9 @@ struct Reference {
     span: Span,
 }
 
+/// The longest name of an object, characters: names of files and of their parts are made of it.
+const LONGEST_ID: usize = 1000;
+
 impl Parser<'_> {
     fn object(&mut self, element: &Element, kind: Kind) -> Result<NodeId, Problem> {
         element.only_attributes(match kind {
@@ -92,6 +95,14 @@ impl Parser<'_> {
         };
         let node = NodeId(self.nodes.len());
         let id = element.attribute("id").filter(|id| !id.value.is_empty());
+        for named in id.into_iter().chain(element.attribute("name")) {
+            let length = named.value.chars().count();
+            if length > LONGEST_ID {
+                let message = format!("the name has {length} characters");
+                let help = format!("expected at most {LONGEST_ID}: files and tables show it");
+                return Err(Problem::invalid(named.value_span, message).help(help));
+            }
+        }
         if let Some(id) = id {
             let place = (node, id.value_span);
             if let Some((_, first)) = self.ids.insert(id.value.clone(), place) {

@@ -22,17 +22,23 @@ struct Header {
     shape: Vec<u64>,
 }
 
-/// The array in a file of `size` bytes, or what is wrong with its header. The array is
-/// not longer than the file, so that no more memory is taken than the file has.
+/// The array in a file of `size` bytes, or what is wrong with its header. The array ends where
+/// the file ends, so that no more memory is taken than the file has, and no bytes are left over.
 pub(crate) fn open<R: Read>(mut file: R, size: u64) -> Result<PackedArray<R>, String> {
     let (start, text) = read_header(&mut file)?;
     let text = std::str::from_utf8(&start[text..]).map_err(|_| "has a header that is no text")?;
     let header = Parser { rest: text }.header()?;
     let Header { descr, shape } = &header;
-    let full = full_size(&header)?;
-    if size.saturating_sub(start.len() as u64) < full {
+    let (full, found) = (full_size(&header)?, size.saturating_sub(start.len() as u64));
+    if found < full {
         return Err(format!(
             "ends before its shape {shape:?} of type {descr} is full"
+        ));
+    }
+    if found > full {
+        let more = found - full;
+        return Err(format!(
+            "has {more} bytes behind its end; expected {full} for its shape {shape:?} of type {descr}"
         ));
     }
     NpyFile::new(Cursor::new(start).chain(file)).map_err(|error| error.to_string())
@@ -234,6 +240,13 @@ mod tests {
         assert_eq!(shape(&header("<U3", "(0, 2)"), 0), Ok(vec![0, 2]));
         let other = "{\"shape\":(1,),\"fortran_order\":True,\"descr\":\"|u1\"}";
         assert_eq!(shape(other, 1), Ok(vec![1]));
+    }
+
+    /// What stands behind an array would be left out in silence.
+    #[test]
+    fn bytes_behind_an_array_are_errors() {
+        let error = shape(&header("<f8", "(2,)"), 17).expect_err("one byte more");
+        assert!(error.contains("has 1 bytes behind its end"), "{error}");
     }
 
     /// Each is refused for its own reason, at once.

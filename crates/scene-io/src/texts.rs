@@ -82,6 +82,11 @@ impl Texts {
         self.texts.len()
     }
 
+    /// The files among the texts.
+    pub fn paths(&self) -> impl Iterator<Item = &Path> {
+        self.texts.iter().filter_map(|text| text.path.as_deref())
+    }
+
     /// The bytes of all texts.
     pub fn bytes(&self) -> usize {
         self.texts.iter().map(|text| text.content.len()).sum()

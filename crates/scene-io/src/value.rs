@@ -206,6 +206,13 @@ fn transform_step(step: &Element, warnings: &mut Vec<(Span, String)>) -> Result<
             step.only_attributes(&["value", "x", "y", "z", "angle"])?;
             let angle = step.required("angle")?;
             let degrees = float(&angle.value, angle.value_span)?;
+            let most = Affine::LARGEST_ANGLE.to_degrees();
+            if degrees.abs() > most {
+                let message = format!("the rotation by {degrees} degrees means nothing");
+                let help =
+                    format!("expected at most {most:.0}: beyond, rounding decides where it ends");
+                return Err(Problem::invalid(angle.value_span, message).help(help));
+            }
             let axis = vector(step, Some(0.0))?;
             if axis == Vec3::zero() {
                 return Err(

@@ -12,6 +12,8 @@ pub struct Warning {
     pub location: Location,
     /// What there is to know, in one sentence.
     pub message: String,
+    /// True if it is about light, and not about what is seen of surfaces without it.
+    pub is_about_light: bool,
 }
 
 impl fmt::Display for Warning {

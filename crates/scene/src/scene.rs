@@ -3,6 +3,8 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
+use capwalk_geometry::Apex;
+use capwalk_geometry::mesh::is_within_reach;
 use serde::{Deserialize, Serialize};
 
 use crate::emitter::{Emitter, EnvironmentMap};
@@ -45,6 +47,7 @@ impl Scene {
     pub fn check(&self) -> Result<(), SceneError> {
         self.film.check()?;
         self.sensor.check()?;
+        self.settings.check()?;
         // Parameters go by these names; `sensor` is always that which renders.
         let mut ids = HashSet::from(["sensor", self.sensor.id.as_str()]);
         for shape in &self.shapes {
@@ -67,6 +70,17 @@ impl Scene {
             if shape.emitter.is_some() && shape.mesh.area() <= 0.0 {
                 return Err(SceneError::ZeroAreaEmitter {
                     shape: shape.id.clone(),
+                });
+            }
+        }
+        for emitter in &self.emitters {
+            if let Some(Apex::Point(p)) = emitter.apex()
+                && !is_within_reach(p)
+            {
+                return Err(SceneError::BadNumber {
+                    name: format!("{}.position", emitter.name(self)),
+                    value: format!("({}, {}, {})", p.x, p.y, p.z),
+                    expected: "finite coordinates up to 1e30",
                 });
             }
         }

@@ -209,6 +209,19 @@ impl<K> SceneVector<K> {
         }
     }
 
+    /// All numbers that are not zero for the lack of them.
+    pub fn numbers(&self) -> impl Iterator<Item = f64> {
+        let shapes = self.shapes.iter().flatten().flat_map(|shape| {
+            let normals = shape.normals.iter().flatten();
+            shape.vertices.iter().chain(normals).copied()
+        });
+        let emitters = self.emitters.iter();
+        let emitters = emitters.flat_map(|light| [light.translation, light.rotation]);
+        let vectors = shapes.chain(emitters).chain(self.sensor.vectors());
+        let textures = self.textures.iter().flatten().flatten().copied();
+        vectors.flat_map(|v| v.to_array()).chain(textures)
+    }
+
     /// `factor` times the vector.
     pub fn scaled(&self, factor: f64) -> Self {
         self.map(|x| x * factor)

@@ -5,6 +5,7 @@
 
 pub mod view;
 
+use capwalk_geometry::mesh::is_within_reach;
 use capwalk_math::{Affine, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -154,11 +155,11 @@ impl Sensor {
                 expected,
             })
         };
-        if self.world_from_camera.inverse().is_none() || !self.origin().is_finite() {
+        if self.world_from_camera.inverse().is_none() || !is_within_reach(self.origin()) {
             return bad(
                 "to_world",
                 self.world_from_camera.to_string(),
-                "a matrix of finite numbers that can be inverted",
+                "a matrix of finite numbers, none above 1e30, that can be inverted",
             );
         }
         let number = |optic| self.model.optic(optic);

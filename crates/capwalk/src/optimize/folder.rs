@@ -14,7 +14,7 @@ use capwalk_scene::Image;
 use capwalk_scene_io::arrays::{self, Array, Arrays};
 use capwalk_scene_io::export;
 use capwalk_scene_io::image::{Panel, Style, robust_limit, write_panels};
-use capwalk_scene_io::{append, read_file, read_text_file};
+use capwalk_scene_io::{FilesRead, append, read_file, read_text_file};
 
 use crate::folder_error::FolderError;
 
@@ -34,6 +34,8 @@ const MESHES: &str = "scene_meshes";
 const TEXTURES: &str = "scene_textures";
 /// The folder of images.
 const PICTURES: &str = "pictures";
+/// Held by the process that writes there.
+const LOCK: &str = ".lock";
 /// The folders that files are written into, from the folder of the run.
 const FOLDERS: [&str; 4] = ["", PICTURES, MESHES, TEXTURES];
 
@@ -57,9 +59,9 @@ pub struct Claimed {
 
 /// Makes sure that a run can go into this folder: it can be written to, no other
 /// run is in it, and without `resume` there is none to go on with. Nothing is lost:
-/// neither `inputs`, files that the run reads, nor results of something else.
-pub fn claim(path: &Path, resume: bool, inputs: &[PathBuf]) -> Result<Claimed, FolderError> {
-    refuse_losses(path, inputs)?;
+/// neither files that the run reads nor results of something else.
+pub fn claim(path: &Path, resume: bool, read: &FilesRead) -> Result<Claimed, FolderError> {
+    refuse_losses(path, read)?;
     let cannot = |error: io::Error| FolderError::Unwritable {
         folder: path.into(),
         error,
@@ -70,7 +72,7 @@ pub fn claim(path: &Path, resume: bool, inputs: &[PathBuf]) -> Result<Claimed, F
             folder: path.into(),
         });
     }
-    let lock = File::create(path.join(".lock")).map_err(cannot)?;
+    let lock = File::create(path.join(LOCK)).map_err(cannot)?;
     match lock.try_lock() {
         Ok(()) => {}
         Err(TryLockError::WouldBlock) => {
@@ -90,27 +92,12 @@ pub fn claim(path: &Path, resume: bool, inputs: &[PathBuf]) -> Result<Claimed, F
 }
 
 /// An error if a run in this folder would overwrite what it did not write.
-fn refuse_losses(path: &Path, inputs: &[PathBuf]) -> Result<(), FolderError> {
-    // What is not there cannot be lost.
-    let Ok(folder) = path.canonicalize() else {
-        return Ok(());
-    };
+fn refuse_losses(path: &Path, read: &FilesRead) -> Result<(), FolderError> {
     let written = [
-        CHECKPOINT, RECORD, TIMING, PARAMETERS, SCENE, MESHES, TEXTURES, PICTURES,
+        CHECKPOINT, RECORD, TIMING, PARAMETERS, SCENE, MESHES, TEXTURES, PICTURES, LOCK,
     ];
-    for input in inputs {
-        let is_written = |name: &&str| {
-            let outputs = [folder.join(name).canonicalize(), Ok(folder.join(name))];
-            let input = input.canonicalize();
-            let mut outputs = outputs.into_iter().flatten();
-            input.is_ok_and(|input| outputs.any(|output| input.starts_with(output)))
-        };
-        if let Some(name) = written.into_iter().find(is_written) {
-            return Err(FolderError::InputInTheWay {
-                input: input.clone(),
-                output: path.join(name),
-            });
-        }
+    for name in written {
+        read.refuse(&path.join(name))?;
     }
     if path.join(CHECKPOINT).exists() {
         return Ok(());

@@ -46,7 +46,7 @@ pub(super) use view::{Define, Located, TargetKeys, ViewKeys};
 #[derive(Debug)]
 pub struct Job {
     /// The file; a text has none.
-    path: Option<PathBuf>,
+    pub(super) path: Option<PathBuf>,
     pub(super) document: Document,
     pub(super) keys: Keys,
 }
@@ -117,20 +117,6 @@ impl Job {
     /// How gradients are estimated.
     pub fn method(&self) -> (Method, WalkSettings) {
         (self.keys.method.method, self.keys.method.walk)
-    }
-
-    /// Every file that the job reads: itself, scenes, targets and masks.
-    pub fn inputs(&self) -> Vec<PathBuf> {
-        let mut named = vec![&self.keys.scene];
-        for view in &self.keys.views {
-            named.extend([&view.scene, &view.mask].into_iter().flatten());
-            match &view.target {
-                TargetKeys::Image { file, .. } => named.push(file),
-                TargetKeys::Rendered { scene, .. } => named.extend(scene),
-            }
-        }
-        let files = named.iter().map(|file| self.document.path(&file.text));
-        self.path.iter().cloned().chain(files).collect()
     }
 }
 

@@ -1,6 +1,6 @@
-//! From a job to a problem: scenes are loaded, targets read or rendered.
+//! From a job to a problem: scenes are loaded, targets read, or left to be rendered.
 
-use capwalk_diff::{Chosen, RenderOptions, Watch};
+use capwalk_diff::{RenderOptions, Watch};
 use capwalk_inverse::seed::{Purpose, seed};
 use capwalk_inverse::variable::{VariableSpec, Variables, variable};
 use capwalk_inverse::{Problem, Stop, TargetView};
@@ -10,30 +10,18 @@ use capwalk_scene_io::LoadError;
 use capwalk_scene_io::toml::Place;
 
 use super::job::{Define, Job, Located, MethodKeys, TargetKeys, ViewKeys};
-use crate::engine::Engine;
+use super::posed::{LoadedProblem, Pending, PosedProblem};
 use crate::error::Error;
 use crate::images::{read_layer, read_mask};
 use crate::load::Loader;
-use capwalk_scene_io::{Loaded, Warning};
+use capwalk_scene_io::{FilesRead, Loaded, Warning};
 
-/// The problem that a job poses.
-#[derive(Clone, Debug)]
-pub struct LoadedProblem {
-    /// The problem, with all of its targets.
-    pub problem: Problem,
-    /// How its method was chosen; `None` if the job names one, if its derivatives are
-    /// refused, or if the watch stopped it.
-    pub chosen: Option<Chosen>,
-    /// What the scene files that it was loaded from say in vain, each once.
-    pub warnings: Vec<Warning>,
-}
-
-/// A target that is still to be rendered.
-struct Pending {
-    /// The number of its view.
-    view: usize,
-    scene: Scene,
-    options: RenderOptions,
+/// What is found on the way to a problem.
+#[derive(Default)]
+struct Found {
+    /// What scene files say in vain, each once.
+    warnings: Vec<Warning>,
+    files: FilesRead,
 }
 
 impl Job {
@@ -61,15 +49,23 @@ impl Job {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn problem(&self, watch: &dyn Watch) -> Result<LoadedProblem, Error> {
+        self.posed()?.rendered(watch)
+    }
+
+    /// The problem before its targets are rendered.
+    pub(super) fn posed(&self) -> Result<PosedProblem, Error> {
         self.refuse_unused_defines()?;
-        let mut warnings = Vec::new();
+        let mut found = Found::default();
+        if let Some(path) = &self.path {
+            found.files.add(path);
+        }
         let keys = &self.keys;
-        let scene = self.load(&keys.scene, &[], None, &mut warnings)?;
+        let scene = self.load(&keys.scene, &[], None, &mut found)?;
         let variables = self.variables(&scene, &keys.parameters)?;
         let spp = keys.spp.unwrap_or(scene.settings.spp.max(2));
         let (mut views, mut pending) = (Vec::new(), Vec::new());
         for (number, view) in keys.views.iter().enumerate() {
-            let (view, target) = self.view(&scene, &variables, view, number, &mut warnings)?;
+            let (view, target) = self.view(&scene, &variables, view, number, &mut found)?;
             views.push(view);
             pending.extend(target);
         }
@@ -78,7 +74,7 @@ impl Job {
             walk,
             allow_missing,
         } = keys.method;
-        let mut problem = Problem {
+        let problem = Problem {
             variables,
             views,
             loss: keys.loss,
@@ -96,25 +92,21 @@ impl Job {
             scene,
         };
         self.check_start(&problem)?;
-        for (view, target) in render_targets(pending, watch)? {
-            problem.views[view].target = target;
-        }
-        // With the targets, which need no gradient, all that the choice depends on is there.
-        let chosen = problem.choose_method(watch);
-        Ok(LoadedProblem {
+        Ok(PosedProblem {
             problem,
-            chosen,
-            warnings,
+            pending,
+            warnings: found.warnings,
+            files: found.files,
         })
     }
 
     /// Pixels of the image of each view, without reading targets or rendering them.
     pub fn sizes(&self) -> Result<Vec<[u32; 2]>, Error> {
-        let mut warnings = Vec::new();
-        let scene = self.load(&self.keys.scene, &[], None, &mut warnings)?;
+        let mut found = Found::default();
+        let scene = self.load(&self.keys.scene, &[], None, &mut found)?;
         let views = self.keys.views.iter().map(|keys| {
             let view = TargetView {
-                sensor: self.sensor(&scene, keys, &mut warnings)?,
+                sensor: self.sensor(&scene, keys, &mut found)?,
                 target: Image::new(0, 0),
                 mask: None,
                 weight: keys.weight,
@@ -125,13 +117,13 @@ impl Job {
     }
 
     /// A scene of the job, with these values of `$name` before those of the job, and the
-    /// sensor that is asked for. New warnings are added to `warnings`.
+    /// sensor that is asked for. New warnings and its files are added to `found`.
     fn load(
         &self,
         located: &Located,
         defines: &[Define],
         sensor: Option<(usize, Place)>,
-        warnings: &mut Vec<Warning>,
+        found: &mut Found,
     ) -> Result<Scene, LoadError> {
         let (document, name) = (&self.document, &located.text);
         let mut loader = match is_built_in(located) {
@@ -163,13 +155,15 @@ impl Job {
         match loader.load() {
             Ok(Loaded {
                 scene,
-                warnings: found,
+                warnings,
+                files,
                 ..
             }) => {
+                found.files.extend(&files);
                 // Views can name one file several times.
-                for warning in found {
-                    if !warnings.contains(&warning) {
-                        warnings.push(warning);
+                for warning in warnings {
+                    if !found.warnings.contains(&warning) {
+                        found.warnings.push(warning);
                     }
                 }
                 Ok(scene)
@@ -240,9 +234,9 @@ impl Job {
         variables: &Variables,
         keys: &ViewKeys,
         number: usize,
-        warnings: &mut Vec<Warning>,
+        found: &mut Found,
     ) -> Result<(TargetView, Option<Pending>), Error> {
-        let sensor = self.sensor(scene, keys, warnings)?;
+        let sensor = self.sensor(scene, keys, found)?;
         if sensor.is_some()
             && let Some(place) = self.moved_sensor(scene, variables)
         {
@@ -258,19 +252,22 @@ impl Job {
         };
         let size = view.scene(scene).film.crop_size;
         if let Some(mask) = &keys.mask {
-            let read = read_mask(&self.document.path(&mask.text), size);
+            let path = self.document.path(&mask.text);
+            found.files.add(&path);
+            let read = read_mask(&path, size);
             view.mask = Some(read.map_err(|error| self.at(mask.place, &error))?);
         }
         let pending = match &keys.target {
             TargetKeys::Image { file, layer } => {
                 let path = self.document.path(&file.text);
+                found.files.add(&path);
                 let layer = layer.as_deref().unwrap_or("value");
                 let read = read_layer(&path, &[layer], size);
                 view.target = read.map_err(|error| self.at(file.place, &error))?;
                 None
             }
             TargetKeys::Rendered { spp, .. } => {
-                let scene = self.target_scene(scene, &view, keys, warnings)?;
+                let scene = self.target_scene(scene, &view, keys, found)?;
                 if scene.film.crop_size != size {
                     let message = "the target has another size than the image";
                     return Err(self.document.error(keys.place, message).into());
@@ -301,7 +298,7 @@ impl Job {
         scene: &Scene,
         view: &TargetView,
         keys: &ViewKeys,
-        warnings: &mut Vec<Warning>,
+        found: &mut Found,
     ) -> Result<Scene, LoadError> {
         let TargetKeys::Rendered {
             scene: other,
@@ -314,7 +311,7 @@ impl Job {
         };
         let is_other = other.is_some() || !defines.is_empty();
         let located = other.as_ref().unwrap_or(&self.keys.scene);
-        let other = is_other.then(|| self.load(located, defines, keys.sensor, warnings));
+        let other = is_other.then(|| self.load(located, defines, keys.sensor, found));
         let other = other.transpose()?;
         let set = self.changed(other.as_ref().unwrap_or(scene), set)?;
         // With another scene's own film, unless the view has one.
@@ -340,14 +337,14 @@ impl Job {
         &self,
         scene: &Scene,
         keys: &ViewKeys,
-        warnings: &mut Vec<Warning>,
+        found: &mut Found,
     ) -> Result<Option<(Sensor, Film)>, LoadError> {
         let document = &self.document;
         let mut own = match (&keys.scene, keys.sensor) {
             (None, None | Some((0, _))) => scene.clone(),
             (located, sensor) => {
                 let located = located.as_ref().unwrap_or(&self.keys.scene);
-                self.load(located, &[], sensor, warnings)?
+                self.load(located, &[], sensor, found)?
             }
         };
         let set = |own: &mut Scene, name: &str, numbers: &[f64], place: Place| {
@@ -423,48 +420,4 @@ impl Job {
 /// As for every scene, the names of built-in ones win.
 fn is_built_in(located: &Located) -> bool {
     builtin::description(&located.text).is_some()
-}
-
-/// The images of all targets with the numbers of their views; an error if they were
-/// stopped.
-fn render_targets(pending: Vec<Pending>, watch: &dyn Watch) -> Result<Vec<(usize, Image)>, Error> {
-    let work =
-        |target: &Pending| target.scene.film.pixel_count() as u64 * u64::from(target.options.spp);
-    let total = pending.iter().map(work).sum();
-    let mut before = 0;
-    let mut images = Vec::new();
-    for target in pending {
-        let work = work(&target);
-        let share = Share {
-            watch,
-            before,
-            total,
-        };
-        let rendering = Engine::new(target.scene).render(&target.options, &share);
-        if !rendering.statistics.complete {
-            return Err(Error::Stopped {
-                before: "the targets were rendered",
-            });
-        }
-        images.push((target.view, rendering.value.mean));
-        before += work;
-    }
-    Ok(images)
-}
-
-/// One of several pieces of work, as a part of the whole.
-struct Share<'a> {
-    watch: &'a dyn Watch,
-    before: u64,
-    total: u64,
-}
-
-impl Watch for Share<'_> {
-    fn progress(&self, done: u64, _total: u64) {
-        self.watch.progress(self.before + done, self.total);
-    }
-
-    fn should_stop(&self) -> bool {
-        self.watch.should_stop()
-    }
 }

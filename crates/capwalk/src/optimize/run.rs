@@ -12,7 +12,7 @@ use capwalk_scene_io::{LoadError, Warning};
 use super::fingerprint::fingerprint;
 use super::folder::{self, Folder};
 use super::job::Job;
-use super::problem::LoadedProblem;
+use super::posed::LoadedProblem;
 use crate::error::Error;
 
 /// An optimisation that keeps every iteration in a folder: killed at any moment and begun
@@ -70,12 +70,13 @@ impl<'j> Run<'j> {
         resume: bool,
         watch: &dyn Watch,
     ) -> Result<Self, Error> {
-        let claimed = folder::claim(folder.as_ref(), resume, &job.inputs())?;
+        let posed = job.posed()?;
+        let claimed = folder::claim(folder.as_ref(), resume, &posed.files)?;
         let LoadedProblem {
             problem,
             chosen,
             warnings,
-        } = job.problem(watch)?;
+        } = posed.rendered(watch)?;
         let fingerprint = fingerprint(&problem, &job.specs(), job.method());
         let (folder, state) = claimed.begin(&problem, fingerprint)?;
         Ok(Self {

@@ -8,8 +8,8 @@ use anyhow::{Result, anyhow, bail, ensure};
 use capwalk::params::shape_text;
 use capwalk::scene_io::arrays::{self, Array, Arrays, METADATA};
 use capwalk::{
-    Chosen, Distance, Error, GradientOptions, Gradients, Image, ImageLoss, Loss, ParameterGradient,
-    Prepared, Refusal, RenderOptions, Scene, read_layer,
+    Chosen, Distance, Error, FilesRead, GradientOptions, Gradients, Image, ImageLoss, Loss,
+    ParameterGradient, Prepared, Refusal, RenderOptions, Scene, read_layer,
 };
 use serde_json::{Value, json};
 
@@ -24,7 +24,7 @@ use crate::{console, method, output, report, source};
 const IMAGE_SHARE: u32 = 4;
 
 pub fn run(args: &Backward) -> Result<Outcome> {
-    let prepared = source::load(&args.scene)?;
+    let (prepared, mut read) = source::load(&args.scene)?;
     let scene = prepared.scene();
     memory::check(scene, Need::Loss)?;
     let names = match args.param.is_empty() {
@@ -34,7 +34,13 @@ pub fn run(args: &Backward) -> Result<Outcome> {
     check_names(&names, args.errors)?;
     let sampling = source::options(&args.sampling, scene);
     let options = method::options(sampling, &args.method)?;
-    let file = output_file(args)?;
+    read.extend(
+        &[&args.objective.adjoint, &args.target]
+            .into_iter()
+            .flatten()
+            .collect(),
+    );
+    let file = output_file(args, &read)?;
     let given = given_image(args, scene)?;
 
     let loss = match args.objective.loss {
@@ -186,9 +192,10 @@ fn check_names(names: &[String], errors: bool) -> Result<()> {
 }
 
 /// Where the gradient goes; that it can be written there is known afterwards.
-fn output_file(args: &Backward) -> Result<PathBuf> {
+fn output_file(args: &Backward, read: &FilesRead) -> Result<PathBuf> {
     let default = || format!("{}-backward.npz", source::stem(&args.scene)).into();
     let file = args.output.clone().unwrap_or_else(default);
+    read.refuse(&file).map_err(Error::from)?;
     // A wrong ending should not leave a folder behind.
     if file
         .extension()

@@ -18,17 +18,17 @@ use crate::{console, direction, method, progress, report, source};
 
 pub fn run(args: &args::Check) -> Result<Outcome> {
     let typed = &args.gradient;
-    let prepared = source::load(&typed.scene)?;
+    let (prepared, mut read) = source::load(&typed.scene)?;
     let scene = prepared.scene();
     memory::check(scene, Need::Check)?;
-    let tangent = direction::tangent(&prepared, &typed.tangent)?;
+    let tangent = direction::tangent(&prepared, &typed.tangent, &mut read)?;
     // What decides are the noisiest pixels.
     let sampling = RenderOptions {
         adaptive: true,
         ..source::options(&typed.sampling, scene)
     };
     let stem = format!("{}-check", source::stem(&typed.scene));
-    let files = Files::new(&typed.output.output, &stem, &["png"])?;
+    let files = Files::new(&typed.output.output, &stem, &["png"], &read)?;
     ensure!(
         method::typed(&typed.method)? != MethodName::Fd,
         "check compares with finite differences: with --method fd there is nothing to check. Use \

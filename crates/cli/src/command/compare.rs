@@ -1,41 +1,52 @@
 //! `capwalk compare`: two images, with their errors if they have them.
 
+use std::path::Path;
+
 use anyhow::{Context, Result, ensure};
-use capwalk::scene_io::image::{self, GRADIENT, LayeredImage, Panel, Style, VALUE};
-use capwalk::{Comparison, Image, Rgb, Verdict};
+use capwalk::scene_io::image::{self, GRADIENT, ImageFile, LayeredImage, Panel, Style, VALUE};
+use capwalk::text::listed;
+use capwalk::{Comparison, Estimate, Image, Rgb, Verdict};
 use serde_json::json;
 
 use super::check as verdicts;
 use crate::args::Compare;
 use crate::diagnostics::Outcome;
 use crate::memory::{self, Need};
-use crate::output::{self, Files};
+use crate::output::Files;
 use crate::{console, report};
 
 pub fn run(args: &Compare) -> Result<Outcome> {
-    let tested = image::read(&args.image)?;
-    if let Some(layer) = tested.layers.first() {
-        let size =
-            [layer.image.width, layer.image.height].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
-        memory::check_size(size, Need::Comparison)?;
-    }
-    let reference = image::read(&args.reference)?;
+    let mut tested = ImageFile::open(&args.image)?;
+    let mut reference = ImageFile::open(&args.reference)?;
+    let has_gradients = [&tested, &reference]
+        .iter()
+        .all(|file| file.names().contains(&GRADIENT));
     let layer = match &args.layer {
         Some(layer) => layer.as_str(),
-        None if tested.layer(GRADIENT).is_some() && reference.layer(GRADIENT).is_some() => GRADIENT,
+        None if has_gradients => GRADIENT,
         None => VALUE,
     };
-    let a = output::layer(&tested, layer).with_context(|| args.image.display().to_string())?;
-    let b =
-        output::layer(&reference, layer).with_context(|| args.reference.display().to_string())?;
+    // Before any of their pixels takes time and memory.
+    let size = layer_size(&mut tested, layer, &args.image)?;
+    let other = layer_size(&mut reference, layer, &args.reference)?;
     ensure!(
-        (a.width, a.height) == (b.width, b.height),
+        size == other,
         "the images have different sizes: {} x {} and {} x {}",
-        a.width,
-        a.height,
-        b.width,
-        b.height
+        size[0],
+        size[1],
+        other[0],
+        other[1]
     );
+    let pixels = size.map(|n| u32::try_from(n).unwrap_or(u32::MAX));
+    memory::check_size(pixels, Need::Comparison)?;
+    let read = [&args.image, &args.reference].into_iter().collect();
+    let files = match args.output.output.is_empty() {
+        true => None,
+        false => Some(Files::new(&args.output.output, "", &[], &read)?),
+    };
+
+    let a = &image_of(&mut tested, layer, size, &args.image)?;
+    let b = &image_of(&mut reference, layer, size, &args.reference)?;
     let difference = Image {
         pixels: a
             .pixels
@@ -46,17 +57,24 @@ pub fn run(args: &Compare) -> Result<Outcome> {
         ..*a
     };
     let errors = Errors::new(&difference, b);
-    let estimates = [&tested, &reference].map(|p| output::read_estimate(p, layer));
-    let comparison = match &estimates {
-        // Equal images need no statistics, which would find the errors of
-        // two runs with the same random numbers too large.
-        [Some(a), Some(b)] if errors.largest > 0.0 => Some(capwalk::compare(a, b)),
+    // Equal images need no statistics, which would find the errors of
+    // two runs with the same random numbers too large.
+    let of_errors = [&tested, &reference].map(|file| errors_layer(file, layer));
+    let comparison = match of_errors {
+        [Some(of_a), Some(of_b)] if errors.largest > 0.0 => {
+            let estimate = |mean: &Image, standard_error| Estimate {
+                mean: mean.clone(),
+                standard_error,
+            };
+            let a = estimate(a, image_of(&mut tested, &of_a, size, &args.image)?);
+            let b = estimate(b, image_of(&mut reference, &of_b, size, &args.reference)?);
+            Some(capwalk::compare(&a, &b))
+        }
         _ => None,
     };
 
     let mut written = Vec::new();
-    if !args.output.output.is_empty() {
-        let files = Files::new(&args.output.output, "", &[])?;
+    if let Some(files) = &files {
         let mut result = LayeredImage::default();
         result.push("difference", difference.clone());
         let limit = image::robust_limit([&difference]);
@@ -98,6 +116,49 @@ pub fn run(args: &Compare) -> Result<Outcome> {
         console::print(&text)?;
     }
     Ok(comparison.as_ref().map_or(Outcome::Done, verdicts::outcome))
+}
+
+/// Width and height of a layer, or an error that names those that there are.
+fn layer_size(file: &mut ImageFile, layer: &str, path: &Path) -> Result<[usize; 2]> {
+    let size = file.size(layer)?;
+    size.with_context(|| {
+        let known = listed(&file.names());
+        format!(
+            "{}: there is no layer \"{layer}\"; there are {known}",
+            path.display()
+        )
+    })
+}
+
+/// A layer, which has this size.
+fn image_of(file: &mut ImageFile, layer: &str, size: [usize; 2], path: &Path) -> Result<Image> {
+    let found = layer_size(file, layer, path)?;
+    ensure!(
+        found == size,
+        "{}: the layer \"{layer}\" has {} x {} pixels; expected {} x {}",
+        path.display(),
+        found[0],
+        found[1],
+        size[0],
+        size[1]
+    );
+    let image = file.image(layer)?;
+    image.with_context(|| format!("{}: \"{layer}\" is gone", path.display()))
+}
+
+/// The layer with the standard errors of another one: `stderr` for what the file is about,
+/// `<name>_stderr` for what comes with it.
+fn errors_layer(file: &ImageFile, layer: &str) -> Option<String> {
+    let names = file.names();
+    let about = match names.contains(&GRADIENT) {
+        true => GRADIENT,
+        false => VALUE,
+    };
+    let errors = match layer == about {
+        true => "stderr".to_owned(),
+        false => format!("{layer}_stderr"),
+    };
+    names.contains(&errors.as_str()).then_some(errors)
 }
 
 /// How far images are apart, over all channels of the finite pixels.

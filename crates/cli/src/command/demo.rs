@@ -55,13 +55,13 @@ pub fn run(args: &Demo) -> Result<Outcome> {
         size: Some(args.size.unwrap_or(SIZE)),
         ..SceneArgs::default()
     };
-    let prepared = source::load(&scene_args)?;
+    let (prepared, read) = source::load(&scene_args)?;
     let parameter = builtin::default_parameter(SCENE).expect("it is built in");
     let scene = prepared.scene();
     let tangent = prepared.registry().tangent(scene, parameter)?;
     let file = |what: &str| {
         let stem = args.output.join(format!("{SCENE}{what}"));
-        Files::new(&[], &stem.display().to_string(), &["exr", "png"])
+        Files::new(&[], &stem.display().to_string(), &["exr", "png"], &read)
     };
     let [image_files, gradient_files, check_files] =
         [file("")?, file("-gradient")?, file("-check")?];

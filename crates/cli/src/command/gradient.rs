@@ -18,16 +18,16 @@ pub fn run(
         device,
     }: &GradientOn,
 ) -> Result<Outcome> {
-    let prepared = source::load(&args.scene)?;
+    let (prepared, mut read) = source::load(&args.scene)?;
     let scene = prepared.scene();
-    let tangent = direction::tangent(&prepared, &args.tangent)?;
+    let tangent = direction::tangent(&prepared, &args.tangent, &mut read)?;
     let options = RenderOptions {
         adaptive: args.adaptive,
         ..source::options(&args.sampling, scene)
     };
     memory::check(scene, Need::Gradient)?;
     let stem = format!("{}-gradient", source::stem(&args.scene));
-    let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
+    let files = Files::new(&args.output.output, &stem, &["exr", "png"], &read)?;
 
     let mut way = Way::new(args, options, || prepared.fine_difference_step(&tangent))?;
     let progress = Progress::new("gradient", progress::left_of(args.sampling.time_limit));

@@ -10,6 +10,7 @@ use capwalk::scene::{
     Bsdf, Emitter, EmitterId, Filter, Integrator, Pattern, SamplerKind, Scene, SensorModel,
     ShadingNormals, TextureId,
 };
+use capwalk::text::cut;
 use capwalk::{Refusal, bounds};
 use serde_json::{Value, json};
 
@@ -18,7 +19,7 @@ use crate::diagnostics::Outcome;
 use crate::{console, report, source};
 
 pub fn run(args: &Info) -> Result<Outcome> {
-    let prepared = source::load(&args.scene)?;
+    let (prepared, _) = source::load(&args.scene)?;
     let scene = prepared.scene();
     let registry = prepared.registry();
     let (parameters, arrays) = (registry.scalars(scene), registry.arrays());
@@ -364,9 +365,15 @@ fn flags(differentiable: bool, moves_discontinuities: bool) -> &'static str {
     }
 }
 
-/// Indented lines with their columns aligned to the left.
+/// Indented lines with their columns aligned to the left. Cells that are too long are cut.
 fn table<'a>(lines: impl Iterator<Item = Line<'a>>) -> String {
-    let rows: Vec<Line> = lines.collect();
+    let short = |cell: Cow<'a, str>| match cut(&cell) {
+        Cow::Owned(beginning) => beginning.into(),
+        Cow::Borrowed(_) => cell,
+    };
+    let rows: Vec<Line> = lines
+        .map(|[name, flags, value, what]| [short(name), flags, short(value), what])
+        .collect();
     let width = |c: usize| rows.iter().map(|r| r[c].chars().count()).max().unwrap_or(0);
     let [a, b, c] = [width(0), width(1), width(2)];
     let mut text = String::new();

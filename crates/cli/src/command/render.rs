@@ -12,7 +12,7 @@ use crate::progress::{self, Progress};
 use crate::{console, report, source};
 
 pub fn run(args: &Render) -> Result<Outcome> {
-    let prepared = source::load(&args.scene)?;
+    let (prepared, read) = source::load(&args.scene)?;
     let scene = prepared.scene();
     let options = RenderOptions {
         adaptive: args.adaptive,
@@ -20,7 +20,7 @@ pub fn run(args: &Render) -> Result<Outcome> {
     };
     memory::check(scene, Need::Image)?;
     let stem = source::stem(&args.scene);
-    let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
+    let files = Files::new(&args.output.output, &stem, &["exr", "png"], &read)?;
 
     let progress = Progress::new("render", progress::left_of(args.sampling.time_limit));
     let found = prepared.render_on(args.device.into(), &options, &progress)?;

@@ -18,7 +18,7 @@ pub fn run(args: &Scenes) -> Result<Outcome> {
     for scene in chosen {
         let file = folder.join(format!("{}.xml", scene.name));
         let made = builtin::scene(scene.name).expect("it is listed");
-        let file = capwalk::scene_io::export::write_scene(&made, &file)
+        let file = capwalk::scene_io::export::write_new_scene(&made, &file)
             .with_context(|| format!("cannot export the scene \"{}\"", scene.name))?;
         written.push(file.display().to_string());
     }

@@ -219,3 +219,131 @@ fn motions_that_cancel() {
     let message = String::from_utf8(output.stderr).expect("text");
     assert_has(&message, &["nothing changes"]);
 }
+
+/// Headers are read before pixels: the size is wrong, whatever else is.
+#[test]
+fn images_of_another_size_are_not_unpacked() {
+    let capwalk = Capwalk::new("damaged_images");
+    capwalk.run("render leaf --size 9x9 --spp 2 -o wrong.npz");
+    capwalk.run("render leaf --size 8x6 --spp 2 -o other.npz");
+    let mut bytes = capwalk.bytes("wrong.npz");
+    // Among the numbers of the first layer.
+    bytes[300..308].fill(0xff);
+    std::fs::write(capwalk.path("wrong.npz"), &bytes).expect("writable");
+    let backward = "backward leaf --size 8x6 --spp 2 -p leaf.translate.x";
+    for command in [
+        format!("{backward} --adjoint wrong.npz"),
+        format!("{backward} --loss l2 --target wrong.npz"),
+    ] {
+        let message = capwalk.error(&command);
+        assert_has(&message, &["wrong.npz", "9 x 9 pixels; expected 8 x 6"]);
+    }
+    let message = capwalk.error("compare wrong.npz other.npz");
+    assert_has(&message, &["9 x 9 and 8 x 6"]);
+    // Where it would be used, the damage is found.
+    let message = capwalk.error("compare wrong.npz wrong.npz");
+    assert_has(&message, &["wrong.npz", "\"value\" is damaged"]);
+}
+
+/// Coefficients that are finite add up to what is not.
+#[test]
+fn infinite_coefficients_are_refused() {
+    let capwalk = Capwalk::new("infinite_coefficients");
+    capwalk.run("render leaf --size 8x6 --spp 2 -o a.npz");
+    let sum = "1e308*leaf.translate.x+1e308*leaf.translate.x";
+    let product = "1e200*1e200*leaf.translate.x";
+    let options = "--size 8x6 --spp 2";
+    for expression in [sum, product] {
+        for command in [
+            format!("gradient leaf {options} -p {expression}"),
+            format!("check leaf {options} -p {expression}"),
+            format!("backward leaf {options} --adjoint a.npz -p {expression}"),
+            format!("render leaf {options} --set {expression}=0.1"),
+        ] {
+            let message = capwalk.error(&command);
+            assert_has(&message, &[expression, "add up to an infinite velocity"]);
+        }
+        capwalk.write(
+            "job.toml",
+            &format!(
+                "scene = \"leaf\"\nsize = [8, 6]\niterations = 1\nspp = 2\n\
+                 target = {{ set = {{ \"leaf.translate.x\" = 0.1 }}, spp = 2 }}\n\
+                 parameter = [{{ name = \"{expression}\" }}]\noptimizer = {{ lr = 0.1 }}\n"
+            ),
+        );
+        let message = capwalk.error("optimize job.toml");
+        assert_has(&message, &["job.toml:6:", "add up to an infinite velocity"]);
+    }
+}
+
+/// One sample with these numbers would never end.
+#[test]
+fn endless_samples_are_refused() {
+    let capwalk = Capwalk::new("endless_samples");
+    let scene = |integrator: &str| {
+        format!(
+            "<scene version=\"3.0.0\">\n{integrator}</integrator><sensor type=\"perspective\"/>\
+             <emitter type=\"constant\"/><shape type=\"cube\"/></scene>"
+        )
+    };
+    let integer = |name: &str, value: u32| format!("<integer name=\"{name}\" value=\"{value}\"/>");
+    for name in ["emitter_samples", "bsdf_samples", "shading_samples"] {
+        let count = integer(name, 2_000_000_000);
+        capwalk.write(
+            "direct.xml",
+            &scene(&format!("<integrator type=\"direct\">{count}")),
+        );
+        let message = capwalk.error("render direct.xml --size 8x6 --spp 1");
+        assert_has(&message, &["direct.xml:2:", name, "from 0 to 4096"]);
+    }
+    let depth = integer("rr_depth", 1_000_000);
+    capwalk.write(
+        "path.xml",
+        &scene(&format!("<integrator type=\"path\">{depth}")),
+    );
+    let message = capwalk.error("render path.xml --size 8x6 --spp 1");
+    assert_has(
+        &message,
+        &["path.xml:2:", "\"rr_depth\" is 1000000", "max_depth"],
+    );
+    let ended = format!("{depth}{}", integer("max_depth", 3));
+    capwalk.write(
+        "path.xml",
+        &scene(&format!("<integrator type=\"path\">{ended}")),
+    );
+    capwalk.json("render path.xml --size 8x6 --spp 1 --json");
+}
+
+/// Names that no table has room for.
+#[test]
+fn long_names_are_refused_or_cut() {
+    let capwalk = Capwalk::new("long_names");
+    let scene = |id: &str| {
+        format!(
+            "<scene version=\"3.0.0\"><integrator type=\"path\"/><sensor type=\"perspective\"/>\
+             <emitter type=\"constant\"/>\n<shape type=\"cube\" id=\"{id}\"/></scene>"
+        )
+    };
+    capwalk.write("long.xml", &scene(&"x".repeat(70_000)));
+    let message = capwalk.error("info long.xml");
+    assert_has(
+        &message,
+        &["long.xml:2:", "has 70000 characters", "at most 1000"],
+    );
+    assert!(message.len() < 2000, "{message}");
+    // Names of other files are as long as these have them.
+    let ply = format!(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+         property float z\nproperty float {}_r\nelement face 1\n\
+         property list uchar int vertex_indices\nend_header\n\
+         0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n",
+        "y".repeat(900)
+    );
+    capwalk.write("mesh.ply", &ply);
+    let file = "<string name=\"filename\" value=\"mesh.ply\"/></shape></scene>";
+    let mesh = scene("mesh").replace("type=\"cube\"", "type=\"ply\"");
+    capwalk.write("mesh.xml", &mesh.replace("/></scene>", &format!(">{file}")));
+    let finished = capwalk.run("info mesh.xml --all");
+    assert_eq!(finished.status, 0, "{}", finished.stderr);
+    assert_has(&finished.stdout, &["yyyy…"]);
+}

@@ -11,11 +11,13 @@ mod demo;
 #[cfg(feature = "gpu")]
 mod device;
 mod help;
+mod hostile;
 mod images;
 mod methods;
 mod missing;
 mod one_sided;
 mod optimize;
+mod overwriting;
 mod scenes;
 mod settings;
 mod stopping;

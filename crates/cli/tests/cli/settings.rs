@@ -107,6 +107,20 @@ fn what_cannot_be_set() {
             "expected 3, or one for all of them",
         ),
         ("leaf.scale=0", "cannot be 0; expected a scale above 0"),
+        (
+            "leaf.translate.x=1e200",
+            "cannot be 1e200; expected a distance of at most 1e30",
+        ),
+        (
+            "leaf.rotate.x=1e300",
+            "\"leaf.rotate.x\" cannot be 1e300; expected an angle of at most 1e6 radians",
+        ),
+        (
+            "sensor.rotate.y=1e300",
+            "expected an angle of at most 1e6 radians",
+        ),
+        ("sensor.translate.x=1e200", "sensor.to_world is"),
+        ("leaf.positions[0,1]=1e200", "vertex 0 has the position"),
         ("leaf.scale=1e-320", "leaf.to_world is [[1e-320, 0.0, 0.0, "),
         ("leaf.positions=0", "all vertices of a shape"),
         ("leaff.translate.x=0.1", "did you mean"),

@@ -13,7 +13,7 @@ use capwalk_scene::{Gradient, Scene, SensorVectors, ShapeId, Tangent};
 use super::error::{ApplyError, VariableError};
 use super::kind::{Map, Variable, turn};
 use super::overlap;
-use super::pose::{self, Pose, left_jacobian};
+use super::pose::{Pose, left_jacobian};
 
 /// All variables of a problem. Their unknowns stand one variable after the other.
 #[derive(Clone, Debug)]
@@ -74,19 +74,17 @@ impl Variables {
     pub fn apply(&self, base: &Scene, values: &[f64]) -> Result<Scene, ApplyError> {
         let mut line = Tangent::zero(base);
         for (variable, range) in self.iter() {
+            if let Some((value, limit)) = variable.map.refused(&values[range.clone()]) {
+                let name = variable.name.clone();
+                return Err(ApplyError::Pose { name, value, limit });
+            }
             match &variable.map {
                 Map::Line { tangent, from } => {
                     line.add(&tangent.scaled(values[range.start] - from));
                 }
                 Map::Vertices(vertices) => line.add(&vertices.push(base, &values[range])),
                 Map::Turn { axes } => line.add(&turn(base, axes, &values[range])),
-                Map::Pose { parts, .. } => {
-                    if let Some(value) = pose::refused(parts, &values[range]) {
-                        let name = variable.name.clone();
-                        return Err(ApplyError::Scale { name, value });
-                    }
-                }
-                Map::Array(_) => {}
+                Map::Pose { .. } | Map::Array(_) => {}
             }
         }
         let mut scene = base.moved(&line, 1.0);

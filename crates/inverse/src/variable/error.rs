@@ -3,6 +3,8 @@
 use capwalk_scene::SceneError;
 use capwalk_scene::params::ParameterError;
 
+use super::pose::PoseLimit;
+
 /// Why there is no variable with this specification, or no set of them.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -22,7 +24,7 @@ pub enum VariableError {
         option: &'static str,
     },
     /// It would be, or start, where it cannot.
-    #[error("\"{name}\" cannot be {value}; expected {expected}")]
+    #[error("\"{name}\" cannot be {}; expected {expected}", shown(*value))]
     Start {
         /// What was asked for.
         name: String,
@@ -162,17 +164,28 @@ pub enum ApplyError {
     /// An array does not take them.
     #[error(transparent)]
     Array(#[from] ParameterError),
-    /// A shape would have no size, or be inside out.
-    #[error(
-        "\"{name}\" would be {value}; expected a scale above 0, which `reparam = \"log\"` keeps it"
-    )]
-    Scale {
-        /// What the user called the scale.
+    /// A shape would have no size, be inside out or out of reach, or turn without meaning.
+    #[error("\"{name}\" would be {}; expected {limit}{}", shown(*value), match limit {
+        PoseLimit::Scale => ", which `reparam = \"log\"` keeps above 0",
+        PoseLimit::Angle | PoseLimit::Distance => "",
+    })]
+    Pose {
+        /// What the user called the number.
         name: String,
         /// What it would be.
         value: f64,
+        /// What it is beyond.
+        limit: PoseLimit,
     },
     /// The scene that they make cannot be rendered.
     #[error(transparent)]
     Scene(#[from] SceneError),
+}
+
+/// A number as it would be typed: large ones in powers of ten.
+fn shown(value: f64) -> String {
+    match value.abs() < 1e15 {
+        true => value.to_string(),
+        false => format!("{value:e}"),
+    }
 }

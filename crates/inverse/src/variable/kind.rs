@@ -5,7 +5,7 @@ use std::ops::Range;
 use capwalk_scene::params::ArrayParameter;
 use capwalk_scene::{Scene, Tangent};
 
-use super::pose::PoseComponent;
+use super::pose::{PoseComponent, PoseLimit};
 use super::reparameterization::Reparameterization;
 use super::vertices::Vertices;
 
@@ -42,6 +42,24 @@ pub(crate) enum Map {
     },
     /// Numbers of the vector about which the sensor turns, from this axis on.
     Turn { axes: Range<usize> },
+}
+
+impl Map {
+    /// The first of the values that makes no scene, and which limit it is beyond.
+    pub fn refused(&self, values: &[f64]) -> Option<(f64, PoseLimit)> {
+        let refused = |parts: &[PoseComponent]| {
+            let mut pairs = parts.iter().zip(values);
+            pairs.find_map(|(part, &value)| Some((value, part.exceeded(value)?)))
+        };
+        match self {
+            Self::Pose { parts, .. } => refused(parts),
+            Self::Turn { axes } => {
+                let parts: Vec<_> = axes.clone().map(PoseComponent::Rotate).collect();
+                refused(&parts)
+            }
+            Self::Array(_) | Self::Line { .. } | Self::Vertices(_) => None,
+        }
+    }
 }
 
 /// A turn of the sensor about a vector, of which some numbers are given.

@@ -2,6 +2,9 @@
 //! `p = c + t + s R(r) (p₀ - c)`. `R(r)` turns about the vector `r` by its length
 //! in radians, so that a single number of it is a turn about a world axis.
 
+use std::fmt;
+
+use capwalk_geometry::mesh::LARGEST_COORDINATE;
 use capwalk_math::{Affine, Vec3};
 use capwalk_scene::{ShadingNormals, Shape, ShapeVectors, vertex_normals};
 
@@ -16,14 +19,37 @@ pub enum PoseComponent {
     Scale,
 }
 
-/// The first of the values that makes no pose: a scale of 0 flattens a shape to a point,
-/// and one below turns it inside out.
-pub(crate) fn refused(parts: &[PoseComponent], values: &[f64]) -> Option<f64> {
-    let mut pairs = parts.iter().zip(values);
-    let no_size = |(part, value): &(&PoseComponent, &f64)| {
-        matches!(part, PoseComponent::Scale) && **value <= 0.0
-    };
-    pairs.find(no_size).map(|(_, &value)| value)
+/// What a number of a pose can be at most.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PoseLimit {
+    /// A scale of 0 flattens a shape to a point, and one below turns it inside out.
+    Scale,
+    /// Of an angle whose sine means something.
+    Angle,
+    /// Of a distance over which areas stay finite.
+    Distance,
+}
+
+impl fmt::Display for PoseLimit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Scale => write!(f, "a scale above 0, of at most {LARGEST_COORDINATE:e}"),
+            Self::Angle => write!(f, "an angle of at most {:e} radians", Affine::LARGEST_ANGLE),
+            Self::Distance => write!(f, "a distance of at most {LARGEST_COORDINATE:e}"),
+        }
+    }
+}
+
+impl PoseComponent {
+    /// The limit that the value is beyond.
+    pub(crate) fn exceeded(self, value: f64) -> Option<PoseLimit> {
+        let (limit, is_within) = match self {
+            Self::Translate(_) => (PoseLimit::Distance, value.abs() <= LARGEST_COORDINATE),
+            Self::Rotate(_) => (PoseLimit::Angle, value.abs() <= Affine::LARGEST_ANGLE),
+            Self::Scale => (PoseLimit::Scale, value > 0.0 && value <= LARGEST_COORDINATE),
+        };
+        (!is_within).then_some(limit)
+    }
 }
 
 /// A pose.

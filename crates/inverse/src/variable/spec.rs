@@ -6,7 +6,7 @@ use capwalk_scene::{Scene, SensorVectors, Tangent};
 
 use super::error::VariableError;
 use super::kind::{Map, Variable};
-use super::pose::{self, PoseComponent};
+use super::pose::PoseComponent;
 use super::reparameterization::Reparameterization;
 use super::vertices::{Directions, Selection, Vertices};
 use crate::smooth::Smoother;
@@ -81,13 +81,11 @@ pub fn variable(
             expected,
         });
     }
-    if let Map::Pose { parts, .. } = &map
-        && let Some(value) = pose::refused(parts, &initial)
-    {
+    if let Some((value, limit)) = map.refused(&initial) {
         return Err(VariableError::Start {
             name: name(),
             value,
-            expected: "a scale above 0".into(),
+            expected: limit.to_string(),
         });
     }
     Ok(Variable {
@@ -290,6 +288,7 @@ fn start(spec: &VariableSpec, rest: Vec<f64>) -> Result<Vec<f64>, VariableError>
 mod tests {
     use super::*;
     use crate::variable::ApplyError;
+    use crate::variable::pose::PoseLimit;
     use crate::variable::tests::{ball, refused, spec, variables};
 
     /// `x.value[0]` and `x.value.r` are the same number: what it is, its bounds, and
@@ -342,6 +341,31 @@ mod tests {
         assert_eq!(variables(&scene, &[sum]).initial(), [2.0]);
     }
 
+    /// What a file could not say is refused by the name of what was to have it.
+    #[test]
+    fn poses_have_limits() {
+        let scene = ball();
+        for (name, value, expected) in [
+            ("ball.translate.x", 1e200, "a distance of at most 1e30"),
+            ("ball.translate", -1e31, "a distance of at most 1e30"),
+            ("ball.rotate.x", 1e300, "an angle of at most 1e6 radians"),
+            ("sensor.rotate.y", -1e7, "an angle of at most 1e6 radians"),
+            ("ball.scale", 1e200, "a scale above 0, of at most 1e30"),
+        ] {
+            let start = VariableSpec {
+                start: Some(vec![value]),
+                ..spec(name)
+            };
+            refused(&[start], expected);
+            // Nor does an optimisation go there.
+            let variables = variables(&scene, &[spec(name)]);
+            let values = vec![value; variables.count()];
+            let error = variables.apply(&scene, &values).expect_err(name);
+            let text = error.to_string();
+            assert!(text.contains(name) && text.contains(expected), "{text}");
+        }
+    }
+
     /// A shape does not pass through its centre.
     #[test]
     fn scales_stay_above_0() {
@@ -357,9 +381,10 @@ mod tests {
         assert!(variables.apply(&scene, &[0.1]).is_ok());
         for value in [0.0, -0.1] {
             let error = variables.apply(&scene, &[value]).expect_err("no size");
-            let expected = ApplyError::Scale {
+            let expected = ApplyError::Pose {
                 name: "ball.scale".into(),
                 value,
+                limit: PoseLimit::Scale,
             };
             assert_eq!(error, expected);
         }

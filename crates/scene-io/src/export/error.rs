@@ -15,6 +15,11 @@ pub enum ExportError {
         /// The error of the operating system.
         error: io::Error,
     },
+    /// Another file is there, which was not to be replaced.
+    InTheWay {
+        /// The file.
+        path: PathBuf,
+    },
     /// A bitmap cannot be encoded.
     Encode {
         /// The file that it was meant for.
@@ -28,7 +33,7 @@ impl ExportError {
     /// The file or directory that could not be written.
     pub fn file(&self) -> &Path {
         match self {
-            Self::Write { path, .. } | Self::Encode { path, .. } => path,
+            Self::Write { path, .. } | Self::InTheWay { path } | Self::Encode { path, .. } => path,
         }
     }
 }
@@ -38,6 +43,10 @@ impl fmt::Display for ExportError {
         write!(f, "cannot write {}: ", self.file().display())?;
         match self {
             Self::Write { error, .. } => write!(f, "{error}"),
+            Self::InTheWay { .. } => write!(
+                f,
+                "it already exists with other contents; delete it, or choose another folder"
+            ),
             Self::Encode { reason, .. } => write!(f, "{reason}"),
         }
     }
@@ -47,7 +56,7 @@ impl std::error::Error for ExportError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
             Self::Write { error, .. } => Some(error),
-            Self::Encode { .. } => None,
+            Self::InTheWay { .. } | Self::Encode { .. } => None,
         }
     }
 }

@@ -1,19 +1,23 @@
 //! Images in NPZ files.
 
-use std::io::{Cursor, Read};
+use std::io::{Cursor, Read, Seek};
 
 use capwalk_math::Rgb;
 use capwalk_scene::Image;
-use npyz::{DType, NpyFile, Order, TypeChar};
-use zip::{ZipArchive, ZipWriter};
+use npyz::{DType, TypeChar};
+use zip::ZipWriter;
 
 use super::layered::{Layer, LayeredImage};
-use crate::archive::{add_array, add_pairs, open, pairs};
+use super::pixels::collect_pixels;
+use crate::archive::{Archive, Member, add_array, add_pairs, floats};
 
 /// The array of sample counts.
 const SAMPLES: &str = "samples";
 /// The array of keys and values.
 const METADATA: &str = "metadata";
+
+/// The most bytes that the list of an image's layers has: room for thousands of them.
+const LONGEST_LIST: u64 = 1 << 20;
 
 /// The bytes of an NPZ file.
 pub(super) fn encode(
@@ -36,72 +40,108 @@ pub(super) fn encode(
     Ok(bytes.into_inner())
 }
 
-/// The layers in an NPZ file: arrays of shape `(height, width,
-/// 3)`, or `(height, width)` for grey ones, of 4 or 8 byte floats.
-pub(super) fn decode(bytes: &[u8]) -> Result<LayeredImage, String> {
-    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| error.to_string())?;
-    let mut layered = LayeredImage::default();
-    for i in 0..archive.len() {
-        let (name, array) = open(&mut archive, i)?;
-        let in_array = |error: std::io::Error| format!("the array \"{name}\": {error}");
-        let holds = |kind| match array.dtype() {
-            DType::Plain(t) => t.type_char() == kind,
-            _ => false,
-        };
-        match name.as_str() {
-            SAMPLES if holds(TypeChar::Uint) => {
-                layered.samples = Some(array.into_vec().map_err(in_array)?);
-            }
-            METADATA if holds(TypeChar::UnicodeStr) => {
-                layered.metadata = pairs(array).map_err(in_array)?;
-            }
-            _ => {
-                let image = image(array).map_err(|why| format!("the array \"{name}\" {why}"))?;
-                layered.push(&name, image);
-            }
-        }
-    }
-    Ok(layered)
+/// An NPZ file of which the list of arrays was read. Layers are arrays of shape `(height,
+/// width, 3)`, or `(height, width)` for grey ones, of 4 or 8 byte floats.
+pub(super) struct NpzFile<R> {
+    archive: Archive<R>,
+    /// Names of layers, and which arrays they are.
+    layers: Vec<(String, usize)>,
+    samples: Option<usize>,
+    metadata: Option<usize>,
 }
 
-fn image(array: NpyFile<impl Read>) -> Result<Image, String> {
-    let (height, width, channels) = match *array.shape() {
-        [height, width] | [height, width, 1] => (height, width, 1),
-        [height, width, 3] => (height, width, 3),
-        ref shape => {
-            return Err(format!(
-                "has the shape {shape:?}; expected (height, width, 3), (height, width, 1) or \
-                 (height, width)"
-            ));
+impl<R: Read + Seek> NpzFile<R> {
+    /// Reads the list of arrays.
+    pub fn open(source: R) -> Result<Self, String> {
+        let mut archive = Archive::open(source, LONGEST_LIST)?;
+        let names = archive.names().to_vec();
+        let mut holds = |index: usize, kind: TypeChar| {
+            archive.peek(index, |array| {
+                let dtype = array.dtype();
+                Ok(matches!(dtype, DType::Plain(t) if t.type_char() == kind))
+            })
+        };
+        let (mut layers, mut samples, mut metadata) = (Vec::new(), None, None);
+        for (index, name) in names.into_iter().enumerate() {
+            match name.as_str() {
+                SAMPLES if holds(index, TypeChar::Uint)? => samples = Some(index),
+                METADATA if holds(index, TypeChar::UnicodeStr)? => metadata = Some(index),
+                _ => layers.push((name, index)),
+            }
         }
-    };
-    if array.order() != Order::C {
-        return Err("is stored column by column; expected row by row (C order)".into());
+        if let Some(index) = metadata {
+            archive.check_pairs(index)?;
+        }
+        Ok(Self {
+            archive,
+            layers,
+            samples,
+            metadata,
+        })
     }
-    let dtype = array.dtype();
-    let values: Vec<f64> = match &dtype {
-        DType::Plain(t) if t.type_char() == TypeChar::Float && t.size_field() == 4 => {
-            let singles: Vec<f32> = array.into_vec().map_err(|error| error.to_string())?;
-            singles.into_iter().map(f64::from).collect()
-        }
-        DType::Plain(t) if t.type_char() == TypeChar::Float && t.size_field() == 8 => {
-            array.into_vec().map_err(|error| error.to_string())?
-        }
-        other => {
-            let descr = other.descr();
-            return Err(format!("has the type {descr}; expected float32 or float64"));
-        }
-    };
-    let pixels = match channels {
-        1 => values.into_iter().map(Rgb::splat).collect(),
-        _ => values
-            .chunks_exact(3)
-            .map(|c| Rgb::new(c[0], c[1], c[2]))
-            .collect(),
-    };
-    Ok(Image {
-        width: width as usize,
-        height: height as usize,
-        pixels,
-    })
+
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.layers.iter().map(|(name, _)| name.as_str())
+    }
+
+    /// Width and height of a layer.
+    pub fn size(&mut self, layer: usize) -> Result<[usize; 2], String> {
+        let index = self.layers[layer].1;
+        self.archive.peek(index, |array| Ok(shape(array)?.0))
+    }
+
+    pub fn image(&mut self, layer: usize) -> Result<Image, String> {
+        let index = self.layers[layer].1;
+        self.archive.read(index, |array| {
+            let (size, channels) = shape(&array)?;
+            let mut numbers = floats(array, &["float32", "float64"])?;
+            let next = || {
+                numbers
+                    .next()
+                    .unwrap_or_else(|| Err("ends too early".into()))
+            };
+            collect_pixels(size, next, |next| match channels {
+                1 => Ok(Rgb::splat(next()?)),
+                _ => Ok(Rgb::new(next()?, next()?, next()?)),
+            })
+        })
+    }
+
+    /// Samples of each pixel, of which there are so many.
+    pub fn samples(&mut self, pixels: usize) -> Result<Option<Vec<u32>>, String> {
+        let Some(index) = self.samples else {
+            return Ok(None);
+        };
+        let counts = self.archive.read(index, |array| {
+            if array.len() != pixels as u64 {
+                let shape = array.shape();
+                return Err(format!(
+                    "has the shape {shape:?}; expected a count for each of {pixels} pixels"
+                ));
+            }
+            let counts: std::io::Result<Vec<u32>> = array.into_vec();
+            counts.map_err(|error| format!("cannot be read: {error}"))
+        });
+        counts.map(Some)
+    }
+
+    pub fn metadata(&mut self) -> Result<Vec<(String, String)>, String> {
+        self.metadata
+            .map_or(Ok(Vec::new()), |index| self.archive.pairs(index))
+    }
+}
+
+/// Width and height of an array, and how many channels it has.
+fn shape<R>(array: &Member<R>) -> Result<([usize; 2], usize), String>
+where
+    R: Read,
+{
+    match *array.shape() {
+        [height, width] | [height, width, 1] => Ok(([width as usize, height as usize], 1)),
+        [height, width, 3] => Ok(([width as usize, height as usize], 3)),
+        ref shape => Err(format!(
+            "has the shape {shape:?}; expected (height, width, 3), (height, width, 1) or \
+             (height, width)"
+        )),
+    }
 }

@@ -1,6 +1,7 @@
 //! Integrators: `direct`, `path`, and `aov` for one AOV. Others of Mitsuba are read as the one
 //! that makes the same image.
 
+use capwalk_scene::settings::{MOST_SAMPLES, MOST_SEGMENTS};
 use capwalk_scene::{Aov, Integrator};
 
 use crate::fields::{Context, Fields};
@@ -113,7 +114,7 @@ const SETTINGS_OF_DERIVATIVES: [&str; 13] = [
     "sppp",
 ];
 
-/// More samples or segments than this are a slip of the pen.
+/// More segments than this are a slip of the pen.
 const MOST: i64 = i32::MAX as i64;
 
 /// Integrators inside each other, at most.
@@ -232,9 +233,10 @@ fn of_derivatives(fields: &Fields, meaning: &str) -> Result<Integrator, Problem>
 }
 
 fn direct(fields: &Fields) -> Result<Integrator, Problem> {
-    let shading = fields.integer("shading_samples", 0..=MOST)?;
-    let emitter = fields.integer("emitter_samples", 0..=MOST)?;
-    let bsdf = fields.integer("bsdf_samples", 0..=MOST)?;
+    let most = i64::from(MOST_SAMPLES);
+    let shading = fields.integer("shading_samples", 0..=most)?;
+    let emitter = fields.integer("emitter_samples", 0..=most)?;
+    let bsdf = fields.integer("bsdf_samples", 0..=most)?;
     if shading.is_some() && (emitter.is_some() || bsdf.is_some()) {
         return Err(Problem::invalid(
             fields.span_of("shading_samples"),
@@ -285,6 +287,15 @@ fn path(fields: &Fields, default_depth: i64) -> Result<Integrator, Problem> {
     let max_depth = fields.integer("max_depth", -1..=MOST)?;
     let max_depth = max_depth.unwrap_or(default_depth);
     let rr_depth = fields.integer("rr_depth", 1..=MOST)?.unwrap_or(5);
+    let is_long = |depth: i64| depth < 0 || depth > MOST_SEGMENTS.into();
+    if is_long(max_depth) && is_long(rr_depth) {
+        let message = format!("\"rr_depth\" is {rr_depth}: paths need not end before");
+        return Err(
+            Problem::invalid(fields.span_of("rr_depth"), message).help(format!(
+                "expected at most {MOST_SEGMENTS}, or a max_depth of at most that"
+            )),
+        );
+    }
     Ok(Integrator::Path {
         max_depth: u32::try_from(max_depth).ok(),
         rr_depth: rr_depth as u32,

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::lowering::Lowering;
 use crate::fields::Fields;
-use crate::files::{find_file, read_file};
+use crate::files::find_file;
 use crate::mesh::{GltfChoice, GltfName, MeshFile, read_gltf, read_obj, read_ply, read_serialized};
 use crate::node::PropertyValue;
 use crate::problem::Problem;
@@ -64,7 +64,7 @@ impl Lowering<'_> {
                 };
                 let beside = |name: &str| {
                     let path = path.parent().unwrap_or(Path::new("")).join(name);
-                    read_file(&path).map_err(|error| error.to_string())
+                    self.context.read(&path).map_err(|error| error.to_string())
                 };
                 read_gltf(&bytes, &choice, want_normals, &beside)
             }
@@ -106,7 +106,7 @@ impl Lowering<'_> {
         let path = find_file(filename, &directories).map_err(|error| {
             Problem::unreadable(span, error).help("give the file relative to the scene file")
         })?;
-        let bytes = read_file(&path).map_err(|error| {
+        let bytes = self.context.read(&path).map_err(|error| {
             let shown = path.display();
             Problem::unreadable(span, format!("cannot read \"{shown}\": {error}"))
                 .help("give a file that can be read")

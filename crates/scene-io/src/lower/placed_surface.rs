@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
+use capwalk_geometry::mesh::LARGEST_COORDINATE;
 use capwalk_math::Affine;
 
 use super::surface::Surface;
 use crate::fields::Fields;
-use crate::mesh::{FileAttribute, LARGEST_COORDINATE};
+use crate::mesh::FileAttribute;
 use crate::problem::Problem;
 
 /// A shape before it has its material, as its plugin makes it.

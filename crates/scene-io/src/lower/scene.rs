@@ -131,7 +131,7 @@ impl Lowering<'_> {
         let shows_light = !matches!(integrator, Integrator::Aov(_));
         if shows_light && self.emitters.is_empty() {
             let message = "the scene has no emitter; the image will be black";
-            self.context.warn(root, message);
+            self.context.warn_about_light(root, message);
         }
         let scene = Scene {
             shapes: self.shapes.into_iter().map(Arc::new).collect(),

@@ -1,6 +1,7 @@
 //! What all readers of mesh files give back, and the checks they share.
 
 use capwalk_geometry::Mesh;
+use capwalk_geometry::mesh::{LARGEST_COORDINATE, is_within_reach};
 use capwalk_math::Vec3;
 
 use super::error::{MeshFileError, MeshPlace};
@@ -54,9 +55,6 @@ pub(super) fn fan(corners: &[u32]) -> impl Iterator<Item = [u32; 3]> + '_ {
     pairs.map(|pair| [corners[0], pair[0], pair[1]])
 }
 
-/// The largest coordinate that is read: squares of areas must still be finite.
-pub(crate) const LARGEST_COORDINATE: f64 = 1e30;
-
 /// The position itself if it is finite and not too large. `place` says where
 /// the vertex stands.
 pub(super) fn finite_position(
@@ -64,9 +62,8 @@ pub(super) fn finite_position(
     vertex: usize,
     place: &dyn Fn() -> MeshPlace,
 ) -> Result<Vec3, MeshFileError> {
-    let largest = p.x.abs().max(p.y.abs()).max(p.z.abs());
     let help = match p.is_finite() {
-        true if largest <= LARGEST_COORDINATE => return Ok(p),
+        true if is_within_reach(p) => return Ok(p),
         true => format!("expected coordinates up to {LARGEST_COORDINATE:e}"),
         false => "expected finite coordinates".to_owned(),
     };

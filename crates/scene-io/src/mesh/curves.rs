@@ -1,10 +1,11 @@
 //! Curves as Mitsuba reads them: a line of text for each control point, `x y z radius`, and
 //! empty lines between curves.
 
+use capwalk_geometry::mesh::LARGEST_COORDINATE;
 use capwalk_math::Vec3;
 use capwalk_scene::primitive::ControlPoint;
 
-use super::checked::{LARGEST_COORDINATE, finite_position};
+use super::checked::finite_position;
 use super::error::{MeshFileError, MeshPlace};
 
 /// The curves in the bytes of a file, each with `least` control points or more, in the

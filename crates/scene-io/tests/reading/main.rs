@@ -2,6 +2,7 @@
 //! ones. The texts of messages are part of the program: they must name the
 //! place, what is wrong, and what to do.
 
+mod archives;
 mod attacks;
 mod camera;
 mod common;

@@ -29,6 +29,11 @@ pub enum ParameterError {
         /// What stands there.
         text: String,
     },
+    /// Coefficients or velocities add up to what is no number.
+    NotFinite {
+        /// What was asked for.
+        what: String,
+    },
     /// Two things of the scene have the same name.
     Ambiguous {
         /// The name.
@@ -140,6 +145,11 @@ impl fmt::Display for ParameterError {
                 f,
                 "\"{text}\" stands before `*`; expected a finite number, as in \
                  `0.5*ball.translate.x`"
+            ),
+            Self::NotFinite { what } => write!(
+                f,
+                "{what} add up to an infinite velocity; expected numbers whose sums and products \
+                 are finite"
             ),
             Self::Ambiguous { name } => write!(
                 f,

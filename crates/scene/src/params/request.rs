@@ -19,6 +19,18 @@ pub enum Request {
     Tangent(Tangent),
 }
 
+/// An error if something would move or change infinitely fast: numbers that are finite can add up
+/// to that. `what` moves so.
+pub fn check_finite(
+    tangent: &Tangent,
+    what: impl FnOnce() -> String,
+) -> Result<(), ParameterError> {
+    match tangent.numbers().all(f64::is_finite) {
+        true => Ok(()),
+        false => Err(ParameterError::NotFinite { what: what() }),
+    }
+}
+
 impl Registry {
     /// The motion of `scene` that an expression means: a parameter's name, or several
     /// with factors. See [the table](crate::params).
@@ -38,6 +50,7 @@ impl Registry {
                 }
             }
         }
+        check_finite(&tangent, || format!("the parameters in \"{expression}\""))?;
         Ok(tangent)
     }
 
