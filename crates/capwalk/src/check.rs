@@ -1,5 +1,8 @@
 //! A gradient against finite differences.
 
+#[cfg(test)]
+mod verdicts;
+
 use capwalk_diff::GradientImage;
 use capwalk_diff::check::{
     Comparison, Verdict, compare, compare_with_differences, without_rounding,

@@ -252,6 +252,23 @@ impl Prepared {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<Check, Error> {
+        let again = |options: &GradientOptions| {
+            let work = self.gradient_work(tangent, options)?;
+            comparable(work.whole(watch)?, &work, watch)
+        };
+        self.checked_with(gradient, tangent, reference, options, &again, watch)
+    }
+
+    /// The same, where further gradients come from `again`.
+    pub(crate) fn checked_with(
+        &self,
+        gradient: GradientImage,
+        tangent: &Tangent,
+        reference: Reference,
+        options: &GradientOptions,
+        again: &dyn Fn(&GradientOptions) -> Result<GradientImage, Error>,
+        watch: &dyn Watch,
+    ) -> Result<Check, Error> {
         let method = options.method;
         let made = self.reference(&gradient, tangent, reference, method, watch)?;
         let mut check = Check::new(gradient, made, self.coplanar_shapes(tangent));
@@ -262,12 +279,10 @@ impl Prepared {
             check = check.with_next_reference(made);
         }
         let check = check.decided();
-        let Some(again) = check.second_gradient(options) else {
-            return Ok(check);
-        };
-        let work = self.gradient_work(tangent, &again)?;
-        let gradient = comparable(work.whole(watch)?, &work, watch)?;
-        Ok(check.with_second_gradient(gradient))
+        match check.second_gradient(options) {
+            None => Ok(check),
+            Some(options) => Ok(check.with_second_gradient(again(&options)?)),
+        }
     }
 
     /// A reference, and how it was made: with as many samples as fit the noise of both, unless so
