@@ -34,6 +34,9 @@ const NEXT_SEED: u64 = 0xb7e1_5162_8aed_2a6a;
 /// Makes those of the second gradient independent of all these.
 const SECOND_GRADIENT_SEED: u64 = 0x6a09_e667_f3bc_c908;
 
+/// Makes those of the reference that the second gradient is compared with independent of all these.
+const CONFIRMATION_SEED: u64 = 0x3c6e_f372_fe94_f82b;
+
 /// How many of the worst pixels are shown.
 const SHOWN_PIXELS: usize = 4;
 
@@ -161,7 +164,8 @@ pub struct Check {
     /// How the reference was made.
     pub made: Reference,
     /// How many references were made: 2 if the first contradicted the gradient or left a doubt of
-    /// it, up to 4 if they contradicted each other as well. This is the one that decided.
+    /// it, up to 4 if they contradicted each other as well; one more if all of them and a second
+    /// gradient called it wrong. This is the one that decided.
     pub references: u32,
     /// Samples of all of them.
     pub reference_samples: u64,
@@ -334,7 +338,7 @@ impl Check {
 
     /// What remains of a contradiction beside a second gradient: if that is not contradicted, and
     /// no doubt of it is left, the first is not called wrong.
-    pub(crate) fn with_second_gradient(self, gradient: GradientImage) -> Self {
+    pub(crate) fn with_second_gradient(self, gradient: &GradientImage) -> Self {
         if !gradient.statistics.complete {
             return self.not_called_wrong(f64::from(SECOND_FACTOR), |reason| {
                 format!(
@@ -344,18 +348,59 @@ impl Check {
             });
         }
         let made = (self.made, self.reference.clone());
-        let again = Self::new(gradient, made, Vec::new());
-        if again.contradiction().is_some() {
-            return self;
+        let again = Self::new(gradient.clone(), made, Vec::new());
+        match again.contradiction() {
+            Some(_) => self,
+            None => self.not_confirmed(&again, "a second gradient with more samples does"),
         }
+    }
+
+    /// How to make the reference that the second gradient is compared with, if that is contradicted
+    /// as well: with more samples than all before and other random numbers. The references before
+    /// were looked at until they agreed, and may all have met too few rare events.
+    pub(crate) fn confirmation(&self) -> Option<Reference> {
+        matches!(self.rest(), Verdict::Wrong { .. }).then(|| Reference {
+            spp: self.made.spp.saturating_mul(SECOND_FACTOR),
+            fits_noise: false,
+            seed: self.made.seed ^ CONFIRMATION_SEED,
+            ..self.made
+        })
+    }
+
+    /// What remains of a contradiction beside a second gradient and a reference of its own: these
+    /// share no random number with all before, and must call the gradient wrong by themselves.
+    pub(crate) fn with_confirmation(
+        self,
+        gradient: GradientImage,
+        (made, image): (Reference, GradientImage),
+    ) -> Self {
+        let samples = self.reference_samples + image.statistics.samples;
+        let counted = Self {
+            references: self.references + 1,
+            reference_samples: samples,
+            ..self
+        };
+        if !image.statistics.complete {
+            return counted.unconfirmed();
+        }
+        let again = Self::new(gradient, (made, image), Vec::new());
+        match again.rest() {
+            Verdict::Wrong { .. } => counted,
+            _ => counted.not_confirmed(&again, "a second gradient and another reference do"),
+        }
+    }
+
+    /// A doubt in the place of "wrong", which another comparison with four times the samples does not
+    /// confirm; what does not is given in words.
+    fn not_confirmed(self, again: &Self, without: &str) -> Self {
         let needed = match again.rest() {
             Verdict::Inconclusive { samples_factor, .. } => samples_factor.max(1.0),
             _ => 1.0,
         };
         self.not_called_wrong(needed * f64::from(SECOND_FACTOR), |reason| {
             format!(
-                "{reason}, which a second gradient with more samples does not confirm: where few \
-                 rare events were met, errors are too small"
+                "{reason}, which {without} not confirm: where few rare events were met, errors are \
+                 too small"
             )
         })
     }
@@ -733,7 +778,7 @@ mod tests {
         assert_eq!(again.spp, 4 * options.spp);
         assert_ne!(again.seed, options.seed);
         assert!(twice_right().second_gradient(&options).is_none());
-        let of = |gradient| both().with_second_gradient(gradient).comparison.verdict;
+        let of = |gradient| both().with_second_gradient(&gradient).comparison.verdict;
         assert!(matches!(of(waves(8, 1.0, 0.0, 0.1)), Verdict::Wrong { .. }));
         match of(waves(8, 1.3, 0.0, 0.1)) {
             Verdict::Inconclusive { doubt, .. } => {

@@ -243,7 +243,7 @@ impl Prepared {
     /// decide, with more samples, and over a part of the step unless one was asked for. A gradient is
     /// called wrong only by two references that do not contradict each other. Its errors may be too
     /// small, too: it is called wrong only if another estimate of it, with more samples, is
-    /// contradicted as well.
+    /// contradicted as well, and called wrong beside a reference of its own.
     pub fn checked(
         &self,
         gradient: GradientImage,
@@ -279,10 +279,16 @@ impl Prepared {
             check = check.with_next_reference(made);
         }
         let check = check.decided();
-        match check.second_gradient(options) {
-            None => Ok(check),
-            Some(options) => Ok(check.with_second_gradient(again(&options)?)),
-        }
+        let Some(more) = check.second_gradient(options) else {
+            return Ok(check);
+        };
+        let second = again(&more)?;
+        let check = check.with_second_gradient(&second);
+        let Some(confirmation) = check.confirmation() else {
+            return Ok(check);
+        };
+        let made = self.reference(&second, tangent, confirmation, method, watch)?;
+        Ok(check.with_confirmation(second, made))
     }
 
     /// A reference, and how it was made: with as many samples as fit the noise of both, unless so

@@ -23,10 +23,13 @@ const SPP: [u32; 6] = [8, 12, 16, 24, 32, 64];
 const SIZE: [u32; 2] = [12, 12];
 
 /// Of so many checks, one is made of a gradient that is wrong, too.
-const WRONG_EVERY: u64 = 3;
+const WRONG_EVERY: u64 = 4;
 
 /// By what a wrong gradient is too large.
 const WRONG_BY: f64 = 1.1;
+
+/// Of so many right gradients one may be called wrong.
+const TOLERATED_ONCE_IN: u64 = 3000;
 
 fn folders() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/scenes")
@@ -73,82 +76,166 @@ impl Random {
     }
 }
 
-/// A thing above a floor in some light, as a file, and the parameter that changes. Rectangles with
-/// holes are frequent, low above the floor and nearly parallel to it: few rays pass between.
-fn random_scene(random: &mut Random) -> (String, &'static str) {
-    let shape = random.of(&["leaf", "leaf", "leaf", "rectangle", "cube", "disk", "sphere"]);
-    let size = random.between(0.1, 0.8);
-    let angle = random.of(&[&1.0, &3.0, &5.0, &10.0, &20.0, &60.0]);
-    // Above the floor in any case.
-    let height = size * (1.8 * f64::sin(f64::to_radians(*angle)) + 0.02)
-        + match shape {
-            "cube" | "sphere" => 1.8 * size,
-            _ => 0.0,
+/// A thing above a floor in some light.
+struct Sketch {
+    /// The thing: `leaf` is a rectangle with holes.
+    shape: &'static str,
+    /// Half its width, world units.
+    size: f64,
+    /// Between it and the floor, degrees.
+    angle: f64,
+    /// Of its middle above the floor, world units.
+    height: f64,
+    /// Of the camera above the floor, world units.
+    eye: &'static str,
+    /// Degrees.
+    fov: &'static str,
+    /// `sky`, `lamp` or `bulb`.
+    light: &'static str,
+    /// Half the width of the lamp, world units.
+    lamp: f64,
+    /// Of the thing: `diffuse` or `metal`.
+    material: &'static str,
+    /// How the opacities of the leaf are looked up.
+    texels: &'static str,
+    depth: &'static str,
+    filter: &'static str,
+    albedo: &'static str,
+}
+
+/// A rectangle with holes, low above the floor and seen nearly edge-on: few samples of the
+/// differences meet what makes the derivative with respect to its size. With 24 samples a fourth
+/// of the checks once said "wrong", though the errors of the gradient were right.
+const LOW: Sketch = Sketch {
+    shape: "leaf",
+    size: 0.5,
+    angle: 20.0,
+    height: 0.5,
+    eye: "0.1",
+    fov: "15",
+    light: "lamp",
+    lamp: 0.3,
+    material: "diffuse",
+    texels: "bilinear",
+    depth: "3",
+    filter: "tent",
+    albedo: "0.7",
+};
+
+impl Sketch {
+    /// Rectangles with holes are frequent, low above the floor and nearly parallel to it.
+    fn random(random: &mut Random) -> Self {
+        let shape = random.of(&[
+            "leaf",
+            "leaf",
+            "leaf",
+            "rectangle",
+            "cube",
+            "disk",
+            "sphere",
+        ]);
+        let size = random.between(0.1, 0.8);
+        let angle = *random.of(&[&1.0, &3.0, &5.0, &10.0, &20.0, &60.0]);
+        // It does not reach the floor.
+        let reach = match shape {
+            "cube" | "sphere" => 3.0,
+            _ => 1.8 * f64::sin(f64::to_radians(angle)),
+        };
+        Self {
+            shape,
+            size,
+            angle,
+            height: size * (reach + 0.02) + random.between(0.0, 0.8).powi(3),
+            eye: random.of(&["0.1", "0.33", "1.01", "2.5"]),
+            fov: random.of(&["15", "34", "60"]),
+            light: random.of(&["sky", "lamp", "lamp", "bulb"]),
+            lamp: random.between(0.1, 1.0),
+            material: random.of(&["diffuse", "diffuse", "metal"]),
+            texels: random.of(&["bilinear", "nearest"]),
+            depth: random.of(&["2", "3", "4"]),
+            filter: random.of(&["tent", "box", "gaussian"]),
+            albedo: random.of(&["0.05", "0.7"]),
         }
-        + random.between(0.0, 0.5).powi(3);
-    let plain = "<bsdf type=\"twosided\"><bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"0.3, 0.6, 0.2\"/></bsdf></bsdf>";
-    let metal = "<bsdf type=\"twosided\"><bsdf type=\"roughconductor\"><float name=\"alpha\" value=\"0.3\"/></bsdf></bsdf>";
-    let bsdf = match shape {
-        "leaf" => {
-            let filter = random.of(&["bilinear", "nearest"]);
-            let file = folders().join("mask_textured_leaf/leaf.png");
-            format!(
-                "<bsdf type=\"mask\"><texture type=\"bitmap\" name=\"opacity\"><string name=\"filename\" value=\"{}\"/>\
-                 <boolean name=\"raw\" value=\"true\"/><string name=\"filter_type\" value=\"{filter}\"/></texture>{plain}</bsdf>",
-                file.display()
-            )
+    }
+
+    /// As a scene file.
+    fn scene(&self) -> String {
+        let nested = match self.material {
+            "metal" => r#"<bsdf type="roughconductor"><float name="alpha" value="0.3"/></bsdf>"#,
+            _ => r#"<bsdf type="diffuse"><rgb name="reflectance" value="0.3, 0.6, 0.2"/></bsdf>"#,
+        };
+        let nested = format!(r#"<bsdf type="twosided">{nested}</bsdf>"#);
+        let (kind, bsdf) = match self.shape {
+            "leaf" => {
+                let file = folders().join("mask_textured_leaf/leaf.png");
+                let mask = format!(
+                    r#"<bsdf type="mask"><texture type="bitmap" name="opacity">
+<string name="filename" value="{}"/><boolean name="raw" value="true"/>
+<string name="filter_type" value="{}"/></texture>{nested}</bsdf>"#,
+                    file.display(),
+                    self.texels
+                );
+                ("rectangle", mask)
+            }
+            other => (other, nested),
+        };
+        let emitter = match self.light {
+            "sky" => {
+                r#"<emitter type="constant"><rgb name="radiance" value="0.8, 0.9, 1"/></emitter>"#
+                    .into()
+            }
+            "lamp" => format!(
+                r#"<shape type="rectangle" id="lamp"><transform name="to_world"><rotate x="1" angle="180"/>
+<scale value="{}"/><translate x="0.8" y="0.5" z="3"/></transform>
+<emitter type="area"><rgb name="radiance" value="20"/></emitter></shape>"#,
+                self.lamp
+            ),
+            _ => r#"<emitter type="point" id="bulb"><point name="position" x="0.8" y="0.5" z="3"/>
+<rgb name="intensity" value="10"/></emitter>"#
+                .into(),
+        };
+        let Self {
+            size,
+            angle,
+            height,
+            eye,
+            fov,
+            depth,
+            filter,
+            albedo,
+            ..
+        } = self;
+        format!(
+            r#"<scene version="3.0.0">
+<integrator type="path"><integer name="max_depth" value="{depth}"/></integrator>
+<sensor type="perspective"><float name="fov" value="{fov}"/><transform name="to_world">
+<lookat origin="0.3, -2, {eye}" target="0, 0.1, {height}" up="0.1, 0.2, 1"/></transform>
+<film type="hdrfilm"><rfilter type="{filter}"/></film></sensor>
+<shape type="rectangle" id="floor"><transform name="to_world"><scale value="4"/></transform>
+<bsdf type="diffuse"><rgb name="reflectance" value="{albedo}"/></bsdf></shape>
+<shape type="{kind}" id="thing"><transform name="to_world"><scale value="{size}"/>
+<rotate x="1" angle="{angle}"/><rotate z="1" angle="30"/>
+<translate x="0" y="0.1" z="{height}"/></transform>{bsdf}</shape>{emitter}</scene>"#
+        )
+    }
+
+    /// One of its parameters.
+    fn parameter(&self, random: &mut Random) -> &'static str {
+        match (random.next(), self.light) {
+            (..0.1, _) => "sensor.translate.x",
+            (..0.2, "lamp") => "lamp.translate.x",
+            (..0.2, "bulb") => "bulb.translate.y",
+            (..0.25, _) => "floor.bsdf.reflectance.value",
+            _ => random.of(&[
+                "thing.translate.x",
+                "thing.translate.y",
+                "thing.translate.z",
+                "thing.rotate.x",
+                "thing.rotate.z",
+                "thing.scale",
+            ]),
         }
-        _ => random.of(&[plain, plain, metal]).into(),
-    };
-    let light = random.of(&["sky", "lamp", "lamp", "bulb"]);
-    let emitter = match light {
-        "sky" => "<emitter type=\"constant\"><rgb name=\"radiance\" value=\"0.8, 0.9, 1\"/></emitter>".into(),
-        "lamp" => format!(
-            "<shape type=\"rectangle\" id=\"lamp\"><transform name=\"to_world\"><rotate x=\"1\" angle=\"180\"/>\
-             <scale value=\"{}\"/><translate x=\"0.8\" y=\"0.5\" z=\"3\"/></transform>\
-             <emitter type=\"area\"><rgb name=\"radiance\" value=\"20\"/></emitter></shape>",
-            random.between(0.1, 1.0)
-        ),
-        _ => "<emitter type=\"point\" id=\"bulb\"><point name=\"position\" x=\"0.8\" y=\"0.5\" z=\"3\"/>\
-              <rgb name=\"intensity\" value=\"10\"/></emitter>"
-            .into(),
-    };
-    let kind = match shape {
-        "leaf" => "rectangle",
-        other => other,
-    };
-    let scene = format!(
-        "<scene version=\"3.0.0\"><integrator type=\"path\"><integer name=\"max_depth\" value=\"{depth}\"/></integrator>\
-         <sensor type=\"perspective\"><float name=\"fov\" value=\"{fov}\"/><transform name=\"to_world\">\
-         <lookat origin=\"0.3, -2, {eye}\" target=\"0, 0.1, {height}\" up=\"0.1, 0.2, 1\"/></transform>\
-         <film type=\"hdrfilm\"><rfilter type=\"{filter}\"/></film></sensor>\
-         <shape type=\"rectangle\" id=\"floor\"><transform name=\"to_world\"><scale value=\"4\"/></transform>\
-         <bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"{albedo}\"/></bsdf></shape>\
-         <shape type=\"{kind}\" id=\"thing\"><transform name=\"to_world\"><scale value=\"{size}\"/>\
-         <rotate x=\"1\" angle=\"{angle}\"/><rotate z=\"1\" angle=\"30\"/>\
-         <translate x=\"0\" y=\"0.1\" z=\"{height}\"/></transform>{bsdf}</shape>{emitter}</scene>",
-        depth = random.of(&["2", "3", "4"]),
-        fov = random.of(&["15", "34", "60"]),
-        eye = random.of(&["0.17", "0.33", "1.01", "2.5"]),
-        filter = random.of(&["tent", "box", "gaussian"]),
-        albedo = random.of(&["0.05", "0.7"]),
-    );
-    let of_thing = [
-        "thing.translate.x",
-        "thing.translate.y",
-        "thing.translate.z",
-        "thing.rotate.x",
-        "thing.rotate.z",
-        "thing.scale",
-    ];
-    let parameter = match (random.next(), light) {
-        (..0.1, _) => "sensor.translate.x",
-        (..0.2, "lamp") => "lamp.translate.x",
-        (..0.2, "bulb") => "bulb.translate.y",
-        (..0.25, _) => "floor.bsdf.reflectance.value",
-        _ => random.of(&of_thing),
-    };
-    (scene, parameter)
+    }
 }
 
 /// What was said, by what it was said of.
@@ -185,7 +272,14 @@ fn check(prepared: &Prepared, parameter: &str, options: &CheckOptions, factor: f
         Ok(image)
     };
     let first = gradient(&options.gradient).unwrap();
-    let check = prepared.checked_with(first, &tangent, reference, &options.gradient, &gradient, &Unwatched);
+    let check = prepared.checked_with(
+        first,
+        &tangent,
+        reference,
+        &options.gradient,
+        &gradient,
+        &Unwatched,
+    );
     check.unwrap()
 }
 
@@ -194,28 +288,38 @@ fn right_gradients_are_not_called_wrong() {
     let variable = |name: &str| std::env::var(name).ok().and_then(|text| text.parse().ok());
     let first: u64 = variable("CAPWALK_VERDICTS_FROM").unwrap_or(0);
     let count: u64 = variable("CAPWALK_VERDICTS").unwrap_or(FEW);
-    let only: Option<f64> = variable("CAPWALK_VERDICTS_FACTOR").map(|x: u64| x as f64 / 100.0);
+    let every: u64 = variable("CAPWALK_VERDICTS_EVERY").unwrap_or(1);
     let phenomena = phenomena();
     let folder = std::env::temp_dir().join(format!("capwalk-verdicts-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
     let mut tallies: BTreeMap<&str, Tally> = BTreeMap::new();
-    for number in first..first + count {
-        let mut random = Random(number);
-        let (path, parameter) = match number % 3 {
-            0 => {
-                let (scene, parameter) = random_scene(&mut random);
-                let path = folder.join("scene.xml");
-                std::fs::write(&path, scene).unwrap();
-                (path, parameter.to_owned())
+    for number in (first..).step_by(every as usize).take(count as usize) {
+        let random = &mut Random(number);
+        let sketched = |sketch: Sketch| {
+            let path = folder.join("scene.xml");
+            std::fs::write(&path, sketch.scene()).unwrap();
+            path
+        };
+        let mut spp = *random.of(&SPP.each_ref());
+        let (of, path, parameter) = match number % 12 {
+            7 => {
+                spp = 24;
+                ("low".into(), sketched(LOW), "thing.scale".into())
+            }
+            0 | 3 | 6 | 9 => {
+                let sketch = Sketch::random(random);
+                let parameter = sketch.parameter(random).to_owned();
+                ("random".into(), sketched(sketch), parameter)
             }
             _ => {
                 let i = random.next() * phenomena.len() as f64;
-                phenomena[i as usize].clone()
+                let (path, parameter) = phenomena[i as usize].clone();
+                let name = path.parent().and_then(Path::file_name).unwrap();
+                (name.to_string_lossy().into_owned(), path, parameter)
             }
         };
         let scene = Loader::new(&path).size(SIZE).load().unwrap().scene;
         let prepared = Prepared::new(scene).unwrap();
-        let spp = *random.of(&SPP.each_ref());
         let gradient = GradientOptions::new(RenderOptions {
             adaptive: true,
             ..RenderOptions::new(spp, number)
@@ -228,19 +332,30 @@ fn right_gradients_are_not_called_wrong() {
             let check = check(&prepared, &parameter, &options, factor);
             let verdict = &check.comparison.verdict;
             tallies.entry(name).or_default().count(verdict);
-            let place = path.parent().and_then(Path::file_name).unwrap().display();
-            println!("{number} {name} {place} {parameter} {spp}: {} {verdict:?}", check.references);
+            println!(
+                "{number} {name} {of} {parameter} {spp}: {} {verdict:?}",
+                check.references
+            );
         };
-        if only.is_none_or(|only| only == 1.0) {
-            say("right", 1.0);
-        }
-        if number % WRONG_EVERY == 0 && only != Some(1.0) {
+        say("right", 1.0);
+        if number % WRONG_EVERY == 0 {
             say("wrong", WRONG_BY);
         }
     }
     std::fs::remove_dir_all(&folder).unwrap();
     for (name, tally) in &tallies {
-        let Tally { right, inconclusive, wrong } = tally;
+        let Tally {
+            right,
+            inconclusive,
+            wrong,
+        } = tally;
         println!("TOTAL {name}: {right} right, {inconclusive} inconclusive, {wrong} wrong");
     }
+    let of_right = &tallies["right"];
+    let most = 1 + count / TOLERATED_ONCE_IN;
+    assert!(
+        u64::from(of_right.wrong) <= most,
+        "{} wrong",
+        of_right.wrong
+    );
 }

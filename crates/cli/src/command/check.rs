@@ -108,7 +108,8 @@ fn reference_text(check: &Check) -> String {
         1 => "",
         2 => " (one of two references)",
         3 => " (one of three references)",
-        _ => " (one of four references)",
+        4 => " (one of four references)",
+        _ => " (one of five references)",
     };
     format!("{}{of}", check.made.describe())
 }
