@@ -1,8 +1,5 @@
 //! A gradient against finite differences.
 
-#[cfg(test)]
-mod verdicts;
-
 use capwalk_diff::GradientImage;
 use capwalk_diff::check::{
     Comparison, Verdict, compare, compare_with_differences, without_rounding,
@@ -10,8 +7,9 @@ use capwalk_diff::check::{
 use capwalk_diff::{GradientOptions, Missing, Stencil};
 use capwalk_scene::{Scene, Tangent};
 
+use crate::edge_on::EdgeOnFace;
 use crate::error::Error;
-use crate::options::{DifferenceOptions, check_spp, check_step};
+use crate::options::{self, DifferenceOptions, check_spp};
 use crate::text::{count, list, number, plus_minus, significant};
 
 /// Samples of the reference for each one of the gradient, before the noise of both is known:
@@ -40,7 +38,7 @@ const CONFIRMATION_SEED: u64 = 0x3c6e_f372_fe94_f82b;
 /// How many of the worst pixels are shown.
 const SHOWN_PIXELS: usize = 4;
 
-/// Pairs of shapes that are named, at most.
+/// Pairs of shapes, and faces, that are named, at most.
 const SHOWN_PAIRS: usize = 5;
 
 /// How a gradient is checked.
@@ -74,12 +72,11 @@ impl CheckOptions {
             ..
         } = self.gradient;
         let fits_scene = self.step.is_none();
-        let step = self.step.unwrap_or_else(step);
+        let step = options::step(self.step, step)?;
         let spp = self
             .reference_spp
             .unwrap_or(spp.saturating_mul(REFERENCE_FACTOR));
         check_spp("reference_spp", spp)?;
-        check_step(step)?;
         Ok(Reference {
             spp,
             fits_noise: self.reference_spp.is_none(),
@@ -172,6 +169,9 @@ pub struct Check {
     /// Shapes that lie on each other and move against each other, see
     /// [`Prepared::coplanar_shapes`](crate::Prepared::coplanar_shapes).
     pub coplanar: Vec<[String; 2]>,
+    /// Faces that the camera sees edge-on and moves against, see
+    /// [`Prepared::edge_on_faces`](crate::Prepared::edge_on_faces).
+    pub edge_on: Vec<EdgeOnFace>,
     /// True as long as no other reference agrees with this one: if this one speaks against the
     /// gradient, others may change the verdict.
     is_open: bool,
@@ -200,6 +200,7 @@ impl Check {
             reference,
             made,
             coplanar,
+            edge_on: Vec::new(),
         }
     }
 
@@ -555,6 +556,26 @@ pub fn coplanar_text(pairs: &[[String; 2]]) -> String {
     }
 }
 
+/// What is to be said about faces that the camera sees edge-on and moves against: a line, or nothing.
+pub fn edge_on_text(faces: &[EdgeOnFace]) -> String {
+    let names = faces.iter().take(SHOWN_PAIRS);
+    let names = names.map(|EdgeOnFace { shape, face }| format!("face {face} of \"{shape}\""));
+    let names: Vec<String> = names.collect();
+    let more = match faces.len().saturating_sub(SHOWN_PAIRS) {
+        0 => String::new(),
+        n => format!(" and {n} more faces"),
+    };
+    match faces {
+        [] => String::new(),
+        _ => format!(
+            "note: the camera sees {}{more} exactly edge-on, and moves against that: where it is seen \
+             the image has no derivative: one side of it comes into view to one side of the motion, the \
+             other to the other. Move the camera a little\n",
+            names.join(", ")
+        ),
+    }
+}
+
 /// The best factor from gradient to reference, or that none can be told.
 fn scale_factor(c: &Comparison) -> String {
     match c.knows_scale_factor() {
@@ -627,6 +648,8 @@ pub fn comparison_text(c: &Comparison) -> String {
 
 #[cfg(test)]
 mod tests {
+    mod verdicts;
+
     use super::*;
     use capwalk_diff::{Estimate, Statistics};
     use capwalk_math::Rgb;
@@ -787,6 +810,29 @@ mod tests {
             }
             verdict => panic!("{verdict:?}"),
         }
+        // A second gradient and a reference of its own must call it wrong by themselves.
+        let made = both().confirmation().expect("it is wrong");
+        assert_eq!((made.step, made.spp), (0.0025, 16000));
+        let confirmed = |gradient: GradientImage, image: &GradientImage| {
+            both().with_confirmation(gradient, (made, image.clone()))
+        };
+        let check = confirmed(waves(8, 1.0, 0.0, 0.1), &waves(9, 1.3, 0.0, 0.1));
+        assert!(matches!(check.rest(), Verdict::Wrong { .. }));
+        assert_eq!((check.references, check.made.step), (3, 0.0025));
+        assert_eq!(check.reference_samples, 3 * right.statistics.samples);
+        for (image, words) in [
+            (&right, "another reference do not confirm"),
+            (&noisy, "another reference do not confirm"),
+            (&cut, "no time"),
+        ] {
+            let check = confirmed(waves(8, 1.0, 0.0, 0.1), image);
+            let text = check.verdict(|_, _| String::new());
+            assert!(
+                text.starts_with("inconclusive") && text.contains(words),
+                "{text}"
+            );
+            assert!(check.confirmation().is_none());
+        }
         // Both are counted.
         let twice = checked_twice(MADE, &wrong, &right);
         assert_eq!((twice.references, twice.made.step), (2, 0.0025));
@@ -928,6 +974,26 @@ mod tests {
         assert!(sides(Stencil::Below).contains("over - 0.0100: on the other side"));
         assert!(sides(Stencil::Above).contains("over + 0.0100"));
         assert_eq!(sides(Stencil::Both), "central differences over ± 0.0100");
+    }
+
+    /// A few faces are named, the others counted.
+    #[test]
+    fn faces_that_are_seen_edge_on_are_named() {
+        let faces: Vec<EdgeOnFace> = (0..7)
+            .map(|face| EdgeOnFace {
+                shape: "card".into(),
+                face,
+            })
+            .collect();
+        assert_eq!(edge_on_text(&[]), "");
+        let text = edge_on_text(&faces[..1]);
+        let starts = "note: the camera sees face 0 of \"card\" exactly";
+        assert!(text.starts_with(starts) && text.ends_with('\n'), "{text}");
+        let text = edge_on_text(&faces);
+        assert!(
+            text.contains("face 4 of \"card\" and 2 more faces"),
+            "{text}"
+        );
     }
 
     /// A few pairs are named, the others counted.

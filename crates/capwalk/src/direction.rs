@@ -2,9 +2,8 @@
 
 use std::borrow::Cow;
 
-use capwalk_math::Vec3;
 use capwalk_scene::params::Registry;
-use capwalk_scene::{EmitterVectors, Scene, SensorVectors, Tangent};
+use capwalk_scene::{Scene, SensorVectors, Tangent};
 
 use crate::error::Error;
 
@@ -20,12 +19,8 @@ pub trait Direction {
 impl Direction for str {
     fn tangent(&self, scene: &Scene, registry: &Registry) -> Result<Cow<'_, Tangent>, Error> {
         let tangent = registry.tangent(scene, self)?;
-        match is_zero(&tangent) {
-            false => Ok(Cow::Owned(tangent)),
-            true => Err(Error::NothingMoves {
-                what: format!("the parameters in \"{self}\""),
-            }),
-        }
+        check(&tangent, || parameters(self))?;
+        Ok(Cow::Owned(tangent))
     }
 }
 
@@ -37,27 +32,54 @@ impl Direction for String {
 
 impl Direction for Tangent {
     fn tangent(&self, _: &Scene, _: &Registry) -> Result<Cow<'_, Tangent>, Error> {
-        match is_zero(self) {
-            false => Ok(Cow::Borrowed(self)),
-            true => Err(Error::NothingMoves {
-                what: "the parameters and velocities".into(),
-            }),
-        }
+        check(self, || "the parameters and velocities".into())?;
+        Ok(Cow::Borrowed(self))
     }
 }
 
-/// True if nothing moves or changes.
-pub(crate) fn is_zero(tangent: &Tangent) -> bool {
-    let mut shapes = tangent.shapes.iter().flatten();
-    let mut numbers = tangent.textures.iter().flatten().flatten();
-    let mut lights = tangent.emitters.iter();
-    tangent.sensor == SensorVectors::default()
-        && lights.all(|light| *light == EmitterVectors::default())
-        && numbers.all(|&v| v == 0.0)
-        && shapes.all(|shape| {
-            let mut velocities = shape.vertices.iter().chain(shape.normals.iter().flatten());
-            velocities.all(|&velocity| velocity == Vec3::zero())
-        })
+/// The velocities of numbers of a scene, per unit of the parameter, whose derivatives can be computed.
+/// Variances are their squares, and standard errors of variances the squares of these: the root of the
+/// root of the largest number is 1e77, and some room is left for what is not 1 in a scene.
+const RATES: std::ops::RangeInclusive<f64> = 1e-70..=1e70;
+
+/// What an expression is about, in words.
+pub(crate) fn parameters(expression: &str) -> String {
+    format!("the parameters in \"{expression}\"")
+}
+
+/// An error if nothing moves or changes, or so slowly or fast that its derivative is no number; with
+/// what moves.
+pub(crate) fn check(tangent: &Tangent, what: impl FnOnce() -> String) -> Result<(), Error> {
+    match largest(tangent) {
+        0.0 => Err(Error::NothingMoves { what: what() }),
+        rate if RATES.contains(&rate) => Ok(()),
+        rate => Err(Error::Unscaled { what: what(), rate }),
+    }
+}
+
+/// The largest velocity of a number; NaN if one is.
+fn largest(tangent: &Tangent) -> f64 {
+    let shapes = tangent.shapes.iter().flatten();
+    let of_shapes =
+        shapes.flat_map(|shape| shape.vertices.iter().chain(shape.normals.iter().flatten()));
+    let lights = tangent.emitters.iter();
+    let of_lights = lights.flat_map(|light| [light.translation, light.rotation]);
+    let SensorVectors {
+        translation,
+        rotation,
+        axes: [a, b, c],
+        optics,
+    } = tangent.sensor;
+    let of_sensor = [translation, rotation, a, b, c, optics];
+    let vectors = of_shapes.copied().chain(of_lights).chain(of_sensor);
+    let numbers = tangent.textures.iter().flatten().flatten().copied();
+    let all = vectors.flat_map(|v| [v.x, v.y, v.z]).chain(numbers);
+    all.fold(0.0, |largest: f64, x| {
+        match largest.is_nan() || x.is_nan() {
+            true => f64::NAN,
+            false => largest.max(x.abs()),
+        }
+    })
 }
 
 #[cfg(test)]
@@ -76,6 +98,35 @@ mod tests {
                 .expect_err("zero")
                 .to_string();
             assert!(error.contains("nothing changes"), "{error}");
+        }
+    }
+
+    /// Variances of derivatives that small or large are no numbers: they were called exact.
+    #[test]
+    fn factors_without_measure_are_refused() {
+        let scene = capwalk_scene::builtin::scene("ball").expect("built in");
+        let registry = Registry::new(&scene);
+        for factor in ["1e-300", "1e-90", "1e90", "1e300"] {
+            for name in [
+                "ball.translate.x",
+                "sensor.rotate.y",
+                "floor.bsdf.reflectance.value",
+            ] {
+                let expression = format!("{factor}*{name}");
+                let error = expression.tangent(&scene, &registry);
+                let error = error.expect_err("out of range").to_string();
+                assert!(
+                    error.contains(&expression) && error.contains("another factor"),
+                    "{error}"
+                );
+            }
+        }
+        for good in [
+            "1e-60*ball.scale",
+            "1e60*ball.scale",
+            "ball.scale + 1e-300*ball.translate.x",
+        ] {
+            assert!(good.tangent(&scene, &registry).is_ok(), "{good}");
         }
     }
 }

@@ -13,11 +13,12 @@ use crate::backward::{self, GradientNames, Gradients, GradientsWork};
 use crate::check::{Check, CheckOptions, Reference, SECOND_FACTOR};
 use crate::coplanar::coplanar;
 use crate::direction::Direction;
+use crate::edge_on::{EdgeOnFace, edge_on};
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::loss::{self, ImageLoss, Loss};
 use crate::method::OptionError;
-use crate::options::{DifferenceOptions, check_spp, check_step};
+use crate::options::{self, DifferenceOptions, check_spp};
 use crate::step::difference_step;
 
 /// A scene that is ready to be rendered and differentiated. It owns all that it needs
@@ -172,11 +173,8 @@ impl Prepared {
         watch: &dyn Watch,
     ) -> Result<GradientImage, Error> {
         let tangent = direction.tangent(self.scene(), self.registry())?;
-        let step = options
-            .step
-            .unwrap_or_else(|| self.fine_difference_step(&tangent));
         check_spp("spp", options.spp)?;
-        check_step(step)?;
+        let step = options::step(options.step, || self.fine_difference_step(&tangent))?;
         let differences = self.engine.differences(&tangent, step)?;
         Ok(differences.image(&options.sampling(), watch))
     }
@@ -202,6 +200,13 @@ impl Prepared {
         let name = |i: usize| self.scene().shapes[i].id.clone();
         let pairs = coplanar(self.scene(), tangent).into_iter();
         pairs.map(|pair| pair.map(name)).collect()
+    }
+
+    /// Faces in the image that the camera, which is in their planes, sees edge-on and moves against:
+    /// one side of them comes into view to one side of the motion and the other to the other, so the
+    /// image has other derivatives to one side than to the other.
+    pub fn edge_on_faces(&self, tangent: &Tangent) -> Vec<EdgeOnFace> {
+        edge_on(self.scene(), tangent)
     }
 
     /// A gradient and its reference by central differences, with a verdict.
@@ -278,7 +283,8 @@ impl Prepared {
             let made = self.reference(&check.gradient, tangent, next, method, watch)?;
             check = check.with_next_reference(made);
         }
-        let check = check.decided();
+        let mut check = check.decided();
+        check.edge_on = self.edge_on_faces(tangent);
         let Some(more) = check.second_gradient(options) else {
             return Ok(check);
         };
