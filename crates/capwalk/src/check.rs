@@ -7,6 +7,7 @@ use capwalk_diff::check::{
 use capwalk_diff::{GradientOptions, Missing, Stencil};
 use capwalk_scene::{Scene, Tangent};
 
+use crate::direction;
 use crate::edge_on::EdgeOnFace;
 use crate::error::Error;
 use crate::options::{self, DifferenceOptions, check_spp};
@@ -71,6 +72,7 @@ impl CheckOptions {
             adaptive,
             ..
         } = self.gradient;
+        direction::check(tangent, || direction::VELOCITIES.into())?;
         let fits_scene = self.step.is_none();
         let step = options::step(self.step, step)?;
         let spp = self

@@ -32,7 +32,7 @@ impl Direction for String {
 
 impl Direction for Tangent {
     fn tangent(&self, _: &Scene, _: &Registry) -> Result<Cow<'_, Tangent>, Error> {
-        check(self, || "the parameters and velocities".into())?;
+        check(self, || VELOCITIES.into())?;
         Ok(Cow::Borrowed(self))
     }
 }
@@ -41,6 +41,9 @@ impl Direction for Tangent {
 /// Variances are their squares, and standard errors of variances the squares of these: the root of the
 /// root of the largest number is 1e77, and some room is left for what is not 1 in a scene.
 const RATES: std::ops::RangeInclusive<f64> = 1e-70..=1e70;
+
+/// What a tangent without a name is about, in words.
+pub(crate) const VELOCITIES: &str = "the parameters and velocities";
 
 /// What an expression is about, in words.
 pub(crate) fn parameters(expression: &str) -> String {
