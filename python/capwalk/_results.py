@@ -181,6 +181,9 @@ class Check:
     coplanar: list[tuple[str, str]]
     """Shapes that have faces in one plane which overlap, and that move against each other: where
     that is seen, the image has no derivative."""
+    edge_on: list[tuple[str, int]]
+    """Faces, by shape and number, that the camera sees exactly edge-on and moves against: where
+    they are seen, the image has no derivative."""
     step: float
     """How far the parameter moved on each side."""
     sides: str
@@ -192,7 +195,8 @@ class Check:
     """Samples per pixel of the reference, on each side."""
     references: int
     """How many references were made: 2 if the first contradicted the gradient or left a doubt of
-    it, up to 4 if they contradicted each other as well. The one that decided is here."""
+    it, up to 4 if they contradicted each other as well; one more before it is called wrong. The one
+    that decided is here."""
     text: str
     """All of this in words, as the command line prints it."""
     statistics: Mapping[str, Any]

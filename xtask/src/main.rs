@@ -7,6 +7,7 @@
 //! | `package` | builds every crate from its package alone |
 //! | `bench` | the benchmarks |
 //! | `soak` | random scenes and damaged files, for a minute each |
+//! | `verdicts` | what `check` says of many gradients that are right, and of some made wrong |
 //! | `parity` | renders `tests/parity/*.xml` with Mitsuba too and compares, or makes golden images of them |
 //! | `kernels` | compiles the kernels of the GPU, which are checked in |
 //! | `gpu` | queries, images and gradients on the GPU: how many per second, and whether they agree with the processor |
@@ -27,6 +28,7 @@ mod shell;
 mod soak;
 mod test;
 mod tier;
+mod verdicts;
 mod virtual_environment;
 mod vulkan;
 
@@ -50,6 +52,8 @@ tasks:
   bench    the benchmarks (further arguments go to them)
   soak     read damaged files for a minute, then render and differentiate random
            scenes for a minute (further arguments: seconds of each, first seed)
+  verdicts check 3000 gradients that are right, with few samples, and a quarter of
+           them made wrong, too (further arguments: how many, the first, every which)
   parity   render tests/parity/*.xml with capwalk and with Mitsuba, and compare;
            with --golden, make the images of tests/parity/golden instead
            (needs python3 and PyPI; further arguments: scene names)
@@ -77,6 +81,7 @@ fn main() -> ExitCode {
         "layout" => layout::run(rest),
         "package" => package::run(true),
         "soak" => soak::run(rest),
+        "verdicts" => verdicts::run(rest),
         "parity" => parity::run(rest),
         "kernels" => kernels::run(),
         "gpu" => gpu::run(rest),

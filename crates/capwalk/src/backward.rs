@@ -10,7 +10,7 @@ use capwalk_diff::{
 use capwalk_scene::params::{ArrayParameter, ParameterError, Registry, Request};
 use capwalk_scene::{Image, Scene, Tangent};
 
-use crate::direction::is_zero;
+use crate::direction;
 use crate::engine::Engine;
 use crate::error::Error;
 
@@ -202,12 +202,8 @@ fn requests<N: AsRef<str>>(engine: &Engine, names: &[N]) -> Result<Vec<(String, 
     for name in names {
         let name = name.as_ref();
         let request = engine.registry().request(engine.scene(), name)?;
-        if let Request::Tangent(tangent) = &request
-            && is_zero(tangent)
-        {
-            return Err(Error::NothingMoves {
-                what: format!("the parameters in \"{name}\""),
-            });
+        if let Request::Tangent(tangent) = &request {
+            direction::check(tangent, || direction::parameters(name))?;
         }
         if !seen.insert(name) {
             return Err(Error::AskedTwice { name: name.into() });

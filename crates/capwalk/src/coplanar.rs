@@ -9,7 +9,7 @@ use capwalk_math::near_key::near_key;
 use capwalk_scene::{Mesh, Scene, Tangent};
 
 /// Part of the scene's size up to which planes may be the same: more than rounding.
-const SAME_PLANE: f64 = 1e-9;
+pub const SAME_PLANE: f64 = 1e-9;
 
 /// Part of the scene's size by which faces overlap that do not only touch.
 const OVERLAP: f64 = 1e-7;

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use capwalk_scene::params::{Registry, check_finite};
+use capwalk_scene::params::Registry;
 use capwalk_scene::{Scene, Tangent};
 
 use crate::error::Error;
@@ -25,12 +25,8 @@ pub trait Direction {
 impl Direction for str {
     fn tangent(&self, scene: &Scene, registry: &Registry) -> Result<Cow<'_, Tangent>, Error> {
         let tangent = registry.tangent(scene, self)?;
-        match is_zero(&tangent) {
-            false => Ok(Cow::Owned(tangent)),
-            true => Err(Error::NothingMoves {
-                what: format!("the parameters in \"{self}\""),
-            }),
-        }
+        check(&tangent, || parameters(self))?;
+        Ok(Cow::Owned(tangent))
     }
 
     fn name(&self) -> Option<&str> {
@@ -50,18 +46,42 @@ impl Direction for String {
 
 impl Direction for Tangent {
     fn tangent(&self, _: &Scene, _: &Registry) -> Result<Cow<'_, Tangent>, Error> {
-        let what = || "the parameters and velocities".into();
-        if is_zero(self) {
-            return Err(Error::NothingMoves { what: what() });
-        }
-        check_finite(self, what)?;
+        check(self, || VELOCITIES.into())?;
         Ok(Cow::Borrowed(self))
     }
 }
 
-/// True if nothing moves or changes.
-pub(crate) fn is_zero(tangent: &Tangent) -> bool {
-    tangent.numbers().all(|velocity| velocity == 0.0)
+/// The velocities of numbers of a scene, per unit of the parameter, whose derivatives can be computed.
+/// Variances are their squares, and standard errors of variances the squares of these: the root of the
+/// root of the largest number is 1e77, and some room is left for what is not 1 in a scene.
+const RATES: std::ops::RangeInclusive<f64> = 1e-70..=1e70;
+
+/// What a tangent without a name is about, in words.
+pub(crate) const VELOCITIES: &str = "the parameters and velocities";
+
+/// What an expression is about, in words.
+pub(crate) fn parameters(expression: &str) -> String {
+    format!("the parameters in \"{expression}\"")
+}
+
+/// An error if nothing moves or changes, or so slowly or fast that its derivative is no number; with
+/// what moves.
+pub(crate) fn check(tangent: &Tangent, what: impl FnOnce() -> String) -> Result<(), Error> {
+    match largest(tangent) {
+        0.0 => Err(Error::NothingMoves { what: what() }),
+        rate if RATES.contains(&rate) => Ok(()),
+        rate => Err(Error::Unscaled { what: what(), rate }),
+    }
+}
+
+/// The largest velocity of a number; NaN if one is.
+fn largest(tangent: &Tangent) -> f64 {
+    tangent
+        .numbers()
+        .fold(0.0, |largest: f64, x| match largest.is_nan() || x.is_nan() {
+            true => f64::NAN,
+            false => largest.max(x.abs()),
+        })
 }
 
 #[cfg(test)]
@@ -83,15 +103,32 @@ mod tests {
         }
     }
 
-    /// An infinite velocity makes no sample that could be counted as such.
+    /// Variances of derivatives that small or large are no numbers: they were called exact.
     #[test]
-    fn infinite_directions_are_refused() {
+    fn factors_without_measure_are_refused() {
         let scene = capwalk_scene::builtin::scene("ball").expect("built in");
         let registry = Registry::new(&scene);
-        let fast = registry.tangent(&scene, "1e308*ball.translate.x");
-        let mut sum = fast.expect("a number");
-        sum.add(&sum.clone());
-        let error = sum.tangent(&scene, &registry).expect_err("infinite");
-        assert!(error.to_string().contains("infinite velocity"), "{error}");
+        for factor in ["1e-300", "1e-90", "1e90", "1e300"] {
+            for name in [
+                "ball.translate.x",
+                "sensor.rotate.y",
+                "floor.bsdf.reflectance.value",
+            ] {
+                let expression = format!("{factor}*{name}");
+                let error = expression.tangent(&scene, &registry);
+                let error = error.expect_err("out of range").to_string();
+                assert!(
+                    error.contains(&expression) && error.contains("another factor"),
+                    "{error}"
+                );
+            }
+        }
+        for good in [
+            "1e-60*ball.scale",
+            "1e60*ball.scale",
+            "ball.scale + 1e-300*ball.translate.x",
+        ] {
+            assert!(good.tangent(&scene, &registry).is_ok(), "{good}");
+        }
     }
 }

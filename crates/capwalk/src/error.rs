@@ -123,6 +123,17 @@ pub enum Error {
         /// What was asked for, such as `the parameters in "a - a"`.
         what: String,
     },
+    /// Something changes so little or so much that squares of its derivative are no numbers.
+    #[error(
+        "{what} change numbers of the scene by at most {rate:e} for one unit, where 1e-70 to 1e70 \
+         have derivatives whose errors are numbers: use another factor"
+    )]
+    Unscaled {
+        /// What was asked for, such as `the parameters in "1e-300*a"`.
+        what: String,
+        /// The largest velocity of a number of the scene.
+        rate: f64,
+    },
     /// A name was asked for twice.
     #[error("the gradient with respect to \"{name}\" was asked for twice")]
     AskedTwice {

@@ -69,6 +69,7 @@ mod choices;
 mod coplanar;
 mod device;
 mod direction;
+mod edge_on;
 mod engine;
 mod error;
 mod folder_error;
@@ -116,9 +117,12 @@ pub use capwalk_scene as scene;
 pub use capwalk_scene_io as scene_io;
 
 pub use backward::{GradientNames, Gradients, GradientsWork, ParameterGradient};
-pub use check::{Check, CheckOptions, Reference, comparison_text, coplanar_text, missing_text};
+pub use check::{
+    Check, CheckOptions, Reference, comparison_text, coplanar_text, edge_on_text, missing_text,
+};
 pub use device::{Device, DeviceFailure, OnDevice};
 pub use direction::Direction;
+pub use edge_on::EdgeOnFace;
 pub use error::{Error, UnusableImage};
 pub use folder_error::FolderError;
 pub use images::{read_layer, read_mask, write_image};

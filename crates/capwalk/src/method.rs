@@ -196,6 +196,15 @@ pub enum OptionError {
          get the same number of samples"
     )]
     AdaptiveBackward,
+    /// No distance is right for the differences of this scene.
+    #[error(
+        "no step of finite differences fits the parameter: moved by {step} of its units, nothing in \
+         the image moves by a hundredth of its size; give `step` in these units"
+    )]
+    NoFittingStep {
+        /// What came out.
+        step: f64,
+    },
     /// Differences need a distance to divide by.
     #[error("`step` is {step}; expected a finite number above 0")]
     NoStep {

@@ -49,10 +49,32 @@ pub(crate) fn check_spp(option: &'static str, spp: u32) -> Result<(), OptionErro
     }
 }
 
-/// An error if differences cannot be divided by this step.
-pub(crate) fn check_step(step: f64) -> Result<(), OptionError> {
-    match step.is_finite() && step > 0.0 {
-        true => Ok(()),
-        false => Err(OptionError::NoStep { step }),
+/// The step that was asked for, or else the one that fits the scene: an error if differences cannot
+/// be divided by it.
+pub(crate) fn step(asked: Option<f64>, fits: impl FnOnce() -> f64) -> Result<f64, OptionError> {
+    let step = asked.unwrap_or_else(fits);
+    match (step.is_finite() && step > 0.0, asked) {
+        (true, _) => Ok(step),
+        (false, Some(_)) => Err(OptionError::NoStep { step }),
+        (false, None) => Err(OptionError::NoFittingStep { step }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Only a step that was given is called by the name of the option.
+    #[test]
+    fn steps_that_fit_are_not_those_asked_for() {
+        let text = |asked, fits| step(asked, || fits).map_err(|error| error.to_string());
+        assert_eq!(text(None, 0.5), Ok(0.5));
+        assert_eq!(text(Some(0.1), f64::NAN), Ok(0.1));
+        let given = text(Some(-1.0), 0.5).expect_err("negative");
+        assert!(given.starts_with("`step` is -1"), "{given}");
+        for none in [0.0, f64::INFINITY, f64::NAN] {
+            let fits = text(None, none).expect_err("no step");
+            assert!(fits.starts_with("no step"), "{fits}");
+        }
     }
 }

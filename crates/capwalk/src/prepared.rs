@@ -13,11 +13,12 @@ use crate::backward::{self, GradientNames, Gradients, GradientsWork};
 use crate::check::{Check, CheckOptions, Reference, SECOND_FACTOR};
 use crate::coplanar::coplanar;
 use crate::direction::Direction;
+use crate::edge_on::{EdgeOnFace, edge_on};
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::loss::{self, ImageLoss, Loss};
 use crate::method::OptionError;
-use crate::options::{DifferenceOptions, check_spp, check_step};
+use crate::options::{self, DifferenceOptions, check_spp};
 use crate::step::difference_step;
 
 /// A scene that is ready to be rendered and differentiated. It owns all that it needs
@@ -187,11 +188,8 @@ impl Prepared {
         watch: &dyn Watch,
     ) -> Result<GradientImage, Error> {
         let tangent = direction.tangent(self.scene(), self.registry())?;
-        let step = options
-            .step
-            .unwrap_or_else(|| self.fine_difference_step(&tangent));
         check_spp("spp", options.spp)?;
-        check_step(step)?;
+        let step = options::step(options.step, || self.fine_difference_step(&tangent))?;
         let differences = self.engine.differences(&tangent, step)?;
         Ok(differences.image(&options.sampling(), watch))
     }
@@ -217,6 +215,13 @@ impl Prepared {
         let name = |i: usize| self.scene().shapes[i].id.clone();
         let pairs = coplanar(self.scene(), tangent).into_iter();
         pairs.map(|pair| pair.map(name)).collect()
+    }
+
+    /// Faces in the image that the camera, which is in their planes, sees edge-on and moves against:
+    /// one side of them comes into view to one side of the motion and the other to the other, so the
+    /// image has other derivatives to one side than to the other.
+    pub fn edge_on_faces(&self, tangent: &Tangent) -> Vec<EdgeOnFace> {
+        edge_on(self.scene(), tangent)
     }
 
     /// A gradient and its reference by central differences, with a verdict.
@@ -259,13 +264,35 @@ impl Prepared {
     /// decide, with more samples, and over a part of the step unless one was asked for. A gradient is
     /// called wrong only by two references that do not contradict each other. Its errors may be too
     /// small, too: it is called wrong only if another estimate of it, with more samples, is
-    /// contradicted as well.
+    /// contradicted as well, and called wrong beside a reference of its own.
     pub fn checked(
         &self,
         gradient: GradientImage,
         tangent: &Tangent,
         reference: Reference,
         options: &GradientOptions,
+        watch: &dyn Watch,
+    ) -> Result<Check, Error> {
+        let again = |options: &GradientOptions, first: &GradientImage| {
+            let work = self.gradient_work(tangent, options)?;
+            let mut gradient = work.whole(watch)?;
+            // What is missing of the first is left out of both.
+            if gradient.missing.is_none() {
+                gradient.missing.clone_from(&first.missing);
+            }
+            comparable(gradient, &work, watch)
+        };
+        self.checked_with(gradient, tangent, reference, options, &again, watch)
+    }
+
+    /// The same, where further gradients come from `again`, which gets the first.
+    pub(crate) fn checked_with(
+        &self,
+        gradient: GradientImage,
+        tangent: &Tangent,
+        reference: Reference,
+        options: &GradientOptions,
+        again: &dyn Fn(&GradientOptions, &GradientImage) -> Result<GradientImage, Error>,
         watch: &dyn Watch,
     ) -> Result<Check, Error> {
         let method = options.method;
@@ -277,18 +304,18 @@ impl Prepared {
             let made = self.reference(&check.gradient, tangent, next, method, watch)?;
             check = check.with_next_reference(made);
         }
-        let check = check.decided();
-        let Some(again) = check.second_gradient(options) else {
+        let mut check = check.decided();
+        check.edge_on = self.edge_on_faces(tangent);
+        let Some(more) = check.second_gradient(options) else {
             return Ok(check);
         };
-        let work = self.gradient_work(tangent, &again)?;
-        let mut gradient = work.whole(watch)?;
-        // What is missing of the first is left out of both.
-        if gradient.missing.is_none() {
-            gradient.missing.clone_from(&check.gradient.missing);
-        }
-        let gradient = comparable(gradient, &work, watch)?;
-        Ok(check.with_second_gradient(gradient))
+        let second = again(&more, &check.gradient)?;
+        let check = check.with_second_gradient(&second);
+        let Some(confirmation) = check.confirmation() else {
+            return Ok(check);
+        };
+        let made = self.reference(&second, tangent, confirmation, method, watch)?;
+        Ok(check.with_confirmation(second, made))
     }
 
     /// A reference, and how it was made: with as many samples as fit the noise of both, unless so

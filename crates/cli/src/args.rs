@@ -141,7 +141,7 @@ pub struct SceneArgs {
     #[arg(long = "set", value_name = "NAME=VALUE[,VALUE...]")]
     pub settings: Vec<Setting>,
     /// Width and height of the image, without crop
-    #[arg(long, value_name = "WxH", value_parser = parse::size)]
+    #[arg(long, value_name = "WxH", value_parser = parse::size, allow_hyphen_values = true)]
     pub size: Option<[u32; 2]>,
     /// Reconstruction filter, with the widths that are Mitsuba's defaults
     #[arg(long)]
@@ -172,14 +172,14 @@ pub struct SamplingArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub spp: Option<u32>,
     /// Seed of all random numbers [default: the scene's]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = parse::seed)]
     pub seed: Option<u64>,
     /// Worker threads; changes no bit of the result [default: all cores]
     #[arg(short = 't', long, value_name = "N", value_parser = parse::threads)]
     pub threads: Option<usize>,
     /// Stop this long (30, 30s, 5m, 1h) after the start of the command, which reads and
     /// prepares the scene first, and keep what is done, if anything is
-    #[arg(long, value_name = "TIME", value_parser = parse_duration)]
+    #[arg(long, value_name = "TIME", value_parser = parse_duration, allow_hyphen_values = true)]
     pub time_limit: Option<Duration>,
 }
 
@@ -271,7 +271,7 @@ pub struct WalkArgs {
     /// Angular cutoff: ignore silhouettes farther than this, degrees; unbiased for
     /// every value, smaller is faster, larger gives a smoother field [default for walk: found by a
     /// pilot, at most 11.5]
-    #[arg(long, value_name = "DEGREES", value_parser = parse::angle, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DEGREES", value_parser = parse::angle)]
     pub max_angle: Option<f64>,
     /// Average each rim sample with the one on the other side of the cap
     #[arg(long)]
@@ -302,6 +302,7 @@ pub enum EstimatorName {
 }
 
 #[derive(Args, Debug)]
+#[command(allow_negative_numbers = true)]
 pub struct Render {
     #[command(flatten)]
     pub scene: SceneArgs,
@@ -352,7 +353,7 @@ pub struct Gradient {
     /// moves the fastest vertex by 1/100 of the size of the shape it belongs
     /// to (of the scene, where the sensor moves), and nothing by more than a
     /// part of a pixel; for colours, 0.01; a quarter of these with --method fd]
-    #[arg(long, value_name = "H", value_parser = parse::step, allow_negative_numbers = true)]
+    #[arg(long, value_name = "H", value_parser = parse::step)]
     pub step: Option<f64>,
     #[command(flatten)]
     pub sampling: SamplingArgs,
@@ -366,6 +367,7 @@ pub struct Gradient {
 
 /// A gradient, and where it is computed.
 #[derive(Args, Debug)]
+#[command(allow_negative_numbers = true)]
 pub struct GradientOn {
     #[command(flatten)]
     pub gradient: Gradient,
@@ -399,6 +401,7 @@ pub enum LossName {
 }
 
 #[derive(Args, Debug)]
+#[command(allow_negative_numbers = true)]
 pub struct Backward {
     #[command(flatten)]
     pub scene: SceneArgs,
@@ -436,6 +439,7 @@ pub struct Backward {
 }
 
 #[derive(Args, Debug)]
+#[command(allow_negative_numbers = true)]
 pub struct Check {
     #[command(flatten)]
     pub gradient: Gradient,
@@ -446,6 +450,7 @@ pub struct Check {
 }
 
 #[derive(Args, Debug)]
+#[command(allow_negative_numbers = true)]
 pub struct Info {
     #[command(flatten)]
     pub scene: SceneArgs,
@@ -458,6 +463,7 @@ pub struct Info {
 }
 
 #[derive(Args, Debug)]
+#[command(allow_negative_numbers = true)]
 pub struct Compare {
     /// Image to be compared (.exr, .npz)
     pub image: PathBuf,
@@ -472,6 +478,7 @@ pub struct Compare {
 }
 
 #[derive(Args, Debug)]
+#[command(allow_negative_numbers = true)]
 pub struct Scenes {
     /// Write scenes as Mitsuba XML, with their meshes, into this folder
     #[arg(long, value_name = "FOLDER")]
@@ -484,6 +491,7 @@ pub struct Scenes {
 }
 
 #[derive(Args, Debug)]
+#[command(allow_negative_numbers = true)]
 pub struct Optimize {
     /// TOML file with parameters, targets and options
     pub job: PathBuf,
@@ -491,7 +499,7 @@ pub struct Optimize {
     #[arg(long)]
     pub resume: bool,
     /// Stop after N more iterations; --resume continues from there
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = parse::iterations)]
     pub pause_after: Option<NonZeroU32>,
     /// Output folder [default: the job's `output`, or its path with the ending
     /// .out]
@@ -502,7 +510,7 @@ pub struct Optimize {
     pub threads: Option<usize>,
     /// Stop this long (30, 30s, 5m, 1h) after the start of the command and keep what
     /// is done [default: the job's]
-    #[arg(long, value_name = "TIME", value_parser = parse_duration)]
+    #[arg(long, value_name = "TIME", value_parser = parse_duration, allow_hyphen_values = true)]
     pub time_limit: Option<Duration>,
     /// Print one JSON object instead of text
     #[arg(long)]
@@ -511,6 +519,7 @@ pub struct Optimize {
 
 #[derive(Args, Debug)]
 #[command(
+    allow_negative_numbers = true,
     mut_arg("spp", |arg| arg.help("Samples per pixel [default: 96]")),
     mut_arg("seed", |arg| arg.help("Seed of all random numbers [default: 1]")),
     mut_arg("time_limit", |arg| arg.help(
@@ -523,7 +532,7 @@ pub struct Demo {
     #[arg(short, long, value_name = "FOLDER", default_value = "demo")]
     pub output: PathBuf,
     /// Width and height of the images [default: 128x96]
-    #[arg(long, value_name = "WxH", value_parser = parse::size)]
+    #[arg(long, value_name = "WxH", value_parser = parse::size, allow_hyphen_values = true)]
     pub size: Option<[u32; 2]>,
     #[command(flatten)]
     pub sampling: SamplingArgs,
@@ -540,5 +549,47 @@ mod tests {
     fn the_command_line_is_consistent() {
         use clap::CommandFactory;
         Cli::command().debug_assert();
+    }
+
+    /// A negative number is the value of the option before it, and no unknown option: the message
+    /// says what was expected instead.
+    #[test]
+    fn negative_numbers_are_values() {
+        use clap::CommandFactory;
+        const NUMBERS: [&str; 6] = ["N", "WxH", "TIME", "H", "DEGREES", "M"];
+        let mut tried = 0;
+        for command in Cli::command().get_subcommands() {
+            for option in command.get_arguments() {
+                let name = option.get_value_names().unwrap_or_default();
+                let Some(long) = option.get_long() else {
+                    continue;
+                };
+                if !name
+                    .first()
+                    .is_some_and(|name| NUMBERS.contains(&name.as_str()))
+                {
+                    continue;
+                }
+                for value in ["-1", "-1x3", "-0.5"] {
+                    let typed = format!("--{long}");
+                    let typed = ["capwalk", command.get_name(), &typed, value];
+                    let is_number = value.parse::<f64>().is_ok();
+                    if !is_number && name[0] != "WxH" {
+                        continue;
+                    }
+                    let error = Cli::try_parse_from(typed).expect_err("it is negative");
+                    let text = error.to_string();
+                    assert!(text.contains(&format!("invalid value '{value}'")), "{text}");
+                    assert!(!text.contains("-- -"), "{text}");
+                    let says = |words: &str| text.contains(words);
+                    assert!(
+                        says("expected") || says("not in") || says("invalid digit"),
+                        "{text}"
+                    );
+                    tried += 1;
+                }
+            }
+        }
+        assert!(tried > 50, "{tried}");
     }
 }

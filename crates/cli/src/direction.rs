@@ -1,7 +1,7 @@
 //! The direction of a derivative, from parameters and files of velocities.
 
 use anyhow::{Context, Result};
-use capwalk::{FilesRead, Prepared, Tangent, read_velocities, vertex_tangent};
+use capwalk::{Direction, FilesRead, Prepared, Tangent, read_velocities, vertex_tangent};
 
 use crate::args::MotionArgs;
 
@@ -9,6 +9,10 @@ use crate::args::MotionArgs;
 pub fn tangent(prepared: &Prepared, args: &MotionArgs, read: &mut FilesRead) -> Result<Tangent> {
     let scene = prepared.scene();
     let mut tangent = match &args.param {
+        // Nothing else moves: what is wrong with it has its name.
+        Some(expression) if args.motion.is_empty() => {
+            expression.tangent(scene, prepared.registry())?.into_owned()
+        }
         Some(expression) => prepared.registry().tangent(scene, expression)?,
         None => Tangent::zero(scene),
     };

@@ -167,6 +167,20 @@ pub enum Verdict {
 /// Compares a gradient with an independent reference of the same size. Pixels
 /// without a finite value and standard error in both are left out.
 pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
+    compared(gradient, reference).0
+}
+
+/// Which of its differences speak against a gradient.
+#[derive(Default)]
+struct Contradiction {
+    /// They are smaller than the stated errors.
+    too_small: Option<String>,
+    /// They are larger than these allow, in these respects.
+    too_large: Vec<String>,
+}
+
+/// The same, and what speaks against the gradient.
+fn compared(gradient: &Estimate, reference: &Estimate) -> (Comparison, Contradiction) {
     assert_eq!(
         (gradient.mean.width, gradient.mean.height),
         (reference.mean.width, reference.mean.height),
@@ -177,7 +191,7 @@ pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
     comparison.left_out = pixels.left_out;
     let total = gradient.mean.pixels.len();
     if 2 * pixels.left_out > total {
-        return comparison;
+        return (comparison, Contradiction::default());
     }
     let fitted = scale_factor::fit(&pixels);
     let noisy = &pixels.noisy;
@@ -220,7 +234,15 @@ pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
     comparison.worst = worst(noisy, gradient.mean.width);
 
     let relative_offset = offset.abs() / (fitted.signal.max(0.0) * noisy.len() as f64).sqrt();
-    let reasons = differences(&comparison, &pixels, relative_offset, gradient.mean.width);
+    let contradiction = Contradiction {
+        too_small: too_small(&comparison),
+        too_large: too_large(&comparison, &pixels, relative_offset, gradient.mean.width),
+    };
+    let Contradiction {
+        too_small: small,
+        too_large: large,
+    } = &contradiction;
+    let reasons: Vec<&str> = small.iter().chain(large).map(String::as_str).collect();
     comparison.verdict = if !reasons.is_empty() {
         Verdict::Wrong {
             reason: reasons.join("; "),
@@ -231,7 +253,7 @@ pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
             None => visible(&pixels, &fitted),
         }
     };
-    comparison
+    (comparison, contradiction)
 }
 
 /// Column, row and z of the pixels with the largest `|z|`.
@@ -293,20 +315,30 @@ fn without_errors(gradient: &Estimate, reference: &Estimate) -> Comparison {
     }
 }
 
+/// True if the mean of z² is that far from 1 that noise does not explain it.
+fn is_significant(c: &Comparison) -> bool {
+    (c.mean_z_squared - 1.0).abs() > SIGNIFICANT * c.mean_z_squared_error
+}
+
+/// What is said of images that differ by less than their errors.
+fn too_small(c: &Comparison) -> Option<String> {
+    let is_small = c.mean_z_squared < *Z_SQUARED_BAND.start();
+    (is_small && is_significant(c)).then(|| {
+        format!(
+            "the differences are smaller than the stated errors (mean z² is {:.3} ± {:.3} \
+             instead of 1): the errors are overstated, or the images share random numbers",
+            c.mean_z_squared, c.mean_z_squared_error
+        )
+    })
+}
+
 /// Everything in which the images differ by more than their errors allow.
-fn differences(c: &Comparison, pixels: &Pixels, relative_offset: f64, width: usize) -> Vec<String> {
+fn too_large(c: &Comparison, pixels: &Pixels, relative_offset: f64, width: usize) -> Vec<String> {
     let mut reasons = Vec::new();
-    let significant = (c.mean_z_squared - 1.0).abs() > SIGNIFICANT * c.mean_z_squared_error;
-    if significant && c.mean_z_squared > *Z_SQUARED_BAND.end() {
+    if c.mean_z_squared > *Z_SQUARED_BAND.end() && is_significant(c) {
         reasons.push(format!(
             "the differences are larger than the stated errors allow (mean z² is {:.3} ± {:.3} \
              instead of 1)",
-            c.mean_z_squared, c.mean_z_squared_error
-        ));
-    } else if significant && c.mean_z_squared < *Z_SQUARED_BAND.start() {
-        reasons.push(format!(
-            "the differences are smaller than the stated errors (mean z² is {:.3} ± {:.3} \
-             instead of 1): the errors are overstated, or the images share random numbers",
             c.mean_z_squared, c.mean_z_squared_error
         ));
     }

@@ -4,7 +4,7 @@ use capwalk::{
     Check, CheckOptions, Error, Estimate, GradientImage, GradientOptions, Gradients, Rendering,
     Statistics, Verdict,
 };
-use capwalk::{comparison_text, coplanar_text, missing_text};
+use capwalk::{comparison_text, coplanar_text, edge_on_text, missing_text};
 use numpy::PyArray3;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -114,6 +114,12 @@ pub fn of_check<'py>(
     numbers.set_item("worst", comparison.worst.clone())?;
     let pairs: Vec<(&String, &String)> = check.coplanar.iter().map(|[a, b]| (a, b)).collect();
     numbers.set_item("coplanar", pairs)?;
+    let faces: Vec<(&String, usize)> = check
+        .edge_on
+        .iter()
+        .map(|at| (&at.shape, at.face))
+        .collect();
+    numbers.set_item("edge_on", faces)?;
     numbers.set_item("step", check.made.step)?;
     numbers.set_item("sides", check.made.sides.name())?;
     numbers.set_item("spp", asked.gradient.spp)?;
@@ -123,7 +129,7 @@ pub fn of_check<'py>(
         let name = name.replace('-', "_");
         value.map_or(name.clone(), |value| format!("{name}={value}"))
     };
-    let note = coplanar_text(&check.coplanar);
+    let note = coplanar_text(&check.coplanar) + &edge_on_text(&check.edge_on);
     let text = note + &comparison_text(comparison) + &check.verdict(option);
     numbers.set_item("text", text)?;
     let statistics = [&check.gradient, &check.reference].map(|image| &image.statistics);

@@ -84,7 +84,7 @@ pub use array::{ArrayParameter, shape_text};
 pub use error::ParameterError;
 pub use parameter::{Parameter, ParameterKind};
 pub use registry::Registry;
-pub use request::{Request, check_finite};
+pub use request::Request;
 pub use velocity::vertex_tangent;
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! From one typed value to its type, with a message that says what was expected.
 
+use std::num::NonZeroU32;
 use std::path::PathBuf;
 
 /// A name and its value, from `NAME=VALUE`.
@@ -35,6 +36,18 @@ pub fn threads(text: &str) -> Result<usize, String> {
         Ok(threads) if (1..=4096).contains(&threads) => Ok(threads),
         _ => Err("expected a number from 1 to 4096".into()),
     }
+}
+
+/// A seed of random numbers.
+pub fn seed(text: &str) -> Result<u64, String> {
+    let expected = |_| format!("expected a whole number from 0 to {}", u64::MAX);
+    text.parse().map_err(expected)
+}
+
+/// A number of iterations.
+pub fn iterations(text: &str) -> Result<NonZeroU32, String> {
+    let expected = |_| "expected a whole number from 1 on".into();
+    text.parse().map_err(expected)
 }
 
 /// An angle in degrees, above 0 and up to 180.

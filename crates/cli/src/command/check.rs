@@ -6,7 +6,7 @@ pub mod timed;
 use anyhow::{Result, ensure};
 use capwalk::{
     Check, CheckOptions, Comparison, RenderOptions, Statistics, Verdict, comparison_text,
-    coplanar_text,
+    coplanar_text, edge_on_text,
 };
 use serde_json::{Value, json};
 
@@ -49,6 +49,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
         references,
         reference_samples,
         coplanar,
+        edge_on,
         ..
     } = &checked.check;
     let (of_gradient, of_reference) = (&gradient.statistics, &reference.statistics);
@@ -57,6 +58,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     let written = layers::write(&files, &typed.scene, &parameter, &checked)?;
     method::log(&checked.chosen);
     console::remark(&coplanar_text(coplanar));
+    console::remark(&edge_on_text(edge_on));
     console::remark(&method::remark(&options.gradient));
     console::remark(&report::warnings("gradient", of_gradient));
     console::remark(&report::warnings("reference", of_reference));
@@ -77,6 +79,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
             "reference_samples": reference_samples,
             "comparison": comparison_json(comparison),
             "coplanar": coplanar,
+            "edge_on": edge_on.iter().map(|at| json!({"shape": at.shape, "face": at.face})).collect::<Vec<_>>(),
             "gradient": report::statistics_json(of_gradient, checked.seconds[0]),
             "reference": report::statistics_json(of_reference, checked.seconds[1]),
             "files": written,
@@ -109,7 +112,8 @@ fn reference_text(check: &Check) -> String {
         1 => "",
         2 => " (one of two references)",
         3 => " (one of three references)",
-        _ => " (one of four references)",
+        4 => " (one of four references)",
+        _ => " (one of five references)",
     };
     format!("{}{of}", check.made.describe())
 }

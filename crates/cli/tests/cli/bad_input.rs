@@ -49,6 +49,54 @@ fn a_step_that_changes_nothing_is_refused() {
     );
 }
 
+/// Of what changes that little or that much, errors are no numbers: nobody has given a step.
+#[test]
+fn factors_without_measure_are_refused() {
+    let capwalk = Capwalk::new("no_measure");
+    for expression in [
+        "1e-300*leaf.translate.x",
+        "1e300*leaf.bsdf.reflectance.value",
+    ] {
+        for command in ["check", "gradient", "backward --loss l2 --target a.npz"] {
+            let typed = match command.starts_with("backward") {
+                true => {
+                    capwalk.run("render leaf --size 4x3 --spp 1 -o a.npz");
+                    format!("{command} leaf --size 4x3 --spp 2 -p {expression}")
+                }
+                false => format!("{command} leaf --size 4x3 --spp 2 -p {expression}"),
+            };
+            let message = capwalk.error(&typed);
+            assert_has(
+                &message,
+                &[expression, "for one unit", "use another factor"],
+            );
+            assert!(!message.contains("`step`"), "{message}");
+        }
+    }
+}
+
+/// A negative number is a value, and no option that nobody knows.
+#[test]
+fn negative_numbers_are_values() {
+    let capwalk = Capwalk::new("negative_numbers");
+    for (typed, expected) in [
+        ("render leaf --spp -1", "-1 is not in 1.."),
+        ("render leaf --seed -1", "expected a whole number from 0"),
+        ("render leaf --size -1x3", "expected WIDTHxHEIGHT"),
+        ("render leaf -t -1", "expected a number from 1 to 4096"),
+        (
+            "optimize job.toml --pause-after -1",
+            "expected a whole number from 1",
+        ),
+    ] {
+        let message = capwalk.error(typed);
+        assert!(
+            message.contains(expected) && !message.contains("-- -1"),
+            "{message}"
+        );
+    }
+}
+
 /// Refused before its memory is taken, where the system says how much there is.
 #[test]
 #[cfg(target_os = "linux")]

@@ -58,16 +58,17 @@ fn a_wrong_reference_is_found() {
     assert_eq!(finished.status, 1, "{}", finished.stdout);
     assert_has(
         &finished.stdout,
-        &["wrong: ", "--step", "one of two references"],
+        &["wrong: ", "--step", "one of three references"],
     );
-    // A second one with four times the samples has confirmed it, over the step that was asked for.
+    // A second one with four times the samples has confirmed it, over the step that was asked for,
+    // and a third one beside a second gradient.
     let finished = capwalk.run(&format!(
         "check leaf -p leaf.translate.x {SIZE} {large} --json"
     ));
     let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
     assert_eq!(
         (&json["references"], &json["reference_spp"]),
-        (&2.into(), &1024.into())
+        (&3.into(), &1024.into())
     );
     let samples = |value: &serde_json::Value| value.as_f64().expect("a number");
     let of_second = samples(&json["reference"]["samples"]);
@@ -129,6 +130,32 @@ fn card(height: f64) -> String {
 <shape type="rectangle" id="card"><transform name="to_world"><scale value="0.3"/><translate x="0.1" z="{height}"/></transform></shape>
 <emitter type="constant"/></scene>"#
     )
+}
+
+/// A camera in the plane of a face that it moves against sees another side of it on either side of
+/// the motion: the image has no derivative there, and a check names the face.
+#[test]
+fn faces_seen_edge_on_are_named() {
+    let capwalk = Capwalk::new("check_edge_on");
+    let level = |height: f64| card(height).replace("target=\"0, 0, 0\"", "target=\"0, 0, 1.3\"");
+    capwalk.write("on.xml", &level(1.3));
+    capwalk.write("above.xml", &level(1.301));
+    let check = |scene: &str, parameter: &str| {
+        let finished = capwalk.run(&format!("check {scene}.xml -p {parameter} --spp 4 --json"));
+        let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
+        (finished.stderr, json["edge_on"].clone())
+    };
+    for parameter in ["card.translate.z", "sensor.translate.z"] {
+        let (remarks, faces) = check("on", parameter);
+        let note = "the camera sees face 0 of \"card\", face 1 of \"card\" exactly edge-on";
+        assert_has(&remarks, &[note, "the image has no derivative"]);
+        assert_eq!(faces[1], serde_json::json!({"shape": "card", "face": 1}));
+    }
+    for (scene, parameter) in [("above", "card.translate.z"), ("on", "card.translate.x")] {
+        let (remarks, faces) = check(scene, parameter);
+        assert!(!remarks.contains("edge-on"), "{remarks}");
+        assert_eq!(faces, serde_json::json!([]));
+    }
 }
 
 /// Where shapes slide on each other an image has no derivative: a check names them.

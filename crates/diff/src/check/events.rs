@@ -4,11 +4,19 @@
 //! the silhouette passed it: an event, by which the sample changes by at most what samples
 //! differ by. If no sample met one, the reference is 0 ± 0 everywhere, which says that events
 //! are rare, not that nothing changes.
+//!
+//! The same happens in single pixels: samples see how the light changes smoothly, with a small
+//! error, and none of them meets the event that makes most of the derivative. The stated error
+//! knows nothing of events that were not met. That of a right gradient's differences does: `k`
+//! events of one size in a sum, and `λ` on average, have the variance `λ` in units of its square,
+//! of which `k` is stated. What a pixel lacks, `λ - k`, is known from the gradient in question,
+//! and the size of events from the pixels that met some. A gradient is called wrong only if
+//! these errors do not explain the differences either.
 
 use capwalk_render::{Estimate, GradientImage};
 
 use super::pixel::channel;
-use super::{Comparison, EXCLUDED_AT, EXCLUDED_ERROR, FALSE_ALARM, Verdict, compare};
+use super::{Comparison, EXCLUDED_AT, EXCLUDED_ERROR, FALSE_ALARM, Verdict, compared, doubtful};
 
 /// So many pixels with an event are enough for the statistics of a comparison.
 const ENOUGH: usize = 10;
@@ -26,7 +34,7 @@ pub fn compare_with_differences(
     differences: &GradientImage,
     span: f64,
 ) -> Comparison {
-    let mut comparison = compare(&gradient.gradient, &differences.gradient);
+    let (mut comparison, contradiction) = compared(&gradient.gradient, &differences.gradient);
     let is_held_against_it = matches!(
         comparison.verdict,
         Verdict::Wrong { .. } | Verdict::Inconclusive { doubt: Some(_), .. }
@@ -34,8 +42,57 @@ pub fn compare_with_differences(
     if is_held_against_it && let Some(verdict) = too_few(gradient, differences, span) {
         comparison.verdict = verdict;
         comparison.few_events = true;
+        return comparison;
+    }
+    if !contradiction.too_large.is_empty() && contradiction.too_small.is_none() {
+        let with_all = with_unseen_events(gradient, differences);
+        let (explained, left) = compared(&gradient.gradient, &with_all);
+        if left.too_large.is_empty() {
+            let doubt = format!(
+                "{}; events of the differences that they did not meet may explain it",
+                contradiction.too_large.join("; ")
+            );
+            comparison.verdict = doubtful(explained.verdict, doubt);
+        }
     }
     comparison
+}
+
+/// The differences with the errors that they have if the gradient is right: with those of the
+/// events that a pixel has not met and would have met on average.
+fn with_unseen_events(gradient: &GradientImage, differences: &GradientImage) -> Estimate {
+    let mut estimate = differences.gradient.clone();
+    let samples = &differences.statistics.samples_per_pixel;
+    let sizes = event_sizes(&estimate, samples);
+    let pixels = estimate.standard_error.pixels.iter_mut().enumerate();
+    for (i, error) in pixels {
+        let (g, r) = (gradient.gradient.mean.pixels[i], estimate.mean.pixels[i]);
+        let of_channel = |c: usize| {
+            let (g, r) = (channel(g, c), channel(r, c));
+            let unseen = (g.abs() - r * g.signum()).max(0.0);
+            let variance = unseen * sizes[c] / f64::from(samples[i]);
+            (channel(*error, c).powi(2) + variance).sqrt()
+        };
+        *error = [0, 1, 2].map(of_channel).into();
+    }
+    estimate
+}
+
+/// By how much an event changes a sample of the differences, in each channel: the mean square of
+/// samples over their mean size. Of what changes smoothly this is little more than the size.
+fn event_sizes(differences: &Estimate, samples: &[u32]) -> [f64; 3] {
+    [0, 1, 2].map(|c| {
+        let (mut squares, mut sizes) = (0.0, 0.0);
+        let pixels = differences.mean.pixels.iter();
+        for ((&mean, &error), &n) in pixels.zip(&differences.standard_error.pixels).zip(samples) {
+            let (mean, error) = (channel(mean, c), channel(error, c));
+            if mean.is_finite() && error.is_finite() {
+                squares += mean * mean + error * error * f64::from(n);
+                sizes += mean.abs();
+            }
+        }
+        if sizes > 0.0 { squares / sizes } else { 0.0 }
+    })
 }
 
 /// The verdict if a right gradient may make as few events as were seen, and they are too few

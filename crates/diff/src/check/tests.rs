@@ -541,6 +541,34 @@ fn differences_without_events_are_no_evidence() {
     assert_eq!(counts, [0, 200, 0]);
 }
 
+/// All samples see what changes smoothly, with a small error, and few of them an event, of which most
+/// of the derivative is made: where pixels met none, the stated errors say nothing of that.
+#[test]
+fn events_that_pixels_did_not_meet_are_no_evidence() {
+    let samples = 100;
+    let worth = 20.0;
+    let against = |factor: f64| {
+        count(200, |noise| {
+            let gradient = gaussian(noise, 0.02, factor, 0.0, 1.0);
+            let reference = estimate_of(|x, y| {
+                let (smooth, rare) = (0.1 * truth(x, y), 0.9 * truth(x, y));
+                let met = noise.poisson(rare.abs() / worth);
+                let error = f64::hypot(0.1 * smooth, f64::sqrt(met) * worth);
+                (smooth + rare.signum() * met * worth, error)
+            });
+            let images = [gradient, reference].map(|image| with_samples(image, samples));
+            let span = 1.0 / (f64::from(samples) * worth);
+            compare_with_differences(&images[0], &images[1], span)
+        })
+    };
+    // By the stated errors alone four of the right ones are called wrong.
+    let [_, wrong, _] = against(1.0);
+    assert_eq!(wrong, 0);
+    // What events do not explain is wrong.
+    let [_, wrong, _] = against(4.0);
+    assert!(wrong > 190, "{wrong}");
+}
+
 /// Samples without noise, such as those of a visible emitter, all change by little: no rare
 /// events.
 #[test]

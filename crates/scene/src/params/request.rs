@@ -21,7 +21,7 @@ pub enum Request {
 
 /// An error if something would move or change infinitely fast: numbers that are finite can add up
 /// to that. `what` moves so.
-pub fn check_finite(
+fn check_finite(
     tangent: &Tangent,
     what: impl FnOnce() -> String,
 ) -> Result<(), ParameterError> {
