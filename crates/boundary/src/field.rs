@@ -41,15 +41,12 @@ impl<'a> Field<'a> {
     ) -> BoundarySample {
         let found = &seen.point;
         let edge = &self.boundaries.edge(found.edge);
-        // The edges of the viewpoint's own face are on its horizon. Only motion across the
-        // horizon matters; that along it grows without bound as the viewpoint nears the edge.
-        let horizon = viewpoint
-            .face_normal
-            .filter(|normal| {
-                let height = normal.dot(found.direction) * found.distance;
-                seen.is_direct && height.abs() <= self.accel.horizon_distance()
-            })
-            .filter(|&normal| self.in_horizon(viewpoint.position.value(), edge.vertices, normal));
+        // Only motion across the horizon matters; that along it grows without bound as the
+        // viewpoint nears the edge.
+        let horizon = match seen.is_direct {
+            true => self.horizon(viewpoint, found),
+            false => None,
+        };
         BoundarySample {
             points: edge.vertices,
             t: found.t,
@@ -62,6 +59,21 @@ impl<'a> Field<'a> {
             }),
             mirrors: seen.mirrors,
         }
+    }
+
+    /// The normal of the viewpoint's face, if a point that is seen without a specular event is
+    /// on an edge in the plane of that face, as the face's own edges are: on the horizon.
+    pub(crate) fn horizon<R: Real>(
+        &self,
+        viewpoint: &Viewpoint<R>,
+        found: &SilhouettePoint,
+    ) -> Option<Vec3> {
+        let normal = viewpoint.face_normal?;
+        let height = normal.dot(found.direction) * found.distance;
+        let ends = self.boundaries.edge(found.edge).vertices;
+        let is_on_it = height.abs() <= self.accel.horizon_distance()
+            && self.in_horizon(viewpoint.position.value(), ends, normal);
+        is_on_it.then_some(normal)
     }
 
     /// World position of a boundary point.
