@@ -19,6 +19,9 @@ pub struct BoundarySample {
     /// True if the edge is on the horizon of the viewpoint's face, across which alone its
     /// motion counts.
     pub(crate) is_horizon: bool,
+    /// The direction in which the edge is seen to run, times the root of the part of its motion
+    /// along itself that does not count: little counts close to the horizon.
+    pub(crate) damped: Vec3,
     /// From the viewpoint along the path of light; in image space if its rays are parallel.
     pub(crate) distance: f64,
     /// Its position in camera space, if the viewpoint's rays are parallel.
@@ -36,15 +39,15 @@ impl BoundarySample {
     }
 
     /// Angular velocity `P_x̂ (ẋ - ȯ) / |x - o|`, radians, for a relative velocity `ẋ - ȯ`;
-    /// on the horizon `n (n·(ẋ - ȯ)) / |x - o|`. The map is symmetric, so it is also its own
-    /// transpose.
+    /// on the horizon `n (n·(ẋ - ȯ)) / |x - o|`, and close to it less of the motion along the
+    /// edge. The map is symmetric, so it is also its own transpose.
     #[inline]
     pub fn angular(&self, relative: Vec3) -> Vec3 {
         let along = self.direction * self.direction.dot(relative);
         let kept = if self.is_horizon {
             along
         } else {
-            relative - along
+            relative - along - self.damped * self.damped.dot(relative)
         };
         kept / self.distance
     }

@@ -10,6 +10,14 @@ use crate::boundary_sample::{BoundarySample, Seen};
 use crate::method::Method;
 use crate::viewpoint::Viewpoint;
 
+/// The sine of the height over the horizon of a face from which on all of a boundary's motion
+/// counts. Any is unbiased.
+pub(crate) const LOW: f64 = 0.2;
+
+/// Edges are seen end-on if they look shorter than this part of their length: the direction in
+/// which they run is rounding.
+const END_ON: f64 = 1e-9;
+
 /// The fields around all viewpoints of a scene.
 #[derive(Clone, Copy)]
 pub struct Field<'a> {
@@ -33,7 +41,8 @@ impl<'a> Field<'a> {
 
     /// A boundary point as a linear map from velocities. What counts is its motion
     /// perpendicular to the direction in which it is seen or, on the horizon of the face
-    /// that the viewpoint is on, its motion across the horizon.
+    /// that the viewpoint is on, its motion across the horizon; close to the horizon, its
+    /// motion across the edge, and a part of that along it.
     pub(crate) fn boundary_sample<R: Real>(
         &self,
         viewpoint: &Viewpoint<R>,
@@ -41,26 +50,57 @@ impl<'a> Field<'a> {
     ) -> BoundarySample {
         let found = &seen.point;
         let edge = &self.boundaries.edge(found.edge);
-        // The edges of the viewpoint's own face are on its horizon. Only motion across the
-        // horizon matters; that along it grows without bound as the viewpoint nears the edge.
-        let horizon = viewpoint
-            .face_normal
-            .filter(|normal| {
-                let height = normal.dot(found.direction) * found.distance;
-                seen.is_direct && height.abs() <= self.accel.horizon_distance()
-            })
-            .filter(|&normal| self.in_horizon(viewpoint.position.value(), edge.vertices, normal));
+        // Only motion across the horizon matters; that along it grows without bound as the
+        // viewpoint nears the edge.
+        let horizon = match seen.is_direct {
+            true => self.horizon(viewpoint, found),
+            false => None,
+        };
         BoundarySample {
             points: edge.vertices,
             t: found.t,
             direction: horizon.unwrap_or(found.direction),
             is_horizon: horizon.is_some(),
+            damped: match viewpoint.face_normal {
+                Some(normal) if seen.is_direct => self.damped(edge.vertices, found, normal),
+                _ => Vec3::zero(),
+            },
             distance: found.distance,
             place: viewpoint.axes.map(|_| {
                 let point = self.boundaries.point(edge.vertices, found.t);
                 self.accel.view.place(point)
             }),
             mirrors: seen.mirrors,
+        }
+    }
+
+    /// The normal of the viewpoint's face, if a point that is seen without a specular event is
+    /// on an edge in the plane of that face, as the face's own edges are: on the horizon.
+    pub(crate) fn horizon<R: Real>(
+        &self,
+        viewpoint: &Viewpoint<R>,
+        found: &SilhouettePoint,
+    ) -> Option<Vec3> {
+        let normal = viewpoint.face_normal?;
+        let height = normal.dot(found.direction) * found.distance;
+        let ends = self.boundaries.edge(found.edge).vertices;
+        let is_on_it = height.abs() <= self.accel.horizon_distance()
+            && self.in_horizon(viewpoint.position.value(), ends, normal);
+        is_on_it.then_some(normal)
+    }
+
+    /// The direction along an edge, as it is seen at a point, times the root of the part of the
+    /// motion along it that does not count. Motion along a boundary does not move it; where
+    /// neighbours of the viewpoint's face rise above the horizon, close to the viewpoint, it would
+    /// grow without bound.
+    fn damped(&self, ends: [u32; 2], found: &SilhouettePoint, normal: Vec3) -> Vec3 {
+        let part = 1.0 - normal.dot(found.direction).abs() / LOW;
+        let [a, b] = ends.map(|i| self.boundaries.position(i));
+        let seen = (b - a).reject_from(found.direction);
+        let length = seen.length();
+        match part > 0.0 && length > END_ON * (b - a).length() {
+            true => seen * (part.sqrt() / length),
+            false => Vec3::zero(),
         }
     }
 

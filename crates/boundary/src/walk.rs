@@ -58,13 +58,17 @@ pub(crate) fn sphere<'e, R: Real>(
         None => (boundaries.tree(), position),
         Some(_) => (boundaries.image_tree(), Vec3::zero()),
     };
-    // Leave out what is hidden, from the camera also what its clip planes cut off.
+    // Leave out what is hidden, from the camera also what its clip planes cut off. The horizon
+    // counts without a ray: along the plane of a face, rounding decides what a ray hits.
     let is_camera = viewpoint.visibility == Visibility::Camera;
     let is_seen = move |point: &SilhouettePoint| {
         let (_, distance) = field.located(viewpoint, apex, point);
         match is_camera {
             true => accel.camera_sees(position, point.direction, distance),
-            false => accel.surface_sees(position, point.direction, distance),
+            false => {
+                field.horizon(viewpoint, point).is_some()
+                    || accel.surface_sees(position, point.direction, distance)
+            }
         }
     };
     ReflectedSphere {

@@ -334,6 +334,7 @@ mod tests {
             t,
             direction: seen,
             is_horizon: false,
+            damped: Vec3::zero(),
             distance: offset.length(),
             place: None,
             mirrors: Mirrors::default(),

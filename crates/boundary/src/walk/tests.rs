@@ -1,13 +1,15 @@
 use capwalk_geometry::Edge;
 use capwalk_geometry::edge::closest_direction;
-use capwalk_math::Affine;
+use capwalk_math::{Affine, Frame};
 use capwalk_scene::bsdf::Metal;
+use capwalk_scene::primitive::icosphere;
 use capwalk_scene::{Bsdf, Film, Scene, SensorModel, ShadingNormals, Texture, builtin};
 use capwalk_walk::Domain;
 
 use super::*;
 use crate::accel::Accel;
 use crate::boundaries::Boundaries;
+use crate::field::LOW;
 use crate::method::Method;
 
 /// The ball and its emitter, flat-shaded, over a floor that is a mirror.
@@ -134,4 +136,87 @@ fn the_closest_edge_in_the_image() {
         }
     }
     assert!(found > 50, "{found} edges");
+}
+
+/// Looks from points on a ball with waves of this height, and from each in low directions all
+/// around.
+fn low_directions(waves: f64, mut look: impl FnMut(&Field, &Viewpoint<f64>, Vec3)) {
+    let mut scene = builtin::scene("ball").expect("built in");
+    let shape = scene.shapes_mut().find(|shape| shape.id == "ball");
+    let shape = shape.expect("it is there");
+    (shape.normals, shape.uvs) = (ShadingNormals::Face, None);
+    shape.mesh = icosphere(24);
+    for p in &mut shape.mesh.positions {
+        let wave = (7.0 * p.x).sin() * (6.0 * p.y).cos() * (5.0 * p.z).sin();
+        *p = *p * (0.45 * (1.0 + waves * wave)) + Vec3::new(0.0, 0.7, 0.0);
+    }
+    let accel = Accel::new(scene.clone());
+    let boundaries = Boundaries::new(&accel);
+    let field = Field::new(&accel, &boundaries, Method::Walk);
+    let mut points = 0;
+    for at in lattice(&scene.film, 1.0).take(1000) {
+        let ray = accel.camera_ray(accel.view.origin, accel.view.direction(at));
+        let Some(hit) = accel.first_hit_within(&ray) else {
+            continue;
+        };
+        if accel.scene.shape(accel.shape_of(&hit)).id != "ball" {
+            continue;
+        }
+        let normal = accel.mesh.face_cross(hit.face as usize).normalized();
+        let viewpoint = Viewpoint::towards_surfaces(ray.at(hit.t), normal, 0);
+        let Frame { s, t, .. } = Frame::from_normal(normal);
+        for i in 0..8 {
+            let (sin, cos) = (0.3 + f64::from(i)).sin_cos();
+            let height = normal * (0.01 * f64::from(i + 1));
+            look(
+                &field,
+                &viewpoint,
+                (s * sin + t * cos + height).normalized(),
+            );
+        }
+        points += 1;
+    }
+    assert!(points > 50, "{points}");
+}
+
+/// The edges of a point's own face are its horizon, all around it: no direction above it is farther
+/// from a boundary. On a fine mesh the neighbours' edges below, seen through the inside of the
+/// shape, would be the closest otherwise, and turn fast.
+#[test]
+fn nothing_hides_the_horizon() {
+    low_directions(0.0, |field, viewpoint, q| {
+        let normal = viewpoint.face_normal.expect("on a face");
+        let nearest = sphere(field, viewpoint).closest(q, 3.0);
+        let distance = nearest.expect("the horizon at least").distance;
+        assert!(distance < normal.dot(q).asin() + 1e-9, "{distance}, {q:?}");
+    });
+}
+
+/// Close to the horizon all motion across an edge counts, and less of that along it, down to none:
+/// in hollows, where neighbours of a face rise above its horizon.
+#[test]
+fn motion_along_low_edges_is_damped() {
+    let mut low = 0;
+    low_directions(0.12, |field, viewpoint, q| {
+        let normal = viewpoint.face_normal.expect("on a face");
+        let found = sphere(field, viewpoint).closest(q, 3.0);
+        let seen = found.expect("the horizon at least").site;
+        let sample = field.boundary_sample(viewpoint, &seen);
+        if sample.is_horizon {
+            return;
+        }
+        let x = seen.point.direction;
+        let [a, b] = sample.points.map(|i| field.boundaries.position(i));
+        let along = (b - a).reject_from(x).normalized();
+        let across = x.cross(along);
+        let velocity = Vec3::new(0.4, -0.7, 0.2) / seen.point.distance;
+        let moved = sample.angular(velocity * seen.point.distance);
+        let height = (normal.dot(x).abs() / LOW).min(1.0);
+        let size = 1e-9 * velocity.length();
+        assert!(moved.dot(x).abs() < size);
+        assert!((moved.dot(across) - velocity.dot(across)).abs() < size);
+        assert!((moved.dot(along) - height * velocity.dot(along)).abs() < size);
+        low += usize::from(height < 0.3);
+    });
+    assert!(low > 50, "{low}");
 }

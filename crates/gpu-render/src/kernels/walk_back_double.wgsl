@@ -1,7 +1,7 @@
 // Compiled from walk_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: a77b3139395e29fe
-// result: daf253d9a41bdc00
+// source: 94ebea24f75660c7
+// result: 1c69f077947f97de
 
 struct Launch_std140_0
 {
@@ -2398,11 +2398,17 @@ fn has_room_0( candidates_0 : Candidates_0,  candidate_1 : Candidate_0) -> bool
     return _S294;
 }
 
-fn place_of_1( around_3 : Around_0,  candidate_2 : Candidate_0) -> vec3<f64>
+fn is_on_horizon_0( around_3 : Around_0,  edge_3 : u32) -> bool
 {
-    var numbers_4 : u32 = edge_word_0(around_3.tree_0 + u32(2)) + u32(14) * candidate_2.edge_1;
-    var start_1 : vec3<f64> = edge_position_0(numbers_4);
-    return start_1 + (edge_position_0(numbers_4 + u32(3)) - start_1) * vec3<f64>(candidate_2.t_6);
+    var numbers_4 : u32 = edge_word_0(around_3.tree_0 + u32(2)) + u32(14) * edge_3;
+    return (max(abs(dot(edge_position_0(numbers_4) - around_3.position_1, around_3.face_0)), abs(dot(edge_position_0(numbers_4 + u32(3)) - around_3.position_1, around_3.face_0)))) <= (limit_at_0(u32(2)));
+}
+
+fn place_of_1( around_4 : Around_0,  candidate_2 : Candidate_0) -> vec3<f64>
+{
+    var numbers_5 : u32 = edge_word_0(around_4.tree_0 + u32(2)) + u32(14) * candidate_2.edge_1;
+    var start_1 : vec3<f64> = edge_position_0(numbers_5);
+    return start_1 + (edge_position_0(numbers_5 + u32(3)) - start_1) * vec3<f64>(candidate_2.t_6);
 }
 
 fn meets_0( triangle_10 : u32,  origin_4 : vec3<f64>,  direction_11 : vec3<f64>,  t_min_4 : f64,  t_max_4 : f64) -> bool
@@ -2412,49 +2418,58 @@ fn meets_0( triangle_10 : u32,  origin_4 : vec3<f64>,  direction_11 : vec3<f64>,
     return intersect_0(ray_6, axes_11, u32(9) * triangle_10).is_hit_0;
 }
 
-fn is_hidden_0( around_4 : Around_0,  candidate_3 : Candidate_0) -> bool
+fn is_hidden_0( around_5 : Around_0,  candidate_3 : Candidate_0) -> bool
 {
-    if((around_4.occluder_0) == u32(4294967295))
+    var _S295 : bool;
+    if((around_5.occluder_0) == u32(4294967295))
+    {
+        _S295 = true;
+    }
+    else
+    {
+        _S295 = is_on_horizon_0(around_5, candidate_3.edge_1);
+    }
+    if(_S295)
     {
         return false;
     }
-    var way_1 : vec3<f64> = place_of_1(around_4, candidate_3) - around_4.position_1;
+    var way_1 : vec3<f64> = place_of_1(around_5, candidate_3) - around_5.position_1;
     var distance_1 : f64 = length_of_0(way_1);
-    return meets_0(around_4.occluder_0, around_4.position_1, way_1 / vec3<f64>(distance_1), limit_at_0(u32(2)), distance_1 * limit_at_0(u32(3)));
+    return meets_0(around_5.occluder_0, around_5.position_1, way_1 / vec3<f64>(distance_1), limit_at_0(u32(2)), distance_1 * limit_at_0(u32(3)));
 }
 
 fn list_0( candidates_1 : ptr<function, Candidates_0>,  candidate_4 : Candidate_0)
 {
-    var _S295 : u32 = min((*candidates_1).count_2, u32(3));
-    (*candidates_1).count_2 = _S295 + u32(1);
-    var place_15 : u32 = _S295;
+    var _S296 : u32 = min((*candidates_1).count_2, u32(3));
+    (*candidates_1).count_2 = _S296 + u32(1);
+    var place_15 : u32 = _S296;
     for(;;)
     {
-        var _S296 : bool;
+        var _S297 : bool;
         if(place_15 > u32(0))
         {
-            _S296 = is_before_0(candidate_4, (*candidates_1).listed_0[place_15 - u32(1)]);
+            _S297 = is_before_0(candidate_4, (*candidates_1).listed_0[place_15 - u32(1)]);
         }
         else
         {
-            _S296 = false;
+            _S297 = false;
         }
-        if(_S296)
+        if(_S297)
         {
         }
         else
         {
             break;
         }
-        var _S297 : u32 = place_15 - u32(1);
-        (*candidates_1).listed_0[place_15] = (*candidates_1).listed_0[_S297];
-        place_15 = _S297;
+        var _S298 : u32 = place_15 - u32(1);
+        (*candidates_1).listed_0[place_15] = (*candidates_1).listed_0[_S298];
+        place_15 = _S298;
     }
     (*candidates_1).listed_0[place_15] = candidate_4;
     return;
 }
 
-fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : Candidate_0) -> Candidates_0
+fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : Candidate_0) -> Candidates_0
 {
     var found_4 : Candidates_0;
     found_4.count_2 = u32(0);
@@ -2471,14 +2486,14 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
         found_4.listed_0[k_3] = last_0;
         k_3 = k_3 + u32(1);
     }
-    var nodes_at_0 : u32 = edge_word_0(around_5.tree_0);
+    var nodes_at_0 : u32 = edge_word_0(around_6.tree_0);
     var waiting_0 : array<u32, i32(92)>;
     waiting_0[i32(0)] = u32(4294967295);
-    var _S298 : vec3<f32> = vec3<f32>(chain_2.image_0);
-    var _S299 : vec3<f32> = vec3<f32>(chain_2.direction_10);
-    var _S300 : vec2<f32> = limit_by_0(limit_8);
+    var _S299 : vec3<f32> = vec3<f32>(chain_2.image_0);
+    var _S300 : vec3<f32> = vec3<f32>(chain_2.direction_10);
+    var _S301 : vec2<f32> = limit_by_0(limit_8);
     var node_4 : u32 = nodes_at_0;
-    var rough_limit_0 : vec2<f32> = _S300;
+    var rough_limit_0 : vec2<f32> = _S301;
     var count_3 : u32 = u32(0);
     for(;;)
     {
@@ -2492,33 +2507,33 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
         var next_0 : u32;
         var next_1 : u32;
         var count_4 : u32;
-        var _S301 : bool;
-        var skips_far_0 : bool;
         var _S302 : bool;
+        var skips_far_0 : bool;
+        var _S303 : bool;
         if((edge_word_0(node_4)) != u32(4294967295))
         {
             var near_1 : u32 = node_4 + u32(45);
             var far_1 : u32 = nodes_at_0 + u32(45) * edge_word_0(node_4);
-            var of_near_0 : Ball_0 = ball_of_0(near_1, _S298, _S299);
-            var of_far_0 : Ball_0 = ball_of_0(far_1, _S298, _S299);
+            var of_near_0 : Ball_0 = ball_of_0(near_1, _S299, _S300);
+            var of_far_0 : Ball_0 = ball_of_0(far_1, _S299, _S300);
             var skips_near_0 : bool = is_beyond_0(of_near_0, rough_limit_0);
             var skips_far_1 : bool = is_beyond_0(of_far_0, rough_limit_0);
             if(!skips_far_1)
             {
                 if(skips_near_0)
                 {
-                    _S301 = true;
+                    _S302 = true;
                 }
                 else
                 {
-                    _S301 = comes_first_0(of_far_0, of_near_0);
+                    _S302 = comes_first_0(of_far_0, of_near_0);
                 }
             }
             else
             {
-                _S301 = false;
+                _S302 = false;
             }
-            if(_S301)
+            if(_S302)
             {
                 next_0 = far_1;
                 skips_far_0 = skips_near_0;
@@ -2539,13 +2554,13 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
             }
             if(next_0 != u32(4294967295))
             {
-                _S302 = !skips_far_0;
+                _S303 = !skips_far_0;
             }
             else
             {
-                _S302 = false;
+                _S303 = false;
             }
-            if(_S302)
+            if(_S303)
             {
                 waiting_0[count_3] = next_1;
                 count_4 = count_3 + u32(1);
@@ -2568,21 +2583,21 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
                     break;
                 }
                 var candidate_5 : Candidate_0;
-                var _S303 : bool = closest_on_edge_0(around_5, chain_2, chain_2.direction_10, k_3, &(candidate_5));
-                if(!_S303)
+                var _S304 : bool = closest_on_edge_0(around_6, chain_2, chain_2.direction_10, k_3, &(candidate_5));
+                if(!_S304)
                 {
                     k_3 = k_3 + u32(1);
                     continue;
                 }
                 if(!((candidate_5.half_tangent_1) < limit_8))
                 {
-                    _S301 = true;
+                    _S302 = true;
                 }
                 else
                 {
-                    _S301 = !is_before_0(last_0, candidate_5);
+                    _S302 = !is_before_0(last_0, candidate_5);
                 }
-                if(_S301)
+                if(_S302)
                 {
                     skips_far_0 = true;
                 }
@@ -2597,13 +2612,13 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
                 }
                 if((chain_2.count_1) > u32(0))
                 {
-                    _S302 = true;
+                    _S303 = true;
                 }
                 else
                 {
-                    _S302 = !is_hidden_0(around_5, candidate_5);
+                    _S303 = !is_hidden_0(around_6, candidate_5);
                 }
-                if(_S302)
+                if(_S303)
                 {
                     list_0(&(found_4), candidate_5);
                 }
@@ -2628,13 +2643,13 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
         {
             if(next_1 == u32(4294967295))
             {
-                _S301 = count_3 > u32(0);
+                _S302 = count_3 > u32(0);
             }
             else
             {
-                _S301 = false;
+                _S302 = false;
             }
-            if(_S301)
+            if(_S302)
             {
             }
             else
@@ -2642,7 +2657,7 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
                 break;
             }
             var count_5 : u32 = count_3 - u32(1);
-            if(!is_beyond_0(ball_of_0(waiting_0[count_5], _S298, _S299), rough_limit_0))
+            if(!is_beyond_0(ball_of_0(waiting_0[count_5], _S299, _S300), rough_limit_0))
             {
                 next_1 = waiting_0[count_5];
             }
@@ -2656,7 +2671,7 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
 struct Nearest_0
 {
      half_tangent_2 : f64,
-     edge_3 : u32,
+     edge_4 : u32,
      t_8 : f64,
      direction_12 : vec3<f64>,
      distance_2 : f64,
@@ -2664,11 +2679,11 @@ struct Nearest_0
      triangles_1 : array<u32, i32(6)>,
 };
 
-fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 : vec3<f64>,  point_0 : ptr<function, Nearest_0>) -> bool
+fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  edge_5 : u32,  offset_4 : vec3<f64>,  point_0 : ptr<function, Nearest_0>) -> bool
 {
-    var _S304 : f64 = length_of_0(offset_4);
-    (*point_0).distance_2 = _S304;
-    (*point_0).direction_12 = offset_4 / vec3<f64>(_S304);
+    var _S305 : f64 = length_of_0(offset_4);
+    (*point_0).distance_2 = _S305;
+    (*point_0).direction_12 = offset_4 / vec3<f64>(_S305);
     (*point_0).count_6 = chain_3.count_1;
     var k_4 : u32 = chain_3.count_1;
     for(;;)
@@ -2680,25 +2695,38 @@ fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         {
             break;
         }
-        var _S305 : u32 = k_4 - u32(1);
-        (*point_0).direction_12 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S305]), (*point_0).direction_12);
-        k_4 = _S305;
+        var _S306 : u32 = k_4 - u32(1);
+        (*point_0).direction_12 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S306]), (*point_0).direction_12);
+        k_4 = _S306;
     }
-    var height_1 : f64 = abs(dot((*point_0).direction_12, (*around_6).face_0)) * (*point_0).distance_2;
-    var _S306 : bool;
+    var height_1 : f64 = abs(dot((*point_0).direction_12, (*around_7).face_0)) * (*point_0).distance_2;
+    var _S307 : bool;
     if((chain_3.count_1) > u32(0))
     {
-        _S306 = height_1 <= (limit_at_0(u32(2)));
+        _S307 = height_1 <= (limit_at_0(u32(2)));
     }
     else
     {
-        _S306 = false;
+        _S307 = false;
     }
-    if(_S306)
+    if(_S307)
     {
         return false;
     }
-    var start_2 : vec3<f64> = (*around_6).position_1;
+    var _S308 : bool = (chain_3.count_1) == u32(0);
+    if(_S308)
+    {
+        _S307 = is_on_horizon_0((*around_7), edge_5);
+    }
+    else
+    {
+        _S307 = false;
+    }
+    if(_S307)
+    {
+        return true;
+    }
+    var start_2 : vec3<f64> = (*around_7).position_1;
     var direction_13 : vec3<f64> = (*point_0).direction_12;
     k_4 = u32(0);
     var left_1 : f64 = (*point_0).distance_2;
@@ -2730,21 +2758,21 @@ fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
                 k_4 = k_4 + u32(1);
                 continue;
             }
-            if((chain_3.count_1) == u32(0))
+            if(_S308)
             {
-                (*around_6).occluder_0 = found_5.triangle_8;
+                (*around_7).occluder_0 = found_5.triangle_8;
             }
             return false;
         }
         if((found_5.face_3) == u32(4294967295))
         {
-            _S306 = true;
+            _S307 = true;
         }
         else
         {
-            _S306 = !is_mirror_0(found_5.triangle_8);
+            _S307 = !is_mirror_0(found_5.triangle_8);
         }
-        if(_S306)
+        if(_S307)
         {
             return false;
         }
@@ -2754,17 +2782,17 @@ fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         {
             return false;
         }
-        var _S307 : vec3<f64> = mirrored_0(mirror_at_0(found_5.triangle_8), direction_13);
+        var _S309 : vec3<f64> = mirrored_0(mirror_at_0(found_5.triangle_8), direction_13);
         (*point_0).triangles_1[k_4] = found_5.triangle_8;
         start_2 = place_16;
-        direction_13 = _S307;
+        direction_13 = _S309;
         left_1 = left_2;
         k_4 = k_4 + u32(1);
     }
     return (length_of_0(start_2 + direction_13 * vec3<f64>(left_1) - chain_3.image_0 - offset_4)) < (f64(3.99999998990097083e-06f * max(f32(chain_3.count_1), 1.0f)) * (*point_0).distance_2);
 }
 
-fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best_0 : ptr<function, Nearest_0>)
+fn take_nearest_0( around_8 : ptr<function, Around_0>,  chain_4 : Chain_0,  best_0 : ptr<function, Nearest_0>)
 {
     var last_1 : Candidate_0;
     last_1.half_tangent_1 = -1.0lf;
@@ -2781,8 +2809,8 @@ fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
         {
             break;
         }
-        var found_6 : Candidates_0 = search_0((*around_7), chain_4, (*best_0).half_tangent_2, last_1);
-        var _S308 : bool = (found_6.count_2) < u32(4);
+        var found_6 : Candidates_0 = search_0((*around_8), chain_4, (*best_0).half_tangent_2, last_1);
+        var _S310 : bool = (found_6.count_2) < u32(4);
         var k_5 : u32 = u32(0);
         for(;;)
         {
@@ -2795,28 +2823,28 @@ fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             }
             last_1 = found_6.listed_0[k_5];
             var point_1 : Nearest_0 = (*best_0);
-            var _S309 : bool = is_seen_0(&((*around_7)), chain_4, place_of_1((*around_7), found_6.listed_0[k_5]) - chain_4.image_0, &(point_1));
-            if(!_S309)
+            var _S311 : bool = is_seen_0(&((*around_8)), chain_4, last_1.edge_1, place_of_1((*around_8), found_6.listed_0[k_5]) - chain_4.image_0, &(point_1));
+            if(!_S311)
             {
                 k_5 = k_5 + u32(1);
                 continue;
             }
             (*best_0) = point_1;
             (*best_0).half_tangent_2 = last_1.half_tangent_1;
-            (*best_0).edge_3 = last_1.edge_1;
+            (*best_0).edge_4 = last_1.edge_1;
             (*best_0).t_8 = last_1.t_6;
             return;
         }
-        is_complete_0 = _S308;
+        is_complete_0 = _S310;
     }
     return;
 }
 
-fn nearest_edge_0( around_8 : ptr<function, Around_0>,  direction_14 : vec3<f64>,  limit_9 : f64) -> Nearest_0
+fn nearest_edge_0( around_9 : ptr<function, Around_0>,  direction_14 : vec3<f64>,  limit_9 : f64) -> Nearest_0
 {
     var chain_5 : Chain_0;
-    chain_5.start_0 = (*around_8).position_1;
-    chain_5.image_0 = (*around_8).position_1;
+    chain_5.start_0 = (*around_9).position_1;
+    chain_5.image_0 = (*around_9).position_1;
     chain_5.direction_10 = direction_14;
     chain_5.facing_0 = vec3<f64>(0.0lf, 0.0lf, 0.0lf);
     chain_5.count_1 = u32(0);
@@ -2835,7 +2863,7 @@ fn nearest_edge_0( around_8 : ptr<function, Around_0>,  direction_14 : vec3<f64>
     }
     var best_1 : Nearest_0;
     best_1.half_tangent_2 = limit_9;
-    best_1.edge_3 = u32(4294967295);
+    best_1.edge_4 = u32(4294967295);
     best_1.distance_2 = 0.0lf;
     best_1.t_8 = 0.0lf;
     best_1.direction_12 = direction_14;
@@ -2844,28 +2872,28 @@ fn nearest_edge_0( around_8 : ptr<function, Around_0>,  direction_14 : vec3<f64>
     var mirrors_1 : u32 = u32(0);
     for(;;)
     {
-        if(mirrors_1 <= ((*around_8).mirrors_0))
+        if(mirrors_1 <= ((*around_9).mirrors_0))
         {
         }
         else
         {
             break;
         }
-        var _S310 : bool;
+        var _S312 : bool;
         if(mirrors_1 > u32(0))
         {
-            var _S311 : bool = reflect_0(&(chain_5));
-            _S310 = !_S311;
+            var _S313 : bool = reflect_0(&(chain_5));
+            _S312 = !_S313;
         }
         else
         {
-            _S310 = false;
+            _S312 = false;
         }
-        if(_S310)
+        if(_S312)
         {
             break;
         }
-        take_nearest_0(&((*around_8)), chain_5, &(best_1));
+        take_nearest_0(&((*around_9)), chain_5, &(best_1));
         mirrors_1 = mirrors_1 + u32(1);
     }
     return best_1;
@@ -2902,8 +2930,8 @@ fn tangent_by_0( direction_15 : vec3<f64>,  azimuth_0 : f32) -> vec3<f64>
 {
     var axes_12 : Axes_0 = axes_around_0(vec3<f32>(direction_15), true);
     var turn_0 : vec2<f32> = sine_cosine_0(6.28318548202514648f * azimuth_0);
-    var _S312 : vec3<f64> = vec3<f64>(axes_12.s_0 * vec3<f32>(turn_0.y) + axes_12.t_0 * vec3<f32>(turn_0.x));
-    return exact_unit_0(_S312 - direction_15 * vec3<f64>(dot(direction_15, _S312)));
+    var _S314 : vec3<f64> = vec3<f64>(axes_12.s_0 * vec3<f32>(turn_0.y) + axes_12.t_0 * vec3<f32>(turn_0.x));
+    return exact_unit_0(_S314 - direction_15 * vec3<f64>(dot(direction_15, _S314)));
 }
 
 struct Term_0
@@ -2919,11 +2947,11 @@ struct Field_0
      terms_0 : array<Term_0, i32(3)>,
 };
 
-fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  key_3 : vec2<u32>,  first_2 : u32) -> Field_0
+fn field_at_0( around_10 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  key_3 : vec2<u32>,  first_2 : u32) -> Field_0
 {
     var field_0 : Field_0;
     field_0.direction_16 = direction_17;
-    var _S313 : f64 = edge_real_0(u32(4));
+    var _S315 : f64 = edge_real_0(u32(4));
     const g_0 : vec3<f64> = vec3<f64>(0.0lf, 0.0lf, 0.0lf);
     var e_0 : vec3<f64> = g_0;
     var half_sine_1 : f64 = 0.0lf;
@@ -2947,11 +2975,11 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  k
         }
         else
         {
-            far_2 = _S313;
+            far_2 = _S315;
         }
-        var _S314 : bool = k_7 == u32(1);
+        var _S316 : bool = k_7 == u32(1);
         var x_11 : vec3<f64>;
-        if(_S314)
+        if(_S316)
         {
             x_11 = walked_0(direction_17, e_0, sqrt(f64(random_0(key_3, first_2 + u32(1)))) * half_sine_1);
         }
@@ -2968,9 +2996,9 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  k
         {
             x_12 = x_11;
         }
-        var _S315 : bool = k_7 > u32(0);
+        var _S317 : bool = k_7 > u32(0);
         var bound_0 : f64;
-        if(_S315)
+        if(_S317)
         {
             bound_0 = min(far_2, half_tangent_between_0(x_12, field_0.terms_0[i32(0)].site_0.direction_12));
         }
@@ -2978,27 +3006,27 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  k
         {
             bound_0 = far_2;
         }
-        var found_7 : Nearest_0 = nearest_edge_0(&((*around_9)), x_12, bound_0);
-        var _S316 : bool;
-        if(_S315)
+        var found_7 : Nearest_0 = nearest_edge_0(&((*around_10)), x_12, bound_0);
+        var _S318 : bool;
+        if(_S317)
         {
-            _S316 = (found_7.edge_3) == u32(4294967295);
+            _S318 = (found_7.edge_4) == u32(4294967295);
         }
         else
         {
-            _S316 = false;
+            _S318 = false;
         }
-        var _S317 : bool;
-        if(_S316)
+        var _S319 : bool;
+        if(_S318)
         {
-            _S317 = bound_0 < far_2;
+            _S319 = bound_0 < far_2;
         }
         else
         {
-            _S317 = false;
+            _S319 = false;
         }
         var found_8 : Nearest_0;
-        if(_S317)
+        if(_S319)
         {
             found_8 = field_0.terms_0[i32(0)].site_0;
         }
@@ -3007,33 +3035,33 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  k
             found_8 = found_7;
         }
         field_0.terms_0[k_7].site_0 = found_8;
-        var _S318 : i32;
-        if(_S314)
+        var _S320 : i32;
+        if(_S316)
         {
-            _S318 = i32(1);
+            _S320 = i32(1);
         }
         else
         {
-            _S318 = i32(0);
+            _S320 = i32(0);
         }
-        field_0.terms_0[k_7].weight_0 = f64(_S318);
+        field_0.terms_0[k_7].weight_0 = f64(_S320);
         field_0.terms_0[k_7].gradient_0 = g_1;
-        if(_S315)
+        if(_S317)
         {
             k_7 = k_7 + u32(1);
             continue;
         }
-        if((found_8.edge_3) == u32(4294967295))
+        if((found_8.edge_4) == u32(4294967295))
         {
             field_0.terms_0[i32(2)] = field_0.terms_0[i32(0)];
             field_0.terms_0[i32(1)] = field_0.terms_0[i32(0)];
             break;
         }
-        var is_within_1 : bool = (found_8.half_tangent_2) < _S313;
-        var _S319 : f64 = min(found_8.half_tangent_2, _S313);
-        var _S320 : f64 = 1.0lf / _S319;
-        var _S321 : f64 = _S319 / sqrt(1.0lf + _S319 * _S319);
-        var _S322 : vec3<f64> = tangent_by_0(direction_17, random_0(key_3, first_2));
+        var is_within_1 : bool = (found_8.half_tangent_2) < _S315;
+        var _S321 : f64 = min(found_8.half_tangent_2, _S315);
+        var _S322 : f64 = 1.0lf / _S321;
+        var _S323 : f64 = _S321 / sqrt(1.0lf + _S321 * _S321);
+        var _S324 : vec3<f64> = tangent_by_0(direction_17, random_0(key_3, first_2));
         var towards_0 : vec3<f64> = found_8.direction_12 - direction_17 * vec3<f64>(dot(direction_17, found_8.direction_12));
         var g_2 : vec3<f64>;
         if(is_within_1)
@@ -3044,27 +3072,27 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f64>,  k
         {
             g_2 = g_1;
         }
-        e_0 = _S322;
-        half_sine_1 = _S321;
+        e_0 = _S324;
+        half_sine_1 = _S323;
         g_1 = g_2;
-        kappa_0 = _S320;
+        kappa_0 = _S322;
         is_within_0 = is_within_1;
         k_7 = k_7 + u32(1);
     }
-    var _S323 : vec3<f64> = vec3<f64>(- kappa_0);
-    field_0.terms_0[i32(0)].gradient_0 = e_0 * _S323;
-    field_0.terms_0[i32(1)].gradient_0 = g_1 * _S323;
+    var _S325 : vec3<f64> = vec3<f64>(- kappa_0);
+    field_0.terms_0[i32(0)].gradient_0 = e_0 * _S325;
+    field_0.terms_0[i32(1)].gradient_0 = g_1 * _S325;
     field_0.terms_0[i32(2)].gradient_0 = (e_0 + g_1) * vec3<f64>(kappa_0);
     if(!is_within_0)
     {
-        field_0.terms_0[i32(0)].site_0.edge_3 = u32(4294967295);
+        field_0.terms_0[i32(0)].site_0.edge_4 = u32(4294967295);
     }
     return field_0;
 }
 
 struct Pulled_0
 {
-     numbers_5 : Numbers_0,
+     numbers_6 : Numbers_0,
      axes_13 : Axes_0,
      wi_2 : vec3<f32>,
      position_2 : vec3<f32>,
@@ -3073,13 +3101,13 @@ struct Pulled_0
 fn nothing_pulled_0() -> Pulled_0
 {
     var pulled_0 : Pulled_0;
-    pulled_0.numbers_5 = no_numbers_0();
-    var _S324 : vec3<f32> = vec3<f32>(0.0f);
-    pulled_0.position_2 = _S324;
-    pulled_0.wi_2 = _S324;
-    pulled_0.axes_13.n_0 = _S324;
-    pulled_0.axes_13.t_0 = _S324;
-    pulled_0.axes_13.s_0 = _S324;
+    pulled_0.numbers_6 = no_numbers_0();
+    var _S326 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_2 = _S326;
+    pulled_0.wi_2 = _S326;
+    pulled_0.axes_13.n_0 = _S326;
+    pulled_0.axes_13.t_0 = _S326;
+    pulled_0.axes_13.s_0 = _S326;
     return pulled_0;
 }
 
@@ -3088,15 +3116,13 @@ fn divergence_covector_0( field_1 : Field_0,  term_0 : Term_0) -> vec3<f64>
     return term_0.gradient_0 - field_1.direction_16 * vec3<f64>((2.0lf * term_0.weight_0));
 }
 
-fn angular_0( around_10 : Around_0,  site_1 : Nearest_0,  velocity_0 : vec3<f64>) -> vec3<f64>
+fn angular_0( around_11 : Around_0,  site_1 : Nearest_0,  velocity_0 : vec3<f64>) -> vec3<f64>
 {
-    var numbers_6 : u32 = edge_word_0(around_10.tree_0 + u32(2)) + u32(14) * site_1.edge_3;
-    var first_3 : f64 = dot(edge_position_0(numbers_6) - around_10.position_1, around_10.face_0);
-    var second_1 : f64 = dot(edge_position_0(numbers_6 + u32(3)) - around_10.position_1, around_10.face_0);
+    var _S327 : bool = (site_1.count_6) == u32(0);
     var is_horizon_0 : bool;
-    if((site_1.count_6) == u32(0))
+    if(_S327)
     {
-        is_horizon_0 = (max(abs(first_3), abs(second_1))) <= (limit_at_0(u32(2)));
+        is_horizon_0 = is_on_horizon_0(around_11, site_1.edge_4);
     }
     else
     {
@@ -3105,7 +3131,7 @@ fn angular_0( around_10 : Around_0,  site_1 : Nearest_0,  velocity_0 : vec3<f64>
     var normal_1 : vec3<f64>;
     if(is_horizon_0)
     {
-        normal_1 = around_10.face_0;
+        normal_1 = around_11.face_0;
     }
     else
     {
@@ -3114,20 +3140,46 @@ fn angular_0( around_10 : Around_0,  site_1 : Nearest_0,  velocity_0 : vec3<f64>
     var along_4 : vec3<f64> = normal_1 * vec3<f64>(dot(normal_1, velocity_0));
     if(is_horizon_0)
     {
-        normal_1 = along_4;
+        return along_4 / vec3<f64>(site_1.distance_2);
+    }
+    var kept_0 : vec3<f64> = velocity_0 - along_4;
+    var damped_0 : f64 = 1.0lf - abs(dot(around_11.face_0, site_1.direction_12)) / 0.199951171875lf;
+    if(_S327)
+    {
+        is_horizon_0 = damped_0 > 0.0lf;
     }
     else
     {
-        normal_1 = velocity_0 - along_4;
+        is_horizon_0 = false;
     }
-    return normal_1 / vec3<f64>(site_1.distance_2);
+    var kept_1 : vec3<f64>;
+    if(is_horizon_0)
+    {
+        var numbers_7 : u32 = edge_word_0(around_11.tree_0 + u32(2)) + u32(14) * site_1.edge_4;
+        var edge_6 : vec3<f64> = edge_position_0(numbers_7 + u32(3)) - edge_position_0(numbers_7);
+        var seen_1 : vec3<f64> = edge_6 - site_1.direction_12 * vec3<f64>(dot(edge_6, site_1.direction_12));
+        var squared_2 : f64 = dot(seen_1, seen_1);
+        if(squared_2 > (0.0lf * dot(edge_6, edge_6)))
+        {
+            kept_1 = kept_0 - seen_1 * vec3<f64>((damped_0 * dot(seen_1, velocity_0) / squared_2));
+        }
+        else
+        {
+            kept_1 = kept_0;
+        }
+    }
+    else
+    {
+        kept_1 = kept_0;
+    }
+    return kept_1 / vec3<f64>(site_1.distance_2);
 }
 
-fn place_on_edge_0( around_11 : Around_0,  site_2 : Nearest_0) -> vec3<f64>
+fn place_on_edge_0( around_12 : Around_0,  site_2 : Nearest_0) -> vec3<f64>
 {
-    var numbers_7 : u32 = edge_word_0(around_11.tree_0 + u32(2)) + u32(14) * site_2.edge_3;
-    var start_3 : vec3<f64> = edge_position_0(numbers_7);
-    return start_3 + (edge_position_0(numbers_7 + u32(3)) - start_3) * vec3<f64>(site_2.t_8);
+    var numbers_8 : u32 = edge_word_0(around_12.tree_0 + u32(2)) + u32(14) * site_2.edge_4;
+    var start_3 : vec3<f64> = edge_position_0(numbers_8);
+    return start_3 + (edge_position_0(numbers_8 + u32(3)) - start_3) * vec3<f64>(site_2.t_8);
 }
 
 struct ByCorners_0
@@ -3140,17 +3192,17 @@ struct ByCorners_0
 fn image_by_corners_0( mirror_5 : Mirror_0,  place_17 : vec3<f64>) -> ByCorners_0
 {
     var across_2 : vec3<f64> = cross(mirror_5.ab_0, mirror_5.ac_0);
-    var _S325 : vec3<f64> = vec3<f64>((1.0lf / dot(across_2, across_2)));
-    var gradient_b_0 : vec3<f64> = cross(mirror_5.ac_0, across_2) * _S325;
-    var gradient_c_0 : vec3<f64> = cross(across_2, mirror_5.ab_0) * _S325;
+    var _S328 : vec3<f64> = vec3<f64>((1.0lf / dot(across_2, across_2)));
+    var gradient_b_0 : vec3<f64> = cross(mirror_5.ac_0, across_2) * _S328;
+    var gradient_c_0 : vec3<f64> = cross(across_2, mirror_5.ab_0) * _S328;
     var offset_5 : vec3<f64> = place_17 - mirror_5.corner_0;
     var b_13 : f64 = dot(gradient_b_0, offset_5);
     var c_5 : f64 = dot(gradient_c_0, offset_5);
     var by_1 : ByCorners_0;
-    var _S326 : vec3<f64> = vec3<f64>((2.0lf * height_of_0(mirror_5, place_17)));
-    by_1.a_15 = mirror_5.normal_0 * vec3<f64>((2.0lf * (1.0lf - b_13 - c_5))) + ((vec3<f64>(0) - gradient_b_0) - gradient_c_0) * _S326;
-    by_1.b_12 = mirror_5.normal_0 * vec3<f64>((2.0lf * b_13)) + gradient_b_0 * _S326;
-    by_1.c_4 = mirror_5.normal_0 * vec3<f64>((2.0lf * c_5)) + gradient_c_0 * _S326;
+    var _S329 : vec3<f64> = vec3<f64>((2.0lf * height_of_0(mirror_5, place_17)));
+    by_1.a_15 = mirror_5.normal_0 * vec3<f64>((2.0lf * (1.0lf - b_13 - c_5))) + ((vec3<f64>(0) - gradient_b_0) - gradient_c_0) * _S329;
+    by_1.b_12 = mirror_5.normal_0 * vec3<f64>((2.0lf * b_13)) + gradient_b_0 * _S329;
+    by_1.c_4 = mirror_5.normal_0 * vec3<f64>((2.0lf * c_5)) + gradient_c_0 * _S329;
     return by_1;
 }
 
@@ -3163,29 +3215,29 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S327 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S330 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_3 : f32 = abs(scaled_0);
     if(size_3 > 7.73712524553362672e+25f)
     {
-        var _S328 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S331 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S329 : bool = scaled_0 < 0.0f;
-    var _S330 : i32;
+    var _S332 : bool = scaled_0 < 0.0f;
+    var _S333 : i32;
     if(size_3 >= 1.84467440737095516e+19f)
     {
-        _S330 = i32(1);
+        _S333 = i32(1);
     }
     else
     {
-        _S330 = i32(0);
+        _S333 = i32(0);
     }
-    var first_4 : u32 = u32(_S330);
+    var first_3 : u32 = u32(_S333);
     var size_4 : f32;
-    if(first_4 == u32(1))
+    if(first_3 == u32(1))
     {
         size_4 = size_3 * 2.32830643653869629e-10f;
     }
@@ -3195,7 +3247,7 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
     }
     var higher_0 : f32 = floor(size_4 * 2.32830643653869629e-10f);
     var lower_0 : f32 = size_4 - higher_0 * 4.294967296e+09f;
-    if(first_4 == u32(0))
+    if(first_3 == u32(0))
     {
         size_4 = lower_0 + 0.5f;
     }
@@ -3203,39 +3255,39 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
     {
         size_4 = lower_0;
     }
-    var _S331 : u32 = u32(4) + u32(4) * sum_0;
+    var _S334 : u32 = u32(4) + u32(4) * sum_0;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_4), u32(higher_0));
-    var k_8 : u32 = first_4;
+    var k_8 : u32 = first_3;
     for(;;)
     {
-        var _S332 : bool;
+        var _S335 : bool;
         if(k_8 < u32(4))
         {
-            _S332 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S335 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S332 = false;
+            _S335 = false;
         }
-        if(_S332)
+        if(_S335)
         {
         }
         else
         {
             break;
         }
-        var _S333 : u32;
-        if(_S329)
+        var _S336 : u32;
+        if(_S332)
         {
-            _S333 = u32(0) - digits_0.x;
+            _S336 = u32(0) - digits_0.x;
         }
         else
         {
-            _S333 = digits_0.x;
+            _S336 = digits_0.x;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S331 + k_8]), _S333);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S334 + k_8]), _S336);
         var overflows_0 : bool;
-        if(_S329)
+        if(_S332)
         {
             overflows_0 = before_0 < (digits_0.x);
         }
@@ -3243,46 +3295,46 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_0 + digits_0.x) < before_0;
         }
-        var _S334 : u32 = digits_0.y;
+        var _S337 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S330 = i32(1);
+            _S333 = i32(1);
         }
         else
         {
-            _S330 = i32(0);
+            _S333 = i32(0);
         }
-        var _S335 : vec2<u32> = vec2<u32>(_S334 + u32(_S330), u32(0));
-        var _S336 : u32 = k_8 + u32(1);
-        digits_0 = _S335;
-        k_8 = _S336;
+        var _S338 : vec2<u32> = vec2<u32>(_S337 + u32(_S333), u32(0));
+        var _S339 : u32 = k_8 + u32(1);
+        digits_0 = _S338;
+        k_8 = _S339;
     }
     return;
 }
 
-fn add_to_sums_0( first_5 : u32,  derivative_1 : vec3<f32>)
+fn add_to_sums_0( first_4 : u32,  derivative_1 : vec3<f32>)
 {
-    var _S337 : i32;
-    if(first_5 == u32(4294967295))
+    var _S340 : i32;
+    if(first_4 == u32(4294967295))
     {
-        _S337 = i32(0);
+        _S340 = i32(0);
     }
     else
     {
-        _S337 = i32(3);
+        _S340 = i32(3);
     }
-    var _S338 : u32 = u32(_S337);
+    var _S341 : u32 = u32(_S340);
     var axis_6 : u32 = u32(0);
     for(;;)
     {
-        if(axis_6 < _S338)
+        if(axis_6 < _S341)
         {
         }
         else
         {
             break;
         }
-        add_to_sum_0(first_5 + axis_6, derivative_1[axis_6]);
+        add_to_sum_0(first_4 + axis_6, derivative_1[axis_6]);
         axis_6 = axis_6 + u32(1);
     }
     return;
@@ -3297,54 +3349,54 @@ struct AtCorners_0
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_12 : u32,  corners_0 : AtCorners_0)
 {
-    var _S339 : u32 = triangle_record_0(triangle_12) + u32(2);
-    var _S340 : i32;
+    var _S342 : u32 = triangle_record_0(triangle_12) + u32(2);
+    var _S343 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S340 = i32(0);
+        _S343 = i32(0);
     }
     else
     {
-        _S340 = i32(3);
+        _S343 = i32(3);
     }
-    var _S341 : u32 = u32(_S340);
+    var _S344 : u32 = u32(_S343);
     var k_9 : u32 = u32(0);
     for(;;)
     {
-        if(k_9 < _S341)
+        if(k_9 < _S344)
         {
         }
         else
         {
             break;
         }
-        var _S342 : u32 = sums_at_0 + u32(3) * word_0(_S339 + k_9);
-        var _S343 : vec3<f32>;
+        var _S345 : u32 = sums_at_0 + u32(3) * word_0(_S342 + k_9);
+        var _S346 : vec3<f32>;
         if(k_9 == u32(0))
         {
-            _S343 = corners_0.a_16;
+            _S346 = corners_0.a_16;
         }
         else
         {
             if(k_9 == u32(1))
             {
-                _S343 = corners_0.b_14;
+                _S346 = corners_0.b_14;
             }
             else
             {
-                _S343 = corners_0.c_6;
+                _S346 = corners_0.c_6;
             }
         }
-        add_to_sums_0(_S342, _S343);
+        add_to_sums_0(_S345, _S346);
         k_9 = k_9 + u32(1);
     }
     return;
 }
 
-fn image_back_0( around_12 : Around_0,  site_3 : Nearest_0,  by_velocity_0 : vec3<f64>) -> vec3<f64>
+fn image_back_0( around_13 : Around_0,  site_3 : Nearest_0,  by_velocity_0 : vec3<f64>) -> vec3<f64>
 {
     var places_0 : array<vec3<f64>, i32(6)>;
-    var place_18 : vec3<f64> = place_on_edge_0(around_12, site_3);
+    var place_18 : vec3<f64> = place_on_edge_0(around_13, site_3);
     var k_10 : u32 = site_3.count_6;
     for(;;)
     {
@@ -3355,11 +3407,11 @@ fn image_back_0( around_12 : Around_0,  site_3 : Nearest_0,  by_velocity_0 : vec
         {
             break;
         }
-        var _S344 : u32 = k_10 - u32(1);
-        places_0[_S344] = place_18;
-        var _S345 : vec3<f64> = image_of_0(mirror_at_0(site_3.triangles_1[_S344]), place_18);
-        place_18 = _S345;
-        k_10 = _S344;
+        var _S347 : u32 = k_10 - u32(1);
+        places_0[_S347] = place_18;
+        var _S348 : vec3<f64> = image_of_0(mirror_at_0(site_3.triangles_1[_S347]), place_18);
+        place_18 = _S348;
+        k_10 = _S347;
     }
     place_18 = by_velocity_0;
     k_10 = u32(0);
@@ -3379,24 +3431,24 @@ fn image_back_0( around_12 : Around_0,  site_3 : Nearest_0,  by_velocity_0 : vec
         corners_1.b_14 = vec3<f32>(mirror_6.normal_0 * vec3<f64>(dot(by_2.b_12, place_18)));
         corners_1.c_6 = vec3<f32>(mirror_6.normal_0 * vec3<f64>(dot(by_2.c_4, place_18)));
         add_to_corners_0(points_of_0(site_3.triangles_1[k_10]), site_3.triangles_1[k_10], corners_1);
-        var _S346 : vec3<f64> = mirrored_0(mirror_6, place_18);
-        var _S347 : u32 = k_10 + u32(1);
-        place_18 = _S346;
-        k_10 = _S347;
+        var _S349 : vec3<f64> = mirrored_0(mirror_6, place_18);
+        var _S350 : u32 = k_10 + u32(1);
+        place_18 = _S349;
+        k_10 = _S350;
     }
     return place_18;
 }
 
-fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f32>,  by_divergence_0 : f32) -> vec3<f32>
+fn field_back_0( field_2 : Field_0,  around_14 : Around_0,  by_change_0 : vec3<f32>,  by_divergence_0 : f32) -> vec3<f32>
 {
     var place_19 : u32;
-    const _S348 : vec3<f64> = vec3<f64>(0.0lf, 0.0lf, 0.0lf);
+    const _S351 : vec3<f64> = vec3<f64>(0.0lf, 0.0lf, 0.0lf);
     var by_direction_0 : vec3<f64> = vec3<f64>(by_change_0);
     var by_direction_1 : vec3<f64> = by_direction_0 - field_2.direction_16 * vec3<f64>(dot(field_2.direction_16, by_direction_0));
     var by_start_0 : array<vec3<f64>, i32(3)>;
     var by_end_0 : array<vec3<f64>, i32(3)>;
     var k_11 : u32 = u32(0);
-    var by_viewpoint_0 : vec3<f64> = _S348;
+    var by_viewpoint_0 : vec3<f64> = _S351;
     for(;;)
     {
         if(k_11 < u32(3))
@@ -3406,17 +3458,17 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
         {
             break;
         }
-        var _S349 : u32 = k_11;
-        by_end_0[k_11] = _S348;
-        by_start_0[k_11] = _S348;
-        if((field_2.terms_0[k_11].site_0.edge_3) == u32(4294967295))
+        var _S352 : u32 = k_11;
+        by_end_0[k_11] = _S351;
+        by_start_0[k_11] = _S351;
+        if((field_2.terms_0[k_11].site_0.edge_4) == u32(4294967295))
         {
             k_11 = k_11 + u32(1);
             continue;
         }
-        var by_velocity_1 : vec3<f64> = angular_0(around_13, field_2.terms_0[_S349].site_0, by_direction_1 * vec3<f64>(field_2.terms_0[_S349].weight_0) + divergence_covector_0(field_2, field_2.terms_0[_S349]) * vec3<f64>(f64(by_divergence_0)));
+        var by_velocity_1 : vec3<f64> = angular_0(around_14, field_2.terms_0[_S352].site_0, by_direction_1 * vec3<f64>(field_2.terms_0[_S352].weight_0) + divergence_covector_0(field_2, field_2.terms_0[_S352]) * vec3<f64>(f64(by_divergence_0)));
         var by_viewpoint_1 : vec3<f64> = by_viewpoint_0 - by_velocity_1;
-        var by_velocity_2 : vec3<f64> = image_back_0(around_13, field_2.terms_0[_S349].site_0, by_velocity_1);
+        var by_velocity_2 : vec3<f64> = image_back_0(around_14, field_2.terms_0[_S352].site_0, by_velocity_1);
         place_19 = k_11;
         var before_1 : u32 = k_11;
         for(;;)
@@ -3428,15 +3480,15 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
             {
                 break;
             }
-            var _S350 : u32 = before_1 - u32(1);
-            if((field_2.terms_0[_S350].site_0.edge_3) == (field_2.terms_0[_S349].site_0.edge_3))
+            var _S353 : u32 = before_1 - u32(1);
+            if((field_2.terms_0[_S353].site_0.edge_4) == (field_2.terms_0[_S352].site_0.edge_4))
             {
-                place_19 = _S350;
+                place_19 = _S353;
             }
-            before_1 = _S350;
+            before_1 = _S353;
         }
-        by_start_0[place_19] = by_start_0[place_19] + by_velocity_2 * vec3<f64>((1.0lf - field_2.terms_0[_S349].site_0.t_8));
-        by_end_0[place_19] = by_end_0[place_19] + by_velocity_2 * vec3<f64>(field_2.terms_0[_S349].site_0.t_8);
+        by_start_0[place_19] = by_start_0[place_19] + by_velocity_2 * vec3<f64>((1.0lf - field_2.terms_0[_S352].site_0.t_8));
+        by_end_0[place_19] = by_end_0[place_19] + by_velocity_2 * vec3<f64>(field_2.terms_0[_S352].site_0.t_8);
         by_viewpoint_0 = by_viewpoint_1;
         k_11 = k_11 + u32(1);
     }
@@ -3450,13 +3502,13 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
         {
             break;
         }
-        var _S351 : u32 = k_11;
-        if((field_2.terms_0[k_11].site_0.edge_3) == u32(4294967295))
+        var _S354 : u32 = k_11;
+        if((field_2.terms_0[k_11].site_0.edge_4) == u32(4294967295))
         {
             k_11 = k_11 + u32(1);
             continue;
         }
-        var _S352 : u32 = record_of_0(around_13, field_2.terms_0[_S351].site_0.edge_3) + u32(2);
+        var _S355 : u32 = record_of_0(around_14, field_2.terms_0[_S354].site_0.edge_4) + u32(2);
         place_19 = u32(0);
         for(;;)
         {
@@ -3467,17 +3519,17 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
             {
                 break;
             }
-            var _S353 : u32 = edge_word_0(_S352 + place_19);
-            var _S354 : vec3<f64>;
+            var _S356 : u32 = edge_word_0(_S355 + place_19);
+            var _S357 : vec3<f64>;
             if(place_19 == u32(0))
             {
-                _S354 = by_start_0[k_11];
+                _S357 = by_start_0[k_11];
             }
             else
             {
-                _S354 = by_end_0[k_11];
+                _S357 = by_end_0[k_11];
             }
-            add_to_sums_0(_S353, vec3<f32>(_S354));
+            add_to_sums_0(_S356, vec3<f32>(_S357));
             place_19 = place_19 + u32(1);
         }
         k_11 = k_11 + u32(1);
@@ -3485,33 +3537,33 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
     return vec3<f32>(by_viewpoint_0);
 }
 
-fn slot_derivative_0( numbers_8 : Numbers_0,  slot_6 : u32) -> vec3<f32>
+fn slot_derivative_0( numbers_9 : Numbers_0,  slot_6 : u32) -> vec3<f32>
 {
     switch(slot_6)
     {
     case u32(0):
         {
-            return numbers_8.diffuse_reflectance_0;
+            return numbers_9.diffuse_reflectance_0;
         }
     case u32(1):
         {
-            return numbers_8.specular_reflectance_0;
+            return numbers_9.specular_reflectance_0;
         }
     case u32(2):
         {
-            return numbers_8.eta_0;
+            return numbers_9.eta_0;
         }
     case u32(3):
         {
-            return numbers_8.k_0;
+            return numbers_9.k_0;
         }
     case u32(4):
         {
-            return vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f) * vec3<f32>(numbers_8.alpha_0.x);
+            return vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f) * vec3<f32>(numbers_9.alpha_0.x);
         }
     default :
         {
-            return vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f) * vec3<f32>(numbers_8.alpha_0.y);
+            return vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f) * vec3<f32>(numbers_9.alpha_0.y);
         }
     }
 }
@@ -3523,21 +3575,21 @@ fn numbers_of_0( texture_6 : u32) -> u32
 
 fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
 {
-    var first_6 : u32 = numbers_of_0(texture_7);
-    var _S355 : u32 = word_0(texture_7 + u32(1));
-    var _S356 : u32;
-    if(first_6 == u32(4294967295))
+    var first_5 : u32 = numbers_of_0(texture_7);
+    var _S358 : u32 = word_0(texture_7 + u32(1));
+    var _S359 : u32;
+    if(first_5 == u32(4294967295))
     {
-        _S356 = u32(0);
+        _S359 = u32(0);
     }
     else
     {
-        _S356 = lookup_5.count_0;
+        _S359 = lookup_5.count_0;
     }
     var k_12 : u32 = u32(0);
     for(;;)
     {
-        if(k_12 < _S356)
+        if(k_12 < _S359)
         {
         }
         else
@@ -3546,7 +3598,7 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         }
         var own_0 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_12]);
         var own_1 : vec3<f32>;
-        if(_S355 == u32(1))
+        if(_S358 == u32(1))
         {
             own_1 = vec3<f32>((own_0.x + own_0.y + own_0.z));
         }
@@ -3557,14 +3609,14 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         var c_7 : u32 = u32(0);
         for(;;)
         {
-            if(c_7 < _S355)
+            if(c_7 < _S358)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_6 + _S355 * lookup_5.texels_0[k_12] + c_7, own_1[c_7]);
+            add_to_sum_0(first_5 + _S358 * lookup_5.texels_0[k_12] + c_7, own_1[c_7]);
             c_7 = c_7 + u32(1);
         }
         k_12 = k_12 + u32(1);
@@ -3578,15 +3630,15 @@ fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
     return vec2<f32>(dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_first_0), derivative_3), dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_second_0), derivative_3));
 }
 
-fn numbers_back_0( material_1 : u32,  place_20 : Place_0,  numbers_9 : Numbers_0) -> vec2<f32>
+fn numbers_back_0( material_1 : u32,  place_20 : Place_0,  numbers_10 : Numbers_0) -> vec2<f32>
 {
-    var _S357 : vec2<f32> = vec2<f32>(0.0f);
-    var _S358 : u32 = word_0(material_1 + u32(4));
+    var _S360 : vec2<f32> = vec2<f32>(0.0f);
+    var _S361 : u32 = word_0(material_1 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S357;
+    var by_place_0 : vec2<f32> = _S360;
     for(;;)
     {
-        if(slot_7 < _S358)
+        if(slot_7 < _S361)
         {
         }
         else
@@ -3599,9 +3651,9 @@ fn numbers_back_0( material_1 : u32,  place_20 : Place_0,  numbers_9 : Numbers_0
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S359 : Lookup_0 = lookup_at_0(texture_9, place_20);
-        var _S360 : vec2<f32> = lookup_back_0(texture_9, _S359, slot_derivative_0(numbers_9, slot_7));
-        by_place_0 = by_place_0 + _S360;
+        var _S362 : Lookup_0 = lookup_at_0(texture_9, place_20);
+        var _S363 : vec2<f32> = lookup_back_0(texture_9, _S362, slot_derivative_0(numbers_10, slot_7));
+        by_place_0 = by_place_0 + _S363;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_0;
@@ -3615,10 +3667,10 @@ fn is_moving_0() -> bool
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_2 : AtCorners_0;
-    var _S361 : vec3<f32> = vec3<f32>(0.0f);
-    corners_2.c_6 = _S361;
-    corners_2.b_14 = _S361;
-    corners_2.a_16 = _S361;
+    var _S364 : vec3<f32> = vec3<f32>(0.0f);
+    corners_2.c_6 = _S364;
+    corners_2.b_14 = _S364;
+    corners_2.a_16 = _S364;
     return corners_2;
 }
 
@@ -3631,20 +3683,20 @@ fn tangent_back_0( points_0 : ptr<function, AtCorners_0>,  triangle_13 : u32,  t
 {
     var corner_2 : u32 = u32(9) * triangle_13;
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_13);
-    var _S362 : vec2<f32> = vec2<f32>(uvs_2.b_2 - uvs_2.a_5);
-    var _S363 : vec2<f32> = vec2<f32>(uvs_2.c_1 - uvs_2.a_5);
-    var _S364 : f32 = _S363.y;
-    var _S365 : f32 = _S362.y;
-    var scale_0 : f32 = 1.0f / (_S362.x * _S364 - _S363.x * _S365);
-    var of_ab_0 : f32 = _S364 * scale_0;
-    var of_ac_0 : f32 = - _S365 * scale_0;
+    var _S365 : vec2<f32> = vec2<f32>(uvs_2.b_2 - uvs_2.a_5);
+    var _S366 : vec2<f32> = vec2<f32>(uvs_2.c_1 - uvs_2.a_5);
+    var _S367 : f32 = _S366.y;
+    var _S368 : f32 = _S365.y;
+    var scale_0 : f32 = 1.0f / (_S365.x * _S367 - _S366.x * _S368);
+    var of_ab_0 : f32 = _S367 * scale_0;
+    var of_ac_0 : f32 = - _S368 * scale_0;
     var a_17 : vec3<f64> = primitive_vector_0(corner_2);
-    var _S366 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S367 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_4, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_17) * _S366 + vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_17) * _S367));
+    var _S369 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S370 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_4, by_tangent_0, length(vec3<f32>(primitive_vector_0(corner_2 + u32(3)) - a_17) * _S369 + vec3<f32>(primitive_vector_0(corner_2 + u32(6)) - a_17) * _S370));
     (*points_0).a_16 = (*points_0).a_16 - derivative_5 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_0).b_14 = (*points_0).b_14 + derivative_5 * _S366;
-    (*points_0).c_6 = (*points_0).c_6 + derivative_5 * _S367;
+    (*points_0).b_14 = (*points_0).b_14 + derivative_5 * _S369;
+    (*points_0).c_6 = (*points_0).c_6 + derivative_5 * _S370;
     return;
 }
 
@@ -3673,12 +3725,12 @@ fn place_back_0( points_1 : ptr<function, AtCorners_0>,  place_23 : Place_0,  by
 {
     var corner_3 : u32 = u32(9) * place_23.triangle_0;
     var a_18 : vec3<f64> = primitive_vector_0(corner_3);
-    var _S368 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_18);
-    var _S369 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_18);
-    var across_3 : vec3<f32> = cross(_S368, _S369);
-    var _S370 : f32 = max(max(abs(across_3.x), abs(across_3.y)), abs(across_3.z));
-    var normal_2 : vec3<f32> = across_3 / vec3<f32>(_S370);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S369, normal_2) * vec3<f32>(by_place_1.x) + cross(normal_2, _S368) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_2, normal_2) * _S370)));
+    var _S371 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(3)) - a_18);
+    var _S372 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_3 + u32(6)) - a_18);
+    var across_3 : vec3<f32> = cross(_S371, _S372);
+    var _S373 : f32 = max(max(abs(across_3.x), abs(across_3.y)), abs(across_3.z));
+    var normal_2 : vec3<f32> = across_3 / vec3<f32>(_S373);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(_S372, normal_2) * vec3<f32>(by_place_1.x) + cross(normal_2, _S371) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_2, normal_2) * _S373)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_2 * vec3<f32>((dot(direction_18, by_slip_0) / dot(normal_2, direction_18)));
     add_at_place_1(&((*points_1)), place_23, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -3687,20 +3739,20 @@ fn place_back_0( points_1 : ptr<function, AtCorners_0>,  place_23 : Place_0,  by
 fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_5 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_19 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_5.shape_0);
-    var _S371 : vec2<f32>;
+    var _S374 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_4 : u32 = u32(9) * surface_5.place_3.triangle_0;
         var a_19 : vec3<f64> = primitive_vector_0(corner_4);
-        var _S372 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_4 + u32(3)) - a_19);
-        var _S373 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_4 + u32(6)) - a_19);
-        var derivative_8 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(_S372, _S373)));
-        var by_ab_0 : vec3<f32> = cross(_S373, derivative_8);
-        var by_ac_0 : vec3<f32> = cross(derivative_8, _S372);
+        var _S375 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_4 + u32(3)) - a_19);
+        var _S376 : vec3<f32> = vec3<f32>(primitive_vector_0(corner_4 + u32(6)) - a_19);
+        var derivative_8 : vec3<f32> = unit_back_0(surface_5.outward_0, by_outward_0, length(cross(_S375, _S376)));
+        var by_ab_0 : vec3<f32> = cross(_S376, derivative_8);
+        var by_ac_0 : vec3<f32> = cross(derivative_8, _S375);
         (*points_2).a_16 = (*points_2).a_16 - (by_ab_0 + by_ac_0);
         (*points_2).b_14 = (*points_2).b_14 + by_ab_0;
         (*points_2).c_6 = (*points_2).c_6 + by_ac_0;
-        _S371 = by_place_2;
+        _S374 = by_place_2;
     }
     else
     {
@@ -3712,42 +3764,42 @@ fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_5 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_5.place_3, derivative_9);
         add_to_corners_0(normals_of_0(surface_5.place_3.triangle_0), surface_5.place_3.triangle_0, of_normals_0);
-        _S371 = by_place_2 + vec2<f32>(dot(ab_1, derivative_9), dot(ac_1, derivative_9));
+        _S374 = by_place_2 + vec2<f32>(dot(ab_1, derivative_9), dot(ac_1, derivative_9));
     }
-    var _S374 : vec3<f32> = place_back_0(&((*points_2)), surface_5.place_3, _S371, by_position_1, direction_19);
-    return _S374;
+    var _S377 : vec3<f32> = place_back_0(&((*points_2)), surface_5.place_3, _S374, by_position_1, direction_19);
+    return _S377;
 }
 
 fn vertex_back_0( pulled_1 : Pulled_0,  vertex_2 : Vertex_0,  material_2 : u32,  direction_20 : vec3<f32>) -> ByRay_0
 {
     var by_ray_1 : ByRay_0;
-    var _S375 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_0 = _S375;
-    by_ray_1.drift_0 = _S375;
-    var by_place_3 : vec2<f32> = numbers_back_0(material_2, vertex_2.surface_3.place_3, pulled_1.numbers_5);
+    var _S378 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S378;
+    by_ray_1.drift_0 = _S378;
+    var by_place_3 : vec2<f32> = numbers_back_0(material_2, vertex_2.surface_3.place_3, pulled_1.numbers_6);
     if(!is_moving_0())
     {
         return by_ray_1;
     }
-    var _S376 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S379 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_1 : DiffPair_Axes_0;
     towards_1.primal_0 = vertex_2.axes_4;
-    towards_1.differential_0 = _S376;
+    towards_1.differential_0 = _S379;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_20;
-    incoming_0.differential_0 = _S375;
+    incoming_0.differential_0 = _S378;
     _S173(&(towards_1), &(incoming_0), pulled_1.wi_2);
     by_ray_1.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_2.surface_3.outward_0;
-    outward_1.differential_0 = _S375;
-    var _S377 : vec3<f32> = tangent_at_0(vertex_2.surface_3);
+    outward_1.differential_0 = _S378;
+    var _S380 : vec3<f32> = tangent_at_0(vertex_2.surface_3);
     var tangent_5 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_5.primal_0 = _S377;
-    tangent_5.differential_0 = _S375;
+    tangent_5.primal_0 = _S380;
+    tangent_5.differential_0 = _S378;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_1.axes_13, towards_1.differential_0);
     var points_3 : AtCorners_0 = at_no_corner_0();
-    if((any((_S377 != _S375))))
+    if((any((_S380 != _S378))))
     {
         _S124(&(outward_1), &(tangent_5), vertex_2.surface_3.is_front_0, by_axes_0);
         tangent_back_0(&(points_3), vertex_2.surface_3.place_3.triangle_0, tangent_5.primal_0, tangent_5.differential_0);
@@ -3756,8 +3808,8 @@ fn vertex_back_0( pulled_1 : Pulled_0,  vertex_2 : Vertex_0,  material_2 : u32, 
     {
         _S93(&(outward_1), vertex_2.surface_3.is_front_0, by_axes_0);
     }
-    var _S378 : vec3<f32> = surface_back_0(&(points_3), vertex_2.surface_3, by_place_3, pulled_1.position_2, outward_1.differential_0, direction_20);
-    by_ray_1.drift_0 = _S378;
+    var _S381 : vec3<f32> = surface_back_0(&(points_3), vertex_2.surface_3, by_place_3, pulled_1.position_2, outward_1.differential_0, direction_20);
+    by_ray_1.drift_0 = _S381;
     add_to_corners_0(points_of_0(vertex_2.surface_3.place_3.triangle_0), vertex_2.surface_3.place_3.triangle_0, points_3);
     return by_ray_1;
 }
@@ -3789,67 +3841,67 @@ fn set_vector_0( path_7 : u32,  which_7 : ptr<function, u32>,  value_6 : vec3<f3
 
 fn walk_vertex_back_0( number_of_path_1 : u32,  key_4 : vec2<u32>,  depth_4 : u32)
 {
-    var kept_0 : u32 = kept_at_0(depth_4);
-    var which_8 : u32 = kept_0 + u32(3);
+    var kept_2 : u32 = kept_at_0(depth_4);
+    var which_8 : u32 = kept_2 + u32(3);
     var place_24 : Place_0 = path_place_0(number_of_path_1, &(which_8));
     var direction_21 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
     var by_direction_2 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
     var by_divergence_1 : f32 = (bitcast<f32>((path_word_0(number_of_path_1, which_8))));
-    var _S379 : bool;
+    var _S382 : bool;
     if((all((by_direction_2 == vec3<f32>(0.0f)))))
     {
-        _S379 = by_divergence_1 == 0.0f;
+        _S382 = by_divergence_1 == 0.0f;
     }
     else
     {
-        _S379 = false;
+        _S382 = false;
     }
-    if(_S379)
+    if(_S382)
     {
-        _S379 = true;
+        _S382 = true;
     }
     else
     {
-        _S379 = (edge_word_0(u32(1))) == u32(4294967295);
+        _S382 = (edge_word_0(u32(1))) == u32(4294967295);
     }
-    if(_S379)
+    if(_S382)
     {
         return;
     }
-    which_8 = kept_0 + u32(17);
+    which_8 = kept_2 + u32(17);
     var wo_0 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
     var surface_6 : Surface_0 = surface_at_0(place_24, direction_21);
     var material_3 : u32 = material_of_0(surface_6);
     var vertex_3 : Vertex_0 = vertex_at_0(surface_6, material_3, direction_21);
-    var around_14 : Around_0 = around_vertex_0(vertex_3, depth_4);
-    var field_3 : Field_0 = field_at_0(&(around_14), exact_unit_0(vec3<f64>(normalize(to_world_0(vertex_3.axes_4, wo_0)))), key_4, first_number_0(depth_4));
+    var around_15 : Around_0 = around_vertex_0(vertex_3, depth_4);
+    var field_3 : Field_0 = field_at_0(&(around_15), exact_unit_0(vec3<f64>(normalize(to_world_0(vertex_3.axes_4, wo_0)))), key_4, first_number_0(depth_4));
     var pulled_2 : Pulled_0 = nothing_pulled_0();
-    var _S380 : vec3<f32> = field_back_0(field_3, around_14, by_direction_2, by_divergence_1);
-    pulled_2.position_2 = _S380;
-    var _S381 : ByRay_0 = vertex_back_0(pulled_2, vertex_3, material_3, direction_21);
-    var by_ray_2 : ByRay_0 = _S381;
+    var _S383 : vec3<f32> = field_back_0(field_3, around_15, by_direction_2, by_divergence_1);
+    pulled_2.position_2 = _S383;
+    var _S384 : ByRay_0 = vertex_back_0(pulled_2, vertex_3, material_3, direction_21);
+    var by_ray_2 : ByRay_0 = _S384;
     which_8 = u32(20);
-    var _S382 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
-    var _S383 : vec3<f32> = by_ray_2.drift_0 + _S382;
-    by_ray_2.drift_0 = _S383;
-    var _S384 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
-    var _S385 : vec3<f32> = by_ray_2.direction_0 + _S384;
-    by_ray_2.direction_0 = _S385;
+    var _S385 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
+    var _S386 : vec3<f32> = by_ray_2.drift_0 + _S385;
+    by_ray_2.drift_0 = _S386;
+    var _S387 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
+    var _S388 : vec3<f32> = by_ray_2.direction_0 + _S387;
+    by_ray_2.direction_0 = _S388;
     which_8 = u32(20);
-    set_vector_0(number_of_path_1, &(which_8), _S383);
-    set_vector_0(number_of_path_1, &(which_8), _S385);
+    set_vector_0(number_of_path_1, &(which_8), _S386);
+    set_vector_0(number_of_path_1, &(which_8), _S388);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S386 : u32;
+    var _S389 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S387 : u32 = u32(2) + zero_0;
-        _S386 = _S387;
-        if(rounds_0 < _S387)
+        var _S390 : u32 = u32(2) + zero_0;
+        _S389 = _S390;
+        if(rounds_0 < _S390)
         {
         }
         else
@@ -3858,14 +3910,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S386;
+    return rounds_0 == _S389;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S388 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S391 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from walk_back.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: a77b3139395e29fe
-// result: d10abd6a85af4a3b
+// source: 94ebea24f75660c7
+// result: 7e2a5dffaed459c9
 
 struct Launch_std140_0
 {
@@ -2396,11 +2396,17 @@ fn has_room_0( candidates_0 : Candidates_0,  candidate_1 : Candidate_0) -> bool
     return _S291;
 }
 
-fn place_of_1( around_3 : Around_0,  candidate_2 : Candidate_0) -> vec3<f32>
+fn is_on_horizon_0( around_3 : Around_0,  edge_3 : u32) -> bool
 {
-    var numbers_4 : u32 = edge_word_0(around_3.tree_0 + u32(2)) + u32(14) * candidate_2.edge_1;
-    var start_1 : vec3<f32> = edge_position_0(numbers_4);
-    return start_1 + (edge_position_0(numbers_4 + u32(3)) - start_1) * vec3<f32>(candidate_2.t_6);
+    var numbers_4 : u32 = edge_word_0(around_3.tree_0 + u32(2)) + u32(14) * edge_3;
+    return (max(abs(dot(edge_position_0(numbers_4) - around_3.position_1, around_3.face_0)), abs(dot(edge_position_0(numbers_4 + u32(3)) - around_3.position_1, around_3.face_0)))) <= (limit_at_0(u32(2)));
+}
+
+fn place_of_1( around_4 : Around_0,  candidate_2 : Candidate_0) -> vec3<f32>
+{
+    var numbers_5 : u32 = edge_word_0(around_4.tree_0 + u32(2)) + u32(14) * candidate_2.edge_1;
+    var start_1 : vec3<f32> = edge_position_0(numbers_5);
+    return start_1 + (edge_position_0(numbers_5 + u32(3)) - start_1) * vec3<f32>(candidate_2.t_6);
 }
 
 fn meets_0( triangle_10 : u32,  origin_4 : vec3<f32>,  direction_11 : vec3<f32>,  t_min_4 : f32,  t_max_4 : f32) -> bool
@@ -2410,49 +2416,58 @@ fn meets_0( triangle_10 : u32,  origin_4 : vec3<f32>,  direction_11 : vec3<f32>,
     return intersect_0(ray_6, axes_11, u32(9) * triangle_10).is_hit_0;
 }
 
-fn is_hidden_0( around_4 : Around_0,  candidate_3 : Candidate_0) -> bool
+fn is_hidden_0( around_5 : Around_0,  candidate_3 : Candidate_0) -> bool
 {
-    if((around_4.occluder_0) == u32(4294967295))
+    var _S292 : bool;
+    if((around_5.occluder_0) == u32(4294967295))
+    {
+        _S292 = true;
+    }
+    else
+    {
+        _S292 = is_on_horizon_0(around_5, candidate_3.edge_1);
+    }
+    if(_S292)
     {
         return false;
     }
-    var way_2 : vec3<f32> = place_of_1(around_4, candidate_3) - around_4.position_1;
+    var way_2 : vec3<f32> = place_of_1(around_5, candidate_3) - around_5.position_1;
     var distance_1 : f32 = length_of_0(way_2);
-    return meets_0(around_4.occluder_0, around_4.position_1, way_2 / vec3<f32>(distance_1), limit_at_0(u32(2)), distance_1 * limit_at_0(u32(3)));
+    return meets_0(around_5.occluder_0, around_5.position_1, way_2 / vec3<f32>(distance_1), limit_at_0(u32(2)), distance_1 * limit_at_0(u32(3)));
 }
 
 fn list_0( candidates_1 : ptr<function, Candidates_0>,  candidate_4 : Candidate_0)
 {
-    var _S292 : u32 = min((*candidates_1).count_2, u32(3));
-    (*candidates_1).count_2 = _S292 + u32(1);
-    var place_15 : u32 = _S292;
+    var _S293 : u32 = min((*candidates_1).count_2, u32(3));
+    (*candidates_1).count_2 = _S293 + u32(1);
+    var place_15 : u32 = _S293;
     for(;;)
     {
-        var _S293 : bool;
+        var _S294 : bool;
         if(place_15 > u32(0))
         {
-            _S293 = is_before_0(candidate_4, (*candidates_1).listed_0[place_15 - u32(1)]);
+            _S294 = is_before_0(candidate_4, (*candidates_1).listed_0[place_15 - u32(1)]);
         }
         else
         {
-            _S293 = false;
+            _S294 = false;
         }
-        if(_S293)
+        if(_S294)
         {
         }
         else
         {
             break;
         }
-        var _S294 : u32 = place_15 - u32(1);
-        (*candidates_1).listed_0[place_15] = (*candidates_1).listed_0[_S294];
-        place_15 = _S294;
+        var _S295 : u32 = place_15 - u32(1);
+        (*candidates_1).listed_0[place_15] = (*candidates_1).listed_0[_S295];
+        place_15 = _S295;
     }
     (*candidates_1).listed_0[place_15] = candidate_4;
     return;
 }
 
-fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : Candidate_0) -> Candidates_0
+fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : Candidate_0) -> Candidates_0
 {
     var found_4 : Candidates_0;
     found_4.count_2 = u32(0);
@@ -2469,12 +2484,12 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
         found_4.listed_0[k_3] = last_0;
         k_3 = k_3 + u32(1);
     }
-    var nodes_at_0 : u32 = edge_word_0(around_5.tree_0);
+    var nodes_at_0 : u32 = edge_word_0(around_6.tree_0);
     var waiting_0 : array<u32, i32(92)>;
     waiting_0[i32(0)] = u32(4294967295);
-    var _S295 : vec2<f32> = limit_by_0(limit_8);
+    var _S296 : vec2<f32> = limit_by_0(limit_8);
     var node_4 : u32 = nodes_at_0;
-    var rough_limit_0 : vec2<f32> = _S295;
+    var rough_limit_0 : vec2<f32> = _S296;
     var count_3 : u32 = u32(0);
     for(;;)
     {
@@ -2488,9 +2503,9 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
         var next_0 : u32;
         var next_1 : u32;
         var count_4 : u32;
-        var _S296 : bool;
-        var skips_far_0 : bool;
         var _S297 : bool;
+        var skips_far_0 : bool;
+        var _S298 : bool;
         if((edge_word_0(node_4)) != u32(4294967295))
         {
             var near_1 : u32 = node_4 + u32(45);
@@ -2503,18 +2518,18 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
             {
                 if(skips_near_0)
                 {
-                    _S296 = true;
+                    _S297 = true;
                 }
                 else
                 {
-                    _S296 = comes_first_0(of_far_0, of_near_0);
+                    _S297 = comes_first_0(of_far_0, of_near_0);
                 }
             }
             else
             {
-                _S296 = false;
+                _S297 = false;
             }
-            if(_S296)
+            if(_S297)
             {
                 next_0 = far_1;
                 skips_far_0 = skips_near_0;
@@ -2535,13 +2550,13 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
             }
             if(next_0 != u32(4294967295))
             {
-                _S297 = !skips_far_0;
+                _S298 = !skips_far_0;
             }
             else
             {
-                _S297 = false;
+                _S298 = false;
             }
-            if(_S297)
+            if(_S298)
             {
                 waiting_0[count_3] = next_1;
                 count_4 = count_3 + u32(1);
@@ -2564,21 +2579,21 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
                     break;
                 }
                 var candidate_5 : Candidate_0;
-                var _S298 : bool = closest_on_edge_0(around_5, chain_2, chain_2.direction_10, k_3, &(candidate_5));
-                if(!_S298)
+                var _S299 : bool = closest_on_edge_0(around_6, chain_2, chain_2.direction_10, k_3, &(candidate_5));
+                if(!_S299)
                 {
                     k_3 = k_3 + u32(1);
                     continue;
                 }
                 if(!((candidate_5.half_tangent_1) < limit_8))
                 {
-                    _S296 = true;
+                    _S297 = true;
                 }
                 else
                 {
-                    _S296 = !is_before_0(last_0, candidate_5);
+                    _S297 = !is_before_0(last_0, candidate_5);
                 }
-                if(_S296)
+                if(_S297)
                 {
                     skips_far_0 = true;
                 }
@@ -2593,13 +2608,13 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
                 }
                 if((chain_2.count_1) > u32(0))
                 {
-                    _S297 = true;
+                    _S298 = true;
                 }
                 else
                 {
-                    _S297 = !is_hidden_0(around_5, candidate_5);
+                    _S298 = !is_hidden_0(around_6, candidate_5);
                 }
-                if(_S297)
+                if(_S298)
                 {
                     list_0(&(found_4), candidate_5);
                 }
@@ -2624,13 +2639,13 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
         {
             if(next_1 == u32(4294967295))
             {
-                _S296 = count_3 > u32(0);
+                _S297 = count_3 > u32(0);
             }
             else
             {
-                _S296 = false;
+                _S297 = false;
             }
-            if(_S296)
+            if(_S297)
             {
             }
             else
@@ -2652,7 +2667,7 @@ fn search_0( around_5 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
 struct Nearest_0
 {
      half_tangent_2 : f32,
-     edge_3 : u32,
+     edge_4 : u32,
      t_8 : f32,
      direction_12 : vec3<f32>,
      distance_2 : f32,
@@ -2660,11 +2675,11 @@ struct Nearest_0
      triangles_1 : array<u32, i32(6)>,
 };
 
-fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 : vec3<f32>,  point_0 : ptr<function, Nearest_0>) -> bool
+fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  edge_5 : u32,  offset_4 : vec3<f32>,  point_0 : ptr<function, Nearest_0>) -> bool
 {
-    var _S299 : f32 = length_of_0(offset_4);
-    (*point_0).distance_2 = _S299;
-    (*point_0).direction_12 = offset_4 / vec3<f32>(_S299);
+    var _S300 : f32 = length_of_0(offset_4);
+    (*point_0).distance_2 = _S300;
+    (*point_0).direction_12 = offset_4 / vec3<f32>(_S300);
     (*point_0).count_6 = chain_3.count_1;
     var k_4 : u32 = chain_3.count_1;
     for(;;)
@@ -2676,25 +2691,38 @@ fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         {
             break;
         }
-        var _S300 : u32 = k_4 - u32(1);
-        (*point_0).direction_12 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S300]), (*point_0).direction_12);
-        k_4 = _S300;
+        var _S301 : u32 = k_4 - u32(1);
+        (*point_0).direction_12 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S301]), (*point_0).direction_12);
+        k_4 = _S301;
     }
-    var height_1 : f32 = abs(dot((*point_0).direction_12, (*around_6).face_0)) * (*point_0).distance_2;
-    var _S301 : bool;
+    var height_1 : f32 = abs(dot((*point_0).direction_12, (*around_7).face_0)) * (*point_0).distance_2;
+    var _S302 : bool;
     if((chain_3.count_1) > u32(0))
     {
-        _S301 = height_1 <= (limit_at_0(u32(2)));
+        _S302 = height_1 <= (limit_at_0(u32(2)));
     }
     else
     {
-        _S301 = false;
+        _S302 = false;
     }
-    if(_S301)
+    if(_S302)
     {
         return false;
     }
-    var start_2 : vec3<f32> = (*around_6).position_1;
+    var _S303 : bool = (chain_3.count_1) == u32(0);
+    if(_S303)
+    {
+        _S302 = is_on_horizon_0((*around_7), edge_5);
+    }
+    else
+    {
+        _S302 = false;
+    }
+    if(_S302)
+    {
+        return true;
+    }
+    var start_2 : vec3<f32> = (*around_7).position_1;
     var direction_13 : vec3<f32> = (*point_0).direction_12;
     k_4 = u32(0);
     var left_1 : f32 = (*point_0).distance_2;
@@ -2726,21 +2754,21 @@ fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
                 k_4 = k_4 + u32(1);
                 continue;
             }
-            if((chain_3.count_1) == u32(0))
+            if(_S303)
             {
-                (*around_6).occluder_0 = found_5.triangle_8;
+                (*around_7).occluder_0 = found_5.triangle_8;
             }
             return false;
         }
         if((found_5.face_3) == u32(4294967295))
         {
-            _S301 = true;
+            _S302 = true;
         }
         else
         {
-            _S301 = !is_mirror_0(found_5.triangle_8);
+            _S302 = !is_mirror_0(found_5.triangle_8);
         }
-        if(_S301)
+        if(_S302)
         {
             return false;
         }
@@ -2750,17 +2778,17 @@ fn is_seen_0( around_6 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         {
             return false;
         }
-        var _S302 : vec3<f32> = mirrored_0(mirror_at_0(found_5.triangle_8), direction_13);
+        var _S304 : vec3<f32> = mirrored_0(mirror_at_0(found_5.triangle_8), direction_13);
         (*point_0).triangles_1[k_4] = found_5.triangle_8;
         start_2 = place_16;
-        direction_13 = _S302;
+        direction_13 = _S304;
         left_1 = left_2;
         k_4 = k_4 + u32(1);
     }
     return (length_of_0(start_2 + direction_13 * vec3<f32>(left_1) - chain_3.image_0 - offset_4)) < (3.99999998990097083e-06f * max(f32(chain_3.count_1), 1.0f) * (*point_0).distance_2);
 }
 
-fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best_0 : ptr<function, Nearest_0>)
+fn take_nearest_0( around_8 : ptr<function, Around_0>,  chain_4 : Chain_0,  best_0 : ptr<function, Nearest_0>)
 {
     var last_1 : Candidate_0;
     last_1.half_tangent_1 = -1.0f;
@@ -2777,8 +2805,8 @@ fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
         {
             break;
         }
-        var found_6 : Candidates_0 = search_0((*around_7), chain_4, (*best_0).half_tangent_2, last_1);
-        var _S303 : bool = (found_6.count_2) < u32(4);
+        var found_6 : Candidates_0 = search_0((*around_8), chain_4, (*best_0).half_tangent_2, last_1);
+        var _S305 : bool = (found_6.count_2) < u32(4);
         var k_5 : u32 = u32(0);
         for(;;)
         {
@@ -2791,28 +2819,28 @@ fn take_nearest_0( around_7 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             }
             last_1 = found_6.listed_0[k_5];
             var point_1 : Nearest_0 = (*best_0);
-            var _S304 : bool = is_seen_0(&((*around_7)), chain_4, place_of_1((*around_7), found_6.listed_0[k_5]) - chain_4.image_0, &(point_1));
-            if(!_S304)
+            var _S306 : bool = is_seen_0(&((*around_8)), chain_4, last_1.edge_1, place_of_1((*around_8), found_6.listed_0[k_5]) - chain_4.image_0, &(point_1));
+            if(!_S306)
             {
                 k_5 = k_5 + u32(1);
                 continue;
             }
             (*best_0) = point_1;
             (*best_0).half_tangent_2 = last_1.half_tangent_1;
-            (*best_0).edge_3 = last_1.edge_1;
+            (*best_0).edge_4 = last_1.edge_1;
             (*best_0).t_8 = last_1.t_6;
             return;
         }
-        is_complete_0 = _S303;
+        is_complete_0 = _S305;
     }
     return;
 }
 
-fn nearest_edge_0( around_8 : ptr<function, Around_0>,  direction_14 : vec3<f32>,  limit_9 : f32) -> Nearest_0
+fn nearest_edge_0( around_9 : ptr<function, Around_0>,  direction_14 : vec3<f32>,  limit_9 : f32) -> Nearest_0
 {
     var chain_5 : Chain_0;
-    chain_5.start_0 = (*around_8).position_1;
-    chain_5.image_0 = (*around_8).position_1;
+    chain_5.start_0 = (*around_9).position_1;
+    chain_5.image_0 = (*around_9).position_1;
     chain_5.direction_10 = direction_14;
     chain_5.facing_0 = vec3<f32>(0.0f, 0.0f, 0.0f);
     chain_5.count_1 = u32(0);
@@ -2831,7 +2859,7 @@ fn nearest_edge_0( around_8 : ptr<function, Around_0>,  direction_14 : vec3<f32>
     }
     var best_1 : Nearest_0;
     best_1.half_tangent_2 = limit_9;
-    best_1.edge_3 = u32(4294967295);
+    best_1.edge_4 = u32(4294967295);
     best_1.distance_2 = 0.0f;
     best_1.t_8 = 0.0f;
     best_1.direction_12 = direction_14;
@@ -2840,28 +2868,28 @@ fn nearest_edge_0( around_8 : ptr<function, Around_0>,  direction_14 : vec3<f32>
     var mirrors_1 : u32 = u32(0);
     for(;;)
     {
-        if(mirrors_1 <= ((*around_8).mirrors_0))
+        if(mirrors_1 <= ((*around_9).mirrors_0))
         {
         }
         else
         {
             break;
         }
-        var _S305 : bool;
+        var _S307 : bool;
         if(mirrors_1 > u32(0))
         {
-            var _S306 : bool = reflect_0(&(chain_5));
-            _S305 = !_S306;
+            var _S308 : bool = reflect_0(&(chain_5));
+            _S307 = !_S308;
         }
         else
         {
-            _S305 = false;
+            _S307 = false;
         }
-        if(_S305)
+        if(_S307)
         {
             break;
         }
-        take_nearest_0(&((*around_8)), chain_5, &(best_1));
+        take_nearest_0(&((*around_9)), chain_5, &(best_1));
         mirrors_1 = mirrors_1 + u32(1);
     }
     return best_1;
@@ -2915,11 +2943,11 @@ struct Field_0
      terms_0 : array<Term_0, i32(3)>,
 };
 
-fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f32>,  key_3 : vec2<u32>,  first_2 : u32) -> Field_0
+fn field_at_0( around_10 : ptr<function, Around_0>,  direction_17 : vec3<f32>,  key_3 : vec2<u32>,  first_2 : u32) -> Field_0
 {
     var field_0 : Field_0;
     field_0.direction_16 = direction_17;
-    var _S307 : f32 = edge_real_0(u32(4));
+    var _S309 : f32 = edge_real_0(u32(4));
     const g_0 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 0.0f);
     var e_0 : vec3<f32> = g_0;
     var half_sine_1 : f32 = 0.0f;
@@ -2943,11 +2971,11 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f32>,  k
         }
         else
         {
-            far_2 = _S307;
+            far_2 = _S309;
         }
-        var _S308 : bool = k_7 == u32(1);
+        var _S310 : bool = k_7 == u32(1);
         var x_11 : vec3<f32>;
-        if(_S308)
+        if(_S310)
         {
             x_11 = walked_0(direction_17, e_0, sqrt(random_0(key_3, first_2 + u32(1))) * half_sine_1);
         }
@@ -2964,9 +2992,9 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f32>,  k
         {
             x_12 = x_11;
         }
-        var _S309 : bool = k_7 > u32(0);
+        var _S311 : bool = k_7 > u32(0);
         var bound_0 : f32;
-        if(_S309)
+        if(_S311)
         {
             bound_0 = min(far_2, half_tangent_between_0(x_12, field_0.terms_0[i32(0)].site_0.direction_12));
         }
@@ -2974,27 +3002,27 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f32>,  k
         {
             bound_0 = far_2;
         }
-        var found_7 : Nearest_0 = nearest_edge_0(&((*around_9)), x_12, bound_0);
-        var _S310 : bool;
-        if(_S309)
+        var found_7 : Nearest_0 = nearest_edge_0(&((*around_10)), x_12, bound_0);
+        var _S312 : bool;
+        if(_S311)
         {
-            _S310 = (found_7.edge_3) == u32(4294967295);
+            _S312 = (found_7.edge_4) == u32(4294967295);
         }
         else
         {
-            _S310 = false;
+            _S312 = false;
         }
-        var _S311 : bool;
-        if(_S310)
+        var _S313 : bool;
+        if(_S312)
         {
-            _S311 = bound_0 < far_2;
+            _S313 = bound_0 < far_2;
         }
         else
         {
-            _S311 = false;
+            _S313 = false;
         }
         var found_8 : Nearest_0;
-        if(_S311)
+        if(_S313)
         {
             found_8 = field_0.terms_0[i32(0)].site_0;
         }
@@ -3003,33 +3031,33 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f32>,  k
             found_8 = found_7;
         }
         field_0.terms_0[k_7].site_0 = found_8;
-        var _S312 : i32;
-        if(_S308)
+        var _S314 : i32;
+        if(_S310)
         {
-            _S312 = i32(1);
+            _S314 = i32(1);
         }
         else
         {
-            _S312 = i32(0);
+            _S314 = i32(0);
         }
-        field_0.terms_0[k_7].weight_0 = f32(_S312);
+        field_0.terms_0[k_7].weight_0 = f32(_S314);
         field_0.terms_0[k_7].gradient_0 = g_1;
-        if(_S309)
+        if(_S311)
         {
             k_7 = k_7 + u32(1);
             continue;
         }
-        if((found_8.edge_3) == u32(4294967295))
+        if((found_8.edge_4) == u32(4294967295))
         {
             field_0.terms_0[i32(2)] = field_0.terms_0[i32(0)];
             field_0.terms_0[i32(1)] = field_0.terms_0[i32(0)];
             break;
         }
-        var is_within_1 : bool = (found_8.half_tangent_2) < _S307;
-        var _S313 : f32 = min(found_8.half_tangent_2, _S307);
-        var _S314 : f32 = 1.0f / _S313;
-        var _S315 : f32 = _S313 / sqrt(1.0f + _S313 * _S313);
-        var _S316 : vec3<f32> = tangent_by_0(direction_17, random_0(key_3, first_2));
+        var is_within_1 : bool = (found_8.half_tangent_2) < _S309;
+        var _S315 : f32 = min(found_8.half_tangent_2, _S309);
+        var _S316 : f32 = 1.0f / _S315;
+        var _S317 : f32 = _S315 / sqrt(1.0f + _S315 * _S315);
+        var _S318 : vec3<f32> = tangent_by_0(direction_17, random_0(key_3, first_2));
         var towards_0 : vec3<f32> = found_8.direction_12 - direction_17 * vec3<f32>(dot(direction_17, found_8.direction_12));
         var g_2 : vec3<f32>;
         if(is_within_1)
@@ -3040,27 +3068,27 @@ fn field_at_0( around_9 : ptr<function, Around_0>,  direction_17 : vec3<f32>,  k
         {
             g_2 = g_1;
         }
-        e_0 = _S316;
-        half_sine_1 = _S315;
+        e_0 = _S318;
+        half_sine_1 = _S317;
         g_1 = g_2;
-        kappa_0 = _S314;
+        kappa_0 = _S316;
         is_within_0 = is_within_1;
         k_7 = k_7 + u32(1);
     }
-    var _S317 : vec3<f32> = vec3<f32>(- kappa_0);
-    field_0.terms_0[i32(0)].gradient_0 = e_0 * _S317;
-    field_0.terms_0[i32(1)].gradient_0 = g_1 * _S317;
+    var _S319 : vec3<f32> = vec3<f32>(- kappa_0);
+    field_0.terms_0[i32(0)].gradient_0 = e_0 * _S319;
+    field_0.terms_0[i32(1)].gradient_0 = g_1 * _S319;
     field_0.terms_0[i32(2)].gradient_0 = (e_0 + g_1) * vec3<f32>(kappa_0);
     if(!is_within_0)
     {
-        field_0.terms_0[i32(0)].site_0.edge_3 = u32(4294967295);
+        field_0.terms_0[i32(0)].site_0.edge_4 = u32(4294967295);
     }
     return field_0;
 }
 
 struct Pulled_0
 {
-     numbers_5 : Numbers_0,
+     numbers_6 : Numbers_0,
      axes_13 : Axes_0,
      wi_2 : vec3<f32>,
      position_2 : vec3<f32>,
@@ -3069,13 +3097,13 @@ struct Pulled_0
 fn nothing_pulled_0() -> Pulled_0
 {
     var pulled_0 : Pulled_0;
-    pulled_0.numbers_5 = no_numbers_0();
-    var _S318 : vec3<f32> = vec3<f32>(0.0f);
-    pulled_0.position_2 = _S318;
-    pulled_0.wi_2 = _S318;
-    pulled_0.axes_13.n_0 = _S318;
-    pulled_0.axes_13.t_0 = _S318;
-    pulled_0.axes_13.s_0 = _S318;
+    pulled_0.numbers_6 = no_numbers_0();
+    var _S320 : vec3<f32> = vec3<f32>(0.0f);
+    pulled_0.position_2 = _S320;
+    pulled_0.wi_2 = _S320;
+    pulled_0.axes_13.n_0 = _S320;
+    pulled_0.axes_13.t_0 = _S320;
+    pulled_0.axes_13.s_0 = _S320;
     return pulled_0;
 }
 
@@ -3084,15 +3112,13 @@ fn divergence_covector_0( field_1 : Field_0,  term_0 : Term_0) -> vec3<f32>
     return term_0.gradient_0 - field_1.direction_16 * vec3<f32>((2.0f * term_0.weight_0));
 }
 
-fn angular_0( around_10 : Around_0,  site_1 : Nearest_0,  velocity_0 : vec3<f32>) -> vec3<f32>
+fn angular_0( around_11 : Around_0,  site_1 : Nearest_0,  velocity_0 : vec3<f32>) -> vec3<f32>
 {
-    var numbers_6 : u32 = edge_word_0(around_10.tree_0 + u32(2)) + u32(14) * site_1.edge_3;
-    var first_3 : f32 = dot(edge_position_0(numbers_6) - around_10.position_1, around_10.face_0);
-    var second_1 : f32 = dot(edge_position_0(numbers_6 + u32(3)) - around_10.position_1, around_10.face_0);
+    var _S321 : bool = (site_1.count_6) == u32(0);
     var is_horizon_0 : bool;
-    if((site_1.count_6) == u32(0))
+    if(_S321)
     {
-        is_horizon_0 = (max(abs(first_3), abs(second_1))) <= (limit_at_0(u32(2)));
+        is_horizon_0 = is_on_horizon_0(around_11, site_1.edge_4);
     }
     else
     {
@@ -3101,7 +3127,7 @@ fn angular_0( around_10 : Around_0,  site_1 : Nearest_0,  velocity_0 : vec3<f32>
     var normal_1 : vec3<f32>;
     if(is_horizon_0)
     {
-        normal_1 = around_10.face_0;
+        normal_1 = around_11.face_0;
     }
     else
     {
@@ -3110,20 +3136,46 @@ fn angular_0( around_10 : Around_0,  site_1 : Nearest_0,  velocity_0 : vec3<f32>
     var along_4 : vec3<f32> = normal_1 * vec3<f32>(dot(normal_1, velocity_0));
     if(is_horizon_0)
     {
-        normal_1 = along_4;
+        return along_4 / vec3<f32>(site_1.distance_2);
+    }
+    var kept_0 : vec3<f32> = velocity_0 - along_4;
+    var damped_0 : f32 = 1.0f - abs(dot(around_11.face_0, site_1.direction_12)) / 0.20000000298023224f;
+    if(_S321)
+    {
+        is_horizon_0 = damped_0 > 0.0f;
     }
     else
     {
-        normal_1 = velocity_0 - along_4;
+        is_horizon_0 = false;
     }
-    return normal_1 / vec3<f32>(site_1.distance_2);
+    var kept_1 : vec3<f32>;
+    if(is_horizon_0)
+    {
+        var numbers_7 : u32 = edge_word_0(around_11.tree_0 + u32(2)) + u32(14) * site_1.edge_4;
+        var edge_6 : vec3<f32> = edge_position_0(numbers_7 + u32(3)) - edge_position_0(numbers_7);
+        var seen_1 : vec3<f32> = edge_6 - site_1.direction_12 * vec3<f32>(dot(edge_6, site_1.direction_12));
+        var squared_2 : f32 = dot(seen_1, seen_1);
+        if(squared_2 > (9.99999942416128397e-19f * dot(edge_6, edge_6)))
+        {
+            kept_1 = kept_0 - seen_1 * vec3<f32>((damped_0 * dot(seen_1, velocity_0) / squared_2));
+        }
+        else
+        {
+            kept_1 = kept_0;
+        }
+    }
+    else
+    {
+        kept_1 = kept_0;
+    }
+    return kept_1 / vec3<f32>(site_1.distance_2);
 }
 
-fn place_on_edge_0( around_11 : Around_0,  site_2 : Nearest_0) -> vec3<f32>
+fn place_on_edge_0( around_12 : Around_0,  site_2 : Nearest_0) -> vec3<f32>
 {
-    var numbers_7 : u32 = edge_word_0(around_11.tree_0 + u32(2)) + u32(14) * site_2.edge_3;
-    var start_3 : vec3<f32> = edge_position_0(numbers_7);
-    return start_3 + (edge_position_0(numbers_7 + u32(3)) - start_3) * vec3<f32>(site_2.t_8);
+    var numbers_8 : u32 = edge_word_0(around_12.tree_0 + u32(2)) + u32(14) * site_2.edge_4;
+    var start_3 : vec3<f32> = edge_position_0(numbers_8);
+    return start_3 + (edge_position_0(numbers_8 + u32(3)) - start_3) * vec3<f32>(site_2.t_8);
 }
 
 struct ByCorners_0
@@ -3136,17 +3188,17 @@ struct ByCorners_0
 fn image_by_corners_0( mirror_5 : Mirror_0,  place_17 : vec3<f32>) -> ByCorners_0
 {
     var across_2 : vec3<f32> = cross(mirror_5.ab_0, mirror_5.ac_0);
-    var _S319 : vec3<f32> = vec3<f32>((1.0f / dot(across_2, across_2)));
-    var gradient_b_0 : vec3<f32> = cross(mirror_5.ac_0, across_2) * _S319;
-    var gradient_c_0 : vec3<f32> = cross(across_2, mirror_5.ab_0) * _S319;
+    var _S322 : vec3<f32> = vec3<f32>((1.0f / dot(across_2, across_2)));
+    var gradient_b_0 : vec3<f32> = cross(mirror_5.ac_0, across_2) * _S322;
+    var gradient_c_0 : vec3<f32> = cross(across_2, mirror_5.ab_0) * _S322;
     var offset_5 : vec3<f32> = place_17 - mirror_5.corner_0;
     var b_13 : f32 = dot(gradient_b_0, offset_5);
     var c_5 : f32 = dot(gradient_c_0, offset_5);
     var by_1 : ByCorners_0;
-    var _S320 : vec3<f32> = vec3<f32>((2.0f * height_of_0(mirror_5, place_17)));
-    by_1.a_15 = mirror_5.normal_0 * vec3<f32>((2.0f * (1.0f - b_13 - c_5))) + ((vec3<f32>(0) - gradient_b_0) - gradient_c_0) * _S320;
-    by_1.b_12 = mirror_5.normal_0 * vec3<f32>((2.0f * b_13)) + gradient_b_0 * _S320;
-    by_1.c_4 = mirror_5.normal_0 * vec3<f32>((2.0f * c_5)) + gradient_c_0 * _S320;
+    var _S323 : vec3<f32> = vec3<f32>((2.0f * height_of_0(mirror_5, place_17)));
+    by_1.a_15 = mirror_5.normal_0 * vec3<f32>((2.0f * (1.0f - b_13 - c_5))) + ((vec3<f32>(0) - gradient_b_0) - gradient_c_0) * _S323;
+    by_1.b_12 = mirror_5.normal_0 * vec3<f32>((2.0f * b_13)) + gradient_b_0 * _S323;
+    by_1.c_4 = mirror_5.normal_0 * vec3<f32>((2.0f * c_5)) + gradient_c_0 * _S323;
     return by_1;
 }
 
@@ -3159,29 +3211,29 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S321 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S324 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * (bitcast<f32>((change_word_0(u32(2)))));
     var size_3 : f32 = abs(scaled_0);
     if(size_3 > 7.73712524553362672e+25f)
     {
-        var _S322 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S325 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var _S323 : bool = scaled_0 < 0.0f;
-    var _S324 : i32;
+    var _S326 : bool = scaled_0 < 0.0f;
+    var _S327 : i32;
     if(size_3 >= 1.84467440737095516e+19f)
     {
-        _S324 = i32(1);
+        _S327 = i32(1);
     }
     else
     {
-        _S324 = i32(0);
+        _S327 = i32(0);
     }
-    var first_4 : u32 = u32(_S324);
+    var first_3 : u32 = u32(_S327);
     var size_4 : f32;
-    if(first_4 == u32(1))
+    if(first_3 == u32(1))
     {
         size_4 = size_3 * 2.32830643653869629e-10f;
     }
@@ -3191,7 +3243,7 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
     }
     var higher_0 : f32 = floor(size_4 * 2.32830643653869629e-10f);
     var lower_0 : f32 = size_4 - higher_0 * 4.294967296e+09f;
-    if(first_4 == u32(0))
+    if(first_3 == u32(0))
     {
         size_4 = lower_0 + 0.5f;
     }
@@ -3199,39 +3251,39 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
     {
         size_4 = lower_0;
     }
-    var _S325 : u32 = u32(4) + u32(4) * sum_0;
+    var _S328 : u32 = u32(4) + u32(4) * sum_0;
     var digits_0 : vec2<u32> = vec2<u32>(u32(size_4), u32(higher_0));
-    var k_8 : u32 = first_4;
+    var k_8 : u32 = first_3;
     for(;;)
     {
-        var _S326 : bool;
+        var _S329 : bool;
         if(k_8 < u32(4))
         {
-            _S326 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
+            _S329 = (((digits_0.x) | ((digits_0.y)))) != u32(0);
         }
         else
         {
-            _S326 = false;
+            _S329 = false;
         }
-        if(_S326)
+        if(_S329)
         {
         }
         else
         {
             break;
         }
-        var _S327 : u32;
-        if(_S323)
+        var _S330 : u32;
+        if(_S326)
         {
-            _S327 = u32(0) - digits_0.x;
+            _S330 = u32(0) - digits_0.x;
         }
         else
         {
-            _S327 = digits_0.x;
+            _S330 = digits_0.x;
         }
-        var before_0 : u32 = atomicAdd(&(sums_0[_S325 + k_8]), _S327);
+        var before_0 : u32 = atomicAdd(&(sums_0[_S328 + k_8]), _S330);
         var overflows_0 : bool;
-        if(_S323)
+        if(_S326)
         {
             overflows_0 = before_0 < (digits_0.x);
         }
@@ -3239,46 +3291,46 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32)
         {
             overflows_0 = (before_0 + digits_0.x) < before_0;
         }
-        var _S328 : u32 = digits_0.y;
+        var _S331 : u32 = digits_0.y;
         if(overflows_0)
         {
-            _S324 = i32(1);
+            _S327 = i32(1);
         }
         else
         {
-            _S324 = i32(0);
+            _S327 = i32(0);
         }
-        var _S329 : vec2<u32> = vec2<u32>(_S328 + u32(_S324), u32(0));
-        var _S330 : u32 = k_8 + u32(1);
-        digits_0 = _S329;
-        k_8 = _S330;
+        var _S332 : vec2<u32> = vec2<u32>(_S331 + u32(_S327), u32(0));
+        var _S333 : u32 = k_8 + u32(1);
+        digits_0 = _S332;
+        k_8 = _S333;
     }
     return;
 }
 
-fn add_to_sums_0( first_5 : u32,  derivative_1 : vec3<f32>)
+fn add_to_sums_0( first_4 : u32,  derivative_1 : vec3<f32>)
 {
-    var _S331 : i32;
-    if(first_5 == u32(4294967295))
+    var _S334 : i32;
+    if(first_4 == u32(4294967295))
     {
-        _S331 = i32(0);
+        _S334 = i32(0);
     }
     else
     {
-        _S331 = i32(3);
+        _S334 = i32(3);
     }
-    var _S332 : u32 = u32(_S331);
+    var _S335 : u32 = u32(_S334);
     var axis_6 : u32 = u32(0);
     for(;;)
     {
-        if(axis_6 < _S332)
+        if(axis_6 < _S335)
         {
         }
         else
         {
             break;
         }
-        add_to_sum_0(first_5 + axis_6, derivative_1[axis_6]);
+        add_to_sum_0(first_4 + axis_6, derivative_1[axis_6]);
         axis_6 = axis_6 + u32(1);
     }
     return;
@@ -3293,54 +3345,54 @@ struct AtCorners_0
 
 fn add_to_corners_0( sums_at_0 : u32,  triangle_12 : u32,  corners_0 : AtCorners_0)
 {
-    var _S333 : u32 = triangle_record_0(triangle_12) + u32(2);
-    var _S334 : i32;
+    var _S336 : u32 = triangle_record_0(triangle_12) + u32(2);
+    var _S337 : i32;
     if(sums_at_0 == u32(4294967295))
     {
-        _S334 = i32(0);
+        _S337 = i32(0);
     }
     else
     {
-        _S334 = i32(3);
+        _S337 = i32(3);
     }
-    var _S335 : u32 = u32(_S334);
+    var _S338 : u32 = u32(_S337);
     var k_9 : u32 = u32(0);
     for(;;)
     {
-        if(k_9 < _S335)
+        if(k_9 < _S338)
         {
         }
         else
         {
             break;
         }
-        var _S336 : u32 = sums_at_0 + u32(3) * word_0(_S333 + k_9);
-        var _S337 : vec3<f32>;
+        var _S339 : u32 = sums_at_0 + u32(3) * word_0(_S336 + k_9);
+        var _S340 : vec3<f32>;
         if(k_9 == u32(0))
         {
-            _S337 = corners_0.a_16;
+            _S340 = corners_0.a_16;
         }
         else
         {
             if(k_9 == u32(1))
             {
-                _S337 = corners_0.b_14;
+                _S340 = corners_0.b_14;
             }
             else
             {
-                _S337 = corners_0.c_6;
+                _S340 = corners_0.c_6;
             }
         }
-        add_to_sums_0(_S336, _S337);
+        add_to_sums_0(_S339, _S340);
         k_9 = k_9 + u32(1);
     }
     return;
 }
 
-fn image_back_0( around_12 : Around_0,  site_3 : Nearest_0,  by_velocity_0 : vec3<f32>) -> vec3<f32>
+fn image_back_0( around_13 : Around_0,  site_3 : Nearest_0,  by_velocity_0 : vec3<f32>) -> vec3<f32>
 {
     var places_0 : array<vec3<f32>, i32(6)>;
-    var place_18 : vec3<f32> = place_on_edge_0(around_12, site_3);
+    var place_18 : vec3<f32> = place_on_edge_0(around_13, site_3);
     var k_10 : u32 = site_3.count_6;
     for(;;)
     {
@@ -3351,11 +3403,11 @@ fn image_back_0( around_12 : Around_0,  site_3 : Nearest_0,  by_velocity_0 : vec
         {
             break;
         }
-        var _S338 : u32 = k_10 - u32(1);
-        places_0[_S338] = place_18;
-        var _S339 : vec3<f32> = image_of_0(mirror_at_0(site_3.triangles_1[_S338]), place_18);
-        place_18 = _S339;
-        k_10 = _S338;
+        var _S341 : u32 = k_10 - u32(1);
+        places_0[_S341] = place_18;
+        var _S342 : vec3<f32> = image_of_0(mirror_at_0(site_3.triangles_1[_S341]), place_18);
+        place_18 = _S342;
+        k_10 = _S341;
     }
     place_18 = by_velocity_0;
     k_10 = u32(0);
@@ -3375,23 +3427,23 @@ fn image_back_0( around_12 : Around_0,  site_3 : Nearest_0,  by_velocity_0 : vec
         corners_1.b_14 = mirror_6.normal_0 * vec3<f32>(dot(by_2.b_12, place_18));
         corners_1.c_6 = mirror_6.normal_0 * vec3<f32>(dot(by_2.c_4, place_18));
         add_to_corners_0(points_of_0(site_3.triangles_1[k_10]), site_3.triangles_1[k_10], corners_1);
-        var _S340 : vec3<f32> = mirrored_0(mirror_6, place_18);
-        var _S341 : u32 = k_10 + u32(1);
-        place_18 = _S340;
-        k_10 = _S341;
+        var _S343 : vec3<f32> = mirrored_0(mirror_6, place_18);
+        var _S344 : u32 = k_10 + u32(1);
+        place_18 = _S343;
+        k_10 = _S344;
     }
     return place_18;
 }
 
-fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f32>,  by_divergence_0 : f32) -> vec3<f32>
+fn field_back_0( field_2 : Field_0,  around_14 : Around_0,  by_change_0 : vec3<f32>,  by_divergence_0 : f32) -> vec3<f32>
 {
     var place_19 : u32;
-    const _S342 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 0.0f);
+    const _S345 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 0.0f);
     var by_direction_0 : vec3<f32> = by_change_0 - field_2.direction_16 * vec3<f32>(dot(field_2.direction_16, by_change_0));
     var by_start_0 : array<vec3<f32>, i32(3)>;
     var by_end_0 : array<vec3<f32>, i32(3)>;
     var k_11 : u32 = u32(0);
-    var by_viewpoint_0 : vec3<f32> = _S342;
+    var by_viewpoint_0 : vec3<f32> = _S345;
     for(;;)
     {
         if(k_11 < u32(3))
@@ -3401,17 +3453,17 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
         {
             break;
         }
-        var _S343 : u32 = k_11;
-        by_end_0[k_11] = _S342;
-        by_start_0[k_11] = _S342;
-        if((field_2.terms_0[k_11].site_0.edge_3) == u32(4294967295))
+        var _S346 : u32 = k_11;
+        by_end_0[k_11] = _S345;
+        by_start_0[k_11] = _S345;
+        if((field_2.terms_0[k_11].site_0.edge_4) == u32(4294967295))
         {
             k_11 = k_11 + u32(1);
             continue;
         }
-        var by_velocity_1 : vec3<f32> = angular_0(around_13, field_2.terms_0[_S343].site_0, by_direction_0 * vec3<f32>(field_2.terms_0[_S343].weight_0) + divergence_covector_0(field_2, field_2.terms_0[_S343]) * vec3<f32>(by_divergence_0));
+        var by_velocity_1 : vec3<f32> = angular_0(around_14, field_2.terms_0[_S346].site_0, by_direction_0 * vec3<f32>(field_2.terms_0[_S346].weight_0) + divergence_covector_0(field_2, field_2.terms_0[_S346]) * vec3<f32>(by_divergence_0));
         var by_viewpoint_1 : vec3<f32> = by_viewpoint_0 - by_velocity_1;
-        var by_velocity_2 : vec3<f32> = image_back_0(around_13, field_2.terms_0[_S343].site_0, by_velocity_1);
+        var by_velocity_2 : vec3<f32> = image_back_0(around_14, field_2.terms_0[_S346].site_0, by_velocity_1);
         place_19 = k_11;
         var before_1 : u32 = k_11;
         for(;;)
@@ -3423,15 +3475,15 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
             {
                 break;
             }
-            var _S344 : u32 = before_1 - u32(1);
-            if((field_2.terms_0[_S344].site_0.edge_3) == (field_2.terms_0[_S343].site_0.edge_3))
+            var _S347 : u32 = before_1 - u32(1);
+            if((field_2.terms_0[_S347].site_0.edge_4) == (field_2.terms_0[_S346].site_0.edge_4))
             {
-                place_19 = _S344;
+                place_19 = _S347;
             }
-            before_1 = _S344;
+            before_1 = _S347;
         }
-        by_start_0[place_19] = by_start_0[place_19] + by_velocity_2 * vec3<f32>((1.0f - field_2.terms_0[_S343].site_0.t_8));
-        by_end_0[place_19] = by_end_0[place_19] + by_velocity_2 * vec3<f32>(field_2.terms_0[_S343].site_0.t_8);
+        by_start_0[place_19] = by_start_0[place_19] + by_velocity_2 * vec3<f32>((1.0f - field_2.terms_0[_S346].site_0.t_8));
+        by_end_0[place_19] = by_end_0[place_19] + by_velocity_2 * vec3<f32>(field_2.terms_0[_S346].site_0.t_8);
         by_viewpoint_0 = by_viewpoint_1;
         k_11 = k_11 + u32(1);
     }
@@ -3445,13 +3497,13 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
         {
             break;
         }
-        var _S345 : u32 = k_11;
-        if((field_2.terms_0[k_11].site_0.edge_3) == u32(4294967295))
+        var _S348 : u32 = k_11;
+        if((field_2.terms_0[k_11].site_0.edge_4) == u32(4294967295))
         {
             k_11 = k_11 + u32(1);
             continue;
         }
-        var _S346 : u32 = record_of_0(around_13, field_2.terms_0[_S345].site_0.edge_3) + u32(2);
+        var _S349 : u32 = record_of_0(around_14, field_2.terms_0[_S348].site_0.edge_4) + u32(2);
         place_19 = u32(0);
         for(;;)
         {
@@ -3462,17 +3514,17 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
             {
                 break;
             }
-            var _S347 : u32 = edge_word_0(_S346 + place_19);
-            var _S348 : vec3<f32>;
+            var _S350 : u32 = edge_word_0(_S349 + place_19);
+            var _S351 : vec3<f32>;
             if(place_19 == u32(0))
             {
-                _S348 = by_start_0[k_11];
+                _S351 = by_start_0[k_11];
             }
             else
             {
-                _S348 = by_end_0[k_11];
+                _S351 = by_end_0[k_11];
             }
-            add_to_sums_0(_S347, _S348);
+            add_to_sums_0(_S350, _S351);
             place_19 = place_19 + u32(1);
         }
         k_11 = k_11 + u32(1);
@@ -3480,33 +3532,33 @@ fn field_back_0( field_2 : Field_0,  around_13 : Around_0,  by_change_0 : vec3<f
     return by_viewpoint_0;
 }
 
-fn slot_derivative_0( numbers_8 : Numbers_0,  slot_6 : u32) -> vec3<f32>
+fn slot_derivative_0( numbers_9 : Numbers_0,  slot_6 : u32) -> vec3<f32>
 {
     switch(slot_6)
     {
     case u32(0):
         {
-            return numbers_8.diffuse_reflectance_0;
+            return numbers_9.diffuse_reflectance_0;
         }
     case u32(1):
         {
-            return numbers_8.specular_reflectance_0;
+            return numbers_9.specular_reflectance_0;
         }
     case u32(2):
         {
-            return numbers_8.eta_0;
+            return numbers_9.eta_0;
         }
     case u32(3):
         {
-            return numbers_8.k_0;
+            return numbers_9.k_0;
         }
     case u32(4):
         {
-            return vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f) * vec3<f32>(numbers_8.alpha_0.x);
+            return vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f) * vec3<f32>(numbers_9.alpha_0.x);
         }
     default :
         {
-            return vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f) * vec3<f32>(numbers_8.alpha_0.y);
+            return vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f) * vec3<f32>(numbers_9.alpha_0.y);
         }
     }
 }
@@ -3518,21 +3570,21 @@ fn numbers_of_0( texture_6 : u32) -> u32
 
 fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
 {
-    var first_6 : u32 = numbers_of_0(texture_7);
-    var _S349 : u32 = word_0(texture_7 + u32(1));
-    var _S350 : u32;
-    if(first_6 == u32(4294967295))
+    var first_5 : u32 = numbers_of_0(texture_7);
+    var _S352 : u32 = word_0(texture_7 + u32(1));
+    var _S353 : u32;
+    if(first_5 == u32(4294967295))
     {
-        _S350 = u32(0);
+        _S353 = u32(0);
     }
     else
     {
-        _S350 = lookup_5.count_0;
+        _S353 = lookup_5.count_0;
     }
     var k_12 : u32 = u32(0);
     for(;;)
     {
-        if(k_12 < _S350)
+        if(k_12 < _S353)
         {
         }
         else
@@ -3541,7 +3593,7 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         }
         var own_0 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_12]);
         var own_1 : vec3<f32>;
-        if(_S349 == u32(1))
+        if(_S352 == u32(1))
         {
             own_1 = vec3<f32>((own_0.x + own_0.y + own_0.z));
         }
@@ -3552,14 +3604,14 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<
         var c_7 : u32 = u32(0);
         for(;;)
         {
-            if(c_7 < _S349)
+            if(c_7 < _S352)
             {
             }
             else
             {
                 break;
             }
-            add_to_sum_0(first_6 + _S349 * lookup_5.texels_0[k_12] + c_7, own_1[c_7]);
+            add_to_sum_0(first_5 + _S352 * lookup_5.texels_0[k_12] + c_7, own_1[c_7]);
             c_7 = c_7 + u32(1);
         }
         k_12 = k_12 + u32(1);
@@ -3573,15 +3625,15 @@ fn lookup_back_0( texture_8 : u32,  lookup_6 : Lookup_0,  derivative_3 : vec3<f3
     return vec2<f32>(dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_first_0), derivative_3), dot(weighted_texels_0(texture_8, lookup_6, lookup_6.by_second_0), derivative_3));
 }
 
-fn numbers_back_0( material_1 : u32,  place_20 : Place_0,  numbers_9 : Numbers_0) -> vec2<f32>
+fn numbers_back_0( material_1 : u32,  place_20 : Place_0,  numbers_10 : Numbers_0) -> vec2<f32>
 {
-    var _S351 : vec2<f32> = vec2<f32>(0.0f);
-    var _S352 : u32 = word_0(material_1 + u32(4));
+    var _S354 : vec2<f32> = vec2<f32>(0.0f);
+    var _S355 : u32 = word_0(material_1 + u32(4));
     var slot_7 : u32 = u32(0);
-    var by_place_0 : vec2<f32> = _S351;
+    var by_place_0 : vec2<f32> = _S354;
     for(;;)
     {
-        if(slot_7 < _S352)
+        if(slot_7 < _S355)
         {
         }
         else
@@ -3594,9 +3646,9 @@ fn numbers_back_0( material_1 : u32,  place_20 : Place_0,  numbers_9 : Numbers_0
             slot_7 = slot_7 + u32(1);
             continue;
         }
-        var _S353 : Lookup_0 = lookup_at_0(texture_9, place_20);
-        var _S354 : vec2<f32> = lookup_back_0(texture_9, _S353, slot_derivative_0(numbers_9, slot_7));
-        by_place_0 = by_place_0 + _S354;
+        var _S356 : Lookup_0 = lookup_at_0(texture_9, place_20);
+        var _S357 : vec2<f32> = lookup_back_0(texture_9, _S356, slot_derivative_0(numbers_10, slot_7));
+        by_place_0 = by_place_0 + _S357;
         slot_7 = slot_7 + u32(1);
     }
     return by_place_0;
@@ -3610,10 +3662,10 @@ fn is_moving_0() -> bool
 fn at_no_corner_0() -> AtCorners_0
 {
     var corners_2 : AtCorners_0;
-    var _S355 : vec3<f32> = vec3<f32>(0.0f);
-    corners_2.c_6 = _S355;
-    corners_2.b_14 = _S355;
-    corners_2.a_16 = _S355;
+    var _S358 : vec3<f32> = vec3<f32>(0.0f);
+    corners_2.c_6 = _S358;
+    corners_2.b_14 = _S358;
+    corners_2.a_16 = _S358;
     return corners_2;
 }
 
@@ -3626,20 +3678,20 @@ fn tangent_back_0( points_0 : ptr<function, AtCorners_0>,  triangle_13 : u32,  t
 {
     var corner_2 : u32 = u32(9) * triangle_13;
     var uvs_2 : Corners2_0 = uvs_of_0(triangle_13);
-    var first_7 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
-    var second_2 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
-    var _S356 : f32 = second_2.y;
-    var _S357 : f32 = first_7.y;
-    var scale_0 : f32 = 1.0f / (first_7.x * _S356 - second_2.x * _S357);
-    var of_ab_0 : f32 = _S356 * scale_0;
-    var of_ac_0 : f32 = - _S357 * scale_0;
+    var first_6 : vec2<f32> = uvs_2.b_2 - uvs_2.a_5;
+    var second_1 : vec2<f32> = uvs_2.c_1 - uvs_2.a_5;
+    var _S359 : f32 = second_1.y;
+    var _S360 : f32 = first_6.y;
+    var scale_0 : f32 = 1.0f / (first_6.x * _S359 - second_1.x * _S360);
+    var of_ab_0 : f32 = _S359 * scale_0;
+    var of_ac_0 : f32 = - _S360 * scale_0;
     var a_17 : vec3<f32> = primitive_vector_0(corner_2);
-    var _S358 : vec3<f32> = vec3<f32>(of_ab_0);
-    var _S359 : vec3<f32> = vec3<f32>(of_ac_0);
-    var derivative_5 : vec3<f32> = unit_back_0(tangent_5, by_tangent_0, length((primitive_vector_0(corner_2 + u32(3)) - a_17) * _S358 + (primitive_vector_0(corner_2 + u32(6)) - a_17) * _S359));
+    var _S361 : vec3<f32> = vec3<f32>(of_ab_0);
+    var _S362 : vec3<f32> = vec3<f32>(of_ac_0);
+    var derivative_5 : vec3<f32> = unit_back_0(tangent_5, by_tangent_0, length((primitive_vector_0(corner_2 + u32(3)) - a_17) * _S361 + (primitive_vector_0(corner_2 + u32(6)) - a_17) * _S362));
     (*points_0).a_16 = (*points_0).a_16 - derivative_5 * vec3<f32>((of_ab_0 + of_ac_0));
-    (*points_0).b_14 = (*points_0).b_14 + derivative_5 * _S358;
-    (*points_0).c_6 = (*points_0).c_6 + derivative_5 * _S359;
+    (*points_0).b_14 = (*points_0).b_14 + derivative_5 * _S361;
+    (*points_0).c_6 = (*points_0).c_6 + derivative_5 * _S362;
     return;
 }
 
@@ -3671,9 +3723,9 @@ fn place_back_0( points_1 : ptr<function, AtCorners_0>,  place_23 : Place_0,  by
     var ab_1 : vec3<f32> = primitive_vector_0(corner_3 + u32(3)) - a_18;
     var ac_1 : vec3<f32> = primitive_vector_0(corner_3 + u32(6)) - a_18;
     var across_3 : vec3<f32> = cross(ab_1, ac_1);
-    var _S360 : f32 = max(max(abs(across_3.x), abs(across_3.y)), abs(across_3.z));
-    var normal_2 : vec3<f32> = across_3 / vec3<f32>(_S360);
-    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_1, normal_2) * vec3<f32>(by_place_1.x) + cross(normal_2, ab_1) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_2, normal_2) * _S360)));
+    var _S363 : f32 = max(max(abs(across_3.x), abs(across_3.y)), abs(across_3.z));
+    var normal_2 : vec3<f32> = across_3 / vec3<f32>(_S363);
+    var by_slip_0 : vec3<f32> = by_position_0 + (cross(ac_1, normal_2) * vec3<f32>(by_place_1.x) + cross(normal_2, ab_1) * vec3<f32>(by_place_1.y)) * vec3<f32>((1.0f / (dot(normal_2, normal_2) * _S363)));
     var by_drift_0 : vec3<f32> = by_slip_0 - normal_2 * vec3<f32>((dot(direction_18, by_slip_0) / dot(normal_2, direction_18)));
     add_at_place_1(&((*points_1)), place_23, by_position_0 - by_drift_0);
     return by_drift_0;
@@ -3682,7 +3734,7 @@ fn place_back_0( points_1 : ptr<function, AtCorners_0>,  place_23 : Place_0,  by
 fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_5 : Surface_0,  by_place_2 : vec2<f32>,  by_position_1 : vec3<f32>,  by_outward_0 : vec3<f32>,  direction_19 : vec3<f32>) -> vec3<f32>
 {
     var normals_1 : u32 = word_0(surface_5.shape_0);
-    var _S361 : vec2<f32>;
+    var _S364 : vec2<f32>;
     if(normals_1 == u32(4294967295))
     {
         var corner_4 : u32 = u32(9) * surface_5.place_3.triangle_0;
@@ -3695,7 +3747,7 @@ fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_5 : Surface_0
         (*points_2).a_16 = (*points_2).a_16 - (by_ab_0 + by_ac_0);
         (*points_2).b_14 = (*points_2).b_14 + by_ab_0;
         (*points_2).c_6 = (*points_2).c_6 + by_ac_0;
-        _S361 = by_place_2;
+        _S364 = by_place_2;
     }
     else
     {
@@ -3707,42 +3759,42 @@ fn surface_back_0( points_2 : ptr<function, AtCorners_0>,  surface_5 : Surface_0
         var of_normals_0 : AtCorners_0 = at_no_corner_0();
         add_at_place_0(&(of_normals_0), surface_5.place_3, derivative_9);
         add_to_corners_0(normals_of_0(surface_5.place_3.triangle_0), surface_5.place_3.triangle_0, of_normals_0);
-        _S361 = by_place_2 + vec2<f32>(dot(ab_3, derivative_9), dot(ac_3, derivative_9));
+        _S364 = by_place_2 + vec2<f32>(dot(ab_3, derivative_9), dot(ac_3, derivative_9));
     }
-    var _S362 : vec3<f32> = place_back_0(&((*points_2)), surface_5.place_3, _S361, by_position_1, direction_19);
-    return _S362;
+    var _S365 : vec3<f32> = place_back_0(&((*points_2)), surface_5.place_3, _S364, by_position_1, direction_19);
+    return _S365;
 }
 
 fn vertex_back_0( pulled_1 : Pulled_0,  vertex_2 : Vertex_0,  material_2 : u32,  direction_20 : vec3<f32>) -> ByRay_0
 {
     var by_ray_1 : ByRay_0;
-    var _S363 : vec3<f32> = vec3<f32>(0.0f);
-    by_ray_1.direction_0 = _S363;
-    by_ray_1.drift_0 = _S363;
-    var by_place_3 : vec2<f32> = numbers_back_0(material_2, vertex_2.surface_3.place_3, pulled_1.numbers_5);
+    var _S366 : vec3<f32> = vec3<f32>(0.0f);
+    by_ray_1.direction_0 = _S366;
+    by_ray_1.drift_0 = _S366;
+    var by_place_3 : vec2<f32> = numbers_back_0(material_2, vertex_2.surface_3.place_3, pulled_1.numbers_6);
     if(!is_moving_0())
     {
         return by_ray_1;
     }
-    var _S364 : Axes_0 = Axes_x24_syn_dzero_0();
+    var _S367 : Axes_0 = Axes_x24_syn_dzero_0();
     var towards_1 : DiffPair_Axes_0;
     towards_1.primal_0 = vertex_2.axes_4;
-    towards_1.differential_0 = _S364;
+    towards_1.differential_0 = _S367;
     var incoming_0 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     incoming_0.primal_0 = direction_20;
-    incoming_0.differential_0 = _S363;
+    incoming_0.differential_0 = _S366;
     _S173(&(towards_1), &(incoming_0), pulled_1.wi_2);
     by_ray_1.direction_0 = incoming_0.differential_0;
     var outward_1 : DiffPair_vectorx3Cfloatx2C3x3E_0;
     outward_1.primal_0 = vertex_2.surface_3.outward_0;
-    outward_1.differential_0 = _S363;
-    var _S365 : vec3<f32> = tangent_at_0(vertex_2.surface_3);
+    outward_1.differential_0 = _S366;
+    var _S368 : vec3<f32> = tangent_at_0(vertex_2.surface_3);
     var tangent_6 : DiffPair_vectorx3Cfloatx2C3x3E_0;
-    tangent_6.primal_0 = _S365;
-    tangent_6.differential_0 = _S363;
+    tangent_6.primal_0 = _S368;
+    tangent_6.differential_0 = _S366;
     var by_axes_0 : Axes_0 = Axes_x24_syn_dadd_0(pulled_1.axes_13, towards_1.differential_0);
     var points_3 : AtCorners_0 = at_no_corner_0();
-    if((any((_S365 != _S363))))
+    if((any((_S368 != _S366))))
     {
         _S124(&(outward_1), &(tangent_6), vertex_2.surface_3.is_front_0, by_axes_0);
         tangent_back_0(&(points_3), vertex_2.surface_3.place_3.triangle_0, tangent_6.primal_0, tangent_6.differential_0);
@@ -3751,8 +3803,8 @@ fn vertex_back_0( pulled_1 : Pulled_0,  vertex_2 : Vertex_0,  material_2 : u32, 
     {
         _S93(&(outward_1), vertex_2.surface_3.is_front_0, by_axes_0);
     }
-    var _S366 : vec3<f32> = surface_back_0(&(points_3), vertex_2.surface_3, by_place_3, pulled_1.position_2, outward_1.differential_0, direction_20);
-    by_ray_1.drift_0 = _S366;
+    var _S369 : vec3<f32> = surface_back_0(&(points_3), vertex_2.surface_3, by_place_3, pulled_1.position_2, outward_1.differential_0, direction_20);
+    by_ray_1.drift_0 = _S369;
     add_to_corners_0(points_of_0(vertex_2.surface_3.place_3.triangle_0), vertex_2.surface_3.place_3.triangle_0, points_3);
     return by_ray_1;
 }
@@ -3784,67 +3836,67 @@ fn set_vector_0( path_7 : u32,  which_7 : ptr<function, u32>,  value_6 : vec3<f3
 
 fn walk_vertex_back_0( number_of_path_1 : u32,  key_4 : vec2<u32>,  depth_4 : u32)
 {
-    var kept_0 : u32 = kept_at_0(depth_4);
-    var which_8 : u32 = kept_0 + u32(3);
+    var kept_2 : u32 = kept_at_0(depth_4);
+    var which_8 : u32 = kept_2 + u32(3);
     var place_24 : Place_0 = path_place_0(number_of_path_1, &(which_8));
     var direction_21 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
     var by_direction_1 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
     var by_divergence_1 : f32 = (bitcast<f32>((path_word_0(number_of_path_1, which_8))));
-    var _S367 : bool;
+    var _S370 : bool;
     if((all((by_direction_1 == vec3<f32>(0.0f)))))
     {
-        _S367 = by_divergence_1 == 0.0f;
+        _S370 = by_divergence_1 == 0.0f;
     }
     else
     {
-        _S367 = false;
+        _S370 = false;
     }
-    if(_S367)
+    if(_S370)
     {
-        _S367 = true;
+        _S370 = true;
     }
     else
     {
-        _S367 = (edge_word_0(u32(1))) == u32(4294967295);
+        _S370 = (edge_word_0(u32(1))) == u32(4294967295);
     }
-    if(_S367)
+    if(_S370)
     {
         return;
     }
-    which_8 = kept_0 + u32(17);
+    which_8 = kept_2 + u32(17);
     var wo_0 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
     var surface_6 : Surface_0 = surface_at_0(place_24, direction_21);
     var material_3 : u32 = material_of_0(surface_6);
     var vertex_3 : Vertex_0 = vertex_at_0(surface_6, material_3, direction_21);
-    var around_14 : Around_0 = around_vertex_0(vertex_3, depth_4);
-    var field_3 : Field_0 = field_at_0(&(around_14), exact_unit_0(normalize(to_world_0(vertex_3.axes_4, wo_0))), key_4, first_number_0(depth_4));
+    var around_15 : Around_0 = around_vertex_0(vertex_3, depth_4);
+    var field_3 : Field_0 = field_at_0(&(around_15), exact_unit_0(normalize(to_world_0(vertex_3.axes_4, wo_0))), key_4, first_number_0(depth_4));
     var pulled_2 : Pulled_0 = nothing_pulled_0();
-    var _S368 : vec3<f32> = field_back_0(field_3, around_14, by_direction_1, by_divergence_1);
-    pulled_2.position_2 = _S368;
-    var _S369 : ByRay_0 = vertex_back_0(pulled_2, vertex_3, material_3, direction_21);
-    var by_ray_2 : ByRay_0 = _S369;
+    var _S371 : vec3<f32> = field_back_0(field_3, around_15, by_direction_1, by_divergence_1);
+    pulled_2.position_2 = _S371;
+    var _S372 : ByRay_0 = vertex_back_0(pulled_2, vertex_3, material_3, direction_21);
+    var by_ray_2 : ByRay_0 = _S372;
     which_8 = u32(20);
-    var _S370 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
-    var _S371 : vec3<f32> = by_ray_2.drift_0 + _S370;
-    by_ray_2.drift_0 = _S371;
-    var _S372 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
-    var _S373 : vec3<f32> = by_ray_2.direction_0 + _S372;
-    by_ray_2.direction_0 = _S373;
+    var _S373 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
+    var _S374 : vec3<f32> = by_ray_2.drift_0 + _S373;
+    by_ray_2.drift_0 = _S374;
+    var _S375 : vec3<f32> = path_vector_0(number_of_path_1, &(which_8));
+    var _S376 : vec3<f32> = by_ray_2.direction_0 + _S375;
+    by_ray_2.direction_0 = _S376;
     which_8 = u32(20);
-    set_vector_0(number_of_path_1, &(which_8), _S371);
-    set_vector_0(number_of_path_1, &(which_8), _S373);
+    set_vector_0(number_of_path_1, &(which_8), _S374);
+    set_vector_0(number_of_path_1, &(which_8), _S376);
     return;
 }
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S374 : u32;
+    var _S377 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S375 : u32 = u32(2) + zero_0;
-        _S374 = _S375;
-        if(rounds_0 < _S375)
+        var _S378 : u32 = u32(2) + zero_0;
+        _S377 = _S378;
+        if(rounds_0 < _S378)
         {
         }
         else
@@ -3853,14 +3905,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S374;
+    return rounds_0 == _S377;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S376 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S379 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from walk.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 2fd2131a7800ca45
-// result: 9cbfa8a08d16a70e
+// source: d1a41197f8e44bac
+// result: c0ee82d8741655aa
 
 struct Launch_std140_0
 {
@@ -2623,11 +2623,17 @@ fn has_room_0( candidates_0 : Candidates_0,  candidate_1 : Candidate_0) -> bool
     return _S238;
 }
 
-fn place_of_1( around_4 : Around_0,  candidate_2 : Candidate_0) -> vec3<f64>
+fn is_on_horizon_0( around_4 : Around_0,  edge_4 : u32) -> bool
 {
-    var numbers_7 : u32 = edge_word_0(around_4.tree_0 + u32(2)) + u32(14) * candidate_2.edge_2;
-    var start_1 : vec3<f64> = edge_position_0(numbers_7);
-    return start_1 + (edge_position_0(numbers_7 + u32(3)) - start_1) * vec3<f64>(candidate_2.t_6);
+    var numbers_7 : u32 = edge_word_0(around_4.tree_0 + u32(2)) + u32(14) * edge_4;
+    return (max(abs(dot(edge_position_0(numbers_7) - around_4.position_1, around_4.face_0)), abs(dot(edge_position_0(numbers_7 + u32(3)) - around_4.position_1, around_4.face_0)))) <= (limit_at_0(u32(2)));
+}
+
+fn place_of_1( around_5 : Around_0,  candidate_2 : Candidate_0) -> vec3<f64>
+{
+    var numbers_8 : u32 = edge_word_0(around_5.tree_0 + u32(2)) + u32(14) * candidate_2.edge_2;
+    var start_1 : vec3<f64> = edge_position_0(numbers_8);
+    return start_1 + (edge_position_0(numbers_8 + u32(3)) - start_1) * vec3<f64>(candidate_2.t_6);
 }
 
 fn meets_0( triangle_11 : u32,  origin_4 : vec3<f64>,  direction_12 : vec3<f64>,  t_min_4 : f64,  t_max_4 : f64) -> bool
@@ -2637,49 +2643,58 @@ fn meets_0( triangle_11 : u32,  origin_4 : vec3<f64>,  direction_12 : vec3<f64>,
     return intersect_0(ray_6, axes_9, u32(9) * triangle_11).is_hit_0;
 }
 
-fn is_hidden_0( around_5 : Around_0,  candidate_3 : Candidate_0) -> bool
+fn is_hidden_0( around_6 : Around_0,  candidate_3 : Candidate_0) -> bool
 {
-    if((around_5.occluder_0) == u32(4294967295))
+    var _S239 : bool;
+    if((around_6.occluder_0) == u32(4294967295))
+    {
+        _S239 = true;
+    }
+    else
+    {
+        _S239 = is_on_horizon_0(around_6, candidate_3.edge_2);
+    }
+    if(_S239)
     {
         return false;
     }
-    var way_2 : vec3<f64> = place_of_1(around_5, candidate_3) - around_5.position_1;
+    var way_2 : vec3<f64> = place_of_1(around_6, candidate_3) - around_6.position_1;
     var distance_1 : f64 = length_of_0(way_2);
-    return meets_0(around_5.occluder_0, around_5.position_1, way_2 / vec3<f64>(distance_1), limit_at_0(u32(2)), distance_1 * limit_at_0(u32(3)));
+    return meets_0(around_6.occluder_0, around_6.position_1, way_2 / vec3<f64>(distance_1), limit_at_0(u32(2)), distance_1 * limit_at_0(u32(3)));
 }
 
 fn list_0( candidates_1 : ptr<function, Candidates_0>,  candidate_4 : Candidate_0)
 {
-    var _S239 : u32 = min((*candidates_1).count_2, u32(3));
-    (*candidates_1).count_2 = _S239 + u32(1);
-    var place_21 : u32 = _S239;
+    var _S240 : u32 = min((*candidates_1).count_2, u32(3));
+    (*candidates_1).count_2 = _S240 + u32(1);
+    var place_21 : u32 = _S240;
     for(;;)
     {
-        var _S240 : bool;
+        var _S241 : bool;
         if(place_21 > u32(0))
         {
-            _S240 = is_before_0(candidate_4, (*candidates_1).listed_0[place_21 - u32(1)]);
+            _S241 = is_before_0(candidate_4, (*candidates_1).listed_0[place_21 - u32(1)]);
         }
         else
         {
-            _S240 = false;
+            _S241 = false;
         }
-        if(_S240)
+        if(_S241)
         {
         }
         else
         {
             break;
         }
-        var _S241 : u32 = place_21 - u32(1);
-        (*candidates_1).listed_0[place_21] = (*candidates_1).listed_0[_S241];
-        place_21 = _S241;
+        var _S242 : u32 = place_21 - u32(1);
+        (*candidates_1).listed_0[place_21] = (*candidates_1).listed_0[_S242];
+        place_21 = _S242;
     }
     (*candidates_1).listed_0[place_21] = candidate_4;
     return;
 }
 
-fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : Candidate_0) -> Candidates_0
+fn search_0( around_7 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : Candidate_0) -> Candidates_0
 {
     var found_4 : Candidates_0;
     found_4.count_2 = u32(0);
@@ -2696,14 +2711,14 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
         found_4.listed_0[k_4] = last_0;
         k_4 = k_4 + u32(1);
     }
-    var nodes_at_0 : u32 = edge_word_0(around_6.tree_0);
+    var nodes_at_0 : u32 = edge_word_0(around_7.tree_0);
     var waiting_0 : array<u32, i32(92)>;
     waiting_0[i32(0)] = u32(4294967295);
-    var _S242 : vec3<f32> = vec3<f32>(chain_2.image_0);
-    var _S243 : vec3<f32> = vec3<f32>(chain_2.direction_11);
-    var _S244 : vec2<f32> = limit_by_0(limit_8);
+    var _S243 : vec3<f32> = vec3<f32>(chain_2.image_0);
+    var _S244 : vec3<f32> = vec3<f32>(chain_2.direction_11);
+    var _S245 : vec2<f32> = limit_by_0(limit_8);
     var node_4 : u32 = nodes_at_0;
-    var rough_limit_0 : vec2<f32> = _S244;
+    var rough_limit_0 : vec2<f32> = _S245;
     var count_3 : u32 = u32(0);
     for(;;)
     {
@@ -2717,33 +2732,33 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
         var next_2 : u32;
         var next_3 : u32;
         var count_4 : u32;
-        var _S245 : bool;
-        var skips_far_0 : bool;
         var _S246 : bool;
+        var skips_far_0 : bool;
+        var _S247 : bool;
         if((edge_word_0(node_4)) != u32(4294967295))
         {
             var near_1 : u32 = node_4 + u32(45);
             var far_1 : u32 = nodes_at_0 + u32(45) * edge_word_0(node_4);
-            var of_near_0 : Ball_0 = ball_of_0(near_1, _S242, _S243);
-            var of_far_0 : Ball_0 = ball_of_0(far_1, _S242, _S243);
+            var of_near_0 : Ball_0 = ball_of_0(near_1, _S243, _S244);
+            var of_far_0 : Ball_0 = ball_of_0(far_1, _S243, _S244);
             var skips_near_0 : bool = is_beyond_0(of_near_0, rough_limit_0);
             var skips_far_1 : bool = is_beyond_0(of_far_0, rough_limit_0);
             if(!skips_far_1)
             {
                 if(skips_near_0)
                 {
-                    _S245 = true;
+                    _S246 = true;
                 }
                 else
                 {
-                    _S245 = comes_first_0(of_far_0, of_near_0);
+                    _S246 = comes_first_0(of_far_0, of_near_0);
                 }
             }
             else
             {
-                _S245 = false;
+                _S246 = false;
             }
-            if(_S245)
+            if(_S246)
             {
                 next_2 = far_1;
                 skips_far_0 = skips_near_0;
@@ -2764,13 +2779,13 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
             }
             if(next_2 != u32(4294967295))
             {
-                _S246 = !skips_far_0;
+                _S247 = !skips_far_0;
             }
             else
             {
-                _S246 = false;
+                _S247 = false;
             }
-            if(_S246)
+            if(_S247)
             {
                 waiting_0[count_3] = next_3;
                 count_4 = count_3 + u32(1);
@@ -2793,21 +2808,21 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
                     break;
                 }
                 var candidate_5 : Candidate_0;
-                var _S247 : bool = closest_on_edge_0(around_6, chain_2, chain_2.direction_11, k_4, &(candidate_5));
-                if(!_S247)
+                var _S248 : bool = closest_on_edge_0(around_7, chain_2, chain_2.direction_11, k_4, &(candidate_5));
+                if(!_S248)
                 {
                     k_4 = k_4 + u32(1);
                     continue;
                 }
                 if(!((candidate_5.half_tangent_1) < limit_8))
                 {
-                    _S245 = true;
+                    _S246 = true;
                 }
                 else
                 {
-                    _S245 = !is_before_0(last_0, candidate_5);
+                    _S246 = !is_before_0(last_0, candidate_5);
                 }
-                if(_S245)
+                if(_S246)
                 {
                     skips_far_0 = true;
                 }
@@ -2822,13 +2837,13 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
                 }
                 if((chain_2.count_1) > u32(0))
                 {
-                    _S246 = true;
+                    _S247 = true;
                 }
                 else
                 {
-                    _S246 = !is_hidden_0(around_6, candidate_5);
+                    _S247 = !is_hidden_0(around_7, candidate_5);
                 }
-                if(_S246)
+                if(_S247)
                 {
                     list_0(&(found_4), candidate_5);
                 }
@@ -2853,13 +2868,13 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
         {
             if(next_3 == u32(4294967295))
             {
-                _S245 = count_3 > u32(0);
+                _S246 = count_3 > u32(0);
             }
             else
             {
-                _S245 = false;
+                _S246 = false;
             }
-            if(_S245)
+            if(_S246)
             {
             }
             else
@@ -2867,7 +2882,7 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
                 break;
             }
             var count_5 : u32 = count_3 - u32(1);
-            if(!is_beyond_0(ball_of_0(waiting_0[count_5], _S242, _S243), rough_limit_0))
+            if(!is_beyond_0(ball_of_0(waiting_0[count_5], _S243, _S244), rough_limit_0))
             {
                 next_3 = waiting_0[count_5];
             }
@@ -2881,7 +2896,7 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f64,  last_0 : 
 struct Nearest_0
 {
      half_tangent_2 : f64,
-     edge_4 : u32,
+     edge_5 : u32,
      t_8 : f64,
      direction_13 : vec3<f64>,
      distance_2 : f64,
@@ -2889,11 +2904,11 @@ struct Nearest_0
      triangles_1 : array<u32, i32(6)>,
 };
 
-fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 : vec3<f64>,  point_0 : ptr<function, Nearest_0>) -> bool
+fn is_seen_0( around_8 : ptr<function, Around_0>,  chain_3 : Chain_0,  edge_6 : u32,  offset_4 : vec3<f64>,  point_0 : ptr<function, Nearest_0>) -> bool
 {
-    var _S248 : f64 = length_of_0(offset_4);
-    (*point_0).distance_2 = _S248;
-    (*point_0).direction_13 = offset_4 / vec3<f64>(_S248);
+    var _S249 : f64 = length_of_0(offset_4);
+    (*point_0).distance_2 = _S249;
+    (*point_0).direction_13 = offset_4 / vec3<f64>(_S249);
     (*point_0).count_6 = chain_3.count_1;
     var k_5 : u32 = chain_3.count_1;
     for(;;)
@@ -2905,25 +2920,38 @@ fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         {
             break;
         }
-        var _S249 : u32 = k_5 - u32(1);
-        (*point_0).direction_13 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S249]), (*point_0).direction_13);
-        k_5 = _S249;
+        var _S250 : u32 = k_5 - u32(1);
+        (*point_0).direction_13 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S250]), (*point_0).direction_13);
+        k_5 = _S250;
     }
-    var height_1 : f64 = abs(dot((*point_0).direction_13, (*around_7).face_0)) * (*point_0).distance_2;
-    var _S250 : bool;
+    var height_1 : f64 = abs(dot((*point_0).direction_13, (*around_8).face_0)) * (*point_0).distance_2;
+    var _S251 : bool;
     if((chain_3.count_1) > u32(0))
     {
-        _S250 = height_1 <= (limit_at_0(u32(2)));
+        _S251 = height_1 <= (limit_at_0(u32(2)));
     }
     else
     {
-        _S250 = false;
+        _S251 = false;
     }
-    if(_S250)
+    if(_S251)
     {
         return false;
     }
-    var start_2 : vec3<f64> = (*around_7).position_1;
+    var _S252 : bool = (chain_3.count_1) == u32(0);
+    if(_S252)
+    {
+        _S251 = is_on_horizon_0((*around_8), edge_6);
+    }
+    else
+    {
+        _S251 = false;
+    }
+    if(_S251)
+    {
+        return true;
+    }
+    var start_2 : vec3<f64> = (*around_8).position_1;
     var direction_14 : vec3<f64> = (*point_0).direction_13;
     k_5 = u32(0);
     var left_1 : f64 = (*point_0).distance_2;
@@ -2955,21 +2983,21 @@ fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
                 k_5 = k_5 + u32(1);
                 continue;
             }
-            if((chain_3.count_1) == u32(0))
+            if(_S252)
             {
-                (*around_7).occluder_0 = found_5.triangle_9;
+                (*around_8).occluder_0 = found_5.triangle_9;
             }
             return false;
         }
         if((found_5.face_3) == u32(4294967295))
         {
-            _S250 = true;
+            _S251 = true;
         }
         else
         {
-            _S250 = !is_mirror_0(found_5.triangle_9);
+            _S251 = !is_mirror_0(found_5.triangle_9);
         }
-        if(_S250)
+        if(_S251)
         {
             return false;
         }
@@ -2979,17 +3007,17 @@ fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         {
             return false;
         }
-        var _S251 : vec3<f64> = mirrored_0(mirror_at_0(found_5.triangle_9), direction_14);
+        var _S253 : vec3<f64> = mirrored_0(mirror_at_0(found_5.triangle_9), direction_14);
         (*point_0).triangles_1[k_5] = found_5.triangle_9;
         start_2 = place_22;
-        direction_14 = _S251;
+        direction_14 = _S253;
         left_1 = left_2;
         k_5 = k_5 + u32(1);
     }
     return (length_of_0(start_2 + direction_14 * vec3<f64>(left_1) - chain_3.image_0 - offset_4)) < (f64(3.99999998990097083e-06f * max(f32(chain_3.count_1), 1.0f)) * (*point_0).distance_2);
 }
 
-fn take_nearest_0( around_8 : ptr<function, Around_0>,  chain_4 : Chain_0,  best_0 : ptr<function, Nearest_0>)
+fn take_nearest_0( around_9 : ptr<function, Around_0>,  chain_4 : Chain_0,  best_0 : ptr<function, Nearest_0>)
 {
     var last_1 : Candidate_0;
     last_1.half_tangent_1 = -1.0lf;
@@ -3006,8 +3034,8 @@ fn take_nearest_0( around_8 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
         {
             break;
         }
-        var found_6 : Candidates_0 = search_0((*around_8), chain_4, (*best_0).half_tangent_2, last_1);
-        var _S252 : bool = (found_6.count_2) < u32(4);
+        var found_6 : Candidates_0 = search_0((*around_9), chain_4, (*best_0).half_tangent_2, last_1);
+        var _S254 : bool = (found_6.count_2) < u32(4);
         var k_6 : u32 = u32(0);
         for(;;)
         {
@@ -3020,28 +3048,28 @@ fn take_nearest_0( around_8 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             }
             last_1 = found_6.listed_0[k_6];
             var point_1 : Nearest_0 = (*best_0);
-            var _S253 : bool = is_seen_0(&((*around_8)), chain_4, place_of_1((*around_8), found_6.listed_0[k_6]) - chain_4.image_0, &(point_1));
-            if(!_S253)
+            var _S255 : bool = is_seen_0(&((*around_9)), chain_4, last_1.edge_2, place_of_1((*around_9), found_6.listed_0[k_6]) - chain_4.image_0, &(point_1));
+            if(!_S255)
             {
                 k_6 = k_6 + u32(1);
                 continue;
             }
             (*best_0) = point_1;
             (*best_0).half_tangent_2 = last_1.half_tangent_1;
-            (*best_0).edge_4 = last_1.edge_2;
+            (*best_0).edge_5 = last_1.edge_2;
             (*best_0).t_8 = last_1.t_6;
             return;
         }
-        is_complete_0 = _S252;
+        is_complete_0 = _S254;
     }
     return;
 }
 
-fn nearest_edge_0( around_9 : ptr<function, Around_0>,  direction_15 : vec3<f64>,  limit_9 : f64) -> Nearest_0
+fn nearest_edge_0( around_10 : ptr<function, Around_0>,  direction_15 : vec3<f64>,  limit_9 : f64) -> Nearest_0
 {
     var chain_5 : Chain_0;
-    chain_5.start_0 = (*around_9).position_1;
-    chain_5.image_0 = (*around_9).position_1;
+    chain_5.start_0 = (*around_10).position_1;
+    chain_5.image_0 = (*around_10).position_1;
     chain_5.direction_11 = direction_15;
     chain_5.facing_0 = vec3<f64>(0.0lf, 0.0lf, 0.0lf);
     chain_5.count_1 = u32(0);
@@ -3060,7 +3088,7 @@ fn nearest_edge_0( around_9 : ptr<function, Around_0>,  direction_15 : vec3<f64>
     }
     var best_1 : Nearest_0;
     best_1.half_tangent_2 = limit_9;
-    best_1.edge_4 = u32(4294967295);
+    best_1.edge_5 = u32(4294967295);
     best_1.distance_2 = 0.0lf;
     best_1.t_8 = 0.0lf;
     best_1.direction_13 = direction_15;
@@ -3069,28 +3097,28 @@ fn nearest_edge_0( around_9 : ptr<function, Around_0>,  direction_15 : vec3<f64>
     var mirrors_1 : u32 = u32(0);
     for(;;)
     {
-        if(mirrors_1 <= ((*around_9).mirrors_0))
+        if(mirrors_1 <= ((*around_10).mirrors_0))
         {
         }
         else
         {
             break;
         }
-        var _S254 : bool;
+        var _S256 : bool;
         if(mirrors_1 > u32(0))
         {
-            var _S255 : bool = reflect_0(&(chain_5));
-            _S254 = !_S255;
+            var _S257 : bool = reflect_0(&(chain_5));
+            _S256 = !_S257;
         }
         else
         {
-            _S254 = false;
+            _S256 = false;
         }
-        if(_S254)
+        if(_S256)
         {
             break;
         }
-        take_nearest_0(&((*around_9)), chain_5, &(best_1));
+        take_nearest_0(&((*around_10)), chain_5, &(best_1));
         mirrors_1 = mirrors_1 + u32(1);
     }
     return best_1;
@@ -3100,8 +3128,8 @@ fn tangent_by_0( direction_16 : vec3<f64>,  azimuth_0 : f32) -> vec3<f64>
 {
     var axes_10 : Axes_0 = axes_around_0(vec3<f32>(direction_16), true);
     var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * azimuth_0);
-    var _S256 : vec3<f64> = vec3<f64>(axes_10.s_0 * vec3<f32>(turn_2.y) + axes_10.t_0 * vec3<f32>(turn_2.x));
-    return exact_unit_0(_S256 - direction_16 * vec3<f64>(dot(direction_16, _S256)));
+    var _S258 : vec3<f64> = vec3<f64>(axes_10.s_0 * vec3<f32>(turn_2.y) + axes_10.t_0 * vec3<f32>(turn_2.x));
+    return exact_unit_0(_S258 - direction_16 * vec3<f64>(dot(direction_16, _S258)));
 }
 
 struct Term_0
@@ -3117,11 +3145,11 @@ struct Field_0
      terms_0 : array<Term_0, i32(3)>,
 };
 
-fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f64>,  key_5 : vec2<u32>,  first_4 : u32) -> Field_0
+fn field_at_0( around_11 : ptr<function, Around_0>,  direction_18 : vec3<f64>,  key_5 : vec2<u32>,  first_4 : u32) -> Field_0
 {
     var field_0 : Field_0;
     field_0.direction_17 = direction_18;
-    var _S257 : f64 = edge_real_0(u32(4));
+    var _S259 : f64 = edge_real_0(u32(4));
     const g_0 : vec3<f64> = vec3<f64>(0.0lf, 0.0lf, 0.0lf);
     var e_0 : vec3<f64> = g_0;
     var half_sine_1 : f64 = 0.0lf;
@@ -3145,11 +3173,11 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f64>,  
         }
         else
         {
-            far_2 = _S257;
+            far_2 = _S259;
         }
-        var _S258 : bool = k_8 == u32(1);
+        var _S260 : bool = k_8 == u32(1);
         var x_10 : vec3<f64>;
-        if(_S258)
+        if(_S260)
         {
             x_10 = walked_1(direction_18, e_0, sqrt(f64(random_0(key_5, first_4 + u32(1)))) * half_sine_1);
         }
@@ -3166,9 +3194,9 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f64>,  
         {
             x_11 = x_10;
         }
-        var _S259 : bool = k_8 > u32(0);
+        var _S261 : bool = k_8 > u32(0);
         var bound_0 : f64;
-        if(_S259)
+        if(_S261)
         {
             bound_0 = min(far_2, half_tangent_between_0(x_11, field_0.terms_0[i32(0)].site_0.direction_13));
         }
@@ -3176,27 +3204,27 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f64>,  
         {
             bound_0 = far_2;
         }
-        var found_7 : Nearest_0 = nearest_edge_0(&((*around_10)), x_11, bound_0);
-        var _S260 : bool;
-        if(_S259)
+        var found_7 : Nearest_0 = nearest_edge_0(&((*around_11)), x_11, bound_0);
+        var _S262 : bool;
+        if(_S261)
         {
-            _S260 = (found_7.edge_4) == u32(4294967295);
+            _S262 = (found_7.edge_5) == u32(4294967295);
         }
         else
         {
-            _S260 = false;
+            _S262 = false;
         }
-        var _S261 : bool;
-        if(_S260)
+        var _S263 : bool;
+        if(_S262)
         {
-            _S261 = bound_0 < far_2;
+            _S263 = bound_0 < far_2;
         }
         else
         {
-            _S261 = false;
+            _S263 = false;
         }
         var found_8 : Nearest_0;
-        if(_S261)
+        if(_S263)
         {
             found_8 = field_0.terms_0[i32(0)].site_0;
         }
@@ -3205,33 +3233,33 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f64>,  
             found_8 = found_7;
         }
         field_0.terms_0[k_8].site_0 = found_8;
-        var _S262 : i32;
-        if(_S258)
+        var _S264 : i32;
+        if(_S260)
         {
-            _S262 = i32(1);
+            _S264 = i32(1);
         }
         else
         {
-            _S262 = i32(0);
+            _S264 = i32(0);
         }
-        field_0.terms_0[k_8].weight_0 = f64(_S262);
+        field_0.terms_0[k_8].weight_0 = f64(_S264);
         field_0.terms_0[k_8].gradient_0 = g_1;
-        if(_S259)
+        if(_S261)
         {
             k_8 = k_8 + u32(1);
             continue;
         }
-        if((found_8.edge_4) == u32(4294967295))
+        if((found_8.edge_5) == u32(4294967295))
         {
             field_0.terms_0[i32(2)] = field_0.terms_0[i32(0)];
             field_0.terms_0[i32(1)] = field_0.terms_0[i32(0)];
             break;
         }
-        var is_within_1 : bool = (found_8.half_tangent_2) < _S257;
-        var _S263 : f64 = min(found_8.half_tangent_2, _S257);
-        var _S264 : f64 = 1.0lf / _S263;
-        var _S265 : f64 = _S263 / sqrt(1.0lf + _S263 * _S263);
-        var _S266 : vec3<f64> = tangent_by_0(direction_18, random_0(key_5, first_4));
+        var is_within_1 : bool = (found_8.half_tangent_2) < _S259;
+        var _S265 : f64 = min(found_8.half_tangent_2, _S259);
+        var _S266 : f64 = 1.0lf / _S265;
+        var _S267 : f64 = _S265 / sqrt(1.0lf + _S265 * _S265);
+        var _S268 : vec3<f64> = tangent_by_0(direction_18, random_0(key_5, first_4));
         var towards_1 : vec3<f64> = found_8.direction_13 - direction_18 * vec3<f64>(dot(direction_18, found_8.direction_13));
         var g_2 : vec3<f64>;
         if(is_within_1)
@@ -3242,29 +3270,29 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f64>,  
         {
             g_2 = g_1;
         }
-        e_0 = _S266;
-        half_sine_1 = _S265;
+        e_0 = _S268;
+        half_sine_1 = _S267;
         g_1 = g_2;
-        kappa_0 = _S264;
+        kappa_0 = _S266;
         is_within_0 = is_within_1;
         k_8 = k_8 + u32(1);
     }
-    var _S267 : vec3<f64> = vec3<f64>(- kappa_0);
-    field_0.terms_0[i32(0)].gradient_0 = e_0 * _S267;
-    field_0.terms_0[i32(1)].gradient_0 = g_1 * _S267;
+    var _S269 : vec3<f64> = vec3<f64>(- kappa_0);
+    field_0.terms_0[i32(0)].gradient_0 = e_0 * _S269;
+    field_0.terms_0[i32(1)].gradient_0 = g_1 * _S269;
     field_0.terms_0[i32(2)].gradient_0 = (e_0 + g_1) * vec3<f64>(kappa_0);
     if(!is_within_0)
     {
-        field_0.terms_0[i32(0)].site_0.edge_4 = u32(4294967295);
+        field_0.terms_0[i32(0)].site_0.edge_5 = u32(4294967295);
     }
     return field_0;
 }
 
-fn place_on_edge_0( around_11 : Around_0,  site_1 : Nearest_0) -> vec3<f64>
+fn place_on_edge_0( around_12 : Around_0,  site_1 : Nearest_0) -> vec3<f64>
 {
-    var numbers_8 : u32 = edge_word_0(around_11.tree_0 + u32(2)) + u32(14) * site_1.edge_4;
-    var start_3 : vec3<f64> = edge_position_0(numbers_8);
-    return start_3 + (edge_position_0(numbers_8 + u32(3)) - start_3) * vec3<f64>(site_1.t_8);
+    var numbers_9 : u32 = edge_word_0(around_12.tree_0 + u32(2)) + u32(14) * site_1.edge_5;
+    var start_3 : vec3<f64> = edge_position_0(numbers_9);
+    return start_3 + (edge_position_0(numbers_9 + u32(3)) - start_3) * vec3<f64>(site_1.t_8);
 }
 
 struct ByCorners_0
@@ -3277,29 +3305,27 @@ struct ByCorners_0
 fn image_by_corners_0( mirror_5 : Mirror_0,  place_23 : vec3<f64>) -> ByCorners_0
 {
     var across_4 : vec3<f64> = cross(mirror_5.ab_1, mirror_5.ac_1);
-    var _S268 : vec3<f64> = vec3<f64>((1.0lf / dot(across_4, across_4)));
-    var gradient_b_0 : vec3<f64> = cross(mirror_5.ac_1, across_4) * _S268;
-    var gradient_c_0 : vec3<f64> = cross(across_4, mirror_5.ab_1) * _S268;
+    var _S270 : vec3<f64> = vec3<f64>((1.0lf / dot(across_4, across_4)));
+    var gradient_b_0 : vec3<f64> = cross(mirror_5.ac_1, across_4) * _S270;
+    var gradient_c_0 : vec3<f64> = cross(across_4, mirror_5.ab_1) * _S270;
     var offset_5 : vec3<f64> = place_23 - mirror_5.corner_2;
     var b_15 : f64 = dot(gradient_b_0, offset_5);
     var c_6 : f64 = dot(gradient_c_0, offset_5);
     var by_1 : ByCorners_0;
-    var _S269 : vec3<f64> = vec3<f64>((2.0lf * height_of_0(mirror_5, place_23)));
-    by_1.a_19 = mirror_5.normal_3 * vec3<f64>((2.0lf * (1.0lf - b_15 - c_6))) + ((vec3<f64>(0) - gradient_b_0) - gradient_c_0) * _S269;
-    by_1.b_14 = mirror_5.normal_3 * vec3<f64>((2.0lf * b_15)) + gradient_b_0 * _S269;
-    by_1.c_5 = mirror_5.normal_3 * vec3<f64>((2.0lf * c_6)) + gradient_c_0 * _S269;
+    var _S271 : vec3<f64> = vec3<f64>((2.0lf * height_of_0(mirror_5, place_23)));
+    by_1.a_19 = mirror_5.normal_3 * vec3<f64>((2.0lf * (1.0lf - b_15 - c_6))) + ((vec3<f64>(0) - gradient_b_0) - gradient_c_0) * _S271;
+    by_1.b_14 = mirror_5.normal_3 * vec3<f64>((2.0lf * b_15)) + gradient_b_0 * _S271;
+    by_1.c_5 = mirror_5.normal_3 * vec3<f64>((2.0lf * c_6)) + gradient_c_0 * _S271;
     return by_1;
 }
 
-fn angular_0( around_12 : Around_0,  site_2 : Nearest_0,  velocity_0 : vec3<f64>) -> vec3<f64>
+fn angular_0( around_13 : Around_0,  site_2 : Nearest_0,  velocity_0 : vec3<f64>) -> vec3<f64>
 {
-    var numbers_9 : u32 = edge_word_0(around_12.tree_0 + u32(2)) + u32(14) * site_2.edge_4;
-    var first_5 : f64 = dot(edge_position_0(numbers_9) - around_12.position_1, around_12.face_0);
-    var second_1 : f64 = dot(edge_position_0(numbers_9 + u32(3)) - around_12.position_1, around_12.face_0);
+    var _S272 : bool = (site_2.count_6) == u32(0);
     var is_horizon_0 : bool;
-    if((site_2.count_6) == u32(0))
+    if(_S272)
     {
-        is_horizon_0 = (max(abs(first_5), abs(second_1))) <= (limit_at_0(u32(2)));
+        is_horizon_0 = is_on_horizon_0(around_13, site_2.edge_5);
     }
     else
     {
@@ -3308,7 +3334,7 @@ fn angular_0( around_12 : Around_0,  site_2 : Nearest_0,  velocity_0 : vec3<f64>
     var normal_4 : vec3<f64>;
     if(is_horizon_0)
     {
-        normal_4 = around_12.face_0;
+        normal_4 = around_13.face_0;
     }
     else
     {
@@ -3317,23 +3343,49 @@ fn angular_0( around_12 : Around_0,  site_2 : Nearest_0,  velocity_0 : vec3<f64>
     var along_5 : vec3<f64> = normal_4 * vec3<f64>(dot(normal_4, velocity_0));
     if(is_horizon_0)
     {
-        normal_4 = along_5;
+        return along_5 / vec3<f64>(site_2.distance_2);
+    }
+    var kept_0 : vec3<f64> = velocity_0 - along_5;
+    var damped_0 : f64 = 1.0lf - abs(dot(around_13.face_0, site_2.direction_13)) / 0.199951171875lf;
+    if(_S272)
+    {
+        is_horizon_0 = damped_0 > 0.0lf;
     }
     else
     {
-        normal_4 = velocity_0 - along_5;
+        is_horizon_0 = false;
     }
-    return normal_4 / vec3<f64>(site_2.distance_2);
+    var kept_1 : vec3<f64>;
+    if(is_horizon_0)
+    {
+        var numbers_10 : u32 = edge_word_0(around_13.tree_0 + u32(2)) + u32(14) * site_2.edge_5;
+        var edge_7 : vec3<f64> = edge_position_0(numbers_10 + u32(3)) - edge_position_0(numbers_10);
+        var seen_1 : vec3<f64> = edge_7 - site_2.direction_13 * vec3<f64>(dot(edge_7, site_2.direction_13));
+        var squared_3 : f64 = dot(seen_1, seen_1);
+        if(squared_3 > 0.0lf)
+        {
+            kept_1 = kept_0 - seen_1 * vec3<f64>((damped_0 * dot(seen_1, velocity_0) / squared_3));
+        }
+        else
+        {
+            kept_1 = kept_0;
+        }
+    }
+    else
+    {
+        kept_1 = kept_0;
+    }
+    return kept_1 / vec3<f64>(site_2.distance_2);
 }
 
-fn velocity_of_0( around_13 : Around_0,  site_3 : Nearest_0,  velocity_of_viewpoint_0 : vec3<f32>) -> vec3<f64>
+fn velocity_of_0( around_14 : Around_0,  site_3 : Nearest_0,  velocity_of_viewpoint_0 : vec3<f32>) -> vec3<f64>
 {
-    var record_5 : u32 = record_of_0(around_13, site_3.edge_4) + u32(2);
-    var _S270 : vec3<f64> = vec3<f64>(edge_vector_0(record_5));
-    var _S271 : vec3<f64> = _S270 + (vec3<f64>(edge_vector_0(record_5 + u32(3))) - _S270) * vec3<f64>(site_3.t_8);
-    var place_24 : vec3<f64> = place_on_edge_0(around_13, site_3);
+    var record_5 : u32 = record_of_0(around_14, site_3.edge_5) + u32(2);
+    var _S273 : vec3<f64> = vec3<f64>(edge_vector_0(record_5));
+    var _S274 : vec3<f64> = _S273 + (vec3<f64>(edge_vector_0(record_5 + u32(3))) - _S273) * vec3<f64>(site_3.t_8);
+    var place_24 : vec3<f64> = place_on_edge_0(around_14, site_3);
     var k_9 : u32 = site_3.count_6;
-    var velocity_1 : vec3<f64> = _S271;
+    var velocity_1 : vec3<f64> = _S274;
     for(;;)
     {
         if(k_9 > u32(0))
@@ -3343,17 +3395,17 @@ fn velocity_of_0( around_13 : Around_0,  site_3 : Nearest_0,  velocity_of_viewpo
         {
             break;
         }
-        var _S272 : u32 = k_9 - u32(1);
-        var corners_0 : u32 = motion_of_0(site_3.triangles_1[_S272]);
-        var mirror_6 : Mirror_0 = mirror_at_0(site_3.triangles_1[_S272]);
+        var _S275 : u32 = k_9 - u32(1);
+        var corners_0 : u32 = motion_of_0(site_3.triangles_1[_S275]);
+        var mirror_6 : Mirror_0 = mirror_at_0(site_3.triangles_1[_S275]);
         var by_2 : ByCorners_0 = image_by_corners_0(mirror_6, place_24);
         var velocity_2 : vec3<f64> = mirrored_0(mirror_6, velocity_1) + by_2.a_19 * vec3<f64>(dot(mirror_6.normal_3, vec3<f64>(change_vector_0(corners_0)))) + by_2.b_14 * vec3<f64>(dot(mirror_6.normal_3, vec3<f64>(change_vector_0(corners_0 + u32(3))))) + by_2.c_5 * vec3<f64>(dot(mirror_6.normal_3, vec3<f64>(change_vector_0(corners_0 + u32(6)))));
-        var _S273 : vec3<f64> = image_of_0(mirror_6, place_24);
-        place_24 = _S273;
-        k_9 = _S272;
+        var _S276 : vec3<f64> = image_of_0(mirror_6, place_24);
+        place_24 = _S276;
+        k_9 = _S275;
         velocity_1 = velocity_2;
     }
-    return angular_0(around_13, site_3, velocity_1 - vec3<f64>(velocity_of_viewpoint_0));
+    return angular_0(around_14, site_3, velocity_1 - vec3<f64>(velocity_of_viewpoint_0));
 }
 
 fn divergence_covector_0( field_1 : Field_0,  term_0 : Term_0) -> vec3<f64>
@@ -3367,11 +3419,11 @@ struct Walked_0
      divergence_1 : f32,
 };
 
-fn evaluate_0( field_2 : Field_0,  around_14 : Around_0,  velocity_of_viewpoint_1 : vec3<f32>) -> Walked_0
+fn evaluate_0( field_2 : Field_0,  around_15 : Around_0,  velocity_of_viewpoint_1 : vec3<f32>) -> Walked_0
 {
-    const _S274 : vec3<f64> = vec3<f64>(0.0lf, 0.0lf, 0.0lf);
+    const _S277 : vec3<f64> = vec3<f64>(0.0lf, 0.0lf, 0.0lf);
     var k_10 : u32 = u32(0);
-    var change_8 : vec3<f64> = _S274;
+    var change_8 : vec3<f64> = _S277;
     var divergence_2 : f64 = 0.0lf;
     for(;;)
     {
@@ -3382,15 +3434,15 @@ fn evaluate_0( field_2 : Field_0,  around_14 : Around_0,  velocity_of_viewpoint_
         {
             break;
         }
-        var _S275 : u32 = k_10;
-        if((field_2.terms_0[k_10].site_0.edge_4) == u32(4294967295))
+        var _S278 : u32 = k_10;
+        if((field_2.terms_0[k_10].site_0.edge_5) == u32(4294967295))
         {
             k_10 = k_10 + u32(1);
             continue;
         }
-        var velocity_3 : vec3<f64> = velocity_of_0(around_14, field_2.terms_0[_S275].site_0, velocity_of_viewpoint_1);
-        var divergence_3 : f64 = divergence_2 + dot(divergence_covector_0(field_2, field_2.terms_0[_S275]), velocity_3);
-        change_8 = change_8 + velocity_3 * vec3<f64>(field_2.terms_0[_S275].weight_0);
+        var velocity_3 : vec3<f64> = velocity_of_0(around_15, field_2.terms_0[_S278].site_0, velocity_of_viewpoint_1);
+        var divergence_3 : f64 = divergence_2 + dot(divergence_covector_0(field_2, field_2.terms_0[_S278]), velocity_3);
+        change_8 = change_8 + velocity_3 * vec3<f64>(field_2.terms_0[_S278].weight_0);
         divergence_2 = divergence_3;
         k_10 = k_10 + u32(1);
     }
@@ -3405,16 +3457,16 @@ fn walk_onward_0( path_6 : ptr<function, Path_0>,  depth_5 : u32)
     var surface_6 : Surface_0 = surface_at_0((*path_6).place_1, (*path_6).direction_0.value_0);
     move_surface_0(&(surface_6), (*path_6).direction_0.value_0, (*path_6).drift_0);
     var material_1 : u32 = material_of_0(surface_6);
-    var _S276 : bool;
+    var _S279 : bool;
     if(material_1 == u32(4294967295))
     {
-        _S276 = true;
+        _S279 = true;
     }
     else
     {
-        _S276 = (edge_word_0(u32(1))) == u32(4294967295);
+        _S279 = (edge_word_0(u32(1))) == u32(4294967295);
     }
-    if(_S276)
+    if(_S279)
     {
         return;
     }
@@ -3422,19 +3474,19 @@ fn walk_onward_0( path_6 : ptr<function, Path_0>,  depth_5 : u32)
     var sample_1 : LightSample_0 = sample_material_0(vertex_3, (*path_6).key_0, first_material_number_0(depth_5));
     if(sample_1.is_specular_1)
     {
-        _S276 = true;
+        _S279 = true;
     }
     else
     {
-        _S276 = !((sample_1.wo_1.z) > 0.0f);
+        _S279 = !((sample_1.wo_1.z) > 0.0f);
     }
-    if(_S276)
+    if(_S279)
     {
         return;
     }
-    var around_15 : Around_0 = around_vertex_0(vertex_3, depth_5);
-    var field_3 : Field_0 = field_at_0(&(around_15), exact_unit_0(sample_1.way_0), (*path_6).key_0, first_number_0(depth_5));
-    var walked_3 : Walked_0 = evaluate_0(field_3, around_15, surface_6.position_change_0);
+    var around_16 : Around_0 = around_vertex_0(vertex_3, depth_5);
+    var field_3 : Field_0 = field_at_0(&(around_16), exact_unit_0(sample_1.way_0), (*path_6).key_0, first_number_0(depth_5));
+    var walked_3 : Walked_0 = evaluate_0(field_3, around_16, surface_6.position_change_0);
     (*path_6).walked_0 = walked_3.change_7;
     (*path_6).divergence_0 = walked_3.divergence_1;
     return;
@@ -3467,13 +3519,13 @@ fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_9 : vec3<f3
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S277 : u32;
+    var _S280 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S278 : u32 = u32(2) + zero_0;
-        _S277 = _S278;
-        if(rounds_0 < _S278)
+        var _S281 : u32 = u32(2) + zero_0;
+        _S280 = _S281;
+        if(rounds_0 < _S281)
         {
         }
         else
@@ -3482,14 +3534,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S277;
+    return rounds_0 == _S280;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S279 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S282 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }

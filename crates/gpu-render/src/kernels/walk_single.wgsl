@@ -1,7 +1,7 @@
 // Compiled from walk.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 2fd2131a7800ca45
-// result: 55cf8b80acdab303
+// source: d1a41197f8e44bac
+// result: c5161f4c5b5e3a1c
 
 struct Launch_std140_0
 {
@@ -2621,11 +2621,17 @@ fn has_room_0( candidates_0 : Candidates_0,  candidate_1 : Candidate_0) -> bool
     return _S231;
 }
 
-fn place_of_1( around_4 : Around_0,  candidate_2 : Candidate_0) -> vec3<f32>
+fn is_on_horizon_0( around_4 : Around_0,  edge_4 : u32) -> bool
 {
-    var numbers_7 : u32 = edge_word_0(around_4.tree_0 + u32(2)) + u32(14) * candidate_2.edge_2;
-    var start_1 : vec3<f32> = edge_position_0(numbers_7);
-    return start_1 + (edge_position_0(numbers_7 + u32(3)) - start_1) * vec3<f32>(candidate_2.t_6);
+    var numbers_7 : u32 = edge_word_0(around_4.tree_0 + u32(2)) + u32(14) * edge_4;
+    return (max(abs(dot(edge_position_0(numbers_7) - around_4.position_1, around_4.face_0)), abs(dot(edge_position_0(numbers_7 + u32(3)) - around_4.position_1, around_4.face_0)))) <= (limit_at_0(u32(2)));
+}
+
+fn place_of_1( around_5 : Around_0,  candidate_2 : Candidate_0) -> vec3<f32>
+{
+    var numbers_8 : u32 = edge_word_0(around_5.tree_0 + u32(2)) + u32(14) * candidate_2.edge_2;
+    var start_1 : vec3<f32> = edge_position_0(numbers_8);
+    return start_1 + (edge_position_0(numbers_8 + u32(3)) - start_1) * vec3<f32>(candidate_2.t_6);
 }
 
 fn meets_0( triangle_11 : u32,  origin_4 : vec3<f32>,  direction_12 : vec3<f32>,  t_min_4 : f32,  t_max_4 : f32) -> bool
@@ -2635,49 +2641,58 @@ fn meets_0( triangle_11 : u32,  origin_4 : vec3<f32>,  direction_12 : vec3<f32>,
     return intersect_0(ray_6, axes_9, u32(9) * triangle_11).is_hit_0;
 }
 
-fn is_hidden_0( around_5 : Around_0,  candidate_3 : Candidate_0) -> bool
+fn is_hidden_0( around_6 : Around_0,  candidate_3 : Candidate_0) -> bool
 {
-    if((around_5.occluder_0) == u32(4294967295))
+    var _S232 : bool;
+    if((around_6.occluder_0) == u32(4294967295))
+    {
+        _S232 = true;
+    }
+    else
+    {
+        _S232 = is_on_horizon_0(around_6, candidate_3.edge_2);
+    }
+    if(_S232)
     {
         return false;
     }
-    var way_3 : vec3<f32> = place_of_1(around_5, candidate_3) - around_5.position_1;
+    var way_3 : vec3<f32> = place_of_1(around_6, candidate_3) - around_6.position_1;
     var distance_1 : f32 = length_of_0(way_3);
-    return meets_0(around_5.occluder_0, around_5.position_1, way_3 / vec3<f32>(distance_1), limit_at_0(u32(2)), distance_1 * limit_at_0(u32(3)));
+    return meets_0(around_6.occluder_0, around_6.position_1, way_3 / vec3<f32>(distance_1), limit_at_0(u32(2)), distance_1 * limit_at_0(u32(3)));
 }
 
 fn list_0( candidates_1 : ptr<function, Candidates_0>,  candidate_4 : Candidate_0)
 {
-    var _S232 : u32 = min((*candidates_1).count_2, u32(3));
-    (*candidates_1).count_2 = _S232 + u32(1);
-    var place_21 : u32 = _S232;
+    var _S233 : u32 = min((*candidates_1).count_2, u32(3));
+    (*candidates_1).count_2 = _S233 + u32(1);
+    var place_21 : u32 = _S233;
     for(;;)
     {
-        var _S233 : bool;
+        var _S234 : bool;
         if(place_21 > u32(0))
         {
-            _S233 = is_before_0(candidate_4, (*candidates_1).listed_0[place_21 - u32(1)]);
+            _S234 = is_before_0(candidate_4, (*candidates_1).listed_0[place_21 - u32(1)]);
         }
         else
         {
-            _S233 = false;
+            _S234 = false;
         }
-        if(_S233)
+        if(_S234)
         {
         }
         else
         {
             break;
         }
-        var _S234 : u32 = place_21 - u32(1);
-        (*candidates_1).listed_0[place_21] = (*candidates_1).listed_0[_S234];
-        place_21 = _S234;
+        var _S235 : u32 = place_21 - u32(1);
+        (*candidates_1).listed_0[place_21] = (*candidates_1).listed_0[_S235];
+        place_21 = _S235;
     }
     (*candidates_1).listed_0[place_21] = candidate_4;
     return;
 }
 
-fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : Candidate_0) -> Candidates_0
+fn search_0( around_7 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : Candidate_0) -> Candidates_0
 {
     var found_4 : Candidates_0;
     found_4.count_2 = u32(0);
@@ -2694,12 +2709,12 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
         found_4.listed_0[k_4] = last_0;
         k_4 = k_4 + u32(1);
     }
-    var nodes_at_0 : u32 = edge_word_0(around_6.tree_0);
+    var nodes_at_0 : u32 = edge_word_0(around_7.tree_0);
     var waiting_0 : array<u32, i32(92)>;
     waiting_0[i32(0)] = u32(4294967295);
-    var _S235 : vec2<f32> = limit_by_0(limit_8);
+    var _S236 : vec2<f32> = limit_by_0(limit_8);
     var node_4 : u32 = nodes_at_0;
-    var rough_limit_0 : vec2<f32> = _S235;
+    var rough_limit_0 : vec2<f32> = _S236;
     var count_3 : u32 = u32(0);
     for(;;)
     {
@@ -2713,9 +2728,9 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
         var next_2 : u32;
         var next_3 : u32;
         var count_4 : u32;
-        var _S236 : bool;
-        var skips_far_0 : bool;
         var _S237 : bool;
+        var skips_far_0 : bool;
+        var _S238 : bool;
         if((edge_word_0(node_4)) != u32(4294967295))
         {
             var near_1 : u32 = node_4 + u32(45);
@@ -2728,18 +2743,18 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
             {
                 if(skips_near_0)
                 {
-                    _S236 = true;
+                    _S237 = true;
                 }
                 else
                 {
-                    _S236 = comes_first_0(of_far_0, of_near_0);
+                    _S237 = comes_first_0(of_far_0, of_near_0);
                 }
             }
             else
             {
-                _S236 = false;
+                _S237 = false;
             }
-            if(_S236)
+            if(_S237)
             {
                 next_2 = far_1;
                 skips_far_0 = skips_near_0;
@@ -2760,13 +2775,13 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
             }
             if(next_2 != u32(4294967295))
             {
-                _S237 = !skips_far_0;
+                _S238 = !skips_far_0;
             }
             else
             {
-                _S237 = false;
+                _S238 = false;
             }
-            if(_S237)
+            if(_S238)
             {
                 waiting_0[count_3] = next_3;
                 count_4 = count_3 + u32(1);
@@ -2789,21 +2804,21 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
                     break;
                 }
                 var candidate_5 : Candidate_0;
-                var _S238 : bool = closest_on_edge_0(around_6, chain_2, chain_2.direction_11, k_4, &(candidate_5));
-                if(!_S238)
+                var _S239 : bool = closest_on_edge_0(around_7, chain_2, chain_2.direction_11, k_4, &(candidate_5));
+                if(!_S239)
                 {
                     k_4 = k_4 + u32(1);
                     continue;
                 }
                 if(!((candidate_5.half_tangent_1) < limit_8))
                 {
-                    _S236 = true;
+                    _S237 = true;
                 }
                 else
                 {
-                    _S236 = !is_before_0(last_0, candidate_5);
+                    _S237 = !is_before_0(last_0, candidate_5);
                 }
-                if(_S236)
+                if(_S237)
                 {
                     skips_far_0 = true;
                 }
@@ -2818,13 +2833,13 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
                 }
                 if((chain_2.count_1) > u32(0))
                 {
-                    _S237 = true;
+                    _S238 = true;
                 }
                 else
                 {
-                    _S237 = !is_hidden_0(around_6, candidate_5);
+                    _S238 = !is_hidden_0(around_7, candidate_5);
                 }
-                if(_S237)
+                if(_S238)
                 {
                     list_0(&(found_4), candidate_5);
                 }
@@ -2849,13 +2864,13 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
         {
             if(next_3 == u32(4294967295))
             {
-                _S236 = count_3 > u32(0);
+                _S237 = count_3 > u32(0);
             }
             else
             {
-                _S236 = false;
+                _S237 = false;
             }
-            if(_S236)
+            if(_S237)
             {
             }
             else
@@ -2877,7 +2892,7 @@ fn search_0( around_6 : Around_0,  chain_2 : Chain_0,  limit_8 : f32,  last_0 : 
 struct Nearest_0
 {
      half_tangent_2 : f32,
-     edge_4 : u32,
+     edge_5 : u32,
      t_8 : f32,
      direction_13 : vec3<f32>,
      distance_2 : f32,
@@ -2885,11 +2900,11 @@ struct Nearest_0
      triangles_1 : array<u32, i32(6)>,
 };
 
-fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 : vec3<f32>,  point_0 : ptr<function, Nearest_0>) -> bool
+fn is_seen_0( around_8 : ptr<function, Around_0>,  chain_3 : Chain_0,  edge_6 : u32,  offset_4 : vec3<f32>,  point_0 : ptr<function, Nearest_0>) -> bool
 {
-    var _S239 : f32 = length_of_0(offset_4);
-    (*point_0).distance_2 = _S239;
-    (*point_0).direction_13 = offset_4 / vec3<f32>(_S239);
+    var _S240 : f32 = length_of_0(offset_4);
+    (*point_0).distance_2 = _S240;
+    (*point_0).direction_13 = offset_4 / vec3<f32>(_S240);
     (*point_0).count_6 = chain_3.count_1;
     var k_5 : u32 = chain_3.count_1;
     for(;;)
@@ -2901,25 +2916,38 @@ fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         {
             break;
         }
-        var _S240 : u32 = k_5 - u32(1);
-        (*point_0).direction_13 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S240]), (*point_0).direction_13);
-        k_5 = _S240;
+        var _S241 : u32 = k_5 - u32(1);
+        (*point_0).direction_13 = mirrored_0(mirror_at_0(chain_3.triangles_0[_S241]), (*point_0).direction_13);
+        k_5 = _S241;
     }
-    var height_1 : f32 = abs(dot((*point_0).direction_13, (*around_7).face_0)) * (*point_0).distance_2;
-    var _S241 : bool;
+    var height_1 : f32 = abs(dot((*point_0).direction_13, (*around_8).face_0)) * (*point_0).distance_2;
+    var _S242 : bool;
     if((chain_3.count_1) > u32(0))
     {
-        _S241 = height_1 <= (limit_at_0(u32(2)));
+        _S242 = height_1 <= (limit_at_0(u32(2)));
     }
     else
     {
-        _S241 = false;
+        _S242 = false;
     }
-    if(_S241)
+    if(_S242)
     {
         return false;
     }
-    var start_2 : vec3<f32> = (*around_7).position_1;
+    var _S243 : bool = (chain_3.count_1) == u32(0);
+    if(_S243)
+    {
+        _S242 = is_on_horizon_0((*around_8), edge_6);
+    }
+    else
+    {
+        _S242 = false;
+    }
+    if(_S242)
+    {
+        return true;
+    }
+    var start_2 : vec3<f32> = (*around_8).position_1;
     var direction_14 : vec3<f32> = (*point_0).direction_13;
     k_5 = u32(0);
     var left_1 : f32 = (*point_0).distance_2;
@@ -2951,21 +2979,21 @@ fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
                 k_5 = k_5 + u32(1);
                 continue;
             }
-            if((chain_3.count_1) == u32(0))
+            if(_S243)
             {
-                (*around_7).occluder_0 = found_5.triangle_9;
+                (*around_8).occluder_0 = found_5.triangle_9;
             }
             return false;
         }
         if((found_5.face_3) == u32(4294967295))
         {
-            _S241 = true;
+            _S242 = true;
         }
         else
         {
-            _S241 = !is_mirror_0(found_5.triangle_9);
+            _S242 = !is_mirror_0(found_5.triangle_9);
         }
-        if(_S241)
+        if(_S242)
         {
             return false;
         }
@@ -2975,17 +3003,17 @@ fn is_seen_0( around_7 : ptr<function, Around_0>,  chain_3 : Chain_0,  offset_4 
         {
             return false;
         }
-        var _S242 : vec3<f32> = mirrored_0(mirror_at_0(found_5.triangle_9), direction_14);
+        var _S244 : vec3<f32> = mirrored_0(mirror_at_0(found_5.triangle_9), direction_14);
         (*point_0).triangles_1[k_5] = found_5.triangle_9;
         start_2 = place_22;
-        direction_14 = _S242;
+        direction_14 = _S244;
         left_1 = left_2;
         k_5 = k_5 + u32(1);
     }
     return (length_of_0(start_2 + direction_14 * vec3<f32>(left_1) - chain_3.image_0 - offset_4)) < (3.99999998990097083e-06f * max(f32(chain_3.count_1), 1.0f) * (*point_0).distance_2);
 }
 
-fn take_nearest_0( around_8 : ptr<function, Around_0>,  chain_4 : Chain_0,  best_0 : ptr<function, Nearest_0>)
+fn take_nearest_0( around_9 : ptr<function, Around_0>,  chain_4 : Chain_0,  best_0 : ptr<function, Nearest_0>)
 {
     var last_1 : Candidate_0;
     last_1.half_tangent_1 = -1.0f;
@@ -3002,8 +3030,8 @@ fn take_nearest_0( around_8 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
         {
             break;
         }
-        var found_6 : Candidates_0 = search_0((*around_8), chain_4, (*best_0).half_tangent_2, last_1);
-        var _S243 : bool = (found_6.count_2) < u32(4);
+        var found_6 : Candidates_0 = search_0((*around_9), chain_4, (*best_0).half_tangent_2, last_1);
+        var _S245 : bool = (found_6.count_2) < u32(4);
         var k_6 : u32 = u32(0);
         for(;;)
         {
@@ -3016,28 +3044,28 @@ fn take_nearest_0( around_8 : ptr<function, Around_0>,  chain_4 : Chain_0,  best
             }
             last_1 = found_6.listed_0[k_6];
             var point_1 : Nearest_0 = (*best_0);
-            var _S244 : bool = is_seen_0(&((*around_8)), chain_4, place_of_1((*around_8), found_6.listed_0[k_6]) - chain_4.image_0, &(point_1));
-            if(!_S244)
+            var _S246 : bool = is_seen_0(&((*around_9)), chain_4, last_1.edge_2, place_of_1((*around_9), found_6.listed_0[k_6]) - chain_4.image_0, &(point_1));
+            if(!_S246)
             {
                 k_6 = k_6 + u32(1);
                 continue;
             }
             (*best_0) = point_1;
             (*best_0).half_tangent_2 = last_1.half_tangent_1;
-            (*best_0).edge_4 = last_1.edge_2;
+            (*best_0).edge_5 = last_1.edge_2;
             (*best_0).t_8 = last_1.t_6;
             return;
         }
-        is_complete_0 = _S243;
+        is_complete_0 = _S245;
     }
     return;
 }
 
-fn nearest_edge_0( around_9 : ptr<function, Around_0>,  direction_15 : vec3<f32>,  limit_9 : f32) -> Nearest_0
+fn nearest_edge_0( around_10 : ptr<function, Around_0>,  direction_15 : vec3<f32>,  limit_9 : f32) -> Nearest_0
 {
     var chain_5 : Chain_0;
-    chain_5.start_0 = (*around_9).position_1;
-    chain_5.image_0 = (*around_9).position_1;
+    chain_5.start_0 = (*around_10).position_1;
+    chain_5.image_0 = (*around_10).position_1;
     chain_5.direction_11 = direction_15;
     chain_5.facing_0 = vec3<f32>(0.0f, 0.0f, 0.0f);
     chain_5.count_1 = u32(0);
@@ -3056,7 +3084,7 @@ fn nearest_edge_0( around_9 : ptr<function, Around_0>,  direction_15 : vec3<f32>
     }
     var best_1 : Nearest_0;
     best_1.half_tangent_2 = limit_9;
-    best_1.edge_4 = u32(4294967295);
+    best_1.edge_5 = u32(4294967295);
     best_1.distance_2 = 0.0f;
     best_1.t_8 = 0.0f;
     best_1.direction_13 = direction_15;
@@ -3065,28 +3093,28 @@ fn nearest_edge_0( around_9 : ptr<function, Around_0>,  direction_15 : vec3<f32>
     var mirrors_1 : u32 = u32(0);
     for(;;)
     {
-        if(mirrors_1 <= ((*around_9).mirrors_0))
+        if(mirrors_1 <= ((*around_10).mirrors_0))
         {
         }
         else
         {
             break;
         }
-        var _S245 : bool;
+        var _S247 : bool;
         if(mirrors_1 > u32(0))
         {
-            var _S246 : bool = reflect_0(&(chain_5));
-            _S245 = !_S246;
+            var _S248 : bool = reflect_0(&(chain_5));
+            _S247 = !_S248;
         }
         else
         {
-            _S245 = false;
+            _S247 = false;
         }
-        if(_S245)
+        if(_S247)
         {
             break;
         }
-        take_nearest_0(&((*around_9)), chain_5, &(best_1));
+        take_nearest_0(&((*around_10)), chain_5, &(best_1));
         mirrors_1 = mirrors_1 + u32(1);
     }
     return best_1;
@@ -3113,11 +3141,11 @@ struct Field_0
      terms_0 : array<Term_0, i32(3)>,
 };
 
-fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  key_5 : vec2<u32>,  first_4 : u32) -> Field_0
+fn field_at_0( around_11 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  key_5 : vec2<u32>,  first_4 : u32) -> Field_0
 {
     var field_0 : Field_0;
     field_0.direction_17 = direction_18;
-    var _S247 : f32 = edge_real_0(u32(4));
+    var _S249 : f32 = edge_real_0(u32(4));
     const g_0 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 0.0f);
     var e_0 : vec3<f32> = g_0;
     var half_sine_1 : f32 = 0.0f;
@@ -3141,11 +3169,11 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  
         }
         else
         {
-            far_2 = _S247;
+            far_2 = _S249;
         }
-        var _S248 : bool = k_8 == u32(1);
+        var _S250 : bool = k_8 == u32(1);
         var x_10 : vec3<f32>;
-        if(_S248)
+        if(_S250)
         {
             x_10 = walked_1(direction_18, e_0, sqrt(random_0(key_5, first_4 + u32(1))) * half_sine_1);
         }
@@ -3162,9 +3190,9 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  
         {
             x_11 = x_10;
         }
-        var _S249 : bool = k_8 > u32(0);
+        var _S251 : bool = k_8 > u32(0);
         var bound_0 : f32;
-        if(_S249)
+        if(_S251)
         {
             bound_0 = min(far_2, half_tangent_between_0(x_11, field_0.terms_0[i32(0)].site_0.direction_13));
         }
@@ -3172,27 +3200,27 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  
         {
             bound_0 = far_2;
         }
-        var found_7 : Nearest_0 = nearest_edge_0(&((*around_10)), x_11, bound_0);
-        var _S250 : bool;
-        if(_S249)
+        var found_7 : Nearest_0 = nearest_edge_0(&((*around_11)), x_11, bound_0);
+        var _S252 : bool;
+        if(_S251)
         {
-            _S250 = (found_7.edge_4) == u32(4294967295);
+            _S252 = (found_7.edge_5) == u32(4294967295);
         }
         else
         {
-            _S250 = false;
+            _S252 = false;
         }
-        var _S251 : bool;
-        if(_S250)
+        var _S253 : bool;
+        if(_S252)
         {
-            _S251 = bound_0 < far_2;
+            _S253 = bound_0 < far_2;
         }
         else
         {
-            _S251 = false;
+            _S253 = false;
         }
         var found_8 : Nearest_0;
-        if(_S251)
+        if(_S253)
         {
             found_8 = field_0.terms_0[i32(0)].site_0;
         }
@@ -3201,33 +3229,33 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  
             found_8 = found_7;
         }
         field_0.terms_0[k_8].site_0 = found_8;
-        var _S252 : i32;
-        if(_S248)
+        var _S254 : i32;
+        if(_S250)
         {
-            _S252 = i32(1);
+            _S254 = i32(1);
         }
         else
         {
-            _S252 = i32(0);
+            _S254 = i32(0);
         }
-        field_0.terms_0[k_8].weight_0 = f32(_S252);
+        field_0.terms_0[k_8].weight_0 = f32(_S254);
         field_0.terms_0[k_8].gradient_0 = g_1;
-        if(_S249)
+        if(_S251)
         {
             k_8 = k_8 + u32(1);
             continue;
         }
-        if((found_8.edge_4) == u32(4294967295))
+        if((found_8.edge_5) == u32(4294967295))
         {
             field_0.terms_0[i32(2)] = field_0.terms_0[i32(0)];
             field_0.terms_0[i32(1)] = field_0.terms_0[i32(0)];
             break;
         }
-        var is_within_1 : bool = (found_8.half_tangent_2) < _S247;
-        var _S253 : f32 = min(found_8.half_tangent_2, _S247);
-        var _S254 : f32 = 1.0f / _S253;
-        var _S255 : f32 = _S253 / sqrt(1.0f + _S253 * _S253);
-        var _S256 : vec3<f32> = tangent_by_0(direction_18, random_0(key_5, first_4));
+        var is_within_1 : bool = (found_8.half_tangent_2) < _S249;
+        var _S255 : f32 = min(found_8.half_tangent_2, _S249);
+        var _S256 : f32 = 1.0f / _S255;
+        var _S257 : f32 = _S255 / sqrt(1.0f + _S255 * _S255);
+        var _S258 : vec3<f32> = tangent_by_0(direction_18, random_0(key_5, first_4));
         var towards_1 : vec3<f32> = found_8.direction_13 - direction_18 * vec3<f32>(dot(direction_18, found_8.direction_13));
         var g_2 : vec3<f32>;
         if(is_within_1)
@@ -3238,29 +3266,29 @@ fn field_at_0( around_10 : ptr<function, Around_0>,  direction_18 : vec3<f32>,  
         {
             g_2 = g_1;
         }
-        e_0 = _S256;
-        half_sine_1 = _S255;
+        e_0 = _S258;
+        half_sine_1 = _S257;
         g_1 = g_2;
-        kappa_0 = _S254;
+        kappa_0 = _S256;
         is_within_0 = is_within_1;
         k_8 = k_8 + u32(1);
     }
-    var _S257 : vec3<f32> = vec3<f32>(- kappa_0);
-    field_0.terms_0[i32(0)].gradient_0 = e_0 * _S257;
-    field_0.terms_0[i32(1)].gradient_0 = g_1 * _S257;
+    var _S259 : vec3<f32> = vec3<f32>(- kappa_0);
+    field_0.terms_0[i32(0)].gradient_0 = e_0 * _S259;
+    field_0.terms_0[i32(1)].gradient_0 = g_1 * _S259;
     field_0.terms_0[i32(2)].gradient_0 = (e_0 + g_1) * vec3<f32>(kappa_0);
     if(!is_within_0)
     {
-        field_0.terms_0[i32(0)].site_0.edge_4 = u32(4294967295);
+        field_0.terms_0[i32(0)].site_0.edge_5 = u32(4294967295);
     }
     return field_0;
 }
 
-fn place_on_edge_0( around_11 : Around_0,  site_1 : Nearest_0) -> vec3<f32>
+fn place_on_edge_0( around_12 : Around_0,  site_1 : Nearest_0) -> vec3<f32>
 {
-    var numbers_8 : u32 = edge_word_0(around_11.tree_0 + u32(2)) + u32(14) * site_1.edge_4;
-    var start_3 : vec3<f32> = edge_position_0(numbers_8);
-    return start_3 + (edge_position_0(numbers_8 + u32(3)) - start_3) * vec3<f32>(site_1.t_8);
+    var numbers_9 : u32 = edge_word_0(around_12.tree_0 + u32(2)) + u32(14) * site_1.edge_5;
+    var start_3 : vec3<f32> = edge_position_0(numbers_9);
+    return start_3 + (edge_position_0(numbers_9 + u32(3)) - start_3) * vec3<f32>(site_1.t_8);
 }
 
 struct ByCorners_0
@@ -3273,29 +3301,27 @@ struct ByCorners_0
 fn image_by_corners_0( mirror_5 : Mirror_0,  place_23 : vec3<f32>) -> ByCorners_0
 {
     var across_4 : vec3<f32> = cross(mirror_5.ab_3, mirror_5.ac_3);
-    var _S258 : vec3<f32> = vec3<f32>((1.0f / dot(across_4, across_4)));
-    var gradient_b_0 : vec3<f32> = cross(mirror_5.ac_3, across_4) * _S258;
-    var gradient_c_0 : vec3<f32> = cross(across_4, mirror_5.ab_3) * _S258;
+    var _S260 : vec3<f32> = vec3<f32>((1.0f / dot(across_4, across_4)));
+    var gradient_b_0 : vec3<f32> = cross(mirror_5.ac_3, across_4) * _S260;
+    var gradient_c_0 : vec3<f32> = cross(across_4, mirror_5.ab_3) * _S260;
     var offset_5 : vec3<f32> = place_23 - mirror_5.corner_2;
     var b_15 : f32 = dot(gradient_b_0, offset_5);
     var c_6 : f32 = dot(gradient_c_0, offset_5);
     var by_1 : ByCorners_0;
-    var _S259 : vec3<f32> = vec3<f32>((2.0f * height_of_0(mirror_5, place_23)));
-    by_1.a_19 = mirror_5.normal_3 * vec3<f32>((2.0f * (1.0f - b_15 - c_6))) + ((vec3<f32>(0) - gradient_b_0) - gradient_c_0) * _S259;
-    by_1.b_14 = mirror_5.normal_3 * vec3<f32>((2.0f * b_15)) + gradient_b_0 * _S259;
-    by_1.c_5 = mirror_5.normal_3 * vec3<f32>((2.0f * c_6)) + gradient_c_0 * _S259;
+    var _S261 : vec3<f32> = vec3<f32>((2.0f * height_of_0(mirror_5, place_23)));
+    by_1.a_19 = mirror_5.normal_3 * vec3<f32>((2.0f * (1.0f - b_15 - c_6))) + ((vec3<f32>(0) - gradient_b_0) - gradient_c_0) * _S261;
+    by_1.b_14 = mirror_5.normal_3 * vec3<f32>((2.0f * b_15)) + gradient_b_0 * _S261;
+    by_1.c_5 = mirror_5.normal_3 * vec3<f32>((2.0f * c_6)) + gradient_c_0 * _S261;
     return by_1;
 }
 
-fn angular_0( around_12 : Around_0,  site_2 : Nearest_0,  velocity_0 : vec3<f32>) -> vec3<f32>
+fn angular_0( around_13 : Around_0,  site_2 : Nearest_0,  velocity_0 : vec3<f32>) -> vec3<f32>
 {
-    var numbers_9 : u32 = edge_word_0(around_12.tree_0 + u32(2)) + u32(14) * site_2.edge_4;
-    var first_5 : f32 = dot(edge_position_0(numbers_9) - around_12.position_1, around_12.face_0);
-    var second_1 : f32 = dot(edge_position_0(numbers_9 + u32(3)) - around_12.position_1, around_12.face_0);
+    var _S262 : bool = (site_2.count_6) == u32(0);
     var is_horizon_0 : bool;
-    if((site_2.count_6) == u32(0))
+    if(_S262)
     {
-        is_horizon_0 = (max(abs(first_5), abs(second_1))) <= (limit_at_0(u32(2)));
+        is_horizon_0 = is_on_horizon_0(around_13, site_2.edge_5);
     }
     else
     {
@@ -3304,7 +3330,7 @@ fn angular_0( around_12 : Around_0,  site_2 : Nearest_0,  velocity_0 : vec3<f32>
     var normal_4 : vec3<f32>;
     if(is_horizon_0)
     {
-        normal_4 = around_12.face_0;
+        normal_4 = around_13.face_0;
     }
     else
     {
@@ -3313,23 +3339,49 @@ fn angular_0( around_12 : Around_0,  site_2 : Nearest_0,  velocity_0 : vec3<f32>
     var along_5 : vec3<f32> = normal_4 * vec3<f32>(dot(normal_4, velocity_0));
     if(is_horizon_0)
     {
-        normal_4 = along_5;
+        return along_5 / vec3<f32>(site_2.distance_2);
+    }
+    var kept_0 : vec3<f32> = velocity_0 - along_5;
+    var damped_0 : f32 = 1.0f - abs(dot(around_13.face_0, site_2.direction_13)) / 0.20000000298023224f;
+    if(_S262)
+    {
+        is_horizon_0 = damped_0 > 0.0f;
     }
     else
     {
-        normal_4 = velocity_0 - along_5;
+        is_horizon_0 = false;
     }
-    return normal_4 / vec3<f32>(site_2.distance_2);
+    var kept_1 : vec3<f32>;
+    if(is_horizon_0)
+    {
+        var numbers_10 : u32 = edge_word_0(around_13.tree_0 + u32(2)) + u32(14) * site_2.edge_5;
+        var edge_7 : vec3<f32> = edge_position_0(numbers_10 + u32(3)) - edge_position_0(numbers_10);
+        var seen_1 : vec3<f32> = edge_7 - site_2.direction_13 * vec3<f32>(dot(edge_7, site_2.direction_13));
+        var squared_3 : f32 = dot(seen_1, seen_1);
+        if(squared_3 > (9.99999942416128397e-19f * dot(edge_7, edge_7)))
+        {
+            kept_1 = kept_0 - seen_1 * vec3<f32>((damped_0 * dot(seen_1, velocity_0) / squared_3));
+        }
+        else
+        {
+            kept_1 = kept_0;
+        }
+    }
+    else
+    {
+        kept_1 = kept_0;
+    }
+    return kept_1 / vec3<f32>(site_2.distance_2);
 }
 
-fn velocity_of_0( around_13 : Around_0,  site_3 : Nearest_0,  velocity_of_viewpoint_0 : vec3<f32>) -> vec3<f32>
+fn velocity_of_0( around_14 : Around_0,  site_3 : Nearest_0,  velocity_of_viewpoint_0 : vec3<f32>) -> vec3<f32>
 {
-    var record_5 : u32 = record_of_0(around_13, site_3.edge_4) + u32(2);
+    var record_5 : u32 = record_of_0(around_14, site_3.edge_5) + u32(2);
     var start_4 : vec3<f32> = edge_vector_0(record_5);
-    var _S260 : vec3<f32> = start_4 + (edge_vector_0(record_5 + u32(3)) - start_4) * vec3<f32>(site_3.t_8);
-    var place_24 : vec3<f32> = place_on_edge_0(around_13, site_3);
+    var _S263 : vec3<f32> = start_4 + (edge_vector_0(record_5 + u32(3)) - start_4) * vec3<f32>(site_3.t_8);
+    var place_24 : vec3<f32> = place_on_edge_0(around_14, site_3);
     var k_9 : u32 = site_3.count_6;
-    var velocity_1 : vec3<f32> = _S260;
+    var velocity_1 : vec3<f32> = _S263;
     for(;;)
     {
         if(k_9 > u32(0))
@@ -3339,17 +3391,17 @@ fn velocity_of_0( around_13 : Around_0,  site_3 : Nearest_0,  velocity_of_viewpo
         {
             break;
         }
-        var _S261 : u32 = k_9 - u32(1);
-        var corners_0 : u32 = motion_of_0(site_3.triangles_1[_S261]);
-        var mirror_6 : Mirror_0 = mirror_at_0(site_3.triangles_1[_S261]);
+        var _S264 : u32 = k_9 - u32(1);
+        var corners_0 : u32 = motion_of_0(site_3.triangles_1[_S264]);
+        var mirror_6 : Mirror_0 = mirror_at_0(site_3.triangles_1[_S264]);
         var by_2 : ByCorners_0 = image_by_corners_0(mirror_6, place_24);
         var velocity_2 : vec3<f32> = mirrored_0(mirror_6, velocity_1) + by_2.a_19 * vec3<f32>(dot(mirror_6.normal_3, change_vector_0(corners_0))) + by_2.b_14 * vec3<f32>(dot(mirror_6.normal_3, change_vector_0(corners_0 + u32(3)))) + by_2.c_5 * vec3<f32>(dot(mirror_6.normal_3, change_vector_0(corners_0 + u32(6))));
-        var _S262 : vec3<f32> = image_of_0(mirror_6, place_24);
-        place_24 = _S262;
-        k_9 = _S261;
+        var _S265 : vec3<f32> = image_of_0(mirror_6, place_24);
+        place_24 = _S265;
+        k_9 = _S264;
         velocity_1 = velocity_2;
     }
-    return angular_0(around_13, site_3, velocity_1 - velocity_of_viewpoint_0);
+    return angular_0(around_14, site_3, velocity_1 - velocity_of_viewpoint_0);
 }
 
 fn divergence_covector_0( field_1 : Field_0,  term_0 : Term_0) -> vec3<f32>
@@ -3363,11 +3415,11 @@ struct Walked_0
      divergence_1 : f32,
 };
 
-fn evaluate_0( field_2 : Field_0,  around_14 : Around_0,  velocity_of_viewpoint_1 : vec3<f32>) -> Walked_0
+fn evaluate_0( field_2 : Field_0,  around_15 : Around_0,  velocity_of_viewpoint_1 : vec3<f32>) -> Walked_0
 {
-    const _S263 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 0.0f);
+    const _S266 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 0.0f);
     var k_10 : u32 = u32(0);
-    var change_8 : vec3<f32> = _S263;
+    var change_8 : vec3<f32> = _S266;
     var divergence_2 : f32 = 0.0f;
     for(;;)
     {
@@ -3378,15 +3430,15 @@ fn evaluate_0( field_2 : Field_0,  around_14 : Around_0,  velocity_of_viewpoint_
         {
             break;
         }
-        var _S264 : u32 = k_10;
-        if((field_2.terms_0[k_10].site_0.edge_4) == u32(4294967295))
+        var _S267 : u32 = k_10;
+        if((field_2.terms_0[k_10].site_0.edge_5) == u32(4294967295))
         {
             k_10 = k_10 + u32(1);
             continue;
         }
-        var velocity_3 : vec3<f32> = velocity_of_0(around_14, field_2.terms_0[_S264].site_0, velocity_of_viewpoint_1);
-        var divergence_3 : f32 = divergence_2 + dot(divergence_covector_0(field_2, field_2.terms_0[_S264]), velocity_3);
-        change_8 = change_8 + velocity_3 * vec3<f32>(field_2.terms_0[_S264].weight_0);
+        var velocity_3 : vec3<f32> = velocity_of_0(around_15, field_2.terms_0[_S267].site_0, velocity_of_viewpoint_1);
+        var divergence_3 : f32 = divergence_2 + dot(divergence_covector_0(field_2, field_2.terms_0[_S267]), velocity_3);
+        change_8 = change_8 + velocity_3 * vec3<f32>(field_2.terms_0[_S267].weight_0);
         divergence_2 = divergence_3;
         k_10 = k_10 + u32(1);
     }
@@ -3401,16 +3453,16 @@ fn walk_onward_0( path_6 : ptr<function, Path_0>,  depth_5 : u32)
     var surface_6 : Surface_0 = surface_at_0((*path_6).place_1, (*path_6).direction_0.value_0);
     move_surface_0(&(surface_6), (*path_6).direction_0.value_0, (*path_6).drift_0);
     var material_1 : u32 = material_of_0(surface_6);
-    var _S265 : bool;
+    var _S268 : bool;
     if(material_1 == u32(4294967295))
     {
-        _S265 = true;
+        _S268 = true;
     }
     else
     {
-        _S265 = (edge_word_0(u32(1))) == u32(4294967295);
+        _S268 = (edge_word_0(u32(1))) == u32(4294967295);
     }
-    if(_S265)
+    if(_S268)
     {
         return;
     }
@@ -3418,19 +3470,19 @@ fn walk_onward_0( path_6 : ptr<function, Path_0>,  depth_5 : u32)
     var sample_1 : LightSample_0 = sample_material_0(vertex_3, (*path_6).key_0, first_material_number_0(depth_5));
     if(sample_1.is_specular_1)
     {
-        _S265 = true;
+        _S268 = true;
     }
     else
     {
-        _S265 = !((sample_1.wo_1.z) > 0.0f);
+        _S268 = !((sample_1.wo_1.z) > 0.0f);
     }
-    if(_S265)
+    if(_S268)
     {
         return;
     }
-    var around_15 : Around_0 = around_vertex_0(vertex_3, depth_5);
-    var field_3 : Field_0 = field_at_0(&(around_15), exact_unit_0(sample_1.way_1), (*path_6).key_0, first_number_0(depth_5));
-    var walked_3 : Walked_0 = evaluate_0(field_3, around_15, surface_6.position_change_0);
+    var around_16 : Around_0 = around_vertex_0(vertex_3, depth_5);
+    var field_3 : Field_0 = field_at_0(&(around_16), exact_unit_0(sample_1.way_1), (*path_6).key_0, first_number_0(depth_5));
+    var walked_3 : Walked_0 = evaluate_0(field_3, around_16, surface_6.position_change_0);
     (*path_6).walked_0 = walked_3.change_7;
     (*path_6).divergence_0 = walked_3.divergence_1;
     return;
@@ -3463,13 +3515,13 @@ fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_9 : vec3<f3
 
 fn loops_end_0( zero_0 : u32) -> bool
 {
-    var _S266 : u32;
+    var _S269 : u32;
     var rounds_0 : u32 = u32(0);
     for(;;)
     {
-        var _S267 : u32 = u32(2) + zero_0;
-        _S266 = _S267;
-        if(rounds_0 < _S267)
+        var _S270 : u32 = u32(2) + zero_0;
+        _S269 = _S270;
+        if(rounds_0 < _S270)
         {
         }
         else
@@ -3478,14 +3530,14 @@ fn loops_end_0( zero_0 : u32) -> bool
         }
         rounds_0 = rounds_0 + u32(1);
     }
-    return rounds_0 == _S266;
+    return rounds_0 == _S269;
 }
 
 fn check_loops_0()
 {
     if(!loops_end_0(((launch_0.room_0) >> (u32(31)))))
     {
-        var _S268 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
+        var _S271 : u32 = atomicAdd(&(sums_0[u32(2)]), u32(1));
     }
     return;
 }
