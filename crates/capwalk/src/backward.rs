@@ -158,8 +158,8 @@ impl<'a> GradientsWork<'a> {
     }
 
     /// Refuses what cannot be differentiated rightly. That needs no sample.
-    pub fn check(&self) -> Result<(), Error> {
-        Ok(self.work.check()?)
+    pub fn check(&self, watch: &dyn Watch) -> Result<(), Error> {
+        Ok(self.work.check(watch)?)
     }
 
     /// What a part of the work gives; refused like the whole.

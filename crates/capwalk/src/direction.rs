@@ -76,12 +76,12 @@ pub(crate) fn check(tangent: &Tangent, what: impl FnOnce() -> String) -> Result<
 
 /// The largest velocity of a number; NaN if one is.
 fn largest(tangent: &Tangent) -> f64 {
-    tangent
-        .numbers()
-        .fold(0.0, |largest: f64, x| match largest.is_nan() || x.is_nan() {
+    tangent.numbers().fold(0.0, |largest: f64, x| {
+        match largest.is_nan() || x.is_nan() {
             true => f64::NAN,
             false => largest.max(x.abs()),
-        })
+        }
+    })
 }
 
 #[cfg(test)]

@@ -35,6 +35,7 @@ impl Engine {
         Ok(Self {
             prepared: PreparedScene::try_new(scene, watch)?,
             registry: OnceLock::new(),
+            choices: Choices::default(),
         })
     }
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use capwalk_diff::{
     BackwardWork, Chosen, GradientOptions, Missing, PreparedScene, Refusal, RenderOptions,
-    Statistics, Watch, backward, render,
+    Statistics, Unwatched, Watch, backward, render,
 };
 use capwalk_math::Rgb;
 use capwalk_scene::{Image, Scene};
@@ -408,7 +408,7 @@ impl Problem {
                 let [width, height] = view.scene().film.crop_size.map(|side| side as usize);
                 let nothing = Image::new(width, height);
                 BackwardWork::new(view, &nothing, wanted.clone(), options)
-                    .check()
+                    .check(&Unwatched)
                     .is_err()
             })
         };

@@ -21,10 +21,7 @@ pub enum Request {
 
 /// An error if something would move or change infinitely fast: numbers that are finite can add up
 /// to that. `what` moves so.
-fn check_finite(
-    tangent: &Tangent,
-    what: impl FnOnce() -> String,
-) -> Result<(), ParameterError> {
+fn check_finite(tangent: &Tangent, what: impl FnOnce() -> String) -> Result<(), ParameterError> {
     match tangent.numbers().all(f64::is_finite) {
         true => Ok(()),
         false => Err(ParameterError::NotFinite { what: what() }),

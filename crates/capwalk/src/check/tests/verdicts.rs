@@ -12,7 +12,7 @@ use capwalk_diff::{RenderOptions, Unwatched};
 use serde_json::Value;
 
 use crate::check::{Check, CheckOptions};
-use crate::{GradientOptions, Loader, Prepared, Verdict};
+use crate::{GradientImage, GradientOptions, Loader, Prepared, Verdict};
 
 /// So many checks where nothing else is asked for: a few seconds.
 const FEW: u64 = 12;
