@@ -51,6 +51,7 @@ mod tracer;
 mod triangle_sampler;
 mod uncovered_events;
 mod vertex;
+mod visible_motion;
 
 pub use average_elsewhere::average_elsewhere;
 pub use capwalk_geometry::Halted;

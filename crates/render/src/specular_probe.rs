@@ -109,10 +109,11 @@ pub struct SpecularProbe<'a> {
     mirrors: Vec<Range<u32>>,
     /// The faces of each shape that moves.
     moving: Vec<Range<u32>>,
-    /// True if boundaries may be seen to move where no face that moves is seen: shadows and
-    /// mirror images.
-    moves_elsewhere: bool,
-    moves_curves: bool,
+    /// The faces of each shape that shows flat mirror images.
+    pub(crate) flat_mirrors: Vec<Range<u32>>,
+    /// True if boundaries may be seen to move where no face that moves is seen: shadows.
+    pub(crate) has_shadows: bool,
+    pub(crate) moves_curves: bool,
     /// Which fields move the camera's rays.
     of_camera: Causes,
 }
@@ -141,17 +142,19 @@ impl<'a> SpecularProbe<'a> {
             return None;
         }
         let moving = shapes.zip(motion.shapes).filter(|(_, moves)| **moves);
-        let has_shadows = scene.emitters.iter().any(|emitter| emitter.is_delta());
+        let flat_mirrors = (0..).map(ShapeId).take(scene.shapes.len());
+        let flat_mirrors = flat_mirrors.filter(|&id| accel.is_flat_mirror(id));
         let mut probe = Self {
             tracer,
             mirrors,
             moving: moving.map(|((id, _), _)| faces(id)).collect(),
-            moves_elsewhere: has_shadows || accel.has_flat_events(),
+            flat_mirrors: flat_mirrors.map(faces).collect(),
+            has_shadows: scene.emitters.iter().any(|emitter| emitter.is_delta()),
             moves_curves: motion.moves_curves,
             of_camera: 0,
         };
         let sees = |look: u32| probe.camera_sees_motion(&mut Random::new(u64::from(look)));
-        if motion.moves_curves && (probe.moves_elsewhere || (0..LOOKS).any(sees)) {
+        if motion.moves_curves && (0..LOOKS).any(sees) {
             probe.of_camera = CAMERA_FIELD;
         }
         Some(probe)
@@ -435,30 +438,6 @@ impl<'a> SpecularProbe<'a> {
         let [u, v] = random.pair();
         let root = u.sqrt();
         a * (1.0 - root) + b * (root * (1.0 - v)) + c * (root * v)
-    }
-
-    /// True if the camera sees a point of what moves.
-    fn camera_sees_motion(&self, random: &mut Random) -> bool {
-        let accel = self.tracer.accel;
-        let Some(point) = self.point_that_moves(random) else {
-            return false;
-        };
-        let view = &accel.view;
-        let direction = view.towards(point).normalized();
-        let distance = (point - view.ray(direction).origin).length();
-        self.film_point_of(view, point).is_some()
-            && accel.camera_sees(view.origin, direction, distance)
-    }
-
-    /// True if boundaries may be seen to move from a point on a surface: directions along the field
-    /// around it move then, also far from them.
-    fn sees_motion(&self, vertex: &Vertex<f64>, random: &mut Random) -> bool {
-        let sees = |point: Vec3| {
-            let is_before = (point - vertex.position).dot(vertex.face_normal) > 0.0;
-            (is_before || vertex.transmits) && self.tracer.accel.visible(vertex.position, point)
-        };
-        let point = self.point_that_moves(random);
-        self.moves_curves && (self.moves_elsewhere || point.is_some_and(sees))
     }
 }
 

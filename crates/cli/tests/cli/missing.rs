@@ -175,6 +175,37 @@ optimizer = { lr = 0.01 }
     assert_has(&unknown, &["unknown.toml:8", "specular"]);
 }
 
+/// The first step decides: a board that comes behind the glass later stops no run, and every row says
+/// what is left out.
+#[test]
+fn optimisations_go_on_where_something_comes_behind_glass() {
+    let capwalk = Capwalk::new("missing_later");
+    // Nothing is lit by way of the pane.
+    capwalk.write(
+        "room.xml",
+        &ROOM.replace("\"max_depth\" value=\"3\"", "\"max_depth\" value=\"2\""),
+    );
+    let job = r#"scene = "room.xml"
+iterations = 2
+spp = 16
+target = { set = { "left.translate.x" = 0.25 } }
+parameter = [{ name = "left.translate.x" }]
+optimizer = { lr = 1.0 }
+"#;
+    capwalk.write("later.toml", job);
+    let finished = capwalk.run("optimize later.toml");
+    assert_eq!(finished.status, 0, "{}", finished.stderr);
+    assert_has(&finished.stderr, &["the gradients are incomplete"]);
+    let record = std::fs::read_to_string(capwalk.path("later.out/record.csv")).expect("written");
+    let cells = record.lines().map(|row| row.split(',').nth(8));
+    let shares: Vec<f64> = cells.filter_map(|cell| cell?.parse().ok()).collect();
+    assert!(shares[0] == 0.0 && shares[1] > 0.1, "{record}");
+    // Who begins there is refused.
+    let there = job.replace("scene =", "set = { \"left.translate.x\" = 1.0 }\nscene =");
+    capwalk.write("there.toml", &there);
+    assert_has(&capwalk.error("optimize there.toml"), &["is refused"]);
+}
+
 /// The rest of the gradient is right: where no glass is seen, it is that of differences, and
 /// through glass it has what is no silhouette.
 #[test]
