@@ -84,8 +84,8 @@ fn both_refuse(scene: &Scene, options: GradientOptions) -> [Option<Refusal>; 2] 
     let (forward, reverse) = (prepared(), prepared());
     let adjoint = ones(scene);
     [
-        GradientWork::new(&forward, Cow::Borrowed(&moves), options).check(),
-        BackwardWork::new(&reverse, &adjoint, Wanted::by(&moves), options).check(),
+        GradientWork::new(&forward, Cow::Borrowed(&moves), options).check(&Unwatched),
+        BackwardWork::new(&reverse, &adjoint, Wanted::by(&moves), options).check(&Unwatched),
     ]
     .map(Result::err)
 }
@@ -236,7 +236,7 @@ fn refractive_indices_move_what_is_seen() {
         let moves = tangent(prepared.scene(), name);
         let options = with_method(Method::Auto, 1, 0);
         let work = GradientWork::new(&prepared, Cow::Borrowed(&moves), options);
-        assert_eq!(work.check().is_err(), is_refused, "{name}");
+        assert_eq!(work.check(&Unwatched).is_err(), is_refused, "{name}");
     }
 }
 
