@@ -186,7 +186,12 @@ impl<'a> SpecularProbe<'a> {
             }
         };
         if let Some(film) = film {
-            self.wander(eval, self.from_camera(&view, film), &mut random, &mut found);
+            self.wander(
+                eval,
+                self.camera_segment(&view, film),
+                &mut random,
+                &mut found,
+            );
         }
         found
     }
@@ -360,7 +365,7 @@ impl<'a> SpecularProbe<'a> {
     }
 
     /// The first segment of the path through a film point that stays.
-    pub(crate) fn from_camera<R: Real>(&self, view: &View<R>, film: [f64; 2]) -> Segment<R> {
+    pub(crate) fn camera_segment<R: Real>(&self, view: &View<R>, film: [f64; 2]) -> Segment<R> {
         let accel = self.tracer.accel;
         let ray: ViewRay<R> = view.ray(view.direction(film.map(R::constant)));
         let ViewRay {

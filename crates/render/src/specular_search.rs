@@ -63,10 +63,10 @@ impl SpecularProbe<'_> {
         let launch = |direction: Vec3| {
             let film = still.film(direction);
             let is_before = still.direction(film).dot(direction) > 0.0;
-            (is_before && self.is_on_film(film)).then(|| self.from_camera(&still, film))
+            (is_before && self.is_on_film(film)).then(|| self.camera_segment(&still, film))
         };
         let direction = self.best_direction(begin, launch, rule, random)?;
-        Some(self.from_camera(&view, still.film(direction)))
+        Some(self.camera_segment(&view, still.film(direction)))
     }
 
     fn search_from_surface<R: Real, W: SceneEval<R>>(
@@ -76,7 +76,7 @@ impl SpecularProbe<'_> {
         random: &mut Random,
     ) -> Option<Segment<R>> {
         let view = self.view(eval, random);
-        let first = self.from_camera(&view, self.film_point(random.pair()));
+        let first = self.camera_segment(&view, self.film_point(random.pair()));
         let (vertex, _) = self.arrive(eval, &first, &mut UncoveredEvents::default())?;
         if !vertex.bsdf.has_smooth() || !self.goes_on(&first) {
             return None;
