@@ -2,6 +2,8 @@
 //! flat mirrors and behind panes. What is demanded of each case, and how often
 //! it raises a false alarm, is said in `phenomena_shadows.rs`.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::common::agree::*;
 use crate::common::materials::*;
 use crate::common::stages::*;
@@ -9,7 +11,7 @@ use crate::common::*;
 use capwalk_diff::{GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, gradient};
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
-use capwalk_scene::primitive::{cube, rectangle};
+use capwalk_scene::primitive::{cube, rectangle, sphere};
 use capwalk_scene::*;
 
 fn paths(scene: &mut Scene, segments: u32) {
@@ -221,36 +223,63 @@ fn shadow_by_way_of_a_mirror() {
     moves_by("by way of a mirror", scene, "block.translate.y", case, 1);
 }
 
+/// Samples per pixel.
+const SAMPLES: u32 = 32;
+/// Of one sample: it is 0.05, and was 14 to 44 when boundaries near the horizon moved fast.
+const MOST_VARIANCE: f64 = 0.5;
+
 /// The variance of one sample of the derivative of a pixel, in the mean over pixels, for a smooth
 /// ball of 60,500 triangles that moves over a floor and before a mirror.
-fn variance_before_a_mirror(method: Method, seed: u64) -> f64 {
-    let mut scene = visible_ball(Filter::Box);
-    let mirror = Affine::translate(v(0.0, 2.0, 0.8)) * Affine::rotate(v(1.0, 0.0, 0.0), 1.5);
-    let (mirror, normals) = rectangle(mirror * Affine::scale(v(2.0, 0.8, 1.0)));
-    add(&mut scene, "mirror", mirror, normals, 0.5);
+fn variance_before_a_mirror(seed: u64) -> f64 {
+    let (from, to) = (v(1.5, 2.6, 5.0), v(0.0, 0.6, -0.6));
+    let mut scene = empty(from, to, 36.0, 28);
+    let camera = Affine::look_at(from, to, v(0.0, 1.0, 0.0));
+    scene.sensor.world_from_camera = camera.expect("upright");
+    let turned = |angle| Affine::rotate(v(1.0, 0.0, 0.0), angle);
+    let wide = |half: f64, height: f64| Affine::scale(v(half, height, 1.0));
+    let flat = [
+        (
+            "floor",
+            v(0.0, 0.0, 2.0),
+            turned(-FRAC_PI_2) * wide(3.0, 3.0),
+        ),
+        (
+            "lamp",
+            v(-1.0, 5.0, 0.0),
+            turned(FRAC_PI_2) * wide(0.5, 0.5),
+        ),
+        ("mirror", v(0.0, 0.8, -2.0), wide(2.0, 0.6)),
+    ];
+    for (name, place, shape) in flat {
+        let (mesh, normals) = rectangle(Affine::translate(place) * shape);
+        add(&mut scene, name, mesh, normals, 0.6);
+        if name == "lamp" {
+            light_up(&mut scene, 40.0);
+        }
+    }
+    let (ball, normals) = sphere(Affine::IDENTITY, v(0.0, 0.8, 0.0), 0.5);
+    add(&mut scene, "ball", ball, normals, 0.4);
     make(&mut scene, "mirror", |n| Bsdf::Conductor(n.mirror()));
     paths(&mut scene, 3);
-    scene.film.resize([24, 24]);
     let tangent = tangent(&scene, "ball.translate.x");
     let settings = GradientOptions {
-        method,
-        ..GradientOptions::new(RenderOptions::new(32, seed))
+        method: Method::EDGES,
+        ..GradientOptions::new(RenderOptions::new(SAMPLES, seed))
     };
     let prepared = PreparedScene::new(scene);
     let result = gradient(&prepared, &tangent, &settings, &Unwatched).expect("covered");
     let errors = &result.gradient.standard_error.pixels;
     let sum: f64 = errors.iter().map(|error| error.dot(*error) / 3.0).sum();
-    32.0 * sum / errors.len() as f64
+    f64::from(SAMPLES) * sum / errors.len() as f64
 }
 
 /// Around points of a finely tessellated shape no boundaries close to them move fast: no seed has
 /// large values. With a mirror in the scene, directions towards surfaces walk.
 #[test]
 fn fine_ball_before_a_mirror() {
-    for seed in 0..3 {
-        let variance = variance_before_a_mirror(Method::EDGES, seed);
-        assert!(variance < MOST_VARIANCE, "seed {seed}: {variance}");
-    }
+    let variances = [0, 1, 2].map(variance_before_a_mirror);
+    let largest = variances.into_iter().fold(0.0, f64::max);
+    assert!(largest < MOST_VARIANCE, "{variances:?}");
 }
 
 /// Halves of a mirror that rounding bends against each other by less than makes an
@@ -297,8 +326,6 @@ fn halves_of_a_mirror_are_one() {
     let (off, all) = (size(&differences), size(&flat));
     assert!(all > 0.0 && off < 1e-4 * all, "{off} of {all}");
 }
-
-const MOST_VARIANCE: f64 = 1.0;
 
 const BEFORE_THE_PANE: Vec3 = Vec3::new(1.2, -4.0, 1.9);
 
