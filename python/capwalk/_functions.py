@@ -160,9 +160,8 @@ def gradient(
     value, slope, chosen, statistics = found
     warn_of(statistics)
     warn_of_device(remark)
-    chosen = Method(*chosen)
-    files = tuple(scene._files)
-    return Slope(*slope, *value, chosen, statistics, adapter or "cpu", _files=files)
+    made, files = Method(*chosen), tuple(scene._files)
+    return Slope(*slope, *value, made, statistics, adapter or "cpu", _files=files)
 
 
 def backward(

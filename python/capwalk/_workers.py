@@ -16,7 +16,7 @@ from . import _capwalk
 from ._functions import Along, Scene, Sensor, direction, wanted_names, warn_of
 from ._method import Method
 from ._numbers import Array, numbers
-from ._options import LARGEST_SEED, Options, integer, options
+from ._options import LARGEST_SEED, Options, integer, options, sensor_number
 from ._parts import Asked, Job
 from ._progress import Progress, shown
 from ._results import Gradients, Picture, Slope

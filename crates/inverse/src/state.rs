@@ -49,6 +49,17 @@ impl State {
         ]
     }
 
+    /// The names of such arrays, and how many numbers each has for so many unknowns.
+    pub fn counts(unknowns: usize) -> [(&'static str, usize); 5] {
+        [
+            ("unknowns", unknowns),
+            ("adam.first", unknowns),
+            ("adam.second", unknowns),
+            ("iterations", 2),
+            ("best_loss", 1),
+        ]
+    }
+
     /// The state in such arrays, for as many unknowns; an error says which array
     /// is not as it should be.
     pub fn from_numbers<'a>(
@@ -94,6 +105,8 @@ mod tests {
             best_iteration: 4_000_000_000,
         };
         let numbers = state.to_numbers();
+        let counts = numbers.iter().map(|(name, numbers)| (*name, numbers.len()));
+        assert_eq!(counts.collect::<Vec<_>>(), State::counts(2));
         let find = |name: &str| {
             let found = numbers.iter().find(|(own, _)| *own == name);
             found.map(|(_, numbers)| &numbers[..])

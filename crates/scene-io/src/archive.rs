@@ -17,8 +17,8 @@ use crate::npy::{self, PackedArray};
 pub(crate) const LONGEST_NAME: usize = 8192;
 
 /// The most bytes that an array of keys and values may unpack to. Each string takes four
-/// times the length of the longest; ours have a few kilobytes.
-const LONGEST_PAIRS: u64 = 1 << 24;
+/// times the length of the longest; those of a job with thousands of parameters have 40 MB.
+const LONGEST_PAIRS: u64 = 1 << 26;
 
 /// Adds an array of a type in NumPy's notation. There must be as many values as
 /// the shape says.

@@ -6,8 +6,9 @@
 //! bytes.
 
 use std::collections::HashSet;
+use std::fs::File;
 use std::io::{BufReader, Cursor, Read, Seek, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use zip::ZipWriter;
 
@@ -100,40 +101,93 @@ fn encode(arrays: &Arrays) -> Result<Vec<u8>, String> {
     Ok(bytes.into_inner())
 }
 
-/// Reads arrays of `float64` as [`write()`] and `numpy.savez` write them.
-pub fn read(path: &Path) -> Result<Arrays, ImageError> {
-    check_ending(path)?;
-    let file = open_file(path).map_err(|error| ImageError::read(path, error))?;
-    decode(BufReader::new(file)).map_err(|reason| ImageError::read(path, reason))
+/// A file of arrays of which the list was read. Arrays are read one at a time.
+pub struct ArrayFile {
+    path: PathBuf,
+    archive: Archive<BufReader<File>>,
 }
 
-fn decode(source: impl Read + Seek) -> Result<Arrays, String> {
-    let mut archive = Archive::open(source, LONGEST_LIST)?;
+impl ArrayFile {
+    /// Reads the list of arrays.
+    pub fn open(path: &Path) -> Result<Self, ImageError> {
+        check_ending(path)?;
+        let file = open_file(path).map_err(|error| ImageError::read(path, error))?;
+        let archive = Archive::open(BufReader::new(file), LONGEST_LIST);
+        Ok(Self {
+            archive: archive.map_err(|reason| ImageError::read(path, reason))?,
+            path: path.to_owned(),
+        })
+    }
+
+    /// Keys and values.
+    pub fn metadata(&mut self) -> Result<Vec<(String, String)>, ImageError> {
+        let Some(index) = self.place(METADATA) else {
+            return Ok(Vec::new());
+        };
+        let pairs = self.archive.pairs(index);
+        pairs.map_err(|reason| ImageError::read(&self.path, reason))
+    }
+
+    /// How many numbers an array has; `None` if there is none of this name.
+    pub fn count(&mut self, name: &str) -> Result<Option<u64>, ImageError> {
+        let Some(index) = self.place(name) else {
+            return Ok(None);
+        };
+        let count = self.archive.peek(index, |array| Ok(array.len()));
+        let count = count.map_err(|reason| ImageError::read(&self.path, reason));
+        count.map(Some)
+    }
+
+    /// The numbers of an array of `float64`, if there is one of this name.
+    pub fn numbers(&mut self, name: &str) -> Result<Option<Vec<f64>>, ImageError> {
+        let Some(index) = self.place(name) else {
+            return Ok(None);
+        };
+        let array = read_array(&mut self.archive, index);
+        let array = array.map_err(|reason| ImageError::read(&self.path, reason));
+        array.map(|array| Some(array.numbers))
+    }
+
+    fn place(&self, name: &str) -> Option<usize> {
+        self.archive.names().iter().position(|other| other == name)
+    }
+}
+
+/// Reads arrays of `float64` as [`write()`] and `numpy.savez` write them, all of them; see
+/// [`ArrayFile`] for some.
+pub fn read(path: &Path) -> Result<Arrays, ImageError> {
+    let mut file = ArrayFile::open(path)?;
+    decode(&mut file.archive).map_err(|reason| ImageError::read(path, reason))
+}
+
+fn decode(archive: &mut Archive<impl Read + Seek>) -> Result<Arrays, String> {
     let mut arrays = Arrays::default();
-    for (index, name) in archive.names().to_vec().into_iter().enumerate() {
-        if name == METADATA {
-            arrays.metadata = archive.pairs(index)?;
-            continue;
+    for index in 0..archive.names().len() {
+        match archive.names()[index] == METADATA {
+            true => arrays.metadata = archive.pairs(index)?,
+            false => arrays.arrays.push(read_array(archive, index)?),
         }
-        let array = archive.read(index, |array| {
-            let shape: Vec<usize> = array.shape().iter().map(|&n| n as usize).collect();
-            let count = shape.iter().product();
-            let mut numbers = Vec::new();
-            let reserved = numbers.try_reserve_exact(count);
-            reserved.map_err(|_| format!("has {count} numbers, for which there is no memory"))?;
-            for number in floats(array, &["float64"])? {
-                numbers.push(number?);
-            }
-            Ok((shape, numbers))
-        });
-        let (shape, numbers) = array?;
-        arrays.arrays.push(Array {
+    }
+    Ok(arrays)
+}
+
+fn read_array(archive: &mut Archive<impl Read + Seek>, index: usize) -> Result<Array, String> {
+    let name = archive.names()[index].clone();
+    archive.read(index, |array| {
+        let shape: Vec<usize> = array.shape().iter().map(|&n| n as usize).collect();
+        let count = shape.iter().product();
+        let mut numbers = Vec::new();
+        let reserved = numbers.try_reserve_exact(count);
+        reserved.map_err(|_| format!("has {count} numbers, for which there is no memory"))?;
+        for number in floats(array, &["float64"])? {
+            numbers.push(number?);
+        }
+        Ok(Array {
             name,
             shape,
             numbers,
-        });
-    }
-    Ok(arrays)
+        })
+    })
 }
 
 #[cfg(test)]
@@ -163,6 +217,10 @@ mod tests {
         }
     }
 
+    fn decoded(bytes: &[u8]) -> Result<Arrays, String> {
+        decode(&mut Archive::open(Cursor::new(bytes), LONGEST_LIST)?)
+    }
+
     #[test]
     fn what_is_written_is_read() {
         let folder = std::env::temp_dir().join(format!("capwalk-arrays-{}", std::process::id()));
@@ -176,6 +234,13 @@ mod tests {
             back.get("2*a.translate.x - b/c").expect("there").shape,
             [0; 0]
         );
+        // Or one at a time.
+        let mut file = ArrayFile::open(&path).expect("readable");
+        assert_eq!(file.count("a.positions"), Ok(Some(6)));
+        assert_eq!(file.count("b.positions"), Ok(None));
+        let numbers = file.numbers("2*a.translate.x - b/c").expect("readable");
+        assert_eq!(numbers, Some(vec![std::f64::consts::PI]));
+        assert_eq!(file.metadata().expect("readable"), example().metadata);
         let bytes = std::fs::read(&path).expect("readable");
         write(&path, &example()).expect("writable");
         assert_eq!(bytes, std::fs::read(&path).expect("readable"));
@@ -188,7 +253,7 @@ mod tests {
     fn broken_files_are_errors() {
         let bytes = encode(&example()).expect("fine");
         for end in 0..bytes.len() {
-            assert!(decode(Cursor::new(&bytes[..end])).is_err(), "{end}");
+            assert!(decoded(&bytes[..end]).is_err(), "{end}");
         }
         let text = b"(2, 3, )";
         let place = bytes.windows(text.len()).position(|w| w == text);
@@ -196,7 +261,7 @@ mod tests {
         let message = |shape: &[u8; 8]| {
             let mut broken = bytes.clone();
             broken[place..place + text.len()].copy_from_slice(shape);
-            decode(Cursor::new(broken)).expect_err("broken")
+            decoded(&broken).expect_err("broken")
         };
         // Before memory is taken for what is promised, and before the library reads the header.
         for (shape, expected) in [

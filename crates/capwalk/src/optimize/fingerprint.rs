@@ -37,15 +37,28 @@ pub fn fingerprint(
         format!("{method:?}, {walk:?}, {allowed:?}"),
     );
     let names: Vec<&str> = specs.iter().map(|spec| spec.name.as_str()).collect();
-    note("names of parameters".into(), names.join(", "));
+    note("names of parameters".into(), shown(names.join(", ")));
     for spec in specs {
-        note(format!("parameter {}", spec.name), format!("{spec:?}"));
+        let name = format!("parameter {}", spec.name);
+        note(name, shown(format!("{spec:?}")));
     }
     note("number of views".into(), problem.views.len().to_string());
     for (i, view) in problem.views.iter().enumerate() {
         note(format!("view {}", i + 1), digest(view));
     }
     parts
+}
+
+/// The longest text that is kept as it is, bytes: a message can show it. Each text takes the memory
+/// of the longest.
+const LONGEST_TEXT: usize = 500;
+
+/// The text, or a number that stands for it.
+fn shown(text: String) -> String {
+    match text.len() > LONGEST_TEXT {
+        true => digest(&text),
+        false => text,
+    }
 }
 
 /// A number that stands for a thing: FNV-1a of all that `Debug` says of it, which

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 use capwalk_inverse::{Iteration, Problem, State, record};
 use capwalk_scene::Image;
-use capwalk_scene_io::arrays::{self, Array, Arrays};
+use capwalk_scene_io::arrays::{self, Array, ArrayFile, Arrays};
 use capwalk_scene_io::export;
 use capwalk_scene_io::image::{Panel, Style, robust_limit, write_panels};
 use capwalk_scene_io::{FilesRead, append, read_file, read_text_file};
@@ -196,9 +196,11 @@ fn read_state(
     problem: &Problem,
     fingerprint: &[(String, String)],
 ) -> Result<State, FolderError> {
-    let checkpoint = arrays::read(file).map_err(FolderError::DamagedCheckpoint)?;
+    let damaged = FolderError::DamagedCheckpoint;
+    let mut checkpoint = ArrayFile::open(file).map_err(damaged)?;
+    let metadata = checkpoint.metadata().map_err(damaged)?;
     let was = |name: &str| {
-        let found = checkpoint.metadata.iter().find(|(key, _)| key == name);
+        let found = metadata.iter().find(|(key, _)| key == name);
         found.map_or("nothing", |(_, what)| what)
     };
     let changed: Vec<String> = fingerprint
@@ -212,13 +214,27 @@ fn read_state(
             changed,
         });
     }
-    let find = |name: &str| checkpoint.get(name).map(|array| &array.numbers[..]);
-    State::from_numbers(problem.variables.count(), find).map_err(|reason| {
-        FolderError::NoCheckpoint {
-            file: file.into(),
-            reason,
+    let no_checkpoint = |reason: String| FolderError::NoCheckpoint {
+        file: file.into(),
+        reason,
+    };
+    let unknowns = problem.variables.count();
+    let mut arrays = Vec::new();
+    for (name, count) in State::counts(unknowns) {
+        // Before its numbers take time and memory.
+        let found = checkpoint.count(name).map_err(damaged)?;
+        if let Some(found) = found.filter(|&found| found != count as u64) {
+            let reason = format!("\"{name}\" has {found} numbers; expected {count}");
+            return Err(no_checkpoint(reason));
         }
-    })
+        let numbers = checkpoint.numbers(name).map_err(damaged)?;
+        arrays.extend(numbers.map(|numbers| (name, numbers)));
+    }
+    let find = |name: &str| {
+        let found = arrays.iter().find(|(known, _)| *known == name);
+        found.map(|(_, numbers)| &numbers[..])
+    };
+    State::from_numbers(unknowns, find).map_err(no_checkpoint)
 }
 
 /// A file with this text, to be appended to. What it has already is not touched.

@@ -128,8 +128,8 @@ fn metadata_and_lists_have_bounds() {
         Ok(_) => panic!("{name} is refused"),
         Err(error) => assert!(error.contains(expected), "{error}"),
     };
-    let text = array("<U2000000", "(2, 2)", 32_000_000);
-    let expected = "\"metadata\" has 32000";
+    let text = array("<U4200000", "(2, 2)", 67_200_000);
+    let expected = "\"metadata\" has 67200";
     refused("text.npz", &npz(&[value(), ("metadata", text)]), expected);
     let long = "x".repeat(10_000);
     let named = npz(&[value(), (&long, array("<f4", "(1, 1)", 4))]);
