@@ -87,9 +87,9 @@ mod views;
 pub use capwalk_diff::check::{Comparison, Verdict, compare};
 pub use capwalk_diff::{
     Accumulate, AllowMissing, BatchSums, Cell, Chosen, Estimate, Estimator, Gathers, GradientImage,
-    GradientOptions, GradientWork, Grid, KeptChoice, Method, Missing, Part, PartError, Partial, PixelSums,
-    Refusal, RenderOptions, RenderWork, Rendering, Statistics, Stencil, Trial, Unwatched,
-    WalkSettings, Watch, with_threads,
+    GradientOptions, GradientWork, Grid, KeptChoice, Method, Missing, Part, PartError, Partial,
+    PixelSums, Refusal, RenderOptions, RenderWork, Rendering, Statistics, Stencil, Trial,
+    Unwatched, WalkSettings, Watch, with_threads,
 };
 #[cfg(feature = "paper")]
 pub use capwalk_diff::{WasBoundary, WasSettings};
