@@ -198,8 +198,8 @@ pub enum OptionError {
     AdaptiveBackward,
     /// No distance is right for the differences of this scene.
     #[error(
-        "no step of finite differences fits the parameter: moved by {step} of its units, nothing in \
-         the image moves by a hundredth of its size; give `step` in these units"
+        "no step of finite differences fits the parameter (it would be {step} of its units): nothing \
+         moves with it by a part of its size; give `step` in these units"
     )]
     NoFittingStep {
         /// What came out.

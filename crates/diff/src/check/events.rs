@@ -69,7 +69,8 @@ fn with_unseen_events(gradient: &GradientImage, differences: &GradientImage) -> 
         let (g, r) = (gradient.gradient.mean.pixels[i], estimate.mean.pixels[i]);
         let of_channel = |c: usize| {
             let (g, r) = (channel(g, c), channel(r, c));
-            let unseen = (g.abs() - r * g.signum()).max(0.0);
+            // Of what is left out of the comparison, nothing.
+            let unseen = (g.abs() - r * g.signum()).min(g.abs()).max(0.0);
             let variance = unseen * sizes[c] / f64::from(samples[i]);
             (channel(*error, c).powi(2) + variance).sqrt()
         };

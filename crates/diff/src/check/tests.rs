@@ -564,7 +564,14 @@ fn events_that_pixels_did_not_meet_are_no_evidence() {
     // By the stated errors alone four of the right ones are called wrong.
     let [_, wrong, _] = against(1.0);
     assert_eq!(wrong, 0);
-    // What events do not explain is wrong.
+    // What events do not explain is wrong, of either sign.
+    for sign in [1.0, -1.0] {
+        let nothing = with_samples(estimate_of(|_, _| (0.0, 0.0)), samples);
+        let mut noise = Noise(1);
+        let reference = with_samples(gaussian(&mut noise, 0.02, sign, 0.0, 1.0), samples);
+        let verdict = compare_with_differences(&nothing, &reference, 1e-3).verdict;
+        assert!(matches!(verdict, Verdict::Wrong { .. }), "{verdict:?}");
+    }
     let [_, wrong, _] = against(4.0);
     assert!(wrong > 190, "{wrong}");
 }
