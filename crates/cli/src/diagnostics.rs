@@ -67,7 +67,10 @@ pub fn describe(error: &anyhow::Error) -> String {
         }
         last = cause;
     }
-    let of_parameter = error.chain().find_map(|cause| cause.downcast_ref());
+    let of_parameter = match ours {
+        Some(Error::Parameter(error)) => Some(error),
+        _ => error.chain().find_map(|cause| cause.downcast_ref()),
+    };
     if let Some(hint) = of_parameter.and_then(parameter_hint) {
         text += &format!("\n  help: {hint}");
     }

@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 use anyhow::Result;
 use capwalk::scene::builtin;
 use capwalk::{
-    CheckOptions, Estimator, GradientImage, GradientOptions, Method, Prepared, RenderOptions,
-    Rendering, Tangent, WalkSettings, comparison_text,
+    CheckOptions, Error, Estimator, GradientImage, GradientOptions, Method, Prepared,
+    RenderOptions, Rendering, Tangent, WalkSettings, comparison_text,
 };
 use serde_json::json;
 
@@ -15,7 +15,7 @@ use super::gradient;
 use crate::args::{Demo, SceneArgs};
 use crate::diagnostics::Outcome;
 use crate::output::{self, Files};
-use crate::progress::Progress;
+use crate::progress::{Progress, left_of};
 use crate::{console, report, source};
 
 const SCENE: &str = "lattice-shadow";
@@ -158,13 +158,26 @@ pub fn run(args: &Demo) -> Result<Outcome> {
 }
 
 /// The image, the literal gradient, and the check, one after the other. Each
-/// has what the earlier ones left of its share of a time limit.
+/// has what the earlier ones left of its share of what preparation leaves of a time limit.
 fn work(args: &Demo, prepared: &Prepared, tangent: &Tangent) -> Result<Results> {
-    let started = Instant::now();
     let sampling = &args.sampling;
-    let left_until = |share| left(sampling.time_limit, share, started.elapsed());
     let sampled = |spp: u32| RenderOptions::new(spp, sampling.seed.unwrap_or(SEED));
     let spp = sampling.spp.unwrap_or(SPP);
+    let options = CheckOptions {
+        gradient: sampled(spp).into(),
+        reference_spp: Some(spp.saturating_mul(REFERENCE_FACTOR)),
+        step: None,
+    };
+
+    let progress = Progress::new("prepare", left_of(sampling.time_limit));
+    let work = prepared.gradient_work(tangent, &options.gradient)?;
+    let is_prepared = work.prepare(&progress);
+    progress.finish();
+    is_prepared.map_err(Error::from)?;
+
+    let limit = left_of(sampling.time_limit);
+    let started = Instant::now();
+    let left_until = |share| left(limit, share, started.elapsed());
 
     let progress = Progress::new("render", left_until(PICTURE_UNTIL));
     let rendering = prepared.render(&sampled(spp), &progress)?;
@@ -183,11 +196,6 @@ fn work(args: &Demo, prepared: &Prepared, tangent: &Tangent) -> Result<Results> 
     let literal_seconds = progress.finish().as_secs_f64();
     let literal = literal?;
 
-    let options = CheckOptions {
-        gradient: sampled(spp).into(),
-        reference_spp: Some(spp.saturating_mul(REFERENCE_FACTOR)),
-        step: None,
-    };
     let checked = timed::check(prepared, tangent, &options, left_until(1.0))?;
     Ok(Results {
         rendering,

@@ -114,12 +114,12 @@ fn the_files_have_the_right_shape() {
     assert!(a != b);
 }
 
-/// Hours of work in two seconds: every stage says that it was cut short, on the
+/// Hours of work in five seconds: every stage says that it was cut short, on the
 /// standard error, in the JSON, and in its files.
 #[test]
 fn a_time_limit_makes_everything_partial() {
     let capwalk = Capwalk::new("demo_time_limit");
-    let finished = capwalk.run("demo --size 16x12 --spp 10000000 --time-limit 2s --json -o out");
+    let finished = capwalk.run("demo --size 16x12 --spp 10000000 --time-limit 5s --json -o out");
     let partial = ["image", "literal gradient", "gradient", "reference"];
     let partial = partial.map(|what| format!("warning: the {what} is partial: "));
     assert_has(&finished.stderr, &partial.each_ref().map(String::as_str));
