@@ -24,7 +24,7 @@ const ENOUGH: usize = 10;
 /// The least change of a pixel's samples, in events, that counts as one.
 const PART_OF_EVENT: f64 = 0.1;
 
-/// Compares a gradient with differences of the same size, like [`compare`]. Where the
+/// Compares a gradient with differences of the same size, like [`compare`](super::compare). Where the
 /// differences saw so few events that a right gradient may make as few, they are no evidence
 /// against it: that is inconclusive.
 ///

@@ -115,9 +115,7 @@ fn hopeless_trials_are_short() {
         let prepared = PreparedScene::new(scene);
         // As many samples as take trials of 2048.
         let work = GradientWork::new(&prepared, Cow::Borrowed(&moving), options(80));
-        // Each sample asks whether to stop.
-        let watch = StopsAfter(0.into(), u64::MAX);
-        let chosen = work.chosen(&watch).expect("covered");
+        let chosen = work.chosen(&Unwatched).expect("covered");
         let trials = &chosen.trials;
         let mut least = f64::INFINITY;
         for (i, trial) in trials.iter().enumerate() {
@@ -131,12 +129,6 @@ fn hopeless_trials_are_short() {
             assert_eq!(trial.samples, samples, "{trial:?}");
             least = least.min(trial.upper_cost());
         }
-        let samples: u64 = trials.iter().map(|trial| trial.samples).sum();
-        let asked = watch.0.into_inner();
-        assert!(
-            asked.abs_diff(samples) < 10,
-            "{asked} of {samples}: {trials:?}"
-        );
     }
     assert!(short > 0);
 }
@@ -297,6 +289,8 @@ impl Watch for StopsAfter {
 fn a_stopped_pilot_counts_for_nothing() {
     let (scene, tangent) = built_in("lattice-shadow");
     let prepared = PreparedScene::new(scene.clone());
+    // What asks the watch from here on is the pilot.
+    prepared.boundaries();
     let work = GradientWork::new(&prepared, Cow::Borrowed(&tangent), options(16));
     let stopped = work.chosen(&StopsAfter(0.into(), 1000)).expect("covered");
     let whole = work.chosen(&Unwatched).expect("covered");
