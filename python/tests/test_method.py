@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import pickle
 from concurrent.futures import ThreadPoolExecutor
+from typing import Any
 
 import numpy as np
 import pytest
 
 import capwalk as cw
-from capwalk import _functional
+from capwalk import _capwalk, _functional
 from capwalk.parallel import Pool
 
 BOX = "box.translate.x"
@@ -61,11 +62,14 @@ def test_scenes_keep_them(scene: cw.Scene, adjoint: np.ndarray) -> None:
 def test_functions_choose_for_the_scene(
     scene: cw.Scene, adjoint: np.ndarray, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    choices = []
-    choose = _functional._capwalk.choose
-    monkeypatch.setattr(
-        _functional._capwalk, "choose", lambda *asked: choices.append(asked) or choose(*asked)
-    )
+    choices: list[tuple[Any, ...]] = []
+    choose = _capwalk.choose
+
+    def counted(*asked: Any) -> Any:
+        choices.append(asked)
+        return choose(*asked)
+
+    monkeypatch.setattr(_capwalk, "choose", counted)
     values = cw.traverse(scene)["box.positions"]
 
     def pulled(scene: cw.Scene, moved: float, seed: int) -> np.ndarray:
