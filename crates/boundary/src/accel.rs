@@ -186,7 +186,7 @@ impl Accel {
     }
 
     /// Points this close (world units) to a plane lie in it, as far as ray hits
-    /// are precise.
+    /// are precise. Rays from surfaces do not meet what is nearer.
     pub fn horizon_distance(&self) -> f64 {
         self.self_distance
     }

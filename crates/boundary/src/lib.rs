@@ -12,6 +12,7 @@
 //! (METHOD 5). What cannot be differentiated rightly is named by [`refuse`].
 
 mod accel;
+mod beside;
 mod boundaries;
 mod boundary_sample;
 mod clip;
@@ -49,6 +50,7 @@ mod warp;
 mod window;
 
 pub use accel::{Accel, MeshChange};
+pub use beside::beside;
 pub use boundaries::{Boundaries, same_edges};
 pub use boundary_sample::BoundarySample;
 pub use crossing::{Crossing, CrossingEnd};
@@ -69,7 +71,7 @@ pub use mirror_planes::MirrorPlanes;
 pub use motion::Motion;
 pub use random::{Sampler, Stream, Streams};
 pub use refusal::{Refusal, SpecularCause};
-pub use silhouette_pieces::{EdgePoint, SilhouettePieces, beside, clip, place};
+pub use silhouette_pieces::{EdgePoint, SilhouettePieces, clip, place};
 pub use viewpoint::{EMITTED, SEEN, Viewpoint, Visibility};
 pub use warp::{Dependence, Warp};
 pub use window::{AreaEmitter, Extent, MANY_CORNERS, Window};

@@ -9,20 +9,9 @@ use capwalk_math::{Real, Vec3, sphere};
 use capwalk_scene::EmitterId;
 
 use crate::accel::Accel;
+use crate::beside::{BESIDE, beside, beside_for_paths};
 use crate::boundaries::Boundaries;
 use crate::mirror_image::MirrorImage;
-
-/// Angle between an edge and the rays that are traced beside it, radians: a million times
-/// the rounding of directions, and far less than the distance between edges that differ
-/// by the single precision of mesh files. The integrand is evaluated this far from its
-/// discontinuity, which changes the boundary term by a fraction of this size.
-const BESIDE: f64 = 1e-10;
-
-/// Unit directions on either side of an edge that is seen in the direction `q`:
-/// against the normal of the plane through the viewpoint and the edge, and along it.
-pub fn beside(q: Vec3, normal: Vec3) -> [Vec3; 2] {
-    [-1.0, 1.0].map(|side| (q + normal * (side * BESIDE)).normalized())
-}
 
 /// A piece of an edge.
 #[derive(Clone, Copy, Debug)]
@@ -337,6 +326,13 @@ impl EdgePoint {
     /// before it.
     pub fn sides(&self) -> [Vec3; 2] {
         beside(self.direction, self.normal)
+    }
+
+    /// The same for paths that go on to the surfaces there, and from these to others.
+    pub fn sides_of_paths(&self, boundaries: &Boundaries, accel: &Accel) -> [Vec3; 2] {
+        let apart = accel.horizon_distance() / self.distance;
+        let wedge_sine = boundaries.wedge_sine(self.edge, &accel.mesh);
+        beside_for_paths(apart, wedge_sine, [self.direction, self.normal])
     }
 
     /// The one of [`EdgePoint::sides`] on which, seen from the viewpoint, a surface that is

@@ -203,7 +203,11 @@ fn line(accel: &Accel, face: usize, piece: Piece, emits: bool) -> Option<Crossin
     };
     let ends = [end(piece[0], a), end(piece[1], b)];
     // A face without extent has no lines.
-    across.is_finite().then_some(Crossing { ends, emits })
+    across.is_finite().then_some(Crossing {
+        ends,
+        emits,
+        wedge_sine: 1.0,
+    })
 }
 
 #[cfg(test)]

@@ -62,7 +62,8 @@ impl Tracer<'_> {
         draw: Draw,
     ) -> Rgb {
         let accel = self.accel;
-        let looks = point.sides().map(|direction| {
+        let sides = point.sides_of_paths(field.boundaries, accel);
+        let looks = sides.map(|direction| {
             let from = beside_its_face(field, vertex, point, direction);
             let hit = accel.first_hit(from.position, direction);
             (from, direction, hit)

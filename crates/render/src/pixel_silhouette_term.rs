@@ -148,7 +148,9 @@ impl Tracer<'_> {
             return Ok(None);
         }
         Ok(Some(CameraEdge {
-            sides: point.sides().map(|direction| view.ray(direction)),
+            sides: point
+                .sides_of_paths(field.boundaries, accel)
+                .map(|direction| view.ray(direction)),
             weight: support.weight(s) * view.film_area_per_solid_angle(point.direction),
             flow,
         }))

@@ -15,7 +15,7 @@ use capwalk_diff::{
     with_threads,
 };
 use capwalk_geometry::Mesh;
-use capwalk_math::Affine;
+use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::primitive::{disk, icosphere, rectangle};
 use capwalk_scene::*;
 
@@ -286,6 +286,40 @@ fn crossing_of_surfaces_of_one_width() {
     let tangent = tangent(&scene, "floor.translate.z");
     let methods = [(Method::Walk, 160), (Method::EDGES, 40)];
     agree_by(&methods, "one width", scene, &tangent, case);
+}
+
+/// A mask lies at a low angle through a floor that is much wider than all that is seen of it: behind
+/// the mask and above the floor, the other surface is as near as rays beside their crossing pass it.
+#[test]
+fn crossing_of_a_mask_at_a_low_angle() {
+    let mut scene = empty(v(0.3, -3.0, 2.0), Vec3::zero(), 22.0, 12);
+    scene.film.filter = Filter::Tent { radius: 1.0 };
+    let radiance = scene.add_texture(Texture::colour("sky.radiance", Rgb::splat(1.0)));
+    let id = "sky".into();
+    scene.emitters.push(Emitter::Constant { id, radiance });
+    let (floor, normals) = rectangle(Affine::scale(v(300.0, 300.0, 1.0)));
+    add(&mut scene, "floor", floor, normals, 0.5);
+    let turn = Affine::rotate(v(1.0, 0.3, 0.0), 0.2);
+    let (leaf, normals) = rectangle(turn * Affine::scale(v(0.5, 0.5, 1.0)));
+    add(&mut scene, "leaf", leaf, normals, 0.6);
+    crate::common::materials::make(&mut scene, "leaf", |n| Bsdf::Mask {
+        opacity: n.number("opacity", 0.5),
+        nested: n.diffuse("green", [0.2, 0.6, 0.3]),
+    });
+    scene.settings.integrator = Integrator::Path {
+        max_depth: Some(4),
+        rr_depth: 5,
+        hide_emitters: false,
+    };
+    let case = Case {
+        size: 12,
+        gradient_spp: 600,
+        reference_spp: 4000,
+        step: 2e-3,
+        min_pixels: 100,
+        ..primary()
+    };
+    camera_case("mask", scene, "leaf.translate.z", case);
 }
 
 /// What moves before a mirror is seen in it, too, and before the emitter that it shows.
