@@ -378,7 +378,7 @@ fn find(
                 .iterate(&state, &mut views, &*watch)
                 .map_err(|stop| match stop {
                     Stop::Interrupted => Failure::Stopped,
-                    Stop::Refused(refusal) => Failure::Refused(refusal),
+                    Stop::Refused(refusal) => refusal.into(),
                     other => unusable(other.to_string()),
                 })?;
         losses.push(Measured {

@@ -97,7 +97,10 @@ pub enum Failure {
 
 impl From<Refusal> for Failure {
     fn from(refusal: Refusal) -> Self {
-        Self::Refused(refusal)
+        match refusal {
+            Refusal::Stopped => Self::Stopped,
+            refusal => Self::Refused(refusal),
+        }
     }
 }
 

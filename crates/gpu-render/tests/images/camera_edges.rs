@@ -373,6 +373,8 @@ fn what_has_no_edges_yet_is_refused() {
         let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
         match on_device.gradient(&tangent, options, &Unwatched) {
             Err(DeviceError::Unsupported(unsupported)) => Some(unsupported.to_string()),
+            // What no device covers.
+            Err(DeviceError::Refused(refusal)) => Some(refusal.to_string()),
             other => panic!("{:?}", other.err()),
         }
     };
@@ -404,7 +406,7 @@ fn what_has_no_edges_yet_is_refused() {
             curved,
             Precision::Double,
             edges,
-            "shape \"ball\" is a curved mirror",
+            "move that are seen in curved mirrors",
         ),
         (
             scene(&deep, "perspective", "box", &lit_room(MIRROR)),
