@@ -412,7 +412,7 @@ fn what_has_no_edges_yet_is_refused() {
             scene(&deep, "perspective", "box", &lit_room(MIRROR)),
             Precision::Double,
             edges,
-            "mirrors may show each other more than 6 times",
+            "after more than 6 reflections",
         ),
         (
             scene(&long, "perspective", "box", &lit_room(DIFFUSE)),
