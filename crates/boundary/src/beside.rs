@@ -22,9 +22,10 @@ pub fn beside(q: Vec3, normal: Vec3) -> [Vec3; 2] {
     at_angle(BESIDE, q, normal)
 }
 
-/// The same for paths that go on. `apart` is over the distance to the edge what rays from surfaces
-/// miss, and `wedge_sine` the sine of the angle between the surfaces that meet at the edge: where
-/// the rays pass, their wedge is so wide that a ray from one of them, or through it, meets the other.
+/// The same for paths that go on: so far from the edge that a ray from one of the surfaces that meet
+/// there, or through it, meets the other. `apart` is the distance within which rays from surfaces miss
+/// others, divided by the distance of the edge; `wedge_sine` is the sine of the angle between the
+/// surfaces.
 pub(crate) fn beside_for_paths(apart: f64, wedge_sine: f64, [q, normal]: [Vec3; 2]) -> [Vec3; 2] {
     let [alone, in_wedge] = [1.0, wedge_sine].map(|sine| (APART * apart / sine).max(BESIDE));
     // False for a wedge of a face without area.

@@ -42,7 +42,8 @@ Exit status:
      optimize: the loss or its gradient was
   5  stopped by Ctrl-C or SIGTERM (what was done is written, if anything was, marked
      as partial)
-  6  check: something is left out (--allow-missing), and the rest is not wrong";
+  6  check: something is left out (--allow-missing, or found by a sample only), and
+     the rest is not wrong";
 
 #[derive(Subcommand, Debug)]
 pub enum Command {

@@ -136,15 +136,9 @@ impl<'a> GradientWork<'a> {
             };
             pilot.choose(|options| self.coverage().uncovered(options))
         };
-        let refuse = || self.refuse(&self.options, watch);
-        Chosen::of(
-            &self.options,
-            &self.chosen,
-            &self.kept,
-            watch,
-            refuse,
-            choose,
-        )
+        let refuse = || self.check(watch);
+        let (known, kept) = (&self.chosen, &self.kept);
+        Chosen::of(&self.options, known, kept, watch, refuse, choose)
     }
 
     /// What a part of the work gives: of its cells those that are finished when `watch` stops
@@ -244,11 +238,7 @@ impl<'a> GradientWork<'a> {
     /// Refuses what cannot be differentiated rightly. That needs no sample, but the boundaries if
     /// something moves: [`Refusal::Stopped`] if the watch stops their construction.
     pub fn check(&self, watch: &dyn Watch) -> Result<(), Refusal> {
-        self.refuse(&self.options, watch)
-    }
-
-    /// [`Self::check`] with these options.
-    fn refuse(&self, options: &GradientOptions, watch: &dyn Watch) -> Result<(), Refusal> {
+        let options = &self.options;
         let (prepared, tangent) = (self.prepared, &*self.tangent);
         let (scene, accel) = (prepared.scene(), prepared.accel());
         refuse_settings(&options.method, &options.walk)?;

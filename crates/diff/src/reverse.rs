@@ -190,15 +190,9 @@ impl<'a> BackwardWork<'a> {
             };
             pilot.choose(|options| self.coverage().uncovered(options))
         };
-        let refuse = || self.refuse(&self.options, watch);
-        Chosen::of(
-            &self.options,
-            &self.chosen,
-            &self.kept,
-            watch,
-            refuse,
-            choose,
-        )
+        let refuse = || self.check(watch);
+        let (known, kept) = (&self.chosen, &self.kept);
+        Chosen::of(&self.options, known, kept, watch, refuse, choose)
     }
 
     /// What a part of the work gives: of its cells those that are finished when `watch` stops
@@ -286,11 +280,7 @@ impl<'a> BackwardWork<'a> {
     /// Refuses what cannot be differentiated rightly. That needs no sample, but the boundaries if
     /// something moves: [`Refusal::Stopped`] if the watch stops their construction.
     pub fn check(&self, watch: &dyn Watch) -> Result<(), Refusal> {
-        self.refuse(&self.options, watch)
-    }
-
-    /// [`Self::check`] with these options.
-    fn refuse(&self, options: &GradientOptions, watch: &dyn Watch) -> Result<(), Refusal> {
+        let options = &self.options;
         let (prepared, wanted) = (self.prepared, &self.wanted);
         let (scene, accel) = (prepared.scene(), prepared.accel());
         refuse_settings(&options.method, &options.walk)?;

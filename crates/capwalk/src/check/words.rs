@@ -95,42 +95,41 @@ pub fn missing_text(missing: &Missing) -> String {
     )
 }
 
+/// The first of these things by their names, and how many more of that kind there are.
+fn first<T>(things: &[T], kind: &str, name: impl Fn(&T) -> String) -> String {
+    let names: Vec<String> = things.iter().take(SHOWN_PAIRS).map(name).collect();
+    let more = match things.len().saturating_sub(SHOWN_PAIRS) {
+        0 => String::new(),
+        n => format!(" and {n} more {kind}"),
+    };
+    names.join(", ") + &more
+}
+
 /// What is to be said about shapes that lie on each other and move against each other: a line,
 /// or nothing.
 pub fn coplanar_text(pairs: &[[String; 2]]) -> String {
-    let names = pairs.iter().take(SHOWN_PAIRS);
-    let names: Vec<String> = names.map(|[a, b]| format!("\"{a}\" and \"{b}\"")).collect();
-    let more = match pairs.len().saturating_sub(SHOWN_PAIRS) {
-        0 => String::new(),
-        n => format!(" and {n} more pairs"),
-    };
+    let names = first(pairs, "pairs", |[a, b]| format!("\"{a}\" and \"{b}\""));
     match pairs {
         [] => String::new(),
         _ => format!(
-            "note: {}{more} have faces in one plane that overlap, and move against each other: \
+            "note: {names} have faces in one plane that overlap, and move against each other: \
              where that is seen the image has no derivative: one of them comes out of the plane of \
-             the other, or which of them is in front is up to rounding. Move them apart a little\n",
-            names.join(", ")
+             the other, or which of them is in front is up to rounding. Move them apart a little\n"
         ),
     }
 }
 
 /// What is to be said about faces that the camera sees edge-on and moves against: a line, or nothing.
 pub fn edge_on_text(faces: &[EdgeOnFace]) -> String {
-    let names = faces.iter().take(SHOWN_PAIRS);
-    let names = names.map(|EdgeOnFace { shape, face }| format!("face {face} of \"{shape}\""));
-    let names: Vec<String> = names.collect();
-    let more = match faces.len().saturating_sub(SHOWN_PAIRS) {
-        0 => String::new(),
-        n => format!(" and {n} more faces"),
-    };
+    let names = first(faces, "faces", |EdgeOnFace { shape, face }| {
+        format!("face {face} of \"{shape}\"")
+    });
     match faces {
         [] => String::new(),
         _ => format!(
-            "note: the camera sees {}{more} exactly edge-on, and moves against that: where it is seen \
+            "note: the camera sees {names} exactly edge-on, and moves against that: where it is seen \
              the image has no derivative: one side of it comes into view to one side of the motion, the \
-             other to the other. Move the camera a little\n",
-            names.join(", ")
+             other to the other. Move the camera a little\n"
         ),
     }
 }

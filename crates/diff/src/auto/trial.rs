@@ -145,7 +145,6 @@ mod tests {
         assert!(carried.cost() < 0.1 * even.cost());
         assert!(!carried.beats(&even, 0.9) && even.beats(&carried, 0.9));
         // So much worse that even the accidents are less.
-        // So much worse that even the accidents are less.
         let noisy = trial(300.0, &[]);
         assert!(carried.beats(&noisy, 0.9) && !noisy.beats(&carried, 0.9));
         assert!(!even.is_hopeless(&[carried]) && noisy.is_hopeless(&[carried, even]));
