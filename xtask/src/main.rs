@@ -6,7 +6,7 @@
 //! | `layout` | finds circles of files, and names that mean two things |
 //! | `package` | builds every crate from its package alone |
 //! | `bench` | the benchmarks |
-//! | `soak` | random scenes and damaged files, for a minute each |
+//! | `soak` | damaged files, commands that ask for too much, random scenes and wide ones, for a minute each |
 //! | `verdicts` | what `check` says of many gradients that are right, and of some made wrong |
 //! | `parity` | renders `tests/parity/*.xml` with Mitsuba too and compares, or makes golden images of them |
 //! | `kernels` | compiles the kernels of the GPU, which are checked in |
@@ -50,8 +50,9 @@ tasks:
            things (further arguments: crates, as `geometry`)
   package  pack every crate that may be published, and build it from its package
   bench    the benchmarks (further arguments go to them)
-  soak     read damaged files for a minute, then render and differentiate random
-           scenes for a minute (further arguments: seconds of each, first seed)
+  soak     read damaged files, run commands that ask for too much, then render and
+           differentiate random scenes and wide ones, for a minute each (further
+           arguments: seconds of each, first seed)
   verdicts check 3000 gradients that are right, with few samples, and a quarter of
            them made wrong, too (further arguments: how many, the first, every which)
   parity   render tests/parity/*.xml with capwalk and with Mitsuba, and compare;

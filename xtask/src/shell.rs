@@ -72,3 +72,13 @@ pub fn capwalk() -> Result<PathBuf> {
     step("build", build)?;
     Ok(target().join("release/capwalk"))
 }
+
+/// The whole number at a place among arguments; a default where there is none.
+pub fn number(arguments: &[String], i: usize, default: u64) -> Result<u64> {
+    match arguments.get(i) {
+        None => Ok(default),
+        Some(text) => text
+            .parse()
+            .with_context(|| format!("expected a whole number instead of \"{text}\"")),
+    }
+}

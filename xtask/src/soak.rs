@@ -2,9 +2,9 @@
 
 use std::process::Command;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 
-use crate::shell::{cargo, root, step};
+use crate::shell::{cargo, number, root, step};
 
 /// Address space of the readers, in KiB: what a damaged file of a few kilobytes
 /// makes a reader reserve beyond that is a fault of the reader.
@@ -13,13 +13,7 @@ const ADDRESS_SPACE: u32 = 3 << 20;
 /// Damaged files, commands that ask for too much, random scenes, then wide ones, for some seconds each from
 /// some seed on.
 pub fn run(rest: &[String]) -> Result<()> {
-    let number = |i: usize, default: u64| match rest.get(i) {
-        None => Ok(default),
-        Some(text) => text
-            .parse::<u64>()
-            .with_context(|| format!("expected a whole number instead of \"{text}\"")),
-    };
-    let (seconds, seed) = (number(0, 60)?, number(1, 1)?);
+    let (seconds, seed) = (number(rest, 0, 60)?, number(rest, 1, 1)?);
     let run = |name: &str, package: &str, target: &str, filter: &str| {
         let test = ["test", "--release", "--package", package, "--test", target];
         let mut build = cargo(&test);

@@ -17,7 +17,7 @@ const BEGINNINGS: u32 = 8;
 /// Most steps of a search, and how often each is halved until it is one to the better.
 const STEPS: u32 = 8;
 const SHORTER: u32 = 4;
-/// Over this part of the width of a mirror slopes are taken.
+/// Over this part of the width of a mirror derivatives are taken.
 const SHORT: f64 = 1e-3;
 /// The width of a mirror, radians, of which only one direction is known.
 const LONE_WIDTH: f64 = 0.01;
@@ -141,8 +141,8 @@ impl SpecularProbe<'_> {
     }
 }
 
-/// The change of a direction that would make an error zero if it were linear; its slopes are those over
-/// a short distance. `None` where one of them is not known.
+/// The change of a direction that would make an error zero if it were linear; its derivatives are
+/// differences over a short distance. `None` where one of them is not known.
 fn newton_step(
     error: impl Fn(Vec3) -> Option<Vec3>,
     direction: Vec3,
@@ -150,11 +150,11 @@ fn newton_step(
     short: f64,
 ) -> Option<Vec3> {
     let frame = Frame::from_normal(direction);
-    let slope = |axis: Vec3| {
+    let derivative = |axis: Vec3| {
         let there = error((direction + axis * short).normalized())?;
         Some((there - here) * (1.0 / short))
     };
-    let (a, b) = (slope(frame.s)?, slope(frame.t)?);
+    let (a, b) = (derivative(frame.s)?, derivative(frame.t)?);
     // Least squares.
     let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
     let (ar, br) = (a.dot(here), b.dot(here));
