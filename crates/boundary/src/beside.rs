@@ -1,6 +1,11 @@
 //! Directions beside an edge, in which its discontinuity is looked at.
 
-use capwalk_math::Vec3;
+use std::f64::consts::TAU;
+
+use capwalk_geometry::Ray;
+use capwalk_math::{Frame, Vec3};
+
+use crate::accel::Accel;
 
 /// Angle between an edge and the rays that are traced beside it, radians: a million times
 /// the rounding of directions, and far less than the distance between edges that differ
@@ -9,12 +14,14 @@ use capwalk_math::Vec3;
 pub(crate) const BESIDE: f64 = 1e-10;
 
 /// From what rays beside an edge hit, the least distance to the other surface there, in units of
-/// [`Accel::horizon_distance`](crate::Accel::horizon_distance), where paths go on: rays from
-/// surfaces, and behind those that let them through, miss what is nearer than one unit.
+/// [`Accel::horizon_distance`], where paths go on: rays from surfaces, and behind those that let them
+/// through, miss what is nearer than one unit.
 const APART: f64 = 2.0;
 /// The largest angle that is taken for that, radians: far less than a pixel. Surfaces in a wedge of
 /// which it is not enough are one, as far as rays can tell.
 const WIDEST: f64 = 1e-5;
+/// Sine of the angle between two surfaces below which they count as one.
+const ALIKE: f64 = 1e-7;
 
 /// Unit directions on either side of an edge that is seen in the direction `q`:
 /// against the normal of the plane through the viewpoint and the edge, and along it.
@@ -23,17 +30,69 @@ pub fn beside(q: Vec3, normal: Vec3) -> [Vec3; 2] {
 }
 
 /// The same for paths that go on: so far from the edge that a ray from one of the surfaces that meet
-/// there, or through it, meets the other. `apart` is the distance within which rays from surfaces miss
-/// others, divided by the distance of the edge; `wedge_sine` is the sine of the angle between the
-/// surfaces.
-pub(crate) fn beside_for_paths(apart: f64, wedge_sine: f64, [q, normal]: [Vec3; 2]) -> [Vec3; 2] {
-    let [alone, in_wedge] = [1.0, wedge_sine].map(|sine| (APART * apart / sine).max(BESIDE));
-    // False for a wedge of a face without area.
+/// there, or through it, meets the other. `ends` are those of the edge, where it is; its point is
+/// `part` of it from the first, and seen at a distance.
+pub(crate) fn beside_for_paths(
+    accel: &Accel,
+    [a, b]: [Vec3; 2],
+    [part, distance]: [f64; 2],
+    [q, normal]: [Vec3; 2],
+) -> [Vec3; 2] {
+    let least = APART * accel.horizon_distance();
+    let reach = (distance * WIDEST).max(10.0 * least);
+    let wedge_sine = narrowest(&surfaces_at(accel, a + (b - a) * part, b - a, reach));
+    let [alone, in_wedge] = [1.0, wedge_sine].map(|sine| (least / distance / sine).max(BESIDE));
     let angle = match in_wedge <= WIDEST {
         true => in_wedge,
         false => alone.min(WIDEST),
     };
     at_angle(angle, q, normal)
+}
+
+/// The surfaces that meet at a point of an edge, up to some distance from there: the unit direction
+/// in which each leaves it, at right angles to the edge.
+fn surfaces_at(accel: &Accel, point: Vec3, along: Vec3, reach: f64) -> Vec<Vec3> {
+    // Walk around the edge, along a triangle that has the point in its middle.
+    let frame = Frame::from_normal(along.normalized());
+    let corner = |i: u32| {
+        let (sin, cos) = (f64::from(i) * TAU / 3.0).sin_cos();
+        point + (frame.s * cos + frame.t * sin) * (2.0 * reach)
+    };
+    let mut found = Vec::new();
+    for i in 0..3 {
+        // A little beyond the corners, which surfaces may pass exactly.
+        let side = corner(i + 1) - corner(i);
+        let mut ray = Ray {
+            t_max: 1.02,
+            ..Ray::new(corner(i) - side * 0.01, side)
+        };
+        while let Some(hit) = accel.rays().first_hit(&ray) {
+            ray.t_min = hit.t + ALIKE;
+            // Leave out what passes by.
+            let cross = accel.mesh.face_cross(hit.face as usize).normalized();
+            let offset = ray.at(hit.t) - point;
+            if cross.dot(offset).abs() <= APART * accel.horizon_distance() {
+                let direction = cross.cross(frame.n).normalized();
+                found.push(direction * direction.dot(offset).signum());
+            }
+        }
+    }
+    found
+}
+
+/// Sine of the smallest angle between directions at right angles to a line; 1 if all are right or
+/// obtuse. Directions that are the same are one.
+fn narrowest(directions: &[Vec3]) -> f64 {
+    let mut least = 1.0_f64;
+    for (i, &first) in directions.iter().enumerate() {
+        for &second in &directions[..i] {
+            let sine = first.cross(second).length();
+            if first.dot(second) > 0.0 && sine > ALIKE {
+                least = least.min(sine);
+            }
+        }
+    }
+    least
 }
 
 fn at_angle(angle: f64, q: Vec3, normal: Vec3) -> [Vec3; 2] {
@@ -66,23 +125,31 @@ mod tests {
         Accel::new(scene)
     }
 
-    /// Beside the line in which a leaf crosses a floor that is much wider, from what a ray hits, the
-    /// shortest ray to the other surface meets it.
+    /// Beside the line in which a leaf crosses a floor that is much wider, or lies on it, from what a
+    /// ray hits, the shortest ray to the other surface meets it.
     #[test]
     fn rays_from_one_surface_meet_the_other() {
         let viewpoint = Vec3::new(0.3, -3.0, 2.0);
-        for degrees in [1.0_f64, 3.0, 30.0, 60.0] {
+        for (degrees, lies) in [1.0_f64, 3.0, 30.0, 60.0]
+            .map(|d| [(d, false), (d, true)])
+            .concat()
+        {
             let turn = Affine::rotate(Vec3::new(1.0, 0.1, 0.0), degrees.to_radians());
-            let (leaf, _) = rectangle(turn * Affine::scale(Vec3::splat(0.5)));
+            // Its border is then on the axis.
+            let along = Affine::rotate(Vec3::new(0.0, 0.0, 1.0), 0.1_f64.atan());
+            let from_axis = Affine::translate(Vec3::new(0.0, f64::from(u8::from(lies)), 0.0));
+            let (leaf, _) = rectangle(turn * along * Affine::scale(Vec3::splat(0.5)) * from_axis);
             let (floor, _) = rectangle(Affine::scale(Vec3::new(300.0, 310.0, 1.0)));
             let accel = scene_of([leaf, floor]);
             let boundaries = Boundaries::new(&accel);
             let mut pieces = SilhouettePieces::default();
-            let crossings = boundaries.crossings.len();
-            for edge in (0..boundaries.edges().len() as u32).rev().take(crossings) {
-                pieces.push(edge, [0.1, 0.9], 1.0);
+            let is_on_floor = |p: Vec3| p.z.abs() < 1e-12 && p.length() < 1.0;
+            for edge in 0..boundaries.edges().len() as u32 {
+                if boundaries.ends(edge).into_iter().all(is_on_floor) {
+                    pieces.push(edge, [0.1, 0.9], 1.0);
+                }
             }
-            assert!(pieces.count() > 0);
+            assert!(pieces.count() > 0, "{degrees}, {lies}");
             for i in 0..20 {
                 let u = (f64::from(i) + 0.5) / 20.0;
                 let point = pieces.draw(&boundaries, viewpoint, u, |_, _, _| true);
@@ -95,44 +162,48 @@ mod tests {
                         .mesh
                         .face_cross(accel.first_face[1 - shape as usize] as usize);
                     let other = other.normalized();
-                    // The crossing passes through the origin, and so do both planes.
+                    // The line passes through the origin, and so do both planes.
                     let height = other.dot(ray.at(hit.t));
-                    let across = accel.first_hit(ray.at(hit.t), other * -height.signum());
-                    let across = across.map(|hit| accel.shape_of(&hit).0);
-                    assert_eq!(across, Some(1 - shape), "{degrees}: {height:e}");
+                    // A leaf that ends there is nowhere above what is beside it.
+                    if !(lies && shape == 1) {
+                        let across = accel.first_hit(ray.at(hit.t), other * -height.signum());
+                        let across = across.map(|hit| accel.shape_of(&hit).0);
+                        assert_eq!(across, Some(1 - shape), "{degrees}, {lies}: {height:e}");
+                    }
                     shape
                 });
                 seen.sort_unstable();
-                assert_eq!(seen, [0, 1], "{degrees}");
+                assert_eq!(seen, [0, 1], "{degrees}, {lies}");
             }
         }
     }
 
-    /// The angle at the fold of two triangles, wound alike or not; that of a wide one does not count.
+    /// The angle at the fold of two triangles, in all directions around it, also those in which a side
+    /// of the walk around it ends exactly; that of a wide one does not count.
     #[test]
     fn folds_have_the_angle_between_their_faces() {
-        for (degrees, sine) in [(30.0_f64, 0.5), (150.0, 1.0), (210.0, 1.0), (330.0, 0.5)] {
-            for second in [[1, 0, 3], [0, 1, 3]] {
-                let (sin, cos) = degrees.to_radians().sin_cos();
-                let mesh = Mesh {
-                    positions: [
-                        (0.0, 1.0, 0.0),
-                        (0.0, 0.0, 0.0),
-                        (1.0, 0.2, 0.0),
-                        (cos, 0.3, sin),
-                    ]
-                    .map(|(x, y, z)| Vec3::new(x, y, z))
-                    .to_vec(),
-                    faces: vec![[0, 1, 2], second],
-                };
-                let accel = scene_of([mesh]);
-                let boundaries = Boundaries::new(&accel);
-                let is_fold = |edge: &u32| boundaries.edge(*edge).vertices.iter().all(|&i| i < 2);
-                let edges = 0..boundaries.edges().len() as u32;
-                let fold = edges.into_iter().find(is_fold).expect("an edge");
-                let found = boundaries.wedge_sine(fold, &accel.mesh);
-                assert!((found - sine).abs() < 1e-12, "{degrees}: {found}");
-            }
+        let folds = [(30.0_f64, 0.5), (150.0, 1.0), (210.0, 1.0), (330.0, 0.5)];
+        for ((degrees, sine), turn) in folds
+            .map(|fold| (0..24).map(move |i| (fold, i)))
+            .into_iter()
+            .flatten()
+        {
+            let at = |degrees: f64, y: f64| {
+                let (sin, cos) = (degrees + 15.0 * f64::from(turn)).to_radians().sin_cos();
+                Vec3::new(cos, y, sin)
+            };
+            let ends = [Vec3::new(0.0, 1.0, 0.0), Vec3::zero()];
+            let mesh = Mesh {
+                positions: vec![ends[0], ends[1], at(0.0, 0.2), at(degrees, 0.3)],
+                faces: vec![[0, 1, 2], [1, 0, 3]],
+            };
+            let accel = scene_of([mesh]);
+            let surfaces = surfaces_at(&accel, ends[0] * 0.3, ends[0], 1e-4);
+            let found = narrowest(&surfaces);
+            assert!(
+                (found - sine).abs() < 1e-12,
+                "{degrees}, {turn}: {surfaces:?}"
+            );
         }
     }
 }

@@ -210,25 +210,6 @@ impl Boundaries {
         }
     }
 
-    /// Sine of the angle between the surfaces that meet at an edge; 1 if they meet at more than a
-    /// right angle, or only one is there.
-    pub(crate) fn wedge_sine(&self, edge: u32, mesh: &Mesh) -> f64 {
-        let of_meshes = self.edges.len() - self.crossings.len();
-        if let Some(crossing) = (edge as usize).checked_sub(of_meshes) {
-            return self.crossings[crossing].wedge_sine;
-        }
-        let Sides::Between { faces, flipped } = self.edge(edge).sides else {
-            return 1.0;
-        };
-        let [first, second] = faces.map(|face| mesh.face_cross(face as usize).normalized());
-        let is_acute = (first.dot(second) < 0.0) != flipped;
-        // False for faces without area.
-        match is_acute {
-            true => first.cross(second).length(),
-            false => 1.0,
-        }
-    }
-
     /// Where the ends of an edge are.
     pub fn ends(&self, edge: u32) -> [Vec3; 2] {
         let vertices = self.edge(edge).vertices;

@@ -22,8 +22,6 @@ pub struct Crossing {
     /// True if emitted radiance is discontinuous there: one of the faces belongs to an
     /// emitter.
     pub emits: bool,
-    /// Sine of the angle between both faces; 1 if it is a curve on faces.
-    pub(crate) wedge_sine: f64,
 }
 
 /// An end of a crossing. It stays in two planes, those of both faces, and does not move along
@@ -196,11 +194,7 @@ fn crossing(accel: &Accel, faces: [u32; 2], ends: [Vec3; 2]) -> Option<Crossing>
         let shape = accel.shape_of_face[face as usize];
         accel.scene.shape(shape).emitter.is_some()
     });
-    let wedge_sine = planes[0].normal.cross(planes[1].normal).length();
-    Some(Crossing {
-        wedge_sine,
-        ..crossing_of_planes(planes, ends, emits)?
-    })
+    crossing_of_planes(planes, ends, emits)
 }
 
 /// A plane through three points of the boundaries that move, and what it is at two places.
@@ -225,8 +219,7 @@ impl CrossingPlane {
     }
 }
 
-/// The segment between two points in which two planes intersect, as a curve on faces; `None` if
-/// they are the same.
+/// The segment between two points in which two planes intersect; `None` if they are the same.
 pub(crate) fn crossing_of_planes(
     planes: [CrossingPlane; 2],
     ends: [Vec3; 2],
@@ -254,7 +247,6 @@ pub(crate) fn crossing_of_planes(
     Some(Crossing {
         ends: [end(0), end(1)],
         emits,
-        wedge_sine: 1.0,
     })
 }
 

@@ -330,9 +330,9 @@ impl EdgePoint {
 
     /// The same for paths that go on to the surfaces there, and from these to others.
     pub fn sides_of_paths(&self, boundaries: &Boundaries, accel: &Accel) -> [Vec3; 2] {
-        let apart = accel.horizon_distance() / self.distance;
-        let wedge_sine = boundaries.wedge_sine(self.edge, &accel.mesh);
-        beside_for_paths(apart, wedge_sine, [self.direction, self.normal])
+        let ends = boundaries.ends(self.edge);
+        let place = [self.t, self.distance];
+        beside_for_paths(accel, ends, place, [self.direction, self.normal])
     }
 
     /// The one of [`EdgePoint::sides`] on which, seen from the viewpoint, a surface that is

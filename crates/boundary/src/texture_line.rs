@@ -203,11 +203,7 @@ fn line(accel: &Accel, face: usize, piece: Piece, emits: bool) -> Option<Crossin
     };
     let ends = [end(piece[0], a), end(piece[1], b)];
     // A face without extent has no lines.
-    across.is_finite().then_some(Crossing {
-        ends,
-        emits,
-        wedge_sine: 1.0,
-    })
+    across.is_finite().then_some(Crossing { ends, emits })
 }
 
 #[cfg(test)]
