@@ -39,8 +39,13 @@ pub(crate) fn beside_for_paths(
     [q, normal]: [Vec3; 2],
 ) -> [Vec3; 2] {
     let least = APART * accel.horizon_distance();
-    let reach = (distance * WIDEST).max(10.0 * least);
-    let wedge_sine = narrowest(&surfaces_at(accel, a + (b - a) * part, b - a, reach));
+    let surfaces = surfaces_at(accel, a + (b - a) * part, b - a, distance * WIDEST);
+    let wedge_sine = narrowest(
+        surfaces
+            .into_iter()
+            .map(|(_, direction)| direction)
+            .collect(),
+    );
     let [alone, in_wedge] = [1.0, wedge_sine].map(|sine| (least / distance / sine).max(BESIDE));
     let angle = match in_wedge <= WIDEST {
         true => in_wedge,
@@ -49,9 +54,11 @@ pub(crate) fn beside_for_paths(
     at_angle(angle, q, normal)
 }
 
-/// The surfaces that meet at a point of an edge, up to some distance from there: the unit direction
-/// in which each leaves it, at right angles to the edge.
-fn surfaces_at(accel: &Accel, point: Vec3, along: Vec3, reach: f64) -> Vec<Vec3> {
+/// The surfaces that meet at a point of a line, up to some distance from there, or as near as rays
+/// can tell: a face of each, and the unit direction in which it leaves the point, at right angles to
+/// the line.
+pub(crate) fn surfaces_at(accel: &Accel, point: Vec3, along: Vec3, reach: f64) -> Vec<(u32, Vec3)> {
+    let reach = reach.max(10.0 * APART * accel.horizon_distance());
     // Walk around the edge, along a triangle that has the point in its middle.
     let frame = Frame::from_normal(along.normalized());
     let corner = |i: u32| {
@@ -73,7 +80,7 @@ fn surfaces_at(accel: &Accel, point: Vec3, along: Vec3, reach: f64) -> Vec<Vec3>
             let offset = ray.at(hit.t) - point;
             if cross.dot(offset).abs() <= APART * accel.horizon_distance() {
                 let direction = cross.cross(frame.n).normalized();
-                found.push(direction * direction.dot(offset).signum());
+                found.push((hit.face, direction * direction.dot(offset).signum()));
             }
         }
     }
@@ -82,7 +89,7 @@ fn surfaces_at(accel: &Accel, point: Vec3, along: Vec3, reach: f64) -> Vec<Vec3>
 
 /// Sine of the smallest angle between directions at right angles to a line; 1 if all are right or
 /// obtuse. Directions that are the same are one.
-fn narrowest(directions: &[Vec3]) -> f64 {
+fn narrowest(directions: Vec<Vec3>) -> f64 {
     let mut least = 1.0_f64;
     for (i, &first) in directions.iter().enumerate() {
         for &second in &directions[..i] {
@@ -199,7 +206,8 @@ mod tests {
             };
             let accel = scene_of([mesh]);
             let surfaces = surfaces_at(&accel, ends[0] * 0.3, ends[0], 1e-4);
-            let found = narrowest(&surfaces);
+            let directions = surfaces.iter().map(|(_, direction)| *direction);
+            let found = narrowest(directions.collect());
             assert!(
                 (found - sine).abs() < 1e-12,
                 "{degrees}, {turn}: {surfaces:?}"

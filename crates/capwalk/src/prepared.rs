@@ -217,6 +217,19 @@ impl Prepared {
         pairs.map(|pair| pair.map(name)).collect()
     }
 
+    /// Pairs of shapes, by name: an edge of the first lies on a face of the second and moves off it.
+    /// To one side of the motion a gap opens, to the other they cross, so the image has other
+    /// derivatives to one side than to the other. Without those of [`Prepared::coplanar_shapes`], and
+    /// without any if the watch stops the search.
+    pub fn resting_shapes(&self, tangent: &Tangent, watch: &dyn Watch) -> Vec<[String; 2]> {
+        let name = |i: usize| self.scene().shapes[i].id.clone();
+        let coplanar = coplanar(self.scene(), tangent);
+        let is_other = |[a, b]: &[usize; 2]| !coplanar.contains(&[*a.min(b), *a.max(b)]);
+        let found = self.engine.prepared().resting(tangent, watch);
+        let pairs = found.unwrap_or_default().into_iter().filter(is_other);
+        pairs.map(|pair| pair.map(name)).collect()
+    }
+
     /// Faces in the image that the camera, which is in their planes, sees edge-on and moves against:
     /// one side of them comes into view to one side of the motion and the other to the other, so the
     /// image has other derivatives to one side than to the other.
@@ -306,6 +319,7 @@ impl Prepared {
         }
         let mut check = check.decided();
         check.edge_on = self.edge_on_faces(tangent);
+        check.resting = self.resting_shapes(tangent, watch);
         let Some(more) = check.second_gradient(options) else {
             return Ok(check);
         };

@@ -4,7 +4,7 @@ use capwalk::{
     Check, CheckOptions, Error, Estimate, GradientImage, GradientOptions, Gradients, Rendering,
     Statistics, Verdict,
 };
-use capwalk::{comparison_text, coplanar_text, edge_on_text, missing_text};
+use capwalk::{comparison_text, coplanar_text, edge_on_text, missing_text, resting_text};
 use numpy::PyArray3;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -112,8 +112,10 @@ pub fn of_check<'py>(
     numbers.set_item("correlation", comparison.correlation)?;
     numbers.set_item("pixels", comparison.pixels)?;
     numbers.set_item("worst", comparison.worst.clone())?;
-    let pairs: Vec<(&String, &String)> = check.coplanar.iter().map(|[a, b]| (a, b)).collect();
-    numbers.set_item("coplanar", pairs)?;
+    for (name, pairs) in [("coplanar", &check.coplanar), ("resting", &check.resting)] {
+        let pairs: Vec<(&String, &String)> = pairs.iter().map(|[a, b]| (a, b)).collect();
+        numbers.set_item(name, pairs)?;
+    }
     let faces: Vec<(&String, usize)> = check
         .edge_on
         .iter()
@@ -129,7 +131,9 @@ pub fn of_check<'py>(
         let name = name.replace('-', "_");
         value.map_or(name.clone(), |value| format!("{name}={value}"))
     };
-    let note = coplanar_text(&check.coplanar) + &edge_on_text(&check.edge_on);
+    let note = coplanar_text(&check.coplanar)
+        + &resting_text(&check.resting)
+        + &edge_on_text(&check.edge_on);
     let text = note + &comparison_text(comparison) + &check.verdict(option);
     numbers.set_item("text", text)?;
     let statistics = [&check.gradient, &check.reference].map(|image| &image.statistics);

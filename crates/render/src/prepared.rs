@@ -1,10 +1,11 @@
 //! A scene made ready: everything that is built once and answers any number of calls.
 
+use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use capwalk_boundary::{Accel, Boundaries, pool, same_edges};
 use capwalk_geometry::{Halt, Halted};
-use capwalk_scene::{Emitter, Scene, Texture};
+use capwalk_scene::{Emitter, Scene, Tangent, Texture};
 
 use crate::emitter_sampler::{EmitterSampler, brightness, textures};
 use crate::options::{Unwatched, Watch};
@@ -84,6 +85,26 @@ impl PreparedScene {
     /// True once [`Self::boundaries`] are built.
     pub fn has_boundaries(&self) -> bool {
         self.boundaries.get().is_some()
+    }
+
+    /// Pairs of shapes, by their indices: an edge of the first lies on a face of the second and moves
+    /// off it. Fails if the watch stops the search.
+    pub fn resting(
+        &self,
+        tangent: &Tangent,
+        watch: &dyn Watch,
+    ) -> Result<BTreeSet<[usize; 2]>, Halted> {
+        let boundaries =
+            self.try_boundaries_if(tangent.shapes.iter().any(Option::is_some), watch)?;
+        let search = |halt: &Halt| {
+            halt.unless_halted(capwalk_boundary::resting(
+                &self.accel,
+                boundaries,
+                tangent,
+                halt,
+            ))
+        };
+        halting(watch, search)
     }
 
     /// The boundaries that a derivative asks for: none if nothing moves, which takes no time.

@@ -119,6 +119,20 @@ pub fn coplanar_text(pairs: &[[String; 2]]) -> String {
     }
 }
 
+/// What is to be said about shapes that lie with an edge on others and move off them: a line, or
+/// nothing.
+pub fn resting_text(pairs: &[[String; 2]]) -> String {
+    let names = first(pairs, "pairs", |[a, b]| format!("\"{a}\" on \"{b}\""));
+    match pairs {
+        [] => String::new(),
+        _ => format!(
+            "note: an edge lies on another shape and moves off it ({names}): where that is seen the \
+             image has no derivative: to one side of the motion a gap opens, to the other they cross. \
+             Move them apart a little, or into each other\n"
+        ),
+    }
+}
+
 /// What is to be said about faces that the camera sees edge-on and moves against: a line, or nothing.
 pub fn edge_on_text(faces: &[EdgeOnFace]) -> String {
     let names = first(faces, "faces", |EdgeOnFace { shape, face }| {

@@ -158,6 +158,44 @@ fn faces_seen_edge_on_are_named() {
     }
 }
 
+/// Where an edge comes off another shape an image has no derivative: a check names both. It has one
+/// where the edge slides there, or a part of it is above, or the whole a little.
+#[test]
+fn edges_that_come_off_are_named() {
+    let capwalk = Capwalk::new("check_resting");
+    let stands = |place: &str| {
+        let turned =
+            format!(r#"<translate y="1"/><rotate x="1" angle="20"/><scale value="0.3"/>{place}"#);
+        card(0.0).replace(r#"<scale value="0.3"/><translate x="0.1" z="0"/>"#, &turned)
+    };
+    capwalk.write("on.xml", &stands(""));
+    capwalk.write("half.xml", &stands(r#"<translate x="-1.1"/>"#));
+    capwalk.write("above.xml", &stands(r#"<translate z="0.001"/>"#));
+    capwalk.write("inclined.xml", &stands(r#"<rotate y="1" angle="1"/>"#));
+    let check = |scene: &str, parameter: &str| {
+        let finished = capwalk.run(&format!("check {scene}.xml -p {parameter} --spp 4 --json"));
+        let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
+        (finished.stderr, json["resting"].clone())
+    };
+    for scene in ["on", "half"] {
+        for parameter in ["card.translate.z", "floor.rotate.y"] {
+            let (remarks, pairs) = check(scene, parameter);
+            let note = "an edge lies on another shape and moves off it (\"card\" on \"floor\")";
+            assert_has(&remarks, &[note, "the image has no derivative"]);
+            assert_eq!(pairs, serde_json::json!([["card", "floor"]]));
+        }
+    }
+    for (scene, parameter) in [
+        ("on", "card.translate.x"),
+        ("above", "card.translate.z"),
+        ("inclined", "card.translate.z"),
+    ] {
+        let (remarks, pairs) = check(scene, parameter);
+        assert!(!remarks.contains("an edge lies"), "{scene}: {remarks}");
+        assert_eq!(pairs, serde_json::json!([]), "{scene}");
+    }
+}
+
 /// Where shapes slide on each other an image has no derivative: a check names them.
 #[test]
 fn shapes_on_each_other_are_named() {

@@ -288,10 +288,28 @@ fn crossing_of_surfaces_of_one_width() {
     agree_by(&methods, "one width", scene, &tangent, case);
 }
 
-/// A mask lies at a low angle through a floor that is much wider than all that is seen of it: behind
+/// A mask goes at a low angle through a floor that is much wider than all that is seen of it: behind
 /// the mask and above the floor, the other surface is as near as rays beside their crossing pass it.
 #[test]
 fn crossing_of_a_mask_at_a_low_angle() {
+    mask_on_floor(
+        "mask",
+        Affine::translate(Vec3::zero()),
+        "leaf.translate.z",
+        2e-3,
+    );
+}
+
+/// The same where a border of the mask lies on the floor and slides there.
+#[test]
+fn border_of_a_mask_on_a_floor() {
+    let along = Affine::rotate(v(0.0, 0.0, 1.0), 0.3_f64.atan());
+    let from_axis = Affine::translate(v(0.0, 0.5, 0.0));
+    mask_on_floor("border", along * from_axis, "leaf.translate.y", 2e-2);
+}
+
+/// A mask, placed before it is turned out of a floor, seen from above.
+fn mask_on_floor(name: &str, place: Affine, parameter: &str, step: f64) {
     let mut scene = empty(v(0.3, -3.0, 2.0), Vec3::zero(), 22.0, 12);
     scene.film.filter = Filter::Tent { radius: 1.0 };
     let radiance = scene.add_texture(Texture::colour("sky.radiance", Rgb::splat(1.0)));
@@ -300,7 +318,7 @@ fn crossing_of_a_mask_at_a_low_angle() {
     let (floor, normals) = rectangle(Affine::scale(v(300.0, 300.0, 1.0)));
     add(&mut scene, "floor", floor, normals, 0.5);
     let turn = Affine::rotate(v(1.0, 0.3, 0.0), 0.2);
-    let (leaf, normals) = rectangle(turn * Affine::scale(v(0.5, 0.5, 1.0)));
+    let (leaf, normals) = rectangle(turn * place * Affine::scale(v(0.5, 0.5, 1.0)));
     add(&mut scene, "leaf", leaf, normals, 0.6);
     crate::common::materials::make(&mut scene, "leaf", |n| Bsdf::Mask {
         opacity: n.number("opacity", 0.5),
@@ -315,11 +333,11 @@ fn crossing_of_a_mask_at_a_low_angle() {
         size: 12,
         gradient_spp: 600,
         reference_spp: 4000,
-        step: 2e-3,
+        step,
         min_pixels: 100,
         ..primary()
     };
-    camera_case("mask", scene, "leaf.translate.z", case);
+    camera_case(name, scene, parameter, case);
 }
 
 /// What moves before a mirror is seen in it, too, and before the emitter that it shows.

@@ -1,0 +1,90 @@
+//! Edges of a shape that lie on a face of another one and move off it: there, an image has no
+//! derivative. To one side of the motion a gap opens, to the other the shapes cross.
+
+use std::collections::BTreeSet;
+
+use capwalk_geometry::Halt;
+use capwalk_math::Vec3;
+use capwalk_scene::Tangent;
+use rayon::prelude::*;
+
+use crate::accel::Accel;
+use crate::beside::surfaces_at;
+use crate::boundaries::Boundaries;
+
+/// Where on an edge it is looked at, as parts of its length.
+const PLACES: [f64; 3] = [0.2, 0.5, 0.8];
+/// How far around an edge, as a part of its length.
+const AROUND: f64 = 1e-5;
+/// Part of the largest velocity by which something moves that is no rounding.
+const MOVES: f64 = 1e-6;
+
+/// Pairs of shapes, by their indices: an edge of the first lies on the second and moves off it; some
+/// of them if the work is given up.
+pub fn resting(
+    accel: &Accel,
+    boundaries: &Boundaries,
+    tangent: &Tangent,
+    halt: &Halt,
+) -> BTreeSet<[usize; 2]> {
+    if tangent.shapes.iter().all(Option::is_none) {
+        return BTreeSet::new();
+    }
+    let edges = (0..boundaries.edges().len() as u32).into_par_iter();
+    edges
+        .filter(|_| !halt.now())
+        .flat_map_iter(|edge| left_by(accel, boundaries, tangent, edge))
+        .collect()
+}
+
+/// The shapes on which an edge lies, and which it leaves, each behind its own.
+fn left_by(
+    accel: &Accel,
+    boundaries: &Boundaries,
+    tangent: &Tangent,
+    edge: u32,
+) -> Vec<[usize; 2]> {
+    let vertices = boundaries.edge(edge).vertices;
+    let mesh = &accel.mesh;
+    // Lines of textures and shadows, and crossings, are no edges of a mesh.
+    if vertices.iter().any(|&i| i as usize >= mesh.positions.len()) {
+        return Vec::new();
+    }
+    let own = accel.shape_of_vertex(vertices[0]);
+    let velocity = |vertex: u32| {
+        let shape = accel.shape_of_vertex(vertex).0 as usize;
+        let local = (vertex - accel.first_vertex[shape]) as usize;
+        let moving = tangent.shapes[shape].as_ref();
+        moving.map_or(Vec3::zero(), |vectors| vectors.vertices[local])
+    };
+    let [a, b] = boundaries.ends(edge);
+    let ends = vertices.map(velocity);
+    let mut found = Vec::new();
+    for part in PLACES {
+        let point = a + (b - a) * part;
+        let reach = AROUND * (b - a).length();
+        for (face, _) in surfaces_at(accel, point, b - a, reach) {
+            let other = accel.shape_of_face[face as usize];
+            if other == own {
+                continue;
+            }
+            let normal = mesh.face_cross(face as usize).normalized();
+            let lies = [a, b].map(|end| normal.dot(end - point).abs());
+            let weights = mesh.weights_on_face(face as usize, point);
+            let corners = mesh.faces[face as usize].map(velocity);
+            let below = corners.iter().zip(weights);
+            let below = below.fold(Vec3::zero(), |sum, (&v, weight)| sum + v * weight);
+            let above = ends[0] * (1.0 - part) + ends[1] * part;
+            let speeds = corners.iter().chain(&ends).map(|v| v.length());
+            let fastest = speeds.fold(0.0, f64::max);
+            if lies
+                .iter()
+                .all(|&height| height <= accel.horizon_distance())
+                && normal.dot(above - below).abs() > MOVES * fastest
+            {
+                found.push([own, other].map(|shape| shape.0 as usize));
+            }
+        }
+    }
+    found
+}
