@@ -53,10 +53,6 @@ pub struct Accel {
     self_distance: f64,
 }
 
-/// The surface a ray starts on is found again at distances around 1e-16 of
-/// the coordinates; grazing rays find it up to 1e6 times farther. Relative to
-/// the scene's size.
-const SELF_INTERSECTION: f64 = 1e-10;
 /// Fraction by which a shadow ray stops short of the point it is sent to.
 pub(crate) const SHORT_OF_TARGET: f64 = 1e-9;
 
@@ -147,11 +143,6 @@ impl Accel {
             anchors.extend(emitter.anchors());
         }
         let flat_events: Vec<_> = shapes().map(|shape| flat_events(&scene, shape)).collect();
-        let size = mesh
-            .positions
-            .iter()
-            .map(|p| p.x.abs().max(p.y.abs()).max(p.z.abs()))
-            .fold(scene.sensor.origin().length(), f64::max);
         let flush = FlushEmitters::new(&scene, &mesh, &shape_of_face, &first_face);
         Self {
             shape_of_face,
@@ -169,7 +160,7 @@ impl Accel {
             flush,
             rays,
             mesh,
-            self_distance: SELF_INTERSECTION * size,
+            self_distance: scene.nearest_hit(),
             scene,
         }
     }

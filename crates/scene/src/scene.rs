@@ -41,7 +41,40 @@ pub struct Scene {
     pub settings: Settings,
 }
 
+/// The surface a ray starts on is found again at distances around 1e-16 of the coordinates; grazing
+/// rays find it up to 1e6 times farther. Relative to the largest coordinate.
+const SELF_INTERSECTION: f64 = 1e-10;
+/// So many times as wide as the distance within which rays miss surfaces a shape must be: what is
+/// missed around it is a hundredth of it then, at most.
+const SMALLEST_SHAPE: f64 = 100.0;
+
 impl Scene {
+    /// The distance from a surface up to which rays that start there meet nothing, world units: 1e-10
+    /// of the largest coordinate of the meshes and the camera.
+    pub fn nearest_hit(&self) -> f64 {
+        let positions = self.shapes.iter().flat_map(|shape| &shape.mesh.positions);
+        let sizes = positions.map(|p| p.x.abs().max(p.y.abs()).max(p.z.abs()));
+        SELF_INTERSECTION * sizes.fold(self.sensor.origin().length(), f64::max)
+    }
+
+    /// Checks that rays meet what is near each shape.
+    fn check_sizes(&self) -> Result<(), SceneError> {
+        let nearest = self.nearest_hit();
+        for shape in &self.shapes {
+            let (low, high) = shape.mesh.bounds();
+            let size = (high - low).length();
+            // Shapes without faces, or in one point, are not there.
+            if size > 0.0 && size < SMALLEST_SHAPE * nearest {
+                return Err(SceneError::TooSmall {
+                    shape: shape.id.clone(),
+                    size,
+                    nearest,
+                });
+            }
+        }
+        Ok(())
+    }
+
     /// Checks everything that rendering relies on. Call it on every scene that
     /// did not come from [`Scene::moved`] of a checked one.
     pub fn check(&self) -> Result<(), SceneError> {
@@ -87,6 +120,7 @@ impl Scene {
         for texture in &self.textures {
             texture.check()?;
         }
+        self.check_sizes()?;
         self.check_attributes()?;
         self.check_materials()?;
         self.check_slots()?;

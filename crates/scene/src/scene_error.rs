@@ -20,6 +20,15 @@ pub enum SceneError {
         /// The shape.
         shape: String,
     },
+    /// A shape is so much smaller than the scene that rays miss what is near it.
+    TooSmall {
+        /// The shape.
+        shape: String,
+        /// Its width, world units.
+        size: f64,
+        /// Up to which distance rays from surfaces meet nothing, world units.
+        nearest: f64,
+    },
     /// The image has no pixels, or too many.
     ImageSize {
         /// Width and height.
@@ -99,6 +108,21 @@ impl fmt::Display for SceneError {
                 f,
                 "the image has {w} x {h} pixels; expected at least 1 x 1 and at most {most} in all"
             ),
+            Self::TooSmall {
+                shape,
+                size,
+                nearest,
+            } => {
+                // Three digits.
+                let [size, nearest] = [size, nearest].map(|x| format!("{x:.2e}").parse::<f64>());
+                let [size, nearest] = [size, nearest].map(|x| x.unwrap_or(f64::NAN));
+                write!(
+                    f,
+                    "\"{shape}\" is only {size} wide, where rays from surfaces miss what is nearer than \
+                     {nearest}, 1e-10 of the scene's largest coordinate: light would leak around it; \
+                     make smaller what is so large, or bring shapes and camera nearer to the origin"
+                )
+            }
             Self::DuplicateId { id } => {
                 write!(
                     f,

@@ -38,6 +38,22 @@ fn image_size() {
     assert_has(&capwalk.error("render leaf --size 12"), &["640x480"]);
 }
 
+/// In a scene that is a hundred million times as wide, light leaks around a shape.
+#[test]
+fn shapes_too_small_for_their_scene_are_refused() {
+    let capwalk = Capwalk::new("too_small");
+    let far = |distance: f64| {
+        format!("render leaf --spp 1 --size 8x6 -o a.npz --set floor.translate.y=-{distance}")
+    };
+    let message = capwalk.error(&far(3e9));
+    assert_has(
+        &message,
+        &["is only", "nearer than 0.3,", "light would leak"],
+    );
+    let finished = capwalk.run(&far(3e6));
+    assert_eq!(finished.status, 0, "{}", finished.stderr);
+}
+
 /// A step that rounding swallows is no reference.
 #[test]
 fn a_step_that_changes_nothing_is_refused() {
