@@ -1,10 +1,11 @@
 """Finely tessellated shapes that move beside mirrors and panes: the variance of the derivative by seed.
 
     python python/benchmarks/smooth_beside_mirrors.py CAPWALK [--seeds N] [--size W H] [--spp N]
-        [--scenes NAME ...] [--methods NAME ...]
+        [--check N] [--scenes NAME ...] [--methods NAME ...]
 
 CAPWALK is the program. Each line is one scene and method: the median of the variance per sample over the
-seeds, the smallest and the largest, and the mean derivative of the image with its spread over the seeds."""
+seeds, the smallest and the largest, the mean derivative of the image with its spread over the seeds, and
+the factor from the gradient to central differences by a check of N samples per pixel, with its verdict."""
 
 from __future__ import annotations
 
@@ -15,6 +16,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 from statistics import mean, median, stdev
+from typing import Any
 
 HEAD = """<scene version="3.0.0">
 <integrator type="path"><integer name="max_depth" value="3"/></integrator>
@@ -124,6 +126,7 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, default=20)
     parser.add_argument("--size", type=int, nargs=2, default=[48, 36])
     parser.add_argument("--spp", type=int, default=32)
+    parser.add_argument("--check", type=int, default=128)
     parser.add_argument("--scenes", nargs="*", default=list(SCENES))
     parser.add_argument("--methods", nargs="*", default=["auto", "walk", "edges"])
     chosen = parser.parse_args()
@@ -133,19 +136,30 @@ def main() -> None:
             file = Path(folder, "scene.xml")
             file.write_text(HEAD + SCENES[scene] + "</scene>\n")
             for method in chosen.methods:
+
+                def result_of(command: str, samples: int, seed: int, file: Path = file, method: str = method) -> dict[str, Any]:
+                    """What a command says of the scene; exit status 1 and 2 are verdicts."""
+                    words = [command, file, "-p", "ball.translate.x", "--method", method, "--seed", seed, "--threads", 1]
+                    words += ["--size", "{}x{}".format(*chosen.size), "--spp", samples, "--json"]
+                    words += ["-o", Path(folder, "out.exr")]
+                    run = subprocess.run([chosen.capwalk, *map(str, words)], capture_output=True, text=True)
+                    if run.returncode not in (0, 1, 2):
+                        raise SystemExit(run.stderr)
+                    answer: dict[str, Any] = json.loads(run.stdout)
+                    return answer
+
                 found = []
                 for seed in range(1, chosen.seeds + 1):
-                    words = ["gradient", file, "-p", "ball.translate.x", "--method", method, "--seed", seed, "--threads", 1]
-                    words += ["--size", "{}x{}".format(*chosen.size), "--spp", chosen.spp, "--json"]
-                    words += ["-o", Path(folder, "out.exr")]
-                    run = subprocess.run([chosen.capwalk, *map(str, words)], capture_output=True, text=True, check=True)
-                    result = json.loads(run.stdout)
+                    result = result_of("gradient", chosen.spp, seed)
                     found.append((result["variance_per_sample"], mean(result["mean_gradient"])))
+                checked = result_of("check", chosen.check, 1)["comparison"]
+                known = [checked["scale_factor"], checked["scale_factor_error"]]
+                factor, error = ("-" if number is None else f"{number:.3f}" for number in known)
                 variances, means = zip(*found)
                 spread = stdev(means) if len(means) > 1 else math.nan
                 print(
                     f"| {scene} | {method} | {median(variances):.3g} | {min(variances):.3g} to {max(variances):.3g} "
-                    f"| {mean(means):.5f} ± {spread:.5f} |",
+                    f"| {mean(means):.5f} ± {spread:.5f} | {factor} ± {error}, {checked['verdict']} |",
                     flush=True,
                 )
 
