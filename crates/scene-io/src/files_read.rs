@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// Which files were read for some work: scenes with all that they name, targets, velocities.
 /// What was read is never written.
@@ -58,10 +58,7 @@ impl FilesRead {
     /// An error if a file was read that this output is by any of its names, or that is in the
     /// folder which this output is.
     pub fn refuse(&self, output: &Path) -> Result<(), InputInTheWay> {
-        // What is not there cannot be lost.
-        let Ok(place) = output.canonicalize() else {
-            return Ok(());
-        };
+        let place = place_of(output);
         let is_lost = |input: &&PathBuf| input.starts_with(&place) || is_same_file(input, &place);
         match self.paths.iter().find(is_lost) {
             None => Ok(()),
@@ -79,6 +76,23 @@ impl<P: AsRef<Path>> FromIterator<P> for FilesRead {
         paths.into_iter().for_each(|path| files.add(path.as_ref()));
         files
     }
+}
+
+/// Where a file will be, without links and steps upwards, once the folders in its path that are not
+/// there are made.
+fn place_of(output: &Path) -> PathBuf {
+    let mut place = std::env::current_dir().unwrap_or_default();
+    for part in output.components() {
+        match part {
+            Component::ParentDir => {
+                place.pop();
+            }
+            part => place.push(part),
+        }
+        // What is not there is no link.
+        place = place.canonicalize().unwrap_or(place);
+    }
+    place
 }
 
 /// True if both are names of one file, as hard links are.
@@ -123,13 +137,21 @@ mod tests {
             "folder/read.png",
             "inside/../folder/read.png",
             "hard.png",
+            "not there/../other/../inside/read.png",
+            "not there/..",
             "inside",
             "folder",
         ] {
             let error = read.refuse(&path(output)).expect_err(output);
             assert_eq!(error.output, path(output));
         }
-        for output in ["other.png", "new.png", "inside/new.png", "missing.png"] {
+        for output in [
+            "other.png",
+            "new.png",
+            "inside/new.png",
+            "missing.png",
+            "inside/read.png/../no",
+        ] {
             assert_eq!(read.refuse(&path(output)), Ok(()), "{output}");
         }
         fs::remove_dir_all(&folder).expect("removable");
