@@ -103,7 +103,7 @@ fn full_size(Header { descr, shape }: &Header) -> Result<u64, String> {
     match (largest, item) {
         (Some(_), _) if shape.contains(&0) => Ok(0),
         (Some(largest), Some(1..)) => Ok(largest),
-        (Some(_), _) => Ok(0),
+        (Some(_), Some(0)) => Err(format!("has the type '{descr}', of no bytes")),
         _ => Err(format!(
             "has the shape {shape:?} of type {descr}, more than can be"
         )),
