@@ -75,7 +75,7 @@ fn cases() -> Vec<Vec<VariableSpec>> {
     };
     let x = Vec3::new(1.0, 0.0, 0.0);
     let z = Vec3::new(0.0, 0.0, 1.0);
-    let some = Selection::Indices((3..40).collect());
+    let some = Selection::Numbers(vec![3..20, 20..40]);
     vec![
         vec![
             spec("floor.translate"),
@@ -406,7 +406,7 @@ fn rim_of_a_disk_in_its_plane() {
     let variables = variables(&scene, std::slice::from_ref(&spec));
     assert_eq!(variables.count(), 50);
     let indices = VariableSpec {
-        vertices: Some(Selection::Indices((1..26).collect())),
+        vertices: Some(Selection::Numbers(std::iter::once(1..26).collect())),
         ..spec
     };
     let same = super::variable(&scene, &Registry::new(&scene), &indices).expect("fine");
@@ -494,7 +494,12 @@ fn what_does_not_fit_is_refused() {
         ..spec("ball.positions")
     };
     refused(&[positions(Selection::Border)], "no vertex is selected");
-    refused(&[positions(Selection::Indices(vec![999]))], "no vertex 999");
+    for (beyond, text) in [
+        (999..1000, "no vertex 999"),
+        (7..usize::MAX, "no vertex 82"),
+    ] {
+        refused(&[positions(Selection::Numbers(vec![0..1, beyond]))], text);
+    }
     let both = VariableSpec {
         lambda: Some(3.0),
         bounds: Some([-1.0, 1.0]),

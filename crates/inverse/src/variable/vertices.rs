@@ -1,6 +1,7 @@
 //! Displacements of vertices: free, in a plane, or along one direction each.
 
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 use capwalk_geometry::Mesh;
 use capwalk_geometry::topology::weld;
@@ -16,8 +17,8 @@ pub enum Selection {
     All,
     /// Those at open edges: the rim of a disk.
     Border,
-    /// These, counted from 0.
-    Indices(Vec<usize>),
+    /// Those with these numbers, counted from 0.
+    Numbers(Vec<Range<usize>>),
 }
 
 /// Where vertices may go.
@@ -183,12 +184,13 @@ fn selected(
             let open = uses.into_iter().filter(|&(_, count)| count == 1);
             open.flat_map(|(ends, _)| ends).collect()
         }
-        Selection::Indices(indices) => {
+        Selection::Numbers(ranges) => {
             let count = welded.len();
-            if let Some(&index) = indices.iter().find(|&&i| i >= count) {
+            if let Some(beyond) = ranges.iter().find(|range| range.end > count) {
+                let index = beyond.start.max(count);
                 return Err(VerticesError::Index { index, count });
             }
-            indices.iter().map(|&i| group(i)).collect()
+            ranges.iter().cloned().flatten().map(group).collect()
         }
     };
     match groups.is_empty() {

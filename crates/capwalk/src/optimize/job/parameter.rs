@@ -55,7 +55,7 @@ fn selection(value: &Value) -> Result<Selection, LoadError> {
             false => Selection::Border,
         });
     }
-    let mut indices = Vec::new();
+    let mut numbers = Vec::new();
     for item in items {
         match item.text() {
             Ok(text) => {
@@ -66,12 +66,15 @@ fn selection(value: &Value) -> Result<Selection, LoadError> {
                     .ok_or_else(|| {
                         item.wrong("a range such as \"1..26\": from 1, up to 25, counted from 0")
                     })?;
-                indices.extend(first..end);
+                numbers.push(first..end);
             }
-            Err(_) => indices.push(item.integer(0..=i64::from(u32::MAX))? as usize),
+            Err(_) => {
+                let number = item.integer(0..=i64::from(u32::MAX))? as usize;
+                numbers.push(number..number + 1);
+            }
         }
     }
-    Ok(Selection::Indices(indices))
+    Ok(Selection::Numbers(numbers))
 }
 
 fn directions(table: &Table) -> Result<Option<Directions>, LoadError> {
