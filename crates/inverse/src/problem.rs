@@ -82,7 +82,10 @@ impl TargetView {
 impl Problem {
     /// The share of each view in the loss; their sum is 1.
     pub(crate) fn shares(&self) -> Vec<f64> {
-        let sum: f64 = self.views.iter().map(|view| view.weight).sum();
-        self.views.iter().map(|view| view.weight / sum).collect()
+        // Against the largest, as sums of large weights are infinite.
+        let weights = || self.views.iter().map(|view| view.weight);
+        let largest = weights().fold(0.0, f64::max);
+        let sum: f64 = weights().map(|weight| weight / largest).sum();
+        weights().map(|weight| weight / largest / sum).collect()
     }
 }

@@ -424,16 +424,17 @@ impl Problem {
         }
     }
 
-    /// An error that names the first unknown whose gradient is not finite.
+    /// An error that names the first unknown whose gradient is not finite, or too large to be squared.
     fn refuse_non_finite(&self, gradient: &[f64], iteration: u32) -> Result<(), Stop> {
         for (variable, range) in self.variables.iter() {
             let numbers = &gradient[range];
-            if let Some(index) = numbers.iter().position(|g| !g.is_finite()) {
+            let is_usable = |g: &f64| g.abs() < LARGEST_GRADIENT;
+            if let Some(index) = numbers.iter().position(|g| !is_usable(g)) {
                 let (name, number) = (&variable.name, numbers[index]);
                 return Err(Stop::NotFinite {
                     what: format!(
                         "in iteration {iteration} the gradient with respect to unknown {index} of \
-                         \"{name}\" is {number}"
+                         \"{name}\" is {number:e}"
                     ),
                 });
             }
@@ -441,6 +442,9 @@ impl Problem {
         Ok(())
     }
 }
+
+/// Squares of smaller gradients can be added up.
+const LARGEST_GRADIENT: f64 = 1e150;
 
 /// The pilot is as large as for so many steps, about what optimisations take. The number that is
 /// asked for must not decide: a run that goes on for more must have the same method.
