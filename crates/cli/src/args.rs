@@ -106,8 +106,7 @@ impl Command {
         }
     }
 
-    /// How long it may take, if that was said: from its start, reading and preparation included. Not
-    /// of an optimisation, which has a result from the beginning.
+    /// How long it may take, if that was said: from its start, reading and preparation included.
     pub fn time_limit(&self) -> Option<Duration> {
         match self {
             Self::Render(args) => args.sampling.time_limit,
@@ -115,11 +114,8 @@ impl Command {
             Self::Backward(args) => args.sampling.time_limit,
             Self::Check(args) => args.gradient.sampling.time_limit,
             Self::Demo(args) => args.sampling.time_limit,
-            Self::Optimize(_)
-            | Self::Info(_)
-            | Self::Compare(_)
-            | Self::Scenes(_)
-            | Self::Figures { .. } => None,
+            Self::Optimize(args) => args.time_limit,
+            Self::Info(_) | Self::Compare(_) | Self::Scenes(_) | Self::Figures { .. } => None,
         }
     }
 }

@@ -32,7 +32,7 @@ static STARTED: OnceLock<Instant> = OnceLock::new();
 /// once; and a time limit that ends before the first sample end the process there. To be called
 /// once, when a command starts.
 pub fn watch_for_stops(limit: Option<Duration>) -> anyhow::Result<()> {
-    let started = *STARTED.get_or_init(Instant::now);
+    STARTED.get_or_init(Instant::now);
     ctrlc::set_handler(interrupt).context("cannot listen to Ctrl-C")?;
     #[cfg(unix)]
     {
@@ -42,14 +42,17 @@ pub fn watch_for_stops(limit: Option<Duration>) -> anyhow::Result<()> {
             signals.forever().for_each(|_| interrupt());
         })?;
     }
-    if let Some(limit) = limit {
-        spawn("time limit", move || {
-            std::thread::sleep(limit.saturating_sub(started.elapsed()));
-            let words = format!("error: {}\n", out_of_time(SAMPLE));
-            end_without_results(&words, diagnostics::BAD_INPUT);
-        })?;
-    }
-    Ok(())
+    limit.map_or(Ok(()), end_after)
+}
+
+/// Ends the process so long after the command started, if there is nothing to write then.
+pub fn end_after(limit: Duration) -> anyhow::Result<()> {
+    let started = *STARTED.get_or_init(Instant::now);
+    spawn("time limit", move || {
+        std::thread::sleep(limit.saturating_sub(started.elapsed()));
+        let words = format!("error: {}\n", out_of_time(SAMPLE));
+        end_without_results(&words, diagnostics::BAD_INPUT);
+    })
 }
 
 /// What has not happened yet while a command prepares its work.

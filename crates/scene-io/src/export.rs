@@ -28,7 +28,7 @@ use capwalk_scene::{Image, Pattern, Scene, Texture, TextureId};
 use beside::Files;
 pub use error::ExportError;
 
-use crate::atomic::write_atomically;
+use crate::atomic::write_one_of_many;
 use crate::files::read_file;
 use crate::image::{LayeredImage, VALUE, encode_exr};
 
@@ -43,7 +43,7 @@ pub fn write_scene(scene: &Scene, path: &Path) -> Result<PathBuf, ExportError> {
         if let Some(directory) = path.parent() {
             at(directory, fs::create_dir_all(directory))?;
         }
-        at(path, write_atomically(path, |file| file.write_all(bytes)))
+        at(path, write_one_of_many(path, |file| file.write_all(bytes)))
     })
 }
 

@@ -18,7 +18,11 @@ use live::{Clock, Live};
 
 pub fn run(args: &Optimize) -> Result<Outcome> {
     let job = Job::read(&args.job)?;
-    let clock = Clock::new(progress::left_of(args.time_limit.or(job.time_limit())));
+    let limit = args.time_limit.or(job.time_limit());
+    if let (None, Some(limit)) = (args.time_limit, limit) {
+        progress::end_after(limit)?;
+    }
+    let clock = Clock::new(progress::left_of(limit));
     let output = args.output.as_deref().unwrap_or(job.output());
     check_memory(&job)?;
     let targets = Progress::new("target", clock.remaining());
