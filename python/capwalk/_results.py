@@ -181,7 +181,7 @@ class Check:
     coplanar: list[tuple[str, str]]
     """Shapes that have faces in one plane which overlap, and that move against each other: where
     that is seen, the image has no derivative."""
-    resting: list[tuple[str, str]]
+    touching: list[tuple[str, str]]
     """Shapes with an edge that lies on a face of the other shape and moves off it: where that is
     seen, the image has no derivative."""
     edge_on: list[tuple[str, int]]

@@ -17,8 +17,8 @@ pub(crate) const BESIDE: f64 = 1e-10;
 /// [`Accel::horizon_distance`], where paths go on: rays from surfaces, and behind those that let them
 /// through, miss what is nearer than one unit.
 const APART: f64 = 2.0;
-/// The largest angle that is taken for that, radians: far less than a pixel. Surfaces in a wedge of
-/// which it is not enough are one, as far as rays can tell.
+/// The largest angle that is taken for that, radians: far less than a pixel. A wedge for which it is not
+/// enough is looked at as if its surfaces did not meet, which is wrong where paths go on inside of it.
 const WIDEST: f64 = 1e-5;
 /// Sine of the angle between two surfaces below which they count as one.
 const ALIKE: f64 = 1e-7;
@@ -29,9 +29,10 @@ pub fn beside(q: Vec3, normal: Vec3) -> [Vec3; 2] {
     at_angle(BESIDE, q, normal)
 }
 
-/// The same for paths that go on: so far from the edge that a ray from one of the surfaces that meet
-/// there, or through it, meets the other. `ends` are those of the edge, where it is; its point is
-/// `part` of it from the first, and seen at a distance.
+/// Unit directions on either side of an edge for paths that go on: so far from the edge that a ray from
+/// one of the surfaces that meet there, or through it, hits the other. The edge lies between `a` and
+/// `b`; its point is that part of the way from `a`, and seen in the direction `q` at a distance, world
+/// units.
 pub(crate) fn beside_for_paths(
     accel: &Accel,
     [a, b]: [Vec3; 2],
@@ -40,12 +41,7 @@ pub(crate) fn beside_for_paths(
 ) -> [Vec3; 2] {
     let least = APART * accel.horizon_distance();
     let surfaces = surfaces_at(accel, a + (b - a) * part, b - a, distance * WIDEST);
-    let wedge_sine = narrowest(
-        surfaces
-            .into_iter()
-            .map(|(_, direction)| direction)
-            .collect(),
-    );
+    let wedge_sine = narrowest(&surfaces);
     let [alone, in_wedge] = [1.0, wedge_sine].map(|sine| (least / distance / sine).max(BESIDE));
     let angle = match in_wedge <= WIDEST {
         true => in_wedge,
@@ -54,9 +50,9 @@ pub(crate) fn beside_for_paths(
     at_angle(angle, q, normal)
 }
 
-/// The surfaces that meet at a point of a line, up to some distance from there, or as near as rays
-/// can tell: a face of each, and the unit direction in which it leaves the point, at right angles to
-/// the line.
+/// The surfaces that meet at a point of a line, up to a distance `reach` from there (world units), or as
+/// near as rays can tell: a face of each, and the unit direction in which it leaves the point, at right
+/// angles to the line.
 pub(crate) fn surfaces_at(accel: &Accel, point: Vec3, along: Vec3, reach: f64) -> Vec<(u32, Vec3)> {
     let reach = reach.max(10.0 * APART * accel.horizon_distance());
     // Walk around the edge, along a triangle that has the point in its middle.
@@ -87,12 +83,12 @@ pub(crate) fn surfaces_at(accel: &Accel, point: Vec3, along: Vec3, reach: f64) -
     found
 }
 
-/// Sine of the smallest angle between directions at right angles to a line; 1 if all are right or
-/// obtuse. Directions that are the same are one.
-fn narrowest(directions: Vec<Vec3>) -> f64 {
+/// Sine of the smallest angle between [`surfaces_at`] a point; 1 if all are right or obtuse. Surfaces
+/// in one plane count as one.
+fn narrowest(surfaces: &[(u32, Vec3)]) -> f64 {
     let mut least = 1.0_f64;
-    for (i, &first) in directions.iter().enumerate() {
-        for &second in &directions[..i] {
+    for (i, &(_, first)) in surfaces.iter().enumerate() {
+        for &(_, second) in &surfaces[..i] {
             let sine = first.cross(second).length();
             if first.dot(second) > 0.0 && sine > ALIKE {
                 least = least.min(sine);
@@ -206,8 +202,7 @@ mod tests {
             };
             let accel = scene_of([mesh]);
             let surfaces = surfaces_at(&accel, ends[0] * 0.3, ends[0], 1e-4);
-            let directions = surfaces.iter().map(|(_, direction)| *direction);
-            let found = narrowest(directions.collect());
+            let found = narrowest(&surfaces);
             assert!(
                 (found - sine).abs() < 1e-12,
                 "{degrees}, {turn}: {surfaces:?}"

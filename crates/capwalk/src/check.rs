@@ -17,7 +17,7 @@ use crate::error::Error;
 use crate::options::{self, DifferenceOptions, check_spp};
 use crate::text::number;
 
-pub use words::{comparison_text, coplanar_text, edge_on_text, missing_text, resting_text};
+pub use words::{comparison_text, coplanar_text, edge_on_text, missing_text, touching_text};
 
 /// Samples of the reference for each one of the gradient, before the noise of both is known:
 /// differences are cheaper, and noisier.
@@ -171,9 +171,9 @@ pub struct Check {
     /// Shapes that lie on each other and move against each other, see
     /// [`Prepared::coplanar_shapes`](crate::Prepared::coplanar_shapes).
     pub coplanar: Vec<[String; 2]>,
-    /// Shapes that lie with an edge on others and move off them, see
-    /// [`Prepared::resting_shapes`](crate::Prepared::resting_shapes).
-    pub resting: Vec<[String; 2]>,
+    /// Shapes that lie with an edge on others and move off them, but for pairs of
+    /// [`Check::coplanar`], see [`Prepared::touching_shapes`](crate::Prepared::touching_shapes).
+    pub touching: Vec<[String; 2]>,
     /// Faces that the camera sees edge-on and moves against, see
     /// [`Prepared::edge_on_faces`](crate::Prepared::edge_on_faces).
     pub edge_on: Vec<EdgeOnFace>,
@@ -206,7 +206,7 @@ impl Check {
             made,
             coplanar,
             edge_on: Vec::new(),
-            resting: Vec::new(),
+            touching: Vec::new(),
         }
     }
 

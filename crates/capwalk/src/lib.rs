@@ -119,7 +119,7 @@ pub use capwalk_scene_io as scene_io;
 pub use backward::{GradientNames, Gradients, GradientsWork, ParameterGradient};
 pub use check::{
     Check, CheckOptions, Reference, comparison_text, coplanar_text, edge_on_text, missing_text,
-    resting_text,
+    touching_text,
 };
 pub use device::{Device, DeviceFailure, OnDevice};
 pub use direction::Direction;

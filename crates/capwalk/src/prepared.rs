@@ -1,5 +1,6 @@
 //! The front door: a scene that is ready for any number of images and gradients.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use capwalk_diff::{
@@ -212,22 +213,21 @@ impl Prepared {
     /// the image has other derivatives to one side than to the other. Flat emitters are in front
     /// of what lies in their plane: with them, only pairs that leave the plane.
     pub fn coplanar_shapes(&self, tangent: &Tangent) -> Vec<[String; 2]> {
+        self.named(coplanar(self.scene(), tangent))
+    }
+
+    /// Pairs of shapes by name.
+    fn named(&self, pairs: BTreeSet<[usize; 2]>) -> Vec<[String; 2]> {
         let name = |i: usize| self.scene().shapes[i].id.clone();
-        let pairs = coplanar(self.scene(), tangent).into_iter();
-        pairs.map(|pair| pair.map(name)).collect()
+        pairs.into_iter().map(|pair| pair.map(name)).collect()
     }
 
     /// Pairs of shapes, by name: an edge of the first lies on a face of the second and moves off it.
     /// To one side of the motion a gap opens, to the other they cross, so the image has other
-    /// derivatives to one side than to the other. Without those of [`Prepared::coplanar_shapes`], and
-    /// without any if the watch stops the search.
-    pub fn resting_shapes(&self, tangent: &Tangent, watch: &dyn Watch) -> Vec<[String; 2]> {
-        let name = |i: usize| self.scene().shapes[i].id.clone();
-        let coplanar = coplanar(self.scene(), tangent);
-        let is_other = |[a, b]: &[usize; 2]| !coplanar.contains(&[*a.min(b), *a.max(b)]);
-        let found = self.engine.prepared().resting(tangent, watch);
-        let pairs = found.unwrap_or_default().into_iter().filter(is_other);
-        pairs.map(|pair| pair.map(name)).collect()
+    /// derivatives to one side than to the other. Without any if the watch stops the search.
+    pub fn touching_shapes(&self, tangent: &Tangent, watch: &dyn Watch) -> Vec<[String; 2]> {
+        let found = self.engine.prepared().touching(tangent, watch);
+        self.named(found.unwrap_or_default())
     }
 
     /// Faces in the image that the camera, which is in their planes, sees edge-on and moves against:
@@ -319,7 +319,13 @@ impl Prepared {
         }
         let mut check = check.decided();
         check.edge_on = self.edge_on_faces(tangent);
-        check.resting = self.resting_shapes(tangent, watch);
+        // Those that lie in the plane of the other are listed already.
+        let mut touching = self.touching_shapes(tangent, watch);
+        touching.retain(|[a, b]| {
+            let mut listed = check.coplanar.iter();
+            !listed.any(|pair| pair.contains(a) && pair.contains(b))
+        });
+        check.touching = touching;
         let Some(more) = check.second_gradient(options) else {
             return Ok(check);
         };

@@ -4,7 +4,7 @@ use capwalk::{
     Check, CheckOptions, Error, Estimate, GradientImage, GradientOptions, Gradients, Rendering,
     Statistics, Verdict,
 };
-use capwalk::{comparison_text, coplanar_text, edge_on_text, missing_text, resting_text};
+use capwalk::{comparison_text, coplanar_text, edge_on_text, missing_text, touching_text};
 use numpy::PyArray3;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -112,7 +112,7 @@ pub fn of_check<'py>(
     numbers.set_item("correlation", comparison.correlation)?;
     numbers.set_item("pixels", comparison.pixels)?;
     numbers.set_item("worst", comparison.worst.clone())?;
-    for (name, pairs) in [("coplanar", &check.coplanar), ("resting", &check.resting)] {
+    for (name, pairs) in [("coplanar", &check.coplanar), ("touching", &check.touching)] {
         let pairs: Vec<(&String, &String)> = pairs.iter().map(|[a, b]| (a, b)).collect();
         numbers.set_item(name, pairs)?;
     }
@@ -132,7 +132,7 @@ pub fn of_check<'py>(
         value.map_or(name.clone(), |value| format!("{name}={value}"))
     };
     let note = coplanar_text(&check.coplanar)
-        + &resting_text(&check.resting)
+        + &touching_text(&check.touching)
         + &edge_on_text(&check.edge_on);
     let text = note + &comparison_text(comparison) + &check.verdict(option);
     numbers.set_item("text", text)?;

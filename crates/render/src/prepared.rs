@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use capwalk_boundary::{Accel, Boundaries, pool, same_edges};
+use capwalk_boundary::{Accel, Boundaries, pool, same_edges, touching};
 use capwalk_geometry::{Halt, Halted};
 use capwalk_scene::{Emitter, Scene, Tangent, Texture};
 
@@ -89,22 +89,16 @@ impl PreparedScene {
 
     /// Pairs of shapes, by their indices: an edge of the first lies on a face of the second and moves
     /// off it. Fails if the watch stops the search.
-    pub fn resting(
+    pub fn touching(
         &self,
         tangent: &Tangent,
         watch: &dyn Watch,
     ) -> Result<BTreeSet<[usize; 2]>, Halted> {
-        let boundaries =
-            self.try_boundaries_if(tangent.shapes.iter().any(Option::is_some), watch)?;
-        let search = |halt: &Halt| {
-            halt.unless_halted(capwalk_boundary::resting(
-                &self.accel,
-                boundaries,
-                tangent,
-                halt,
-            ))
-        };
-        halting(watch, search)
+        let moves = tangent.shapes.iter().any(Option::is_some);
+        let boundaries = self.try_boundaries_if(moves, watch)?;
+        halting(watch, |halt| {
+            halt.unless_halted(touching(&self.accel, boundaries, tangent, halt))
+        })
     }
 
     /// The boundaries that a derivative asks for: none if nothing moves, which takes no time.

@@ -363,8 +363,8 @@ fn shapes_that_lie_on_each_other_are_named() {
     let text = coplanar_text(&pairs);
     assert!(text.contains("box4\" and 2 more pairs"), "{text}");
     assert!(!text.contains("box5") && text.ends_with('\n'), "{text}");
-    assert_eq!(resting_text(&[]), "");
-    let text = resting_text(&pairs);
+    assert_eq!(touching_text(&[]), "");
+    let text = touching_text(&pairs);
     assert!(
         text.contains("\"floor\" on \"box4\" and 2 more pairs)"),
         "{text}"

@@ -121,7 +121,7 @@ pub fn coplanar_text(pairs: &[[String; 2]]) -> String {
 
 /// What is to be said about shapes that lie with an edge on others and move off them: a line, or
 /// nothing.
-pub fn resting_text(pairs: &[[String; 2]]) -> String {
+pub fn touching_text(pairs: &[[String; 2]]) -> String {
     let names = first(pairs, "pairs", |[a, b]| format!("\"{a}\" on \"{b}\""));
     match pairs {
         [] => String::new(),

@@ -6,7 +6,7 @@ pub mod timed;
 use anyhow::{Result, ensure};
 use capwalk::{
     Check, CheckOptions, Comparison, RenderOptions, Statistics, Verdict, comparison_text,
-    coplanar_text, edge_on_text, resting_text,
+    coplanar_text, edge_on_text, touching_text,
 };
 use serde_json::{Value, json};
 
@@ -50,7 +50,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
         reference_samples,
         coplanar,
         edge_on,
-        resting,
+        touching,
         ..
     } = &checked.check;
     let (of_gradient, of_reference) = (&gradient.statistics, &reference.statistics);
@@ -59,7 +59,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     let written = layers::write(&files, &typed.scene, &parameter, &checked)?;
     method::log(&checked.chosen);
     console::remark(&coplanar_text(coplanar));
-    console::remark(&resting_text(resting));
+    console::remark(&touching_text(touching));
     console::remark(&edge_on_text(edge_on));
     console::remark(&method::remark(&options.gradient));
     console::remark(&report::warnings("gradient", of_gradient));
@@ -81,7 +81,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
             "reference_samples": reference_samples,
             "comparison": comparison_json(comparison),
             "coplanar": coplanar,
-            "resting": resting,
+            "touching": touching,
             "edge_on": edge_on.iter().map(|at| json!({"shape": at.shape, "face": at.face})).collect::<Vec<_>>(),
             "gradient": report::statistics_json(of_gradient, checked.seconds[0]),
             "reference": report::statistics_json(of_reference, checked.seconds[1]),

@@ -162,7 +162,7 @@ fn faces_seen_edge_on_are_named() {
 /// where the edge slides there, or a part of it is above, or the whole a little.
 #[test]
 fn edges_that_come_off_are_named() {
-    let capwalk = Capwalk::new("check_resting");
+    let capwalk = Capwalk::new("check_touching");
     let stands = |place: &str| {
         let turned =
             format!(r#"<translate y="1"/><rotate x="1" angle="20"/><scale value="0.3"/>{place}"#);
@@ -175,7 +175,7 @@ fn edges_that_come_off_are_named() {
     let check = |scene: &str, parameter: &str| {
         let finished = capwalk.run(&format!("check {scene}.xml -p {parameter} --spp 4 --json"));
         let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
-        (finished.stderr, json["resting"].clone())
+        (finished.stderr, json["touching"].clone())
     };
     for scene in ["on", "half"] {
         for parameter in ["card.translate.z", "floor.rotate.y"] {

@@ -21,15 +21,12 @@ const MOVES: f64 = 1e-6;
 
 /// Pairs of shapes, by their indices: an edge of the first lies on the second and moves off it; some
 /// of them if the work is given up.
-pub fn resting(
+pub fn touching(
     accel: &Accel,
     boundaries: &Boundaries,
     tangent: &Tangent,
     halt: &Halt,
 ) -> BTreeSet<[usize; 2]> {
-    if tangent.shapes.iter().all(Option::is_none) {
-        return BTreeSet::new();
-    }
     let edges = (0..boundaries.edges().len() as u32).into_par_iter();
     edges
         .filter(|_| !halt.now())
@@ -37,7 +34,7 @@ pub fn resting(
         .collect()
 }
 
-/// The shapes on which an edge lies, and which it leaves, each behind its own.
+/// The pairs of one edge: the shape that it belongs to, and another one that it lies on and leaves.
 fn left_by(
     accel: &Accel,
     boundaries: &Boundaries,
