@@ -76,12 +76,19 @@ fn finish(result: anyhow::Result<Outcome>) -> ExitCode {
     match result {
         Ok(outcome) => outcome.into(),
         Err(error) => {
-            console::remark(&format!("{}\n", diagnostics::describe(&error)));
-            let is_stopped = matches!(error.downcast_ref(), Some(capwalk::Error::Stopped { .. }));
-            ExitCode::from(match is_stopped && progress::interrupted() {
-                true => diagnostics::INTERRUPTED,
-                false => diagnostics::BAD_INPUT,
-            })
+            // Whoever is asked to stop does not know by what.
+            let (words, status) = match error.downcast_ref() {
+                Some(capwalk::Error::Stopped { before }) if progress::interrupted() => {
+                    (progress::stopped(before), diagnostics::INTERRUPTED)
+                }
+                Some(capwalk::Error::Stopped { before }) => (
+                    format!("error: {}", progress::out_of_time(before)),
+                    diagnostics::BAD_INPUT,
+                ),
+                _ => (diagnostics::describe(&error), diagnostics::BAD_INPUT),
+            };
+            console::remark(&format!("{words}\n"));
+            ExitCode::from(status)
         }
     }
 }
