@@ -13,8 +13,8 @@ pub(crate) fn write_atomically(
     write(path, fill, File::sync_all)
 }
 
-/// The same for one of many files: it may be lost if the machine fails within a minute, and takes a
-/// hundredth of the time.
+/// [`write_atomically`] for one of many files, without waiting for the disk at each: if the machine
+/// fails soon after, its contents may be lost.
 pub(crate) fn write_one_of_many(
     path: &Path,
     fill: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,

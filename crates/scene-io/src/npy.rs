@@ -275,6 +275,7 @@ mod tests {
             (header("<f8", "(18446744073709551616,)"), "below 2^64"),
             (header("<f8", "(-1,)"), "below 2^64"),
             (header("<U4611686018427387904", "(1,)"), "more than can be"),
+            (header("<U0", "(100000000, 2)"), "of no bytes"),
             (header("<f8", "(9,)"), "ends before its shape [9]"),
             (header("8", "(1,)"), "does not have"),
             ("{}".into(), "has no 'descr'"),

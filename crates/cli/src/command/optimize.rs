@@ -19,8 +19,9 @@ use live::{Clock, Live};
 pub fn run(args: &Optimize) -> Result<Outcome> {
     let job = Job::read(&args.job)?;
     let limit = args.time_limit.or(job.time_limit());
-    if let (None, Some(limit)) = (args.time_limit, limit) {
-        progress::end_after(limit)?;
+    // That of the command line is watched since the start.
+    if let Some(of_job) = job.time_limit().filter(|_| args.time_limit.is_none()) {
+        progress::end_after(of_job)?;
     }
     let clock = Clock::new(progress::left_of(limit));
     let output = args.output.as_deref().unwrap_or(job.output());

@@ -391,3 +391,16 @@ fn refusals_name_the_parameter() {
         ],
     );
 }
+
+/// Weights of views count against each other, however large they are.
+#[test]
+fn weights_of_views_are_relative() {
+    let capwalk = Capwalk::new("optimize_weights");
+    let loss = |weight: &str| {
+        let view = format!("[[view]]\nweight = {weight}\n");
+        let job = SMALL.replace("iterations = 40", "iterations = 1");
+        capwalk.write("job.toml", &format!("{job}{view}{view}"));
+        capwalk.json(&format!("optimize job.toml -o {weight} --json"))["loss"].clone()
+    };
+    assert_eq!(loss("1e308"), loss("1.0"));
+}

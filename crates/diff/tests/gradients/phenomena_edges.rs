@@ -300,7 +300,7 @@ fn crossing_of_a_mask_at_a_low_angle() {
     );
 }
 
-/// The same where a border of the mask lies on the floor and slides there.
+/// A mask of which a border lies on the floor and slides there, at a low angle.
 #[test]
 fn border_of_a_mask_on_a_floor() {
     let along = Affine::rotate(v(0.0, 0.0, 1.0), 0.3_f64.atan());

@@ -69,8 +69,27 @@ fn runs_stop_for_a_reason() {
     // Targets take time, too.
     let long = SMALL.replace("spp = 64", "spp = 4000000000");
     capwalk.write("targets.toml", &long);
+    let error = capwalk.error("optimize targets.toml --time-limit 1s");
+    assert_has(&error, &["ended before the targets were rendered"]);
+    // So does what comes before them, whoever gives the limit.
+    let early = "the time limit ended before a sample was taken";
     let error = capwalk.error("optimize targets.toml --time-limit 0.001s");
-    assert_has(&error, &["the time limit ended before"]);
+    assert_has(&error, &[early]);
+    capwalk.write("early.toml", &format!("time_limit = \"0.001s\"\n{long}"));
+    assert_has(&capwalk.error("optimize early.toml"), &[early]);
+
+    // Gradients that cannot be squared.
+    let huge = SMALL.replace(
+        "leaf.translate.x\"\nbounds",
+        "1e308*leaf.translate.x\"\nbounds",
+    );
+    capwalk.write("huge.toml", &huge);
+    let finished = capwalk.run("optimize huge.toml -o huge");
+    assert_eq!(finished.status, 4, "{}", finished.stderr);
+    assert_has(
+        &finished.stdout,
+        &["the gradient with respect to unknown 0"],
+    );
 
     let target = "render leaf --size 8x6 --spp 4 -o target.exr";
     assert_eq!(capwalk.run(target).status, 0);
