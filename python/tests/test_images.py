@@ -65,7 +65,8 @@ def test_velocities_are_a_direction(scene: cw.Scene) -> None:
 
 def test_check_names_shapes_that_lie_on_each_other(scene: cw.Scene) -> None:
     apart = cw.check(scene, "box.translate.y", spp=2)
-    assert apart.coplanar == apart.touching == apart.edge_on == [] and "note" not in str(apart)
+    assert apart.coplanar == [] and apart.touching == [] and apart.edge_on == []
+    assert "note" not in str(apart)
     cw.traverse(scene).update({"box.translate": [0.0, -0.7, 0.0]})
     verdict = cw.check(scene, "box.translate.y", spp=2)
     assert [sorted(pair) for pair in verdict.coplanar] == [["box", "floor"]]
