@@ -8,11 +8,15 @@ use capwalk_math::Vec3;
 use capwalk_math::near_key::near_key;
 use capwalk_scene::{Mesh, Scene, Tangent};
 
-/// Part of the scene's size up to which planes may be the same: more than rounding.
+/// Part of the largest coordinate up to which planes may be the same: more than rounding.
 pub const SAME_PLANE: f64 = 1e-9;
 
-/// Part of the scene's size by which faces overlap that do not only touch.
+/// Part of the largest coordinate by which faces overlap that do not only touch.
 const OVERLAP: f64 = 1e-7;
+
+/// Faces that are nearer to the origin than the farthest ones by this factor are compared among
+/// themselves with tolerances of their own.
+const NEARER: f64 = 1.0 / 4096.0;
 
 /// The axis of the sweep, along no edge that is likely.
 const DIRECTION: Vec3 = Vec3::new(0.414213562373, 0.732050807569, 0.236067977500);
@@ -29,7 +33,9 @@ struct Face {
     is_flush: bool,
     /// Unit normal.
     normal: Vec3,
-    /// Equal for faces in one plane, and for hardly any others.
+    /// Largest coordinate of its corners.
+    size: f64,
+    /// [`Face::key`] at the scale that is looked at.
     key: f64,
     /// From where to where it is along the axis of the sweep.
     range: [f64; 2],
@@ -43,43 +49,73 @@ pub fn coplanar(scene: &Scene, tangent: &Tangent) -> BTreeSet<[usize; 2]> {
     if tangent.shapes.iter().all(Option::is_none) {
         return found;
     }
-    let positions = || scene.shapes.iter().flat_map(|shape| &shape.mesh.positions);
-    let size = |p: &Vec3| p.x.abs().max(p.y.abs()).max(p.z.abs());
-    let scale = positions().map(size).fold(f64::MIN_POSITIVE, f64::max);
-    // Sort by planes: faces of one plane are neighbours then.
-    let mut faces = faces(scene, tangent, scale);
-    faces.sort_unstable_by(|a, b| a.key.total_cmp(&b.key));
+    let mut faces = faces(scene, tangent);
     let mut pairs = 0;
-    for plane in faces.chunk_by_mut(|a, b| b.key - a.key <= SAME_PLANE) {
-        if plane.iter().all(|face| face.shape == plane[0].shape) {
-            continue;
-        }
-        // In each plane, compare each face with those that have not ended before it starts.
-        plane.sort_unstable_by(|a, b| a.range[0].total_cmp(&b.range[0]));
-        let mut open: Vec<&Face> = Vec::new();
-        for next in &*plane {
-            open.retain(|before| before.range[1] > next.range[0]);
-            for before in open.iter().filter(|before| before.shape != next.shape) {
+    // The largest with all others, then the largest of these with the rest, and so on: what is
+    // rounding in a wide plane is none between small things.
+    while !faces.is_empty() {
+        let sizes = faces.iter().map(|face| face.size);
+        let scale = sizes.fold(f64::MIN_POSITIVE, f64::max);
+        let is_far = |face: &Face| face.size >= scale * NEARER;
+        // Sort by planes: faces of one plane are neighbours then.
+        faces.iter_mut().for_each(|face| face.key = face.key(scale));
+        faces.sort_unstable_by(|a, b| a.key.total_cmp(&b.key));
+        for plane in faces.chunk_by_mut(|a, b| b.key - a.key <= SAME_PLANE) {
+            if plane.iter().all(|face| face.shape == plane[0].shape) {
+                continue;
+            }
+            let is_complete = visit_overlaps(plane, is_far, |before, next| {
                 let mut pair = [before.shape, next.shape];
                 pair.sort_unstable();
-                pairs += 1;
-                if pairs > MOST_PAIRS {
-                    return found;
-                }
                 if !found.contains(&pair)
                     && before.moves_against(next)
-                    && before.overlaps(next, OVERLAP * scale)
+                    && before.overlaps(next, OVERLAP * before.size.max(next.size))
                 {
                     found.insert(pair);
                 }
+                pairs += 1;
+                pairs <= MOST_PAIRS
+            });
+            if !is_complete {
+                return found;
             }
-            open.push(next);
         }
+        faces.retain(|face| !is_far(face));
     }
     found
 }
 
-fn faces(scene: &Scene, tangent: &Tangent, scale: f64) -> Vec<Face> {
+/// Calls `visit` with the pairs of faces of different shapes, in one plane, of which one is far and
+/// which may overlap, until it answers `false`; then the answer is that.
+fn visit_overlaps(
+    plane: &mut [Face],
+    is_far: impl Fn(&Face) -> bool,
+    mut visit: impl FnMut(&Face, &Face) -> bool,
+) -> bool {
+    // Along the sweep, compare each face with those that have not ended before it starts.
+    plane.sort_unstable_by(|a, b| a.range[0].total_cmp(&b.range[0]));
+    let (mut far, mut near): (Vec<&Face>, Vec<&Face>) = (Vec::new(), Vec::new());
+    for next in &*plane {
+        let is_open = |before: &&Face| before.range[1] > next.range[0];
+        far.retain(is_open);
+        // Pairs of small things have their turn later.
+        if is_far(next) {
+            near.retain(is_open);
+        }
+        let others = far.iter().chain(near.iter().filter(|_| is_far(next)));
+        let mut others = others.filter(|before| before.shape != next.shape);
+        if !others.all(|before| visit(before, next)) {
+            return false;
+        }
+        match is_far(next) {
+            true => far.push(next),
+            false => near.push(next),
+        }
+    }
+    true
+}
+
+fn faces(scene: &Scene, tangent: &Tangent) -> Vec<Face> {
     let mut emitters = vec![false; scene.shapes.len()];
     for shape in scene.emitters.iter().filter_map(|emitter| emitter.shape()) {
         emitters[shape.0 as usize] = true;
@@ -87,22 +123,23 @@ fn faces(scene: &Scene, tangent: &Tangent, scale: f64) -> Vec<Face> {
     let shapes = scene.shapes.iter().zip(&tangent.shapes).enumerate();
     let faces = shapes.flat_map(|(shape, (what, velocities))| {
         let mesh = &what.mesh;
-        let is_flush = emitters[shape] && is_flat(mesh, SAME_PLANE * scale);
+        let is_flush = emitters[shape] && is_flat(mesh);
         mesh.faces.iter().filter_map(move |face| {
             let corners = face.map(|i| mesh.positions[i as usize]);
             let velocities = face.map(|i| match velocities {
                 Some(vectors) => vectors.vertices[i as usize],
                 None => Vec3::zero(),
             });
-            let face = Face::new(shape, corners, velocities, scale)?;
+            let face = Face::new(shape, corners, velocities)?;
             Some(Face { is_flush, ..face })
         })
     });
     faces.collect()
 }
 
-/// True if all vertices of a mesh are that close to the plane of its first face with area.
-fn is_flat(mesh: &Mesh, margin: f64) -> bool {
+/// True if all vertices of a mesh are in the plane of its first face with area.
+fn is_flat(mesh: &Mesh) -> bool {
+    let margin = SAME_PLANE * mesh.positions.iter().map(size).fold(0.0, f64::max);
     let crosses = (0..mesh.faces.len()).map(|face| (face, mesh.face_cross(face)));
     let first = crosses.into_iter().find(|(_, n)| n.length() > 0.0);
     first.is_some_and(|(face, cross)| {
@@ -112,9 +149,14 @@ fn is_flat(mesh: &Mesh, margin: f64) -> bool {
     })
 }
 
+/// The largest coordinate.
+fn size(p: &Vec3) -> f64 {
+    p.x.abs().max(p.y.abs()).max(p.z.abs())
+}
+
 impl Face {
     /// `None` for a face without area.
-    fn new(shape: usize, corners: [Vec3; 3], velocities: [Vec3; 3], scale: f64) -> Option<Self> {
+    fn new(shape: usize, corners: [Vec3; 3], velocities: [Vec3; 3]) -> Option<Self> {
         let [a, b, c] = corners;
         let cross = (b - a).cross(c - a);
         let area = cross.length();
@@ -122,9 +164,28 @@ impl Face {
             return None;
         }
         let n = cross / area;
+        let along = corners.map(|p| p.dot(DIRECTION));
+        Some(Self {
+            shape,
+            corners,
+            velocities,
+            is_flush: false,
+            normal: n,
+            size: corners.iter().map(size).fold(0.0, f64::max),
+            key: 0.0,
+            range: [
+                along.into_iter().fold(f64::INFINITY, f64::min),
+                along.into_iter().fold(f64::NEG_INFINITY, f64::max),
+            ],
+        })
+    }
+
+    /// Equal for faces in one plane, and for hardly any others, up to [`SAME_PLANE`] of `scale`.
+    fn key(&self, scale: f64) -> f64 {
+        let n = self.normal;
         // Both signs of the normal give the same plane.
-        let foot = n * (n.dot(a) / scale);
-        let numbers = [
+        let foot = n * (n.dot(self.corners[0]) / scale);
+        near_key(&[
             n.x * n.x,
             n.y * n.y,
             n.x * n.y,
@@ -134,20 +195,7 @@ impl Face {
             foot.x,
             foot.y,
             foot.z,
-        ];
-        let along = corners.map(|p| p.dot(DIRECTION));
-        Some(Self {
-            shape,
-            corners,
-            velocities,
-            is_flush: false,
-            normal: n,
-            key: near_key(&numbers),
-            range: [
-                along.into_iter().fold(f64::INFINITY, f64::min),
-                along.into_iter().fold(f64::NEG_INFINITY, f64::max),
-            ],
-        })
+        ])
     }
 
     /// The velocity of a point of its plane that moves with it.
@@ -214,7 +262,18 @@ mod tests {
 
     /// The same over another shape.
     fn found_beside(under: &str, place: Affine, expression: &str) -> usize {
+        found_in(under, place, expression, |_| {})
+    }
+
+    /// The same in a changed scene.
+    fn found_in(
+        under: &str,
+        place: Affine,
+        expression: &str,
+        change: impl Fn(&mut Scene),
+    ) -> usize {
         let mut scene = capwalk_scene::builtin::scene("leaf").unwrap();
+        change(&mut scene);
         let floor = scene.shapes.iter().find(|shape| shape.id == under).unwrap();
         let [a, b, c] = floor.mesh.corners(0);
         let ((low, high), normal) = (floor.mesh.bounds(), (b - a).cross(c - a).normalized());
@@ -262,6 +321,24 @@ mod tests {
         let together = "leaf.translate.x + floor.translate.x";
         assert_eq!(found(turned, together), 0);
         assert_eq!(found(turned, "floor.bsdf.reflectance.value"), 0);
+    }
+
+    /// Small things beside a wide one: planes that are apart stay so, and those that are one are found.
+    #[test]
+    fn small_shapes_are_told_apart_in_wide_scenes() {
+        let at = |z| Affine::translate(Vec3::new(0.0, 0.0, z)) * Affine::scale(Vec3::splat(0.1));
+        for (height, expected) in [(1e-4, 0), (0.0, 1)] {
+            let widen = |scene: &mut Scene| {
+                let wall = rectangle(
+                    Affine::translate(Vec3::new(3.0, 2e6, 1.0)) * Affine::scale(Vec3::splat(1e6)),
+                );
+                let bsdf = scene.shapes[0].bsdf;
+                let wall = capwalk_scene::Shape::new("wall", wall.0, wall.1, bsdf);
+                scene.shapes.push(Arc::new(wall));
+            };
+            let pairs = found_in("floor", at(height), "leaf.translate.x", widen);
+            assert_eq!(pairs, expected, "{height}");
+        }
     }
 
     /// A flat emitter is in front of what lies in its plane as long as it stays there.

@@ -7,7 +7,6 @@ use capwalk_scene::sensor::view::View;
 use capwalk_scene::{Film, Scene, Tangent};
 
 use crate::coplanar::SAME_PLANE;
-use crate::step::bounds;
 
 /// Part of the largest velocity by which something moves that is no rounding.
 const MOVES: f64 = 1e-6;
@@ -39,9 +38,6 @@ pub fn edge_on(scene: &Scene, tangent: &Tangent) -> Vec<EdgeOnFace> {
         return Vec::new();
     }
     let view = moving.value();
-    let (low, high) = bounds(scene);
-    let corners = [low, high, view.origin];
-    let scale = corners.iter().map(|p| largest(*p)).fold(0.0, f64::max);
     let middle = [0.0, 0.0].map(Dual::constant);
     let forward = moving.ray(moving.direction(middle)).direction;
     let mut found = Vec::new();
@@ -63,7 +59,12 @@ pub fn edge_on(scene: &Scene, tangent: &Tangent) -> Vec<EdgeOnFace> {
             let normal = cross.normalized();
             let (across, size) = match view.is_parallel() {
                 true => (normal.dot(forward), 1.0),
-                false => (normal.dot(a - moving.origin), scale),
+                // The rounding of a small face does not depend on how wide the scene is.
+                false => {
+                    let points = corners.iter().chain([&moving.origin]);
+                    let sizes = points.map(|p| largest(p.value()));
+                    (normal.dot(a - moving.origin), sizes.fold(0.0, f64::max))
+                }
             };
             if across.value.abs() > SAME_PLANE * size {
                 continue;
@@ -192,6 +193,20 @@ mod tests {
         assert!(!is_found(1.0, 5.0, 0.0) && !is_found(-1.0, 0.0, 0.0));
         assert!(!is_found(1.0, 0.0, 1e-4) && is_found(1.0, 0.0, 1e-12));
         assert!(is_found(0.05, 0.0, 0.0));
+    }
+
+    /// How wide the scene is does not matter to a small face.
+    #[test]
+    fn faces_beside_the_plane_of_a_camera_are_told_apart_in_wide_scenes() {
+        let wide = |scene: &mut Scene| {
+            let wall =
+                Affine::translate(Vec3::new(3.0, 2e6, 1.0)) * Affine::scale(Vec3::splat(1e6));
+            let ((mesh, normals), bsdf) = (rectangle(wall), scene.shapes[0].bsdf);
+            let wall = capwalk_scene::Shape::new("wall", mesh, normals, bsdf);
+            scene.shapes.push(Arc::new(wall));
+        };
+        let found = |above| found(1.0, 0.0, above, wide, "leaf.translate.y");
+        assert_eq!([found(1e-4), found(1e-12)], [0, 2]);
     }
 
     /// Parallel rays see a face edge-on from everywhere, until one of both turns; a lens sees it
