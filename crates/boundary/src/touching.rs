@@ -1,11 +1,12 @@
-//! Edges of a shape that lie on a face of another one and move off it: there, an image has no
-//! derivative. To one side of the motion a gap opens, to the other the shapes cross.
+//! Edges of a shape that lie on a face of another one and move off it, or off its border within its
+//! plane: there, an image has no derivative. To one side of the motion a gap opens, to the other the
+//! shapes cross or overlap.
 
 use std::collections::BTreeSet;
 
 use capwalk_geometry::Halt;
 use capwalk_math::Vec3;
-use capwalk_scene::Tangent;
+use capwalk_scene::{ShapeId, Tangent};
 use rayon::prelude::*;
 
 use crate::accel::Accel;
@@ -16,11 +17,13 @@ use crate::boundaries::Boundaries;
 const PLACES: [f64; 3] = [0.2, 0.5, 0.8];
 /// How far around an edge, as a part of its length.
 const AROUND: f64 = 1e-5;
+/// Cosine of the angle between two directions that are one up to rounding.
+const ALONG: f64 = 1.0 - 1e-9;
 /// Part of the largest velocity by which something moves that is no rounding.
 const MOVES: f64 = 1e-6;
 
-/// Pairs of shapes, by their indices: an edge of the first lies on the second and moves off it; some
-/// of them if the work is given up.
+/// Pairs of shapes, by their indices: an edge of the first lies on the second and moves off it or, in
+/// one plane, off its border; some of them if the work is given up.
 pub fn touching(
     accel: &Accel,
     boundaries: &Boundaries,
@@ -60,7 +63,14 @@ fn left_by(
     for part in PLACES {
         let point = a + (b - a) * part;
         let reach = AROUND * (b - a).length();
-        for (face, _) in surfaces_at(accel, point, b - a, reach) {
+        let surfaces = surfaces_at(accel, point, b - a, reach);
+        let leaves = |shape: ShapeId| {
+            let of_shape = surfaces
+                .iter()
+                .filter(move |(face, _)| accel.shape_of_face[*face as usize] == shape);
+            of_shape.map(|&(_, direction)| direction)
+        };
+        for &(face, direction) in &surfaces {
             let other = accel.shape_of_face[face as usize];
             if other == own {
                 continue;
@@ -74,10 +84,14 @@ fn left_by(
             let above = ends[0] * (1.0 - part) + ends[1] * part;
             let speeds = corners.iter().chain(&ends).map(|v| v.length());
             let fastest = speeds.fold(0.0, f64::max);
+            let moves = |axis: Vec3| axis.dot(above - below).abs() > MOVES * fastest;
+            // Of two borders in one plane, one goes on where the other ends.
+            let goes_on = |shape| leaves(shape).any(|d| d.dot(direction) < -ALONG);
+            let is_border = goes_on(own) && !goes_on(other);
             if lies
                 .iter()
                 .all(|&height| height <= accel.horizon_distance())
-                && normal.dot(above - below).abs() > MOVES * fastest
+                && (moves(normal) || (is_border && moves(direction)))
             {
                 found.push([own, other].map(|shape| shape.0 as usize));
             }

@@ -127,8 +127,8 @@ pub fn touching_text(pairs: &[[String; 2]]) -> String {
         [] => String::new(),
         _ => format!(
             "note: an edge lies on another shape and moves off it ({names}): where that is seen the \
-             image has no derivative: to one side of the motion a gap opens, to the other they cross. \
-             Move them apart a little, or into each other\n"
+             image has no derivative: to one side of the motion a gap opens, to the other they cross or \
+             overlap. Move them apart a little, or into each other\n"
         ),
     }
 }

@@ -158,8 +158,9 @@ fn faces_seen_edge_on_are_named() {
     }
 }
 
-/// Where an edge comes off another shape an image has no derivative: a check names both. It has one
-/// where the edge slides there, or a part of it is above, or the whole a little.
+/// Where an edge comes off another shape, or off its border in its plane, an image has no derivative: a
+/// check names both. It has one where the edge slides there, or a part of it is above, or the whole a
+/// little.
 #[test]
 fn edges_that_come_off_are_named() {
     let capwalk = Capwalk::new("check_touching");
@@ -185,8 +186,22 @@ fn edges_that_come_off_are_named() {
             assert_eq!(pairs, serde_json::json!([["card", "floor"]]));
         }
     }
+    // On the border of the floor, and beside it.
+    let beside = |x: f64| card(0.0).replace("translate x=\"0.1\"", &format!("translate x=\"{x}\""));
+    capwalk.write("border.xml", &beside(1.3));
+    capwalk.write("beside.xml", &beside(1.301));
+    for parameter in ["card.translate.x", "floor.scale"] {
+        let (_, pairs) = check("border", parameter);
+        assert_eq!(
+            pairs.as_array().map_or(0, Vec::len),
+            2,
+            "{parameter}: {pairs}"
+        );
+    }
     for (scene, parameter) in [
         ("on", "card.translate.x"),
+        ("border", "card.translate.y"),
+        ("beside", "card.translate.x"),
         ("above", "card.translate.z"),
         ("inclined", "card.translate.z"),
     ] {
