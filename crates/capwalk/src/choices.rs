@@ -5,6 +5,9 @@ use std::sync::{Mutex, PoisonError};
 use capwalk_diff::{GradientOptions, KeptChoice, Method, PilotSize, WalkSettings, Wanted};
 use capwalk_scene::Scene;
 
+/// Most choices that are kept: more, the oldest is forgotten.
+const MOST_KEPT: usize = 256;
+
 /// What pilots chose, by what they were asked.
 #[derive(Debug, Default)]
 pub struct Choices {
@@ -46,6 +49,9 @@ impl Choices {
             return choice.clone();
         }
         let choice = KeptChoice::default();
+        if kept.len() == MOST_KEPT {
+            kept.remove(0);
+        }
         kept.push((question, choice.clone()));
         choice
     }

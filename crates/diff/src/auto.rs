@@ -20,7 +20,6 @@ pub use trial::Trial;
 use std::f64::consts::FRAC_1_SQRT_2;
 use std::sync::Arc;
 
-use capwalk_boundary::refuse::is_specular_somewhere;
 use capwalk_boundary::{Counts, Draw, Field, Gathers, Method, Sampler, pool};
 use capwalk_geometry::effort;
 use capwalk_math::{Moments, Vec3};
@@ -87,31 +86,9 @@ struct Trials {
 }
 
 impl Pilot<'_> {
-    /// The method to be used. `Walk` if nothing was tried because nothing needs a choice:
-    /// no curve in the image moves. Edges are gathered wherever they can be if that leaves fewer
-    /// specular events `uncovered`: directions that stay do not move what is seen in curved
-    /// mirrors and through glass.
-    pub fn choose(&self, uncovered: impl Fn(&GradientOptions) -> u64) -> Chosen {
-        let chosen = self.cheapest();
-        if self.options.method != Method::Auto || !is_specular_somewhere(self.prepared.scene()) {
-            return chosen;
-        }
-        let edges = GradientOptions {
-            method: Method::EDGES,
-            ..chosen.options
-        };
-        let missed = uncovered(&chosen.options);
-        match missed > 0 && uncovered(&edges) < missed {
-            true => Chosen {
-                options: edges,
-                ..chosen
-            },
-            false => chosen,
-        }
-    }
-
-    /// The method of the least variance × time.
-    fn cheapest(&self) -> Chosen {
+    /// The method of the least variance × time. `Walk` if nothing was tried because nothing needs a
+    /// choice: no curve in the image moves.
+    pub fn choose(&self) -> Chosen {
         let mut trials = Trials::default();
         let mut options = *self.options;
         (options.method, options.walk.max_radius) = self.best(&mut trials);

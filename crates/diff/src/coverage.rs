@@ -56,7 +56,8 @@ impl Coverage<'_> {
         }
         let method = covering_most(options.method);
         let is_spherical = method.traits().is_spherical;
-        let motion = fingerprint(&(self.wanted, is_spherical));
+        let alone = (!is_spherical).then(|| method.name());
+        let motion = fingerprint(&(self.wanted, alone));
         let probe = || match is_spherical {
             // Which segments walk is known to the probe.
             true => self.probe(Method::EDGES),

@@ -188,11 +188,12 @@ impl<'a> BackwardWork<'a> {
                 size: self.size,
                 watch,
             };
-            pilot.choose(|options| self.coverage().uncovered(options))
+            pilot.choose()
         };
         let refuse = || self.check(watch);
         let (known, kept) = (&self.chosen, &self.kept);
-        Chosen::of(&self.options, known, kept, watch, refuse, choose)
+        let coverage = self.coverage();
+        Chosen::of(&self.options, known, kept, watch, &coverage, refuse, choose)
     }
 
     /// What a part of the work gives: of its cells those that are finished when `watch` stops

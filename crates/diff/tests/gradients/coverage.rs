@@ -8,8 +8,8 @@ use crate::common::materials::*;
 use crate::common::stages::*;
 use crate::common::*;
 use capwalk_diff::{
-    AllowMissing, BackwardWork, GradientImage, GradientOptions, GradientWork, Method, Part,
-    PreparedScene, Refusal, RenderOptions, SpecularCause, Unwatched, Wanted,
+    AllowMissing, BackwardWork, GradientImage, GradientOptions, GradientWork, KeptChoice, Method,
+    Part, PreparedScene, Refusal, RenderOptions, SpecularCause, Unwatched, Wanted,
 };
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
@@ -190,10 +190,8 @@ fn small_things_are_found() {
     }
 }
 
-/// Where only the rays of walks move that show something in the ball, walks are refused, edges are
-/// not, and the method that chooses takes edges.
-#[test]
-fn only_walks_move_what_rests_in_a_mirror() {
+/// Only the rays of walks move that show something in the ball.
+fn cube_hidden_from_a_mirror_ball() -> Scene {
     let mut scene = cube_beside_a_mirror_ball();
     // A wall stands between the ball and the cube, and the camera sees both.
     let place = Affine::translate(v(0.2, 0.1, 0.5))
@@ -203,6 +201,13 @@ fn only_walks_move_what_rests_in_a_mirror() {
     add(&mut scene, "wall", mesh, normals, 0.5);
     scene.shapes.retain(|shape| shape.id != "floor");
     paths(&mut scene, 2);
+    scene
+}
+
+/// There, walks are refused, edges are not, and the method that chooses takes edges.
+#[test]
+fn only_walks_move_what_rests_in_a_mirror() {
+    let scene = cube_hidden_from_a_mirror_ball();
     for refusal in both_refuse(&scene, with_method(Method::Walk, 1, 0)) {
         assert_eq!(cause(&refusal), Some(SpecularCause::Walks), "{refusal:?}");
         let text = refusal.expect("just seen").to_string();
@@ -219,6 +224,39 @@ fn only_walks_move_what_rests_in_a_mirror() {
     let chosen = work.chosen(&Unwatched).expect("covered").options;
     let gathers = chosen.method.traits().gathers;
     assert!(gathers.camera, "{gathers:?}");
+}
+
+/// A method that was chosen for a scene in which walks show all is not taken over where they do not.
+#[test]
+fn a_kept_method_covers_what_moves_now() {
+    let scene = cube_hidden_from_a_mirror_ball();
+    let mut without_mirror = scene.clone();
+    make(&mut without_mirror, "ball", |n| Bsdf::Diffuse {
+        reflectance: n.colour("reflectance", [0.5; 3]),
+    });
+    let moves = tangent(&scene, "thing.translate.x");
+    let (adjoint, kept) = (ones(&scene), KeptChoice::default());
+    let chosen = |scene: &Scene, method| {
+        let (prepared, options) = (PreparedScene::new(scene.clone()), with_method(method, 1, 0));
+        let forward = GradientWork::new(&prepared, Cow::Borrowed(&moves), options);
+        let reverse = BackwardWork::new(&prepared, &adjoint, Wanted::by(&moves), options);
+        let found = [
+            forward.keeping(kept.clone()).chosen(&Unwatched),
+            reverse.keeping(kept.clone()).chosen(&Unwatched),
+        ];
+        found.map(|chosen| {
+            chosen
+                .expect("covered")
+                .options
+                .method
+                .traits()
+                .gathers
+                .camera
+        })
+    };
+    assert_eq!(chosen(&without_mirror, Method::FittedWalk), [false; 2]);
+    assert_eq!(chosen(&without_mirror, Method::Auto), [false; 2]);
+    assert_eq!(chosen(&scene, Method::Auto), [true; 2]);
 }
 
 /// What a refractive index turns is seen elsewhere: it moves, though no shape does. Colours turn
