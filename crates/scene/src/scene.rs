@@ -61,9 +61,10 @@ impl Scene {
     fn check_sizes(&self) -> Result<(), SceneError> {
         let nearest = self.nearest_hit();
         for shape in &self.shapes {
+            // A strip is as wide as its faces have area for their length.
             let (low, high) = shape.mesh.bounds();
-            let size = (high - low).length();
-            // Shapes without faces, or in one point, are not there.
+            let size = shape.mesh.area() / (high - low).length();
+            // Shapes without faces, or without area, are not there.
             if size > 0.0 && size < SMALLEST_SHAPE * nearest {
                 return Err(SceneError::TooSmall {
                     shape: shape.id.clone(),

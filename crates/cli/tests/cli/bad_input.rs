@@ -52,6 +52,21 @@ fn shapes_too_small_for_their_scene_are_refused() {
     );
     let finished = capwalk.run(&far(3e6));
     assert_eq!(finished.status, 0, "{}", finished.stderr);
+    // A strip is as narrow as it is.
+    let scene = |width: f64| {
+        let place = format!(r#"<transform name="to_world"><scale y="{width}"/></transform>"#);
+        format!(
+            r#"<scene version="3.0.0"><integrator type="path"/><sensor type="perspective"/>
+<shape type="rectangle" id="strip">{place}</shape></scene>"#
+        )
+    };
+    capwalk.write("narrow.xml", &scene(1e-9));
+    capwalk.write("wider.xml", &scene(1e-6));
+    let render = |name: &str| format!("render {name}.xml --spp 1 --size 8x6 -o b.npz");
+    let message = capwalk.error(&render("narrow"));
+    assert_has(&message, &["\"strip\" is only", "narrow.xml:2:1"]);
+    let finished = capwalk.run(&render("wider"));
+    assert_eq!(finished.status, 0, "{}", finished.stderr);
 }
 
 /// A step that rounding swallows is no reference.

@@ -61,6 +61,7 @@ impl Places {
         };
         let span = match &error {
             SceneError::Mesh { shape, .. }
+            | SceneError::TooSmall { shape, .. }
             | SceneError::DuplicateId { id: shape }
             | SceneError::NoTextureCoordinates { shape, .. }
             | SceneError::NoDirections { shape, .. }
