@@ -17,9 +17,12 @@ pub(crate) const BESIDE: f64 = 1e-10;
 /// [`Accel::horizon_distance`], where paths go on: rays from surfaces, and behind those that let them
 /// through, miss what is nearer than one unit.
 const APART: f64 = 2.0;
-/// The largest angle that is taken for that, radians: far less than a pixel. A wedge for which it is not
-/// enough is looked at as if its surfaces did not meet, which is wrong where paths go on inside of it.
-const WIDEST: f64 = 1e-5;
+/// The largest angle that is taken for that, radians, which changes the boundary term by a fraction of
+/// this size. A wedge for which it is not enough, narrower than 0.1° in a scene 10⁵ times as wide as the
+/// edge is far, is looked at as if its surfaces did not meet.
+const WIDEST: f64 = 1e-2;
+/// How far around a point of an edge surfaces are looked for that meet there, radians.
+const AROUND: f64 = 1e-5;
 /// Sine of the angle between two surfaces below which they count as one.
 const ALIKE: f64 = 1e-7;
 
@@ -40,7 +43,7 @@ pub(crate) fn beside_for_paths(
     [q, normal]: [Vec3; 2],
 ) -> [Vec3; 2] {
     let least = APART * accel.horizon_distance();
-    let surfaces = surfaces_at(accel, a + (b - a) * part, b - a, distance * WIDEST);
+    let surfaces = surfaces_at(accel, a + (b - a) * part, b - a, distance * AROUND);
     let wedge_sine = narrowest(&surfaces);
     let [alone, in_wedge] = [1.0, wedge_sine].map(|sine| (least / distance / sine).max(BESIDE));
     let angle = match in_wedge <= WIDEST {

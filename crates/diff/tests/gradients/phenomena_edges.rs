@@ -315,7 +315,7 @@ fn mask_on_floor(name: &str, place: Affine, parameter: &str, step: f64) {
     let radiance = scene.add_texture(Texture::colour("sky.radiance", Rgb::splat(1.0)));
     let id = "sky".into();
     scene.emitters.push(Emitter::Constant { id, radiance });
-    let (floor, normals) = rectangle(Affine::scale(v(300.0, 300.0, 1.0)));
+    let (floor, normals) = rectangle(Affine::scale(v(1e6, 1e6, 1.0)));
     add(&mut scene, "floor", floor, normals, 0.5);
     let turn = Affine::rotate(v(1.0, 0.3, 0.0), 0.2);
     let (leaf, normals) = rectangle(turn * place * Affine::scale(v(0.5, 0.5, 1.0)));
