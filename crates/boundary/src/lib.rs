@@ -67,7 +67,7 @@ pub use method::{Gathers, Method, MethodTraits};
 #[cfg(feature = "paper")]
 pub use method::{WasBoundary, WasSettings};
 pub use mirror::{MAX_EVENTS, Mirrors};
-pub use mirror_image::{MirrorImage, moving_image};
+pub use mirror_image::{DrawnImage, MirrorImage, moving_apex, moving_image};
 pub use mirror_planes::MirrorPlanes;
 pub use motion::Motion;
 pub use random::{Sampler, Stream, Streams};

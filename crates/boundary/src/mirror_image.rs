@@ -16,6 +16,9 @@ use crate::mirror::{MAX_EVENTS, Mirror, Mirrors};
 use crate::mirror_planes::Plane;
 use crate::motion::Motion;
 
+/// Probability with which an image by one mirror more is drawn.
+const GOES_ON: f64 = 0.5;
+
 /// The most images of which edges are gathered in a pixel.
 const MOST_IMAGES: usize = 64;
 
@@ -57,6 +60,22 @@ impl MirrorImage {
         })
     }
 
+    /// The image of a direction in the scene: in which the viewpoint sees what the apex sees there.
+    pub fn direction(&self, in_scene: Vec3) -> Vec3 {
+        let planes = self.chain.iter().rev();
+        planes.fold(in_scene, |direction, (_, plane)| {
+            plane.mirror.direction(direction)
+        })
+    }
+
+    /// One face of each mirror, the nearest one first.
+    pub fn mirrors(&self) -> Mirrors {
+        let mut mirrors = Mirrors::default();
+        let faces = self.chain.iter().map(|(_, plane)| plane.face);
+        faces.for_each(|face| mirrors.push(face));
+        mirrors
+    }
+
     /// How the image moves of which this is a point, given how what it is the image of moves, and
     /// the vertices and [`MirrorPlanes::spreads`](crate::MirrorPlanes::spreads) of mirrors.
     pub fn motion(
@@ -67,10 +86,7 @@ impl MirrorImage {
         vertex: impl Fn(u32) -> Motion,
         spreads: &[f64],
     ) -> Motion {
-        let mut mirrors = Mirrors::default();
-        self.chain
-            .iter()
-            .for_each(|(_, plane)| mirrors.push(plane.face));
+        let mirrors = self.mirrors();
         let planes = self.chain.iter();
         let point = planes.fold(point, |point, (_, plane)| plane.mirror.point(point));
         let corner = |i| vertex(i).velocity;
@@ -145,9 +161,20 @@ impl Accel {
             return is_seen.then(Mirrors::default);
         }
         let camera = self.camera_ray(viewpoint, direction);
+        self.mirrors_along(image, camera, distance, events)
+    }
+
+    /// The same for a ray from a viewpoint.
+    pub fn mirrors_along(
+        &self,
+        image: &MirrorImage,
+        ray: Ray,
+        distance: f64,
+        events: u32,
+    ) -> Option<Mirrors> {
         let mut mirrors = Mirrors::default();
         let mut chain = image.chain.iter();
-        let (mut ray, mut left) = (camera, distance);
+        let (mut ray, mut left) = (ray, distance);
         for _ in 0..=events.min(MAX_EVENTS) {
             // What is reached without an event must be between the clip planes, as all that is
             // seen first.
@@ -179,6 +206,88 @@ impl Accel {
             ray = self.surface_ray(ray.at(hit.t), direction);
         }
         None
+    }
+}
+
+/// An image of the scene that was drawn at random.
+#[derive(Clone, Debug)]
+pub struct DrawnImage {
+    /// The image.
+    pub image: MirrorImage,
+    /// Its probability.
+    pub probability: f64,
+}
+
+impl Accel {
+    /// Draws one of the images of the scene by one to `events` flat mirrors that may be seen from a
+    /// viewpoint, by a random number `u` in `[0, 1)`: at each step a plane by how large its mirrors
+    /// look, roughly, and then no further one with a probability of a half. What
+    /// is below the horizon of this normal is not seen. `None` if there is none.
+    pub fn draw_image(
+        &self,
+        viewpoint: Vec3,
+        horizon: Option<Vec3>,
+        events: u32,
+        mut u: f64,
+    ) -> Option<DrawnImage> {
+        let planes = &self.mirror_planes()?.planes;
+        let mut drawn = DrawnImage {
+            image: MirrorImage::direct(viewpoint),
+            probability: 1.0,
+        };
+        let mut before = horizon.map(|normal| HalfSpace {
+            point: viewpoint,
+            normal,
+        });
+        for event in 0..events {
+            let (apex, last) = (
+                drawn.image.apex,
+                drawn.image.chain.last().map(|&(last, _)| last),
+            );
+            let size = |(number, plane): (u32, &Plane)| {
+                let is_behind = |half: HalfSpace| plane.is_outside(half.point, half.normal);
+                let is_out = last == Some(number)
+                    || plane.mirror.height(apex) == 0.0
+                    || before.is_some_and(is_behind);
+                if is_out { 0.0 } else { plane.size_from(apex) }
+            };
+            let sizes = || (0..).zip(planes).map(size);
+            let sum: f64 = sizes().sum();
+            // The first step is sure, if there is a mirror.
+            if event > 0 {
+                let goes_on = sum > 0.0 && u < GOES_ON;
+                drawn.probability *= match (sum > 0.0, goes_on) {
+                    (false, _) => 1.0,
+                    (true, true) => GOES_ON,
+                    (true, false) => 1.0 - GOES_ON,
+                };
+                if !goes_on {
+                    break;
+                }
+                u /= GOES_ON;
+            } else if sum == 0.0 {
+                return None;
+            }
+            // The random number, rescaled within what was chosen, is uniform again.
+            let (mut target, mut chosen) = (u * sum, None);
+            for (number, size) in (0..).zip(sizes()) {
+                if size > 0.0 {
+                    chosen = Some((number, size));
+                    if target < size {
+                        break;
+                    }
+                    target -= size;
+                }
+            }
+            let (number, size) = chosen?;
+            u = (target / size).clamp(0.0, 1.0 - f64::EPSILON);
+            drawn.probability *= size / sum;
+            let plane = planes[number as usize];
+            drawn.image.apex = plane.mirror.point(apex);
+            drawn.image.chain.push((number, plane));
+            before = drawn.image.in_front_of();
+        }
+        Some(drawn)
     }
 }
 
@@ -223,6 +332,25 @@ fn add_images(
         chain.pop();
     }
     Some(())
+}
+
+/// Where mirrors that may move make a viewpoint appear, and in which direction it then looks.
+pub fn moving_apex<R: Real>(
+    mesh: &Mesh,
+    mirrors: &Mirrors,
+    [point, direction]: [Vec3<R>; 2],
+    vertex: impl Fn(u32) -> Vec3<R>,
+) -> [Vec3<R>; 2] {
+    let faces = mirrors.faces().iter();
+    faces.fold([point, direction], |[point, direction], &face| {
+        let [a, b, c] = mesh.faces[face as usize].map(&vertex);
+        let normal = (b - a).cross(c - a).normalized();
+        let twice = |height: R| normal * (height * R::constant(2.0));
+        [
+            point - twice(normal.dot(point - a)),
+            direction - twice(normal.dot(direction)),
+        ]
+    })
 }
 
 /// The image of a point in mirrors that may move with it.

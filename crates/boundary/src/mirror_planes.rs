@@ -50,6 +50,15 @@ impl Plane {
     }
 }
 
+impl Plane {
+    /// How large its mirrors look from a point, roughly: at most 1, above 0.
+    pub(crate) fn size_from(&self, point: Vec3) -> f64 {
+        let [low, high] = self.bounds;
+        let squared = 0.25 * (high - low).length_squared();
+        squared / (squared + ((low + high) * 0.5 - point).length_squared())
+    }
+}
+
 impl MirrorPlanes {
     /// How many there are.
     pub fn count(&self) -> usize {

@@ -97,7 +97,11 @@ impl DeviceScene<'_> {
         let scene = self.prepared.scene();
         let none = self.prepared.boundaries_if(false);
         let accel = self.prepared.accel();
-        let field = Field::new(accel, boundaries.unwrap_or(none), by_edges(&options.method));
+        let field = Field::new(
+            accel,
+            boundaries.unwrap_or(none),
+            by_edges(&options.method, accel),
+        );
         let eval = Forward::new(field, tangent);
         let eval = match options.blind {
             true => eval.blind(),

@@ -99,7 +99,7 @@ impl DeviceScene<'_> {
     ) -> Result<Backward, DeviceError> {
         let accel = self.prepared.accel();
         let none = self.prepared.boundaries_if(false);
-        let method = by_edges(&options.method);
+        let method = by_edges(&options.method, accel);
         let field = Field::new(accel, boundaries.unwrap_or(none), method);
         let facts = Arc::new(MotionFacts::of(&accel.scene));
         let tracer = Tracer::moving(self.prepared, field, options.walk, &facts);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use capwalk_boundary::{Field, MAX_EVENTS, may_be_specular};
+use capwalk_boundary::{Accel, Field, MAX_EVENTS, may_be_specular};
 use capwalk_diff::{Gathers, GradientOptions, Method, Wanted};
 use capwalk_render::{MotionFacts, Plan, PreparedScene, RenderOptions, Tracer};
 use capwalk_scene::{
@@ -58,12 +58,16 @@ pub fn unsupported_derivative(
 }
 
 /// The method by which the device takes boundary terms: by edges, wherever that can be done and no other
-/// one is asked for.
-pub fn by_edges(method: &Method) -> Method {
-    match method {
-        Method::Edges(_) => *method,
-        _ => Method::EDGES,
-    }
+/// one is asked for. Of edges that surfaces see in mirrors it has none, and walks there.
+pub fn by_edges(method: &Method, accel: &Accel) -> Method {
+    let gathers = match method {
+        Method::Edges(gathers) => *gathers,
+        _ => Gathers::ALL,
+    };
+    Method::Edges(Gathers {
+        indirect: gathers.indirect && !accel.has_flat_events(),
+        ..gathers
+    })
 }
 
 /// The first thing that moves.
@@ -140,7 +144,7 @@ fn in_motion(
         let field = Field::new(
             accel,
             prepared.boundaries_if(false),
-            by_edges(&options.method),
+            by_edges(&options.method, accel),
         );
         let facts = Arc::new(MotionFacts::of(scene));
         let tracer = Tracer::moving(prepared, field, options.walk, &facts);

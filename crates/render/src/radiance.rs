@@ -377,6 +377,7 @@ impl Tracer<'_> {
                 viewpoint: &viewpoint,
                 vertex: &primal,
                 turning: None,
+                in_mirrors: None,
             };
             if gathers.emitters {
                 light += self.emitters_edge_term(&at, draw, depth);

@@ -5,7 +5,8 @@
 use std::borrow::Cow;
 
 use capwalk_boundary::{
-    Boundaries, EdgePoint, Field, Motion, SilhouettePieces, Viewpoint, clip, place,
+    Boundaries, EdgePoint, Field, MirrorImage, Motion, SilhouettePieces, Viewpoint, clip,
+    moving_apex, place,
 };
 use capwalk_geometry::add_effort;
 use capwalk_math::{Real, Rgb, Vec3};
@@ -46,6 +47,21 @@ pub struct ShadingPoint<'a, R, W> {
     /// The primal point.
     pub vertex: &'a Vertex<f64>,
     /// The normal with which sampled directions turn, if they do not stay.
+    pub turning: Option<Vec3<R>>,
+    /// If edges count as flat mirrors show them: then all of this is where mirrors make it appear.
+    pub in_mirrors: Option<InMirrors<'a, R>>,
+}
+
+/// A shading point that looks into flat mirrors.
+#[derive(Clone, Copy, Debug)]
+pub struct InMirrors<'a, R> {
+    /// What they show.
+    pub image: &'a MirrorImage,
+    /// The most specular events on the way.
+    pub events: u32,
+    /// Where the point is.
+    pub position: Vec3<R>,
+    /// The normal with which directions from there turn, if they do not stay.
     pub turning: Option<Vec3<R>>,
 }
 
@@ -95,6 +111,38 @@ impl<R: Real, W: SceneEval<R>> ShadingPoint<'_, R, W> {
             rotation: n.cross(change.velocity),
             guessed: change.spread.max(may_turn),
         }
+    }
+
+    /// `(u_edge - u)·n` over the density of a point of an edge ([`EdgePoint::flow`]); `None` where it
+    /// is not seen in the mirrors that count.
+    pub fn flow(&self, point: &EdgePoint) -> Option<R> {
+        let Field {
+            accel, boundaries, ..
+        } = self.field;
+        let ends = point.ends().map(|i| self.eval.boundary_point(i));
+        let Some(seen) = &self.in_mirrors else {
+            let warped = Warped::turning(point.direction, self.turning).direction;
+            return Some(point.flow(ends, self.viewpoint.position, warped));
+        };
+        // What lies in a mirror is its own image, and from the horizon comes no light.
+        let places = point.ends().map(|i| boundaries.position(i));
+        let (position, normal) = (self.vertex.position, self.vertex.face_normal);
+        if seen.image.is_in_mirror(places, accel.horizon_distance())
+            || self.field.in_horizon(position, point.ends(), normal)
+        {
+            return None;
+        }
+        let direction = seen.image.direction(point.direction);
+        let ray = accel.surface_ray(seen.position.value(), direction);
+        let mirrors = accel.mirrors_along(seen.image, ray, point.distance, seen.events)?;
+        // The direction that stays, or turns, is reflected by mirrors that may move.
+        let ray = [
+            seen.position,
+            Warped::turning(direction, seen.turning).direction,
+        ];
+        let vertex = |i| self.eval.vertex(i);
+        let [apex, warped] = moving_apex(&accel.mesh, &mirrors, ray, vertex);
+        Some(point.flow(ends, apex, warped))
     }
 
     /// True if an edge certainly rests, seen in directions that rest.
@@ -259,9 +307,9 @@ impl SampledEdges {
                 continue;
             };
             // Evaluate (u_edge - u)·n over the density.
-            let warped = Warped::turning(point.direction, at.turning).direction;
-            let ends = point.ends().map(|i| at.eval.boundary_point(i));
-            let flow = point.flow(ends, at.viewpoint.position, warped);
+            let Some(flow) = at.flow(&point) else {
+                continue;
+            };
             // Trace rays only where something moves. A shading point on the edge itself
             // gives a NaN, which is not constant and is counted with the sample.
             if !flow.is_constant() {

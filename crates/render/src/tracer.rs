@@ -24,6 +24,14 @@ pub const EDGE_NUMBERS: u32 = 1 << 30;
 pub const ENVIRONMENT_EDGE_NUMBERS: u32 = 1 << 31;
 /// The same of edges before other surfaces.
 pub const INDIRECT_EDGE_NUMBERS: u32 = 3 << 30;
+/// The same of those that mirrors show.
+pub const IMAGE_EDGE_NUMBERS: u32 = 7 << 29;
+/// Which mirrors these are: a number for each vertex.
+pub const IMAGE_NUMBERS: u32 = 15 << 28;
+
+/// The most planes of mirrors behind which edges before other surfaces are gathered: at each vertex
+/// those of one are sampled.
+const MOST_SAMPLED_PLANES: usize = 16;
 
 /// How directions are warped.
 #[derive(Clone, Copy, Debug)]
@@ -160,14 +168,17 @@ impl<'a> Tracer<'a> {
 
     /// The segments along which edges could be gathered in this scene.
     pub fn can_gather(&self) -> Gathers {
+        let has_few_mirrors = || {
+            let planes = self.accel.mirror_planes();
+            planes.is_some_and(|planes| planes.count() <= MOST_SAMPLED_PLANES)
+        };
         Gathers {
             // With perspective rays, and no more flat mirrors than images can be made by.
             camera: !self.accel.view.is_parallel()
                 && (self.events_behind(0) == 0 || self.accel.mirror_planes().is_some()),
             emitters: self.plan.lights_surfaces() && self.has_area_emitters(),
             environment: self.plan.lights_surfaces() && self.has_environment(),
-            // With no boundary seen through specular surfaces.
-            indirect: self.plan.reaches(3) && self.events_behind(1) == 0,
+            indirect: self.plan.reaches(3) && (self.events_behind(1) == 0 || has_few_mirrors()),
             points: Gathers::POINTS,
         }
     }
@@ -362,18 +373,19 @@ mod tests {
 
     use super::*;
 
-    /// Edges seen in flat mirrors behind a surface are in no list: there it walks, but not before
+    /// Edges that surfaces see in many flat mirrors are not sampled: there it walks, but not before
     /// the camera.
     #[test]
-    fn light_by_way_of_mirrors_is_walked() {
-        for (has_mirror, max_depth) in [(false, 4), (true, 4), (true, 2)] {
+    fn light_by_way_of_many_mirrors_is_walked() {
+        let many = 1 + MOST_SAMPLED_PLANES;
+        for (mirrors, max_depth) in [(0, 4), (1, 4), (many, 4), (many, 2)] {
             let mut scene = builtin::scene("leaf").expect("built in");
             scene.settings.integrator = Integrator::Path {
                 max_depth: Some(max_depth),
                 rr_depth: 5,
                 hide_emitters: false,
             };
-            if has_mirror {
+            if mirrors > 0 {
                 let colour = |id: &str, grey: f64| Texture::colour(id, Rgb::splat(grey));
                 let k = scene.add_texture(colour("k", 1.0));
                 let eta = scene.add_texture(colour("eta", 0.0));
@@ -387,13 +399,16 @@ mod tests {
                     bsdf: Bsdf::Conductor(metal),
                 });
                 let id = BsdfId(scene.materials.len() as u32 - 1);
-                let (mesh, normals) = rectangle(Affine::translate(Vec3::new(0.0, 0.0, -3.0)));
-                scene.add_shape(Shape::new("mirror", mesh, normals, id));
+                for i in 0..mirrors {
+                    let place = Affine::translate(Vec3::new(0.0, 0.0, -3.0 - i as f64));
+                    let (mesh, normals) = rectangle(place);
+                    scene.add_shape(Shape::new(format!("mirror{i}"), mesh, normals, id));
+                }
             }
             let prepared = PreparedScene::new(scene);
             let field = Field::new(prepared.accel(), prepared.boundaries(), Method::EDGES);
             let tracer = Tracer::moving(&prepared, field, NO_WALK, &Arc::default());
-            let expected = !has_mirror && max_depth > 2;
+            let expected = mirrors < many && max_depth > 2;
             assert_eq!(tracer.gathers.indirect, expected);
             assert!(tracer.gathers.camera);
         }

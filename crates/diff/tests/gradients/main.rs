@@ -17,6 +17,7 @@ mod parts;
 mod phenomena_aovs;
 mod phenomena_edges;
 mod phenomena_emitters;
+mod phenomena_images;
 mod phenomena_indirect;
 mod phenomena_maps;
 mod phenomena_materials;

@@ -1,0 +1,124 @@
+//! Gradients against finite differences: edges as surfaces see them in flat mirrors and through
+//! panes. What is demanded of each case is said in `phenomena_shadows.rs`.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use crate::common::agree::*;
+use crate::common::materials::*;
+use crate::common::stages::*;
+use crate::common::*;
+use capwalk_diff::Method;
+use capwalk_geometry::Mesh;
+use capwalk_math::{Affine, Vec3};
+use capwalk_scene::primitive::{cube, rectangle};
+use capwalk_scene::*;
+
+/// A floor that the camera looks at, lit by nothing but what a ceiling sends back of a lamp that
+/// shines at it; a block is over the lamp. Paths of at most this many segments.
+fn lit_by_a_ceiling(segments: u32) -> Scene {
+    let mut scene = empty(v(0.3, -0.4, 6.0), v(0.0, 0.0, 0.0), 22.0, 24);
+    scene.sensor.near_clip = 5.6;
+    scene.settings.integrator = Integrator::Path {
+        max_depth: Some(segments),
+        rr_depth: 100,
+        hide_emitters: false,
+    };
+    add_floor(&mut scene, 3.0);
+    let turned = Affine::rotate(v(1.0, 0.0, 0.0), PI);
+    let ceiling = Affine::translate(v(0.3, 0.0, 2.0)) * turned * Affine::scale(v(2.0, 1.5, 1.0));
+    add(
+        &mut scene,
+        "ceiling",
+        rectangle(ceiling).0,
+        ShadingNormals::Face,
+        0.8,
+    );
+    // It emits upwards only.
+    let up = Affine::translate(v(1.5, 0.0, 1.2)) * Affine::scale(v(0.9, 0.9, 1.0));
+    add(
+        &mut scene,
+        "lamp",
+        rectangle(up).0,
+        ShadingNormals::Face,
+        0.0,
+    );
+    light_up(&mut scene, 10.0);
+    add(
+        &mut scene,
+        "block",
+        block(v(1.45, 0.1, 1.6)),
+        ShadingNormals::Face,
+        0.3,
+    );
+    scene
+}
+
+fn block(place: Vec3) -> Mesh {
+    let turned = Affine::rotate(v(0.3, 0.2, 1.0), 0.5);
+    cube(Affine::translate(place) * turned * Affine::scale(v(0.4, 0.35, 0.1))).0
+}
+
+fn agrees(name: &str, scene: Scene, expression: &str, spp: u32) {
+    let tangent = tangent(&scene, expression);
+    let case = Case {
+        step: 4e-2,
+        size: 14,
+        reference_spp: 4 * spp,
+        min_pixels: 150,
+        patience: 6.0,
+        ..Case::default()
+    };
+    agree_by(&[(Method::EDGES, spp)], name, scene, &tangent, case);
+}
+
+/// The ceiling is a mirror that turns, and shows the floor the block and the lamp, which move.
+#[test]
+fn block_and_lamp_in_a_mirror() {
+    let mut scene = lit_by_a_ceiling(3);
+    make(&mut scene, "ceiling", |n| Bsdf::Conductor(n.mirror()));
+    let expression =
+        "block.translate.x + 0.5*lamp.translate.y - 0.4*ceiling.rotate.y + 0.3*floor.rotate.x";
+    agrees("in a mirror", scene, expression, 1500);
+}
+
+/// The same by way of two mirrors, one after the other.
+#[test]
+fn block_in_two_mirrors() {
+    let mut scene = lit_by_a_ceiling(4);
+    make(&mut scene, "ceiling", |n| Bsdf::Conductor(n.mirror()));
+    let upright = Affine::rotate(v(0.0, 1.0, 0.0), FRAC_PI_2);
+    let wall = Affine::translate(v(-1.5, 0.0, 0.9)) * upright * Affine::scale(v(0.8, 1.5, 1.0));
+    add(
+        &mut scene,
+        "wall",
+        rectangle(wall).0,
+        ShadingNormals::Face,
+        0.8,
+    );
+    make(&mut scene, "wall", |n| Bsdf::Conductor(n.mirror()));
+    let expression = "block.translate.x + 0.5*wall.rotate.y";
+    agrees("in two mirrors", scene, expression, 2500);
+}
+
+/// The ceiling is white, and the floor sees it and the block before it through a pane.
+#[test]
+fn block_behind_a_pane() {
+    let mut scene = lit_by_a_ceiling(4);
+    scene
+        .shapes_mut()
+        .filter(|shape| shape.id == "block")
+        .for_each(|shape| {
+            shape.mesh = block(v(-0.3, 0.1, 1.0));
+        });
+    let pane = Affine::translate(v(0.1, 0.0, 0.8)) * Affine::scale(v(1.3, 1.3, 1.0));
+    add(
+        &mut scene,
+        "pane",
+        rectangle(pane).0,
+        ShadingNormals::Face,
+        0.8,
+    );
+    make(&mut scene, "pane", |n| Bsdf::ThinDielectric(n.glass()));
+    let expression = "block.translate.x + 0.5*block.rotate.z + 0.3*pane.translate.x";
+    agrees("behind a pane", scene, expression, 800);
+}
