@@ -87,6 +87,7 @@ fn hint(error: &Error) -> Option<&'static str> {
         Error::Folder(
             FolderError::InputInTheWay(_)
             | FolderError::ResultInTheWay { .. }
+            | FolderError::LinkInTheWay { .. }
             | FolderError::DamagedCheckpoint(_)
             | FolderError::OtherJob { .. },
         ) => Some("; -o chooses another folder"),
