@@ -21,6 +21,15 @@ pub enum Refusal {
         /// Bytes that are free.
         free: u64,
     },
+    /// There is no memory for the sums of a gradient.
+    GradientMemory {
+        /// Numbers that the gradient is with respect to.
+        numbers: u64,
+        /// Bytes that all sums take, about.
+        needed: u64,
+        /// Bytes that are free.
+        free: u64,
+    },
     /// A walk of no steps: its field is not continuous.
     NoSteps,
     /// The largest angle of a walk, radians, is not in (0, π].
@@ -213,6 +222,21 @@ impl Refusal {
                     mib(*free)
                 ),
                 instead("Leave shapes out, or take meshes of fewer triangles"),
+            ),
+            Self::GradientMemory {
+                numbers,
+                needed,
+                free,
+            } => (
+                format!(
+                    "a gradient with respect to {numbers} numbers needs about {} MiB of memory, and \
+                     {} MiB are free",
+                    mib(*needed),
+                    mib(*free)
+                ),
+                instead(
+                    "Ask for fewer arrays at a time, take smaller textures, or use fewer threads",
+                ),
             ),
             Self::NoSteps => (
                 "a walk of 0 steps gives a discontinuous velocity field, and with it a wrong \

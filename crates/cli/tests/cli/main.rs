@@ -13,6 +13,8 @@ mod device;
 mod help;
 mod hostile;
 mod images;
+#[cfg(target_os = "linux")]
+mod memory;
 mod methods;
 mod missing;
 mod one_sided;

@@ -360,8 +360,12 @@ fn layers_of(channels: &[(String, usize)]) -> Vec<(String, [usize; 3])> {
     layers
 }
 
-/// The layer that is an image by itself, of the bytes of a file.
-pub(crate) fn decode_value(bytes: &[u8], most_pixels: u64) -> Result<Image, String> {
+/// The layer that is an image by itself, of the bytes of a file, if its size is not refused.
+pub(crate) fn decode_value(
+    bytes: &[u8],
+    most_pixels: u64,
+    refuse: impl FnOnce([usize; 2]) -> Result<(), String>,
+) -> Result<Image, String> {
     let mut file = ExrFile::open(std::io::Cursor::new(bytes))?;
     let layer = file.names().position(|name| name == VALUE);
     let layer = layer.ok_or("it has no channels R, G, B or Y")?;
@@ -371,5 +375,6 @@ pub(crate) fn decode_value(bytes: &[u8], most_pixels: u64) -> Result<Image, Stri
             "it has {width} x {height} pixels; expected at most {most_pixels} in all"
         ));
     }
+    refuse([width, height])?;
     file.image(layer)
 }
