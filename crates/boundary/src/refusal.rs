@@ -4,6 +4,7 @@ use std::fmt;
 
 use capwalk_geometry::Halted;
 use capwalk_scene::memory::mib;
+use capwalk_scene::shown;
 
 /// Why a derivative is refused. Its text says what was found where, and what to do
 /// instead.
@@ -246,7 +247,8 @@ impl Refusal {
             ),
             Self::MaxAngle(angle) => (
                 format!(
-                    "the largest angle of a walk is {angle}; expected radians above 0 and at most π"
+                    "the largest angle of a walk is {}; expected radians above 0 and at most π",
+                    shown(*angle)
                 ),
                 None,
             ),
@@ -417,8 +419,9 @@ impl Refusal {
             ),
             Self::InvalidStep { step, reason } => (
                 format!(
-                    "a finite difference over {step} leaves the valid scenes on both sides, for \
-                     example: {reason}"
+                    "a finite difference over {} leaves the valid scenes on both sides, for \
+                     example: {reason}",
+                    shown(*step)
                 ),
                 instead(
                     "Choose a smaller step; or, if something is at each end of what it may be, \

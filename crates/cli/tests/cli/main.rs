@@ -13,6 +13,7 @@ mod device;
 mod help;
 mod hostile;
 mod images;
+mod long_input;
 #[cfg(target_os = "linux")]
 mod memory;
 mod methods;
