@@ -132,7 +132,8 @@ fn refuse_losses(path: &Path, read: &FilesRead) -> Result<(), FolderError> {
 /// checkpoint: some of the first line of a table.
 fn is_begun_table(path: &Path) -> bool {
     let Ok(table) = read_file(path) else {
-        return path.symlink_metadata().is_err();
+        // One of no bytes is nobody's, and cannot be read.
+        return fs::metadata(path).map_or(true, |file| file.len() == 0);
     };
     let first = "iteration,".as_bytes();
     let line = table.strip_suffix(b"\n").unwrap_or(&table);
