@@ -4,6 +4,7 @@ use std::fmt;
 
 use capwalk_geometry::Halted;
 use capwalk_scene::memory::mib;
+use capwalk_scene::shown;
 
 /// Why a derivative is refused. Its text says what was found where, and what to do
 /// instead.
@@ -17,6 +18,15 @@ pub enum Refusal {
         /// Triangles of the scene.
         triangles: u64,
         /// Bytes that their boundaries take, about.
+        needed: u64,
+        /// Bytes that are free.
+        free: u64,
+    },
+    /// There is no memory for the sums of a gradient.
+    GradientMemory {
+        /// Numbers that the gradient is with respect to.
+        numbers: u64,
+        /// Bytes that all sums take, about.
         needed: u64,
         /// Bytes that are free.
         free: u64,
@@ -214,6 +224,21 @@ impl Refusal {
                 ),
                 instead("Leave shapes out, or take meshes of fewer triangles"),
             ),
+            Self::GradientMemory {
+                numbers,
+                needed,
+                free,
+            } => (
+                format!(
+                    "a gradient with respect to {numbers} numbers needs about {} MiB of memory, and \
+                     {} MiB are free",
+                    mib(*needed),
+                    mib(*free)
+                ),
+                instead(
+                    "Ask for fewer arrays at a time, take smaller textures, or use fewer threads",
+                ),
+            ),
             Self::NoSteps => (
                 "a walk of 0 steps gives a discontinuous velocity field, and with it a wrong \
                  derivative"
@@ -222,7 +247,8 @@ impl Refusal {
             ),
             Self::MaxAngle(angle) => (
                 format!(
-                    "the largest angle of a walk is {angle}; expected radians above 0 and at most π"
+                    "the largest angle of a walk is {}; expected radians above 0 and at most π",
+                    shown(*angle)
                 ),
                 None,
             ),
@@ -393,8 +419,9 @@ impl Refusal {
             ),
             Self::InvalidStep { step, reason } => (
                 format!(
-                    "a finite difference over {step} leaves the valid scenes on both sides, for \
-                     example: {reason}"
+                    "a finite difference over {} leaves the valid scenes on both sides, for \
+                     example: {reason}",
+                    shown(*step)
                 ),
                 instead(
                     "Choose a smaller step; or, if something is at each end of what it may be, \

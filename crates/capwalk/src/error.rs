@@ -168,6 +168,19 @@ pub enum Error {
         /// Those of the scene's film.
         expected: [usize; 2],
     },
+    /// The image of a target would be black where it should be bright.
+    #[error(
+        "{non_finite} of {samples} samples of the target of view {view} were infinite or NaN, and \
+         would count as zero. Set smaller numbers in the target's scene"
+    )]
+    NonFiniteTarget {
+        /// Which view, counted from 1.
+        view: usize,
+        /// So many samples.
+        non_finite: u64,
+        /// Of so many.
+        samples: u64,
+    },
     /// The work was stopped before there was anything to return.
     #[error("stopped before {before}")]
     Stopped {

@@ -44,6 +44,14 @@ pub enum FolderError {
         /// What is there.
         file: PathBuf,
     },
+    /// A file that the run adds to is a link, which may lead to anything.
+    #[error(
+        "{} is a link; expected a file of the run's own, or none. Remove the link", file.display()
+    )]
+    LinkInTheWay {
+        /// The link.
+        file: PathBuf,
+    },
     /// A file of the run cannot be read.
     #[error("cannot read {}", file.display())]
     Unreadable {

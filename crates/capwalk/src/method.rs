@@ -4,6 +4,7 @@
 use capwalk_diff::{AllowMissing, Estimator, GradientOptions, Method, WalkSettings};
 #[cfg(feature = "paper")]
 use capwalk_diff::{WasBoundary, WasSettings};
+use capwalk_scene::shown;
 
 /// A method and its options, as they were asked for. `None` is the default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -198,15 +199,16 @@ pub enum OptionError {
     AdaptiveBackward,
     /// No distance is right for the differences of this scene.
     #[error(
-        "no step of finite differences fits the parameter (it would be {step} of its units): nothing \
-         moves with it by a part of its size; give `step` in these units"
+        "no step of finite differences fits the parameter (it would be {} of its units): nothing \
+         moves with it by a part of its size; give `step` in these units",
+        shown(*step)
     )]
     NoFittingStep {
         /// What came out.
         step: f64,
     },
     /// Differences need a distance to divide by.
-    #[error("`step` is {step}; expected a finite number above 0")]
+    #[error("`step` is {}; expected a finite number above 0", shown(*step))]
     NoStep {
         /// What was asked for.
         step: f64,

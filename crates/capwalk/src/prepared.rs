@@ -278,6 +278,8 @@ impl Prepared {
     /// called wrong only by two references that do not contradict each other. Its errors may be too
     /// small, too: it is called wrong only if another estimate of it, with more samples, is
     /// contradicted as well, and called wrong beside a reference of its own.
+    ///
+    /// [`Error::Stopped`] if `watch` stopped either before its first sample.
     pub fn checked(
         &self,
         gradient: GradientImage,
@@ -309,7 +311,14 @@ impl Prepared {
         watch: &dyn Watch,
     ) -> Result<Check, Error> {
         let method = options.method;
+        // Nothing beside something is no comparison.
+        let sampled = |image: &GradientImage, before| match image.statistics.samples {
+            0 => Err(Error::Stopped { before }),
+            _ => Ok(()),
+        };
+        sampled(&gradient, "a sample of the gradient was taken")?;
         let made = self.reference(&gradient, tangent, reference, method, watch)?;
+        sampled(&made.1, "a sample of the reference was taken")?;
         let mut check = Check::new(gradient, made, self.coplanar_shapes(tangent));
         while let Some(next) = check.next_reference()
             && !watch.should_stop()

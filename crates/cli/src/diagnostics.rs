@@ -5,6 +5,7 @@ use std::process::ExitCode;
 use capwalk::scene::params::ParameterError;
 use capwalk::scene_io::read_text_file;
 use capwalk::{Diagnostic, Error, FolderError, LoadError, Refusal, UnusableImage};
+use clap::error::{ContextKind, ContextValue};
 
 /// How a command that wrote its results ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,6 +78,58 @@ pub fn describe(error: &anyhow::Error) -> String {
     text + ours.and_then(hint).unwrap_or_default()
 }
 
+/// The longest word in a message, characters: paths are shorter, and longer ones are cut.
+const LONGEST_WORD: usize = 1000;
+
+/// How much of a word is left that is cut, characters.
+const KEPT: usize = 200;
+
+/// The longest message, bytes.
+const LONGEST_MESSAGE: usize = 16_000;
+
+/// A message with names that can be read, if it has others.
+pub fn shortened(text: &str) -> Option<String> {
+    let is_long = |word: &str| word.chars().nth(LONGEST_WORD).is_some();
+    if text.len() <= LONGEST_MESSAGE && !text.split_whitespace().any(is_long) {
+        return None;
+    }
+    let mut short = String::new();
+    for word in text.split_inclusive(char::is_whitespace) {
+        match is_long(word) {
+            false => short += word,
+            true => {
+                short.extend(word.chars().take(KEPT));
+                short += "…";
+                short.extend(word.chars().next_back().filter(|end| end.is_whitespace()));
+            }
+        }
+    }
+    if short.len() > LONGEST_MESSAGE {
+        short.truncate(short.floor_char_boundary(LONGEST_MESSAGE));
+        short += "…\n";
+    }
+    Some(short)
+}
+
+/// Says how a value is given that begins with a minus, where the parser would have it behind
+/// `--`, which is for what belongs to no option.
+pub fn advise_on_values(error: &mut clap::Error) {
+    let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else {
+        return;
+    };
+    let is_wrong = matches!(error.get(ContextKind::Suggested), Some(ContextValue::StyledStrs(tips))
+        if tips.iter().any(|tip| tip.to_string().contains("use '-- ")));
+    if !is_wrong {
+        return;
+    }
+    // The parser names the first letter only.
+    let typed = std::env::args().find(|typed| typed.starts_with(argument.as_str()));
+    let typed = typed.unwrap_or_else(|| argument.clone());
+    let tip = format!("to pass '{typed}' as a value, join it to its option: '--param={typed}'");
+    let tips = ContextValue::StyledStrs(vec![tip.into()]);
+    error.insert(ContextKind::Suggested, tips);
+}
+
 /// What the command line offers against an error of the library.
 fn hint(error: &Error) -> Option<&'static str> {
     match error {
@@ -87,6 +140,7 @@ fn hint(error: &Error) -> Option<&'static str> {
         Error::Folder(
             FolderError::InputInTheWay(_)
             | FolderError::ResultInTheWay { .. }
+            | FolderError::LinkInTheWay { .. }
             | FolderError::DamagedCheckpoint(_)
             | FolderError::OtherJob { .. },
         ) => Some("; -o chooses another folder"),

@@ -27,11 +27,16 @@ use diagnostics::Outcome;
 fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(error) => {
+        Err(mut error) => {
+            diagnostics::advise_on_values(&mut error);
             let asked = matches!(
                 error.kind(),
                 ErrorKind::DisplayHelp | ErrorKind::DisplayVersion
             );
+            if !asked && let Some(text) = diagnostics::shortened(&error.to_string()) {
+                console::remark(&text);
+                return ExitCode::from(diagnostics::BAD_INPUT);
+            }
             let printed = error.print();
             if !asked {
                 return ExitCode::from(diagnostics::BAD_INPUT);
@@ -87,6 +92,7 @@ fn finish(result: anyhow::Result<Outcome>) -> ExitCode {
                 ),
                 _ => (diagnostics::describe(&error), diagnostics::BAD_INPUT),
             };
+            let words = diagnostics::shortened(&words).unwrap_or(words);
             console::remark(&format!("{words}\n"));
             ExitCode::from(status)
         }

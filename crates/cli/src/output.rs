@@ -29,13 +29,30 @@ impl Files {
         } else {
             asked.to_vec()
         };
-        for path in &paths {
+        let mut made = Vec::new();
+        let checked = Self::check(&paths, read, &mut made);
+        if checked.is_err() {
+            // What something is in by now stays.
+            made.iter()
+                .rev()
+                .for_each(|folder| drop(fs::remove_dir(folder)));
+        }
+        checked.map(|()| Self { paths })
+    }
+
+    /// Makes sure that the files can be written, in folders that are `made` for them.
+    fn check(paths: &[PathBuf], read: &FilesRead, made: &mut Vec<PathBuf>) -> Result<()> {
+        for path in paths {
             read.refuse(path).map_err(Error::from)?;
+            let folders = path.ancestors().skip(1);
+            let missing = folders.take_while(|at| !at.as_os_str().is_empty() && !at.exists());
+            let mut missing: Vec<PathBuf> = missing.map(Path::to_path_buf).collect();
+            missing.reverse();
+            made.extend(missing);
             make_folder(path)?;
             image::check_writable(path)?;
         }
-        refuse_repeated(&paths)?;
-        Ok(Self { paths })
+        refuse_repeated(paths)
     }
 
     /// Writes the image into all files, PNG files as these panels if there

@@ -92,6 +92,20 @@ impl Wanted {
         self.film |= other.film;
     }
 
+    /// About how many numbers sums of covectors on all of it have.
+    pub fn numbers(&self, scene: &Scene) -> u64 {
+        let textures = scene.textures.iter().zip(&self.textures);
+        let texels = textures.map(|(texture, &wanted)| match wanted {
+            true => texture.data.len() as u64,
+            false => 0,
+        });
+        let shapes = scene.shapes.iter();
+        // A position and a normal of each vertex, whichever is wanted.
+        let points = shapes.map(|shape| 6 * shape.mesh.positions.len() as u64);
+        let points = if self.moves() { points.sum() } else { 0 };
+        texels.sum::<u64>() + points
+    }
+
     /// True if curves in the image depend on something wanted.
     pub fn geometry(&self) -> bool {
         let rays_move = self.sensor_origin || self.sensor_axes || self.aperture;

@@ -5,7 +5,7 @@
 use std::sync::OnceLock;
 
 use capwalk_boundary::{Counts, Draw, Method, Refusal, Stream};
-use capwalk_math::Rgb;
+use capwalk_math::{Rgb, Vec3};
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts};
 use capwalk_render::{
     Estimate, GradientImage, LeavesOut, Part, Partial, Plan, PreparedScene, Primal, RenderOptions,
@@ -52,7 +52,8 @@ impl Stencil {
     /// both sides are the same, unless they are at every step.
     pub fn of(scene: &Scene, tangent: &Tangent, step: f64) -> Result<Self, Refusal> {
         let [above, below] = [step, -step].map(|step| scene.moved(tangent, step));
-        if above == below && scene.moved(tangent, 1.0) != *scene {
+        let is_lost = above == below && scene.moved(tangent, 1.0) != *scene;
+        if is_lost || is_below_rounding(scene, tangent, step) {
             return Err(Refusal::StepTooSmall { step });
         }
         match (above.check(), below.check()) {
@@ -82,6 +83,32 @@ impl Stencil {
             Self::Below => one_sided(-1.0),
         }
     }
+}
+
+/// True if only vertices and the sensor's position move, all of them by less than what rounding
+/// leaves of the largest coordinate of their shape or the sensor: what is at zero changes then, and
+/// nothing else.
+fn is_below_rounding(scene: &Scene, tangent: &Tangent, step: f64) -> bool {
+    let largest = |v: &Vec3| v.x.abs().max(v.y.abs()).max(v.z.abs());
+    let largest_of = |vectors: &[Vec3]| vectors.iter().map(largest).fold(0.0, f64::max);
+    let shapes = scene.shapes.iter().zip(&tangent.shapes);
+    let shapes = shapes.filter_map(|(shape, moving)| {
+        let velocity = largest_of(&moving.as_ref()?.vertices);
+        Some([velocity, largest_of(&shape.mesh.positions)])
+    });
+    let origin = scene.sensor.state().origin;
+    let sensor = [largest(&tangent.sensor.translation), largest(&origin)];
+    let moving = shapes
+        .chain([sensor])
+        .filter(|[velocity, _]| *velocity > 0.0);
+    let moving: Vec<[f64; 2]> = moving.collect();
+    let mut others = tangent.clone();
+    others.sensor.translation = Vec3::zero();
+    let turned = others.shapes.iter_mut().flatten();
+    turned.for_each(|shape| shape.vertices.fill(Vec3::zero()));
+    let is_alone = others.numbers().all(|velocity| velocity == 0.0);
+    let is_lost = |&[velocity, size]: &[f64; 2]| step * velocity < f64::EPSILON * size;
+    is_alone && !moving.is_empty() && moving.iter().all(is_lost)
 }
 
 /// The derivative of the image along `tangent` by central differences over

@@ -32,6 +32,27 @@ fn refuse_beyond_memory(triangles: u64, free: Option<u64>) -> Result<(), Refusal
     }
 }
 
+/// Refuses sums of a gradient with respect to so many numbers, of which there are so many copies,
+/// that there is no memory for them.
+pub(crate) fn refuse_sums_beyond_memory(
+    numbers: u64,
+    copies: u64,
+    free: Option<u64>,
+) -> Result<(), Refusal> {
+    let needed = numbers.saturating_mul(copies).saturating_mul(OF_NUMBER);
+    match free.filter(|&free| needed > free) {
+        Some(free) => Err(Refusal::GradientMemory {
+            numbers,
+            needed,
+            free,
+        }),
+        None => Ok(()),
+    }
+}
+
+/// Bytes of a number.
+const OF_NUMBER: u64 = 8;
+
 /// The reason why derivatives with respect to whatever moves edges are refused for a
 /// scene, if they are.
 pub fn refusal(prepared: &PreparedScene) -> Option<Refusal> {
@@ -43,6 +64,23 @@ pub fn refusal(prepared: &PreparedScene) -> Option<Refusal> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// So do sums.
+    #[test]
+    fn gradients_that_do_not_fit_are_refused() {
+        assert_eq!(
+            refuse_sums_beyond_memory(1 << 20, 22, Some(1 << 30)),
+            Ok(())
+        );
+        assert_eq!(refuse_sums_beyond_memory(u64::MAX, 22, None), Ok(()));
+        let refusal = refuse_sums_beyond_memory(1 << 24, 22, Some(1 << 30)).unwrap_err();
+        let text = refusal.to_string();
+        assert!(text.contains("16777216 numbers"), "{text}");
+        assert!(
+            text.contains("2816 MiB") && text.contains("1024 MiB"),
+            "{text}"
+        );
+    }
 
     /// What does not fit says what it needs and what there is.
     #[test]

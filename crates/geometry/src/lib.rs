@@ -21,6 +21,7 @@ pub mod oracle;
 mod query;
 pub mod ray;
 pub mod sampler_buffers;
+mod shown;
 pub mod simd;
 #[cfg(test)]
 mod tests;
@@ -39,4 +40,5 @@ pub use query::{
     SilhouettePoint, SilhouetteTree,
 };
 pub use ray::{Hit, Ray};
+pub use shown::shown;
 pub use wedge::{Apex, Wedge, WedgePoint};

@@ -3,6 +3,8 @@
 use capwalk_math::Vec3;
 use serde::{Deserialize, Serialize};
 
+use crate::shown;
+
 /// Triangles that share vertices; no topology beyond the indices.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Mesh {
@@ -56,7 +58,9 @@ impl std::fmt::Display for MeshError {
                 f,
                 "vertex {vertex} has the position ({}, {}, {}); expected finite coordinates up to \
                  {LARGEST_COORDINATE:e}",
-                p.x, p.y, p.z
+                shown(p.x),
+                shown(p.y),
+                shown(p.z)
             ),
             Self::IndexOutOfRange {
                 face,

@@ -3,6 +3,7 @@
 //! Nothing is unpacked before it is known to be wanted: opening an archive reads the list of
 //! its arrays, and an array's header says what is in it before its numbers are read.
 
+use std::collections::HashSet;
 use std::io::{self, Cursor, Read, Seek, SeekFrom};
 
 use npyz::{DType, NpyFile, WriterBuilder};
@@ -29,12 +30,20 @@ pub(crate) fn add_array<T: npyz::Serialize>(
     shape: &[u64],
     values: impl Iterator<Item = T>,
 ) -> Result<(), String> {
+    let file = format!("{name}.npy");
+    // What could not be read again is not written.
+    let length = file.len();
+    if length > LONGEST_NAME {
+        return Err(format!(
+            "the name of an array would have {length} bytes; expected at most {LONGEST_NAME}"
+        ));
+    }
     let options = SimpleFileOptions::default()
         .compression_method(CompressionMethod::Stored)
         // The same values give the same bytes at any time.
         .last_modified_time(DateTime::default())
         .large_file(shape.iter().product::<u64>() > u64::from(u32::MAX) / 64);
-    let started = archive.start_file(format!("{name}.npy"), options);
+    let started = archive.start_file(file, options);
     started.map_err(|error| error.to_string())?;
     let type_string = descr.parse().expect("one of NumPy's types");
     let written = (|| {
@@ -90,6 +99,10 @@ impl<R: Read + Seek> Archive<R> {
         }
         let zip = ZipArchive::new(source).map_err(|error| error.to_string())?;
         let mut names = Vec::with_capacity(zip.len());
+        if zip.has_duplicate_names() {
+            return Err("two of its arrays have the same name".into());
+        }
+        let mut known = HashSet::new();
         for name in zip.file_names() {
             let name = name.map_err(|error| error.to_string())?;
             let length = name.len();
@@ -98,7 +111,11 @@ impl<R: Read + Seek> Archive<R> {
                     "the name of an array has {length} bytes; expected at most {LONGEST_NAME}"
                 ));
             }
-            names.push(name.strip_suffix(".npy").unwrap_or(&name).to_owned());
+            let name = name.strip_suffix(".npy").unwrap_or(&name).to_owned();
+            if !known.insert(name.clone()) {
+                return Err(format!("two of its arrays have the name \"{name}\""));
+            }
+            names.push(name);
         }
         Ok(Self { zip, names })
     }

@@ -20,6 +20,9 @@ use crate::image::ImageError;
 /// The array of keys and values; no other one may have this name.
 pub const METADATA: &str = "metadata";
 
+/// The longest name of an array, bytes.
+pub const LONGEST_NAME: usize = archive::LONGEST_NAME - ".npy".len();
+
 /// The most bytes that the list of arrays has: room for those of 20,000 shapes.
 const LONGEST_LIST: u64 = 1 << 26;
 

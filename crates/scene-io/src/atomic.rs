@@ -67,14 +67,27 @@ pub(crate) fn check_writable(path: &Path) -> io::Result<()> {
     fs::remove_file(&temporary)
 }
 
-/// `.name.<process>.tmp` in the same directory, so that the move cannot cross
+/// The end of temporary names. Nobody else gives files such an end.
+const TEMPORARY: &str = ".capwalk-tmp";
+
+/// `.name.<process>.capwalk-tmp` in the same directory, so that the move cannot cross
 /// file systems and two processes do not meet.
 fn temporary_name(path: &Path) -> io::Result<PathBuf> {
     let name = path.file_name().ok_or_else(|| {
         io::Error::new(io::ErrorKind::InvalidInput, "the path does not name a file")
     })?;
-    let name = format!(".{}.{}.tmp", name.to_string_lossy(), std::process::id());
+    let name = name.to_string_lossy();
+    let name = format!(".{name}.{}{TEMPORARY}", std::process::id());
     Ok(path.with_file_name(name))
+}
+
+/// True for the names of files that are being written, or that a killed process was writing.
+pub fn is_temporary(name: &str) -> bool {
+    let process = name
+        .strip_prefix('.')
+        .and_then(|rest| rest.strip_suffix(TEMPORARY))
+        .and_then(|rest| rest.rsplit_once('.'));
+    process.is_some_and(|(_, process)| process.parse::<u32>().is_ok())
 }
 
 /// Writing goes on.
@@ -148,5 +161,19 @@ mod tests {
         write_atomically(&path, |w| w.write_all(b"third")).expect("writable");
         assert_eq!(fs::read(&path).expect("readable"), b"third");
         fs::remove_dir_all(&directory).expect("removable");
+    }
+    #[test]
+    fn temporary_names_are_unmistakable() {
+        let name = temporary_name(Path::new("folder/a.b.npz")).expect("it names a file");
+        let name = name.file_name().expect("it does").to_string_lossy();
+        assert!(is_temporary(&name), "{name}");
+        for other in [
+            ".notes.tmp",
+            ".notes.12.tmp",
+            ".notes.mine.capwalk-tmp",
+            "a.12.capwalk-tmp",
+        ] {
+            assert!(!is_temporary(other), "{other}");
+        }
     }
 }

@@ -3,7 +3,8 @@
 
 use std::io::Cursor;
 
-use image::{DynamicImage, ImageFormat, ImageReader};
+use capwalk_scene::memory::{OF_SKY_TEXEL, available, mib};
+use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader};
 
 use crate::image::decode_exr_value;
 use crate::value::linear_of_srgb;
@@ -18,6 +19,25 @@ pub(crate) struct BitmapFile {
     pub data: Vec<f64>,
 }
 
+/// What an image becomes.
+#[derive(Clone, Copy)]
+pub(crate) enum BitmapUse {
+    Texture,
+    Environment,
+}
+
+impl BitmapUse {
+    /// Bytes of a texel of so many channels, and of what is made of it.
+    fn bytes(self, channels: u64) -> u64 {
+        match self {
+            Self::Texture => 8 * channels,
+            // Greys are copied to three channels.
+            Self::Environment if channels == 1 => 8 + 24 + OF_SKY_TEXEL,
+            Self::Environment => 24 + OF_SKY_TEXEL,
+        }
+    }
+}
+
 /// The most pixels that are read: more than textures have. In double precision they take 6 GiB.
 const MOST_PIXELS: u64 = 1 << 28;
 
@@ -30,10 +50,15 @@ pub(crate) const ENDINGS: [&str; 7] = ["png", "jpg", "jpeg", "bmp", "tga", "hdr"
 
 /// The image in the bytes of a file whose name has this ending. Files with 8 or
 /// 16 bits are decoded from sRGB to linear light, unless they are `raw`; alpha
-/// is left out.
-pub(crate) fn read(bytes: &[u8], ending: &str, raw: bool) -> Result<BitmapFile, String> {
+/// is left out. An error if there is no memory for what it becomes.
+pub(crate) fn read(
+    bytes: &[u8],
+    ending: &str,
+    raw: bool,
+    becomes: BitmapUse,
+) -> Result<BitmapFile, String> {
     let format = match ending {
-        "exr" => return read_exr(bytes),
+        "exr" => return read_exr(bytes, becomes),
         "png" => ImageFormat::Png,
         "jpg" | "jpeg" => ImageFormat::Jpeg,
         "bmp" => ImageFormat::Bmp,
@@ -46,7 +71,7 @@ pub(crate) fn read(bytes: &[u8], ending: &str, raw: bool) -> Result<BitmapFile, 
             ));
         }
     };
-    check_size(bytes, format)?;
+    check_size(bytes, format, becomes)?;
     let image = ImageReader::with_format(Cursor::new(bytes), format).decode();
     let image = image.map_err(|error| error.to_string())?;
     let (width, height) = (image.width(), image.height());
@@ -77,21 +102,43 @@ pub(crate) fn read(bytes: &[u8], ending: &str, raw: bool) -> Result<BitmapFile, 
     finish(width, height, channels, data)
 }
 
-/// An error if the header announces more pixels than are read, or than the file can hold.
-fn check_size(bytes: &[u8], format: ImageFormat) -> Result<(), String> {
-    let size = ImageReader::with_format(Cursor::new(bytes), format).into_dimensions();
-    let (width, height) = size.map_err(|error| error.to_string())?;
+/// An error if the header announces more pixels than are read, than the file can hold, or than
+/// there is memory for.
+fn check_size(bytes: &[u8], format: ImageFormat, becomes: BitmapUse) -> Result<(), String> {
+    let decoder = ImageReader::with_format(Cursor::new(bytes), format).into_decoder();
+    let decoder = decoder.map_err(|error| error.to_string())?;
+    let (width, height) = decoder.dimensions();
     let (pixels, length) = (u64::from(width) * u64::from(height), bytes.len() as u64);
     if pixels > MOST_PIXELS {
         return Err(format!(
             "it has {width} x {height} pixels; expected at most {MOST_PIXELS} in all"
         ));
     }
-    match pixels / MOST_COMPRESSION > length {
-        true => Err(format!(
+    if pixels / MOST_COMPRESSION > length {
+        return Err(format!(
             "its header announces {width} x {height} pixels, which its {length} bytes cannot hold"
+        ));
+    }
+    let channels = if decoder.color_type().has_color() {
+        3
+    } else {
+        1
+    };
+    let needed = decoder.total_bytes() + pixels * becomes.bytes(channels);
+    check_memory([width as usize, height as usize], needed, available())
+}
+
+/// An error if pixels need more memory than is free.
+fn check_memory(size: [usize; 2], needed: u64, free: Option<u64>) -> Result<(), String> {
+    let [width, height] = size;
+    match free.filter(|&free| needed > free) {
+        None => Ok(()),
+        Some(free) => Err(format!(
+            "its {width} x {height} pixels need {} MiB of memory, and {} MiB are free; make it \
+             smaller",
+            mib(needed),
+            mib(free)
         )),
-        false => Ok(()),
     }
 }
 
@@ -105,8 +152,12 @@ fn doubles<T: Copy>(numbers: &[T], convert: impl Fn(T) -> f64) -> Result<Vec<f64
     Ok(doubles)
 }
 
-fn read_exr(bytes: &[u8]) -> Result<BitmapFile, String> {
-    let image = decode_exr_value(bytes, MOST_PIXELS)?;
+fn read_exr(bytes: &[u8], becomes: BitmapUse) -> Result<BitmapFile, String> {
+    let image = decode_exr_value(bytes, MOST_PIXELS, |size| {
+        let pixels = size[0] as u64 * size[1] as u64;
+        // Once as they are read, and once as texels.
+        check_memory(size, pixels * (24 + becomes.bytes(3)), available())
+    })?;
     let mut data = Vec::new();
     let reserved = data.try_reserve_exact(3 * image.pixels.len());
     reserved.map_err(|_| "there is no memory for its pixels")?;
@@ -156,7 +207,7 @@ mod tests {
             (ImageFormat::Tga, "tga"),
         ] {
             let file = bytes(image.clone(), format);
-            let read_as = |raw| read(&file, ending, raw).expect(ending);
+            let read_as = |raw| read(&file, ending, raw, BitmapUse::Texture).expect(ending);
             let raw = read_as(true);
             assert_eq!((raw.width, raw.height, raw.channels), (2, 1, 3));
             let expected = [255, 128, 10, 0, 1, 2].map(|x| f64::from(x) / 255.0);
@@ -171,14 +222,32 @@ mod tests {
     #[test]
     fn greys_sixteen_bits_and_alpha() {
         let grey = GrayImage::from_raw(1, 2, vec![255, 51]).expect("two bytes");
-        let grey = read(&bytes(grey, ImageFormat::Png), "png", true).expect("grey");
+        let grey = read(
+            &bytes(grey, ImageFormat::Png),
+            "png",
+            true,
+            BitmapUse::Texture,
+        )
+        .expect("grey");
         assert_eq!((grey.channels, grey.data), (1, vec![1.0, 0.2]));
         let deep = ImageBuffer::<Luma<u16>, _>::from_raw(1, 1, vec![13107]).expect("one word");
-        let deep = read(&bytes(deep, ImageFormat::Png), "png", true).expect("16 bits");
+        let deep = read(
+            &bytes(deep, ImageFormat::Png),
+            "png",
+            true,
+            BitmapUse::Texture,
+        )
+        .expect("16 bits");
         assert_eq!((deep.channels, deep.data), (1, vec![0.2]));
         // Colours are not multiplied by alpha.
         let alpha = RgbaImage::from_raw(1, 1, vec![255, 51, 0, 51]).expect("one pixel");
-        let alpha = read(&bytes(alpha, ImageFormat::Png), "png", true).expect("alpha");
+        let alpha = read(
+            &bytes(alpha, ImageFormat::Png),
+            "png",
+            true,
+            BitmapUse::Texture,
+        )
+        .expect("alpha");
         assert_eq!((alpha.channels, alpha.data), (3, vec![1.0, 0.2, 0.0]));
     }
 
@@ -186,7 +255,13 @@ mod tests {
     #[test]
     fn jpeg_and_hdr() {
         let flat = RgbImage::from_pixel(8, 8, Rgb([51, 102, 204]));
-        let flat = read(&bytes(flat, ImageFormat::Jpeg), "jpg", true).expect("jpeg");
+        let flat = read(
+            &bytes(flat, ImageFormat::Jpeg),
+            "jpg",
+            true,
+            BitmapUse::Texture,
+        )
+        .expect("jpeg");
         for (i, expected) in [0.2, 0.4, 0.8].into_iter().enumerate() {
             assert!(
                 (flat.data[i] - expected).abs() < 0.015,
@@ -196,8 +271,20 @@ mod tests {
         }
         let bright = ImageBuffer::<Rgb<f32>, _>::from_raw(1, 1, vec![0.5, 8.0, 64.0]);
         let bright = bytes(bright.expect("one pixel"), ImageFormat::Hdr);
-        let bright = read(&bright, "hdr", false).expect("hdr");
+        let bright = read(&bright, "hdr", false, BitmapUse::Texture).expect("hdr");
         assert_eq!(bright.data, [0.5, 8.0, 64.0]);
+    }
+
+    /// What is made of the texels counts, too.
+    #[test]
+    fn images_that_do_not_fit_are_errors() {
+        let bytes = |becomes: BitmapUse| 4096 * 4096 * becomes.bytes(3);
+        let (texture, sky) = (bytes(BitmapUse::Texture), bytes(BitmapUse::Environment));
+        let free = Some(400 << 20);
+        assert_eq!(check_memory([4096, 4096], texture, free), Ok(()));
+        let error = check_memory([4096, 4096], sky, free).expect_err("it needs more");
+        let expected = "its 4096 x 4096 pixels need 640 MiB of memory, and 400 MiB are free";
+        assert!(error.starts_with(expected), "{error}");
     }
 
     /// A file cut off anywhere is an error, never a panic or half an image.
@@ -207,12 +294,12 @@ mod tests {
         let whole = bytes(image, ImageFormat::Png);
         for length in 0..whole.len() - 12 {
             assert!(
-                read(&whole[..length], "png", false).is_err(),
+                read(&whole[..length], "png", false, BitmapUse::Texture).is_err(),
                 "{length} bytes"
             );
         }
-        assert!(read(&whole, "exr", false).is_err());
-        let error = read(&whole, "gif", false).expect_err("no such format");
+        assert!(read(&whole, "exr", false, BitmapUse::Texture).is_err());
+        let error = read(&whole, "gif", false, BitmapUse::Texture).expect_err("no such format");
         assert!(error.contains("png, jpg"), "{error}");
         assert!(
             finish(2, 1, 1, vec![0.0, f64::NAN])

@@ -57,9 +57,9 @@ pub mod export;
 pub mod image;
 mod velocities;
 
-pub use atomic::append;
 #[cfg(feature = "faults")]
 pub use atomic::faults;
+pub use atomic::{append, is_temporary};
 pub use error::{Diagnostic, LoadError};
 pub use files::{read_file, read_text_file};
 pub use files_read::{FilesRead, InputInTheWay};

@@ -4,6 +4,7 @@ use capwalk_math::Real;
 use serde::{Deserialize, Serialize};
 
 use crate::scene_error::SceneError;
+use capwalk_geometry::shown;
 
 /// A separable filter, in pixels around the pixel's centre.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -117,7 +118,7 @@ impl Filter {
                     None => Ok(()),
                     Some((name, value)) => Err(SceneError::BadNumber {
                         name: name.into(),
-                        value: value.to_string(),
+                        value: shown(value),
                         expected: "a number from 0 to 1",
                     }),
                 };
@@ -128,7 +129,7 @@ impl Filter {
         }
         Err(SceneError::BadNumber {
             name: name.into(),
-            value: value.to_string(),
+            value: shown(value),
             expected: "a number of pixels above 0 and below 100",
         })
     }

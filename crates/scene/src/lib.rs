@@ -28,7 +28,7 @@ pub mod texture;
 
 // What appears in the signatures here.
 pub use capwalk_geometry::topology::weld;
-pub use capwalk_geometry::{Mesh, MeshError};
+pub use capwalk_geometry::{Mesh, MeshError, shown};
 
 pub use bytes::{BytesError, fingerprint, pack, unpack};
 pub use emitter::delta::DeltaLight;

@@ -18,6 +18,7 @@ use crate::settings::Settings;
 use crate::shape::Shape;
 use crate::slot::Slot;
 use crate::texture::{Pattern, Texture};
+use capwalk_geometry::shown;
 
 /// A scene, in world coordinates.
 ///
@@ -113,7 +114,7 @@ impl Scene {
             {
                 return Err(SceneError::BadNumber {
                     name: format!("{}.position", emitter.name(self)),
-                    value: format!("({}, {}, {})", p.x, p.y, p.z),
+                    value: format!("({}, {}, {})", shown(p.x), shown(p.y), shown(p.z)),
                     expected: "finite coordinates up to 1e30",
                 });
             }

@@ -10,6 +10,7 @@ use capwalk_math::{Real, Rgb};
 use serde::{Deserialize, Serialize};
 
 use crate::scene_error::SceneError;
+use capwalk_geometry::shown;
 
 /// Numbers, and how they cover a surface.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -191,7 +192,12 @@ impl Texture {
         }
         SceneError::BadNumber {
             name,
-            value: format!("({}, {}, {})", value.r, value.g, value.b),
+            value: format!(
+                "({}, {}, {})",
+                shown(value.r),
+                shown(value.g),
+                shown(value.b)
+            ),
             expected,
         }
     }

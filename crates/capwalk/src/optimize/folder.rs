@@ -14,7 +14,7 @@ use capwalk_scene::Image;
 use capwalk_scene_io::arrays::{self, Array, ArrayFile, Arrays};
 use capwalk_scene_io::export;
 use capwalk_scene_io::image::{Panel, Style, robust_limit, write_panels};
-use capwalk_scene_io::{FilesRead, append, read_file, read_text_file};
+use capwalk_scene_io::{FilesRead, append, is_temporary, read_file, read_text_file};
 
 use crate::folder_error::FolderError;
 
@@ -72,7 +72,9 @@ pub fn claim(path: &Path, resume: bool, read: &FilesRead) -> Result<Claimed, Fol
             folder: path.into(),
         });
     }
-    let lock = File::create(path.join(LOCK)).map_err(cannot)?;
+    let mut options = OpenOptions::new();
+    let options = options.create(true).write(true).truncate(false);
+    let lock = options.open(path.join(LOCK)).map_err(cannot)?;
     match lock.try_lock() {
         Ok(()) => {}
         Err(TryLockError::WouldBlock) => {
@@ -83,7 +85,7 @@ pub fn claim(path: &Path, resume: bool, read: &FilesRead) -> Result<Claimed, Fol
         Err(TryLockError::Error(error)) => return Err(cannot(error)),
     }
     for folder in FOLDERS {
-        remove_leftovers(&path.join(folder)).map_err(cannot)?;
+        remove_leftovers(&path.join(folder), read).map_err(cannot)?;
     }
     Ok(Claimed {
         path: path.to_owned(),
@@ -99,14 +101,26 @@ fn refuse_losses(path: &Path, read: &FilesRead) -> Result<(), FolderError> {
     for name in written {
         read.refuse(&path.join(name))?;
     }
+    // These are written where they are; the others are replaced, links and all.
+    for name in [RECORD, TIMING, LOCK] {
+        let file = path.join(name);
+        if file.is_symlink() {
+            return Err(FolderError::LinkInTheWay { file });
+        }
+    }
     if path.join(CHECKPOINT).exists() {
         return Ok(());
     }
-    let results = [PARAMETERS, SCENE, MESHES, TEXTURES];
-    let found = results.into_iter().find(|name| path.join(name).exists());
-    // A run that was killed before its first checkpoint leaves a header.
-    let table = || read_file(&path.join(RECORD)).is_ok_and(|table| has_rows(&table));
-    match found.or_else(|| table().then_some(RECORD)) {
+    let is_result = |name: &str| match name {
+        RECORD | TIMING => !is_begun_table(&path.join(name)),
+        LOCK => fs::metadata(path.join(name)).is_ok_and(|lock| lock.len() > 0),
+        PICTURES => has_files(&path.join(name)),
+        CHECKPOINT | PARAMETERS | SCENE | MESHES | TEXTURES => {
+            path.join(name).symlink_metadata().is_ok()
+        }
+        _ => unreachable!("these are all that is written"),
+    };
+    match written.into_iter().find(|name| is_result(name)) {
         None => Ok(()),
         Some(name) => Err(FolderError::ResultInTheWay {
             file: path.join(name),
@@ -114,22 +128,34 @@ fn refuse_losses(path: &Path, read: &FilesRead) -> Result<(), FolderError> {
     }
 }
 
-/// True if there is something after the first line.
-fn has_rows(table: &[u8]) -> bool {
-    let end = table.iter().position(|&byte| byte == b'\n');
-    end.is_some_and(|end| end + 1 < table.len())
+/// True for a table that is not there or that a run left which was killed before its first
+/// checkpoint: some of the first line of a table.
+fn is_begun_table(path: &Path) -> bool {
+    let Ok(table) = read_file(path) else {
+        // One of no bytes is nobody's, and cannot be read.
+        return fs::metadata(path).map_or(true, |file| file.len() == 0);
+    };
+    let first = "iteration,".as_bytes();
+    let line = table.strip_suffix(b"\n").unwrap_or(&table);
+    (line.starts_with(first) || first.starts_with(line)) && !line.contains(&b'\n')
 }
 
-/// Removes what a killed process was just writing.
-fn remove_leftovers(folder: &Path) -> io::Result<()> {
+/// True if something is in a folder that a killed process did not leave.
+fn has_files(folder: &Path) -> bool {
+    let mut entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.any(|entry| !is_temporary(&entry.file_name().to_string_lossy()))
+}
+
+/// Removes what a killed process was just writing, but nothing that is read.
+fn remove_leftovers(folder: &Path, read: &FilesRead) -> io::Result<()> {
     if !folder.is_dir() {
         return Ok(());
     }
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
-        let name = entry.file_name();
-        let name = name.to_string_lossy();
-        if name.starts_with('.') && name.ends_with(".tmp") {
+        let is_leftover =
+            is_temporary(&entry.file_name().to_string_lossy()) && entry.file_type()?.is_file();
+        if is_leftover && read.refuse(&entry.path()).is_ok() {
             fs::remove_file(entry.path())?;
         }
     }

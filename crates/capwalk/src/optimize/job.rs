@@ -132,7 +132,10 @@ fn keys(document: &Document, path: &Path) -> Result<Keys, LoadError> {
     let iterations = root.require("iterations", "how many steps to take")?;
     let iterations = iterations.integer(0..=MOST)? as u32;
     let time_limit = match root.get("time_limit") {
-        Some(value) => Some(parse_duration(value.text()?).map_err(|why| value.wrong(&why))?),
+        Some(value) => Some(
+            parse_duration(value.text()?)
+                .map_err(|why| value.wrong(why.strip_prefix("expected ").unwrap_or(&why)))?,
+        ),
         None => None,
     };
     let (lr, adam, uniform) = optimizer::optimizer(&root)?;

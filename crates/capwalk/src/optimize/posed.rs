@@ -62,7 +62,7 @@ impl PosedProblem {
 }
 
 /// The images of all targets with the numbers of their views; an error if they were
-/// stopped.
+/// stopped, or cannot be computed.
 fn render_targets(pending: Vec<Pending>, watch: &dyn Watch) -> Result<Vec<(usize, Image)>, Error> {
     let work =
         |target: &Pending| target.scene.film.pixel_count() as u64 * u64::from(target.options.spp);
@@ -80,6 +80,13 @@ fn render_targets(pending: Vec<Pending>, watch: &dyn Watch) -> Result<Vec<(usize
         if !rendering.statistics.complete {
             return Err(Error::Stopped {
                 before: "the targets were rendered",
+            });
+        }
+        if rendering.statistics.too_many_non_finite() {
+            return Err(Error::NonFiniteTarget {
+                view: target.view + 1,
+                non_finite: rendering.statistics.non_finite,
+                samples: rendering.statistics.samples,
             });
         }
         images.push((target.view, rendering.value.mean));

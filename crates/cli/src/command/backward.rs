@@ -6,7 +6,8 @@ use std::time::Duration;
 
 use anyhow::{Result, anyhow, bail, ensure};
 use capwalk::params::shape_text;
-use capwalk::scene_io::arrays::{self, Array, Arrays, METADATA};
+use capwalk::scene_io::arrays::{self, Array, Arrays, LONGEST_NAME, METADATA};
+use capwalk::text::{cut, listed};
 use capwalk::{
     Chosen, Distance, Error, FilesRead, GradientOptions, Gradients, Image, ImageLoss, Loss,
     ParameterGradient, Prepared, Refusal, RenderOptions, Scene, read_layer,
@@ -144,7 +145,7 @@ fn all_names(prepared: &Prepared) -> Result<Vec<String>> {
             "nothing in this scene can be differentiated: {refusal}"
         );
         if !names.refused.is_empty() {
-            let refused = names.refused.join(", ");
+            let refused = listed(&names.refused);
             console::remark(&format!("warning: {refused} are left out: {refusal}\n"));
         }
     }
@@ -169,7 +170,7 @@ fn left_out_text(names: &[String], refusal: &Refusal) -> String {
     format!(
         "warning: {} are left out ({count} arrays): {refusal}\n  help: --allow-missing specular \
          computes them, too, without these silhouettes, and says so\n",
-        names.join(", ")
+        listed(names)
     )
 }
 
@@ -182,6 +183,16 @@ fn errors_name(name: &str) -> String {
 fn check_names(names: &[String], errors: bool) -> Result<()> {
     let mut taken = HashSet::from([METADATA.to_owned()]);
     for name in names {
+        let longest = match errors {
+            true => errors_name(name).len(),
+            false => name.len(),
+        };
+        ensure!(
+            longest <= LONGEST_NAME,
+            "an array of the output would have a name of {longest} bytes, \"{}\"; expected at most \
+             {LONGEST_NAME}: give objects shorter ids, or ask for a shorter sum",
+            cut(name)
+        );
         ensure!(
             taken.insert(name.clone()) && (!errors || taken.insert(errors_name(name))),
             "two arrays of the output would have the name \"{name}\"; ask for it once, and give \

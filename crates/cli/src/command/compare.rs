@@ -56,6 +56,11 @@ pub fn run(args: &Compare) -> Result<Outcome> {
             .collect(),
         ..*a
     };
+    ensure!(
+        difference.pixels.iter().any(|pixel| pixel.is_finite()),
+        "no pixel of the layer \"{layer}\" is a finite number in both images: there is nothing to \
+         compare. Choose another layer (--layer), or render them again"
+    );
     let errors = Errors::new(&difference, b);
     // Equal images need no statistics, which would find the errors of
     // two runs with the same random numbers too large.

@@ -40,6 +40,23 @@ fn a_darker_image_differs() {
     assert_eq!(finished.status, 1, "{}", finished.stdout);
 }
 
+/// Not a pixel of both is a number.
+#[test]
+fn images_of_nothing_but_nan_are_not_compared() {
+    let capwalk = Capwalk::new("compare_nan");
+    let mut layered = capwalk_scene_io::image::LayeredImage::default();
+    let mut image = capwalk_scene::Image::new(3, 2);
+    image.pixels.fill(capwalk_math::Rgb::splat(f64::NAN));
+    layered.push("value", image);
+    capwalk_scene_io::image::write(&capwalk.path("nan.npz"), &layered, &Default::default())
+        .expect("writable");
+    let error = capwalk.error("compare nan.npz nan.npz");
+    assert_has(
+        &error,
+        &["no pixel of the layer \"value\" is a finite number"],
+    );
+}
+
 #[test]
 fn sizes_must_agree() {
     let capwalk = Capwalk::new("compare_sizes");

@@ -13,6 +13,9 @@ mod device;
 mod help;
 mod hostile;
 mod images;
+mod long_input;
+#[cfg(target_os = "linux")]
+mod memory;
 mod methods;
 mod missing;
 mod one_sided;

@@ -78,6 +78,20 @@ fn inputs_are_never_overwritten() {
     }
 }
 
+/// Folders that were made for files go with them where one of these is refused.
+#[test]
+fn refused_outputs_leave_no_folder() {
+    let capwalk = folder("overwriting_folders");
+    for files in [
+        "new/inside/a.png,texture.png",
+        "new/a.png,new/a.png",
+        "new/a.npz,new/a.txt",
+    ] {
+        capwalk.error(&format!("render scene.xml --spp 2 -o {files}"));
+        assert!(!capwalk.path("new").exists(), "{files}");
+    }
+}
+
 /// A link to a file is that file.
 #[cfg(unix)]
 #[test]

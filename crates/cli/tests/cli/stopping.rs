@@ -95,6 +95,32 @@ fn a_time_limit_ends_the_preparation() {
     assert!(started.elapsed() < SOON, "{:?}", started.elapsed());
 }
 
+/// What comes before the first sample of a check is taken from both of its halves: with most of the
+/// time for the preparation, the gradient still has samples. And nothing is compared with nothing.
+#[test]
+fn a_check_shares_what_preparation_leaves() {
+    let capwalk = Capwalk::new("limit_of_check");
+    capwalk.write("scene.xml", &spheres(8));
+    let motion = "scene.xml -p s0.translate.x --size 8x6 --method walk";
+    let started = Instant::now();
+    assert_eq!(capwalk.run(&format!("gradient {motion} --spp 1")).status, 0);
+    let prepared = started.elapsed().as_secs_f64();
+    let check = format!("check {motion} --spp 100000000 --json -o check.npz --time-limit");
+    // The longest is for a machine that became busy.
+    let finished = [1.7, 4.0, 8.0].iter().find_map(|times| {
+        let finished = capwalk.run(&format!("{check} {}s", times * prepared));
+        let is_written = capwalk.path("check.npz").exists();
+        assert_eq!(finished.status == 3, !is_written, "{}", finished.stderr);
+        is_written.then_some((times, finished))
+    });
+    let (times, finished) = finished.expect("in so much time there is a sample");
+    let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
+    for side in ["gradient", "reference"] {
+        let samples = json[side]["samples"].as_u64().expect("a count");
+        assert!(samples > 0, "{side}, {times} times the preparation");
+    }
+}
+
 /// Ctrl-C while the boundaries of a scene are listed, which takes ten seconds.
 #[cfg(unix)]
 #[test]

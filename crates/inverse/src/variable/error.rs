@@ -1,7 +1,7 @@
 //! What can be wrong with variables and their values.
 
-use capwalk_scene::SceneError;
 use capwalk_scene::params::ParameterError;
+use capwalk_scene::{SceneError, shown};
 
 use super::pose::PoseLimit;
 
@@ -54,6 +54,17 @@ pub enum VariableError {
         /// What was asked for.
         name: String,
     },
+    /// One number of a rotation would not stay one.
+    #[error(
+        "\"{name}\" is one number of a rotation, and does not change alone; name the array \
+         \"{array}\" with all of its numbers"
+    )]
+    PartOfRotation {
+        /// What was asked for.
+        name: String,
+        /// All of it.
+        array: String,
+    },
     /// Values were asked for of what only has a distance from where it is.
     #[error(
         "\"{name}\" is no single number of the scene: {what} would be a distance from the \
@@ -69,7 +80,7 @@ pub enum VariableError {
     /// The bounds are not two finite numbers in order.
     #[error(
         "the bounds of \"{name}\" are {} and {}; expected two finite numbers, the lower one first",
-        bounds[0], bounds[1]
+        shown(bounds[0]), shown(bounds[1])
     )]
     Bounds {
         /// What was asked for.
@@ -180,12 +191,4 @@ pub enum ApplyError {
     /// The scene that they make cannot be rendered.
     #[error(transparent)]
     Scene(#[from] SceneError),
-}
-
-/// A number as it would be typed: large ones in powers of ten.
-fn shown(value: f64) -> String {
-    match value.abs() < 1e15 {
-        true => value.to_string(),
-        false => format!("{value:e}"),
-    }
 }

@@ -173,8 +173,7 @@ fn scalar_map(
             let mut lights = tangent.emitters.iter();
             let turns = turns || lights.any(|light| light.rotation != Vec3::zero());
             if turns || tangent.sensor.rotation != SensorVectors::default().rotation {
-                let name = name.into();
-                return Err(VariableError::RotationInSum { name });
+                return Err(rotation_error(registry, name));
             }
             if value.is_none() {
                 refuse_offset(spec, &tangent)?;
@@ -185,6 +184,19 @@ fn scalar_map(
     };
     let map = map.expect("a pose is that of a shape");
     Ok((map, vec![value]))
+}
+
+/// Why something that turns is not an unknown: it is one number of an array, or of a sum.
+fn rotation_error(registry: &Registry, name: &str) -> VariableError {
+    let array = name.rfind(['.', '[']).map(|end| &name[..end]);
+    let is_array = |array: &&str| matches!(registry.array(array), Ok(Some(_)));
+    match array.filter(is_array) {
+        Some(array) => VariableError::PartOfRotation {
+            name: name.into(),
+            array: array.into(),
+        },
+        None => VariableError::RotationInSum { name: name.into() },
+    }
 }
 
 /// What the number is now that a name such as `ball.positions[12,0]` means; `None`

@@ -470,6 +470,10 @@ fn what_does_not_fit_is_refused() {
         "the same numbers",
     );
     refused(
+        &[spec("ball.normals[0,0]")],
+        "name the array \"ball.normals\"",
+    );
+    refused(
         &[spec("ball.rotate.x + ball.rotate.y")],
         "a sum with a rotation",
     );

@@ -1,12 +1,13 @@
 //! Reading EXR files: the headers, then the channels of one layer.
 
 use std::collections::HashMap;
-use std::io::{BufRead, Read, Seek, SeekFrom};
+use std::io::{self, BufRead, Read, Seek, SeekFrom};
 
 use capwalk_math::Rgb;
 use capwalk_scene::Image;
 use exr::block::reader::ChunksReader;
 use exr::block::{self, UncompressedBlock};
+use exr::meta::attribute::LevelMode;
 use exr::meta::header::Header;
 use exr::meta::{BlockDescription, MetaData};
 use exr::prelude::{AttributeValue, SampleType, Text, Vec2, f16};
@@ -28,12 +29,17 @@ const MOST_CHANNELS: usize = 16_384;
 /// Bytes of all headers, at most: room for these channels and for notes of a megabyte.
 const LONGEST_HEADER: u64 = 1 << 21;
 
+/// Attributes of all headers, at most: each costs microseconds, and files have dozens.
+const MOST_ATTRIBUTES: usize = 1 << 14;
+
 /// An EXR file of which the headers were read.
 pub(super) struct ExrFile<R> {
     source: R,
     layers: Vec<ExrLayer>,
     samples: Option<Channels>,
     metadata: Vec<(String, String)>,
+    /// Its bytes.
+    length: u64,
 }
 
 struct ExrLayer {
@@ -54,7 +60,7 @@ struct Channels {
 impl<R: BufRead + Seek> ExrFile<R> {
     /// Reads the headers.
     pub fn open(mut source: R) -> Result<Self, String> {
-        let meta = read_headers(&mut source)?;
+        let (meta, length) = read_headers(&mut source)?;
         let (mut layers, mut samples) = (Vec::new(), None);
         for (part, header) in meta.headers.iter().enumerate() {
             let names = channel_names(header)?;
@@ -85,6 +91,7 @@ impl<R: BufRead + Seek> ExrFile<R> {
             layers,
             samples,
             metadata: metadata(&meta),
+            length,
         })
     }
 
@@ -152,7 +159,9 @@ impl<R: BufRead + Seek> ExrFile<R> {
     ) -> Result<(), String> {
         let text = |error: exr::error::Error| error.to_string();
         self.source.rewind().map_err(|error| error.to_string())?;
-        let reader = block::read(&mut self.source, false).map_err(text)?;
+        let mut tracked = Tracked::new(&mut self.source);
+        let reader = block::read(&mut tracked, false).map_err(text)?;
+        let parts = reader.headers().len();
         let header = reader.headers().get(channels.part).cloned();
         let header = header.ok_or("it changed while it was read")?;
         let in_full = Vec2(0, 0);
@@ -181,7 +190,57 @@ impl<R: BufRead + Seek> ExrFile<R> {
                 colours.for_each(|(colour, _)| show(colour, start, &numbers));
             }
         }
-        Ok(())
+        // The last chunk that was read is the last one, if there are no others.
+        let is_all = parts == 1 && has_one_level(&header);
+        match self.length.saturating_sub(tracked.end) {
+            behind if is_all && behind > 0 => {
+                Err(format!("it has {behind} bytes behind its last pixels"))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// True if a part has its pixels in full size only.
+fn has_one_level(header: &Header) -> bool {
+    match header.blocks {
+        BlockDescription::Tiles(tiles) => tiles.level_mode == LevelMode::Singular,
+        BlockDescription::ScanLines => true,
+    }
+}
+
+/// A source that knows how far it was read.
+struct Tracked<'a, R> {
+    source: &'a mut R,
+    position: u64,
+    /// The furthest position.
+    end: u64,
+}
+
+impl<'a, R> Tracked<'a, R> {
+    /// A source that stands at its beginning.
+    fn new(source: &'a mut R) -> Self {
+        Self {
+            source,
+            position: 0,
+            end: 0,
+        }
+    }
+}
+
+impl<R: Read> Read for Tracked<'_, R> {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        let count = self.source.read(bytes)?;
+        self.position += count as u64;
+        self.end = self.end.max(self.position);
+        Ok(count)
+    }
+}
+
+impl<R: Seek> Seek for Tracked<'_, R> {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.position = self.source.seek(to)?;
+        Ok(self.position)
     }
 }
 
@@ -213,13 +272,19 @@ impl FromSample for f32 {
     }
 }
 
-/// The headers, which announce no more than the file can hold.
-fn read_headers<R: BufRead + Seek>(source: &mut R) -> Result<MetaData, String> {
+/// The headers, which announce no more than the file can hold, and the length of the file.
+fn read_headers<R: BufRead + Seek>(source: &mut R) -> Result<(MetaData, u64), String> {
     let length = source.seek(SeekFrom::End(0)).and_then(|length| {
         source.rewind()?;
         Ok(length)
     });
     let length = length.map_err(|error| error.to_string())?;
+    if attributes(&mut source.take(LONGEST_HEADER)).unwrap_or(0) > MOST_ATTRIBUTES {
+        return Err(format!(
+            "its headers have more than {MOST_ATTRIBUTES} attributes, which is the most that is read"
+        ));
+    }
+    source.rewind().map_err(|error| error.to_string())?;
     let mut start = source.take(LONGEST_HEADER);
     let meta = MetaData::read_from_buffered(&mut start, false);
     let meta = meta.map_err(|error| match start.limit() {
@@ -229,7 +294,37 @@ fn read_headers<R: BufRead + Seek>(source: &mut R) -> Result<MetaData, String> {
         _ => error.to_string(),
     })?;
     check_size(&meta, usize::try_from(length).unwrap_or(usize::MAX))?;
-    Ok(meta)
+    Ok((meta, length))
+}
+
+/// How many attributes headers have, counted up to more than the most; an error where they end
+/// too early.
+fn attributes(start: &mut impl BufRead) -> io::Result<usize> {
+    /// The flag of files with several parts, whose headers end with an empty one.
+    const PARTS: u32 = 0x1000;
+    let mut word = [0; 4];
+    start.read_exact(&mut word)?;
+    start.read_exact(&mut word)?;
+    let has_parts = u32::from_le_bytes(word) & PARTS != 0;
+    let (mut count, mut of_part) = (0, 0);
+    while count <= MOST_ATTRIBUTES {
+        let mut name = Vec::new();
+        start.read_until(0, &mut name)?;
+        if name.len() <= 1 {
+            if !has_parts || of_part == 0 {
+                break;
+            }
+            of_part = 0;
+            continue;
+        }
+        // Its type, its length, and so many bytes.
+        start.read_until(0, &mut name)?;
+        start.read_exact(&mut word)?;
+        let length = u64::from(u32::from_le_bytes(word));
+        io::copy(&mut start.by_ref().take(length), &mut io::sink())?;
+        (count, of_part) = (count + 1, of_part + 1);
+    }
+    Ok(count)
 }
 
 /// Compares what headers announce with the length of the file, before memory is taken for it.
@@ -360,8 +455,12 @@ fn layers_of(channels: &[(String, usize)]) -> Vec<(String, [usize; 3])> {
     layers
 }
 
-/// The layer that is an image by itself, of the bytes of a file.
-pub(crate) fn decode_value(bytes: &[u8], most_pixels: u64) -> Result<Image, String> {
+/// The layer that is an image by itself, of the bytes of a file, if its size is not refused.
+pub(crate) fn decode_value(
+    bytes: &[u8],
+    most_pixels: u64,
+    refuse: impl FnOnce([usize; 2]) -> Result<(), String>,
+) -> Result<Image, String> {
     let mut file = ExrFile::open(std::io::Cursor::new(bytes))?;
     let layer = file.names().position(|name| name == VALUE);
     let layer = layer.ok_or("it has no channels R, G, B or Y")?;
@@ -371,5 +470,6 @@ pub(crate) fn decode_value(bytes: &[u8], most_pixels: u64) -> Result<Image, Stri
             "it has {width} x {height} pixels; expected at most {most_pixels} in all"
         ));
     }
+    refuse([width, height])?;
     file.image(layer)
 }

@@ -87,10 +87,14 @@ impl ImageFile {
                 });
             }
         };
-        Ok(Self {
+        let file = Self {
             layers: layers.map_err(|reason| ImageError::read(path, reason))?,
             path: path.to_owned(),
-        })
+        };
+        match file.names().is_empty() {
+            true => file.located(Err("it has no layers; expected an image".into())),
+            false => Ok(file),
+        }
     }
 
     /// The names of its layers.

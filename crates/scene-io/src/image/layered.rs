@@ -47,6 +47,9 @@ impl LayeredImage {
     pub(super) fn size(&self) -> Result<[usize; 2], String> {
         let first = self.layers.first().ok_or("the image has no layers")?;
         let [width, height] = [first.image.width, first.image.height];
+        if width == 0 || height == 0 {
+            return Err(format!("the image has no pixels: it is {width} x {height}"));
+        }
         for Layer { name, image } in &self.layers {
             if [image.width, image.height] != [width, height] {
                 return Err(format!(

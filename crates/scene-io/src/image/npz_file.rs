@@ -136,6 +136,13 @@ fn shape<R>(array: &Member<R>) -> Result<([usize; 2], usize), String>
 where
     R: Read,
 {
+    if let &[height, width, ..] = array.shape()
+        && (height == 0 || width == 0)
+    {
+        return Err(format!(
+            "has no pixels: it is {width} wide and {height} high"
+        ));
+    }
     match *array.shape() {
         [height, width] | [height, width, 1] => Ok(([width as usize, height as usize], 1)),
         [height, width, 3] => Ok(([width as usize, height as usize], 3)),

@@ -7,6 +7,7 @@ use capwalk_scene::{EmitterId, ShapeId};
 
 use super::lowering::Lowering;
 use super::sensor::{RIGID, fov_x};
+use crate::bitmap::BitmapUse;
 use crate::fields::{Child, Fields};
 use crate::problem::Problem;
 use crate::texts::Span;
@@ -135,7 +136,7 @@ impl Lowering<'_> {
             "directions are chosen by our own rule; the mean is the same",
         );
         let example = "add <string name=\"filename\" value=\"sky.exr\"/>";
-        let (file, span) = self.image(fields, false, example)?;
+        let (file, span) = self.image(fields, false, BitmapUse::Environment, example)?;
         if file.width < 2 || file.height < 3 {
             let message = format!(
                 "the environment has {} x {} texels",

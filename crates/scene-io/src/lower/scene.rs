@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use capwalk_scene::memory::{OF_TRIANGLE, OF_TRIANGLE_OF_SHAPE};
-use capwalk_scene::{Integrator, Quantity, Scene, Settings};
+use capwalk_scene::memory::{OF_SKY_TEXEL, OF_TRIANGLE, OF_TRIANGLE_OF_SHAPE};
+use capwalk_scene::{Emitter, Integrator, Quantity, Scene, Settings};
 
 use super::integrator;
 use super::lowering::Lowering;
@@ -61,6 +61,23 @@ impl Lowering<'_> {
         }
     }
 
+    /// Refuses what the machine has no memory to render, once all of it is read.
+    fn refuse_beyond_memory(&self, span: Span) -> Result<(), Problem> {
+        let mut triangles = Triangles::default();
+        for shape in &self.shapes {
+            let count = shape.mesh.faces.len() as u64;
+            triangles.add(&shape.id, count, shape.emitter.is_some());
+        }
+        let skies = self.emitters.iter().map(|emitter| match emitter {
+            Emitter::EnvironmentMap { map, .. } => {
+                u64::from(map.width) * u64::from(map.height) * OF_SKY_TEXEL
+            }
+            _ => 0,
+        });
+        let bytes = OF_TRIANGLE - OF_TRIANGLE_OF_SHAPE;
+        triangles.refuse_beyond_memory(bytes, skies.sum(), span)
+    }
+
     fn scene(
         mut self,
         fields: &Fields,
@@ -110,15 +127,10 @@ impl Lowering<'_> {
         let shapes = fields.children(Kind::Shape);
         self.spheres = sphere_division(self.context);
         let triangles = Triangles::known(self.context, &shapes, self.spheres);
-        triangles.refuse_beyond_memory(OF_TRIANGLE, root)?;
+        triangles.refuse_beyond_memory(OF_TRIANGLE, 0, root)?;
         for shape in shapes {
             self.shape(shape)?;
         }
-        let mut triangles = Triangles::default();
-        for shape in &self.shapes {
-            triangles.add(&shape.id, shape.mesh.faces.len() as u64);
-        }
-        triangles.refuse_beyond_memory(OF_TRIANGLE - OF_TRIANGLE_OF_SHAPE, root)?;
         for emitter in fields.children(Kind::Emitter) {
             self.scene_emitter(emitter)?;
         }
@@ -128,6 +140,7 @@ impl Lowering<'_> {
             }
         }
         fields.finish()?;
+        self.refuse_beyond_memory(root)?;
         let shows_light = !matches!(integrator, Integrator::Aov(_));
         if shows_light && self.emitters.is_empty() {
             let message = "the scene has no emitter; the image will be black";

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use capwalk_math::Vec3;
-use capwalk_scene::memory::{available, mib};
+use capwalk_scene::memory::{OF_EMITTING_TRIANGLE, available, mib};
 use capwalk_scene::primitive::{CYLINDER_TRIANGLES, DISK_TRIANGLES, sphere_triangles};
 
 use super::placed_surface::placement;
@@ -22,6 +22,8 @@ const NAMED: usize = 3;
 pub(super) struct Triangles {
     /// How many shapes of a kind there are, and how many triangles these have.
     of_kinds: BTreeMap<String, [u64; 2]>,
+    /// Those of all shapes that emit light.
+    emitting: u64,
 }
 
 impl Triangles {
@@ -32,25 +34,33 @@ impl Triangles {
         let mut of_groups = BTreeMap::new();
         for child in shapes {
             let count = known(context, child.node, division, &mut of_groups);
-            triangles.add(&context.graph.node(child.node).plugin, count);
+            let emitters = Fields::new(context, child.node).children(Kind::Emitter);
+            let kind = &context.graph.node(child.node).plugin;
+            triangles.add(kind, count, !emitters.is_empty());
         }
         triangles
     }
 
     /// Counts a shape of a kind.
-    pub fn add(&mut self, kind: &str, triangles: u64) {
+    pub fn add(&mut self, kind: &str, triangles: u64, emits: bool) {
+        if emits {
+            self.emitting = self.emitting.saturating_add(triangles);
+        }
         let [shapes, all] = self.of_kinds.entry(kind.to_owned()).or_default();
         *shapes += 1;
         *all = all.saturating_add(triangles);
     }
 
-    /// An error at `span` if so many bytes for each need more memory than is free.
-    pub fn refuse_beyond_memory(&self, bytes: u64, span: Span) -> Result<(), Problem> {
+    /// An error at `span` if so many bytes for each, and what the sampling of emitters takes, with
+    /// so much for those around the scene, need more memory than is free.
+    pub fn refuse_beyond_memory(&self, bytes: u64, skies: u64, span: Span) -> Result<(), Problem> {
         let total = self
             .of_kinds
             .values()
             .fold(0, |sum: u64, [_, triangles]| sum.saturating_add(*triangles));
-        let needed = total.saturating_mul(bytes);
+        let emitters = self.emitting.saturating_mul(OF_EMITTING_TRIANGLE);
+        let emitters = emitters.saturating_add(skies);
+        let needed = total.saturating_mul(bytes).saturating_add(emitters);
         let Some(free) = available().filter(|&free| needed > free) else {
             return Ok(());
         };
@@ -60,9 +70,13 @@ impl Triangles {
             .into_iter()
             .take(NAMED)
             .map(|(kind, [shapes, triangles])| format!("{kind}: {triangles} in {shapes}"));
+        let light = match emitters {
+            0 => String::new(),
+            emitters => format!(" ({} of them for emitters)", mib(emitters)),
+        };
         let message = format!(
-            "the shapes have {total} triangles, which need {} MiB of memory to be rendered, and {} \
-             MiB are free",
+            "the shapes have {total} triangles, which need {} MiB of memory{light} to be rendered, \
+             and {} MiB are free",
             mib(needed),
             mib(free)
         );

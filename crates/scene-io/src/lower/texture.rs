@@ -7,7 +7,7 @@ use capwalk_scene::{Pattern, Quantity, Texture, TextureId};
 use super::colour::is_light;
 use super::lowering::Lowering;
 use super::spectrum_plugin::{SPECTRA, depends_on_use};
-use crate::bitmap::{self, BitmapFile};
+use crate::bitmap::{self, BitmapFile, BitmapUse};
 use crate::fields::Fields;
 use crate::node::{Kind, NodeId, Property, PropertyValue, Spectrum};
 use crate::problem::Problem;
@@ -172,7 +172,7 @@ impl Lowering<'_> {
         let reason = "texels are kept in double precision";
         fields.cosmetic(&["format", "accel"], reason);
         let example = "add <string name=\"filename\" value=\"texture.png\"/>";
-        let (file, span) = self.image(fields, raw, example)?;
+        let (file, span) = self.image(fields, raw, BitmapUse::Texture, example)?;
         let texture = Texture {
             id,
             channels: file.channels,
@@ -193,12 +193,13 @@ impl Lowering<'_> {
         &self,
         fields: &Fields,
         raw: bool,
+        becomes: BitmapUse,
         example: &str,
     ) -> Result<(BitmapFile, Span), Problem> {
         let (bytes, path, span) = self.file(fields, example)?;
         let ending = path.extension().and_then(|ending| ending.to_str());
         let ending = ending.unwrap_or("").to_ascii_lowercase();
-        let file = bitmap::read(&bytes, &ending, raw).map_err(|error| {
+        let file = bitmap::read(&bytes, &ending, raw, becomes).map_err(|error| {
             let shown = path.display();
             Problem::image(span, format!("cannot read \"{shown}\": {error}")).help(format!(
                 "give an image file that ends in {}",

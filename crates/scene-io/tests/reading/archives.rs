@@ -43,10 +43,18 @@ fn array(descr: &str, shape: &str, bytes: usize) -> Vec<u8> {
 
 /// An archive of these arrays, each deflated.
 fn npz(arrays: &[(&str, Vec<u8>)]) -> Vec<u8> {
+    let files = arrays
+        .iter()
+        .map(|(name, bytes)| (format!("{name}.npy"), bytes.clone()));
+    archive(&files.collect::<Vec<_>>())
+}
+
+/// An archive of these files.
+fn archive(files: &[(String, Vec<u8>)]) -> Vec<u8> {
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
     let options = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
-    for (name, bytes) in arrays {
-        let started = archive.start_file(format!("{name}.npy"), options);
+    for (name, bytes) in files {
+        let started = archive.start_file(name, options);
         started.expect("a name");
         archive.write_all(bytes).expect("memory");
     }
@@ -120,14 +128,72 @@ fn bytes_behind_an_array_are_refused() {
     assert!(error.to_string().contains(expected), "{error}");
 }
 
+/// The reason why a file is refused.
+#[track_caller]
+fn refused(name: &str, bytes: &[u8], expected: &str) {
+    match open(name, bytes).map(|mut file| file.image("value")) {
+        Ok(Ok(_)) => panic!("{name} is refused"),
+        Ok(Err(error)) => assert!(error.to_string().contains(expected), "{error}"),
+        Err(error) => assert!(error.contains(expected), "{error}"),
+    }
+}
+
+/// Images of nothing, and archives that have none or say something twice.
+#[test]
+fn images_have_layers_and_pixels() {
+    refused("none.npz", &npz(&[]), "it has no layers");
+    for shape in ["(5, 0, 3)", "(0, 5)"] {
+        let empty = npz(&[("value", array("<f4", shape, 0))]);
+        refused("empty.npz", &empty, "\"value\" has no pixels");
+    }
+    let mut layered = LayeredImage::default();
+    layered.push("value", Image::new(0, 5));
+    for ending in ["exr", "npz", "png"] {
+        let file = Temporary::new(&format!("nothing.{ending}"), b"");
+        let error = image::write(&file.0, &layered, &Preview::default());
+        let error = error.expect_err(ending).to_string();
+        assert!(error.contains("has no pixels"), "{error}");
+    }
+    let value = || array("<f4", "(2, 2, 3)", 48);
+    let named = ["value.npy", "value"].map(|name| (name.to_owned(), value()));
+    refused("once.npz", &archive(&named), "the name \"value\"");
+    let mut twice = npz(&[("value", value()), ("valuf", value())]);
+    for at in 0..twice.len() - 9 {
+        if twice[at..].starts_with(b"valuf.npy") {
+            twice[at + 4] = b'e';
+        }
+    }
+    refused("twice.npz", &twice, "two of its arrays have the same name");
+}
+
+/// In EXR files, too, with one part.
+#[test]
+fn bytes_behind_pixels_are_refused() {
+    let mut bytes = written("exr", &example());
+    let whole = open("whole.exr", &bytes).map(|mut file| file.image("value"));
+    assert!(whole.expect("an image").is_ok());
+    bytes.extend(b"12345");
+    refused("behind.exr", &bytes, "5 bytes behind its last pixels");
+}
+
+/// What could not be read is not written.
+#[test]
+fn long_names_are_not_written() {
+    let mut layered = LayeredImage::default();
+    layered.push(&"x".repeat(9000), Image::new(2, 2));
+    let file = Temporary::new("long.npz", b"");
+    let error = image::write(&file.0, &layered, &Preview::default());
+    let error = error.expect_err("a long name").to_string();
+    assert!(
+        error.contains("would have 9004 bytes; expected at most 8192"),
+        "{error}"
+    );
+}
+
 /// Texts that nobody could read, and lists of arrays that nobody wrote.
 #[test]
 fn metadata_and_lists_have_bounds() {
     let value = || ("value", array("<f4", "(2, 2, 3)", 48));
-    let refused = |name: &str, bytes: &[u8], expected: &str| match open(name, bytes) {
-        Ok(_) => panic!("{name} is refused"),
-        Err(error) => assert!(error.contains(expected), "{error}"),
-    };
     let text = array("<U4200000", "(2, 2)", 67_200_000);
     let expected = "\"metadata\" has 67200";
     refused("text.npz", &npz(&[value(), ("metadata", text)]), expected);
@@ -178,10 +244,11 @@ fn one_layer_is_that_of_all() {
 fn headers_of_exr_have_bounds() {
     let mut layered = example();
     layered.metadata = vec![("note".into(), "x".repeat(3_000_000))];
-    match open("long.exr", &written("exr", &layered)) {
-        Ok(_) => panic!("it has 3 MB of notes"),
-        Err(error) => assert!(error.contains("its header has more than"), "{error}"),
-    }
+    let long = written("exr", &layered);
+    refused("long.exr", &long, "its header has more than");
+    layered.metadata = (0..20_000).map(|i| (format!("n{i}"), "x".into())).collect();
+    let many = written("exr", &layered);
+    refused("many.exr", &many, "headers have more than 16384 attributes");
 }
 
 /// Reads what a command reads: headers, then layers that are not too large.

@@ -103,8 +103,9 @@ impl EnvironmentTable {
         let (width, height) = (map.width as usize, map.height as usize);
         let luminance =
             |x: usize, y: usize| texture.texel(y * width + x % width).luminance().max(0.0);
-        let mut densities = Vec::with_capacity(width * (height - 1));
-        let (mut rows, mut cells) = (Vec::new(), Vec::new());
+        let count = width * (height - 1);
+        let (mut densities, mut cells) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        let mut rows = Vec::new();
         let mut total = 0.0;
         for y in 0..height - 1 {
             let solid_angle = Self::solid_angle(map, y);

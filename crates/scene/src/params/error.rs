@@ -4,6 +4,8 @@ use std::fmt;
 
 use capwalk_math::Vec3;
 
+use capwalk_geometry::shown;
+
 /// Why an expression or a list of velocities means no motion.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -127,7 +129,7 @@ pub enum ParameterError {
 
 impl fmt::Display for ParameterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let vector = |v: &Vec3| format!("({}, {}, {})", v.x, v.y, v.z);
+        let vector = |v: &Vec3| format!("({}, {}, {})", shown(v.x), shown(v.y), shown(v.z));
         match self {
             Self::Unknown { name, near } => {
                 write!(f, "the scene has no parameter \"{name}\"")?;
@@ -197,7 +199,8 @@ impl fmt::Display for ParameterError {
                 expected,
             } => write!(
                 f,
-                "number {index} of \"{name}\" would be {value}; expected {expected}"
+                "number {index} of \"{name}\" would be {}; expected {expected}",
+                shown(*value)
             ),
             Self::Parted {
                 shape,

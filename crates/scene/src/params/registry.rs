@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry::{Occupied, Vacant};
-use std::iter;
 use std::sync::Arc;
 
 use super::array::ArrayParameter;
@@ -25,6 +24,8 @@ pub struct Registry {
     scalars: HashMap<Arc<str>, Found>,
     arrays: Vec<ArrayParameter>,
     arrays_by_name: HashMap<String, Found>,
+    /// Bytes of the longest of all names.
+    longest: usize,
     /// Of each texture, where it is seen.
     users: Vec<String>,
 }
@@ -56,7 +57,10 @@ impl Registry {
             let same = |first: u32| arrays[first as usize].place == array.place;
             insert(&mut arrays_by_name, array.name.clone(), i, same);
         }
+        let of_scalars = entries.iter().map(|entry| entry.name.len());
+        let of_arrays = arrays.iter().map(|array| array.name.len());
         Self {
+            longest: of_scalars.chain(of_arrays).max().unwrap_or(0),
             scalars,
             names,
             arrays,
@@ -107,7 +111,8 @@ impl Registry {
         &self,
         text: &'a str,
     ) -> Result<Option<(&'a str, &ArrayParameter)>, ParameterError> {
-        for (bracket, _) in text.rmatch_indices('[') {
+        let near = &text[..text.floor_char_boundary(self.longest + 1)];
+        for (bracket, _) in near.rmatch_indices('[') {
             let name = &text[..bracket];
             if let Some(array) = self.array(name)? {
                 return Ok(Some((name, array)));
@@ -122,11 +127,17 @@ impl Registry {
         &self,
         text: &'a str,
     ) -> Result<Option<(Target, &'a str)>, ParameterError> {
-        let signs = text.rmatch_indices(['+', '-']).map(|(sign, _)| sign);
+        // No name ends behind the longest one, whatever follows: sums can be long.
+        let most = text.floor_char_boundary(self.longest);
+        let space = text.len() - most - text[most..].trim_start().len();
+        let seen = text.len().min(most + space + 1);
+        let near = &text[..text.floor_char_boundary(seen)];
+        let is_whole = (near.len() == text.len()).then_some(text.len());
+        let signs = near.rmatch_indices(['+', '-']).map(|(sign, _)| sign);
         // White space before a sign may belong to the name or not.
-        let ends = iter::once(text.len()).chain(signs).flat_map(|end| {
+        let ends = is_whole.into_iter().chain(signs).flat_map(|end| {
             let least = text[..end].trim_end().len();
-            (least..=end)
+            (least..=end.min(most))
                 .rev()
                 .filter(|&end| text.is_char_boundary(end))
         });

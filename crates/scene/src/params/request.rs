@@ -1,6 +1,7 @@
 //! What a text asks for: an array, or a motion.
 
 use super::array::ArrayParameter;
+use super::element::ElementSum;
 use super::error::ParameterError;
 use super::expression::{self, Named};
 use super::missing;
@@ -37,16 +38,18 @@ impl Registry {
             ParameterError::Unknown { name, .. } => self.unknown(scene, name),
             error => error,
         })?;
+        let mut elements = ElementSum::default();
         for term in terms {
             match term.named {
                 Named::Target(target) => {
                     velocity::accumulate(scene, target, term.factor, &mut tangent);
                 }
                 Named::Element(element) => {
-                    tangent.add(&element.tangent(scene).scaled(term.factor));
+                    elements.add(scene, element, term.factor, &mut tangent);
                 }
             }
         }
+        elements.add_to(scene, &mut tangent);
         check_finite(&tangent, || format!("the parameters in \"{expression}\""))?;
         Ok(tangent)
     }

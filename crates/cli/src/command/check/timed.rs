@@ -16,29 +16,37 @@ pub struct Checked {
     pub seconds: [f64; 2],
 }
 
-/// Checks a gradient, one bar after the other. Half of a time limit is for the gradient; if
-/// something may be missing, half of that for the derivative of the rest of the light.
+/// Checks a gradient, one bar after the other. Half of what preparation leaves of a time limit is
+/// for the gradient; if something may be missing, half of that for the derivative of the rest of
+/// the light.
 pub fn check(
     prepared: &Prepared,
     tangent: &Tangent,
     options: &CheckOptions,
     limit: Option<Duration>,
 ) -> Result<Checked> {
+    let started = Instant::now();
+    let left = || limit.map(|limit| limit.saturating_sub(started.elapsed()));
     let reference = options.reference(prepared.scene(), tangent, || {
         prepared.difference_step(tangent)
     })?;
-    let started = Instant::now();
+    let work = prepared.gradient_work(tangent, &options.gradient)?;
+    let progress = Progress::new("prepare", left());
+    let chosen = work
+        .prepare(&progress)
+        .and_then(|()| work.chosen(&progress));
+    let mut gradient_seconds = progress.finish().as_secs_f64();
+    let chosen = chosen.map_err(Error::from)?;
+
     let parts = match options.gradient.allow_missing == AllowMissing::default() {
         true => 2,
         false => 4,
     };
-    let part = limit.map(|limit| limit / parts);
-    let work = prepared.gradient_work(tangent, &options.gradient)?;
+    let part = left().map(|left| left / parts);
     let progress = Progress::new("gradient", part);
-    let gradient = work.chosen(&progress);
-    let gradient = gradient.and_then(|chosen| Ok((chosen, work.whole(&progress)?)));
-    let mut gradient_seconds = progress.finish().as_secs_f64();
-    let (chosen, mut gradient) = gradient.map_err(Error::from)?;
+    let gradient = work.whole(&progress);
+    gradient_seconds += progress.finish().as_secs_f64();
+    let mut gradient = gradient.map_err(Error::from)?;
     if gradient.missing.is_some() {
         let progress = Progress::new("gradient of the rest", part);
         let rest = comparable(gradient, &work, &progress);
@@ -47,8 +55,7 @@ pub fn check(
     }
 
     drop(work); // what it knows of the motion can be large
-    let rest = limit.map(|limit| limit.saturating_sub(started.elapsed()));
-    let progress = Progress::new("reference", rest);
+    let progress = Progress::new("reference", left());
     let check = prepared.checked(gradient, tangent, reference, &chosen.options, &progress);
     let reference_seconds = progress.finish().as_secs_f64();
     Ok(Checked {

@@ -79,10 +79,10 @@ fn every_order_of_writing_can_be_resumed() {
         capwalk.write(&format!("{case}/record.csv"), &text);
         fs::create_dir(capwalk.path(&format!("{case}/scene_textures"))).expect("made");
         for half in [
-            ".parameters.npz.99.tmp",
-            "pictures/.000040.png.99.tmp",
-            "scene_meshes/.leaf.ply.77.tmp",
-            "scene_textures/.bark.exr.77.tmp",
+            ".parameters.npz.99.capwalk-tmp",
+            "pictures/.000040.png.99.capwalk-tmp",
+            "scene_meshes/.leaf.ply.77.capwalk-tmp",
+            "scene_textures/.bark.exr.77.capwalk-tmp",
         ] {
             capwalk.write(&format!("{case}/{half}"), "half");
         }
@@ -165,22 +165,68 @@ fn files_of_others_are_not_written_over() {
         &capwalk.error("optimize job.toml -o ."),
         &["scene.xml already exists", "-o"],
     );
-    for (folder, file, text) in [
+    for (folder, path, text) in [
         ("record", "record.csv", "mine\n1\n"),
+        ("line", "record.csv", "mine"),
+        ("timing", "timing.csv", "my times"),
+        ("lock", ".lock", "mine"),
+        ("picture", "pictures/000000.png", "mine"),
         ("result", "parameters.npz", "mine"),
     ] {
-        fs::create_dir(capwalk.path(folder)).expect("made");
-        capwalk.write(&format!("{folder}/{file}"), text);
+        let parent = capwalk.path(&format!("{folder}/{path}"));
+        fs::create_dir_all(parent.parent().expect("a folder")).expect("made");
+        capwalk.write(&format!("{folder}/{path}"), text);
         let error = capwalk.error(&format!("optimize job.toml -o {folder}"));
+        let file = path.split('/').next().expect("a name");
         assert_has(&error, &[file, "already exists"]);
-        assert_eq!(files(&capwalk.path(folder)).len(), 1);
+        assert_eq!(capwalk.bytes(&format!("{folder}/{path}")), text.as_bytes());
+        let entries = fs::read_dir(capwalk.path(folder)).expect("a folder");
+        assert_eq!(entries.count(), 1, "{folder}");
     }
-    // What a run leaves that was killed before its first checkpoint.
-    fs::create_dir(capwalk.path("begun")).expect("made");
-    capwalk.write("begun/record.csv", "iteration,loss\n");
+    // What a run leaves that was killed before its first checkpoint, beside something that is not
+    // its own.
+    fs::create_dir_all(capwalk.path("begun/pictures")).expect("made");
+    for (file, text) in [
+        ("record.csv", "iteration,loss\n"),
+        ("timing.csv", "itera"),
+        (".lock", ""),
+    ] {
+        capwalk.write(&format!("begun/{file}"), text);
+    }
+    let own = ["begun/.notes.tmp", "begun/.notes.12.tmp"];
+    for file in own {
+        capwalk.write(file, "mine");
+    }
     let short = SMALL.replace("iterations = 40", "iterations = 1");
     capwalk.write("job.toml", &short);
     assert_eq!(capwalk.run("optimize job.toml -o begun").status, 0);
+    for file in own {
+        assert_eq!(capwalk.bytes(file), b"mine");
+    }
+}
+
+/// What a run adds to is no link to something else, also when it goes on.
+#[cfg(unix)]
+#[test]
+fn links_are_not_written_through() {
+    let capwalk = Capwalk::new("optimize_links");
+    capwalk.write(
+        "job.toml",
+        &SMALL.replace("iterations = 40", "iterations = 1"),
+    );
+    let run = "optimize job.toml -o run --resume";
+    assert_eq!(capwalk.run(&format!("{run} --pause-after 1")).status, 0);
+    for file in ["record.csv", "timing.csv", ".lock"] {
+        let text = "iteration,mine\n";
+        capwalk.write("mine", text);
+        let link = capwalk.path(&format!("run/{file}"));
+        fs::rename(&link, capwalk.path("kept")).expect("it is there");
+        std::os::unix::fs::symlink("../mine", &link).expect("linkable");
+        assert_has(&capwalk.error(run), &[file, "is a link", "-o"]);
+        assert_eq!(capwalk.bytes("mine"), text.as_bytes(), "{file}");
+        fs::rename(capwalk.path("kept"), &link).expect("renamed");
+    }
+    assert_eq!(capwalk.run(run).status, 0);
 }
 
 /// The folder is named as the job, up to its last dot.

@@ -78,6 +78,18 @@ fn runs_stop_for_a_reason() {
     capwalk.write("early.toml", &format!("time_limit = \"0.001s\"\n{long}"));
     assert_has(&capwalk.error("optimize early.toml"), &[early]);
 
+    // A target whose light is no number would be black.
+    let bright = SMALL.replace(
+        "\"leaf.translate.x\" = 0.2",
+        "\"lamp.emitter.radiance.value\" = 1e308",
+    );
+    capwalk.write("bright.toml", &bright);
+    let error = capwalk.error("optimize bright.toml -o bright");
+    assert_has(
+        &error,
+        &["the target of view 1", "infinite or NaN", "smaller numbers"],
+    );
+
     // Gradients that cannot be squared.
     let huge = SMALL.replace(
         "leaf.translate.x\"\nbounds",
