@@ -7,7 +7,7 @@
 //! found by its pyramid, reflected at each mirror in turn that it may reach. Panes leave images
 //! where they are.
 
-use capwalk_geometry::{HalfSpace, Mesh, Ray};
+use capwalk_geometry::{HalfSpace, Hit, Mesh, Ray};
 use capwalk_math::{Real, Vec3};
 use capwalk_scene::lobe::Event;
 
@@ -91,12 +91,22 @@ impl MirrorImage {
         let point = planes.fold(point, |point, (_, plane)| plane.mirror.point(point));
         let corner = |i| vertex(i).velocity;
         let velocity = mirrors.velocity(mesh, point, motion.velocity, corner);
-        let numbers = self.chain.iter().map(|&(number, _)| number);
-        let spread: f64 = numbers.map(|number| 2.0 * spreads[number as usize]).sum();
         Motion {
             velocity,
-            spread: motion.spread + spread,
+            spread: motion.spread + self.spread(spreads),
         }
+    }
+
+    /// How much faster what it shows moves, at most, by other faces of its mirrors than by those that
+    /// stand for them, as far as [`MirrorPlanes::spreads`](crate::MirrorPlanes::spreads) know.
+    pub fn spread(&self, spreads: &[f64]) -> f64 {
+        let numbers = self.chain.iter().map(|&(number, _)| number);
+        numbers.map(|number| 2.0 * spreads[number as usize]).sum()
+    }
+
+    /// How many mirrors there are.
+    pub fn count(&self) -> usize {
+        self.chain.len()
     }
 
     /// What the last mirror can show: what is before it.
@@ -164,7 +174,15 @@ impl Accel {
         self.mirrors_along(image, camera, distance, events)
     }
 
-    /// The same for a ray from a viewpoint.
+    /// True if a face that was hit is of the mirror of this number in the chain of an image.
+    pub fn reflects_next(&self, image: &MirrorImage, number: usize, hit: &Hit) -> bool {
+        let planes = self.mirror_planes();
+        let next = image.chain.get(number).zip(planes);
+        next.is_some_and(|(&(plane, _), planes)| planes.has(plane, hit.face))
+    }
+
+    /// The mirrors by which a ray from a viewpoint leads to a point at a distance, as
+    /// [`Self::sees_image`] finds them.
     pub fn mirrors_along(
         &self,
         image: &MirrorImage,
@@ -173,7 +191,6 @@ impl Accel {
         events: u32,
     ) -> Option<Mirrors> {
         let mut mirrors = Mirrors::default();
-        let mut chain = image.chain.iter();
         let (mut ray, mut left) = (ray, distance);
         for _ in 0..=events.min(MAX_EVENTS) {
             // What is reached without an event must be between the clip planes, as all that is
@@ -185,20 +202,15 @@ impl Accel {
                 ..ray
             });
             let Some(hit) = hit else {
-                let is_there = !is_clipped && chain.next().is_none();
+                let is_there = !is_clipped && mirrors.faces().len() == image.count();
                 return is_there.then_some(mirrors);
             };
             // At the next mirror of the chain the ray is reflected, elsewhere it must pass.
             let events = self.flat_events(&hit);
-            let is_next = |&&(plane, _): &&(u32, Plane)| {
-                let planes = self.mirror_planes();
-                planes.is_some_and(|planes| planes.has(plane, hit.face))
-            };
             let mut direction = ray.direction;
-            if chain.clone().next().filter(is_next).is_some() {
+            if self.reflects_next(image, mirrors.faces().len(), &hit) {
                 direction = Mirror::new(&self.mesh, hit.face).direction(direction);
                 mirrors.push(hit.face);
-                chain.next();
             } else if !events.contains(Event::Pass) {
                 return None;
             }

@@ -5,15 +5,18 @@
 use std::borrow::Cow;
 
 use capwalk_boundary::{Draw, EdgePoint, MirrorImage, Viewpoint, moving_apex};
-use capwalk_geometry::EdgeSelection;
-use capwalk_math::{Frame, Real, Rgb};
+use capwalk_geometry::{EdgeSelection, Hit};
+use capwalk_math::{Frame, Real, Rgb, Vec3};
 use capwalk_scene::lobe::Event;
 
 use crate::emitter_edge_term::SHORT_OF_EDGE;
+use crate::light::emitter_towards;
 use crate::radiance::SpecularChain;
 use crate::sampled_edge_term::sampled_edge_term;
 use crate::sampled_edges::{InMirrors, ShadingPoint, beside_its_face};
 use crate::scene_eval::{Primal, SceneEval};
+use crate::shading::{add_lobes, black_vertex_at};
+use crate::surface::{emitted_at, surface_at};
 use crate::tracer::{IMAGE_EDGE_NUMBERS, IMAGE_NUMBERS, INDIRECT_EDGE_NUMBERS, Tracer};
 use crate::vertex::Vertex;
 
@@ -97,6 +100,7 @@ impl Tracer<'_> {
                 events,
                 position,
                 turning: at.turning,
+                spread: image.spread(self.mirror_spreads(at.eval)),
             }),
         };
         let edges = self.sampled_edges(at.field.boundaries, at.eval, EdgeSelection::All);
@@ -106,8 +110,10 @@ impl Tracer<'_> {
         term * R::constant(1.0 / drawn.probability)
     }
 
-    /// `f(behind) - f(before)` at a point of an edge, where `f` is what surfaces reflect
-    /// towards the vertex, times BSDF and cosine. Both paths take the same random numbers.
+    /// `f(behind) - f(before)` at a point of an edge, where `f` is what comes back from there to the
+    /// vertex, times BSDF and cosine. Both paths take the same random numbers. On the way to the edge
+    /// they are reflected by the mirrors that show it and by no others: other edges may be seen in the
+    /// same direction.
     fn indirect_jump<R: Real, W: SceneEval<R>>(
         &self,
         at: &ShadingPoint<R, W>,
@@ -118,34 +124,97 @@ impl Tracer<'_> {
     ) -> Rgb {
         let (accel, field) = (self.accel, at.field);
         let image: Option<&MirrorImage> = at.in_mirrors.as_ref().map(|seen| seen.image);
+        let nearest = point.distance * (1.0 - SHORT_OF_EDGE);
         let sides = point.sides_of_paths(field.boundaries, accel);
-        let looks = sides.map(|side| {
+        let mut looks = sides.map(|side| {
             let (from, direction) = match image {
                 None => (beside_its_face(field, vertex, point, side), side),
                 Some(image) => (Cow::Borrowed(vertex), image.direction(side)),
             };
-            let hit = accel.first_hit(from.position, direction);
-            (from, direction, hit)
+            Look {
+                weight: from.eval(direction),
+                ray: [from.position, direction],
+                hit: accel.first_hit(from.position, direction),
+                left: nearest,
+            }
         });
-        // Where a nearer face hides the edge, both sides are the same.
-        let nearest = point.distance * (1.0 - SHORT_OF_EDGE);
-        if image.is_none()
-            && let [(_, _, Some(one)), (_, _, Some(other))] = &looks
-            && one.face == other.face
-            && one.t.max(other.t) < nearest
-            && !accel.flat_events(one).contains(Event::Pass)
-        {
+        let (mut events, mut reflections) = (0, 0);
+        let mut chain = SpecularChain::default();
+        while let Some(hit) = one_nearer_face(&looks) {
+            let shows = image.is_some_and(|image| accel.reflects_next(image, reflections, &hit));
+            let event = if shows { Event::Reflect } else { Event::Pass };
+            let flat = accel.flat_events(&hit);
+            // Where a nearer face hides the edge, both sides are the same.
+            if !flat.contains(event) || !self.plan.reaches(depth + events + 3) {
+                return Rgb::zero();
+            }
+            looks = looks.map(|look| self.after(look, event));
+            chain = chain.at(flat).followed_by(event);
+            events += 1;
+            reflections += usize::from(shows);
+        }
+        if image.is_some_and(|image| reflections < image.count()) {
             return Rgb::zero();
         }
-        let [behind, before] = looks.map(|(from, direction, hit)| {
-            let f = from.eval(direction);
-            if f == Rgb::zero() {
-                return f;
+        let [behind, before] = looks.map(|look| {
+            let Look {
+                weight, ray, hit, ..
+            } = look;
+            if weight == Rgb::zero() {
+                return weight;
             }
-            let (eval, chain) = (Primal(accel), SpecularChain::default());
-            let ray = [from.position, direction];
-            f * self.reflected(&eval, ray, hit, depth + 1, chain, draw)
+            let eval = Primal(accel);
+            // Emitters are sampled by themselves, but for those after specular events.
+            let emitter = match events {
+                0 => None,
+                _ => emitter_towards(accel, hit.as_ref(), ray[1]),
+            };
+            let emitted = emitter.map_or(Rgb::zero(), |emitter| {
+                emitted_at(&eval, accel, emitter, hit.as_ref(), ray[0], ray[1])
+            });
+            let first = depth + 1 + events;
+            weight * (emitted + self.reflected(&eval, ray, hit, first, chain, draw))
         });
         behind - before
     }
+
+    /// What is seen after a specular event at the surface that is hit.
+    fn after(&self, look: Look, event: Event) -> Look {
+        let (eval, accel, [origin, direction]) = (Primal(self.accel), self.accel, look.ray);
+        let found = look.hit.expect("a surface was hit");
+        let surface = surface_at(&eval, accel, &found, origin, direction);
+        let mut vertex = black_vertex_at(&surface, direction);
+        add_lobes(&eval, accel, &surface, &mut vertex);
+        let mut next = Look {
+            weight: Rgb::zero(),
+            left: look.left - found.t,
+            ..look
+        };
+        // All lobes with this event send light the same way.
+        let events = vertex.bsdf.events(vertex.wi);
+        for event in events.filter(|specular| specular.event == event) {
+            let ([_, direction], fraction) = vertex.specular(event, look.ray);
+            next.weight += look.weight * fraction;
+            next.ray = [vertex.position, direction];
+        }
+        next.hit = accel.first_hit(next.ray[0], next.ray[1]);
+        next
+    }
+}
+
+/// Where a path to one side of an edge is.
+#[derive(Clone, Copy)]
+struct Look {
+    /// What light from there is multiplied by.
+    weight: Rgb,
+    ray: [Vec3; 2],
+    hit: Option<Hit>,
+    /// Up to this distance, surfaces are nearer than the edge.
+    left: f64,
+}
+
+/// The face that both of two paths hit before the edge, where one of them does.
+fn one_nearer_face(looks: &[Look; 2]) -> Option<Hit> {
+    let [one, other] = looks.map(|look| look.hit.filter(|hit| hit.t < look.left));
+    one.filter(|one| other.is_some_and(|other| one.face == other.face))
 }

@@ -17,9 +17,10 @@ use crate::vertex::Vertex;
 /// How many random numbers [`sampled_edge_term`] uses.
 const NUMBERS: u32 = 2;
 
-/// Subtrees for the vertex of a path of this number: later ones matter less.
-fn subtree_count(depth: u32) -> u32 {
-    if depth == 0 { 2 } else { 1 }
+/// Subtrees for the vertex of a path of this number: later ones matter less, and so does what is seen
+/// in mirrors.
+fn subtree_count(depth: u32, in_mirrors: bool) -> u32 {
+    if depth == 0 && !in_mirrors { 2 } else { 1 }
 }
 /// Points on the edges of each.
 const POINTS: u32 = 1;
@@ -59,7 +60,7 @@ pub fn sampled_edge_term<R: Real, W: SceneEval<R>>(
         sampler.selection() == EdgeSelection::All || edge.is_silhouette(&field.accel.mesh, position)
     };
     let [u, place] = draw.stream.pair(first + NUMBERS * depth);
-    let count = subtree_count(depth);
+    let count = subtree_count(depth, at.in_mirrors.is_some());
     draw.count_queries(u64::from(count));
     MEMORY.with_borrow_mut(|edges| {
         let mut term = Rgb::zero();

@@ -63,6 +63,8 @@ pub struct InMirrors<'a, R> {
     pub position: Vec3<R>,
     /// The normal with which directions from there turn, if they do not stay.
     pub turning: Option<Vec3<R>>,
+    /// How much faster than one face of each mirror the others move, at most, world units.
+    pub spread: f64,
 }
 
 /// What sampling weights know of how directions from a shading point move.
@@ -102,7 +104,8 @@ impl<R: Real, W: SceneEval<R>> ShadingPoint<'_, R, W> {
         let normal = self
             .turning
             .map(|normal| (normal.value(), self.eval.motion_of(normal)));
-        let motion = self.eval.motion_of(self.viewpoint.position);
+        let mut motion = self.eval.motion_of(self.viewpoint.position);
+        motion.spread += self.in_mirrors.as_ref().map_or(0.0, |seen| seen.spread);
         let (n, change) = normal.unwrap_or((Vec3::zero(), Motion::STILL));
         // What may move may turn.
         let may_turn = self.turning.map_or(0.0, |_| motion.spread);
@@ -251,7 +254,8 @@ impl SampledEdges {
                 let t = place(part(0.5));
                 let offset = a + (b - a) * t;
                 let against = turning.at(offset).velocity;
-                let speed = eval.speed(points, t, against, normal) / offset.length();
+                let apart = at.in_mirrors.as_ref().map_or(0.0, |seen| seen.spread);
+                let speed = (eval.speed(points, t, against, normal) + apart) / offset.length();
                 let angle = factor * chord.length() / count;
                 let contribution = angle * reflected * speed;
                 // An edge seen end-on has no middle direction, and no angle.
