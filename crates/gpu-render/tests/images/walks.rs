@@ -117,7 +117,7 @@ fn turning_ball() -> Case {
 fn scenes() -> impl Iterator<Item = (Case, GradientOptions)> {
     let deep = cases().into_iter().filter(|case| case.depth > 2);
     let deep = deep.chain([turning_ball()]).map(|case| (case, WALKS));
-    let mirrors = mirrors().into_iter().map(|case| (case, Method::EDGES));
+    let mirrors = mirrors().into_iter().map(|case| (case, WALKS));
     deep.chain(mirrors).map(|(case, method)| {
         let options = GradientOptions {
             method,
