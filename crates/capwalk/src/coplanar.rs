@@ -139,7 +139,7 @@ fn faces(scene: &Scene, tangent: &Tangent) -> Vec<Face> {
 
 /// True if all vertices of a mesh are in the plane of its first face with area.
 fn is_flat(mesh: &Mesh) -> bool {
-    let margin = SAME_PLANE * mesh.positions.iter().map(size).fold(0.0, f64::max);
+    let margin = SAME_PLANE * mesh.positions.iter().map(largest).fold(0.0, f64::max);
     let crosses = (0..mesh.faces.len()).map(|face| (face, mesh.face_cross(face)));
     let first = crosses.into_iter().find(|(_, n)| n.length() > 0.0);
     first.is_some_and(|(face, cross)| {
@@ -150,7 +150,7 @@ fn is_flat(mesh: &Mesh) -> bool {
 }
 
 /// The largest coordinate.
-fn size(p: &Vec3) -> f64 {
+pub fn largest(p: &Vec3) -> f64 {
     p.x.abs().max(p.y.abs()).max(p.z.abs())
 }
 
@@ -171,7 +171,7 @@ impl Face {
             velocities,
             is_flush: false,
             normal: n,
-            size: corners.iter().map(size).fold(0.0, f64::max),
+            size: corners.iter().map(largest).fold(0.0, f64::max),
             key: 0.0,
             range: [
                 along.into_iter().fold(f64::INFINITY, f64::min),

@@ -6,7 +6,7 @@ use capwalk_math::{Dual, Real, Vec3};
 use capwalk_scene::sensor::view::View;
 use capwalk_scene::{Film, Scene, Tangent};
 
-use crate::coplanar::SAME_PLANE;
+use crate::coplanar::{SAME_PLANE, largest};
 
 /// Part of the largest velocity by which something moves that is no rounding.
 const MOVES: f64 = 1e-6;
@@ -62,7 +62,7 @@ pub fn edge_on(scene: &Scene, tangent: &Tangent) -> Vec<EdgeOnFace> {
                 // The rounding of a small face does not depend on how wide the scene is.
                 false => {
                     let points = corners.iter().chain([&moving.origin]);
-                    let sizes = points.map(|p| largest(p.value()));
+                    let sizes = points.map(|p| largest(&p.value()));
                     (normal.dot(a - moving.origin), sizes.fold(0.0, f64::max))
                 }
             };
@@ -82,11 +82,6 @@ pub fn edge_on(scene: &Scene, tangent: &Tangent) -> Vec<EdgeOnFace> {
         }
     }
     found
-}
-
-/// The largest coordinate.
-fn largest(p: Vec3) -> f64 {
-    p.x.abs().max(p.y.abs()).max(p.z.abs())
 }
 
 /// True if part of a triangle is seen, unless something hides it.
