@@ -77,26 +77,6 @@ impl Gathers {
         indirect: false,
         points: Self::POINTS,
     };
-    /// Along one kind of segment each.
-    pub const SEGMENTS: [Self; 4] = [
-        Self {
-            camera: true,
-            ..Self::NONE
-        },
-        Self {
-            emitters: true,
-            ..Self::NONE
-        },
-        Self {
-            environment: true,
-            ..Self::NONE
-        },
-        Self {
-            indirect: true,
-            ..Self::NONE
-        },
-    ];
-
     /// The names of the segments.
     pub fn names(self) -> Vec<&'static str> {
         let all = [
