@@ -129,10 +129,9 @@ impl Pilot<'_> {
             false => None,
         };
         if self.size.samples_of_trial() == 0 {
-            let gathers = if surely.is_some() {
-                cautious
-            } else {
-                everywhere
+            let gathers = match surely {
+                Some(surely) if surely < CLEARLY => cautious,
+                _ => everywhere,
             };
             return (by_gathering(gathers), asked_radius);
         }
@@ -181,7 +180,8 @@ impl Pilot<'_> {
 
     /// The share of a walk's cost below which rays that stay must be, if something with interpolated normals moves
     /// against the camera that is glossy, or lit by something glossy. They can have derivatives there
-    /// so rare and so large that a pilot does not see them; the rays of a walk move along.
+    /// so rare and so large that a pilot does not see them; the rays of a walk move along. Where surfaces
+    /// see flat mirrors or panes, walks have such values as well ([`WALKS_TRIED`]), and neither has to be surely better.
     fn moves_gloss(&self, tracer: &Tracer) -> Option<f64> {
         let scene = self.prepared.scene();
         let camera_moves = self.tangent.sensor.moves_rays();
@@ -196,7 +196,12 @@ impl Pilot<'_> {
                 _ => None,
             }
         });
-        factors.reduce(f64::min)
+        let surely = factors.reduce(f64::min)?;
+        Some(if tracer.shows_surfaces_mirrors() {
+            1.0
+        } else {
+            surely
+        })
     }
 
     /// The better one of the cutoff that is asked for and another one, if that is narrower; `None`

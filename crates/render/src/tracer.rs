@@ -157,6 +157,11 @@ impl<'a> Tracer<'a> {
         }
     }
 
+    /// True if paths lead from surfaces over flat mirrors or through panes.
+    pub fn shows_surfaces_mirrors(&self) -> bool {
+        self.plan.reaches(3) && self.events_behind(1) > 0
+    }
+
     /// True if directions towards an emitter do not move, and edges in front of it are gathered.
     pub(crate) fn gathers(&self, emitter: EmitterId) -> bool {
         let scene = &self.accel.scene;
