@@ -1,4 +1,4 @@
-"""Finely tessellated shapes that move beside mirrors and panes: the variance of the derivative by seed.
+"""Finely tessellated shapes that move beside mirrors and panes, or before a mirror that moves: the variance of the derivative by seed.
 
     python python/benchmarks/smooth_beside_mirrors.py CAPWALK [--seeds N] [--size W H] [--spp N]
         [--check N] [--scenes NAME ...] [--methods NAME ...]
@@ -29,6 +29,7 @@ HEAD = """<scene version="3.0.0">
 """
 DIFFUSE = '<bsdf type="diffuse"><rgb name="reflectance" value="{}"/></bsdf>'
 MIRROR = '<bsdf type="conductor"><string name="material" value="none"/></bsdf>'
+METAL = '<bsdf type="roughconductor"><string name="material" value="none"/><float name="alpha" value="0.2"/></bsdf>'
 BLUE = DIFFUSE.format("0.2, 0.4, 0.7")
 LAMP = '<emitter type="area"><rgb name="radiance" value="40"/></emitter>'
 SKY = '<emitter type="constant"><rgb name="radiance" value="0.5, 0.65, 0.9"/></emitter>\n'
@@ -79,7 +80,12 @@ SCENES = {
     "on the floor": GREY_FLOOR + wall("mirror") + ball(0.5) + LIGHT,
     "two mirrors": GREY_FLOOR + wall("mirror") + SIDE + ball() + LIGHT,
     "wavy ball": GREY_FLOOR + wall("mirror") + WAVY + LIGHT,
+    "rough metal as floor": floor(METAL) + wall("mirror") + ball() + LIGHT,
+    "mirror turns": GREY_FLOOR + wall("mirror") + ball() + LIGHT,
 }
+
+MOVES = {"mirror turns": "mirror.rotate.y"}
+"""What moves, where it is not the ball."""
 
 ROWS, COLUMNS = 126, 254
 """Of the wavy ball: 64,000 triangles or so."""
@@ -137,9 +143,9 @@ def main() -> None:
             file.write_text(HEAD + SCENES[scene] + "</scene>\n")
             for method in chosen.methods:
 
-                def result_of(command: str, samples: int, seed: int, file: Path = file, method: str = method) -> dict[str, Any]:
+                def result_of(command: str, samples: int, seed: int, scene: str = scene, file: Path = file, method: str = method) -> dict[str, Any]:
                     """What a command says of the scene; exit status 1 and 2 are verdicts."""
-                    words = [command, file, "-p", "ball.translate.x", "--method", method, "--seed", seed, "--threads", 1]
+                    words = [command, file, "-p", MOVES.get(scene, "ball.translate.x"), "--method", method, "--seed", seed, "--threads", 1]
                     words += ["--size", "{}x{}".format(*chosen.size), "--spp", samples, "--json"]
                     words += ["-o", Path(folder, "out.exr")]
                     run = subprocess.run([chosen.capwalk, *map(str, words)], capture_output=True, text=True)
