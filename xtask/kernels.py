@@ -1,6 +1,7 @@
 """Compiles the kernels of a crate by the Slang compiler inside PyPI's slangpy, without a
 device: `kernels.py FOLDER`, where FOLDER has some of the sources below. For wgpu they become WGSL,
-for NVIDIA's driver PTX, by NVIDIA's own compiler of PyPI.
+for NVIDIA's driver PTX, by NVIDIA's own compiler of PyPI. All go into one file, `compiled.lzma`:
+text, with a line before each kernel that says its file name, its source and the source's checksum.
 
 Slang writes no `double` in WGSL ("unexpected: 'double' type emitted", 2026.12), which wgpu
 reads as `f64`. So the source is compiled with `half` for it, which it uses for nothing else,
@@ -11,6 +12,7 @@ import ctypes
 import glob
 import importlib.metadata
 import itertools
+import lzma
 import os
 import re
 import sys
@@ -36,6 +38,10 @@ ENTRIES = {
 # Where files are that sources include.
 SHARED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "crates", "gpu", "src", "kernels")
 PRECISIONS = ["single", "double"]
+# What the line before a kernel begins with in the pack.
+MARK = "//// "
+# Larger than a pack, so that each kernel is packed as what differs from those before.
+DICTIONARY = 1 << 24
 # Of kernels that would take too many registers in double precision, how many groups of
 # `GROUP` threads a multiprocessor must have room for (docs/benchmarks.md).
 BOUNDS = dict.fromkeys(["closest", "gather"], ".maxntid 64, 1, 1\n.minnctapersm 12\n")
@@ -57,7 +63,7 @@ def compiler():
     return library
 
 
-def text(pointer, *length):
+def string(pointer, *length):
     return ctypes.string_at(pointer, *length).decode() if pointer else ""
 
 
@@ -71,7 +77,7 @@ def slang(library, source, entry, precision, target, real):
     arguments = (ctypes.c_char_p * len(words))(*[word.encode() for word in words])
     failed = library.spProcessCommandLineArguments(request, arguments, len(words)) < 0
     failed = failed or library.spCompile(request) < 0
-    said = text(library.spGetDiagnosticOutput(request)).strip()
+    said = string(library.spGetDiagnosticOutput(request)).strip()
     if said:
         print(said)
     size = ctypes.c_size_t()
@@ -81,7 +87,7 @@ def slang(library, source, entry, precision, target, real):
                 or library.spGetCompileRequestCode(request, ctypes.byref(size)))
     if not code:
         sys.exit(f"error: {entry} in {precision} precision was not compiled")
-    return text(code, size.value)
+    return string(code, size.value)
 
 
 def wgsl(library, source, entry, precision):
@@ -168,29 +174,28 @@ def main():
     folder = sys.argv[1]
     library = compiler()
     nvidia_compiler = nvrtc()
-    by_slang = f"Slang {text(library.spGetBuildTagString())} in slangpy {importlib.metadata.version('slangpy')}"
-    by_both = f"{by_slang}, NVRTC {importlib.metadata.version('nvidia-cuda-nvrtc-cu12')}"
+    slang_version = f"Slang {string(library.spGetBuildTagString())} in slangpy {importlib.metadata.version('slangpy')}"
+    by_both = f"{slang_version}, NVRTC {importlib.metadata.version('nvidia-cuda-nvrtc-cu12')}"
+    parts = [f"// Compiled by `cargo xtask kernels`: {by_both}.\n"]
     for name, entries in ENTRIES.items():
         source = os.path.join(folder, f"{name}.slang")
         if not os.path.exists(source):
             continue
         of_source = checksum(content(folder, f"{name}.slang"))
         for entry, precision in itertools.product(entries, PRECISIONS):
-            for language, by, code in [
-                ("wgsl", by_slang, wgsl(library, source, entry, precision)),
-                ("ptx", by_both, ptx(library, nvidia_compiler, source, entry, precision)),
+            for language, code in [
+                ("wgsl", wgsl(library, source, entry, precision)),
+                ("ptx", ptx(library, nvidia_compiler, source, entry, precision)),
             ]:
-                code = code.strip() + "\n"
-                head = (
-                    f"// Compiled from {name}.slang by `cargo xtask kernels`. Not to be edited.\n"
-                    f"// compiler: {by}\n"
-                    f"// source: {of_source}\n"
-                    f"// result: {checksum(code.encode())}\n"
-                )
-                path = os.path.join(folder, f"{entry}_{precision}.{language}")
-                with open(path, "w", encoding="utf-8", newline="\n") as file:
-                    file.write(head + "\n" + code)
-                print(f"    {os.path.basename(path)}: {len(code)} bytes")
+                file = f"{entry}_{precision}.{language}"
+                parts.append(f"{MARK}{file} {name}.slang {of_source}\n{code.strip()}\n")
+                print(f"    {file}: {len(code)} bytes", flush=True)
+    text = "".join(parts).encode()
+    filters = [{"id": lzma.FILTER_LZMA1, "preset": 9 | lzma.PRESET_EXTREME, "dict_size": DICTIONARY}]
+    packed = lzma.compress(text, lzma.FORMAT_ALONE, filters=filters)
+    with open(os.path.join(folder, "compiled.lzma"), "wb") as file:
+        file.write(packed)
+    print(f"    compiled.lzma: {len(packed)} bytes for {len(text)}")
 
 
 main()

@@ -1,24 +1,19 @@
-//! The kernels as `cargo xtask kernels` compiled them from `kernels/render.slang`,
-//! `kernels/hits.slang`, `kernels/forward.slang`, `kernels/boundary.slang`, `kernels/walk.slang` and
-//! `kernels/reverse.slang`.
+//! The kernels that follow paths and take boundary terms, from the sources in `kernels`.
 
-use capwalk_gpu::CompiledKernel;
+use std::sync::LazyLock;
 
-macro_rules! compiled {
-    ($name:literal) => {
-        CompiledKernel {
-            name: $name,
-            group: 64,
-            wgsl: [
-                include_str!(concat!("kernels/", $name, "_single.wgsl")),
-                include_str!(concat!("kernels/", $name, "_double.wgsl")),
-            ],
-            ptx: [
-                include_str!(concat!("kernels/", $name, "_single.ptx")),
-                include_str!(concat!("kernels/", $name, "_double.ptx")),
-            ],
-        }
-    };
+use capwalk_gpu::{CompiledKernel, KernelPack};
+
+/// As `cargo xtask kernels` compiled them.
+pub fn pack() -> &'static KernelPack {
+    static PACK: LazyLock<KernelPack> =
+        LazyLock::new(|| KernelPack::unpack(include_bytes!("kernels/compiled.lzma")));
+    &PACK
+}
+
+const fn compiled(name: &'static str) -> CompiledKernel {
+    let group = 64;
+    CompiledKernel { name, group, pack }
 }
 
 /// The kernels that follow paths for a purpose.
@@ -50,8 +45,8 @@ impl PathKernels {
 
 /// Images: behind the list is the light of a path.
 pub const IMAGE: PathKernels = PathKernels {
-    begin: compiled!("begin_paths"),
-    go_on: compiled!("go_on"),
+    begin: compiled("begin_paths"),
+    go_on: compiled("go_on"),
     input: 1,
     path: 20,
     vertex: 0,
@@ -59,13 +54,13 @@ pub const IMAGE: PathKernels = PathKernels {
 
 /// Images of scenes where all surfaces are diffuse and light comes from no map.
 pub const DIFFUSE_IMAGE: PathKernels = PathKernels {
-    go_on: compiled!("go_on_diffuse"),
+    go_on: compiled("go_on_diffuse"),
     ..IMAGE
 };
 
 /// Images of paths that begin at what a camera's ray hits.
 pub const IMAGE_FROM_HITS: PathKernels = PathKernels {
-    begin: compiled!("begin_at_hits"),
+    begin: compiled("begin_at_hits"),
     input: 13,
     ..IMAGE
 };
@@ -78,8 +73,8 @@ pub const DIFFUSE_IMAGE_FROM_HITS: PathKernels = PathKernels {
 
 /// Images with their derivative: behind the list is the light of a path, then its derivative.
 pub const FORWARD: PathKernels = PathKernels {
-    begin: compiled!("begin_forward"),
-    go_on: compiled!("go_on_forward"),
+    begin: compiled("begin_forward"),
+    go_on: compiled("go_on_forward"),
     input: 1,
     path: 33,
     vertex: 0,
@@ -87,15 +82,15 @@ pub const FORWARD: PathKernels = PathKernels {
 
 /// Derivatives of a loss. Behind a path is what is kept of its vertices.
 pub const REVERSE: PathKernels = PathKernels {
-    begin: compiled!("begin_reverse"),
-    go_on: compiled!("go_on_reverse"),
+    begin: compiled("begin_reverse"),
+    go_on: compiled("go_on_reverse"),
     input: 1,
     path: 33,
     vertex: 29,
 };
 
 /// Takes what arrives behind the vertices of a list back by one.
-pub const GO_BACK: CompiledKernel = compiled!("go_back");
+pub const GO_BACK: CompiledKernel = compiled("go_back");
 
 /// The kernels that take boundary terms at the vertices of paths.
 #[derive(Debug)]
@@ -110,75 +105,64 @@ pub struct BoundaryKernels {
 
 /// In forward mode, at the vertices that paths are at.
 pub const BOUNDARY: BoundaryKernels = BoundaryKernels {
-    cross_edges: compiled!("cross_edges"),
-    begin_sides: compiled!("begin_sides"),
-    add_sides: compiled!("add_sides"),
+    cross_edges: compiled("cross_edges"),
+    begin_sides: compiled("begin_sides"),
+    add_sides: compiled("add_sides"),
 };
 
 /// In reverse mode, at vertices that are kept.
 pub const BOUNDARY_BACK: BoundaryKernels = BoundaryKernels {
-    cross_edges: compiled!("cross_edges_back"),
-    begin_sides: compiled!("begin_sides_back"),
-    add_sides: compiled!("add_sides_back"),
+    cross_edges: compiled("cross_edges_back"),
+    begin_sides: compiled("begin_sides_back"),
+    add_sides: compiled("add_sides_back"),
 };
 
 /// Walks at the vertices that paths are at, before they go further, in forward mode.
-pub const WALK: CompiledKernel = compiled!("walk");
+pub const WALK: CompiledKernel = compiled("walk");
 
 /// Takes back what directions that have walked change, behind the vertices of a list, in reverse mode.
-pub const WALK_BACK: CompiledKernel = compiled!("walk_back");
+pub const WALK_BACK: CompiledKernel = compiled("walk_back");
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use capwalk_boundary::MAX_EVENTS;
-    use capwalk_gpu::RAYS_SOURCE;
     use capwalk_math::frame::POINTS_DOWN;
 
     use super::*;
     use crate::kept_edges::DEEPEST;
 
-    /// Whoever changes a source must compile it again, and nobody edits the result.
+    /// Whoever changes a source must compile it again.
     #[test]
     fn compiled_kernels_are_current() {
-        let with_includes = |source: &str| {
-            let mut source = source.to_owned();
-            for (name, content) in [
-                ("boundary", include_str!("kernels/boundary.slang")),
-                ("walk", include_str!("kernels/walk.slang")),
-                ("nearest_edge", include_str!("kernels/nearest_edge.slang")),
-                ("field", include_str!("kernels/field.slang")),
-                ("edge_words", include_str!("kernels/edge_words.slang")),
-                ("render", include_str!("kernels/render.slang")),
-                ("vertex_motion", include_str!("kernels/vertex_motion.slang")),
-                ("edge_tree", include_str!("kernels/edge_tree.slang")),
-                ("edge_windows", include_str!("kernels/edge_windows.slang")),
-                ("edge_points", include_str!("kernels/edge_points.slang")),
-                ("edges", include_str!("kernels/edges.slang")),
-                ("paths", include_str!("kernels/paths.slang")),
-                ("rays", RAYS_SOURCE),
-                ("faults", include_str!("kernels/faults.slang")),
-                ("numbers", include_str!("kernels/numbers.slang")),
-                ("changes", include_str!("kernels/changes.slang")),
-                ("surfaces", include_str!("kernels/surfaces.slang")),
-                ("motion", include_str!("kernels/motion.slang")),
-                ("mirrors", include_str!("kernels/mirrors.slang")),
-                ("camera", include_str!("kernels/camera.slang")),
-                ("colours", include_str!("kernels/colours.slang")),
-                ("fresnel", include_str!("kernels/fresnel.slang")),
-                ("microfacets", include_str!("kernels/microfacets.slang")),
-                ("lobes", include_str!("kernels/lobes.slang")),
-                (
-                    "environment_map",
-                    include_str!("kernels/environment_map.slang"),
-                ),
-                ("sums", include_str!("kernels/sums.slang")),
-                ("back", include_str!("kernels/back.slang")),
-                ("emitters", include_str!("kernels/emitters.slang")),
-            ] {
-                source = source.replace(&format!("#include \"{name}.slang\"\n"), content);
-            }
-            source
+        let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let folders = ["gpu-render", "gpu"].map(|name| crates.join(name).join("src/kernels"));
+        assert_eq!(
+            pack().check(&folders.each_ref().map(|path| &**path)),
+            Ok(())
+        );
+        let of = |kernels: BoundaryKernels| {
+            [kernels.cross_edges, kernels.begin_sides, kernels.add_sides]
         };
+        let paths = [IMAGE, DIFFUSE_IMAGE, IMAGE_FROM_HITS, FORWARD, REVERSE];
+        let paths = paths
+            .iter()
+            .flat_map(|kernels| [kernels.begin, kernels.go_on]);
+        let boundaries = [BOUNDARY, BOUNDARY_BACK].into_iter().flat_map(of);
+        for kernel in paths.chain(boundaries).chain([GO_BACK, WALK, WALK_BACK]) {
+            assert_eq!(kernel.check(), Ok(()));
+        }
+        // NVIDIA's driver is given eight arrays and, behind them, the launch.
+        for (name, code) in pack().codes("ptx") {
+            let takes = ["SLANG_globalParams[136]", "SLANG_globalParams+128]"];
+            assert!(takes.iter().all(|what| code.contains(what)), "{name}");
+        }
+    }
+
+    /// What Rust and Slang both say.
+    #[test]
+    fn constants_are_the_same() {
         // What `edge_paths.rs` takes for granted.
         let windows = include_str!("kernels/edge_windows.slang");
         assert!(windows.contains("FIRST_SUBTREES = 2, LATER_SUBTREES = 1;"));
@@ -198,40 +182,5 @@ mod tests {
         ));
         let edges = include_str!("kernels/edges.slang");
         assert!(edges.contains(&format!("SIDE_WEIGHT = {}, SIDE_POINT = 23;", IMAGE.path)));
-        let image = [IMAGE.begin, IMAGE.go_on, DIFFUSE_IMAGE.go_on];
-        let hits = [IMAGE_FROM_HITS.begin];
-        let forward = [FORWARD.begin, FORWARD.go_on];
-        let reverse = [REVERSE.begin, REVERSE.go_on, GO_BACK];
-        let of = |kernels: BoundaryKernels| {
-            [kernels.cross_edges, kernels.begin_sides, kernels.add_sides]
-        };
-        let (boundary, boundary_back) = (of(BOUNDARY), of(BOUNDARY_BACK));
-        for (source, kernels) in [
-            (include_str!("kernels/render.slang"), &image[..]),
-            (include_str!("kernels/hits.slang"), &hits[..]),
-            (include_str!("kernels/forward.slang"), &forward[..]),
-            (include_str!("kernels/reverse.slang"), &reverse[..]),
-            (include_str!("kernels/boundary.slang"), &boundary[..]),
-            (include_str!("kernels/walk.slang"), &[WALK]),
-            (include_str!("kernels/walk_back.slang"), &[WALK_BACK]),
-            (
-                include_str!("kernels/boundary_back.slang"),
-                &boundary_back[..],
-            ),
-        ] {
-            let source = with_includes(source);
-            for kernel in kernels {
-                assert_eq!(kernel.check(&source), Ok(()));
-                // NVIDIA's driver is given eight arrays and, behind them, the launch.
-                for code in kernel.ptx {
-                    let takes = ["SLANG_globalParams[136]", "SLANG_globalParams+128]"];
-                    assert!(
-                        takes.iter().all(|what| code.contains(what)),
-                        "{}",
-                        kernel.name
-                    );
-                }
-            }
-        }
     }
 }

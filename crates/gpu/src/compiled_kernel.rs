@@ -1,4 +1,10 @@
-//! A kernel as `cargo xtask kernels` compiled it.
+//! A kernel as `cargo xtask kernels` compiled it, and the pack in which those of a crate are.
+
+use std::collections::HashMap;
+use std::io::Read;
+use std::path::Path;
+
+use lzma_rust2::LzmaReader;
 
 use crate::precision::Precision;
 
@@ -8,53 +14,21 @@ pub const GROUP: usize = 64;
 /// How many groups a launch may have, which are counted in one dimension.
 const MOST_GROUPS: usize = 1 << 15;
 
-/// What all sources of kernels may include: rays in a tree of triangles.
-pub const RAYS_SOURCE: &str = include_str!("kernels/rays.slang");
-
-/// A kernel, compiled ahead by `cargo xtask kernels` for every interface and precision.
+/// A kernel of a pack.
 #[derive(Clone, Copy, Debug)]
 pub struct CompiledKernel {
     /// Its entry point.
     pub name: &'static str,
     /// How many queries, paths or the like a group of 64 threads works on.
     pub group: usize,
-    /// In WGSL: in single precision, and in double.
-    pub wgsl: [&'static str; 2],
-    /// In PTX, NVIDIA's language between compilers and drivers, likewise.
-    pub ptx: [&'static str; 2],
+    /// The pack of its crate.
+    pub pack: fn() -> &'static KernelPack,
 }
 
 impl CompiledKernel {
-    /// An error, in words, if it was compiled from another source than this one (with what it
-    /// includes in the place of the lines that say so), or was edited. For tests: the first lines of
-    /// a compiled kernel end with checksums of its source and of what follows.
-    pub fn check(&self, source: &str) -> Result<(), String> {
-        for compiled in self.wgsl.into_iter().chain(self.ptx) {
-            let (head, body) = compiled.split_once("\n\n").ok_or("it has no head")?;
-            let of = |what: &str| {
-                let line = head.lines().find_map(|line| line.strip_prefix(what));
-                line.unwrap_or_default()
-            };
-            let problem = if of("// source: ") != checksum(source) {
-                "is old"
-            } else if of("// result: ") != checksum(body) {
-                "was edited"
-            } else if of("// compiler: ").is_empty() {
-                "names no compiler"
-            } else {
-                continue;
-            };
-            return Err(format!(
-                "{} {problem}: run `cargo xtask kernels`",
-                self.name
-            ));
-        }
-        Ok(())
-    }
-
     /// What drivers know a compiled one by: kernels of two crates may have the same name.
     pub(crate) fn key(&self) -> (&'static str, usize) {
-        (self.name, self.wgsl[0].as_ptr() as usize)
+        (self.name, std::ptr::from_ref((self.pack)()) as usize)
     }
 
     /// No launch has more queries.
@@ -62,17 +36,127 @@ impl CompiledKernel {
         MOST_GROUPS * self.group
     }
 
+    /// In WGSL.
     pub(crate) fn wgsl_in(&self, precision: Precision) -> &'static str {
-        self.wgsl[precision as usize]
+        self.code("wgsl", precision)
     }
 
+    /// In PTX, NVIDIA's language between compilers and drivers.
     #[cfg_attr(not(any(target_os = "linux", target_os = "windows")), allow(dead_code))]
     pub(crate) fn ptx_in(&self, precision: Precision) -> &'static str {
-        self.ptx[precision as usize]
+        self.code("ptx", precision)
+    }
+
+    fn code(&self, language: &str, precision: Precision) -> &'static str {
+        let precision = match precision {
+            Precision::Single => "single",
+            Precision::Double => "double",
+        };
+        let file = format!("{}_{precision}.{language}", self.name);
+        match (self.pack)().kernels.get(&*file) {
+            Some(kernel) => kernel.code,
+            None => panic!("no {file} in the pack of kernels: run `cargo xtask kernels`"),
+        }
+    }
+
+    /// An error, in words, if its pack lacks it in one of the languages and precisions. For tests.
+    pub fn check(&self) -> Result<(), String> {
+        for precision in ["single", "double"] {
+            for language in ["wgsl", "ptx"] {
+                let file = format!("{}_{precision}.{language}", self.name);
+                if !(self.pack)().kernels.contains_key(&*file) {
+                    return Err(format!("no {file}: run `cargo xtask kernels`"));
+                }
+            }
+        }
+        Ok(())
     }
 }
 
-/// FNV-1a with 64 bits.
+/// The compiled kernels of a crate: one LZMA stream of text, that of each kernel behind a line that begins
+/// with [`KernelPack::MARK`] and says its file name, the source it was compiled from and that source's checksum.
+#[derive(Debug)]
+pub struct KernelPack {
+    kernels: HashMap<&'static str, PackedKernel>,
+}
+
+#[derive(Debug)]
+struct PackedKernel {
+    source: &'static str,
+    /// Of the source, with what it includes in the place of the lines that say so.
+    checksum: &'static str,
+    code: &'static str,
+}
+
+impl KernelPack {
+    const MARK: &str = "//// ";
+
+    /// Those of a file that `cargo xtask kernels` wrote; they stay in memory until the process ends.
+    ///
+    /// # Panics
+    ///
+    /// If the file is anything else.
+    pub fn unpack(packed: &[u8]) -> Self {
+        let mut text = String::new();
+        LzmaReader::new_mem_limit(packed, u32::MAX, None)
+            .and_then(|mut reader| reader.read_to_string(&mut text))
+            .expect("a pack of kernels");
+        let text: &'static str = text.leak();
+        let kernels = text.split(Self::MARK).skip(1).map(|part| {
+            let (head, code) = part.split_once('\n').expect("a head of a line");
+            let words: Vec<&str> = head.split(' ').collect();
+            let [file, source, checksum] = words[..] else {
+                panic!("{head}: not the head of a kernel");
+            };
+            let kernel = PackedKernel {
+                source,
+                checksum,
+                code,
+            };
+            (file, kernel)
+        });
+        Self {
+            kernels: kernels.collect(),
+        }
+    }
+
+    /// An error, in words, if a kernel was compiled from another source than the one of that name in the
+    /// first of these folders that has it. For tests.
+    pub fn check(&self, folders: &[&Path]) -> Result<(), String> {
+        for (file, kernel) in &self.kernels {
+            let source = with_includes(folders, kernel.source)?;
+            if checksum(&source) != kernel.checksum {
+                return Err(format!("{file} is old: run `cargo xtask kernels`"));
+            }
+        }
+        Ok(())
+    }
+
+    /// The file names and texts of the kernels in a language, `wgsl` or `ptx`. For tests.
+    pub fn codes(&self, language: &str) -> impl Iterator<Item = (&'static str, &'static str)> {
+        let is_this = move |file: &str| file.rsplit('.').next() == Some(language);
+        let kernels = self.kernels.iter();
+        kernels.filter_map(move |(file, kernel)| is_this(file).then_some((*file, kernel.code)))
+    }
+}
+
+/// A source with what it includes in the place of the lines that say so.
+fn with_includes(folders: &[&Path], name: &str) -> Result<String, String> {
+    let mut paths = folders.iter().map(|folder| folder.join(name));
+    let path = paths.find(|path| path.exists());
+    let path = path.ok_or_else(|| format!("{name}: no such source"))?;
+    let source = std::fs::read_to_string(path).map_err(|error| format!("{name}: {error}"))?;
+    let lines = source.split_inclusive('\n').map(|line| {
+        let included = line.strip_prefix("#include \"");
+        match included.and_then(|rest| rest.strip_suffix("\"\n")) {
+            Some(included) => with_includes(folders, included),
+            None => Ok(line.to_owned()),
+        }
+    });
+    lines.collect()
+}
+
+/// FNV-1a with 64 bits, as `xtask/kernels.py` computes it.
 fn checksum(text: &str) -> String {
     let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)

@@ -54,7 +54,7 @@ mod silhouette_queries;
 mod wgpu_driver;
 
 pub use capwalk_geometry::sampler_buffers::{DrawnEdge, EdgeCone};
-pub use compiled_kernel::{CompiledKernel, RAYS_SOURCE};
+pub use compiled_kernel::{CompiledKernel, KernelPack};
 pub use error::GpuError;
 pub use foreign_kernels::DeviceArray;
 pub use gpu::{Gpu, GpuOptions, Interface};
