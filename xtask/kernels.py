@@ -1,5 +1,6 @@
 """Compiles the kernels of a crate by the Slang compiler inside PyPI's slangpy, without a
-device: `kernels.py FOLDER`, where FOLDER has some of the sources below. For wgpu they become WGSL,
+device: `kernels.py FOLDER MADE`, where FOLDER has some of the sources below, and MADE what Rust makes of its own
+constants (`cargo xtask kernels` calls it). For wgpu they become WGSL,
 for NVIDIA's driver PTX, by NVIDIA's own compiler of PyPI. All go into one file, `compiled.lzma`:
 text, with a line before each kernel that says its file name, its source and the source's checksum.
 
@@ -37,6 +38,7 @@ ENTRIES = {
 }
 # Where files are that sources include.
 SHARED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "crates", "gpu", "src", "kernels")
+MADE = sys.argv[2]
 PRECISIONS = ["single", "double"]
 # What the line before a kernel begins with in the pack.
 MARK = "//// "
@@ -72,7 +74,7 @@ def slang(library, source, entry, precision, target, real):
     session = ctypes.c_void_p(library.spCreateSession(ctypes.c_char_p(None)))
     request = ctypes.c_void_p(library.spCreateCompileRequest(session))
     defines = [precision.upper(), target.upper(), "ENTRY_" + entry.upper(), "REAL=" + real]
-    words = [source, *["-D" + define for define in defines], "-I", SHARED, "-target", target, "-entry", entry,
+    words = [source, *["-D" + define for define in defines], "-I", SHARED, "-I", MADE, "-target", target, "-entry", entry,
              "-stage", "compute", "-line-directive-mode", "none"]
     arguments = (ctypes.c_char_p * len(words))(*[word.encode() for word in words])
     failed = library.spProcessCommandLineArguments(request, arguments, len(words)) < 0
@@ -157,7 +159,7 @@ def nvrtc_text(compiler, program, what):
 
 def content(folder, name):
     """A source with what it includes in the place of the lines that say so."""
-    paths = [os.path.join(place, name) for place in (folder, SHARED)]
+    paths = [os.path.join(place, name) for place in (folder, SHARED, MADE)]
     with open(next(filter(os.path.exists, paths)), "rb") as file:
         return re.sub(rb'#include "(.*)"\n', lambda line: content(folder, line[1].decode()), file.read())
 

@@ -5,7 +5,7 @@ use std::process::Command;
 
 use anyhow::Result;
 
-use crate::shell::{root, start, target};
+use crate::shell::{cargo, root, start, target};
 use crate::virtual_environment::environment;
 
 /// The packages that have the compilers in them: Slang's, and NVIDIA's of PTX, in a release that
@@ -19,9 +19,14 @@ pub fn run() -> Result<()> {
         "slangpy, nvidia.cuda_nvrtc",
         &COMPILERS,
     )?;
+    // The constants that the kernels share with Rust.
+    let made = target().join("kernels/made");
+    let mut layout = cargo(&["run", "--quiet", "--package", "capwalk-gpu-render"]);
+    layout.args(["--example", "layout", "--"]).arg(&made);
+    start("layout", layout)?;
     for folder in ["crates/gpu/src/kernels", "crates/gpu-render/src/kernels"] {
         let mut compile = Command::new(&python);
-        compile.args(["xtask/kernels.py", folder]);
+        compile.args(["xtask/kernels.py", folder]).arg(&made);
         compile.current_dir(root());
         start("kernels", compile)?;
     }

@@ -10,14 +10,6 @@ use crate::boundary_sample::{BoundarySample, Seen};
 use crate::method::Method;
 use crate::viewpoint::Viewpoint;
 
-/// The sine of the height over the horizon of a face from which on all of a boundary's motion
-/// counts. Any is unbiased.
-pub(crate) const LOW: f64 = 0.2;
-
-/// Edges are seen end-on if they look shorter than this part of their length: the direction in
-/// which they run is rounding.
-const END_ON: f64 = 1e-9;
-
 /// The fields around all viewpoints of a scene.
 #[derive(Clone, Copy)]
 pub struct Field<'a> {
@@ -30,6 +22,14 @@ pub struct Field<'a> {
 }
 
 impl<'a> Field<'a> {
+    /// The sine of the height over the horizon of a face from which on all of a boundary's motion
+    /// counts. Any is unbiased.
+    pub const LOW: f64 = 0.2;
+
+    /// Edges are seen end-on if they look shorter than this part of their length: the direction in
+    /// which they run is rounding.
+    pub const END_ON: f64 = 1e-9;
+
     /// The fields of a scene with the given boundaries.
     pub fn new(accel: &'a Accel, boundaries: &'a Boundaries, method: Method) -> Self {
         Self {
@@ -94,11 +94,11 @@ impl<'a> Field<'a> {
     /// neighbours of the viewpoint's face rise above the horizon, close to the viewpoint, it would
     /// grow without bound.
     fn damped(&self, ends: [u32; 2], found: &SilhouettePoint, normal: Vec3) -> Vec3 {
-        let part = 1.0 - normal.dot(found.direction).abs() / LOW;
+        let part = 1.0 - normal.dot(found.direction).abs() / Self::LOW;
         let [a, b] = ends.map(|i| self.boundaries.position(i));
         let seen = (b - a).reject_from(found.direction);
         let length = seen.length();
-        match part > 0.0 && length > END_ON * (b - a).length() {
+        match part > 0.0 && length > Self::END_ON * (b - a).length() {
             true => seen * (part.sqrt() / length),
             false => Vec3::zero(),
         }

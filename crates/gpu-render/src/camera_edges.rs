@@ -15,14 +15,12 @@ use rayon::prelude::*;
 
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
+use crate::layout::hit::HIT_WORDS;
 use crate::lobe_records::only_diffuse;
 use crate::paths::Followed;
 use crate::render_kernels::{DIFFUSE_IMAGE_FROM_HITS, IMAGE_FROM_HITS, PathKernels};
 use crate::texture_records::two_floats;
 use crate::unsupported::Unsupported;
-
-/// Words of a hit, as `hits.slang` reads them.
-const HIT_WORDS: usize = 13;
 
 /// The edges that the camera sees of a scene that moves.
 pub struct CameraEdges<'a> {

@@ -1,4 +1,4 @@
-//! The camera as the kernels read it: `camera.slang` says which word and which number is what.
+//! The camera as the kernels read it: `layout.rs` says which word and which number is what.
 
 use std::collections::BTreeMap;
 
@@ -10,10 +10,11 @@ use capwalk_scene::Filter;
 use capwalk_scene::sensor::view::View;
 use capwalk_scene::sensor::{Optic, SensorState};
 
+use crate::layout::camera::*;
+use crate::layout::camera_numbers::SIDE_TABLES;
+use crate::layout::filter::*;
+use crate::layout::record;
 use crate::texture_records::float;
-
-/// Numbers of the camera before the tables of the sides of pixels.
-const SIDE_TABLES: usize = 35;
 
 /// Nothing is seen farther than this, local units: single precision has room for it.
 const ENDLESS: f64 = 1e30;
@@ -46,9 +47,17 @@ impl CameraRecords {
         debug_assert_eq!(numbers.len(), SIDE_TABLES);
 
         let [width, height] = film.crop_size;
-        let [kind, first, second] = filter_words(&film.filter);
+        let (kind, [first, second]) = filter_words(&film.filter);
         let has_lens = accel.scene.sensor.model.has_lens();
-        let mut words = vec![width, width * height, kind, first, second, has_lens.into()];
+        let head: [u32; SIDES] = record(&[
+            (IMAGE_COLUMNS, width),
+            (IMAGE_PIXELS, width * height),
+            (FILTER, kind as u32),
+            (FILTER_NUMBERS, first),
+            (FILTER_NUMBERS + 1, second),
+            (HAS_LENS, has_lens.into()),
+        ]);
+        let mut words = head.to_vec();
         // Sides with the same bounds around the pixel's centre have one table.
         let mut tables = BTreeMap::new();
         for table in Supports::new(film).tables() {
@@ -138,16 +147,15 @@ fn camera_vectors<R: Real>(
 }
 
 /// The kind of a filter, and two numbers of it.
-fn filter_words(filter: &Filter) -> [u32; 3] {
+fn filter_words(filter: &Filter) -> (usize, [u32; 2]) {
     let (kind, numbers) = match *filter {
-        Filter::Box => (0, [0.0; 2]),
-        Filter::Tent { radius } => (1, [1.0 / radius, 0.0]),
-        Filter::Gaussian { stddev } => (2, [-0.5 / (stddev * stddev), 0.0]),
-        Filter::Mitchell { b, c } => (3, [b, c]),
-        Filter::Lanczos { lobes } => (4, [f64::from(lobes).recip(), 0.0]),
+        Filter::Box => (BOX_FILTER, [0.0; 2]),
+        Filter::Tent { radius } => (TENT_FILTER, [1.0 / radius, 0.0]),
+        Filter::Gaussian { stddev } => (GAUSSIAN_FILTER, [-0.5 / (stddev * stddev), 0.0]),
+        Filter::Mitchell { b, c } => (MITCHELL_FILTER, [b, c]),
+        Filter::Lanczos { lobes } => (LANCZOS_FILTER, [f64::from(lobes).recip(), 0.0]),
     };
-    let [first, second] = numbers.map(float);
-    [kind, first, second]
+    (kind, numbers.map(float))
 }
 
 #[cfg(test)]

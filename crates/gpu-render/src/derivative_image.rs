@@ -14,12 +14,12 @@ use capwalk_scene::Tangent;
 use crate::averages::{MOST_PATHS, Task};
 use crate::camera_edges::CameraEdges;
 use crate::camera_records::camera_changes;
-use crate::change_words::{
-    BOUNDARIES_MOVE, CAMERA_CHANGE_AT, IS_BLIND, MOTION_AT, TEXTURE_CHANGES, WALKS,
-};
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
 use crate::edge_records::{EdgeMotion, OfPoints};
+use crate::layout::change::{
+    BOUNDARIES_MOVE, CAMERA_CHANGE_AT, IS_BLIND, MOTION_AT, TEXTURE_CHANGES, WALKS,
+};
 use crate::render_kernels::FORWARD;
 use crate::texture_records::float;
 use crate::unsupported::{by_edges, unsupported_derivative};

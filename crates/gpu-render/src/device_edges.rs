@@ -2,8 +2,8 @@
 
 use capwalk_gpu::{DeviceArray, Gpu, GpuError};
 
-use crate::change_words::{EDGES_AT, WALKS};
 use crate::edge_records::{Crosses, EdgeRecords};
+use crate::layout::change::{EDGES_AT, WALKS};
 use crate::render_kernels::PathKernels;
 use crate::upload::upload_numbers;
 

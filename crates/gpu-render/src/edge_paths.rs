@@ -5,15 +5,13 @@ use capwalk_gpu::GpuError;
 use capwalk_render::Watch;
 
 use crate::device_edges::DeviceEdges;
-use crate::fixed_point::PARTS;
+use crate::layout::fault::PARTS;
+use crate::layout::launch::{DEPTH_BITS, FIRST_SUBTREES, LATER_SUBTREES};
 use crate::paths::Paths;
 use crate::render_kernels::{BOUNDARY, BOUNDARY_BACK};
 
 /// Subtrees that are sampled at the vertex that the camera sees, and at later ones.
-const SUBTREES: [usize; 2] = [2, 1];
-/// The bits of a launch's depth that are the depth; those above are the number of a part of the edges or
-/// of a subtree.
-const DEPTH_BITS: usize = 16;
+const SUBTREES: [usize; 2] = [FIRST_SUBTREES, LATER_SUBTREES];
 /// No launch is at a later vertex of a path.
 pub const LAST_VERTEX: u32 = (1 << DEPTH_BITS) - 1;
 /// No more parts are counted.

@@ -1,4 +1,4 @@
-//! The edges of a scene that moves, as the kernels read them: `edge_words.slang` says which word is what.
+//! The edges of a scene that moves, as the kernels read them: `layout.rs` says which word is what.
 
 use std::f64::consts::PI;
 
@@ -10,10 +10,12 @@ use capwalk_math::{Real, Vec3};
 use capwalk_render::{Plan, SceneEval, Tracer};
 
 use crate::kept_edges::{KeptEdges, LEAF};
+use crate::layout::edge::{EDGE_NUMBERS, EDGE_RECORD};
+use crate::layout::edge_node::EDGE_NODE;
+use crate::layout::edges::*;
+use crate::layout::record;
+use crate::layout::tree::*;
 use crate::texture_records::float;
-
-/// Words of the header.
-const HEADER: usize = 11;
 
 /// How far outside of a window an edge counts as inside, over its distance, and the angle between an
 /// edge and the rays beside it, as on the processor.
@@ -125,7 +127,7 @@ impl EdgeRecords {
         let [half, whole] = [0.5, 1.0].map(|part| tangent_of(part * cap));
         let mut records = Self {
             numbers: vec![ON_PLANE, away, IN_PLANE, BESIDE, half, whole],
-            words: vec![0; HEADER],
+            words: vec![0; EDGES_HEADER],
             crosses,
             leaves_before_areas: 0,
         };
@@ -151,20 +153,23 @@ impl EdgeRecords {
         }
         let windows =
             records.add_windows(&boundaries.area_emitters, frame, accel.scene.emitters.len());
-        let header = [
-            silhouettes,
-            all,
-            moving_silhouettes,
-            moving,
-            before_emitters,
-            windows,
-            walks.map_or(0, |walks| walks.first_number),
-            walks.map_or(0, |walks| walks.numbers_per_vertex),
-            walks.map_or(0, |walks| walks.events),
-            leaves,
-            points,
-        ];
-        records.words[..HEADER].copy_from_slice(&header);
+        let header: [u32; EDGES_HEADER] = record(&[
+            (SILHOUETTES, silhouettes),
+            (ALL_EDGES, all),
+            (OF_MOVING + SILHOUETTES, moving_silhouettes),
+            (OF_MOVING + ALL_EDGES, moving),
+            (BEFORE_EMITTERS, before_emitters),
+            (WINDOWS, windows),
+            (FIRST_WALK, walks.map_or(0, |walks| walks.first_number)),
+            (
+                WALK_NUMBERS,
+                walks.map_or(0, |walks| walks.numbers_per_vertex),
+            ),
+            (MIRRORS, walks.map_or(0, |walks| walks.events)),
+            (MOST_LEAVES, leaves),
+            (MOST_POINTS, points),
+        ]);
+        records.words[..EDGES_HEADER].copy_from_slice(&header);
         records
     }
 
@@ -257,6 +262,10 @@ impl EdgeRecords {
             self.words.push(float(guess));
             self.words.push(buffers.edges[kept]);
         }
+        debug_assert_eq!(
+            self.words.len(),
+            edges_at as usize + EDGE_RECORD * tree.edges.len()
+        );
         let numbers_at = self.numbers.len() as u32;
         let numbers = buffers.ends_and_normals.as_chunks::<EDGE>().0;
         for &kept in &tree.edges {
@@ -273,6 +282,8 @@ impl EdgeRecords {
             self.numbers.extend(vectors.flat_map(Vec3::to_array));
             self.numbers.extend(normals.map(Vec3::length));
         }
+        let numbers_end = numbers_at as usize + EDGE_NUMBERS * tree.edges.len();
+        debug_assert_eq!(self.numbers.len(), numbers_end);
 
         let nodes_at = self.words.len() as u32;
         let bounds = buffers.bounds.as_chunks::<BOUNDS>().0;
@@ -301,8 +312,16 @@ impl EdgeRecords {
             });
             self.words.extend(bounds[12..].iter().copied().map(float));
         }
+        debug_assert_eq!(
+            self.words.len(),
+            nodes_at as usize + EDGE_NODE * tree.nodes.len()
+        );
         let at = self.words.len() as u32;
-        self.words.extend([nodes_at, edges_at, numbers_at]);
+        self.words.extend(record::<3>(&[
+            (TREE_NODES, nodes_at),
+            (TREE_EDGES, edges_at),
+            (TREE_NUMBERS, numbers_at),
+        ]));
         at
     }
 

@@ -1,4 +1,4 @@
-//! Emitters as the kernels read them: `emitters.slang` says which word is what.
+//! Emitters as the kernels read them: `layout.rs` says which word is what.
 
 use capwalk_boundary::Accel;
 use capwalk_geometry::LocalFrame;
@@ -8,15 +8,11 @@ use capwalk_render::{DirectionSampler, EmitterSampler, RectangleSampler, Triangl
 use capwalk_scene::{Emitter, EmitterId};
 
 use crate::environment_records::add_environment_map;
+use crate::layout::emitter::*;
+use crate::layout::emitter_kind::*;
+use crate::layout::emitter_node::NODE;
+use crate::layout::record;
 use crate::texture_records::{TextureRecords, float};
-
-/// Words of a record.
-pub const EMITTER_RECORD: usize = 12;
-
-/// Its first word.
-const AREA_EMITTER: u32 = 0;
-const CONSTANT_EMITTER: u32 = 1;
-const ENVIRONMENT_MAP: u32 = 2;
 
 /// The record of an emitter; what it refers to is appended to `words`.
 pub fn emitter_record(
@@ -31,7 +27,14 @@ pub fn emitter_record(
     let emitter: &Emitter = scene.emitter(id);
     let shape = emitter.shape().map(|shape| scene.shape(shape));
     let brightness = float(sampler.brightness);
-    let surroundings = |kind, radiance| [kind, radiance, brightness, 0, NONE, 0, 0, 0, 0, 0, 0, 0];
+    let surroundings = |kind: usize, radiance| {
+        let mut words = [0; EMITTER_RECORD];
+        words[EMITTER_KIND] = kind as u32;
+        words[RADIANCE] = radiance;
+        words[BRIGHTNESS] = brightness;
+        words[RECTANGLE] = NONE;
+        words
+    };
     if let (
         Emitter::EnvironmentMap {
             map, data, scale, ..
@@ -62,20 +65,20 @@ pub fn emitter_record(
     let first_face = accel.emitter_face(id, 0);
     let radius = float(radius * frame.inverse_scale);
     let rank = rank as u32;
-    [
-        AREA_EMITTER,
-        radiance,
-        brightness,
-        first_face,
-        rectangle,
-        nodes,
-        order,
-        rank,
-        x,
-        y,
-        z,
-        radius,
-    ]
+    record(&[
+        (EMITTER_KIND, AREA_EMITTER as u32),
+        (RADIANCE, radiance),
+        (BRIGHTNESS, brightness),
+        (FIRST_FACE, first_face),
+        (RECTANGLE, rectangle),
+        (NODES, nodes),
+        (ORDER, order),
+        (RANK, rank),
+        (CENTRE, x),
+        (CENTRE + 1, y),
+        (CENTRE + 2, z),
+        (RADIUS, radius),
+    ])
 }
 
 /// A place in the tree's coordinates.
@@ -99,9 +102,6 @@ fn add_rectangle(rectangle: &RectangleSampler, frame: &LocalFrame, words: &mut V
     }
     at
 }
-
-/// Words of a node.
-const NODE: usize = 17;
 
 fn add_nodes(triangles: &TriangleSampler, frame: &LocalFrame, words: &mut Vec<u32>) -> u32 {
     let at = words.len() as u32;

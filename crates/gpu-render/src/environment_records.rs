@@ -1,9 +1,10 @@
-//! Environment maps as the kernels read them: `environment_map.slang` says which word is what.
+//! Environment maps as the kernels read them: `layout.rs` says which word is what.
 
 use capwalk_geometry::buffers::NONE;
 use capwalk_scene::emitter::{EnvironmentMap, EnvironmentTable};
 use capwalk_scene::{Scene, TextureId};
 
+use crate::layout::environment_map::*;
 use crate::texture_records::{TextureRecords, float, two_floats};
 
 /// Appends the record of a map with these texels and the factor on them, and its table if it is not
@@ -24,13 +25,15 @@ pub fn add_environment_map(
         words.extend(table.densities().iter().copied().map(float));
         [rows, cells, densities]
     });
+    let mut map_words = [0; ENVIRONMENT_RECORD];
+    map_words[MAP_WIDTH] = map.width;
+    map_words[MAP_HEIGHT] = map.height;
+    let rotation = map.world_from_map.rows.map(|row| row.to_array().map(float));
+    map_words[WORLD_FROM_MAP..MAP_TEXELS].copy_from_slice(rotation.as_flattened());
+    map_words[MAP_TEXELS..ROW_SUMS].copy_from_slice(&texels);
+    map_words[ROW_SUMS..].copy_from_slice(&table);
     let at = words.len() as u32;
-    words.extend([map.width, map.height]);
-    for row in map.world_from_map.rows {
-        words.extend(row.to_array().map(float));
-    }
-    words.extend(texels);
-    words.extend(table);
+    words.extend(map_words);
     at
 }
 

@@ -6,18 +6,10 @@ use capwalk_geometry::buffers::NONE;
 use capwalk_math::Vec3;
 use capwalk_scene::{Emitter, Gradient, Pattern, Scene};
 
-use crate::change_words::{BOUNDARIES_MOVE, IS_BLIND, MOTION_AT, TEXTURE_CHANGES, UNITS, WALKS};
+use crate::layout::change::{BOUNDARIES_MOVE, IS_BLIND, MOTION_AT, TEXTURE_CHANGES, UNITS, WALKS};
+use crate::layout::fault::SUMS;
+use crate::layout::sum::SUM_WORDS;
 use crate::texture_records::Shown;
-
-/// Words before the sums (`faults.slang`): how many derivatives were too large, how many not finite,
-/// in how many threads loops were cut short, and in how many parts edges are to be taken.
-pub const COUNTS: usize = 4;
-/// Which of them are the last two.
-pub const CUT_SHORT: usize = 2;
-pub const PARTS: usize = 3;
-
-/// Words of a sum.
-const WORDS: usize = 4;
 
 /// Derivatives that are as large as expected have so many binary digits. Those with six more have
 /// room in a sum (`LARGEST_DERIVATIVE`).
@@ -79,9 +71,9 @@ pub struct PartSums {
 impl PartSums {
     /// What the words of a device say.
     pub fn read(words: &[u32]) -> Self {
-        let (counts, sums) = words.split_at(COUNTS);
-        let sums = sums.as_chunks::<WORDS>().0.iter();
-        let sum = |words: &[u32; WORDS]| {
+        let (counts, sums) = words.split_at(SUMS);
+        let sums = sums.as_chunks::<SUM_WORDS>().0.iter();
+        let sum = |words: &[u32; SUM_WORDS]| {
             let from_highest = words.iter().rev();
             from_highest.fold(0, |sum: u128, &word| sum << 32 | u128::from(word)) as i128
         };
@@ -158,7 +150,7 @@ impl<'a> Sums<'a> {
 
     /// The words of the sums on the device.
     pub fn words(&self) -> usize {
-        COUNTS + WORDS * self.count
+        SUMS + SUM_WORDS * self.count
     }
 
     /// What is asked for, as `changes.slang` reads it.
@@ -301,7 +293,7 @@ mod tests {
         let minus_three = [u32::MAX - 2, u32::MAX, u32::MAX, u32::MAX];
         let large = [5, 0, 7, 0];
         let words = [&[4, 9, 0, 0][..], &minus_three, &large].concat();
-        assert_eq!(words.len(), COUNTS + 2 * WORDS);
+        assert_eq!(words.len(), SUMS + 2 * SUM_WORDS);
         let read = PartSums::read(&words);
         assert_eq!(read.sums, [-3, (7 << 64) + 5]);
         assert_eq!((read.too_large, read.non_finite), (4, 9));

@@ -4,13 +4,11 @@ use std::ops::Range;
 
 use capwalk_geometry::sampler_buffers::{NODE, NONE, SamplerBuffers};
 
+use crate::layout::limit::LONGEST_WAY;
+
 /// The most edges in a leaf. Also where creases count, of which the sampler has fewer: what one list has
 /// is sampled better than what is in several.
 pub const LEAF: usize = 32;
-
-/// The most levels of a tree: walks have no room for more. The sampler's trees have 60, and then halves of at
-/// most 2³² edges.
-pub const DEEPEST: usize = 92;
 
 /// A tree of some edges.
 pub struct KeptEdges {
@@ -55,7 +53,10 @@ impl KeptEdges {
 
     /// Adds what is kept of a node, which is something, at this level, and returns its number.
     fn add(&mut self, nodes: &[[u32; NODE]], source: usize, level: usize) -> usize {
-        assert!(level <= DEEPEST, "walks have no room for so many levels");
+        assert!(
+            level <= LONGEST_WAY,
+            "walks have no room for so many levels"
+        );
         let [first, second, ..] = nodes[source];
         let edges = self.kept(&nodes[source]);
         let is_leaf = first == NONE || edges.len() <= LEAF;

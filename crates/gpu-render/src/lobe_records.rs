@@ -1,4 +1,4 @@
-//! Materials as the kernels read them: `lobes.slang` says which word is what.
+//! Materials as the kernels read them: `layout.rs` says which word is what.
 
 use capwalk_boundary::Accel;
 use capwalk_geometry::buffers::NONE;
@@ -6,11 +6,15 @@ use capwalk_scene::bsdf::{Coat, Metal};
 use capwalk_scene::lobe::{Distribution, RoughTransmittance};
 use capwalk_scene::{Bsdf, BsdfId, Emitter, Scene, Shape, TextureId};
 
+use crate::layout::distribution::*;
+use crate::layout::lobe::*;
+use crate::layout::lobe_kind::*;
+use crate::layout::record;
 use crate::texture_records::{TextureRecords, float};
 
 /// A lobe of the kernels.
 struct LobeRecord<'a> {
-    kind: u32,
+    kind: usize,
     distribution: Distribution,
     nonlinear: bool,
     coat: Option<&'a RoughTransmittance>,
@@ -50,12 +54,18 @@ pub fn add_lobe(
         at
     });
     let distribution = match lobe.distribution {
-        Distribution::Beckmann => 0,
-        Distribution::Ggx => 1,
+        Distribution::Beckmann => BECKMANN,
+        Distribution::Ggx => GGX,
     };
     let at = words.len() as u32;
-    let (nonlinear, count) = (lobe.nonlinear.into(), slots.len() as u32);
-    words.extend([lobe.kind, distribution, nonlinear, coat, count]);
+    let head: [u32; FIRST_SLOT] = record(&[
+        (0, lobe.kind as u32),
+        (DISTRIBUTION, distribution as u32),
+        (IS_NONLINEAR, lobe.nonlinear.into()),
+        (COAT, coat),
+        (SLOTS, slots.len() as u32),
+    ]);
+    words.extend(head);
     words.extend(slots);
     at
 }
@@ -90,15 +100,18 @@ fn lobe_record(accel: &Accel, id: BsdfId) -> Option<LobeRecord<'_>> {
         textures,
     };
     Some(match &accel.scene.material(id).bsdf {
-        Bsdf::Diffuse { reflectance } => plain(0, vec![Some(*reflectance)]),
-        Bsdf::Conductor(metal) => plain(1, of_metal(metal)),
+        Bsdf::Diffuse { reflectance } => plain(DIFFUSE, vec![Some(*reflectance)]),
+        Bsdf::Conductor(metal) => plain(CONDUCTOR, of_metal(metal)),
         Bsdf::RoughConductor(metal, facets) => LobeRecord {
             distribution: facets.distribution,
-            ..plain(2, [of_metal(metal), facets.alpha.map(Some).into()].concat())
+            ..plain(
+                ROUGH_CONDUCTOR,
+                [of_metal(metal), facets.alpha.map(Some).into()].concat(),
+            )
         },
         Bsdf::Plastic(coat) => LobeRecord {
             nonlinear: coat.nonlinear,
-            ..plain(3, of_coat(coat))
+            ..plain(PLASTIC, of_coat(coat))
         },
         Bsdf::RoughPlastic {
             coat,
@@ -108,7 +121,10 @@ fn lobe_record(accel: &Accel, id: BsdfId) -> Option<LobeRecord<'_>> {
             distribution: *distribution,
             nonlinear: coat.nonlinear,
             coat: accel.resolver.coat(id),
-            ..plain(4, [of_coat(coat), vec![Some(*alpha); 2]].concat())
+            ..plain(
+                ROUGH_PLASTIC,
+                [of_coat(coat), vec![Some(*alpha); 2]].concat(),
+            )
         },
         _ => return None,
     })

@@ -11,12 +11,13 @@ use capwalk_scene::{Gradient, Image};
 
 use crate::camera_back::CameraBack;
 use crate::camera_records::sample_words;
-use crate::change_words::ADJOINT_AT;
 use crate::device_edges::{COLUMNS, DeviceEdges};
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
 use crate::edge_records::{EdgeMotion, OfPoints};
 use crate::fixed_point::{PartSums, Sums};
+use crate::layout::change::ADJOINT_AT;
+use crate::layout::reverse_path::CAMERA_BACK;
 use crate::part_size::PartSize;
 use crate::paths::{Followed, Paths};
 use crate::render_kernels::REVERSE;
@@ -28,10 +29,6 @@ const MOST_WITH_VERTICES: usize = 1 << 16;
 
 /// Room for so many vertices of each path to begin with.
 const FEW_LEVELS: usize = 8;
-
-/// The first word of a path's derivatives with respect to the camera's ray (`BEYOND` of
-/// `reverse.slang`, less the light).
-const CAMERA_BACK: usize = 20;
 
 /// No sum on the device may have more derivatives than this, see `sums.slang`.
 const MOST_DERIVATIVES: usize = 1 << 24;

@@ -1,4 +1,4 @@
-//! How triangles move, as the kernels read it: `motion.slang` says which number is what.
+//! How triangles move, as the kernels read it: `layout.rs` says which number is what.
 
 use capwalk_boundary::tangents_of_face;
 use capwalk_diff::Forward;
@@ -6,10 +6,8 @@ use capwalk_math::Vec3;
 use capwalk_render::SceneEval;
 
 use crate::device_scene::DeviceScene;
+use crate::layout::motion::MOTION;
 use crate::texture_records::float;
-
-/// Numbers of the motion of a triangle.
-const MOTION: usize = 21;
 
 impl DeviceScene<'_> {
     /// The motion of the triangles of the tree, in its units of length.

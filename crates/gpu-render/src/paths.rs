@@ -5,7 +5,7 @@ use capwalk_render::Watch;
 
 use crate::camera_records::SAMPLE_WORDS;
 use crate::device_edges::{COLUMNS, DeviceEdges};
-use crate::fixed_point::{COUNTS, CUT_SHORT};
+use crate::layout::fault::{SUMS, THREADS_CUT_SHORT};
 use crate::render_kernels::{GO_BACK, PathKernels, WALK, WALK_BACK};
 
 /// Room for so many paths in a scene.
@@ -56,8 +56,8 @@ impl<'a> Paths<'a> {
         let room = room.max(SAMPLE_WORDS);
         // Behind the counts of faults are sums, or the weights of samples.
         let results = match kernels.keeps() {
-            true => sums.max(COUNTS),
-            false => COUNTS + room,
+            true => sums.max(SUMS),
+            false => SUMS + room,
         };
         let columns = columns(room, edges);
         let array = |words: usize| gpu.array(4 * words as u64);
@@ -173,8 +173,8 @@ impl<'a> Paths<'a> {
 
     /// The weights of the camera's rays in their pixels.
     pub fn weights(&self, count: usize) -> Result<Vec<f32>, GpuError> {
-        let words = self.sums(COUNTS + count)?;
-        let weights = words[COUNTS..].iter().copied().map(f32::from_bits);
+        let words = self.sums(SUMS + count)?;
+        let weights = words[SUMS..].iter().copied().map(f32::from_bits);
         Ok(weights.collect())
     }
 
@@ -186,8 +186,8 @@ impl<'a> Paths<'a> {
     /// What the launches so far say (`faults.slang`); an error if any thread of theirs did not run its loops
     /// to their ends.
     pub(crate) fn counts(&self) -> Result<Vec<u32>, GpuError> {
-        let counts = self.sums(COUNTS)?;
-        match counts[CUT_SHORT] {
+        let counts = self.sums(SUMS)?;
+        match counts[THREADS_CUT_SHORT] {
             0 => Ok(counts),
             threads => Err(self.gpu.loops_cut_short(threads)),
         }

@@ -4,6 +4,10 @@ use std::sync::LazyLock;
 
 use capwalk_gpu::{CompiledKernel, KernelPack};
 
+use crate::layout::hit::HIT_WORDS;
+use crate::layout::path::{FORWARD_PATH, SIDE_WEIGHT};
+use crate::layout::reverse_path::{KEPT, KEPT_WORDS};
+
 /// As `cargo xtask kernels` compiled them.
 pub fn pack() -> &'static KernelPack {
     static PACK: LazyLock<KernelPack> =
@@ -48,7 +52,7 @@ pub const IMAGE: PathKernels = PathKernels {
     begin: compiled("begin_paths"),
     go_on: compiled("go_on"),
     input: 1,
-    path: 20,
+    path: SIDE_WEIGHT,
     vertex: 0,
 };
 
@@ -61,7 +65,7 @@ pub const DIFFUSE_IMAGE: PathKernels = PathKernels {
 /// Images of paths that begin at what a camera's ray hits.
 pub const IMAGE_FROM_HITS: PathKernels = PathKernels {
     begin: compiled("begin_at_hits"),
-    input: 13,
+    input: HIT_WORDS,
     ..IMAGE
 };
 
@@ -76,7 +80,7 @@ pub const FORWARD: PathKernels = PathKernels {
     begin: compiled("begin_forward"),
     go_on: compiled("go_on_forward"),
     input: 1,
-    path: 33,
+    path: FORWARD_PATH,
     vertex: 0,
 };
 
@@ -85,8 +89,8 @@ pub const REVERSE: PathKernels = PathKernels {
     begin: compiled("begin_reverse"),
     go_on: compiled("go_on_reverse"),
     input: 1,
-    path: 33,
-    vertex: 29,
+    path: KEPT,
+    vertex: KEPT_WORDS,
 };
 
 /// Takes what arrives behind the vertices of a list back by one.
@@ -127,21 +131,19 @@ pub const WALK_BACK: CompiledKernel = compiled("walk_back");
 mod tests {
     use std::path::Path;
 
-    use capwalk_boundary::MAX_EVENTS;
-    use capwalk_math::frame::POINTS_DOWN;
+    use capwalk_gpu::trees_slang;
 
     use super::*;
-    use crate::kept_edges::DEEPEST;
+    use crate::layout::slang;
 
     /// Whoever changes a source must compile it again.
     #[test]
     fn compiled_kernels_are_current() {
         let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
         let folders = ["gpu-render", "gpu"].map(|name| crates.join(name).join("src/kernels"));
-        assert_eq!(
-            pack().check(&folders.each_ref().map(|path| &**path)),
-            Ok(())
-        );
+        let folders = folders.each_ref().map(|path| &**path);
+        let made = [("layout.slang", slang()), ("trees.slang", trees_slang())];
+        assert_eq!(pack().check(&folders, &made), Ok(()));
         let of = |kernels: BoundaryKernels| {
             [kernels.cross_edges, kernels.begin_sides, kernels.add_sides]
         };
@@ -158,29 +160,5 @@ mod tests {
             let takes = ["SLANG_globalParams[136]", "SLANG_globalParams+128]"];
             assert!(takes.iter().all(|what| code.contains(what)), "{name}");
         }
-    }
-
-    /// What Rust and Slang both say.
-    #[test]
-    fn constants_are_the_same() {
-        // What `edge_paths.rs` takes for granted.
-        let windows = include_str!("kernels/edge_windows.slang");
-        assert!(windows.contains("FIRST_SUBTREES = 2, LATER_SUBTREES = 1;"));
-        assert!(windows.contains("launch.depth & 0xffff;") && windows.contains("depth >> 16;"));
-        // What the kernels of walks take for granted of the processor's code, and of each other.
-        let mirrors = include_str!("kernels/mirrors.slang");
-        assert!(mirrors.contains(&format!("MOST_MIRRORS = {MAX_EVENTS};")));
-        let nearest = include_str!("kernels/nearest_edge.slang");
-        assert!(nearest.contains(&format!("LONGEST_WAY = {DEEPEST};")));
-        let paths = include_str!("kernels/paths.slang");
-        assert!(paths.contains(&format!("DOWNWARDS = {POINTS_DOWN:e};")));
-        let words = |text: String| assert!(paths.contains(&text), "{text}");
-        words(format!("LIGHT_CHANGE = 4, WALKED = {};", FORWARD.path - 4));
-        words(format!(
-            "KEPT = {}, KEPT_WORDS = {};",
-            REVERSE.path, REVERSE.vertex
-        ));
-        let edges = include_str!("kernels/edges.slang");
-        assert!(edges.contains(&format!("SIDE_WEIGHT = {}, SIDE_POINT = 23;", IMAGE.path)));
     }
 }

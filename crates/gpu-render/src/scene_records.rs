@@ -1,4 +1,4 @@
-//! A scene as the kernels read it: `surfaces.slang` says which word is what.
+//! A scene as the kernels read it: `layout.rs` says which word is what.
 
 use capwalk_boundary::{Accel, tangents_of_face};
 use capwalk_geometry::LocalFrame;
@@ -11,23 +11,25 @@ use capwalk_scene::{EmitterId, Shape, ShapeId};
 
 use crate::camera_records::CameraRecords;
 use crate::emitter_records::emitter_record;
+use crate::layout::header::*;
+use crate::layout::record;
+use crate::layout::shape::*;
+use crate::layout::tests::{SELF_DISTANCE, TESTS};
+use crate::layout::triangle::TRIANGLE_RECORD;
 use crate::lobe_records::add_lobe;
 use crate::texture_records::{Shown, TextureRecords, float, two_floats};
-
-/// Words before the first array.
-const HEADER: usize = 16;
 
 /// Which numbers of tests the kernels take, by precision: a triangle that is seen under a smaller
 /// part of what its area is summed from is seen edge-on; nothing is larger; distances below this
 /// from a surface belong to it (local units; in double precision the processor's); and the part of
 /// the way to an emitter in which anything may be.
-const SINGLE_TESTS: [f64; 4] = [
+const SINGLE_TESTS: [f64; TESTS] = [
     1.0 / (1 << 21) as f64,
     f32::MAX as f64,
     1.0 / (1 << 16) as f64,
     1.0 - 1.0 / (1 << 16) as f64,
 ];
-const DOUBLE_TESTS: [f64; 4] = [EDGE_ON, f64::MAX, 0.0, 1.0 - 1e-9];
+const DOUBLE_TESTS: [f64; TESTS] = [EDGE_ON, f64::MAX, 0.0, 1.0 - 1e-9];
 
 /// The arrays of a scene.
 pub struct SceneRecords {
@@ -59,8 +61,9 @@ impl SceneRecords {
             let shape = accel.shape_of_face[face as usize].0;
             let face = face - accel.first_face[shape as usize];
             let vertices = scene.shapes[shape as usize].mesh.faces[face as usize];
-            words.extend([shape, face]);
-            words.extend(vertices);
+            let [a, b, c] = vertices;
+            let triangle: [u32; TRIANGLE_RECORD] = [shape, face, a, b, c];
+            words.extend(triangle);
         }
         let triangle_of_face_at = words.len();
         words.resize(triangle_of_face_at + buffers.faces.len(), 0);
@@ -89,24 +92,30 @@ impl SceneRecords {
 
         let plan = Plan::new(scene);
         let sees_emitters = plan.reaches(1) && !plan.hide_emitters;
-        let header = [
-            plan.max_depth.unwrap_or(u32::MAX),
-            plan.rr_depth,
-            plan.sampling.emitter_samples,
-            plan.sampling.bsdf_samples,
-            sees_emitters.into(),
-            plan.sampling.alike.into(),
-            emitters.len() as u32,
-            plan.first_vertex,
-            scene.environment().map_or(NONE, |emitter| emitter.0),
-            triangles_at,
-            shapes_at,
-            emitters_at,
-            triangle_of_face_at as u32,
-            camera_at,
-            numbers_of_camera_at as u32,
-            (numbers_of_camera_at + camera.numbers.len()) as u32,
-        ];
+        let header: [u32; HEADER] = record(&[
+            (MAX_DEPTH, plan.max_depth.unwrap_or(u32::MAX)),
+            (RR_DEPTH, plan.rr_depth),
+            (EMITTER_SAMPLES, plan.sampling.emitter_samples),
+            (BSDF_SAMPLES, plan.sampling.bsdf_samples),
+            (SEES_EMITTERS, sees_emitters.into()),
+            (ALIKE, plan.sampling.alike.into()),
+            (EMITTERS, emitters.len() as u32),
+            (FIRST_VERTEX, plan.first_vertex),
+            (
+                ENVIRONMENT,
+                scene.environment().map_or(NONE, |emitter| emitter.0),
+            ),
+            (TRIANGLES_AT, triangles_at),
+            (SHAPES_AT, shapes_at),
+            (EMITTERS_AT, emitters_at),
+            (TRIANGLE_OF_FACE_AT, triangle_of_face_at as u32),
+            (CAMERA_AT, camera_at),
+            (CAMERA_NUMBERS_AT, numbers_of_camera_at as u32),
+            (
+                NUMBERS_AT,
+                (numbers_of_camera_at + camera.numbers.len()) as u32,
+            ),
+        ]);
         words[..HEADER].copy_from_slice(&header);
 
         Self {
@@ -135,7 +144,7 @@ pub fn exact_numbers(accel: &Accel, camera: &CameraRecords, precision: Precision
         Precision::Single => SINGLE_TESTS,
         Precision::Double => {
             let mut tests = DOUBLE_TESTS;
-            tests[2] = accel.horizon_distance() * frame.inverse_scale;
+            tests[SELF_DISTANCE] = accel.horizon_distance() * frame.inverse_scale;
             tests
         }
     });
@@ -148,9 +157,6 @@ fn append(array: &[u32], words: &mut Vec<u32>) -> u32 {
     words.extend(array);
     at
 }
-
-/// Words of the record of a shape.
-const SHAPE_RECORD: usize = 7;
 
 /// The record of a shape; what it refers to is appended.
 fn shape_record(
@@ -182,7 +188,15 @@ fn shape_record(
         [true, false].map(|is_front| add_lobe(accel, shape, is_front, textures, words));
     let emitter = shape.emitter.map_or(NONE, |emitter| emitter.0);
     let is_mirror = accel.is_flat_mirror(id).into();
-    [normals, uvs, front, back, emitter, tangents, is_mirror]
+    record(&[
+        (NORMALS, normals),
+        (UVS, uvs),
+        (FRONT, front),
+        (BACK, back),
+        (EMITTER, emitter),
+        (TANGENTS, tangents),
+        (IS_MIRROR, is_mirror),
+    ])
 }
 
 /// A unit vector along the first texture coordinate on each face; zero without usable ones.

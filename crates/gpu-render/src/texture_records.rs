@@ -1,9 +1,13 @@
-//! Textures as the kernels read them: `surfaces.slang` says which word is what.
+//! Textures as the kernels read them: `layout.rs` says which word is what.
 
 use std::collections::BTreeMap;
 
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::{Pattern, Scene, Shape, Texture, TextureId};
+
+use crate::layout::texture::*;
+use crate::layout::texture_kind::*;
+use crate::layout::wrap::*;
 
 /// The records of textures, once for all shapes that show the same.
 #[derive(Default)]
@@ -66,31 +70,42 @@ fn add_texture(
         to_uv: UvTransform::IDENTITY,
     };
     let (kind, bitmap) = match &texture.pattern {
-        _ if !is_shown => (0, plain),
+        _ if !is_shown => (CONSTANT, plain),
         // An attribute is one of the last two; no shape has the texels of the environment.
-        Pattern::Constant | Pattern::MeshAttribute { .. } | Pattern::Environment => (0, plain),
-        Pattern::Bitmap(bitmap) => (1, bitmap.clone()),
+        Pattern::Constant | Pattern::MeshAttribute { .. } | Pattern::Environment => {
+            (CONSTANT, plain)
+        }
+        Pattern::Bitmap(bitmap) => (BITMAP, bitmap.clone()),
         Pattern::Checkerboard { to_uv } => (
-            2,
+            CHECKERBOARD,
             Bitmap {
                 to_uv: *to_uv,
                 ..plain
             },
         ),
-        Pattern::PerVertex => (3, plain),
-        Pattern::PerFace => (4, plain),
+        Pattern::PerVertex => (PER_VERTEX, plain),
+        Pattern::PerFace => (PER_FACE, plain),
     };
     let wrap = match bitmap.wrap {
-        Wrap::Repeat => 0,
-        Wrap::Mirror => 1,
-        Wrap::Clamp => 2,
+        Wrap::Repeat => REPEAT,
+        Wrap::Mirror => MIRROR,
+        Wrap::Clamp => CLAMP,
     };
     let is_bilinear = bitmap.filter == TexelFilter::Bilinear;
-    words.extend([kind, texture.channels as u32]);
-    words.extend([bitmap.width, bitmap.height, is_bilinear.into(), wrap]);
+    let mut head = [0; TEXELS];
+    head[0] = kind as u32;
+    head[CHANNELS] = texture.channels as u32;
+    head[WIDTH] = bitmap.width;
+    head[HEIGHT] = bitmap.height;
+    head[IS_BILINEAR] = is_bilinear.into();
+    head[WRAP] = wrap as u32;
     let to_uv = bitmap.to_uv.rows.as_flattened();
-    words.extend(to_uv.iter().copied().flat_map(two_floats));
-    words.push(number);
+    for (place, &factor) in to_uv.iter().enumerate() {
+        let at = TO_UV + 2 * place;
+        head[at..at + 2].copy_from_slice(&two_floats(factor));
+    }
+    head[NUMBER] = number;
+    words.extend(head);
     words.extend(texture.data.iter().map(|x| float(scale * x)));
     at
 }

@@ -120,11 +120,11 @@ impl KernelPack {
         }
     }
 
-    /// An error, in words, if a kernel was compiled from another source than the one of that name in the
-    /// first of these folders that has it. For tests.
-    pub fn check(&self, folders: &[&Path]) -> Result<(), String> {
+    /// An error, in words, if a kernel was compiled from another source than the one of that name that was made, or
+    /// is in the first of these folders that has it. For tests.
+    pub fn check(&self, folders: &[&Path], made: &[(&str, String)]) -> Result<(), String> {
         for (file, kernel) in &self.kernels {
-            let source = with_includes(folders, kernel.source)?;
+            let source = with_includes(folders, made, kernel.source)?;
             if checksum(&source) != kernel.checksum {
                 return Err(format!("{file} is old: run `cargo xtask kernels`"));
             }
@@ -141,15 +141,20 @@ impl KernelPack {
 }
 
 /// A source with what it includes in the place of the lines that say so.
-fn with_includes(folders: &[&Path], name: &str) -> Result<String, String> {
-    let mut paths = folders.iter().map(|folder| folder.join(name));
-    let path = paths.find(|path| path.exists());
-    let path = path.ok_or_else(|| format!("{name}: no such source"))?;
-    let source = std::fs::read_to_string(path).map_err(|error| format!("{name}: {error}"))?;
+fn with_includes(folders: &[&Path], made: &[(&str, String)], name: &str) -> Result<String, String> {
+    let source = match made.iter().find(|(its, _)| *its == name) {
+        Some((_, source)) => source.clone(),
+        None => {
+            let mut paths = folders.iter().map(|folder| folder.join(name));
+            let path = paths.find(|path| path.exists());
+            let path = path.ok_or_else(|| format!("{name}: no such source"))?;
+            std::fs::read_to_string(path).map_err(|error| format!("{name}: {error}"))?
+        }
+    };
     let lines = source.split_inclusive('\n').map(|line| {
         let included = line.strip_prefix("#include \"");
         match included.and_then(|rest| rest.strip_suffix("\"\n")) {
-            Some(included) => with_includes(folders, included),
+            Some(included) => with_includes(folders, made, included),
             None => Ok(line.to_owned()),
         }
     });

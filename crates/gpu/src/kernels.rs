@@ -2,6 +2,8 @@
 
 use std::sync::LazyLock;
 
+use capwalk_geometry::{buffers, sampler_buffers};
+
 use crate::compiled_kernel::{CompiledKernel, GROUP, KernelPack};
 
 /// As `cargo xtask kernels` compiled them.
@@ -9,6 +11,52 @@ pub fn pack() -> &'static KernelPack {
     static PACK: LazyLock<KernelPack> =
         LazyLock::new(|| KernelPack::unpack(include_bytes!("kernels/compiled.lzma")));
     &PACK
+}
+
+/// What the kernels include as `trees.slang`: sizes and marks of trees, as `capwalk-geometry` writes them.
+pub fn trees_slang() -> String {
+    let sizes = [
+        ("Threads in a group.", "GROUP", GROUP),
+        (
+            "Ways from the root to a leaf pass no more nodes.",
+            "LEVELS",
+            buffers::LEVELS,
+        ),
+        (
+            "Words of a node of a tree of triangles, and of one of edges.",
+            "RAY_NODE",
+            buffers::RAY_NODE,
+        ),
+        ("", "CONE_NODE", buffers::CONE_NODE),
+        (
+            "Numbers of a triangle, and of an edge.",
+            "TRIANGLE",
+            buffers::TRIANGLE,
+        ),
+        ("", "EDGE", buffers::EDGE),
+        (
+            "Numbers of the bounds of a node of an edge sampler, and factors of an edge.",
+            "BOUNDS",
+            sampler_buffers::BOUNDS,
+        ),
+        ("", "FACTORS", sampler_buffers::FACTORS),
+        (
+            "No number, leaves among nodes, and edges whose faces have changed sides.",
+            "NONE",
+            buffers::NONE as usize,
+        ),
+        ("", "LEAF", buffers::LEAF as usize),
+        ("", "FLIPPED", buffers::FLIPPED as usize),
+    ];
+    let lines = sizes.map(|(doc, name, size)| {
+        let doc = if doc.is_empty() {
+            String::new()
+        } else {
+            format!("// {doc}\n")
+        };
+        format!("{doc}static const uint {name} = {size}u;\n")
+    });
+    format!("// `trees_slang` of `kernels.rs`.\n{}", lines.concat())
 }
 
 /// A kernel.
@@ -55,13 +103,15 @@ mod tests {
     use std::path::Path;
 
     use super::*;
-    use capwalk_geometry::buffers;
 
     /// Whoever changes a source must compile it again.
     #[test]
     fn compiled_kernels_are_current() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/kernels");
-        assert_eq!(pack().check(&[&folder]), Ok(()));
+        assert_eq!(
+            pack().check(&[&folder], &[("trees.slang", trees_slang())]),
+            Ok(())
+        );
         for kernel in [
             Kernel::FirstHit,
             Kernel::Occluded,
@@ -76,12 +126,5 @@ mod tests {
         ] {
             assert_eq!(kernel.compiled().check(), Ok(()));
         }
-    }
-
-    /// Kernels have room for every way down a tree.
-    #[test]
-    fn trees_are_not_too_deep() {
-        let room = format!("static const uint LEVELS = {};", buffers::LEVELS);
-        assert!(include_str!("kernels/rays.slang").contains(&room));
     }
 }

@@ -58,6 +58,7 @@ pub use compiled_kernel::{CompiledKernel, KernelPack};
 pub use error::GpuError;
 pub use foreign_kernels::DeviceArray;
 pub use gpu::{Gpu, GpuOptions, Interface};
+pub use kernels::trees_slang;
 pub use local_cone::SINGLE_ERROR;
 pub use precision::Precision;
 pub use ray_queries::DeviceRayTree;

@@ -9,7 +9,6 @@ use capwalk_walk::Domain;
 use super::*;
 use crate::accel::Accel;
 use crate::boundaries::Boundaries;
-use crate::field::LOW;
 use crate::method::Method;
 
 /// The ball and its emitter, flat-shaded, over a floor that is a mirror.
@@ -211,7 +210,7 @@ fn motion_along_low_edges_is_damped() {
         let across = x.cross(along);
         let velocity = Vec3::new(0.4, -0.7, 0.2) / seen.point.distance;
         let moved = sample.angular(velocity * seen.point.distance);
-        let height = (normal.dot(x).abs() / LOW).min(1.0);
+        let height = (normal.dot(x).abs() / Field::LOW).min(1.0);
         let size = 1e-9 * velocity.length();
         assert!(moved.dot(x).abs() < size);
         assert!((moved.dot(across) - velocity.dot(across)).abs() < size);

@@ -1,0 +1,274 @@
+//! What the processor writes and the kernels read: kinds, which word of a record is what, and limits of both. Declared
+//! once, here; the kernels include it as `layout.slang`, which `cargo xtask kernels` writes.
+
+use capwalk_boundary::{Field, MAX_EVENTS};
+use capwalk_math::frame::POINTS_DOWN;
+
+/// Whole numbers in groups, as constants of a module each, and the same for Slang, where names stand without the
+/// group's.
+macro_rules! layout {
+    ($($(#[doc = $doc:literal])* $group:ident { $($name:ident = $value:expr,)* })*) => {
+        $($(#[doc = $doc])* pub mod $group {
+            #[allow(unused_imports)]
+            use super::*;
+            $(pub const $name: usize = $value;)*
+        })*
+
+        /// The lines of all groups.
+        fn whole_numbers() -> String {
+            let groups = [$((
+                concat!($("//", $doc, "\n",)*),
+                &[$((stringify!($name), $group::$name)),*][..],
+            )),*];
+            let lines = groups.iter().map(|(doc, names)| {
+                let names = names.iter();
+                let names = names.map(|(name, value)| format!("static const uint {name} = {value};\n"));
+                format!("{doc}{}", names.collect::<String>())
+            });
+            lines.collect()
+        }
+    };
+}
+
+layout! {
+    /// Words of the header: numbers of the plan, then where the arrays of records start; and where in `primitives` the camera's
+    /// numbers start, which follow the triangles, and those of the tests, behind them.
+    header {
+        MAX_DEPTH = 0, RR_DEPTH = 1, EMITTER_SAMPLES = 2, BSDF_SAMPLES = 3, SEES_EMITTERS = 4, ALIKE = 5,
+        EMITTERS = 6, FIRST_VERTEX = 7, ENVIRONMENT = 8,
+        TRIANGLES_AT = 9, SHAPES_AT = 10, EMITTERS_AT = 11, TRIANGLE_OF_FACE_AT = 12, CAMERA_AT = 13,
+        CAMERA_NUMBERS_AT = 14, NUMBERS_AT = 15, HEADER = 16,
+    }
+
+    /// Of a triangle, in the order of the tree's leaves: its shape, and face and vertices there.
+    triangle {
+        TRIANGLE_RECORD = 5,
+    }
+
+    /// Words of a shape: where its normals and texture coordinates are, the materials of its front and its back (`NONE` if it
+    /// reflects nothing), its emitter, where the tangents of its faces are, if its material turns with them, and whether it is a
+    /// flat mirror.
+    shape {
+        NORMALS = 0, UVS = 1, FRONT = 2, BACK = 3, EMITTER = 4, TANGENTS = 5, IS_MIRROR = 6, SHAPE_RECORD = 7,
+    }
+
+    /// Numbers of the tests, the distance around a point of a surface in which nothing counts, and the part of the way to an
+    /// emitter that does.
+    tests {
+        EDGE_ON = 0, LARGEST = 1, SELF_DISTANCE = 2, SHORT_OF_TARGET = 3, TESTS = 4,
+    }
+
+    /// Kinds of textures.
+    texture_kind {
+        CONSTANT = 0, BITMAP = 1, CHECKERBOARD = 2, PER_VERTEX = 3, PER_FACE = 4,
+    }
+
+    /// Words of a texture: its kind comes first, its texels are last.
+    texture {
+        CHANNELS = 1, WIDTH = 2, HEIGHT = 3, IS_BILINEAR = 4, WRAP = 5, TO_UV = 6, NUMBER = 18, TEXELS = 19,
+    }
+
+    /// What continues a bitmap.
+    wrap {
+        REPEAT = 0, MIRROR = 1, CLAMP = 2,
+    }
+
+    /// Words of the camera: columns and pixels of the image, the filter and two numbers of it, whether there is a lens, and of
+    /// each column, then of each row, where its table is.
+    camera {
+        IMAGE_COLUMNS = 0, IMAGE_PIXELS = 1, FILTER = 2, FILTER_NUMBERS = 3, HAS_LENS = 5, SIDES = 6,
+    }
+
+    /// Kinds of filters.
+    filter {
+        BOX_FILTER = 0, TENT_FILTER = 1, GAUSSIAN_FILTER = 2, MITCHELL_FILTER = 3, LANCZOS_FILTER = 4,
+    }
+
+    /// Numbers of the camera in `Real`: five vectors of directions and five of starts; the film point of the view axis, from the
+    /// first pixel's centre; depths of the clip planes, from that of the starts; and that depth. Behind them are tables.
+    camera_numbers {
+        DIRECTIONS = 0, STARTS = 15, AXIS_POINT = 30, CLIP = 32, START_DEPTH = 34, SIDE_TABLES = 35,
+    }
+
+    /// Words of an emitter: what it is, the texture of its radiance, or its map, its brightness, its first face, where its
+    /// rectangle (or `NONE`) and the nodes of its tree are, the order of its triangles in the leaves and the place of each in that
+    /// order, and a ball around it.
+    emitter {
+        EMITTER_KIND = 0, RADIANCE = 1, BRIGHTNESS = 2, FIRST_FACE = 3, RECTANGLE = 4,
+        NODES = 5, ORDER = 6, RANK = 7, CENTRE = 8, RADIUS = 11, EMITTER_RECORD = 12,
+    }
+
+    /// An area emitter, light from everywhere, or a map of it.
+    emitter_kind {
+        AREA_EMITTER = 0, CONSTANT_EMITTER = 1, ENVIRONMENT_MAP = 2,
+    }
+
+    /// Words of a node of an emitter's tree: the first of its places in the order and the one after the last, its halves or
+    /// `NONE`, a ball, its areas, and a cone of its normals.
+    emitter_node {
+        NODE = 17,
+    }
+
+    /// Words of an environment map: texels per row and rows; the rows of the rotation from the map's directions to the world's;
+    /// the records of the textures of its texels and of a factor on them; where the table is (`NONE` if the map is black): the sums
+    /// of the cells' chances up to each row, then within each row, and the density of each cell per solid angle.
+    environment_map {
+        MAP_WIDTH = 0, MAP_HEIGHT = 1, WORLD_FROM_MAP = 2, MAP_TEXELS = 11, MAP_SCALE = 12,
+        ROW_SUMS = 13, CELL_SUMS = 14, DENSITIES = 15, ENVIRONMENT_RECORD = 16,
+    }
+
+    /// What a side of a surface does to light.
+    lobe_kind {
+        DIFFUSE = 0, CONDUCTOR = 1, ROUGH_CONDUCTOR = 2, PLASTIC = 3, ROUGH_PLASTIC = 4,
+    }
+
+    /// Words of a lobe: its kind comes first; the distribution of its facets, whether light takes the colour of the base each
+    /// time it gets there, what passes its rough coat, how many textures there may be, and these.
+    lobe {
+        DISTRIBUTION = 1, IS_NONLINEAR = 2, COAT = 3, SLOTS = 4, FIRST_SLOT = 5,
+    }
+
+    /// Textures of a lobe (`NONE` for one that is not there): the colours of base and mirror, the refractive indices (of a metal
+    /// its real and imaginary part, of a coat that inside and outside), and the roughnesses.
+    slot {
+        DIFFUSE_REFLECTANCE = 0, SPECULAR_REFLECTANCE = 1, INDEX = 2, SECOND_INDEX = 3, ALPHA_U = 4, ALPHA_V = 5,
+    }
+
+    /// Distributions of facets.
+    distribution {
+        BECKMANN = 0, GGX = 1,
+    }
+
+    /// Words behind the list of paths: where the motion of the triangles is, or in reverse mode what is asked for of the shapes'
+    /// vertices (`NONE` if nothing moves); whether boundaries move; in reverse mode how many units of a sum are one; where the edges
+    /// are that paths cross; whether sampling may not know how fast these move, as in reverse mode; where the changes of the
+    /// camera's vectors are, or in reverse mode the derivatives of the loss with respect to the pixels; whether directions to
+    /// surfaces move along a field; then of each texture where its own numbers are (`NONE` if none is asked for).
+    change {
+        MOTION_AT = 0, BOUNDARIES_MOVE = 1, UNITS = 2, EDGES_AT = 3, IS_BLIND = 4,
+        CAMERA_CHANGE_AT = 5, ADJOINT_AT = 5, WALKS = 6, TEXTURE_CHANGES = 7,
+    }
+
+    /// Words before the sums: how many derivatives were too large for a sum and how many not finite, in how many threads loops
+    /// were cut short, and in how many parts the edges before emitters are to be taken, if not in one.
+    fault {
+        TOO_LARGE = 0, NOT_FINITE = 1, THREADS_CUT_SHORT = 2, PARTS = 3, SUMS = 4,
+    }
+
+    /// Of a sum of derivatives.
+    sum {
+        SUM_WORDS = 4,
+    }
+
+    /// Numbers of the motion of a triangle: how its corners move, their given normals, and the tangent of its face.
+    motion {
+        CORNER_NORMALS = 9, FACE_TANGENT = 18, MOTION = 21,
+    }
+
+    /// Words of a hit: the number of its face, or `NONE`; weights of the face's second and third corner, each in two numbers of
+    /// single precision, the direction of the ray with what is left of it beside single precision, and the key of the path's
+    /// random numbers.
+    hit {
+        HIT_WORDS = 13,
+    }
+
+    /// Words of a path: of an image, behind the list; with derivatives also that of its light, and what walks tell.
+    path {
+        SIDE_WEIGHT = 20, SIDE_POINT = SIDE_WEIGHT + 3, LIGHT_CHANGE = 4, WALKED = 29, FORWARD_PATH = WALKED + 4,
+    }
+
+    /// Words of a path in reverse mode: what is behind the vertex that is taken back, the light that arrives from there and the
+    /// derivatives with respect to the ray; those with respect to the camera's ray by way of what emits there, and how far away
+    /// that is; and what is kept of each vertex, of which the derivatives with respect to the ray that led to it.
+    reverse_path {
+        BEYOND = 17, CAMERA_BACK = BEYOND + 3, CAMERA_RAY = 26, KEPT = 33, KEPT_WORDS = 29,
+        KEPT_PLACE = 3, KEPT_DIRECT = 11, KEPT_WO = 17, KEPT_BY_RAY = 20,
+    }
+
+    /// Words of the header of edges: where the trees of silhouettes and of all edges are (`NONE` if not needed), then those of
+    /// the edges among them that move, which of the two has the edges before area emitters, and where the windows of emitters
+    /// are; of walks the first random number at the vertex that the camera sees, how many each vertex has, and in how many mirrors
+    /// edges count; and of how many leaves before an emitter a launch looks at the edges, and how many points it takes there at most.
+    edges {
+        SILHOUETTES = 0, ALL_EDGES = 1, OF_MOVING = 2, BEFORE_EMITTERS = 4, WINDOWS = 5,
+        FIRST_WALK = 6, WALK_NUMBERS = 7, MIRRORS = 8, MOST_LEAVES = 9, MOST_POINTS = 10, EDGES_HEADER = 11,
+    }
+
+    /// Numbers of edges behind those of the tests: within this fraction of all coordinates a point is in a plane; of how far the
+    /// world's origin is away, local units; what of an edge is outside of a window by less than this, over its distance, is inside;
+    /// the angle between an edge and the rays beside it; the tangents of half the largest angle of a cap, and of twice as much.
+    edge_tests {
+        ON_PLANE = 0, AWAY = 1, IN_PLANE = 2, BESIDE = 3, CAP = 4, TWICE_CAP = 5,
+    }
+
+    /// Words of a node: its second half (the first one is the next node), or `NONE` in a leaf, the node after all that are below
+    /// it, the first edge and the one after the last, a ball around them, the cone of normals, the distance of planes of faces from
+    /// the centre, length, reach, the least radius, the motion, and shares of length by direction.
+    edge_node {
+        EDGE_NODE = 45, CENTRE_OF_NODE = 4, RADIUS_OF_NODE = 7, NORMAL_AXIS = 8, NORMAL_SINE = 11, NORMAL_COSINE = 12,
+        PLANE_HEIGHT = 13, LENGTH = 14, REACH = 15, LEAST_RADIUS = 16, VELOCITY = 17, SPREAD = 20, SHARES = 21,
+    }
+
+    /// Words of an edge: factors of its sampling weight, velocities of its ends (in reverse mode the first two of these words are
+    /// where the sums of its ends start, `NONE` if they are not asked for), where the list of those that may lie on it starts and
+    /// ends, how fast it moves where sampling does not know, and its number in the scene. Its numbers are the ends, normals of its
+    /// faces, and their lengths.
+    edge {
+        EDGE_RECORD = 12, VELOCITIES = 2, OVERLAPS = 8, LIKELY_SPEED = 10, NUMBER_IN_SCENE = 11, EDGE_NUMBERS = 14,
+    }
+
+    /// Words of a tree of edges: where its nodes and edges are, and where the numbers of its edges are.
+    tree {
+        TREE_NODES = 0, TREE_EDGES = 1, TREE_NUMBERS = 2,
+    }
+
+    /// Subtrees that are sampled at the vertex that the camera sees, and at later ones, which matter less; and the bits of the
+    /// depth of a launch, behind which is its part.
+    launch {
+        FIRST_SUBTREES = 2, LATER_SUBTREES = 1, DEPTH_BITS = 16,
+    }
+
+    /// Most mirrors between a vertex and an edge; and most nodes that wait on the way down a tree of edges: those from the 60th
+    /// on have halves of equally many edges (`divide` of `capwalk-boundary`).
+    limit {
+        MOST_MIRRORS = MAX_EVENTS as usize, LONGEST_WAY = 92,
+    }
+}
+
+/// `layout.slang`.
+pub fn slang() -> String {
+    let numbers = [
+        (
+            "The frame around a normal turns over where its z passes this.",
+            "DOWNWARDS",
+            POINTS_DOWN,
+        ),
+        (
+            "The sine of the height over the horizon from which on all of a boundary's motion counts.",
+            "LOW",
+            Field::LOW,
+        ),
+        (
+            "The part of their length that edges seen end-on seem to have at most.",
+            "END_ON",
+            Field::END_ON,
+        ),
+    ];
+    let numbers = numbers
+        .map(|(doc, name, value)| format!("// {doc}\nstatic const float {name} = {value:e};\n"));
+    format!(
+        "// `layout.rs` as Slang.\n{}{}",
+        whole_numbers(),
+        numbers.concat()
+    )
+}
+
+/// A record of so many words, each of which is given once by its place.
+pub fn record<const N: usize>(words: &[(usize, u32)]) -> [u32; N] {
+    debug_assert_eq!(words.len(), N);
+    let mut record = [u32::MAX; N];
+    for &(place, word) in words {
+        record[place] = word;
+    }
+    record
+}
