@@ -74,7 +74,7 @@ impl CompiledKernel {
 }
 
 /// The compiled kernels of a crate: one LZMA stream of text, that of each kernel behind a line that begins
-/// with [`KernelPack::MARK`] and says its file name, the source it was compiled from and that source's checksum.
+/// with `////` and says its file name, the source it was compiled from and that source's checksum.
 #[derive(Debug)]
 pub struct KernelPack {
     kernels: HashMap<&'static str, PackedKernel>,
