@@ -13,10 +13,10 @@
 //! | `gpu` | queries, images and gradients on the GPU: how many per second, and whether they agree with the processor |
 //! | `peers` | measures capwalk and Mitsuba side by side: noise after a second of one thread |
 
-#[cfg(test)]
-mod code_map;
 mod deviation;
 mod gpu;
+#[cfg(test)]
+mod heads;
 mod kernels;
 mod layout;
 mod mitsuba;
