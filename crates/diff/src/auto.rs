@@ -108,7 +108,7 @@ impl Pilot<'_> {
     /// segments, if gloss moves also with walks for the camera and indirect light, then with walks in the
     /// place of each of [`WALKS_TRIED`] in turn, then with more and fewer points, as long as trials are worth it.
     /// Where none is, edges are gathered wherever they can be, but for the camera and indirect light
-    /// if gloss moves; walks have the cutoff that is asked for.
+    /// if gloss moves ([`Self::moves_gloss`]); walks have the cutoff that is asked for.
     fn best(&self, trials: &mut Trials) -> (Method, f64) {
         let asked_radius = self.options.walk.max_radius;
         if !Wanted::by(self.tangent).geometry() {
@@ -130,8 +130,8 @@ impl Pilot<'_> {
         };
         if self.size.samples_of_trial() == 0 {
             let gathers = match surely {
-                Some(surely) if surely < CLEARLY => cautious,
-                _ => everywhere,
+                Some(_) => cautious,
+                None => everywhere,
             };
             return (by_gathering(gathers), asked_radius);
         }
@@ -181,12 +181,15 @@ impl Pilot<'_> {
     /// The share of a walk's cost below which rays that stay must be, if something with interpolated normals moves
     /// against the camera that is glossy, or lit by something glossy. They can have derivatives there
     /// so rare and so large that a pilot does not see them; the rays of a walk move along. Where surfaces
-    /// see flat mirrors or panes, walks have such values as well ([`WALKS_TRIED`]), and neither has to be surely better.
+    /// see flat mirrors or panes, walks have such values as well ([`WALKS_TRIED`]), and are only preferred
+    /// where what moves is glossy itself.
     fn moves_gloss(&self, tracer: &Tracer) -> Option<f64> {
         let scene = self.prepared.scene();
         let camera_moves = self.tangent.sensor.moves_rays();
         let mut materials = scene.shapes.iter().map(|shape| shape.bsdf);
-        let lights = tracer.plan.reaches(3) && materials.any(|id| is_glossy(scene, id));
+        let lights = tracer.plan.reaches(3)
+            && !tracer.shows_surfaces_mirrors()
+            && materials.any(|id| is_glossy(scene, id));
         let shapes = scene.shapes.iter().zip(&self.tangent.shapes);
         let factors = shapes.filter_map(|(shape, motion)| {
             let moves = camera_moves || motion.is_some();
@@ -196,12 +199,7 @@ impl Pilot<'_> {
                 _ => None,
             }
         });
-        let surely = factors.reduce(f64::min)?;
-        Some(if tracer.shows_surfaces_mirrors() {
-            1.0
-        } else {
-            surely
-        })
+        factors.reduce(f64::min)
     }
 
     /// The better one of the cutoff that is asked for and another one, if that is narrower; `None`
