@@ -2,7 +2,7 @@
 device: `kernels.py FOLDER MADE`, where FOLDER has some of the sources below, and MADE what Rust makes of its own
 constants (`cargo xtask kernels` calls it). For wgpu they become WGSL,
 for NVIDIA's driver PTX, by NVIDIA's own compiler of PyPI. All go into one file, `compiled.lzma`:
-text, with a line before each kernel that says its file name, its source and the source's checksum.
+text, with a line before each kernel that says its file name, its source, the source's checksum and its own.
 
 Slang writes no `double` in WGSL ("unexpected: 'double' type emitted", 2026.12), which wgpu
 reads as `f64`. So the source is compiled with `half` for it, which it uses for nothing else,
@@ -159,7 +159,7 @@ def nvrtc_text(compiler, program, what):
 
 def content(folder, name):
     """A source with what it includes in the place of the lines that say so."""
-    paths = [os.path.join(place, name) for place in (folder, SHARED, MADE)]
+    paths = [os.path.join(place, name) for place in (MADE, folder, SHARED)]
     with open(next(filter(os.path.exists, paths)), "rb") as file:
         return re.sub(rb'#include "(.*)"\n', lambda line: content(folder, line[1].decode()), file.read())
 
@@ -190,7 +190,8 @@ def main():
                 ("ptx", ptx(library, nvidia_compiler, source, entry, precision)),
             ]:
                 file = f"{entry}_{precision}.{language}"
-                parts.append(f"{MARK}{file} {name}.slang {of_source}\n{code.strip()}\n")
+                code = code.strip() + "\n"
+                parts.append(f"{MARK}{file} {name}.slang {of_source} {checksum(code.encode())}\n{code}")
                 print(f"    {file}: {len(code)} bytes", flush=True)
     text = "".join(parts).encode()
     filters = [{"id": lzma.FILTER_LZMA1, "preset": 9 | lzma.PRESET_EXTREME, "dict_size": DICTIONARY}]

@@ -263,12 +263,12 @@ pub fn slang() -> String {
     )
 }
 
-/// A record of so many words, each of which is given once by its place.
+/// A record of so many words, each of which must be given once, by its place.
 pub fn record<const N: usize>(words: &[(usize, u32)]) -> [u32; N] {
-    debug_assert_eq!(words.len(), N);
-    let mut record = [u32::MAX; N];
+    let mut record = [None; N];
     for &(place, word) in words {
-        record[place] = word;
+        let before = record[place].replace(word);
+        assert!(before.is_none(), "word {place} is given twice");
     }
-    record
+    record.map(|word| word.expect("each word is given"))
 }

@@ -74,7 +74,7 @@ impl CompiledKernel {
 }
 
 /// The compiled kernels of a crate: one LZMA stream of text, that of each kernel behind a line that begins
-/// with `////` and says its file name, the source it was compiled from and that source's checksum.
+/// with `////` and says its file name, the source it was compiled from, that source's checksum and its own.
 #[derive(Debug)]
 pub struct KernelPack {
     kernels: HashMap<&'static str, PackedKernel>,
@@ -85,11 +85,12 @@ struct PackedKernel {
     source: &'static str,
     /// Of the source, with what it includes in the place of the lines that say so.
     checksum: &'static str,
+    own_checksum: &'static str,
     code: &'static str,
 }
 
 impl KernelPack {
-    const MARK: &str = "//// ";
+    const MARK: &str = "\n//// ";
 
     /// Those of a file that `cargo xtask kernels` wrote; they stay in memory until the process ends.
     ///
@@ -102,15 +103,20 @@ impl KernelPack {
             .and_then(|mut reader| reader.read_to_string(&mut text))
             .expect("a pack of kernels");
         let text: &'static str = text.leak();
-        let kernels = text.split(Self::MARK).skip(1).map(|part| {
+        // Each kernel ends with the line before the next one's head.
+        let heads = text.match_indices(Self::MARK);
+        let starts: Vec<usize> = heads.map(|(at, _)| at + 1).chain([text.len()]).collect();
+        let kernels = starts.windows(2).map(|ends| {
+            let part = &text[ends[0] + Self::MARK.len() - 1..ends[1]];
             let (head, code) = part.split_once('\n').expect("a head of a line");
             let words: Vec<&str> = head.split(' ').collect();
-            let [file, source, checksum] = words[..] else {
+            let [file, source, checksum, own_checksum] = words[..] else {
                 panic!("{head}: not the head of a kernel");
             };
             let kernel = PackedKernel {
                 source,
                 checksum,
+                own_checksum,
                 code,
             };
             (file, kernel)
@@ -121,12 +127,15 @@ impl KernelPack {
     }
 
     /// An error, in words, if a kernel was compiled from another source than the one of that name that was made, or
-    /// is in the first of these folders that has it. For tests.
+    /// is in the first of these folders that has it, or if it is damaged. For tests.
     pub fn check(&self, folders: &[&Path], made: &[(&str, String)]) -> Result<(), String> {
         for (file, kernel) in &self.kernels {
             let source = with_includes(folders, made, kernel.source)?;
             if checksum(&source) != kernel.checksum {
                 return Err(format!("{file} is old: run `cargo xtask kernels`"));
+            }
+            if checksum(kernel.code) != kernel.own_checksum {
+                return Err(format!("{file} is damaged: run `cargo xtask kernels`"));
             }
         }
         Ok(())
