@@ -4,14 +4,13 @@ use std::collections::HashSet;
 use std::ops::Index;
 
 use capwalk_diff::{
-    Backward, BatchSums, Chosen, GradientOptions, Grid, Part, Partial, Refusal, Statistics, Wanted,
-    Watch,
+    Backward, BackwardWork, BatchSums, Chosen, GradientOptions, Grid, KeptChoice, Part, Partial,
+    PreparedScene, Refusal, Statistics, Wanted, Watch,
 };
 use capwalk_scene::params::{ArrayParameter, ParameterError, Registry, Request};
 use capwalk_scene::{Image, Scene, Tangent};
 
 use crate::direction;
-use crate::engine::Engine;
 use crate::error::Error;
 
 /// The gradients of a loss, in the order in which they were asked for.
@@ -97,9 +96,9 @@ pub struct GradientNames {
 }
 
 /// The names of all arrays, by whether their gradient would be refused.
-pub(crate) fn names(engine: &Engine) -> GradientNames {
-    let refusal = engine.refusal();
-    let arrays = engine.registry().arrays().iter();
+pub(crate) fn names(prepared: &PreparedScene, registry: &Registry) -> GradientNames {
+    let refusal = capwalk_diff::refusal(prepared);
+    let arrays = registry.arrays().iter();
     let first_names = arrays.filter(|array| array.alias_of.is_none()).cloned();
     let (refused, allowed): (Vec<_>, Vec<_>) =
         first_names.partition(|array| refusal.is_some() && array.moves_discontinuities);
@@ -114,22 +113,24 @@ pub(crate) fn names(engine: &Engine) -> GradientNames {
 /// A gradient with respect to all that is named, to be computed at once or in parts.
 #[derive(Debug)]
 pub struct GradientsWork<'a> {
-    engine: &'a Engine,
+    scene: &'a Scene,
     requests: Vec<(String, Request)>,
     /// What changes with any of them.
     wanted: Wanted,
-    work: capwalk_diff::BackwardWork<'a>,
+    work: BackwardWork<'a>,
 }
 
 impl<'a> GradientsWork<'a> {
     pub(crate) fn new<N: AsRef<str>>(
-        engine: &'a Engine,
+        prepared: &'a PreparedScene,
+        registry: &Registry,
         adjoint: &'a Image,
         names: &[N],
         options: &GradientOptions,
+        kept: impl FnOnce(Wanted) -> KeptChoice,
     ) -> Result<Self, Error> {
-        let scene = engine.scene();
-        let requests = requests(engine, names)?;
+        let scene = prepared.scene();
+        let requests = requests(scene, registry, names)?;
         // One pass over the samples gives a covector on everything that any of them moves.
         let mut wanted = Wanted::by(&Tangent::zero(scene));
         for (_, request) in &requests {
@@ -138,10 +139,11 @@ impl<'a> GradientsWork<'a> {
                 Request::Array(array) => array.tangent(scene, &vec![1.0; array.count()]),
             }));
         }
+        let work = BackwardWork::new(prepared, adjoint, wanted.clone(), *options);
         Ok(Self {
-            engine,
+            scene,
             requests,
-            work: engine.backward_work(adjoint, wanted.clone(), options),
+            work: work.keeping(kept(wanted.clone())),
             wanted,
         })
     }
@@ -183,7 +185,7 @@ impl<'a> GradientsWork<'a> {
 
     /// Each parameter's gradient is a linear map of the covector on the scene.
     pub(crate) fn by_name(&self, result: &Backward) -> Gradients {
-        let scene = self.engine.scene();
+        let scene = self.scene;
         let gradients = self.requests.iter().map(|(name, request)| match request {
             Request::Tangent(tangent) => of_number(name.clone(), tangent, result),
             Request::Array(array) => of_array(scene, name.clone(), array, result),
@@ -196,12 +198,16 @@ impl<'a> GradientsWork<'a> {
 }
 
 /// What each name means in the scene.
-fn requests<N: AsRef<str>>(engine: &Engine, names: &[N]) -> Result<Vec<(String, Request)>, Error> {
+fn requests<N: AsRef<str>>(
+    scene: &Scene,
+    registry: &Registry,
+    names: &[N],
+) -> Result<Vec<(String, Request)>, Error> {
     let mut seen = HashSet::new();
     let mut requests = Vec::new();
     for name in names {
         let name = name.as_ref();
-        let request = engine.registry().request(engine.scene(), name)?;
+        let request = registry.request(scene, name)?;
         if let Request::Tangent(tangent) = &request {
             direction::check(tangent, || direction::parameters(name))?;
         }

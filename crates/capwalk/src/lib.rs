@@ -70,7 +70,6 @@ mod coplanar;
 mod device;
 mod direction;
 mod edge_on;
-mod engine;
 mod error;
 mod folder_error;
 #[cfg_attr(not(feature = "gpu"), path = "no_gpu_work.rs")]

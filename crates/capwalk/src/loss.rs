@@ -1,13 +1,11 @@
 //! How far an image is from a target.
 
-use capwalk_diff::{Statistics, Watch};
+use capwalk_diff::{PreparedScene, RenderOptions, Statistics, Watch};
 use capwalk_scene::Image;
 
 pub use capwalk_inverse::loss::{Distance, Loss, Measured};
 
-use crate::engine::Engine;
 use crate::error::Error;
-use capwalk_diff::RenderOptions;
 
 /// The loss of an image that was rendered for it.
 #[derive(Clone, Debug)]
@@ -22,14 +20,14 @@ pub struct ImageLoss {
 
 /// The loss of an image that is independent of a gradient with these options.
 pub(crate) fn measure(
-    engine: &Engine,
+    prepared: &PreparedScene,
     loss: &Loss,
     target: &Image,
     mask: Option<&Image>,
     options: &RenderOptions,
     watch: &dyn Watch,
 ) -> Result<ImageLoss, Error> {
-    let expected = engine.scene().film.crop_size.map(|n| n as usize);
+    let expected = prepared.scene().film.crop_size.map(|n| n as usize);
     for (what, image) in [("target", Some(target)), ("mask", mask)] {
         let found = image.map_or(expected, |image| [image.width, image.height]);
         if found != expected {
@@ -41,7 +39,7 @@ pub(crate) fn measure(
         }
     }
     let options = options.with_independent_seed();
-    let rendering = engine.render(&options, watch);
+    let rendering = capwalk_diff::render(prepared, &options, watch);
     if rendering.statistics.samples_per_pixel.contains(&0) {
         return Err(Error::Stopped {
             before: "every pixel of the image had a sample",

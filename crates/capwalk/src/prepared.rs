@@ -1,21 +1,21 @@
 //! The front door: a scene that is ready for any number of images and gradients.
 
 use std::collections::BTreeSet;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use capwalk_diff::{
-    Chosen, GradientImage, GradientOptions, GradientWork, Method, PreparedScene, Refusal,
-    RenderOptions, RenderWork, Rendering, Watch,
+    Chosen, Differences, GradientImage, GradientOptions, GradientWork, KeptChoice, Method,
+    PreparedScene, Refusal, RenderOptions, RenderWork, Rendering, Watch,
 };
 use capwalk_scene::params::Registry;
 use capwalk_scene::{Image, Scene, SceneError, Tangent};
 
 use crate::backward::{self, GradientNames, Gradients, GradientsWork};
 use crate::check::{Check, CheckOptions, Reference, SECOND_FACTOR};
+use crate::choices::{Choices, Differentiated};
 use crate::coplanar::coplanar;
 use crate::direction::Direction;
 use crate::edge_on::{EdgeOnFace, edge_on};
-use crate::engine::Engine;
 use crate::error::Error;
 use crate::loss::{self, ImageLoss, Loss};
 use crate::method::OptionError;
@@ -37,7 +37,11 @@ use crate::step::difference_step;
 /// ```
 #[derive(Debug)]
 pub struct Prepared {
-    engine: Engine,
+    prepared: PreparedScene,
+    /// Made when the first name is asked for. Numbers that change do not change names.
+    registry: OnceLock<Registry>,
+    /// The methods that were chosen for this scene, or before numbers of it changed.
+    choices: Choices,
 }
 
 /// What of a gradient, which this work gave, can be compared with differences: all of it; or, if
@@ -70,9 +74,7 @@ impl Prepared {
     pub fn new(scene: impl Into<Arc<Scene>>) -> Result<Self, SceneError> {
         let scene = scene.into();
         scene.check()?;
-        Ok(Self {
-            engine: Engine::new(scene),
-        })
+        Ok(Self::of(PreparedScene::new(scene)))
     }
 
     /// The same, unless the watch stops it: [`Error::Stopped`]. What a gradient needs besides is
@@ -80,22 +82,30 @@ impl Prepared {
     pub fn watched(scene: impl Into<Arc<Scene>>, watch: &dyn Watch) -> Result<Self, Error> {
         let scene = scene.into();
         scene.check()?;
-        let engine = Engine::watched(scene, watch).map_err(Refusal::from)?;
-        Ok(Self { engine })
+        let prepared = PreparedScene::try_new(scene, watch).map_err(Refusal::from)?;
+        Ok(Self::of(prepared))
+    }
+
+    fn of(prepared: PreparedScene) -> Self {
+        Self {
+            prepared,
+            registry: OnceLock::new(),
+            choices: Choices::default(),
+        }
     }
 
     /// The scene as it is now.
     pub fn scene(&self) -> &Arc<Scene> {
-        self.engine.scene()
+        self.prepared.scene()
     }
 
     pub(crate) fn prepared_scene(&self) -> &PreparedScene {
-        self.engine.prepared()
+        &self.prepared
     }
 
     /// The names of all parameters of the scene; made by the first call.
     pub fn registry(&self) -> &Registry {
-        self.engine.registry()
+        self.registry.get_or_init(|| Registry::new(self.scene()))
     }
 
     /// An image with its standard errors. An error only if the options ask for no samples.
@@ -118,7 +128,7 @@ impl Prepared {
         watch: &dyn Watch,
     ) -> Result<Rendering, OptionError> {
         check_spp("spp", options.spp)?;
-        Ok(self.engine.render(options, watch))
+        Ok(capwalk_diff::render(&self.prepared, options, watch))
     }
 
     /// The derivative of the image along a direction, such as `"ball.translate.x"`, per
@@ -191,14 +201,14 @@ impl Prepared {
         let tangent = direction.tangent(self.scene(), self.registry())?;
         check_spp("spp", options.spp)?;
         let step = options::step(options.step, || self.fine_difference_step(&tangent))?;
-        let differences = self.engine.differences(&tangent, step)?;
+        let differences = Differences::new(&self.prepared, &tangent, step)?;
         Ok(differences.image(&options.sampling(), watch))
     }
 
     /// The step that the differences of a check along this motion take by default, in units of
     /// the parameter.
     pub fn difference_step(&self, tangent: &Tangent) -> f64 {
-        difference_step(self.engine.prepared(), tangent)
+        difference_step(&self.prepared, tangent)
     }
 
     /// The step that [`Prepared::finite_difference`] takes by default: a quarter of
@@ -226,7 +236,7 @@ impl Prepared {
     /// To one side of the motion a gap opens, to the other they cross, so the image has other
     /// derivatives to one side than to the other. Without any if the watch stops the search.
     pub fn touching_shapes(&self, tangent: &Tangent, watch: &dyn Watch) -> Vec<[String; 2]> {
-        let found = self.engine.prepared().touching(tangent, watch);
+        let found = self.prepared.touching(tangent, watch);
         self.named(found.unwrap_or_default())
     }
 
@@ -357,7 +367,7 @@ impl Prepared {
         method: Method,
         watch: &dyn Watch,
     ) -> Result<(Reference, GradientImage), Error> {
-        let mut differences = self.engine.differences(tangent, made.step)?;
+        let mut differences = Differences::new(&self.prepared, tangent, made.step)?;
         if comparable.missing.is_some() {
             differences = differences.of_rest(method);
         }
@@ -424,7 +434,7 @@ impl Prepared {
     /// ```
     pub fn render_work(&self, options: &RenderOptions) -> Result<RenderWork<'_>, OptionError> {
         check_spp("spp", options.spp)?;
-        Ok(self.engine.render_work(options))
+        Ok(RenderWork::new(&self.prepared, *options))
     }
 
     /// [`Prepared::gradient`] in parts, see [`Prepared::render_work`].
@@ -435,9 +445,22 @@ impl Prepared {
     ) -> Result<GradientWork<'a>, Error> {
         check_spp("spp", options.spp)?;
         let tangent = direction.tangent(self.scene(), self.registry())?;
-        Ok(self
-            .engine
-            .gradient_work(tangent, direction.name(), options))
+        let work = GradientWork::new(&self.prepared, tangent, *options);
+        // With a name of what moves, the method is kept.
+        Ok(match direction.name() {
+            Some(name) => {
+                work.keeping(self.kept_choice(Differentiated::Along(name.into()), options))
+            }
+            None => work,
+        })
+    }
+
+    /// The place of the method that these options leave to be chosen; one of its own if none.
+    fn kept_choice(&self, what: Differentiated, options: &GradientOptions) -> KeptChoice {
+        match options.method.is_open() {
+            true => self.choices.of(self.scene(), what, options),
+            false => KeptChoice::default(),
+        }
     }
 
     /// [`Prepared::backward`] in parts, see [`Prepared::render_work`].
@@ -469,7 +492,15 @@ impl Prepared {
         if options.adaptive {
             return Err(OptionError::AdaptiveBackward.into());
         }
-        GradientsWork::new(&self.engine, adjoint, names, options)
+        let kept = |wanted| self.kept_choice(Differentiated::Loss(wanted), options);
+        GradientsWork::new(
+            &self.prepared,
+            self.registry(),
+            adjoint,
+            names,
+            options,
+            kept,
+        )
     }
 
     /// The method that [`Prepared::backward`] uses with these options, see
@@ -488,13 +519,13 @@ impl Prepared {
     /// Why derivatives with respect to parameters that move edges are refused in this
     /// scene; `None` if they are not.
     pub fn refusal(&self) -> Option<Refusal> {
-        self.engine.refusal()
+        capwalk_diff::refusal(&self.prepared)
     }
 
     /// The names of all arrays that [`Prepared::backward`] takes in this scene, and those
     /// that would be refused.
     pub fn gradient_names(&self) -> GradientNames {
-        backward::names(&self.engine)
+        backward::names(&self.prepared, self.registry())
     }
 
     /// Renders an image and compares it with a target: the loss, its standard error, and
@@ -511,7 +542,7 @@ impl Prepared {
         watch: &dyn Watch,
     ) -> Result<ImageLoss, Error> {
         check_spp("spp", options.spp)?;
-        loss::measure(&self.engine, loss, target, mask, options, watch)
+        loss::measure(&self.prepared, loss, target, mask, options, watch)
     }
 
     /// What an array of the scene is now.
@@ -573,7 +604,7 @@ impl Prepared {
     /// Goes over to a scene with the same names and other numbers; its methods stay chosen.
     pub(crate) fn renumber(&mut self, scene: Scene) -> Result<(), Error> {
         scene.check().map_err(Error::InvalidUpdate)?;
-        self.engine.update(scene);
+        self.prepared.update(scene);
         Ok(())
     }
 
@@ -597,7 +628,9 @@ impl Prepared {
     pub fn update_scene(&mut self, scene: impl Into<Arc<Scene>>) -> Result<(), Error> {
         let scene = scene.into();
         scene.check().map_err(Error::InvalidUpdate)?;
-        self.engine.replace(scene);
+        self.prepared.update(scene);
+        self.registry = OnceLock::new();
+        self.choices = Choices::default();
         Ok(())
     }
 }

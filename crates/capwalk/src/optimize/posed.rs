@@ -1,11 +1,10 @@
 //! A problem whose targets are still to be rendered, and their images.
 
-use capwalk_diff::{Chosen, RenderOptions, Watch};
+use capwalk_diff::{Chosen, PreparedScene, RenderOptions, Watch};
 use capwalk_inverse::Problem;
 use capwalk_scene::{Image, Scene};
 use capwalk_scene_io::{FilesRead, Warning};
 
-use crate::engine::Engine;
 use crate::error::Error;
 
 /// The problem that a job poses.
@@ -76,7 +75,8 @@ fn render_targets(pending: Vec<Pending>, watch: &dyn Watch) -> Result<Vec<(usize
             before,
             total,
         };
-        let rendering = Engine::new(target.scene).render(&target.options, &share);
+        let rendering =
+            capwalk_diff::render(&PreparedScene::new(target.scene), &target.options, &share);
         if !rendering.statistics.complete {
             return Err(Error::Stopped {
                 before: "the targets were rendered",
