@@ -24,14 +24,6 @@ fn set_size(scene: &mut Scene, size: [u32; 2]) {
     (scene.film.size, scene.film.crop_size) = (size, size);
 }
 
-fn paths(scene: &mut Scene, max_depth: u32) {
-    scene.settings.integrator = Integrator::Path {
-        max_depth: Some(max_depth),
-        rr_depth: 5,
-        hide_emitters: false,
-    };
-}
-
 fn add_cube(scene: &mut Scene, id: &str, centre: Vec3, half: f64) {
     let turn = Affine::rotate(v(0.3, 0.8, 0.5), 0.7);
     let (mesh, normals) = cube(Affine::translate(centre) * turn * Affine::scale(Vec3::splat(half)));

@@ -15,14 +15,6 @@ use capwalk_scene::primitive::rectangle;
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::*;
 
-fn paths(scene: &mut Scene, segments: u32) {
-    scene.settings.integrator = Integrator::Path {
-        max_depth: Some(segments),
-        rr_depth: 100,
-        hide_emitters: false,
-    };
-}
-
 /// A floor of some material with a thing on it, under a lamp, and a lamp below.
 fn sample_of(material: impl FnOnce(&mut Slots) -> Bsdf) -> Scene {
     let mut scene = empty(v(0.3, -2.0, 2.5), v(0.0, 0.0, 0.0), 40.0, 36);

@@ -16,14 +16,6 @@ use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::primitive::{cube, rectangle, sphere};
 use capwalk_scene::*;
 
-fn paths(scene: &mut Scene, segments: u32) {
-    scene.settings.integrator = Integrator::Path {
-        max_depth: Some(segments),
-        rr_depth: 100,
-        hide_emitters: false,
-    };
-}
-
 /// A block on a floor, seen from behind it; what it hides is seen in a leaning
 /// mirror. Nothing but the mirror and the block is inside the image.
 fn block_before_a_mirror() -> Scene {

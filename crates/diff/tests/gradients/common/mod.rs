@@ -85,6 +85,15 @@ pub fn light_up(scene: &mut Scene, radiance: f64) {
     scene.shape_mut(shape).emitter = Some(id);
 }
 
+/// Light of paths of at most so many segments, without roulette.
+pub fn paths(scene: &mut Scene, segments: u32) {
+    scene.settings.integrator = Integrator::Path {
+        max_depth: Some(segments),
+        rr_depth: 100,
+        hide_emitters: false,
+    };
+}
+
 /// A floor in the plane z = 0, of the given half width.
 pub fn add_floor(scene: &mut Scene, half: f64) {
     let (mesh, normals) = rectangle(Affine::scale(v(half, half, 1.0)));
