@@ -77,6 +77,7 @@ impl Gathers {
         indirect: false,
         points: Self::POINTS,
     };
+
     /// The names of the segments.
     pub fn names(self) -> Vec<&'static str> {
         let all = [

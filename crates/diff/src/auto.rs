@@ -52,6 +52,7 @@ const MOST_EMITTERS: usize = 16;
 
 /// What is not better than by this factor is not preferred.
 const CLEARLY: f64 = 0.9;
+
 /// Where walks are tried in the place of gathered edges, one kind of segment each. Towards other surfaces none
 /// are: where these are near, as at the foot of an object, and where curves of different velocities cross, walks have
 /// values so rare and large that hardly any pilot sees them (in the built-in `ball`, with paths of four segments, a
@@ -129,9 +130,10 @@ impl Pilot<'_> {
             false => None,
         };
         if self.size.samples_of_trial() == 0 {
-            let gathers = match surely {
-                Some(_) => cautious,
-                None => everywhere,
+            let gathers = if surely.is_some() {
+                cautious
+            } else {
+                everywhere
             };
             return (by_gathering(gathers), asked_radius);
         }

@@ -7,7 +7,7 @@ use capwalk_math::Vec3;
 use capwalk_scene::{Emitter, Gradient, Pattern, Scene};
 
 use crate::layout::change::{BOUNDARIES_MOVE, IS_BLIND, MOTION_AT, TEXTURE_CHANGES, UNITS, WALKS};
-use crate::layout::fault::SUMS;
+use crate::layout::fault::{NOT_FINITE, SUMS, TOO_LARGE};
 use crate::layout::sum::SUM_WORDS;
 use crate::texture_records::Shown;
 
@@ -79,8 +79,8 @@ impl PartSums {
         };
         Self {
             sums: sums.map(sum).collect(),
-            too_large: counts[0],
-            non_finite: counts[1],
+            too_large: counts[TOO_LARGE],
+            non_finite: counts[NOT_FINITE],
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What the processor writes and the kernels read: kinds, which word of a record is what, and limits of both. Declared
+//! What the CPU writes and the kernels read: kinds, which word of a record is what, and limits of both. Declared
 //! once, here; the kernels include it as `layout.slang`, which `cargo xtask kernels` writes.
 
 use capwalk_boundary::{Field, MAX_EVENTS};

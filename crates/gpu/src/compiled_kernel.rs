@@ -48,26 +48,27 @@ impl CompiledKernel {
     }
 
     fn code(&self, language: &str, precision: Precision) -> &'static str {
+        match self.find(language, precision) {
+            Ok(code) => code,
+            Err(problem) => panic!("{problem}"),
+        }
+    }
+
+    fn find(&self, language: &str, precision: Precision) -> Result<&'static str, String> {
         let precision = match precision {
             Precision::Single => "single",
             Precision::Double => "double",
         };
         let file = format!("{}_{precision}.{language}", self.name);
-        match (self.pack)().kernels.get(&*file) {
-            Some(kernel) => kernel.code,
-            None => panic!("no {file} in the pack of kernels: run `cargo xtask kernels`"),
-        }
+        let kernel = (self.pack)().kernels.get(&*file).map(|kernel| kernel.code);
+        kernel.ok_or_else(|| format!("no {file} in the pack of kernels: run `cargo xtask kernels`"))
     }
 
     /// An error, in words, if its pack lacks it in one of the languages and precisions. For tests.
     pub fn check(&self) -> Result<(), String> {
-        for precision in ["single", "double"] {
-            for language in ["wgsl", "ptx"] {
-                let file = format!("{}_{precision}.{language}", self.name);
-                if !(self.pack)().kernels.contains_key(&*file) {
-                    return Err(format!("no {file}: run `cargo xtask kernels`"));
-                }
-            }
+        for precision in [Precision::Single, Precision::Double] {
+            self.find("wgsl", precision)?;
+            self.find("ptx", precision)?;
         }
         Ok(())
     }
