@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -14,13 +14,15 @@ import numpy as np
 from . import _capwalk, _functions
 from ._method import Method
 from ._numbers import Array
-from ._options import LARGEST_COUNT, LARGEST_SEED, Options, integer, options
+from ._options import LARGEST_COUNT, LARGEST_SEED, Options, check_names, checked, integer
 from ._parameters import check_apart
-from ._progress import Progress
 from .errors import ArgumentError, ParameterError, Refused
+from .options import FunctionOptions, MethodOptions
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 Scene = _capwalk.Scene
-Sensor = _functions.Sensor
 
 
 @dataclass(frozen=True)
@@ -87,20 +89,20 @@ class Work:
         self,
         scene: Scene,
         shapes: Mapping[str, tuple[int, ...]],
-        *,
-        sensor: Sensor,
-        aov: str | None,
-        spp: int | None,
-        spp_grad: int | None,
-        threads: int | None,
-        progress: Progress,
-        **method: Any,
+        **options: Unpack[FunctionOptions],
     ) -> None:
-        asked = options(scene, sensor, spp, None, aov=aov, threads=threads, **method)
+        check_names("render", FunctionOptions, options)
+        asked = checked(scene, options)
+        spp_grad = options.get("spp_grad")
         spp_grad = asked.spp if spp_grad is None else integer("spp_grad", spp_grad, 1, LARGEST_COUNT)
-        how = {"sensor": asked.sensor, "aov": aov, "threads": threads, "progress": progress}
-        self._of_image: dict[str, Any] = {**how, "spp": asked.spp}
-        self._of_derivative: dict[str, Any] = {**how, "spp": spp_grad, **method}
+        aov, of_method = asked.aov, MethodOptions.__annotations__
+        given: dict[str, Any] = {**options, "sensor": asked.sensor}
+        given.pop("spp_grad", None)
+        self._of_image = {
+            **{name: value for name, value in given.items() if name not in of_method},
+            "spp": asked.spp,
+        }
+        self._of_derivative = {**given, "spp": spp_grad}
         self._asked = replace(asked, spp=spp_grad, seed=0)
         self.seed = asked.seed
         """The scene's own."""
@@ -189,6 +191,7 @@ class Work:
         method = self._methods[question]
         if method is None:
             return self._of_derivative
+        # Steps and cutoff are the method's.
         own = {"steps": None, "max_angle": None, "antithetic": None}
         return {**self._of_derivative, **own, "method": method}
 
@@ -232,7 +235,7 @@ def seeds(own: int, seed: int | None, seed_grad: int | None) -> tuple[int, int]:
     is nobody's neighbour in a row of seeds."""
     seed = own if seed is None else integer("seed", seed, 0, LARGEST_SEED)
     if seed_grad is None:
-        seed_grad = LARGEST_SEED - seed
+        seed_grad = _capwalk.independent_seed(seed)
     seed_grad = integer("seed_grad", seed_grad, 0, LARGEST_SEED)
     check_seeds(seed, seed_grad)
     return seed, seed_grad

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+import difflib
 import math
 import operator
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from . import _capwalk
 from ._method import Method
 from .errors import ArgumentError, SceneWarning
+from .options import Sensor
 
 LARGEST_SEED = 2**64 - 1
 LARGEST_COUNT = 2**32 - 1
 """Of samples or steps, as the module has them."""
-
 
 @dataclass(frozen=True)
 class Options:
@@ -27,6 +29,7 @@ class Options:
     seed: int
     threads: int | None
     progress: Callable[[int, int], object] | None
+    device: str = "cpu"
     method: str = "auto"
     steps: int | None = None
     max_angle: float | None = None
@@ -36,62 +39,54 @@ class Options:
     allow_missing: tuple[str, ...] = ()
 
 
-def options(
+def check_names(function: str, kind: type, given: Mapping[str, object]) -> None:
+    """A `TypeError` for a keyword that is none of this kind's, as Python's own."""
+    # Those of its bases, too.
+    known = kind.__annotations__
+    for name in given:
+        if name not in known:
+            near = difflib.get_close_matches(name, known, 1)
+            hint = f". Did you mean '{near[0]}'?" if near else ""
+            raise TypeError(f"{function}() got an unexpected keyword argument '{name}'{hint}")
+
+
+def checked(
     scene: _capwalk.Scene,
-    sensor: int | str,
-    spp: int | None,
-    seed: int | None,
+    given: Mapping[str, Any],
     *,
-    independent: bool = False,
-    aov: str | None = None,
-    threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
-    method: str | Method = "auto",
-    steps: int | None = None,
-    max_angle: float | None = None,
-    antithetic: bool | None = None,
-    allow_missing: Sequence[str] = (),
+    threads: int | None = None,
+    independent: bool = False,
 ) -> Options:
-    """The options; what is ``None`` is as the scene's file says. The seed is then
-    ``independent`` of that of an image, if asked for."""
+    """The options that keywords ask for; what is left out or ``None`` is as the scene's file says.
+    The scene's own seed is made ``independent`` of that of an image, if asked for."""
     if not isinstance(scene, _capwalk.Scene):
         raise TypeError(
             f"the scene is a {type(scene).__name__}; expected what load_file or load_string give"
         )
-    if antithetic not in (None, True, False):
-        raise TypeError(f"antithetic is {antithetic!r}; expected True or False")
-    missing = (allow_missing,) if isinstance(allow_missing, str) else tuple(allow_missing)
-    if not all(isinstance(name, str) for name in missing):
-        raise TypeError(f'allow_missing is {allow_missing!r}; expected names: ("specular",)')
-    chosen = None
-    if isinstance(method, Method):
-        if (steps, max_angle, antithetic) != (None, None, None):
-            raise ArgumentError(
-                "steps, max_angle and antithetic are part of a method that was chosen; give its "
-                f'name with them: method="{method.name}"'
-            )
-        chosen = method.settings
-        method = method.name
-    if not isinstance(method, str):
-        raise TypeError(f"method is {method!r}; expected a name, or the method of a result")
     sensors = scene._sensors()
-    number = _sensor([name for name, _, _, _ in sensors], sensor)
+    number = _sensor([name for name, _, _, _ in sensors], given.get("sensor", 0))
     _, _, own_spp, own_seed = sensors[number]
     if independent:
-        own_seed = LARGEST_SEED - own_seed
+        own_seed = _capwalk.independent_seed(own_seed)
+
+    def count(name: str, least: int, most: int, otherwise: int | None = None) -> Any:
+        value = given.get(name)
+        return otherwise if value is None else integer(name, value, least, most)
+
+    aov = given.get("aov")
+    device = given.get("device", "cpu")
+    if not isinstance(device, str):
+        raise TypeError(f"device is {device!r}; expected a name")
     asked = Options(
         sensor=number,
         aov=aov,
-        spp=own_spp if spp is None else integer("spp", spp, 1, LARGEST_COUNT),
-        seed=own_seed if seed is None else integer("seed", seed, 0, LARGEST_SEED),
-        threads=None if threads is None else integer("threads", threads, 1, 1024),
+        spp=count("spp", 1, LARGEST_COUNT, own_spp),
+        seed=count("seed", 0, LARGEST_SEED, own_seed),
+        threads=count("threads", 1, 1024, threads),
         progress=progress,
-        method=method,
-        steps=None if steps is None else integer("steps", steps, 1, LARGEST_COUNT),
-        max_angle=None if max_angle is None else real("max_angle", max_angle),
-        antithetic=None if antithetic is None else bool(antithetic),
-        chosen=chosen,
-        allow_missing=missing,
+        device=device,
+        **_method(given, count("steps", 1, LARGEST_COUNT)),
     )
     # Here, not only when the first derivative is asked for.
     _capwalk.check_options(asked)
@@ -105,6 +100,36 @@ def options(
 def sensor_number(scene: _capwalk.Scene, sensor: int | str) -> int:
     """The number of a sensor, from 0."""
     return _sensor([name for name, _, _, _ in scene._sensors()], sensor)
+
+
+def _method(given: Mapping[str, Any], steps: int | None) -> dict[str, Any]:
+    """How derivatives are estimated, as fields of :class:`Options`."""
+    method: str | Method = given.get("method", "auto")
+    max_angle, antithetic = given.get("max_angle"), given.get("antithetic")
+    if antithetic not in (None, True, False):
+        raise TypeError(f"antithetic is {antithetic!r}; expected True or False")
+    missing = given.get("allow_missing", ())
+    missing = (missing,) if isinstance(missing, str) else tuple(missing)
+    if not all(isinstance(name, str) for name in missing):
+        raise TypeError(f'allow_missing is {missing!r}; expected names: ("specular",)')
+    chosen = None
+    if isinstance(method, Method):
+        if (steps, max_angle, antithetic) != (None, None, None):
+            raise ArgumentError(
+                "steps, max_angle and antithetic are part of a method that was chosen; give its "
+                f'name with them: method="{method.name}"'
+            )
+        chosen, method = method.settings, method.name
+    if not isinstance(method, str):
+        raise TypeError(f"method is {method!r}; expected a name, or the method of a result")
+    return {
+        "method": method,
+        "steps": steps,
+        "max_angle": None if max_angle is None else real("max_angle", max_angle),
+        "antithetic": None if antithetic is None else bool(antithetic),
+        "chosen": chosen,
+        "allow_missing": missing,
+    }
 
 
 def integer(name: str, value: int, least: int, most: int) -> int:

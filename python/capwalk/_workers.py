@@ -7,20 +7,24 @@ from abc import ABC, abstractmethod
 from collections.abc import Generator, Mapping, Sequence
 from contextlib import closing
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _capwalk
-from ._functions import Along, Scene, Sensor, direction, wanted_names, warn_of
+from ._functions import Along, Scene, direction, wanted_names, warn_of
 from ._method import Method
 from ._numbers import Array, numbers
-from ._options import LARGEST_SEED, Options, integer, options, sensor_number
+from ._options import Options, check_names, checked, integer, sensor_number
 from ._parts import Asked, Job
-from ._progress import Progress, shown
+from ._progress import shown
 from ._results import Gradients, Picture, Slope
 from .errors import ArgumentError
+from .options import ImageOptions, PartsOptions, Sensor, ViewGradientsOptions, ViewsOptions
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 MOST_PARTS = 64
 """16 batches of samples of 4 bands of pixels are not cut further."""
@@ -41,19 +45,12 @@ class Workers(ABC):
         self._parts = integer("parts", parts, 1, MOST_PARTS)
         self._threads = integer("threads", threads, 1, 1024)
 
-    def render(
-        self,
-        scene: Scene,
-        *,
-        sensor: Sensor = 0,
-        aov: str | None = None,
-        spp: int | None = None,
-        seed: int | None = None,
-        progress: Progress = None,
-    ) -> Picture:
+    def render(self, scene: Scene, **options: Unpack[ImageOptions]) -> Picture:
         """The image of a scene with its standard errors, see :func:`capwalk.render`."""
-        asked = options(scene, sensor, spp, seed, aov=aov, threads=self._threads)
-        [((value, stderr), statistics)] = self._done("render", scene, [(None, asked)], progress)
+        check_names("render", ImageOptions, options)
+        asked = checked(scene, options, threads=self._threads)
+        work: list[tuple[Asked, Options]] = [(None, asked)]
+        [((value, stderr), statistics)] = self._done("render", scene, work, options)
         warn_of(statistics)
         return Picture(value, stderr, statistics, _files=tuple(scene._files))
 
@@ -61,35 +58,14 @@ class Workers(ABC):
         self,
         scene: Scene,
         along: Along,
-        *,
-        sensor: Sensor = 0,
-        aov: str | None = None,
-        spp: int | None = None,
-        seed: int | None = None,
-        progress: Progress = None,
-        method: str | Method = "auto",
-        steps: int | None = None,
-        max_angle: float | None = None,
-        antithetic: bool | None = None,
-        allow_missing: Sequence[str] = (),
+        **options: Unpack[PartsOptions],
     ) -> Slope:
         """The derivative of the image along one direction, see :func:`capwalk.gradient`. With
         ``method="auto"`` this process chooses the method first, on all of its cores."""
-        asked = options(
-            scene,
-            sensor,
-            spp,
-            seed,
-            aov=aov,
-            threads=self._threads,
-            method=method,
-            steps=steps,
-            max_angle=max_angle,
-            antithetic=antithetic,
-            allow_missing=allow_missing,
-        )
+        check_names("gradient", PartsOptions, options)
+        asked = checked(scene, options, threads=self._threads)
         work = [(direction(along), asked)]
-        [result] = self._done("gradient", scene, work, progress)
+        [result] = self._done("gradient", scene, work, options)
         (value, value_stderr), (slope, stderr), chosen, statistics = result
         warn_of(statistics)
         method, files = Method(*chosen), tuple(scene._files)
@@ -100,38 +76,16 @@ class Workers(ABC):
         scene: Scene,
         adjoint: ArrayLike,
         names: Sequence[str] | None = None,
-        *,
-        sensor: Sensor = 0,
-        aov: str | None = None,
-        spp: int | None = None,
-        seed: int | None = None,
-        progress: Progress = None,
-        method: str | Method = "auto",
-        steps: int | None = None,
-        max_angle: float | None = None,
-        antithetic: bool | None = None,
-        allow_missing: Sequence[str] = (),
+        **options: Unpack[PartsOptions],
     ) -> Gradients:
         """The gradient of ``(adjoint * image).sum()`` with respect to arrays of the scene, see
         :func:`capwalk.backward`. With ``method="auto"`` this process chooses the method first,
         on all of its cores."""
-        asked = options(
-            scene,
-            sensor,
-            spp,
-            seed,
-            independent=True,
-            aov=aov,
-            threads=self._threads,
-            method=method,
-            steps=steps,
-            max_angle=max_angle,
-            antithetic=antithetic,
-            allow_missing=allow_missing,
-        )
+        check_names("backward", PartsOptions, options)
+        asked = checked(scene, options, threads=self._threads, independent=True)
         wanted = wanted_names(scene, names, asked.sensor)
         work = [((numbers("adjoint", adjoint), wanted), asked)]
-        [(values, errors, chosen, statistics)] = self._done("backward", scene, work, progress)
+        [(values, errors, chosen, statistics)] = self._done("backward", scene, work, options)
         warn_of(statistics)
         return Gradients(values, errors, Method(*chosen), statistics)
 
@@ -139,24 +93,21 @@ class Workers(ABC):
         self,
         scene: Scene,
         sensors: Sequence[Sensor] | None = None,
-        *,
-        aov: str | None = None,
-        spp: int | None = None,
-        seed: int | None = None,
-        progress: Progress = None,
+        **options: Unpack[ViewsOptions],
     ) -> list[Picture]:
         """The images of several sensors, all of whose parts are done at once.
 
         :param sensors: by number from 0 or by name; by default all of the scene's.
-        :param seed: of the first view; the others have :func:`view_seed`, so that their noise
-            is independent.
+        :param options: those of :meth:`render` but ``sensor``; ``seed`` is that of the first view,
+            the others have :func:`view_seed`, so that their noise is independent.
         :return: an image for each sensor, in their order, each as :meth:`render` gives it.
         """
+        check_names("render_views", ViewsOptions, options)
         work: list[tuple[Asked, Options]] = []
         for view, sensor in enumerate(_sensors(scene, sensors)):
-            asked = options(scene, sensor, spp, seed, aov=aov, threads=self._threads)
+            asked = checked(scene, {**options, "sensor": sensor}, threads=self._threads)
             work.append((None, replace(asked, seed=view_seed(asked.seed, view))))
-        results = self._done("render", scene, work, progress)
+        results = self._done("render", scene, work, options)
         warn_of(_together([statistics for _, statistics in results]))
         files = tuple(scene._files)
         return [
@@ -171,15 +122,7 @@ class Workers(ABC):
         names: Sequence[str] | None = None,
         *,
         sensors: Sequence[Sensor] | None = None,
-        aov: str | None = None,
-        spp: int | None = None,
-        seed: int | None = None,
-        progress: Progress = None,
-        method: str | Method = "auto",
-        steps: int | None = None,
-        max_angle: float | None = None,
-        antithetic: bool | None = None,
-        allow_missing: Sequence[str] = (),
+        **options: Unpack[ViewGradientsOptions],
     ) -> Gradients:
         """The gradient of a loss of the images of several sensors, all of whose parts are done
         at once: the sum of what :meth:`backward` gives for each, added in the order of the
@@ -190,9 +133,10 @@ class Workers(ABC):
         :param adjoints: derivative of the loss with respect to each pixel, (height, width, 3),
             for each sensor.
         :param sensors: by number from 0 or by name; by default all of the scene's.
-        :param seed: of the first view; the others have :func:`view_seed`, so that their noise
-            is independent.
+        :param options: those of :meth:`backward` but ``sensor``; ``seed`` is that of the first
+            view, the others have :func:`view_seed`, so that their noise is independent.
         """
+        check_names("backward_views", ViewGradientsOptions, options)
         views = _sensors(scene, sensors)
         if len(adjoints) != len(views):
             raise ArgumentError(
@@ -210,29 +154,17 @@ class Workers(ABC):
                     unseen[name] = scene._gradient_shape(name, owner)
         work: list[tuple[Asked, Options]] = []
         for view, (sensor, adjoint) in enumerate(zip(views, adjoints)):
-            asked = options(
-                scene,
-                sensor,
-                spp,
-                seed,
-                independent=True,
-                aov=aov,
-                threads=self._threads,
-                method=method,
-                steps=steps,
-                max_angle=max_angle,
-                antithetic=antithetic,
-                allow_missing=allow_missing,
-            )
+            of_view = {**options, "sensor": sensor}
+            asked = checked(scene, of_view, threads=self._threads, independent=True)
             asked = replace(asked, seed=view_seed(asked.seed, view))
             wanted = _seen(ids, wanted_names(scene, names, sensor), sensor)
-            of_view = numbers(f"adjoints[{view}]", adjoint)
+            image = numbers(f"adjoints[{view}]", adjoint)
             # A view of which nothing is wanted is not sampled.
             if wanted:
-                work.append(((of_view, wanted), asked))
+                work.append(((image, wanted), asked))
         if not work:
             raise ArgumentError("none of these images changes with any of the names")
-        results = self._done("backward", scene, work, progress)
+        results = self._done("backward", scene, work, options)
         statistics = _together([statistics for *_, statistics in results])
         warn_of(statistics)
         values: dict[str, Array] = {}
@@ -251,7 +183,7 @@ class Workers(ABC):
         what: str,
         scene: Scene,
         work: Sequence[tuple[Asked, Options]],
-        progress: Progress,
+        given: Mapping[str, Any],
     ) -> list[Any]:
         """What the functions of `_capwalk` give, for each work."""
         jobs = []
@@ -264,7 +196,7 @@ class Workers(ABC):
         parts: list[list[bytes]] = [[] for _ in jobs]
         samples = [job.samples for job in jobs]
         done, total = 0, sum(samples) * self._parts
-        with shown(progress, what) as told, closing(self._finished(jobs)) as finished:
+        with shown(given.get("progress"), what) as told, closing(self._finished(jobs)) as finished:
             for number, part in finished:
                 parts[number].append(part)
                 done += samples[number]
@@ -285,7 +217,7 @@ def view_seed(seed: int, view: int) -> int:
     >>> view_seed(7, 0), view_seed(7, 1)
     (7, 11400714819323198492)
     """
-    return (seed + view * 0x9E37_79B9_7F4A_7C15) & LARGEST_SEED
+    return _capwalk.view_seed(seed, view)
 
 
 def _sensors(scene: Scene, sensors: Sequence[Sensor] | None) -> list[int]:

@@ -20,7 +20,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import jax  # type: ignore[import-not-found, unused-ignore]
 import jax.numpy as jnp  # type: ignore[import-not-found, unused-ignore]
@@ -30,11 +30,13 @@ from jax.interpreters import ad, batching, mlir  # type: ignore[import-not-found
 from numpy.typing import ArrayLike, NDArray
 
 from . import _capwalk
-from ._functional import Sensor, Work, check_seeds, second_derivative, seeds
-from ._method import Method
+from ._functional import Work, check_seeds, second_derivative, seeds
 from ._options import LARGEST_SEED, integer
-from ._progress import Progress
 from .errors import ArgumentError
+from .options import FunctionOptions
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 __all__ = ["render"]
 
@@ -43,19 +45,9 @@ def render(
     scene: _capwalk.Scene,
     params: Mapping[str, jax.Array | ArrayLike],
     *,
-    sensor: Sensor = 0,
-    aov: str | None = None,
-    spp: int | None = None,
     seed: int | jax.Array | None = None,
-    spp_grad: int | None = None,
     seed_grad: int | jax.Array | None = None,
-    threads: int | None = None,
-    progress: Progress = None,
-    method: str | Method = "auto",
-    steps: int | None = None,
-    max_angle: float | None = None,
-    antithetic: bool | None = None,
-    allow_missing: Sequence[str] = (),
+    **options: Unpack[FunctionOptions],
 ) -> jax.Array:
     """The image of a scene with arrays of JAX in place of some of its own, (height, width, 3),
     differentiable with respect to them, in forward and in reverse mode, once. ``jax.jit`` and
@@ -75,18 +67,12 @@ def render(
     :param params: arrays of float32 or float64 by the names of the arrays that
         :func:`capwalk.traverse` lists, in their shapes or flat, in their units. The image is of
         the widest of their types.
-    :param sensor: which of the scene's sensors, by number from 0 or by name.
-    :param aov: what is shown instead of light, see :func:`capwalk.render`.
-    :param spp: samples per pixel, at least 1; by default the scene's.
     :param seed: of the random numbers of the image, 0 to 2**64 - 1; by default the scene's.
-    :param spp_grad: samples per pixel of the derivatives; by default ``spp``.
     :param seed_grad: of the random numbers of the derivatives; by default the complement of
         ``seed``.
-    :param threads: worker threads; by default all cores. They change no bit.
-    :param progress: ``True`` for a bar, or a function of what is done and what there is to do.
-
-    ``method``, ``steps``, ``max_angle``, ``antithetic`` and ``allow_missing`` are those of
-    :func:`capwalk.gradient`.
+    :param options: how, see :class:`capwalk.options.FunctionOptions`: ``sensor``, ``aov``, ``spp``,
+        ``spp_grad``, ``threads``, ``progress``, and what is said of methods by
+        :class:`capwalk.options.MethodOptions`.
 
     In compiled functions what depends on values is raised by JAX, as an error of its own with
     the message. So is Ctrl-C, after the image if JAX waits for it on another thread.
@@ -101,17 +87,7 @@ def render(
     work = Work(
         scene,
         {name: value.shape for name, value in values.items()},
-        sensor=sensor,
-        aov=aov,
-        spp=spp,
-        spp_grad=spp_grad,
-        threads=threads,
-        progress=progress,
-        method=method,
-        steps=steps,
-        max_angle=max_angle,
-        antithetic=antithetic,
-        allow_missing=allow_missing,
+        **options,
     )
     call = _Call(work, np.dtype(jnp.result_type(*values.values() or [float])))
     images: list[jax.Array] = _IMAGE.bind(

@@ -18,17 +18,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import torch  # type: ignore[import-not-found, unused-ignore]
 
 from . import _capwalk
-from ._functional import Sensor, Work, second_derivative, seeds
-from ._method import Method
+from ._functional import Work, second_derivative, seeds
 from ._numbers import Array
-from ._progress import Progress
 from .errors import ArgumentError
+from .options import FunctionOptions
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 __all__ = ["render"]
 
@@ -37,19 +39,9 @@ def render(
     scene: _capwalk.Scene,
     params: Mapping[str, torch.Tensor],
     *,
-    sensor: Sensor = 0,
-    aov: str | None = None,
-    spp: int | None = None,
     seed: int | None = None,
-    spp_grad: int | None = None,
     seed_grad: int | None = None,
-    threads: int | None = None,
-    progress: Progress = None,
-    method: str | Method = "auto",
-    steps: int | None = None,
-    max_angle: float | None = None,
-    antithetic: bool | None = None,
-    allow_missing: Sequence[str] = (),
+    **options: Unpack[FunctionOptions],
 ) -> torch.Tensor:
     """The image of a scene with tensors in place of some of its arrays, (height, width, 3),
     differentiable with respect to them: in reverse mode (``backward``, ``torch.func.grad``) and
@@ -67,18 +59,12 @@ def render(
     :param params: tensors of float32 or float64 by the names of the arrays that
         :func:`capwalk.traverse` lists, in their shapes or flat, in their units. All of them are
         on one device, the image comes back there, in the widest of their types.
-    :param sensor: which of the scene's sensors, by number from 0 or by name.
-    :param aov: what is shown instead of light, see :func:`capwalk.render`.
-    :param spp: samples per pixel, at least 1; by default the scene's.
     :param seed: of the random numbers of the image, 0 to 2**64 - 1; by default the scene's.
-    :param spp_grad: samples per pixel of the derivatives; by default ``spp``.
     :param seed_grad: of the random numbers of the derivatives; by default the complement of
         ``seed``.
-    :param threads: worker threads; by default all cores. They change no bit.
-    :param progress: ``True`` for a bar, or a function of what is done and what there is to do.
-
-    ``method``, ``steps``, ``max_angle``, ``antithetic`` and ``allow_missing`` are those of
-    :func:`capwalk.gradient`.
+    :param options: how, see :class:`capwalk.options.FunctionOptions`: ``sensor``, ``aov``, ``spp``,
+        ``spp_grad``, ``threads``, ``progress``, and what is said of methods by
+        :class:`capwalk.options.MethodOptions`.
 
     :raises ArgumentError: a tensor of another shape, type or device, or ``seed_grad`` equals
         ``seed``.
@@ -93,17 +79,7 @@ def render(
     work = Work(
         scene,
         {name: tuple(tensor.shape) for name, tensor in params.items()},
-        sensor=sensor,
-        aov=aov,
-        spp=spp,
-        spp_grad=spp_grad,
-        threads=threads,
-        progress=progress,
-        method=method,
-        steps=steps,
-        max_angle=max_angle,
-        antithetic=antithetic,
-        allow_missing=allow_missing,
+        **options,
     )
     call = _Call(work, *seeds(work.seed, seed, seed_grad), *_common(params))
     image: torch.Tensor = _Image.apply(call, *params.values())

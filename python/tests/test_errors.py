@@ -103,6 +103,10 @@ WRONG: list[tuple[Callable[[cw.Scene], object], type[Exception], str]] = [
     (lambda s: cw.render(s, spp=2.5), TypeError, "expected an integer"),  # type: ignore[arg-type]
     (lambda s: cw.render(s, seed=-1), cw.ArgumentError, "seed is -1; expected 0 to"),
     (lambda s: cw.render(s, threads=0), cw.ArgumentError, "threads is 0"),
+    (lambda s: cw.render(s, ssp=4), TypeError, r"render\(\) got .* 'ssp'. Did you mean 'spp'"),  # type: ignore[call-arg]
+    (lambda s: cw.render(s, steps=4), TypeError, "unexpected keyword argument 'steps'"),  # type: ignore[call-arg]
+    (lambda s: cw.check(s, BOX, device="cpu"), TypeError, "argument 'device'"),  # type: ignore[call-arg]
+    (lambda s: cw.render(s, device="tpu"), cw.ArgumentError, 'no device "tpu"; there are auto'),
     (lambda s: cw.gradient(s, "box.tranlate.x"), cw.ParameterError, "did you mean `box.translate"),
     (lambda s: cw.gradient(s, "box.scale - box.scale"), cw.ArgumentError, "nothing changes"),
     (lambda s: cw.gradient(s, 3), TypeError, "expected the name of a parameter"),  # type: ignore[arg-type]

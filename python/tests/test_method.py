@@ -73,16 +73,7 @@ def test_functions_choose_for_the_scene(
     values = cw.traverse(scene)["box.positions"]
 
     def pulled(scene: cw.Scene, moved: float, seed: int) -> np.ndarray:
-        work = _functional.Work(
-            scene,
-            {"box.positions": values.shape},
-            sensor=0,
-            aov=None,
-            spp=4,
-            spp_grad=64,
-            threads=None,
-            progress=None,
-        )
+        work = _functional.Work(scene, {"box.positions": values.shape}, spp=4, spp_grad=64)
         return work.pull(seed, [values + moved], [True], adjoint)[0]
 
     pulled(scene, 0.2, 1)

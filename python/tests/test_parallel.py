@@ -19,7 +19,7 @@ import capwalk.parallel
 import numpy as np
 import pytest
 from capwalk import _capwalk, _parts
-from capwalk._options import options
+from capwalk._options import checked
 from capwalk.parallel import Pool, Workers, view_seed
 from conftest import SCENE
 
@@ -170,7 +170,7 @@ def test_changes_are_small(leaf: cw.Scene) -> None:
     sender = _parts.Sender(put)
     for red in (0.1, 0.2, 0.3):
         scene._update({"floor.bsdf.reflectance.value": np.array([red, 0.5, 0.5])})
-        how = options(scene, 0, 1, 0)
+        how = checked(scene, {"spp": 1, "seed": 0})
         sender.sent(_parts.Job(scene, None, how, scene.revision))
     # The scene and what is asked for, then a number and the checksum.
     assert sizes[0] > 10**6

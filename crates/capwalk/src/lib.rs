@@ -93,7 +93,7 @@ pub use capwalk_diff::check::{Comparison, Verdict, compare};
 pub use capwalk_diff::{
     Accumulate, AllowMissing, BatchSums, Cell, Chosen, Estimate, Estimator, Gathers, GradientImage,
     GradientOptions, GradientWork, Grid, KeptChoice, Method, Missing, Part, PartError, Partial,
-    PixelSums, Refusal, RenderOptions, RenderWork, Rendering, Statistics, Stencil, Trial,
+    PixelSums, Refusal, RenderOptions, RenderWork, Rendering, Seed, Statistics, Stencil, Trial,
     Unwatched, WalkSettings, Watch, with_threads,
 };
 #[cfg(feature = "paper")]

@@ -31,8 +31,8 @@ pub use capwalk_boundary::{
 pub use capwalk_boundary::{WasBoundary, WasSettings};
 pub use capwalk_render::{
     Accumulate, Cell, Estimate, GradientImage, Grid, Halted, Missing, Part, PartError, Partial,
-    PixelSums, PreparedScene, RenderOptions, RenderWork, Rendering, Statistics, Unwatched, Watch,
-    render,
+    PixelSums, PreparedScene, Purpose, RenderOptions, RenderWork, Rendering, Seed, Statistics,
+    Unwatched, Watch, render,
 };
 pub use capwalk_walk::{Estimator, WalkSettings};
 

@@ -20,7 +20,6 @@ pub mod problem;
 pub mod record;
 pub mod run;
 pub mod schedule;
-pub mod seed;
 pub mod smooth;
 pub mod state;
 pub mod variable;

@@ -3,8 +3,8 @@
 use std::fmt;
 
 use capwalk_diff::{
-    BackwardWork, Chosen, GradientOptions, Missing, PreparedScene, Refusal, RenderOptions,
-    Statistics, Unwatched, Watch, backward, render,
+    BackwardWork, Chosen, GradientOptions, Missing, PreparedScene, Purpose, Refusal, RenderOptions,
+    Seed, Statistics, Unwatched, Watch, backward, render,
 };
 use capwalk_math::Rgb;
 use capwalk_scene::{Image, Scene};
@@ -14,7 +14,6 @@ use crate::guard::Violation;
 use crate::loss::Measured;
 use crate::problem::{Limits, Problem};
 use crate::record::{Row, Step};
-use crate::seed::{Purpose, seed};
 use crate::state::State;
 use crate::variable::ApplyError;
 use crate::views::PreparedViews;
@@ -230,8 +229,8 @@ impl Problem {
     ) -> Result<Seen, Stop> {
         let (mut images, mut measured) = (Vec::new(), Vec::new());
         for (i, view) in self.views.iter().enumerate() {
-            let seed = seed(self.seed, u64::from(iteration), i as u64, Purpose::Image);
-            let options = RenderOptions::new(self.spp, seed);
+            let seed = Seed(self.seed).of_iteration(u64::from(iteration), i as u64, Purpose::Image);
+            let options = RenderOptions::new(self.spp, seed.0);
             let rendering = render(&views[i], &options, watch);
             refuse_unusable("image", iteration, &rendering.statistics)?;
             let (target, mask) = (&view.target, view.mask.as_ref());
@@ -342,8 +341,8 @@ impl Problem {
             // A covector on the scene, with other random numbers than the image has:
             // the mean of the product is the product of the means.
             let iteration = u64::from(row.iteration);
-            let seed = seed(self.seed, iteration, i as u64, Purpose::Gradient);
-            let mut options = self.gradient_options(RenderOptions::new(self.spp_grad, seed));
+            let seed = Seed(self.seed).of_iteration(iteration, i as u64, Purpose::Gradient);
+            let mut options = self.gradient_options(RenderOptions::new(self.spp_grad, seed.0));
             // What is seen in curved mirrors refuses the first step or none: a scene that has changed
             // a little stops no run, and the row says what is left out.
             options.allow_missing.specular |= row.iteration > 0;

@@ -8,6 +8,7 @@ mod image;
 mod parts;
 mod results;
 mod scene;
+mod seed;
 mod steps;
 mod watched;
 mod work;
@@ -21,6 +22,8 @@ mod _capwalk {
     use crate::parts::{choose, merge, part};
     #[pymodule_export]
     use crate::scene::{Scene, load_file, load_lines, load_string};
+    #[pymodule_export]
+    use crate::seed::{independent_seed, view_seed};
     #[pymodule_export]
     use crate::steps::{Smooth, adam};
     #[pymodule_export]

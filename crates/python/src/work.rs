@@ -36,6 +36,8 @@ pub struct Options<'py> {
     #[pyo3(attribute)]
     aov: Option<String>,
     #[pyo3(attribute)]
+    device: String,
+    #[pyo3(attribute)]
     method: String,
     #[pyo3(attribute)]
     steps: Option<u32>,
@@ -122,6 +124,15 @@ impl<'py> Options<'py> {
         Ok(MissingName::allow(&names))
     }
 
+    fn device(&self, py: Python<'_>) -> PyResult<Device> {
+        Device::named(&self.device).ok_or_else(|| {
+            let names: Vec<_> = Device::NAMES.iter().map(|(name, _)| *name).collect();
+            let (device, names) = (&self.device, names.join(", "));
+            let text = format!("there is no device \"{device}\"; there are {names}");
+            errors::argument(py, text)
+        })
+    }
+
     fn how(&self) -> How<'py> {
         How {
             threads: self.threads,
@@ -158,10 +169,12 @@ pub fn run<T: Send>(
     result.map_err(|error| errors::exception(py, error))
 }
 
-/// An error if the options name a method or a view that there is not, or do not belong together.
+/// An error if the options name a method, a view or a device that there is not, or do not belong
+/// together.
 #[pyfunction]
 pub fn check_options(py: Python<'_>, options: Options<'_>) -> PyResult<()> {
     options.view(py)?;
+    options.device(py)?;
     options.gradient(py)?;
     Ok(())
 }
@@ -169,27 +182,14 @@ pub fn check_options(py: Python<'_>, options: Options<'_>) -> PyResult<()> {
 /// What was asked for; the GPU's name, or why it was the processor if a GPU could have been meant.
 type There<T> = (T, Option<String>, Option<String>);
 
-/// The device of this name.
-fn named(py: Python<'_>, device: &str) -> PyResult<Device> {
-    Device::named(device).ok_or_else(|| {
-        let names: Vec<_> = Device::NAMES.iter().map(|(name, _)| *name).collect();
-        let names = names.join(", ");
-        errors::argument(
-            py,
-            format!("there is no device \"{device}\"; there are {names}"),
-        )
-    })
-}
-
 /// The image and what was done, and where.
 #[pyfunction]
 pub fn render<'py>(
     py: Python<'py>,
     scene: &Scene,
     options: Options<'py>,
-    device: &str,
 ) -> PyResult<There<OfRender<'py>>> {
-    let device = named(py, device)?;
+    let device = options.device(py)?;
     let sampling = options.sampling();
     let image = run(py, scene, &options, &[], |prepared, watch| {
         prepared.render_on(device, &sampling, watch)
@@ -204,9 +204,8 @@ pub fn gradient<'py>(
     scene: &Scene,
     along: Along<'py>,
     options: Options<'py>,
-    device: &str,
 ) -> PyResult<There<OfGradient<'py>>> {
-    let (device, asked) = (named(py, device)?, options.gradient(py)?);
+    let (device, asked) = (options.device(py)?, options.gradient(py)?);
     let motion = Motion::from(along);
     let image = run(py, scene, &options, &motion.names(), |prepared, watch| {
         let direction = motion.direction(prepared)?;
@@ -225,9 +224,8 @@ pub fn backward<'py>(
     adjoint: PyReadonlyArrayDyn<'py, f64>,
     names: Vec<String>,
     options: Options<'py>,
-    device: &str,
 ) -> PyResult<There<OfBackward<'py>>> {
-    let (device, asked) = (named(py, device)?, options.gradient(py)?);
+    let (device, asked) = (options.device(py)?, options.gradient(py)?);
     let adjoint = arrays::to_image("the adjoint", &adjoint)?;
     let texts: Vec<&str> = names.iter().map(String::as_str).collect();
     let found = run(py, scene, &options, &texts, |prepared, watch| {

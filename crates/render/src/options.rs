@@ -5,6 +5,7 @@ use serde::Serialize;
 use capwalk_scene::Scene;
 
 use crate::grid::Grid;
+use crate::seed::Seed;
 
 /// How an image is rendered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -44,15 +45,13 @@ impl RenderOptions {
         Self::new(scene.settings.spp, scene.settings.seed)
     }
 
-    /// The same with another seed, for an image whose noise must be independent of one
-    /// with this seed: an adjoint must not know the random numbers of its gradient. The
-    /// complement is nobody's neighbour in a row of seeds.
+    /// The same with [another seed](Seed::independent), for an image whose noise must be
+    /// independent of one with this seed: an adjoint must not know the random numbers of its
+    /// gradient.
     #[must_use]
     pub fn with_independent_seed(self) -> Self {
-        Self {
-            seed: !self.seed,
-            ..self
-        }
+        let Seed(seed) = Seed(self.seed).independent();
+        Self { seed, ..self }
     }
 }
 

@@ -1,7 +1,6 @@
 //! From a job to a problem: scenes are loaded, targets read, or left to be rendered.
 
-use capwalk_diff::{RenderOptions, Watch};
-use capwalk_inverse::seed::{Purpose, seed};
+use capwalk_diff::{Purpose, RenderOptions, Seed, Watch};
 use capwalk_inverse::variable::{VariableSpec, Variables, variable};
 use capwalk_inverse::{Problem, Stop, TargetView};
 use capwalk_scene::params::Registry;
@@ -272,11 +271,11 @@ impl Job {
                     let message = "the target has another size than the image";
                     return Err(self.document.error(keys.place, message).into());
                 }
-                let seed = seed(self.keys.seed, 0, number as u64, Purpose::Target);
+                let seed = Seed(self.keys.seed).of_iteration(0, number as u64, Purpose::Target);
                 Some(Pending {
                     view: number,
                     scene,
-                    options: RenderOptions::new(*spp, seed),
+                    options: RenderOptions::new(*spp, seed.0),
                 })
             }
         };

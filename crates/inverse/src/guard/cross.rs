@@ -98,6 +98,7 @@ fn overlap_in_plane(a: [Vec3; 3], b: [Vec3; 3]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use capwalk_diff::{Purpose, Seed};
 
     fn mesh(positions: &[[f64; 3]], faces: &[[u32; 3]]) -> Mesh {
         Mesh {
@@ -157,7 +158,7 @@ mod tests {
     fn sweeping_is_brute_force() {
         let mut state = 1_u64;
         let mut number = || {
-            state = crate::seed::seed(state, 0, 0, crate::seed::Purpose::Image);
+            state = Seed(state).of_iteration(0, 0, Purpose::Image).0;
             (state >> 11) as f64 / (1u64 << 53) as f64
         };
         let (mut crossing, mut free) = (0, 0);

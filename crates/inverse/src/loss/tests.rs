@@ -1,10 +1,12 @@
+use capwalk_diff::{Purpose, Seed};
+
 use super::*;
 
 /// Numbers that look random, in [0, 1).
 fn numbers(seed: u64) -> impl FnMut() -> f64 {
     let mut state = seed;
     move || {
-        state = crate::seed::seed(state, 0, 0, crate::seed::Purpose::Image);
+        state = Seed(state).of_iteration(0, 0, Purpose::Image).0;
         (state >> 11) as f64 / (1u64 << 53) as f64
     }
 }

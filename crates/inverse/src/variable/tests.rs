@@ -2,6 +2,7 @@ use super::vertices::{Directions, Selection};
 use std::f64::consts::{PI, TAU};
 
 use super::*;
+use capwalk_diff::{Purpose, Seed};
 use capwalk_math::Vec3;
 use capwalk_scene::params::Registry;
 use capwalk_scene::{Gradient, Scene, SensorVectors, ShadingNormals, Tangent, builtin};
@@ -59,7 +60,7 @@ pub(crate) fn variables(scene: &Scene, specs: &[VariableSpec]) -> Variables {
 fn random(count: usize, seed: u64) -> Vec<f64> {
     let mut state = seed;
     let mut number = || {
-        state = crate::seed::seed(state, 0, 0, crate::seed::Purpose::Image);
+        state = Seed(state).of_iteration(0, 0, Purpose::Image).0;
         2.0 * (state >> 11) as f64 / (1u64 << 53) as f64 - 1.0
     };
     (0..count).map(|_| number()).collect()

@@ -1,0 +1,125 @@
+"""The keywords of all functions: how images are rendered and derivatives estimated. For the type
+of a function that passes them on::
+
+    from typing import Unpack  # Python 3.11; before, typing_extensions
+
+    import capwalk as cw
+    from capwalk.options import GradientOptions
+
+    def sum_of_gradient(scene: cw.Scene, name: str, **options: Unpack[GradientOptions]) -> float:
+        return cw.gradient(scene, name, **options).gradient.sum()
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TypedDict
+
+from ._method import Method
+from ._progress import Progress
+
+Sensor = int | str
+"""A sensor of a scene, by number from 0 or by name."""
+
+
+class SampleOptions(TypedDict, total=False):
+    """Keywords of everything that renders."""
+
+    aov: str | None
+    """What is shown of the surfaces that are seen, instead of their light: ``"depth"``,
+    ``"position"``, ``"uv"``, ``"geo_normal"``, ``"sh_normal"``, ``"albedo"``, ``"mask"``."""
+    spp: int | None
+    """Samples per pixel, at least 1; by default the scene's."""
+    progress: Progress
+    """``True`` for a bar, or a function of what is done and what there is to do."""
+
+
+class ThreadOptions(TypedDict, total=False):
+    """Keywords of everything that works in this process alone."""
+
+    threads: int | None
+    """Worker threads; by default all cores. They change no bit."""
+
+
+class MethodOptions(TypedDict, total=False):
+    """Keywords of everything that differentiates: how derivatives are estimated."""
+
+    method: str | Method
+    """``"auto"``, the default, takes the method with the least variance × time, which is
+    ``"walk"`` (the paper's) or ``"edges"``; or a :class:`capwalk.Method` that was chosen before."""
+    steps: int | None
+    """Steps of a walk, for ``"auto"`` and ``"walk"``, 1 to 1000."""
+    max_angle: float | None
+    """The walk's angular cutoff, degrees, above 0 and at most 180."""
+    antithetic: bool | None
+    """Whether walks average opposite rim samples."""
+    allow_missing: Sequence[str]
+    """``("specular",)`` leaves out how silhouettes and hard shadows move that are seen in curved
+    mirrors, through refracting glass, or after many reflections, instead of refusing the
+    derivative; ``statistics["missing"]`` is the share of the radiance that arrives by paths with
+    such events, whether something moves there or not."""
+
+
+class ViewsOptions(SampleOptions, total=False):
+    """Keywords of :meth:`capwalk.parallel.Workers.render_views`: these and
+    :class:`SampleOptions`."""
+
+    seed: int | None
+    """Of all random numbers, 0 to 2**64 - 1; by default the scene's."""
+
+
+class ViewGradientsOptions(ViewsOptions, MethodOptions, total=False):
+    """Keywords of :meth:`capwalk.parallel.Workers.backward_views`: :class:`ViewsOptions` and
+    :class:`MethodOptions`."""
+
+
+class ImageOptions(ViewsOptions, total=False):
+    """Keywords of :meth:`capwalk.parallel.Workers.render`: these and :class:`ViewsOptions`."""
+
+    sensor: Sensor
+    """Which of the scene's sensors, by number from 0 or by name; by default the first."""
+
+
+class PartsOptions(ImageOptions, MethodOptions, total=False):
+    """Keywords of :meth:`capwalk.parallel.Workers.gradient` and ``backward``:
+    :class:`ImageOptions` and :class:`MethodOptions`."""
+
+
+class RenderOptions(ImageOptions, ThreadOptions, total=False):
+    """Keywords of :func:`capwalk.render`: these, :class:`ImageOptions` and
+    :class:`ThreadOptions`."""
+
+    device: str
+    """``"cpu"``, the default; ``"gpu"``, a GPU or software Vulkan, for scenes with diffuse
+    surfaces, metals, plastics, area emitters and environments; or ``"auto"``, a GPU with double
+    precision if there is one that has all that the scene needs, else the CPU, with a
+    :class:`capwalk.DeviceWarning` that says why if there is a GPU. A GPU takes the samples of the
+    CPU and rounds differently: nearly all of them agree within 0.02 %. The result's ``device``
+    says where it was."""
+
+
+class GradientOptions(RenderOptions, MethodOptions, total=False):
+    """Keywords of :func:`capwalk.gradient` and :func:`capwalk.backward`: :class:`RenderOptions` and
+    :class:`MethodOptions`."""
+
+
+class CheckOptions(ImageOptions, ThreadOptions, MethodOptions, total=False):
+    """Keywords of :func:`capwalk.check`: these, :class:`ImageOptions`, :class:`ThreadOptions` and
+    :class:`MethodOptions`."""
+
+    reference_spp: int | None
+    """Samples per pixel of the first differences, on each side; by default as many as suit the
+    noise of both."""
+    step: float | None
+    """How far the parameter moves on each side, in its own units; by default what fits the
+    scene, and in each further reference a quarter of that of the one before."""
+
+
+class FunctionOptions(SampleOptions, ThreadOptions, MethodOptions, total=False):
+    """Keywords of :func:`capwalk.torch.render` and :func:`capwalk.jax.render` besides seeds: these,
+    :class:`SampleOptions`, :class:`ThreadOptions` and :class:`MethodOptions`."""
+
+    sensor: Sensor
+    """Which of the scene's sensors, by number from 0 or by name; by default the first."""
+    spp_grad: int | None
+    """Samples per pixel of the derivatives; by default ``spp``."""
