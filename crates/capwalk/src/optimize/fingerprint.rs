@@ -1,10 +1,9 @@
 //! What must be the same when a run is resumed.
 
-use std::fmt::{Debug, Write};
-
 use capwalk_diff::{Method, WalkSettings};
 use capwalk_inverse::Problem;
 use capwalk_inverse::variable::VariableSpec;
+use capwalk_scene::fingerprint as number;
 
 /// What decides which numbers come out, by names that a message can show. Guards do
 /// not: they only stop.
@@ -18,7 +17,7 @@ pub fn fingerprint(
         env!("CARGO_PKG_VERSION").into(),
     )];
     let mut note = |name: String, what: String| parts.push((name, what));
-    note("scene".into(), digest(&problem.scene));
+    note("scene".into(), digest(number(&problem.scene)));
     note("seed".into(), problem.seed.to_string());
     note("spp".into(), problem.spp.to_string());
     note("spp_grad".into(), problem.spp_grad.to_string());
@@ -44,7 +43,8 @@ pub fn fingerprint(
     }
     note("number of views".into(), problem.views.len().to_string());
     for (i, view) in problem.views.iter().enumerate() {
-        note(format!("view {}", i + 1), digest(view));
+        let seen = (&view.sensor, &view.target, &view.mask, view.weight);
+        note(format!("view {}", i + 1), digest(number(&seen)));
     }
     parts
 }
@@ -56,24 +56,12 @@ const LONGEST_TEXT: usize = 500;
 /// The text, or a number that stands for it.
 fn shown(text: String) -> String {
     match text.len() > LONGEST_TEXT {
-        true => digest(&text),
+        true => digest(number(&text)),
         false => text,
     }
 }
 
-/// A number that stands for a thing: FNV-1a of all that `Debug` says of it, which
-/// is every digit of every number.
-fn digest(thing: &impl Debug) -> String {
-    struct Hash(u64);
-    impl Write for Hash {
-        fn write_str(&mut self, text: &str) -> std::fmt::Result {
-            for byte in text.bytes() {
-                self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-            }
-            Ok(())
-        }
-    }
-    let mut hash = Hash(0xcbf2_9ce4_8422_2325);
-    write!(hash, "{thing:?}").expect("hashing cannot fail");
-    format!("{:016x}", hash.0)
+/// [What stands for a thing](number) as text.
+fn digest(fingerprint: u64) -> String {
+    format!("{fingerprint:016x}")
 }
