@@ -2,6 +2,7 @@
 //! at random to a few of them; where only silhouettes count, past all that certainly has none.
 //! The time grows with the logarithm of the edges.
 
+mod division;
 mod in_cone;
 
 use std::ops::Range;
@@ -13,8 +14,10 @@ use capwalk_math::Vec3;
 use crate::accel::Accel;
 use crate::coincident::visit_overlaps;
 use crate::motion::Motion;
-use crate::sampled_edge::{Bin, SampledEdge, divide, outward};
+use crate::sampled_edge::{SampledEdge, outward};
 use crate::sights::{LearnedVisibility, Sights, SightsOfMany};
+
+use division::{Bin, divide};
 
 /// The most edges in a leaf, which are listed one by one: more where few of them count.
 fn leaf_size(selection: EdgeSelection) -> usize {
