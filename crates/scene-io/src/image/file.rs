@@ -34,15 +34,15 @@ pub fn write(
     let size = layered
         .size()
         .map_err(|reason| ImageError::write(path, reason))?;
-    if format == Format::Png {
-        return panel::write_preview(path, layered, preview);
-    }
-    let bytes = match format {
+    let encoded = match format {
+        Format::Png => return panel::write_preview(path, layered, preview),
         Format::Exr => exr::encode(layered, size),
-        Format::Npz | Format::Png => npz_file::encode(layered, size),
+        Format::Npz => npz_file::encode(layered, size),
     };
-    let bytes = bytes.map_err(|reason| ImageError::write(path, reason))?;
-    save(path, &bytes)?;
+    save(
+        path,
+        &encoded.map_err(|reason| ImageError::write(path, reason))?,
+    )?;
     let shown = [VALUE, GRADIENT]
         .iter()
         .filter_map(|name| layered.layer(name));
