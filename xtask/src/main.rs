@@ -2,11 +2,12 @@
 //!
 //! | task | does |
 //! |---|---|
-//! | `test` | everything a change must pass: layout, format, lints, packages, documentation, all tests, Python's too; with `--thorough` what takes longer |
+//! | `test` | everything a change must pass: layout, format, lints, packages, documentation, all tests, Python's too; with `--quick` a part in three minutes, with `--thorough` what takes longer |
 //! | `layout` | finds circles of files, and names that mean two things |
 //! | `package` | builds every crate from its package alone |
 //! | `bench` | the benchmarks |
 //! | `soak` | damaged files, commands that ask for too much, random scenes and wide ones, for a minute each |
+//! | `references` | finite differences that tests compare gradients with, made by long runs and kept |
 //! | `verdicts` | what `check` says of many gradients that are right, and of some made wrong |
 //! | `parity` | renders `tests/parity/*.xml` with Mitsuba too and compares, or makes golden images of them |
 //! | `kernels` | compiles the kernels of the GPU, which are checked in |
@@ -24,6 +25,7 @@ mod package;
 mod parity;
 mod peers;
 mod python;
+mod references;
 mod shell;
 mod soak;
 mod test;
@@ -44,8 +46,9 @@ usage: cargo xtask <task>
 tasks:
   test     layout, format, lints, packages, documentation, and all tests;
            Python's need python3 and PyPI, and are left out where these are not
-           there; with --thorough also the stored outputs of tutorials and ten
-           minutes of each test of `soak`
+           there; with --quick, in three minutes, only layout, format, lints, unit
+           tests and a few phenomena; with --thorough also the stored outputs of
+           tutorials and ten minutes of each test of `soak`
   layout   files that import each other in a circle, and names that mean two
            things (further arguments: crates, as `geometry`)
   package  pack every crate that may be published, and build it from its package
@@ -53,6 +56,9 @@ tasks:
   soak     read damaged files, run commands that ask for too much, then render and
            differentiate random scenes and wide ones, for a minute each (further
            arguments: seconds of each, first seed)
+  references
+           make the finite differences again that tests compare gradients with
+           (further arguments: parts of the names of tests)
   verdicts check 3000 gradients that are right, with few samples, and a quarter of
            them made wrong, too (further arguments: how many, the first, every which)
   parity   render tests/parity/*.xml with capwalk and with Mitsuba, and compare;
@@ -82,6 +88,7 @@ fn main() -> ExitCode {
         "layout" => layout::run(rest),
         "package" => package::run(true),
         "soak" => soak::run(rest),
+        "references" => references::run(rest),
         "verdicts" => verdicts::run(rest),
         "parity" => parity::run(rest),
         "kernels" => kernels::run(),

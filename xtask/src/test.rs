@@ -1,5 +1,5 @@
-//! `cargo xtask test`: what every change must pass, and with `--thorough` what takes too long for
-//! that.
+//! `cargo xtask test`: what every change must pass; with `--quick` what is asked between two edits,
+//! with `--thorough` also what takes too long for every change.
 
 use std::process::Stdio;
 use std::time::{Duration, Instant};
@@ -10,13 +10,16 @@ use crate::shell::{EVERYTHING, cargo, start};
 use crate::tier::Tier;
 use crate::{layout, package, python, soak, vulkan};
 
-/// Runs the quick steps first, stops at the first that fails, and ends with
-/// the time that each took.
+/// Runs the steps of a tier, those that are done soonest first, stops at the first that fails, and
+/// ends with the time that each took.
 pub fn run(arguments: &[String]) -> Result<()> {
     let tier = Tier::of(arguments)?;
-    python::fetch();
+    if tier >= Tier::Change {
+        python::fetch();
+    }
     let mut times = Vec::new();
-    let result = STEPS.iter().try_for_each(|(name, step)| {
+    let mut steps = STEPS.iter().filter(|(_, least, _)| tier >= *least);
+    let result = steps.try_for_each(|(name, _, step)| {
         let started = Instant::now();
         let result = step(tier);
         times.push((*name, started.elapsed()));
@@ -33,32 +36,42 @@ pub fn run(arguments: &[String]) -> Result<()> {
 
 type Step = fn(Tier) -> Result<()>;
 
-const STEPS: [(&str, Step); 8] = [
-    ("layout", |_| layout::run(&[])),
-    ("format", |_| format()),
-    ("lints", |_| lints()),
-    ("packages", |_| package::run(false)),
-    ("documentation", |_| documentation()),
-    ("tests", |_| tests()),
-    ("python", python::test),
-    ("soak", |tier| match tier {
-        Tier::Change => Ok(()),
-        Tier::Thorough => soak::run(&["600".into()]),
-    }),
+/// Each with the first tier that has it.
+const STEPS: [(&str, Tier, Step); 8] = [
+    ("layout", Tier::Quick, |_| layout::run(&[])),
+    ("format", Tier::Quick, |_| format()),
+    ("lints", Tier::Quick, |_| lints()),
+    ("packages", Tier::Change, |_| package::run(false)),
+    ("documentation", Tier::Change, |_| documentation()),
+    ("tests", Tier::Quick, tests),
+    ("python", Tier::Change, python::test),
+    ("soak", Tier::Thorough, |_| soak::run(&["600".into()])),
+];
+
+/// Phenomena of the quick tier: a silhouette before the camera, shadows of lamps and points, a
+/// mirror, a sky, a glossy material, a colour and a refusal.
+const FEW_PHENOMENA: [&str; 8] = [
+    "albedo",
+    "hard_shadow_of_a_point_light",
+    "object_moves_in_a_planar_mirror",
+    "outline_with_a_box_filter",
+    "shadow_of_a_moving_occluder",
+    "sun_turns",
+    "shadow_in_a_rough_mirror",
+    "texture_that_jumps",
 ];
 
 fn format() -> Result<()> {
     component("rustfmt", &["fmt", "--all", "--check"])
 }
 
-/// All code, then what is published as it is by default, but for its tests.
 fn lints() -> Result<()> {
-    const STRICT: [&str; 3] = ["--", "-D", "warnings"];
-    let all = [&["clippy", "--all-targets"], &EVERYTHING[..], &STRICT];
-    component("clippy", &all.concat())?;
-    // Beside the crate that wants the baselines, every crate would have them.
-    let without = ["clippy", "--workspace", "--exclude", "capwalk-paper"];
-    component("clippy", &[&without[..], &STRICT].concat())
+    let arguments = [
+        &["clippy", "--all-targets"],
+        &EVERYTHING[..],
+        &["--", "-D", "warnings"],
+    ];
+    component("clippy", &arguments.concat())
 }
 
 fn documentation() -> Result<()> {
@@ -67,13 +80,19 @@ fn documentation() -> Result<()> {
     start("documentation", doc)
 }
 
-/// All tests, then those of the command line as it is by default.
-fn tests() -> Result<()> {
-    let mut all = cargo(&["test", "--no-fail-fast"]);
-    all.args(EVERYTHING).envs(vulkan::for_tests());
-    start("tests", all)?;
-    let default = ["test", "--workspace", "--test", "cli", "default_build"];
-    start("tests of the default build", cargo(&default))
+/// All tests; of the quick tier unit tests, without a GPU, and a few phenomena.
+fn tests(tier: Tier) -> Result<()> {
+    if tier >= Tier::Change {
+        let mut all = cargo(&["test", "--no-fail-fast"]);
+        all.args(EVERYTHING).envs(vulkan::for_tests());
+        return start("tests", all);
+    }
+    let mut units = cargo(&["test", "--lib", "--bins"]);
+    units.args(EVERYTHING).envs(vulkan::none());
+    start("unit tests", units)?;
+    let mut phenomena = cargo(&["test", "--test", "phenomena"]);
+    phenomena.args(EVERYTHING).arg("--").args(FEW_PHENOMENA);
+    start("phenomena", phenomena)
 }
 
 /// A step that needs a component of the toolchain; says so and goes on where

@@ -2,22 +2,26 @@
 
 use anyhow::{Result, bail};
 
-/// How much `cargo xtask test` tests.
-#[derive(Clone, Copy, PartialEq, Eq)]
+/// How much `cargo xtask test` tests; each tier has what those before it have.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Tier {
+    /// Between two edits: layout, format, lints, unit tests and a handful of phenomena.
+    Quick,
     /// What every change must pass.
     Change,
-    /// That, the stored outputs of the tutorials, and randomised tests for ten minutes each.
+    /// The stored outputs of the tutorials as well, and randomised tests for ten minutes each.
     Thorough,
 }
 
 impl Tier {
     /// The tier that the arguments behind `test` ask for.
     pub fn of(arguments: &[String]) -> Result<Self> {
-        match arguments {
+        let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        match arguments[..] {
+            ["--quick"] => Ok(Self::Quick),
             [] => Ok(Self::Change),
-            [flag] if flag == "--thorough" => Ok(Self::Thorough),
-            _ => bail!("expected nothing or `--thorough` behind `test`"),
+            ["--thorough"] => Ok(Self::Thorough),
+            _ => bail!("expected nothing, `--quick` or `--thorough` behind `test`"),
         }
     }
 }

@@ -35,6 +35,11 @@ pub fn for_tests() -> Vec<(&'static str, PathBuf)> {
     FOR_TESTS.clone()
 }
 
+/// Variables that hide all drivers, for tests that shall take none.
+pub fn none() -> [(&'static str, &'static str); 1] {
+    [(VARIABLES[0], "/dev/null")]
+}
+
 fn find_for_tests() -> Vec<(&'static str, PathBuf)> {
     let mut variables = quiet();
     if std::env::var_os("CI").is_none() {

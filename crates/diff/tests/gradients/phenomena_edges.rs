@@ -56,7 +56,7 @@ fn down(size: f64) -> Affine {
 
 #[test]
 fn shadow() {
-    shadow_case("shadow", with(triangle()), "thing.translate.y");
+    shadow_case("shadow by edges", with(triangle()), "thing.translate.y");
 }
 
 /// Faces that are seen edge-on, and the horizon of the floor's own edges.
@@ -172,7 +172,11 @@ fn lamp_in_a_ceiling() {
             place(&mut scene, "ceiling", 2.0);
         }
         for expression in ["thing.translate.x", "bulb.translate.x + 0.5*bulb.scale"] {
-            shadow_case("lamp in a ceiling", scene.clone(), expression);
+            let name = match is_first {
+                true => format!("lamp behind a ceiling, {expression}"),
+                false => format!("lamp before a ceiling, {expression}"),
+            };
+            shadow_case(&name, scene.clone(), expression);
         }
     }
 }
@@ -181,7 +185,7 @@ fn lamp_in_a_ceiling() {
 #[test]
 fn edges_on_edges() {
     let (scene, expression) = box_of_sides();
-    shadow_case("edges on edges", scene, &expression);
+    shadow_case("shadow of edges on edges", scene, &expression);
 }
 
 /// Lamps before a sky: what one method samples is hidden by what the other does.

@@ -120,9 +120,9 @@ fn maps_around_two_sides_from_behind() {
 /// The maps move with the plane.
 #[test]
 fn mapped_planes_move() {
-    for scene in [normal_mapped(), bumpy()] {
+    for (name, scene) in [("normals", normal_mapped()), ("bumps", bumpy())] {
         let along = tangent(&scene, "floor.translate.x + 0.3*floor.rotate.z");
-        agree("turning", scene, &along, case(100));
+        agree(&format!("{name} turn"), scene, &along, case(100));
     }
     // Slopes follow the size of the surface.
     let scene = bumpy();

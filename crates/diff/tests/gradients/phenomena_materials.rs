@@ -39,7 +39,7 @@ fn numbers_change(name: &str, scene: Scene, expression: &str, gradient_spp: u32)
         min_pixels: 900,
         ..Case::default()
     };
-    agree(name, scene, &along, case);
+    agree(&format!("{name}, {expression}"), scene, &along, case);
 }
 
 #[test]
@@ -210,7 +210,7 @@ fn texels_at_the_ends(name: &str, mut scene: Scene, ends: [f64; 2]) {
         min_pixels: 900,
         ..Case::default()
     };
-    agree(name, scene, &tangent, case);
+    agree(&format!("{name} from {ends:?}"), scene, &tangent, case);
 }
 
 #[test]

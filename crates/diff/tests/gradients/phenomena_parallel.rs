@@ -125,7 +125,7 @@ fn sensor_of_any_matrix() {
         min_pixels: 100,
         ..primary()
     };
-    agree("any matrix", scene, &tangent, case);
+    agree("any matrix, parallel rays", scene, &tangent, case);
 }
 
 /// A dusty pane stands before a cube and its shadow: silhouettes are seen through it.
@@ -155,7 +155,7 @@ fn cube_behind_a_pane() {
         ..few
     };
     agree(
-        "behind a pane",
+        "behind a pane, parallel rays",
         with_parallel_rays(scene, 0.85),
         &tangent,
         case,

@@ -6,6 +6,8 @@ pub mod exact;
 pub mod materials;
 pub mod random;
 pub mod stages;
+#[path = "../../../../../tests/references/store.rs"]
+pub mod store;
 
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
