@@ -6,7 +6,7 @@
 CAPWALK is the program. Each scene has a floor, sometimes walls, one to four shapes with materials of
 all kinds, one or two emitters of all kinds, and a camera; something in it moves or changes colour.
 `capwalk check` compares the derivative of its image with central differences, with as many samples
-as S seconds of the processor allow, and at least 16. A derivative that is refused for what
+as S seconds of the CPU allow, and at least 16. A derivative that is refused for what
 is seen in curved mirrors or through glass is checked again without that (`--allow-missing specular`).
 What is printed is a line for each scene that is not right, and a table of the verdicts. Scenes whose
 check says "wrong" are kept in FOLDER, all with `--keep-all`."""
@@ -195,7 +195,7 @@ class Scene:
 
 
 def run(command: list[str]) -> tuple[dict[str, Any] | None, str, float]:
-    """What a command prints, or why it prints nothing, and its seconds of the processor."""
+    """What a command prints, or why it prints nothing, and its seconds of the CPU."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done = subprocess.run(command, capture_output=True, text=True)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)

@@ -2,8 +2,8 @@
 
 >>> import capwalk as cw
 >>> scene = cw.load_file("leaf")
->>> slope = cw.gradient(scene, "leaf.translate.x", spp=16)
->>> slope.gradient.shape == slope.stderr.shape == slope.value.shape
+>>> derivative = cw.gradient(scene, "leaf.translate.x", spp=16)
+>>> derivative.gradient.shape == derivative.stderr.shape == derivative.value.shape
 True
 
 Images are arrays (height, width, 3) of linear RGB in double precision. Lengths are in world

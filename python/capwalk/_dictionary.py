@@ -1,4 +1,4 @@
-"""Scenes as Mitsuba's dictionaries: written as Mitsuba's XML, and read as that is."""
+"""Scenes as Mitsuba's dictionaries: written as Mitsuba's XML, and then read like a file."""
 
 from __future__ import annotations
 
@@ -77,8 +77,8 @@ def load_dict(dictionary: Mapping[str, object], *, folder: str | os.PathLike[str
     True
 
     Keys are the names of objects, unless these have an ``"id"``. Numbers, vectors, matrices and
-    texels may be Python's, NumPy's or Mitsuba's; transforms are (4, 4), or have a ``matrix``, as
-    :class:`Transform` and Mitsuba's have. Besides what scene files can say:
+    texels may be Python's, NumPy's or Mitsuba's. Transforms are (4, 4), or have a ``matrix``, like
+    :class:`Transform` and Mitsuba's. Beyond scene files:
 
     * textures of the type ``"bitmap"`` and emitters of the type ``"envmap"`` may have, instead of
       a ``"filename"``, a ``"bitmap"``, an array (height, width) or (height, width, channels) whose
@@ -87,10 +87,10 @@ def load_dict(dictionary: Mapping[str, object], *, folder: str | os.PathLike[str
       and perhaps ``"normals"``, (V, 3), ``"uvs"``, (V, 2), and attributes ``"vertex_..."``,
       (V, 1) or (V, 3), and ``"face_..."``, (F, 1) or (F, 3).
 
-    What has no effect, or is read as something else, is a :class:`SceneWarning`.
+    Properties that have no effect, or are read as something else, give a :class:`SceneWarning`.
 
-    :param folder: what the names of files are relative to.
-    :raises LoadError: the dictionary is no scene. The message begins with the place:
+    :param folder: the folder to which file names are relative.
+    :raises LoadError: the dictionary is not a scene. The message begins with the place:
         ``dictionary["ball"]["bsdf"]``.
     """
     with tempfile.TemporaryDirectory(prefix="capwalk-") as files:
@@ -358,7 +358,7 @@ def _numbers(value: object, place: str, expected: str) -> Array:
 
 
 def _is_object(value: object) -> bool:
-    """Whether a value is a plugin of Mitsuba's, rather than numbers."""
+    """True if a value is a plugin of Mitsuba's, rather than numbers."""
     return hasattr(value, "class_name") and hasattr(value, "traverse")
 
 

@@ -30,18 +30,19 @@ def load_file(path: str | os.PathLike[str], /, **defines: object) -> Scene:
     """The scene in a Mitsuba 3 XML file, or the built-in scene of this name (``"leaf"``,
     ``"ball"``, ``"box-room"``, ``"lattice-shadow"``).
 
-    Keyword arguments are values of ``$name`` in the file and win over its ``<default>``. What
-    has no effect, or is read as something else, is a :class:`SceneWarning`.
+    Keyword arguments are values of ``$name`` in the file and take precedence over its
+    ``<default>``. Properties that have no effect, or are read as something else, give a
+    :class:`SceneWarning`.
 
-    :raises LoadError: the file is no scene; with ``file``, ``line`` and ``column``.
+    :raises LoadError: the file is not a scene; with ``file``, ``line`` and ``column``.
     """
     return warned(_capwalk.load_file(os.fspath(path), _texts(defines)))
 
 
 def load_string(text: str, folder: str | os.PathLike[str] = ".", /, **defines: object) -> Scene:
-    """The scene in a text of Mitsuba's XML. Files in it are relative to ``folder``.
+    """The scene in a string of Mitsuba's XML. File names in it are relative to ``folder``.
 
-    :raises LoadError: the text is no scene; with ``line`` and ``column``.
+    :raises LoadError: the text is not a scene; with ``line`` and ``column``.
     """
     return warned(_capwalk.load_string(text, os.fspath(folder), _texts(defines)))
 
@@ -49,14 +50,14 @@ def load_string(text: str, folder: str | os.PathLike[str] = ".", /, **defines: o
 def render(scene: Scene, **options: Unpack[RenderOptions]) -> Picture:
     """The image of a scene with its standard errors.
 
-    The same scene, ``spp`` and ``seed`` give the same bits on one device, whatever ``threads`` is;
-    ``"cpu"`` is one device, on every machine.
+    The same scene, ``spp`` and ``seed`` give the same bits on the same device, whatever ``threads``
+    is.
 
     :param options: how, see :class:`capwalk.options.RenderOptions`: ``sensor``, ``aov``, ``spp``,
         ``seed``, ``threads``, ``progress``, ``device``.
-    :raises ArgumentError: ``device="gpu"`` for a scene that needs what the GPU does not have, which
-        the message names; a device of another name.
-    :raises DeviceError: ``device="gpu"`` where there is none; a GPU that fails.
+    :raises ArgumentError: ``device="gpu"`` for a scene that needs something the GPU does not
+        support, which the message names; an unknown device.
+    :raises DeviceError: ``device="gpu"`` if there is none; a GPU that fails.
     """
     check_names("render", RenderOptions, options)
     with shown(options.get("progress"), "render") as told:
@@ -75,12 +76,13 @@ def gradient(scene: Scene, along: Along, **options: Unpack[GradientOptions]) -> 
         velocities of arrays by their names: ``{"ball.positions": array of shape (V, 3)}``.
     :param options: how, see :class:`capwalk.options.GradientOptions`: those of :func:`render`,
         and ``method``, ``steps``, ``max_angle``, ``antithetic``, ``allow_missing``. GPUs do not
-        have all derivatives: for others ``device="auto"`` takes the CPU, and ``"gpu"`` raises
+        support all derivatives: for others ``device="auto"`` uses the CPU, and ``"gpu"`` raises
         :class:`ArgumentError` with the reason.
     :raises Refused: the derivative could only be estimated with a bias; with ``reason`` and
         ``instead``.
-    :raises ParameterError: a name means no parameter.
-    :raises ArgumentError: velocities of another shape than the array's, and all else.
+    :raises ParameterError: a name is not a parameter.
+    :raises ArgumentError: velocities with another shape than the array, or any other wrong
+        argument.
     """
     check_names("gradient", GradientOptions, options)
     with shown(options.get("progress"), "gradient") as told:
@@ -112,7 +114,7 @@ def backward(
         which is rendered with the scene's.
     :return: the gradients by name, each in the shape of its array, and their ``stderr``.
 
-    What is raised is that of :func:`gradient`.
+    Raises the same exceptions as :func:`gradient`.
     """
     check_names("backward", GradientOptions, options)
     with shown(options.get("progress"), "backward") as told:
@@ -130,15 +132,15 @@ def backward(
 def check(scene: Scene, along: Along, **options: Unpack[CheckOptions]) -> Check:
     """A gradient against finite differences of the image, with a verdict.
 
-    Pixels get more or fewer samples by how noisy they are, in the time of ``spp`` of each.
+    Noisy pixels get more samples, in the time of ``spp`` samples of each pixel.
 
-    Where the differences contradict the gradient or leave a doubt of it, a second reference with
-    four times their samples decides; if it contradicts the first, a third one or a fourth.
+    If the differences contradict the gradient or cast doubt on it, a second reference with four
+    times their samples decides; if it contradicts the first, a third or a fourth one.
 
     :param options: how, see :class:`capwalk.options.CheckOptions`: those of :func:`gradient` but
         ``device``, and ``reference_spp`` and ``step``.
 
-    What is raised is that of :func:`gradient`.
+    Raises the same exceptions as :func:`gradient`.
     """
     check_names("check", CheckOptions, options)
     reference_spp = options.get("reference_spp")
@@ -161,7 +163,7 @@ def check(scene: Scene, along: Along, **options: Unpack[CheckOptions]) -> Check:
 
 
 def direction(along: Along) -> str | dict[str, Array]:
-    """What the image changes along, as the module takes it."""
+    """The direction of a derivative, as the module takes it."""
     if isinstance(along, str):
         return along
     if not isinstance(along, Mapping):
@@ -191,7 +193,8 @@ def wanted_names(scene: Scene, names: Sequence[str] | None, sensor: int) -> list
 
 
 def warned(scene: Scene) -> Scene:
-    """A scene that was just loaded, after a warning for all that its file says in vain."""
+    """A scene that was just loaded, after warnings for all properties without effect in its
+    file."""
     for warning in scene.warnings:
         warnings.warn(warning, SceneWarning, stacklevel=3)
     return scene
@@ -204,7 +207,7 @@ def warn_of_device(remark: str | None) -> None:
 
 
 def warn_of(statistics: Mapping[str, Any]) -> None:
-    """Warns of samples that are no numbers, and of what is left out."""
+    """Warns of samples that are infinite or NaN, and of parts that are left out."""
     if statistics.get("missing"):
         text = statistics["missing_text"]
         warnings.warn(f"the derivative is incomplete: {text}", UnreliableWarning, stacklevel=3)

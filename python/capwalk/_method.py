@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 
 @dataclass(frozen=True)
 class Method:
-    """The method of a derivative, with what a pilot found for it. A scene keeps it for later calls
-    with the same sensor, names and about as many samples. Given as ``method`` it spares those of
-    others their pilots, too: of copies, and in other processes. It may be pickled, for the same
-    version of capwalk.
+    """The method of a derivative, with the settings that a pilot found. A scene keeps it for later
+    calls with the same sensor, names and about as many samples. Passed as ``method`` it also
+    replaces the pilot for copies of the scene and in other processes. It can be pickled for the
+    same version of capwalk.
 
     >>> import capwalk as cw
     >>> scene = cw.load_file("leaf")

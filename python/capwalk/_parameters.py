@@ -22,8 +22,8 @@ _PLACES = {
 
 
 def check_apart(names: Iterable[str]) -> None:
-    """An error if two arrays, by their first names, place the same thing: what comes out would
-    depend on which is set first."""
+    """Raises an error if two arrays, given by their first names, set the position of the same
+    object: the result would depend on their order."""
     chosen = set(names)
     for name in chosen:
         owner, _, kind = name.rpartition(".")
@@ -43,7 +43,7 @@ class _Entry:
     revision: int
     """When the scene had it."""
     was_set: bool = False
-    """Whether it counts even if it is what the scene had."""
+    """True if it counts even if it is what the scene had."""
 
     @property
     def changed(self) -> bool:
@@ -51,9 +51,9 @@ class _Entry:
 
 
 class SceneParameters(MutableMapping[str, Array]):
-    """Arrays of a scene by their names. What is set, or changed in place, counts when
-    :meth:`update` is called, all at once. Iteration gives each array under its first name;
-    other names that it has (``ball.vertex_positions`` for ``ball.positions``) are understood."""
+    """Arrays of a scene by their names. Arrays that are set, or changed in place, take effect
+    together when :meth:`update` is called. Iteration gives each array under its first name; its
+    other names (``ball.vertex_positions`` for ``ball.positions``) are accepted."""
 
     def __init__(self, scene: _capwalk.Scene) -> None:
         self._scene = scene
@@ -96,12 +96,12 @@ class SceneParameters(MutableMapping[str, Array]):
         self._kept = [name for name in self._kept if re.fullmatch(pattern, name)]
 
     def update(self, *others: Mapping[str, ArrayLike], **more: ArrayLike) -> None:  # type: ignore[override]
-        """Changes the scene to what was set, all of it or, if the scene could not be rendered
-        so, nothing; then what was set is forgotten. Moved vertices refit the trees, other
-        colours touch none. Mappings are set before.
+        """Applies all values that were set to the scene, or none if the scene could not be rendered
+        with them; then they are forgotten. Moved vertices refit the trees, colours touch none. A
+        mapping as argument is set first.
 
-        :raises BusyError: another thread renders the scene; what was set is kept, to be tried
-            again.
+        :raises BusyError: another thread renders the scene; the values are kept, so that it can be
+            tried again.
         """
         entries = dict(self._entries)
         for other in (*others, more):
@@ -132,7 +132,7 @@ class SceneParameters(MutableMapping[str, Array]):
         return _Entry(array.copy(), now, self._scene.revision, was_set=True)
 
     def __repr__(self) -> str:
-        """A table: ``D`` stands where edges move, so that the derivative has a boundary part."""
+        """A table; ``D`` marks parameters that move edges, whose derivative has a boundary part."""
         rows = [
             (name, str(tuple(shape)), "D" if moves else "", unit, description)
             for name, shape, unit, description, _, moves in self._listed

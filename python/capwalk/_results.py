@@ -1,4 +1,4 @@
-"""What comes back: arrays with their standard errors, which show themselves in notebooks."""
+"""Results: arrays with their standard errors, which notebooks display."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Files = tuple[os.PathLike[str], ...]
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Picture:
-    """An image and its standard errors. ``numpy.asarray(picture)`` is its value."""
+    """An image and its standard errors. ``numpy.asarray(image)`` is its value."""
 
     value: Array
     """Radiance, linear RGB, (height, width, 3)."""
@@ -57,8 +57,8 @@ class Picture:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Slope:
-    """The derivative of an image along one direction, with the image that comes with it.
-    ``numpy.asarray(slope)`` is the derivative."""
+    """The derivative of an image along one direction, and the image. ``numpy.asarray(derivative)``
+    is the derivative."""
 
     gradient: Array
     """Derivative of each pixel per unit of the parameter, (height, width, 3)."""
@@ -143,7 +143,7 @@ class Gradients(dict[str, Array]):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Check:
-    """A gradient beside central differences, and what follows. Prints as a verdict with its
+    """The comparison of a gradient with central differences. Prints as a verdict with its
     numbers."""
 
     verdict: str

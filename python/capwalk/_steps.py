@@ -1,4 +1,4 @@
-"""Steps of an optimisation, for those who have no framework for them."""
+"""Optimisers that need no framework."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Adam:
     eps: float = 1e-8
     """Added to the root of the mean square."""
     uniform: bool = False
-    """Whether all numbers of an array take steps by the same rate, so that the direction of the
+    """True if all numbers of an array take steps by the same rate, so that the direction of the
     gradient is kept (Nicolet et al. 2021, section 4): for :class:`LargeSteps`."""
     _means: dict[str, tuple[int, Array, Array]] = field(default_factory=dict, init=False)
 
@@ -49,7 +49,7 @@ class Adam:
         self, values: MutableMapping[str, Array], gradients: Mapping[str, ArrayLike]
     ) -> None:
         """Takes a step in each array that has a gradient. ``values`` may be a dict, or
-        :func:`capwalk.traverse` of a scene, to be updated then.
+        :func:`capwalk.traverse` of a scene, which must be updated afterwards.
 
         :raises ArgumentError: a gradient of another shape, or with NaN or infinite numbers.
         """
@@ -78,10 +78,10 @@ class Adam:
 
 
 class LargeSteps:
-    """Other numbers for a mesh, in which a step moves whole regions, so that noise in the
-    gradient wrinkles nothing (Nicolet, Jacobson and Jakob 2021): instead of the positions
-    ``x`` of the vertices, ``u = (I + λL) x`` with the Laplacian ``L`` of the mesh. Vertices at
-    the same place are one node.
+    """Large steps (Nicolet, Jacobson and Jakob 2021): a reparameterization of a mesh in which a
+    step moves whole regions, so that noise in the gradient does not wrinkle the surface. Instead of
+    the positions ``x`` of the vertices, the unknowns are ``u = (I + λL) x`` with the Laplacian
+    ``L`` of the mesh. Vertices at the same position are one node.
 
     >>> import capwalk as cw
     >>> scene = cw.load_file("ball")
@@ -93,8 +93,8 @@ class LargeSteps:
 
     :param positions: (V, 3), world units.
     :param faces: (F, 3), numbers of vertices.
-    :param lambda_: the weight of the Laplacian, at least 0: larger ones move larger regions
-        alike; 0 changes nothing.
+    :param lambda_: the weight of the Laplacian, at least 0: larger weights move larger regions
+        together; with 0, ``u`` is ``x``.
     """
 
     def __init__(self, positions: ArrayLike, faces: ArrayLike, lambda_: float = 19.0) -> None:
@@ -110,16 +110,16 @@ class LargeSteps:
         self._smooth = _capwalk.Smooth(vertices, triangles.tolist(), float(lambda_))
 
     def to_differential(self, positions: ArrayLike) -> Array:
-        """``u`` (N, 3) of positions (V, 3)."""
+        """``u``, (N, 3), for positions, (V, 3)."""
         return self._smooth.multiply(self._checked("positions", positions, 1))
 
     def from_differential(self, u: ArrayLike) -> Array:
-        """Positions (V, 3) of ``u`` (N, 3)."""
+        """Positions, (V, 3), for ``u``, (N, 3)."""
         return self._smooth.solve(self._checked("u", u, 0))
 
     def gradient(self, by_positions: ArrayLike) -> Array:
-        """The gradient of a loss with respect to ``u`` (N, 3) from that with respect to the
-        positions (V, 3)."""
+        """The gradient of a loss with respect to ``u``, (N, 3), from the gradient with respect to
+        the positions, (V, 3)."""
         return self._smooth.pull(self._checked("the gradient", by_positions, 1))
 
     def _checked(self, what: str, value: ArrayLike, side: int) -> Array:

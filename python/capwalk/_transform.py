@@ -1,4 +1,4 @@
-"""Transforms by Mitsuba's names, for dictionaries without Mitsuba."""
+"""Transforms with Mitsuba's names, for dictionaries without Mitsuba."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ _ROUNDED_AXIS = 2e-3
 
 
 class Transform:
-    """An affine transform of space, as ``mitsuba.ScalarTransform4f`` is one: what is written
-    last is applied first.
+    """An affine transform, like ``mitsuba.ScalarTransform4f``: the last step in the chain is
+    applied first.
 
     >>> import capwalk as cw
     >>> cw.Transform().translate([0, 2, 0]).rotate([1, 0, 0], 90).scale(3).matrix.round(6)
@@ -34,13 +34,13 @@ class Transform:
             raise ArgumentError(f"the matrix has the shape {self.matrix.shape}; expected (4, 4)")
 
     def translate(self, by: ArrayLike) -> Transform:
-        """Before all so far, a translation, world units."""
+        """This transform after a translation, world units."""
         step = np.eye(4)
         step[:3, 3] = _vector("by", by)
         return Transform(self.matrix @ step)
 
     def rotate(self, axis: ArrayLike, angle: float) -> Transform:
-        """Before all so far, a rotation about an axis of length 1 by an angle in degrees,
+        """This transform after a rotation about an axis of length 1 by an angle in degrees,
         counter-clockwise when the axis points at the viewer."""
         axis = _vector("axis", axis)
         length = np.linalg.norm(axis)
@@ -55,13 +55,13 @@ class Transform:
         return Transform(self.matrix @ step)
 
     def scale(self, by: ArrayLike) -> Transform:
-        """Before all so far, a scale: one number, or one along each axis."""
+        """This transform after a scale: one number, or one along each axis."""
         factors = np.broadcast_to(np.asarray(by, dtype=np.float64), 3) if np.ndim(by) == 0 else by
         return Transform(self.matrix @ np.diag([*_vector("by", factors), 1.0]))
 
     def look_at(self, origin: ArrayLike, target: ArrayLike, up: ArrayLike) -> Transform:
-        """Before all so far, what puts a camera at ``origin`` that looks at ``target`` (its +z)
-        with ``up`` upwards (its +y)."""
+        """This transform after the one that puts a camera at ``origin``, looking at ``target`` (its
+        +z) with ``up`` upwards (its +y)."""
         origin, target, up = _vector("origin", origin), _vector("target", target), _vector("up", up)
         forward = target - origin
         left = np.cross(up, forward)

@@ -34,11 +34,11 @@ Finished = Generator[tuple[int, bytes], None, None]
 
 
 class Workers(ABC):
-    """Renders and differentiates by parts. The same arguments give the same bits as the
-    functions of :mod:`capwalk`; what is raised is the same, too.
+    """Renders and differentiates in parts. The same arguments give the same bits as the functions
+    of :mod:`capwalk`, and raise the same exceptions.
 
-    Scenes are sent to each worker once, later what has changed of them. They must not be
-    changed while they are rendered, which is a :class:`BusyError`.
+    Scenes are sent to each worker once, later only their changes. Changing a scene while it is
+    rendered raises a :class:`BusyError`.
     """
 
     def __init__(self, parts: int, threads: int) -> None:
@@ -95,7 +95,7 @@ class Workers(ABC):
         sensors: Sequence[Sensor] | None = None,
         **options: Unpack[ViewsOptions],
     ) -> list[Picture]:
-        """The images of several sensors, all of whose parts are done at once.
+        """The images of several sensors, whose parts are all computed together.
 
         :param sensors: by number from 0 or by name; by default all of the scene's.
         :param options: those of :meth:`render` but ``sensor``; ``seed`` is that of the first view,
@@ -124,11 +124,11 @@ class Workers(ABC):
         sensors: Sequence[Sensor] | None = None,
         **options: Unpack[ViewGradientsOptions],
     ) -> Gradients:
-        """The gradient of a loss of the images of several sensors, all of whose parts are done
-        at once: the sum of what :meth:`backward` gives for each, added in the order of the
-        sensors, with the standard errors of the sum. Arrays of a sensor, such as
-        ``"left.to_world"``, change its own image only; the gradient with respect to one whose
-        image is not asked for is zero. A sum of numbers must be of what all views see.
+        """The gradient of a loss of the images of several sensors, whose parts are all computed
+        together: the sum of the results of :meth:`backward` for each, in the order of the sensors,
+        with the standard errors of the sum. Arrays of a sensor, such as ``"left.to_world"``, change
+        its own image only; if that image is not requested, their gradient is zero. A sum of numbers
+        must not contain those of a sensor.
 
         :param adjoints: derivative of the loss with respect to each pixel, (height, width, 3),
             for each sensor.
@@ -210,9 +210,9 @@ class Workers(ABC):
 
 
 def view_seed(seed: int, view: int) -> int:
-    """The seed of a view among several, by its number from 0: ``seed`` plus so many times
-    2**64 divided by the golden ratio, modulo 2**64. So the seeds of views are nobody's
-    neighbours in a row of seeds, and that of the first is ``seed``.
+    """The seed of a view among several, by its number from 0: ``seed`` plus so many times 2**64
+    divided by the golden ratio, modulo 2**64. So the seeds of views never collide with nearby seeds
+    such as ``seed + 1``, and the first is ``seed``.
 
     >>> view_seed(7, 0), view_seed(7, 1)
     (7, 11400714819323198492)

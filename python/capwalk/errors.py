@@ -1,10 +1,10 @@
-"""What can go wrong. Every exception of capwalk is an :class:`Error`."""
+"""The exceptions and warnings of capwalk. Every exception is an :class:`Error`."""
 
 from __future__ import annotations
 
 
 class Error(Exception):
-    """Anything that capwalk objects to."""
+    """The base class of all exceptions of capwalk."""
 
 
 class LoadError(Error):
@@ -44,7 +44,7 @@ class Refused(Error):
 
 
 class ParameterError(Error, KeyError):
-    """A name that means no parameter of the scene, or numbers that a parameter cannot have."""
+    """A name that is not a parameter of the scene, or numbers that a parameter cannot have."""
 
     # A KeyError shows its message in quotes.
     __str__ = Exception.__str__
@@ -63,21 +63,22 @@ class BusyError(Error, RuntimeError):
 
 
 class DeviceError(Error, RuntimeError):
-    """A GPU that is asked for and is not there, that fails or is lost, or for which the package
-    was not built. The next image looks for one anew."""
+    """A requested GPU that is not there, fails or is lost, or a package that was built without
+    support for GPUs. The next image looks for a GPU again."""
 
 
 class WorkerError(Error, RuntimeError):
-    """A worker that was lost: killed, out of memory, or on a machine that is gone."""
+    """A worker that was lost: killed, out of memory, or on a machine that is down."""
 
 
 class UnreliableWarning(UserWarning):
-    """A result that has to be taken with care; the message says why."""
+    """A result that may be unreliable; the message says why."""
 
 
 class DeviceWarning(UserWarning):
-    """Computed by the processor where a GPU is there (``device="auto"``); the message says why."""
+    """Work that ran on the CPU although there is a GPU (``device="auto"``); the message says
+    why."""
 
 
 class SceneWarning(UserWarning):
-    """Something in a scene file that has no effect, or is read as something else."""
+    """A property of a scene file that has no effect, or is read as something else."""

@@ -49,20 +49,20 @@ def render(
     seed_grad: int | jax.Array | None = None,
     **options: Unpack[FunctionOptions],
 ) -> jax.Array:
-    """The image of a scene with arrays of JAX in place of some of its own, (height, width, 3),
-    differentiable with respect to them, in forward and in reverse mode, once. ``jax.jit`` and
-    ``jax.vmap``, which renders one image after the other, go with that in any order.
+    """The image of a scene, (height, width, 3), with arrays of JAX in place of some of its own. It
+    is differentiable with respect to them, once, in forward and in reverse mode. ``jax.jit`` and
+    ``jax.vmap`` may be combined with that in any order; ``jax.vmap`` renders one image after the
+    other.
 
-    The scene is not changed. Its other numbers count as they are at this call, also for the
-    derivatives; in a function that is compiled, as they are when it is traced, like all that
-    such a function captures. Calls refit its trees and build none, and may be made in several
-    threads.
+    The scene is not changed. Image and derivatives use its state at the time of the call or, in a
+    compiled function, at the time of tracing, like everything that such a function captures. Calls
+    refit its trees and build none, and may be made in several threads.
 
-    **Seeds.** The image and its derivatives have different random numbers. Otherwise the
-    gradient of a loss, which is a product of both, would be biased. For the same reason all
-    images that meet in a loss, such as one and its rendered target, need seeds of their own.
-    Take other seeds in each step of an optimisation: as an argument of a compiled function,
-    such as the number of the step or ``jax.random.bits(key)``, they compile nothing again.
+    **Seeds.** The image and its derivatives have different random numbers. Otherwise the gradient
+    of a loss, which is a product of both, would be biased. For the same reason all images that
+    occur in one loss, such as an image and its rendered target, need different seeds. Use other
+    seeds in each step of an optimisation: as an argument of a compiled function, such as the number
+    of the step or ``jax.random.bits(key)``, they cause no new compilation.
 
     :param params: arrays of float32 or float64 by the names of the arrays that
         :func:`capwalk.traverse` lists, in their shapes or flat, in their units. The image is of
@@ -74,14 +74,14 @@ def render(
         ``spp_grad``, ``threads``, ``progress``, and what is said of methods by
         :class:`capwalk.options.MethodOptions`.
 
-    In compiled functions what depends on values is raised by JAX, as an error of its own with
-    the message. So is Ctrl-C, after the image if JAX waits for it on another thread.
+    In compiled functions, errors that depend on values are raised by JAX as an error of its own
+    with the same message. So is Ctrl-C, after the image if JAX waits for it on another thread.
 
     :raises ArgumentError: an array of another shape or type, or ``seed_grad`` equals ``seed``.
-    :raises ParameterError: a name means no array, or an array has numbers that the scene cannot
+    :raises ParameterError: a name is not an array, or an array has numbers that the scene cannot
         have, NaN for one.
-    :raises Refused: a derivative could only be estimated with a bias, or is one of a derivative;
-        with ``reason`` and ``instead``. Raised where derivatives are asked for.
+    :raises Refused: a derivative could only be estimated with a bias, or is a second derivative;
+        with ``reason`` and ``instead``. Raised when the derivative is computed.
     """
     values = {name: _array(name, value) for name, value in params.items()}
     work = Work(

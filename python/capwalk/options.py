@@ -26,12 +26,12 @@ class SampleOptions(TypedDict, total=False):
     """Keywords of everything that renders."""
 
     aov: str | None
-    """What is shown of the surfaces that are seen, instead of their light: ``"depth"``,
-    ``"position"``, ``"uv"``, ``"geo_normal"``, ``"sh_normal"``, ``"albedo"``, ``"mask"``."""
+    """An AOV that is rendered instead of radiance: ``"depth"``, ``"position"``, ``"uv"``,
+    ``"geo_normal"``, ``"sh_normal"``, ``"albedo"``, ``"mask"``."""
     spp: int | None
     """Samples per pixel, at least 1; by default the scene's."""
     progress: Progress
-    """``True`` for a bar, or a function of what is done and what there is to do."""
+    """``True`` for a bar, or a function that gets the work done and the total."""
 
 
 class ThreadOptions(TypedDict, total=False):
@@ -45,17 +45,17 @@ class MethodOptions(TypedDict, total=False):
     """Keywords of everything that differentiates: how derivatives are estimated."""
 
     method: str | Method
-    """``"auto"``, the default, takes the method with the least variance × time, which is
-    ``"walk"`` (the paper's) or ``"edges"``; or a :class:`capwalk.Method` that was chosen before."""
+    """``"auto"``, the default, chooses the method with the least variance × time, which is
+    ``"walk"`` (the paper's) or ``"edges"``; or a :class:`capwalk.Method` from an earlier call."""
     steps: int | None
     """Steps of a walk, for ``"auto"`` and ``"walk"``, 1 to 1000."""
     max_angle: float | None
     """The walk's angular cutoff, degrees, above 0 and at most 180."""
     antithetic: bool | None
-    """Whether walks average opposite rim samples."""
+    """Whether walks average samples at opposite points of the rim."""
     allow_missing: Sequence[str]
-    """``("specular",)`` leaves out how silhouettes and hard shadows move that are seen in curved
-    mirrors, through refracting glass, or after many reflections, instead of refusing the
+    """``("specular",)`` leaves out the motion of silhouettes and hard shadows that are seen in
+    curved mirrors, through refracting glass, or after many reflections, instead of refusing the
     derivative; ``statistics["missing"]`` is the share of the radiance that arrives by paths with
     such events, whether something moves there or not."""
 
@@ -92,10 +92,10 @@ class RenderOptions(ImageOptions, ThreadOptions, total=False):
     device: str
     """``"cpu"``, the default; ``"gpu"``, a GPU or software Vulkan, for scenes with diffuse
     surfaces, metals, plastics, area emitters and environments; or ``"auto"``, a GPU with double
-    precision if there is one that has all that the scene needs, else the CPU, with a
-    :class:`capwalk.DeviceWarning` that says why if there is a GPU. A GPU takes the samples of the
-    CPU and rounds differently: nearly all of them agree within 0.02 %. The result's ``device``
-    says where it was."""
+    precision if there is one that supports the scene, else the CPU, with a
+    :class:`capwalk.DeviceWarning` that says why if there is a GPU. A GPU takes the same samples
+    as the CPU and rounds differently: nearly all of them agree within 0.02 %. The result's
+    ``device`` names the device."""
 
 
 class GradientOptions(RenderOptions, MethodOptions, total=False):
@@ -108,11 +108,11 @@ class CheckOptions(ImageOptions, ThreadOptions, MethodOptions, total=False):
     :class:`MethodOptions`."""
 
     reference_spp: int | None
-    """Samples per pixel of the first differences, on each side; by default as many as suit the
-    noise of both."""
+    """Samples per pixel of the first differences, on each side; by default as many as the noise
+    of gradient and reference calls for."""
     step: float | None
-    """How far the parameter moves on each side, in its own units; by default what fits the
-    scene, and in each further reference a quarter of that of the one before."""
+    """How far the parameter moves on each side, in its own units; by default one that
+    fits the scene, and in each further reference a quarter of the one before."""
 
 
 class FunctionOptions(SampleOptions, ThreadOptions, MethodOptions, total=False):

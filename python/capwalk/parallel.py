@@ -1,4 +1,4 @@
-"""Images and gradients by the workers of a :class:`concurrent.futures.Executor`.
+"""Images and gradients computed by the workers of a :class:`concurrent.futures.Executor`.
 
 >>> from concurrent.futures import ThreadPoolExecutor
 >>> import numpy as np
@@ -7,12 +7,13 @@
 >>> scene.resize(16, 12)
 >>> with ThreadPoolExecutor(2) as executor:
 ...     workers = capwalk.parallel.Pool(executor)
-...     picture = workers.render(scene, spp=4)
->>> bool(np.array_equal(picture, cw.render(scene, spp=4)))
+...     image = workers.render(scene, spp=4)
+>>> bool(np.array_equal(image, cw.render(scene, spp=4)))
 True
 
-The samples are cut into parts, whose results are merged to the bits of the whole: those of
-:func:`capwalk.render` and its like, however many parts and workers there are.
+The samples are divided into parts. Merged results equal those of :func:`capwalk.render`,
+:func:`capwalk.gradient` and :func:`capwalk.backward` to the bit, for any number of parts and
+workers.
 """
 
 from __future__ import annotations
@@ -47,14 +48,14 @@ class Pool(Workers):
     """The workers of an executor: a thread pool, a process pool, or anything else of which
     ``submit`` gives a :class:`concurrent.futures.Future`, such as those of mpi4py and Dask.
 
-    The executor is yours: it is not shut down, and may be used for other things meanwhile.
-    Other processes read scenes and adjoints from files in the folder for temporary files. Those
-    that have no such file, on other machines, are sent what they need.
+    The executor stays yours: it is not shut down, and may be used for other things meanwhile. Other
+    processes read scenes and adjoints from temporary files. Workers on other machines, which cannot
+    read these files, are sent their content.
 
-    :param parts: that images and gradients are cut into, 1 to 64. Take a few for each worker.
+    :param parts: number of parts of an image or gradient, 1 to 64. Use a few for each worker.
     :param threads: of each worker.
 
-    All methods raise :class:`WorkerError` when a worker is lost, with which a process pool is.
+    All methods raise :class:`WorkerError` when a worker is lost; a process pool is unusable then.
     """
 
     def __init__(self, executor: Executor, *, parts: int = 16, threads: int = 1) -> None:

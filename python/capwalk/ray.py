@@ -4,11 +4,12 @@
 
     scene = cw.load_file("ball.xml")
     with capwalk.ray.Cluster() as cluster:
-        picture = cluster.render(scene, spp=4096, progress=True)
-        gradients = cluster.backward(scene, 2 * (picture.value - target), ["ball.positions"])
+        image = cluster.render(scene, spp=4096, progress=True)
+        gradients = cluster.backward(scene, 2 * (image.value - target), ["ball.positions"])
 
-Bits are those of :func:`capwalk.render` and its like, however many workers there are, and
-whether or not some of them are lost meanwhile. All machines need the same version of capwalk.
+Results equal those of :func:`capwalk.render`, :func:`capwalk.gradient` and :func:`capwalk.backward`
+to the bit, for any number of workers, even if some of them are lost meanwhile. All machines need
+the same version of capwalk.
 """
 
 from __future__ import annotations
@@ -30,24 +31,24 @@ __all__ = ["Cluster", "view_seed"]
 
 
 class Cluster(Workers):
-    """The processes of a Ray cluster. Parts are Ray's tasks: whichever process is free does the
-    next one, and those that were lost with a process or a machine are done again by another.
+    """The processes of a Ray cluster. Parts are Ray tasks: a free process takes the next one, and
+    parts that were lost with a process or a machine are computed again by another.
 
-    A scene goes to each machine and each process once, and stays there; an update sends what it
-    has changed. A process that has nothing yet, such as one in the place of a lost one, fetches
-    what it needs before it begins.
+    A scene is sent to each machine and each process once, and kept there; an update sends only the
+    changes. A new process, such as the replacement of a lost one, fetches what it needs before it
+    begins.
 
-    Connects to Ray unless that was done already (``ray.init``, with whatever it needs), and
-    disconnects then when it is closed.
+    Connects to Ray unless ``ray.init`` was called before, and then disconnects when it is closed.
 
-    :param workers: that work at the same time, at least 1; by default as many as the cluster
-        has room for.
-    :param threads: of each worker, which are cores that Ray sets aside for it.
-    :param parts: that images and gradients are cut into, 1 to 64. Take a few for each worker.
-    :param address: where Ray runs; by default what ``ray.init`` finds, or else it is started
-        on this machine.
-    :param retries: how often a part is done again whose worker was lost; -1 for any number.
-        Then it is a :class:`WorkerError`, for a scene may be too large for all of them.
+    :param workers: number of parts that are computed at the same time, at least 1; by default as
+        many as the cluster can run.
+    :param threads: of each worker; Ray reserves as many cores for it.
+    :param parts: number of parts of an image or gradient, 1 to 64. Use a few for each worker.
+    :param address: where Ray runs; by default where ``ray.init`` finds it, or else it is started on
+        this machine.
+    :param retries: how often a part is computed again if its worker was lost; -1 for any number.
+        After that a :class:`WorkerError` is raised, because the scene may be too large for any
+        worker.
     """
 
     def __init__(
@@ -75,8 +76,8 @@ class Cluster(Workers):
         self._sender: Sender | None = Sender(_put)
 
     def close(self) -> None:
-        """Lets go of the scenes, and of Ray if this has connected to it. Nothing can be done
-        afterwards."""
+        """Releases the scenes, and disconnects from Ray if this object has connected to it. It
+        cannot be used afterwards."""
         self._sender = None
         if self._connected:
             self._connected = False

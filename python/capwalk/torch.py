@@ -43,18 +43,18 @@ def render(
     seed_grad: int | None = None,
     **options: Unpack[FunctionOptions],
 ) -> torch.Tensor:
-    """The image of a scene with tensors in place of some of its arrays, (height, width, 3),
-    differentiable with respect to them: in reverse mode (``backward``, ``torch.func.grad``) and
-    in forward mode (``torch.func.jvp``, ``torch.autograd.forward_ad``), once.
+    """The image of a scene, (height, width, 3), with tensors in place of some of its arrays. It is
+    differentiable with respect to them, once: in reverse mode (``backward``, ``torch.func.grad``)
+    and in forward mode (``torch.func.jvp``, ``torch.autograd.forward_ad``).
 
-    The scene is not changed. It counts as it is at this call, also for the derivatives. Calls
+    The scene is not changed. Image and derivatives use its state at the time of the call. Calls
     refit its trees and build none, and may be made in several threads. Under ``torch.func.vmap``
     images are rendered one after the other.
 
-    **Seeds.** The image and its derivatives have different random numbers. Otherwise the
-    gradient of a loss, which is a product of both, would be biased. For the same reason all
-    images that meet in a loss, such as one and its rendered target, need seeds of their own.
-    Take other seeds in each step of an optimisation.
+    **Seeds.** The image and its derivatives have different random numbers. Otherwise the gradient
+    of a loss, which is a product of both, would be biased. For the same reason all images that
+    occur in one loss, such as an image and its rendered target, need different seeds. Use other
+    seeds in each step of an optimisation.
 
     :param params: tensors of float32 or float64 by the names of the arrays that
         :func:`capwalk.traverse` lists, in their shapes or flat, in their units. All of them are
@@ -68,10 +68,10 @@ def render(
 
     :raises ArgumentError: a tensor of another shape, type or device, or ``seed_grad`` equals
         ``seed``.
-    :raises ParameterError: a name means no array, or a tensor has numbers that the scene cannot
+    :raises ParameterError: a name is not an array, or a tensor has numbers that the scene cannot
         have, NaN for one.
-    :raises Refused: a derivative could only be estimated with a bias, or is one of a derivative;
-        with ``reason`` and ``instead``. Raised where derivatives are asked for.
+    :raises Refused: a derivative could only be estimated with a bias, or is a second derivative;
+        with ``reason`` and ``instead``. Raised when the derivative is computed.
     """
     params = dict(params)
     for name, tensor in params.items():

@@ -1,4 +1,4 @@
-"""Whether Mitsuba can render with LLVM here."""
+"""True if Mitsuba can render with LLVM here."""
 
 from __future__ import annotations
 

@@ -63,7 +63,7 @@ def adapter(found: str | cw.DeviceError) -> str:
     pytest.skip(str(found))
 
 
-def test_a_gpu_takes_the_samples_of_the_processor(
+def test_a_gpu_takes_the_samples_of_the_cpu(
     scene: cw.Scene, adapter: str, tmp_path: Path
 ) -> None:
     cpu = cw.render(scene, seed=3)
@@ -89,8 +89,8 @@ def test_same_bits_again_and_from_any_thread(scene: cw.Scene, adapter: str) -> N
     assert all(np.array_equal(once, value) for value in again)
 
 
-def test_auto_says_why_it_was_the_processor(scene: cw.Scene, adapter: str) -> None:
-    # Where there is software only, the processor is what is meant: nothing to warn of.
+def test_auto_says_why_it_was_the_cpu(scene: cw.Scene, adapter: str) -> None:
+    # Where there is software only, the CPU is what is meant: nothing to warn of.
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         picture = cw.render(scene, seed=3, device="auto")
@@ -104,7 +104,7 @@ def test_auto_says_why_it_was_the_processor(scene: cw.Scene, adapter: str) -> No
         assert "a dielectric" in str(caught[0].message) and caught[0].filename == __file__
 
 
-def test_derivatives_by_colours_are_those_of_the_processor(scene: cw.Scene, adapter: str) -> None:
+def test_derivatives_by_colours_are_those_of_the_cpu(scene: cw.Scene, adapter: str) -> None:
     name = "floor.bsdf.reflectance.value"
     adjoint = np.random.default_rng(1).random((*cw.render(scene, spp=1).value.shape,))
     slopes = [cw.gradient(scene, f"1*{name}", seed=3, device=device) for device in ("cpu", "gpu")]
@@ -121,7 +121,7 @@ def test_derivatives_by_colours_are_those_of_the_processor(scene: cw.Scene, adap
     assert np.isclose(gpu.sum(), (adjoint * slopes[1].gradient).sum(), rtol=1e-4)
 
 
-def test_derivatives_by_what_moves_agree_with_the_processor(scene: cw.Scene, adapter: str) -> None:
+def test_derivatives_by_what_moves_agree_with_the_cpu(scene: cw.Scene, adapter: str) -> None:
     cpu, gpu = (
         cw.gradient(scene, "box.translate.x", spp=64, method="edges", device=device)
         for device in ("cpu", "gpu")

@@ -61,7 +61,7 @@ def xml(extra: str) -> str:
 
 
 def same(one: cw.Scene, other: cw.Scene) -> bool:
-    """Whether two scenes have the same arrays, and images that agree to the bit."""
+    """True if two scenes have the same arrays, and images that agree to the bit."""
     names = list(cw.traverse(one))
     assert names == list(cw.traverse(other))
     assert cw.render(one).value.max() > 0

@@ -256,7 +256,7 @@ def test_every_backward_is_of_its_forward(leaf: cw.Scene) -> None:
 
 
 def test_a_rotation_vector_turns_the_sensor(leaf: cw.Scene) -> None:
-    """From where it is: derivatives by the vector are not those by turning on. The matrix
+    """From where it is: derivatives with respect to the vector are not those by turning on. The matrix
     that it makes has no noise; its differences are compared."""
     from capwalk._functional import _rotation_jacobian
 
@@ -288,7 +288,7 @@ def test_a_rotation_vector_turns_the_sensor(leaf: cw.Scene) -> None:
 
 
 def test_normals_are_made_unit(tmp_path: Path) -> None:
-    """The derivative by a normal twice as long is half of that by the unit one."""
+    """The derivative with respect to a normal twice as long is half of that by the unit one."""
     corners = ["-1 -1 0", "1 -1 0", "0 1 0"]
     lines = [*(f"v {c}" for c in corners), *["vn 0 0 1"] * 3, "f 1//1 2//2 3//3"]
     (tmp_path / "shape.obj").write_text("\n".join(lines))

@@ -9,18 +9,18 @@
 (256, 256, 3)
 
 In the variants ``llvm_ad_rgb`` and ``cuda_ad_rgb``, ``drjit.backward`` and ``drjit.forward``
-differentiate such an image without bias, geometry included, where ``prb_projective`` stood before.
-The work is done on the CPU.
+differentiate such an image without bias, geometry included, so that it can replace
+``prb_projective``. The work is done on the CPU.
 
-The integrator's options: ``max_depth`` (6), ``rr_depth`` (5) and ``hide_emitters`` (false) as those
-of Mitsuba's differentiable integrators; ``integrator``, ``"path"`` (the default) or ``"direct"``;
+The integrator's options: ``max_depth`` (6), ``rr_depth`` (5) and ``hide_emitters`` (false) as for
+Mitsuba's differentiable integrators; ``integrator``, ``"path"`` (the default) or ``"direct"``;
 ``method`` and ``threads`` as in :func:`capwalk.gradient`.
 
-The scene is converted from what is loaded, with every change of its parameters. What cannot be
-converted exactly is a :class:`capwalk.LoadError` that says what it is called. (Where Dr.Jit
-records derivatives, ``mitsuba.render`` raises a ``RuntimeError`` with this as its cause.) A
-derivative that capwalk would only estimate with a bias is :class:`capwalk.Refused`, and a
-parameter without one a :class:`capwalk.ParameterError`, when it is asked for.
+The loaded scene is converted, including all changes of its parameters. An object that cannot be
+converted exactly raises a :class:`capwalk.LoadError` with its name. (If Dr.Jit records derivatives,
+``mitsuba.render`` raises a ``RuntimeError`` with this as its cause.) A derivative that capwalk
+could only estimate with a bias raises :class:`capwalk.Refused`, and a parameter without a
+derivative :class:`capwalk.ParameterError`, when the derivative is computed.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ __all__ = ["to_capwalk"]
 def to_capwalk(
     scene: Any, sensor: Any = 0, integrator: Description | None = None
 ) -> _capwalk.Scene:
-    """A loaded scene of Mitsuba's as one of capwalk's, seen by one sensor.
+    """A loaded scene of Mitsuba, with one sensor, as a scene of capwalk.
 
     >>> import mitsuba as mi, capwalk as cw, capwalk.mitsuba
     >>> mi.set_variant("scalar_rgb")
@@ -51,7 +51,7 @@ def to_capwalk(
 
     Parameters have the names that ``mitsuba.traverse`` gives them.
 
-    :param sensor: a sensor of Mitsuba's, or the number of one of the scene's.
+    :param sensor: a sensor of Mitsuba, or the number of a sensor of the scene.
     :param integrator: its dictionary; by default ``{"type": "path"}``.
     :raises LoadError: capwalk cannot render an object; the message has its name.
     """

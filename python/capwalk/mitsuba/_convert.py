@@ -41,7 +41,7 @@ def convert(
 
 
 def is_known(sensor: Any) -> bool:
-    """Whether a sensor is of a kind that can be converted."""
+    """True if a sensor is of a kind that can be converted."""
     film = sensor.film()
     return (
         sensor.class_name() in _SENSORS

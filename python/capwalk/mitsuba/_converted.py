@@ -28,7 +28,7 @@ class Number:
     value: Array
     """As capwalk has it, but for numbers that stand for all of a colour."""
     halo: bool = False
-    """Whether Mitsuba has a column more at each side, which repeats the opposite one."""
+    """True if Mitsuba has a column more at each side, which repeats the opposite one."""
 
     def ours(self, theirs: Any) -> Array:
         """An array of Mitsuba's, of values or of their velocities, in the shape of ours."""
