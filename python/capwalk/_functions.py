@@ -110,8 +110,8 @@ def backward(
     :param names: of the arrays; by default all that can be differentiated with respect to, with
         a warning if some cannot. Numbers such as ``"ball.translate.x"`` and sums of them are
         allowed.
-    :param options: how, those of :func:`gradient`. By default ``seed`` is one that no image has
-        which is rendered with the scene's.
+    :param options: how, those of :func:`gradient`. By default ``seed`` differs from that of any
+        image rendered with the scene's seed.
     :return: the gradients by name, each in the shape of its array, and their ``stderr``.
 
     Raises the same exceptions as :func:`gradient`.

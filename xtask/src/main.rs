@@ -1,17 +1,19 @@
-//! Project tasks, run as `cargo xtask <task>`.
+//! The tasks of the project, run as `cargo xtask <task>`: tests, checks of layout and packages,
+//! benchmarks, comparisons with Mitsuba, soak tests, and the compilation of GPU kernels. It uses no
+//! other crate of the workspace, only cargo and Python.
 //!
 //! | task | does |
 //! |---|---|
 //! | `test` | everything a change must pass: layout, format, lints, packages, documentation, all tests, Python's too; with `--quick` a part in three minutes, with `--thorough` what takes longer |
-//! | `layout` | finds circles of files, and names that mean two things |
+//! | `layout` | finds files that import each other in a circle, and names with two meanings |
 //! | `package` | builds every crate from its package alone |
 //! | `bench` | the benchmarks |
-//! | `soak` | damaged files, commands that ask for too much, random scenes and wide ones, for a minute each |
+//! | `soak` | damaged files, commands that ask for too much memory, random and very wide scenes, for a minute each |
 //! | `references` | finite differences that tests compare gradients with, made by long runs and kept |
-//! | `verdicts` | what `check` says of many gradients that are right, and of some made wrong |
+//! | `verdicts` | the verdicts of `check` on many right gradients, and on some that are made wrong |
 //! | `parity` | renders `tests/parity/*.xml` with Mitsuba too and compares, or makes golden images of them |
-//! | `kernels` | compiles the kernels of the GPU, which are checked in |
-//! | `gpu` | queries, images and gradients on the GPU: how many per second, and whether they agree with the processor |
+//! | `kernels` | compiles the kernels of the GPU; the result is checked in |
+//! | `gpu` | queries, images and gradients on the GPU: how many per second, and whether they agree with the CPU |
 //! | `peers` | measures capwalk and Mitsuba side by side: noise after a second of one thread |
 
 mod deviation;
@@ -67,7 +69,7 @@ tasks:
   kernels  compile the kernels of GPUs, which are checked in (needs python3 and
            PyPI)
   gpu      measure queries, images and gradients on the GPU, or on software Vulkan,
-           and compare them with the processor's; also Mitsuba's where cuda_ad_rgb
+           and compare them with the CPU's; also Mitsuba's where cuda_ad_rgb
            runs (further argument: part of the adapter's name)
   peers    measure how much noise capwalk and Mitsuba leave after a second on one
            thread, in derivatives and images; with --quick, only see that it works;

@@ -1,9 +1,12 @@
-//! Unbiased derivatives of rendered images, geometry above all.
+//! capwalk computes unbiased derivatives of rendered images with respect to anything in a
+//! scene, geometry above all. This crate is its public library: it loads scenes, renders,
+//! differentiates, checks derivatives and runs inverse rendering; the command line and the
+//! Python package are built on it.
 //!
-//! The light of a scene is discontinuous at shadows, silhouettes and their reflections.
-//! When these move, the derivative of the image has a part that differentiated samples
-//! miss. capwalk estimates it with walks on spherical caps or points on edges, without bias
-//! and with standard errors.
+//! The light of a scene is discontinuous at shadows, silhouettes and their reflections. When
+//! these move, the derivative of the image has a part that differentiated samples miss.
+//! capwalk estimates it with walks on spherical caps or with points sampled on edges, without
+//! bias and with standard errors.
 //!
 //! # The first gradient
 //!
@@ -25,38 +28,38 @@
 //! # }
 //! ```
 //!
-//! # What there is
+//! # Overview
 //!
 //! | | |
 //! |---|---|
-//! | [`load()`], [`Loader`] | a scene from a file, with warnings, another size, other `$name`s |
-//! | [`Prepared`] | a scene that is ready for any number of images and gradients |
-//! | [`Views`] | the same for all sensors of a scene, and for what they show besides light |
+//! | [`load()`], [`Loader`] | a scene from a file, with warnings; another image size, values of `$name`s |
+//! | [`Prepared`] | a scene prepared for any number of images and gradients |
+//! | [`Views`] | the same for all sensors of a scene, and for AOVs |
 //! | [`Prepared::render`] | an image with its standard errors |
 //! | [`Prepared::render_on`], [`gradient_on`](Prepared::gradient_on), [`backward_on`](Prepared::backward_on) | the same on a GPU, with the feature `gpu` |
 //! | [`Prepared::gradient`] | the derivative of the image along one direction (forward mode) |
-//! | [`Prepared::backward`] | the gradient of a loss with respect to everything named (reverse mode) |
-//! | [`Prepared::loss`] | how far an image is from a target, and the adjoint for `backward` |
+//! | [`Prepared::backward`] | the gradient of a loss with respect to all named parameters (reverse mode) |
+//! | [`Prepared::loss`] | the loss between an image and a target, and the adjoint for `backward` |
 //! | [`Prepared::check`] | a gradient against central differences, with a verdict |
-//! | [`Prepared::update`], [`Prepared::update_scene`] | other numbers in the same scene, another scene |
-//! | [`Prepared::render_work`] and its like | the same in parts, computed elsewhere and merged to the same bits |
-//! | [`optimize`] | the loop around all that, from a TOML job, with checkpoints |
-//! | [`scene`], [`scene::builtin`] | what a scene is made of, and scenes that are built in |
+//! | [`Prepared::update`], [`Prepared::update_scene`] | changes numbers of the scene, or the whole scene |
+//! | [`Prepared::render_work`] and its like | the same in parts, for other processes or machines, merged to the same bits |
+//! | [`optimize`] | inverse rendering from a TOML job, with checkpoints |
+//! | [`scene`], [`scene::builtin`] | the scene description, and the built-in scenes |
 //! | [`scene_io`] | scenes, images and arrays as files |
 //!
-//! Parameters are asked for by name: `"ball.translate.x"`, `"ball.positions"`,
+//! Parameters have names: `"ball.translate.x"`, `"ball.positions"`,
 //! `"floor.bsdf.reflectance.value"`; [`params`] lists those of a scene.
 //!
-//! # What can be relied on
+//! # Guarantees
 //!
 //! * Every estimate has a standard error. A derivative that could only be estimated with
 //!   a bias is refused: [`Error::Refused`].
 //! * The same scene, options and seed give the same bits, whatever the number of threads. A
-//!   method that was chosen is kept while the numbers of a scene change, see [`Prepared::choose`].
+//!   chosen method is kept while the numbers of a scene change, see [`Prepared::choose`].
 //!   Work runs on the caller's rayon pool, otherwise on one of the process; a forked child
 //!   has its own.
-//! * Everything long takes a [`Watch`], which sees its progress and can stop it.
-//!   [`Unwatched`] is nobody.
+//! * Long work takes a [`Watch`], which sees its progress and can stop it; [`Unwatched`] does
+//!   neither.
 
 /// The code of the project's front page.
 #[cfg(doctest)]

@@ -1,6 +1,6 @@
-//! The capwalk command: what was typed ([`args`]), one file per [`command`],
-//! progress and what stops it ([`progress`]), what is printed ([`console`]), and how
-//! things end ([`diagnostics`]).
+//! The command `capwalk`, on top of the crate of the same name: the command line ([`args`]), one
+//! file for each [`command`], progress bars and interruption ([`progress`]), printed output
+//! ([`console`]), and error messages with exit statuses ([`diagnostics`]).
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 

@@ -1,12 +1,10 @@
-//! Derivatives of rendered images.
+//! Derivatives of rendered images: [`gradient`] is the derivative image along a
+//! [`Tangent`](capwalk_scene::Tangent) of the scene (forward mode), [`backward`] the gradient of a
+//! loss with respect to everything (reverse mode), [`finite_difference`] their reference, and
+//! [`check::compare`] the verdict.
 //!
-//! [`gradient`] is the derivative image for a [`Tangent`](capwalk_scene::Tangent) of the
-//! scene (forward mode), [`backward`] the gradient of a loss in everything (reverse
-//! mode), [`finite_difference`] the reference that they are checked against, and
-//! [`check::compare`] the verdict. All of them share the path tracer of
-//! `capwalk-render`; what differs is the scalar that it runs over.
-//!
-//! Nothing here opens a file, prints, or reads the clock.
+//! All of them share the path tracer of `capwalk-render` and differ in the scalar that it runs
+//! over. The crate opens no file, prints nothing, and does not read the clock.
 
 mod adjoint;
 mod auto;

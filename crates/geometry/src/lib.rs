@@ -1,13 +1,10 @@
-//! Triangle meshes, their silhouettes, and the queries on them.
+//! Triangle meshes, their edges, and two trees that answer geometric queries: [`RayTree`] for first
+//! hits and occlusion, [`SilhouetteTree`] for the silhouette closest to a direction (Algorithm 5)
+//! and for all boundary edges in a cone.
 //!
-//! Two trees answer everything: [`RayTree`] over triangles (first hit,
-//! occluded, what crosses a wedge of light) and [`SilhouetteTree`] over edges (the boundary point seen under
-//! the smallest angle to an axis, Algorithm 5, and all boundary edges in a cone).
-//! They own what they need, can be shared between threads, and follow moving
-//! vertices by `refit`. Every accelerated query has a brute-force twin in
-//! [`oracle`].
-//!
-//! Nothing here knows about light or walks.
+//! The trees own their data, can be shared between threads, and follow moving vertices by `refit`.
+//! Every accelerated query has a brute-force twin in [`oracle`]. The crate does not depend on light
+//! or walks.
 
 mod aabb;
 mod bvh;

@@ -1,5 +1,6 @@
-//! Images and derivatives on a device: a path tracer that samples what the processor's does, with the
-//! same random numbers and weights.
+//! Images and derivatives on a GPU: a path tracer in Slang that takes the samples of the CPU's,
+//! with the same random numbers and weights, for scenes of a subset of the materials and emitters
+//! (see [`unsupported()`]).
 //!
 //! ```no_run
 //! use std::sync::Arc;
@@ -14,19 +15,16 @@
 //! # Ok(()) }
 //! ```
 //!
-//! A part of the image's samples at a time is on the device. One kernel draws the camera's rays and
-//! follows them, one takes paths further by a segment, and is run until none goes on. The processor
-//! keeps the list of the paths that go on, and adds the samples up, as it does its own: in a fixed
-//! order, in double precision, with standard errors. So the same scene, options and device give the
-//! same bits.
+//! The samples are divided into parts, one of which is on the device at a time. One kernel generates
+//! camera rays and traces them; another extends paths by a segment, and runs until no path is left.
+//! The CPU keeps the list of active paths and adds the samples up like its own: in a fixed order, in
+//! double precision, with standard errors. So the same scene, options and device give the same bits.
 //!
-//! Derivatives are that of the image along a direction ([`DeviceScene::gradient`]), whose kernels
-//! carry a derivative beside each number, and that of a loss with respect to all numbers of the scene
-//! at once ([`DeviceScene::backward`]), whose kernels keep the vertices of paths and go back along
-//! them. Both have the boundary terms of what moves: edges are sampled at each vertex, and before the
-//! camera, where the processor draws them.
-//!
-//! What a scene may have is not all yet: see [`unsupported()`].
+//! [`DeviceScene::gradient`] is the derivative of the image along a direction, whose kernels compute
+//! a derivative beside each number. [`DeviceScene::backward`] is the gradient of a loss with respect
+//! to all numbers of the scene at once, whose kernels store the vertices of paths and go back along
+//! them. Both include boundary terms: edges are sampled on the device at each vertex, and on the CPU
+//! for the camera.
 
 mod averages;
 mod camera_back;

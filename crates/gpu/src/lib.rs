@@ -1,5 +1,6 @@
-//! Geometry queries in batches on a GPU: first hits, occlusion, closest silhouettes and
-//! all silhouettes in a cone, over the trees of `capwalk-geometry`, and edges sampled in cones.
+//! Geometry queries in batches on a GPU of any vendor, or on software Vulkan: first hits,
+//! occlusion, closest silhouettes, all silhouettes in a cone, and edges sampled in a cone, over the
+//! trees of `capwalk-geometry`.
 //!
 //! ```no_run
 //! use std::sync::Arc;
@@ -13,20 +14,18 @@
 //! # Ok(()) }
 //! ```
 //!
-//! Kernels run through wgpu: on Vulkan, Metal and DX12, and on software Vulkan where there
-//! is no GPU ([`Gpu::is_software`]); and through NVIDIA's own driver where there is no Vulkan
-//! ([`Interface`]). Equal batches on one device give equal bits, however they were cut into
-//! launches.
+//! Kernels run through wgpu on Vulkan, Metal and DX12, also on software Vulkan if there is no GPU
+//! ([`Gpu::is_software`]), or through NVIDIA's driver if there is no Vulkan ([`Interface`]). Equal
+//! batches on one device give equal bits, however they are divided into launches.
 //!
 //! # Precision
 //!
-//! Bounds are tested in single precision with margins for all rounding, so nothing that
-//! counts is skipped. What is found is decided by tests of triangles and edges in double
-//! precision where the device has it ([`Precision::Double`]); there, answers are those of
-//! brute force up to the rounding of divisions and square roots, which devices need not do
-//! as exactly as processors. Elsewhere ([`Precision::Single`]) they are decided in the
-//! coordinates of the tree, and are those for primitives and viewpoints moved by no more
-//! than [`SINGLE_ERROR`] times their distance, or so: its documentation says which.
+//! Bounds are tested in single precision with margins for all rounding, so no result is skipped.
+//! Triangles and edges are tested in double precision if the device has it ([`Precision::Double`]).
+//! Then answers equal brute force up to the rounding of divisions and square roots, which devices
+//! need not do as exactly as CPUs. With [`Precision::Single`] they are tested in single precision, in
+//! the coordinates of the tree. Then answers are exact for primitives and viewpoints that are moved
+//! by about [`SINGLE_ERROR`] times their distance; its documentation has the details.
 
 mod batch;
 mod compiled_kernel;

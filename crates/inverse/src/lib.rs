@@ -1,17 +1,15 @@
-//! Inverse rendering: which numbers of a scene make its images look like given ones?
+//! Inverse rendering: finds the parameters of a scene for which its images match given ones. A
+//! [`Problem`] has a scene, the unknowns ([`variable::Variables`]), views with targets and a
+//! [`loss::Loss`]; [`Problem::iterate`] takes one step of the optimisation.
 //!
-//! A [`Problem`] has a scene, [`variable::Variables`] that say which of its numbers
-//! are unknown and how values are made of unknowns, views with targets, and a
-//! [`loss::Loss`]. [`Problem::iterate`] takes a [`State`] and returns the next one:
-//! images, the loss with its standard error, its gradient (`capwalk_diff::backward`), a
-//! step of [`adam::Adam`], and the check that the step tore or folded nothing
-//! ([`guard`]).
+//! A step maps a [`State`] to the next one: images, the loss with its standard error, its gradient
+//! (`capwalk_diff::backward`), a step of [`adam::Adam`], and the check that the step neither
+//! inverts nor intersects a mesh ([`guard`]).
 //!
-//! An iteration is a function of the problem and the state alone: equal states give
-//! equal ones, to the bit, whatever the number of threads. So a run that is stopped
-//! anywhere and resumed from the last state ends in the same numbers.
-//!
-//! Nothing here opens a file, prints, or reads the clock.
+//! It is a function of the problem and the state alone: equal states give equal ones, to the bit,
+//! whatever the number of threads. So a run that is stopped anywhere and resumed from the last
+//! state ends in the same numbers. The crate opens no file, prints nothing, and does not read the
+//! clock.
 
 pub mod adam;
 pub mod guard;

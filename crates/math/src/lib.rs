@@ -1,8 +1,9 @@
-//! The arithmetic of capwalk: scalars that may carry derivatives, vectors,
-//! transforms, frames, the unit sphere and its caps, and running statistics.
+//! The arithmetic of capwalk: scalars that may carry derivatives ([`Real`]), dual numbers and a
+//! tape, vectors, affine transforms, frames, the unit sphere with its caps, spherical triangles and
+//! rectangles, and running statistics.
 //!
-//! Smooth code is generic over [`Real`], so the same function evaluates a
-//! formula and its derivative:
+//! Smooth code is generic over [`Real`], so the same function evaluates a formula and its
+//! derivative:
 //!
 //! ```
 //! use capwalk_math::{Dual, Vec3};

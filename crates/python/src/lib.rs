@@ -1,5 +1,6 @@
-//! What of the Python package `capwalk` is Rust: scenes, and work on them over NumPy
-//! arrays. Users see the package around it, `python/capwalk`, which has the words.
+//! The extension module `capwalk._capwalk` of the Python package (PyO3): scenes, and renderings and
+//! derivatives over NumPy arrays, on top of the crate `capwalk`. Users see the package around it,
+//! `python/capwalk`, which checks arguments and has the documentation.
 
 mod arrays;
 mod direction;

@@ -1,9 +1,10 @@
-//! Scene files, mesh files, images and arrays, read and written.
+//! Reading and writing files: scenes in Mitsuba's XML, meshes in OBJ, PLY, glTF and `.serialized`,
+//! images, and arrays for NumPy. Reading is strict: a property that is not supported is an error
+//! with its place.
 //!
-//! Scenes are read from Mitsuba 3's XML format; `docs/scene-files.md` says which
-//! part of it. [`toml`] reads jobs strictly, with the place of every mistake.
-//! [`export`] writes scenes, [`image`] writes and reads images,
-//! [`arrays`] numbers, both for NumPy. The stages of reading, each in its file:
+//! `docs/scene-files.md` describes the supported part of the format. [`toml`] reads jobs,
+//! [`export`] writes scenes, [`image`] and [`arrays`] read and write images and numbers. The stages
+//! of reading, one file each:
 //!
 //! ```text
 //! text -> elements  -> elements without $name, <include> -> nodes     -> Scene

@@ -1,8 +1,9 @@
-//! What the world is, and how it answers locally: shapes, materials, emitters,
-//! the sensor and its film, and which numbers of it can be differentiated.
+//! The scene description: shapes, materials, textures, emitters, the sensor and its film, and which
+//! of their numbers are parameters. It answers local queries, such as evaluating and sampling a
+//! BSDF, but does not trace rays.
 //!
-//! A [`Scene`] never changes while it is rendered. Nothing here opens a file,
-//! knows an integrator, or casts a ray.
+//! A [`Scene`] never changes while it is rendered. The crate opens no file and does not depend on
+//! integrators.
 
 pub mod builtin;
 mod bytes;

@@ -1,4 +1,6 @@
-//! Fixed-step walks that build continuous velocity fields.
+//! Fixed-step walks (Algorithms 6 and 7) that estimate a velocity field and its divergence. The
+//! field is continuous on the whole domain and equals the velocity of its boundary, such as the
+//! silhouettes on a sphere of directions.
 //!
 //! A boundary (silhouettes on the sphere of directions, edges of a polygon,
 //! the ends of an interval) moves with a known velocity. The walk extends that

@@ -1,10 +1,9 @@
-//! The figures of the paper and its claims, from measured data.
+//! Reproduces the figures of the paper and tests its claims: each [`Figure`] has images, curves and
+//! tables, measured when it is drawn, and for each [`Claim`] the paper's number, ours, and a
+//! verdict by a statistical test.
 //!
-//! A [`Figure`] is what a function returns that renders, walks or searches:
-//! pictures, curves, tables, and for each of the paper's claims the paper's
-//! number, ours, and what follows by a test ([`Claim`]). [`write()`] puts figures
-//! into a folder: PNG, EXR and CSV files, and one HTML page that needs no other
-//! file. Beside them stand the walks that the paper compares its own with ([`walk`]) and
+//! [`write()`] puts figures into a folder: PNG, EXR and CSV files, and one HTML page that needs no
+//! other file. The crate also has the walks that the paper compares its own with ([`walk`]), and
 //! its scene ([`bunny_shadow`]).
 //!
 //! ```no_run
@@ -110,13 +109,13 @@ pub const ALL: [Entry; 9] = [
 impl Entry {
     /// The figure, and how long it took.
     pub fn draw(&self, settings: &Settings) -> Result<Figure, Failure> {
-        let (started, processor) = (Instant::now(), ProcessTime::now());
+        let (started, cpu) = (Instant::now(), ProcessTime::now());
         let mut figure = (self.make)(settings)?;
         figure.name = self.name;
         figure.title = self.title;
         figure.quality = settings.quality;
         figure.seconds = started.elapsed().as_secs_f64();
-        figure.cpu_seconds = processor.elapsed().as_secs_f64();
+        figure.cpu_seconds = cpu.elapsed().as_secs_f64();
         Ok(figure)
     }
 }

@@ -1,4 +1,4 @@
-//! `capwalk-paper`: the paper's figures and claims, measured, and its scene.
+//! The command `capwalk-paper`: draws the figures, tests the claims, and writes the paper's scene.
 
 mod args;
 mod progress;
@@ -112,8 +112,8 @@ fn draw(typed: &Figures) -> Result<ExitCode> {
 
 /// A figure's claims as text.
 fn describe(figure: &Figure) -> String {
-    let [time, processor] = [figure.seconds, figure.cpu_seconds].map(duration);
-    let mut text = format!("{}, {time}, {processor} of the processor\n", figure.title);
+    let [time, cpu] = [figure.seconds, figure.cpu_seconds].map(duration);
+    let mut text = format!("{}, {time}, {cpu} of the CPU\n", figure.title);
     for claim in &figure.claims {
         text += &format!(
             "  {}\n    paper: {}\n    here:  {}\n    {}\n",
