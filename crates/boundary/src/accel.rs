@@ -32,11 +32,11 @@ pub struct Accel {
     pub anchors: Vec<Vec3>,
     /// First anchor of each emitter.
     first_anchor: Vec<u32>,
-    /// Whether each shape's material depends on its rotation about the normal.
+    /// For each shape, true if its material depends on its rotation about the normal.
     pub needs_tangent: Vec<bool>,
     /// What the camera sees from the middle of its lens.
     pub view: View<f64>,
-    /// Whether each shape's shading depends on where on a face it is hit.
+    /// For each shape, true if its shading depends on where on a face it is hit.
     pub needs_place: Vec<bool>,
     /// What materials need besides their textures.
     pub resolver: Resolver,
@@ -77,7 +77,7 @@ impl Accel {
         Self::try_new(scene.into(), &Halt::never()).expect("nobody gives it up")
     }
 
-    /// The same, unless it is given up.
+    /// [`Self::new`], unless the work is given up.
     pub fn try_new(scene: Arc<Scene>, halt: &Halt) -> Result<Self, Halted> {
         let joined = Joined::new(&scene);
         let rays = RayTree::try_build(&joined.mesh, halt)?;

@@ -62,7 +62,7 @@ impl Boundaries {
         Self::try_new(accel, &Halt::never()).expect("nobody gives it up")
     }
 
-    /// The same, unless it is given up.
+    /// [`Self::new`], unless the work is given up.
     pub fn try_new(accel: &Accel, halt: &Halt) -> Result<Self, Halted> {
         let listed = Listed::new(accel, halt)?;
         let made = Self {

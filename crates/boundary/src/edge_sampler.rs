@@ -13,9 +13,9 @@ use capwalk_math::Vec3;
 
 use crate::accel::Accel;
 use crate::coincident::visit_overlaps;
+use crate::edge_visibility::{EdgeVisibility, LearnedVisibility, VisibilitySum};
 use crate::motion::Motion;
 use crate::sampled_edge::{SampledEdge, outward};
-use crate::sights::{LearnedVisibility, Sights, SightsOfMany};
 
 use division::{Bin, divide};
 
@@ -58,7 +58,7 @@ struct Known<'a> {
     /// See [`SampledEdge::normals`].
     normals: &'a [[Option<Vec3>; 2]],
     /// From where they are visible; not asked of creases.
-    sights: Option<&'a [Sights]>,
+    visibility: Option<&'a [EdgeVisibility]>,
 }
 
 /// Bounds of some edges.
@@ -128,17 +128,17 @@ impl EdgeSampler {
         let sampled: Vec<SampledEdge> = sampled.collect();
         let normals: Vec<_> = sampled.iter().map(SampledEdge::normals).collect();
         // Creases are seen from wherever one of their faces is.
-        let sights = match selection {
+        let visibility = match selection {
             EdgeSelection::Silhouettes => {
-                let sights = Sights::all(&sampled, accel, halt);
-                Some(halt.unless_halted(sights)?)
+                let visibility = EdgeVisibility::all(&sampled, accel, halt);
+                Some(halt.unless_halted(visibility)?)
             }
             EdgeSelection::All => None,
         };
         let count = sampled.len();
         let known = Known {
             normals: &normals,
-            sights: sights.as_deref(),
+            visibility: visibility.as_deref(),
         };
         let mut sampler = Self {
             selection,
@@ -167,14 +167,14 @@ impl EdgeSampler {
         depth: u32,
         known: &Known,
         halt: &Halt,
-    ) -> (usize, SightsOfMany) {
+    ) -> (usize, VisibilitySum) {
         let (number, leaf) = (self.nodes.len(), leaf_size(self.selection));
         self.nodes.push(Node {
             places: places.clone(),
             halves: None,
             bounds: EdgeBounds::new(&self.edges[places.clone()], leaf, known),
         });
-        let mut seen = SightsOfMany::default();
+        let mut seen = VisibilitySum::default();
         if places.len() > leaf && !halt.now() {
             let middle = places.start + divide(&mut self.edges[places.clone()], depth);
             let halves = [places.start..middle, middle..places.end];
@@ -184,12 +184,12 @@ impl EdgeSampler {
                 half
             });
             self.nodes[number].halves = Some(halves);
-        } else if let Some(sights) = known.sights {
+        } else if let Some(visibility) = known.visibility {
             for edge in &self.edges[places] {
-                seen.add_edge(edge.weight, &sights[edge.edge as usize]);
+                seen.add_edge(edge.weight, &visibility[edge.edge as usize]);
             }
         }
-        if known.sights.is_some() {
+        if known.visibility.is_some() {
             self.nodes[number].bounds.visibility = LearnedVisibility::of(&seen);
         }
         (number, seen)

@@ -32,7 +32,7 @@ struct Plane {
 }
 
 impl FlushEmitters {
-    /// Those of a scene, whose shapes start at these faces of the joined mesh; `None` if there
+    /// The flush emitters of a scene, whose shapes start at these faces of the joined mesh; `None` if there
     /// are none.
     pub fn new(
         scene: &Scene,
@@ -82,7 +82,7 @@ impl FlushEmitters {
 }
 
 impl Plane {
-    /// That of a mesh, if it is flat.
+    /// The plane of a mesh, if it is flat.
     fn of(mesh: &Mesh) -> Option<Self> {
         let (low, high) = mesh.bounds();
         let margin = IN_PLANE * (high - low).length();

@@ -1,15 +1,14 @@
-//! Where the integrand of light transport is discontinuous, seen from a point, and the
-//! velocity fields that follow the discontinuities when a scene moves (METHOD 1 to 3).
+//! The discontinuities of the integrand of light transport, seen from a point, and velocity fields
+//! that follow them (METHOD 1 to 3): silhouettes, open edges, creases, crossings of faces, lines of
+//! textures, hard shadows, and their mirror images.
 //!
-//! [`Accel`] is a scene made ready to answer rays, [`Boundaries`] are all its edges that
-//! can be discontinuities: silhouettes, open edges, creases, curves in which faces
-//! cross, lines of textures. A [`Viewpoint`] says which of them count around a point,
-//! and a [`Field`] samples how a direction from there moves with them, by one of the
-//! closed list of [`Method`]s.
+//! [`Accel`] is a scene prepared for rays, [`Boundaries`] are all its edges that may be
+//! discontinuities. A [`Viewpoint`] says which of them count around a point, and a [`Field`]
+//! samples how a direction from there moves with them, by one of the [`Method`]s.
 //!
-//! Nothing here knows velocities or light: a sample is a [`Warp`], a linear map from the
-//! velocities of a few points that serves forward and, transposed, reverse derivatives
-//! (METHOD 5). What cannot be differentiated rightly is named by [`refuse`].
+//! The crate uses neither velocities nor light: a sample is a [`Warp`], a linear map from the
+//! velocities of a few points that serves forward and, transposed, reverse mode (METHOD 5). What
+//! cannot be differentiated without bias is refused by [`refuse`].
 
 mod accel;
 mod beside;
@@ -20,6 +19,7 @@ mod coincident;
 mod crossing;
 mod draw;
 mod edge_sampler;
+mod edge_visibility;
 mod emitter_edge;
 mod field;
 mod flush_emitter;
@@ -41,7 +41,6 @@ pub mod refuse;
 mod sampled_edge;
 mod shading;
 mod shadow_line;
-mod sights;
 mod silhouette_pieces;
 mod texture_line;
 mod touching;

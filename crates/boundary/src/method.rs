@@ -109,7 +109,7 @@ impl Gathers {
         self.without(other) != self
     }
 
-    /// The same without the segments of the other.
+    /// These segments without the segments of the other.
     #[must_use]
     pub fn without(self, other: Self) -> Self {
         Self {

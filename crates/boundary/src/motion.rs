@@ -16,7 +16,7 @@ impl Motion {
     /// None.
     pub const STILL: Self = Self::known(Vec3::new(0.0, 0.0, 0.0));
 
-    /// So little that it counts for nothing, of what may not be taken for resting.
+    /// So little that it counts for nothing, of what must not count as stationary.
     pub const LEAST: Self = Self::guessed(f64::MIN_POSITIVE);
 
     /// One that is known.

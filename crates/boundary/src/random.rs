@@ -123,7 +123,7 @@ pub struct Streams<const N: usize> {
 }
 
 impl<const N: usize> Streams<N> {
-    /// The same in all of them.
+    /// The same stream in all lanes.
     pub fn splat(stream: Stream) -> Self {
         Self {
             keys: [stream.key; N],

@@ -23,7 +23,7 @@ use crate::viewpoint::{Viewpoint, Visibility};
 /// The sphere of directions around a viewpoint, bounded by edges and by their mirror
 /// images.
 pub struct ReflectedSphere<'a, R, F> {
-    /// The same without mirror images.
+    /// The sphere without mirror images.
     pub direct: Sphere<'a, F>,
     /// The scene and its boundaries.
     pub field: &'a Field<'a>,

@@ -149,7 +149,7 @@ pub enum Refusal {
     AdjointSize {
         /// Its width and height, pixels.
         found: [usize; 2],
-        /// Those of the image.
+        /// Width and height of the image.
         expected: [usize; 2],
     },
     /// The adjoint image has a pixel that is infinite or NaN.
@@ -183,7 +183,7 @@ pub enum SpecularCause {
         /// Most reflections that are covered.
         most_events: u32,
     },
-    /// The same, or any mirror before an orthographic sensor.
+    /// Motion that is seen in such mirrors, or in any mirror before an orthographic sensor.
     Orthographic {
         /// Most reflections that are covered.
         most_events: u32,

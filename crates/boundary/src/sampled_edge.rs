@@ -30,7 +30,7 @@ pub struct SampledEdge {
     pub ends: [Vec3; 2],
     /// Normals of its faces, of any length; `None` if it always counts.
     crosses: Option<[Vec3; 2]>,
-    /// Whether the second one counts reversed.
+    /// True if the second one counts reversed.
     flipped: bool,
     /// Its length times the share of all viewpoints from which it is a silhouette, and not hidden
     /// by its own surface, roughly. Creases have a share by their contrast.

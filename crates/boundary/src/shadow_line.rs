@@ -42,7 +42,7 @@ pub fn shadow_lines(accel: &Accel, edges: &[Edge], halt: &Halt) -> Option<Vec<Sh
     shadow_lines_up_to(accel, edges, MOST_SHADOW_LINES, halt)
 }
 
-/// The same with another limit. Never more than that many segments are held, whatever the
+/// [`shadow_lines`] with another limit. Never more than that many segments are held, whatever the
 /// number of threads: each is counted before it is kept.
 fn shadow_lines_up_to(
     accel: &Accel,

@@ -159,7 +159,7 @@ pub fn count(accel: &Accel, shape: &Shape) -> f64 {
 }
 
 /// The lines along which textures are discontinuous inside faces, in a fixed order. Shapes
-/// with more than [`MOST_LINES`] are left out: no derivative by motion is taken beside them. Some
+/// with more than [`MOST_LINES`] are left out: no derivative with respect to motion is taken beside them. Some
 /// of them if the work is given up.
 pub fn texture_lines(accel: &Accel, halt: &Halt) -> Vec<Crossing> {
     let mut lines = Vec::new();

@@ -24,7 +24,7 @@ pub struct Viewpoint<R> {
     pub selection: EdgeSelection,
     /// The group of edges that counts.
     pub group: u8,
-    /// Whether hidden edges count.
+    /// True if hidden edges count.
     pub visibility: Visibility,
     /// Most flat specular events behind which edges count.
     pub events: u32,

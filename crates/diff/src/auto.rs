@@ -39,11 +39,11 @@ const FIRST_PART: usize = 4;
 /// One over the part of these after which it is known what a trial costs.
 const PROBE: usize = 8;
 
-/// What leaves the camera's rays at rest where gloss moves must be better by this factor: it can have
+/// What leaves the camera's rays where they are although gloss moves must be better by this factor: it can have
 /// rare and large values, of which a pilot sees a few at best.
 /// In scenes of this kind it has from a thousandth of the variance to 250 times.
 const SURELY: f64 = 0.2;
-/// The same where what moves is glossy itself. A pilot found it sixteen times better in
+/// The factor if what moves is glossy itself. A pilot found it sixteen times better in
 /// `rough_plastic_ball_moves` where it is thirteen times worse.
 const MOST_SURELY: f64 = 0.05;
 

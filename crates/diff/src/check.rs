@@ -179,7 +179,7 @@ struct Contradiction {
     too_large: Vec<String>,
 }
 
-/// The same, and what speaks against the gradient.
+/// The comparison, and what speaks against the gradient.
 fn compared(gradient: &Estimate, reference: &Estimate) -> (Comparison, Contradiction) {
     assert_eq!(
         (gradient.mean.width, gradient.mean.height),

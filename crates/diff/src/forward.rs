@@ -80,7 +80,7 @@ impl<'a> GradientWork<'a> {
         }
     }
 
-    /// The same work by the method that is kept there. If none is, what this work chooses is.
+    /// This work by the method that is kept there. If none is, the choice of this work is kept.
     #[must_use]
     pub fn keeping(self, kept: KeptChoice) -> Self {
         Self { kept, ..self }

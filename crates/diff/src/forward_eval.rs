@@ -180,7 +180,7 @@ impl SceneEval<D> for Forward<'_> {
         self.boundaries_move || self.tangent.sensor.moves_rays()
     }
     #[inline]
-    fn rests(&self) -> bool {
+    fn is_stationary(&self) -> bool {
         !self.boundaries_move && self.tangent.sensor == SensorVectors::default()
     }
     fn warp(

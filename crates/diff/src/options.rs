@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 pub struct GradientOptions {
     /// Samples per pixel, at least 1; at least 2 for standard errors.
     pub spp: u32,
-    /// Whether pixels of a derivative image get more or fewer samples by how noisy they are, in
+    /// True if pixels of a derivative image get more or fewer samples by how noisy they are, in
     /// the time of `spp` of each, see [`adaptive`](capwalk_render::adaptive). Not in reverse
     /// mode.
     pub adaptive: bool,
@@ -22,7 +22,7 @@ pub struct GradientOptions {
     /// The cells that the samples are cut into. In reverse mode the spread of its batches
     /// gives the standard errors.
     pub grid: Grid,
-    /// Whether sampling in forward mode may not know how fast edges move, as in reverse
+    /// True if sampling in forward mode may not know how fast edges move, as in reverse
     /// mode, so that both take the same samples: for comparisons of the two.
     pub blind: bool,
     /// The walk that builds the velocity field, for methods that walk.

@@ -16,7 +16,7 @@ use capwalk_walk::WalkSettings;
 
 use crate::forward_eval::Forward;
 
-/// A surface point at rest that reflects the irradiance itself: its reflectance
+/// A fixed surface point that reflects the irradiance itself: its reflectance
 /// is π.
 fn diffuse_vertex<R: Real>(position: Vec3, normal: Vec3) -> Vertex<R> {
     let reflectance = Rgb::splat(R::constant(PI));
@@ -45,7 +45,7 @@ const EMITTERS_ALONE: Plan = Plan {
     aov: None,
 };
 
-/// Statistics of single samples of the red irradiance at a point at rest, and
+/// Statistics of single samples of the red irradiance at a fixed point, and
 /// of its derivative along a motion.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Irradiance {

@@ -243,7 +243,7 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
         self.wanted.geometry()
     }
     #[inline]
-    fn rests(&self) -> bool {
+    fn is_stationary(&self) -> bool {
         !self.wanted.geometry() && !self.wanted.film
     }
     fn warp(
@@ -293,12 +293,12 @@ pub fn likely_speed(may_move: &[bool], ends: [u32; 2]) -> f64 {
     }
 }
 
-/// The same for a point of the boundaries.
+/// What sampling takes for the motion of a point of the boundaries where no velocity is known.
 pub fn likely_motion(may_move: bool) -> Motion {
     Motion::guessed(if may_move { 1.0 } else { 0.0 })
 }
 
-/// The same for a viewpoint.
+/// What sampling takes for the motion of a viewpoint where no velocity is known.
 pub fn likely_motion_of_viewpoint(may_move: bool) -> Motion {
     // Never certainly still: a velocity can vanish of what depends on something that moves, and
     // forward mode, sampling alike, would then take it for what does not.

@@ -4,7 +4,7 @@ use capwalk_boundary::pool;
 use capwalk_gpu::GpuError;
 use capwalk_render::tiles::{Averages, SamplePlace};
 use capwalk_render::{
-    CameraEdge, RenderOptions, SampleRange, TooManyImages, Watch, average_elsewhere,
+    CameraEdge, RenderOptions, SampleRange, TooManyImages, Watch, average_on_device,
 };
 
 use crate::camera_edges::CameraEdges;
@@ -83,24 +83,24 @@ impl DeviceScene<'_> {
             }
             Ok(Some(taken))
         };
-        average_elsewhere(self.prepared.scene(), options, || size.get(), watch, take)
+        average_on_device(self.prepared.scene(), options, || size.get(), watch, take)
     }
 
     /// The numbers of some samples; `None` if the watch stopped the work.
     fn take<'p, const N: usize>(
         &'p self,
         samples: &SampleRange,
-        room: usize,
+        capacity: usize,
         task: Task<'p>,
         paths: &mut Option<Paths<'p>>,
         watch: &dyn Watch,
     ) -> Result<Option<Vec<[f64; N]>>, DeviceError> {
         let paths = match paths {
-            Some(paths) if paths.room() >= room => paths,
+            Some(paths) if paths.capacity() >= capacity => paths,
             other => {
                 *other = None;
                 let (kernels, changes) = (task.kernels, task.changes);
-                other.insert(self.paths(kernels, [room, 0], changes, 0, task.crossed)?)
+                other.insert(self.paths(kernels, [capacity, 0], changes, 0, task.crossed)?)
             }
         };
         let (count, beginning) = (samples.len(), sample_words(samples));
@@ -113,11 +113,11 @@ impl DeviceScene<'_> {
         let numbers = numbers.zip(paths.weights(count)?).map(weighted);
         let mut taken: Vec<[f64; N]> = numbers.collect();
         if let Some((edges, draw)) = task.edges {
-            let Some(drawn) = edges.of(self, samples, draw, room, watch)? else {
+            let Some(drawn) = edges.of(self, samples, draw, capacity, watch)? else {
                 return Ok(None);
             };
             for edge in drawn {
-                let term = (edge.jump * edge.flow).to_array();
+                let term = (edge.discontinuity * edge.flow).to_array();
                 let derivative = taken[edge.sample][N - 3..].iter_mut().zip(term);
                 derivative.for_each(|(number, term)| *number += term);
             }

@@ -1,5 +1,5 @@
 //! What the camera has to do with a gradient in reverse mode: the edges that it sees, and how its rays
-//! move. The processor takes derivatives back through both, in double precision.
+//! move. The CPU takes derivatives back through both, in double precision.
 
 use capwalk_boundary::Field;
 use capwalk_diff::{Reverse, Target, Wanted};
@@ -29,7 +29,7 @@ pub struct CameraBack<'a> {
 }
 
 impl<'a> CameraBack<'a> {
-    /// That of a tracer, with the edges that it sees or without.
+    /// The way back through the camera of a tracer, with the edges that it sees or without.
     pub fn new(
         tracer: &'a Tracer<'a>,
         field: Field<'a>,
@@ -88,7 +88,7 @@ impl<'a> CameraBack<'a> {
         &self,
         scene: &DeviceScene,
         samples: &SampleRange,
-        room: usize,
+        capacity: usize,
         watch: &dyn Watch,
     ) -> Result<Option<Vec<DrawnEdge<Covectors>>>, DeviceError> {
         if !self.has_edges {
@@ -104,7 +104,7 @@ impl<'a> CameraBack<'a> {
             });
             Ok(edge?.map(|edge| edge.map_flow(|()| covectors)))
         };
-        CameraEdges::new(self.tracer).of(scene, samples, draw, room, watch)
+        CameraEdges::new(self.tracer).of(scene, samples, draw, capacity, watch)
     }
 
     /// The derivatives of a number that is computed from the scene, with respect to what is wanted, and

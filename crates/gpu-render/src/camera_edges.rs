@@ -1,7 +1,7 @@
 //! The boundary term of the edges that the camera sees (METHOD 8), for derivatives with respect to
 //! what moves.
 //!
-//! The processor draws points on edges with its own code, in double precision, and follows the rays
+//! The CPU draws points on edges with its own code, in double precision, and follows the rays
 //! beside them to their first hits. The device follows the paths that go on from there, with the
 //! kernels of images.
 
@@ -35,7 +35,7 @@ pub struct DrawnEdge<T> {
     /// How the flow across it changes.
     pub flow: T,
     /// The light behind the edge less that before it, times the weight of the point in the pixel.
-    pub jump: Rgb,
+    pub discontinuity: Rgb,
 }
 
 impl<'a> CameraEdges<'a> {
@@ -58,7 +58,7 @@ impl<'a> CameraEdges<'a> {
         scene: &DeviceScene,
         samples: &SampleRange,
         draw: impl Fn(&SamplePlace) -> Result<Option<CameraEdge<T>>, TooManyImages> + Sync,
-        room: usize,
+        capacity: usize,
         watch: &dyn Watch,
     ) -> Result<Option<Vec<DrawnEdge<T>>>, DeviceError> {
         // Draw the edges, and keep the samples that have one.
@@ -76,8 +76,8 @@ impl<'a> CameraEdges<'a> {
         if drawn.is_empty() {
             return Ok(Some(Vec::new()));
         }
-        // Follow the paths on both sides of as many as there is room for.
-        let most = (room / 2).clamp(1, drawn.len());
+        // Follow the paths on both sides of as many as fit.
+        let most = (capacity / 2).clamp(1, drawn.len());
         let paths = scene.paths(self.kernels, [2 * most, 0], &[], 0, None)?;
         let hits: Vec<_> = drawn.iter().flat_map(|&(.., hits)| hits).collect();
         let mut light: Vec<[f32; 3]> = Vec::with_capacity(hits.len());
@@ -94,13 +94,13 @@ impl<'a> CameraEdges<'a> {
             DrawnEdge {
                 sample,
                 flow,
-                jump: (behind - before) * weight,
+                discontinuity: (behind - before) * weight,
             }
         });
         Ok(Some(edges.collect()))
     }
 
-    /// What a ray hits. The processor finds it, in double precision: both rays beside an edge have the
+    /// What a ray hits. The CPU finds it, in double precision: both rays beside an edge have the
     /// same direction in single precision, so the device would see one surface along both.
     fn hit(&self, ray: &ViewRay<f64>, place: &SamplePlace) -> [u32; HIT_WORDS] {
         let [t_min, t_max] = ray.range;

@@ -16,7 +16,7 @@ use crate::layout::filter::*;
 use crate::layout::record;
 use crate::texture_records::float;
 
-/// Nothing is seen farther than this, local units: single precision has room for it.
+/// Nothing is seen farther than this, local units: single precision can represent it.
 const ENDLESS: f64 = 1e30;
 
 /// What is known of a camera.
@@ -27,7 +27,7 @@ pub struct CameraRecords {
 }
 
 impl CameraRecords {
-    /// That of a scene, whose rays start in these coordinates.
+    /// The camera of a scene, whose rays start in these coordinates.
     pub fn new(accel: &Accel, frame: &LocalFrame) -> Self {
         let (film, view) = (&accel.scene.film, &accel.view);
         let depth = depth_of_tree(accel, frame);

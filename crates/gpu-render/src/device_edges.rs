@@ -7,7 +7,7 @@ use crate::layout::change::{EDGES_AT, WALKS};
 use crate::render_kernels::PathKernels;
 use crate::upload::upload_numbers;
 
-/// For each path there is room for two others, one on each side of an edge.
+/// For each path there is memory for two others, one on each side of an edge.
 pub const COLUMNS: usize = 3;
 
 /// The edges of a scene that moves, on the device.

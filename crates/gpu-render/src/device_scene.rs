@@ -78,7 +78,7 @@ impl<'a> DeviceScene<'a> {
         })
     }
 
-    /// An error if so many words of derivatives leave no room in a buffer for anything else.
+    /// An error if so many words of derivatives leave no memory in a buffer for anything else.
     pub(crate) fn check_room_of_numbers(&self, words: usize) -> Result<(), Unsupported> {
         match 8 * words as u64 > self.gpu.largest_buffer() {
             true => Err(Unsupported {
@@ -126,7 +126,7 @@ impl<'a> DeviceScene<'a> {
     }
 
     /// Uploads the edges that paths cross where the scene moves, given what is known of its motion; an error
-    /// if there is no room for them.
+    /// if they do not fit.
     pub(crate) fn edges<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
@@ -144,7 +144,7 @@ impl<'a> DeviceScene<'a> {
         let records = EdgeRecords::new(tracer, boundaries, eval, motion, &self.frame, at_once);
         let no_room = || {
             let (count, name) = (boundaries.edges().len(), self.gpu.name());
-            let what = format!("{name} has no room for {count} edges, and something moves");
+            let what = format!("{name} cannot hold {count} edges, and something moves");
             DeviceError::from(Unsupported { what })
         };
         if records.leaves_before_areas.div_ceil(at_once[0] as usize) > MOST_PARTS {

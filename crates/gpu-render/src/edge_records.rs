@@ -18,7 +18,7 @@ use crate::layout::tree::*;
 use crate::texture_records::float;
 
 /// How far outside of a window an edge counts as inside, over its distance, and the angle between an
-/// edge and the rays beside it, as on the processor.
+/// edge and the rays beside it, as on the CPU.
 const IN_PLANE: f64 = 1e-9;
 const BESIDE: f64 = 1e-10;
 
@@ -53,7 +53,7 @@ pub struct EdgeMotion<'a> {
     pub of_points: OfPoints<'a>,
 }
 
-/// The same of their ends, points of the boundaries.
+/// What is known of the motion of the edges' ends, points of the boundaries.
 pub enum OfPoints<'a> {
     /// Velocities, in forward mode.
     Velocities(&'a dyn Fn(u32) -> Vec3),
@@ -67,36 +67,36 @@ pub struct Crosses {
     /// Area emitters, and the environment.
     areas: bool,
     surroundings: bool,
-    /// Whether directions to surfaces that reflect light walk; else they stay, and there are edges.
+    /// True if directions to surfaces that reflect light walk; else they stay, and there are edges.
     walks: bool,
     /// How long paths are.
     plan: Plan,
 }
 
 impl Crosses {
-    /// Whether light from area emitters gets to a vertex of this number past edges.
+    /// True if light from area emitters gets to a vertex of this number past edges.
     pub fn before_areas(&self, depth: usize) -> bool {
         self.areas && self.plan.reaches(depth as u32 + 2)
     }
 
-    /// Whether light from the environment does.
+    /// True if light from the environment does.
     pub fn before_environment(&self, depth: usize) -> bool {
         self.surroundings && self.plan.reaches(depth as u32 + 2)
     }
 
-    /// Whether light that surfaces reflect does.
+    /// True if light that surfaces reflect does.
     pub fn before_surfaces(&self, depth: usize) -> bool {
         !self.walks && self.plan.reaches(depth as u32 + 3)
     }
 
-    /// Whether directions from there to surfaces walk.
+    /// True if directions from there to surfaces walk.
     pub fn walks(&self, depth: usize) -> bool {
         self.walks && self.plan.reaches(depth as u32 + 3)
     }
 }
 
 impl EdgeRecords {
-    /// Those of the edges that a tracer's scene has, in the coordinates of the frame, with what is known
+    /// The records of the edges that a tracer's scene has, in the coordinates of the frame, with what is known
     /// of its motion and what the kernels read of that. So many leaves and points before an emitter are
     /// for one launch.
     pub fn new<R: Real, W: SceneEval<R>>(

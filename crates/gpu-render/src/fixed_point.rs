@@ -11,14 +11,14 @@ use crate::layout::fault::{NOT_FINITE, SUMS, TOO_LARGE};
 use crate::layout::sum::SUM_WORDS;
 use crate::texture_records::Shown;
 
-/// Derivatives that are as large as expected have so many binary digits. Those with six more have
-/// room in a sum (`LARGEST_DERIVATIVE`).
+/// Derivatives that are as large as expected have so many binary digits. Those with six more still
+/// fit in a sum (`LARGEST_DERIVATIVE`).
 const DIGITS: i32 = 80;
 
 /// The same where something moves: one over the distance of an edge may be large.
 const DIGITS_IN_MOTION: i32 = 50;
 
-/// What has room, in units, see `sums.slang`.
+/// What fits, in units, see `sums.slang`.
 const LARGEST_DERIVATIVE: f64 = (1_u128 << 86) as f64;
 
 /// The sensor's position, the images of its axes, and its other numbers.
@@ -37,9 +37,9 @@ pub struct Sums<'a> {
     /// Where those with respect to points of the boundaries start, three for each, in local units; if
     /// anything moves.
     points: Option<usize>,
-    /// The same of each shape's normals.
+    /// The place of each shape's normals among the sums.
     normals: Vec<Option<usize>>,
-    /// The same of the sensor's five vectors.
+    /// The place of the sensor's five vectors among the sums.
     sensor: Option<usize>,
     /// Local units in one of the world.
     inverse_scale: f64,
@@ -49,7 +49,7 @@ pub struct Sums<'a> {
     digits: i32,
 }
 
-/// Those of one record of a texture.
+/// The sums of one record of a texture.
 #[derive(Clone, Copy, Debug)]
 struct TextureSums {
     shown: Shown,
@@ -103,14 +103,14 @@ impl<'a> Sums<'a> {
             .map(|e| brightest(scene, e))
             .fold(0.0, f64::max);
         let mut count = 0;
-        let mut room = |sums: usize| {
+        let mut place = |sums: usize| {
             count += sums;
             Some(count - sums)
         };
         let textures = shown.iter().map(|&shown| {
             let id = shown.numbers;
             let is_wanted = wanted.textures[id.0 as usize];
-            let first = is_wanted.then(|| room(scene.texture(id).data.len()));
+            let first = is_wanted.then(|| place(scene.texture(id).data.len()));
             TextureSums {
                 shown,
                 first: first.flatten(),
@@ -118,16 +118,18 @@ impl<'a> Sums<'a> {
         });
         let textures = textures.collect();
         let points = wanted.shapes.contains(&true);
-        let points = points.then(|| room(3 * boundaries.point_count())).flatten();
+        let points = points
+            .then(|| place(3 * boundaries.point_count()))
+            .flatten();
         let shapes = scene.shapes.iter().enumerate();
         let normals = shapes.map(|(i, shape)| {
             let normals = shape.normals.per_vertex()?;
             wanted
                 .normals_of(scene, i)
-                .then(|| room(3 * normals.len()))?
+                .then(|| place(3 * normals.len()))?
         });
         let normals = normals.collect();
-        let sensor = wanted.sensor().then(|| room(3 * SENSOR_VECTORS)).flatten();
+        let sensor = wanted.sensor().then(|| place(3 * SENSOR_VECTORS)).flatten();
         // Units that single precision has, whatever is expected.
         let exponent = brightness.max(1.0).log2().ceil().clamp(0.0, 120.0);
         let digits = match wanted.moves() {
@@ -174,7 +176,7 @@ impl<'a> Sums<'a> {
         words
     }
 
-    /// Makes room for derivatives that were too large.
+    /// Enlarges the unit for derivatives that were too large.
     pub fn widen(&mut self) {
         self.digits -= FEWER_DIGITS;
     }

@@ -31,7 +31,7 @@ pub struct KeptNode {
 }
 
 impl KeptEdges {
-    /// Those of the edges that are kept; `None` if none is.
+    /// The tree of the edges that are kept; `None` if none is.
     pub fn new(buffers: &SamplerBuffers, kept: &[bool]) -> Option<Self> {
         let edges: Vec<usize> = (0..kept.len()).filter(|&i| kept[i]).collect();
         let mut tree = Self {
@@ -53,10 +53,7 @@ impl KeptEdges {
 
     /// Adds what is kept of a node, which is something, at this level, and returns its number.
     fn add(&mut self, nodes: &[[u32; NODE]], source: usize, level: usize) -> usize {
-        assert!(
-            level <= LONGEST_WAY,
-            "walks have no room for so many levels"
-        );
+        assert!(level <= LONGEST_WAY, "walks cannot hold so many levels");
         let [first, second, ..] = nodes[source];
         let edges = self.kept(&nodes[source]);
         let is_leaf = first == NONE || edges.len() <= LEAF;

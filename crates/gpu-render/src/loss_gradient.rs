@@ -36,7 +36,7 @@ const MOST_DERIVATIVES: usize = 1 << 24;
 impl DeviceScene<'_> {
     /// The gradient of `Σ adjoint · image` in what is wanted, as [`capwalk_diff::backward`] has it, with
     /// its batches and refusals: where anything moves by [`Method::EDGES`], or by edges of fewer
-    /// segments if these are asked for. An error if there is no room
+    /// segments if these are asked for. An error if memory does not suffice
     /// for so many numbers. Derivatives that are not finite are left out, each by itself, and
     /// counted, at most as many as a part has samples.
     ///
@@ -270,7 +270,7 @@ impl<'a> Job<'a> {
         Ok(Some(Backward::new(batches, statistics)))
     }
 
-    /// From now on, so many vertices of each path are kept, of as many paths as there is room for.
+    /// From now on, so many vertices of each path are kept, of as many paths as fit.
     fn keep(&self, place: &mut Place, levels: usize) {
         let sampling = Plan::new(self.scene.prepared.scene()).sampling;
         let by_texels = 2 + sampling.emitter_samples + sampling.bsdf_samples;
@@ -287,9 +287,9 @@ impl<'a> Job<'a> {
 
     /// What some samples, each of a pixel, add to the sums.
     fn part(&self, samples: &SampleRange, place: &mut Place<'a>) -> Result<Outcome, DeviceError> {
-        let room = place.size.get();
+        let capacity = place.size.get();
         let paths = match &mut place.paths {
-            Some(paths) if paths.room() >= room => paths,
+            Some(paths) if paths.capacity() >= capacity => paths,
             other => {
                 *other = None;
                 let (mut changes, sums) = (self.sums.changes(), self.sums.words());
@@ -299,10 +299,10 @@ impl<'a> Job<'a> {
                 if let Some(edges) = self.crossed {
                     edges.append(&mut changes);
                 }
-                let room = [room, place.levels];
+                let capacity = [capacity, place.levels];
                 let paths = self
                     .scene
-                    .paths(&REVERSE, room, &changes, sums, self.crossed)?;
+                    .paths(&REVERSE, capacity, &changes, sums, self.crossed)?;
                 other.insert(paths)
             }
         };
@@ -319,14 +319,16 @@ impl<'a> Job<'a> {
             self.camera
                 .rays_back(&self.scene.frame, samples, &back, self.sums, &mut part);
         }
-        let edges = self.camera.edges(self.scene, samples, room, self.watch)?;
+        let edges = self
+            .camera
+            .edges(self.scene, samples, capacity, self.watch)?;
         let Some(edges) = edges else {
             return Ok(Outcome::Stopped);
         };
         for edge in edges {
             let [pixel, _] = samples.pixel_and_sample(edge.sample);
             let adjoint = self.adjoint.pixels[pixel as usize] / self.unit;
-            let by_flow = 3.0 * (adjoint * edge.jump).mean();
+            let by_flow = 3.0 * (adjoint * edge.discontinuity).mean();
             for (target, covector) in edge.flow {
                 self.sums.add(&mut part, target, covector * by_flow);
             }

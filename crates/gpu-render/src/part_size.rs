@@ -10,7 +10,7 @@ const FIRST: usize = 1 << 14;
 /// done when the work is stopped is lost.
 const PART: Duration = Duration::from_millis(500);
 
-/// With no room for so many paths, there is none for the work.
+/// If so many paths do not fit, the work fails.
 const FEWEST: usize = 64;
 
 /// How many samples a part has, which follows the time that parts take and the memory that there is.

@@ -15,7 +15,7 @@ pub struct Paths<'a> {
     /// The five arrays of the scene.
     scene: [&'a DeviceArray; 5],
     kernels: &'static PathKernels,
-    room: usize,
+    capacity: usize,
     /// The edges that paths cross, if the scene moves.
     edges: Option<&'a DeviceEdges>,
     /// How many vertices of each path can be kept.
@@ -36,7 +36,7 @@ pub enum Followed {
     ToTheEnd(Vec<Vec<u32>>),
     /// Until the watch stopped it.
     Stopped,
-    /// Until there was no room to keep a vertex.
+    /// Until no further vertex could be kept.
     NoLevel,
 }
 
@@ -47,19 +47,19 @@ impl<'a> Paths<'a> {
         gpu: &'a Gpu,
         scene: [&'a DeviceArray; 5],
         kernels: &'static PathKernels,
-        [room, levels]: [usize; 2],
+        [capacity, levels]: [usize; 2],
         changes: &[u32],
         sums: usize,
         edges: Option<&'a DeviceEdges>,
     ) -> Result<Self, GpuError> {
         // What tells the samples that paths begin with takes the place of the list.
-        let room = room.max(SAMPLE_WORDS);
+        let capacity = capacity.max(SAMPLE_WORDS);
         // Behind the counts of faults are sums, or the weights of samples.
         let results = match kernels.keeps() {
             true => sums.max(SUMS),
-            false => SUMS + room,
+            false => SUMS + capacity,
         };
-        let columns = columns(room, edges);
+        let columns = columns(capacity, edges);
         let array = |words: usize| gpu.array(4 * words as u64);
         let mut words = vec![0; kernels.input * columns];
         words.extend(changes);
@@ -69,7 +69,7 @@ impl<'a> Paths<'a> {
             gpu,
             scene,
             kernels,
-            room,
+            capacity,
             edges,
             levels,
             input,
@@ -80,9 +80,9 @@ impl<'a> Paths<'a> {
         Ok(paths)
     }
 
-    /// How many there is room for.
-    pub fn room(&self) -> usize {
-        self.room
+    /// How many fit.
+    pub fn capacity(&self) -> usize {
+        self.capacity
     }
 
     /// Follows so many paths, given what they begin with.
@@ -142,7 +142,7 @@ impl<'a> Paths<'a> {
         first: usize,
         count: usize,
     ) -> Result<Vec<[f32; N]>, GpuError> {
-        // One array for each word, as long as there is room for paths.
+        // One array for each word, as long as paths fit.
         let columns = self.columns();
         let mut arrays = vec![0_f32; (first + N - 1) * columns + count];
         self.gpu
@@ -155,10 +155,7 @@ impl<'a> Paths<'a> {
     /// Takes the light that arrives behind vertices back to the camera, given the paths that got to
     /// each; false if the watch stopped it.
     pub fn go_back(&self, lists: &[Vec<u32>], watch: &dyn Watch) -> Result<bool, GpuError> {
-        assert!(
-            lists.len() <= self.levels,
-            "there was room for all vertices"
-        );
+        assert!(lists.len() <= self.levels, "all vertices were kept");
         for (depth, list) in lists.iter().enumerate().rev() {
             if watch.should_stop() {
                 return Ok(false);
@@ -215,9 +212,9 @@ impl<'a> Paths<'a> {
         self.kernels.keeps()
     }
 
-    /// How many paths there is room for, with those that go on to both sides of edges.
+    /// How many paths fit, with those that go on to both sides of edges.
     fn columns(&self) -> usize {
-        columns(self.room, self.edges)
+        columns(self.capacity, self.edges)
     }
 
     pub(crate) fn launch(
@@ -226,10 +223,7 @@ impl<'a> Paths<'a> {
         count: usize,
         depth: usize,
     ) -> Result<(), GpuError> {
-        assert!(
-            count <= self.columns(),
-            "there is no room for so many paths"
-        );
+        assert!(count <= self.columns(), "so many paths do not fit");
         let [nodes, leaf_starts, primitives, faces, records] = self.scene;
         let arrays = [
             nodes,
@@ -244,8 +238,8 @@ impl<'a> Paths<'a> {
         let words = [self.columns() as u32, depth as u32];
         // SAFETY: the arrays of a scene are those that its records were made with, which refer to
         // nothing behind their ends; what is behind the list refers to texels and pixels that the
-        // records have, to edges that are there and to sums that there is room for; and the others
-        // have room for all paths, with their weights if they have no sums, and for as many vertices
+        // records have, to edges that are there and to sums that fit; and the others
+        // have the capacity for all paths, with their weights if they have no sums, and for as many vertices
         // of each as there are levels.
         #[allow(unsafe_code)]
         unsafe {
@@ -254,7 +248,7 @@ impl<'a> Paths<'a> {
     }
 }
 
-/// Paths that the arrays have room for, if so many start at the camera.
-fn columns(room: usize, edges: Option<&DeviceEdges>) -> usize {
-    room * edges.map_or(1, |_| COLUMNS)
+/// Paths that the arrays hold, if so many start at the camera.
+fn columns(capacity: usize, edges: Option<&DeviceEdges>) -> usize {
+    capacity * edges.map_or(1, |_| COLUMNS)
 }

@@ -69,7 +69,7 @@ pub const IMAGE_FROM_HITS: PathKernels = PathKernels {
     ..IMAGE
 };
 
-/// The same for scenes of [`DIFFUSE_IMAGE`].
+/// [`IMAGE_FROM_HITS`] for scenes of [`DIFFUSE_IMAGE`].
 pub const DIFFUSE_IMAGE_FROM_HITS: PathKernels = PathKernels {
     go_on: DIFFUSE_IMAGE.go_on,
     ..IMAGE_FROM_HITS
@@ -99,7 +99,7 @@ pub const GO_BACK: CompiledKernel = compiled("go_back");
 /// The kernels that take boundary terms at the vertices of paths.
 #[derive(Debug)]
 pub struct BoundaryKernels {
-    /// Those of light from emitters.
+    /// Adds the boundary terms of light from emitters.
     pub cross_edges: CompiledKernel,
     /// Begins paths to both sides of edges.
     pub begin_sides: CompiledKernel,

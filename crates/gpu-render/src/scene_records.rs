@@ -21,7 +21,7 @@ use crate::texture_records::{Shown, TextureRecords, float, two_floats};
 
 /// Which numbers of tests the kernels take, by precision: a triangle that is seen under a smaller
 /// part of what its area is summed from is seen edge-on; nothing is larger; distances below this
-/// from a surface belong to it (local units; in double precision the processor's); and the part of
+/// from a surface belong to it (local units; in double precision the CPU's); and the part of
 /// the way to an emitter in which anything may be.
 const SINGLE_TESTS: [f64; TESTS] = [
     1.0 / (1 << 21) as f64,
@@ -48,7 +48,7 @@ pub struct SceneRecords {
 }
 
 impl SceneRecords {
-    /// Those of a scene of which nothing is unsupported.
+    /// The records of a scene of which nothing is unsupported.
     pub fn new(prepared: &PreparedScene, precision: Precision) -> Self {
         let (scene, accel) = (prepared.scene(), prepared.accel());
         let buffers = accel.rays().buffers();

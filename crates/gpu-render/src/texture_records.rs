@@ -115,7 +115,7 @@ pub fn float(x: f64) -> u32 {
     (x as f32).to_bits()
 }
 
-/// The same, and the rest.
+/// The number in single precision, and the rest, as words.
 pub fn two_floats(x: f64) -> [u32; 2] {
     let rounded = f64::from(x as f32);
     [rounded, x - rounded].map(float)

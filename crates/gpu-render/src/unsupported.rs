@@ -32,7 +32,7 @@ pub fn unsupported(prepared: &PreparedScene) -> Option<Unsupported> {
     Some(Unsupported { what })
 }
 
-/// The same of options.
+/// Why a device cannot render with these options, if it cannot.
 pub fn unsupported_options(options: &RenderOptions) -> Option<Unsupported> {
     options.adaptive.then(|| Unsupported {
         what: "samples go where the image is noisy (adaptive sampling)".to_owned(),

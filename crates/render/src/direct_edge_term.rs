@@ -46,18 +46,25 @@ impl Tracer<'_> {
             return Rgb::zero();
         };
         // Sample points on edges in its window.
-        let jump = |point: &EdgePoint| discontinuity(field, vertex, point, chosen.emitter);
+        let discontinuity = |point: &EdgePoint| discontinuity(field, vertex, point, chosen.emitter);
         draw.count_queries(1);
         let place = draw.stream.number(dimension + 1);
-        // Seen in directions that rest, only edges that move contribute.
-        let rests = at.motion().is_still();
-        let among = rests.then(|| self.moving_edges(field.boundaries, at.eval));
-        let term = gathered_term(at, &window, among, self.gathers.points, jump, place);
+        // If directions do not move, only edges that move contribute.
+        let is_stationary = at.motion().is_still();
+        let among = is_stationary.then(|| self.moving_edges(field.boundaries, at.eval));
+        let term = gathered_term(
+            at,
+            &window,
+            among,
+            self.gathers.points,
+            discontinuity,
+            place,
+        );
         // Divide by the probability of the emitter.
         term * R::constant(1.0 / probability)
     }
 
-    /// The same of light from the environment.
+    /// An estimate of the boundary term of light from the environment.
     pub(crate) fn environment_edge_term<R: Real, W: SceneEval<R>>(
         &self,
         at: &ShadingPoint<R, W>,
@@ -72,12 +79,12 @@ impl Tracer<'_> {
             let light = emitted_at(&Primal(accel), accel, environment, None, origin, direction);
             light.max_component()
         };
-        let jump = |point: &EdgePoint| discontinuity(field, vertex, point, environment);
+        let discontinuity = |point: &EdgePoint| discontinuity(field, vertex, point, environment);
         sampled_edge_term(
             at,
             edges,
             radiance,
-            jump,
+            discontinuity,
             draw,
             ENVIRONMENT_EDGE_NUMBERS,
             depth,

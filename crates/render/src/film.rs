@@ -53,7 +53,7 @@ impl Tracer<'_> {
     pub fn pixel<R: Real, W: SceneEval<R>>(&self, eval: &W, pixel: [u32; 2], draw: Draw) -> Rgb<R> {
         let support = self.supports.pixel(pixel);
         let moving = self.view(eval, draw);
-        if eval.rests() {
+        if eval.is_stationary() {
             return self.interior_of_fixed_points(eval, &moving, &support, draw);
         }
         let camera = Camera {
@@ -109,7 +109,7 @@ impl Tracer<'_> {
     }
 
     /// The interior term with film points that stay: `∫ d/dε (W L / J) dω`, sampled as in
-    /// a primal rendering; all of a primal image, and of a derivative by what rests on the film.
+    /// a primal rendering; all of a primal image, and of a derivative that moves nothing on the film.
     fn interior_of_fixed_points<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,

@@ -15,14 +15,14 @@ const ROOTS: [f64; 2] = [2.0, 32.0];
 
 /// An estimate of the boundary term, see [`SampledEdges::term`], over all edges in the window
 /// of an emitter and its own, from `points` times the root of the number of their pieces. The
-/// random number `u` chooses the points. `jump` is the discontinuity of reflected radiance.
+/// random number `u` chooses the points. `discontinuity` is the discontinuity of reflected radiance.
 /// `among` are all edges that contribute, if some do not.
 pub fn gathered_term<R: Real, W: SceneEval<R>>(
     at: &ShadingPoint<R, W>,
     window: &Window,
     among: Option<&EdgeSubset>,
     points: u32,
-    jump: impl FnMut(&EdgePoint) -> Rgb,
+    discontinuity: impl FnMut(&EdgePoint) -> Rgb,
     u: f64,
 ) -> Rgb<R> {
     MEMORY.with_borrow_mut(|Memory { gathered, edges }| {
@@ -35,7 +35,7 @@ pub fn gathered_term<R: Real, W: SceneEval<R>>(
         edges.weigh(at, listed, &window.planes, |_| 1.0);
         let root = (edges.count() as f64).sqrt().clamp(ROOTS[0], ROOTS[1]);
         let points = ((f64::from(points) * root) as u32).max(1);
-        edges.term(at, jump, u, points)
+        edges.term(at, discontinuity, u, points)
     })
 }
 

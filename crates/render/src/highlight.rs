@@ -24,7 +24,7 @@ pub struct Highlight {
 }
 
 impl Highlight {
-    /// That of a vertex; `None` if it is not bright, if the material transmits light, and if
+    /// The highlight of a vertex; `None` if it is not bright, if the material transmits light, and if
     /// its lobes have normals of their own.
     pub fn of(vertex: &Vertex<f64>) -> Option<Self> {
         if vertex.bsdf.is_diffuse() || vertex.transmits || vertex.bsdf.is_tilted() {

@@ -47,8 +47,9 @@ impl Tracer<'_> {
         };
         let edges = self.sampled_edges(at.field.boundaries, eval, EdgeSelection::All);
         let numbers = INDIRECT_EDGE_NUMBERS;
-        let jump = |point: &EdgePoint| self.indirect_jump(&at, &primal, point, depth, draw);
-        let direct = sampled_edge_term(&at, edges, |_| 1.0, jump, draw, numbers, depth);
+        let discontinuity =
+            |point: &EdgePoint| self.indirect_discontinuity(&at, &primal, point, depth, draw);
+        let direct = sampled_edge_term(&at, edges, |_| 1.0, discontinuity, draw, numbers, depth);
         direct + self.indirect_image_term(&at, depth, draw)
     }
 
@@ -104,9 +105,19 @@ impl Tracer<'_> {
             }),
         };
         let edges = self.sampled_edges(at.field.boundaries, at.eval, EdgeSelection::All);
-        let jump = |point: &EdgePoint| self.indirect_jump(&in_mirrors, vertex, point, depth, draw);
+        let discontinuity = |point: &EdgePoint| {
+            self.indirect_discontinuity(&in_mirrors, vertex, point, depth, draw)
+        };
         let numbers = IMAGE_EDGE_NUMBERS;
-        let term = sampled_edge_term(&in_mirrors, edges, |_| 1.0, jump, draw, numbers, depth);
+        let term = sampled_edge_term(
+            &in_mirrors,
+            edges,
+            |_| 1.0,
+            discontinuity,
+            draw,
+            numbers,
+            depth,
+        );
         term * R::constant(1.0 / drawn.probability)
     }
 
@@ -114,7 +125,7 @@ impl Tracer<'_> {
     /// vertex, times BSDF and cosine. Both paths take the same random numbers. On the way to the edge
     /// they are reflected by the mirrors that show it and by no others: other edges may be seen in the
     /// same direction.
-    fn indirect_jump<R: Real, W: SceneEval<R>>(
+    fn indirect_discontinuity<R: Real, W: SceneEval<R>>(
         &self,
         at: &ShadingPoint<R, W>,
         vertex: &Vertex<f64>,

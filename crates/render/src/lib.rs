@@ -1,16 +1,14 @@
-//! How radiance is estimated: one path tracer, generic over the scalar.
+//! The path tracer, written once and generic over the scalar. Over `f64` it renders images with a
+//! standard error per pixel ([`render`]); over numbers that carry derivatives, the same code
+//! follows moving paths, for the crate `capwalk-diff`.
 //!
-//! Over `f64` a sample of a [`Tracer`] is one of the image ([`render`]); over numbers
-//! that carry derivatives, the same code follows the moving path and gives the
-//! derivative (the crate `capwalk-diff`). What it asks of a scene is a [`SceneEval`].
-//! Every estimate comes with a standard error per pixel, and is the same to the bit for
-//! the same scene, seed and options, whatever the number of threads.
-//!
-//! Nothing here opens a file, prints, or reads the clock.
+//! A [`Tracer`] takes samples and asks a [`SceneEval`] for the numbers of the scene. Results are
+//! the same to the bit for the same scene, seed and options, whatever the number of threads. The
+//! crate opens no file, prints nothing, and does not read the clock.
 
 pub mod adaptive;
 mod aov;
-mod average_elsewhere;
+mod average_on_device;
 mod camera;
 mod direct_edge_term;
 mod emitter_choice;
@@ -54,7 +52,7 @@ mod uncovered_events;
 mod vertex;
 mod visible_motion;
 
-pub use average_elsewhere::average_elsewhere;
+pub use average_on_device::average_on_device;
 pub use capwalk_geometry::Halted;
 pub use emitter_sampler::{DirectionSampler, EmitterSampler};
 pub use estimate::{Estimate, GradientImage, Missing, Rendering, Statistics};

@@ -12,7 +12,7 @@ use crate::seed::Seed;
 pub struct RenderOptions {
     /// Samples per pixel, at least 1; at least 2 for standard errors.
     pub spp: u32,
-    /// Whether pixels get more or fewer samples by how noisy they are, in the time of `spp` of
+    /// True if pixels get more or fewer samples by how noisy they are, in the time of `spp` of
     /// each, see [`adaptive`](crate::adaptive).
     pub adaptive: bool,
     /// Seed of all random numbers: the same scene and seed give the same bits.

@@ -35,7 +35,7 @@ pub struct CameraEdge<R> {
 }
 
 impl<R> CameraEdge<R> {
-    /// The same with something else in the place of the flow.
+    /// This point with something else in place of the flow.
     pub fn map_flow<T>(self, map: impl FnOnce(R) -> T) -> CameraEdge<T> {
         CameraEdge {
             sides: self.sides,

@@ -24,7 +24,7 @@ pub struct PixelSilhouettes {
     kept: AtomicUsize,
 }
 
-/// Those of a pixel; nothing if there are too many images in mirrors. In a box: most pixels of large
+/// The pieces of a pixel; `None` if there are too many images in mirrors. In a box: most pixels of large
 /// images have none.
 type OfPixel = OnceLock<Option<Box<SilhouettePieces>>>;
 
@@ -137,7 +137,7 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
     let area = support.sides[0].width() * support.sides[1].width();
     let (boundaries, accel) = (field.boundaries, field.accel);
     let mesh = &accel.mesh;
-    let camera_rests = camera.moving.is_constant();
+    let camera_is_stationary = camera.moving.is_constant();
     // How fast what is seen at an offset moves across the ray through a film point that stays,
     // radians. What neither moves nor is seen from a camera that may has no share of the
     // discontinuities where it lies on other edges.
@@ -149,7 +149,7 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
     };
     let speed = |points: [u32; 2], t: f64, offset: Vec3, normal: Vec3| {
         let mut motions = points.iter().map(|&point| eval.motion_of_point(point));
-        if camera_rests && motions.all(|motion| motion == Motion::STILL) {
+        if camera_is_stationary && motions.all(|motion| motion == Motion::STILL) {
             return 0.0;
         }
         let (against, distance) = against(offset);

@@ -17,9 +17,9 @@ use crate::uncovered_events::UncoveredEvents;
 pub struct PreparedScene {
     accel: Accel,
     emitters: Vec<EmitterSampler>,
-    /// Built when the first derivative by a motion asks for them.
+    /// Built when the first derivative with respect to a motion asks for them.
     boundaries: OnceLock<Boundaries>,
-    /// The boundaries of a derivative by what moves nothing: none.
+    /// The boundaries of a derivative with respect to what moves nothing: none.
     no_boundaries: OnceLock<Boundaries>,
     probed: Probed,
 }
@@ -33,12 +33,12 @@ const MOST_PROBED: usize = 64;
 
 impl PreparedScene {
     /// Builds the ray tree of a scene that has passed [`Scene::check`]. The boundaries
-    /// and their tree follow with the first derivative by a motion.
+    /// and their tree follow with the first derivative with respect to a motion.
     pub fn new(scene: impl Into<Arc<Scene>>) -> Self {
         Self::try_new(scene, &Unwatched).expect("nobody stops it")
     }
 
-    /// The same, unless the watch stops it.
+    /// [`Self::new`], unless the watch stops it.
     pub fn try_new(scene: impl Into<Arc<Scene>>, watch: &dyn Watch) -> Result<Self, Halted> {
         let scene = scene.into();
         let accel = halting(watch, |halt| Accel::try_new(scene, halt))?;
@@ -71,7 +71,7 @@ impl PreparedScene {
         self.try_boundaries(&Unwatched).expect("nobody stops it")
     }
 
-    /// The same, unless they are not built yet and the watch stops that.
+    /// [`Self::boundaries`], unless they are not built yet and the watch stops that.
     pub fn try_boundaries(&self, watch: &dyn Watch) -> Result<&Boundaries, Halted> {
         if let Some(boundaries) = self.boundaries.get() {
             return Ok(boundaries);
@@ -146,7 +146,7 @@ impl PreparedScene {
         self.update_watched(scene, &Unwatched);
     }
 
-    /// The same. If the watch stops it, the boundaries are built anew when they are next asked for.
+    /// [`Self::update`]. If the watch stops it, the boundaries are built anew when they are next asked for.
     pub fn update_watched(&mut self, scene: impl Into<Arc<Scene>>, watch: &dyn Watch) {
         let scene = scene.into();
         let followed = halting(watch, |halt| {

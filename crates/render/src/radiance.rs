@@ -72,12 +72,12 @@ impl SpecularChain {
         }
     }
 
-    /// The same at a surface with these events.
+    /// This chain at a surface with these events.
     pub(crate) fn at(self, here: FlatEvents) -> Self {
         Self { here, ..self }
     }
 
-    /// The same with one event more, at this place.
+    /// This chain with one event more, at this place.
     pub(crate) fn followed_by(self, event: Event) -> Self {
         let count = self.after(event);
         Self { count, ..self }
@@ -271,7 +271,7 @@ impl Tracer<'_> {
             let mut corners = corners.into_iter().flatten();
             corners.any(|i| !eval.vertex(i).is_constant())
         };
-        // A shadow moves with its light and with what throws it, also on a face that rests.
+        // A shadow moves with its light and with what throws it, also on a face that does not move.
         let shadow_moves = || hit.is_some_and(|hit| self.shadow_moves(eval, hit.face));
         W::MOVES && (ray_moves || surface_moves() || shadow_moves())
     }

@@ -22,7 +22,7 @@ pub struct SampleRange {
 }
 
 impl SampleRange {
-    /// Those of these numbers.
+    /// The samples of these numbers.
     pub fn new(sampler: Sampler, film: &Film, numbers: Range<u64>) -> Self {
         let [width, height] = film.crop_size;
         Self {

@@ -29,14 +29,14 @@ const POINTS: u32 = 1;
 const SPREAD: f64 = 0.618_033_988_749_895;
 
 /// An estimate of the boundary term over all edges of a sampler, see [`SampledEdges::term`].
-/// `motions` are those of its nodes. `light` guesses the radiance from a direction, and `jump`
+/// `motions` are those of its nodes. `light` guesses the radiance from a direction, and `discontinuity`
 /// is the discontinuity of reflected radiance. At the vertex of number `depth`, [`NUMBERS`]
 /// random numbers from `first` on choose subtrees and points.
 pub fn sampled_edge_term<R: Real, W: SceneEval<R>>(
     at: &ShadingPoint<R, W>,
     (sampler, motions): (&EdgeSampler, &[Motion]),
     light: impl Fn(Vec3) -> f64,
-    mut jump: impl FnMut(&EdgePoint) -> Rgb,
+    mut discontinuity: impl FnMut(&EdgePoint) -> Rgb,
     draw: Draw,
     first: u32,
     depth: u32,
@@ -81,12 +81,12 @@ pub fn sampled_edge_term<R: Real, W: SceneEval<R>>(
             // Edges of other subtrees may lie on them and share the discontinuity, if they move.
             edges.push_companions(|edge| {
                 let others = sampler.overlapping(edge);
-                others.filter(|&other| counts(other) && !at.rests(&turning, other))
+                others.filter(|&other| counts(other) && !at.is_stationary(&turning, other))
             });
             // Divide by the probability of the subtree.
             let place = (place + SPREAD * f64::from(i)).fract();
             let weight = 1.0 / (subtree.probability * f64::from(count));
-            term += edges.term(at, &mut jump, place, POINTS) * R::constant(weight);
+            term += edges.term(at, &mut discontinuity, place, POINTS) * R::constant(weight);
         }
         term
     })

@@ -25,7 +25,7 @@ const EFFORT_OF_PIECE: u64 = 4;
 
 /// Length of the longest piece that has one sampling weight, radians: lobes are narrow.
 const PIECE: f64 = 0.05;
-/// The same at diffuse surfaces.
+/// Length of the longest piece at diffuse surfaces, radians.
 const DIFFUSE_PIECE: f64 = 0.2;
 /// The most pieces of one edge.
 const MOST_PIECES: f64 = 32.0;
@@ -33,7 +33,7 @@ const MOST_PIECES: f64 = 32.0;
 /// Share of the mean over all pieces that is added to what a piece contributes at its
 /// middle: beside the middle there may be light, or motion.
 const LEAST_WEIGHT: f64 = 0.03;
-/// The same where that mean is zero.
+/// The weight per angle that is added where that mean is zero.
 const TINY: f64 = 1e-30;
 
 /// A shading point at which boundary terms are estimated.
@@ -148,13 +148,13 @@ impl<R: Real, W: SceneEval<R>> ShadingPoint<'_, R, W> {
         Some(point.flow(ends, apex, warped))
     }
 
-    /// True if an edge certainly rests, seen in directions that rest.
-    pub fn rests(&self, turning: &Turning, edge: u32) -> bool {
+    /// True if certainly neither an edge nor directions move.
+    pub fn is_stationary(&self, turning: &Turning, edge: u32) -> bool {
         turning.is_still() && !moves(self.eval, self.field.boundaries, edge)
     }
 }
 
-/// False if an edge certainly rests.
+/// False if an edge certainly does not move.
 pub fn moves<R: Real, W: SceneEval<R>>(eval: &W, boundaries: &Boundaries, edge: u32) -> bool {
     let mut points = boundaries.edge(edge).vertices.into_iter();
     points.any(|point| !eval.motion_of_point(point).is_still())
@@ -228,8 +228,8 @@ impl SampledEdges {
             false => PIECE,
         };
         for ListedEdge { edge, ends, factor } in listed {
-            // What rests as seen from what rests contributes nothing.
-            if at.rests(&turning, edge) {
+            // An edge without relative motion contributes nothing.
+            if at.is_stationary(&turning, edge) {
                 continue;
             }
             let points = at.field.boundaries.edge(edge).vertices;
@@ -288,14 +288,14 @@ impl SampledEdges {
     /// Σ ∫ [f(behind) - f(before)] (u_edge - u)·n dl
     /// ```
     ///
-    /// `f` is radiance times BSDF and cosine, and `jump` gives that difference; `u_edge` is the
+    /// `f` is radiance times BSDF and cosine, and `discontinuity` gives that difference; `u_edge` is the
     /// angular velocity of an edge, `u` that of directions, zero unless they turn, and `n` the
     /// normal of the edge's projection, from behind to before.
     /// Hidden edges need no visibility test: `f` is the same on both of their sides.
     pub fn term<R: Real, W: SceneEval<R>>(
         &self,
         at: &ShadingPoint<R, W>,
-        mut jump: impl FnMut(&EdgePoint) -> Rgb,
+        mut discontinuity: impl FnMut(&EdgePoint) -> Rgb,
         u: f64,
         points: u32,
     ) -> Rgb<R> {
@@ -317,7 +317,7 @@ impl SampledEdges {
             // Trace rays only where something moves. A shading point on the edge itself
             // gives a NaN, which is not constant and is counted with the sample.
             if !flow.is_constant() {
-                light += Rgb::constant(jump(&point) / f64::from(points)) * flow;
+                light += Rgb::constant(discontinuity(&point) / f64::from(points)) * flow;
             }
         }
         light

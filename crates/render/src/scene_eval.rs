@@ -24,7 +24,7 @@ pub trait SceneEval<R: Real> {
     fn scene(&self) -> &Scene;
     /// A texel of a texture.
     fn texel(&self, id: TextureId, index: usize) -> Rgb<R>;
-    /// True if derivatives by the texels of a texture are asked for.
+    /// True if derivatives with respect to the texels of a texture are asked for.
     fn is_asked_for(&self, id: TextureId) -> bool;
     /// What the sensor sees from a point of its lens, given on the unit disk; without, from
     /// its middle.
@@ -52,7 +52,7 @@ pub trait SceneEval<R: Real> {
     fn moves(&self) -> bool;
     /// True if neither the camera's rays nor the first surfaces that they hit move: then film points
     /// need not, either.
-    fn rests(&self) -> bool;
+    fn is_stationary(&self) -> bool;
     /// The unit direction `q` from a point, moving with the velocity field
     /// around the point, an unbiased sample of it and of its divergence.
     fn warp(
@@ -62,7 +62,7 @@ pub trait SceneEval<R: Real> {
         walk: &WalkSettings,
         numbers: Numbers,
     ) -> Warped<R>;
-    /// The same without the divergence, for flows through curves.
+    /// The warped direction of [`Self::warp`] without the divergence, for flows through curves.
     fn warp_value(
         &self,
         viewpoint: &Viewpoint<R>,
@@ -185,7 +185,7 @@ impl SceneEval<f64> for Primal<'_> {
         false
     }
     #[inline]
-    fn rests(&self) -> bool {
+    fn is_stationary(&self) -> bool {
         true
     }
     #[inline]

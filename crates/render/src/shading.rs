@@ -21,7 +21,7 @@ pub fn vertex_at<R: Real, W: SceneEval<R>>(
     add_lobes(eval, accel, surface, &mut vertex).then_some(vertex)
 }
 
-/// The same vertex without its lobes.
+/// The vertex at a surface, without its lobes.
 #[inline]
 pub fn black_vertex_at<R: Real>(surface: &Surface<R>, direction: Vec3<R>) -> Vertex<R> {
     let frame = match surface.tangents {

@@ -418,7 +418,7 @@ impl<'a> SpecularProbe<'a> {
         direction.is_finite().then_some(direction)
     }
 
-    /// The same on a mirror, as a point.
+    /// A random point on a mirror.
     pub(crate) fn point_on_mirror(&self, random: &mut Random) -> Option<Vec3> {
         self.point_on_any(&self.mirrors, random)
     }

@@ -15,7 +15,7 @@ use crate::scene_eval::SceneEval;
 pub struct Surface<R> {
     /// World-space position.
     pub position: Vec3<R>,
-    /// The same on the shape.
+    /// The point on the shape.
     pub point: SurfacePoint<R>,
     /// Normal of the face by its winding; its length is twice the area of the face.
     cross: Vec3<R>,

@@ -179,7 +179,7 @@ pub enum SampleCounts {
 }
 
 impl SampleCounts {
-    /// Those of a pixel.
+    /// The samples of a pixel.
     fn of(&self, pixel: u32, options: &RenderOptions) -> u32 {
         match self {
             Self::Even => options.spp,
@@ -354,7 +354,7 @@ pub struct Averages {
 }
 
 impl Averages {
-    /// Those of a complete work, from its bands.
+    /// The averages of a complete work, from its bands.
     pub fn new(bands: Vec<PixelSums>) -> Self {
         let tallies = || bands.iter().flat_map(|band| &band.tallies);
         let sum = |of: fn(&Tally) -> u64| tallies().map(of).sum();

@@ -20,11 +20,11 @@ use crate::scene_eval::SceneEval;
 /// The numbers of gathered edges start here, behind all others: those of the
 /// camera, then of each vertex.
 pub const EDGE_NUMBERS: u32 = 1 << 30;
-/// Those of edges before the environment start here, behind them: those of each vertex.
+/// The numbers of edges before the environment start here, behind them: those of each vertex.
 pub const ENVIRONMENT_EDGE_NUMBERS: u32 = 1 << 31;
-/// The same of edges before other surfaces.
+/// The numbers of edges before other surfaces start here.
 pub const INDIRECT_EDGE_NUMBERS: u32 = 3 << 30;
-/// The same of those that mirrors show.
+/// The numbers of edges that mirrors show start here.
 pub const IMAGE_EDGE_NUMBERS: u32 = 7 << 29;
 /// Which mirrors these are: a number for each vertex.
 pub const IMAGE_NUMBERS: u32 = 15 << 28;
@@ -144,7 +144,7 @@ impl<'a> Tracer<'a> {
         Self { plan, ..self }
     }
 
-    /// The same without some of the light.
+    /// This tracer without some of the light.
     pub fn leaving_out(self, leaves_out: LeavesOut) -> Self {
         Self { leaves_out, ..self }
     }
@@ -250,7 +250,7 @@ impl<'a> Tracer<'a> {
         )
     }
 
-    /// All edges but those that certainly rest.
+    /// All edges but those that certainly do not move.
     pub(crate) fn moving_edges<R: Real, W: SceneEval<R>>(
         &self,
         boundaries: &Boundaries,

@@ -25,7 +25,7 @@ impl UncoveredEvents {
         self.counts[usize::from(causes)] += u32::from(causes != 0);
     }
 
-    /// Those of another part of a probe, too.
+    /// The sum of these counts and those of another part of a probe.
     #[must_use]
     pub fn and(mut self, other: Self) -> Self {
         let pairs = self.counts.iter_mut().zip(other.counts);

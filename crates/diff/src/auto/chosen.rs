@@ -81,7 +81,7 @@ impl Chosen {
         }
     }
 
-    /// The same choice for other work: its options with this method.
+    /// This choice for other work: its options with this method.
     fn of_work(self, options: &GradientOptions) -> Self {
         let GradientOptions { method, walk, .. } = self.options;
         Self {

@@ -29,7 +29,7 @@ pub struct Trial {
     /// The mean over the pixels of a sample's variance, summed over the channels; the
     /// hundredth of them where it is largest counts like the next one.
     pub variance: f64,
-    /// The same with all that was met.
+    /// That mean with all pixels as they are.
     pub whole_variance: f64,
     /// The mean effort of a sample, in about twenty nanoseconds.
     pub effort: f64,
@@ -72,7 +72,7 @@ impl Trial {
         self.variance * self.effort
     }
 
-    /// The same with the worst pixels if most of it is theirs.
+    /// Variance × time, with the worst pixels if most of the variance is theirs.
     pub fn upper_cost(&self) -> f64 {
         match self.is_carried_by_few() {
             true => self.whole_variance * self.effort,

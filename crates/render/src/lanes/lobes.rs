@@ -29,7 +29,7 @@ pub struct Lobes {
 }
 
 impl Lobes {
-    /// Those of a material.
+    /// The lobes of a material.
     pub fn new(material: Resolved<f64>) -> Self {
         let Resolved { bsdf, flipped } = material;
         Self {
@@ -96,7 +96,7 @@ impl<'a> LaneLobes<'a> {
         }
     }
 
-    /// Those of a lane.
+    /// The lobes of a lane.
     fn get(&self, lane: usize) -> Option<&'a Lobes> {
         self.turned[lane].map(|turned| turned.lobes)
     }

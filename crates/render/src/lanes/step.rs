@@ -1,4 +1,4 @@
-//! The steps of paths: loops over the lanes without a branch, compiled for the processor's
+//! The steps of paths: loops over the lanes without a branch, compiled for the CPU's
 //! vectors. Where they read and write arrays behind references they are functions: arguments that are
 //! references are known to refer to different things, others would have to be copied.
 
@@ -339,7 +339,7 @@ pub struct Brdf {
     pub direction: Vectors,
     /// Directions drawn by the cosine, around the third axis.
     pub local: Vectors,
-    /// That of light from the emitter, if it is seen there.
+    /// The weight of light from the emitter, if it is seen there.
     pub weight: Numbers,
 }
 

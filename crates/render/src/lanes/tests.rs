@@ -42,7 +42,7 @@ fn scene(name: &str, integrator: Integrator) -> Scene {
     scene
 }
 
-/// The same with a picture on all surfaces.
+/// The scene with an image on all surfaces.
 fn painted(mut scene: Scene) -> Scene {
     let colours = scene
         .materials

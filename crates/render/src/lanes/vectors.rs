@@ -22,12 +22,12 @@ impl Vectors {
     /// The third axis in all lanes.
     pub const UP: Self = Self::splat([0.0, 0.0, 1.0]);
 
-    /// The same in all lanes.
+    /// The vector in all lanes.
     pub const fn splat([x, y, z]: [f64; 3]) -> Self {
         Self([[x; LANES], [y; LANES], [z; LANES]])
     }
 
-    /// That of a lane.
+    /// The vector of a lane.
     #[inline(always)]
     pub fn get(&self, lane: usize) -> Vec3 {
         let [x, y, z] = &self.0;
@@ -46,7 +46,7 @@ impl Vectors {
         product
     }
 
-    /// That of a lane as a colour.
+    /// The vector of a lane as a colour.
     #[inline(always)]
     pub fn colour(&self, lane: usize) -> Rgb {
         self.get(lane).to_array().into()

@@ -1,4 +1,4 @@
-//! The loop over pixels and samples where something else than threads of the processor takes the
+//! The loop over pixels and samples where something else than threads of the CPU takes the
 //! samples: a device, which needs many at a time.
 
 use capwalk_boundary::Sampler;
@@ -11,10 +11,10 @@ use crate::tiles::{self, Averages, PixelSums};
 
 /// The averages of the samples that `take` gives for some of them, as many at a time as `most` says
 /// each time, in their order: each one's numbers, or `None` if the watch stopped the work before all
-/// of them were there. They are added as those of the processor are, so that equal samples give equal
+/// of them were there. They are added as those of the CPU are, so that equal samples give equal
 /// bits, whatever `most` is. Independent numbers only, and as many samples of each pixel as the
 /// options say.
-pub fn average_elsewhere<E, const N: usize>(
+pub fn average_on_device<E, const N: usize>(
     scene: &Scene,
     options: &RenderOptions,
     most: impl Fn() -> usize,

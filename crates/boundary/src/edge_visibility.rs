@@ -42,7 +42,7 @@ const SPREAD: [f64; 3] = [
 
 /// From where an edge is visible.
 #[derive(Clone, Copy, Debug)]
-pub struct Sights {
+pub struct EdgeVisibility {
     /// Of each ray, the number of its direction, if nothing within reach hides the edge from
     /// there.
     rays: [Option<u8>; RAYS],
@@ -50,12 +50,12 @@ pub struct Sights {
     reach: f64,
 }
 
-impl Sights {
+impl EdgeVisibility {
     /// Of all edges of meshes, by their numbers; of some of them if the work is given up.
     pub fn all(edges: &[SampledEdge], accel: &Accel, halt: &Halt) -> Vec<Self> {
         let shape_of = |edge: &SampledEdge| accel.shape_of_vertex(edge.points[0]);
         let of_shapes = edges.chunk_by(|a, b| shape_of(a) == shape_of(b));
-        let sights = of_shapes.flat_map(|edges| {
+        let visibility = of_shapes.flat_map(|edges| {
             let shape = shape_of(&edges[0]);
             let (low, high) = accel.scene.shape(shape).mesh.bounds();
             let reach = REACH * (high - low).length();
@@ -81,7 +81,7 @@ impl Sights {
                 false => Self::of(edge, reach, |_| false),
             })
         });
-        sights.take_while(|_| !halt.now()).collect()
+        visibility.take_while(|_| !halt.now()).collect()
     }
 
     /// Looks from points on an edge in directions from which it is a silhouette, all about
@@ -148,11 +148,11 @@ pub struct LearnedVisibility {
 
 /// From where some edges are visible, all together.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct SightsOfMany {
+pub struct VisibilitySum {
     /// For each direction, the sum over the rays there that nothing hides of how long silhouettes
     /// their edges are.
     lengths: [f64; DIRECTIONS],
-    /// The same sum over all rays, hidden or not.
+    /// The sum of these lengths over all rays, hidden or not.
     all: f64,
     /// How many rays there are.
     count: usize,
@@ -160,15 +160,15 @@ pub struct SightsOfMany {
     reach: f64,
 }
 
-impl SightsOfMany {
+impl VisibilitySum {
     /// Counts an edge, given how long a silhouette it is, and from where it is visible.
-    pub fn add_edge(&mut self, length: f64, sights: &Sights) {
-        for &direction in sights.rays.iter().flatten() {
+    pub fn add_edge(&mut self, length: f64, visibility: &EdgeVisibility) {
+        for &direction in visibility.rays.iter().flatten() {
             self.lengths[usize::from(direction)] += length;
         }
         self.all += length * RAYS as f64;
         self.count += RAYS;
-        self.reach = self.reach.max(sights.reach);
+        self.reach = self.reach.max(visibility.reach);
     }
 
     /// Counts other edges.
@@ -189,7 +189,7 @@ impl LearnedVisibility {
     };
 
     /// Of edges, at least one.
-    pub fn of(edges: &SightsOfMany) -> Self {
+    pub fn of(edges: &VisibilitySum) -> Self {
         let all = edges.all.max(f64::MIN_POSITIVE);
         // Where rays are few, what those in all directions say counts as well.
         let mean = edges.lengths.iter().sum::<f64>() / all;
@@ -251,10 +251,10 @@ mod tests {
             .map(|(edge, i)| SampledEdge::new(i, edge, boundaries.ends(i), &accel.mesh, None, 0.0));
         let is_it = |edge: &SampledEdge| edge.ends.iter().all(|p| p.x == 1.0 && p.y == 1.0);
         let edge = sampled.find(is_it).expect("an edge of the cube");
-        let sights = Sights::of(&edge, 10.0, |ray| hides(ShapeId(0), ray, &accel));
+        let visibility = EdgeVisibility::of(&edge, 10.0, |ray| hides(ShapeId(0), ray, &accel));
         // So many like it that their rays are not few.
-        let mut seen = SightsOfMany::default();
-        (0..100).for_each(|_| seen.add_edge(edge.weight, &sights));
+        let mut seen = VisibilitySum::default();
+        (0..100).for_each(|_| seen.add_edge(edge.weight, &visibility));
         LearnedVisibility::of(&seen)
     }
 
@@ -308,7 +308,7 @@ mod tests {
             accel.first_hit(Vec3::zero(), Vec3::new(0.0, 0.0, 1.0));
         });
         let all = one(&|| {
-            Sights::all(&sampled, &accel, &Halt::never());
+            EdgeVisibility::all(&sampled, &accel, &Halt::never());
         });
         assert_eq!(all, (sampled.len() * RAYS) as u64 * ray);
     }
@@ -347,15 +347,16 @@ mod tests {
         });
         let sampled: Vec<SampledEdge> = sampled.collect();
         let mut hidden = [0; 4];
-        for (edge, found) in sampled
-            .iter()
-            .zip(Sights::all(&sampled, &accel, &Halt::never()))
+        for (edge, found) in
+            sampled
+                .iter()
+                .zip(EdgeVisibility::all(&sampled, &accel, &Halt::never()))
         {
             let shape = accel.shape_of_vertex(edge.points[0]);
             if edge.exposure != 1.0 {
                 continue;
             }
-            let expected = Sights::of(edge, found.reach, |ray| hides(shape, ray, &accel));
+            let expected = EdgeVisibility::of(edge, found.reach, |ray| hides(shape, ray, &accel));
             assert_eq!(found.rays, expected.rays);
             let rays = found.rays.iter();
             hidden[shape.0 as usize] += rays.filter(|ray| ray.is_none()).count();
