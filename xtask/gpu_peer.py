@@ -8,7 +8,7 @@ are changed as in peers.py, so they should be copies.
 
 Tasks, sizes and the loss are those of crates/gpu-render/examples/image_table.rs, so
 that rows can be read beside its rows. Everything is counted in seconds of the clock,
-with the result's way to the processor, after a run that compiles; the fastest of some
+with the result's way to the CPU, after a run that compiles; the fastest of some
 runs counts, and their spread is the error. Guiding structures are built before, once,
 as if they were amortised. A sample of `direct_projective` and `prb_projective` is one
 of each of their three kinds.
@@ -156,7 +156,7 @@ def main():
         return
     print(f"Mitsuba {mi.__version__}, {variant}")
     if not variant.startswith("cuda"):
-        print("This is the processor: no figure is from a GPU")
+        print("This is the CPU: no figure is from a GPU")
     print(
         "\n| scene | task | method | million samples per second | loss, or its derivative | "
         "its error after a second |\n|---|---|---|---|---|---|"

@@ -2,7 +2,7 @@
 
 usage: peers.py PLAN.json RESULT.json
 
-The plan is written by peers.rs. Everything is counted in seconds of the processor
+The plan is written by peers.rs. Everything is counted in seconds of the CPU
 (user and system). A contestant is one program with one method and one number of
 samples; all of them run in turn in each of several rounds, each run with another
 seed. Times are minima, errors are means over all runs.
@@ -181,7 +181,7 @@ class Capwalk(Contestant):
         self.few = []
 
     def call(self, spp, seed, threads=1):
-        """Seconds of the processor, and what was read."""
+        """Seconds of the CPU, and what was read."""
         numbers = ["--spp", str(spp), "--seed", str(seed), "--threads", str(threads)]
         command = [*self.start, *numbers, "-o", self.output]
         with open(self.output + ".txt", "w+") as text:
@@ -240,7 +240,7 @@ class Mitsuba(Contestant):
 
 
 def timed(work, clock=time.process_time):
-    """Seconds, by default of the processor, and the result as an array."""
+    """Seconds, by default of the CPU, and the result as an array."""
     start = clock()
     result = np.array(work(), dtype=np.float64)
     return clock() - start, result

@@ -35,7 +35,7 @@ pub enum Finding {
 }
 
 impl Deviation {
-    /// That of the scene with this name, if it may differ.
+    /// The deviation of the scene with this name, if it may differ.
     pub fn of(scene: &str) -> Result<Option<Self>> {
         let file = root().join("tests/parity/deviations.json");
         let text =

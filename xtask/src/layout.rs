@@ -4,7 +4,7 @@
 //! Why not `cargo modules dependencies --acyclic` (0.27): whatever its options leave
 //! out, it stops at the first type and its own method (`Vec3` and `Vec3::new`) and
 //! calls them a circle, where files are meant here. Its installation took nine
-//! minutes of processor time, each crate two to eight seconds.
+//! minutes of CPU time, each crate two to eight seconds.
 
 mod circles;
 mod imports;
@@ -27,7 +27,7 @@ use source::Crate;
 struct Member {
     /// Its folder's name.
     name: String,
-    /// Whether other people's crates may depend on it.
+    /// True if other people's crates may depend on it.
     published: bool,
     /// Its modules.
     krate: Crate,

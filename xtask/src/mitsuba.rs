@@ -34,7 +34,7 @@ fn folder() -> PathBuf {
 pub const LLVM_VARIABLE: &str = "DRJIT_LIBLLVM_PATH";
 
 /// The oldest LLVM that compiles everything: 15 has no `maximum` of single numbers
-/// for processors with AVX-512, and ends the program.
+/// for CPUs with AVX-512, and ends the program.
 const OLDEST_LLVM: u32 = 16;
 
 /// What to do where there is no LLVM.

@@ -52,7 +52,7 @@ pub fn start(name: &str, mut command: Command) -> Result<()> {
     Ok(())
 }
 
-/// The same, and says how long it took.
+/// Runs a command as a step of this name, and says how long it took.
 pub fn step(name: &str, command: Command) -> Result<()> {
     let started = Instant::now();
     start(name, command)?;

@@ -96,17 +96,17 @@ impl CheckOptions {
 pub struct Reference {
     /// Samples per pixel on each side.
     pub spp: u32,
-    /// Whether as many are taken instead as suit the noise.
+    /// True if as many are taken instead as suit the noise.
     pub fits_noise: bool,
-    /// Whether pixels get more or fewer of them by how noisy they are.
+    /// True if pixels get more or fewer of them by how noisy they are.
     pub adaptive: bool,
     /// Seed of its random numbers.
     pub seed: u64,
     /// How far the parameter moves on each side, in its own units.
     pub step: f64,
-    /// Whether no step was asked for, and this is the one that fits the scene.
+    /// True if no step was asked for, and this is the one that fits the scene.
     pub fits_scene: bool,
-    /// Whether it moves to both sides.
+    /// True if it moves to both sides.
     pub sides: Stencil,
 }
 

@@ -208,7 +208,7 @@ impl Face {
         sum.fold(Vec3::zero(), |sum, (&v, w)| sum + v * (w / whole))
     }
 
-    /// True if points of one are not at rest on the other; if one of them is in front of the
+    /// True if points of one move on the other; if one of them is in front of the
     /// other, if they leave its plane.
     fn moves_against(&self, other: &Self) -> bool {
         let speeds = self.velocities.iter().chain(&other.velocities);
@@ -260,12 +260,12 @@ mod tests {
         found_beside("floor", place, expression)
     }
 
-    /// The same over another shape.
+    /// The number of pairs that are found over another shape.
     fn found_beside(under: &str, place: Affine, expression: &str) -> usize {
         found_in(under, place, expression, |_| {})
     }
 
-    /// The same in a changed scene.
+    /// The number of pairs that are found in a changed scene.
     fn found_in(
         under: &str,
         place: Affine,

@@ -7,11 +7,11 @@ use crate::method::Choice;
 /// Where an image or a derivative is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Device {
-    /// On the processor.
+    /// On the CPU.
     #[default]
     Cpu,
     /// On a GPU if there is one with double precision that has all that the scene needs, else on
-    /// the processor. Software Vulkan is none.
+    /// the CPU. Software Vulkan is none.
     Auto,
     /// On a GPU, or on software Vulkan; an error if there is neither, or if the scene needs what it
     /// does not have.
@@ -28,15 +28,15 @@ impl Choice for Device {
 pub struct OnDevice<T> {
     /// What was asked for.
     pub result: T,
-    /// The name of the GPU; `None` for the processor.
+    /// The name of the GPU; `None` for the CPU.
     pub adapter: Option<String>,
-    /// Why it was the processor, where a GPU was there and could have been meant.
+    /// Why it was the CPU, where a GPU was there and could have been meant.
     pub remark: Option<String>,
     /// The method of a derivative. A GPU has edges alone, and where nothing moves all methods are one.
     pub chosen: Option<Chosen>,
 }
 
-/// What a GPU computed, or that the processor has to.
+/// What a GPU computed, or that the CPU has to.
 pub enum Found<T> {
     #[cfg_attr(
         not(feature = "gpu"),
@@ -46,7 +46,7 @@ pub enum Found<T> {
         result: T,
         adapter: String,
     },
-    Processor {
+    Cpu {
         remark: Option<String>,
     },
 }

@@ -53,7 +53,7 @@ impl Direction for Tangent {
 
 /// The velocities of numbers of a scene, per unit of the parameter, whose derivatives can be computed.
 /// Variances are their squares, and standard errors of variances the squares of these: the root of the
-/// root of the largest number is 1e77, and some room is left for what is not 1 in a scene.
+/// root of the largest number is 1e77, and a margin is left for what is not 1 in a scene.
 const RATES: std::ops::RangeInclusive<f64> = 1e-70..=1e70;
 
 /// What a tangent without a name is about, in words.

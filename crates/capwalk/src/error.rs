@@ -114,7 +114,7 @@ pub enum Error {
         name: String,
         /// Its shape.
         expected: String,
-        /// That of the numbers.
+        /// The shape of the given numbers.
         found: String,
     },
     /// Nothing moves or changes, so the derivative is zero everywhere.
@@ -165,7 +165,7 @@ pub enum Error {
         what: &'static str,
         /// Its width and height.
         found: [usize; 2],
-        /// Those of the scene's film.
+        /// Width and height of the scene's film.
         expected: [usize; 2],
     },
     /// The image of a target would be black where it should be bright.
@@ -249,7 +249,7 @@ pub enum UnusableImage {
     Size {
         /// Its width and height.
         found: [usize; 2],
-        /// Those of the scene's film.
+        /// Width and height of the scene's film.
         expected: [usize; 2],
     },
     /// A pixel is infinite or NaN.

@@ -62,7 +62,7 @@ pub fn backward(
     })
 }
 
-/// What the GPU that is found computes, unless something is missing there. The processor, for [`Device::Cpu`], and for [`Device::Auto`] where there is none, or where it has
+/// What the GPU that is found computes, unless something is missing there. The CPU, for [`Device::Cpu`], and for [`Device::Auto`] where there is none, or where it has
 /// not all that is needed.
 fn found<T>(
     prepared: &PreparedScene,
@@ -71,29 +71,29 @@ fn found<T>(
     compute: impl FnOnce(&DeviceScene) -> Result<T, DeviceError>,
 ) -> Result<Found<T>, Error> {
     if device == Device::Cpu {
-        return Ok(Found::Processor { remark: None });
+        return Ok(Found::Cpu { remark: None });
     }
     let may_fall_back = device == Device::Auto;
-    let on_processor = |remark: Option<String>| Ok(Found::Processor { remark });
+    let on_cpu = |remark: Option<String>| Ok(Found::Cpu { remark });
     // Whether there is a GPU or not.
     if let Some(missing) = missing() {
         return match (may_fall_back, shared_gpu()) {
             (false, _) => Err(failure(missing.into())),
-            // Where there is software only, the processor is what is meant.
-            (true, Ok(gpu)) if !gpu.is_software() => on_processor(Some(remark(&missing.what))),
-            (true, _) => on_processor(None),
+            // Where there is software only, the CPU is what is meant.
+            (true, Ok(gpu)) if !gpu.is_software() => on_cpu(Some(remark(&missing.what))),
+            (true, _) => on_cpu(None),
         };
     }
     let gpu = match shared_gpu() {
-        Ok(gpu) if may_fall_back && gpu.is_software() => return on_processor(None),
+        Ok(gpu) if may_fall_back && gpu.is_software() => return on_cpu(None),
         Ok(gpu) => gpu,
-        Err(GpuError::NoAdapter { .. }) if may_fall_back => return on_processor(None),
-        Err(error) if may_fall_back => return on_processor(Some(remark(&error))),
+        Err(GpuError::NoAdapter { .. }) if may_fall_back => return on_cpu(None),
+        Err(error) if may_fall_back => return on_cpu(Some(remark(&error))),
         Err(error) => return Err(failure(error.into())),
     };
     // Shadows of what touches have gaps in single precision.
     if may_fall_back && gpu.precision() == Precision::Single {
-        return on_processor(Some(remark(&"it has no double precision")));
+        return on_cpu(Some(remark(&"it has no double precision")));
     }
     let noted = |error: DeviceError| {
         if let DeviceError::Gpu(error) = &error {
@@ -103,7 +103,7 @@ fn found<T>(
     };
     let scene = match DeviceScene::new(&gpu, prepared).map_err(noted) {
         Ok(scene) => scene,
-        Err(error) if may_fall_back => return on_processor(Some(remark(&error))),
+        Err(error) if may_fall_back => return on_cpu(Some(remark(&error))),
         Err(error) => return Err(failure(error)),
     };
     match compute(&scene).map_err(noted) {
@@ -112,13 +112,13 @@ fn found<T>(
             adapter: gpu.name().to_owned(),
         }),
         Err(DeviceError::Unsupported(missing)) if may_fall_back => {
-            on_processor(Some(remark(&missing.what)))
+            on_cpu(Some(remark(&missing.what)))
         }
         Err(error) => Err(failure(error)),
     }
 }
 
-/// What the processor would refuse as well is no failure of the device.
+/// What the CPU would refuse as well is no failure of the device.
 fn failure(error: DeviceError) -> Error {
     match error {
         DeviceError::Refused(refusal) => refusal.into(),

@@ -9,7 +9,7 @@ use capwalk_scene::{Image, Tangent};
 use crate::device::{Device, DeviceFailure, Found};
 use crate::error::Error;
 
-/// The processor, unless a GPU is asked for.
+/// The CPU, unless a GPU is asked for.
 pub fn image(
     _: &PreparedScene,
     device: Device,
@@ -19,7 +19,7 @@ pub fn image(
     found(device)
 }
 
-/// The same.
+/// The CPU, unless a GPU is asked for, which is an error.
 pub fn gradient(
     _: &PreparedScene,
     device: Device,
@@ -30,7 +30,7 @@ pub fn gradient(
     found(device)
 }
 
-/// The same.
+/// The CPU, unless a GPU is asked for, which is an error.
 pub fn backward(
     _: &PreparedScene,
     device: Device,
@@ -44,6 +44,6 @@ pub fn backward(
 fn found<T>(device: Device) -> Result<Found<T>, Error> {
     match device {
         Device::Gpu => Err(DeviceFailure::NotBuilt.into()),
-        Device::Auto | Device::Cpu => Ok(Found::Processor { remark: None }),
+        Device::Auto | Device::Cpu => Ok(Found::Cpu { remark: None }),
     }
 }

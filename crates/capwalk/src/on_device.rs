@@ -14,7 +14,7 @@ use crate::options::check_spp;
 use crate::prepared::Prepared;
 
 impl Prepared {
-    /// [`Prepared::render`] on a device. A GPU takes the processor's samples, with its random
+    /// [`Prepared::render`] on a device. A GPU takes the CPU's samples, with its random
     /// numbers, and rounds differently: the same scene, seed, options and device give the same
     /// bits. The first image opens the device, and the process keeps it until it is lost. An error
     /// if it is asked for and there is none, if it has not all that the scene needs, or if it
@@ -41,7 +41,7 @@ impl Prepared {
 
     /// [`Prepared::gradient`] on a device, see [`Prepared::render_on`]. A GPU has derivatives with
     /// respect to the numbers of materials, to what emitters send, and to what moves, by
-    /// [`Method::EDGES`]; [`Device::Auto`] takes the processor for what it has not.
+    /// [`Method::EDGES`]; [`Device::Auto`] takes the CPU for what it has not.
     ///
     /// ```
     /// # use capwalk::{Device, GradientOptions, Prepared, Unwatched};
@@ -87,7 +87,7 @@ impl Prepared {
                 result: work.by_name(&result),
                 adapter,
             },
-            Found::Processor { remark } => Found::Processor { remark },
+            Found::Cpu { remark } => Found::Cpu { remark },
         };
         let there = by_method(options, work.wanted().moves());
         or_else(found, Some(there), || {
@@ -98,7 +98,7 @@ impl Prepared {
 }
 
 /// The options with the method that a GPU has. Where nothing moves all methods are one, and the
-/// choice of the processor is the walk.
+/// choice of the CPU is the walk.
 fn by_method(options: &GradientOptions, moves: bool) -> GradientOptions {
     let method = match options.method {
         Method::Auto if moves => Method::EDGES,
@@ -108,12 +108,12 @@ fn by_method(options: &GradientOptions, moves: bool) -> GradientOptions {
     GradientOptions { method, ..*options }
 }
 
-/// What a GPU computed, by these options if it is a derivative, or else the processor, which may have
+/// What a GPU computed, by these options if it is a derivative, or else the CPU, which may have
 /// chosen a method.
 fn or_else<T>(
     found: Found<T>,
     options: Option<GradientOptions>,
-    on_processor: impl FnOnce() -> Result<(T, Option<Chosen>), Error>,
+    on_cpu: impl FnOnce() -> Result<(T, Option<Chosen>), Error>,
 ) -> Result<OnDevice<T>, Error> {
     match found {
         Found::There { result, adapter } => Ok(OnDevice {
@@ -125,8 +125,8 @@ fn or_else<T>(
                 trials: Vec::new(),
             }),
         }),
-        Found::Processor { remark } => {
-            let (result, chosen) = on_processor()?;
+        Found::Cpu { remark } => {
+            let (result, chosen) = on_cpu()?;
             Ok(OnDevice {
                 result,
                 adapter: None,

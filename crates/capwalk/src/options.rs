@@ -9,7 +9,7 @@ use crate::method::OptionError;
 pub struct DifferenceOptions {
     /// Samples per pixel on each side, at least 1; at least 2 for standard errors.
     pub spp: u32,
-    /// Whether pixels get more or fewer samples by how noisy they are, in the time of `spp` of each.
+    /// True if pixels get more or fewer samples by how noisy they are, in the time of `spp` of each.
     pub adaptive: bool,
     /// Seed of all random numbers, the same on both sides.
     pub seed: u64,

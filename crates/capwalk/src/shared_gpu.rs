@@ -14,7 +14,7 @@ struct OpenGpu {
 }
 
 impl OpenGpu {
-    /// Whether it answers this process: drivers do not know what was forked from theirs.
+    /// True if it answers this process: drivers do not know what was forked from theirs.
     fn is_usable(&self, process: u32) -> bool {
         self.process == process && self.gpu.check().is_ok()
     }

@@ -322,7 +322,7 @@ fn seen(scene: &Scene, sensors: &[SensorSettings], view: ViewId) -> Scene {
     seen
 }
 
-/// Whether all sensors can render a scene, and all go by different names.
+/// True if all sensors can render a scene, and all go by different names.
 fn check(scene: &Scene, sensors: &[SensorSettings]) -> Result<(), SceneError> {
     scene.check()?;
     let shapes = scene.shapes.iter().map(|shape| shape.id.as_str());

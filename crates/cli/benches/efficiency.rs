@@ -5,7 +5,7 @@
 //! folder. Names of folders behind `--` choose some.
 //!
 //! Variance is that of a sample, averaged over pixels and channels; time is that
-//! of the processor for a sample, without what is done once, as the pilot of `auto` is. All
+//! of the CPU for a sample, without what is done once, as the pilot of `auto` is. All
 //! run in turn in each of several rounds, each with other random numbers; variances are
 //! means over the rounds, times the smallest of them.
 
@@ -140,7 +140,7 @@ impl Way {
         many
     }
 
-    /// The derivative, and the processor's time for it.
+    /// The derivative, and the CPU's time for it.
     fn run(
         &self,
         prepared: &PreparedScene,

@@ -196,8 +196,8 @@ fn describe_load(error: &LoadError, source: &str) -> String {
             .collect();
         let marked = source.get(position.span.clone()).unwrap_or("");
         let marked = marked.lines().next().unwrap_or("").chars().count();
-        let room = shown.chars().count().saturating_sub(column - start);
-        let carets = "^".repeat(marked.clamp(1, room.max(1)));
+        let left = shown.chars().count().saturating_sub(column - start);
+        let carets = "^".repeat(marked.clamp(1, left.max(1)));
         let indent = " ".repeat(column - start);
         text += &format!("\n{margin} |\n{number} | {shown}\n{margin} | {indent}{carets}");
     }

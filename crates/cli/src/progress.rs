@@ -21,7 +21,7 @@ const KILLED: i32 = 130;
 /// True once Ctrl-C was pressed or SIGTERM came.
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
-/// Whether there is something to write, since a sample was taken: until then, what stops a command
+/// True if there is something to write, since a sample was taken: until then, what stops a command
 /// ends the process, whatever it is at. Locked while that is decided.
 static HAS_RESULTS: Mutex<bool> = Mutex::new(false);
 

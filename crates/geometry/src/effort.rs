@@ -7,9 +7,9 @@ use std::cell::Cell;
 
 /// The effort of a ray, for each level of a tree.
 pub(crate) const RAY: u64 = 2;
-/// That of the closest silhouette, or of a gather that finds none.
+/// The effort of a closest silhouette, or of a gather that finds none.
 pub(crate) const CLOSEST: u64 = 5;
-/// That of each edge that is gathered.
+/// The effort of each edge that is gathered.
 pub(crate) const FOUND: u64 = 8;
 
 thread_local! {

@@ -44,7 +44,7 @@ pub fn closest_silhouette(
     closest_silhouette_where(mesh, edges, query, |_| true)
 }
 
-/// The same, leaving out edges whose closest point `accept` rejects.
+/// The closest silhouette among the edges whose closest point `accept` does not reject.
 pub fn closest_silhouette_where(
     mesh: &Mesh,
     edges: &[Edge],

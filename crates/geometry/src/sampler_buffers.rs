@@ -1,6 +1,6 @@
 //! A tree for sampling edges as flat arrays, for devices with a memory of their own, and what
 //! is asked of it. `EdgeSampler` of `capwalk-boundary` fills the arrays, and answers the same
-//! on the processor.
+//! on the CPU.
 //!
 //! # Nodes
 //!

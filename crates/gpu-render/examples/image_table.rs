@@ -1,5 +1,5 @@
 //! Images and gradients per second on the adapter that is found, through each interface that
-//! reaches it, beside those of the processor's threads, and how far both agree.
+//! reaches it, beside those of the CPU's threads, and how far both agree.
 //!
 //! `image_table [--adapter PART] SCENE PARAMETER [SCENE PARAMETER ...]`, where a scene is a
 //! Mitsuba 3 XML file or a built-in one, and the parameter moves a shape, as
@@ -97,7 +97,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     }
     let gpus = open(adapter)?;
     let threads = pool::install(rayon::current_num_threads);
-    println!("The processor has {threads} threads.");
+    println!("The CPU has {threads} threads.");
     let is_software = gpus.iter().all(|gpu| gpu.is_software());
     let effort = match is_software {
         true => IN_SOFTWARE,
@@ -107,9 +107,9 @@ fn run() -> Result<(), Box<dyn Error>> {
         println!("This adapter is software: no figure is from hardware");
     }
     println!(
-        "\n| scene | task | through | kernels, million samples per second | whole way | \
-         processor | x processor | loss, or its derivative | its error after a second | \
-         processor's | off by at most |"
+        "\n| scene | task | through | kernels, million samples per second | whole call | \
+         CPU | x CPU | loss, or its derivative | its error after a second | \
+         CPU's | off by at most |"
     );
     println!("|---|---|---|---|---|---|---|---|---|---|---|");
     let mut faults = 0;
@@ -173,7 +173,7 @@ fn measure(
     let short = Path::new(name).file_stem().unwrap_or_default().display();
     let mut faults = 0;
     for task in tasks {
-        let own = fastest(&Place::Processor(&prepared), &task, &weights, effort)?;
+        let own = fastest(&Place::Cpu(&prepared), &task, &weights, effort)?;
         for gpu in gpus {
             print!("| {short} | {} | {:?} | ", task.name(), gpu.interface());
             let found = DeviceScene::new(gpu, &prepared)
@@ -190,7 +190,7 @@ fn measure(
     Ok(faults)
 }
 
-/// Prints figures of a device beside the processor's. Returns whether both agree.
+/// Prints figures of a device beside the CPU's. Returns whether both agree.
 fn row(found: &Run, own: &Run) -> bool {
     let pairs = || found.numbers.iter().zip(&own.numbers);
     let most = pairs().map(|(a, b)| a.distance(b)).fold(0.0, f64::max);
@@ -374,7 +374,7 @@ fn means(estimate: &Estimate, weights: &Image) -> Vec<Number> {
 
 /// Who computes.
 enum Place<'a> {
-    Processor(&'a PreparedScene),
+    Cpu(&'a PreparedScene),
     Device(&'a Gpu, &'a DeviceScene<'a>),
 }
 
@@ -382,7 +382,7 @@ impl Place<'_> {
     fn render(&self, spp: u32) -> Result<Rendering, DeviceError> {
         let options = self.options(spp).sampling();
         match self {
-            Self::Processor(scene) => Ok(render(scene, &options, &Unwatched)),
+            Self::Cpu(scene) => Ok(render(scene, &options, &Unwatched)),
             Self::Device(_, scene) => scene.render(&options, &Unwatched),
         }
     }
@@ -390,7 +390,7 @@ impl Place<'_> {
     fn gradient(&self, tangent: &Tangent, spp: u32) -> Result<GradientImage, DeviceError> {
         let options = self.options(spp);
         match self {
-            Self::Processor(scene) => Ok(gradient(scene, tangent, &options, &Unwatched)?),
+            Self::Cpu(scene) => Ok(gradient(scene, tangent, &options, &Unwatched)?),
             Self::Device(_, scene) => scene.gradient(tangent, &options, &Unwatched),
         }
     }
@@ -403,7 +403,7 @@ impl Place<'_> {
     ) -> Result<Backward, DeviceError> {
         let options = self.options(spp);
         match self {
-            Self::Processor(scene) => Ok(backward(scene, weights, wanted, &options, &Unwatched)?),
+            Self::Cpu(scene) => Ok(backward(scene, weights, wanted, &options, &Unwatched)?),
             Self::Device(_, scene) => scene.backward(weights, wanted, &options, &Unwatched),
         }
     }
@@ -411,7 +411,7 @@ impl Place<'_> {
     /// Each has random numbers of its own.
     fn options(&self, spp: u32) -> GradientOptions {
         let seed = match self {
-            Self::Processor(_) => 1,
+            Self::Cpu(_) => 1,
             Self::Device(..) => 2,
         };
         GradientOptions {
@@ -423,7 +423,7 @@ impl Place<'_> {
     /// How long kernels have run so far.
     fn busy(&self) -> Duration {
         match self {
-            Self::Processor(_) => Duration::ZERO,
+            Self::Cpu(_) => Duration::ZERO,
             Self::Device(gpu, _) => gpu.busy(),
         }
     }

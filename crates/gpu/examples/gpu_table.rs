@@ -1,12 +1,12 @@
 //! Queries per second on the adapter that is found, through each interface that reaches it
-//! and in both precisions, beside the processor's own, with how far the answers agree:
+//! and in both precisions, beside the CPU's own, with how far the answers agree:
 //! what the tables of docs/benchmarks.md are made of.
 //!
 //! `cargo xtask gpu [ADAPTER]`, where part of an adapter's name chooses it. The meshes are
 //! bumpy spheres of 100,352 triangles and of 871,200, as many as the Stanford dragon has; the
 //! views come from around them, as in the benchmark of `capwalk-geometry`. Times are of the
 //! kernels alone, and of whole batches with the preparation and the upload of the queries
-//! and the way of the answers back; the processor's are of one thread.
+//! and the way of the answers back; the CPU's are of one thread.
 
 use std::f64::consts::PI;
 use std::fmt::Debug;
@@ -26,7 +26,7 @@ use capwalk_math::Vec3;
 const SPLITS: [u32; 2] = [112, 330];
 /// Queries of a batch, on a GPU and in software.
 const COUNTS: [usize; 2] = [1 << 20, 1 << 13];
-/// Answers that are compared with the processor's.
+/// Answers that are compared with the CPU's.
 const COMPARED: usize = 1 << 16;
 /// Half-angle of the limited cones, radians.
 const NARROW: f64 = 0.05;
@@ -82,7 +82,7 @@ fn run() -> Result<(), GpuError> {
     Ok(())
 }
 
-/// The trees, the queries, and the processor's answers to the first of them.
+/// The trees, the queries, and the CPU's answers to the first of them.
 struct Own {
     mesh: Mesh,
     rays_there: RayTree,
@@ -97,7 +97,7 @@ struct Own {
     gathered: Timed<Vec<u32>>,
 }
 
-/// Answers, and the processor's time for them.
+/// Answers, and the CPU's time for them.
 type Timed<T> = (Duration, Vec<T>);
 
 impl Own {
@@ -141,7 +141,7 @@ impl Own {
     }
 }
 
-/// The processor's answers to the first queries.
+/// The CPU's answers to the first queries.
 fn timed<Q, A>(queries: &[Q], answer: impl Fn(&Q) -> A) -> Timed<A> {
     let some = &queries[..queries.len().min(COMPARED)];
     let started = Instant::now();
@@ -166,7 +166,7 @@ fn measure(gpu: &Arc<Gpu>, own: &Own) -> Result<(), GpuError> {
     let rays_there = DeviceRayTree::new(gpu, &own.rays_there)?;
     let edges_there = DeviceSilhouetteTree::new(gpu, &own.edges_there)?;
     println!(
-        "| query | kernel, million per second | x first hit | whole way | processor | \
+        "| query | kernel, million per second | x first hit | whole call | CPU | \
          equal to the bit | off by at most |"
     );
     println!("|---|---|---|---|---|---|---|");
@@ -228,7 +228,7 @@ fn refits(
     mut edges_there: DeviceSilhouetteTree,
 ) -> Result<(), GpuError> {
     let milliseconds = |time: Duration| time.as_secs_f64() * 1e3;
-    println!("\n| refit | kernels, ms | whole way, ms | processor, ms |\n|---|---|---|---|");
+    println!("\n| refit | kernels, ms | whole call, ms | CPU, ms |\n|---|---|---|---|");
     let row = |name: &str, refit: &mut dyn FnMut() -> Result<(), GpuError>, own: Duration| {
         let found = fastest(gpu, refit)?;
         println!(

@@ -1,4 +1,4 @@
-//! Queries in the device's memory, and room for their answers.
+//! Queries in the device's memory, and memory for their answers.
 
 use rayon::prelude::*;
 
@@ -13,7 +13,7 @@ use crate::precision::Precision;
 use crate::resident::Resident;
 
 /// No buffer of a part is larger than this, bytes, unless one query needs more: enough for a GPU
-/// to be busy, and little enough for the processor's copies to stay in its caches, or nearly.
+/// to be busy, and little enough for the CPU's copies to stay in its caches, or nearly.
 const LARGEST: u64 = 1 << 25;
 
 /// The first answer to a query whose loops were cut short, see `rays.slang`.

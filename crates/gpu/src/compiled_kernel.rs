@@ -93,7 +93,7 @@ struct PackedKernel {
 impl KernelPack {
     const MARK: &str = "\n//// ";
 
-    /// Those of a file that `cargo xtask kernels` wrote; they stay in memory until the process ends.
+    /// The pack in a file that `cargo xtask kernels` wrote; it stays in memory until the process ends.
     ///
     /// # Panics
     ///

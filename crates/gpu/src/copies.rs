@@ -1,4 +1,4 @@
-//! What the processor has of the queries that are on the device.
+//! What the CPU has of the queries that are on the device.
 
 use rayon::prelude::*;
 
@@ -8,7 +8,7 @@ pub const VIEW: usize = 12;
 /// Queries that are prepared by one thread.
 const CHUNK: usize = 256;
 
-/// The processor's copies of a part. They are kept from one to the next: new memory costs
+/// The CPU's copies of a part. They are kept from one to the next: new memory costs
 /// as much as all that is written to it.
 #[derive(Debug, Default)]
 pub struct Copies {

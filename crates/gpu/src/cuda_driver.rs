@@ -233,7 +233,7 @@ impl CudaDriver {
             shared_mem_bytes: 0,
         };
         // SAFETY: the kernels take no arguments but the parameters, which were set just now,
-        // under the lock that `words` is from, to memory with room for all that a kernel reads
+        // under the lock that `words` is from, to memory that holds all that a kernel reads
         // and writes of these queries. It is there until the launch is done: the caller keeps
         // it while it waits, and if a wait ends before, memory is given back in the order of
         // the one stream that everything here goes through.

@@ -54,7 +54,7 @@ impl Driver {
         }
     }
 
-    /// Whether threads can exchange numbers without memory.
+    /// True if threads can exchange numbers without memory.
     pub fn has_exchange(&self) -> bool {
         match self {
             Self::Wgpu(driver) => driver.has_exchange(),

@@ -81,13 +81,13 @@ pub struct Gpu {
     /// Larger pieces of memory are refused.
     memory: AtomicU64,
     copies: Mutex<Copies>,
-    /// Whether the eight threads of a cone are neighbours.
+    /// True if the eight threads of a cone are neighbours.
     eights: OnceLock<bool>,
 }
 
 impl Gpu {
     /// Opens the adapter that is asked for, or else the fastest kind there is: a GPU of
-    /// its own before one that shares the processor's memory before software.
+    /// its own before one that shares the CPU's memory before software.
     pub fn new(options: &GpuOptions) -> Result<Self, GpuError> {
         let (driver, precision) = open(options)?;
         Ok(Self {
@@ -120,7 +120,7 @@ impl Gpu {
         }
     }
 
-    /// True if the adapter is a program on the processor, so that no figure is a GPU's.
+    /// True if the adapter is a program on the CPU, so that no figure is a GPU's.
     pub fn is_software(&self) -> bool {
         self.driver.is_software()
     }
@@ -130,7 +130,7 @@ impl Gpu {
         self.precision
     }
 
-    /// How long kernels have run so far, by the processor's clock: from each launch until it
+    /// How long kernels have run so far, by the CPU's clock: from each launch until it
     /// was known to be done, without queries and answers on their way.
     pub fn busy(&self) -> Duration {
         Duration::from_nanos(self.busy.load(Ordering::Relaxed))
@@ -216,7 +216,7 @@ impl Gpu {
         read.map_err(|fault| self.error(fault, bytes))
     }
 
-    /// The processor's copies of batches; new ones while another caller has them.
+    /// The CPU's copies of batches; new ones while another caller has them.
     pub(crate) fn take_copies(&self) -> Copies {
         std::mem::take(&mut *locked(&self.copies))
     }
@@ -237,7 +237,7 @@ impl Gpu {
         self.run_compiled(&kernel.compiled(), arrays, whole)
     }
 
-    /// The same for a kernel of any crate.
+    /// Runs a kernel of any crate.
     pub(crate) fn run_compiled(
         &self,
         kernel: &CompiledKernel,

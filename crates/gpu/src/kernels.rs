@@ -66,7 +66,7 @@ pub enum Kernel {
     Occluded,
     Closest,
     Gather,
-    /// Whether cones can be asked at all.
+    /// True if cones can be asked at all.
     Eights,
     /// Triangles and edges at new positions.
     MovedTriangles,

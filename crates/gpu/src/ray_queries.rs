@@ -49,12 +49,12 @@ impl DeviceRayTree {
         })
     }
 
-    /// Follows moved vertices, as [`RayTree::refit`] does on the processor: the mesh must be the
+    /// Follows moved vertices, as [`RayTree::refit`] does on the CPU: the mesh must be the
     /// one that the tree was built from, with any other finite positions. Positions are uploaded,
     /// all else is done on the device; the first call also uploads the faces, and takes memory
     /// for a second copy of the tree. Answers are those of a new tree; they only take longer the
     /// less the mesh resembles the one that the tree was built for. To build anew, or to follow a
-    /// tree that the processor has refitted anyway, there is [`new`](Self::new).
+    /// tree that the CPU has refitted anyway, there is [`new`](Self::new).
     ///
     /// After an error the tree is what it was: [`GpuError::OtherMesh`] if vertices or faces are
     /// not as many as they were, as far as that is known, or a position is not finite. That faces
@@ -97,7 +97,7 @@ impl DeviceRayTree {
         Ok(hits)
     }
 
-    /// Whether anything lies within each ray's bounds.
+    /// True if anything lies within each ray's bounds.
     pub fn occluded(&self, rays: &[Ray]) -> Result<Vec<bool>, GpuError> {
         let shape = Shape {
             kernel: Kernel::Occluded,

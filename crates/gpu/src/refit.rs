@@ -1,7 +1,7 @@
 //! Trees on the device that follow moved vertices.
 //!
 //! Only positions are uploaded: 24 bytes for each vertex, and in single precision 12 for each
-//! face. The frame is that of the processor's own refit, wherever vertices go. The new arrays are
+//! face. The frame is that of the CPU's own refit, wherever vertices go. The new arrays are
 //! written beside the old ones, which answer until all is done, and stay if anything fails.
 
 use capwalk_geometry::buffers::{FLIPPED, NONE};
@@ -15,7 +15,7 @@ use crate::gpu::Gpu;
 use crate::kernels::Kernel;
 use crate::launch::Launch;
 use crate::precision::Precision;
-use crate::resident::{Resident, room, uploaded};
+use crate::resident::{Resident, reserved, uploaded};
 
 /// What a tree is over, in the order of its leaves.
 #[derive(Debug)]
@@ -145,8 +145,8 @@ impl Refit {
             below: uploaded(gpu, bytemuck::cast_slice(below))?,
             sides: uploaded(gpu, bytemuck::cast_slice(primitives.sides()))?,
             faces: uploaded(gpu, bytemuck::cast_slice(&faces))?,
-            positions: room(gpu, positions as u64)?,
-            others: room(gpu, others as u64)?,
+            positions: reserved(gpu, positions as u64)?,
+            others: reserved(gpu, others as u64)?,
             spare: tree.spare(gpu)?,
             framed,
             size: [mesh.positions.len(), mesh.faces.len()],

@@ -32,13 +32,13 @@ pub struct Resident {
 
 /// Uploads an array, which one buffer must hold.
 pub fn uploaded(gpu: &Gpu, bytes: &[u8]) -> Result<Memory, GpuError> {
-    let memory = room(gpu, bytes.len() as u64)?;
+    let memory = reserved(gpu, bytes.len() as u64)?;
     gpu.upload(&memory, bytes)?;
     Ok(memory)
 }
 
-/// Room for an array, which one buffer must hold.
-pub fn room(gpu: &Gpu, bytes: u64) -> Result<Memory, GpuError> {
+/// Memory for an array, which one buffer must hold.
+pub fn reserved(gpu: &Gpu, bytes: u64) -> Result<Memory, GpuError> {
     let limit = gpu.largest_buffer();
     if bytes > limit {
         return Err(GpuError::TreeTooLarge {
@@ -88,7 +88,8 @@ impl Resident {
     /// Room for nodes, primitives, and what is read of them before: a second copy of each.
     pub fn spare(&self, gpu: &Gpu) -> Result<[Memory; 3], GpuError> {
         let [nodes, _, primitives, rough] = self.sizes;
-        let [nodes, primitives, rough] = [nodes, primitives, rough].map(|bytes| room(gpu, bytes));
+        let [nodes, primitives, rough] =
+            [nodes, primitives, rough].map(|bytes| reserved(gpu, bytes));
         Ok([nodes?, primitives?, rough?])
     }
 

@@ -81,7 +81,7 @@ impl DeviceEdgeSampler {
     /// probability as well. The mean over random numbers of `f(edge) / probability` is the sum of
     /// `f` over all edges that count and meet the cone, those without length left out.
     ///
-    /// In double precision, edges and probabilities are those of the processor for the same
+    /// In double precision, edges and probabilities are those of the CPU for the same
     /// numbers, up to rounding, which also decides whether an edge counts that ends on the border
     /// of the cone. In single precision numbers are hashed, so they lead to other edges, and even
     /// spacing of them does not help; a half of a node that is chosen less than once in 2³² times

@@ -44,8 +44,8 @@ impl Gathered {
         &self.edges[self.starts[query]..self.starts[query + 1]]
     }
 
-    /// How many cones met more edges than there was room for, and were asked a second
-    /// time with room for all: many of them make a larger capacity worth while.
+    /// How many cones met more edges than the capacity, and were asked a second
+    /// time with capacity for all: many of them make a larger capacity worth while.
     pub fn overflowed(&self) -> usize {
         self.overflowed
     }
@@ -79,14 +79,14 @@ impl DeviceSilhouetteTree {
         })
     }
 
-    /// Follows moved vertices, as [`SilhouetteTree::refit`] does on the processor: the mesh must
+    /// Follows moved vertices, as [`SilhouetteTree::refit`] does on the CPU: the mesh must
     /// be the one that the tree was built from, with any other finite positions. Positions are
     /// uploaded, all else is done on the device (but for the normals of faces in single
     /// precision); the first call also uploads the faces, and takes memory for a second copy of
     /// the tree. Answers are those of a new tree over the same edges, in single
     /// precision with a rounding more in edges' directions; they only take longer the
     /// less the mesh resembles the one that the tree was built for. To build anew, or to follow a
-    /// tree that the processor has refitted anyway, there is [`new`](Self::new).
+    /// tree that the CPU has refitted anyway, there is [`new`](Self::new).
     ///
     /// After an error the tree is what it was: [`GpuError::OtherMesh`] if vertices or faces are
     /// not as many as they were, as far as that is known, or a position is not finite. That faces
@@ -150,9 +150,9 @@ impl DeviceSilhouetteTree {
         })
     }
 
-    /// All boundary edges that meet each cone (METHOD 8). The device has room for
-    /// `capacity` edges of each; what finds no more room is counted, and those cones are
-    /// asked again with room for all.
+    /// All boundary edges that meet each cone (METHOD 8). The device has memory for
+    /// `capacity` edges of each; what exceeds it is counted, and those cones are
+    /// asked again with capacity for all.
     pub fn gather(&self, queries: &[ConeQuery], capacity: usize) -> Result<Gathered, GpuError> {
         // No cone meets more edges than there are.
         let capacity = capacity.min(self.edges);

@@ -30,7 +30,7 @@ type OncePipeline = Arc<Mutex<Option<wgpu::ComputePipeline>>>;
 
 impl WgpuDriver {
     /// Opens the adapter whose name contains `wanted`, or else the fastest kind there is: a
-    /// GPU of its own before one that shares the processor's memory before software. With
+    /// GPU of its own before one that shares the CPU's memory before software. With
     /// it comes the precision: the wanted one, or the best that it has.
     pub fn open(
         wanted: Option<&str>,
@@ -116,7 +116,7 @@ impl WgpuDriver {
         self.largest
     }
 
-    /// Whether threads can exchange numbers without memory.
+    /// True if threads can exchange numbers without memory.
     pub fn has_exchange(&self) -> bool {
         self.device.features().contains(wgpu::Features::SUBGROUP)
     }

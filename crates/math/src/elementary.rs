@@ -105,7 +105,7 @@ pub fn angle_of([x, y]: [f64; 2]) -> f64 {
 /// leaves the nearest integer.
 const INTEGERS: f64 = 4_503_599_627_370_496.0;
 
-/// The largest integer that is not above `x`, without a call of the library where processors are
+/// The largest integer that is not above `x`, without a call of the library where CPUs are
 /// not known to have an instruction for it.
 #[inline]
 pub fn floor(x: f64) -> f64 {

@@ -132,7 +132,7 @@ impl Tape {
 }
 
 impl Default for Operations {
-    /// That of constants, which are computed from nothing.
+    /// The entry of constants, which are computed from nothing.
     fn default() -> Self {
         Self {
             operands: Vec::new(),

@@ -34,7 +34,7 @@ impl<R> Vec3<R> {
 }
 
 impl<R: Real> Vec3<R> {
-    /// The same number three times.
+    /// A vector with the number in all three components.
     #[inline]
     pub fn splat(v: R) -> Self {
         Self::new(v, v, v)

@@ -16,7 +16,7 @@ pub enum Along<'py> {
     Velocities(BTreeMap<String, PyReadonlyArrayDyn<'py, f64>>),
 }
 
-/// The same without Python, for other threads.
+/// A direction without Python objects, for other threads.
 pub enum Motion {
     Expression(String),
     Velocities(Vec<Velocities>),

@@ -28,7 +28,7 @@ pub enum Asked<'py> {
     Gradient(Along<'py>),
 }
 
-/// The same without Python.
+/// The work without Python objects.
 enum Task {
     Render(RenderOptions),
     Gradient(Motion, GradientOptions),

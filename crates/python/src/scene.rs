@@ -138,7 +138,7 @@ type Pickled<'py> = (Bound<'py, PyAny>, (Bound<'py, PyBytes>, String));
 /// New numbers by the names of arrays.
 type Changes<'py> = BTreeMap<String, PyReadonlyArrayDyn<'py, f64>>;
 
-/// The same without Python: name, shape and numbers.
+/// A change without Python objects: name, shape and numbers.
 type Owned = (String, Vec<usize>, Vec<f64>);
 
 fn owned(changes: &Changes<'_>) -> Vec<Owned> {

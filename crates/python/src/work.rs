@@ -179,7 +179,7 @@ pub fn check_options(py: Python<'_>, options: Options<'_>) -> PyResult<()> {
     Ok(())
 }
 
-/// What was asked for; the GPU's name, or why it was the processor if a GPU could have been meant.
+/// What was asked for; the GPU's name, or why it was the CPU if a GPU could have been meant.
 type There<T> = (T, Option<String>, Option<String>);
 
 /// The image and what was done, and where.

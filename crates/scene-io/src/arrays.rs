@@ -23,7 +23,7 @@ pub const METADATA: &str = "metadata";
 /// The longest name of an array, bytes.
 pub const LONGEST_NAME: usize = archive::LONGEST_NAME - ".npy".len();
 
-/// The most bytes that the list of arrays has: room for those of 20,000 shapes.
+/// The most bytes that the list of arrays has: enough for those of 20,000 shapes.
 const LONGEST_LIST: u64 = 1 << 26;
 
 /// The endings that [`write()`] and [`read`] know.

@@ -19,7 +19,7 @@ pub struct SensorSettings {
 }
 
 impl SensorSettings {
-    /// That of a scene.
+    /// The settings of a scene.
     pub fn of(scene: &Scene) -> Self {
         let settings = &scene.settings;
         Self {

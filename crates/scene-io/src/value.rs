@@ -32,7 +32,7 @@ pub(crate) fn integer(text: &str, span: Span) -> Result<i64, Problem> {
     })
 }
 
-/// Whether a text is `true`, capitals or not; an error unless it is `true` or `false`.
+/// True if a text is `true`, capitals or not; an error unless it is `true` or `false`.
 pub(crate) fn boolean(text: &str, span: Span) -> Result<bool, Problem> {
     match text.to_ascii_lowercase().as_str() {
         "true" => Ok(true),

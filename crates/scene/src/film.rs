@@ -49,7 +49,7 @@ impl Film {
         self.crop_size[0] as usize * self.crop_size[1] as usize
     }
 
-    /// Whether an image of it can be rendered.
+    /// True if an image of it can be rendered.
     pub fn check(&self) -> Result<(), SceneError> {
         let [w, h] = self.crop_size;
         let pixels = u64::from(w) * u64::from(h);

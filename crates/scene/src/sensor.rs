@@ -145,7 +145,7 @@ impl Sensor {
         }
     }
 
-    /// Whether its numbers are in their range.
+    /// True if its numbers are in their range.
     pub fn check(&self) -> Result<(), SceneError> {
         let bad = |name: &str, value: String, expected| {
             let name = format!("{}.{name}", self.id);

@@ -67,7 +67,7 @@ pub struct NamedTexels {
 }
 
 impl Texture {
-    /// The same colour everywhere.
+    /// A texture with the same colour everywhere.
     pub fn colour(id: impl Into<String>, colour: Rgb) -> Self {
         Self {
             id: id.into(),
@@ -77,7 +77,7 @@ impl Texture {
         }
     }
 
-    /// The same number everywhere.
+    /// A texture with the same number everywhere.
     pub fn number(id: impl Into<String>, number: f64) -> Self {
         Self {
             id: id.into(),

@@ -117,7 +117,7 @@ where
 
 type Chart<'a, 'b, X, Y> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<X, Y>>;
 
-/// The range of an axis, with some room.
+/// The range of an axis, with a margin.
 fn extent(plot: &Plot, axis: usize) -> (f64, f64) {
     let points = plot.curves.iter().flat_map(|curve| drawn(plot, curve));
     let mut range = (f64::INFINITY, f64::NEG_INFINITY);
@@ -130,8 +130,8 @@ fn extent(plot: &Plot, axis: usize) -> (f64, f64) {
     match plot.scale.logarithmic()[axis] {
         true => (range.0 / 1.3, range.1 * 1.3),
         false => {
-            let room = 0.04 * (range.1 - range.0).max(1e-9);
-            (range.0 - room, range.1 + room)
+            let margin = 0.04 * (range.1 - range.0).max(1e-9);
+            (range.0 - margin, range.1 + margin)
         }
     }
 }

@@ -35,7 +35,7 @@ struct Found {
     picture: Image,
     /// [`shape_error`] of the shape.
     error: f64,
-    /// The same where the last third of the iterations began.
+    /// This error where the last third of the iterations began.
     earlier: f64,
     /// [`vertex_distance`] of it.
     distance: f64,
@@ -420,7 +420,7 @@ mod tests {
         assert!(matches!(found, Verdict::DoesNotHold(_)), "{found}");
         let unclear = verdict((5.5, 0.4), (0.0, 0.01));
         assert!(matches!(unclear, Verdict::Inconclusive(_)), "{unclear}");
-        // Above it, and at rest or even rising.
+        // Above it, and constant or even rising.
         assert_eq!(verdict((6.3, 0.3), (0.0, 0.03)), Verdict::Holds);
         assert_eq!(verdict((6.3, 0.3), (-0.5, 0.03)), Verdict::Holds);
     }

@@ -25,7 +25,7 @@ pub struct Figure {
     pub quality: Quality,
     /// How long it took.
     pub seconds: f64,
-    /// Seconds of the processor, all threads together, without other programs that it starts.
+    /// Seconds of the CPU, all threads together, without other programs that it starts.
     pub cpu_seconds: f64,
 }
 
@@ -76,7 +76,7 @@ pub enum Scale {
 }
 
 impl Scale {
-    /// Whether the axes are logarithmic, horizontal and vertical.
+    /// True if the axes are logarithmic, horizontal and vertical.
     pub(crate) fn logarithmic(self) -> [bool; 2] {
         [self == Self::Logarithmic, self != Self::Linear]
     }

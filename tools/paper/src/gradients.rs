@@ -102,7 +102,7 @@ pub struct Run {
     pub spp: u32,
     /// How far the fields of its walks around surfaces reach, radians.
     pub reach: f64,
-    /// Of the processor, all threads together: other programs do not lengthen it.
+    /// Of the CPU, all threads together: other programs do not lengthen it.
     pub seconds: f64,
 }
 

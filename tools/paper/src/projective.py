@@ -1,7 +1,7 @@
 # Derivatives by Mitsuba's projective sampling: python3 projective.py
 # SCENE.xml SHAPE AXIS INTEGRATOR MAX_DEPTH SPP SEEDS OUTPUT
 # Writes little-endian float32, for each seed the pixels: of the derivative to
-# OUTPUT, of the picture to OUTPUT.picture. Prints the seconds of the processor.
+# OUTPUT, of the picture to OUTPUT.picture. Prints the seconds of the CPU.
 import struct
 import sys
 import time

@@ -26,7 +26,7 @@ pub enum Projective {
         gradient: Estimate,
         /// The picture itself.
         picture: Estimate,
-        /// Of the processor, for all seeds, with loading.
+        /// Of the CPU, for all seeds, with loading.
         seconds: f64,
     },
     /// Why it was not run.

@@ -192,7 +192,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
                 subjects[1].triangles,
                 subjects[1].name
             ),
-            verdict: Verdict::NotComparable("another processor".into()),
+            verdict: Verdict::NotComparable("another CPU".into()),
         },
     ];
     Ok(Figure {

@@ -105,20 +105,20 @@ fn begin_row(columns: usize) -> String {
     format!("<div class=\"row\" style=\"--columns:{columns}\">\n")
 }
 
-/// A row of fewer pictures leaves room at its end.
+/// A row of fewer images leaves space at its end.
 const LEAST_COLUMNS: usize = 4;
 
 /// Width of the page and of the gap between columns, pixels, as in [`STYLE`].
 const WIDTH: usize = 1180;
 const GAP: usize = 14;
-/// Pictures below this width, pixels, are enlarged, if there is room.
+/// Pictures below this width, pixels, are enlarged, if there is space.
 const LEAST_WIDTH: usize = 240;
 
 /// A picture in one of so many columns. Its caption is no wider than the picture.
 fn picture(shown: &Shown, columns: usize) -> Result<String, ImageError> {
     let width = shown.image.width.max(1);
-    let room = (WIDTH + GAP) / columns - GAP;
-    let zoom = LEAST_WIDTH.div_ceil(width).min(room / width).max(1);
+    let space = (WIDTH + GAP) / columns - GAP;
+    let zoom = LEAST_WIDTH.div_ceil(width).min(space / width).max(1);
     let source = data_uri(&image::pixels_as_png(&shown.image, shown.style)?);
     let mut text = format!(
         "<figure style=\"width:{0}px\"><img class=\"picture\" width=\"{0}\" height=\"{1}\" alt=\"{2}\" \

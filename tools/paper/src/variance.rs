@@ -138,7 +138,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     let on_triangle = |estimator: Estimator| {
         let name = name(estimator);
         measure(name, settings, |distance| {
-            // Beside the silhouette a larger triangle is met, which is at rest.
+            // Beside the silhouette a larger triangle is hit, which does not move.
             let domain = Triangle {
                 sphere: Sphere::of_silhouettes(&tree, Vec3::zero()),
                 corners: [[-9.0, -8.0], [9.0, -8.0], [0.0, 9.0]]

@@ -52,7 +52,7 @@ impl Crate {
         self.follow(at, path, 0)
     }
 
-    /// The same behind a chain of so many re-exports.
+    /// The meaning of a path behind a chain of so many re-exports.
     fn follow(&self, at: usize, path: &[String], chain: usize) -> Option<Meaning<'_>> {
         let mut module = match path.first()?.as_str() {
             "crate" => 0,

@@ -175,7 +175,7 @@ fn module_file(folder: &Path, name: &str) -> Result<PathBuf> {
     }
 }
 
-/// Whether an item is compiled for tests only.
+/// True if an item is compiled for tests only.
 fn is_test(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| match &attribute.meta {
         Meta::List(list) => {

@@ -13,10 +13,10 @@ pub fn variance(image: &GradientImage) -> f64 {
     sum / image.gradient.mean.pixels.len() as f64
 }
 
-/// Time of the processor where the system says it, which other programs disturb
+/// Time of the CPU where the system says it, which other programs disturb
 /// less; else time on the wall.
 pub struct Clock {
-    processor: Option<f64>,
+    cpu: Option<f64>,
     wall: Instant,
 }
 
@@ -24,14 +24,14 @@ impl Clock {
     /// Begins to measure.
     pub fn start() -> Self {
         Self {
-            processor: processor_seconds(),
+            cpu: cpu_seconds(),
             wall: Instant::now(),
         }
     }
 
     /// Seconds since then.
     pub fn seconds(&self) -> f64 {
-        match (self.processor, processor_seconds()) {
+        match (self.cpu, cpu_seconds()) {
             (Some(start), Some(end)) => end - start,
             _ => self.wall.elapsed().as_secs_f64(),
         }
@@ -41,8 +41,8 @@ impl Clock {
 /// Ticks of `/proc/self/stat` in a second.
 const TICKS: f64 = 100.0;
 
-/// Seconds that the processor has worked for this process, all threads.
-fn processor_seconds() -> Option<f64> {
+/// Seconds that the CPU has worked for this process, all threads.
+fn cpu_seconds() -> Option<f64> {
     let stat = std::fs::read_to_string("/proc/self/stat").ok()?;
     // The second field is the name in parentheses, which may contain anything.
     let (_, fields) = stat.rsplit_once(')')?;

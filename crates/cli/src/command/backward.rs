@@ -65,10 +65,10 @@ pub fn run(args: &Backward) -> Result<Outcome> {
     if args.param.is_empty()
         && let Err(Error::Refused(refusal @ Refusal::SpecularMotion { .. })) = &result
     {
-        let (moving, resting) = by_motion(&prepared, &names);
-        if !resting.is_empty() {
+        let (moving, stationary) = by_motion(&prepared, &names);
+        if !stationary.is_empty() {
             left_out = Some(left_out_text(&moving, refusal));
-            result = differentiate(&resting);
+            result = differentiate(&stationary);
         }
     }
     let elapsed = progress.finish().as_secs_f64();
@@ -159,9 +159,9 @@ fn by_motion(prepared: &Prepared, names: &[String]) -> (Vec<String>, Vec<String>
         let mut arrays = arrays.iter();
         arrays.any(|array| array.name == **name && array.moves_discontinuities)
     };
-    let (moving, resting): (Vec<&String>, Vec<&String>) = names.iter().partition(moves);
+    let (moving, stationary): (Vec<&String>, Vec<&String>) = names.iter().partition(moves);
     let cloned = |names: Vec<&String>| names.into_iter().cloned().collect();
-    (cloned(moving), cloned(resting))
+    (cloned(moving), cloned(stationary))
 }
 
 /// What is to be said of arrays that are left out because of what moves in them.
@@ -291,7 +291,7 @@ impl MeasuredLoss {
         report::work("image", &self.image.statistics, seconds) + &text
     }
 
-    /// The same as JSON.
+    /// The report as JSON.
     fn to_json(&self) -> Value {
         let seconds = self.elapsed.as_secs_f64();
         json!({

@@ -31,7 +31,7 @@ pub fn run(args: &Info) -> Result<Outcome> {
     } else {
         // Before the tables, which are long.
         let refused = refusal.as_ref().map(|refusal| {
-            format!("- : derivatives by what moves edges (D) are refused: {refusal}\n")
+            format!("- : derivatives with respect to what moves edges (D) are refused: {refusal}\n")
         });
         // Side by side: of 20,000 shapes the tables have 300,000 lines.
         let (shapes, arrays, parameters) = thread::scope(|scope| {

@@ -393,7 +393,7 @@ fn endless_samples_are_refused() {
     capwalk.json("render path.xml --size 8x6 --spp 1 --json");
 }
 
-/// Names that no table has room for.
+/// Names that are too long for a table.
 #[test]
 fn long_names_are_refused_or_cut() {
     let capwalk = Capwalk::new("long_names");

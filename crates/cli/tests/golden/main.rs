@@ -17,7 +17,7 @@ use capwalk_scene_io::image::{self, LayeredImage, Preview};
 use serde_json::Value;
 use statistics::{Comparison, Grid, Reference, TESTS};
 
-/// Samples per pixel of our images: all of them take 76 s of processor time. A
+/// Samples per pixel of our images: all of them take 76 s of CPU time. A
 /// factor of 1.02 on what a lobe reflects then fails one or more scenes, 1.01 for
 /// diffuse ones; so do 2 % of an emitter's density or of the light sampled from it,
 /// a tenth of a pixel of offset, a filter narrower by a tenth. Not found: 2 % of

@@ -39,7 +39,7 @@ pub struct Differences {
     pub pixels: Option<usize>,
     /// What `--method edges` is like.
     pub edges: Edges,
-    /// Whether fields on triangles (`--domain triangle`) meet them, too.
+    /// True if fields on triangles (`--domain triangle`) agree with them, too.
     #[cfg_attr(not(feature = "paper"), expect(dead_code, reason = "there are none"))]
     pub triangles: bool,
 }
@@ -47,7 +47,7 @@ pub struct Differences {
 /// What gathered edges have to do with a derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Edges {
-    /// They meet the differences, too.
+    /// They agree with the differences, too.
     Gathered,
     /// None are gathered: it walks.
     Walked,

@@ -1,7 +1,7 @@
 //! The phenomena: every folder of `tests/scenes` has a scene and the parameters
-//! by which its image is differentiated. Each derivative meets finite
+//! by which its image is differentiated. Each derivative equals finite
 //! differences, with edges gathered as well as walked to, some with the paper's fields
-//! on triangles; forward mode meets reverse mode; or it is refused with the reason.
+//! on triangles; forward mode agrees with reverse mode; or it is refused with the reason.
 //! `cargo test -p capwalk-cli --test phenomena <folder>` runs one.
 
 mod both_modes;

@@ -39,10 +39,16 @@ pub fn by(options: GradientOptions, spp: u32, scene: &Scene, tangent: &Tangent) 
     result.gradient
 }
 
-/// Demands that the derivative with these options meets the differences in a file. The scene has
+/// Demands that the derivative with these options agrees with the differences in a file. The scene has
 /// the samples that walks need; often an eighth of them tells. A factor that is wrong by 10 % comes
 /// out as right three times as often as with one look, in 7 % of cases at most.
-pub fn meets(name: &str, options: GradientOptions, scene: &Scene, tangent: &Tangent, check: &Path) {
+pub fn agrees(
+    name: &str,
+    options: GradientOptions,
+    scene: &Scene,
+    tangent: &Tangent,
+    check: &Path,
+) {
     let differences = image::read(check).expect("readable");
     let layer = |name: &str| differences.layer(name).expect("written").clone();
     let differences = Estimate {

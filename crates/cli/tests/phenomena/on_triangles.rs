@@ -7,7 +7,7 @@ use capwalk_diff::Method;
 use capwalk_scene::params;
 
 use crate::folder::Folder;
-use crate::methods::{chosen, meets};
+use crate::methods::{agrees, chosen};
 
 /// Demands that fields on triangles agree with the differences in a file.
 pub fn agree(folder: &Folder, parameter: &str, check: &Path) {
@@ -17,5 +17,5 @@ pub fn agree(folder: &Folder, parameter: &str, check: &Path) {
         .tangent(&scene, parameter)
         .unwrap_or_else(|e| panic!("{name}: {e}"));
     let options = chosen(Method::TriangleWalk, &scene, &tangent);
-    meets(&name, options, &scene, &tangent, check);
+    agrees(&name, options, &scene, &tangent, check);
 }

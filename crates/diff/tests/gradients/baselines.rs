@@ -250,7 +250,7 @@ fn card_before_a_wall() -> Scene {
 }
 
 /// In path space, too, the bias falls with the number of auxiliary rays, and roulette
-/// removes it. A thing's own border is at rest in its material: before nothing, there
+/// removes it. A thing's own border does not move in its material: before nothing, there
 /// is no bias, and no noise but that of the image.
 #[test]
 fn more_rays_less_bias_in_path_space() {

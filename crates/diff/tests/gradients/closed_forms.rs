@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use crate::common::agree::tangent;
-use crate::common::exact::{means, meets, settings};
+use crate::common::exact::{equals, means, settings};
 use crate::common::*;
 use capwalk_diff::probe::irradiance;
 use capwalk_diff::{PreparedScene, Unwatched, WalkSettings, Wanted, backward, gradient};
@@ -99,7 +99,7 @@ fn meet_exact(scene: &Scene, points: &[Lit], names: &[&str], samples: u32, preci
             let value = exact(scene, lit);
             let moments = result.value;
             let title = format!("point {i}");
-            meets(
+            equals(
                 &title,
                 moments.mean,
                 moments.standard_error(),
@@ -109,7 +109,7 @@ fn meet_exact(scene: &Scene, points: &[Lit], names: &[&str], samples: u32, preci
             let derivative = slope(scene, &tangent, |scene| exact(scene, lit));
             let moments = result.gradient;
             let title = format!("point {i}, {name}");
-            meets(
+            equals(
                 &title,
                 moments.mean,
                 moments.standard_error(),
@@ -282,11 +282,11 @@ fn a_point_in_an_image() {
         )
         .expect("covered");
         let (mean, error) = means(&forward.value)[0];
-        meets("image", mean, error, at(&scene, point), 0.01);
+        equals("image", mean, error, at(&scene, point), 0.01);
         let (mean, error) = means(&forward.gradient)[0];
-        meets(&format!("forward, {name}"), mean, error, exact, 0.02);
+        equals(&format!("forward, {name}"), mean, error, exact, 0.02);
         let (mean, error) = reverse.along(&tangent);
-        meets(&format!("reverse, {name}"), mean, error, exact, 0.02);
+        equals(&format!("reverse, {name}"), mean, error, exact, 0.02);
     }
 }
 
@@ -362,9 +362,9 @@ fn form_factors_of_parallel_squares() {
             errors[1] += (weight * result.gradient.standard_error()).powi(2);
         }
         let [error, change_error] = errors.map(f64::sqrt);
-        meets("form factor", value, error, factor(0.0, 0.0, 0.0), 2e-3);
+        equals("form factor", value, error, factor(0.0, 0.0, 0.0), 2e-3);
         let slope = (factor(dx, dy, dz) - factor(-dx, -dy, -dz)) / (2.0 * STEP);
-        meets(
+        equals(
             &format!("form factor, {axis}"),
             change,
             change_error,

@@ -1,7 +1,7 @@
 //! Rooms and skies in which radiance can be written down, wherever things are.
 
 use crate::common::agree::tangent;
-use crate::common::exact::{means, meets, settings};
+use crate::common::exact::{equals, means, settings};
 use crate::common::stages::placed;
 use crate::common::*;
 use capwalk_diff::{PreparedScene, Unwatched, Wanted, backward, gradient};
@@ -57,10 +57,10 @@ fn nothing_moves(name: &str, scene: &Scene, dark: &Scene, expression: &str, spp:
     let size = seen.iter().map(|p| p.r.abs()).sum::<f64>() / seen.len() as f64;
     let still = run(scene, spp);
     for (mean, error) in means(&still.value) {
-        meets(name, mean, error, 1.0, 0.01);
+        equals(name, mean, error, 1.0, 0.01);
     }
     for (mean, error) in means(&still.gradient) {
-        meets(&format!("{name}, moved"), mean, error, 0.0, 0.1 * size);
+        equals(&format!("{name}, moved"), mean, error, 0.0, 0.1 * size);
     }
 }
 
@@ -131,7 +131,7 @@ fn albedo_in_a_furnace() {
         )
         .expect("covered");
         for (mean, error) in means(&result.value) {
-            meets(
+            equals(
                 &format!("albedo, {depth:?}"),
                 mean,
                 error,
@@ -140,7 +140,7 @@ fn albedo_in_a_furnace() {
             );
         }
         for (mean, error) in means(&result.gradient) {
-            meets(
+            equals(
                 &format!("albedo changed, {depth:?}"),
                 mean,
                 error,
@@ -163,7 +163,7 @@ fn albedo_in_a_furnace() {
             &Unwatched,
         );
         let (mean, error) = reverse.expect("covered").along(&tangent);
-        meets(
+        equals(
             &format!("reverse, {depth:?}"),
             mean,
             error,

@@ -1,4 +1,4 @@
-//! Hard shadows that move in curved mirrors are found and refused, also on faces at rest; in
+//! Hard shadows that move in curved mirrors are found and refused, also on faces that do not move; in
 //! flat mirrors they are not.
 
 use crate::common::agree::tangent;
@@ -30,7 +30,7 @@ fn is_refused(scene: &Scene, name: &str) -> bool {
     reasons[0]
 }
 
-/// A light moves, and its hard shadow on a floor at rest, which a smooth ball reflects.
+/// A light moves, and its hard shadow on a floor that does not move, which a smooth ball reflects.
 fn shadow_before_a_ball() -> Scene {
     let mut scene = empty(v(0.5, -4.0, 1.5), v(0.0, 0.5, 0.5), 20.0, 12);
     add_floor(&mut scene, 3.0);
@@ -55,7 +55,7 @@ fn shadow_before_a_ball() -> Scene {
     scene
 }
 
-/// The floor that the ball reflects rests, and nothing moves that is seen there but shadows.
+/// The floor that the ball reflects does not move, and nothing moves that is seen there but shadows.
 #[test]
 fn a_hard_shadow_that_moves_in_a_curved_mirror() {
     let mut scene = shadow_before_a_ball();

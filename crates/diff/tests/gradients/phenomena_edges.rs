@@ -414,7 +414,7 @@ pub fn by(method: Method, scene: &Scene, tangent: &Tangent, spp: u32) -> Gradien
 }
 
 /// Demands that both methods agree.
-fn meet(name: &str, mut scene: Scene, expression: &str, spp: u32) {
+fn methods_agree(name: &str, mut scene: Scene, expression: &str, spp: u32) {
     scene.film.crop_offset = [0, 0];
     scene.film.size = [32; 2];
     scene.film.crop_size = [32; 2];
@@ -431,9 +431,9 @@ fn meet(name: &str, mut scene: Scene, expression: &str, spp: u32) {
 #[test]
 fn walks_agree() {
     let scene = |name| builtin::scene(name).expect("a built-in scene");
-    meet("leaf", scene("leaf"), "leaf.translate.x", 64);
-    meet("ball", scene("ball"), "ball.translate.x", 64);
+    methods_agree("leaf", scene("leaf"), "leaf.translate.x", 64);
+    methods_agree("ball", scene("ball"), "ball.translate.x", 64);
     let lattice = scene("lattice-shadow");
-    meet("lattice-shadow", lattice, "lattice.translate.x", 100);
-    meet("box-room", scene("box-room"), "box.translate.x", 64);
+    methods_agree("lattice-shadow", lattice, "lattice.translate.x", 100);
+    methods_agree("box-room", scene("box-room"), "box.translate.x", 64);
 }

@@ -98,7 +98,7 @@ fn edges_of_reflectors() {
 }
 
 /// A box that hangs from a ceiling of two tiles moves, and an edge of it lies on their joint,
-/// which rests: all of the discontinuity there is the box's.
+/// which does not move: all of the discontinuity there is the box's.
 #[test]
 fn box_on_a_joint() {
     let mut scene = bounced_light();

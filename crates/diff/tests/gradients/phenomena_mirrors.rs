@@ -131,7 +131,7 @@ fn camera_before_a_mirror() {
 fn panels_of_one_plane() {
     let mut scene = block_before_a_mirror();
     let whole = scene.shapes.pop().expect("the mirror");
-    for (name, side) in [("resting", 1.0), ("panel", -1.0)] {
+    for (name, side) in [("stationary", 1.0), ("panel", -1.0)] {
         let mut mesh = whole.mesh.clone();
         let [a, b] = [mesh.positions[0], mesh.positions[1]];
         let across = (b - a).normalized();

@@ -3,7 +3,7 @@
 //! differences.
 
 use crate::common::agree::*;
-use crate::common::exact::{means, meets, settings};
+use crate::common::exact::{equals, means, settings};
 use crate::common::materials::*;
 use crate::common::stages::*;
 use crate::common::*;
@@ -101,10 +101,10 @@ fn triangle_against_its_area() {
         let [above, below] = [STEP, -STEP].map(|step| sky_seen(&scene.moved(&tangent, step)));
         let [value, slope] = [&result.value, &result.gradient].map(means);
         for (i, exact) in sky_seen(&scene).into_iter().enumerate() {
-            meets(&format!("value {i}"), value[i].0, value[i].1, exact, 0.01);
+            equals(&format!("value {i}"), value[i].0, value[i].1, exact, 0.01);
             let exact = (above[i] - below[i]) / (2.0 * STEP);
             let title = format!("{name}, {i}");
-            meets(&title, slope[i].0, slope[i].1, exact, 0.02);
+            equals(&title, slope[i].0, slope[i].1, exact, 0.02);
         }
     }
 }

@@ -136,7 +136,7 @@ fn walks_among_explicit_boundaries() {
     );
 }
 
-/// Both meet each other as they meet differences: light and silhouettes together, from
+/// Both agree with each other and with differences: light and silhouettes together, from
 /// the camera and from surfaces.
 #[test]
 fn explicit_and_practical_walks_agree() {

@@ -52,7 +52,7 @@ fn answers(prepared: &PreparedScene, along: &str) -> Vec<u64> {
     numbers
 }
 
-/// Where nothing moves no boundaries are listed: the derivative by a colour is that with them, to
+/// Where nothing moves no boundaries are listed: the derivative with respect to a colour is that with them, to
 /// the bit. A motion by nothing of shading normals asks for them.
 #[test]
 fn colours_need_no_boundaries() {

@@ -223,7 +223,7 @@ fn the_rest_is_a_work_of_its_own() {
 }
 
 /// What moves in a mirror, seen under parallel rays, is refused; what moves beside the
-/// mirror is not, nor are reflections at rest.
+/// mirror is not, nor are reflections that do not move.
 #[test]
 fn mirrors_under_parallel_rays() {
     let mut scene = mirror_floor();
@@ -277,7 +277,7 @@ fn surface_cut_by_the_film() {
     }
 }
 
-/// Square roots and hues of what is black have no derivative by it.
+/// Square roots and hues of what is black have no derivative with respect to it.
 #[test]
 fn numbers_without_a_derivative() {
     let run = |base: [f64; 3], glass: f64, name: &str| {

@@ -1,7 +1,7 @@
 //! Reverse mode against forward mode: the same linear map, METHOD 5.
 //!
 //! With the same random numbers, `⟨δ, J θ̇⟩ = ⟨Jᵀ δ, θ̇⟩` up to rounding, for a
-//! motion of everything at once. Forward mode meets finite differences in the
+//! motion of everything at once. Forward mode agrees with finite differences in the
 //! other tests.
 
 use crate::common::agree::tangent;

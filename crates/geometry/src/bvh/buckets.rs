@@ -33,7 +33,7 @@ pub struct Buckets {
     len: usize,
     /// Bits of the largest bound.
     largest: u32,
-    /// What finds no room: for the end, in no order.
+    /// What does not fit: for the end, in no order.
     overflow: Vec<(u32, u32)>,
 }
 

@@ -13,7 +13,7 @@ pub struct Stack {
     /// bits of non-negative floats do.
     top: [u64; TOP],
     len: usize,
-    /// What finds no room there, below it.
+    /// What does not fit there, below it.
     below: Vec<u64>,
 }
 

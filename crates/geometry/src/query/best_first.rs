@@ -44,7 +44,7 @@ impl SilhouetteTree {
     }
 }
 
-/// The search as a job for whichever instructions the processor has.
+/// The search as a job for whichever instructions the CPU has.
 struct ClosestWhere<'a, F> {
     tree: &'a SilhouetteTree,
     query: &'a ConeQuery,

@@ -29,7 +29,7 @@ impl SilhouetteTree {
     }
 }
 
-/// The search as a job for whichever instructions the processor has.
+/// The search as a job for whichever instructions the CPU has.
 struct Closest<'a> {
     tree: &'a SilhouetteTree,
     query: &'a ConeQuery,

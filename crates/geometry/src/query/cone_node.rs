@@ -98,7 +98,7 @@ impl ConeNode {
             .fold(f64::from(f32::MIN_POSITIVE), f64::max);
         let mut node = Self {
             origin,
-            // With room for what is added for the rounding of centres.
+            // With a margin for what is added for the rounding of centres.
             step: round_up(largest / f64::from(i16::MAX - 8)),
             centre: [[0; WIDTH]; 3],
             half: [[0; WIDTH]; 3],

@@ -36,7 +36,7 @@ impl SilhouetteTree {
     }
 }
 
-/// The search as a job for whichever instructions the processor has.
+/// The search as a job for whichever instructions the CPU has.
 struct Gather<'a, F> {
     tree: &'a SilhouetteTree,
     query: &'a ConeQuery,

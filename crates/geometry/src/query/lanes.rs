@@ -5,7 +5,7 @@
 
 use crate::simd::{F32x8, Simd};
 
-/// The same vector eight times.
+/// The vector, eight times.
 #[inline(always)]
 pub fn splat<S: Simd>(simd: S, v: [f32; 3]) -> [S::F32x8; 3] {
     [simd.splat(v[0]), simd.splat(v[1]), simd.splat(v[2])]

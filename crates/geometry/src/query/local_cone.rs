@@ -36,7 +36,7 @@ pub struct LocalCone<S: Simd> {
     pub margin: S::F32x8,
     /// Distance from a face's plane below which the apex may count as in it.
     pub plane_margin: S::F32x8,
-    /// Whether all edges count, silhouettes or not.
+    /// True if all edges count, silhouettes or not.
     pub all_edges: bool,
     /// The groups that count.
     pub groups: u8,

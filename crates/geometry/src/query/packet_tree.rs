@@ -3,7 +3,7 @@
 //! In the tree's own coordinates, which are at most 1, a triangle is three linear functions of a
 //! point: the height above its plane, and the weights of its second and third corner; so are two
 //! that make a parallelogram. All of it is products added to sums in a fixed order, each rounded
-//! once (by slow code of the library on old processors): the bits are the same on every processor,
+//! once (by slow code of the library on old CPUs): the bits are the same on every CPU,
 //! and those of one ray do not depend on the others.
 //!
 //! What single precision cannot resolve is decided once: points within [`IN_PLANE`] of a plane lie
@@ -71,7 +71,7 @@ impl PacketTree {
         }
     }
 
-    /// The same with the nodes of a tree for rays. A parallelogram is in the leaves of both its
+    /// This tree with the nodes of a tree for rays. A parallelogram is in the leaves of both its
     /// triangles, each of whose boxes has its own.
     fn with_nodes(mut self, rays: &RayTree, numbers: &[Option<u32>]) -> Self {
         let all = std::mem::take(&mut self.faces);
@@ -192,7 +192,7 @@ struct Nearest<S: Simd> {
 }
 
 impl<S: Simd> Nearest<S> {
-    /// Asks a face; true if it is nearer for any ray. Without a branch: processors rarely
+    /// Asks a face; true if it is nearer for any ray. Without a branch: CPUs rarely
     /// foresee whether any ray meets it.
     #[inline(always)]
     fn ask(&mut self, simd: S, rays: &LocalPacket<S>, face: &PacketFace) -> bool {

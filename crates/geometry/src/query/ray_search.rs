@@ -105,7 +105,7 @@ impl FirstHit<'_> {
     }
 }
 
-/// Whether anything in a tree is hit.
+/// True if anything in a tree is hit.
 #[derive(Clone, Copy)]
 pub struct Occluded<'a> {
     pub tree: &'a TriangleTree,

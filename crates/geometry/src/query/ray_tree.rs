@@ -23,7 +23,7 @@ pub(super) const LEAF_SIZE: usize = ray_kernel::LANES;
 /// A tree over the triangles of a mesh. It keeps what it needs of the mesh.
 ///
 /// Answers are bitwise those of [`oracle::first_hit`](crate::oracle::first_hit),
-/// on every processor: bounds only decide what need not be tested.
+/// on every CPU: bounds only decide what need not be tested.
 #[derive(Clone, Debug)]
 pub struct RayTree {
     pub(super) hierarchy: Hierarchy,
@@ -42,7 +42,7 @@ impl RayTree {
         Self::try_build(mesh, &Halt::never()).expect("nobody gives it up")
     }
 
-    /// The same, unless it is given up.
+    /// [`Self::build`], unless the work is given up.
     pub fn try_build(mesh: &Mesh, halt: &Halt) -> Result<Self, Halted> {
         let frame = frame_of(mesh, 0..mesh.faces.len());
         let bounds: Vec<Aabb> = (0..mesh.faces.len())

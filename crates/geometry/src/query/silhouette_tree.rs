@@ -23,7 +23,7 @@ pub(super) const LEAF_SIZE: usize = edge_block::LANES;
 ///
 /// Answers are bitwise those of
 /// [`oracle::closest_silhouette`](crate::oracle::closest_silhouette), on every
-/// processor: bounds only decide what need not be tested.
+/// CPU: bounds only decide what need not be tested.
 #[derive(Clone, Debug)]
 pub struct SilhouetteTree {
     pub(super) hierarchy: Hierarchy,
@@ -44,7 +44,7 @@ impl SilhouetteTree {
         Self::try_build(mesh, edges, &Halt::never()).expect("nobody gives it up")
     }
 
-    /// The same, unless it is given up.
+    /// [`Self::build`], unless the work is given up.
     pub fn try_build(mesh: &Mesh, edges: &[Edge], halt: &Halt) -> Result<Self, Halted> {
         let frame = frame_of(mesh, edges);
         let bounds: Vec<Aabb> = edges

@@ -1,10 +1,10 @@
 //! AVX2 with fused multiply-add: the one file that allows `unsafe`.
 //!
-//! The same code is compiled for AVX-512 as well, and runs where the processor has it: with
+//! The same code is compiled for AVX-512 as well, and runs where the CPU has it: with
 //! twice as many registers, and with longer ones for loops that the compiler makes vectors of.
 //! Results are bitwise the same.
 //!
-//! The intrinsics are safe to execute exactly if the processor has them. That
+//! The intrinsics are safe to execute exactly if the CPU has them. That
 //! is proved by the token [`Avx2`]: only [`Avx2::detect`] makes one, and every
 //! vector is made from a token or from other vectors.
 #![allow(unsafe_code)]
@@ -14,7 +14,7 @@ use std::ops::{Add, Div, Mul, Sub};
 
 use super::vectors::{Computation, F32x8, F64x4, Lanes, Simd};
 
-/// Proof that the processor has AVX2 and fused multiply-add.
+/// Proof that the CPU has AVX2 and fused multiply-add.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Avx2 {
     /// True if it has AVX-512 as well, and that is to be used.
@@ -33,13 +33,13 @@ impl Avx2 {
         has_avx2.then_some(Self { uses_avx512 })
     }
 
-    /// The same for jobs compiled for AVX2 alone.
+    /// This proof for jobs compiled for AVX2 alone.
     #[cfg(test)]
     pub fn without_avx512(self) -> Self {
         Self { uses_avx512: false }
     }
 
-    /// Runs the job compiled for what the processor has.
+    /// Runs the job compiled for what the CPU has.
     #[inline]
     pub fn run<J: Computation>(self, job: J) -> J::Output {
         #[target_feature(enable = "avx2,fma")]
@@ -50,7 +50,7 @@ impl Avx2 {
         fn compiled_wide<J: Computation>(avx2: Avx2, job: J) -> J::Output {
             job.run(avx2)
         }
-        // SAFETY: `self` proves that the processor has the features.
+        // SAFETY: `self` proves that the CPU has the features.
         unsafe {
             match self.uses_avx512 {
                 true => compiled_wide(self, job),

@@ -16,7 +16,7 @@ pub enum Instructions {
 }
 
 impl Instructions {
-    /// The fastest that this processor has.
+    /// The fastest that this CPU has.
     pub fn detect() -> Self {
         #[cfg(target_arch = "x86_64")]
         if let Some(avx2) = Avx2::detect() {
@@ -25,7 +25,7 @@ impl Instructions {
         Self::Scalar
     }
 
-    /// All that this processor has but the fastest.
+    /// All that this CPU has but the fastest.
     #[cfg(test)]
     pub fn slower() -> Vec<Self> {
         let fastest = Self::detect();

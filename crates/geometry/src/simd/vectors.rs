@@ -18,7 +18,7 @@ pub trait Simd: Copy {
     type F32x8: F32x8;
     /// Four double-precision numbers.
     type F64x4: F64x4;
-    /// The same number eight times.
+    /// A vector with the number in all eight lanes.
     fn splat(self, v: f32) -> Self::F32x8;
     /// Eight numbers from memory.
     fn load(self, v: &[f32; 8]) -> Self::F32x8;
@@ -26,7 +26,7 @@ pub trait Simd: Copy {
     fn load_i16(self, v: &[i16; 8]) -> Self::F32x8;
     /// Eight small integers from memory.
     fn load_i8(self, v: &[i8; 8]) -> Self::F32x8;
-    /// The same number four times.
+    /// A vector with the number in all four lanes.
     fn splat_f64(self, v: f64) -> Self::F64x4;
     /// Brings a value into the caches that will be needed soon.
     fn prefetch<T>(self, value: &T);
@@ -50,7 +50,7 @@ pub trait Lanes:
     fn lt(self, b: Self) -> u32;
 }
 
-/// Largest relative error of estimates on any processor.
+/// Largest relative error of estimates on any CPU.
 pub const ESTIMATE_ERROR: f32 = 1.5 / (1 << 12) as f32;
 
 /// Eight single-precision numbers.

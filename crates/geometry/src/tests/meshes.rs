@@ -231,7 +231,7 @@ pub fn moved(mesh: &Mesh, place: &Place, amount: f64, seed: u64) -> Mesh {
 pub type Motion = fn(Vec3) -> Vec3;
 
 /// Motions of a mesh about the size of 1, from harmless to ruinous: each is
-/// applied to the mesh at rest.
+/// applied to the mesh before it moves.
 pub const MOTIONS: [(&str, Motion); 9] = [
     ("a little", |p| p + Vec3::new(p.y, p.z, p.x) * 1e-3),
     ("ripples", |p| {

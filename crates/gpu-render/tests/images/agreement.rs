@@ -1,4 +1,4 @@
-//! Beside the processor: sample by sample, where samples are the same, and by z-test elsewhere.
+//! Beside the CPU: sample by sample, where samples are the same, and by z-test elsewhere.
 
 use capwalk_gpu::Precision;
 use capwalk_gpu_render::unsupported;
@@ -9,7 +9,7 @@ use crate::beside::{compare, on_device};
 use crate::scenes;
 
 /// Scenes with emitters whose triangles are so small that the device samples them by area, where
-/// the processor samples them by solid angle.
+/// the CPU samples them by solid angle.
 pub const SMALL_EMITTERS: [&str; 5] = [
     "parity/cylinder.xml",
     "parity/disk_lamp.xml",
@@ -23,7 +23,7 @@ const FEWEST_SCENES: usize = 105;
 
 /// Every scene file that the device can render, and those that are built in.
 #[test]
-fn samples_are_the_processors() {
+fn samples_are_those_of_the_cpu() {
     let built_in = ["leaf", "ball", "box-room"].map(|name| {
         let scene = builtin::scene(name).expect("built in");
         (name.to_owned(), scene)
@@ -79,7 +79,7 @@ fn nothing_is_seen_where_nothing_is() {
     }
 }
 
-/// Means over nine parts of an image are the processor's, which has other random numbers. Five
+/// Means over nine parts of an image are the CPU's, which has other random numbers. Five
 /// scenes and one that is built in, three channels: 162 numbers, of which one is beyond 4.5
 /// standard errors by accident in one run of 900, and the seeds are fixed.
 #[test]

@@ -1,4 +1,4 @@
-//! The device's image beside the processor's, sample by sample.
+//! The device's image beside the CPU's, sample by sample.
 
 use capwalk_gpu::Precision;
 use capwalk_gpu_render::DeviceScene;

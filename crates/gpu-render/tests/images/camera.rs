@@ -1,4 +1,4 @@
-//! The camera's rays, which the device draws, beside the processor's.
+//! The camera's rays, which the device draws, beside the CPU's.
 
 use capwalk_diff::GradientOptions;
 use capwalk_gpu::Precision;
@@ -9,7 +9,7 @@ use capwalk_scene::{Film, Filter, Scene, SensorModel, Tangent};
 
 use crate::beside::{compare, different};
 use crate::derivatives::all_texels;
-use crate::motion::on_processor;
+use crate::motion::on_cpu;
 use crate::{device, scenes};
 
 /// Samples differ if they or their derivatives do by more than this, relatively.
@@ -64,7 +64,7 @@ fn cameras() -> impl Iterator<Item = (String, Scene)> {
 
 /// Sample by sample, in both precisions.
 #[test]
-fn every_camera_and_filter_draws_the_processors_samples() {
+fn every_camera_and_filter_draws_the_samples_of_the_cpu() {
     for precision in [Precision::Double, Precision::Single] {
         for (name, scene) in cameras() {
             let prepared = PreparedScene::new(scene);
@@ -94,7 +94,7 @@ fn every_sample_has_its_random_numbers() {
     assert!(100 * count <= all, "{count} of {all} pixels differ");
 }
 
-/// A part of one sample, which takes less room than what tells it.
+/// A part of one sample, which takes less memory than its description.
 #[test]
 fn single_samples_have_room() {
     let Some(gpu) = device::open(Precision::Double) else {
@@ -135,10 +135,10 @@ fn far_cameras_see_as_sharply() {
     }
 }
 
-/// All numbers of the sensor change: the interior term beside the processor's, sample by sample. (With
-/// parallel rays the processor's film points move instead.)
+/// All numbers of the sensor change: the interior term beside the CPU's, sample by sample. (With
+/// parallel rays the CPU's film points move instead.)
 #[test]
-fn every_moving_camera_has_the_processors_derivatives() {
+fn every_moving_camera_has_the_derivatives_of_the_cpu() {
     let Some(gpu) = device::open(Precision::Double) else {
         return;
     };
@@ -157,7 +157,7 @@ fn every_moving_camera_has_the_processors_derivatives() {
         let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
         let ours = on_device.interior_term(&tangent, &options, &Unwatched);
         let ours = ours.expect("supported").gradient.mean;
-        let theirs = on_processor(&prepared, &tangent, &options);
+        let theirs = on_cpu(&prepared, &tangent, &options);
         let (count, all) = different(&ours, &theirs, DIFFERENT);
         assert!(
             100 * count <= all,

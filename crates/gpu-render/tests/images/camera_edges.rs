@@ -1,4 +1,4 @@
-//! The boundary term of the edges that the camera sees: beside the processor's, sample by sample, in
+//! The boundary term of the edges that the camera sees: beside the CPU's, sample by sample, in
 //! scenes whose derivative has no other term.
 
 use capwalk_diff::{GradientOptions, Method, Wanted};
@@ -191,7 +191,7 @@ fn options(spp: u32) -> GradientOptions {
     }
 }
 
-/// The device's derivative and the processor's; `None` where there is no device.
+/// The device's derivative and the CPU's; `None` where there is no device.
 fn both(
     prepared: &PreparedScene,
     tangent: &Tangent,

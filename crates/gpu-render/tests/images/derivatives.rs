@@ -1,5 +1,5 @@
-//! Derivatives with respect to texels: forward mode beside the processor's sample by sample, reverse mode beside the
-//! processor's and beside forward mode.
+//! Derivatives with respect to texels: forward mode beside the CPU's sample by sample, reverse mode beside the
+//! CPU's and beside forward mode.
 
 use std::sync::Arc;
 
@@ -109,7 +109,7 @@ fn compare_texels(ours: &Gradient, theirs: &Gradient) -> Result<(), String> {
 
 /// In every scene that the device can render, for all texels of all textures.
 #[test]
-fn derivatives_by_texels_are_the_processors() {
+fn derivatives_by_texels_are_those_of_the_cpu() {
     let Some(gpu) = device::open(Precision::Double) else {
         return;
     };
@@ -202,7 +202,7 @@ fn parts_of_any_size_give_the_same_bits() {
         assert!(forward(most) == whole, "{most}");
         assert!(reverse(most) == by_texels, "{most}");
     }
-    // Errors are the processor's, whose samples are nearly the same: those of each texture in all.
+    // Errors are the CPU's, whose samples are nearly the same: those of each texture in all.
     let theirs = capwalk_diff::backward(&prepared, &adjoint, &wanted, &options, &Unwatched);
     let theirs = theirs.expect("not refused").standard_error();
     for (a, b) in by_texels.1.textures.iter().zip(&theirs.textures) {
@@ -297,7 +297,7 @@ fn derivatives_may_be_large_and_small() {
     }
 }
 
-/// Paths of more vertices than there is room for at first give the same bits in parts of any size.
+/// Paths of more vertices than fit at first give the same bits in parts of any size.
 #[test]
 fn long_paths_have_room() {
     let Some(gpu) = device::open(Precision::Double) else {

@@ -1,5 +1,5 @@
 //! Edges that move before emitters, before the environment, and before surfaces that reflect light, where the camera sees
-//! only what rests: the derivative beside the processor's, by z-test.
+//! only what does not move: the derivative beside the CPU's, by z-test.
 
 use std::path::Path;
 
@@ -15,7 +15,7 @@ use crate::device;
 /// Pixels of the images.
 const SIZE: [u32; 2] = [8, 6];
 
-/// The largest variance, as a multiple of the processor's: where many edges count, the processor lists them all.
+/// The largest variance, as a multiple of the CPU's: where many edges count, the CPU lists them all.
 const MOST_VARIANCE: f64 = 2.5;
 
 /// The largest standard score of a number of a pixel, of 144, and of the mean over the image: one in
@@ -262,7 +262,7 @@ pub fn cases() -> Vec<Case> {
             "a lamp that is a ball",
             [black(), ball("lamp", emits, 0.4, [0.3, 3.2, -1.2])],
         ),
-        // Interpolated normals, and many edges that rest.
+        // Interpolated normals, and many edges that do not move.
         Case {
             depth: 3,
             ..case(
@@ -418,7 +418,7 @@ fn scores(ours: &GradientImage, theirs: &GradientImage) -> ([f64; 2], f64) {
 /// Where only what the camera does not see moves, and has no colour of its own: then there are no other
 /// terms.
 #[test]
-fn boundary_terms_are_the_processors() {
+fn boundary_terms_are_those_of_the_cpu() {
     let Some(gpu) = device::open(Precision::Double) else {
         return;
     };
@@ -444,7 +444,7 @@ fn boundary_terms_are_the_processors() {
         let theirs = theirs.expect("not refused");
         let (scores, ratio) = scores(&ours, &theirs);
         let line = format!(
-            "{}: {scores:.2?} standard errors off, variance {:.2} of the processor's",
+            "{}: {scores:.2?} standard errors off, variance {:.2} of the CPU's",
             case.name,
             ratio / 8.0
         );

@@ -87,7 +87,7 @@ fn lost_devices_are_errors() {
     assert!(is_lost(DeviceScene::new(&gpu, &prepared).err()));
 }
 
-/// Where memory is scarce parts are smaller, with the same bits; without room for a small one there is an
+/// Where memory is scarce parts are smaller, with the same bits; without memory for a small one there is an
 /// error.
 #[test]
 fn scarce_memory_makes_parts_smaller() {
@@ -107,8 +107,11 @@ fn scarce_memory_makes_parts_smaller() {
         on_device.backward(&adjoint, &wanted, &options, &Unwatched)
     };
     let both = || {
-        let gradient = gradient().expect("room");
-        (image().expect("room").value, gradient.gradient().clone())
+        let gradient = gradient().expect("enough memory");
+        (
+            image().expect("enough memory").value,
+            gradient.gradient().clone(),
+        )
     };
     let whole = both();
     gpu.pretend_memory(1 << 17);
@@ -118,18 +121,18 @@ fn scarce_memory_makes_parts_smaller() {
         matches!(error, Some(DeviceError::Gpu(GpuError::OutOfMemory { .. })))
     };
     assert!(no_room(image().err()) && no_room(gradient().err()));
-    // Before anything is done, so that the processor can do it.
+    // Before anything is done, so that the CPU can do it.
     let moving = everything(prepared.scene());
     let error = on_device.gradient(&moving, &GradientOptions::new(options), &Unwatched);
     match error.err() {
         Some(DeviceError::Unsupported(found)) => {
-            assert!(found.what.contains("has no room"), "{found}");
+            assert!(found.what.contains("cannot hold"), "{found}");
         }
         other => panic!("{other:?}"),
     }
 }
 
-/// A scene that has no room in a buffer is an error that says so.
+/// A scene that does not fit in a buffer is an error that says so.
 #[test]
 fn scenes_that_are_too_large_are_errors() {
     if device::open(Precision::Double).is_none() {

@@ -1,4 +1,4 @@
-//! The derivatives that `check.json` of each folder of `tests/scenes` asks for, beside the processor's.
+//! The derivatives that `check.json` of each folder of `tests/scenes` asks for, beside the CPU's.
 
 use capwalk_diff::check::{Verdict, compare};
 use capwalk_diff::{GradientOptions, Method, Wanted, gradient};
@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use crate::{device, scenes};
 
-/// Pixels of the images, samples of each on the device, and how many times as many on the processor.
+/// Pixels of the images, samples of each on the device, and how many times as many on the CPU.
 const SIZE: [u32; 2] = [8, 8];
 const SAMPLES: u32 = 16;
 const MORE_SAMPLES: u32 = 16;
@@ -33,7 +33,7 @@ fn parameters(folder: &str) -> Vec<String> {
 /// leaves no doubt: they differ by noise alone, in every pixel and in sums. Seeds are fixed; of right ones
 /// one in some hundred leaves a doubt.
 #[test]
-fn derivatives_of_folders_are_the_processors() {
+fn derivatives_of_folders_are_those_of_the_cpu() {
     let Some(gpu) = device::open(Precision::Double) else {
         return;
     };

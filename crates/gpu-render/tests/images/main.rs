@@ -1,4 +1,4 @@
-//! Images of the device beside the processor's. On a machine without an adapter the tests say so
+//! Images of the device beside the CPU's. On a machine without an adapter the tests say so
 //! and pass; with `CAPWALK_GPU_TESTS=require` they fail there.
 
 mod agreement;

@@ -112,7 +112,7 @@ const ONE_EMITTER: Surroundings = ["", DIRECT];
 /// Each in surroundings of its own.
 const DISTRIBUTIONS: [(&str, Surroundings); 2] = [("beckmann", OUTDOORS), ("ggx", ONE_EMITTER)];
 
-/// Fails if a scene's samples are not the processor's.
+/// Fails if a scene's samples are not the CPU's.
 fn check(scene: Scene, what: &str) {
     let prepared = PreparedScene::new(scene);
     if let Some(compared) = compare(&prepared, Precision::Double) {

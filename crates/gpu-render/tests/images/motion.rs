@@ -1,4 +1,4 @@
-//! The interior term of what moves beside the processor's, sample by sample.
+//! The interior term of what moves beside the CPU's, sample by sample.
 
 use std::sync::Arc;
 
@@ -56,12 +56,8 @@ pub fn with_sensor(mut tangent: Tangent) -> Tangent {
     tangent
 }
 
-/// The processor's samples of the interior term, one of each pixel.
-pub fn on_processor(
-    prepared: &PreparedScene,
-    tangent: &Tangent,
-    options: &GradientOptions,
-) -> Image {
+/// The CPU's samples of the interior term, one of each pixel.
+pub fn on_cpu(prepared: &PreparedScene, tangent: &Tangent, options: &GradientOptions) -> Image {
     let boundaries = Boundaries::none(prepared.accel());
     let options = GradientOptions {
         method: Method::EDGES,
@@ -100,9 +96,9 @@ pub fn samples_among(
     }
 }
 
-/// In all scenes that the device can render but those with mirrors, where the processor walks.
+/// In all scenes that the device can render but those with mirrors, where the CPU walks.
 #[test]
-fn interior_terms_are_the_processors() {
+fn interior_terms_are_those_of_the_cpu() {
     let Some(gpu) = device::open(Precision::Double) else {
         return;
     };
@@ -128,7 +124,7 @@ fn interior_terms_are_the_processors() {
         let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
         let ours = on_device.interior_term(&tangent, &options, &Unwatched);
         let ours = ours.expect("supported").gradient.mean;
-        let theirs = on_processor(&prepared, &tangent, &options);
+        let theirs = on_cpu(&prepared, &tangent, &options);
         let (count, all) = different(&ours, &theirs, DIFFERENT);
         assert!(
             count as f64 <= MOST_DIFFERENT * all as f64,
@@ -170,7 +166,7 @@ fn interior_terms_are_the_same_in_both_modes() {
 }
 
 /// Pixels of the images whose whole derivative is looked at; samples of each, and how many times as many the
-/// processor takes.
+/// CPU takes.
 const SMALL: [u32; 2] = [8, 6];
 const SAMPLES: u32 = 2;
 const MORE_SAMPLES: u32 = 16;
@@ -200,11 +196,11 @@ const MORE_SCENES: [&str; 14] = [
     "parity/thinlens.xml",
 ];
 
-/// In every folder that the device can render and whose derivative neither it nor the processor refuses:
+/// In every folder that the device can render and whose derivative neither it nor the CPU refuses:
 /// everything moves, with all boundary terms. In forward mode by z-test of the mean of all pixels, and in
 /// reverse mode from the same samples, but for rounding.
 #[test]
-fn derivatives_are_the_processors_in_both_modes() {
+fn derivatives_are_those_of_the_cpu_in_both_modes() {
     let Some(gpu) = device::open(Precision::Double) else {
         return;
     };

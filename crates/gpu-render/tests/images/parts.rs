@@ -30,7 +30,7 @@ fn parts_of_any_size_give_the_same_bits() {
         assert_eq!(parts.value, whole.value, "{most}");
         assert_eq!(parts.statistics, whole.statistics);
     }
-    // And the errors are those of the processor, whose samples are nearly the same.
+    // And the errors are those of the CPU, whose samples are nearly the same.
     let theirs = render(&prepared, &options, &Unwatched);
     let pixels = |image: &capwalk_render::Rendering| image.value.standard_error.pixels.clone();
     let pairs = pixels(&whole).into_iter().zip(pixels(&theirs));

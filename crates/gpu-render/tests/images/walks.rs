@@ -1,5 +1,5 @@
 //! Directions towards surfaces that walk, also where edges are seen in flat mirrors: derivatives beside the
-//! processor's, sample by sample, and both modes beside each other.
+//! CPU's, sample by sample, and both modes beside each other.
 
 use capwalk_boundary::Boundaries;
 use capwalk_diff::{Gathers, GradientOptions, Method, Wanted};
@@ -134,10 +134,10 @@ fn prepared(case: &Case) -> PreparedScene {
     PreparedScene::new(scene)
 }
 
-/// Where there are no edges before emitters and the environment: all other terms have the processor's random
+/// Where there are no edges before emitters and the environment: all other terms have the CPU's random
 /// numbers.
 #[test]
-fn walks_are_the_processors() {
+fn walks_are_those_of_the_cpu() {
     let Some(gpu) = device::open(Precision::Double) else {
         return;
     };

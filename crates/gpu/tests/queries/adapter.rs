@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, Once};
 
 use capwalk_gpu::{Gpu, GpuError, GpuOptions, Interface, Precision};
 
-/// One test at a time: drivers of software share the processor's cores anyway.
+/// One test at a time: drivers of software share the CPU's cores anyway.
 static TURN: Mutex<()> = Mutex::new(());
 
 /// Says once why the tests are skipped.
@@ -56,7 +56,7 @@ pub fn each(test: impl Fn(&Arc<Gpu>)) {
     }
 }
 
-/// True if the device divides and takes roots as exactly as the processor, and fuses nothing:
+/// True if the device divides and takes roots as exactly as the CPU, and fuses nothing:
 /// in double precision its answers are the same to the last bit.
 pub fn is_exact(gpu: &Gpu) -> bool {
     gpu.is_software() || gpu.interface() == Interface::Cuda

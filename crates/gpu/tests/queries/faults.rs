@@ -34,7 +34,7 @@ fn lost_device() {
     };
     let mesh = meshes::grid(12, 10, true, &mut Random(4));
     let tree = RayTree::build(&mesh);
-    let mut device = DeviceRayTree::new(&gpu, &tree).expect("room");
+    let mut device = DeviceRayTree::new(&gpu, &tree).expect("enough memory");
     assert_eq!(device.first_hits(&rays(100)).expect("answers").len(), 100);
     gpu.destroy();
     let lost = |error: GpuError| {
@@ -57,7 +57,7 @@ fn small_buffers() {
     let many = rays(3001);
     let hits = |options: &GpuOptions| {
         let (gpu, _turn) = open(options)?;
-        let device = DeviceRayTree::new(&gpu, &tree).expect("room");
+        let device = DeviceRayTree::new(&gpu, &tree).expect("enough memory");
         Some(device.first_hits(&many).expect("answers"))
     };
     let Some(whole) = hits(&GpuOptions::default()) else {
@@ -78,7 +78,7 @@ fn small_buffers() {
 }
 
 /// Where memory is scarce, batches are cut with the same answers; less than a group of queries needs is an
-/// error, and so is a tree that has no room.
+/// error, and so is a tree that does not fit.
 #[test]
 fn scarce_memory() {
     let Some((gpu, _turn)) = open(&GpuOptions::default()) else {
@@ -86,20 +86,20 @@ fn scarce_memory() {
     };
     let mesh = meshes::grid(12, 10, true, &mut Random(4));
     let tree = RayTree::build(&mesh);
-    let device = DeviceRayTree::new(&gpu, &tree).expect("room");
+    let device = DeviceRayTree::new(&gpu, &tree).expect("enough memory");
     let many = rays(3001);
     let hits = || device.first_hits(&many);
-    let whole = hits().expect("room");
+    let whole = hits().expect("enough memory");
     gpu.pretend_memory(20_000);
-    assert_eq!(hits().expect("parts have room"), whole);
+    assert_eq!(hits().expect("parts fit"), whole);
     gpu.pretend_memory(100);
-    let no_room = |error| matches!(error, GpuError::OutOfMemory { .. });
-    assert!(no_room(hits().expect_err("no room for a group")));
-    assert!(no_room(
-        DeviceRayTree::new(&gpu, &tree).expect_err("no room")
+    let out_of_memory = |error| matches!(error, GpuError::OutOfMemory { .. });
+    assert!(out_of_memory(hits().expect_err("not even a group fits")));
+    assert!(out_of_memory(
+        DeviceRayTree::new(&gpu, &tree).expect_err("it does not fit")
     ));
     gpu.pretend_memory(u64::MAX);
-    assert_eq!(hits().expect("room again"), whole);
+    assert_eq!(hits().expect("enough memory again"), whole);
 }
 
 /// A launch that takes too long is an error, not a hang.
@@ -113,7 +113,7 @@ fn timeout() {
     }
     let mesh = meshes::grid(60, 50, true, &mut Random(4));
     let tree = RayTree::build(&mesh);
-    let mut device = DeviceRayTree::new(&gpu, &tree).expect("room");
+    let mut device = DeviceRayTree::new(&gpu, &tree).expect("enough memory");
     let errors = [
         device.first_hits(&rays(4096)).expect_err("no time"),
         device.refit(&mesh).expect_err("no time"),
@@ -130,7 +130,7 @@ fn degenerate_rays() {
         return;
     };
     let mesh = meshes::grid(12, 10, true, &mut Random(4));
-    let device = DeviceRayTree::new(&gpu, &RayTree::build(&mesh)).expect("room");
+    let device = DeviceRayTree::new(&gpu, &RayTree::build(&mesh)).expect("enough memory");
     let directions = [0.0, f64::NAN, f64::INFINITY, 1e-320].map(|z| Vec3::new(0.0, 0.0, z));
     let bad = directions.map(|direction| Ray::new(Vec3::new(0.6, 0.0, -9.0), direction));
     assert_eq!(device.first_hits(&bad).expect("answers"), [None; 4]);
@@ -150,9 +150,9 @@ fn loops_that_are_cut_short() {
     for (count, is_cut) in [(1_000, false), (200_000, true)] {
         let mesh = meshes::slivers(count);
         let ray = Ray::new(Vec3::new(1.0, -1.0, -9.0), Vec3::new(0.0, 0.0, 1.0));
-        let rays = DeviceRayTree::new(&gpu, &RayTree::build(&mesh)).expect("room");
+        let rays = DeviceRayTree::new(&gpu, &RayTree::build(&mesh)).expect("enough memory");
         let tree = SilhouetteTree::build(&mesh, &topology::edges(&mesh));
-        let cones = DeviceSilhouetteTree::new(&gpu, &tree).expect("room");
+        let cones = DeviceSilhouetteTree::new(&gpu, &tree).expect("enough memory");
         let everything = ConeQuery {
             apex: Vec3::new(0.0, 0.0, -9.0),
             axis: Vec3::new(0.0, 0.0, 1.0),

@@ -182,14 +182,14 @@ fn rays_hit_what_brute_force_hits() {
         let (mut asked, mut found) = (0, 0);
         for mut placed in meshes::all() {
             let mut tree = RayTree::build(&placed.mesh);
-            let mut device = DeviceRayTree::new(gpu, &tree).expect("room");
+            let mut device = DeviceRayTree::new(gpu, &tree).expect("enough memory");
             let some = rays(&placed, &mut random, RAYS);
             found += check(gpu, &placed, &tree, &device, &some);
             for p in &mut placed.mesh.positions {
                 *p += random.point() * (0.1 * placed.size);
             }
             tree.refit(&placed.mesh);
-            device.refit(&placed.mesh).expect("room");
+            device.refit(&placed.mesh).expect("enough memory");
             let some = rays(&placed, &mut random, RAYS / 4);
             found += check(gpu, &placed, &tree, &device, &some);
             asked += RAYS + RAYS / 4;
@@ -207,7 +207,7 @@ fn closed_meshes_have_no_gaps() {
     adapter::each(|gpu| {
         let mut random = Random(2);
         let mesh = meshes::grid(30, 20, true, &mut random);
-        let tree = DeviceRayTree::new(gpu, &RayTree::build(&mesh)).expect("room");
+        let tree = DeviceRayTree::new(gpu, &RayTree::build(&mesh)).expect("enough memory");
         let mut rays = Vec::new();
         for face in &mesh.faces {
             let [a, b, _] = face.map(|i| mesh.positions[i as usize]);
@@ -232,7 +232,7 @@ fn batches_of_any_size() {
         let placed = meshes::all().swap_remove(0);
         let tree = RayTree::build(&placed.mesh);
         let many = rays(&placed, &mut random, 10_000);
-        let device = DeviceRayTree::new(gpu, &tree).expect("room");
+        let device = DeviceRayTree::new(gpu, &tree).expect("enough memory");
         let whole = device.first_hits(&many).expect("answers");
         for count in [0, 1, 63, 64, 65, 1000] {
             assert_eq!(

@@ -1,5 +1,5 @@
 //! Trees on the device that follow moved vertices, against brute force, and against trees that
-//! the processor refits.
+//! the CPU refits.
 
 use std::f64::consts::PI;
 
@@ -67,7 +67,7 @@ fn motions(original: &Placed, random: &mut Random) -> Vec<Placed> {
     moved
 }
 
-/// Rays hit what they hit in a tree that the processor refitted, to the last bit, and what brute
+/// Rays hit what they hit in a tree that the CPU refitted, to the last bit, and what brute
 /// force says.
 #[test]
 fn rays_follow() {
@@ -75,12 +75,12 @@ fn rays_follow() {
         let mut random = Random(31);
         for original in some() {
             let mut tree = RayTree::build(&original.mesh);
-            let mut device = DeviceRayTree::new(gpu, &tree).expect("room");
+            let mut device = DeviceRayTree::new(gpu, &tree).expect("enough memory");
             for moved in motions(&original, &mut random) {
                 tree.refit(&moved.mesh);
                 device.refit(&moved.mesh).expect("the same mesh");
                 let rays = rays::rays(&moved, &mut random, QUERIES);
-                let anew = DeviceRayTree::new(gpu, &tree).expect("room");
+                let anew = DeviceRayTree::new(gpu, &tree).expect("enough memory");
                 assert_eq!(
                     device.first_hits(&rays).expect("answers"),
                     anew.first_hits(&rays).expect("answers"),
@@ -97,7 +97,7 @@ fn rays_follow() {
 }
 
 /// Cones find what brute force finds; in double precision, to the last bit what they find in a
-/// tree that the processor refitted. All silhouettes there are, as well: whatever bounds exclude
+/// tree that the CPU refitted. All silhouettes there are, as well: whatever bounds exclude
 /// wrongly is missed.
 #[test]
 fn cones_follow() {
@@ -127,7 +127,7 @@ fn cones_follow() {
                 if gpu.precision() == Precision::Single || !adapter::is_exact(gpu) {
                     continue;
                 }
-                let anew = DeviceSilhouetteTree::new(gpu, &tree).expect("room");
+                let anew = DeviceSilhouetteTree::new(gpu, &tree).expect("enough memory");
                 let name = &moved.name;
                 let [own, other] = [&device, &anew].map(|tree| tree.closest(&some));
                 assert_eq!(own, other, "{name}");
@@ -161,7 +161,7 @@ fn other_meshes_are_refused() {
         RayTree::build(&original.mesh),
         SilhouetteTree::build(&original.mesh, &edges),
     );
-    let mut ray_device = DeviceRayTree::new(&gpu, &ray_tree).expect("room");
+    let mut ray_device = DeviceRayTree::new(&gpu, &ray_tree).expect("enough memory");
     let Some(mut edge_device) = there(&gpu, &edge_tree) else {
         return;
     };

@@ -1,4 +1,4 @@
-//! Edges sampled in cones on the device, against the sampler of the processor, and against what
+//! Edges sampled in cones on the device, against the sampler of the CPU, and against what
 //! their probabilities promise.
 
 use std::collections::BTreeMap;
@@ -65,7 +65,7 @@ fn cones(random: &mut Random) -> Vec<EdgeCone> {
     cones
 }
 
-/// The same cone with other random numbers.
+/// The cone with other random numbers.
 fn repeated(cone: &EdgeCone, random: &mut Random, count: usize) -> Vec<EdgeCone> {
     let again = |_| EdgeCone {
         numbers: [(); 2].map(|()| random.number()),
@@ -74,9 +74,9 @@ fn repeated(cone: &EdgeCone, random: &mut Random, count: usize) -> Vec<EdgeCone>
     (0..count).map(again).collect()
 }
 
-/// In double precision, the edges and probabilities of the processor, number by number.
+/// In double precision, the edges and probabilities of the CPU, number by number.
 #[test]
-fn samples_are_those_of_the_processor() {
+fn samples_are_those_of_the_cpu() {
     let accel = accel();
     let boundaries = Boundaries::new(&accel);
     adapter::each(|gpu| {
@@ -86,7 +86,7 @@ fn samples_are_those_of_the_processor() {
         let mut random = Random(41);
         for selection in [EdgeSelection::Silhouettes, EdgeSelection::All] {
             let sampler = boundaries.edge_sampler(&accel, selection);
-            let device = DeviceEdgeSampler::new(gpu, &sampler.buffers()).expect("room");
+            let device = DeviceEdgeSampler::new(gpu, &sampler.buffers()).expect("enough memory");
             let mut all = cones(&mut random);
             all.extend([0.0, -1.0, f64::NAN].map(|max_angle| EdgeCone {
                 max_angle,
@@ -149,7 +149,7 @@ fn frequencies_are_probabilities() {
         let mut found = 0;
         for selection in [EdgeSelection::Silhouettes, EdgeSelection::All] {
             let sampler = boundaries.edge_sampler(&accel, selection);
-            let device = DeviceEdgeSampler::new(gpu, &sampler.buffers()).expect("room");
+            let device = DeviceEdgeSampler::new(gpu, &sampler.buffers()).expect("enough memory");
             for cone in cones(&mut random) {
                 let some = repeated(&cone, &mut random, SAMPLES);
                 let samples = device.sample(&some).expect("answers");

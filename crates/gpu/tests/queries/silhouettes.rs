@@ -306,7 +306,7 @@ fn cones_find_what_brute_force_finds() {
             }
             tree.refit(&placed.mesh);
             let some = cones(&placed, &mut random, CONES / 4);
-            device.refit(&placed.mesh).expect("room");
+            device.refit(&placed.mesh).expect("enough memory");
             let second = check(gpu, &placed, &edges, &tree, &device, &some);
             counts = [0, 1].map(|i| counts[i] + first[i] + second[i]);
             asked += CONES + CONES / 4;
@@ -367,7 +367,7 @@ fn far_apexes() {
     });
 }
 
-/// Any number of cones, and any room: what does not fit is found in a second pass.
+/// Any number of cones, and any capacity: what does not fit is found in a second pass.
 #[test]
 fn batches_of_any_size() {
     adapter::each(|gpu| {
@@ -398,7 +398,7 @@ fn batches_of_any_size() {
             assert_eq!(cut.overflowed(), larger);
             assert!(
                 (0..some.len()).all(|i| cut.of(i) == whole.of(i)),
-                "room for {capacity}"
+                "capacity {capacity}"
             );
         }
         assert_eq!(device.gather(&[], 5).expect("answers").overflowed(), 0);

@@ -26,7 +26,7 @@ const LEAST_CHUNK: usize = 16;
 const LARGEST_CHUNK: usize = 1 << 29;
 /// Channels of a file, at most.
 const MOST_CHANNELS: usize = 16_384;
-/// Bytes of all headers, at most: room for these channels and for notes of a megabyte.
+/// Bytes of all headers, at most: enough for these channels and for notes of a megabyte.
 const LONGEST_HEADER: u64 = 1 << 21;
 
 /// Attributes of all headers, at most: each costs microseconds, and files have dozens.

@@ -16,7 +16,7 @@ const SAMPLES: &str = "samples";
 /// The array of keys and values.
 const METADATA: &str = "metadata";
 
-/// The most bytes that the list of an image's layers has: room for thousands of them.
+/// The most bytes that the list of an image's layers has: enough for thousands of them.
 const LONGEST_LIST: u64 = 1 << 20;
 
 /// The bytes of an NPZ file.

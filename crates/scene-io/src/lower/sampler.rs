@@ -9,7 +9,7 @@ use crate::problem::Problem;
 /// Values of `type` that are read as they are.
 const SAMPLERS: [&str; 3] = ["independent", "ldsampler", "sobol"];
 
-/// Those of Mitsuba's whose points are stratified in another way.
+/// Samplers of Mitsuba whose points are stratified in another way.
 const STRATIFIED: [&str; 3] = ["multijitter", "orthogonal", "stratified"];
 
 /// What a sampler sets.

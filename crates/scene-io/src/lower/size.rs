@@ -22,12 +22,12 @@ const NAMED: usize = 3;
 pub(super) struct Triangles {
     /// How many shapes of a kind there are, and how many triangles these have.
     of_kinds: BTreeMap<String, [u64; 2]>,
-    /// Those of all shapes that emit light.
+    /// The triangles of all shapes that emit light.
     emitting: u64,
 }
 
 impl Triangles {
-    /// Those of shapes without a file, and of instances of these: they are known before anything is
+    /// The triangles of shapes without a file, and of instances of these: they are known before anything is
     /// made.
     pub fn known(context: &Context, shapes: &[Child], division: SphereDivision) -> Self {
         let mut triangles = Self::default();

@@ -48,7 +48,7 @@ impl SphereDivision {
         squares_per_radius(few)
     }
 
-    /// That of a sphere of this radius.
+    /// The division of a sphere of this radius.
     pub fn at(self, radius: f64) -> u32 {
         // The finest for no radius and one that is no number, which are refused elsewhere.
         let division = (self.squares_per_radius * radius).sqrt() as u32;

@@ -33,7 +33,7 @@ pub struct FileAttribute {
     pub channels: usize,
     /// Shape `(vertices or triangles, channels)`.
     pub data: Vec<f64>,
-    /// Whether the file stores integers.
+    /// True if the file stores integers.
     pub is_integer: bool,
 }
 

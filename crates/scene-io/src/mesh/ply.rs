@@ -267,7 +267,7 @@ fn read_element(
 }
 
 fn skip(body: &mut Body, element: &PlyElement) -> Result<(), MeshFileError> {
-    // Elements without properties take no room; there is nothing to pass over,
+    // Elements without properties take no bytes; there is nothing to pass over,
     // however many are announced.
     if element.properties.is_empty() {
         return Ok(());

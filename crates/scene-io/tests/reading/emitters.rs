@@ -93,7 +93,7 @@ fn points_and_spots() {
     let wide = scene
         .moved(&widening, -5.0)
         .check()
-        .expect_err("no room to fall off");
+        .expect_err("no range to fall off in");
     assert!(
         wide.to_string().contains("less than the cutoff_angle"),
         "{wide}"

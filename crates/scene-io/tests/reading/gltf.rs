@@ -10,7 +10,7 @@ use serde_json::json;
 use crate::common::*;
 use crate::gltf_file::*;
 
-/// The same sheet as OBJ, without colours.
+/// The sheet as OBJ, without colours.
 fn bent_as_obj() -> String {
     let mut text = String::new();
     for ([p, n], uv) in POSITIONS

@@ -1,5 +1,5 @@
 //! Arrays: numbers of the scene that may each change by itself, such as the
-//! vertices of a mesh. Reverse mode gives the gradient of a loss by all of
+//! vertices of a mesh. Reverse mode gives the gradient of a loss with respect to all of
 //! them; an optimiser reads and writes them.
 
 use std::ops::Range;
@@ -272,10 +272,10 @@ impl ArrayParameter {
         }
     }
 
-    /// What a gradient says about its numbers: the derivative by each, so that a step along it is one that
+    /// What a gradient says about its numbers: the derivative with respect to each, so that a step along it is one that
     /// [`ArrayParameter::set`] takes. Vertices at the same place share the sum
     /// of their derivatives evenly, because they must stay together, and
-    /// derivatives by normals are orthogonal to them, because their length does
+    /// derivatives with respect to normals are orthogonal to them, because their length does
     /// not count. Linear in the gradient; zero if it was not asked for this.
     pub fn gradient(&self, scene: &Scene, gradient: &Gradient) -> Vec<f64> {
         match self.place {

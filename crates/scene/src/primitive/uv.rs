@@ -10,7 +10,7 @@ use super::tessellated::{ROUND_SEGMENTS, SPHERE_DIVISION, cube, rectangle, turne
 /// Texture coordinates of the three corners of each face.
 pub type FaceUvs = Vec<[[f64; 2]; 3]>;
 
-/// Those of [`super::rectangle`]: from (0, 0) to (1, 1) along x and y.
+/// Texture coordinates of [`super::rectangle`]: from (0, 0) to (1, 1) along x and y.
 pub fn rectangle_uvs(world_from_object: Affine) -> FaceUvs {
     let (mesh, _) = rectangle(Affine::IDENTITY);
     let faces = (0..mesh.faces.len()).map(|face| {
@@ -20,7 +20,7 @@ pub fn rectangle_uvs(world_from_object: Affine) -> FaceUvs {
     wound(faces.collect(), world_from_object)
 }
 
-/// Those of [`super::cube`]: the unit square on each side. Mitsuba turns it
+/// Texture coordinates of [`super::cube`]: the unit square on each side. Mitsuba turns it
 /// from side to side; the table is that of its `cube.cpp`.
 pub fn cube_uvs(world_from_object: Affine) -> FaceUvs {
     // For the sides -x, +x, -y, +y, -z, +z in the order of our faces: the
@@ -45,7 +45,7 @@ pub fn cube_uvs(world_from_object: Affine) -> FaceUvs {
     wound(faces.collect(), world_from_object)
 }
 
-/// Those of [`super::disk`]: radius and angle over 2π. Along each of the thin
+/// Texture coordinates of [`super::disk`]: radius and angle over 2π. Along each of the thin
 /// triangles the angle is that of its middle at the centre.
 pub fn disk_uvs(world_from_object: Affine) -> FaceUvs {
     let n = f64::from(ROUND_SEGMENTS);
@@ -54,7 +54,7 @@ pub fn disk_uvs(world_from_object: Affine) -> FaceUvs {
     wound(faces.collect(), world_from_object)
 }
 
-/// Those of [`super::cylinder`]: azimuth over 2π, and height from 0 to 1.
+/// Texture coordinates of [`super::cylinder`]: azimuth over 2π, and height from 0 to 1.
 pub fn cylinder_uvs(world_from_object: Affine) -> FaceUvs {
     let n = f64::from(ROUND_SEGMENTS);
     let sides = (0..ROUND_SEGMENTS).map(f64::from);
@@ -68,15 +68,15 @@ pub fn cylinder_uvs(world_from_object: Affine) -> FaceUvs {
     wound(faces.collect(), world_from_object)
 }
 
-/// Those of [`super::sphere`]: azimuth over 2π, polar angle over π. Where the
-/// azimuth jumps it goes on beyond 1, so that triangles are not torn. Between
+/// Texture coordinates of [`super::sphere`]: azimuth over 2π, polar angle over π. Where the
+/// azimuth is discontinuous it goes on beyond 1, so that triangles are not torn. Between
 /// vertices both are interpolated; the triangles at the poles are too large for
 /// that and show their azimuth distorted.
 pub fn sphere_uvs() -> FaceUvs {
     divided_sphere_uvs(SPHERE_DIVISION)
 }
 
-/// Those of [`super::divided_sphere`].
+/// Texture coordinates of [`super::divided_sphere`].
 pub fn divided_sphere_uvs(division: u32) -> FaceUvs {
     let mesh = turned_icosphere(division);
     let faces = (0..mesh.faces.len()).map(|face| unwrapped(mesh.corners(face).map(spherical)));

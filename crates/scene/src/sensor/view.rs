@@ -121,7 +121,7 @@ impl<R: Real> View<R> {
         }
     }
 
-    /// The same without derivatives.
+    /// This view without derivatives.
     pub fn value(&self) -> View<f64> {
         View {
             origin: self.origin.value(),

@@ -159,7 +159,7 @@ impl Bitmap {
 struct Spline<R> {
     /// The first of them.
     first: i64,
-    /// The weight of each and its derivative by the place, in texels.
+    /// The weight of each and its derivative with respect to the place, in texels.
     weights: [(R, R); 3],
 }
 

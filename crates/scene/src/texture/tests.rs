@@ -146,7 +146,7 @@ fn lookups_differentiate_by_texture_coordinates() {
     assert!(steepest > 0.5, "nothing changes");
 }
 
-/// Lookups are linear in texels: the derivative by one is its weight.
+/// Lookups are linear in texels: the derivative with respect to one is its weight.
 #[test]
 fn lookups_differentiate_by_texels() {
     let texture = bitmap(TexelFilter::Bilinear, Wrap::Repeat);

@@ -123,7 +123,7 @@ fn specular_has_right_derivatives() {
     }
 }
 
-/// A blend has the derivatives of its weights, at rest it is itself.
+/// A blend has the derivatives of its weights; with constant weights it is itself.
 #[test]
 fn weights_have_derivatives() {
     let (wi, wo) = (direction(0.6, 1.0), direction(0.8, 3.0));

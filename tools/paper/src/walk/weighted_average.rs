@@ -4,7 +4,7 @@
 use capwalk_math::quadrature::gauss_legendre;
 use capwalk_math::{Dual, Real};
 
-/// The weighted average over the line whose part from 0 to 1 is at rest and
+/// The weighted average over the line whose part from 0 to 1 does not move and
 /// whose part from 1 to 2 moves to the right with velocity 1.
 ///
 /// Its velocity jumps at 1, as that of surfaces does at a silhouette. The

@@ -6,9 +6,9 @@ use capwalk_diff::{Estimate, GradientOptions, Method, RenderOptions};
 /// million are beyond, and there are some hundred of them.
 const SIGNIFICANT: f64 = 4.5;
 
-/// Demands that an estimate with an error meets the exact number, and that the
+/// Demands that an estimate with an error equals the exact number, and that the
 /// error is small enough to say something.
-pub fn meets(name: &str, mean: f64, error: f64, exact: f64, largest_error: f64) {
+pub fn equals(name: &str, mean: f64, error: f64, exact: f64, largest_error: f64) {
     println!("{name}: {mean:.5} ± {error:.5}, exactly {exact:.5}");
     assert!((mean - exact).abs() <= SIGNIFICANT * error + 1e-9, "{name}");
     assert!(error <= largest_error, "{name}: the error says nothing");

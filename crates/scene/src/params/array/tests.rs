@@ -13,7 +13,7 @@ fn with_seam() -> Scene {
     scene
 }
 
-/// The same with numbers in all forms that textures have.
+/// The scene of `with_seam` with numbers in all forms that textures have.
 fn with_textures() -> Scene {
     let mut scene = with_seam();
     let data = |count: usize| random(count, 9).iter().map(|x| x * x).collect();
