@@ -1,4 +1,4 @@
-"""Renders a scene with Mitsuba 3 and compares capwalk's picture with it.
+"""Renders a scene with Mitsuba 3 and compares capwalk's image with it.
 
 usage: parity.py SCENE.xml CAPWALK.npz SPP SEEDS FAILURE_FOLDER
 
@@ -64,7 +64,7 @@ def around(variance):
 
 
 def compare(ours, ours_error, theirs, theirs_error):
-    """The statistics, and whether they are as those of equal pictures."""
+    """The statistics, and whether they are as those of equal images."""
     difference = mosaic(ours - theirs)
     variance = mosaic(ours_error**2 + theirs_error**2)
     # The emitters themselves have no noise, but single precision there.

@@ -25,7 +25,7 @@ class Scene:
 
     @property
     def warnings(self) -> list[str]:
-        """What its file says in vain."""
+        """Warnings about its file."""
 
     @property
     def _light_warnings(self) -> list[str]: ...

@@ -232,7 +232,7 @@ def second_derivative(names: Sequence[str]) -> Refused:
 
 def seeds(own: int, seed: int | None, seed_grad: int | None) -> tuple[int, int]:
     """The seeds of an image and of its derivatives, by default the scene's own and one that
-    is nobody's neighbour in a row of seeds."""
+    never collides with nearby seeds."""
     seed = own if seed is None else integer("seed", seed, 0, LARGEST_SEED)
     if seed_grad is None:
         seed_grad = _capwalk.independent_seed(seed)

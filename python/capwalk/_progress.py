@@ -13,7 +13,7 @@ Progress = bool | Told | None
 
 @contextmanager
 def shown(progress: Progress, what: str) -> Iterator[Told | None]:
-    """The function to be called with the progress, if anybody wants to know."""
+    """The function to be called with the progress, if one is wanted."""
     if callable(progress):
         yield progress
     elif progress is True:

@@ -1,4 +1,4 @@
-"""Images and gradients in parts, whoever computes them."""
+"""Images and gradients in parts, by any kind of worker."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-//! Flat emitters that lie in the plane of another surface, such as a lamp in a ceiling: they
+//! Flat emitters that lie in the plane of another surface, such as an emitter in a ceiling: they
 //! are in front of it. Rounding would decide otherwise which of the two a ray meets, and light
 //! sampled on the emitter, whose shadow rays end before both, would not be the light that rays
 //! find there.
@@ -119,14 +119,14 @@ mod tests {
     use super::*;
     use crate::accel::Accel;
 
-    /// From in front, rays find a lamp in its ceiling wherever brute force finds the lamp alone,
+    /// From in front, rays find an emitter in its ceiling wherever brute force finds the emitter alone,
     /// and the ceiling around it, whichever of the two comes first in the scene.
     #[test]
     fn lamps_are_in_front_of_their_ceilings() {
         let lit = capwalk_scene::builtin::scene("leaf").expect("built in");
         let lamp = lit.emitters[0].shape().expect("a lamp");
         for others in 0..2 {
-            // The ceiling takes the place of another shape, before the lamp or behind it.
+            // The ceiling takes the place of another shape, before the emitter or behind it.
             let mut scene = lit.clone();
             let places = (0..scene.shapes.len()).filter(|&i| i != lamp.0 as usize);
             let place = places.clone().nth(others).expect("two other shapes");

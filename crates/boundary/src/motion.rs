@@ -1,9 +1,9 @@
-//! What sampling weights may know of how points move.
+//! The motion of points, as far as sampling weights may use it.
 
 use capwalk_geometry::NormalCone;
 use capwalk_math::Vec3;
 
-/// What sampling may know of the motion of one or more points.
+/// The motion of one or more points, as far as sampling may use it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
     /// Their mean velocity, as far as it is known.

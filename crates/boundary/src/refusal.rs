@@ -44,7 +44,7 @@ pub enum Refusal {
         /// Their concentration `κ`.
         kappa: f64,
     },
-    /// More edges than a walk among explicit boundaries can look at.
+    /// More edges than a walk among explicit boundaries can test.
     #[cfg(feature = "paper")]
     ManyEdges {
         /// Edges of the scene.
@@ -53,7 +53,7 @@ pub enum Refusal {
         most: usize,
     },
     /// Something moves beside an emitter without extent, and the method misses the edges of
-    /// its shadows, which lie on surfaces (METHOD 12).
+    /// its shadows, which lie on surfaces (METHOD 7).
     HardShadows {
         /// Name of the emitter.
         emitter: String,
@@ -62,7 +62,7 @@ pub enum Refusal {
         /// Name of the method.
         method: &'static str,
     },
-    /// Something moves beside an emitter that throws a picture with borders.
+    /// Something moves beside an emitter that projects an image with borders.
     PictureBorders {
         /// Name of the emitter.
         emitter: String,
@@ -278,14 +278,14 @@ impl Refusal {
             } => (
                 format!(
                     "the emitter \"{emitter}\" ({plugin}) has no extent, so its shadows have hard \
-                     edges, and how these move is not differentiated by the method `{method}`"
+                     edges, whose motion is not differentiated by the method `{method}`"
                 ),
                 instead("Use the default method, a small area emitter, or finite differences"),
             ),
             Self::PictureBorders { emitter, plugin } => (
                 format!(
-                    "the picture that the emitter \"{emitter}\" ({plugin}) throws is discontinuous, at \
-                     its border or inside, and how this moves on surfaces is not differentiated"
+                    "the image that the emitter \"{emitter}\" ({plugin}) projects is discontinuous, at its \
+                     border or inside, and the motion of this on surfaces is not differentiated"
                 ),
                 instead(
                     "Use a spot light with a `bilinear` texture, an area emitter, or finite \
@@ -363,7 +363,7 @@ impl Refusal {
             } => (
                 format!(
                     "without `{flag}` the {plugin} \"{material}\" cuts off light along curves \
-                     inside faces, and how these move is not differentiated"
+                     inside faces, and the motion of these is not differentiated"
                 ),
                 Some(format!("Set `{flag}` to true, or use finite differences")),
             ),
@@ -374,7 +374,7 @@ impl Refusal {
             } => (
                 format!(
                     "the camera's {plane} of {depth} cuts through the shape \"{shape}\" within the \
-                     image, and how the cut moves is not differentiated"
+                     image, and the motion of the cut is not differentiated"
                 ),
                 Some(format!("Choose another {plane}, or move the camera")),
             ),
@@ -412,20 +412,20 @@ impl Refusal {
             ),
             Self::StepTooSmall { step } => (
                 format!(
-                    "a finite difference over {step:e} changes nothing: rounding swallows so small a \
-                     step"
+                    "a finite difference over {step:e} changes nothing: the step is lost to \
+                     rounding"
                 ),
                 instead("Choose a larger step, or leave it out"),
             ),
             Self::InvalidStep { step, reason } => (
                 format!(
-                    "a finite difference over {} leaves the valid scenes on both sides, for \
+                    "a finite difference over {} gives invalid scenes on both sides, for \
                      example: {reason}",
                     shown(*step)
                 ),
                 instead(
-                    "Choose a smaller step; or, if something is at each end of what it may be, \
-                     such as a texel of 0 beside one of 1, ask for one of them at a time",
+                    "Choose a smaller step; or, if numbers are at both ends of their range, such as \
+                     a texel of 0 beside one of 1, ask for one of them at a time",
                 ),
             ),
         }
@@ -437,12 +437,12 @@ fn specular_motion(cause: SpecularCause) -> (String, Option<String>) {
     let (mirrors, covered, most) = match cause {
         SpecularCause::Walks => {
             return (
-                "the rays of walks move beside what moves, and with them what they show in curved \
-                 mirrors or through refracting glass; the silhouettes seen there are not covered"
+                "the rays of walks move beside moving objects, and with them what these rays show in \
+                 curved mirrors or through refracting glass; the silhouettes seen there are not covered"
                     .into(),
                 Some(
-                    "Use the default method or `edges`, whose rays stay; or leave it out and know \
-                     that it is missing (`allow_missing`, \"specular\")"
+                    "Use the default method or `edges`, whose rays stay; or leave this \
+                     part out (`allow_missing`, \"specular\")"
                         .into(),
                 ),
             );
@@ -478,7 +478,7 @@ fn specular_motion(cause: SpecularCause) -> (String, Option<String>) {
         ),
         Some(
             "Use one of these, a rough material (alpha of 0.01 or more), or finite differences; or \
-             leave it out and know that it is missing (`allow_missing`, \"specular\")"
+             leave this part out (`allow_missing`, \"specular\")"
                 .into(),
         ),
     )

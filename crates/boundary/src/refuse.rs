@@ -16,7 +16,7 @@ use crate::texture_line::{self, MOST_LINES};
 pub use crate::infinite_derivative::refuse_infinite_derivatives;
 
 /// A refusal if there are emitters without extent and the method does not cover the edges
-/// of their shadows, which lie on surfaces (METHOD 12), or those of a picture they throw.
+/// of their shadows, which lie on surfaces (METHOD 7), or those of an image they project.
 fn refuse_hard_shadows(scene: &Scene, method: &Method) -> Result<(), Refusal> {
     let has_borders = |emitter: &&Emitter| match emitter {
         Emitter::Projector { .. } => true,

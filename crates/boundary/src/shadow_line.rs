@@ -1,5 +1,5 @@
 //! The edges of hard shadows: where silhouettes, as a light without extent sees them, end its
-//! light on the faces behind (METHOD 12).
+//! light on the faces behind (METHOD 7).
 //!
 //! The light past an edge fills a wedge, and on a flat face the shadow of the edge is a
 //! segment: where the face crosses the wedge. So these segments are boundaries like those in
@@ -174,7 +174,7 @@ impl Light<'_> {
             let face = part.face;
             Some(ShadowLine { face, line })
         });
-        // Whether there are too many does not depend on who counts first.
+        // Whether there are too many does not depend on the order of counting.
         let is_room = |_: &ShadowLine| self.count.fetch_add(1, Ordering::Relaxed) < self.most;
         lines.take_while(is_room).collect()
     }

@@ -23,7 +23,7 @@ pub fn walk<R: Real>(
     settings: &WalkSettings,
     random: Numbers,
 ) -> FieldSample<BoundarySample, Vec3> {
-    // Walk among the boundaries, which knows no velocities yet.
+    // Walk among the boundaries, without velocities.
     let sphere = sphere(field, viewpoint);
     let sample = sample_field(&sphere, q, settings, |i| random.number(i));
     random.draw.count_queries(sphere.direct.queries.get());

@@ -312,7 +312,7 @@ impl Check {
         let (samples_factor, other) = match self.made.fits_scene {
             true => (
                 f64::INFINITY,
-                "one with a step four times as large: the image may jump close by, which a \
+                "one with a step four times as large: the image may be discontinuous close by, which a \
                  smaller step would show",
             ),
             false => (

@@ -126,7 +126,7 @@ pub enum Error {
     /// Something changes so little or so much that squares of its derivative are no numbers.
     #[error(
         "{what} change numbers of the scene by at most {rate:e} for one unit, where 1e-70 to 1e70 \
-         have derivatives whose errors are numbers: use another factor"
+         have derivatives with finite errors: use another factor"
     )]
     Unscaled {
         /// What was asked for, such as `the parameters in "1e-300*a"`.

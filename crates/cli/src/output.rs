@@ -176,7 +176,7 @@ pub fn missing_notes(statistics: &Statistics) -> Vec<(String, String)> {
     })
 }
 
-/// What stands above the picture of a gradient.
+/// The heading of the preview of a gradient.
 pub fn gradient_title(statistics: &Statistics) -> String {
     match &statistics.missing {
         None => "gradient".into(),
@@ -187,7 +187,7 @@ pub fn gradient_title(statistics: &Statistics) -> String {
     }
 }
 
-/// The picture of a gradient.
+/// The preview of a gradient.
 pub fn gradient_panel<'a>(title: &'a str, image: &'a Image) -> Panel<'a> {
     let limit = image::robust_limit([image]);
     let style = Style::Diverging { limit };

@@ -77,7 +77,7 @@ pub struct Pilot<'a> {
     pub tangent: &'a Tangent,
     /// What is known of that motion.
     pub facts: &'a Arc<MotionFacts>,
-    /// True if sampling may not know how fast edges move, as in reverse mode.
+    /// True if sampling may not use how fast edges move, as in reverse mode.
     pub is_blind: bool,
     pub options: &'a GradientOptions,
     pub size: PilotSize,

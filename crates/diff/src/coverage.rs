@@ -2,7 +2,7 @@
 //! field has: asked before the work, in all modes alike.
 //!
 //! The answer follows from the scene and from what moves in it, by facts where these suffice and else
-//! by a probe ([`SpecularProbe`]), which knows nothing of the samples that are asked for. It is kept
+//! by a probe ([`SpecularProbe`]), which does not depend on the samples that are asked for. It is kept
 //! with the prepared scene.
 
 use std::sync::Arc;

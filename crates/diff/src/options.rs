@@ -22,7 +22,7 @@ pub struct GradientOptions {
     /// The cells that the samples are cut into. In reverse mode the spread of its batches
     /// gives the standard errors.
     pub grid: Grid,
-    /// True if sampling in forward mode may not know how fast edges move, as in reverse
+    /// True if sampling in forward mode may not use how fast edges move, as in reverse
     /// mode, so that both take the same samples: for comparisons of the two.
     pub blind: bool,
     /// The walk that builds the velocity field, for methods that walk.

@@ -48,7 +48,7 @@ pub struct EdgeRecords {
 
 /// What the kernels read of how edges move.
 pub struct EdgeMotion<'a> {
-    /// True if sampling knows no velocity.
+    /// True if sampling uses no velocities.
     pub is_blind: bool,
     pub of_points: OfPoints<'a>,
 }

@@ -12,7 +12,7 @@ use capwalk_walk::Estimator;
 
 use crate::edge_paths::LAST_VERTEX;
 
-/// So many segments after roulette began nobody sees a path.
+/// So many segments after roulette began no path is left.
 const AFTER_ROULETTE: u32 = 1000;
 
 /// Something of a scene or of options that the device's renderer does not have.

@@ -172,7 +172,7 @@ impl CudaDriver {
 
     pub fn allocate(&self, bytes: u64) -> Result<CudaMemory, Fault> {
         self.check()?;
-        // SAFETY: bytes have no wrong value, and what nobody wrote means nothing to anybody.
+        // SAFETY: bytes have no invalid value, and unwritten ones are never interpreted.
         let slice = unsafe { self.stream.alloc(bytes as usize) };
         slice
             .map(|slice| CudaMemory(Mutex::new(slice)))

@@ -78,7 +78,7 @@ impl Driver {
         }
     }
 
-    /// A new piece of memory; nobody knows what is in it.
+    /// A new piece of memory with undefined content.
     pub fn allocate(&self, bytes: u64) -> Result<Memory, Fault> {
         match self {
             Self::Wgpu(driver) => driver.allocate(bytes).map(Memory::Wgpu),

@@ -17,7 +17,7 @@ pub struct DeviceArray {
 const UNIT: u64 = 16;
 
 impl Gpu {
-    /// Room for so many bytes; nobody knows what is in it.
+    /// Memory for so many bytes, with undefined content.
     pub fn array(&self, bytes: u64) -> Result<DeviceArray, GpuError> {
         // An array of no bytes cannot be given to a kernel.
         let bytes = bytes.next_multiple_of(UNIT).max(UNIT);

@@ -194,7 +194,7 @@ impl Gpu {
             .get_or_init(|| right.iter().all(|&right| right == 8)))
     }
 
-    /// A new piece of memory; nobody knows what is in it.
+    /// A new piece of memory with undefined content.
     pub(crate) fn allocate(&self, bytes: u64) -> Result<Memory, GpuError> {
         let memory = match bytes > self.memory.load(Ordering::Relaxed) {
             true => Err(Fault::OutOfMemory),

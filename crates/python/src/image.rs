@@ -1,4 +1,4 @@
-//! Images as pictures: for notebooks, and in files.
+//! Images as PNG: for notebooks, and in files.
 
 use std::path::PathBuf;
 

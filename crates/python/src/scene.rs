@@ -27,7 +27,7 @@ pub struct Scene {
 /// What is known of where a scene came from.
 #[derive(Clone, Default)]
 struct Source {
-    /// What its file says in vain, but for what concerns light only.
+    /// Warnings about its file, except those about light only.
     warnings: Vec<String>,
     /// What concerns light only.
     light_warnings: Vec<String>,
@@ -172,13 +172,13 @@ impl Scene {
         &self.name
     }
 
-    /// What its file says in vain.
+    /// Warnings about its file.
     #[getter]
     fn warnings(&self) -> Vec<String> {
         self.source.warnings.clone()
     }
 
-    /// What its file says in vain if light is rendered.
+    /// Warnings about its file if light is rendered.
     #[getter(_light_warnings)]
     fn light_warnings(&self) -> Vec<String> {
         self.source.light_warnings.clone()

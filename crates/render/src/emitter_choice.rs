@@ -140,7 +140,7 @@ mod tests {
             let (mesh, normals) = rectangle(place);
             let name = format!("lamp{i}");
             let mut shape = Shape::new(&name, mesh, normals, bsdf);
-            // One lamp has its radiance at its faces, as half of it.
+            // One emitter has its radiance at its faces, as half of it.
             let radiance = match i {
                 1 => {
                     let texture = |data, pattern| Texture {

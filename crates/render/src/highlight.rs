@@ -1,4 +1,4 @@
-//! Where a glossy material scatters most of its light to, as far as sampling weights know.
+//! Where a glossy material scatters most of its light to, as far as sampling weights use it.
 
 use capwalk_geometry::add_effort;
 use capwalk_math::Vec3;

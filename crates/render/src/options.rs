@@ -46,8 +46,8 @@ impl RenderOptions {
     }
 
     /// The same with [another seed](Seed::independent), for an image whose noise must be
-    /// independent of one with this seed: an adjoint must not know the random numbers of its
-    /// gradient.
+    /// independent of one with this seed: an adjoint must be independent of the random
+    /// numbers of its gradient.
     #[must_use]
     pub fn with_independent_seed(self) -> Self {
         let Seed(seed) = Seed(self.seed).independent();

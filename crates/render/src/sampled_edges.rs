@@ -67,7 +67,7 @@ pub struct InMirrors<'a, R> {
     pub spread: f64,
 }
 
-/// What sampling weights know of how directions from a shading point move.
+/// How directions from a shading point move, as far as sampling weights use it.
 #[derive(Clone, Copy, Debug)]
 pub struct Turning {
     motion: Motion,
@@ -99,7 +99,7 @@ impl Turning {
 }
 
 impl<R: Real, W: SceneEval<R>> ShadingPoint<'_, R, W> {
-    /// How directions move, as far as sampling weights may know it.
+    /// How directions move, as far as sampling weights may use it.
     pub fn motion(&self) -> Turning {
         let normal = self
             .turning

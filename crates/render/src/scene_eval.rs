@@ -41,10 +41,10 @@ pub trait SceneEval<R: Real> {
     /// point divides the edge between two points of the boundaries at the fraction `t`.
     /// Where no motion is known, as in reverse mode, a guess. Used only if `MOVES`.
     fn speed(&self, ends: [u32; 2], t: f64, against: Vec3, normal: Vec3) -> f64;
-    /// What sampling weights know of the motion of a point of the boundaries; used only if
+    /// The motion of a point of the boundaries as sampling weights use it; used only if
     /// `MOVES`.
     fn motion_of_point(&self, index: u32) -> Motion;
-    /// What they know of the motion of a shading point, or of the change of its normal.
+    /// The motion of a shading point, or the change of its normal, as they use it.
     fn motion_of(&self, vector: Vec3<R>) -> Motion;
     /// True if no boundary moves against the viewpoint.
     fn is_still(&self, viewpoint: &Viewpoint<R>) -> bool;

@@ -19,14 +19,14 @@ pub enum Purpose {
 
 impl Seed {
     /// The seed of a derivative beside an image with this one, or of an image beside a derivative:
-    /// the complement, which is nobody's neighbour in a row of seeds.
+    /// the complement, which never collides with nearby seeds such as `seed + 1`.
     #[must_use]
     pub fn independent(self) -> Self {
         Self(!self.0)
     }
 
-    /// The seed of a view among several, by its number from 0. That of the first is this one, and
-    /// none of them is another's neighbour in a row of seeds.
+    /// The seed of a view among several, by its number from 0. The first has this one, and none of
+    /// them collides with nearby seeds.
     #[must_use]
     pub fn of_view(self, view: u64) -> Self {
         Self(self.0.wrapping_add(view.wrapping_mul(GOLDEN)))

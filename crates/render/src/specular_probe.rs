@@ -94,7 +94,7 @@ pub(crate) struct Past {
     fields: Causes,
 }
 
-/// What a probe may know of the motion.
+/// The motion, as far as a probe may use it.
 pub struct ProbedMotion<'m> {
     /// Which shapes move.
     pub shapes: &'m [bool],

@@ -169,7 +169,7 @@ pub fn irradiance_of<R: Real, W: SceneEval<R>>(
     emitter: &Emitter,
     light: &DeltaLight<R>,
 ) -> Rgb<R> {
-    // Numbers that are no pictures are the same everywhere.
+    // Textures that are not images have the same value everywhere.
     let uv = light.uv.unwrap_or([R::constant(0.0); 2]);
     let number = |id| {
         let texture = eval.scene().texture(id);

@@ -24,7 +24,7 @@ pub struct Sample<const C: usize> {
     pub numbers: [f64; C],
     /// Closest-silhouette queries asked.
     pub cone_queries: u64,
-    /// Specular events behind which outlines can move.
+    /// Specular events behind which silhouettes can move.
     pub uncovered: u64,
     /// Its effort, in about twenty nanoseconds.
     pub effort: u64,

@@ -1,4 +1,4 @@
-//! The properties of one object, read strictly: what nobody asked for is an
+//! The properties of one object, read strictly: an unused one is an
 //! error that lists what could have been asked for.
 
 use std::cell::{Cell, RefCell};
@@ -314,7 +314,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// Refuses what nobody asked for.
+    /// Refuses properties that were not used.
     pub fn finish(&self) -> Result<(), Problem> {
         let properties = self.node.properties.iter().zip(&self.used);
         match properties.into_iter().find(|(_, used)| !used.get()) {

@@ -1,4 +1,4 @@
-//! Finding and reading the files that somebody names: the one place that opens them.
+//! Finding and reading files by name: the one place that opens them.
 
 use std::fs::{self, File};
 use std::io::{self, Read};

@@ -27,7 +27,7 @@ pub struct LoadOptions {
     pub sensor: Option<SensorChoice>,
 }
 
-/// A scene, and what its file says in vain.
+/// A scene, and warnings about its file.
 #[derive(Clone, Debug)]
 pub struct Loaded {
     /// The scene.

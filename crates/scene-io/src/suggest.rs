@@ -5,7 +5,7 @@ use strsim::levenshtein;
 /// At most this many names are suggested.
 const MOST_SUGGESTIONS: usize = 3;
 
-/// Longer names are not compared: nobody mistypes them, and the comparison
+/// Longer names are not compared: they are not typed by hand, and the comparison
 /// takes time proportional to the product of the lengths.
 const LONGEST_NAME: usize = 64;
 

@@ -1,4 +1,4 @@
-//! Strict reading of TOML: every key is asked for, those that nobody asked for are
+//! Strict reading of TOML: every key is asked for, keys that were not asked for are
 //! errors, and every error has a place, says what was expected, and which key was
 //! perhaps meant.
 

@@ -1,4 +1,4 @@
-//! What a scene file says in vain, or in a way that is read differently.
+//! Warnings: properties of a scene file that have no effect, or that are read differently.
 
 use std::fmt;
 
@@ -10,7 +10,7 @@ use crate::location::Location;
 pub struct Warning {
     /// The file and the place in it.
     pub location: Location,
-    /// What there is to know, in one sentence.
+    /// The warning, in one sentence.
     pub message: String,
     /// True if it is about light, and not about what is seen of surfaces without it.
     pub is_about_light: bool,

@@ -1,7 +1,7 @@
 //! Scenes made by code, to try things on without any file.
 //!
-//! In all of them y is up, the floor is `y = 0`, and the lamp is a square that
-//! faces down. Nothing lines up exactly with pixels, axes or the lamp.
+//! In all of them y is up, the floor is `y = 0`, and the emitter is a square that
+//! faces down. Nothing lines up exactly with pixels, axes or the emitter.
 
 mod ball;
 mod box_room;
@@ -13,7 +13,7 @@ mod voronoi;
 
 use crate::scene::Scene;
 
-/// What there is to know of a built-in scene before it is made.
+/// The description of a built-in scene before it is made.
 #[derive(Clone, Copy, Debug)]
 pub struct Builtin {
     /// Its name.
@@ -148,7 +148,7 @@ mod tests {
         hits.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, id)| id)
     }
 
-    /// The lamp is above everything, faces down, and the floor faces up.
+    /// The emitter is above everything, faces down, and the floor faces up.
     #[test]
     fn lamps_face_down_and_floors_up() {
         for name in names() {

@@ -63,19 +63,19 @@ pub enum Emitter {
         /// Angle to the axis up to which it is as bright as in the middle,
         /// degrees; in between it falls linearly.
         beam_width: TextureId,
-        /// A picture that it throws, as a factor: it covers the square around the cone.
+        /// An image that it projects, as a factor: it covers the square around the cone.
         texture: Option<TextureId>,
     },
-    /// A point that throws a picture, as a perspective camera would see it.
+    /// A point that projects an image, as a perspective camera would see it.
     Projector {
         /// Name of the emitter, for parameters.
         id: String,
         /// The emitter is at the origin of its own space and shines along `+z`, with `+y`
-        /// up and `+x` to the left of the picture.
+        /// up and `+x` to the left of the image.
         world_from_emitter: Affine,
-        /// Half the width and half the height of the picture at distance 1.
+        /// Half the width and half the height of the image at distance 1.
         half_size: [f64; 2],
-        /// The picture: power per area across the axis at distance 1, over π.
+        /// The image: power per area across the axis at distance 1, over π.
         irradiance: TextureId,
         /// Factor on it.
         scale: TextureId,
@@ -203,7 +203,7 @@ impl Emitter {
         }
     }
 
-    /// The picture that it throws and the name of its slot, if it has one.
+    /// The image that it projects and the name of its slot, if it has one.
     pub fn picture(&self) -> Option<(&'static str, TextureId)> {
         match self {
             Self::Projector { irradiance, .. } => Some(("irradiance", *irradiance)),

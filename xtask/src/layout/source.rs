@@ -57,7 +57,7 @@ pub enum Sharing {
     Nobody,
     /// Others in the crate: `pub(crate)`, `pub(super)`.
     Crate,
-    /// Everybody who may name the module: `pub`.
+    /// Code that may name the module: `pub`.
     All,
 }
 
@@ -186,7 +186,7 @@ fn is_test(attributes: &[Attribute]) -> bool {
     })
 }
 
-/// The name of a type or trait that the item defines, and who may use it.
+/// The name of a type or trait that the item defines, and its visibility.
 fn defined_type(item: &Item) -> Option<(&Ident, Sharing)> {
     let (name, visibility) = match item {
         Item::Struct(item) => (&item.ident, &item.vis),

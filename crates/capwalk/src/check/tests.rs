@@ -280,7 +280,9 @@ fn references_that_contradict_each_other_call_nothing_wrong() {
     assert!(check.next_reference().is_none());
     let words = check.decided().verdict(|_, _| String::new());
     let says = |text: &str| words.contains(text);
-    assert!(words.starts_with("inconclusive") && says("jump") && !says("times the samples"));
+    assert!(
+        words.starts_with("inconclusive") && says("discontinuous") && !says("times the samples")
+    );
     // So it is where time runs out between them, and with a step that was asked for.
     let mut cut = right.clone();
     cut.statistics.complete = false;

@@ -88,8 +88,8 @@ impl Check {
 pub fn missing_text(missing: &Missing) -> String {
     let [share, error] = [missing.share, missing.standard_error].map(|x| 100.0 * x);
     format!(
-        "how silhouettes and hard shadows move that are seen in curved mirrors, through refracting \
-         glass, or after many reflections is left out; {} % of the radiance arrives by paths with \
+        "the motion of silhouettes and hard shadows that are seen in curved mirrors, through \
+         refracting glass, or after many reflections is left out; {} % of the radiance arrives by paths with \
          such events, whether something moves there or not",
         plus_minus(share, error)
     )

@@ -15,7 +15,7 @@ pub struct LoadedProblem {
     /// How its method was chosen; `None` if the job names one, if its derivatives are
     /// refused, or if the watch stopped it.
     pub chosen: Option<Chosen>,
-    /// What the scene files that it was loaded from say in vain, each once.
+    /// Warnings about the scene files that it was loaded from, each once.
     pub warnings: Vec<Warning>,
 }
 

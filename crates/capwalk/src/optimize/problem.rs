@@ -18,7 +18,7 @@ use capwalk_scene_io::{FilesRead, Loaded, Warning};
 /// What is found on the way to a problem.
 #[derive(Default)]
 struct Found {
-    /// What scene files say in vain, each once.
+    /// Warnings about scene files, each once.
     warnings: Vec<Warning>,
     files: FilesRead,
 }

@@ -103,7 +103,7 @@ impl<'j> Run<'j> {
         self.chosen.as_ref()
     }
 
-    /// What the scene files of the job say in vain.
+    /// Warnings about the scene files of the job.
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings
     }
@@ -152,7 +152,7 @@ impl<'j> Run<'j> {
             if let Ok(next) = &iteration.next {
                 self.folder.keep(next)?;
             }
-            // Go on from the next state, unless somebody has seen enough.
+            // Go on from the next state, unless the caller stops the run.
             let flow = seen(&iteration);
             // The worst of all steps.
             let missing = iteration.row.step.as_ref().and_then(|step| step.missing);

@@ -78,7 +78,7 @@ pub fn run(
     if let Some(adapter) = &place.adapter {
         output::note(&mut layered, "device", adapter);
     }
-    // A picture of a part says so.
+    // An image of a part says so.
     let title = output::gradient_title(statistics);
     let panels = match &statistics.missing {
         None => Vec::new(),

@@ -387,7 +387,7 @@ fn refusals_name_the_parameter() {
         &[
             "job.toml:19:8",
             "with respect to \"leaf.translate.x\" is refused",
-            "(projector) throws is discontinuous",
+            "(projector) projects is discontinuous",
         ],
     );
 }

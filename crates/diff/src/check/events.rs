@@ -49,7 +49,7 @@ pub fn compare_with_differences(
         let (explained, left) = compared(&gradient.gradient, &with_all);
         if left.too_large.is_empty() {
             let doubt = format!(
-                "{}; events of the differences that they did not meet may explain it",
+                "{}; events that the differences did not see may explain it",
                 contradiction.too_large.join("; ")
             );
             comparison.verdict = doubtful(explained.verdict, doubt);

@@ -1,4 +1,4 @@
-//! One number per pixel, its errors, and a weight that does not know it.
+//! One number per pixel, its errors, and a weight that does not depend on it.
 
 use capwalk_math::Rgb;
 
@@ -82,7 +82,7 @@ pub(super) struct Pixels {
 ///
 /// The channels of a pixel come from the same samples, so only one of them
 /// enters: channel `(x + y) mod 3`, or the next one with noise. A fixed mosaic
-/// looks at every channel, and prefers none because its noise is large.
+/// takes every channel, and prefers none because its noise is large.
 pub(super) fn split(gradient: &Estimate, reference: &Estimate) -> Pixels {
     let (width, height) = (gradient.mean.width, gradient.mean.height);
     let gradient_around = Surroundings::new(&gradient.standard_error);

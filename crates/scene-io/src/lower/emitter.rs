@@ -263,7 +263,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// Notes where the picture stands that an emitter throws.
+    /// Notes where the image is that an emitter projects.
     fn note_picture(&mut self, fields: &Fields, emitter: &str, slot: &str) {
         let name = format!("{emitter}.{slot}");
         self.places.numbers.insert(name, fields.span_of(slot));

@@ -164,7 +164,7 @@ fn focus_distance(fields: &Fields, far_clip: f64) -> Result<f64, Problem> {
         .help("expected the depth that is sharp, above 0"))
 }
 
-/// The horizontal field of view of a film or a picture with so many pixels, radians (`parse_fov` of
+/// The horizontal field of view of a film or an image with so many pixels, radians (`parse_fov` of
 /// Mitsuba).
 pub(super) fn fov_x(fields: &Fields, size: [u32; 2]) -> Result<f64, Problem> {
     let aspect = f64::from(size[0]) / f64::from(size[1]);

@@ -6,7 +6,7 @@ use super::stage::{self, Sides};
 use crate::primitive;
 use crate::scene::Scene;
 
-/// The ball hovers a little above the floor, left of the lamp's axis.
+/// The ball hovers a little above the floor, left of the emitter's axis.
 pub fn scene() -> Scene {
     let mut scene = stage::empty(Vec3::new(0.9, 2.3, 3.7), Vec3::new(0.16, 0.3, 0.02), 34.0);
     stage::add_floor(&mut scene, 15.0, Rgb::new(0.7, 0.68, 0.64));

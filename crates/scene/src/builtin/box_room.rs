@@ -6,7 +6,7 @@ use super::stage::{self, Sides};
 use crate::primitive;
 use crate::scene::Scene;
 
-/// The room is 4 wide, 3 high and 6 deep, open behind the camera, with a lamp
+/// The room is 4 wide, 3 high and 6 deep, open behind the camera, with an emitter
 /// below its ceiling. The box hovers, turned against the walls.
 pub fn scene() -> Scene {
     let mut scene = stage::empty(

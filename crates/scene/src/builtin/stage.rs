@@ -81,7 +81,7 @@ fn material(scene: &mut Scene, id: String, bsdf: Bsdf) -> BsdfId {
 
 /// Which sides of a shape reflect.
 pub enum Sides {
-    /// Closed shapes, floors and lamps.
+    /// Closed shapes, floors and emitters.
     Front,
     /// Sheets.
     Both,

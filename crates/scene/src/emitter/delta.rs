@@ -17,7 +17,7 @@ pub struct DeltaLight<R> {
     /// Irradiance across the direction, per intensity (or irradiance) of the
     /// light.
     pub factor: R,
-    /// Where in its picture, for a light that throws one; otherwise its number is the
+    /// Where in its image, for a light that projects one; otherwise its number is the
     /// same everywhere.
     pub uv: Option<[R; 2]>,
 }
@@ -117,7 +117,7 @@ fn seen_from_emitter<R: Real>(point: Vec3<R>, anchor: &impl Fn(usize) -> Vec3<R>
     [1, 2, 3].map(|axis| offset.dot(anchor(axis)))
 }
 
-/// What a point receives of a picture, with the falloff of Mitsuba's `projector`, by which
+/// What a point receives of an image, with the falloff of Mitsuba's `projector`, by which
 /// a plane across the axis is lit as brightly everywhere.
 fn from_projector<R: Real>(
     point: Vec3<R>,
@@ -205,7 +205,7 @@ mod tests {
         }
     }
 
-    /// The top left corner of a picture is in the direction of `+x` and `+y`; a plane across
+    /// The top left corner of an image is in the direction of `+x` and `+y`; a plane across
     /// the axis receives as much everywhere, π at distance 1; outside it is dark.
     #[test]
     fn projectors_throw_their_picture_upright() {
@@ -247,7 +247,7 @@ mod tests {
             let light = light.expect("within the cone");
             assert!((light.factor - expected / 4.0).abs() < 1e-12, "{angle}");
             assert!((light.distance - 2.0).abs() < 1e-12);
-            // The border of the cone is at the border of the picture.
+            // The border of the cone is at the border of the image.
             let [u, v] = light.uv.expect("a picture");
             let expected = 0.5 + 0.5 * angle.tan() / f64::to_radians(30.0).tan();
             assert!((u - 0.5).abs() < 1e-12 && (v - expected).abs() < 1e-12);

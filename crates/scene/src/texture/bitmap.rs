@@ -96,9 +96,9 @@ impl Bitmap {
     /// How the value changes with both texture coordinates. `texel` is asked for
     /// texels counted row by row.
     ///
-    /// The value counts as a quadratic B-spline of the texels: slopes of
-    /// [`TexelFilter::Bilinear`] jump at their centres. Halfway between two centres
-    /// of a row both have the same slope along it.
+    /// The value counts as a quadratic B-spline of the texels: derivatives of
+    /// [`TexelFilter::Bilinear`] are discontinuous at their centres. Halfway between two centres
+    /// of a row both have the same derivative along it.
     pub fn gradient<R: Real>(
         &self,
         uv: [R; 2],
