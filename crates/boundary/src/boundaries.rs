@@ -37,7 +37,7 @@ pub struct Boundaries {
     /// The same edges in image space, if the sensor's rays are parallel: seen from
     /// its origin they lie in the directions of the sensor's view.
     image_tree: Option<SilhouetteTree>,
-    /// Of silhouettes, and of all edges; built by the first derivatives that sample them.
+    /// Samplers of silhouettes, and of all edges; built by the first derivatives that sample them.
     edge_samplers: [OnceLock<EdgeSampler>; 2],
     /// Positions of the joined mesh's vertices, then the anchors of lights, then positions of
     /// the ends of crossings.
@@ -235,7 +235,7 @@ impl Boundaries {
         found.sort_unstable_by_key(|&(edge, _)| edge);
     }
 
-    /// Of all edges, those for whose numbers `contains` holds.
+    /// The edges for whose numbers `contains` holds.
     pub fn subset(&self, contains: impl Fn(u32) -> bool) -> EdgeSubset {
         self.tree.subset(contains)
     }

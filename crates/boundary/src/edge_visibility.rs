@@ -43,7 +43,7 @@ const SPREAD: [f64; 3] = [
 /// From where an edge is visible.
 #[derive(Clone, Copy, Debug)]
 pub struct EdgeVisibility {
-    /// Of each ray, the number of its direction, if nothing within reach hides the edge from
+    /// For each ray, the number of its direction, if nothing within reach hides the edge from
     /// there.
     rays: [Option<u8>; RAYS],
     /// How far its own surface can hide it, world units.
@@ -51,7 +51,7 @@ pub struct EdgeVisibility {
 }
 
 impl EdgeVisibility {
-    /// Of all edges of meshes, by their numbers; of some of them if the work is given up.
+    /// The visibility of all edges of meshes, by their numbers; of some of them if the work is given up.
     pub fn all(edges: &[SampledEdge], accel: &Accel, halt: &Halt) -> Vec<Self> {
         let shape_of = |edge: &SampledEdge| accel.shape_of_vertex(edge.points[0]);
         let of_shapes = edges.chunk_by(|a, b| shape_of(a) == shape_of(b));
@@ -188,7 +188,7 @@ impl LearnedVisibility {
         reach: 0.0,
     };
 
-    /// Of edges, at least one.
+    /// The visibility of edges, at least one.
     pub fn of(edges: &VisibilitySum) -> Self {
         let all = edges.all.max(f64::MIN_POSITIVE);
         // Where rays are few, what those in all directions say counts as well.

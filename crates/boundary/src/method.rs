@@ -8,7 +8,7 @@ pub use crate::paper::settings::{WasBoundary, WasSettings};
 /// How the derivative of a discontinuous integrand is estimated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub enum Method {
-    /// Of [`Method::Walk`] and [`Method::Edges`] what has the least variance × time: each
+    /// The one of [`Method::Walk`] and [`Method::Edges`] with the least variance × time: each
     /// kind of segment is tried in a short pilot before the work, with the walk's angular
     /// cutoff. Unbiased.
     #[default]

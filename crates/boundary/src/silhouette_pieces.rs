@@ -17,7 +17,7 @@ use crate::mirror_image::MirrorImage;
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     edge: u32,
-    /// Of which of the images.
+    /// The number of its image.
     image: u32,
     /// Its ends on the edge, from 0 at the first vertex to 1 at the second.
     range: [f64; 2],
@@ -272,7 +272,7 @@ impl SilhouettePieces {
 
     /// How many edges coincide where an edge is seen in the direction `q`, itself included:
     /// each of them adds its share of the discontinuity.
-    /// Of a direct view all count, hidden or not; else those that are seen.
+    /// In a direct view all count, hidden or not; otherwise those that are seen.
     fn multiplicity(
         &self,
         boundaries: &Boundaries,

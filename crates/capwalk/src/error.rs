@@ -176,9 +176,9 @@ pub enum Error {
     NonFiniteTarget {
         /// Which view, counted from 1.
         view: usize,
-        /// So many samples.
+        /// The number of samples that are infinite or NaN.
         non_finite: u64,
-        /// Of so many.
+        /// The number of all samples.
         samples: u64,
     },
     /// The work was stopped before there was anything to return.

@@ -401,7 +401,7 @@ pub struct BatchSums {
     non_finite: u64,
     cone_queries: u64,
     uncovered: u64,
-    /// Of all samples together: what arrives by paths of which something is missing, and all.
+    /// The radiance of all samples together: by paths of which something is missing, and by all paths.
     radiance: [f64; 2],
 }
 

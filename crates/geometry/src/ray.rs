@@ -7,7 +7,7 @@ use capwalk_math::Vec3;
 pub struct Ray {
     /// World units.
     pub origin: Vec3,
-    /// Of any length; distances along the ray are in multiples of it.
+    /// Direction of any length; distances along the ray are multiples of this length.
     pub direction: Vec3,
     /// Intersections at smaller distances do not count, those at it do.
     pub t_min: f64,

@@ -84,7 +84,7 @@ pub struct KernelPack {
 #[derive(Debug)]
 struct PackedKernel {
     source: &'static str,
-    /// Of the source, with what it includes in the place of the lines that say so.
+    /// Checksum of the source, with included files in the place of the lines that include them.
     checksum: &'static str,
     own_checksum: &'static str,
     code: &'static str,

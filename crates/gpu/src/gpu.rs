@@ -74,7 +74,7 @@ pub struct Gpu {
     driver: Driver,
     options: GpuOptions,
     precision: Precision,
-    /// Of each kernel that has run, the queries that a launch should have.
+    /// For each kernel that has run, the queries that a launch should have.
     pace: Mutex<BTreeMap<(&'static str, usize), usize>>,
     /// Nanoseconds that launches took.
     busy: AtomicU64,

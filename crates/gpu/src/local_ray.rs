@@ -33,7 +33,7 @@ const EDGE_ON_SINGLE: f64 = 1.0 / (1 << 21) as f64;
 #[derive(Clone, Copy, Debug)]
 pub struct LocalRay {
     shear: RayShear,
-    /// Of the start, local units.
+    /// Position of the start, local units.
     start: [f64; 3],
     direction: [f64; 3],
     /// Local distance, along the fastest axis, at which it enters the tree and leaves it.

@@ -24,9 +24,9 @@ impl Default for Adam {
 /// Running means of a group of unknowns.
 #[derive(Debug)]
 pub struct MomentEstimates<'a> {
-    /// Of the gradient.
+    /// Means of the gradient.
     pub first: &'a mut [f64],
-    /// Of its square.
+    /// Means of its square.
     pub second: &'a mut [f64],
 }
 

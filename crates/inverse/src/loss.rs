@@ -58,7 +58,7 @@ pub struct Measured {
 }
 
 impl Distance {
-    /// Of one number.
+    /// The distance of one number from its target.
     pub fn value(self, x: f64, t: f64) -> f64 {
         let d = x - t;
         match self {

@@ -34,9 +34,9 @@ pub enum PartError {
     /// Some cells were not computed.
     #[error("{cells} of {of} cells are missing: merge all parts first")]
     Missing {
-        /// How many.
+        /// The number of missing cells.
         cells: u64,
-        /// Of how many.
+        /// The number of all cells.
         of: u64,
     },
     /// Bytes that are no part.

@@ -3,7 +3,7 @@
 use capwalk_math::{Frame, Real, Rgb, Vec3};
 use capwalk_scene::lobe::{Event, LocalBsdf, Specular};
 
-/// Of a cosine.
+/// Largest rounding error of a cosine.
 const ROUNDING: f64 = 1e-9;
 
 /// A surface point that scatters light.

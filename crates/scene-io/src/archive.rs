@@ -78,7 +78,7 @@ pub(crate) fn add_pairs(
 /// The arrays in an archive, still packed.
 pub(crate) struct Archive<R> {
     zip: ZipArchive<R>,
-    /// Of its arrays, in its order.
+    /// Names of its arrays, in the order of the archive.
     names: Vec<String>,
 }
 

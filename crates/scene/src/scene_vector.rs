@@ -60,9 +60,9 @@ pub struct ShapeVectors {
 /// Vectors of an emitter without extent; zero by default.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct EmitterVectors {
-    /// Of its position, world units (or per world unit).
+    /// The part of its position, world units (or per world unit).
     pub translation: Vec3,
-    /// Of its rotation about its position, radians (or per radian), in world axes.
+    /// The part of its rotation about its position, radians (or per radian), in world axes.
     pub rotation: Vec3,
 }
 
@@ -87,14 +87,14 @@ impl EmitterVectors {
 /// Vectors of the sensor; zero by default.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SensorVectors {
-    /// Of its origin, world units (or per world unit).
+    /// The part of its origin, world units (or per world unit).
     pub translation: Vec3,
-    /// Of its rotation about its origin, radians (or per radian), in world axes.
+    /// The part of its rotation about its origin, radians (or per radian), in world axes.
     pub rotation: Vec3,
-    /// Of the images of the camera's axes, the columns of `world_from_camera`, besides the
+    /// The part of the images of the camera's axes, the columns of `world_from_camera`, besides the
     /// rotation.
     pub axes: [Vec3; 3],
-    /// Of its other numbers, by [`Optic`].
+    /// The part of its other numbers, by [`Optic`].
     pub optics: Vec3,
 }
 

@@ -152,7 +152,7 @@ fn all_names(prepared: &Prepared) -> Result<Vec<String>> {
     Ok(names.allowed)
 }
 
-/// Of these arrays, those that move edges, and those that do not.
+/// The arrays that move edges, and those that do not.
 fn by_motion(prepared: &Prepared, names: &[String]) -> (Vec<String>, Vec<String>) {
     let arrays = prepared.registry().arrays();
     let moves = |name: &&String| {

@@ -17,7 +17,7 @@ pub enum EdgeSelection {
 pub struct HalfSpace {
     /// Any point of the plane, world units.
     pub point: Vec3,
-    /// Of any length.
+    /// Normal of the plane, of any length.
     pub normal: Vec3,
 }
 

@@ -11,11 +11,11 @@ use capwalk_scene::{ShadingNormals, Shape, ShapeVectors, vertex_normals};
 /// A number of a pose; axes are 0, 1, 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PoseComponent {
-    /// Of `t`.
+    /// A component of the translation `t`.
     Translate(usize),
-    /// Of `r`.
+    /// A component of the rotation vector `r`.
     Rotate(usize),
-    /// `s`.
+    /// The scale `s`.
     Scale,
 }
 
@@ -24,9 +24,9 @@ pub enum PoseComponent {
 pub enum PoseLimit {
     /// A scale of 0 flattens a shape to a point, and one below turns it inside out.
     Scale,
-    /// Of an angle whose sine means something.
+    /// An angle whose sine is still accurate.
     Angle,
-    /// Of a distance over which areas stay finite.
+    /// A distance over which areas stay finite.
     Distance,
 }
 

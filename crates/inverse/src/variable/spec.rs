@@ -28,11 +28,11 @@ pub struct VariableSpec {
     pub lr: Option<f64>,
     /// True if all its unknowns take steps by the same rate.
     pub uniform: bool,
-    /// Of positions, which vertices move.
+    /// For positions, which vertices move.
     pub vertices: Option<Selection>,
-    /// Of positions, where to.
+    /// For positions, the directions in which they move.
     pub directions: Option<Directions>,
-    /// Of positions, how much they are smoothed.
+    /// For positions, the weight of the Laplacian (large steps).
     pub lambda: Option<f64>,
 }
 
@@ -98,7 +98,7 @@ pub fn variable(
     })
 }
 
-/// Of an array, and its values in the scene.
+/// The map of an array, and its values in the scene.
 fn array_map(
     scene: &Scene,
     spec: &VariableSpec,
@@ -131,7 +131,7 @@ fn array_map(
     }
 }
 
-/// Of a single number, and its value in the scene.
+/// The map of a single number, and its value in the scene.
 fn scalar_map(
     scene: &Scene,
     registry: &Registry,

@@ -52,7 +52,7 @@ pub(crate) struct Vertices {
 }
 
 impl Vertices {
-    /// Of a shape; an error says what is wrong with the choice.
+    /// The vertices of a shape; an error says what is wrong with the choice.
     pub fn new(
         scene: &Scene,
         shape: usize,

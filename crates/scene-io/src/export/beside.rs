@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 /// Paths of files, relative to the XML file.
 #[derive(Default)]
 pub(super) struct Files {
-    /// Of each shape.
+    /// Files of the shapes' meshes, in the order of the shapes.
     pub meshes: Vec<String>,
-    /// Of textures that are bitmaps, by their index.
+    /// Files of textures that are bitmaps, by the index of the texture.
     pub bitmaps: BTreeMap<usize, String>,
 }

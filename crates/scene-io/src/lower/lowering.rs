@@ -37,7 +37,7 @@ pub(super) struct Lowering<'a> {
     pub bsdf_depth: usize,
     /// How many textures the one being read stands in.
     pub texture_depth: usize,
-    /// Of shapes and sensors, whose parameters are called alike.
+    /// Names of shapes and sensors, which share one namespace of parameters.
     pub shape_ids: Names,
     pub material_ids: Names,
     pub emitter_ids: Names,

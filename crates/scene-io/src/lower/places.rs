@@ -13,13 +13,13 @@ use crate::texts::Span;
 /// Spans of the parts, in their order in the scene.
 #[derive(Default)]
 pub(super) struct Places {
-    /// Of each shape.
+    /// The span of each shape.
     pub shapes: Vec<Span>,
-    /// Of each emitter.
+    /// The span of each emitter.
     pub emitters: Vec<Span>,
-    /// Of each material.
+    /// The span of each material.
     pub materials: Vec<Span>,
-    /// Of numbers, by the names that [`SceneError::BadNumber`] uses.
+    /// The spans of numbers, by the names that [`SceneError::BadNumber`] uses.
     pub numbers: BTreeMap<String, Span>,
     pub film: Option<Span>,
 }

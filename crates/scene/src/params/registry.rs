@@ -26,7 +26,7 @@ pub struct Registry {
     arrays_by_name: HashMap<String, Found>,
     /// Bytes of the longest of all names.
     longest: usize,
-    /// Of each texture, where it is seen.
+    /// For each texture, where it is seen.
     users: Vec<String>,
 }
 

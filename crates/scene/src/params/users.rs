@@ -8,7 +8,7 @@ use crate::scene::Scene;
 /// How many names are listed before the others are only counted.
 const LISTED: usize = 3;
 
-/// Of each texture, the shapes whose look it decides, and the emitters without a
+/// For each texture, the shapes whose appearance it determines, and the emitters without a
 /// shape that it stands in; or its own id if there are none.
 pub(super) fn users(scene: &Scene) -> Vec<String> {
     let mut users = vec![Users::default(); scene.textures.len()];

@@ -60,7 +60,7 @@ impl Watch for Clock {
 }
 
 impl Live {
-    /// Of a run of so many iterations, some of which are done.
+    /// The display of a run of so many iterations, some of which are done.
     pub fn new(iterations: u32, done: u32) -> Self {
         let is_shown = std::io::stderr().is_terminal();
         let target = match is_shown {
