@@ -16,7 +16,7 @@ pub enum Method {
     /// A velocity field around every shading point and the camera, estimated by walks on
     /// spherical caps. Unbiased.
     Walk,
-    /// The same walks, with the angular cutoff narrowed if a short pilot before the work
+    /// The walks of [`Method::Walk`], with the angular cutoff narrowed if a short pilot before the work
     /// finds less variance × time. Unbiased.
     FittedWalk,
     /// Boundary terms along some segments of paths, with points sampled on the edges there,

@@ -328,7 +328,7 @@ impl EdgePoint {
         beside(self.direction, self.normal)
     }
 
-    /// The same for paths that go on to the surfaces there, and from these to others.
+    /// [`EdgePoint::sides`] for paths that go on to the surfaces there, and from these to others.
     pub fn sides_of_paths(&self, boundaries: &Boundaries, accel: &Accel) -> [Vec3; 2] {
         let ends = boundaries.ends(self.edge);
         let place = [self.t, self.distance];

@@ -84,7 +84,7 @@ impl Field<'_> {
         }
     }
 
-    /// The same without the divergence, for the terms of curves that move against the field.
+    /// The warped direction of [`Self::warp`] without the divergence, for the terms of curves that move against the field.
     pub fn warp_value<R: Real>(
         &self,
         viewpoint: &Viewpoint<R>,

@@ -434,7 +434,7 @@ impl Check {
         })
     }
 
-    /// The same with a doubt in the place of "wrong", given the reason for that.
+    /// This check with a doubt in the place of "wrong", given the reason for that.
     fn not_called_wrong(mut self, samples_factor: f64, doubt: impl FnOnce(&str) -> String) -> Self {
         let verdict = self.rest_mut();
         if let Verdict::Wrong { reason } = verdict {

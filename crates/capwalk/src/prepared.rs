@@ -77,7 +77,7 @@ impl Prepared {
         Ok(Self::of(PreparedScene::new(scene)))
     }
 
-    /// The same, unless the watch stops it: [`Error::Stopped`]. What a gradient needs besides is
+    /// [`Self::new`], unless the watch stops it: [`Error::Stopped`]. What a gradient needs besides is
     /// prepared by the first one, and stopped by its watch.
     pub fn watched(scene: impl Into<Arc<Scene>>, watch: &dyn Watch) -> Result<Self, Error> {
         let scene = scene.into();
@@ -310,7 +310,7 @@ impl Prepared {
         self.checked_with(gradient, tangent, reference, options, &again, watch)
     }
 
-    /// The same, where further gradients come from `again`, which gets the first.
+    /// The check, where further gradients come from `again`, which gets the first.
     pub(crate) fn checked_with(
         &self,
         gradient: GradientImage,

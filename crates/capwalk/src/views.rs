@@ -129,7 +129,7 @@ impl Views {
         self.prepared_watched(view, &Unwatched)
     }
 
-    /// The same, unless it is not ready yet and the watch stops that: [`Error::Stopped`].
+    /// [`Self::prepared`], unless it is not ready yet and the watch stops that: [`Error::Stopped`].
     pub fn prepared_watched(&self, view: ViewId, watch: &dyn Watch) -> Result<&Prepared, Error> {
         if view.sensor >= self.sensors.len() {
             return Err(Error::NoSuchSensor {

@@ -156,7 +156,7 @@ impl<'a> Differences<'a> {
         })
     }
 
-    /// The same of the image that [`GradientWork::of_rest`](crate::GradientWork::of_rest)
+    /// The differences of the image that [`GradientWork::of_rest`](crate::GradientWork::of_rest)
     /// differentiates by this method.
     #[must_use]
     pub fn of_rest(self, method: Method) -> Self {
@@ -181,7 +181,7 @@ impl<'a> Differences<'a> {
         self.image_of(&counts, options, watch)
     }
 
-    /// The same with as many samples per pixel, which are returned too, as bring the most beside
+    /// [`Self::image`] with as many samples per pixel, which are returned too, as are best beside
     /// a gradient: their difference has the least variance for the time of both if each takes
     /// time in proportion to the root of its variance × time. Those of the options, if nothing
     /// has any noise. One pilot tells how noisy the whole is, and each pixel.

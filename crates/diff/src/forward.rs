@@ -86,7 +86,7 @@ impl<'a> GradientWork<'a> {
         Self { kept, ..self }
     }
 
-    /// The same of the image without the light of which the derivative leaves something out (see
+    /// This work for the image without the light of which the derivative leaves something out (see
     /// [`AllowMissing`](crate::AllowMissing)): that is complete. By the method that was chosen for
     /// the whole, if it was. What either finds out about the motion, both know.
     #[must_use]

@@ -156,7 +156,7 @@ impl<'a> BackwardWork<'a> {
         Self { kept, ..self }
     }
 
-    /// The same work with a pilot as for so many of its kind, for which its choice will be used.
+    /// This work with a pilot as for so many of its kind, for which its choice will be used.
     #[must_use]
     pub fn repeated(self, times: u64) -> Self {
         let size = PilotSize::of(self.prepared.scene(), &self.options, times);

@@ -56,7 +56,7 @@ pub fn edges(mesh: &Mesh) -> Vec<Edge> {
     edges_with(mesh, |_| false)
 }
 
-/// The same, with the edges between those pairs of coplanar faces for which
+/// [`edges`], with the edges between those pairs of coplanar faces for which
 /// `differ` says so: something else than their plane changes between them.
 pub fn edges_with(mesh: &Mesh, differ: impl Fn([u32; 2]) -> bool + Sync) -> Vec<Edge> {
     let welded = weld(&mesh.positions);

@@ -40,7 +40,7 @@ impl DeviceScene<'_> {
         self.gradient_in_parts(tangent, options, MOST_PATHS, watch)
     }
 
-    /// The same with so many samples on the device at a time at most, which changes no bit.
+    /// [`Self::gradient`] with so many samples on the device at a time at most, which changes no bit.
     pub fn gradient_in_parts(
         &self,
         tangent: &Tangent,

@@ -15,7 +15,7 @@ use crate::texture_records::Shown;
 /// fit in a sum (`LARGEST_DERIVATIVE`).
 const DIGITS: i32 = 80;
 
-/// The same where something moves: one over the distance of an edge may be large.
+/// These digits if something moves: one over the distance of an edge may be large.
 const DIGITS_IN_MOTION: i32 = 50;
 
 /// What fits, in units, see `sums.slang`.

@@ -18,7 +18,7 @@ impl DeviceScene<'_> {
         self.render_in_parts(options, MOST_PATHS, watch)
     }
 
-    /// The same with so many samples on the device at a time at most, which changes no bit.
+    /// [`Self::render`] with so many samples on the device at a time at most, which changes no bit.
     pub fn render_in_parts(
         &self,
         options: &RenderOptions,

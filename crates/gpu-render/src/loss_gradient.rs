@@ -53,7 +53,7 @@ impl DeviceScene<'_> {
         self.backward_in_parts(adjoint, wanted, options, MOST_WITH_VERTICES, watch)
     }
 
-    /// The same with so many samples on the device at a time at most, which changes no bit.
+    /// [`Self::backward`] with so many samples on the device at a time at most, which changes no bit.
     pub fn backward_in_parts(
         &self,
         adjoint: &Image,

@@ -14,7 +14,7 @@ pub const RAY: usize = 12;
 /// eight roundings of at most 2⁻²⁴ of numbers of about 1, none of a division.
 const PLANE_MARGIN: f64 = 1.0 / (1 << 20) as f64;
 
-/// The same for double precision, per local unit between the tree and the ray's origin.
+/// This displacement for double precision, per local unit between the tree and the ray's origin.
 const ORIGIN_MARGIN: f64 = 1.0 / (1_u64 << 46) as f64;
 
 /// How far triangles tested in single precision may lie from where they are, and the ray

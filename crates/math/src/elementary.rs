@@ -217,7 +217,7 @@ fn polynomial<const N: usize>(factors: &[f64; N], x: f64) -> f64 {
     sum
 }
 
-/// The same in four sums that do not wait for each other, each product fused with its sum. That is one
+/// The polynomial in four sums that do not wait for each other, each product fused with its sum. That is one
 /// instruction where code is compiled for AVX2 or for AArch64, and elsewhere a call: only lanes use it.
 #[inline(always)]
 fn long_polynomial<const N: usize>(factors: &[f64; N], x: f64) -> f64 {

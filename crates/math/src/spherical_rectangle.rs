@@ -46,7 +46,7 @@ impl SphericalRectangle {
         is_in_front.then_some(seen)
     }
 
-    /// The same without a branch, and whether there is one; if not, its solid angle is zero.
+    /// [`Self::new`] without a branch, and whether there is one; if not, its solid angle is zero.
     #[inline(always)]
     pub fn seen(x: [f64; 2], y: [f64; 2], z: f64) -> (Self, bool) {
         let ([x0, x1], [y0, y1], z2) = (x, y, z * z);

@@ -97,7 +97,7 @@ pub fn emitted_and_reflected(
     emitted_past(accel, vertex, direction, 0.0, counts)
 }
 
-/// The same of what is farther than `distance`; zero if anything is nearer.
+/// [`emitted_and_reflected`] for emitters farther than `distance`; zero if anything is nearer.
 pub fn emitted_past(
     accel: &Accel,
     vertex: &Vertex<f64>,

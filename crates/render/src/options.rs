@@ -45,7 +45,7 @@ impl RenderOptions {
         Self::new(scene.settings.spp, scene.settings.seed)
     }
 
-    /// The same with [another seed](Seed::independent), for an image whose noise must be
+    /// These options with [another seed](Seed::independent), for an image whose noise must be
     /// independent of one with this seed: an adjoint must be independent of the random
     /// numbers of its gradient.
     #[must_use]

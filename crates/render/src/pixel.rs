@@ -70,7 +70,7 @@ fn integrate(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
         .sum()
 }
 
-/// The same over an interval around a filter's centre, cut at each pixel from it: cubic
+/// [`integrate`] over an interval around a filter's centre, cut at each pixel from it: cubic
 /// filters have their knots there, and Lanczos's its zeros.
 fn integrate_pieces(f: impl Fn(f64) -> f64, [start, end]: [f64; 2], centre: f64) -> f64 {
     let (mut sum, mut from) = (0.0, start);

@@ -107,7 +107,7 @@ impl Plan {
         }
     }
 
-    /// The same for finite differences: to them a choice that changes with the scene is noise.
+    /// This plan for finite differences: to them a choice that changes with the scene is noise.
     #[must_use]
     pub fn for_differences(mut self) -> Self {
         self.sampling.alike = true;

@@ -107,7 +107,7 @@ impl PreparedScene {
         found.expect("nobody stops it")
     }
 
-    /// The same, unless they are not built yet and the watch stops that.
+    /// [`Self::boundaries_if`], unless they are not built yet and the watch stops that.
     pub fn try_boundaries_if(&self, moves: bool, watch: &dyn Watch) -> Result<&Boundaries, Halted> {
         match moves {
             true => self.try_boundaries(watch),

@@ -91,7 +91,7 @@ impl RectangleSampler {
         is_in_front.then_some(seen)
     }
 
-    /// The same without a branch, and whether the point is in front of it; if not, its solid angle
+    /// [`Self::seen_from`] without a branch, and whether the point is in front of it; if not, its solid angle
     /// is zero.
     #[inline(always)]
     pub fn seen(&self, viewpoint: Vec3) -> (SphericalRectangle, bool) {

@@ -139,7 +139,7 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    /// The same with another plan, which reaches no farther; where edges are gathered stays.
+    /// This tracer with another plan, which reaches no farther; where edges are gathered stays.
     pub fn with_plan(self, plan: Plan) -> Self {
         Self { plan, ..self }
     }

@@ -26,7 +26,7 @@ impl SpecularProbe<'_> {
         self.looks(launch, !view.is_parallel(), random)
     }
 
-    /// The same of a point on a surface.
+    /// True if a point on a surface sees a boundary move, as far as one look shows.
     pub(crate) fn sees_motion(&self, vertex: &Vertex<f64>, random: &mut Random) -> bool {
         let launch = |point: Vec3| {
             let offset = point - vertex.position;

@@ -67,7 +67,7 @@ pub(crate) enum PropertyValue {
 /// A `<spectrum>`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Spectrum {
-    /// The same at all wavelengths.
+    /// One value at all wavelengths.
     Uniform(f64),
     /// Values at wavelengths.
     Sampled(Samples),

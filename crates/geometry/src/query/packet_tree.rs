@@ -165,7 +165,7 @@ impl PacketTree {
         }
     }
 
-    /// The same with boxes however few the faces are, and without however many they are.
+    /// The tree with boxes however few the faces are, and without however many they are.
     #[cfg(test)]
     pub fn deep_and_flat(&self, rays: &RayTree, mesh: &Mesh) -> [Self; 2] {
         let (faces, numbers) = PacketFace::all(mesh, &rays.flat.frame);

@@ -165,7 +165,7 @@ impl TriangleBlock {
 /// product, and the sums.
 const PLANE_MARGIN: f64 = 1.0 / (1 << 20) as f64;
 
-/// The same for double precision, per local unit between the tree and the
+/// This displacement for double precision, per local unit between the tree and the
 /// ray's origin.
 const ORIGIN_MARGIN: f64 = 1.0 / (1_u64 << 46) as f64;
 

@@ -19,7 +19,7 @@ pub struct Voronoi {
 
 /// `count` directions that are spread evenly but irregularly: random ones,
 /// each moved `rounds` times to the middle of its Voronoi cell (Lloyd 1982).
-/// The same ones on every call.
+/// They are the same on every call.
 pub fn spread_directions(count: usize, rounds: usize) -> Vec<Vec3> {
     let mut state = 0x0c0f_fee0_u64;
     let mut sites: Vec<Vec3> = (0..count)

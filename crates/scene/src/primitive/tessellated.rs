@@ -126,7 +126,7 @@ pub fn sphere(world_from_object: Affine, centre: Vec3, radius: f64) -> (Mesh, Sh
     divided_sphere(world_from_object, centre, radius, SPHERE_DIVISION)
 }
 
-/// The same with another division, at least 1.
+/// A sphere with another division, at least 1.
 pub fn divided_sphere(
     world_from_object: Affine,
     centre: Vec3,

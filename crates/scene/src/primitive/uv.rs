@@ -83,7 +83,7 @@ pub fn divided_sphere_uvs(division: u32) -> FaceUvs {
     faces.collect()
 }
 
-/// The same angles, in turns, as close to each other as they can be, none below 0.
+/// These angles, in turns, as close to each other as they can be, none below 0.
 pub(super) fn unwrapped(mut corners: [[f64; 2]; 3]) -> [[f64; 2]; 3] {
     let first = corners[0][0];
     for [u, _] in &mut corners[1..] {
