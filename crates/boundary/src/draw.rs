@@ -58,8 +58,7 @@ pub struct Numbers<'a> {
 
 impl Numbers<'_> {
     /// A stream of its own, for estimators that need any number of them.
-    #[cfg(feature = "paper")]
-    pub(crate) fn branch(&self) -> Stream {
+    pub fn branch(&self) -> Stream {
         self.draw.stream.branch(self.dimension)
     }
 

@@ -4,7 +4,8 @@
 //!
 //! [`Accel`] is a scene prepared for rays, [`Boundaries`] are all its edges that may be
 //! discontinuities. A [`Viewpoint`] says which of them count around a point, and a [`Field`]
-//! samples how a direction from there moves with them, by one of the [`Method`]s.
+//! samples how a direction from there moves with them, by one of the [`Method`]s or by a
+//! [`CustomField`] of your own.
 //!
 //! The crate uses neither velocities nor light: a sample is a [`Warp`], a linear map from the
 //! velocities of a few points that serves forward and, transposed, reverse mode (METHOD 5). What
@@ -17,11 +18,13 @@ mod boundary_sample;
 mod clip;
 mod coincident;
 mod crossing;
+mod custom_field;
 mod draw;
 mod edge_sampler;
 mod edge_visibility;
 mod emitter_edge;
 mod field;
+mod flow;
 mod flush_emitter;
 mod image_space;
 mod infinite_derivative;
@@ -54,10 +57,12 @@ pub use beside::beside;
 pub use boundaries::{Boundaries, same_edges};
 pub use boundary_sample::BoundarySample;
 pub use crossing::{Crossing, CrossingEnd};
+pub use custom_field::CustomField;
 pub use draw::{Counts, Draw, Numbers};
 pub use edge_sampler::{Counted, EdgeBounds, EdgeSampler, Subtree};
 pub use emitter_edge::EmitterEdge;
 pub use field::Field;
+pub use flow::{Flow, FlowSource};
 pub use material::{
     FlatEvents, bends_images, flat_events, may_be_specular, needs_place, needs_tangent,
     tangents_of_face,

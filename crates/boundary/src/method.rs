@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::custom_field::CustomField;
 #[cfg(feature = "paper")]
 pub use crate::paper::settings::{WasBoundary, WasSettings};
 
@@ -41,6 +42,9 @@ pub enum Method {
     /// (Xu et al. 2023).
     #[cfg(feature = "paper")]
     PsdrWas(WasSettings),
+    /// A field of your own, to be compared with these.
+    #[serde(skip_deserializing)]
+    Custom(&'static dyn CustomField),
 }
 
 /// The segments of paths along which edges are gathered.
@@ -188,6 +192,13 @@ impl Method {
                 name: "psdr-was",
                 is_unbiased: false,
                 walks: false,
+                gathers: Gathers::NONE,
+                is_spherical: false,
+            },
+            Self::Custom(field) => MethodTraits {
+                name: field.name(),
+                is_unbiased: field.is_unbiased(),
+                walks: field.walks(),
                 gathers: Gathers::NONE,
                 is_spherical: false,
             },

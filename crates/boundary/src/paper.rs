@@ -2,7 +2,6 @@
 //! the biased weighted means of earlier work.
 
 mod explicit;
-pub(crate) mod flow;
 mod psdr_was;
 mod receiver;
 pub mod settings;

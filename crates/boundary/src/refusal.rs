@@ -52,6 +52,13 @@ pub enum Refusal {
         /// Most that are accepted.
         most: usize,
     },
+    /// A custom field cannot be had.
+    Custom {
+        /// What was found where, without a full stop.
+        reason: String,
+        /// What to do instead, without a full stop; `None` where the reason says what was expected.
+        instead: Option<String>,
+    },
     /// Something moves beside an emitter without extent, and the method misses the edges of
     /// its shadows, which lie on surfaces (METHOD 7).
     HardShadows {
@@ -271,6 +278,7 @@ impl Refusal {
                      tree",
                 ),
             ),
+            Self::Custom { reason, instead } => (reason.clone(), instead.clone()),
             Self::HardShadows {
                 emitter,
                 plugin,

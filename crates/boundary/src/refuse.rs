@@ -203,6 +203,18 @@ pub fn refuse_many_edges(boundaries: &Boundaries, method: &Method) -> Result<(),
     }
 }
 
+/// A refusal if the method's field cannot be had among these boundaries.
+pub fn refuse_boundaries(
+    boundaries: &Boundaries,
+    method: &Method,
+    walk: &WalkSettings,
+) -> Result<(), Refusal> {
+    match method {
+        Method::Custom(field) => field.check(boundaries, walk),
+        _ => Ok(()),
+    }
+}
+
 /// A refusal if the settings of a method give no valid field.
 pub fn refuse_settings(method: &Method, walk: &WalkSettings) -> Result<(), Refusal> {
     #[cfg(feature = "paper")]

@@ -89,6 +89,19 @@ impl<R: Real> Viewpoint<R> {
         }
     }
 
+    /// The viewpoint without derivatives.
+    pub fn value(&self) -> Viewpoint<f64> {
+        Viewpoint {
+            position: self.position.value(),
+            axes: self.axes.map(|axes| axes.map(Vec3::value)),
+            face_normal: self.face_normal,
+            selection: self.selection,
+            group: self.group,
+            visibility: self.visibility,
+            events: self.events,
+        }
+    }
+
     /// The vectors on which the position of what is fixed to the viewpoint depends, with the
     /// coefficients of [`BoundarySample::shares`](crate::BoundarySample::shares).
     pub fn vectors(&self) -> [Vec3<R>; 4] {

@@ -1,16 +1,16 @@
 //! How a sampled direction moves with the scene: the one result of all boundary
 //! estimators, and the choice among them.
 
+use capwalk_geometry::EdgeSelection;
 use capwalk_math::{Real, Vec3};
 use capwalk_walk::{FieldSample, WalkSettings};
 
 use crate::boundary_sample::BoundarySample;
 use crate::draw::Numbers;
 use crate::field::Field;
+use crate::flow::{Flow, FlowSource};
 use crate::method::Method;
-#[cfg(feature = "paper")]
-use crate::paper::flow::{Flow, FlowSource};
-use crate::viewpoint::Viewpoint;
+use crate::viewpoint::{SEEN, Viewpoint};
 use crate::walk::{walk, walk_value};
 
 /// The velocity of a unit direction and the divergence of the field that gives it, an
@@ -28,7 +28,6 @@ pub enum Warp {
     /// The angular velocity of one boundary point, without a divergence.
     Value(Option<BoundarySample>),
     /// Any other linear map.
-    #[cfg(feature = "paper")]
     Flow(Flow),
 }
 
@@ -81,6 +80,15 @@ impl Field<'_> {
             Method::PsdrWas(was) => {
                 Warp::Flow(self.psdr_was_flow(viewpoint, q, was, &random.branch()))
             }
+            Method::Custom(custom) => {
+                let (accel, boundaries, seen) = (self.accel, self.boundaries, viewpoint.value());
+                custom
+                    .flow(accel, boundaries, &seen, q, settings, random)
+                    .map_or_else(
+                        || self.warp_beside(viewpoint, q, settings, random),
+                        Warp::Flow,
+                    )
+            }
         }
     }
 
@@ -98,8 +106,7 @@ impl Field<'_> {
         }
     }
 
-    /// The field in directions that hit no triangle, bounded by all silhouettes.
-    #[cfg(feature = "paper")]
+    /// The field on the sphere of directions, bounded by all silhouettes.
     fn warp_beside<R: Real>(
         &self,
         viewpoint: &Viewpoint<R>,
@@ -108,8 +115,8 @@ impl Field<'_> {
         random: Numbers,
     ) -> Warp {
         let viewpoint = Viewpoint {
-            selection: capwalk_geometry::EdgeSelection::Silhouettes,
-            group: crate::viewpoint::SEEN,
+            selection: EdgeSelection::Silhouettes,
+            group: SEEN,
             ..*viewpoint
         };
         Warp::Boundary(walk(self, &viewpoint, q, settings, random))
@@ -122,7 +129,6 @@ impl Warp {
         match self {
             Self::Boundary(samples) => samples.is_zero(),
             Self::Value(sample) => sample.is_none(),
-            #[cfg(feature = "paper")]
             Self::Flow(_) => false,
         }
     }
@@ -154,7 +160,6 @@ impl Warp {
                 direction: sample.as_ref().is_some_and(moves),
                 divergence: false,
             },
-            #[cfg(feature = "paper")]
             Self::Flow(flow) => {
                 let any = flow.sources().any(|source| match source {
                     FlowSource::Point(i) => point(i),
@@ -183,7 +188,6 @@ impl Warp {
             }
             Self::Value(None) => (Vec3::zero(), 0.0),
             Self::Value(Some(sample)) => (field.velocity(sample, &point, viewpoint), 0.0),
-            #[cfg(feature = "paper")]
             Self::Flow(flow) => flow.evaluate(|source| match source {
                 FlowSource::Point(i) => point(i),
                 FlowSource::Viewpoint => viewpoint[0],
@@ -214,7 +218,6 @@ impl Warp {
             Self::Value(Some(sample)) => {
                 field.pull_velocity(sample, direction, on_point, on_viewpoint);
             }
-            #[cfg(feature = "paper")]
             Self::Flow(flow) => flow.pull(direction, divergence, |source, covector| match source {
                 FlowSource::Point(i) => on_point(i, covector),
                 FlowSource::Viewpoint => on_viewpoint(0, covector),

@@ -8,9 +8,9 @@ mod common;
 
 use std::time::Instant;
 
-use capwalk_diff::probe::irradiance;
 use capwalk_diff::{Estimator, WalkSettings};
 use capwalk_scene::params;
+use common::irradiance::irradiance;
 
 const SAMPLES: u32 = 4_000;
 

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
 use capwalk_boundary::refuse::{
-    refuse_cut_normals, refuse_infinite_derivatives, refuse_many_shadows, refuse_motion,
-    refuse_settings, refuse_turned_without_uvs,
+    refuse_boundaries, refuse_cut_normals, refuse_infinite_derivatives, refuse_many_shadows,
+    refuse_motion, refuse_settings, refuse_turned_without_uvs,
 };
 use capwalk_boundary::{Boundaries, Counts, Draw, Field, Method, Refusal, Stream};
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts};
@@ -256,6 +256,7 @@ impl<'a> GradientWork<'a> {
         } else if turns {
             refuse_turned_without_uvs(scene)?;
         }
+        refuse_boundaries(self.boundaries(watch)?, &options.method, &options.walk)?;
         self.coverage().check(options, watch)
     }
 

@@ -14,8 +14,6 @@ mod finite;
 mod forward;
 mod forward_eval;
 mod options;
-#[cfg(feature = "paper")]
-pub mod probe;
 mod refused;
 mod reverse;
 mod reverse_eval;

@@ -6,8 +6,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use capwalk_boundary::refuse::{
-    refuse_cut_normals, refuse_infinite_derivatives, refuse_many_shadows, refuse_motion,
-    refuse_settings, refuse_turned_without_uvs,
+    refuse_boundaries, refuse_cut_normals, refuse_infinite_derivatives, refuse_many_shadows,
+    refuse_motion, refuse_settings, refuse_turned_without_uvs,
 };
 use capwalk_boundary::{Boundaries, Counts, Draw, Field, Refusal, Sampler, pool};
 use capwalk_math::tape::Adjoints;
@@ -321,6 +321,7 @@ impl<'a> BackwardWork<'a> {
         }
         #[cfg(feature = "paper")]
         capwalk_boundary::refuse::refuse_many_edges(self.boundaries(watch)?, &options.method)?;
+        refuse_boundaries(self.boundaries(watch)?, &options.method, &options.walk)?;
         self.coverage().check(options, watch)
     }
 

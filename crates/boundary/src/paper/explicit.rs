@@ -11,11 +11,11 @@ use capwalk_math::{Frame, Real, Vec2, Vec3};
 use capwalk_walk::plane::BoundaryCurve;
 use capwalk_walk::{Plane, WalkSettings, sample_field};
 
-use super::flow::Flow;
 use super::receiver::Receiver;
 use super::triangle::IN_PLANE;
 use crate::draw::Numbers;
 use crate::field::Field;
+use crate::flow::Flow;
 use crate::viewpoint::{Viewpoint, Visibility};
 
 /// Scenes with more edges are refused: every direction looks at all of them

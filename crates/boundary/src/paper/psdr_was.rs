@@ -28,11 +28,11 @@ use capwalk_math::{Frame, Real, Vec3};
 use super::settings::WasSettings;
 use crate::random::Stream;
 
-use super::flow::Flow;
 use super::receiver::Receiver;
 use super::was;
 use super::weighted_mean::{self, edge_test, ray_numbers, relative_density};
 use crate::field::Field;
+use crate::flow::Flow;
 use crate::viewpoint::Viewpoint;
 
 /// What lies before a plane does so by more than this fraction of the distance.

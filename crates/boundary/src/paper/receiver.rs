@@ -19,8 +19,8 @@
 use capwalk_geometry::{HalfSpace, Hit, Mesh};
 use capwalk_math::{Frame, Vec3};
 
-use super::flow::{Flow, FlowSource};
 use crate::boundary_sample::BoundarySample;
+use crate::flow::{Flow, FlowSource};
 
 /// A triangle and the direction that meets it from a viewpoint.
 pub struct Receiver {

@@ -16,11 +16,11 @@ use capwalk_geometry::{EdgeSelection, SilhouettePoint};
 use capwalk_math::{Real, Vec3};
 use capwalk_walk::{Sphere, Triangle, TriangleBoundary, WalkSettings, sample_field};
 
-use super::flow::Flow;
 use super::receiver::{PlaneVelocity, Receiver};
 use crate::boundary_sample::Seen;
 use crate::draw::Numbers;
 use crate::field::Field;
+use crate::flow::Flow;
 use crate::mirror::Mirrors;
 use crate::viewpoint::{SEEN, Viewpoint, Visibility};
 
@@ -126,8 +126,8 @@ mod tests {
     use crate::accel::Accel;
     use crate::boundaries::Boundaries;
     use crate::draw::{Counts, Draw};
+    use crate::flow::FlowSource;
     use crate::method::Method;
-    use crate::paper::flow::FlowSource;
     use crate::random::Sampler;
     use capwalk_math::Moments;
     use capwalk_scene::builtin;

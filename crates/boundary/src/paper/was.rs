@@ -25,8 +25,8 @@ use super::settings::{WasBoundary, WasSettings};
 use crate::accel::Accel;
 use crate::random::Stream;
 
-use super::flow::{Flow, FlowSource};
 use super::weighted_mean::{self, Share, edge_test, ray_numbers, relative_density};
+use crate::flow::{Flow, FlowSource};
 use crate::viewpoint::{Viewpoint, Visibility};
 
 /// An auxiliary ray.

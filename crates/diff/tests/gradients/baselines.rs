@@ -10,33 +10,11 @@ use capwalk_diff::{
     WasSettings, finite_difference, gradient,
 };
 use capwalk_math::{Affine, Vec3};
-use capwalk_scene::primitive::{rectangle, sphere};
+use capwalk_scene::primitive::sphere;
 use capwalk_scene::*;
 
 /// Standard errors beyond which a difference is no accident.
 const Z: f64 = 4.5;
-
-/// One thing before nothing, as a mask; its angles are a few times the reach of
-/// the field, so that most samples tell something.
-fn mask(mesh: capwalk_geometry::Mesh, normals: ShadingNormals) -> Scene {
-    let mut scene = empty(v(0.0, 0.0, 4.0), Vec3::zero(), 3.0, 8);
-    scene.film.filter = Filter::Gaussian { stddev: 0.5 };
-    add(&mut scene, "thing", mesh, normals, 0.5);
-    scene.settings.integrator = Integrator::Aov(Aov::Mask);
-    scene
-}
-
-/// Half of the image's width in the plane through the origin.
-fn half_width() -> f64 {
-    4.0 * 1.5_f64.to_radians().tan()
-}
-
-/// Half as wide as the image, so that its area is 16 pixels.
-fn card() -> Scene {
-    let half = 0.5 * half_width();
-    let (mesh, normals) = rectangle(Affine::scale(v(half, half, 1.0)));
-    mask(mesh, normals)
-}
 
 fn options(spp: u32, seed: u64) -> RenderOptions {
     RenderOptions::new(spp, seed)

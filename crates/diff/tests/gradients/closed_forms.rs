@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 
 use crate::common::agree::tangent;
 use crate::common::exact::{equals, means, settings};
+use crate::common::irradiance::irradiance;
 use crate::common::*;
-use capwalk_diff::probe::irradiance;
 use capwalk_diff::{PreparedScene, Unwatched, WalkSettings, Wanted, backward, gradient};
 use capwalk_geometry::Mesh;
 use capwalk_math::quadrature::gauss_legendre;

@@ -6,10 +6,10 @@ mod adaptive;
 mod auto;
 #[cfg(feature = "paper")]
 mod baselines;
-#[cfg(feature = "paper")]
 mod closed_forms;
 mod common;
 mod coverage;
+mod custom_fields;
 mod furnaces;
 mod hard_shadow_refusals;
 mod nearly_touching;
@@ -31,7 +31,6 @@ mod phenomena_triangle;
 mod phenomena_visible;
 mod prepared;
 mod random_scenes;
-#[cfg(feature = "paper")]
 mod reference_setup;
 #[cfg(feature = "paper")]
 mod refusals;

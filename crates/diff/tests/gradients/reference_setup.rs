@@ -1,8 +1,8 @@
 //! METHOD's reference set-up: floor points under a square lamp, an icosphere
 //! of 320 faces between them, moving in x.
 
+use crate::common::irradiance::{Irradiance, difference, irradiance};
 use crate::common::{reference_points, reference_scene};
-use capwalk_diff::probe::{Irradiance, difference, irradiance};
 use capwalk_diff::{Estimator, WalkSettings};
 use capwalk_math::Moments;
 use capwalk_scene::*;

@@ -6,50 +6,20 @@ use std::borrow::Cow;
 
 use crate::common::agree::tangent;
 use crate::common::materials::*;
+use crate::common::refused::{material, mirror_floor, refusals_with};
 use crate::common::stages::*;
 use crate::common::*;
 use capwalk_diff::{
     AllowMissing, GradientOptions, GradientWork, Method, Part, PreparedScene, RenderOptions,
-    Unwatched, Wanted, WasSettings, backward, gradient,
+    Unwatched, WasSettings, gradient,
 };
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
-use capwalk_scene::bsdf::{Glass, Metal, PrincipledTextures};
+use capwalk_scene::bsdf::{Glass, PrincipledTextures};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{icosphere, rectangle};
 use capwalk_scene::texture::UvTransform;
 use capwalk_scene::*;
-
-fn material(scene: &mut Scene, name: &str, bsdf: Bsdf) {
-    let found = scene.materials.iter_mut().find(|m| m.id == name);
-    found.expect("a material").bsdf = bsdf;
-}
-
-fn mirror(scene: &mut Scene) -> Bsdf {
-    let mut number = |id: &str, x: f64| scene.add_texture(Texture::number(id, x));
-    Bsdf::Conductor(Metal {
-        eta: number("eta", 0.2),
-        k: number("k", 3.0),
-        specular_reflectance: number("tint", 1.0),
-    })
-}
-
-/// A mirror for a floor, flat but with normals of its own, and a lamp seen in it.
-fn mirror_floor() -> Scene {
-    let mut scene = empty(v(0.0, -3.0, 2.0), v(0.0, 0.0, 0.0), 30.0, 12);
-    add_floor(&mut scene, 3.0);
-    add_lamp(&mut scene, v(0.0, 1.6, 1.2), 0.8, 0.3, 10.0);
-    let metal = mirror(&mut scene);
-    material(&mut scene, "floor.bsdf", metal);
-    let floor = scene.shape_mut(ShapeId(0));
-    floor.normals = ShadingNormals::computed(&floor.mesh);
-    scene.settings.integrator = Integrator::Direct {
-        emitter_samples: 1,
-        bsdf_samples: 1,
-        hide_emitters: false,
-    };
-    scene
-}
 
 /// True if both modes refuse, by name.
 fn is_refused(scene: &Scene, name: &str) -> bool {
@@ -62,34 +32,6 @@ fn is_refused(scene: &Scene, name: &str) -> bool {
 /// Why forward and reverse mode refuse, if they do.
 fn refusals(scene: &Scene, tangent: &Tangent) -> [Option<String>; 2] {
     refusals_with(scene, tangent, Method::default())
-}
-
-fn refusals_with(scene: &Scene, tangent: &Tangent, method: Method) -> [Option<String>; 2] {
-    let settings = GradientOptions {
-        method,
-        ..GradientOptions::new(RenderOptions::new(64, 1))
-    };
-    let forward = gradient(
-        &PreparedScene::new(scene.clone()),
-        tangent,
-        &settings,
-        &Unwatched,
-    );
-    let [width, height] = scene.film.crop_size.map(|n| n as usize);
-    let adjoint = Image {
-        width,
-        height,
-        pixels: vec![Rgb::splat(1.0); width * height],
-    };
-    let wanted = Wanted::by(tangent);
-    let reverse = backward(
-        &PreparedScene::new(scene.clone()),
-        &adjoint,
-        &wanted,
-        &settings,
-        &Unwatched,
-    );
-    [forward.err(), reverse.err()].map(|refusal| refusal.map(|refusal| refusal.to_string()))
 }
 
 #[test]

@@ -2,9 +2,12 @@
 #![allow(dead_code, reason = "a benchmark uses some of it")]
 
 pub mod agree;
+pub mod both_modes;
 pub mod exact;
+pub mod irradiance;
 pub mod materials;
 pub mod random;
+pub mod refused;
 pub mod stages;
 #[path = "../../../../../tests/references/store.rs"]
 pub mod store;

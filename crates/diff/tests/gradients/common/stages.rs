@@ -3,7 +3,7 @@
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::emitter::EnvironmentMap;
-use capwalk_scene::primitive::{cube, icosphere, sphere};
+use capwalk_scene::primitive::{cube, icosphere, rectangle, sphere};
 use capwalk_scene::*;
 
 use super::*;
@@ -174,4 +174,26 @@ pub fn box_of_sides() -> (Scene, String) {
         add(&mut scene, &id, side, ShadingNormals::Face, 0.5);
     }
     (scene, parts.join(" + "))
+}
+
+/// One thing before nothing, as a mask; its angles are a few times the reach of
+/// the field, so that most samples tell something.
+pub fn mask(mesh: Mesh, normals: ShadingNormals) -> Scene {
+    let mut scene = empty(v(0.0, 0.0, 4.0), Vec3::zero(), 3.0, 8);
+    scene.film.filter = Filter::Gaussian { stddev: 0.5 };
+    add(&mut scene, "thing", mesh, normals, 0.5);
+    scene.settings.integrator = Integrator::Aov(Aov::Mask);
+    scene
+}
+
+/// Half of the image's width in the plane through the origin.
+pub fn half_width() -> f64 {
+    4.0 * 1.5_f64.to_radians().tan()
+}
+
+/// Half as wide as the image, so that its area is 16 pixels.
+pub fn card() -> Scene {
+    let half = 0.5 * half_width();
+    let (mesh, normals) = rectangle(Affine::scale(v(half, half, 1.0)));
+    mask(mesh, normals)
 }

@@ -1,6 +1,5 @@
-//! How a sampled direction moves with the scene, as a linear map from
-//! velocities: what every way to make a velocity field comes down to. Applied
-//! to velocities it serves forward, transposed reverse derivatives (METHOD 5).
+//! How a sampled direction moves with the scene, as any linear map from velocities: what a
+//! [`CustomField`](crate::CustomField) comes down to.
 
 use capwalk_math::Vec3;
 
@@ -25,8 +24,9 @@ struct Term {
     divergence: Vec3,
 }
 
-/// The velocity of a unit direction and the divergence of the field that gives
-/// it, linear in the velocities of a few points.
+/// The velocity of a unit direction, radians, and the divergence of the field that gives it, linear
+/// in the velocities of a few points. By default there are none, and the direction does not move.
+/// Applied to velocities it serves forward derivatives, transposed reverse ones (METHOD 5).
 #[derive(Clone, Debug, Default)]
 pub struct Flow {
     terms: Vec<Term>,

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use capwalk_boundary::refuse::refuse_walk;
 use capwalk_boundary::{Counts, Draw, Field, Method, Refusal, Sampler};
+use capwalk_diff::Forward;
 use capwalk_math::{Frame, Moments, Real, Rgb, Vec3};
 use capwalk_render::{
     FIRST_VERTEX, LightSampling, Plan, PreparedScene, Primal, SpecularChain, Tracer, Vertex,
@@ -13,8 +14,6 @@ use capwalk_render::{
 use capwalk_scene::lobe::{Diffuse, Lobe, LocalBsdf};
 use capwalk_scene::{Scene, Tangent};
 use capwalk_walk::WalkSettings;
-
-use crate::forward_eval::Forward;
 
 /// A fixed surface point that reflects the irradiance itself: its reflectance
 /// is π.

@@ -1,0 +1,70 @@
+//! What both modes refuse, and a mirror in which it is seen.
+
+use capwalk_diff::{
+    GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted, backward, gradient,
+};
+use capwalk_math::Rgb;
+use capwalk_scene::bsdf::Metal;
+use capwalk_scene::*;
+
+use super::{add_floor, add_lamp, empty, v};
+/// Replaces a material.
+pub fn material(scene: &mut Scene, name: &str, bsdf: Bsdf) {
+    let found = scene.materials.iter_mut().find(|m| m.id == name);
+    found.expect("a material").bsdf = bsdf;
+}
+
+fn mirror(scene: &mut Scene) -> Bsdf {
+    let mut number = |id: &str, x: f64| scene.add_texture(Texture::number(id, x));
+    Bsdf::Conductor(Metal {
+        eta: number("eta", 0.2),
+        k: number("k", 3.0),
+        specular_reflectance: number("tint", 1.0),
+    })
+}
+
+/// A mirror for a floor, flat but with normals of its own, and a lamp seen in it.
+pub fn mirror_floor() -> Scene {
+    let mut scene = empty(v(0.0, -3.0, 2.0), v(0.0, 0.0, 0.0), 30.0, 12);
+    add_floor(&mut scene, 3.0);
+    add_lamp(&mut scene, v(0.0, 1.6, 1.2), 0.8, 0.3, 10.0);
+    let metal = mirror(&mut scene);
+    material(&mut scene, "floor.bsdf", metal);
+    let floor = scene.shape_mut(ShapeId(0));
+    floor.normals = ShadingNormals::computed(&floor.mesh);
+    scene.settings.integrator = Integrator::Direct {
+        emitter_samples: 1,
+        bsdf_samples: 1,
+        hide_emitters: false,
+    };
+    scene
+}
+
+/// Why forward and reverse mode refuse a method, if they do.
+pub fn refusals_with(scene: &Scene, tangent: &Tangent, method: Method) -> [Option<String>; 2] {
+    let settings = GradientOptions {
+        method,
+        ..GradientOptions::new(RenderOptions::new(64, 1))
+    };
+    let forward = gradient(
+        &PreparedScene::new(scene.clone()),
+        tangent,
+        &settings,
+        &Unwatched,
+    );
+    let [width, height] = scene.film.crop_size.map(|n| n as usize);
+    let adjoint = Image {
+        width,
+        height,
+        pixels: vec![Rgb::splat(1.0); width * height],
+    };
+    let wanted = Wanted::by(tangent);
+    let reverse = backward(
+        &PreparedScene::new(scene.clone()),
+        &adjoint,
+        &wanted,
+        &settings,
+        &Unwatched,
+    );
+    [forward.err(), reverse.err()].map(|refusal| refusal.map(|refusal| refusal.to_string()))
+}
